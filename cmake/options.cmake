@@ -1,0 +1,22 @@
+# What every target of Kerf is built with. `kerf_room` makes the library of one room of the house.
+
+add_library(kerf_options INTERFACE)
+target_compile_options(kerf_options INTERFACE
+  -Wall -Wextra -Wconversion -Wshadow -Werror
+  # One rounding everywhere: a product and a sum are never fused (DESIGN.md, "Classification").
+  -ffp-contract=off)
+if(KERF_SANITIZE)
+  target_compile_options(kerf_options INTERFACE -fsanitize=${KERF_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  target_link_options(kerf_options INTERFACE -fsanitize=${KERF_SANITIZE})
+endif()
+target_include_directories(kerf_options INTERFACE ${PROJECT_SOURCE_DIR})
+
+# kerf_room(NAME SOURCES... ) takes every .cpp and .h below the current folder, so that a new file needs no line here.
+function(kerf_room name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  add_library(${name} STATIC ${sources})
+  target_sources(${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
+  target_link_libraries(${name} PUBLIC kerf_options)
+endfunction()

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/geometry/box.h"
+#include "core/ids.h"
+
+namespace kerf {
+
+/// Whether an object can move by itself. Two fixed objects are never a pair: no engine wants them.
+enum class Mobility : std::uint8_t { moving, fixed };
+
+/// What a broad phase says of one request. Everything but `ok` and `clamped` left the healthy objects and
+/// their pairs as they were.
+enum class [[nodiscard]] Status : std::uint8_t {
+  ok,
+  clamped,      ///< accepted; infinite bounds were clamped to +-FLT_MAX
+  quarantined,  ///< NaN or min > max: the object takes part in no pair until a valid box comes
+  unknown_id,   ///< no such object: nothing was done
+  duplicate_id, ///< the object exists already: nothing was done
+};
+
+std::string_view to_string(Status status);
+
+/// A broad phase: it holds boxes and tells which of them overlap.
+///
+/// Requests take effect at once or in the next `step()`; the pairs of `step()` always agree with the last
+/// box given for each object. The caller chooses the ids. There is no way to change a box behind its back.
+template <int D>
+class BroadPhase {
+ public:
+  BroadPhase() = default;
+  BroadPhase(const BroadPhase&) = delete;
+  BroadPhase& operator=(const BroadPhase&) = delete;
+  virtual ~BroadPhase() = default;
+
+  /// The name by which programs choose it, for example "kerf" or "brute-force".
+  [[nodiscard]] virtual std::string_view name() const = 0;
+
+  virtual Status insert(ObjectId object, const Box<D>& box, Mobility mobility) = 0;
+  virtual Status move(ObjectId object, const Box<D>& box) = 0;
+  virtual Status remove(ObjectId object) = 0;
+
+  /// Brings the structure up to date and finds all pairs.
+  virtual void step() = 0;
+  /// The pairs found by the last `step()`, each once, in an order that the implementation fixes.
+  [[nodiscard]] virtual std::span<const Pair> pairs() const = 0;
+};
+
+}  // namespace kerf

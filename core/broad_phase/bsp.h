@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/broad_phase/broad_phase.h"
+#include "core/config.h"
+#include "core/trace/reporter.h"
+#include "core/tree/scheduler.h"
+#include "core/tree/statistics.h"
+#include "core/tree/tree.h"
+
+namespace kerf {
+
+/// The Semi-Adjusting BSP-tree as a broad phase (paper sections 3 to 5). `Trace` is told of every event; with
+/// NoTrace watching costs nothing.
+template <int D, class Trace = NoTrace>
+class Bsp final : public BroadPhase<D> {
+ public:
+  /// Throws std::invalid_argument when the configuration cannot work (see `config_fields` for the ranges).
+  explicit Bsp(const Config& config = {});
+
+  [[nodiscard]] std::string_view name() const override { return "kerf"; }
+  Status insert(ObjectId object, const Box<D>& box, Mobility mobility) override;
+  Status move(ObjectId object, const Box<D>& box) override;
+  Status remove(ObjectId object) override;
+  void step() override;
+  [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_; }
+
+  [[nodiscard]] const Config& config() const { return config_; }
+  /// Takes effect from the next step on; the tree is kept. The direction set cannot change: throws
+  /// std::invalid_argument if `directions` or `seed` differ.
+  void set_config(const Config& config);
+  [[nodiscard]] const Tree<D>& tree() const { return tree_; }
+  [[nodiscard]] Statistics statistics() const;
+  /// Equal for equal trees, wherever they were built.
+  [[nodiscard]] std::uint64_t state_hash() const;
+  /// Steps done so far; events carry the number of the step in which they happened, the first being 1.
+  [[nodiscard]] std::uint32_t steps() const { return step_; }
+  [[nodiscard]] Trace& trace() { return reporter_.trace(); }
+
+ private:
+  void begin(Phase phase);
+
+  Config config_;
+  Tree<D> tree_;
+  Scheduler<D> scheduler_;
+  Reporter<Trace> reporter_;
+  std::vector<Pair> pairs_;
+  std::array<double, kPhaseCount> phase_seconds_{};
+  std::uint64_t placed_ = 0;
+  std::uint32_t step_ = 0;
+};
+
+extern template class Bsp<2, NoTrace>;
+extern template class Bsp<3, NoTrace>;
+extern template class Bsp<2, EventLog>;
+extern template class Bsp<3, EventLog>;
+
+}  // namespace kerf

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "core/geometry/vector.h"
+
+namespace kerf {
+
+/// A disc in 2D, a sphere in 3D, around the body's origin.
+struct Ball {
+  Scalar radius = 0.5F;
+};
+
+/// An oriented box around the body's origin; half extents along the body's own axes.
+template <int D>
+struct Brick {
+  Vector<D> half;
+};
+
+/// A convex outline in the body's frame, counter-clockwise (2D scenes only draw and use it).
+struct Outline {
+  std::vector<Vector<2>> corners;
+};
+
+/// A triangle surface in the body's frame, shared between bodies: terrain and bucket walls.
+struct Surface {
+  std::vector<Vector<3>> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// The true shape of a body, as the narrow phase and the renderer see it.
+template <int D>
+using Shape = std::conditional_t<D == 2, std::variant<Ball, Brick<2>, Outline>,
+                                 std::variant<Ball, Brick<3>, std::shared_ptr<const Surface>>>;
+
+/// Position and orientation of a body's frame. `axes[i]` is where the body's i-th axis points in the world.
+template <int D>
+struct Pose {
+  Vector<D> position;
+  std::array<Vector<D>, D> axes = identity_axes();
+
+  static constexpr std::array<Vector<D>, D> identity_axes() {
+    std::array<Vector<D>, D> axes;
+    for (int i = 0; i < D; ++i) axes[static_cast<std::size_t>(i)] = axis_vector<D>(i);
+    return axes;
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "core/trace/event.h"
+
+namespace kerf {
+
+/// What a broad phase reports to. With NoTrace nothing is built and nothing is called.
+struct NoTrace {
+  static constexpr bool kEnabled = false;
+};
+
+/// Keeps every event until taken.
+class EventLog {
+ public:
+  static constexpr bool kEnabled = true;
+  void record(Event event) { events_.push_back(std::move(event)); }
+  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  /// Gives the events away and starts afresh.
+  std::vector<Event> take() { return std::exchange(events_, {}); }
+
+ private:
+  std::vector<Event> events_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/broad_phase/object_table.h"
+#include "core/geometry/direction_set.h"
+#include "core/ids.h"
+#include "core/tree/node.h"
+
+namespace kerf {
+
+/// The tree as a value: nodes and boxes in arrays, links as indices. A copy is a keyframe.
+///
+/// Invariant (checked by `validate`): every placed object has one entry in every leaf that its box reaches by
+/// `classify`, and `straddle`, `right_of`, `depth` and `population` say what the links say.
+template <int D>
+class Tree {
+ public:
+  explicit Tree(std::shared_ptr<const DirectionSet<D>> directions);
+
+  [[nodiscard]] NodeId root() const { return root_; }
+  [[nodiscard]] const Node<D>& operator[](NodeId id) const { return nodes_[id.index()]; }
+  [[nodiscard]] Node<D>& operator[](NodeId id) { return nodes_[id.index()]; }
+  /// Slots of nodes, dead ones included: the size for arrays kept per node.
+  [[nodiscard]] std::uint32_t slots() const { return static_cast<std::uint32_t>(nodes_.size()); }
+  [[nodiscard]] NodeRef ref(NodeId id) const { return {id, nodes_[id.index()].generation}; }
+  [[nodiscard]] bool is_alive(NodeRef ref) const;
+  [[nodiscard]] const DirectionSet<D>& directions() const { return *directions_; }
+  [[nodiscard]] std::uint64_t entries() const { return entries_; }
+  [[nodiscard]] std::uint32_t objects() const { return nodes_[root_.index()].population; }
+
+  /// Boxes as they are placed. Operators classify by these and by nothing else.
+  ObjectTable<D> table;
+
+  // For operators and placement only.
+  NodeId make_leaf(NodeId parent, bool right, std::uint32_t direction);
+  void release(NodeId id);
+  void set_root(NodeId id) { root_ = id; }
+  /// Puts an entry for `object` into the leaf and counts it.
+  void add_entry(NodeId leaf, ObjectId object, DepthMask straddle);
+  /// Takes the entry of `object` out of the leaf.
+  void take_entry(NodeId leaf, ObjectId object);
+  void clear_entries(NodeId leaf);
+
+ private:
+  std::shared_ptr<const DirectionSet<D>> directions_;
+  std::vector<Node<D>> nodes_;
+  std::vector<NodeId> free_;
+  NodeId root_;
+  std::uint64_t entries_ = 0;
+};
+
+/// Calls `visit(id)` for each node below `from`, itself included, left before right, parents first.
+template <int D, class Visit>
+void for_each_node(const Tree<D>& tree, NodeId from, Visit visit) {
+  std::vector<NodeId> todo{from};
+  while (!todo.empty()) {
+    const NodeId id = todo.back();
+    todo.pop_back();
+    visit(id);
+    if (tree[id].is_leaf()) continue;
+    todo.push_back(tree[id].right);
+    todo.push_back(tree[id].left);
+  }
+}
+
+extern template class Tree<2>;
+extern template class Tree<3>;
+
+}  // namespace kerf
