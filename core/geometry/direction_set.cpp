@@ -1,0 +1,156 @@
+#include "core/geometry/direction_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "core/random.h"
+
+namespace kerf {
+namespace {
+
+// Everything here is +, -, *, / and sqrt on doubles: correctly rounded operations, so every machine agrees.
+template <int D>
+using Point = std::array<double, D>;
+
+template <int D>
+double inner(const Point<D>& a, const Point<D>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < D; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+template <int D>
+void normalize(Point<D>& p) {
+  const double norm = std::sqrt(inner<D>(p, p));
+  for (double& x : p) x /= norm;
+}
+
+template <int D>
+Point<D> random_direction(Random& random) {
+  while (true) {
+    Point<D> p;
+    for (double& x : p) x = random.uniform(-1, 1);
+    const double norm2 = inner<D>(p, p);
+    if (norm2 > 1 || norm2 < 1e-4) continue;
+    normalize<D>(p);
+    return p;
+  }
+}
+
+/// |cosine| of the angle to the nearest of `points`, taken as lines: 1 on top of one, 0 at right angles to all.
+template <int D>
+double nearness(const Point<D>& p, std::span<const Point<D>> points) {
+  double nearest = 0;
+  for (const Point<D>& q : points) nearest = std::max(nearest, std::abs(inner<D>(p, q)));
+  return nearest;
+}
+
+/// The axes, then each time the loneliest of a few random directions: an even start for the repulsion.
+template <int D>
+std::vector<Point<D>> scatter(std::uint32_t size, Random& random) {
+  constexpr int kTries = 16;
+  std::vector<Point<D>> points;
+  for (std::size_t i = 0; i < D; ++i) {
+    points.push_back({});
+    points.back()[i] = 1;
+  }
+  while (points.size() < size) {
+    Point<D> best = random_direction<D>(random);
+    double best_nearness = nearness<D>(best, points);
+    for (int i = 1; i < kTries; ++i) {
+      const Point<D> candidate = random_direction<D>(random);
+      const double near = nearness<D>(candidate, points);
+      if (near < best_nearness) {
+        best = candidate;
+        best_nearness = near;
+      }
+    }
+    points.push_back(best);
+  }
+  return points;
+}
+
+/// Adds to `force` the push that a line through q gives a point p of the sphere: from q and from -q, each with the
+/// inverse square of its distance.
+template <int D>
+void add_push(const Point<D>& p, const Point<D>& q, Point<D>& force) {
+  for (const double sign : {1.0, -1.0}) {
+    Point<D> away;
+    for (std::size_t i = 0; i < D; ++i) away[i] = p[i] - sign * q[i];
+    const double distance2 = std::max(inner<D>(away, away), 1e-12);
+    const double scale = 1 / (distance2 * std::sqrt(distance2));
+    for (std::size_t i = 0; i < D; ++i) force[i] += scale * away[i];
+  }
+}
+
+/// One round of repulsion; no point but the axes stays, none goes further than `reach`.
+template <int D>
+void repel(std::vector<Point<D>>& points, double reach) {
+  const std::vector<Point<D>> before = points;
+  for (std::size_t k = D; k < points.size(); ++k) {
+    Point<D> force{};
+    for (std::size_t j = 0; j < before.size(); ++j)
+      if (j != k) add_push<D>(before[k], before[j], force);
+    const double radial = inner<D>(force, before[k]);
+    for (std::size_t i = 0; i < D; ++i) force[i] -= radial * before[k][i];
+    const double strength = std::sqrt(inner<D>(force, force));
+    if (strength == 0) continue;
+    const double scale = reach / (strength + static_cast<double>(points.size()));
+    for (std::size_t i = 0; i < D; ++i) points[k][i] += scale * force[i];
+    normalize<D>(points[k]);
+  }
+}
+
+/// Orders the directions behind the axes so that each next one is the loneliest of those left.
+template <int D>
+void order_by_loneliness(std::vector<Point<D>>& points) {
+  std::vector<double> near(points.size(), 0);
+  std::size_t done = 0;
+  const auto settle = [&] {
+    for (std::size_t k = done + 1; k < points.size(); ++k)
+      near[k] = std::max(near[k], std::abs(inner<D>(points[k], points[done])));
+    ++done;
+  };
+  while (done < D) settle();
+  while (done < points.size()) {
+    const auto loneliest = std::min_element(near.begin() + static_cast<std::ptrdiff_t>(done), near.end());
+    const auto k = static_cast<std::size_t>(loneliest - near.begin());
+    std::swap(points[done], points[k]);
+    std::swap(near[done], near[k]);
+    settle();
+  }
+}
+
+/// The float direction, turned into the hemisphere where the last component that is not 0 is positive.
+template <int D>
+Vector<D> to_hemisphere(const Point<D>& p) {
+  Vector<D> v;
+  for (int i = 0; i < D; ++i) v[i] = static_cast<Scalar>(p[static_cast<std::size_t>(i)]);
+  int last = D - 1;
+  while (last > 0 && v[last] == 0) --last;
+  return v[last] < 0 ? v * -1 : v;
+}
+
+}  // namespace
+
+template <int D>
+DirectionSet<D>::DirectionSet(std::uint32_t size, std::uint64_t seed) {
+  if (size < D || size > 4096)
+    throw std::invalid_argument("direction set: size " + std::to_string(size) + " is not between " +
+                                std::to_string(D) + " and 4096");
+  constexpr int kRounds = 40;
+  Random random(seed);
+  std::vector<Point<D>> points = scatter<D>(size, random);
+  const double spacing = D == 2 ? 3.0 / size : 2.5 / std::sqrt(static_cast<double>(size));
+  for (int round = 0; round < kRounds; ++round)
+    repel<D>(points, spacing * static_cast<double>(kRounds - round) / kRounds);
+  order_by_loneliness<D>(points);
+  for (const Point<D>& p : points) directions_.push_back(to_hemisphere<D>(p));
+}
+
+template class DirectionSet<2>;
+template class DirectionSet<3>;
+
+}  // namespace kerf

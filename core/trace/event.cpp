@@ -1,0 +1,3 @@
+#include "core/trace/event.h"
+
+#include <format>
