@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string_view>
+
+#include "core/geometry/box.h"
+
+namespace kerf {
+
+/// What the user said of the camera; what was left out is chosen by `frame_all`.
+template <int D>
+struct CameraChoice;
+
+/// Orbit camera, z up. Angles in degrees: yaw 0 looks along +y, pitch 90 straight down; fov is the vertical
+/// one.
+template <>
+struct CameraChoice<3> {
+  double yaw = 30;
+  double pitch = 25;
+  double fov = 35;
+  std::optional<double> distance;  ///< from the target, in scene units
+  std::optional<Eigen::Vector3d> target;
+};
+
+/// Pan and zoom, y up.
+template <>
+struct CameraChoice<2> {
+  std::optional<Eigen::Vector2d> center;
+  std::optional<double> width;  ///< scene units across the picture
+};
+
+/// Reads "yaw=30,pitch=25,fov=35,distance=40,target=0:0:0" (3D) or "center=0:5,width=40" (2D), any part of it
+/// or nothing. Throws std::invalid_argument that says what was wrong and what can be given.
+template <int D>
+CameraChoice<D> parse_camera(std::string_view text);
+
+/// A rectangle of the picture in pixels, y down.
+struct Viewport {
+  double left = 0;
+  double top = 0;
+  double width = 1;
+  double height = 1;
+};
+
+/// Takes scene points to the picture. 2D points have z = 0.
+struct View {
+  Eigen::Matrix4d clip_from_world;                     ///< y down: row 0 of the picture is its top
+  Eigen::Vector3d eye = Eigen::Vector3d::Zero();       ///< 3D only
+  Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();  ///< unit, from the eye into the scene
+  double pixels_per_unit_at_one = 1;  ///< pixels of a unit length at distance 1 (2D: anywhere)
+  double picture_width = 1;
+  double picture_height = 1;
+
+  /// Pixels that a length of one takes at `point`.
+  [[nodiscard]] double pixels_per_unit(const Eigen::Vector3d& point) const;
+  /// Pixel position; nothing if the point lies behind the eye.
+  [[nodiscard]] std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point) const;
+};
+
+/// The view in which all of `box` lies within `viewport`, with a small margin, unless `choice` says
+/// otherwise.
+template <int D>
+View frame_all(const Box<D>& box, const CameraChoice<D>& choice, const Viewport& viewport, int picture_width,
+               int picture_height);
+
+}  // namespace kerf

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "core/geometry/box.h"
+#include "core/ids.h"
+#include "core/scene/scene.h"
+#include "core/trace/event.h"
+#include "core/tree/statistics.h"
+#include "core/tree/tree.h"
+#include "viz/draw/layers.h"
+#include "viz/image/image.h"
+
+namespace kerf {
+
+/// The words and numbers of a frame. Those of the tree are shown only when a tree is drawn.
+struct Caption {
+  std::string scene;
+  std::string broad_phase;
+  std::uint32_t step = 0;
+  std::uint32_t objects = 0;
+  std::uint32_t moving = 0;
+  std::uint64_t pairs = 0;
+  std::uint64_t contacts = 0;
+  Statistics statistics;
+  std::string note;  ///< free text, one line, may be empty
+};
+
+/// One moment of a scene. Nothing is kept: it need not outlive the call.
+template <int D>
+struct FrameInput {
+  std::span<const Body<D>> bodies;  ///< body k is object k
+  const Tree<D>* tree = nullptr;    ///< none: a broad phase without a tree
+  std::span<const Pair> pairs;
+  std::span<const Pair> contacts;  ///< those of `pairs` that touch
+  /// What happened lately. Operators fade with their age in steps against `caption.step`, so that a caller
+  /// who makes a film may give those of the last kHighlightSteps steps.
+  std::span<const Event> events;
+  Caption caption;
+};
+
+/// An operator stays highlighted for so many steps.
+inline constexpr std::uint32_t kHighlightSteps = 10;
+
+inline constexpr int kMinFrameSide = 64;
+inline constexpr int kMaxFrameSide = 8192;
+
+struct FrameOptions {
+  int width = 1280;  ///< kMinFrameSide to kMaxFrameSide, as height
+  int height = 720;
+  LayerSet layers = LayerSet::all();
+  std::string camera;  ///< see `parse_camera`; empty: everything in view
+};
+
+/// Draws frames with a GL context of its own; the same inputs in the same order give the same pixels on every
+/// run and for every number of rasteriser threads.
+///
+/// The view holds everything seen so far and does not follow single objects: it grows in large steps only. A
+/// caller who draws frames out of order (or in several processes) fixes it with `set_view_box`.
+template <int D>
+class FrameRenderer {
+ public:
+  /// Throws std::invalid_argument for a bad size or camera, std::runtime_error if there is no GL.
+  explicit FrameRenderer(const FrameOptions& options);
+  ~FrameRenderer();
+  FrameRenderer(FrameRenderer&&) noexcept;
+  FrameRenderer& operator=(FrameRenderer&&) noexcept;
+
+  /// The picture is valid until the next call. Throws std::runtime_error on a GL error.
+  const Image& render(const FrameInput<D>& input);
+
+  /// From now on exactly this box is framed. Throws std::invalid_argument unless it is valid.
+  void set_view_box(const Box<D>& box);
+  /// The box that the last frame showed, to be given to the other renderers of a sequence.
+  [[nodiscard]] Box<D> view_box() const;
+  void set_layers(LayerSet layers);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+extern template class FrameRenderer<2>;
+extern template class FrameRenderer<3>;
+
+}  // namespace kerf

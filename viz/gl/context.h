@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "viz/gl/functions.h"
+
+namespace kerf {
+
+/// An OpenGL 3.3 core context, whatever made it. What is drawn goes into our own framebuffer objects, never
+/// into the one that a context may bring along.
+class GlContext {
+ public:
+  GlContext() = default;
+  GlContext(const GlContext&) = delete;
+  GlContext& operator=(const GlContext&) = delete;
+  virtual ~GlContext() = default;
+
+  /// Makes it the calling thread's context. Throws std::runtime_error if the driver refuses.
+  virtual void make_current() = 0;
+  [[nodiscard]] virtual const GlFunctions& functions() const = 0;
+  /// Driver and version, for reports.
+  [[nodiscard]] virtual std::string description() const = 0;
+};
+
+/// A context without window or display (OSMesa), current in the calling thread. Throws std::runtime_error
+/// that says what is missing. A process that forks must do so before the first context.
+std::unique_ptr<GlContext> make_offscreen_context();
+
+/// Lets malloc keep what the software rasteriser frees each frame (up to a fifth faster). It speaks for the
+/// whole process, so programs call it, libraries do not.
+void tune_allocator_for_rendering();
+
+}  // namespace kerf

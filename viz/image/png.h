@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "viz/image/image.h"
+
+namespace kerf {
+
+/// Largest side of an image that is read or written, in pixels.
+inline constexpr int kMaxImageSide = 16384;
+
+/// Writes an RGB PNG (alpha is dropped: frames are opaque). The file appears under its name only when it is
+/// complete: it is written beside it, flushed, checked and renamed. Throws std::runtime_error with the path
+/// and the reason; nothing is left behind then.
+void write_png(const std::filesystem::path& path, const Image& image);
+
+/// Reads a PNG of any kind as RGBA. Throws std::runtime_error with the path and the reason (missing, not a
+/// PNG, truncated, damaged, larger than kMaxImageSide); memory is taken only after the size is known to be
+/// sane.
+Image read_png(const std::filesystem::path& path);
+
+/// Hash of the size and the decoded pixels: equal for equal pictures, however they were compressed.
+std::uint64_t pixel_hash(const Image& image);
+
+}  // namespace kerf
