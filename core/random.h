@@ -4,9 +4,9 @@
 
 namespace kerf {
 
-/// SplitMix64 (Steele, Lea and Flood 2014): small, seeded, the same numbers with every compiler and library, which
-/// std::*_distribution does not promise. Draw one number a statement: the order of arguments is unspecified
-/// (HARD_CASES.md N4).
+/// SplitMix64 (Steele, Lea and Flood 2014): small, seeded, the same numbers with every compiler and library,
+/// which std::*_distribution does not promise. Draw one number a statement: the order of arguments is
+/// unspecified (HARD_CASES.md N4).
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}

@@ -9,8 +9,9 @@
 namespace kerf {
 
 /// Directions spread evenly over the hemisphere (half circle in 2D) of partitioner normals by point repulsion
-/// (paper section 3.2, after Hasan et al. 2001). The first D are the axes, exactly; the rest are ordered so that
-/// every prefix is spread as evenly as it can be. The same size and seed give the same floats on every machine.
+/// (paper section 3.2, after Hasan et al. 2001). The first D are the axes, exactly; the rest are ordered so
+/// that every prefix is spread as evenly as it can be. The same size and seed give the same floats on every
+/// machine.
 template <int D>
 class DirectionSet {
  public:

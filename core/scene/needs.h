@@ -9,15 +9,16 @@ namespace kerf {
 /// How an object is bounded for the broad phase (DESIGN.md, "Words").
 enum class VolumeKind : std::uint8_t { box };
 
-/// What a scene asks of its broad phase; nothing else is paid for (DESIGN.md, "Model only what a scene needs").
+/// What a scene asks of its broad phase; nothing else is paid for (DESIGN.md, "Model only what a scene
+/// needs").
 struct Needs {
-  int dimension = 3;                              ///< 2 or 3
-  VolumeKind volume = VolumeKind::box;            ///< how objects are bounded
-  bool fixed_objects = true;                      ///< some objects never move
-  bool rotation = true;                           ///< bodies turn, so that boxes change shape
-  bool free_directions = true;                    ///< partitioners in other than axis directions pay
-  std::array<bool, 3> separating{true, true, true}; ///< axes along which objects are told apart
-  bool contacts = true;                           ///< the narrow phase is wanted
+  int dimension = 3;                                 ///< 2 or 3
+  VolumeKind volume = VolumeKind::box;               ///< how objects are bounded
+  bool fixed_objects = true;                         ///< some objects never move
+  bool rotation = true;                              ///< bodies turn, so that boxes change shape
+  bool free_directions = true;                       ///< partitioners in other than axis directions pay
+  std::array<bool, 3> separating{true, true, true};  ///< axes along which objects are told apart
+  bool contacts = true;                              ///< the narrow phase is wanted
 };
 
 /// One line for captions, manifests and `kerf scenes`.

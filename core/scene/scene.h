@@ -56,9 +56,9 @@ class Scene {
 template <int D>
 struct SceneEntry {
   std::string_view name;
-  std::string_view summary;            ///< one line
-  std::string_view source;             ///< the paper's simulation that it follows, or "ours"
-  std::uint32_t default_objects = 0;   ///< moving objects
+  std::string_view summary;           ///< one line
+  std::string_view source;            ///< the paper's simulation that it follows, or "ours"
+  std::uint32_t default_objects = 0;  ///< moving objects
   Needs needs;
   std::unique_ptr<Scene<D>> (*make)(BroadPhase<D>& broad_phase, const SceneOptions& options) = nullptr;
 };

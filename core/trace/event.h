@@ -41,12 +41,12 @@ struct OperatorScheduled {
 
 /// Why a scheduled or evaluated operator did not act.
 enum class Refusal : std::uint8_t {
-  dead_node,      ///< the node has died or been used again since
-  not_needed,     ///< the condition that called for it is gone
-  no_partitioner, ///< no candidate meets the goodness criteria
-  height,         ///< the height cap
-  entries,        ///< the cap on entries
-  list_full,      ///< the event list is full
+  dead_node,       ///< the node has died or been used again since
+  not_needed,      ///< the condition that called for it is gone
+  no_partitioner,  ///< no candidate meets the goodness criteria
+  height,          ///< the height cap
+  entries,         ///< the cap on entries
+  list_full,       ///< the event list is full
 };
 std::string_view to_string(Refusal refusal);
 

@@ -7,8 +7,8 @@
 
 namespace kerf {
 
-/// Numbers events and hands them to the trace. With NoTrace every call compiles to nothing, the building of the
-/// event included.
+/// Numbers events and hands them to the trace. With NoTrace every call compiles to nothing, the building of
+/// the event included.
 template <class Trace>
 class Reporter {
  public:
