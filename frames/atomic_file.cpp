@@ -1,0 +1,71 @@
+#include "frames/atomic_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace kerf {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+  std::string text = "cannot write " + path.string() + ": " + std::strerror(error);
+  if (error == ENOSPC || error == EFBIG || error == EDQUOT)
+    text += "; free some space or choose another folder";
+  throw std::runtime_error(text);
+}
+
+bool write_all(int file, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::filesystem::path part_path(const std::filesystem::path& path) {
+  return path.parent_path() / ("." + path.stem().string() + ".part" + path.extension().string());
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+  const std::filesystem::path part = part_path(path);
+  const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) fail(path, errno);
+  int error = write_all(file, bytes) ? 0 : errno;
+  if (::close(file) != 0 && error == 0) error = errno;
+  if (error == 0 && ::rename(part.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) return;
+  ::unlink(part.c_str());
+  fail(path, error);
+}
+
+void write_file_atomically(const std::filesystem::path& path, std::string_view text) {
+  write_file_atomically(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+void make_writable_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw std::runtime_error("cannot make the folder " + folder.string() + ": " + error.message() +
+                             "; choose another with --out");
+  }
+  const std::filesystem::path trial = folder / ".kerf.trial";
+  const int file = ::open(trial.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (file < 0) {
+    throw std::runtime_error("cannot write into the folder " + folder.string() + ": " + std::strerror(errno) +
+                             "; choose another with --out");
+  }
+  ::close(file);
+  ::unlink(trial.c_str());
+}
+
+}  // namespace kerf

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace kerf {
+
+/// Writes a file such that its name appears only when it is complete: first under a temporary name beside it,
+/// then renamed. Throws std::runtime_error with path and reason (disk full, no permission); then nothing is
+/// left behind and a file that had the name before is untouched.
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+void write_file_atomically(const std::filesystem::path& path, std::string_view text);
+
+/// The temporary name used for `path`: same folder, same extension, marked as a part.
+std::filesystem::path part_path(const std::filesystem::path& path);
+
+/// Creates `folder` with its parents and proves by a trial file that it can be written.
+/// Throws std::runtime_error with path and reason.
+void make_writable_folder(const std::filesystem::path& folder);
+
+}  // namespace kerf

@@ -1,0 +1,102 @@
+#include "frames/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "frames/errors.h"
+#include "frames/render_command.h"
+#include "frames/scenes_command.h"
+#include "frames/suggest.h"
+
+namespace kerf {
+namespace {
+
+int report(const std::string& message, int exit_code) {
+  std::fprintf(stderr, "kerf: %s\n", message.c_str());
+  return exit_code;
+}
+
+const CLI::App& chosen_command(const CLI::App& program) {
+  const auto chosen = program.get_subcommands();
+  return chosen.empty() ? program : *chosen.front();
+}
+
+/// The long names of a command's options, or the program's subcommands.
+std::vector<std::string> valid_names(const CLI::App& command, bool options) {
+  std::vector<std::string> names;
+  if (!options) {
+    for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) {
+      names.push_back(sub->get_name());
+    }
+    return names;
+  }
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->nonpositional()) continue;
+    names.push_back("--" + option->get_lnames().front());
+  }
+  return names;
+}
+
+/// CLI11 says only that something was not expected; we say what was probably meant.
+std::string unexpected_argument(const CLI::App& program) {
+  const CLI::App& command = chosen_command(program);
+  const std::vector<std::string> extras = program.remaining(true);
+  std::string given = extras.empty() ? "" : extras.front();
+  const bool is_option = given.starts_with("-");
+  given = given.substr(0, given.find('='));
+  if (is_option) return unknown_name_message("option", given, valid_names(command, true));
+  if (&command == &program) return unknown_name_message("command", given, valid_names(program, false));
+  return "'" + given + "' is one argument too many";
+}
+
+std::string help_hint(const CLI::App& program) {
+  const CLI::App& command = chosen_command(program);
+  return "\nTry `" + (&command == &program ? "" : program.get_name() + " ") + command.get_name() +
+         " --help`.";
+}
+
+/// Runs the chosen subcommand and turns what it throws into an exit code.
+int run(const CLI::App& program, const ScenesCommand& scenes, const RenderCommand& render) {
+  try {
+    if (scenes.chosen()) scenes.run();
+    if (render.chosen()) render.run();
+    return kExitDone;
+  } catch (const UsageError& error) {
+    return report(error.what() + help_hint(program), kExitUsage);
+  } catch (const Interrupted& error) {
+    return report(error.what(), kExitInterrupted);
+  } catch (const std::bad_alloc&) {
+    return report("not enough memory; ask for smaller pictures or fewer objects", kExitFailure);
+  } catch (const std::exception& error) {
+    return report(error.what(), kExitFailure);
+  }
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CLI::App program("See, step through and measure a broad phase", "kerf");
+  program.set_version_flag("--version", "kerf " KERF_VERSION);
+  const ScenesCommand scenes(program);
+  const RenderCommand render(program);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return program.exit(help);
+  } catch (const CLI::ExtrasError&) {
+    return report(unexpected_argument(program) + help_hint(program), kExitUsage);
+  } catch (const CLI::ParseError& error) {
+    return report(error.what() + help_hint(program), kExitUsage);
+  }
+  if (program.get_subcommands().empty()) {
+    std::fputs(program.help().c_str(), stderr);
+    return kExitUsage;
+  }
+  return run(program, scenes, render);
+}
+
+}  // namespace kerf

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "viz/image/image.h"
+
+namespace kerf {
+
+/// Gathers about twenty frames, evenly chosen from a sequence, into one picture.
+class ContactStrip {
+ public:
+  explicit ContactStrip(std::uint32_t frames) : frames_(frames) {}
+
+  /// Takes a small copy of frame `index` if it is one of the chosen ones.
+  void offer(std::uint32_t index, const Image& image);
+  /// Throws std::runtime_error with path and reason.
+  void save(const std::filesystem::path& path) const;
+
+ private:
+  [[nodiscard]] bool is_chosen(std::uint32_t index) const;
+
+  std::uint32_t frames_;
+  std::vector<Image> thumbs_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,103 @@
+#include "frames/film.h"
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "core/broad_phase/bsp.h"
+#include "frames/errors.h"
+#include "viz/draw/frame_renderer.h"
+
+namespace kerf {
+namespace {
+
+template <int D>
+class SceneFilm final : public Film {
+ public:
+  SceneFilm(const SceneEntry<D>& entry, const RenderRequest& request)
+      : name_(request.scene.name),
+        tree_(request.config),
+        renderer_({request.size.width, request.size.height, request.layers, request.camera}),
+        scene_(entry.make(tree_, request.options)) {}
+
+  void advance() override {
+    scene_->advance();
+    std::vector<Event> events = tree_.trace().take();
+    events_since_record_ += events.size();
+    const std::uint32_t now = tree_.steps();
+    std::erase_if(recent_, [&](const Event& event) { return event.step + kHighlightSteps < now; });
+    std::ranges::copy_if(events, std::back_inserter(recent_), [](const Event& event) {
+      return std::holds_alternative<OperatorActed>(event.body);
+    });
+  }
+
+  const Image& draw() override {
+    const FrameInput<D> input{.bodies = scene_->bodies(),
+                              .tree = &tree_.tree(),
+                              .pairs = scene_->pairs(),
+                              .contacts = scene_->contacts(),
+                              .events = recent_,
+                              .caption = caption()};
+    return renderer_.render(input);
+  }
+
+  FrameRecord record() override {
+    const Statistics statistics = tree_.statistics();
+    FrameRecord record;
+    record.step = scene_->step();
+    record.objects = static_cast<std::uint32_t>(scene_->bodies().size());
+    record.pairs = scene_->pairs().size();
+    record.contacts = scene_->contacts().size();
+    record.height = statistics.height;
+    record.leaves = statistics.leaves;
+    record.entries = statistics.entries;
+    record.operators = statistics.operators;
+    record.events = std::exchange(events_since_record_, 0);
+    record.state_hash = tree_.state_hash();
+    return record;
+  }
+
+ private:
+  [[nodiscard]] Caption caption() const {
+    const auto moves = [](const Body<D>& body) { return body.mobility == Mobility::moving; };
+    return {.scene = name_,
+            .broad_phase = std::string(tree_.name()),
+            .step = scene_->step(),
+            .objects = static_cast<std::uint32_t>(scene_->bodies().size()),
+            .moving = static_cast<std::uint32_t>(std::ranges::count_if(scene_->bodies(), moves)),
+            .pairs = scene_->pairs().size(),
+            .contacts = scene_->contacts().size(),
+            .statistics = tree_.statistics(),
+            .note = {}};
+  }
+
+  std::string name_;
+  Bsp<D, EventLog> tree_;
+  FrameRenderer<D> renderer_;
+  std::unique_ptr<Scene<D>> scene_;  ///< after the tree, which it uses to its end
+  std::vector<Event> recent_;        ///< operators of the last kHighlightSteps steps
+  std::uint64_t events_since_record_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Film> make_film(const RenderRequest& request) {
+  try {
+    return std::visit(
+        [&](const auto* entry) -> std::unique_ptr<Film> {
+          if constexpr (std::is_same_v<decltype(entry), const SceneEntry<2>*>) {
+            return std::make_unique<SceneFilm<2>>(*entry, request);
+          } else {
+            return std::make_unique<SceneFilm<3>>(*entry, request);
+          }
+        },
+        request.scene.entry);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,18 @@
+#pragma once
+
+namespace kerf {
+
+/// While it lives, the first SIGINT or SIGTERM only sets a flag, so that the work at hand ends in order; the
+/// second one kills as usual. SIGPIPE and SIGXFSZ are ignored, so that a closed pipe and a file that grew too
+/// large are errors that can be reported. One at a time may live, as signal handlers belong to the process.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  [[nodiscard]] bool requested() const;
+};
+
+}  // namespace kerf

@@ -1,0 +1,3 @@
+#include "frames/command_line.h"
+
+int main(int argc, char** argv) { return kerf::run_command_line(argc, argv); }

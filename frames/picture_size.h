@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace kerf {
+
+/// Width and height of a picture in pixels.
+struct PictureSize {
+  int width = 1280;
+  int height = 720;
+  friend bool operator==(const PictureSize&, const PictureSize&) = default;
+};
+
+/// Reads "1280x720". Throws UsageError for anything else, and for sides that no frame can have
+/// (kMinFrameSide to kMaxFrameSide).
+PictureSize parse_picture_size(std::string_view text);
+
+}  // namespace kerf

@@ -1,0 +1,61 @@
+#include "frames/render_command.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "frames/sequence.h"
+
+namespace kerf {
+namespace {
+
+std::string layer_names() { return to_string(LayerSet::all()); }
+
+/// What the options cannot say in a line each.
+std::string footer() {
+  std::string text =
+      "LAYERS  " + layer_names() +
+      "\n        a list of these, 'all' or 'none', or changes such as +leaves,-legend"
+      "\nCAMERA  3D: yaw=30,pitch=25,fov=35,distance=40,target=0:0:0   2D: center=0:5,width=40"
+      "\n        any part of it; what is left out is chosen so that everything is seen"
+      "\nOUTPUT  DIR/SCENE_000000.png and so on, and DIR/frames.json, which says what each frame shows."
+      "\n        A folder that holds a sequence is refused unless --overwrite is given, which removes that"
+      "\n        sequence and nothing else. Ctrl-C keeps the finished frames and their manifest."
+      "\nEXIT    0 done, 1 failed, 2 wrong usage, 130 interrupted"
+      "\n\nPARAMETERS of the tree for --config, with their defaults:\n";
+  for (const ConfigField& field : config_fields()) {
+    std::string line = "  " + std::string(field.name) + "=" + get(Config{}, field.name);
+    line.resize(std::max<std::size_t>(line.size() + 1, 28), ' ');
+    text += line + std::string(field.meaning) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+RenderCommand::RenderCommand(CLI::App& program)
+    : command_(program.add_subcommand("render", "Run a scene and draw it as a sequence of frames")) {
+  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
+    return command_->add_option(name, text, meaning)->type_name(type);
+  };
+  option("SCENE", texts_.scene, "A scene of `kerf scenes`", "")->required();
+  option("--steps", texts_.steps, "From step A to B a frame every N steps (default 1:1000:4)", "A:B:N");
+  option("--size", texts_.size, "Width and height in pixels (default 1280x720)", "WxH");
+  option("--objects", texts_.objects, "Moving objects at the end (default: the scene's own)", "N");
+  option("--grow", texts_.grow, "Steps until all objects are there (default: the scene's own)", "STEPS");
+  option("--show", texts_.show, "What is drawn, see below (default all)", "LAYERS");
+  option("--camera", texts_.camera, "From where, see below (default: all in view)", "TEXT");
+  option("--config", texts_.config, "Parameters of the tree, see below (default: the paper's)", "K=V,...");
+  option("--out", texts_.out, "Folder for frames and manifest (default out/SCENE)", "DIR");
+  option("--video", texts_.video, "Also a film (.mp4, .mkv, .mov), by ffmpeg", "FILE");
+  option("--fps", texts_.fps, "Frames a second of the film (default 25)", "N");
+  option("--contact-sheet", texts_.contact_sheet, "Also twenty of the frames in one .png", "FILE");
+  option("--seed", texts_.seed, "Of every random choice of the scene (default 1)", "S");
+  command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier sequence, film and contact sheet");
+  command_->footer(footer());
+}
+
+bool RenderCommand::chosen() const { return command_->parsed(); }
+
+void RenderCommand::run() const { render_sequence(parse_request(texts_)); }
+
+}  // namespace kerf

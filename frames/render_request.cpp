@@ -1,0 +1,109 @@
+#include "frames/render_request.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "frames/errors.h"
+#include "frames/parse_number.h"
+#include "frames/suggest.h"
+#include "frames/video.h"
+#include "viz/draw/camera.h"
+
+namespace kerf {
+namespace {
+
+template <class Number>
+Number number_in(std::string_view option, const std::string& text, Number least, Number most) {
+  const auto number = parse_number<Number>(text);
+  if (!number || *number < least || *number > most) {
+    throw UsageError(std::string(option) + " '" + text + "' is not a whole number from " +
+                     std::to_string(least) + " to " + std::to_string(most));
+  }
+  return *number;
+}
+
+/// Runs a parser of another room, whose std::invalid_argument becomes an error of usage.
+template <class Parse>
+auto parse_option(std::string_view option, Parse parse) {
+  try {
+    return parse();
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string(option) + ": " + error.what());
+  }
+}
+
+/// Names come first: an unknown one gets a suggestion, which the core does not make.
+void check_parameter_names(std::string_view assignments) {
+  std::vector<std::string> names;
+  for (const ConfigField& field : config_fields()) names.emplace_back(field.name);
+  while (!assignments.empty()) {
+    const std::string_view assignment = assignments.substr(0, assignments.find(','));
+    assignments.remove_prefix(std::min(assignments.size(), assignment.size() + 1));
+    const std::string_view name = assignment.substr(0, assignment.find('='));
+    if (name.size() == assignment.size()) {
+      throw UsageError("--config: '" + std::string(assignment) +
+                       "' is not K=V, for example max_redundancy=0.05");
+    }
+    if (std::ranges::find(names, name) == names.end()) {
+      throw UsageError("--config: " + unknown_name_message("parameter", name, names));
+    }
+  }
+}
+
+Config parse_config(const std::string& text) {
+  check_parameter_names(text);
+  return parse_option("--config", [&] {
+    Config config;
+    kerf::apply(config, text);
+    return config;
+  });
+}
+
+void check_camera(const CatalogScene& scene, const std::string& text) {
+  parse_option("--camera", [&] {
+    if (scene.dimension() == 2) {
+      (void)parse_camera<2>(text);
+    } else {
+      (void)parse_camera<3>(text);
+    }
+    return 0;
+  });
+}
+
+void check_picture_extension(const std::filesystem::path& path) {
+  if (path.extension() == ".png") return;
+  throw UsageError("--contact-sheet '" + path.string() + "': give the file the extension .png");
+}
+
+}  // namespace
+
+RenderRequest parse_request(const RenderTexts& texts) {
+  RenderRequest request;
+  request.scene = find_scene(texts.scene);
+  if (!texts.steps.empty()) request.steps = parse_steps(texts.steps);
+  if (!texts.size.empty()) request.size = parse_picture_size(texts.size);
+  if (!texts.objects.empty()) {
+    request.options.objects = number_in("--objects", texts.objects, 1U, kMaxRequestedObjects);
+  }
+  if (!texts.grow.empty()) request.options.steps = number_in("--grow", texts.grow, 1U, kMaxStep);
+  if (!texts.seed.empty()) {
+    request.options.seed = number_in<std::uint64_t>("--seed", texts.seed, 0, UINT64_MAX);
+  }
+  if (!texts.fps.empty()) request.fps = number_in("--fps", texts.fps, 1, 240);
+  if (!texts.show.empty())
+    request.layers = parse_option("--show", [&] { return LayerSet::parse(texts.show); });
+  check_camera(request.scene, texts.camera);
+  request.camera = texts.camera;
+  request.config = parse_config(texts.config);
+  request.out = texts.out.empty() ? std::filesystem::path("out") / request.scene.name
+                                  : std::filesystem::path(texts.out);
+  request.video = texts.video;
+  if (!request.video.empty()) Video::check_extension(request.video);
+  request.contact_sheet = texts.contact_sheet;
+  if (!request.contact_sheet.empty()) check_picture_extension(request.contact_sheet);
+  request.overwrite = texts.overwrite;
+  return request;
+}
+
+}  // namespace kerf
