@@ -7,36 +7,42 @@
 
 namespace kerf {
 
-/// Every tunable of the tree, with the values of the paper (section 6.1) as defaults. Where the paper leaves a
-/// number open, our reading stands beside it.
+/// Every tunable of the tree, with the values of the paper (section 6.1) as defaults. Where the paper leaves
+/// a number open, our reading stands beside it.
 struct Config {
   // Choice of a partitioner (section 3.2).
-  float candidate_factor = 2.0F;      ///< candidates tried at a split: factor * sqrt(population) (6.1)
-  std::uint32_t sample = 256;         ///< objects projected and sorted for each candidate (4.1: "a subset")
-  bool free_directions = true;        ///< false: only partitioners along the axes
+  float candidate_factor = 2.0F;  ///< candidates tried at a split: factor * sqrt(population) (6.1)
+  std::uint32_t sample = 256;     ///< objects projected and sorted for each candidate (4.1: "a subset")
+  bool free_directions = true;    ///< false: only partitioners along the axes
 
   // Goodness (sections 3.2 and 6.1).
-  float min_balance = 0.5F;           ///< below it a node is unbalanced (6.1)
-  float max_redundancy = 0.025F;      ///< straddlers of a partitioner over its population (6.1)
+  float min_balance = 0.5F;       ///< below it a node is unbalanced (6.1)
+  float max_redundancy = 0.025F;  ///< straddlers of a partitioner over its population (6.1)
+
+  float repair_redundancy =
+      0.5F;  ///< above it a node is repaired like an unbalanced one (ours: the paper names no cure)
 
   // Thresholds (6.1: "t from 16 to 128 ... depending on the number of objects").
   std::uint32_t min_threshold = 16;   ///< smallest split threshold; t = clamp(sqrt(objects), min, max)
   std::uint32_t max_threshold = 128;  ///< largest split threshold
-  float merge_fraction = 0.5F;        ///< nodes below merge_fraction * t are merged; the gap is the hysteresis
+  float merge_fraction = 0.5F;  ///< nodes below merge_fraction * t are merged; the gap is the hysteresis
 
   // Scheduling (section 5.2 and 6.1).
-  std::uint32_t event_capacity = 64;    ///< largest size of the event list
-  std::uint32_t budget_divisor = 16;    ///< events a step: ceil(list size / divisor); 0 switches operators off
-  std::uint32_t schedule_interval = 10; ///< steps between two traversals of Algorithm 1
+  std::uint32_t event_capacity = 64;  ///< largest size of the event list
+  std::uint32_t budget_divisor = 16;  ///< events a step: ceil(list size / divisor); 0 switches operators off
+  std::uint32_t schedule_interval = 10;  ///< steps between two traversals of Algorithm 1
 
   // Limits that the paper asks for without a number (sections 6.2 and 7).
-  std::uint32_t max_height = 40;      ///< no split below this depth; at most 63
-  float max_entries = 4.0F;           ///< no split once entries exceed this many times the objects
-  std::uint32_t directions = 256;     ///< size of the direction set (3D; 2D uses a quarter)
-  std::uint64_t seed = 1;             ///< of the direction set
+  std::uint32_t max_height = 40;   ///< no split below this depth; at most 63
+  float max_entries = 4.0F;        ///< no split once entries exceed this many times the objects
+  std::uint32_t directions = 256;  ///< size of the direction set (3D; 2D uses a quarter)
+  std::uint64_t seed = 1;          ///< of the direction set
 };
 
-/// One parameter as text: name, its current value, what it means and which values it takes.
+/// Throws std::invalid_argument, naming the parameter and its range, when a value cannot work.
+void check(const Config& config);
+
+/// What is known of one parameter: name, meaning, and the range of its values.
 struct ConfigField {
   std::string_view name;
   std::string_view meaning;
@@ -48,8 +54,8 @@ struct ConfigField {
 std::span<const ConfigField> config_fields();
 /// The value of parameter `name` as text. Throws std::invalid_argument for an unknown name.
 std::string get(const Config& config, std::string_view name);
-/// Sets one parameter from text. Throws std::invalid_argument with a message that names the parameter, what was
-/// given and what is allowed; `config` is then unchanged.
+/// Sets one parameter from text. Throws std::invalid_argument with a message that names the parameter, what
+/// was given and what is allowed; `config` is then unchanged.
 void set(Config& config, std::string_view name, std::string_view value);
 /// Applies "K=V,K=V,...". All or nothing; throws std::invalid_argument as `set` does.
 void apply(Config& config, std::string_view assignments);

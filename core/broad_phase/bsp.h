@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <vector>
 
 #include "core/broad_phase/broad_phase.h"
 #include "core/config.h"
+#include "core/kernels/sweep.h"
 #include "core/trace/reporter.h"
 #include "core/tree/scheduler.h"
 #include "core/tree/statistics.h"
@@ -33,20 +35,36 @@ class Bsp final : public BroadPhase<D> {
   void set_config(const Config& config);
   [[nodiscard]] const Tree<D>& tree() const { return tree_; }
   [[nodiscard]] Statistics statistics() const;
-  /// Equal for equal trees, wherever they were built.
+  /// Equal for equal trees with equal events pending, wherever they were built.
   [[nodiscard]] std::uint64_t state_hash() const;
   /// Steps done so far; events carry the number of the step in which they happened, the first being 1.
   [[nodiscard]] std::uint32_t steps() const { return step_; }
   [[nodiscard]] Trace& trace() { return reporter_.trace(); }
 
  private:
+  /// An object that was inserted, moved or removed since the last step, as the tree still has it.
+  struct Change {
+    ObjectId object;
+    bool was_placed = false;
+    Box<D> old_box;
+  };
+
+  void remember(ObjectId object);
+  void place_changes();
+  void sweep();
   void begin(Phase phase);
+  void end_phase();
 
   Config config_;
   Tree<D> tree_;
   Scheduler<D> scheduler_;
   Reporter<Trace> reporter_;
+  std::vector<Change> changes_;
+  std::vector<std::uint8_t> changing_;  ///< per object: it is in changes_
+  SweepBuffer<D> buffer_;
   std::vector<Pair> pairs_;
+  Phase phase_ = Phase::sweep;
+  std::chrono::steady_clock::time_point phase_start_;
   std::array<double, kPhaseCount> phase_seconds_{};
   std::uint64_t placed_ = 0;
   std::uint32_t step_ = 0;

@@ -39,7 +39,8 @@ Point<D> random_direction(Random& random) {
   }
 }
 
-/// |cosine| of the angle to the nearest of `points`, taken as lines: 1 on top of one, 0 at right angles to all.
+/// |cosine| of the angle to the nearest of `points`, taken as lines: 1 on top of one, 0 at right angles to
+/// all.
 template <int D>
 double nearness(const Point<D>& p, std::span<const Point<D>> points) {
   double nearest = 0;
@@ -72,8 +73,8 @@ std::vector<Point<D>> scatter(std::uint32_t size, Random& random) {
   return points;
 }
 
-/// Adds to `force` the push that a line through q gives a point p of the sphere: from q and from -q, each with the
-/// inverse square of its distance.
+/// Adds to `force` the push that a line through q gives a point p of the sphere: from q and from -q, each
+/// with the inverse square of its distance.
 template <int D>
 void add_push(const Point<D>& p, const Point<D>& q, Point<D>& force) {
   for (const double sign : {1.0, -1.0}) {

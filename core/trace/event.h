@@ -68,7 +68,7 @@ struct ObjectPlaced {
 };
 
 /// A phase of a step begins.
-enum class Phase : std::uint8_t { place, schedule, operate, sort, sweep };
+enum class Phase : std::uint8_t { place, sort, schedule, operate, sweep };
 inline constexpr int kPhaseCount = 5;
 std::string_view to_string(Phase phase);
 struct PhaseBegan {

@@ -29,6 +29,7 @@ class Tree {
   [[nodiscard]] bool is_alive(NodeRef ref) const;
   [[nodiscard]] const DirectionSet<D>& directions() const { return *directions_; }
   [[nodiscard]] std::uint64_t entries() const { return entries_; }
+  /// Objects that have a place in the tree: those present and not quarantined.
   [[nodiscard]] std::uint32_t objects() const { return nodes_[root_.index()].population; }
 
   /// Boxes as they are placed. Operators classify by these and by nothing else.
@@ -40,14 +41,19 @@ class Tree {
   void set_root(NodeId id) { root_ = id; }
   /// Puts an entry for `object` into the leaf and counts it.
   void add_entry(NodeId leaf, ObjectId object, DepthMask straddle);
-  /// Takes the entry of `object` out of the leaf.
-  void take_entry(NodeId leaf, ObjectId object);
+  /// Replaces all entries of the leaf; they are taken as they are.
+  void set_entries(NodeId leaf, std::vector<Entry> entries);
   void clear_entries(NodeId leaf);
+  /// Takes the entries of all marked objects out of the leaf. The order of the others is kept.
+  void drop_marked_entries(NodeId leaf);
+  /// A mark per object; all are off between operations.
+  void set_mark(ObjectId object, bool on);
 
  private:
   std::shared_ptr<const DirectionSet<D>> directions_;
   std::vector<Node<D>> nodes_;
   std::vector<NodeId> free_;
+  std::vector<std::uint8_t> marks_;
   NodeId root_;
   std::uint64_t entries_ = 0;
 };
@@ -55,7 +61,7 @@ class Tree {
 /// Calls `visit(id)` for each node below `from`, itself included, left before right, parents first.
 template <int D, class Visit>
 void for_each_node(const Tree<D>& tree, NodeId from, Visit visit) {
-  std::vector<NodeId> todo{from};
+  std::vector<NodeId> todo{from};  // no recursion: the height is the data's choice
   while (!todo.empty()) {
     const NodeId id = todo.back();
     todo.pop_back();

@@ -1,0 +1,60 @@
+#include "core/tree/balance.h"
+
+#include <vector>
+
+#include "core/tree/criteria.h"
+#include "core/tree/placement.h"
+
+namespace kerf {
+namespace {
+
+template <int D>
+std::vector<Interval> project_all(const Tree<D>& tree, const Vector<D>& normal,
+                                  const std::vector<Stored>& stored) {
+  std::vector<Interval> intervals;
+  intervals.reserve(stored.size());
+  for (const Stored& item : stored) intervals.push_back(project(normal, tree.table.box(item.object)));
+  return intervals;
+}
+
+/// The objects that the two offsets classify differently: lo or hi lies in (d_old, d_new].
+std::vector<Stored> affected(const std::vector<Stored>& stored, const std::vector<Interval>& intervals,
+                             Scalar old_offset, Scalar new_offset) {
+  std::vector<Stored> result;
+  for (std::size_t i = 0; i < stored.size(); ++i)
+    if (classify(intervals[i], old_offset) != classify(intervals[i], new_offset)) result.push_back(stored[i]);
+  return result;
+}
+
+template <int D>
+void shift(Tree<D>& tree, NodeId inner, const std::vector<Stored>& moving, Scalar new_offset) {
+  std::vector<Leaving<D>> leaving;
+  leaving.reserve(moving.size());
+  for (const Stored& item : moving) leaving.push_back({item.object, tree.table.box(item.object)});
+  displace<D>(tree, inner, leaving);
+  tree[inner].plane.offset = new_offset;
+  for (const Stored& item : moving) place(tree, inner, item.object, item.above);
+}
+
+}  // namespace
+
+template <int D>
+std::optional<OperatorActed> balance(Tree<D>& tree, NodeId inner, const Config& config, Refusal& refusal) {
+  const Quality before = quality(tree, inner);
+  const Scalar old_offset = tree[inner].plane.offset;
+  const std::vector<Stored> stored = collect(tree, inner);
+  const std::vector<Interval> intervals = project_all(tree, tree[inner].plane.normal, stored);
+  const std::optional<ReferencePoint> point = best_reference_point(intervals, config);
+  if (!point) {
+    refusal = Refusal::no_partitioner;
+    return std::nullopt;
+  }
+  shift(tree, inner, affected(stored, intervals, old_offset, point->offset), point->offset);
+  return OperatorActed{Operator::balance,     tree.ref(inner), before,       quality(tree, inner),
+                       tree[inner].direction, old_offset,      point->offset};
+}
+
+template std::optional<OperatorActed> balance<2>(Tree<2>&, NodeId, const Config&, Refusal&);
+template std::optional<OperatorActed> balance<3>(Tree<3>&, NodeId, const Config&, Refusal&);
+
+}  // namespace kerf

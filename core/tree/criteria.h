@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/config.h"
+#include "core/tree/partitioner.h"
+#include "core/tree/tree.h"
+
+namespace kerf {
+
+/// The split threshold t for a scene of that many objects (paper section 6.1).
+std::uint32_t split_threshold(std::uint32_t objects, const Config& config);
+/// Nodes with fewer objects than this are merged.
+std::uint32_t merge_threshold(std::uint32_t objects, const Config& config);
+
+/// Quality of an inner node's partitioner over the objects stored below it now. O(1).
+template <int D>
+Quality quality(const Tree<D>& tree, NodeId inner) {
+  const Node<D>& node = tree[inner];
+  return {node.population, tree[node.left].population, tree[node.right].population};
+}
+
+/// A leaf that Algorithm 1 wants to split.
+template <int D>
+bool wants_split(const Tree<D>& tree, NodeId id, const Config& config) {
+  return tree[id].is_leaf() && tree[id].population > split_threshold(tree.objects(), config);
+}
+
+/// An inner node that Algorithm 1 wants to merge.
+template <int D>
+bool wants_merge(const Tree<D>& tree, NodeId id, const Config& config) {
+  return !tree[id].is_leaf() && tree[id].population < merge_threshold(tree.objects(), config);
+}
+
+/// An inner node whose partitioner no longer divides: unbalanced (paper section 6.1), or, which the paper
+/// leaves open, straddled by more than `repair_redundancy` of its objects. A balanced node of which every
+/// object is on both sides would otherwise never be repaired.
+template <int D>
+bool wants_repair(const Tree<D>& tree, NodeId id, const Config& config) {
+  if (tree[id].is_leaf()) return false;
+  const Quality q = quality(tree, id);
+  return balance(q) < config.min_balance ||
+         static_cast<float>(redundancy(q)) > config.repair_redundancy * static_cast<float>(q.population);
+}
+
+}  // namespace kerf

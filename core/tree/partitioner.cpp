@@ -1,0 +1,147 @@
+#include "core/tree/partitioner.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf {
+namespace {
+
+/// A sampled candidate is confirmed on all objects; that many of the best get the chance.
+constexpr std::size_t kConfirmed = 4;
+
+/// The offset furthest from both neighbours in the gap [low, high): objects may then move a little without
+/// crossing. Rounding may end on `high`, which belongs to the other side; then the low end serves
+/// (HARD_CASES.md S5).
+Scalar middle(Scalar low, Scalar high) {
+  const Scalar mid = low * 0.5F + high * 0.5F;
+  return mid >= low && mid < high ? mid : low;
+}
+
+/// Every k-th entry, at most `sample` of them: the leaf's list is ordered, so the sample is spread like the
+/// objects.
+template <int D>
+std::vector<Box<D>> sample_boxes(const Tree<D>& tree, const std::vector<Entry>& entries,
+                                 std::uint32_t sample) {
+  const std::size_t take = std::min<std::size_t>(entries.size(), sample);
+  std::vector<Box<D>> boxes;
+  boxes.reserve(take);
+  for (std::size_t k = 0; k < take; ++k)
+    boxes.push_back(tree.table.box(entries[k * entries.size() / take].object));
+  return boxes;
+}
+
+template <int D>
+std::optional<Candidate> best_along(const Tree<D>& tree, std::uint32_t direction,
+                                    std::span<const Box<D>> boxes, const Config& config,
+                                    std::vector<Interval>& scratch) {
+  scratch.clear();
+  for (const Box<D>& box : boxes) scratch.push_back(project(tree.directions()[direction], box));
+  const std::optional<ReferencePoint> point = best_reference_point(scratch, config);
+  if (!point) return std::nullopt;
+  return Candidate{direction, point->offset, point->quality, false};
+}
+
+}  // namespace
+
+float balance(const Quality& q) {
+  const std::uint32_t more = std::max(q.left, q.right);
+  return more == 0 ? 1.0F : static_cast<float>(std::min(q.left, q.right)) / static_cast<float>(more);
+}
+
+bool is_good(const Quality& q, const Config& config) {
+  const bool both_shrink = q.left < q.population && q.right < q.population;
+  return both_shrink && balance(q) >= config.min_balance &&
+         static_cast<float>(redundancy(q)) <= config.max_redundancy * static_cast<float>(q.population);
+}
+
+float score(const Quality& q) {
+  if (q.population == 0) return 0;
+  return balance(q) - static_cast<float>(redundancy(q)) / static_cast<float>(q.population);
+}
+
+Quality measure(std::span<const Interval> intervals, Scalar offset) {
+  Quality q{static_cast<std::uint32_t>(intervals.size()), 0, 0};
+  for (const Interval& interval : intervals) {
+    const Sides sides = classify(interval, offset);
+    q.left += sides.left ? 1U : 0U;
+    q.right += sides.right ? 1U : 0U;
+  }
+  return q;
+}
+
+std::optional<ReferencePoint> best_reference_point(std::span<const Interval> intervals,
+                                                   const Config& config) {
+  std::vector<Scalar> los;
+  std::vector<Scalar> his;
+  for (const Interval& interval : intervals) {
+    los.push_back(interval.lo);
+    his.push_back(interval.hi);
+  }
+  if (!std::is_sorted(los.begin(), los.end())) std::sort(los.begin(), los.end());
+  std::sort(his.begin(), his.end());
+
+  // Straddlers are fewest where an object has just ended, so only the his are tried, each up to the next lo.
+  std::optional<ReferencePoint> best;
+  const auto count = static_cast<std::uint32_t>(intervals.size());
+  std::uint32_t begun = 0;
+  for (std::uint32_t ended = 1; ended <= count; ++ended) {
+    const Scalar low = his[ended - 1];
+    if (ended < count && his[ended] == low) continue;
+    while (begun < count && los[begun] <= low) ++begun;
+    const Quality quality{count, begun, count - ended};
+    if (!is_good(quality, config) || (best && score(quality) <= score(best->quality))) continue;
+    Scalar high = begun < count ? los[begun] : his[count - 1];
+    if (ended < count) high = std::min(high, his[ended]);
+    const Scalar offset = middle(low, high);
+    if (std::isfinite(offset)) best = ReferencePoint{offset, quality};
+  }
+  return best;
+}
+
+std::uint32_t candidate_count(std::uint32_t objects, std::uint32_t directions, const Config& config) {
+  const float wanted = std::ceil(config.candidate_factor * std::sqrt(static_cast<float>(objects)));
+  return std::clamp(static_cast<std::uint32_t>(wanted), 1U, directions);
+}
+
+template <int D>
+std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, const Config& config,
+                                            std::vector<Candidate>* ballot) {
+  const std::vector<Entry>& entries = tree[leaf].entries;
+  const auto objects = static_cast<std::uint32_t>(entries.size());
+  const std::vector<Box<D>> boxes = sample_boxes(tree, entries, config.sample);
+  const bool exact = boxes.size() == entries.size();
+  const std::uint32_t axes_only = config.free_directions ? tree.directions().size() : D;
+  const std::uint32_t tries = std::max<std::uint32_t>(D, candidate_count(objects, axes_only, config));
+
+  std::vector<Candidate> candidates;
+  std::vector<Interval> scratch;
+  for (std::uint32_t direction = 0; direction < tries; ++direction) {
+    if (auto candidate = best_along<D>(tree, direction, boxes, config, scratch)) {
+      candidate->exact = exact;
+      candidates.push_back(*candidate);
+    }
+  }
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return score(a.quality) > score(b.quality);
+  });
+  if (ballot != nullptr) *ballot = candidates;
+  if (candidates.empty()) return std::nullopt;
+  if (exact) return candidates.front();
+
+  const std::vector<Box<D>> all = sample_boxes(tree, entries, objects);
+  candidates.resize(std::min(candidates.size(), kConfirmed));
+  for (const Candidate& candidate : candidates) {
+    if (auto confirmed = best_along<D>(tree, candidate.direction, all, config, scratch)) {
+      confirmed->exact = true;
+      return confirmed;
+    }
+  }
+  return std::nullopt;
+}
+
+template std::optional<Candidate> choose_partitioner<2>(const Tree<2>&, NodeId, const Config&,
+                                                        std::vector<Candidate>*);
+template std::optional<Candidate> choose_partitioner<3>(const Tree<3>&, NodeId, const Config&,
+                                                        std::vector<Candidate>*);
+
+}  // namespace kerf

@@ -1,0 +1,125 @@
+#include "core/tree/placement.h"
+
+#include <algorithm>
+#include <array>
+
+namespace kerf {
+namespace {
+
+/// The nodes still to visit on a walk down: at most one sibling for each level.
+template <class Item>
+class WalkStack {
+ public:
+  void push(Item item) { items_[size_++] = item; }
+  Item pop() { return items_[--size_]; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+
+ private:
+  std::array<Item, kMaxHeight + 2> items_;
+  std::size_t size_ = 0;
+};
+
+struct Visit {
+  NodeId node;
+  DepthMask straddle;
+};
+
+/// Marks every leaf below `from` that the box reaches as holding something that leaves.
+template <int D>
+void mark_leaves(Tree<D>& tree, NodeId from, const Box<D>& box, std::vector<NodeId>& stale) {
+  WalkStack<NodeId> todo;
+  todo.push(from);
+  while (!todo.empty()) {
+    const NodeId id = todo.pop();
+    Node<D>& node = tree[id];
+    --node.population;
+    if (node.is_leaf()) {
+      stale.push_back(id);
+      continue;
+    }
+    const Sides sides = classify(node.plane, box);
+    if (sides.right) todo.push(node.right);
+    if (sides.left) todo.push(node.left);
+  }
+}
+
+}  // namespace
+
+template <int D>
+std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above) {
+  const Box<D> box = tree.table.box(object);
+  std::uint32_t leaves = 0;
+  WalkStack<Visit> todo;
+  todo.push({from, above});
+  while (!todo.empty()) {
+    const Visit visit = todo.pop();
+    Node<D>& node = tree[visit.node];
+    ++node.population;
+    if (node.is_leaf()) {
+      tree.add_entry(visit.node, object, visit.straddle);
+      ++leaves;
+      continue;
+    }
+    const Sides sides = classify(node.plane, box);
+    const DepthMask straddle = visit.straddle | (sides.straddle() ? depth_bit(node.depth) : 0);
+    if (sides.right) todo.push({node.right, straddle});
+    if (sides.left) todo.push({node.left, straddle});
+  }
+  return leaves;
+}
+
+template <int D>
+void displace(Tree<D>& tree, NodeId from, std::span<const Leaving<D>> leaving) {
+  std::vector<NodeId> stale;
+  for (const Leaving<D>& item : leaving) {
+    tree.set_mark(item.object, true);
+    mark_leaves(tree, from, item.box, stale);
+  }
+  std::sort(stale.begin(), stale.end());
+  stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
+  for (const NodeId leaf : stale) tree.drop_marked_entries(leaf);
+  for (const Leaving<D>& item : leaving) tree.set_mark(item.object, false);
+}
+
+template <int D>
+bool stays(Tree<D>& tree, const Box<D>& old_box, const Box<D>& new_box) {
+  WalkStack<NodeId> todo;
+  todo.push(tree.root());
+  while (!todo.empty()) {
+    Node<D>& node = tree[todo.pop()];
+    if (node.is_leaf()) {
+      node.unsorted = true;
+      continue;
+    }
+    const Sides sides = classify(node.plane, new_box);
+    if (sides != classify(node.plane, old_box)) return false;
+    if (sides.right) todo.push(node.right);
+    if (sides.left) todo.push(node.left);
+  }
+  return true;
+}
+
+template <int D>
+std::vector<Stored> collect(const Tree<D>& tree, NodeId from) {
+  const DepthMask above = bits_above(tree[from].depth);
+  std::vector<Stored> stored;
+  stored.reserve(tree[from].population);
+  for_each_node(tree, from, [&](NodeId id) {
+    // The leftmost copy below `from` lies right of no plane below `from` that its object straddles.
+    for (const Entry& entry : tree[id].entries)
+      if ((entry.straddle & tree[id].right_of & ~above) == 0)
+        stored.push_back({entry.object, entry.straddle & above});
+  });
+  return stored;
+}
+
+#define KERF_INSTANTIATE(D)                                                 \
+  template std::uint32_t place<D>(Tree<D>&, NodeId, ObjectId, DepthMask);   \
+  template void displace<D>(Tree<D>&, NodeId, std::span<const Leaving<D>>); \
+  template bool stays<D>(Tree<D>&, const Box<D>&, const Box<D>&);           \
+  template std::vector<Stored> collect<D>(const Tree<D>&, NodeId);
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
+
+}  // namespace kerf

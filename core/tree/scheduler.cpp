@@ -1,0 +1,199 @@
+#include "core/tree/scheduler.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/random.h"
+#include "core/tree/balance.h"
+#include "core/tree/criteria.h"
+#include "core/tree/merge.h"
+#include "core/tree/shift_split.h"
+#include "core/tree/split.h"
+#include "core/tree/swap.h"
+
+namespace kerf {
+namespace {
+
+/// The order in which Algorithm 1 processes its lists (lines 14 to 17).
+constexpr std::array kProcessingOrder{Operator::shift_split, Operator::split, Operator::swap,
+                                      Operator::merge};
+
+/// A leaf whose split was refused is left alone for 1, 2, 4, 8, 16 scheduling intervals: where no partitioner
+/// divides, as when all objects coincide, looking again each time would cost more than the sweep.
+template <int D>
+void back_off(Tree<D>& tree, NodeId leaf, const Config& config, std::uint32_t step) {
+  constexpr std::uint32_t kLongest = 4;
+  Node<D>& node = tree[leaf];
+  node.retry_step = step + (config.schedule_interval << std::min(node.refusals, kLongest));
+  ++node.refusals;
+}
+
+template <int D>
+bool still_wanted(const Tree<D>& tree, Operator op, NodeId id, const Config& config) {
+  switch (op) {
+    case Operator::shift_split:
+    case Operator::split:
+      return wants_split(tree, id, config);
+    case Operator::swap:
+    case Operator::balance:
+      return wants_repair(tree, id, config);
+    case Operator::merge:
+      return wants_merge(tree, id, config);
+  }
+  return false;
+}
+
+}  // namespace
+
+template <int D>
+std::uint32_t Scheduler<D>::pending() const {
+  std::size_t sum = 0;
+  for (const std::vector<NodeRef>& list : lists_) sum += list.size();
+  return static_cast<std::uint32_t>(sum);
+}
+
+template <int D>
+std::uint64_t Scheduler<D>::mix_into(std::uint64_t seed) const {
+  for (const std::vector<NodeRef>& list : lists_) {
+    seed = Random(seed ^ list.size()).bits();
+    for (const NodeRef& ref : list)
+      seed = Random(seed ^ ((std::uint64_t{ref.generation} << 32U) | ref.node.value)).bits();
+  }
+  return seed;
+}
+
+template <int D>
+template <class Trace>
+void Scheduler<D>::traverse(Tree<D>& tree, const Config& config, std::uint32_t step,
+                            Reporter<Trace>& reporter) {
+  std::vector<NodeRef>& merges = lists_[index(Operator::merge)];
+  if (config.budget_divisor == 0 || step % config.schedule_interval != 0 || pending() > merges.size()) return;
+  merges.clear();  // those still needed are found again
+  std::vector<NodeId> todo{tree.root()};
+  while (!todo.empty()) {
+    const NodeId id = todo.back();
+    todo.pop_back();
+    if (visit(tree, id, config, step, reporter) || tree[id].is_leaf()) continue;
+    todo.push_back(tree[id].right);
+    todo.push_back(tree[id].left);
+  }
+}
+
+/// Lines 3 to 10 for one node. True if something happened here, so that its subtrees are not visited.
+template <int D>
+template <class Trace>
+bool Scheduler<D>::visit(Tree<D>& tree, NodeId id, const Config& config, std::uint32_t step,
+                         Reporter<Trace>& reporter) {
+  if (wants_repair(tree, id, config)) {
+    Refusal refusal{};
+    if (const auto event = balance(tree, id, config, refusal)) {
+      note(*event, reporter);
+    } else {
+      schedule(tree, Operator::swap, id, config, reporter);
+    }
+    return true;
+  }
+  if (wants_split(tree, id, config) && tree[id].retry_step <= step) {
+    const bool shift = shifted_partitioner(tree, id, config).has_value();
+    schedule(tree, shift ? Operator::shift_split : Operator::split, id, config, reporter);
+    return true;
+  }
+  if (wants_merge(tree, id, config)) {
+    schedule(tree, Operator::merge, id, config, reporter);
+    return true;
+  }
+  return false;
+}
+
+template <int D>
+template <class Trace>
+void Scheduler<D>::schedule(const Tree<D>& tree, Operator op, NodeId id, const Config& config,
+                            Reporter<Trace>& reporter) {
+  if (pending() >= config.event_capacity) {
+    refuse(op, tree.ref(id), Refusal::list_full, reporter);
+    return;
+  }
+  lists_[index(op)].push_back(tree.ref(id));
+  reporter.report([&] { return OperatorScheduled{op, tree.ref(id)}; });
+}
+
+template <int D>
+template <class Trace>
+void Scheduler<D>::process(Tree<D>& tree, const Config& config, std::uint32_t step,
+                           Reporter<Trace>& reporter) {
+  const std::uint32_t divisor = config.budget_divisor;
+  std::uint32_t budget = divisor == 0 ? 0 : (pending() + divisor - 1) / divisor;
+  for (const Operator op : kProcessingOrder) {
+    std::vector<NodeRef>& list = lists_[index(op)];
+    std::size_t done = 0;
+    while (done < list.size() && budget > 0)
+      if (apply(tree, op, list[done++], config, step, reporter)) --budget;
+    list.erase(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(done));
+  }
+  if (const std::uint32_t left = pending(); left > 0) reporter.report([&] { return EventsDeferred{left}; });
+}
+
+/// Applies one listed event. False if it was dropped without any work.
+template <int D>
+template <class Trace>
+bool Scheduler<D>::apply(Tree<D>& tree, Operator op, NodeRef ref, const Config& config, std::uint32_t step,
+                         Reporter<Trace>& reporter) {
+  const bool alive = tree.is_alive(ref);
+  if (!alive || !still_wanted(tree, op, ref.node, config)) {
+    refuse(op, ref, alive ? Refusal::not_needed : Refusal::dead_node, reporter);
+    return false;
+  }
+  if (op == Operator::swap) {
+    note(swap(tree, ref.node), reporter);
+  } else if (op == Operator::merge) {
+    note(merge(tree, ref.node), reporter);
+  } else {
+    divide_leaf(tree, op, ref, config, step, reporter);
+  }
+  return true;
+}
+
+/// Shift-split first; only if it fails the split is performed (section 5.2).
+template <int D>
+template <class Trace>
+void Scheduler<D>::divide_leaf(Tree<D>& tree, Operator op, NodeRef ref, const Config& config,
+                               std::uint32_t step, Reporter<Trace>& reporter) {
+  Refusal refusal{};
+  std::optional<OperatorActed> event;
+  if (op == Operator::shift_split) event = shift_split(tree, ref.node, config, refusal);
+  if (!event) event = split(tree, ref.node, config, refusal);
+  if (event) {
+    note(*event, reporter);
+  } else {
+    back_off(tree, ref.node, config, step);
+    refuse(op, ref, refusal, reporter);
+  }
+}
+
+template <int D>
+template <class Trace>
+void Scheduler<D>::note(const OperatorActed& event, Reporter<Trace>& reporter) {
+  ++acted_[index(event.op)];
+  reporter.report([&] { return event; });
+}
+
+template <int D>
+template <class Trace>
+void Scheduler<D>::refuse(Operator op, NodeRef ref, Refusal reason, Reporter<Trace>& reporter) {
+  ++refused_;
+  reporter.report([&] { return OperatorRefused{op, ref, reason}; });
+}
+
+template class Scheduler<2>;
+template class Scheduler<3>;
+
+#define KERF_INSTANTIATE(D, TRACE)                                                                       \
+  template void Scheduler<D>::traverse<TRACE>(Tree<D>&, const Config&, std::uint32_t, Reporter<TRACE>&); \
+  template void Scheduler<D>::process<TRACE>(Tree<D>&, const Config&, std::uint32_t, Reporter<TRACE>&);
+KERF_INSTANTIATE(2, NoTrace)
+KERF_INSTANTIATE(3, NoTrace)
+KERF_INSTANTIATE(2, EventLog)
+KERF_INSTANTIATE(3, EventLog)
+#undef KERF_INSTANTIATE
+
+}  // namespace kerf

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/config.h"
+#include "core/trace/reporter.h"
+#include "core/tree/tree.h"
+
+namespace kerf {
+
+/// Algorithm 1 of the paper (section 5.2): decides which operators the tree needs and applies a few of them a
+/// step.
+///
+/// `traverse` walks from the root. An unbalanced node is balanced at once or, if no shift is good, listed for
+/// a swap; a crowded leaf is listed for a shift-split if that has a good point, else for a split; a thin node
+/// is listed for a merge. Below a node where something happened the walk does not go on. `process` applies
+/// listed events in the order shift-split, split, swap, merge until the budget is spent; the rest is
+/// deferred. No traversal happens while events other than merges are pending.
+template <int D>
+class Scheduler {
+ public:
+  /// Lines 1 to 12. Does nothing while events are pending, between two scheduling steps, or without a budget.
+  template <class Trace>
+  void traverse(Tree<D>& tree, const Config& config, std::uint32_t step, Reporter<Trace>& reporter);
+  /// Lines 13 to 18.
+  template <class Trace>
+  void process(Tree<D>& tree, const Config& config, std::uint32_t step, Reporter<Trace>& reporter);
+
+  /// Events listed for `op`, oldest first. Balance is never listed.
+  [[nodiscard]] const std::vector<NodeRef>& listed(Operator op) const { return lists_[index(op)]; }
+  [[nodiscard]] std::uint32_t pending() const;
+  /// Operators that acted, by kind, since the beginning.
+  [[nodiscard]] const std::array<std::uint64_t, kOperatorCount>& acted() const { return acted_; }
+  /// `seed` mixed with the pending events: they decide what the next steps do, as much as the tree does.
+  [[nodiscard]] std::uint64_t mix_into(std::uint64_t seed) const;
+  /// Operators refused or dropped since the beginning.
+  [[nodiscard]] std::uint64_t refused() const { return refused_; }
+
+ private:
+  static std::size_t index(Operator op) { return static_cast<std::size_t>(op); }
+  template <class Trace>
+  bool visit(Tree<D>& tree, NodeId id, const Config& config, std::uint32_t step, Reporter<Trace>& reporter);
+  template <class Trace>
+  void schedule(const Tree<D>& tree, Operator op, NodeId id, const Config& config, Reporter<Trace>& reporter);
+  template <class Trace>
+  bool apply(Tree<D>& tree, Operator op, NodeRef ref, const Config& config, std::uint32_t step,
+             Reporter<Trace>& reporter);
+  template <class Trace>
+  void divide_leaf(Tree<D>& tree, Operator op, NodeRef ref, const Config& config, std::uint32_t step,
+                   Reporter<Trace>& reporter);
+  template <class Trace>
+  void note(const OperatorActed& event, Reporter<Trace>& reporter);
+  template <class Trace>
+  void refuse(Operator op, NodeRef ref, Refusal reason, Reporter<Trace>& reporter);
+
+  std::array<std::vector<NodeRef>, kOperatorCount> lists_;
+  std::array<std::uint64_t, kOperatorCount> acted_{};
+  std::uint64_t refused_ = 0;
+};
+
+extern template class Scheduler<2>;
+extern template class Scheduler<3>;
+
+}  // namespace kerf

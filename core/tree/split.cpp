@@ -1,0 +1,82 @@
+#include "core/tree/split.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kerf {
+
+template <int D>
+std::optional<Refusal> forbids_division(const Tree<D>& tree, NodeId leaf, std::uint32_t straddlers,
+                                        const Config& config) {
+  if (tree[leaf].depth >= std::min(config.max_height, kMaxHeight)) return Refusal::height;
+  const auto entries = static_cast<double>(tree.entries() + straddlers);
+  if (entries > static_cast<double>(config.max_entries) * tree.objects()) return Refusal::entries;
+  return std::nullopt;
+}
+
+template <int D>
+Quality divide(Tree<D>& tree, NodeId leaf, std::uint32_t direction, Scalar offset) {
+  const bool same_list = tree[leaf].direction == direction;
+  const bool sorted = same_list && !tree[leaf].unsorted;
+  const Plane<D> plane{tree.directions()[direction], offset};
+  const DepthMask bit = depth_bit(tree[leaf].depth);
+  std::vector<Entry> left;
+  std::vector<Entry> right;
+  for (Entry entry : tree[leaf].entries) {
+    if (!same_list) entry.key = project(plane.normal, tree.table.box(entry.object));
+    const Sides sides = classify(entry.key, offset);
+    if (sides.straddle()) entry.straddle |= bit;
+    if (sides.left) left.push_back(entry);
+    if (sides.right) right.push_back(entry);
+  }
+  const NodeId left_id = tree.make_leaf(leaf, false, direction);
+  const NodeId right_id = tree.make_leaf(leaf, true, direction);
+  const auto fill = [&](NodeId child, std::vector<Entry> entries) {
+    tree[child].population = static_cast<std::uint32_t>(entries.size());
+    tree[child].unsorted = !sorted;
+    tree.set_entries(child, std::move(entries));
+  };
+  fill(left_id, std::move(left));
+  fill(right_id, std::move(right));
+  tree.clear_entries(leaf);
+  Node<D>& node = tree[leaf];
+  node.plane = plane;
+  node.direction = direction;
+  node.left = left_id;
+  node.right = right_id;
+  node.unsorted = false;
+  node.refusals = 0;
+  node.retry_step = 0;
+  return {node.population, tree[left_id].population, tree[right_id].population};
+}
+
+template <int D>
+std::optional<OperatorActed> split(Tree<D>& tree, NodeId leaf, const Config& config, Refusal& refusal) {
+  if (const auto forbidden = forbids_division(tree, leaf, 0, config)) {
+    refusal = *forbidden;
+    return std::nullopt;
+  }
+  const std::optional<Candidate> chosen = choose_partitioner(tree, leaf, config);
+  if (!chosen) {
+    refusal = Refusal::no_partitioner;
+    return std::nullopt;
+  }
+  if (const auto forbidden = forbids_division(tree, leaf, redundancy(chosen->quality), config)) {
+    refusal = *forbidden;
+    return std::nullopt;
+  }
+  const NodeRef ref = tree.ref(leaf);
+  const Quality after = divide(tree, leaf, chosen->direction, chosen->offset);
+  return OperatorActed{Operator::split, ref, {after.population, 0, 0}, after, chosen->direction, 0,
+                       chosen->offset};
+}
+
+#define KERF_INSTANTIATE(D)                                                                                  \
+  template std::optional<Refusal> forbids_division<D>(const Tree<D>&, NodeId, std::uint32_t, const Config&); \
+  template Quality divide<D>(Tree<D>&, NodeId, std::uint32_t, Scalar);                                       \
+  template std::optional<OperatorActed> split<D>(Tree<D>&, NodeId, const Config&, Refusal&);
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
+
+}  // namespace kerf

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "core/tree/tree.h"
+
+namespace kerf {
+
+/// The direction of the ordered lists of a node's leaves: its partitioner's; axis 0 above the root.
+template <int D>
+std::uint32_t list_direction(const Tree<D>& tree, NodeId parent) {
+  return parent.is_none() ? 0 : tree[parent].direction;
+}
+
+/// Projects the entries of a leaf anew on its direction; their order is left to the sort phase.
+template <int D>
+void renew_keys(Tree<D>& tree, NodeId leaf) {
+  const Vector<D> normal = tree.directions()[tree[leaf].direction];
+  for (Entry& entry : tree[leaf].entries) entry.key = project(normal, tree.table.box(entry.object));
+  tree[leaf].unsorted = true;
+}
+
+/// Ends the life of every node from `top` down.
+template <int D>
+void release_below(Tree<D>& tree, NodeId top) {
+  std::vector<NodeId> nodes;
+  for_each_node(tree, top, [&](NodeId id) { nodes.push_back(id); });
+  for (const NodeId id : nodes) tree.release(id);
+}
+
+}  // namespace kerf

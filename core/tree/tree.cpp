@@ -1,0 +1,86 @@
+#include "core/tree/tree.h"
+
+#include <utility>
+
+namespace kerf {
+
+template <int D>
+Tree<D>::Tree(std::shared_ptr<const DirectionSet<D>> directions) : directions_(std::move(directions)) {
+  root_ = make_leaf(NodeId::none(), false, 0);
+}
+
+template <int D>
+bool Tree<D>::is_alive(NodeRef ref) const {
+  return ref.node.index() < nodes_.size() && nodes_[ref.node.index()].alive &&
+         nodes_[ref.node.index()].generation == ref.generation;
+}
+
+template <int D>
+NodeId Tree<D>::make_leaf(NodeId parent, bool right, std::uint32_t direction) {
+  NodeId id{static_cast<std::uint32_t>(nodes_.size())};
+  if (free_.empty()) {
+    nodes_.emplace_back();
+  } else {
+    id = free_.back();
+    free_.pop_back();
+  }
+  Node<D>& node = nodes_[id.index()];
+  node.alive = true;
+  node.parent = parent;
+  node.direction = direction;
+  if (parent.is_none()) return id;
+  const Node<D>& above = nodes_[parent.index()];
+  node.depth = above.depth + 1;
+  node.right_of = above.right_of | (right ? depth_bit(above.depth) : 0);
+  return id;
+}
+
+template <int D>
+void Tree<D>::release(NodeId id) {
+  clear_entries(id);
+  Node<D> fresh;
+  fresh.generation = nodes_[id.index()].generation + 1;
+  fresh.entries = std::move(nodes_[id.index()].entries);  // empty, but its memory serves the next life
+  nodes_[id.index()] = std::move(fresh);
+  free_.push_back(id);
+}
+
+template <int D>
+void Tree<D>::add_entry(NodeId leaf, ObjectId object, DepthMask straddle) {
+  Node<D>& node = nodes_[leaf.index()];
+  const Interval key = project((*directions_)[node.direction], table.box(object));
+  node.entries.push_back({key, object, straddle});
+  node.unsorted = true;
+  ++entries_;
+}
+
+template <int D>
+void Tree<D>::set_entries(NodeId leaf, std::vector<Entry> entries) {
+  entries_ += entries.size();
+  entries_ -= nodes_[leaf.index()].entries.size();
+  nodes_[leaf.index()].entries = std::move(entries);
+}
+
+template <int D>
+void Tree<D>::clear_entries(NodeId leaf) {
+  entries_ -= nodes_[leaf.index()].entries.size();
+  nodes_[leaf.index()].entries.clear();
+}
+
+template <int D>
+void Tree<D>::drop_marked_entries(NodeId leaf) {
+  std::vector<Entry>& entries = nodes_[leaf.index()].entries;
+  entries_ -=
+      std::erase_if(entries, [this](const Entry& entry) { return marks_[entry.object.index()] != 0; });
+}
+
+template <int D>
+void Tree<D>::set_mark(ObjectId object, bool on) {
+  if (marks_.size() < table.bound()) marks_.resize(table.bound(), 0);
+  marks_[object.index()] = on ? 1 : 0;
+}
+
+template class Tree<2>;
+template class Tree<3>;
+
+}  // namespace kerf

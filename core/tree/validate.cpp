@@ -1,0 +1,150 @@
+#include "core/tree/validate.h"
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace kerf {
+namespace {
+
+/// Where an object must be stored, found by the definition and by nothing that the operators keep.
+struct Place {
+  NodeId leaf;
+  DepthMask straddle;
+};
+
+template <int D>
+class Validator {
+ public:
+  explicit Validator(const Tree<D>& tree) : tree_(tree), stored_(tree.slots()), reached_(tree.slots()) {}
+
+  std::vector<Violation> run() {
+    check_structure();
+    if (!violations_.empty()) return std::move(violations_);  // a broken structure cannot be walked further
+    for_each_node(tree_, tree_.root(), [this](NodeId id) {
+      if (tree_[id].is_leaf()) check_leaf(id);
+    });
+    for (std::uint32_t id = 0; id < tree_.table.bound(); ++id)
+      if (tree_.table.is_placed({id})) check_object({id});
+    check_counts();
+    return std::move(violations_);
+  }
+
+ private:
+  void expect(bool holds, NodeId node, const char* what) {
+    if (!holds) violations_.push_back({node, what});
+  }
+
+  void check_structure() {
+    expect(tree_[tree_.root()].parent.is_none(), tree_.root(), "the root has a parent");
+    expect(tree_[tree_.root()].depth == 0, tree_.root(), "the root is not at depth 0");
+    std::vector<NodeId> todo{tree_.root()};
+    std::vector<bool> seen(tree_.slots(), false);
+    while (!todo.empty()) {
+      const NodeId id = todo.back();
+      todo.pop_back();
+      const bool fresh = id.index() < seen.size() && !seen[id.index()];
+      expect(fresh, id, "a link leads outside or to a node that is reached already");
+      if (!fresh) return;
+      seen[id.index()] = true;
+      check_node(id, todo);
+    }
+    for (std::uint32_t slot = 0; slot < tree_.slots(); ++slot)
+      expect(tree_[NodeId{slot}].alive == seen[slot], {slot},
+             "a node is alive but not reached, or reached but dead");
+  }
+
+  void check_node(NodeId id, std::vector<NodeId>& todo) {
+    const Node<D>& node = tree_[id];
+    expect(node.left.is_none() == node.right.is_none(), id, "a node has one child");
+    expect(node.direction < tree_.directions().size(), id, "the direction is not in the set");
+    expect(node.depth <= kMaxHeight, id, "the node is deeper than masks can tell");
+    if (node.is_leaf() || node.right.is_none()) return;
+    expect(node.entries.empty(), id, "an inner node has entries");
+    expect(std::isfinite(node.plane.offset), id, "the offset is not finite");
+    expect(node.plane.normal == tree_.directions()[node.direction], id, "the normal is not its direction's");
+    check_child(id, node.left, 0);
+    check_child(id, node.right, depth_bit(node.depth));
+    todo.push_back(node.left);
+    todo.push_back(node.right);
+  }
+
+  void check_child(NodeId id, NodeId child, DepthMask side) {
+    if (child.index() >= tree_.slots()) return;
+    const Node<D>& node = tree_[id];
+    const Node<D>& below = tree_[child];
+    expect(below.parent == id, child, "the parent link is wrong");
+    expect(below.depth == node.depth + 1, child, "the depth is not the parent's plus one");
+    expect(below.right_of == (node.right_of | side), child, "the right-of mask is wrong");
+    expect(!below.is_leaf() || below.direction == node.direction, child,
+           "the list is not along the parent's normal");
+  }
+
+  void check_leaf(NodeId id) {
+    const Node<D>& leaf = tree_[id];
+    std::set<ObjectId> objects;
+    for (std::size_t i = 0; i < leaf.entries.size(); ++i) {
+      const Entry& entry = leaf.entries[i];
+      expect(tree_.table.is_placed(entry.object), id, "an entry's object is absent or quarantined");
+      if (!tree_.table.is_placed(entry.object)) continue;
+      const Interval key = project(tree_.directions()[leaf.direction], tree_.table.box(entry.object));
+      expect(key == entry.key, id, "an entry's key is not its projection");
+      expect(objects.insert(entry.object).second, id, "an object has two entries");
+      stored_[id.index()].emplace(entry.object, entry.straddle);
+      const bool ordered =
+          i == 0 || leaf.entries[i - 1].key.lo < entry.key.lo ||
+          (leaf.entries[i - 1].key.lo == entry.key.lo && leaf.entries[i - 1].object < entry.object);
+      expect(ordered || leaf.unsorted, id, "the list is out of order");
+    }
+    expected_entries_ += leaf.entries.size();
+  }
+
+  void check_object(ObjectId object) {
+    const Box<D> box = tree_.table.box(object);
+    std::vector<Place> todo{{tree_.root(), 0}};
+    while (!todo.empty()) {
+      const auto [id, straddle] = todo.back();
+      todo.pop_back();
+      ++reached_[id.index()];
+      const Node<D>& node = tree_[id];
+      if (node.is_leaf()) {
+        const auto found = stored_[id.index()].find({object, straddle});
+        expect(found != stored_[id.index()].end(), id,
+               "an object is missing here, or its straddle mask is wrong");
+        ++places_;
+        continue;
+      }
+      const Sides sides = classify(node.plane, box);
+      const DepthMask below = straddle | (sides.straddle() ? depth_bit(node.depth) : 0);
+      if (sides.left) todo.push_back({node.left, below});
+      if (sides.right) todo.push_back({node.right, below});
+    }
+  }
+
+  void check_counts() {
+    expect(expected_entries_ == tree_.entries(), NodeId::none(), "the count of entries is wrong");
+    expect(places_ == expected_entries_, NodeId::none(), "there are entries where no object belongs");
+    for_each_node(tree_, tree_.root(), [this](NodeId id) {
+      expect(tree_[id].population == reached_[id.index()], id, "the population is wrong");
+    });
+  }
+
+  const Tree<D>& tree_;
+  std::vector<std::set<std::pair<ObjectId, DepthMask>>> stored_;
+  std::vector<std::uint32_t> reached_;
+  std::uint64_t expected_entries_ = 0;
+  std::uint64_t places_ = 0;
+  std::vector<Violation> violations_;
+};
+
+}  // namespace
+
+template <int D>
+std::vector<Violation> validate(const Tree<D>& tree) {
+  return Validator<D>(tree).run();
+}
+
+template std::vector<Violation> validate<2>(const Tree<2>&);
+template std::vector<Violation> validate<3>(const Tree<3>&);
+
+}  // namespace kerf

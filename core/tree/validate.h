@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/tree/tree.h"
+
+namespace kerf {
+
+/// One broken promise of the tree. `node` is where; none if it concerns the whole tree.
+struct Violation {
+  NodeId node;
+  std::string what;
+};
+
+/// Checks every invariant of `Tree` between steps and returns what is broken: empty means sound. Always
+/// compiled. O(entries * height).
+template <int D>
+std::vector<Violation> validate(const Tree<D>& tree);
+
+}  // namespace kerf
