@@ -48,7 +48,9 @@ struct View {
   Eigen::Matrix4d clip_from_world;                     ///< y down: row 0 of the picture is its top
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();       ///< 3D only
   Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();  ///< unit, from the eye into the scene
-  double pixels_per_unit_at_one = 1;  ///< pixels of a unit length at distance 1 (2D: anywhere)
+  double pixels_per_unit_at_one = 1;                   ///< pixels of a unit length at depth 1 (2D: anywhere)
+  bool perspective = false;                            ///< 3D
+  double near = 0;                                     ///< 3D: nothing nearer to the eye is drawn
   double picture_width = 1;
   double picture_height = 1;
 

@@ -9,7 +9,6 @@ namespace kerf {
 /// Every GL function that Kerf calls: (type suffix of glcorearb.h, name without the gl). All are of
 /// version 3.3.
 #define KERF_GL_FUNCTIONS(X)                                        \
-  X(ACTIVETEXTURE, ActiveTexture)                                   \
   X(ATTACHSHADER, AttachShader)                                     \
   X(BINDBUFFER, BindBuffer)                                         \
   X(BINDFRAMEBUFFER, BindFramebuffer)                               \
@@ -57,11 +56,10 @@ namespace kerf {
   X(PIXELSTOREI, PixelStorei)                                       \
   X(READPIXELS, ReadPixels)                                         \
   X(RENDERBUFFERSTORAGEMULTISAMPLE, RenderbufferStorageMultisample) \
-  X(SCISSOR, Scissor)                                               \
   X(SHADERSOURCE, ShaderSource)                                     \
   X(TEXIMAGE2D, TexImage2D)                                         \
   X(TEXPARAMETERI, TexParameteri)                                   \
-  X(UNIFORM1I, Uniform1i)                                           \
+  X(UNIFORM2F, Uniform2f)                                           \
   X(USEPROGRAM, UseProgram)                                         \
   X(VERTEXATTRIBPOINTER, VertexAttribPointer)                       \
   X(VIEWPORT, Viewport)

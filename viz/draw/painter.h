@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "viz/draw/batch.h"
+#include "viz/draw/camera.h"
+#include "viz/draw/font.h"
+#include "viz/gl/functions.h"
+
+namespace kerf {
+
+/// Which triangles a batch hides and is hidden by.
+enum class Depth { ignore, test, test_and_write };
+
+/// Letters to be drawn, as rectangles of the font's texture on the picture.
+struct TextBatch {
+  struct Vertex {
+    float x, y, u, v;
+    Color color;
+  };
+  std::vector<Vertex> vertices;  ///< six a letter
+
+  void clear() { vertices.clear(); }
+  /// Writes one line of UTF-8 with its upper left corner at (x, y), in whole pixels.
+  void add(const Font& font, int x, int y, std::string_view text, Color color);
+};
+
+/// The GL side of drawing: two programs, one buffer, one texture. The context that made it must be current in
+/// every call and when it dies.
+class Painter {
+ public:
+  Painter(const GlFunctions& gl, const Font& font);
+  ~Painter();
+  Painter(const Painter&) = delete;
+  Painter& operator=(const Painter&) = delete;
+
+  void begin(Color ground) const;
+  void draw(const Batch& batch, Depth depth) const;
+  void draw(const TextBatch& text, const View& view) const;
+
+ private:
+  [[nodiscard]] GLuint make_program(const char* vertex_source, const char* fragment_source) const;
+  void make_vertex_arrays();
+  void make_texture(const Font& font);
+
+  const GlFunctions& gl_;
+  GLuint shape_program_ = 0;
+  GLuint text_program_ = 0;
+  std::array<GLuint, 2> vertex_arrays_{};  ///< shapes, text
+  std::array<GLuint, 3> buffers_{};        ///< shape corners, shape indices, text corners
+  GLuint texture_ = 0;
+  GLint picture_size_ = -1;
+};
+
+}  // namespace kerf

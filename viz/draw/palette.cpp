@@ -1,0 +1,30 @@
+#include "viz/draw/palette.h"
+
+#include <algorithm>
+#include <array>
+
+namespace kerf::palette {
+namespace {
+
+// viridis at 0, 0.1 ... 0.8 (van der Walt and Smith, matplotlib, CC0); its yellow end is lost on a light
+// ground.
+constexpr std::array<Color, 9> kViridis{{{68, 1, 84},
+                                         {72, 36, 117},
+                                         {65, 68, 135},
+                                         {53, 95, 141},
+                                         {42, 120, 142},
+                                         {33, 145, 140},
+                                         {34, 168, 132},
+                                         {68, 191, 112},
+                                         {122, 209, 81}}};
+
+}  // namespace
+
+Color population_color(std::uint32_t population, std::uint32_t largest) {
+  const double t = largest == 0 ? 0.0 : std::min(1.0, static_cast<double>(population) / largest);
+  const double position = t * static_cast<double>(kViridis.size() - 1);
+  const auto low = std::min(static_cast<std::size_t>(position), kViridis.size() - 2);
+  return mix(kViridis[low], kViridis[low + 1], position - static_cast<double>(low));
+}
+
+}  // namespace kerf::palette

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "viz/gl/functions.h"
+#include "viz/image/image.h"
+
+namespace kerf {
+
+/// Where a frame is drawn: colour and depth with several samples a pixel, resolved to one when read.
+/// The context that made it must be current in every call and when it dies.
+class Framebuffer {
+ public:
+  /// Throws std::runtime_error if the driver cannot make it.
+  Framebuffer(const GlFunctions& gl, int width, int height, int samples);
+  ~Framebuffer();
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
+
+  /// Directs drawing here and covers all of it.
+  void bind() const;
+  /// Copies what was drawn; row 0 of the buffer becomes the top row.
+  void read(Image& image) const;
+
+ private:
+  void attach(GLenum point, GLuint renderbuffer, GLenum format, int samples) const;
+
+  const GlFunctions& gl_;
+  int width_;
+  int height_;
+  GLuint framebuffers_[2]{};   ///< drawn to, read from
+  GLuint renderbuffers_[3]{};  ///< colour, depth, resolved colour
+};
+
+}  // namespace kerf

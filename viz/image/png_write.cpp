@@ -1,0 +1,144 @@
+#include <libdeflate.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "viz/image/png.h"
+#include "viz/image/png_format.h"
+
+namespace kerf {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
+  throw std::runtime_error("cannot write " + path.string() + ": " + reason);
+}
+
+[[noreturn]] void fail_with_errno(const std::filesystem::path& path, int error) {
+  fail(path, std::generic_category().message(error));
+}
+
+bool is_opaque(const Image& image) {
+  std::uint8_t all = 255;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) all &= image.rgba[i];
+  return all == 255;
+}
+
+/// Rows as PNG wants them: a filter byte and the pixels. The filter "up" (difference to the row above) turns
+/// the large flat areas and straight edges of our drawings into zeros.
+std::vector<std::uint8_t> filtered_rows(const Image& image, std::size_t channels) {
+  constexpr std::uint8_t kUp = 2;
+  const auto width = static_cast<std::size_t>(image.width);
+  std::vector<std::uint8_t> rows(static_cast<std::size_t>(image.height) * (1 + channels * width));
+  const std::vector<std::uint8_t> nothing(image.stride(), 0);
+  const std::uint8_t* above = nothing.data();
+  std::uint8_t* out = rows.data();
+  for (int y = 0; y < image.height; ++y) {
+    const std::uint8_t* row = image.pixel(0, y);
+    *out++ = kUp;
+    for (std::size_t x = 0; x < width; ++x) {
+      for (std::size_t c = 0; c < channels; ++c)
+        *out++ = static_cast<std::uint8_t>(row[4 * x + c] - above[4 * x + c]);
+    }
+    above = row;
+  }
+  return rows;
+}
+
+std::vector<std::uint8_t> compress(const std::vector<std::uint8_t>& bytes) {
+  struct Free {
+    void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
+  };
+  constexpr int kFastest = 1;
+  const std::unique_ptr<libdeflate_compressor, Free> compressor(libdeflate_alloc_compressor(kFastest));
+  if (compressor == nullptr) throw std::bad_alloc();
+  std::vector<std::uint8_t> result(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
+  result.resize(
+      libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), result.data(), result.size()));
+  return result;
+}
+
+void append_u32(std::vector<std::uint8_t>& out, std::uint32_t value) {
+  for (int shift = 24; shift >= 0; shift -= 8) out.push_back(static_cast<std::uint8_t>(value >> shift));
+}
+
+void append_chunk(std::vector<std::uint8_t>& out, std::string_view type, std::span<const std::uint8_t> data) {
+  append_u32(out, static_cast<std::uint32_t>(data.size()));
+  const std::size_t start = out.size();
+  out.insert(out.end(), type.begin(), type.end());
+  out.insert(out.end(), data.begin(), data.end());
+  append_u32(out, libdeflate_crc32(0, out.data() + start, out.size() - start));
+}
+
+std::vector<std::uint8_t> encode(const Image& image) {
+  const bool opaque = is_opaque(image);
+  std::vector<std::uint8_t> header;
+  append_u32(header, static_cast<std::uint32_t>(image.width));
+  append_u32(header, static_cast<std::uint32_t>(image.height));
+  constexpr std::uint8_t kDepth = 8;
+  header.insert(header.end(), {kDepth, opaque ? png::kRgb : png::kRgba, 0, 0, 0});
+  const std::vector<std::uint8_t> data = compress(filtered_rows(image, opaque ? 3 : 4));
+  std::vector<std::uint8_t> file(png::kSignature.begin(), png::kSignature.end());
+  file.reserve(file.size() + data.size() + 64);
+  append_chunk(file, "IHDR", header);
+  append_chunk(file, "IDAT", data);
+  append_chunk(file, "IEND", {});
+  return file;
+}
+
+/// Writes, flushes and closes; returns 0 or the errno of what failed first.
+int write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) return errno;
+  int error = 0;
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) error = errno;
+  if (std::fflush(file) != 0 && error == 0) error = errno;
+  if (std::fclose(file) != 0 && error == 0) error = errno;
+  return error;
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  if (image.width < 1 || image.height < 1 || image.width > kMaxImageSide || image.height > kMaxImageSide ||
+      image.rgba.size() != image.stride() * static_cast<std::size_t>(image.height)) {
+    fail(path, "an image of " + std::to_string(image.width) + "x" + std::to_string(image.height) +
+                   " pixels and " + std::to_string(image.rgba.size()) + " bytes is none");
+  }
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+    fail(path, "it exists and is not a file");
+  std::filesystem::path part = path;
+  part += "." + std::to_string(getpid()) + ".part";
+  int error = write_whole_file(part, encode(image));
+  if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) return;
+  std::filesystem::remove(part, ignored);
+  fail_with_errno(path, error);
+}
+
+std::uint64_t pixel_hash(const Image& image) {
+  constexpr std::uint64_t kPrime = 0x9e3779b97f4a7c15U;
+  const auto mix = [](std::uint64_t hash, std::uint64_t word) {
+    hash = (hash ^ word) * kPrime;
+    return hash ^ (hash >> 29U);
+  };
+  std::uint64_t hash =
+      mix(mix(kPrime, static_cast<std::uint64_t>(image.width)), static_cast<std::uint64_t>(image.height));
+  for (std::size_t i = 0; i < image.rgba.size(); i += sizeof(std::uint64_t)) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, image.rgba.data() + i, std::min(sizeof word, image.rgba.size() - i));
+    hash = mix(hash, word);
+  }
+  return mix(hash, image.rgba.size());
+}
+
+}  // namespace kerf
