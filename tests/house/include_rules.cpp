@@ -1,0 +1,153 @@
+#include "tests/house/include_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <optional>
+#include <regex>
+#include <stdexcept>
+#include <string_view>
+
+namespace kerf::house {
+namespace {
+
+/// Who owns a header: a room of the house or a library outside of it.
+struct Owner {
+  std::string_view name;
+  std::string_view prefix;  ///< what the included path begins with
+};
+
+constexpr auto kRooms =
+    std::to_array<std::string_view>({"core", "viz", "sims2d", "sims3d", "frames", "tests"});
+
+constexpr auto kLibraries = std::to_array<Owner>({
+    {"Eigen", "Eigen/"},
+    {"Eigen", "unsupported/Eigen/"},
+    {"xxHash", "xxhash.h"},
+    {"xxHash", "xxh"},
+    {"GL", "GL/"},
+    {"GL", "EGL/"},
+    {"GL", "GLES"},
+    {"GL", "KHR/"},
+    {"GL", "GLFW/"},
+    {"Dear ImGui", "imgui"},
+    {"Dear ImGui", "imstb_"},
+    {"Dear ImGui", "imconfig"},
+    {"stb", "stb"},
+    {"libdeflate", "libdeflate"},
+    {"Box2D", "box2d/"},
+    {"ODE", "ode/"},
+    {"CLI11", "CLI/"},
+    {"nlohmann/json", "nlohmann/"},
+    {"GoogleTest", "gtest/"},
+    {"GoogleTest", "gmock/"},
+    {"x86 intrinsics", "immintrin.h"},
+    {"POSIX", "unistd.h"},
+    {"POSIX", "fcntl.h"},
+    {"POSIX", "poll.h"},
+    {"POSIX", "pthread.h"},
+    {"POSIX", "signal.h"},
+    {"POSIX", "spawn.h"},
+    {"POSIX", "dlfcn.h"},
+    {"POSIX", "malloc.h"},
+    {"POSIX", "sys/"},
+});
+
+/// Allows the files whose path begins with `from` to include what `owner` owns.
+struct Permission {
+  std::string_view from;
+  std::string_view owner;
+};
+
+constexpr auto kPermissions = std::to_array<Permission>({
+    {"core/", "core"},
+    {"core/", "Eigen"},
+    {"core/tree/hash.cpp", "xxHash"},
+    {"core/kernels/", "x86 intrinsics"},
+
+    {"viz/", "viz"},
+    {"viz/", "core"},
+    {"viz/", "Eigen"},
+    {"viz/", "GL"},
+    {"viz/", "Dear ImGui"},
+    {"viz/", "stb"},
+    {"viz/", "libdeflate"},
+    {"viz/", "POSIX"},
+
+    {"sims2d/", "sims2d"},
+    {"sims2d/", "core"},
+    {"sims2d/", "Box2D"},
+
+    {"sims3d/", "sims3d"},
+    {"sims3d/", "core"},
+    {"sims3d/", "ODE"},
+});
+
+bool is_any_of(std::string_view name, std::span<const std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Headers of the C++ library have neither a folder nor an ending.
+bool is_standard(std::string_view header) { return header.find_first_of("/.") == std::string_view::npos; }
+
+std::optional<std::string_view> owner_of(std::string_view header) {
+  const std::string_view folder = header.substr(0, std::min(header.find('/'), header.size()));
+  if (folder.size() < header.size() && is_any_of(folder, kRooms)) return folder;
+  for (const Owner& library : kLibraries)
+    if (header.starts_with(library.prefix)) return library.name;
+  return std::nullopt;
+}
+
+bool is_permitted(std::string_view file, std::string_view owner) {
+  if (file.starts_with("tests/")) return true;
+  if (file.starts_with("frames/")) return owner != "tests" && owner != "GoogleTest";
+  return std::any_of(kPermissions.begin(), kPermissions.end(), [&](const Permission& permission) {
+    return file.starts_with(permission.from) && permission.owner == owner;
+  });
+}
+
+/// The reason why `file` must not include `header`; empty when it may.
+std::string objection(const std::string& file, const std::string& header, bool quoted) {
+  if (!quoted && is_standard(header)) return {};
+  const auto owner = owner_of(header);
+  const bool in_house = owner && is_any_of(*owner, kRooms);
+  if (quoted && !in_house) return "\"" + header + "\" is no header of the project, written from its root";
+  if (!quoted && in_house) return "<" + header + "> is the project's own and takes quotes";
+  if (!owner) return "<" + header + "> belongs to no library that the house knows";
+  if (is_permitted(file, *owner)) return {};
+  const std::string room = file.substr(0, file.find('/'));
+  return room + " must not include " + std::string(*owner) + " (" + header + ")";
+}
+
+void check_file(const std::filesystem::path& root, const std::string& file, std::vector<Violation>& found) {
+  std::ifstream text(root / file);
+  if (!text) throw std::runtime_error("cannot read " + (root / file).string());
+  static const std::regex directive(R"(^\s*#\s*(?:include|include_next|import)\b\s*(.*))");
+  static const std::regex named(R"re(^(?:<([^>]+)>|"([^"]+)").*)re");
+  std::string line;
+  for (int number = 1; std::getline(text, line); ++number) {
+    std::smatch include;
+    if (!std::regex_match(line, include, directive)) continue;
+    const std::string target = include[1];
+    std::smatch header;
+    std::string reason = "an #include names its header";
+    if (std::regex_match(target, header, named))
+      reason = objection(file, header[header[2].matched ? 2 : 1], header[2].matched);
+    if (!reason.empty()) found.push_back({file, number, reason});
+  }
+}
+
+}  // namespace
+
+std::string to_string(const Violation& violation) {
+  return violation.file + ":" + std::to_string(violation.line) + ": " + violation.reason;
+}
+
+std::vector<Violation> check_includes(const std::filesystem::path& root,
+                                      std::span<const std::filesystem::path> files) {
+  std::vector<Violation> found;
+  for (const std::filesystem::path& file : files) check_file(root, file.generic_string(), found);
+  return found;
+}
+
+}  // namespace kerf::house

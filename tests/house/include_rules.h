@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace kerf::house {
+
+/// An #include that the house does not allow.
+struct Violation {
+  std::string file;  ///< path from the project's root
+  int line = 0;      ///< counted from 1
+  std::string reason;
+};
+
+/// "file:line: reason", as compilers write it.
+std::string to_string(const Violation& violation);
+
+/// Checks every #include of the given C++ files (paths relative to `root`) against the table of rooms in
+/// DESIGN.md. Needed because GL, Box2D and ODE share one system folder, so that linking cannot stop a leak.
+/// Throws std::runtime_error for a file that cannot be read.
+std::vector<Violation> check_includes(const std::filesystem::path& root,
+                                      std::span<const std::filesystem::path> files);
+
+}  // namespace kerf::house

@@ -1,0 +1,132 @@
+#include "tests/house/include_rules.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/house/project_files.h"
+
+namespace kerf::house {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// A folder with planted files that goes when the test ends.
+class PlantedTree : public testing::Test {
+ protected:
+  ~PlantedTree() override { std::filesystem::remove_all(root_); }
+
+  void plant(const std::string& file, const std::string& text) {
+    std::filesystem::create_directories((root_ / file).parent_path());
+    std::ofstream(root_ / file) << text;
+    files_.emplace_back(file);
+  }
+
+  [[nodiscard]] std::vector<std::string> violations() const {
+    std::vector<std::string> found;
+    for (const Violation& violation : check_includes(root_, files_)) found.push_back(to_string(violation));
+    return found;
+  }
+
+ private:
+  static std::filesystem::path fresh_folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "kerf-house-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+    return name;
+  }
+
+  std::filesystem::path root_ = fresh_folder();
+  std::vector<std::filesystem::path> files_;
+};
+
+TEST(IncludeRules, HoldInThisTree) {
+  std::vector<std::string> found;
+  for (const Violation& violation : check_includes(KERF_SOURCE_DIR, source_files()))
+    found.push_back(to_string(violation));
+  EXPECT_THAT(found, IsEmpty());
+}
+
+TEST(IncludeRules, SeeThisTree) {
+  EXPECT_THAT(source_files(), testing::Contains(std::filesystem::path("core/ids.h")));
+  EXPECT_THAT(source_files(), testing::Contains(std::filesystem::path("tests/house/include_rules.cpp")));
+}
+
+TEST_F(PlantedTree, AllowsWhatTheTableAllows) {
+  plant("core/tree/a.h", "#include <vector>\n#include <Eigen/Core>\n#include \"core/ids.h\"\n");
+  plant("viz/a.cpp",
+        "#include <GL/gl.h>\n#include <imgui.h>\n#include <stb/stb_image.h>\n#include \"core/a.h\"\n");
+  plant("sims2d/a.cpp", "#include <box2d/box2d.h>\n#include \"core/a.h\"\n#include \"sims2d/a.h\"\n");
+  plant("sims3d/a.cpp", "#include <ode/ode.h>\n#include \"core/a.h\"\n");
+  plant("frames/a.cpp", "#include <CLI/CLI.hpp>\n#include \"viz/a.h\"\n#include \"sims2d/a.h\"\n");
+  plant("tests/a.cpp", "#include <gtest/gtest.h>\n#include <ode/ode.h>\n#include \"frames/a.h\"\n");
+  EXPECT_THAT(violations(), IsEmpty());
+}
+
+TEST_F(PlantedTree, CoreSeesNoOtherRoomAndNoEngine) {
+  plant("core/a.h", "#pragma once\n\n#include \"viz/a.h\"\n#  include <box2d/box2d.h>\n");
+  plant("core/b.cpp", "#include <GL/gl.h>\n#include <ode/ode.h>\n#include <unistd.h>\n#include <imgui.h>\n");
+  EXPECT_THAT(violations(), ElementsAre("core/a.h:3: core must not include viz (viz/a.h)",
+                                        "core/a.h:4: core must not include Box2D (box2d/box2d.h)",
+                                        "core/b.cpp:1: core must not include GL (GL/gl.h)",
+                                        "core/b.cpp:2: core must not include ODE (ode/ode.h)",
+                                        "core/b.cpp:3: core must not include POSIX (unistd.h)",
+                                        "core/b.cpp:4: core must not include Dear ImGui (imgui.h)"));
+}
+
+TEST_F(PlantedTree, CoreKeepsXxHashAndIntrinsicsInTheirFiles) {
+  plant("core/tree/hash.cpp", "#include <xxhash.h>\n");
+  plant("core/kernels/sweep_avx2.cpp", "#include <immintrin.h>\n");
+  plant("core/tree/hash.h", "#include <xxhash.h>\n");
+  plant("core/tree/split.cpp", "#include <immintrin.h>\n");
+  EXPECT_THAT(violations(),
+              ElementsAre("core/tree/hash.h:1: core must not include xxHash (xxhash.h)",
+                          "core/tree/split.cpp:1: core must not include x86 intrinsics (immintrin.h)"));
+}
+
+TEST_F(PlantedTree, VizSeesNoSimulation) {
+  plant("viz/a.cpp", "#include \"sims2d/a.h\"\n#include \"sims3d/a.h\"\n#include <box2d/b2_math.h>\n");
+  EXPECT_THAT(violations(), ElementsAre("viz/a.cpp:1: viz must not include sims2d (sims2d/a.h)",
+                                        "viz/a.cpp:2: viz must not include sims3d (sims3d/a.h)",
+                                        "viz/a.cpp:3: viz must not include Box2D (box2d/b2_math.h)"));
+}
+
+TEST_F(PlantedTree, SimulationsSeeNeitherVizNorEachOther) {
+  plant("sims2d/a.h", "#include \"viz/a.h\"\n#include \"sims3d/a.h\"\n#include <ode/ode.h>\n");
+  plant("sims3d/a.h", "#include <GL/gl.h>\n#include \"sims2d/a.h\"\n#include <box2d/box2d.h>\n");
+  EXPECT_THAT(violations(), ElementsAre("sims2d/a.h:1: sims2d must not include viz (viz/a.h)",
+                                        "sims2d/a.h:2: sims2d must not include sims3d (sims3d/a.h)",
+                                        "sims2d/a.h:3: sims2d must not include ODE (ode/ode.h)",
+                                        "sims3d/a.h:1: sims3d must not include GL (GL/gl.h)",
+                                        "sims3d/a.h:2: sims3d must not include sims2d (sims2d/a.h)",
+                                        "sims3d/a.h:3: sims3d must not include Box2D (box2d/box2d.h)"));
+}
+
+TEST_F(PlantedTree, NothingIncludesTests) {
+  plant("frames/a.cpp", "#include \"tests/support/a.h\"\n#include <gtest/gtest.h>\n");
+  plant("core/a.cpp", "#include \"tests/support/a.h\"\n");
+  EXPECT_THAT(violations(), ElementsAre("frames/a.cpp:1: frames must not include tests (tests/support/a.h)",
+                                        "frames/a.cpp:2: frames must not include GoogleTest (gtest/gtest.h)",
+                                        "core/a.cpp:1: core must not include tests (tests/support/a.h)"));
+}
+
+TEST_F(PlantedTree, PathsBeginAtTheRoot) {
+  plant("core/tree/a.h", "#include \"node.h\"\n#include \"../ids.h\"\n#include <core/ids.h>\n");
+  EXPECT_THAT(violations(),
+              ElementsAre("core/tree/a.h:1: \"node.h\" is no header of the project, written from its root",
+                          "core/tree/a.h:2: \"../ids.h\" is no header of the project, written from its root",
+                          "core/tree/a.h:3: <core/ids.h> is the project's own and takes quotes"));
+}
+
+TEST_F(PlantedTree, UnknownLibrariesAndHiddenNamesAreReported) {
+  plant("frames/a.cpp", "#include <curl/curl.h>\n#include HEADER\n");
+  EXPECT_THAT(violations(),
+              ElementsAre("frames/a.cpp:1: <curl/curl.h> belongs to no library that the house knows",
+                          "frames/a.cpp:2: an #include names its header"));
+}
+
+}  // namespace
+}  // namespace kerf::house

@@ -1,0 +1,53 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/house/project_files.h"
+
+namespace kerf::house {
+namespace {
+
+using testing::IsEmpty;
+
+// Written with brackets, so that this file does not mention what it forbids.
+const std::regex kUnfinished(R"(\b(T[O]DO|F[I]XME|X[X]X|H[A]CK)\b)");
+const std::regex kMachinePath(R"((^|[^\w.}])/(h[o]me|r[o]ot|w[o]rk|U[s]ers|t[m]p)/)");
+
+/// "file:line: text" of each line in which `forbidden` occurs.
+std::vector<std::string> lines_with(const std::regex& forbidden) {
+  std::vector<std::string> found;
+  for (const std::filesystem::path& file : project_files()) {
+    int number = 0;
+    for (const std::string& line : lines_of(file)) {
+      ++number;
+      if (std::regex_search(line, forbidden))
+        found.push_back(file.string() + ":" + std::to_string(number) + ": " + line);
+    }
+  }
+  return found;
+}
+
+/// "file: lines" of each file with this ending that is longer than `limit`.
+std::vector<std::string> longer_than(std::size_t limit, const std::string& ending) {
+  std::vector<std::string> found;
+  for (const std::filesystem::path& file : source_files()) {
+    const std::size_t lines = lines_of(file).size();
+    if (file.extension() == ending && lines > limit)
+      found.push_back(file.string() + ": " + std::to_string(lines) + " lines");
+  }
+  return found;
+}
+
+TEST(TextRules, NothingIsMarkedUnfinished) { EXPECT_THAT(lines_with(kUnfinished), IsEmpty()); }
+
+TEST(TextRules, NothingNamesAPathOfOneMachine) { EXPECT_THAT(lines_with(kMachinePath), IsEmpty()); }
+
+TEST(TextRules, HeadersHaveAtMost200Lines) { EXPECT_THAT(longer_than(200, ".h"), IsEmpty()); }
+
+TEST(TextRules, SourcesHaveAtMost400Lines) { EXPECT_THAT(longer_than(400, ".cpp"), IsEmpty()); }
+
+}  // namespace
+}  // namespace kerf::house
