@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/ids.h"
+#include "sims3d/geoms.h"
+
+namespace kerf {
+
+/// Two objects of which ODE's collider says that they touch.
+struct Touch {
+  Pair pair;
+  std::uint32_t first = 0;  ///< where its contact points begin
+  std::uint32_t count = 0;  ///< 0: known from an earlier step, neither object has moved since
+};
+
+/// Asks ODE's colliders about candidate pairs, and remembers the answers for pairs of which neither object
+/// moved: what rests is not computed again.
+class NarrowPhase {
+ public:
+  /// At most this many points a pair are asked for; whether two objects touch does not depend on it.
+  static constexpr int kMaxPoints = 8;
+
+  /// `candidates` are sorted and without repetition. `moved[k]` says whether object k has another pose than
+  /// at the last call. Afterwards `touches()` and `contacts()` are those of these candidates, in their order.
+  void run(std::span<const Pair> candidates, std::span<const Geom> geoms,
+           std::span<const std::uint8_t> moved);
+
+  [[nodiscard]] std::span<const Touch> touches() const { return touches_; }
+  [[nodiscard]] std::span<const Pair> contacts() const { return contacts_; }
+  /// Pairs that touched at the call before and do not, or are no candidates, at this one.
+  [[nodiscard]] std::span<const Pair> parted() const { return parted_; }
+  /// The touch's contact points, computed now if they were not. They hold until the next call of any method.
+  std::span<const dContactGeom> points(const Touch& touch, std::span<const Geom> geoms);
+
+ private:
+  void test(Pair pair, std::span<const Geom> geoms);
+  void remember(std::span<const Pair> candidates);
+
+  std::vector<Touch> touches_;
+  std::vector<Pair> contacts_;
+  std::vector<Pair> parted_;
+  std::vector<dContactGeom> points_;
+  std::vector<Pair> last_candidates_;
+  std::vector<Pair> last_contacts_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,58 @@
+#include "sims3d/ode_library.h"
+
+#include <array>
+#include <cstdarg>
+#include <cstddef>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+namespace kerf {
+namespace {
+
+static_assert(sizeof(dReal) == sizeof(double), "Kerf needs the double-precision build of ODE");
+
+std::mutex library_mutex;
+std::size_t users = 0;
+
+/// ODE demands that its handlers do not return: unwinding is the only way out that leaves the process alive.
+[[noreturn]] void throw_ode_error(int number, const char* format, va_list arguments) {
+  std::array<char, 512> text{};
+  std::vsnprintf(text.data(), text.size(), format, arguments);
+  throw std::runtime_error("ODE reports error " + std::to_string(number) + ": " + text.data());
+}
+
+void open_library() {
+  if (dInitODE2(0) == 0) throw std::runtime_error("ODE cannot be initialised");
+  if (dCheckConfiguration("ODE_double_precision") == 0) {
+    dCloseODE();
+    throw std::runtime_error(
+        "ODE was built in single precision; Kerf needs Debian's double-precision libode");
+  }
+  dSetErrorHandler(throw_ode_error);
+  dSetDebugHandler(throw_ode_error);
+}
+
+}  // namespace
+
+OdeLibrary::OdeLibrary() {
+  const std::lock_guard lock(library_mutex);
+  if (users == 0) open_library();
+  ++users;
+}
+
+OdeLibrary::~OdeLibrary() {
+  const std::lock_guard lock(library_mutex);
+  if (--users > 0) return;
+  dSetErrorHandler(nullptr);
+  dSetDebugHandler(nullptr);
+  dCloseODE();
+}
+
+std::unique_lock<std::mutex> OdeLibrary::enter() const {
+  std::unique_lock lock(library_mutex);
+  dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
+  return lock;
+}
+
+}  // namespace kerf

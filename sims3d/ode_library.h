@@ -1,0 +1,40 @@
+#pragma once
+
+#include <ode/ode.h>
+
+#include <memory>
+#include <mutex>
+
+namespace kerf {
+
+/// ODE's process-wide state: initialised by the first of these that lives, closed by the last.
+///
+/// ODE's errors and failed assertions become std::runtime_error instead of an exit of the process; its
+/// warnings go to the standard error stream as before.
+class OdeLibrary {
+ public:
+  /// Throws std::runtime_error when ODE cannot be initialised, or is not the double-precision build.
+  OdeLibrary();
+  OdeLibrary(const OdeLibrary&) = delete;
+  OdeLibrary& operator=(const OdeLibrary&) = delete;
+  ~OdeLibrary();
+
+  /// Whoever calls into ODE holds this. Debian's build has no thread-local storage: its random seed and the
+  /// caches of its mesh collider are shared by all worlds.
+  [[nodiscard]] std::unique_lock<std::mutex> enter() const;
+};
+
+/// Destroys what ODE has created; null handles are never passed on.
+struct OdeDeleter {
+  void operator()(dWorldID world) const { dWorldDestroy(world); }
+  void operator()(dBodyID body) const { dBodyDestroy(body); }
+  void operator()(dGeomID geom) const { dGeomDestroy(geom); }
+  void operator()(dJointGroupID group) const { dJointGroupDestroy(group); }
+  void operator()(dTriMeshDataID data) const { dGeomTriMeshDataDestroy(data); }
+};
+
+/// The one owner of something of ODE's, for example OdeHandle<dxBody>.
+template <class T>
+using OdeHandle = std::unique_ptr<T, OdeDeleter>;
+
+}  // namespace kerf

@@ -1,0 +1,120 @@
+#include "sims3d/scenes/buckets.h"
+
+#include <cmath>
+
+#include "sims3d/scenes/drop_scene.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::uint32_t kDefaultObjects = 600;
+constexpr std::uint32_t kDefaultSteps = 400;
+constexpr std::uint32_t kObjectsPerBucket = 75;  // about three units deep
+constexpr std::uint32_t kMinSide = 2;            // buckets along one side of the square
+
+// All lengths are multiples of 1/8, so that neighbouring bricks meet exactly.
+constexpr Scalar kInner = 5;   // width of a bucket inside
+constexpr Scalar kHeight = 4;  // of the walls above the floor, which lies at y = 0
+constexpr Scalar kHalfWall = 0.25F;
+constexpr Scalar kHalfFloor = 0.25F;
+constexpr Scalar kGap = 1.5F;  // between the walls of two buckets
+constexpr Scalar kPitch = kInner + 4 * kHalfWall + kGap;
+constexpr Scalar kFenceHeight = 9;
+constexpr Scalar kSite = 1.25F;  // from the middle of a bucket, along X and Z
+constexpr Scalar kSiteHeight = 8;
+
+constexpr Needs kNeeds{.dimension = 3,
+                       .volume = VolumeKind::box,
+                       .fixed_objects = true,
+                       .rotation = true,
+                       .free_directions = false,  // walls stand along the axes
+                       .separating = {true, false, true},
+                       .contacts = true};
+
+/// Buckets along one side of a square that holds `objects`.
+std::uint32_t side_for(std::uint32_t objects) {
+  std::uint32_t side = kMinSide;
+  while (std::uint64_t{side} * side * kObjectsPerBucket < objects) ++side;
+  return side;
+}
+
+/// Middle of bucket i of `side` along X or Z; the square is centred on the origin.
+Scalar middle(std::uint32_t i, std::uint32_t side) {
+  return kPitch * (static_cast<Scalar>(i) - 0.5F * static_cast<Scalar>(side - 1));
+}
+
+template <class Visit>
+void for_each_bucket(std::uint32_t side, Visit visit) {
+  for (std::uint32_t i = 0; i < side; ++i) {
+    for (std::uint32_t k = 0; k < side; ++k) {
+      const Scalar x = middle(i, side);
+      const Scalar z = middle(k, side);
+      visit(x, z);
+    }
+  }
+}
+
+void add_brick(World& world, const Vector<3>& center, const Vector<3>& half) {
+  world.add_fixed(Brick<3>{half}, center);
+}
+
+void add_bucket(World& world, Scalar x, Scalar z) {
+  constexpr Scalar kHalfPitch = kPitch / 2;
+  constexpr Scalar kHalfHeight = kHeight / 2;
+  constexpr Scalar kOffset = kInner / 2 + kHalfWall;
+  constexpr Scalar kOuterHalf = kInner / 2 + 2 * kHalfWall;
+  add_brick(world, {{x, -kHalfFloor, z}}, {{kHalfPitch, kHalfFloor, kHalfPitch}});
+  for (const Scalar sign : {-1.0F, 1.0F}) {
+    add_brick(world, {{x + sign * kOffset, kHalfHeight, z}}, {{kHalfWall, kHalfHeight, kOuterHalf}});
+    add_brick(world, {{x, kHalfHeight, z + sign * kOffset}}, {{kInner / 2, kHalfHeight, kHalfWall}});
+  }
+}
+
+/// One panel for each bucket at the border, so that no object is as large as the scene.
+void add_fence(World& world, std::uint32_t side) {
+  constexpr Scalar kHalfHeight = kFenceHeight / 2;
+  const Scalar offset = kPitch * static_cast<Scalar>(side) / 2 + kHalfWall;
+  for (std::uint32_t i = 0; i < side; ++i) {
+    const Scalar along = middle(i, side);
+    for (const Scalar sign : {-1.0F, 1.0F}) {
+      add_brick(world, {{sign * offset, kHalfHeight, along}}, {{kHalfWall, kHalfHeight, kPitch / 2}});
+      add_brick(world, {{along, kHalfHeight, sign * offset}}, {{kPitch / 2, kHalfHeight, kHalfWall}});
+    }
+  }
+}
+
+Drop make_drop(const SceneOptions& options, std::uint32_t side) {
+  Drop drop;
+  drop.objects = options.objects;
+  drop.steps = options.steps;
+  for_each_bucket(side, [&drop](Scalar x, Scalar z) {
+    for (const Scalar dx : {-kSite, kSite})
+      for (const Scalar dz : {-kSite, kSite}) drop.sites.push_back({{x + dx, kSiteHeight, z + dz}});
+  });
+  const Scalar reach = kPitch * static_cast<Scalar>(side) / 2;
+  drop.inside = {{{-reach, -1, -reach}}, {{reach, 1e6F, reach}}};
+  return drop;
+}
+
+std::unique_ptr<Scene<3>> make_buckets(BroadPhase<3>& broad_phase, const SceneOptions& options) {
+  const SceneOptions resolved = resolve(options, kDefaultObjects, kDefaultSteps);
+  const std::uint32_t side = side_for(resolved.objects);
+  const auto build = [side](World& world) {
+    for_each_bucket(side, [&world](Scalar x, Scalar z) { add_bucket(world, x, z); });
+    add_fence(world, side);
+  };
+  return std::make_unique<DropScene>(broad_phase, kNeeds, resolved.seed, make_drop(resolved, side), build);
+}
+
+}  // namespace
+
+SceneEntry<3> buckets_entry() {
+  return {.name = "buckets",
+          .summary = "balls and bricks fall into open buckets and pile up; their number grows",
+          .source = "the paper's simulation 4",
+          .default_objects = kDefaultObjects,
+          .needs = kNeeds,
+          .make = make_buckets};
+}
+
+}  // namespace kerf

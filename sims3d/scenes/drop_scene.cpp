@@ -1,0 +1,134 @@
+#include "sims3d/scenes/drop_scene.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace kerf {
+namespace {
+
+constexpr std::uint32_t kMaxObjects = 100'000;
+constexpr std::uint32_t kMaxSteps = 1'000'000;
+constexpr double kMinHalf = 0.35;
+constexpr double kMaxHalf = 0.55;
+constexpr double kJitter = 0.45;  // keeps neighbours and walls clear, and heaps from becoming towers
+constexpr double kSpin = 3;
+constexpr float kDropSpeed = 4;
+constexpr float kFallPerStep = kDropSpeed * 0.04F;
+constexpr float kClearance = 2;  // between the centres of two objects that appear on one site
+
+void limit(std::uint32_t value, std::uint32_t maximum, const char* what) {
+  if (value <= maximum) return;
+  throw std::invalid_argument(std::to_string(value) + " " + what + " are too many: at most " +
+                              std::to_string(maximum) + " are possible");
+}
+
+Shape<3> random_shape(Random& random) {
+  const bool ball = random.below(2) == 0;
+  if (ball) return Ball{static_cast<Scalar>(random.uniform(kMinHalf, kMaxHalf))};
+  Brick<3> brick;
+  for (int i = 0; i < 3; ++i) brick.half[i] = static_cast<Scalar>(random.uniform(kMinHalf, kMaxHalf));
+  return brick;
+}
+
+/// A turn about Y by a random angle, without a library's sine: a random point of the unit disc, normalised.
+std::array<Vector<3>, 3> random_turn(Random& random) {
+  while (true) {
+    const double c = random.uniform(-1, 1);
+    const double s = random.uniform(-1, 1);
+    const double norm2 = c * c + s * s;
+    if (norm2 > 1 || norm2 < 1e-4) continue;
+    const double norm = std::sqrt(norm2);
+    const auto cosine = static_cast<Scalar>(c / norm);
+    const auto sine = static_cast<Scalar>(s / norm);
+    return {Vector<3>{{cosine, 0, -sine}}, Vector<3>{{0, 1, 0}}, Vector<3>{{sine, 0, cosine}}};
+  }
+}
+
+Motion random_fall(Random& random) {
+  Motion motion{{{0, -kDropSpeed, 0}}, {}};
+  for (int i = 0; i < 3; ++i) motion.angular[i] = static_cast<Scalar>(random.uniform(-kSpin, kSpin));
+  return motion;
+}
+
+}  // namespace
+
+SceneOptions resolve(const SceneOptions& options, std::uint32_t default_objects,
+                     std::uint32_t default_steps) {
+  limit(options.objects, kMaxObjects, "objects");
+  limit(options.steps, kMaxSteps, "steps of growth");
+  SceneOptions resolved = options;
+  if (resolved.objects == 0) resolved.objects = default_objects;
+  if (resolved.steps == 0) resolved.steps = default_steps;
+  return resolved;
+}
+
+DropScene::DropScene(BroadPhase<3>& broad_phase, const Needs& needs, std::uint64_t seed, Drop drop)
+    : needs_(needs),
+      random_(seed),
+      drop_(std::move(drop)),
+      world_(broad_phase, seed),
+      order_(drop_.sites.size()),
+      next_(drop_.sites.size()),
+      last_height_(drop_.sites.size(), std::numeric_limits<float>::lowest()),
+      last_step_(drop_.sites.size(), 0) {
+  if (drop_.sites.empty() || drop_.steps == 0) throw std::invalid_argument("a drop needs sites and steps");
+  std::iota(order_.begin(), order_.end(), 0U);
+}
+
+std::uint32_t DropScene::due(std::uint32_t step) const {
+  if (step >= drop_.steps) return drop_.objects;
+  const std::uint64_t numerator = std::uint64_t{drop_.objects} * step;
+  return static_cast<std::uint32_t>((numerator + drop_.steps - 1) / drop_.steps);
+}
+
+void DropScene::advance() {
+  const std::uint32_t wanted = due(step() + 1);
+  while (dropped_.size() < wanted) drop_one();
+  put_back_strays();
+  world_.advance();
+}
+
+void DropScene::drop_one() {
+  const Shape<3> shape = random_shape(random_);
+  const auto axes = random_turn(random_);
+  const Motion motion = random_fall(random_);
+  const Vector<3> place = next_place();
+  dropped_.push_back(world_.add_moving(shape, {place, axes}, motion));
+}
+
+/// Looks at the poses of the step before: one step late is soon enough.
+void DropScene::put_back_strays() {
+  for (const ObjectId object : dropped_) {
+    const Vector<3> center = bodies()[object.index()].pose.position;
+    if (contains(drop_.inside, {center, center})) continue;
+    const Motion motion = random_fall(random_);
+    world_.place(object, next_place(), motion);
+    ++put_back_;
+  }
+}
+
+Vector<3> DropScene::next_place() {
+  if (next_ == order_.size()) shuffle_sites();
+  const std::size_t site = order_[next_++];
+  Vector<3> place = drop_.sites[site];
+  place[0] += static_cast<Scalar>(random_.uniform(-kJitter, kJitter));
+  place[2] += static_cast<Scalar>(random_.uniform(-kJitter, kJitter));
+  // What appeared here last has fallen at least this far, unless something was in its way.
+  const float fallen = kFallPerStep * static_cast<float>(step() - last_step_[site]);
+  place[1] = std::max(place[1], last_height_[site] - fallen + kClearance);
+  last_height_[site] = place[1];
+  last_step_[site] = step();
+  return place;
+}
+
+void DropScene::shuffle_sites() {
+  for (std::size_t i = order_.size(); i > 1; --i) {
+    const std::size_t j = random_.below(static_cast<std::uint32_t>(i));
+    std::swap(order_[i - 1], order_[j]);
+  }
+  next_ = 0;
+}
+
+}  // namespace kerf

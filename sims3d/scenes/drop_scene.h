@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/random.h"
+#include "core/scene/scene.h"
+#include "sims3d/world.h"
+
+namespace kerf {
+
+/// How objects come into a scene.
+struct Drop {
+  std::uint32_t objects = 0;     ///< moving objects at the end of the growth
+  std::uint32_t steps = 1;       ///< steps over which they come, evenly
+  std::vector<Vector<3>> sites;  ///< where they appear; at least 2.5 units apart along X or Z
+  Box<3> inside;                 ///< an object whose centre leaves it is put back on a site
+};
+
+/// The user's options with 0 replaced by the scene's own default. Throws std::invalid_argument, naming the
+/// limit, for more objects or steps than a scene can take.
+SceneOptions resolve(const SceneOptions& options, std::uint32_t default_objects, std::uint32_t default_steps);
+
+/// Balls and bricks, about one unit in size, that fall into fixed surroundings; their number grows step by
+/// step.
+///
+/// They appear upright but turning, on the sites in a shuffled order that uses each site
+/// once a round; a site that is not yet clear gets its next object so much higher. Fixed objects come first
+/// in the numbering.
+class DropScene final : public Scene<3> {
+ public:
+  /// `build` adds the fixed surroundings to the world; it is called once.
+  template <class Build>
+  DropScene(BroadPhase<3>& broad_phase, const Needs& needs, std::uint64_t seed, Drop drop, Build build)
+      : DropScene(broad_phase, needs, seed, std::move(drop)) {
+    build(world_);
+  }
+
+  [[nodiscard]] Needs needs() const override { return needs_; }
+  void advance() override;
+  [[nodiscard]] std::uint32_t step() const override { return world_.step(); }
+  [[nodiscard]] std::span<const Body<3>> bodies() const override { return world_.bodies(); }
+  [[nodiscard]] std::span<const Pair> pairs() const override { return world_.pairs(); }
+  [[nodiscard]] std::span<const Pair> contacts() const override { return world_.contacts(); }
+
+  [[nodiscard]] const World& world() const { return world_; }
+  /// How often an object had to be put back so far: 0 in a scene that is closed.
+  [[nodiscard]] std::uint32_t put_back() const { return put_back_; }
+
+ private:
+  DropScene(BroadPhase<3>& broad_phase, const Needs& needs, std::uint64_t seed, Drop drop);
+  [[nodiscard]] std::uint32_t due(std::uint32_t step) const;
+  void drop_one();
+  void put_back_strays();
+  Vector<3> next_place();
+  void shuffle_sites();
+
+  Needs needs_;
+  Random random_;
+  Drop drop_;
+  World world_;
+  std::vector<std::uint32_t> order_;  // of the sites in this round
+  std::size_t next_ = 0;
+  std::vector<float> last_height_;        // per site, of the object that appeared there last ...
+  std::vector<std::uint32_t> last_step_;  // ... and when
+  std::vector<ObjectId> dropped_;
+  std::uint32_t put_back_ = 0;
+};
+
+}  // namespace kerf

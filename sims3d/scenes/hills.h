@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/random.h"
+#include "core/scene/shape.h"
+
+namespace kerf {
+
+/// A landscape over the square [-half, half]^2 of the XZ plane: smooth bumps and hollows within a rim that
+/// rises towards the border like the wall of a bowl.
+class Hills {
+ public:
+  Hills(double half, Random random);
+
+  /// Only sums and products, so that each machine builds the same landscape.
+  [[nodiscard]] double height(double x, double z) const;
+  /// No point of the landscape lies lower.
+  [[nodiscard]] double lowest() const { return lowest_; }
+  /// The square tile of `quads` by `quads` squares of 1 unit whose lowest corner is (x, z), as two triangles
+  /// a square, counter-clockwise from above. The surface's frame stands at the tile's middle at height 0;
+  /// with whole numbers for x, z and an even number of squares, the edges of neighbouring tiles are the same
+  /// floats.
+  [[nodiscard]] Surface tile(double x, double z, std::uint32_t quads) const;
+
+ private:
+  struct Bump {
+    double x, z, radius, amplitude;
+  };
+  double half_;
+  std::vector<Bump> bumps_;
+  double lowest_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,257 @@
+#include "sims3d/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+
+namespace kerf {
+namespace {
+
+/// Soft enough that heaps are calm, hard enough that they do not sink.
+constexpr double kErrorReduction = 0.25;
+constexpr double kConstraintForceMixing = 1e-3;
+constexpr double kSurfaceLayer = 0.01;
+constexpr double kMaxCorrectingSpeed = 2;
+constexpr double kRestitution = 0.15;
+constexpr double kRestitutionSpeed = 1;
+constexpr double kMaxAngularSpeed = 12;
+constexpr double kLinearDamping = 0.002;
+constexpr double kAngularDamping = 0.02;
+
+OdeHandle<dxWorld> make_world(const WorldSettings& settings) {
+  OdeHandle<dxWorld> world(dWorldCreate());
+  dWorldSetGravity(world.get(), 0, -settings.gravity, 0);
+  dWorldSetERP(world.get(), kErrorReduction);
+  dWorldSetCFM(world.get(), kConstraintForceMixing);
+  dWorldSetQuickStepNumIterations(world.get(), settings.iterations);
+  dWorldSetContactSurfaceLayer(world.get(), kSurfaceLayer);
+  dWorldSetContactMaxCorrectingVel(world.get(), kMaxCorrectingSpeed);
+  dWorldSetMaxAngularSpeed(world.get(), kMaxAngularSpeed);
+  dWorldSetDamping(world.get(), kLinearDamping, kAngularDamping);
+  dWorldSetAutoDisableFlag(world.get(), 0);  // `Sleep` decides instead
+  return world;
+}
+
+void accept(Status status, const BroadPhase<3>& broad_phase, ObjectId object) {
+  if (status == Status::ok || status == Status::clamped) return;
+  throw std::runtime_error("the broad phase " + std::string(broad_phase.name()) + " refuses object " +
+                           std::to_string(object.value) + ": " + std::string(to_string(status)));
+}
+
+void set_pose(dBodyID body, const Pose<3>& pose) {
+  dMatrix3 rotation{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      rotation[4 * j + i] = static_cast<double>(pose.axes[static_cast<std::size_t>(i)][j]);
+  dBodySetRotation(body, rotation);
+  dBodySetPosition(body, static_cast<double>(pose.position[0]), static_cast<double>(pose.position[1]),
+                   static_cast<double>(pose.position[2]));
+}
+
+void set_motion(dBodyID body, const Motion& motion) {
+  dBodySetLinearVel(body, static_cast<double>(motion.linear[0]), static_cast<double>(motion.linear[1]),
+                    static_cast<double>(motion.linear[2]));
+  dBodySetAngularVel(body, static_cast<double>(motion.angular[0]), static_cast<double>(motion.angular[1]),
+                     static_cast<double>(motion.angular[2]));
+}
+
+bool is_finite(const dReal* values, int count) {
+  return std::all_of(values, values + count, [](dReal x) { return std::isfinite(x); });
+}
+
+}  // namespace
+
+World::World(BroadPhase<3>& broad_phase, std::uint64_t seed, const WorldSettings& settings)
+    : broad_phase_(broad_phase),
+      settings_(settings),
+      sleep_(settings.sleep),
+      solver_seed_(static_cast<unsigned long>(seed & 0xFFFFFFFFU)) {
+  const auto lock = library_.enter();
+  world_ = make_world(settings);
+  joints_.reset(dJointGroupCreate(0));
+}
+
+World::~World() {
+  const auto lock = library_.enter();
+  geoms_.clear();
+  rigid_.clear();
+  joints_.reset();
+  world_.reset();
+}
+
+ObjectId World::add_fixed(const Shape<3>& shape, const Vector<3>& position) {
+  const auto lock = library_.enter();
+  Geom geom = make_geom(shape);
+  dGeomSetPosition(geom.geom.get(), static_cast<double>(position[0]), static_cast<double>(position[1]),
+                   static_cast<double>(position[2]));
+  return add(std::move(geom), nullptr, shape, Mobility::fixed);
+}
+
+ObjectId World::add_moving(const Shape<3>& shape, const Pose<3>& pose, const Motion& motion) {
+  const auto lock = library_.enter();
+  Geom geom = make_geom(shape);
+  const dMass mass = make_mass(shape, settings_.density);
+  OdeHandle<dxBody> rigid(dBodyCreate(world_.get()));
+  dBodySetMass(rigid.get(), &mass);
+  set_pose(rigid.get(), pose);
+  set_motion(rigid.get(), motion);
+  dGeomSetBody(geom.geom.get(), rigid.get());
+  return add(std::move(geom), std::move(rigid), shape, Mobility::moving);
+}
+
+ObjectId World::add(Geom geom, OdeHandle<dxBody> rigid, const Shape<3>& shape, Mobility mobility) {
+  const ObjectId object{static_cast<std::uint32_t>(bodies_.size())};
+  const Box<3> box = outward_box(geom.geom.get());
+  accept(broad_phase_.insert(object, box, mobility), broad_phase_, object);
+  bodies_.push_back({shape, pose_of(geom.geom.get()), box, mobility});
+  rigid_.push_back(std::move(rigid));
+  geoms_.push_back(std::move(geom));
+  moved_.push_back(1);
+  return object;
+}
+
+void World::place(ObjectId object, const Vector<3>& position, const Motion& motion) {
+  if (object.index() >= rigid_.size() || !rigid_[object.index()])
+    throw std::invalid_argument("only a moving object can be placed");
+  const auto lock = library_.enter();
+  dBodyID body = rigid_[object.index()].get();
+  dBodySetPosition(body, static_cast<double>(position[0]), static_cast<double>(position[1]),
+                   static_cast<double>(position[2]));
+  set_motion(body, motion);
+  sleep_.wake(object, body);
+  moved_[object.index()] = 1;
+}
+
+void World::advance() {
+  {
+    const auto lock = library_.enter();
+    update_boxes();
+  }
+  broad_phase_.step();
+  const auto lock = library_.enter();
+  find_contacts();
+  wake();
+  join();
+  integrate();
+  ++step_;
+}
+
+void World::update_boxes() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (moved_[i] == 0 || !rigid_[i]) continue;
+    const ObjectId object{static_cast<std::uint32_t>(i)};
+    const Box<3> box = outward_box(geoms_[i].geom.get());
+    bodies_[i].pose = pose_of(geoms_[i].geom.get());
+    if (box == bodies_[i].box) continue;
+    accept(broad_phase_.move(object, box), broad_phase_, object);
+    bodies_[i].box = box;
+  }
+}
+
+void World::find_contacts() {
+  candidates_.clear();
+  for (const Pair pair : broad_phase_.pairs()) {
+    const Pair ordered = make_pair(pair.a, pair.b);
+    if (ordered.b.index() >= bodies_.size() || ordered.a == ordered.b)
+      throw std::runtime_error("the broad phase " + std::string(broad_phase_.name()) + " gives the pair " +
+                               std::to_string(pair.a.value) + ", " + std::to_string(pair.b.value) +
+                               ", which no objects have");
+    if (rigid_[ordered.a.index()] || rigid_[ordered.b.index()]) candidates_.push_back(ordered);
+  }
+  std::sort(candidates_.begin(), candidates_.end());
+  candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+  narrow_phase_.run(candidates_, geoms_, moved_);
+  std::fill(moved_.begin(), moved_.end(), std::uint8_t{0});
+}
+
+bool World::is_asleep(ObjectId object) const {
+  dBodyID body = rigid_[object.index()].get();
+  return body != nullptr && dBodyIsEnabled(body) == 0;
+}
+
+bool World::is_awake(ObjectId object) const {
+  dBodyID body = rigid_[object.index()].get();
+  return body != nullptr && dBodyIsEnabled(body) != 0;
+}
+
+/// A sleeper wakes when something that it touched is gone, as it may have rested on it, or when it is hit.
+void World::wake() {
+  for (const Pair pair : narrow_phase_.parted())
+    for (const ObjectId object : {pair.a, pair.b})
+      if (is_asleep(object)) sleep_.wake(object, rigid_[object.index()].get());
+  for (const Touch& touch : narrow_phase_.touches())
+    if (is_asleep(touch.pair.a) != is_asleep(touch.pair.b)) wake_hit(touch);
+}
+
+void World::wake_hit(const Touch& touch) {
+  const bool first_sleeps = is_asleep(touch.pair.a);
+  const ObjectId sleeper = first_sleeps ? touch.pair.a : touch.pair.b;
+  const ObjectId other = first_sleeps ? touch.pair.b : touch.pair.a;
+  if (!is_awake(other)) return;
+  for (const dContactGeom& point : narrow_phase_.points(touch, geoms_)) {
+    dVector3 velocity{};
+    dBodyGetPointVel(rigid_[other.index()].get(), point.pos[0], point.pos[1], point.pos[2], velocity);
+    // The normal points into the first geom.
+    const double sign = point.g1 == geoms_[sleeper.index()].geom.get() ? 1 : -1;
+    if (!sleep_.wakes(sign * dCalcVectorDot3(velocity, point.normal))) continue;
+    sleep_.wake(sleeper, rigid_[sleeper.index()].get());
+    return;
+  }
+}
+
+void World::join() {
+  dJointGroupEmpty(joints_.get());
+  for (const Touch& touch : narrow_phase_.touches())
+    if (is_awake(touch.pair.a) || is_awake(touch.pair.b)) join(touch);
+}
+
+void World::join(const Touch& touch) {
+  dContact contact{};
+  contact.surface.mode = dContactApprox1 | dContactBounce;
+  contact.surface.mu = settings_.friction;
+  contact.surface.bounce = kRestitution;
+  contact.surface.bounce_vel = kRestitutionSpeed;
+  dBodyID first = is_awake(touch.pair.a) ? rigid_[touch.pair.a.index()].get() : nullptr;
+  dBodyID second = is_awake(touch.pair.b) ? rigid_[touch.pair.b.index()].get() : nullptr;
+  for (const dContactGeom& point : narrow_phase_.points(touch, geoms_)) {
+    contact.geom = point;
+    const bool swapped = point.g1 != geoms_[touch.pair.a.index()].geom.get();
+    dJointID joint = dJointCreateContact(world_.get(), joints_.get(), &contact);
+    dJointAttach(joint, swapped ? second : first, swapped ? first : second);
+  }
+}
+
+void World::integrate() {
+  // ODE has one seed for all worlds; ours is put in its place for the time of the step.
+  const unsigned long others = dRandGetSeed();
+  dRandSetSeed(solver_seed_);
+  const int done = dWorldQuickStep(world_.get(), settings_.step_seconds);
+  solver_seed_ = dRandGetSeed();
+  dRandSetSeed(others);
+  if (done == 0) throw std::bad_alloc();
+
+  awake_ = 0;
+  for (std::size_t i = 0; i < rigid_.size(); ++i) {
+    const ObjectId object{static_cast<std::uint32_t>(i)};
+    if (!is_awake(object)) continue;
+    ++awake_;
+    moved_[i] = 1;
+    check_and_limit(object, rigid_[i].get());
+    sleep_.observe(object, rigid_[i].get());
+  }
+}
+
+void World::check_and_limit(ObjectId object, dBodyID body) {
+  const dReal* velocity = dBodyGetLinearVel(body);
+  if (!is_finite(dBodyGetPosition(body), 3) || !is_finite(dBodyGetQuaternion(body), 4) ||
+      !is_finite(velocity, 3))
+    throw std::runtime_error("object " + std::to_string(object.value) + " has no finite pose after step " +
+                             std::to_string(step_ + 1) + ": the simulation has broken down");
+  const double speed = dCalcVectorLength3(velocity);
+  if (speed <= settings_.max_speed) return;
+  const double scale = settings_.max_speed / speed;
+  dBodySetLinearVel(body, velocity[0] * scale, velocity[1] * scale, velocity[2] * scale);
+}
+
+}  // namespace kerf

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/broad_phase/broad_phase.h"
+#include "core/scene/scene.h"
+#include "sims3d/narrow_phase.h"
+#include "sims3d/ode_library.h"
+#include "sims3d/sleep.h"
+
+namespace kerf {
+
+/// Physics of a world; lengths are in units of about one object's size, Y points up.
+struct WorldSettings {
+  double step_seconds = 0.04;  ///< 25 steps a second (paper section 6.1)
+  double gravity = 9.81;       ///< downwards
+  double density = 1;
+  int iterations = 12;  ///< of ODE's quick-step solver
+  double friction = 0.6;
+  double max_speed = 8.75;  ///< terminal speed: 0.35 units a step, the smallest half extent of our objects
+  SleepRule sleep;
+};
+
+/// How an object moves when it comes into the world.
+struct Motion {
+  Vector<3> linear;   ///< units a second
+  Vector<3> angular;  ///< radians a second
+};
+
+/// An ODE world in which the given broad phase, and no other, proposes the pairs: ODE's spaces are never
+/// asked.
+///
+/// One step is one broad phase, one narrow phase and one step of dynamics. The dynamics are not divided
+/// further: contacts found at a pose hold for that pose only, and the terminal speed keeps objects from
+/// passing through each other. Pairs are sorted before they are used, so that all exact broad phases lead to
+/// the same run, bit for bit.
+///
+/// Use one world from one thread at a time; several worlds may live, and be advanced by several threads, at
+/// once.
+class World {
+ public:
+  /// Takes an empty broad phase, which must outlive the world. `seed` is the solver's.
+  World(BroadPhase<3>& broad_phase, std::uint64_t seed, const WorldSettings& settings = {});
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+  ~World();
+
+  /// Adds an object that never moves. It is given to the broad phase once. Throws std::invalid_argument for a
+  /// shape that `make_geom` refuses, std::runtime_error if the broad phase refuses the object.
+  ObjectId add_fixed(const Shape<3>& shape, const Vector<3>& position);
+  /// Adds a ball or brick; throws as `add_fixed` does.
+  ObjectId add_moving(const Shape<3>& shape, const Pose<3>& pose, const Motion& motion);
+  /// Puts a moving object somewhere else, awake. Takes effect in the next `advance()`. Throws
+  /// std::invalid_argument for anything but a moving object.
+  void place(ObjectId object, const Vector<3>& position, const Motion& motion);
+
+  /// One step. Throws std::runtime_error if a body's pose or velocity is no longer finite, if the broad phase
+  /// refuses a box or names an object that does not exist, or if ODE reports an error; std::bad_alloc if
+  /// memory ends.
+  void advance();
+
+  [[nodiscard]] std::uint32_t step() const { return step_; }
+  /// Object k at the pose that the last broad phase and narrow phase saw; a new object at the pose it was
+  /// given.
+  [[nodiscard]] std::span<const Body<3>> bodies() const { return bodies_; }
+  /// As the broad phase gave them.
+  [[nodiscard]] std::span<const Pair> pairs() const { return broad_phase_.pairs(); }
+  /// Candidates with at least one contact point, sorted.
+  [[nodiscard]] std::span<const Pair> contacts() const { return narrow_phase_.contacts(); }
+  /// Moving objects that are awake, that is, that the dynamics moved in the last step.
+  [[nodiscard]] std::uint32_t awake() const { return awake_; }
+  /// The shapes in ODE, at the poses after the last step of dynamics.
+  [[nodiscard]] std::span<const Geom> geoms() const { return geoms_; }
+
+ private:
+  ObjectId add(Geom geom, OdeHandle<dxBody> rigid, const Shape<3>& shape, Mobility mobility);
+  void update_boxes();
+  void find_contacts();
+  void wake();
+  void wake_hit(const Touch& touch);
+  void join();
+  void join(const Touch& touch);
+  void integrate();
+  void check_and_limit(ObjectId object, dBodyID body);
+  [[nodiscard]] bool is_asleep(ObjectId object) const;
+  [[nodiscard]] bool is_awake(ObjectId object) const;
+
+  OdeLibrary library_;  // first: everything below ends before it does
+  BroadPhase<3>& broad_phase_;
+  WorldSettings settings_;
+  OdeHandle<dxWorld> world_;
+  OdeHandle<dxJointGroup> joints_;
+  std::vector<Body<3>> bodies_;
+  std::vector<OdeHandle<dxBody>> rigid_;  // null for fixed objects
+  std::vector<Geom> geoms_;
+  std::vector<std::uint8_t> moved_;  // since the last narrow phase
+  std::vector<Pair> candidates_;
+  NarrowPhase narrow_phase_;
+  Sleep sleep_;
+  unsigned long solver_seed_;
+  std::uint32_t step_ = 0;
+  std::uint32_t awake_ = 0;
+};
+
+}  // namespace kerf
