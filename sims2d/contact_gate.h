@@ -1,0 +1,48 @@
+#pragma once
+
+#include <box2d/b2_world_callbacks.h>
+
+#include <span>
+#include <vector>
+
+#include "core/ids.h"
+
+class b2Body;
+class b2Contact;
+class b2ContactManager;
+class b2World;
+
+namespace kerf {
+
+/// Makes Box2D's contacts those of a given list of pairs, and no others.
+///
+/// Box2D 2.4 has no switch for a broad phase of one's own, so its contact manager is led from outside: as the
+/// world's contact filter the gate refuses all that Box2D finds by itself, and opens only for its own calls
+/// of AddPair. Bodies carry their ObjectId as user data and have one fixture with one child.
+class ContactGate final : private b2ContactFilter {
+ public:
+  /// Becomes the filter of `world`, which must outlive the last call of `admit` only.
+  explicit ContactGate(b2World& world);
+  ContactGate(const ContactGate&) = delete;
+  ContactGate& operator=(const ContactGate&) = delete;
+
+  /// Contacts without a pair are destroyed, pairs without a contact get one. `pairs` must be sorted, since
+  /// the order of creation decides the order in which the solver works. `bodies` is indexed by object.
+  void admit(std::span<const Pair> pairs, std::span<b2Body* const> bodies);
+
+ private:
+  struct Standing {
+    Pair pair;
+    b2Contact* contact;
+  };
+
+  bool ShouldCollide(b2Fixture* a, b2Fixture* b) override;
+  void list_standing();
+
+  b2World& world_;
+  b2ContactManager& manager_;
+  std::vector<Standing> standing_;
+  bool open_ = false;
+};
+
+}  // namespace kerf

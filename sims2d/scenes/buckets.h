@@ -1,0 +1,10 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+namespace kerf {
+
+/// Objects fall into a row of buckets with slanted walls; what misses them or spills over stays in the yard.
+SceneEntry<2> buckets_entry();
+
+}  // namespace kerf

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/scene/scene.h"
+
+namespace kerf {
+
+/// How the number of moving objects of a scene grows: evenly, from the first step to step `steps`.
+struct Growth {
+  std::uint32_t objects = 0;
+  std::uint32_t steps = 1;
+
+  /// Objects that are there after `step` steps.
+  [[nodiscard]] std::uint32_t due(std::uint32_t step) const;
+};
+
+inline constexpr std::uint32_t kMaxObjects2d = 100'000;
+
+/// What `options` ask for, with the scene's defaults for zeros: `default_objects`, and a time over which the
+/// objects fall as densely in a large scene as in a small one. Throws std::invalid_argument for more than
+/// `kMaxObjects2d`.
+Growth growth_of(std::string_view scene, const SceneOptions& options, std::uint32_t default_objects);
+
+}  // namespace kerf

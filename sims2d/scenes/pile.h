@@ -1,0 +1,10 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+namespace kerf {
+
+/// Discs, rectangles and polygons fall into a heap between two walls, past two slanted boards.
+SceneEntry<2> pile_entry();
+
+}  // namespace kerf

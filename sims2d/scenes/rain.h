@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/random.h"
+#include "core/scene/shape.h"
+#include "sims2d/scenes/growth.h"
+#include "sims2d/world.h"
+
+namespace kerf {
+
+/// Where objects come from: a level line from `left` to `right` at height `bottom`.
+struct Band {
+  Scalar left = 0;
+  Scalar right = 0;
+  Scalar bottom = 0;
+};
+
+/// A disc, a rectangle or a convex polygon, 0.7 to 1.3 units across.
+Shape<2> random_shape(Random& random);
+
+/// Drops random objects from a band, as they are due, without ever placing one on another.
+///
+/// Objects stand in slots of a row, in random order, and fall at `World::kFallSpeed` from the start, so that
+/// it is known how far each row has come. When a row is full or has left the band, the next one begins above
+/// it; if more are due than the band is wide, rows pile up upwards, and everyone comes in time.
+class Rain {
+ public:
+  /// The band must be at least one slot (`kSlot`) wide.
+  Rain(const Band& band, const Growth& growth, std::uint64_t seed);
+
+  static constexpr Scalar kSlot = 1.7F;
+
+  /// Adds what is due in step `step` (counted from 1) to `world`. Call it once a step, just before the
+  /// world's own.
+  void fall(World& world, std::uint32_t step);
+
+ private:
+  void begin_row();
+  BodyPlan next();
+
+  Band band_;
+  Growth growth_;
+  Random random_;
+  std::uint32_t fallen_ = 0;
+  Scalar row_height_ = 0;             ///< of the row being filled, now
+  std::vector<std::uint32_t> slots_;  ///< those still free in this row; the last is next
+};
+
+}  // namespace kerf

@@ -1,0 +1,15 @@
+#include "sims2d/scenes/scenes.h"
+
+#include <array>
+
+#include "sims2d/scenes/buckets.h"
+#include "sims2d/scenes/pile.h"
+
+namespace kerf {
+
+std::span<const SceneEntry<2>> scenes_2d() {
+  static const std::array kScenes{pile_entry(), buckets_entry()};
+  return kScenes;
+}
+
+}  // namespace kerf

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <span>
+
+#include "core/scene/scene.h"
+
+namespace kerf {
+
+/// Every 2D scene. `make` throws std::invalid_argument for options that it cannot serve.
+std::span<const SceneEntry<2>> scenes_2d();
+
+}  // namespace kerf

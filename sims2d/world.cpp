@@ -1,0 +1,136 @@
+#include "sims2d/world.h"
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_world.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "sims2d/contact_gate.h"
+#include "sims2d/contact_pair.h"
+#include "sims2d/convert.h"
+
+namespace kerf {
+namespace {
+
+constexpr int32 kVelocityIterations = 10;
+constexpr int32 kPositionIterations = 4;
+constexpr float kFriction = 0.4F;
+constexpr float kRestitution = 0.1F;
+constexpr float kSpinDrag = 1.0F;
+
+std::string name_of(std::size_t object) { return "object " + std::to_string(object); }
+
+void check_plan(const BodyPlan& plan) {
+  const bool finite = is_finite(plan.position) && is_finite(plan.velocity) && std::isfinite(plan.angle) &&
+                      std::isfinite(plan.spin);
+  if (!finite) throw std::invalid_argument("the pose and the motion of a new body must be finite");
+}
+
+b2BodyDef definition(const BodyPlan& plan, std::size_t object) {
+  b2BodyDef def;
+  def.type = plan.mobility == Mobility::fixed ? b2_staticBody : b2_dynamicBody;
+  def.position.Set(plan.position[0], plan.position[1]);
+  def.angle = plan.angle;
+  def.linearVelocity.Set(plan.velocity[0], plan.velocity[1]);
+  def.angularVelocity = plan.spin;
+  def.linearDamping = World::kDrag;
+  def.angularDamping = kSpinDrag;
+  def.userData.pointer = object;
+  return def;
+}
+
+b2FixtureDef material(const b2Shape& shape) {
+  b2FixtureDef def;
+  def.shape = &shape;
+  def.density = 1.0F;
+  def.friction = kFriction;
+  def.restitution = kRestitution;
+  return def;
+}
+
+bool same(const Pose<2>& a, const Pose<2>& b) { return a.position == b.position && a.axes == b.axes; }
+
+bool is_finite(const Pose<2>& pose) {
+  return is_finite(pose.position) && is_finite(pose.axes[0]) && is_finite(pose.axes[1]);
+}
+
+}  // namespace
+
+World::World(BroadPhase<2>& broad_phase)
+    : broad_phase_(broad_phase),
+      engine_(std::make_unique<b2World>(b2Vec2(0.0F, -kGravity))),
+      gate_(std::make_unique<ContactGate>(*engine_)) {
+  engine_->SetContinuousPhysics(false);
+}
+
+World::~World() = default;
+
+ObjectId World::add(const BodyPlan& plan) {
+  check_plan(plan);
+  const std::unique_ptr<b2Shape> shape = to_box2d(plan.shape);
+  const ObjectId object{static_cast<std::uint32_t>(bodies_.size())};
+  const b2BodyDef def = definition(plan, object.index());
+  const b2Transform transform(def.position, b2Rot(def.angle));
+  const Box<2> box = padded_box(*shape, transform);
+  const Status status = broad_phase_.insert(object, box, plan.mobility);
+  if (status != Status::ok)
+    throw std::runtime_error("the broad phase refused " + name_of(object.index()) + ": " +
+                             std::string(to_string(status)) + "; a world needs an empty one");
+  const b2FixtureDef fixture = material(*shape);
+  handles_.push_back(engine_->CreateBody(&def));
+  handles_.back()->CreateFixture(&fixture);
+  bodies_.push_back({plan.shape, to_pose(transform), box, plan.mobility});
+  return object;
+}
+
+void World::advance() {
+  ++step_;
+  update_boxes();
+  ask();
+  gate_->admit(sorted_, handles_);
+  engine_->Step(kStepSeconds, kVelocityIterations, kPositionIterations);
+  collect_contacts();
+}
+
+void World::update_boxes() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Body<2>& body = bodies_[i];
+    if (body.mobility == Mobility::fixed) continue;
+    const b2Transform& transform = handles_[i]->GetTransform();
+    const Pose<2> pose = to_pose(transform);
+    if (same(pose, body.pose)) continue;
+    if (!is_finite(pose))
+      throw std::runtime_error("the pose of " + name_of(i) + " is not finite at step " +
+                               std::to_string(step_));
+    body.pose = pose;
+    body.box = padded_box(*handles_[i]->GetFixtureList()->GetShape(), transform);
+    const Status status = broad_phase_.move(ObjectId{static_cast<std::uint32_t>(i)}, body.box);
+    if (status != Status::ok)
+      throw std::runtime_error("the broad phase would not move " + name_of(i) + ": " +
+                               std::string(to_string(status)));
+  }
+}
+
+void World::ask() {
+  broad_phase_.step();
+  const std::span<const Pair> pairs = broad_phase_.pairs();
+  sorted_.assign(pairs.begin(), pairs.end());
+  std::sort(sorted_.begin(), sorted_.end());
+  for (const Pair& pair : sorted_)
+    if (pair.a >= pair.b || pair.b.index() >= bodies_.size())
+      throw std::runtime_error("the broad phase reported the pair " + std::to_string(pair.a.value) + "-" +
+                               std::to_string(pair.b.value) + ", which cannot be");
+}
+
+void World::collect_contacts() {
+  contacts_.clear();
+  for (b2Contact* contact = engine_->GetContactList(); contact != nullptr; contact = contact->GetNext())
+    if (contact->IsTouching()) contacts_.push_back(pair_of(*contact));
+  std::sort(contacts_.begin(), contacts_.end());
+}
+
+}  // namespace kerf

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/broad_phase/broad_phase.h"
+#include "core/ids.h"
+#include "core/scene/scene.h"
+#include "core/scene/shape.h"
+
+class b2Body;
+class b2World;
+
+namespace kerf {
+
+class ContactGate;
+
+/// What a 2D body is at its beginning.
+struct BodyPlan {
+  Shape<2> shape;
+  Vector<2> position;
+  Scalar angle = 0;
+  Mobility mobility = Mobility::moving;
+  Vector<2> velocity;
+  Scalar spin = 0;  ///< radians a second
+};
+
+/// A Box2D world whose contacts come from a broad phase of ours and from nothing else. Units are metres and
+/// seconds, Y is up; body k is object k of the broad phase.
+///
+/// Each step asks the broad phase once, with the boxes of the poses at which Box2D's narrow phase then looks,
+/// and makes the contacts exactly those pairs (`ContactGate`): a pair that is not reported has no contact
+/// even if it had one before, so that a miss shows. Boxes are the tight ones plus `kBoxPadding` (convert.h),
+/// and not Box2D's fat ones, which run up to 0.5 units and four steps of motion ahead: what touches overlaps,
+/// what is drawn is what was tested, and contacts are a function of the poses alone. Box2D's touching
+/// contacts found by its own broad phase from the same state are the same.
+///
+/// The step is 1/25 s, not divided, and continuous collision is off, for it would look at pairs between two
+/// queries. Instead nothing is fast: drag limits a fall to `kFallSpeed`, 0.32 units a step: less than half
+/// the smallest object of our scenes, and far below Box2D's limit of 2.
+///
+/// The solver's result depends on the order of contacts, so pairs are sorted before they become contacts:
+/// broad phases that agree on the pairs give bit-identical trajectories.
+class World {
+ public:
+  static constexpr Scalar kStepSeconds = 1.0F / 25.0F;
+  static constexpr Scalar kGravity = 10.0F;
+  static constexpr Scalar kDrag = 1.25F;                  ///< loss of speed, per second
+  static constexpr Scalar kFallSpeed = kGravity / kDrag;  ///< at which drag and gravity are equal
+
+  /// `broad_phase` must hold no objects and outlive the world.
+  explicit World(BroadPhase<2>& broad_phase);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// Adds a body and its box. Throws std::invalid_argument for a shape or pose that cannot be, and
+  /// std::runtime_error if the broad phase refuses the object.
+  ObjectId add(const BodyPlan& plan);
+
+  /// One step. Bodies that did not move (fixed and sleeping ones) are not moved in the broad phase. Throws
+  /// std::runtime_error for a pose that is not finite and for pairs of unknown objects.
+  void advance();
+
+  [[nodiscard]] std::uint32_t step() const { return step_; }
+  [[nodiscard]] std::span<const Body<2>> bodies() const { return bodies_; }
+  [[nodiscard]] std::span<const Pair> pairs() const { return broad_phase_.pairs(); }
+  [[nodiscard]] std::span<const Pair> contacts() const { return contacts_; }
+  /// Box2D's world, to look at.
+  [[nodiscard]] const b2World& engine() const { return *engine_; }
+
+ private:
+  void update_boxes();
+  void ask();
+  void collect_contacts();
+
+  BroadPhase<2>& broad_phase_;
+  std::unique_ptr<b2World> engine_;
+  std::unique_ptr<ContactGate> gate_;
+  std::vector<b2Body*> handles_;
+  std::vector<Body<2>> bodies_;
+  std::vector<Pair> sorted_;
+  std::vector<Pair> contacts_;
+  std::uint32_t step_ = 0;
+};
+
+}  // namespace kerf
