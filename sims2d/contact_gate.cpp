@@ -10,7 +10,7 @@
 #include "sims2d/contact_pair.h"
 #include "sims2d/convert.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 namespace {
 
 /// AddPair speaks of proxies, which a fixture hides from all but its heirs.
@@ -73,4 +73,4 @@ void ContactGate::admit(std::span<const Pair> pairs, std::span<b2Body* const> bo
   for (; old != standing_.end(); ++old) manager_.Destroy(old->contact);
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

@@ -12,7 +12,7 @@ class b2Contact;
 class b2ContactManager;
 class b2World;
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 /// Makes Box2D's contacts those of a given list of pairs, and no others.
 ///
@@ -45,4 +45,4 @@ class ContactGate final : private b2ContactFilter {
   bool open_ = false;
 };
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

@@ -5,7 +5,7 @@
 
 #include "core/ids.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 /// The object that a body of a `World` stands for.
 inline ObjectId object_of(b2Body& body) {
@@ -17,4 +17,4 @@ inline Pair pair_of(b2Contact& contact) {
                    object_of(*contact.GetFixtureB()->GetBody()));
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace kerf {
+namespace kerf::inline sims2d {
 namespace {
 
 void check_size(Scalar size) {
@@ -96,4 +96,4 @@ Box<2> padded_box(const b2Shape& shape, const b2Transform& transform) {
           Vector<2>{{bounds.upperBound.x, bounds.upperBound.y}} + padding};
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

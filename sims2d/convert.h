@@ -8,7 +8,7 @@
 #include "core/geometry/box.h"
 #include "core/scene/shape.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 /// How far each box reaches beyond Box2D's own bounds of the shape, so that whatever touches overlaps.
 ///
@@ -28,4 +28,4 @@ Pose<2> to_pose(const b2Transform& transform);
 /// The padded box of a shape at a pose: what the broad phase is given.
 Box<2> padded_box(const b2Shape& shape, const b2Transform& transform);
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

@@ -13,7 +13,7 @@
 #include "sims2d/contact_pair.h"
 #include "sims2d/convert.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 namespace {
 
 constexpr int32 kVelocityIterations = 10;
@@ -133,4 +133,4 @@ void World::collect_contacts() {
   std::sort(contacts_.begin(), contacts_.end());
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

@@ -13,7 +13,7 @@
 class b2Body;
 class b2World;
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 class ContactGate;
 
@@ -86,4 +86,4 @@ class World {
   std::uint32_t step_ = 0;
 };
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

@@ -7,7 +7,7 @@
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/rain_scene.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 namespace {
 
 constexpr std::uint32_t kDefaultObjects = 400;
@@ -56,4 +56,4 @@ SceneEntry<2> buckets_entry() {
           .make = make};
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

@@ -2,9 +2,9 @@
 
 #include "core/scene/scene.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 /// Objects fall into a row of buckets with slanted walls; what misses them or spills over stays in the yard.
 SceneEntry<2> buckets_entry();
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

@@ -4,7 +4,7 @@
 
 #include "sims2d/world.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 /// A rectangle that never moves: its centre, half extents and angle.
 inline BodyPlan fixed_brick(const Vector<2>& center, const Vector<2>& half, Scalar angle = 0) {
@@ -26,4 +26,4 @@ inline std::vector<BodyPlan> yard(Scalar half_width, Scalar height) {
           fixed_brick({{side, height / 2}}, {{kThick / 2, height / 2}})};
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 std::uint32_t Growth::due(std::uint32_t step) const {
   const std::uint64_t part = std::min(step, steps);
@@ -26,4 +26,4 @@ Growth growth_of(std::string_view scene, const SceneOptions& options, std::uint3
   return growth;
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

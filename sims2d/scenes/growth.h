@@ -5,7 +5,7 @@
 
 #include "core/scene/scene.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 /// How the number of moving objects of a scene grows: evenly, from the first step to step `steps`.
 struct Growth {
@@ -23,4 +23,4 @@ inline constexpr std::uint32_t kMaxObjects2d = 100'000;
 /// `kMaxObjects2d`.
 Growth growth_of(std::string_view scene, const SceneOptions& options, std::uint32_t default_objects);
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

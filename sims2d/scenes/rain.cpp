@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace kerf {
+namespace kerf::inline sims2d {
 namespace {
 
 Scalar between(Random& random, double low, double high) {
@@ -79,4 +79,4 @@ BodyPlan Rain::next() {
   return plan;
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

@@ -8,7 +8,7 @@
 #include "sims2d/scenes/growth.h"
 #include "sims2d/world.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 /// Where objects come from: a level line from `left` to `right` at height `bottom`.
 struct Band {
@@ -48,4 +48,4 @@ class Rain {
   std::vector<std::uint32_t> slots_;  ///< those still free in this row; the last is next
 };
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

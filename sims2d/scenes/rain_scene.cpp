@@ -1,6 +1,6 @@
 #include "sims2d/scenes/rain_scene.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 RainScene::RainScene(BroadPhase<2>& broad_phase, const RainPlan& plan, std::uint64_t seed)
     : needs_(plan.needs), world_(broad_phase), rain_(plan.band, plan.growth, seed) {
@@ -12,4 +12,4 @@ void RainScene::advance() {
   world_.advance();
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

@@ -8,7 +8,7 @@
 #include "sims2d/scenes/rain.h"
 #include "sims2d/world.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 /// What makes one scene differ from another: fixed bodies and a rain of objects onto them.
 struct RainPlan {
@@ -38,4 +38,4 @@ class RainScene final : public Scene<2> {
   Rain rain_;
 };
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

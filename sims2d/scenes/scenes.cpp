@@ -5,11 +5,11 @@
 #include "sims2d/scenes/buckets.h"
 #include "sims2d/scenes/pile.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 std::span<const SceneEntry<2>> scenes_2d() {
   static const std::array kScenes{pile_entry(), buckets_entry()};
   return kScenes;
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d

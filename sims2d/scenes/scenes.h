@@ -4,9 +4,9 @@
 
 #include "core/scene/scene.h"
 
-namespace kerf {
+namespace kerf::inline sims2d {
 
 /// Every 2D scene. `make` throws std::invalid_argument for options that it cannot serve.
 std::span<const SceneEntry<2>> scenes_2d();
 
-}  // namespace kerf
+}  // namespace kerf::inline sims2d
