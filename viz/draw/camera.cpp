@@ -1,5 +1,6 @@
 #include "viz/draw/camera.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -88,9 +89,9 @@ struct Basis {
 Basis orbit_basis(double yaw_degrees, double pitch_degrees) {
   const double yaw = yaw_degrees * std::numbers::pi / 180;
   const double pitch = pitch_degrees * std::numbers::pi / 180;
-  const Eigen::Vector3d forward(std::sin(yaw) * std::cos(pitch), std::cos(yaw) * std::cos(pitch),
-                                -std::sin(pitch));
-  const Eigen::Vector3d right(std::cos(yaw), -std::sin(yaw), 0);
+  const Eigen::Vector3d forward(-std::sin(yaw) * std::cos(pitch), -std::sin(pitch),
+                                -std::cos(yaw) * std::cos(pitch));
+  const Eigen::Vector3d right(std::cos(yaw), 0, -std::sin(yaw));
   Basis basis;
   basis.rows << right.transpose(), right.cross(forward).transpose(), forward.transpose();
   return basis;

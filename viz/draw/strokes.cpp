@@ -124,6 +124,14 @@ void add_outline(Batch& batch, const View& view, std::span<const Eigen::Vector3d
     add_line(batch, view, corners[i], corners[(i + 1) % corners.size()], stroke);
 }
 
+void add_polygon(Batch& batch, const View& view, std::span<const Eigen::Vector3d> corners, Color color) {
+  thread_local std::vector<Eigen::Vector4d> clip;
+  clip.clear();
+  for (const Eigen::Vector3d& corner : corners)
+    clip.emplace_back(view.clip_from_world * corner.homogeneous());
+  batch.add_fan(clip, color);
+}
+
 void add_diamond(Batch& batch, const View& view, const Eigen::Vector3d& center, double radius, Color color) {
   const Eigen::Vector4d clip = view.clip_from_world * center.homogeneous();
   if (view.perspective && clip.w() <= view.near) return;

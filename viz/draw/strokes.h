@@ -25,6 +25,9 @@ void add_line(Batch& batch, const View& view, const Eigen::Vector3d& a, const Ei
 void add_outline(Batch& batch, const View& view, std::span<const Eigen::Vector3d> corners,
                  const Stroke& stroke);
 
+/// A filled convex polygon.
+void add_polygon(Batch& batch, const View& view, std::span<const Eigen::Vector3d> corners, Color color);
+
 /// A filled diamond of `radius` pixels around a scene point.
 void add_diamond(Batch& batch, const View& view, const Eigen::Vector3d& center, double radius, Color color);
 

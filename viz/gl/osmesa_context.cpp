@@ -1,11 +1,12 @@
+// First of all: osmesa.h includes the old gl.h, after which glcorearb.h leaves out half of its types.
+#include "viz/gl/context.h"
+
 #include <GL/osmesa.h>
 #include <malloc.h>
 
 #include <array>
 #include <cstdint>
 #include <stdexcept>
-
-#include "viz/gl/context.h"
 
 namespace kerf {
 namespace {

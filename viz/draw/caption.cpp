@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <cmath>
+
+#include "viz/draw/flow.h"
+#include "viz/draw/overlay.h"
+#include "viz/draw/palette.h"
+#include "viz/draw/strokes.h"
+
+namespace kerf {
+namespace {
+
+std::string padded(std::string text, std::size_t width) {
+  if (text.size() < width) text.insert(0, width - text.size(), ' ');
+  return text;
+}
+
+std::string number(std::uint64_t value, std::size_t width) { return padded(std::to_string(value), width); }
+
+/// A fraction in per cent with one decimal.
+std::string percent(double fraction) {
+  const auto tenths = static_cast<std::int64_t>(std::llround(std::clamp(fraction, -1.0, 1e6) * 1000));
+  const std::string digits =
+      std::to_string(std::abs(tenths) / 10) + "." + std::to_string(std::abs(tenths) % 10);
+  return padded((tenths < 0 ? "-" : "") + digits, 5) + " %";
+}
+
+int gap(const Font& font) { return 2 * font.advance(); }
+
+int width(const Font& font, const CaptionItem& item) { return font.width(item.word + " " + item.value); }
+
+}  // namespace
+
+std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree) {
+  std::vector<CaptionItem> items{
+      {caption.broad_phase, caption.scene},    {"step", number(caption.step, 5)},
+      {"objects", number(caption.objects, 5)}, {"moving", number(caption.moving, 5)},
+      {"pairs", number(caption.pairs, 5)},     {"contacts", number(caption.contacts, 5)}};
+  if (!has_tree) return items;
+  const Statistics& tree = caption.statistics;
+  items.push_back({"height", number(tree.height, 2)});
+  items.push_back({"leaves", number(tree.leaves, 4)});
+  items.push_back({"redundancy", percent(tree.redundancy)});
+  for (int i = 0; i < kOperatorCount; ++i) {
+    const auto op = static_cast<Operator>(i);
+    items.push_back({std::string(to_string(op)), number(tree.count(op), 4)});
+  }
+  return items;
+}
+
+std::vector<flow::Spot> flow::arrange_caption(const Font& font, int picture_width,
+                                              std::span<const CaptionItem> items) {
+  std::vector<int> widths;
+  for (const CaptionItem& item : items) widths.push_back(width(font, item));
+  return arrange(widths, gap(font), padding(font), picture_width - padding(font));
+}
+
+void draw_caption(const View& view, const Font& font, const Layout& layout,
+                  const std::vector<CaptionItem>& items, const std::string& log, Overlay& overlay) {
+  if (layout.caption_height == 0) return;
+  add_rectangle_on_picture(overlay.shapes, view, {0, 0, view.picture_width, double(layout.caption_height)},
+                           palette::kPanel);
+  const int pad = flow::padding(font);
+  const auto has_room = [&](int line) {
+    return pad + (line + 1) * font.line_height() <= layout.caption_height;
+  };
+  const auto spots = flow::arrange_caption(font, static_cast<int>(view.picture_width), items);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!has_room(spots[i].line)) return;
+    const int y = pad + spots[i].line * font.line_height();
+    const int x = spots[i].x;
+    overlay.text.add(font, x, y, items[i].word, palette::kFaintInk);
+    overlay.text.add(font, x + font.width(items[i].word + " "), y, items[i].value, palette::kInk);
+  }
+  const int line = flow::lines(spots);
+  if (!log.empty() && has_room(line))
+    overlay.text.add(font, pad, pad + line * font.line_height(), log, palette::kInk);
+}
+
+}  // namespace kerf

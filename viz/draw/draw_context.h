@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "viz/draw/batch.h"
+#include "viz/draw/camera.h"
+#include "viz/draw/frame_renderer.h"
+#include "viz/draw/skeleton.h"
+
+namespace kerf {
+
+/// Where an object is stored in the tree.
+struct Placement {
+  std::uint32_t leaves = 0;      ///< that hold it
+  std::uint32_t population = 0;  ///< of the fullest of them
+};
+
+/// What the functions that draw one layer need to know of the frame.
+template <int D>
+struct DrawContext {
+  const FrameInput<D>& input;
+  const View& view;
+  const Skeleton<D>& skeleton;
+  const std::vector<Placement>& placements;  ///< by object; empty: objects are not tinted
+  const Box<D>& bounds;                      ///< of the cells
+  LayerSet layers;
+  double line_scale = 1;                 ///< widths are given for a picture of 720 rows
+  std::uint32_t largest_population = 1;  ///< end of the ramp
+
+  [[nodiscard]] bool has(Layer layer) const { return layers.has(layer); }
+};
+
+/// A body that can be drawn: every number finite.
+template <int D>
+bool is_drawable(const Body<D>& body);
+
+/// Fill of an object, before light falls on it.
+template <int D>
+Color object_color(const DrawContext<D>& context, std::size_t object);
+
+/// Objects by their true shapes. 3D: opaque faces go to `solid`, the walls of fixed objects to `glass`.
+void draw_objects(const DrawContext<2>& context, Batch& flat);
+void draw_objects(const DrawContext<3>& context, Batch& solid, Batch& glass);
+
+/// Cells filled by population.
+void draw_leaves(const DrawContext<2>& context, Batch& batch);
+
+/// Partitioners clipped to their cells; 3D: back to front.
+template <int D>
+void draw_partitioners(const DrawContext<D>& context, Batch& batch);
+
+/// Candidate pairs and contacts; `scratch` is memory kept between frames.
+template <int D>
+void draw_pairs(const DrawContext<D>& context, Batch& batch, std::vector<Pair>& scratch);
+
+}  // namespace kerf

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "viz/draw/overlay.h"
+
+/// Items set one after the other into lines, as words are.
+namespace kerf::flow {
+
+struct Spot {
+  int x = 0;
+  int line = 0;
+};
+
+/// Space between a band's border and its letters.
+int padding(const Font& font);
+
+/// Begins a new line before each item that would cross `right`.
+std::vector<Spot> arrange(std::span<const int> widths, int gap, int left, int right);
+int lines(std::span<const Spot> spots);
+
+std::vector<Spot> arrange_caption(const Font& font, int picture_width, std::span<const CaptionItem> items);
+std::vector<Spot> arrange_legend(const Font& font, int picture_width, std::span<const LegendItem> items);
+
+}  // namespace kerf::flow

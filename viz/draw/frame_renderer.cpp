@@ -1,0 +1,197 @@
+#include "viz/draw/frame_renderer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "viz/draw/draw_context.h"
+#include "viz/draw/highlights.h"
+#include "viz/draw/overlay.h"
+#include "viz/draw/painter.h"
+#include "viz/draw/palette.h"
+#include "viz/draw/view_box.h"
+#include "viz/gl/context.h"
+#include "viz/gl/framebuffer.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kSamples = 4;
+
+const FrameOptions& checked(const FrameOptions& options) {
+  const auto good = [](int side) { return side >= kMinFrameSide && side <= kMaxFrameSide; };
+  if (good(options.width) && good(options.height)) return options;
+  throw std::invalid_argument("a frame of " + std::to_string(options.width) + "x" +
+                              std::to_string(options.height) + " pixels cannot be drawn; each side can be " +
+                              std::to_string(kMinFrameSide) + " to " + std::to_string(kMaxFrameSide));
+}
+
+/// Where each object is stored, from the leaves' entries.
+template <int D>
+void find_placements(const Tree<D>& tree, std::size_t objects, std::vector<Placement>& placements) {
+  placements.assign(objects, {});
+  for_each_node(tree, tree.root(), [&](NodeId id) {
+    if (!tree[id].is_leaf()) return;
+    for (const Entry& entry : tree[id].entries) {
+      if (entry.object.index() >= objects) continue;
+      Placement& placement = placements[entry.object.index()];
+      ++placement.leaves;
+      placement.population = std::max(placement.population, tree[id].population);
+    }
+  });
+}
+
+std::string log_line(const std::string& note, const std::vector<Highlight>& highlights) {
+  std::string acted;
+  for (const Highlight& highlight : highlights)
+    acted += (acted.empty() ? "acted: " : ", ") + highlight.label();
+  return note.empty() || acted.empty() ? note + acted : note + "   " + acted;
+}
+
+}  // namespace
+
+template <int D>
+struct FrameRenderer<D>::State {
+  explicit State(const FrameOptions& chosen)
+      : options(checked(chosen)),
+        camera(parse_camera<D>(chosen.camera)),
+        font(font_pixels(chosen.height)),
+        context(make_offscreen_context()),
+        framebuffer(context->functions(), chosen.width, chosen.height, kSamples),
+        painter(context->functions(), font) {}
+  ~State() { context->make_current(); }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  [[nodiscard]] bool has(Layer layer) const { return options.layers.has(layer); }
+
+  void prepare(const FrameInput<D>& input) {
+    view_box.update(input.bodies);
+    std::swap(skeleton, skeleton_before);
+    skeleton.assign(input.tree);
+    placements.clear();
+    if (input.tree != nullptr && has(Layer::leaves))
+      find_placements(*input.tree, input.bodies.size(), placements);
+    highlights.update(input, skeleton, skeleton_before, view_box.box());
+    // Powers of two: the ramp changes rarely.
+    largest_population = std::max(largest_population, std::bit_ceil(std::max(16U, skeleton.largest_leaf())));
+    for (Batch& batch : batches) batch.clear();
+    overlay.clear();
+  }
+
+  /// The scene itself, one batch a pass.
+  void draw_scene(const DrawContext<D>& frame) {
+    Batch& back = batches[0];
+    Batch& glass = batches[1];
+    Batch& lines = batches[2];
+    Batch& front = batches[3];
+    if constexpr (D == 2) {
+      if (has(Layer::leaves)) draw_leaves(frame, back);
+      if (has(Layer::objects)) draw_objects(frame, back);
+    } else {
+      if (has(Layer::objects)) draw_objects(frame, back, glass);
+    }
+    if (has(Layer::partitioners)) draw_partitioners(frame, glass);
+    draw_pairs(frame, lines, pair_scratch);
+    if (has(Layer::operators)) draw_highlights(frame.view, frame.line_scale, highlights.all(), front);
+    painter.draw(back, D == 3 ? Depth::test_and_write : Depth::ignore);
+    painter.draw(glass, D == 3 ? Depth::test : Depth::ignore);
+    painter.draw(lines, D == 3 ? Depth::test : Depth::ignore);
+    painter.draw(front, Depth::ignore);
+  }
+
+  void draw_overlay(const DrawContext<D>& frame, const Layout& layout,
+                    const std::vector<CaptionItem>& caption, const std::vector<LegendItem>& legend) {
+    const auto& newest = highlights.all();
+    if (has(Layer::operators)) draw_highlight_labels(frame.view, font, layout, newest, overlay);
+    const std::string log =
+        log_line(frame.input.caption.note, has(Layer::operators) ? newest : std::vector<Highlight>{});
+    draw_caption(frame.view, font, layout, caption, log, overlay);
+    draw_legend(frame.view, font, layout, legend, frame.line_scale, overlay);
+    painter.draw(overlay.shapes, Depth::ignore);
+    painter.draw(overlay.text, frame.view);
+  }
+
+  const Image& render(const FrameInput<D>& input) {
+    context->make_current();
+    prepare(input);
+    const bool has_tree = input.tree != nullptr;
+    std::vector<CaptionItem> caption;
+    if (has(Layer::caption)) caption = caption_items(input.caption, has_tree);
+    std::vector<LegendItem> legend;
+    if (has(Layer::legend)) legend = legend_items(options.layers, D, has_tree, largest_population);
+    const bool has_log = !caption.empty() && (has(Layer::operators) || !input.caption.note.empty());
+    const Layout layout = make_layout(font, options.width, options.height, caption, has_log, legend);
+    const Box<D> bounds = view_box.box();
+    const View view = frame_all(bounds, camera, layout.scene, options.width, options.height);
+    const double line_scale = std::clamp(options.height / 720.0, 0.6, 8.0);
+    const DrawContext<D> frame{input,  view,           skeleton,   placements,
+                               bounds, options.layers, line_scale, largest_population};
+    framebuffer.bind();
+    painter.begin(palette::kGround);
+    draw_scene(frame);
+    draw_overlay(frame, layout, caption, legend);
+    framebuffer.read(image);
+    check_gl(context->functions(), "drawing a frame");
+    return image;
+  }
+
+  FrameOptions options;
+  CameraChoice<D> camera;
+  Font font;
+  std::unique_ptr<GlContext> context;
+  Framebuffer framebuffer;
+  Painter painter;
+
+  ViewBox<D> view_box;
+  Skeleton<D> skeleton;
+  Skeleton<D> skeleton_before;
+  Highlights<D> highlights;
+  std::uint32_t largest_population = 0;
+
+  // Memory kept from frame to frame.
+  std::vector<Placement> placements;
+  std::array<Batch, 4> batches;
+  Overlay overlay;
+  std::vector<Pair> pair_scratch;
+  Image image;
+};
+
+template <int D>
+FrameRenderer<D>::FrameRenderer(const FrameOptions& options) : state_(std::make_unique<State>(options)) {}
+
+template <int D>
+FrameRenderer<D>::~FrameRenderer() = default;
+
+template <int D>
+FrameRenderer<D>::FrameRenderer(FrameRenderer&&) noexcept = default;
+
+template <int D>
+FrameRenderer<D>& FrameRenderer<D>::operator=(FrameRenderer&&) noexcept = default;
+
+template <int D>
+const Image& FrameRenderer<D>::render(const FrameInput<D>& input) {
+  return state_->render(input);
+}
+
+template <int D>
+void FrameRenderer<D>::set_view_box(const Box<D>& box) {
+  state_->view_box.fix(box);
+}
+
+template <int D>
+Box<D> FrameRenderer<D>::view_box() const {
+  return state_->view_box.box();
+}
+
+template <int D>
+void FrameRenderer<D>::set_layers(LayerSet layers) {
+  state_->options.layers = layers;
+}
+
+template class FrameRenderer<2>;
+template class FrameRenderer<3>;
+
+}  // namespace kerf

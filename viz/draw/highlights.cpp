@@ -1,0 +1,84 @@
+#include "viz/draw/highlights.h"
+
+#include <algorithm>
+
+#include "viz/draw/palette.h"
+#include "viz/draw/strokes.h"
+
+namespace kerf {
+namespace {
+
+/// More cells than this would only hide the scene; the newest count.
+constexpr std::size_t kMostHighlights = 8;
+
+template <int D>
+void find_cell(Highlight& highlight, const Skeleton<D>& skeleton, const DirectionSet<D>& directions,
+               const Box<D>& bounds) {
+  const OperatorActed& acted = highlight.acted;
+  const NodeId id = acted.node.node;
+  highlight.faces = cell_faces(skeleton, id, bounds);
+  if (acted.direction >= directions.size()) return;
+  const Vector<D>& normal = directions[acted.direction];
+  const auto in_cell = [&](Scalar offset) {
+    return partitioner_in_cell(skeleton, id, Plane<D>{normal, offset}, bounds);
+  };
+  const bool has_new = acted.op != Operator::merge && acted.op != Operator::swap;
+  const bool has_old = acted.op != Operator::split && acted.op != Operator::shift_split;
+  if (has_new) highlight.partitioner = in_cell(acted.new_offset);
+  if (has_old) highlight.old_partitioner = in_cell(acted.old_offset);
+}
+
+bool same_node(const Highlight& a, const Highlight& b) { return a.acted.node == b.acted.node; }
+
+}  // namespace
+
+double Highlight::strength() const { return 1.0 - 0.75 * std::min(age, kHighlightSteps) / kHighlightSteps; }
+
+std::string Highlight::label() const {
+  return std::string(to_string(acted.op)) + " n" + std::to_string(acted.node.node.value);
+}
+
+template <int D>
+void Highlights<D>::update(const FrameInput<D>& input, const Skeleton<D>& now, const Skeleton<D>& before,
+                           const Box<D>& bounds) {
+  highlights_.clear();
+  std::map<std::uint64_t, Highlight> still_remembered;
+  for (auto event = input.events.rbegin(); event != input.events.rend(); ++event) {
+    const auto* acted = std::get_if<OperatorActed>(&event->body);
+    if (acted == nullptr || input.tree == nullptr || highlights_.size() == kMostHighlights) continue;
+    const std::uint32_t age = input.caption.step > event->step ? input.caption.step - event->step : 0;
+    if (age > kHighlightSteps) continue;
+    Highlight highlight{event->id, *acted, age, {}, {}, {}};
+    const auto known = remembered_.find(event->id);
+    if (now.is_alive(acted->node)) {
+      find_cell(highlight, now, input.tree->directions(), bounds);
+    } else if (known != remembered_.end()) {
+      highlight = known->second;
+      highlight.age = age;
+    } else if (before.is_alive(acted->node)) {
+      find_cell(highlight, before, input.tree->directions(), bounds);
+    }
+    still_remembered.emplace(event->id, highlight);
+    const auto same = [&](const Highlight& other) { return same_node(highlight, other); };
+    if (std::ranges::none_of(highlights_, same)) highlights_.push_back(std::move(highlight));
+  }
+  remembered_ = std::move(still_remembered);
+}
+
+void draw_highlights(const View& view, double line_scale, const std::vector<Highlight>& highlights,
+                     Batch& batch) {
+  // The newest comes first in the list and is drawn last, on top.
+  for (auto h = highlights.rbegin(); h != highlights.rend(); ++h) {
+    const Color color = with_alpha(palette::kOperator, h->strength());
+    const double width = (1.2 + 1.8 * h->strength()) * line_scale;
+    for (const Polygon& face : h->faces) add_outline(batch, view, face, {color, width});
+    add_outline(batch, view, h->old_partitioner, {color, width, 7 * line_scale, 5 * line_scale});
+    add_polygon(batch, view, h->partitioner, with_alpha(palette::kOperator, 0.18 * h->strength()));
+    add_outline(batch, view, h->partitioner, {color, width});
+  }
+}
+
+template class Highlights<2>;
+template class Highlights<3>;
+
+}  // namespace kerf

@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "viz/draw/draw_context.h"
+#include "viz/draw/palette.h"
+#include "viz/draw/strokes.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kRimPixels = 1.2;
+
+/// A convex outline around the body's origin in scene coordinates.
+Polygon outline(const Body<2>& body, double pixels_per_unit) {
+  const Eigen::Vector3d origin = to_point(body.pose.position);
+  const Eigen::Vector3d x = to_point(body.pose.axes[0]);
+  const Eigen::Vector3d y = to_point(body.pose.axes[1]);
+  Polygon polygon;
+  if (const auto* ball = std::get_if<Ball>(&body.shape)) {
+    const double radius = ball->radius;
+    const int corners = std::clamp(static_cast<int>(6 + std::sqrt(radius * pixels_per_unit) * 3), 8, 64);
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      polygon.push_back(origin + radius * (std::cos(angle) * x + std::sin(angle) * y));
+    }
+  } else if (const auto* brick = std::get_if<Brick<2>>(&body.shape)) {
+    const Eigen::Vector3d u = x * double{brick->half[0]};
+    const Eigen::Vector3d v = y * double{brick->half[1]};
+    polygon = {origin - u - v, origin + u - v, origin + u + v, origin - u + v};
+  } else {
+    for (const Vector<2>& corner : std::get<Outline>(body.shape).corners)
+      polygon.push_back(origin + double{corner[0]} * x + double{corner[1]} * y);
+  }
+  return polygon;
+}
+
+/// The polygon shrunk towards its middle so that about `margin` is left at its border.
+Polygon shrunk(const Polygon& polygon, double margin) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : polygon) middle += p / static_cast<double>(polygon.size());
+  double inner = 1e300;  // least distance of an edge from the middle
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector3d& p = polygon[i];
+    const Eigen::Vector3d edge = polygon[(i + 1) % polygon.size()] - p;
+    const Eigen::Vector3d arm = middle - p;
+    const double length = edge.norm();
+    if (length > 0) inner = std::min(inner, std::abs(edge.x() * arm.y() - edge.y() * arm.x()) / length);
+  }
+  const double factor = inner > 0 ? std::max(0.0, 1 - margin / inner) : 0;
+  Polygon result;
+  for (const Eigen::Vector3d& p : polygon) result.push_back(middle + (p - middle) * factor);
+  return result;
+}
+
+/// Shapes are filled twice, dark and then smaller and light: a rim for the price of one more fan.
+void draw_body(const DrawContext<2>& context, std::size_t object, Batch& batch) {
+  const Body<2>& body = context.input.bodies[object];
+  const double pixels = context.view.pixels_per_unit_at_one;
+  const double rim = kRimPixels * context.line_scale;
+  const Polygon polygon = outline(body, pixels);
+  if (polygon.size() < 3) return;
+  const Color color = object_color(context, object);
+  const Vector<2> extent = body.box.extent();
+  const bool is_large = std::max(extent[0], extent[1]) * pixels > 6 * rim;
+  add_polygon(batch, context.view, polygon, is_large ? lit(color, 0.45) : color);
+  if (!is_large) return;
+  add_polygon(batch, context.view, shrunk(polygon, rim / pixels), color);
+  const auto* ball = std::get_if<Ball>(&body.shape);
+  if (ball == nullptr) return;
+  const Eigen::Vector3d origin = to_point(body.pose.position);
+  const Eigen::Vector3d end = origin + double{ball->radius} * to_point(body.pose.axes[0]);
+  add_line(batch, context.view, origin, end, {lit(color, 0.45), rim});  // shows how it turns
+}
+
+}  // namespace
+
+void draw_objects(const DrawContext<2>& context, Batch& flat) {
+  // What is fixed lies behind what moves.
+  for (const Mobility mobility : {Mobility::fixed, Mobility::moving}) {
+    for (std::size_t object = 0; object < context.input.bodies.size(); ++object) {
+      const Body<2>& body = context.input.bodies[object];
+      if (body.mobility == mobility && is_drawable(body)) draw_body(context, object, flat);
+    }
+  }
+}
+
+void draw_leaves(const DrawContext<2>& context, Batch& batch) {
+  constexpr double kAlpha = 0.5;
+  if (context.skeleton.empty()) return;
+  for (const NodeId id : context.skeleton.back_to_front(Eigen::Vector3d::Zero())) {
+    const auto& joint = context.skeleton[id];
+    if (!joint.is_leaf()) continue;
+    const Color color = palette::population_color(joint.population, context.largest_population);
+    for (const Polygon& cell : cell_faces(context.skeleton, id, context.bounds))
+      add_polygon(batch, context.view, cell, with_alpha(color, kAlpha));
+  }
+}
+
+}  // namespace kerf

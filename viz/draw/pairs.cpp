@@ -1,0 +1,96 @@
+#include <algorithm>
+
+#include "viz/draw/draw_context.h"
+#include "viz/draw/palette.h"
+#include "viz/draw/strokes.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kLarge = 3;  // an object so many times larger than its partner is met, not reached
+
+template <int D>
+double largest_extent(const Box<D>& box) {
+  const Vector<D> extent = box.extent();
+  double largest = 0;
+  for (int i = 0; i < D; ++i) largest = std::max(largest, double{extent[i]});
+  return largest;
+}
+
+/// Where `small` meets `large`: the middle of their overlap, or its bottom when that is the middle of
+/// `small`. The middle of the ground may be far away, and a thousand lines to it would hide everything.
+template <int D>
+Eigen::Vector3d meeting_point(const Box<D>& small, const Box<D>& large) {
+  Box<D> common;
+  for (int i = 0; i < D; ++i) {
+    common.min[i] = std::max(small.min[i], large.min[i]);
+    common.max[i] = std::max(common.min[i], std::min(small.max[i], large.max[i]));
+  }
+  Eigen::Vector3d point = to_point(common.center());
+  const Eigen::Vector3d offset = point - to_point(small.center());
+  if (offset.norm() < 0.15 * largest_extent(small)) point.y() = double{common.min[1]};
+  return point;
+}
+
+struct Line {
+  Eigen::Vector3d a, b;
+};
+
+template <int D>
+Line line_between(const Box<D>& a, const Box<D>& b) {
+  const double size_a = largest_extent(a);
+  const double size_b = largest_extent(b);
+  Line line{to_point(a.center()), to_point(b.center())};
+  if (size_b > kLarge * size_a) line.b = meeting_point(a, b);
+  if (size_a > kLarge * size_b) line.a = meeting_point(b, a);
+  return line;
+}
+
+/// In 3D the middles of touching objects lie inside of them. The line is moved towards the eye, just out of
+/// the smaller object, so that it is seen where the objects are seen and hidden where they are hidden.
+Eigen::Vector3d towards_eye(const View& view, const Eigen::Vector3d& p, double distance) {
+  const Eigen::Vector3d way = view.eye - p;
+  const double length = way.norm();
+  return length > 0 ? Eigen::Vector3d(p + way * std::min(0.5, distance / length)) : p;
+}
+
+template <int D>
+void draw_pair(const DrawContext<D>& context, const Pair& pair, bool is_contact, Batch& batch) {
+  const auto bodies = context.input.bodies;
+  if (pair.a.index() >= bodies.size() || pair.b.index() >= bodies.size()) return;
+  const Body<D>& a = bodies[pair.a.index()];
+  const Body<D>& b = bodies[pair.b.index()];
+  if (!is_drawable(a) || !is_drawable(b)) return;
+  Line line = line_between(a.box, b.box);
+  if constexpr (D == 3) {
+    const double lift = 0.9 * std::min(largest_extent(a.box), largest_extent(b.box));
+    line = {towards_eye(context.view, line.a, lift), towards_eye(context.view, line.b, lift)};
+  }
+  const double scale = context.line_scale;
+  if (is_contact) {
+    add_line(batch, context.view, line.a, line.b, {palette::kContact, 2.0 * scale});
+    add_diamond(batch, context.view, 0.5 * (line.a + line.b), 4 * scale, palette::kContact);
+  } else {
+    add_line(batch, context.view, line.a, line.b, {palette::kCandidate, 1.3 * scale, 4 * scale, 3 * scale});
+  }
+}
+
+}  // namespace
+
+template <int D>
+void draw_pairs(const DrawContext<D>& context, Batch& batch, std::vector<Pair>& scratch) {
+  scratch.clear();
+  if (context.has(Layer::contacts))
+    scratch.assign(context.input.contacts.begin(), context.input.contacts.end());
+  std::ranges::sort(scratch);
+  if (context.has(Layer::pairs)) {
+    for (const Pair& pair : context.input.pairs)
+      if (!std::ranges::binary_search(scratch, pair)) draw_pair(context, pair, false, batch);
+  }
+  for (const Pair& pair : scratch) draw_pair(context, pair, true, batch);
+}
+
+template void draw_pairs<2>(const DrawContext<2>&, Batch&, std::vector<Pair>&);
+template void draw_pairs<3>(const DrawContext<3>&, Batch&, std::vector<Pair>&);
+
+}  // namespace kerf

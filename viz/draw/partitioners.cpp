@@ -1,0 +1,40 @@
+#include <algorithm>
+#include <cmath>
+
+#include "viz/draw/draw_context.h"
+#include "viz/draw/palette.h"
+#include "viz/draw/strokes.h"
+
+namespace kerf {
+namespace {
+
+/// The nearer the root, the wider.
+double line_width(std::uint32_t depth) { return std::max(1.1, 3.0 - 0.4 * depth); }
+
+/// Many panes in a row must let the objects behind them through.
+double pane_alpha(std::uint32_t leaves) { return std::clamp(0.45 / std::sqrt(1.0 + leaves), 0.025, 0.18); }
+
+}  // namespace
+
+template <int D>
+void draw_partitioners(const DrawContext<D>& context, Batch& batch) {
+  const double alpha = pane_alpha(context.skeleton.leaves());
+  for (const NodeId id : context.skeleton.back_to_front(context.view.eye)) {
+    const auto& joint = context.skeleton[id];
+    if (joint.is_leaf()) continue;
+    const Polygon polygon = partitioner_in_cell(context.skeleton, id, joint.plane, context.bounds);
+    const double width = line_width(joint.depth) * context.line_scale;
+    if constexpr (D == 2) {
+      if (!polygon.empty())
+        add_line(batch, context.view, polygon[0], polygon[1], {palette::kPartitioner, width});
+    } else {
+      add_polygon(batch, context.view, polygon, with_alpha(palette::kPartitioner, alpha));
+      add_outline(batch, context.view, polygon, {with_alpha(palette::kPartitioner, 0.55), 0.7 * width});
+    }
+  }
+}
+
+template void draw_partitioners<2>(const DrawContext<2>&, Batch&);
+template void draw_partitioners<3>(const DrawContext<3>&, Batch&);
+
+}  // namespace kerf
