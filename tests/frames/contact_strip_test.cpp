@@ -1,0 +1,40 @@
+#include "frames/contact_strip.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/frames/program.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+/// Saves the sheet of `frames` grey pictures and gives the picture back.
+Image sheet_of(std::uint32_t frames, int width, int height) {
+  const testing::TemporaryFolder folder;
+  ContactStrip strip(frames);
+  const Image grey = make_image(width, height, 0xff808080U);
+  for (std::uint32_t frame = 0; frame < frames; ++frame) strip.offer(frame, grey);
+  strip.save(folder.path() / "sheet.png");
+  return read_png(folder.path() / "sheet.png");
+}
+
+TEST(ContactStrip, LongSequencesGiveTwentyPictures) {
+  const Image many = sheet_of(1000, 48, 24);
+  const Image twenty = sheet_of(20, 48, 24);
+  EXPECT_EQ(many.width, twenty.width);
+  EXPECT_EQ(many.height, twenty.height);
+  EXPECT_GE(many.width, 4 * 48);
+  EXPECT_GE(many.height, 5 * 24);
+  for (const std::uint32_t frames : {21U, 22U, 37U, 200U, 251U})
+    EXPECT_EQ(sheet_of(frames, 48, 24), many) << frames;
+}
+
+TEST(ContactStrip, ShortSequencesAreShownWhole) {
+  EXPECT_LT(sheet_of(1, 48, 24).width, 2 * 48);
+  EXPECT_GE(sheet_of(3, 48, 24).width, 3 * 48);
+}
+
+TEST(ContactStrip, LargePicturesShrink) { EXPECT_LT(sheet_of(1, 1280, 720).width, 640); }
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,106 @@
+#include "tests/frames/program.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace kerf::testing {
+namespace {
+
+/// Runs in the child, after fork and before the program.
+void enter(const Surroundings& surroundings, const std::filesystem::path& outputs) {
+  const int in = ::open("/dev/null", O_RDONLY);
+  const int out = ::open((outputs / "out").c_str(), O_WRONLY | O_CREAT, 0600);
+  const int err = ::open((outputs / "err").c_str(), O_WRONLY | O_CREAT, 0600);
+  ::dup2(in, STDIN_FILENO);
+  ::dup2(out, STDOUT_FILENO);
+  ::dup2(err, STDERR_FILENO);
+  if (!surroundings.path.empty()) ::setenv("PATH", surroundings.path.c_str(), 1);
+  if (surroundings.largest_file == 0) return;
+  const rlimit limit{surroundings.largest_file, surroundings.largest_file};
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "kerf-test-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::vector<std::string> TemporaryFolder::files() const { return files_in(path_); }
+
+std::vector<std::string> files_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::runtime_error("cannot read " + file.string());
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+nlohmann::json read_json(const std::filesystem::path& file) { return nlohmann::json::parse(read_text(file)); }
+
+Process::Process(std::vector<std::string> command, const Surroundings& surroundings) {
+  std::vector<char*> argv;
+  for (std::string& word : command) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  pid_ = ::fork();
+  if (pid_ < 0) throw std::runtime_error("cannot fork");
+  if (pid_ > 0) return;
+  enter(surroundings, outputs_.path());
+  ::execvp(argv[0], argv.data());
+  ::_exit(127);
+}
+
+Process::~Process() {
+  if (pid_ <= 0) return;
+  ::kill(pid_, SIGKILL);
+  wait();
+}
+
+void Process::signal(int number) const { ::kill(pid_, number); }
+
+Outcome Process::wait() {
+  int status = 0;
+  while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+          read_text(outputs_.path() / "out"), read_text(outputs_.path() / "err")};
+}
+
+std::vector<std::string> kerf_command(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{KERF_PROGRAM};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return command;
+}
+
+Outcome run_kerf(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
+  return Process(kerf_command(arguments), surroundings).wait();
+}
+
+}  // namespace kerf::testing

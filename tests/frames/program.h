@@ -1,0 +1,66 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace kerf::testing {
+
+/// A new folder below the system's temporary one; it goes away with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Names of all files in it, hidden ones included, sorted.
+  [[nodiscard]] std::vector<std::string> files() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::vector<std::string> files_in(const std::filesystem::path& folder);
+std::string read_text(const std::filesystem::path& file);
+nlohmann::json read_json(const std::filesystem::path& file);
+
+/// What a program did. `exit` is 128 + the signal if it was killed, as a shell has it.
+struct Outcome {
+  int exit = -1;
+  std::string out;
+  std::string err;
+};
+
+/// How a program is started other than usual.
+struct Surroundings {
+  std::uint64_t largest_file = 0;  ///< RLIMIT_FSIZE; 0: no limit
+  std::string path;                ///< PATH; empty: as it is
+};
+
+/// A running program, its outputs kept in files until it ends. It is killed if nobody waits for it.
+class Process {
+ public:
+  explicit Process(std::vector<std::string> command, const Surroundings& surroundings = {});
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  void signal(int number) const;
+  Outcome wait();
+
+ private:
+  TemporaryFolder outputs_;
+  pid_t pid_ = -1;
+};
+
+/// `kerf` with these arguments.
+std::vector<std::string> kerf_command(const std::vector<std::string>& arguments);
+Outcome run_kerf(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
+
+}  // namespace kerf::testing

@@ -1,0 +1,48 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "frames/scene_catalog.h"
+#include "tests/frames/program.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::Outcome;
+using testing::run_kerf;
+
+TEST(ScenesProgram, NamesAreUniqueAndEachFindsItsScene) {
+  std::set<std::string> names;
+  for (const CatalogScene& scene : scene_catalog()) {
+    EXPECT_TRUE(names.insert(scene.name).second) << scene.name;
+    EXPECT_EQ(find_scene(scene.name).entry, scene.entry) << scene.name;
+  }
+  EXPECT_THAT(names, ::testing::IsSupersetOf({"buckets", "buckets-2d", "terrain", "pile"}));
+}
+
+TEST(ScenesProgram, PrintsALineForEachScene) {
+  const Outcome outcome = run_kerf({"scenes"});
+  EXPECT_EQ(outcome.exit, 0);
+  EXPECT_EQ(outcome.err, "");
+  for (const CatalogScene& scene : scene_catalog())
+    EXPECT_THAT(outcome.out, HasSubstr("\n" + scene.name + " "));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("NEEDS")));
+  EXPECT_THAT(run_kerf({"scenes", "--verbose"}).out, HasSubstr("NEEDS"));
+}
+
+TEST(ScenesProgram, PrintsJson) {
+  const Outcome outcome = run_kerf({"scenes", "--json"});
+  EXPECT_EQ(outcome.exit, 0);
+  const auto list = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(list.size(), scene_catalog().size());
+  for (const auto& scene : list) {
+    EXPECT_EQ(find_scene(scene["name"].get<std::string>()).dimension(), scene["dimension"]);
+    EXPECT_GT(scene["default_objects"], 0);
+  }
+}
+
+}  // namespace
+}  // namespace kerf

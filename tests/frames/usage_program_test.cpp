@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "frames/errors.h"
+#include "tests/frames/program.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::Outcome;
+using testing::run_kerf;
+using testing::TemporaryFolder;
+
+TEST(UsageProgram, HelpIsNoError) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"--help"}, {"scenes", "--help"}, {"render", "--help"}}) {
+    const Outcome outcome = run_kerf(arguments);
+    EXPECT_EQ(outcome.exit, kExitDone);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_THAT(outcome.out, HasSubstr("Usage:"));
+  }
+}
+
+TEST(UsageProgram, RenderHelpNamesLayersAndParameters) {
+  const Outcome outcome = run_kerf({"render", "--help"});
+  for (const char* word : {"--steps", "--overwrite", "partitioners", "max_redundancy", "130"}) {
+    EXPECT_THAT(outcome.out, HasSubstr(word));
+  }
+}
+
+TEST(UsageProgram, NothingIsAnsweredWithHelp) {
+  const Outcome outcome = run_kerf({});
+  EXPECT_EQ(outcome.exit, kExitUsage);
+  EXPECT_THAT(outcome.err, HasSubstr("render"));
+}
+
+struct Mistake {
+  const char* name;
+  std::vector<std::string> arguments;
+  const char* answer;
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* stream) { *stream << mistake.name; }
+
+class UsageMistake : public ::testing::TestWithParam<Mistake> {};
+
+/// Every mistake gets exit code 2 and a message that names what would do, and makes no file.
+TEST_P(UsageMistake, IsExplained) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments = GetParam().arguments;
+  if (arguments.front() == "render") {
+    arguments.insert(arguments.end(), {"--out", (folder.path() / "out").string()});
+  }
+  const Outcome outcome = run_kerf(arguments);
+  EXPECT_EQ(outcome.exit, kExitUsage) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr(GetParam().answer));
+  EXPECT_THAT(outcome.err, HasSubstr("--help"));
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(folder.files(), IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    UsageProgram, UsageMistake,
+    ::testing::Values(
+        Mistake{"Command", {"rendr"}, "did you mean 'render'?"}, Mistake{"NoScene", {"render"}, "SCENE"},
+        Mistake{"Scene", {"render", "bukets"}, "did you mean 'buckets'?"},
+        Mistake{"TooMany", {"render", "pile", "terrain"}, "terrain"},
+        Mistake{"Option", {"render", "pile", "--stps", "5"}, "did you mean '--steps'?"},
+        Mistake{"ScenesOption", {"scenes", "--jsn"}, "did you mean '--json'?"},
+        Mistake{"NoValue", {"render", "pile", "--steps"}, "--steps"},
+        Mistake{"Steps", {"render", "pile", "--steps", "20:10"}, "comes after the last"},
+        Mistake{"StepsZero", {"render", "pile", "--steps", "1:10:0"}, "1 or more"},
+        Mistake{"SizeZero", {"render", "pile", "--size", "0x720"}, "out of range"},
+        Mistake{"SizeAbsurd", {"render", "pile", "--size", "100000x720"}, "out of range"},
+        Mistake{"Objects", {"render", "pile", "--objects", "0"}, "whole number from 1"},
+        Mistake{"ObjectsAbsurd", {"render", "pile", "--objects", "4000000000"}, "whole number from 1"},
+        Mistake{"ObjectsBeyondScene", {"render", "pile", "--objects", "1000000"}, "100000"},
+        Mistake{"Layer", {"render", "pile", "--show", "objets"}, "objects"},
+        Mistake{"Camera", {"render", "pile", "--camera", "zoom=3"}, "width"},
+        Mistake{"Parameter", {"render", "pile", "--config", "max_hight=3"}, "did you mean 'max_height'?"},
+        Mistake{"ParameterValue", {"render", "pile", "--config", "max_height=1000"}, "max_height"},
+        Mistake{"Seed", {"render", "pile", "--seed", "x"}, "--seed"},
+        Mistake{"Video", {"render", "pile", "--video", "film.avi"}, ".mp4"},
+        Mistake{"ContactSheet", {"render", "pile", "--contact-sheet", "sheet"}, ".png"}),
+    [](const ::testing::TestParamInfo<Mistake>& mistake) { return std::string(mistake.param.name); });
+
+}  // namespace
+}  // namespace kerf

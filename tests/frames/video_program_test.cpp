@@ -1,0 +1,107 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "frames/errors.h"
+#include "tests/frames/program.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::Outcome;
+using testing::Process;
+using testing::run_kerf;
+using testing::Surroundings;
+using testing::TemporaryFolder;
+
+/// Eleven frames of odd size, which H.264 cannot have as they are.
+std::vector<std::string> film(const TemporaryFolder& folder, const std::string& file) {
+  return {"render",    "pile",
+          "--objects", "30",
+          "--steps",   "1:21:2",
+          "--size",    "161x121",
+          "--out",     folder.path() / "frames",
+          "--video",   folder.path() / file};
+}
+
+/// A folder whose program `ffmpeg` is this shell script.
+Surroundings false_ffmpeg(const TemporaryFolder& folder, const std::string& script) {
+  const std::string file = folder.path() / "ffmpeg";
+  std::ofstream(file) << "#!/bin/sh\n" << script << "\n";
+  ::chmod(file.c_str(), 0755);
+  return {.path = folder.path().string() + ":/usr/bin:/bin"};
+}
+
+TEST(VideoProgram, FilmHasEveryFrame) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_kerf(film(folder, "films/pile.mp4"));
+  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  EXPECT_THAT(testing::files_in(folder.path() / "films"), ElementsAre("pile.mp4"));
+  const Outcome probe = Process({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                                 "stream=codec_name,width,height,pix_fmt,nb_read_frames", "-of", "csv=p=0",
+                                 folder.path() / "films" / "pile.mp4"})
+                            .wait();
+  EXPECT_EQ(probe.out, "h264,162,122,yuv420p,11\n") << probe.err;
+}
+
+TEST(VideoProgram, WithoutFfmpegNothingIsStarted) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_kerf(film(folder, "pile.mp4"), {.path = "/nowhere"});
+  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_THAT(outcome.err, HasSubstr("ffmpeg"));
+  EXPECT_THAT(outcome.err, HasSubstr("install"));
+  EXPECT_THAT(folder.files(), IsEmpty());
+}
+
+TEST(VideoProgram, FfmpegThatDiesAtOnceIsAnErrorWithItsWords) {
+  const TemporaryFolder folder;
+  const TemporaryFolder tools;
+  const Outcome outcome =
+      run_kerf(film(folder, "pile.mp4"), false_ffmpeg(tools, "echo 'no such codec' >&2; exit 1"));
+  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_THAT(outcome.err, HasSubstr("no such codec"));
+  EXPECT_THAT(folder.files(), ElementsAre("frames"));
+}
+
+TEST(VideoProgram, FfmpegThatFailsAtTheEndIsAnError) {
+  const TemporaryFolder folder;
+  const TemporaryFolder tools;
+  const auto liar = false_ffmpeg(tools, "cat >/dev/null; echo 'disk full' >&2; exit 1");
+  const Outcome outcome = run_kerf(film(folder, "pile.mp4"), liar);
+  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_THAT(outcome.err, HasSubstr("disk full"));
+  EXPECT_EQ(testing::read_json(folder.path() / "frames" / "frames.json")["complete"], true);
+}
+
+TEST(VideoProgram, AnEarlierFilmSurvivesAFailure) {
+  const TemporaryFolder folder;
+  const TemporaryFolder tools;
+  std::ofstream(folder.path() / "pile.mp4") << "precious";
+  EXPECT_EQ(run_kerf(film(folder, "pile.mp4")).exit, kExitUsage);
+  auto arguments = film(folder, "pile.mp4");
+  arguments.emplace_back("--overwrite");
+  EXPECT_EQ(run_kerf(arguments, false_ffmpeg(tools, "cat >/dev/null; exit 1")).exit, kExitFailure);
+  EXPECT_EQ(testing::read_text(folder.path() / "pile.mp4"), "precious");
+  EXPECT_EQ(run_kerf(arguments).exit, kExitDone);
+  EXPECT_NE(testing::read_text(folder.path() / "pile.mp4"), "precious");
+}
+
+TEST(VideoProgram, UnwritableFolderIsFoundBeforeTheWork) {
+  const TemporaryFolder folder;
+  auto arguments = film(folder, "pile.mp4");
+  arguments.back() = "/proc/kerf/film.mp4";
+  const Outcome outcome = run_kerf(arguments);
+  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_THAT(outcome.err, HasSubstr("/proc/kerf"));
+  EXPECT_THAT(folder.files(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace kerf
