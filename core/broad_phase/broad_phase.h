@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/geometry/box.h"
+#include "core/geometry/volume.h"
 #include "core/ids.h"
 
 namespace kerf {
@@ -40,8 +41,16 @@ class BroadPhase {
   /// The name by which programs choose it, for example "kerf" or "brute-force".
   [[nodiscard]] virtual std::string_view name() const = 0;
 
+  /// How it bounds objects: what callers should give. Boxes are always welcome; a broad phase that knows only
+  /// boxes takes the box of any volume.
+  [[nodiscard]] virtual VolumeKind volume_kind() const { return VolumeKind::box; }
+
   virtual Status insert(ObjectId object, const Box<D>& box, Mobility mobility) = 0;
+  virtual Status insert(ObjectId object, const Volume<D>& volume, Mobility mobility) {
+    return insert(object, volume.box, mobility);
+  }
   virtual Status move(ObjectId object, const Box<D>& box) = 0;
+  virtual Status move(ObjectId object, const Volume<D>& volume) { return move(object, volume.box); }
   virtual Status remove(ObjectId object) = 0;
 
   /// Brings the structure up to date and finds all pairs.

@@ -11,10 +11,19 @@ namespace kerf {
 template <int D>
 class BruteForce final : public BroadPhase<D> {
  public:
+  explicit BruteForce(VolumeKind kind = VolumeKind::box) : objects_(kind) {}
+
   [[nodiscard]] std::string_view name() const override { return "brute-force"; }
-  Status insert(ObjectId object, const Box<D>& box, Mobility mobility) override;
-  Status move(ObjectId object, const Box<D>& box) override;
-  Status remove(ObjectId object) override;
+  [[nodiscard]] VolumeKind volume_kind() const override { return objects_.kind(); }
+  Status insert(ObjectId object, const Box<D>& box, Mobility mobility) override {
+    return objects_.insert(object, box, mobility);
+  }
+  Status insert(ObjectId object, const Volume<D>& volume, Mobility mobility) override {
+    return objects_.insert(object, volume, mobility);
+  }
+  Status move(ObjectId object, const Box<D>& box) override { return objects_.move(object, box); }
+  Status move(ObjectId object, const Volume<D>& volume) override { return objects_.move(object, volume); }
+  Status remove(ObjectId object) override { return objects_.remove(object); }
   void step() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_; }
 

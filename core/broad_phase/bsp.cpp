@@ -14,10 +14,10 @@ namespace kerf {
 namespace {
 
 template <int D>
-std::shared_ptr<const DirectionSet<D>> make_directions(const Config& config) {
+std::shared_ptr<const Projector<D>> make_projector(const Config& config, VolumeKind kind) {
   check(config);
   const std::uint32_t size = D == 3 ? config.directions : std::max<std::uint32_t>(D, config.directions / 4);
-  return std::make_shared<const DirectionSet<D>>(size, config.seed);
+  return std::make_shared<const Projector<D>>(DirectionSet<D>(size, config.seed), kind);
 }
 
 /// Renews and orders the lists of the leaves that something changed.
@@ -34,7 +34,8 @@ void sort_leaves(Tree<D>& tree) {
 }  // namespace
 
 template <int D, class Trace>
-Bsp<D, Trace>::Bsp(const Config& config) : config_(config), tree_(make_directions<D>(config)) {}
+Bsp<D, Trace>::Bsp(const Config& config, VolumeKind kind)
+    : config_(config), tree_(make_projector<D>(config, kind)), latest_(kind) {}
 
 template <int D, class Trace>
 void Bsp<D, Trace>::set_config(const Config& config) {
@@ -44,36 +45,39 @@ void Bsp<D, Trace>::set_config(const Config& config) {
   config_ = config;
 }
 
-/// Remembers where an object lies in the tree, before its box changes for the first time in this step.
+/// Remembers that an object changed, unless the request was refused.
 template <int D, class Trace>
-void Bsp<D, Trace>::remember(ObjectId object) {
+Status Bsp<D, Trace>::note(ObjectId object, Status status) {
+  if (status == Status::unknown_id || status == Status::duplicate_id) return status;
   if (changing_.size() <= object.index()) changing_.resize(object.index() + 1, 0);
-  if (changing_[object.index()] != 0) return;
+  if (changing_[object.index()] == 0) changed_.push_back(object);
   changing_[object.index()] = 1;
-  const bool placed = tree_.table.is_placed(object);
-  changes_.push_back({object, placed, placed ? tree_.table.box(object) : Box<D>{}});
+  return status;
 }
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::insert(ObjectId object, const Box<D>& box, Mobility mobility) {
-  if (object.is_none()) return Status::unknown_id;
-  if (tree_.table.state(object) != ObjectState::absent) return Status::duplicate_id;
-  remember(object);
-  return tree_.table.insert(object, box, mobility);
+  return note(object, latest_.insert(object, box, mobility));
+}
+
+template <int D, class Trace>
+Status Bsp<D, Trace>::insert(ObjectId object, const Volume<D>& volume, Mobility mobility) {
+  return note(object, latest_.insert(object, volume, mobility));
 }
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::move(ObjectId object, const Box<D>& box) {
-  if (tree_.table.state(object) == ObjectState::absent) return Status::unknown_id;
-  remember(object);
-  return tree_.table.move(object, box);
+  return note(object, latest_.move(object, box));
+}
+
+template <int D, class Trace>
+Status Bsp<D, Trace>::move(ObjectId object, const Volume<D>& volume) {
+  return note(object, latest_.move(object, volume));
 }
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::remove(ObjectId object) {
-  if (tree_.table.state(object) == ObjectState::absent) return Status::unknown_id;
-  remember(object);
-  return tree_.table.remove(object);
+  return note(object, latest_.remove(object));
 }
 
 template <int D, class Trace>
@@ -98,18 +102,20 @@ void Bsp<D, Trace>::step() {
 /// complete.
 template <int D, class Trace>
 void Bsp<D, Trace>::place_changes() {
-  std::vector<Leaving<D>> leaving;
+  std::vector<ObjectId> leaving;
   std::vector<ObjectId> entering;
-  for (const Change& change : changes_) {
-    changing_[change.object.index()] = 0;
-    const bool placed = tree_.table.is_placed(change.object);
-    if (change.was_placed && placed && stays(tree_, change.old_box, tree_.table.box(change.object))) continue;
-    if (change.was_placed) leaving.push_back({change.object, change.old_box});
-    if (placed) entering.push_back(change.object);
-    if (change.was_placed && !placed) reporter_.report([&] { return ObjectPlaced{change.object, 0}; });
+  for (const ObjectId object : changed_) {
+    changing_[object.index()] = 0;
+    const bool was_placed = tree_.table.is_placed(object);
+    const bool is_placed = latest_.is_placed(object);
+    if (was_placed && is_placed && stays(tree_, object, latest_.volume(object))) continue;
+    if (was_placed) leaving.push_back(object);
+    if (is_placed) entering.push_back(object);
+    if (was_placed && !is_placed) reporter_.report([&] { return ObjectPlaced{object, 0}; });
   }
-  changes_.clear();
   displace<D>(tree_, tree_.root(), leaving);
+  for (const ObjectId object : changed_) tree_.table.copy(latest_, object);
+  changed_.clear();
   for (const ObjectId object : entering) {
     const std::uint32_t leaves = place(tree_, tree_.root(), object, 0);
     reporter_.report([&] { return ObjectPlaced{object, leaves}; });

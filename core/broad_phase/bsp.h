@@ -20,11 +20,14 @@ template <int D, class Trace = NoTrace>
 class Bsp final : public BroadPhase<D> {
  public:
   /// Throws std::invalid_argument when the configuration cannot work (see `config_fields` for the ranges).
-  explicit Bsp(const Config& config = {});
+  explicit Bsp(const Config& config = {}, VolumeKind kind = VolumeKind::box);
 
   [[nodiscard]] std::string_view name() const override { return "kerf"; }
+  [[nodiscard]] VolumeKind volume_kind() const override { return latest_.kind(); }
   Status insert(ObjectId object, const Box<D>& box, Mobility mobility) override;
+  Status insert(ObjectId object, const Volume<D>& volume, Mobility mobility) override;
   Status move(ObjectId object, const Box<D>& box) override;
+  Status move(ObjectId object, const Volume<D>& volume) override;
   Status remove(ObjectId object) override;
   void step() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_; }
@@ -42,14 +45,7 @@ class Bsp final : public BroadPhase<D> {
   [[nodiscard]] Trace& trace() { return reporter_.trace(); }
 
  private:
-  /// An object that was inserted, moved or removed since the last step, as the tree still has it.
-  struct Change {
-    ObjectId object;
-    bool was_placed = false;
-    Box<D> old_box;
-  };
-
-  void remember(ObjectId object);
+  Status note(ObjectId object, Status status);
   void place_changes();
   void sweep();
   void begin(Phase phase);
@@ -59,8 +55,9 @@ class Bsp final : public BroadPhase<D> {
   Tree<D> tree_;
   Scheduler<D> scheduler_;
   Reporter<Trace> reporter_;
-  std::vector<Change> changes_;
-  std::vector<std::uint8_t> changing_;  ///< per object: it is in changes_
+  ObjectTable<D> latest_;          ///< as the caller sees the objects; the tree's table follows in step()
+  std::vector<ObjectId> changed_;  ///< objects of which the two tables may differ
+  std::vector<std::uint8_t> changing_;  ///< per object: it is in changed_
   SweepBuffer<D> buffer_;
   std::vector<Pair> pairs_;
   Phase phase_ = Phase::sweep;

@@ -1,62 +1,64 @@
 #include "core/broad_phase/object_table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace kerf {
 namespace {
 
+/// Ordered, without NaN, and finite: nearly every box there is. False for NaN.
 template <int D>
-bool is_ordered(const Box<D>& box) {
+bool is_plain(const Box<D>& box) {
+  constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
   bool all = true;
-  for (int i = 0; i < D; ++i) all &= box.min[i] <= box.max[i];  // false for NaN
+  for (int i = 0; i < D; ++i)
+    all &= (box.min[i] <= box.max[i]) & (box.min[i] >= -kMax) & (box.max[i] <= kMax);
   return all;
-}
-
-Scalar clamp_to_finite(Scalar x) {
-  return std::clamp(x, std::numeric_limits<Scalar>::lowest(), std::numeric_limits<Scalar>::max());
-}
-
-template <int D>
-Box<D> clamp_to_finite(Box<D> box) {
-  for (int i = 0; i < D; ++i) {
-    box.min[i] = clamp_to_finite(box.min[i]);
-    box.max[i] = clamp_to_finite(box.max[i]);
-  }
-  return box;
 }
 
 }  // namespace
 
 template <int D>
 Status ObjectTable<D>::accept(ObjectId object, const Box<D>& box) {
-  if (!is_ordered(box)) {
+  if (kind_ != VolumeKind::box || !is_plain(box)) return accept(object, make_box_volume(box));
+  states_[object.index()] = ObjectState::placed;
+  boxes_[object.index()] = box;
+  return Status::ok;
+}
+
+template <int D>
+Status ObjectTable<D>::accept(ObjectId object, const Volume<D>& given) {
+  const Volume<D> volume = given.kind == kind_ ? given : enclose(clamp_to_finite(given).box, kind_);
+  if (!is_ordered(given) || !is_ordered(volume)) {
     states_[object.index()] = ObjectState::quarantined;
     return Status::quarantined;
   }
+  const Volume<D> finite = clamp_to_finite(volume);
+  const auto size = static_cast<std::size_t>(extra_size<D>(kind_));
   states_[object.index()] = ObjectState::placed;
-  boxes_[object.index()] = clamp_to_finite(box);
-  return boxes_[object.index()] == box ? Status::ok : Status::clamped;
+  boxes_[object.index()] = finite.box;
+  std::copy_n(finite.extra.begin(), size,
+              extra_.begin() + static_cast<std::ptrdiff_t>(object.index() * size));
+  return finite.box == given.box && finite.extra == volume.extra ? Status::ok : Status::clamped;
 }
 
 template <int D>
-Status ObjectTable<D>::insert(ObjectId object, const Box<D>& box, Mobility mobility) {
+void ObjectTable<D>::make_room(ObjectId object) {
+  if (object.index() < states_.size()) return;
+  boxes_.resize(object.index() + 1);
+  extra_.resize((object.index() + 1) * static_cast<std::size_t>(extra_size<D>(kind_)));
+  states_.resize(object.index() + 1, ObjectState::absent);
+  fixed_.resize(object.index() + 1, 0);
+}
+
+template <int D>
+Status ObjectTable<D>::admit(ObjectId object, Mobility mobility) {
   if (object.is_none()) return Status::unknown_id;
   if (state(object) != ObjectState::absent) return Status::duplicate_id;
-  if (object.index() >= states_.size()) {
-    boxes_.resize(object.index() + 1);
-    states_.resize(object.index() + 1, ObjectState::absent);
-    fixed_.resize(object.index() + 1, 0);
-  }
+  make_room(object);
   ++size_;
   fixed_[object.index()] = mobility == Mobility::fixed ? 1 : 0;
-  return accept(object, box);
-}
-
-template <int D>
-Status ObjectTable<D>::move(ObjectId object, const Box<D>& box) {
-  return state(object) == ObjectState::absent ? Status::unknown_id : accept(object, box);
+  return Status::ok;
 }
 
 template <int D>
@@ -65,6 +67,28 @@ Status ObjectTable<D>::remove(ObjectId object) {
   states_[object.index()] = ObjectState::absent;
   --size_;
   return Status::ok;
+}
+
+template <int D>
+void ObjectTable<D>::copy(const ObjectTable& from, ObjectId object) {
+  make_room(object);
+  const std::size_t i = object.index();
+  const auto size = static_cast<std::size_t>(extra_size<D>(kind_));
+  if (states_[i] != ObjectState::absent) --size_;
+  if (from.states_[i] != ObjectState::absent) ++size_;
+  states_[i] = from.states_[i];
+  fixed_[i] = from.fixed_[i];
+  boxes_[i] = from.boxes_[i];
+  std::copy_n(from.extra(object), size, extra_.data() + i * size);
+}
+
+template <int D>
+Volume<D> ObjectTable<D>::volume(ObjectId object) const {
+  Volume<D> result;
+  result.kind = kind_;
+  result.box = box(object);
+  std::copy_n(extra(object), extra_size<D>(kind_), result.extra.begin());
+  return result;
 }
 
 template class ObjectTable<2>;

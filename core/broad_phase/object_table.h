@@ -6,6 +6,7 @@
 
 #include "core/broad_phase/broad_phase.h"
 #include "core/geometry/box.h"
+#include "core/geometry/volume.h"
 #include "core/ids.h"
 
 namespace kerf {
@@ -18,9 +19,23 @@ enum class ObjectState : std::uint8_t { absent, placed, quarantined };
 template <int D>
 class ObjectTable {
  public:
-  Status insert(ObjectId object, const Box<D>& box, Mobility mobility);
-  Status move(ObjectId object, const Box<D>& box);
+  explicit ObjectTable(VolumeKind kind = VolumeKind::box) : kind_(kind) {}
+
+  /// `Bound` is Box<D> or Volume<D>. What is of another kind is replaced by the smallest of the table's kind
+  /// around its box.
+  template <class Bound>
+  Status insert(ObjectId object, const Bound& bound, Mobility mobility) {
+    const Status status = admit(object, mobility);
+    return status == Status::ok ? accept(object, bound) : status;
+  }
+  template <class Bound>
+  Status move(ObjectId object, const Bound& bound) {
+    return state(object) == ObjectState::absent ? Status::unknown_id : accept(object, bound);
+  }
   Status remove(ObjectId object);
+
+  /// Takes over all that another table of the same kind says of an object.
+  void copy(const ObjectTable& from, ObjectId object);
 
   /// One more than the largest id ever used: the size for arrays kept per object.
   [[nodiscard]] std::size_t bound() const { return boxes_.size(); }
@@ -31,14 +46,30 @@ class ObjectTable {
   }
   [[nodiscard]] bool is_placed(ObjectId object) const { return state(object) == ObjectState::placed; }
   [[nodiscard]] bool is_fixed(ObjectId object) const { return fixed_[object.index()] != 0; }
+  [[nodiscard]] VolumeKind kind() const { return kind_; }
   /// The box as it was accepted. Valid for placed objects only.
   [[nodiscard]] const Box<D>& box(ObjectId object) const { return boxes_[object.index()]; }
-  [[nodiscard]] std::span<const Box<D>> boxes() const { return boxes_; }
+  /// The numbers that the kind keeps beside the box, `extra_size<D>(kind())` of them.
+  [[nodiscard]] const Scalar* extra(ObjectId object) const {
+    return extra_.data() + object.index() * static_cast<std::size_t>(extra_size<D>(kind_));
+  }
+  /// Box and numbers together.
+  [[nodiscard]] Volume<D> volume(ObjectId object) const;
+  /// Whether two placed objects are a pair: the definition, for the tree and for the oracle.
+  [[nodiscard]] bool is_pair(ObjectId a, ObjectId b) const {
+    return overlaps(box(a), box(b)) && !(is_fixed(a) && is_fixed(b)) &&
+           volumes_overlap<D>(kind_, extra(a), extra(b));
+  }
 
  private:
+  Status admit(ObjectId object, Mobility mobility);
+  void make_room(ObjectId object);
   Status accept(ObjectId object, const Box<D>& box);
+  Status accept(ObjectId object, const Volume<D>& volume);
 
+  VolumeKind kind_;
   std::vector<Box<D>> boxes_;
+  std::vector<Scalar> extra_;
   std::vector<ObjectState> states_;
   std::vector<std::uint8_t> fixed_;
   std::uint32_t size_ = 0;

@@ -61,6 +61,13 @@ constexpr Vector<D> axis_vector(int axis) {
 }
 
 template <int D>
+constexpr std::array<Vector<D>, D> identity_axes() {
+  std::array<Vector<D>, D> axes;
+  for (int i = 0; i < D; ++i) axes[static_cast<std::size_t>(i)] = axis_vector<D>(i);
+  return axes;
+}
+
+template <int D>
 bool is_finite(const Vector<D>& a) {
   for (int i = 0; i < D; ++i)
     if (!std::isfinite(a[i])) return false;

@@ -1,6 +1,21 @@
+#include <algorithm>
+
 #include "core/kernels/sweep.h"
 
 namespace kerf {
+namespace {
+
+/// Takes out the pairs from `begin` on whose boxes overlap but whose volumes do not.
+template <int D>
+void drop_separated(const ObjectTable<D>& table, std::size_t begin, std::vector<Pair>& pairs) {
+  const auto separated = [&](const Pair& pair) {
+    return !volumes_overlap<D>(table.kind(), table.extra(pair.a), table.extra(pair.b));
+  };
+  pairs.erase(std::remove_if(pairs.begin() + static_cast<std::ptrdiff_t>(begin), pairs.end(), separated),
+              pairs.end());
+}
+
+}  // namespace
 
 template <int D>
 void sweep_leaf(const ObjectTable<D>& table, const Node<D>& leaf, SweepBuffer<D>& buffer,
@@ -12,6 +27,7 @@ void sweep_leaf(const ObjectTable<D>& table, const Node<D>& leaf, SweepBuffer<D>
     buffer.boxes[i] = table.box(entries[i].object);
     buffer.fixed[i] = table.is_fixed(entries[i].object) ? 1 : 0;
   }
+  const std::size_t begin = pairs.size();
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Entry& a = entries[i];
     const Box<D> box = buffer.boxes[i];
@@ -22,6 +38,7 @@ void sweep_leaf(const ObjectTable<D>& table, const Node<D>& leaf, SweepBuffer<D>
         pairs.push_back(make_pair(a.object, entries[j].object));
     }
   }
+  if (table.kind() != VolumeKind::box) drop_separated(table, begin, pairs);
 }
 
 template void sweep_leaf<2>(const ObjectTable<2>&, const Node<2>&, SweepBuffer<2>&, std::vector<Pair>&);

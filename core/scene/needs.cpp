@@ -4,7 +4,7 @@ namespace kerf {
 
 std::string describe(const Needs& needs) {
   std::string text = needs.dimension == 2 ? "2D" : "3D";
-  text += ", boxes";
+  text += ", volume " + std::string(to_string(needs.volume));
   text += needs.fixed_objects ? ", fixed and moving" : ", all moving";
   text += needs.rotation ? ", turning" : ", not turning";
   text += needs.free_directions ? ", free directions" : ", axis directions";

@@ -4,10 +4,9 @@
 #include <cstdint>
 #include <string>
 
-namespace kerf {
+#include "core/geometry/volume.h"
 
-/// How an object is bounded for the broad phase (DESIGN.md, "Words").
-enum class VolumeKind : std::uint8_t { box };
+namespace kerf {
 
 /// What a scene asks of its broad phase; nothing else is paid for (DESIGN.md, "Model only what a scene
 /// needs").

@@ -41,13 +41,7 @@ using Shape = std::conditional_t<D == 2, std::variant<Ball, Brick<2>, Outline>,
 template <int D>
 struct Pose {
   Vector<D> position;
-  std::array<Vector<D>, D> axes = identity_axes();
-
-  static constexpr std::array<Vector<D>, D> identity_axes() {
-    std::array<Vector<D>, D> axes;
-    for (int i = 0; i < D; ++i) axes[static_cast<std::size_t>(i)] = axis_vector<D>(i);
-    return axes;
-  }
+  std::array<Vector<D>, D> axes = identity_axes<D>();
 };
 
 }  // namespace kerf

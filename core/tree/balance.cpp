@@ -9,11 +9,11 @@ namespace kerf {
 namespace {
 
 template <int D>
-std::vector<Interval> project_all(const Tree<D>& tree, const Vector<D>& normal,
+std::vector<Interval> project_all(const Tree<D>& tree, std::uint32_t direction,
                                   const std::vector<Stored>& stored) {
   std::vector<Interval> intervals;
   intervals.reserve(stored.size());
-  for (const Stored& item : stored) intervals.push_back(project(normal, tree.table.box(item.object)));
+  for (const Stored& item : stored) intervals.push_back(tree.project(direction, item.object));
   return intervals;
 }
 
@@ -28,10 +28,10 @@ std::vector<Stored> affected(const std::vector<Stored>& stored, const std::vecto
 
 template <int D>
 void shift(Tree<D>& tree, NodeId inner, const std::vector<Stored>& moving, Scalar new_offset) {
-  std::vector<Leaving<D>> leaving;
+  std::vector<ObjectId> leaving;
   leaving.reserve(moving.size());
-  for (const Stored& item : moving) leaving.push_back({item.object, tree.table.box(item.object)});
-  displace<D>(tree, inner, leaving);
+  for (const Stored& item : moving) leaving.push_back(item.object);
+  displace(tree, inner, leaving);
   tree[inner].plane.offset = new_offset;
   for (const Stored& item : moving) place(tree, inner, item.object, item.above);
 }
@@ -43,7 +43,7 @@ std::optional<OperatorActed> balance(Tree<D>& tree, NodeId inner, const Config& 
   const Quality before = quality(tree, inner);
   const Scalar old_offset = tree[inner].plane.offset;
   const std::vector<Stored> stored = collect(tree, inner);
-  const std::vector<Interval> intervals = project_all(tree, tree[inner].plane.normal, stored);
+  const std::vector<Interval> intervals = project_all(tree, tree[inner].direction, stored);
   const std::optional<ReferencePoint> point = best_reference_point(intervals, config);
   if (!point) {
     refusal = Refusal::no_partitioner;

@@ -55,6 +55,8 @@ std::uint64_t hash(const Tree<D>& tree) {
     if (!tree.table.is_placed(object)) continue;
     for (int axis = 0; axis < D; ++axis)
       words.add(tree.table.box(object).min[axis], tree.table.box(object).max[axis]);
+    for (int k = 0; k < extra_size<D>(tree.table.kind()); ++k)
+      words.add(tree.table.extra(object)[k], Scalar{0});
   }
   return words.hash();
 }

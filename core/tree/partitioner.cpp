@@ -19,23 +19,20 @@ Scalar middle(Scalar low, Scalar high) {
 
 /// Every k-th entry, at most `sample` of them: the leaf's list is ordered, so the sample is spread like the
 /// objects.
-template <int D>
-std::vector<Box<D>> sample_boxes(const Tree<D>& tree, const std::vector<Entry>& entries,
-                                 std::uint32_t sample) {
-  const std::size_t take = std::min<std::size_t>(entries.size(), sample);
-  std::vector<Box<D>> boxes;
-  boxes.reserve(take);
-  for (std::size_t k = 0; k < take; ++k)
-    boxes.push_back(tree.table.box(entries[k * entries.size() / take].object));
-  return boxes;
+std::vector<ObjectId> sample_objects(const std::vector<Entry>& entries, std::size_t sample) {
+  const std::size_t take = std::min(entries.size(), sample);
+  std::vector<ObjectId> objects;
+  objects.reserve(take);
+  for (std::size_t k = 0; k < take; ++k) objects.push_back(entries[k * entries.size() / take].object);
+  return objects;
 }
 
 template <int D>
 std::optional<Candidate> best_along(const Tree<D>& tree, std::uint32_t direction,
-                                    std::span<const Box<D>> boxes, const Config& config,
+                                    std::span<const ObjectId> objects, const Config& config,
                                     std::vector<Interval>& scratch) {
   scratch.clear();
-  for (const Box<D>& box : boxes) scratch.push_back(project(tree.directions()[direction], box));
+  for (const ObjectId object : objects) scratch.push_back(tree.project(direction, object));
   const std::optional<ReferencePoint> point = best_reference_point(scratch, config);
   if (!point) return std::nullopt;
   return Candidate{direction, point->offset, point->quality, false};
@@ -108,15 +105,15 @@ std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, co
                                             std::vector<Candidate>* ballot) {
   const std::vector<Entry>& entries = tree[leaf].entries;
   const auto objects = static_cast<std::uint32_t>(entries.size());
-  const std::vector<Box<D>> boxes = sample_boxes(tree, entries, config.sample);
-  const bool exact = boxes.size() == entries.size();
+  const std::vector<ObjectId> sampled = sample_objects(entries, config.sample);
+  const bool exact = sampled.size() == entries.size();
   const std::uint32_t axes_only = config.free_directions ? tree.directions().size() : D;
   const std::uint32_t tries = std::max<std::uint32_t>(D, candidate_count(objects, axes_only, config));
 
   std::vector<Candidate> candidates;
   std::vector<Interval> scratch;
   for (std::uint32_t direction = 0; direction < tries; ++direction) {
-    if (auto candidate = best_along<D>(tree, direction, boxes, config, scratch)) {
+    if (auto candidate = best_along<D>(tree, direction, sampled, config, scratch)) {
       candidate->exact = exact;
       candidates.push_back(*candidate);
     }
@@ -128,7 +125,7 @@ std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, co
   if (candidates.empty()) return std::nullopt;
   if (exact) return candidates.front();
 
-  const std::vector<Box<D>> all = sample_boxes(tree, entries, objects);
+  const std::vector<ObjectId> all = sample_objects(entries, entries.size());
   candidates.resize(std::min(candidates.size(), kConfirmed));
   for (const Candidate& candidate : candidates) {
     if (auto confirmed = best_along<D>(tree, candidate.direction, all, config, scratch)) {

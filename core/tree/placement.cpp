@@ -24,9 +24,9 @@ struct Visit {
   DepthMask straddle;
 };
 
-/// Marks every leaf below `from` that the box reaches as holding something that leaves.
+/// Counts the object out of every node below `from` that it reaches, and notes the leaves.
 template <int D>
-void mark_leaves(Tree<D>& tree, NodeId from, const Box<D>& box, std::vector<NodeId>& stale) {
+void count_out(Tree<D>& tree, NodeId from, ObjectId object, std::vector<NodeId>& stale) {
   WalkStack<NodeId> todo;
   todo.push(from);
   while (!todo.empty()) {
@@ -37,7 +37,7 @@ void mark_leaves(Tree<D>& tree, NodeId from, const Box<D>& box, std::vector<Node
       stale.push_back(id);
       continue;
     }
-    const Sides sides = classify(node.plane, box);
+    const Sides sides = classify(tree.project(node.direction, object), node.plane.offset);
     if (sides.right) todo.push(node.right);
     if (sides.left) todo.push(node.left);
   }
@@ -47,7 +47,6 @@ void mark_leaves(Tree<D>& tree, NodeId from, const Box<D>& box, std::vector<Node
 
 template <int D>
 std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above) {
-  const Box<D> box = tree.table.box(object);
   std::uint32_t leaves = 0;
   WalkStack<Visit> todo;
   todo.push({from, above});
@@ -60,7 +59,7 @@ std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above
       ++leaves;
       continue;
     }
-    const Sides sides = classify(node.plane, box);
+    const Sides sides = classify(tree.project(node.direction, object), node.plane.offset);
     const DepthMask straddle = visit.straddle | (sides.straddle() ? depth_bit(node.depth) : 0);
     if (sides.right) todo.push({node.right, straddle});
     if (sides.left) todo.push({node.left, straddle});
@@ -69,20 +68,20 @@ std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above
 }
 
 template <int D>
-void displace(Tree<D>& tree, NodeId from, std::span<const Leaving<D>> leaving) {
+void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving) {
   std::vector<NodeId> stale;
-  for (const Leaving<D>& item : leaving) {
-    tree.set_mark(item.object, true);
-    mark_leaves(tree, from, item.box, stale);
+  for (const ObjectId object : leaving) {
+    tree.set_mark(object, true);
+    count_out(tree, from, object, stale);
   }
   std::sort(stale.begin(), stale.end());
   stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
   for (const NodeId leaf : stale) tree.drop_marked_entries(leaf);
-  for (const Leaving<D>& item : leaving) tree.set_mark(item.object, false);
+  for (const ObjectId object : leaving) tree.set_mark(object, false);
 }
 
 template <int D>
-bool stays(Tree<D>& tree, const Box<D>& old_box, const Box<D>& new_box) {
+bool stays(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume) {
   WalkStack<NodeId> todo;
   todo.push(tree.root());
   while (!todo.empty()) {
@@ -91,8 +90,8 @@ bool stays(Tree<D>& tree, const Box<D>& old_box, const Box<D>& new_box) {
       node.unsorted = true;
       continue;
     }
-    const Sides sides = classify(node.plane, new_box);
-    if (sides != classify(node.plane, old_box)) return false;
+    const Sides sides = classify(tree.project(node.direction, object), node.plane.offset);
+    if (sides != classify(tree.project(node.direction, new_volume), node.plane.offset)) return false;
     if (sides.right) todo.push(node.right);
     if (sides.left) todo.push(node.left);
   }
@@ -113,10 +112,10 @@ std::vector<Stored> collect(const Tree<D>& tree, NodeId from) {
   return stored;
 }
 
-#define KERF_INSTANTIATE(D)                                                 \
-  template std::uint32_t place<D>(Tree<D>&, NodeId, ObjectId, DepthMask);   \
-  template void displace<D>(Tree<D>&, NodeId, std::span<const Leaving<D>>); \
-  template bool stays<D>(Tree<D>&, const Box<D>&, const Box<D>&);           \
+#define KERF_INSTANTIATE(D)                                               \
+  template std::uint32_t place<D>(Tree<D>&, NodeId, ObjectId, DepthMask); \
+  template void displace<D>(Tree<D>&, NodeId, std::span<const ObjectId>); \
+  template bool stays<D>(Tree<D>&, ObjectId, const Volume<D>&);           \
   template std::vector<Stored> collect<D>(const Tree<D>&, NodeId);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

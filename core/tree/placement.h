@@ -8,32 +8,26 @@
 
 namespace kerf {
 
-/// An object that leaves its place, with the box by which it was placed.
-template <int D>
-struct Leaving {
-  ObjectId object;
-  Box<D> box;
-};
-
 /// An object stored below some node, with its straddle bits for the ancestors of that node.
 struct Stored {
   ObjectId object;
   DepthMask above = 0;
 };
 
-/// Gives `object` an entry in every leaf below `from` that its box reaches. `above` holds its straddle bits
-/// for the ancestors of `from`. Returns the number of leaves.
+/// Gives `object` an entry in every leaf below `from` that its volume reaches. `above` holds its straddle
+/// bits for the ancestors of `from`. Returns the number of leaves.
 template <int D>
 std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above);
 
-/// Takes the objects out of every leaf below `from` that their old boxes reach.
+/// Takes the objects out of every leaf below `from`. The tree's table must still have the volumes by which
+/// they were placed.
 template <int D>
-void displace(Tree<D>& tree, NodeId from, std::span<const Leaving<D>> leaving);
+void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving);
 
-/// True if the object's new box reaches the same leaves, on the same sides, as the old one did; those leaves
-/// are then marked for the sort. When false, the entries are as they were.
+/// True if a placed object's new volume reaches the same leaves, on the same sides, as the one in the tree's
+/// table; those leaves are then marked for the sort. The entries and the table are as they were.
 template <int D>
-bool stays(Tree<D>& tree, const Box<D>& old_box, const Box<D>& new_box);
+bool stays(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume);
 
 /// Every object below `from`, each once.
 template <int D>

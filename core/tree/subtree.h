@@ -15,8 +15,8 @@ std::uint32_t list_direction(const Tree<D>& tree, NodeId parent) {
 /// Projects the entries of a leaf anew on its direction; their order is left to the sort phase.
 template <int D>
 void renew_keys(Tree<D>& tree, NodeId leaf) {
-  const Vector<D> normal = tree.directions()[tree[leaf].direction];
-  for (Entry& entry : tree[leaf].entries) entry.key = project(normal, tree.table.box(entry.object));
+  const std::uint32_t direction = tree[leaf].direction;
+  for (Entry& entry : tree[leaf].entries) entry.key = tree.project(direction, entry.object);
   tree[leaf].unsorted = true;
 }
 

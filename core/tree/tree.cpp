@@ -5,7 +5,8 @@
 namespace kerf {
 
 template <int D>
-Tree<D>::Tree(std::shared_ptr<const DirectionSet<D>> directions) : directions_(std::move(directions)) {
+Tree<D>::Tree(std::shared_ptr<const Projector<D>> projector)
+    : table(projector->kind()), projector_(std::move(projector)) {
   root_ = make_leaf(NodeId::none(), false, 0);
 }
 
@@ -48,8 +49,7 @@ void Tree<D>::release(NodeId id) {
 template <int D>
 void Tree<D>::add_entry(NodeId leaf, ObjectId object, DepthMask straddle) {
   Node<D>& node = nodes_[leaf.index()];
-  const Interval key = project((*directions_)[node.direction], table.box(object));
-  node.entries.push_back({key, object, straddle});
+  node.entries.push_back({project(node.direction, object), object, straddle});
   node.unsorted = true;
   ++entries_;
 }

@@ -8,6 +8,7 @@
 #include "core/geometry/direction_set.h"
 #include "core/ids.h"
 #include "core/tree/node.h"
+#include "core/tree/projector.h"
 
 namespace kerf {
 
@@ -18,7 +19,7 @@ namespace kerf {
 template <int D>
 class Tree {
  public:
-  explicit Tree(std::shared_ptr<const DirectionSet<D>> directions);
+  explicit Tree(std::shared_ptr<const Projector<D>> projector);
 
   [[nodiscard]] NodeId root() const { return root_; }
   [[nodiscard]] const Node<D>& operator[](NodeId id) const { return nodes_[id.index()]; }
@@ -27,12 +28,20 @@ class Tree {
   [[nodiscard]] std::uint32_t slots() const { return static_cast<std::uint32_t>(nodes_.size()); }
   [[nodiscard]] NodeRef ref(NodeId id) const { return {id, nodes_[id.index()].generation}; }
   [[nodiscard]] bool is_alive(NodeRef ref) const;
-  [[nodiscard]] const DirectionSet<D>& directions() const { return *directions_; }
+  [[nodiscard]] const DirectionSet<D>& directions() const { return projector_->directions(); }
+  /// The interval of a placed object along a direction of the set.
+  [[nodiscard]] Interval project(std::uint32_t direction, ObjectId object) const {
+    return (*projector_)(direction, table.box(object), table.extra(object));
+  }
+  /// The interval of any volume of the table's kind.
+  [[nodiscard]] Interval project(std::uint32_t direction, const Volume<D>& volume) const {
+    return (*projector_)(direction, volume.box, volume.extra.data());
+  }
   [[nodiscard]] std::uint64_t entries() const { return entries_; }
   /// Objects that have a place in the tree: those present and not quarantined.
   [[nodiscard]] std::uint32_t objects() const { return nodes_[root_.index()].population; }
 
-  /// Boxes as they are placed. Operators classify by these and by nothing else.
+  /// Volumes as they are placed. Operators classify by these and by nothing else.
   ObjectTable<D> table;
 
   // For operators and placement only.
@@ -50,7 +59,7 @@ class Tree {
   void set_mark(ObjectId object, bool on);
 
  private:
-  std::shared_ptr<const DirectionSet<D>> directions_;
+  std::shared_ptr<const Projector<D>> projector_;
   std::vector<Node<D>> nodes_;
   std::vector<NodeId> free_;
   std::vector<std::uint8_t> marks_;

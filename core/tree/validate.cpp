@@ -87,7 +87,7 @@ class Validator {
       const Entry& entry = leaf.entries[i];
       expect(tree_.table.is_placed(entry.object), id, "an entry's object is absent or quarantined");
       if (!tree_.table.is_placed(entry.object)) continue;
-      const Interval key = project(tree_.directions()[leaf.direction], tree_.table.box(entry.object));
+      const Interval key = tree_.project(leaf.direction, entry.object);
       expect(key == entry.key, id, "an entry's key is not its projection");
       expect(objects.insert(entry.object).second, id, "an object has two entries");
       stored_[id.index()].emplace(entry.object, entry.straddle);
@@ -100,7 +100,6 @@ class Validator {
   }
 
   void check_object(ObjectId object) {
-    const Box<D> box = tree_.table.box(object);
     std::vector<Place> todo{{tree_.root(), 0}};
     while (!todo.empty()) {
       const auto [id, straddle] = todo.back();
@@ -114,7 +113,7 @@ class Validator {
         ++places_;
         continue;
       }
-      const Sides sides = classify(node.plane, box);
+      const Sides sides = classify(tree_.project(node.direction, object), node.plane.offset);
       const DepthMask below = straddle | (sides.straddle() ? depth_bit(node.depth) : 0);
       if (sides.left) todo.push_back({node.left, below});
       if (sides.right) todo.push_back({node.right, below});

@@ -1,0 +1,127 @@
+#include <cmath>
+
+#include "core/geometry/volume.h"
+
+namespace kerf {
+namespace {
+
+// All of this is in double on float input: products of two floats are exact, and what the few sums can lose
+// is far below the slack that every test grants. A test may only err towards "overlap".
+constexpr double kRoundingSlack = 0x1p-44;
+
+template <int D>
+using Point = std::array<double, D>;
+
+template <int D>
+Point<D> load(const Scalar* p) {
+  Point<D> q;
+  for (std::size_t i = 0; i < D; ++i) q[i] = static_cast<double>(p[i]);
+  return q;
+}
+
+template <int D>
+double inner(const Point<D>& a, const Point<D>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < D; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+template <int D>
+bool spheres_overlap(const Scalar* a, const Scalar* b) {
+  double distance2 = 0;
+  for (int i = 0; i < D; ++i) {
+    const double apart = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+    distance2 += apart * apart;
+  }
+  const double reach = static_cast<double>(a[D]) + static_cast<double>(b[D]);
+  return distance2 <= reach * reach * (1 + kRoundingSlack);
+}
+
+template <int D>
+struct OrientedBox {
+  explicit OrientedBox(const Scalar* p) : center(load<D>(p)), half(load<D>(p + D + D * D)) {
+    for (std::size_t k = 0; k < D; ++k) axes[k] = load<D>(p + D + static_cast<int>(k) * D);
+  }
+  Point<D> center;
+  std::array<Point<D>, D> axes;
+  Point<D> half;
+};
+
+/// Half the length of the shadow of the box on an axis that need not have length one.
+template <int D>
+double reach(const OrientedBox<D>& box, const Point<D>& axis) {
+  double sum = 0;
+  for (std::size_t k = 0; k < D; ++k) sum += box.half[k] * std::abs(inner<D>(box.axes[k], axis));
+  return sum;
+}
+
+/// True only if the axis surely separates: by more than all roundings together. `size` bounds every length
+/// involved.
+template <int D>
+bool separates(const Point<D>& axis, const OrientedBox<D>& a, const OrientedBox<D>& b, const Point<D>& apart,
+               double size) {
+  double axis_size = 0;
+  for (const double x : axis) axis_size += std::abs(x);
+  const double gap = std::abs(inner<D>(axis, apart)) - (reach<D>(a, axis) + reach<D>(b, axis));
+  return gap > kRoundingSlack * axis_size * size;
+}
+
+bool edges_separate(const OrientedBox<2>&, const OrientedBox<2>&, const Point<2>&, double) { return false; }
+
+bool edges_separate(const OrientedBox<3>& a, const OrientedBox<3>& b, const Point<3>& apart, double size) {
+  for (const Point<3>& u : a.axes) {
+    for (const Point<3>& v : b.axes) {
+      // Each component is the difference of two exact products, so it is right however nearly parallel the
+      // edges are.
+      const Point<3> axis{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+      if (separates<3>(axis, a, b, apart, size)) return true;
+    }
+  }
+  return false;
+}
+
+/// Separating axes: the faces of both and, in 3D, the cross products of their edges (Gottschalk et al. 1996).
+template <int D>
+bool oriented_boxes_overlap(const Scalar* pa, const Scalar* pb) {
+  const OrientedBox<D> a(pa);
+  const OrientedBox<D> b(pb);
+  Point<D> apart;
+  double size = 0;
+  for (std::size_t i = 0; i < D; ++i) {
+    apart[i] = b.center[i] - a.center[i];
+    size += std::abs(apart[i]) + a.half[i] + b.half[i];
+  }
+  for (const Point<D>& axis : a.axes)
+    if (separates<D>(axis, a, b, apart, size)) return false;
+  for (const Point<D>& axis : b.axes)
+    if (separates<D>(axis, a, b, apart, size)) return false;
+  return !edges_separate(a, b, apart, size);
+}
+
+/// The slabs are floats; comparing them needs no slack.
+bool slabs_overlap(const Scalar* a, const Scalar* b, int numbers) {
+  bool all = true;
+  for (int i = 0; i < numbers; i += 2) all &= (a[i] <= b[i + 1]) & (b[i] <= a[i + 1]);
+  return all;
+}
+
+}  // namespace
+
+template <int D>
+bool volumes_overlap(VolumeKind kind, const Scalar* a, const Scalar* b) {
+  switch (kind) {
+    case VolumeKind::box:
+      return true;
+    case VolumeKind::sphere:
+      return spheres_overlap<D>(a, b);
+    case VolumeKind::oriented_box:
+      return oriented_boxes_overlap<D>(a, b);
+    default:
+      return slabs_overlap(a, b, extra_size<D>(kind));
+  }
+}
+
+template bool volumes_overlap<2>(VolumeKind, const Scalar*, const Scalar*);
+template bool volumes_overlap<3>(VolumeKind, const Scalar*, const Scalar*);
+
+}  // namespace kerf
