@@ -1,0 +1,36 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include "sims2d/scenes/rain_scene.h"
+#include "sims2d/scenes/scenes.h"
+
+namespace kerf {
+
+/// GoogleTest names the parameter of a failed test by this.
+inline void PrintTo(const SceneEntry<2>& entry, std::ostream* out) { *out << entry.name; }
+
+}  // namespace kerf
+
+namespace kerf::test {
+
+/// A test for every 2D scene.
+class Scenes2d : public ::testing::TestWithParam<SceneEntry<2>> {
+ protected:
+  static std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
+    return GetParam().make(broad_phase, options);
+  }
+  static const World& world_of(const Scene<2>& scene) {
+    return dynamic_cast<const RainScene&>(scene).world();
+  }
+};
+
+inline std::string scene_name(const ::testing::TestParamInfo<SceneEntry<2>>& info) {
+  return std::string(info.param.name);
+}
+
+}  // namespace kerf::test
