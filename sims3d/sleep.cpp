@@ -15,7 +15,7 @@ void Sleep::observe(ObjectId object, dBodyID body) {
   const bool slow =
       is_slower(dBodyGetLinearVel(body), rule_.linear) && is_slower(dBodyGetAngularVel(body), rule_.angular);
   slow_steps = slow ? slow_steps + 1 : 0;
-  if (slow_steps < rule_.steps) return;
+  if (!rule_.allowed || slow_steps < rule_.steps) return;
   dBodySetLinearVel(body, 0, 0, 0);
   dBodySetAngularVel(body, 0, 0, 0);
   dBodyDisable(body);

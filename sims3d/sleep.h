@@ -10,6 +10,7 @@ namespace kerf {
 
 /// When a body falls asleep, and what wakes it.
 struct SleepRule {
+  bool allowed = true;       ///< false: every moving object is simulated in every step
   double linear = 0.2;       ///< slower than this, in units a second, ...
   double angular = 0.4;      ///< ... and turning slower than this, in radians a second, ...
   std::uint32_t steps = 12;  ///< ... for so many steps: the body falls asleep

@@ -20,7 +20,9 @@ struct WorldSettings {
   double density = 1;
   int iterations = 12;  ///< of ODE's quick-step solver
   double friction = 0.6;
-  double max_speed = 8.75;  ///< terminal speed: 0.35 units a step, the smallest half extent of our objects
+  /// Terminal speed. With what gravity adds before a step moves anything, it makes 0.35 units a step, the
+  /// smallest half extent of our scenes' objects, so that no object's middle passes through a surface unseen.
+  double max_speed = 8.35;
   SleepRule sleep;
 };
 

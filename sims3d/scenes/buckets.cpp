@@ -96,6 +96,7 @@ Drop make_drop(const SceneOptions& options, std::uint32_t side) {
   return drop;
 }
 
+template <bool kSleep>
 std::unique_ptr<Scene<3>> make_buckets(BroadPhase<3>& broad_phase, const SceneOptions& options) {
   const SceneOptions resolved = resolve(options, kDefaultObjects, kDefaultSteps);
   const std::uint32_t side = side_for(resolved.objects);
@@ -103,7 +104,9 @@ std::unique_ptr<Scene<3>> make_buckets(BroadPhase<3>& broad_phase, const SceneOp
     for_each_bucket(side, [&world](Scalar x, Scalar z) { add_bucket(world, x, z); });
     add_fence(world, side);
   };
-  return std::make_unique<DropScene>(broad_phase, kNeeds, resolved.seed, make_drop(resolved, side), build);
+  Drop drop = make_drop(resolved, side);
+  drop.physics.sleep.allowed = kSleep;
+  return std::make_unique<DropScene>(broad_phase, kNeeds, resolved.seed, std::move(drop), build);
 }
 
 }  // namespace
@@ -114,7 +117,15 @@ SceneEntry<3> buckets_entry() {
           .source = "the paper's simulation 4",
           .default_objects = kDefaultObjects,
           .needs = kNeeds,
-          .make = make_buckets};
+          .make = make_buckets<true>};
+}
+
+SceneEntry<3> awake_buckets_entry() {
+  SceneEntry<3> entry = buckets_entry();
+  entry.name = "buckets-awake";
+  entry.summary = "buckets in which no body falls asleep: every box moves in every step";
+  entry.make = make_buckets<false>;
+  return entry;
 }
 
 }  // namespace kerf

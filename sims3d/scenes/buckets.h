@@ -10,4 +10,7 @@ namespace kerf {
 /// closes the square.
 SceneEntry<3> buckets_entry();
 
+/// The same where nothing falls asleep: what a broad phase pays when piles never come to rest.
+SceneEntry<3> awake_buckets_entry();
+
 }  // namespace kerf

@@ -68,7 +68,7 @@ DropScene::DropScene(BroadPhase<3>& broad_phase, const Needs& needs, std::uint64
     : needs_(needs),
       random_(seed),
       drop_(std::move(drop)),
-      world_(broad_phase, seed),
+      world_(broad_phase, seed, drop_.physics),
       order_(drop_.sites.size()),
       next_(drop_.sites.size()),
       last_height_(drop_.sites.size(), std::numeric_limits<float>::lowest()),

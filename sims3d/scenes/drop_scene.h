@@ -15,6 +15,7 @@ struct Drop {
   std::uint32_t steps = 1;       ///< steps over which they come, evenly
   std::vector<Vector<3>> sites;  ///< where they appear; at least 2.5 units apart along X or Z
   Box<3> inside;                 ///< an object whose centre leaves it is put back on a site
+  WorldSettings physics;
 };
 
 /// The user's options with 0 replaced by the scene's own default. Throws std::invalid_argument, naming the

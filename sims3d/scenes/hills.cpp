@@ -21,7 +21,6 @@ Hills::Hills(double half, Random random) : half_(half) {
     bump.radius = random.uniform(7, 14);
     bump.amplitude = random.uniform(1.5, 4);
     if (random.below(2) == 0) bump.amplitude = -bump.amplitude;
-    lowest_ += std::min(0.0, bump.amplitude);
     bumps_.push_back(bump);
   }
 }
@@ -35,7 +34,8 @@ double Hills::height(double x, double z) const {
     if (falloff > 0) sum += bump.amplitude * falloff * falloff;
   }
   const double rim = (std::max(std::abs(x), std::abs(z)) - (half_ - kRimWidth)) / kRimWidth;
-  return rim > 0 ? sum + kRimHeight * rim * rim : sum;
+  if (rim <= 0) return sum;
+  return sum * (1 - rim) * (1 - rim) + kRimHeight * rim * rim;
 }
 
 Surface Hills::tile(double x, double z, std::uint32_t quads) const {

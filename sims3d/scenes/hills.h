@@ -16,8 +16,6 @@ class Hills {
 
   /// Only sums and products, so that each machine builds the same landscape.
   [[nodiscard]] double height(double x, double z) const;
-  /// No point of the landscape lies lower.
-  [[nodiscard]] double lowest() const { return lowest_; }
   /// The square tile of `quads` by `quads` squares of 1 unit whose lowest corner is (x, z), as two triangles
   /// a square, counter-clockwise from above. The surface's frame stands at the tile's middle at height 0;
   /// with whole numbers for x, z and an even number of squares, the edges of neighbouring tiles are the same
@@ -30,7 +28,6 @@ class Hills {
   };
   double half_;
   std::vector<Bump> bumps_;
-  double lowest_ = 0;
 };
 
 }  // namespace kerf

@@ -8,7 +8,7 @@
 namespace kerf {
 
 std::span<const SceneEntry<3>> scenes_3d() {
-  static const std::array entries{terrain_entry(), buckets_entry()};
+  static const std::array entries{terrain_entry(), buckets_entry(), awake_buckets_entry()};
   return entries;
 }
 

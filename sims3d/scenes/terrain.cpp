@@ -1,6 +1,8 @@
 #include "sims3d/scenes/terrain.h"
 
 #include <algorithm>
+#include <limits>
+#include <vector>
 
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/hills.h"
@@ -17,6 +19,9 @@ constexpr double kShore = 9;  // sites keep this far from the border, inside the
 constexpr double kSiteSpacing = 3;
 constexpr double kSiteHeight = 7;  // above the ground
 
+// The landscape draws other numbers than the objects do.
+constexpr std::uint64_t kLandscapeStream = 0x7E44A1;
+
 constexpr Needs kNeeds{.dimension = 3,
                        .volume = VolumeKind::box,
                        .fixed_objects = true,
@@ -31,19 +36,34 @@ std::uint32_t tiles_for(std::uint32_t objects) {
   return tiles;
 }
 
-void add_tiles(World& world, const Hills& hills, std::uint32_t tiles) {
+/// A tile and the middle of its frame.
+struct Tile {
+  std::shared_ptr<const Surface> surface;
+  Vector<3> middle;
+};
+
+std::vector<Tile> make_tiles(const Hills& hills, std::uint32_t tiles) {
   const double half = 0.5 * kTile * tiles;
+  std::vector<Tile> made;
   for (std::uint32_t k = 0; k < tiles; ++k) {
     for (std::uint32_t i = 0; i < tiles; ++i) {
       const double x = kTile * static_cast<double>(i) - half;
       const double z = kTile * static_cast<double>(k) - half;
       const Vector<3> middle{{static_cast<Scalar>(x + 0.5 * kTile), 0, static_cast<Scalar>(z + 0.5 * kTile)}};
-      world.add_fixed(std::make_shared<const Surface>(hills.tile(x, z, kTile)), middle);
+      made.push_back({std::make_shared<const Surface>(hills.tile(x, z, kTile)), middle});
     }
   }
+  return made;
 }
 
-Drop make_drop(const SceneOptions& options, const Hills& hills, double half) {
+Scalar lowest_point(std::span<const Tile> tiles) {
+  Scalar lowest = std::numeric_limits<Scalar>::max();
+  for (const Tile& tile : tiles)
+    for (const Vector<3>& vertex : tile.surface->vertices) lowest = std::min(lowest, vertex[1]);
+  return lowest;
+}
+
+Drop make_drop(const SceneOptions& options, const Hills& hills, double half, Scalar lowest) {
   Drop drop;
   drop.objects = options.objects;
   drop.steps = options.steps;
@@ -55,18 +75,21 @@ Drop make_drop(const SceneOptions& options, const Hills& hills, double half) {
     }
   }
   const auto border = static_cast<Scalar>(half);
-  drop.inside = {{{-border, static_cast<Scalar>(hills.lowest() - 1), -border}}, {{border, 1e6F, border}}};
+  drop.inside = {{{-border, lowest - 1, -border}}, {{border, 1e6F, border}}};
   return drop;
 }
 
 std::unique_ptr<Scene<3>> make_terrain(BroadPhase<3>& broad_phase, const SceneOptions& options) {
   const SceneOptions resolved = resolve(options, kDefaultObjects, kDefaultSteps);
-  const std::uint32_t tiles = tiles_for(resolved.objects);
-  const double half = 0.5 * kTile * tiles;
-  const Hills hills(half, Random(resolved.seed ^ 0x7E44A1U));
-  const auto build = [&](World& world) { add_tiles(world, hills, tiles); };
-  return std::make_unique<DropScene>(broad_phase, kNeeds, resolved.seed, make_drop(resolved, hills, half),
-                                     build);
+  const std::uint32_t side = tiles_for(resolved.objects);
+  const double half = 0.5 * kTile * side;
+  const Hills hills(half, Random(resolved.seed ^ kLandscapeStream));
+  const std::vector<Tile> tiles = make_tiles(hills, side);
+  const auto build = [&tiles](World& world) {
+    for (const Tile& tile : tiles) world.add_fixed(tile.surface, tile.middle);
+  };
+  return std::make_unique<DropScene>(broad_phase, kNeeds, resolved.seed,
+                                     make_drop(resolved, hills, half, lowest_point(tiles)), build);
 }
 
 }  // namespace

@@ -1,0 +1,111 @@
+#include "sims3d/rivals/ode_space.h"
+
+#include <array>
+#include <stdexcept>
+
+namespace kerf {
+namespace {
+
+constexpr unsigned long kFixed = 1;
+constexpr unsigned long kMoving = 2;
+
+dSpaceID make_space(OdeSpaceKind kind, const Box<3>& bounds) {
+  switch (kind) {
+    case OdeSpaceKind::hash:
+      return dHashSpaceCreate(nullptr);
+    case OdeSpaceKind::quadtree: {
+      const Vector<3> center = bounds.center();
+      const Vector<3> half = bounds.extent() * 0.5F;
+      const dVector3 c{center[0], center[1], center[2]};
+      const dVector3 h{half[0], half[1], half[2]};
+      constexpr int kDepth = 7;  // 4^7 leaves; level 11, as in the paper, takes 400 MB
+      return dQuadTreeSpaceCreate(nullptr, c, h, kDepth);
+    }
+    case OdeSpaceKind::sweep_and_prune:
+      return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY);
+  }
+  return nullptr;
+}
+
+ObjectId object_of(dGeomID geom) {
+  return {static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(dGeomGetData(geom)))};
+}
+
+void keep_pair(void* pairs, dGeomID a, dGeomID b) {
+  static_cast<std::vector<Pair>*>(pairs)->push_back(make_pair(object_of(a), object_of(b)));
+}
+
+}  // namespace
+
+OdeSpace::OdeSpace(OdeSpaceKind kind, const Box<3>& bounds) : kind_(kind) {
+  const auto lock = library_.enter();
+  space_ = make_space(kind, bounds);
+  if (space_ == nullptr) throw std::runtime_error("ODE cannot make its space");
+  dSpaceSetCleanup(space_, 0);
+}
+
+OdeSpace::~OdeSpace() {
+  const auto lock = library_.enter();
+  geoms_.clear();
+  dSpaceDestroy(space_);
+}
+
+std::string_view OdeSpace::name() const {
+  constexpr std::array<std::string_view, 3> kNames{"ode-hash", "ode-quadtree", "ode-sap"};
+  return kNames[static_cast<std::size_t>(kind_)];
+}
+
+/// Brings the geom of an object into agreement with the table.
+void OdeSpace::place(ObjectId object) {
+  const auto lock = library_.enter();
+  if (geoms_.size() <= object.index()) geoms_.resize(object.index() + 1);
+  OdeHandle<dxGeom>& geom = geoms_[object.index()];
+  if (!objects_.is_placed(object)) {
+    geom.reset();
+    return;
+  }
+  const Box<3>& box = objects_.box(object);
+  std::array<dReal, 3> center;
+  std::array<dReal, 3> size;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    center[k] = (static_cast<dReal>(box.min[i]) + static_cast<dReal>(box.max[i])) / 2;
+    size[k] = static_cast<dReal>(box.max[i]) - static_cast<dReal>(box.min[i]);
+  }
+  if (!geom) {
+    geom.reset(dCreateBox(space_, size[0], size[1], size[2]));
+    dGeomSetData(geom.get(), reinterpret_cast<void*>(std::uintptr_t{object.value}));
+    const bool fixed = objects_.is_fixed(object);
+    dGeomSetCategoryBits(geom.get(), fixed ? kFixed : kMoving);
+    dGeomSetCollideBits(geom.get(), fixed ? kMoving : kMoving | kFixed);
+  } else {
+    dGeomBoxSetLengths(geom.get(), size[0], size[1], size[2]);
+  }
+  dGeomSetPosition(geom.get(), center[0], center[1], center[2]);
+}
+
+Status OdeSpace::insert(ObjectId object, const Box<3>& box, Mobility mobility) {
+  const Status status = objects_.insert(object, box, mobility);
+  if (status == Status::ok || status == Status::clamped) place(object);
+  return status;
+}
+
+Status OdeSpace::move(ObjectId object, const Box<3>& box) {
+  const Status status = objects_.move(object, box);
+  if (status != Status::unknown_id) place(object);
+  return status;
+}
+
+Status OdeSpace::remove(ObjectId object) {
+  const Status status = objects_.remove(object);
+  if (status == Status::ok) place(object);
+  return status;
+}
+
+void OdeSpace::step() {
+  const auto lock = library_.enter();
+  pairs_.clear();
+  dSpaceCollide(space_, &pairs_, keep_pair);
+}
+
+}  // namespace kerf

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/broad_phase/broad_phase.h"
+#include "core/broad_phase/object_table.h"
+#include "sims3d/ode_library.h"
+
+namespace kerf {
+
+/// ODE's own broad phases, as the paper compares them (section 6.1), and its later sweep-and-prune.
+enum class OdeSpaceKind : std::uint8_t { hash, quadtree, sweep_and_prune };
+
+/// One of ODE's spaces behind our interface: the rival. Each object is a box geom in the space.
+///
+/// The space sees the boxes in doubles. It is told by category bits that two fixed objects are no pair.
+class OdeSpace final : public BroadPhase<3> {
+ public:
+  /// `bounds` is where the quadtree lies; objects outside are kept in its root. The other kinds do not need
+  /// it. Throws std::runtime_error if ODE cannot make the space.
+  OdeSpace(OdeSpaceKind kind, const Box<3>& bounds);
+  ~OdeSpace() override;
+
+  [[nodiscard]] std::string_view name() const override;
+  Status insert(ObjectId object, const Box<3>& box, Mobility mobility) override;
+  Status move(ObjectId object, const Box<3>& box) override;
+  Status remove(ObjectId object) override;
+  void step() override;
+  [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_; }
+
+ private:
+  void place(ObjectId object);
+
+  OdeLibrary library_;  // first: everything below ends before it does
+  OdeSpaceKind kind_;
+  ObjectTable<3> objects_;
+  dSpaceID space_;
+  std::vector<OdeHandle<dxGeom>> geoms_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace kerf
