@@ -277,7 +277,7 @@ TEST(World, AFalseCandidateIsNoContact) {
 
 TEST(World, ABroadPhaseInUseIsRefused) {
   BruteForce<3> broad_phase;
-  ASSERT_EQ(broad_phase.insert({0}, {}, Mobility::fixed), Status::ok);
+  ASSERT_EQ(broad_phase.insert({0}, Box<3>{}, Mobility::fixed), Status::ok);
   World world(broad_phase, 1);
   EXPECT_THROW(add_floor(world), std::runtime_error);
 }
