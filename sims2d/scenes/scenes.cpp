@@ -8,8 +8,8 @@
 namespace kerf::inline sims2d {
 
 std::span<const SceneEntry<2>> scenes_2d() {
-  static const std::array kScenes{pile_entry(), buckets_entry()};
-  return kScenes;
+  static const std::array entries{pile_entry(), buckets_entry()};
+  return entries;
 }
 
 }  // namespace kerf::inline sims2d

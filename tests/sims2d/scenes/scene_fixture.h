@@ -12,7 +12,7 @@
 namespace kerf {
 
 /// GoogleTest names the parameter of a failed test by this.
-inline void PrintTo(const SceneEntry<2>& entry, std::ostream* out) { *out << entry.name; }
+inline std::ostream& operator<<(std::ostream& out, const SceneEntry<2>& entry) { return out << entry.name; }
 
 }  // namespace kerf
 
