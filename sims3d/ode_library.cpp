@@ -12,7 +12,7 @@ namespace {
 
 static_assert(sizeof(dReal) == sizeof(double), "Kerf needs the double-precision build of ODE");
 
-std::mutex library_mutex;
+std::recursive_mutex library_mutex;
 std::size_t users = 0;
 
 /// ODE demands that its handlers do not return: unwinding is the only way out that leaves the process alive.
@@ -49,7 +49,7 @@ OdeLibrary::~OdeLibrary() {
   dCloseODE();
 }
 
-std::unique_lock<std::mutex> OdeLibrary::enter() const {
+std::unique_lock<std::recursive_mutex> OdeLibrary::enter() const {
   std::unique_lock lock(library_mutex);
   dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
   return lock;

@@ -21,7 +21,8 @@ class OdeLibrary {
 
   /// Whoever calls into ODE holds this. Debian's build has no thread-local storage: its random seed and the
   /// caches of its mesh collider are shared by all worlds.
-  [[nodiscard]] std::unique_lock<std::mutex> enter() const;
+  /// Recursive, because a world asks its broad phase while it works, and the rivals are spaces of ODE.
+  [[nodiscard]] std::unique_lock<std::recursive_mutex> enter() const;
 };
 
 /// Destroys what ODE has created; null handles are never passed on.
