@@ -77,18 +77,18 @@ std::optional<ReferencePoint> best_reference_point(std::span<const Interval> int
   if (!std::is_sorted(los.begin(), los.end())) std::sort(los.begin(), los.end());
   std::sort(his.begin(), his.end());
 
-  // Straddlers are fewest where an object has just ended, so only the his are tried, each up to the next lo.
+  // Between two neighbouring ends of objects nothing changes, so each end stands for the gap above it.
   std::optional<ReferencePoint> best;
   const auto count = static_cast<std::uint32_t>(intervals.size());
   std::uint32_t begun = 0;
-  for (std::uint32_t ended = 1; ended <= count; ++ended) {
-    const Scalar low = his[ended - 1];
-    if (ended < count && his[ended] == low) continue;
+  std::uint32_t ended = 0;
+  while (ended < count) {
+    const Scalar low = begun < count ? std::min(los[begun], his[ended]) : his[ended];
     while (begun < count && los[begun] <= low) ++begun;
+    while (ended < count && his[ended] <= low) ++ended;
     const Quality quality{count, begun, count - ended};
     if (!is_good(quality, config) || (best && score(quality) <= score(best->quality))) continue;
-    Scalar high = begun < count ? los[begun] : his[count - 1];
-    if (ended < count) high = std::min(high, his[ended]);
+    const Scalar high = begun < count ? std::min(los[begun], his[ended]) : his[ended];
     const Scalar offset = middle(low, high);
     if (std::isfinite(offset)) best = ReferencePoint{offset, quality};
   }

@@ -12,14 +12,21 @@ namespace kerf::test {
 template <int D>
 class Checked final : public BroadPhase<D> {
  public:
-  explicit Checked(BroadPhase<D>& subject) : subject_(subject) {}
+  explicit Checked(BroadPhase<D>& subject) : subject_(subject), oracle_(subject.volume_kind()) {}
 
   [[nodiscard]] std::string_view name() const override { return subject_.name(); }
+  [[nodiscard]] VolumeKind volume_kind() const override { return subject_.volume_kind(); }
   Status insert(ObjectId object, const Box<D>& box, Mobility mobility) override {
     return same(subject_.insert(object, box, mobility), oracle_.insert(object, box, mobility), object);
   }
+  Status insert(ObjectId object, const Volume<D>& volume, Mobility mobility) override {
+    return same(subject_.insert(object, volume, mobility), oracle_.insert(object, volume, mobility), object);
+  }
   Status move(ObjectId object, const Box<D>& box) override {
     return same(subject_.move(object, box), oracle_.move(object, box), object);
+  }
+  Status move(ObjectId object, const Volume<D>& volume) override {
+    return same(subject_.move(object, volume), oracle_.move(object, volume), object);
   }
   Status remove(ObjectId object) override {
     return same(subject_.remove(object), oracle_.remove(object), object);
