@@ -122,16 +122,16 @@ std::string objection(const std::string& file, const std::string& header, bool q
 void check_file(const std::filesystem::path& root, const std::string& file, std::vector<Violation>& found) {
   std::ifstream text(root / file);
   if (!text) throw std::runtime_error("cannot read " + (root / file).string());
-  static const std::regex directive(R"(^\s*#\s*(?:include|include_next|import)\b\s*(.*))");
-  static const std::regex named(R"re(^(?:<([^>]+)>|"([^"]+)").*)re");
+  static const std::regex kDirective(R"(^\s*#\s*(?:include|include_next|import)\b\s*(.*))");
+  static const std::regex kNamed(R"re(^(?:<([^>]+)>|"([^"]+)").*)re");
   std::string line;
   for (int number = 1; std::getline(text, line); ++number) {
     std::smatch include;
-    if (!std::regex_match(line, include, directive)) continue;
+    if (!std::regex_match(line, include, kDirective)) continue;
     const std::string target = include[1];
     std::smatch header;
     std::string reason = "an #include names its header";
-    if (std::regex_match(target, header, named))
+    if (std::regex_match(target, header, kNamed))
       reason = objection(file, header[header[2].matched ? 2 : 1], header[2].matched);
     if (!reason.empty()) found.push_back({file, number, reason});
   }
