@@ -19,8 +19,8 @@ constexpr Scalar kHalfWall = 0.25F;
 constexpr Scalar kHalfFloor = 0.25F;
 constexpr Scalar kGap = 1.5F;  // between the walls of two buckets
 constexpr Scalar kPitch = kInner + 4 * kHalfWall + kGap;
-constexpr Scalar kFenceHeight = 9;
-constexpr Scalar kSite = 1.25F;  // from the middle of a bucket, along X and Z
+constexpr Scalar kFenceHeight = 1.5F;  // low: spilled objects roll, and the buckets stay in view
+constexpr Scalar kSite = 1.25F;        // from the middle of a bucket, along X and Z
 constexpr Scalar kSiteHeight = 8;
 
 constexpr Needs kNeeds{.dimension = 3,

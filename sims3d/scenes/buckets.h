@@ -6,7 +6,7 @@ namespace kerf {
 
 /// The paper's simulation 4 (section 6.2): balls and bricks fall into open buckets, which stand in a square
 /// on the XZ plane, and pile up there. There are as many buckets as it takes for the piles to be about three
-/// units deep. Each bucket is a floor tile and four walls, all separate bricks that never move; a fence
+/// units deep. Each bucket is a floor tile and four walls, all separate bricks that never move; a low fence
 /// closes the square.
 SceneEntry<3> buckets_entry();
 

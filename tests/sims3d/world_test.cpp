@@ -208,6 +208,16 @@ TEST(World, SleepersStillTouch) {
               ElementsAre(Pair{tower.floor, tower.lower}, Pair{tower.lower, tower.upper}));
 }
 
+TEST(World, ASoftTouchDoesNotWakeTheSleeper) {
+  Tower tower;
+  tower.world.add_moving(kBall, at(0, 2.5F, 0), {});
+  tower.broad_phase.moved.clear();
+  advance(tower.world, 6);
+  EXPECT_EQ(tower.world.awake(), 1U);
+  EXPECT_THAT(tower.world.contacts(), SizeIs(3));
+  EXPECT_THAT(tower.broad_phase.moved, testing::Each(ObjectId{3}));
+}
+
 TEST(World, AHitWakesTheSleeper) {
   Tower tower;
   const ObjectId ball = tower.world.add_moving(kBall, at(-3, 0.5F, 0), {{{8, 0, 0}}, {}});
@@ -222,6 +232,19 @@ TEST(World, ASleeperWakesWhenItsSupportIsTakenAway) {
   tower.world.place(tower.lower, {{8, 0.5F, 0}}, {});
   advance(tower.world, 40);
   EXPECT_NEAR(tower.world.bodies()[tower.upper.index()].pose.position[1], 0.5F, 0.05F);
+}
+
+TEST(World, ABoxThatDidNotChangeIsNotMoved) {
+  Seam seam;
+  WorldSettings weightless;
+  weightless.gravity = 0;
+  weightless.sleep.allowed = false;
+  World world(seam, 1, weightless);
+  world.add_moving(kCube, at(0, 0, 0), {});
+  world.add_moving(kCube, at(5, 0, 0), {{{1, 0, 0}}, {}});
+  advance(world, 5);
+  EXPECT_EQ(world.awake(), 2U);
+  EXPECT_THAT(seam.moved, ElementsAre(ObjectId{1}, ObjectId{1}, ObjectId{1}, ObjectId{1}));
 }
 
 TEST(World, WithoutSleepEverythingStaysAwake) {

@@ -132,6 +132,18 @@ TEST_P(Scenes, NoContactIsOutsideTheTreesPairs) {
   EXPECT_EQ(positions(*scene), positions(*reference));
 }
 
+TEST_P(Scenes, AnotherSeedDropsOtherObjectsElsewhere) {
+  const auto first_drop = [](std::uint64_t seed) {
+    BruteForce<3> broad_phase;
+    const auto scene = make(broad_phase, {.objects = 1, .steps = 1, .seed = seed});
+    scene->advance();
+    return scene->bodies().back();
+  };
+  EXPECT_EQ(first_drop(1).pose.position, first_drop(1).pose.position);
+  EXPECT_NE(first_drop(1).pose.position, first_drop(2).pose.position);
+  EXPECT_NE(first_drop(1).box.extent(), first_drop(2).box.extent());
+}
+
 TEST_P(Scenes, SameSeedSameRunOtherSeedOtherRun) {
   const auto run = [](std::uint64_t seed) {
     BruteForce<3> broad_phase;
