@@ -13,10 +13,7 @@ namespace kerf {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  std::string text = "cannot write " + path.string() + ": " + std::strerror(error);
-  if (error == ENOSPC || error == EFBIG || error == EDQUOT)
-    text += "; free some space or choose another folder";
-  throw std::runtime_error(text);
+  throw std::system_error(error, std::generic_category(), "cannot write " + path.string());
 }
 
 bool write_all(int file, std::span<const std::uint8_t> bytes) {

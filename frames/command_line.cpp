@@ -1,10 +1,12 @@
 #include "frames/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "frames/errors.h"
@@ -18,6 +20,13 @@ namespace {
 int report(const std::string& message, int exit_code) {
   std::fprintf(stderr, "kerf: %s\n", message.c_str());
   return exit_code;
+}
+
+/// A full disk is reported by several rooms, each with the system's words; what to do is known here.
+std::string with_advice(std::string message) {
+  const bool full = message.find(std::generic_category().message(ENOSPC)) != std::string::npos;
+  if (full) message += "; free some space or choose another folder with --out";
+  return message;
 }
 
 const CLI::App& chosen_command(const CLI::App& program) {
@@ -72,7 +81,7 @@ int run(const CLI::App& program, const ScenesCommand& scenes, const RenderComman
   } catch (const std::bad_alloc&) {
     return report("not enough memory; ask for smaller pictures or fewer objects", kExitFailure);
   } catch (const std::exception& error) {
-    return report(error.what(), kExitFailure);
+    return report(with_advice(error.what()), kExitFailure);
   }
 }
 

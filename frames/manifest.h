@@ -51,7 +51,7 @@ struct Manifest {
 /// The manifest as JSON text; hashes are 16 hexadecimal digits.
 std::string to_json(const Manifest& manifest);
 
-/// Writes `folder`/frames.json atomically. Throws std::runtime_error with path and reason.
+/// Writes `folder`/frames.json atomically. Throws std::system_error with path and reason.
 void save(const Manifest& manifest, const std::filesystem::path& folder);
 
 /// "buckets_000042.png"

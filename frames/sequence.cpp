@@ -4,6 +4,7 @@
 #include <exception>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "frames/atomic_file.h"
 #include "frames/contact_strip.h"
@@ -71,11 +72,12 @@ class Sequence {
     try {
       make_frames(interrupt);
       manifest_.complete = manifest_.frames.size() == request_.steps.frames();
+      save(manifest_, folder_.path());
     } catch (...) {
+      manifest_.complete = false;
       save_what_is_there();
       throw;
     }
-    save(manifest_, folder_.path());
     if (!manifest_.complete) throw Interrupted(interruption());
     if (video_) video_->finish();
     if (!request_.contact_sheet.empty()) strip_.save(request_.contact_sheet);
@@ -109,13 +111,28 @@ class Sequence {
     if (!request_.contact_sheet.empty()) strip_.offer(index, job.image);
   }
 
-  /// After a failure: the manifest is of use, but what went wrong first is what the user must hear.
+  /// After a failure: what went wrong first is what the user must hear, so errors here stay silent. On a full
+  /// disk the last frames make room for the manifest.
   void save_what_is_there() noexcept {
     try {
-      save(manifest_, folder_.path());
+      while (!save_or_drop_last_frame()) {
+      }
     } catch (const std::exception&) {
       return;
     }
+  }
+
+  /// True if the manifest is saved; false if the disk was full and a frame was given up.
+  bool save_or_drop_last_frame() {
+    try {
+      save(manifest_, folder_.path());
+      return true;
+    } catch (const std::system_error& error) {
+      if (error.code() != std::errc::no_space_on_device || manifest_.frames.empty()) throw;
+    }
+    std::filesystem::remove(folder_.path() / manifest_.frames.back().file);
+    manifest_.frames.pop_back();
+    return false;
   }
 
   [[nodiscard]] std::string interruption() const {

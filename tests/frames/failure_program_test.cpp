@@ -92,7 +92,7 @@ TEST(FailureProgram, FolderThatCannotBeMade) {
 
 TEST(FailureProgram, FileThatMayNotGrowIsAnError) {
   const TemporaryFolder folder;
-  const Outcome outcome = run_kerf(long_render(folder.path()), {.largest_file = 500});
+  const Outcome outcome = run_kerf(long_render(folder.path()), {500, ""});
   EXPECT_EQ(outcome.exit, kExitFailure);
   EXPECT_THAT(outcome.err, HasSubstr("pile_000000.png"));
   EXPECT_THAT(outcome.err, HasSubstr("too large"));

@@ -53,7 +53,7 @@ TEST(Manifest, SaysWhatAFrameShows) {
 TEST(Manifest, TextThatIsNotUtf8DoesNotLoseIt) {
   Manifest manifest = example();
   manifest.camera = "\xff\xfe";
-  EXPECT_NO_THROW((void)json::parse(to_json(manifest)));
+  EXPECT_TRUE(json::accept(to_json(manifest)));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST_P(UsageMistake, IsExplained) {
   const TemporaryFolder folder;
   std::vector<std::string> arguments = GetParam().arguments;
   if (arguments.front() == "render") {
-    arguments.insert(arguments.end(), {"--out", (folder.path() / "out").string()});
+    arguments.insert(arguments.begin() + 1, {"--out", (folder.path() / "out").string()});
   }
   const Outcome outcome = run_kerf(arguments);
   EXPECT_EQ(outcome.exit, kExitUsage) << outcome.err;

@@ -36,7 +36,7 @@ Surroundings false_ffmpeg(const TemporaryFolder& folder, const std::string& scri
   const std::string file = folder.path() / "ffmpeg";
   std::ofstream(file) << "#!/bin/sh\n" << script << "\n";
   ::chmod(file.c_str(), 0755);
-  return {.path = folder.path().string() + ":/usr/bin:/bin"};
+  return {0, folder.path().string() + ":/usr/bin:/bin"};
 }
 
 TEST(VideoProgram, FilmHasEveryFrame) {
@@ -53,7 +53,7 @@ TEST(VideoProgram, FilmHasEveryFrame) {
 
 TEST(VideoProgram, WithoutFfmpegNothingIsStarted) {
   const TemporaryFolder folder;
-  const Outcome outcome = run_kerf(film(folder, "pile.mp4"), {.path = "/nowhere"});
+  const Outcome outcome = run_kerf(film(folder, "pile.mp4"), {0, "/nowhere"});
   EXPECT_EQ(outcome.exit, kExitFailure);
   EXPECT_THAT(outcome.err, HasSubstr("ffmpeg"));
   EXPECT_THAT(outcome.err, HasSubstr("install"));
