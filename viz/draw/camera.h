@@ -17,7 +17,7 @@ struct CameraChoice;
 template <>
 struct CameraChoice<3> {
   double yaw = 30;
-  double pitch = 25;
+  double pitch = 38;
   double fov = 35;
   std::optional<double> distance;  ///< from the target, in scene units
   std::optional<Eigen::Vector3d> target;
@@ -30,7 +30,7 @@ struct CameraChoice<2> {
   std::optional<double> width;  ///< scene units across the picture
 };
 
-/// Reads "yaw=30,pitch=25,fov=35,distance=40,target=0:0:0" (3D) or "center=0:5,width=40" (2D), any part of it
+/// Reads "yaw=30,pitch=38,fov=35,distance=40,target=0:0:0" (3D) or "center=0:5,width=40" (2D), any part of it
 /// or nothing. Throws std::invalid_argument that says what was wrong and what can be given.
 template <int D>
 CameraChoice<D> parse_camera(std::string_view text);

@@ -26,20 +26,26 @@ std::string percent(double fraction) {
 
 int gap(const Font& font) { return 2 * font.advance(); }
 
-int width(const Font& font, const CaptionItem& item) { return font.width(item.word + " " + item.value); }
+int width(const Font& font, const CaptionItem& item) {
+  return font.width(item.word) + (item.value.empty() ? 0 : font.width(" " + item.value));
+}
 
 }  // namespace
 
 std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree) {
-  std::vector<CaptionItem> items{
-      {caption.broad_phase, caption.scene},    {"step", number(caption.step, 5)},
-      {"objects", number(caption.objects, 5)}, {"moving", number(caption.moving, 5)},
-      {"pairs", number(caption.pairs, 5)},     {"contacts", number(caption.contacts, 5)}};
+  std::vector<CaptionItem> items{{"scene", caption.scene},
+                                 {"broad phase", caption.broad_phase},
+                                 {"step", number(caption.step, 5)},
+                                 {"objects", number(caption.objects, 5)},
+                                 {"moving", number(caption.moving, 5)},
+                                 {"pairs", number(caption.pairs, 5)},
+                                 {"contacts", number(caption.contacts, 5)}};
   if (!has_tree) return items;
   const Statistics& tree = caption.statistics;
-  items.push_back({"height", number(tree.height, 2)});
+  items.push_back({"height", number(tree.height, 2), true});
   items.push_back({"leaves", number(tree.leaves, 4)});
   items.push_back({"redundancy", percent(tree.redundancy)});
+  items.push_back({"operators:", ""});
   for (int i = 0; i < kOperatorCount; ++i) {
     const auto op = static_cast<Operator>(i);
     items.push_back({std::string(to_string(op)), number(tree.count(op), 4)});
@@ -49,9 +55,9 @@ std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree) {
 
 std::vector<flow::Spot> flow::arrange_caption(const Font& font, int picture_width,
                                               std::span<const CaptionItem> items) {
-  std::vector<int> widths;
-  for (const CaptionItem& item : items) widths.push_back(width(font, item));
-  return arrange(widths, gap(font), padding(font), picture_width - padding(font));
+  std::vector<Piece> pieces;
+  for (const CaptionItem& item : items) pieces.push_back({width(font, item), item.begins_line});
+  return arrange(pieces, gap(font), padding(font), picture_width - padding(font));
 }
 
 void draw_caption(const View& view, const Font& font, const Layout& layout,

@@ -16,8 +16,13 @@ struct Spot {
 /// Space between a band's border and its letters.
 int padding(const Font& font);
 
-/// Begins a new line before each item that would cross `right`.
-std::vector<Spot> arrange(std::span<const int> widths, int gap, int left, int right);
+struct Piece {
+  int width = 0;
+  bool begins_line = false;
+};
+
+/// Begins a new line where a piece says so and before each piece that would cross `right`.
+std::vector<Spot> arrange(std::span<const Piece> pieces, int gap, int left, int right);
 int lines(std::span<const Spot> spots);
 
 std::vector<Spot> arrange_caption(const Font& font, int picture_width, std::span<const CaptionItem> items);

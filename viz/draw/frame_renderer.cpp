@@ -75,8 +75,10 @@ struct FrameRenderer<D>::State {
     if (input.tree != nullptr && has(Layer::leaves))
       find_placements(*input.tree, input.bodies.size(), placements);
     highlights.update(input, skeleton, skeleton_before, view_box.box());
-    // Powers of two: the ramp changes rarely.
-    largest_population = std::max(largest_population, std::bit_ceil(std::max(16U, skeleton.largest_leaf())));
+    // Powers of two, and a gap between growing and shrinking: the ramp changes rarely.
+    const std::uint32_t wanted = std::bit_ceil(std::max(16U, skeleton.largest_leaf()));
+    if (wanted > largest_population || 4 * skeleton.largest_leaf() < largest_population)
+      largest_population = wanted;
     for (Batch& batch : batches) batch.clear();
     overlay.clear();
   }

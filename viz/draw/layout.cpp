@@ -24,13 +24,13 @@ namespace flow {
 
 int padding(const Font& font) { return std::max(3, font.line_height() / 4); }
 
-std::vector<Spot> arrange(std::span<const int> widths, int gap, int left, int right) {
+std::vector<Spot> arrange(std::span<const Piece> pieces, int gap, int left, int right) {
   std::vector<Spot> spots;
   Spot next{left, 0};
-  for (const int width : widths) {
-    if (next.x > left && next.x + width > right) next = {left, next.line + 1};
+  for (const Piece& piece : pieces) {
+    if (next.x > left && (piece.begins_line || next.x + piece.width > right)) next = {left, next.line + 1};
     spots.push_back(next);
-    next.x += width + gap;
+    next.x += piece.width + gap;
   }
   return spots;
 }

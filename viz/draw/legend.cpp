@@ -9,10 +9,12 @@ namespace kerf {
 namespace {
 
 int swatch_width(const Font& font, Swatch swatch) {
-  return swatch == Swatch::population ? 8 * font.advance() : 3 * font.advance();
+  const bool is_line =
+      swatch == Swatch::partitioner || swatch == Swatch::candidate || swatch == Swatch::contact;
+  return (swatch == Swatch::population ? 6 : is_line ? 3 : 2) * font.advance();
 }
 
-int gap(const Font& font) { return 3 * font.advance(); }
+int gap(const Font& font) { return 2 * font.advance(); }
 
 /// Draws swatches into the box of one line of text.
 class SwatchPainter {
@@ -90,11 +92,10 @@ std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tr
   if (layers.has(Layer::objects)) {
     if (dimension == 2 || !tinted) items.push_back({Swatch::moving, "moving"});
     items.push_back({Swatch::fixed, "fixed"});
-    if (tinted) items.push_back({Swatch::straddler, "moving, in 2+ leaves"});
+    if (tinted) items.push_back({Swatch::straddler, "in 2+ leaves"});
   }
   if (tinted && (dimension == 2 || layers.has(Layer::objects))) {
-    const std::string what =
-        dimension == 2 ? "objects in leaf, 0 to " : "moving, by objects in its leaf: 0 to ";
+    const std::string what = dimension == 2 ? "leaf of 0-" : "moving, leaf of 0-";
     items.push_back({Swatch::population, what + std::to_string(largest_population)});
   }
   if (layers.has(Layer::partitioners) && has_tree) items.push_back({Swatch::partitioner, "partitioner"});
@@ -103,16 +104,16 @@ std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tr
     items.push_back({Swatch::candidate, apart ? "pair, no contact" : "pair"});
   }
   if (layers.has(Layer::contacts)) items.push_back({Swatch::contact, "contact"});
-  if (layers.has(Layer::operators) && has_tree) items.push_back({Swatch::highlight, "operator acted"});
+  if (layers.has(Layer::operators) && has_tree) items.push_back({Swatch::highlight, "operator"});
   return items;
 }
 
 std::vector<flow::Spot> flow::arrange_legend(const Font& font, int picture_width,
                                              std::span<const LegendItem> items) {
-  std::vector<int> widths;
+  std::vector<Piece> pieces;
   for (const LegendItem& item : items)
-    widths.push_back(swatch_width(font, item.swatch) + font.advance() + font.width(item.text));
-  return arrange(widths, gap(font), padding(font), picture_width - padding(font));
+    pieces.push_back({swatch_width(font, item.swatch) + font.advance() + font.width(item.text)});
+  return arrange(pieces, gap(font), padding(font), picture_width - padding(font));
 }
 
 void draw_legend(const View& view, const Font& font, const Layout& layout,

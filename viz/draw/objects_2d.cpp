@@ -35,21 +35,23 @@ Polygon outline(const Body<2>& body, double pixels_per_unit) {
   return polygon;
 }
 
-/// The polygon shrunk towards its middle so that about `margin` is left at its border.
-Polygon shrunk(const Polygon& polygon, double margin) {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : polygon) middle += p / static_cast<double>(polygon.size());
-  double inner = 1e300;  // least distance of an edge from the middle
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector3d& p = polygon[i];
-    const Eigen::Vector3d edge = polygon[(i + 1) % polygon.size()] - p;
-    const Eigen::Vector3d arm = middle - p;
-    const double length = edge.norm();
-    if (length > 0) inner = std::min(inner, std::abs(edge.x() * arm.y() - edge.y() * arm.x()) / length);
-  }
-  const double factor = inner > 0 ? std::max(0.0, 1 - margin / inner) : 0;
+/// Unit normal of the edge from p to q, to its left: inwards in a counter-clockwise polygon.
+Eigen::Vector3d inward(const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+  const Eigen::Vector3d edge = q - p;
+  const double length = edge.norm();
+  return length > 0 ? Eigen::Vector3d(-edge.y() / length, edge.x() / length, 0) : Eigen::Vector3d::Zero();
+}
+
+/// The convex polygon with each edge moved inwards by `margin`.
+Polygon inset(const Polygon& polygon, double margin) {
+  const std::size_t count = polygon.size();
   Polygon result;
-  for (const Eigen::Vector3d& p : polygon) result.push_back(middle + (p - middle) * factor);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d before = inward(polygon[(i + count - 1) % count], polygon[i]);
+    const Eigen::Vector3d after = inward(polygon[i], polygon[(i + 1) % count]);
+    const double divisor = std::max(0.2, 1 + before.dot(after));  // a sharp corner must not fly off
+    result.push_back(polygon[i] + (before + after) * (margin / divisor));
+  }
   return result;
 }
 
@@ -62,10 +64,10 @@ void draw_body(const DrawContext<2>& context, std::size_t object, Batch& batch) 
   if (polygon.size() < 3) return;
   const Color color = object_color(context, object);
   const Vector<2> extent = body.box.extent();
-  const bool is_large = std::max(extent[0], extent[1]) * pixels > 6 * rim;
+  const bool is_large = std::min(extent[0], extent[1]) * pixels > 6 * rim;
   add_polygon(batch, context.view, polygon, is_large ? lit(color, 0.45) : color);
   if (!is_large) return;
-  add_polygon(batch, context.view, shrunk(polygon, rim / pixels), color);
+  add_polygon(batch, context.view, inset(polygon, rim / pixels), color);
   const auto* ball = std::get_if<Ball>(&body.shape);
   if (ball == nullptr) return;
   const Eigen::Vector3d origin = to_point(body.pose.position);

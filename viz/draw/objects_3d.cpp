@@ -55,6 +55,7 @@ struct Pane {
 struct Targets {
   const DrawContext<3>& context;
   Batch& solid;
+  Batch& glass;
   std::vector<Pane>& panes;
 };
 
@@ -119,10 +120,15 @@ void draw_surface(const Targets& to, const Frame& frame, const Surface& surface,
     const Eigen::Vector3d a = to_point(surface.vertices[triangle[0]]);
     const Eigen::Vector3d b = to_point(surface.vertices[triangle[1]]);
     const Eigen::Vector3d c = to_point(surface.vertices[triangle[2]]);
-    Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
-    if (normal.dot(frame.eye - a) < 0) normal = -normal;  // a surface has two sides
+    const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
     const std::array<Eigen::Vector4d, 3> clip{to_clip(frame, a), to_clip(frame, b), to_clip(frame, c)};
-    to.solid.add_fan(clip, lit_face(frame, normal, color));
+    // From behind, ground is glass: the rim of a valley must not hide what lies in it.
+    const bool is_front = normal.dot(frame.eye - a) > 0;
+    if (is_front) {
+      to.solid.add_fan(clip, lit_face(frame, normal, color));
+    } else {
+      to.glass.add_fan(clip, with_alpha(color, kGlassAlpha));
+    }
   }
 }
 
@@ -143,7 +149,7 @@ void draw_body(const Targets& to, std::size_t object) {
 
 void draw_objects(const DrawContext<3>& context, Batch& solid, Batch& glass) {
   std::vector<Pane> panes;
-  const Targets to{context, solid, panes};
+  const Targets to{context, solid, glass, panes};
   for (std::size_t object = 0; object < context.input.bodies.size(); ++object)
     if (is_drawable(context.input.bodies[object])) draw_body(to, object);
   std::ranges::stable_sort(panes, std::ranges::greater{}, &Pane::distance);

@@ -33,6 +33,7 @@ struct Layout {
 struct CaptionItem {
   std::string word;
   std::string value;
+  bool begins_line = false;
 };
 
 /// One swatch of the legend.

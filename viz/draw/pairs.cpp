@@ -66,12 +66,17 @@ void draw_pair(const DrawContext<D>& context, const Pair& pair, bool is_contact,
     const double lift = 0.9 * std::min(largest_extent(a.box), largest_extent(b.box));
     line = {towards_eye(context.view, line.a, lift), towards_eye(context.view, line.b, lift)};
   }
+  const Eigen::Vector3d middle = 0.5 * (line.a + line.b);
+  const double pixels =
+      std::min(largest_extent(a.box), largest_extent(b.box)) * context.view.pixels_per_unit(middle);
   const double scale = context.line_scale;
   if (is_contact) {
-    add_line(batch, context.view, line.a, line.b, {palette::kContact, 2.0 * scale});
-    add_diamond(batch, context.view, 0.5 * (line.a + line.b), 4 * scale, palette::kContact);
+    add_line(batch, context.view, line.a, line.b,
+             {palette::kContact, scale * std::clamp(pixels / 20, 0.9, 2.0)});
+    add_diamond(batch, context.view, middle, scale * std::clamp(pixels / 9, 1.6, 4.0), palette::kContact);
   } else {
-    add_line(batch, context.view, line.a, line.b, {palette::kCandidate, 1.3 * scale, 4 * scale, 3 * scale});
+    const double width = scale * std::clamp(pixels / 20, 0.9, 1.4);
+    add_line(batch, context.view, line.a, line.b, {palette::kCandidate, width, 4 * scale, 3 * scale});
   }
 }
 

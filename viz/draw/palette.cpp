@@ -6,17 +6,15 @@
 namespace kerf::palette {
 namespace {
 
-// viridis at 0, 0.1 ... 0.8 (van der Walt and Smith, matplotlib, CC0); its yellow end is lost on a light
-// ground.
-constexpr std::array<Color, 9> kViridis{{{68, 1, 84},
-                                         {72, 36, 117},
-                                         {65, 68, 135},
-                                         {53, 95, 141},
+// viridis at 0.3, 0.4 ... 0.9 (van der Walt and Smith, matplotlib, CC0): its dark end hides black lines, its
+// yellow end is lost on a light ground.
+constexpr std::array<Color, 7> kViridis{{{53, 95, 141},
                                          {42, 120, 142},
                                          {33, 145, 140},
                                          {34, 168, 132},
                                          {68, 191, 112},
-                                         {122, 209, 81}}};
+                                         {122, 209, 81},
+                                         {189, 223, 38}}};
 
 }  // namespace
 

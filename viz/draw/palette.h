@@ -4,7 +4,7 @@
 
 #include "viz/draw/color.h"
 
-/// The colours of a frame. Categories are from Okabe and Ito's set, populations from a dark part of viridis:
+/// The colours of a frame. Categories are from Okabe and Ito's set, populations from the middle of viridis:
 /// both can be told apart with any kind of colour vision, on the light ground and in greyscale where it
 /// matters.
 namespace kerf::palette {
@@ -16,13 +16,13 @@ inline constexpr Color kPanel{238, 238, 233};
 
 inline constexpr Color kMoving{86, 180, 233};      // sky blue
 inline constexpr Color kFixed{168, 166, 160};      // warm grey, no hue
-inline constexpr Color kStraddler{230, 159, 0};    // orange
+inline constexpr Color kStraddler{255, 255, 255};  // white: lighter than any population
 inline constexpr Color kPartitioner{0, 114, 178};  // blue
 inline constexpr Color kCandidate{213, 94, 0};     // vermillion, dashed
 inline constexpr Color kContact{20, 20, 20};       // black, solid, with a marker
 inline constexpr Color kOperator{204, 0, 120};     // a strong relative of reddish purple
 
-/// Colour of a leaf's population, 0 to `largest`: dark violet to light green.
+/// Colour of a leaf's population, 0 to `largest`: blue to light green.
 Color population_color(std::uint32_t population, std::uint32_t largest);
 
 }  // namespace kerf::palette

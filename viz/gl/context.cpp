@@ -1,7 +1,6 @@
-// First of all: osmesa.h includes the old gl.h, after which glcorearb.h leaves out half of its types.
 #include "viz/gl/context.h"
 
-#include <GL/osmesa.h>
+#include <GL/osmesa.h>  // after glcorearb.h, which would leave out half of its types
 #include <malloc.h>
 
 #include <array>
