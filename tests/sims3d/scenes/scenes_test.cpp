@@ -167,6 +167,18 @@ TEST_P(Scenes, GrowsToTheNumberAskedAndNothingLeaves) {
   EXPECT_EQ(static_cast<const DropScene&>(*scene).put_back(), 0U);
 }
 
+TEST_P(Scenes, CarriesThePapersNumberOfObjects) {
+  Bsp<3> tree;
+  const auto scene = make(tree, {.objects = 4250, .steps = 150, .seed = 1});
+  for (int i = 0; i < 4; ++i) {
+    advance(*scene, 50);
+    ASSERT_EQ(sorted(scene->pairs()), oracle_pairs(*scene)) << "step " << scene->step();
+  }
+  EXPECT_EQ(moving(*scene), 4250U);
+  EXPECT_EQ(static_cast<const DropScene&>(*scene).put_back(), 0U);
+  EXPECT_GT(scene->contacts().size(), 4250U);
+}
+
 TEST_P(Scenes, ComesToRest) {
   Bsp<3> tree;
   const auto scene = make(tree, kSmall);
