@@ -37,7 +37,7 @@ class Video {
   /// Closes the pipe and waits; true if ffmpeg was content.
   bool end();
   [[noreturn]] void fail();
-  std::string last_words() const;
+  [[nodiscard]] std::string last_words() const;
 
   std::filesystem::path path_;
   std::filesystem::path part_;

@@ -242,7 +242,7 @@ void World::integrate() {
   }
 }
 
-void World::check_and_limit(ObjectId object, dBodyID body) {
+void World::check_and_limit(ObjectId object, dBodyID body) const {
   const dReal* velocity = dBodyGetLinearVel(body);
   if (!is_finite(dBodyGetPosition(body), 3) || !is_finite(dBodyGetQuaternion(body), 4) ||
       !is_finite(velocity, 3))

@@ -86,7 +86,7 @@ class World {
   void join();
   void join(const Touch& touch);
   void integrate();
-  void check_and_limit(ObjectId object, dBodyID body);
+  void check_and_limit(ObjectId object, dBodyID body) const;
   [[nodiscard]] bool is_asleep(ObjectId object) const;
   [[nodiscard]] bool is_awake(ObjectId object) const;
 

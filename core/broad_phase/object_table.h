@@ -65,7 +65,7 @@ class ObjectTable {
   Status admit(ObjectId object, Mobility mobility);
   void make_room(ObjectId object);
   Status accept(ObjectId object, const Box<D>& box);
-  Status accept(ObjectId object, const Volume<D>& volume);
+  Status accept(ObjectId object, const Volume<D>& given);
 
   VolumeKind kind_;
   std::vector<Box<D>> boxes_;

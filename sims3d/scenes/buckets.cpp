@@ -96,7 +96,7 @@ Drop make_drop(const SceneOptions& options, std::uint32_t side) {
   return drop;
 }
 
-template <bool kSleep>
+template <bool MaySleep>
 std::unique_ptr<Scene<3>> make_buckets(BroadPhase<3>& broad_phase, const SceneOptions& options) {
   const SceneOptions resolved = resolve(options, kDefaultObjects, kDefaultSteps);
   const std::uint32_t side = side_for(resolved.objects);
@@ -105,7 +105,7 @@ std::unique_ptr<Scene<3>> make_buckets(BroadPhase<3>& broad_phase, const SceneOp
     add_fence(world, side);
   };
   Drop drop = make_drop(resolved, side);
-  drop.physics.sleep.allowed = kSleep;
+  drop.physics.sleep.allowed = MaySleep;
   return std::make_unique<DropScene>(broad_phase, kNeeds, resolved.seed, std::move(drop), build);
 }
 
