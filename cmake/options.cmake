@@ -9,6 +9,10 @@ target_compile_options(kerf_options INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(kerf_options INTERFACE -Wno-restrict)
 endif()
+# Comparisons of boxes are joined by & on purpose: no branch for the processor to mispredict.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  target_compile_options(kerf_options INTERFACE -Wno-bitwise-instead-of-logical)
+endif()
 if(KERF_SANITIZE)
   target_compile_options(kerf_options INTERFACE -fsanitize=${KERF_SANITIZE} -fno-sanitize-recover=all
     -fno-omit-frame-pointer)

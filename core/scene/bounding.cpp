@@ -40,7 +40,7 @@ class PosedShape {
  public:
   PosedShape(const Shape<D>& shape, const PrecisePose<D>& pose, double margin)
       : pose_(pose), margin_(margin) {
-    std::visit([this](const auto& s) { take(s); }, shape);
+    std::visit([this](const auto& s) { this->take(s); }, shape);
   }
 
   [[nodiscard]] Extent extent(const Point<D>& direction) const {

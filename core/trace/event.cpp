@@ -7,11 +7,13 @@ template <class... Visitors>
 struct Overloaded : Visitors... {
   using Visitors::operator()...;
 };
+template <class... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
 std::string name(NodeRef ref) { return "n" + std::to_string(ref.node.value); }
 
 std::string text(const Quality& q) {
-  const std::string all = std::to_string(q.population);
+  std::string all = std::to_string(q.population);
   if (q.left == 0 && q.right == 0) return all;
   return all + " (" + std::to_string(q.left) + " | " + std::to_string(q.right) + ")";
 }
