@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kThumbs = 20;
 constexpr int kColumns = 4;
-constexpr int kThumbWidth = 480;
+constexpr int kThumbWidth = 640;
 
 }  // namespace
 
