@@ -124,6 +124,13 @@ void order_by_loneliness(std::vector<Point<D>>& points) {
   }
 }
 
+template <int D>
+bool can_divide(const Vector<D>& direction) {
+  bool within = true;  // false for NaN
+  for (const Scalar x : direction.value) within &= x >= -1 && x <= 1;
+  return within && direction != Vector<D>{};
+}
+
 /// The float direction, turned into the hemisphere where the last component that is not 0 is positive.
 template <int D>
 Vector<D> to_hemisphere(const Point<D>& p) {
@@ -149,6 +156,17 @@ DirectionSet<D>::DirectionSet(std::uint32_t size, std::uint64_t seed) {
     repel<D>(points, spacing * static_cast<double>(kRounds - round) / kRounds);
   order_by_loneliness<D>(points);
   for (const Point<D>& p : points) directions_.push_back(to_hemisphere<D>(p));
+}
+
+template <int D>
+DirectionSet<D>::DirectionSet(std::span<const Vector<D>> directions) {
+  for (int i = 0; i < D; ++i) directions_.push_back(axis_vector<D>(i));
+  for (const Vector<D>& direction : directions) {
+    if (!can_divide(direction))
+      throw std::invalid_argument("direction set: direction " + std::to_string(directions_.size() - D) +
+                                  " is zero or has a component that is no number from -1 to 1");
+    directions_.push_back(direction);
+  }
 }
 
 template class DirectionSet<2>;

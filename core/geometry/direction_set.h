@@ -17,6 +17,9 @@ class DirectionSet {
  public:
   /// Throws std::invalid_argument if `size` is below D or above 4096.
   DirectionSet(std::uint32_t size, std::uint64_t seed);
+  /// The axes, then the given directions as they are: they need not have length one nor differ. Throws
+  /// std::invalid_argument for one that is zero, NaN or has a component beyond [-1, 1].
+  explicit DirectionSet(std::span<const Vector<D>> directions);
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(directions_.size()); }
   [[nodiscard]] const Vector<D>& operator[](std::uint32_t index) const { return directions_[index]; }
