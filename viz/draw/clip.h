@@ -27,12 +27,12 @@ template <int D>
 std::vector<HalfSpace> half_spaces(const Box<D>& box);
 
 /// Cuts a convex polygon (or a segment) down to its part in the half-space (Sutherland and Hodgman 1974).
-void clip(Polygon& polygon, const HalfSpace& half_space);
-void clip(Polygon& polygon, std::span<const HalfSpace> half_spaces);
+void clip(Polygon& polygon, const HalfSpace& side);
+void clip(Polygon& polygon, std::span<const HalfSpace> sides);
 
 /// The part of a plane within a box that the half-spaces leave: a polygon in 3D, a segment in 2D.
 template <int D>
-Polygon plane_within(const HalfSpace& plane, const Box<D>& box, std::span<const HalfSpace> half_spaces);
+Polygon plane_within(const HalfSpace& plane, const Box<D>& box, std::span<const HalfSpace> sides);
 
 /// A point at z = 0 in 2D.
 template <int D>
