@@ -21,7 +21,7 @@ Growth growth_of(std::string_view scene, const SceneOptions& options, std::uint3
   growth.objects = options.objects == 0 ? default_objects : options.objects;
   // Scenes are as wide as the square root of their objects, and so is the band from which objects fall.
   const auto dense =
-      static_cast<std::uint32_t>(std::ceil(12.5 * std::sqrt(static_cast<double>(growth.objects))));
+      static_cast<std::uint32_t>(std::ceil(20 * std::sqrt(static_cast<double>(growth.objects))));
   growth.steps = options.steps == 0 ? dense : options.steps;
   return growth;
 }
