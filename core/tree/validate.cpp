@@ -57,9 +57,11 @@ class Validator {
   void check_node(NodeId id, std::vector<NodeId>& todo) {
     const Node<D>& node = tree_[id];
     expect(node.left.is_none() == node.right.is_none(), id, "a node has one child");
-    expect(node.direction < tree_.directions().size(), id, "the direction is not in the set");
-    expect(node.depth <= kMaxHeight, id, "the node is deeper than masks can tell");
-    if (node.is_leaf() || node.right.is_none()) return;
+    const bool known = node.direction < tree_.directions().size();
+    const bool shallow = node.depth <= kMaxHeight;
+    expect(known, id, "the direction is not in the set");
+    expect(shallow, id, "the node is deeper than masks can tell");
+    if (node.is_leaf() || node.right.is_none() || !known || !shallow) return;
     expect(node.entries.empty(), id, "an inner node has entries");
     expect(std::isfinite(node.plane.offset), id, "the offset is not finite");
     expect(node.plane.normal == tree_.directions()[node.direction], id, "the normal is not its direction's");
