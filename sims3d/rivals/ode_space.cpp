@@ -37,7 +37,8 @@ void keep_pair(void* pairs, dGeomID a, dGeomID b) {
 
 }  // namespace
 
-OdeSpace::OdeSpace(OdeSpaceKind kind, const Box<3>& bounds) : kind_(kind) {
+OdeSpace::OdeSpace(OdeSpaceKind kind, const Box<3>& bounds, OdeIntake intake)
+    : kind_(kind), intake_(intake) {
   const auto lock = library_.enter();
   space_ = make_space(kind, bounds);
   if (space_ == nullptr) throw std::runtime_error("ODE cannot make its space");
@@ -55,16 +56,17 @@ std::string_view OdeSpace::name() const {
   return kNames[static_cast<std::size_t>(kind_)];
 }
 
-/// Brings the geom of an object into agreement with the table.
-void OdeSpace::place(ObjectId object) {
+/// Brings the geom of an object into agreement with the last box given for it.
+void OdeSpace::place(ObjectId object, const Box<3>& given) {
   const auto lock = library_.enter();
   if (geoms_.size() <= object.index()) geoms_.resize(object.index() + 1);
   OdeHandle<dxGeom>& geom = geoms_[object.index()];
-  if (!objects_.is_placed(object)) {
+  const bool raw = intake_ == OdeIntake::raw;
+  if (!raw && !objects_.is_placed(object)) {
     geom.reset();
     return;
   }
-  const Box<3>& box = objects_.box(object);
+  const Box<3>& box = raw ? given : objects_.box(object);
   std::array<dReal, 3> center;
   std::array<dReal, 3> size;
   for (int i = 0; i < 3; ++i) {
@@ -86,19 +88,22 @@ void OdeSpace::place(ObjectId object) {
 
 Status OdeSpace::insert(ObjectId object, const Box<3>& box, Mobility mobility) {
   const Status status = objects_.insert(object, box, mobility);
-  if (status == Status::ok || status == Status::clamped) place(object);
+  if (status != Status::duplicate_id && status != Status::unknown_id) place(object, box);
   return status;
 }
 
 Status OdeSpace::move(ObjectId object, const Box<3>& box) {
   const Status status = objects_.move(object, box);
-  if (status != Status::unknown_id) place(object);
+  if (status != Status::unknown_id) place(object, box);
   return status;
 }
 
 Status OdeSpace::remove(ObjectId object) {
   const Status status = objects_.remove(object);
-  if (status == Status::ok) place(object);
+  if (status == Status::ok) {
+    const auto lock = library_.enter();
+    if (object.index() < geoms_.size()) geoms_[object.index()].reset();
+  }
   return status;
 }
 

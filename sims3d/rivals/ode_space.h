@@ -12,6 +12,12 @@ namespace kerf {
 /// ODE's own broad phases, as the paper compares them (section 6.1), and its later sweep-and-prune.
 enum class OdeSpaceKind : std::uint8_t { hash, quadtree, sweep_and_prune };
 
+/// Which boxes the space is shown.
+enum class OdeIntake : std::uint8_t {
+  checked,  ///< as ObjectTable has them: what is quarantined is taken out, infinities are clamped
+  raw,      ///< as they come, so that a test shows what ODE makes of NaN and the like
+};
+
 /// One of ODE's spaces behind our interface: the rival. Each object is a box geom in the space.
 ///
 /// The space sees the boxes in doubles. It is told by category bits that two fixed objects are no pair.
@@ -19,7 +25,7 @@ class OdeSpace final : public BroadPhase<3> {
  public:
   /// `bounds` is where the quadtree lies; objects outside are kept in its root. The other kinds do not need
   /// it. Throws std::runtime_error if ODE cannot make the space.
-  OdeSpace(OdeSpaceKind kind, const Box<3>& bounds);
+  OdeSpace(OdeSpaceKind kind, const Box<3>& bounds, OdeIntake intake = OdeIntake::checked);
   ~OdeSpace() override;
 
   [[nodiscard]] std::string_view name() const override;
@@ -30,10 +36,11 @@ class OdeSpace final : public BroadPhase<3> {
   [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_; }
 
  private:
-  void place(ObjectId object);
+  void place(ObjectId object, const Box<3>& given);
 
   OdeLibrary library_;  // first: everything below ends before it does
   OdeSpaceKind kind_;
+  OdeIntake intake_;
   ObjectTable<3> objects_;
   dSpaceID space_;
   std::vector<OdeHandle<dxGeom>> geoms_;

@@ -1,0 +1,141 @@
+#include "tests/rivals/fcl.h"
+
+#include <fcl/broadphase/broadphase_SaP.h>
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
+#include <fcl/broadphase/broadphase_interval_tree.h>
+#include <fcl/broadphase/broadphase_spatialhash.h>
+
+#include <utility>
+
+#include "tests/rivals/rival_base.h"
+
+namespace kerf::test {
+namespace {
+
+using FclObject = fcl::CollisionObject<double>;
+using FclManager = fcl::BroadPhaseCollisionManager<double>;
+
+fcl::Vector3<double> to_fcl(const Vector<3>& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+
+/// A geometry that is nothing but its box, so that no centre and extent round it.
+class BareBox final : public fcl::CollisionGeometry<double> {
+ public:
+  explicit BareBox(const Box<3>& box) { set(box); }
+  void set(const Box<3>& box) {
+    aabb_local.min_ = to_fcl(box.min);
+    aabb_local.max_ = to_fcl(box.max);
+  }
+  void computeLocalAABB() override {}
+};
+
+struct FclBody {
+  explicit FclBody(ObjectId id, const Box<3>& box)
+      : geometry(std::make_shared<BareBox>(box)), object(geometry) {
+    object.setUserData(reinterpret_cast<void*>(std::uintptr_t{id.value}));
+  }
+  void set(const Box<3>& box) {
+    geometry->set(box);
+    object.computeAABB();
+  }
+  std::shared_ptr<BareBox> geometry;
+  FclObject object;
+  bool registered = false;
+};
+
+/// Boxes change in `find_pairs` only: a manager takes an object out by the box that it has then.
+class FclRival final : public RivalBase<3> {
+ public:
+  FclRival(std::string_view name, std::unique_ptr<FclManager> manager, const RivalHints<3>& hints,
+           Intake intake)
+      : RivalBase<3>(hints, intake), name_(name), manager_(std::move(manager)) {
+    bodies_.reserve(hints.capacity);
+  }
+  [[nodiscard]] std::string_view name() const override { return name_; }
+
+ private:
+  void add(ObjectId object, const Box<3>& box, bool /*fixed*/) override {
+    if (bodies_.size() <= object.index()) bodies_.resize(object.index() + 1);
+    bodies_[object.index()] = std::make_unique<FclBody>(object, box);
+    arriving_.push_back(object);
+  }
+  void change(ObjectId object, const Box<3>& /*box*/) override { changed_.push_back(object); }
+  void drop(ObjectId object) override {
+    FclBody& body = *bodies_[object.index()];
+    if (body.registered) manager_->unregisterObject(&body.object);
+    bodies_[object.index()].reset();
+  }
+  void find_pairs() override {
+    update();
+    enter();
+    manager_->setup();
+    manager_->collide(this, [](FclObject* a, FclObject* b, void* self) {
+      static_cast<FclRival*>(self)->tell_candidate(object_of(*a), object_of(*b));
+      return false;
+    });
+  }
+  /// A manager updates single objects, or all at once, which is cheaper when many have changed.
+  void update() {
+    constexpr std::size_t kManyOneIn = 8;
+    batch_.clear();
+    for (const ObjectId object : changed_) {
+      FclBody* body = bodies_[object.index()].get();
+      if (body == nullptr || !body->registered) continue;
+      body->set(shown(object));
+      batch_.push_back(&body->object);
+    }
+    changed_.clear();
+    if (batch_.size() > manager_->size() / kManyOneIn) {
+      manager_->update();
+    } else {
+      manager_->update(batch_);
+    }
+  }
+  void enter() {
+    batch_.clear();
+    for (const ObjectId object : arriving_) {
+      FclBody* body = bodies_[object.index()].get();
+      if (body == nullptr || std::exchange(body->registered, true)) continue;
+      body->set(shown(object));
+      batch_.push_back(&body->object);
+    }
+    arriving_.clear();
+    manager_->registerObjects(batch_);
+  }
+  static ObjectId object_of(const FclObject& object) {
+    return {static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(object.getUserData()))};
+  }
+
+  std::string_view name_;
+  std::vector<std::unique_ptr<FclBody>> bodies_;
+  std::unique_ptr<FclManager> manager_;
+  std::vector<ObjectId> arriving_;
+  std::vector<ObjectId> changed_;
+  std::vector<FclObject*> batch_;
+};
+
+}  // namespace
+
+std::unique_ptr<BroadPhase<3>> make_fcl_dynamic_tree(const RivalHints<3>& hints, Intake intake) {
+  return std::make_unique<FclRival>(
+      "fcl-dynamic-tree", std::make_unique<fcl::DynamicAABBTreeCollisionManager<double>>(), hints, intake);
+}
+
+std::unique_ptr<BroadPhase<3>> make_fcl_sweep_and_prune(const RivalHints<3>& hints, Intake intake) {
+  return std::make_unique<FclRival>("fcl-sap", std::make_unique<fcl::SaPCollisionManager<double>>(), hints,
+                                    intake);
+}
+
+std::unique_ptr<BroadPhase<3>> make_fcl_interval_tree(const RivalHints<3>& hints, Intake intake) {
+  return std::make_unique<FclRival>(
+      "fcl-interval-tree", std::make_unique<fcl::IntervalTreeCollisionManager<double>>(), hints, intake);
+}
+
+std::unique_ptr<BroadPhase<3>> make_fcl_spatial_hash(const RivalHints<3>& hints, Intake intake) {
+  auto manager = std::make_unique<fcl::SpatialHashingCollisionManager<double>>(
+      static_cast<double>(hints.box_size), to_fcl(hints.bounds.min), to_fcl(hints.bounds.max));
+  return std::make_unique<FclRival>("fcl-spatial-hash", std::move(manager), hints, intake);
+}
+
+}  // namespace kerf::test

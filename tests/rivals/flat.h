@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "tests/rivals/rival.h"
+
+namespace kerf::test {
+
+/// The box of a slab of unit thickness.
+inline Box<3> flat_box(const Box<2>& box) {
+  return {{{box.min[0], box.min[1], 0}}, {{box.max[0], box.max[1], 1}}};
+}
+
+/// A 3D broad phase that is shown 2D boxes as slabs of unit thickness: two slabs overlap iff the boxes do.
+class Flat final : public BroadPhase<2> {
+ public:
+  explicit Flat(std::unique_ptr<BroadPhase<3>> inner) : inner_(std::move(inner)) {}
+  [[nodiscard]] std::string_view name() const override { return inner_->name(); }
+  Status insert(ObjectId object, const Box<2>& box, Mobility mobility) override {
+    return inner_->insert(object, flat_box(box), mobility);
+  }
+  Status move(ObjectId object, const Box<2>& box) override { return inner_->move(object, flat_box(box)); }
+  Status remove(ObjectId object) override { return inner_->remove(object); }
+  void step() override { inner_->step(); }
+  [[nodiscard]] std::span<const Pair> pairs() const override { return inner_->pairs(); }
+
+ private:
+  std::unique_ptr<BroadPhase<3>> inner_;
+};
+
+/// The factory of a 3D rival as one for 2D boxes.
+template <auto Make>
+std::unique_ptr<BroadPhase<2>> make_flat(const RivalHints<2>& hints, Intake intake) {
+  return std::make_unique<Flat>(Make({flat_box(hints.bounds), hints.box_size, hints.capacity}, intake));
+}
+
+}  // namespace kerf::test

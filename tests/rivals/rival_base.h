@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/broad_phase/broad_phase.h"
+#include "core/broad_phase/object_table.h"
+#include "tests/rivals/rival.h"
+
+namespace kerf::test {
+
+/// What all rivals share: statuses, which objects the library holds now, and the list of pairs. A rival says
+/// how an object enters the library, changes and leaves it, and how pairs are found.
+template <int D>
+class RivalBase : public BroadPhase<D> {
+ public:
+  explicit RivalBase(const RivalHints<D>& hints, Intake intake);
+
+  Status insert(ObjectId object, const Box<D>& box, Mobility mobility) final;
+  Status move(ObjectId object, const Box<D>& box) final;
+  Status remove(ObjectId object) final;
+  void step() final;
+  [[nodiscard]] std::span<const Pair> pairs() const final { return pairs_; }
+
+ protected:
+  virtual void add(ObjectId object, const Box<D>& box, bool fixed) = 0;
+  virtual void change(ObjectId object, const Box<D>& box) = 0;
+  virtual void drop(ObjectId object) = 0;
+  /// Calls `tell` or `tell_candidate` for each pair.
+  virtual void find_pairs() = 0;
+
+  /// The box that the library was shown last.
+  [[nodiscard]] const Box<D>& shown(ObjectId object) const { return shown_[object.index()]; }
+  [[nodiscard]] bool is_fixed(ObjectId object) const { return fixed_[object.index()] != 0; }
+
+  /// A pair for which the library vouches.
+  void tell(ObjectId a, ObjectId b) {
+    if ((fixed_[a.index()] & fixed_[b.index()]) == 0) pairs_.push_back(make_pair(a, b));
+  }
+  /// A pair that the caller of the library is expected to test.
+  void tell_candidate(ObjectId a, ObjectId b) {
+    if (overlaps(shown(a), shown(b))) tell(a, b);
+  }
+
+ private:
+  void show(ObjectId object, const Box<D>& given);
+
+  Intake intake_;
+  ObjectTable<D> table_;
+  std::vector<Box<D>> shown_;
+  std::vector<std::uint8_t> fixed_;
+  std::vector<std::uint8_t> held_;  ///< per object: the library knows it
+  std::vector<Pair> pairs_;
+};
+
+extern template class RivalBase<2>;
+extern template class RivalBase<3>;
+
+}  // namespace kerf::test
