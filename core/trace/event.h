@@ -85,7 +85,7 @@ struct Event {
   EventBody body;
 };
 
-/// One line for logs and captions, for example "e17 step 20 split n5: 65 -> 33 | 34 (straddle 2)".
+/// One line for logs and captions, for example "e17 step 20 split n5: 65 -> 65 (33 | 34)".
 std::string describe(const Event& event);
 
 }  // namespace kerf
