@@ -19,7 +19,7 @@ class SceneFilm final : public Film {
  public:
   SceneFilm(const SceneEntry<D>& entry, const RenderRequest& request)
       : name_(request.scene.name),
-        tree_(request.config),
+        tree_(request.config, request.volume),
         renderer_({request.size.width, request.size.height, request.layers, request.camera}),
         scene_(entry.make(tree_, request.options)) {}
 

@@ -63,6 +63,8 @@ std::string to_json(const Manifest& manifest) {
                {"size", {{"width", manifest.size.width}, {"height", manifest.size.height}}},
                {"layers", manifest.layers},
                {"camera", manifest.camera},
+               {"volume", manifest.volume},
+               {"recycle", manifest.recycle},
                {"config", config_json(manifest.config)},
                {"frames", Json::array()}};
   for (const FrameRecord& frame : manifest.frames) json["frames"].push_back(frame_json(frame));

@@ -44,7 +44,9 @@ struct Manifest {
   std::string layers;
   std::string camera;
   Config config;
-  bool complete = false;  ///< every frame of `steps` was made
+  std::string volume;
+  std::uint32_t recycle = 0;  ///< steps between two objects that fall anew; 0: none does
+  bool complete = false;      ///< every frame of `steps` was made
   std::vector<FrameRecord> frames;
 };
 

@@ -21,6 +21,7 @@ std::string footer() {
       "\n        A folder that holds a sequence is refused unless --overwrite is given, which removes that"
       "\n        sequence and nothing else. Ctrl-C keeps the finished frames and their manifest."
       "\nEXIT    0 done, 1 failed, 2 wrong usage, 130 interrupted"
+      "\n\nVOLUMES for --volume: box, sphere, oriented-box; in 3D 14-dop, 26-dop; in 2D 8-dop, 16-dop"
       "\n\nPARAMETERS of the tree for --config, with their defaults:\n";
   for (const ConfigField& field : config_fields()) {
     std::string line = "  " + std::string(field.name) + "=" + get(Config{}, field.name);
@@ -42,6 +43,10 @@ RenderCommand::RenderCommand(CLI::App& program)
   option("--size", texts_.size, "Width and height in pixels (default 1280x720)", "WxH");
   option("--objects", texts_.objects, "Moving objects at the end (default: the scene's own)", "N");
   option("--grow", texts_.grow, "Steps until all objects are there (default: the scene's own)", "STEPS");
+  option("--recycle", texts_.recycle,
+         "Then let the oldest fall anew, one every so many steps (default never)", "STEPS");
+  option("--volume", texts_.volume, "How objects are bounded, see below (default: what the scene needs)",
+         "KIND");
   option("--show", texts_.show, "What is drawn, see below (default all)", "LAYERS");
   option("--camera", texts_.camera, "From where, see below (default: all in view)", "TEXT");
   option("--config", texts_.config, "Parameters of the tree, see below (default: the paper's)", "K=V,...");

@@ -51,10 +51,10 @@ void check_parameter_names(std::string_view assignments) {
   }
 }
 
-Config parse_config(const std::string& text) {
+Config parse_config(const std::string& text, const Config& defaults) {
   check_parameter_names(text);
   return parse_option("--config", [&] {
-    Config config;
+    Config config = defaults;
     kerf::apply(config, text);
     return config;
   });
@@ -76,6 +76,22 @@ void check_picture_extension(const std::filesystem::path& path) {
   throw UsageError("--contact-sheet '" + path.string() + "': give the file the extension .png");
 }
 
+template <int D>
+VolumeKind parse_volume(const std::string& text) {
+  if (const auto kind = parse_volume_kind<D>(text)) return *kind;
+  std::vector<std::string> names;
+  for (const VolumeKind kind : volume_kinds<D>()) names.emplace_back(to_string(kind));
+  throw UsageError("--volume: " + unknown_name_message("volume", text, names));
+}
+
+VolumeKind parse_volume(const CatalogScene& scene, const std::string& text) {
+  return scene.dimension() == 2 ? parse_volume<2>(text) : parse_volume<3>(text);
+}
+
+Needs needs_of(const CatalogScene& scene) {
+  return std::visit([](const auto* entry) { return entry->needs; }, scene.entry);
+}
+
 }  // namespace
 
 RenderRequest parse_request(const RenderTexts& texts) {
@@ -87,6 +103,7 @@ RenderRequest parse_request(const RenderTexts& texts) {
     request.options.objects = number_in("--objects", texts.objects, 1U, kMaxRequestedObjects);
   }
   if (!texts.grow.empty()) request.options.steps = number_in("--grow", texts.grow, 1U, kMaxStep);
+  if (!texts.recycle.empty()) request.options.recycle = number_in("--recycle", texts.recycle, 1U, kMaxStep);
   if (!texts.seed.empty()) {
     request.options.seed = number_in<std::uint64_t>("--seed", texts.seed, 0, UINT64_MAX);
   }
@@ -95,7 +112,9 @@ RenderRequest parse_request(const RenderTexts& texts) {
     request.layers = parse_option("--show", [&] { return LayerSet::parse(texts.show); });
   check_camera(request.scene, texts.camera);
   request.camera = texts.camera;
-  request.config = parse_config(texts.config);
+  const Needs needs = needs_of(request.scene);
+  request.config = parse_config(texts.config, default_config(needs));
+  request.volume = texts.volume.empty() ? needs.volume : parse_volume(request.scene, texts.volume);
   request.out = texts.out.empty() ? std::filesystem::path("out") / request.scene.name
                                   : std::filesystem::path(texts.out);
   request.video = texts.video;

@@ -19,6 +19,8 @@ struct RenderTexts {
   std::string size;
   std::string objects;
   std::string grow;
+  std::string recycle;
+  std::string volume;
   std::string show;
   std::string camera;
   std::string config;
@@ -39,6 +41,7 @@ struct RenderRequest {
   LayerSet layers = LayerSet::all();
   std::string camera;
   Config config;
+  VolumeKind volume = VolumeKind::box;
   std::filesystem::path out;
   std::filesystem::path video;  ///< empty: none
   int fps = 25;

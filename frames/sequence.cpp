@@ -35,6 +35,8 @@ Manifest begin_manifest(const RenderRequest& request) {
   manifest.layers = to_string(request.layers);
   manifest.camera = request.camera;
   manifest.config = request.config;
+  manifest.volume = to_string(request.volume);
+  manifest.recycle = request.options.recycle;
   return manifest;
 }
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/bounding.h"
+
 namespace kerf::inline sims2d {
 namespace {
 
@@ -94,6 +96,14 @@ Box<2> padded_box(const b2Shape& shape, const b2Transform& transform) {
   const Vector<2> padding{{kBoxPadding, kBoxPadding}};
   return {Vector<2>{{bounds.lowerBound.x, bounds.lowerBound.y}} - padding,
           Vector<2>{{bounds.upperBound.x, bounds.upperBound.y}} + padding};
+}
+
+Volume<2> padded_volume(VolumeKind kind, const Shape<2>& shape, const b2Shape& engine_shape,
+                        const b2Transform& transform) {
+  if (kind == VolumeKind::box) return make_box_volume(padded_box(engine_shape, transform));
+  // The skin of polygons, which Box2D's bounds contain already.
+  constexpr double kMargin = static_cast<double>(b2_polygonRadius) + static_cast<double>(kBoxPadding);
+  return bound(kind, shape, precise(to_pose(transform)), kMargin);
 }
 
 }  // namespace kerf::inline sims2d

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/geometry/box.h"
+#include "core/geometry/volume.h"
 #include "core/scene/shape.h"
 
 namespace kerf::inline sims2d {
@@ -27,5 +28,9 @@ Pose<2> to_pose(const b2Transform& transform);
 
 /// The padded box of a shape at a pose: what the broad phase is given.
 Box<2> padded_box(const b2Shape& shape, const b2Transform& transform);
+
+/// The padded volume of the given kind around a body's shape at a pose.
+Volume<2> padded_volume(VolumeKind kind, const Shape<2>& shape, const b2Shape& engine_shape,
+                        const b2Transform& transform);
 
 }  // namespace kerf::inline sims2d

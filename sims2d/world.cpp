@@ -75,16 +75,27 @@ ObjectId World::add(const BodyPlan& plan) {
   const ObjectId object{static_cast<std::uint32_t>(bodies_.size())};
   const b2BodyDef def = definition(plan, object.index());
   const b2Transform transform(def.position, b2Rot(def.angle));
-  const Box<2> box = padded_box(*shape, transform);
-  const Status status = broad_phase_.insert(object, box, plan.mobility);
+  const Volume<2> volume = padded_volume(broad_phase_.volume_kind(), plan.shape, *shape, transform);
+  const Status status = broad_phase_.insert(object, volume, plan.mobility);
   if (status != Status::ok)
     throw std::runtime_error("the broad phase refused " + name_of(object.index()) + ": " +
                              std::string(to_string(status)) + "; a world needs an empty one");
   const b2FixtureDef fixture = material(*shape);
   handles_.push_back(engine_->CreateBody(&def));
   handles_.back()->CreateFixture(&fixture);
-  bodies_.push_back({plan.shape, to_pose(transform), box, plan.mobility});
+  bodies_.push_back({plan.shape, to_pose(transform), volume.box, plan.mobility});
   return object;
+}
+
+void World::place(ObjectId object, const BodyPlan& plan) {
+  if (object.index() >= bodies_.size() || bodies_[object.index()].mobility == Mobility::fixed)
+    throw std::invalid_argument("only a moving object can be placed");
+  check_plan(plan);
+  b2Body& body = *handles_[object.index()];
+  body.SetTransform({plan.position[0], plan.position[1]}, plan.angle);
+  body.SetLinearVelocity({plan.velocity[0], plan.velocity[1]});
+  body.SetAngularVelocity(plan.spin);
+  body.SetAwake(true);
 }
 
 void World::advance() {
@@ -107,8 +118,10 @@ void World::update_boxes() {
       throw std::runtime_error("the pose of " + name_of(i) + " is not finite at step " +
                                std::to_string(step_));
     body.pose = pose;
-    body.box = padded_box(*handles_[i]->GetFixtureList()->GetShape(), transform);
-    const Status status = broad_phase_.move(ObjectId{static_cast<std::uint32_t>(i)}, body.box);
+    const b2Shape& shape = *handles_[i]->GetFixtureList()->GetShape();
+    const Volume<2> volume = padded_volume(broad_phase_.volume_kind(), body.shape, shape, transform);
+    body.box = volume.box;
+    const Status status = broad_phase_.move(ObjectId{static_cast<std::uint32_t>(i)}, volume);
     if (status != Status::ok)
       throw std::runtime_error("the broad phase would not move " + name_of(i) + ": " +
                                std::string(to_string(status)));

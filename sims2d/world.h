@@ -60,6 +60,10 @@ class World {
   /// std::runtime_error if the broad phase refuses the object.
   ObjectId add(const BodyPlan& plan);
 
+  /// Puts a moving body to the pose and motion of the plan, awake; its shape stays. Takes effect in the next
+  /// `advance()`. Throws std::invalid_argument as `add` does, and for a fixed or unknown body.
+  void place(ObjectId object, const BodyPlan& plan);
+
   /// One step. Bodies that did not move (fixed and sleeping ones) are not moved in the broad phase. Throws
   /// std::runtime_error for a pose that is not finite and for pairs of unknown objects.
   void advance();

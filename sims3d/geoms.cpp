@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/scene/bounding.h"
+
 namespace kerf {
 namespace {
 
@@ -87,6 +89,18 @@ Box<3> outward_box(dGeomID geom) {
     box.max[i] = round_up(bounds[2 * static_cast<std::size_t>(i) + 1]);
   }
   return box;
+}
+
+Volume<3> outward_volume(VolumeKind kind, const Shape<3>& shape, dGeomID geom) {
+  if (kind == VolumeKind::box) return make_box_volume(outward_box(geom));
+  const dReal* position = dGeomGetPosition(geom);
+  const dReal* rotation = dGeomGetRotation(geom);
+  PrecisePose<3> pose;
+  for (std::size_t i = 0; i < 3; ++i) {
+    pose.position[i] = position[i];
+    for (std::size_t j = 0; j < 3; ++j) pose.axes[i][j] = rotation[4 * j + i];
+  }
+  return bound(kind, shape, pose);
 }
 
 Pose<3> pose_of(dGeomID geom) {

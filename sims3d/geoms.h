@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/geometry/box.h"
+#include "core/geometry/volume.h"
 #include "core/scene/shape.h"
 #include "sims3d/ode_library.h"
 
@@ -26,6 +27,10 @@ dMass make_mass(const Shape<3>& shape, double density);
 
 /// The geom's box at its present pose, rounded outward so that no contact falls between double and float.
 Box<3> outward_box(dGeomID geom);
+
+/// The volume of the given kind around the geom at its present pose, rounded outward; `shape` is the geom's
+/// own.
+Volume<3> outward_volume(VolumeKind kind, const Shape<3>& shape, dGeomID geom);
 
 /// The geom's present pose, rounded to nearest.
 Pose<3> pose_of(dGeomID geom);

@@ -102,9 +102,9 @@ ObjectId World::add_moving(const Shape<3>& shape, const Pose<3>& pose, const Mot
 
 ObjectId World::add(Geom geom, OdeHandle<dxBody> rigid, const Shape<3>& shape, Mobility mobility) {
   const ObjectId object{static_cast<std::uint32_t>(bodies_.size())};
-  const Box<3> box = outward_box(geom.geom.get());
-  accept(broad_phase_.insert(object, box, mobility), broad_phase_, object);
-  bodies_.push_back({shape, pose_of(geom.geom.get()), box, mobility});
+  const Volume<3> volume = outward_volume(broad_phase_.volume_kind(), shape, geom.geom.get());
+  accept(broad_phase_.insert(object, volume, mobility), broad_phase_, object);
+  bodies_.push_back({shape, pose_of(geom.geom.get()), volume.box, mobility});
   rigid_.push_back(std::move(rigid));
   geoms_.push_back(std::move(geom));
   moved_.push_back(1);
@@ -141,11 +141,13 @@ void World::update_boxes() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (moved_[i] == 0 || !rigid_[i]) continue;
     const ObjectId object{static_cast<std::uint32_t>(i)};
-    const Box<3> box = outward_box(geoms_[i].geom.get());
+    const VolumeKind kind = broad_phase_.volume_kind();
+    const Volume<3> volume = outward_volume(kind, bodies_[i].shape, geoms_[i].geom.get());
     bodies_[i].pose = pose_of(geoms_[i].geom.get());
-    if (box == bodies_[i].box) continue;
-    accept(broad_phase_.move(object, box), broad_phase_, object);
-    bodies_[i].box = box;
+    // A body that turns may keep its box; any other volume has turned with it.
+    if (kind == VolumeKind::box && volume.box == bodies_[i].box) continue;
+    accept(broad_phase_.move(object, volume), broad_phase_, object);
+    bodies_[i].box = volume.box;
   }
 }
 

@@ -28,6 +28,12 @@ Point<D> widened(const Vector<D>& v) {
   return p;
 }
 
+/// The nearest float that is finite: rounding may carry what lies at the end of the range beyond it.
+Scalar nearest_finite(double x) {
+  constexpr auto kMax = static_cast<double>(std::numeric_limits<Scalar>::max());
+  return static_cast<Scalar>(std::clamp(x, -kMax, kMax));
+}
+
 /// Ends of a shadow in doubles, with what their rounding may have lost.
 struct Extent {
   double lo = 0;
@@ -94,10 +100,13 @@ Volume<D> bounding_sphere(const PosedShape<D>& posed, const PrecisePose<D>& pose
   double moved2 = 0;  // what the float centre is off
   for (int i = 0; i < D; ++i) {
     const double exact = pose.position[static_cast<std::size_t>(i)];
-    center[i] = static_cast<Scalar>(exact);
+    center[i] = nearest_finite(exact);
     moved2 += (static_cast<double>(center[i]) - exact) * (static_cast<double>(center[i]) - exact);
   }
-  return make_sphere<D>(center, round_up((posed.radius() + std::sqrt(moved2)) * (1 + 0x1p-46)));
+  const double radius = (posed.radius() + std::sqrt(moved2)) * (1 + 0x1p-46);
+  // No finite float is large enough then: the sphere holds all space.
+  const bool beyond = radius > static_cast<double>(std::numeric_limits<Scalar>::max());
+  return make_sphere<D>(center, beyond ? std::numeric_limits<Scalar>::infinity() : round_up(radius));
 }
 
 /// The oriented box along the body's axes, rounded to float. Seen along such axes the shape reaches a little
@@ -117,7 +126,7 @@ Volume<D> oriented_bounding_box(const PosedShape<D>& posed, const PrecisePose<D>
   }
   Vector<D> center;
   Vector<D> half;
-  for (std::size_t i = 0; i < D; ++i) center.value[i] = static_cast<Scalar>(middle[i]);
+  for (std::size_t i = 0; i < D; ++i) center.value[i] = nearest_finite(middle[i]);
   const Point<D> floated = widened(center);
   for (std::size_t k = 0; k < D; ++k) {
     const double at = inner<D>(floated, widened(axes[k]));

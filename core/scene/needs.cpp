@@ -2,6 +2,12 @@
 
 namespace kerf {
 
+Config default_config(const Needs& needs) {
+  Config config;
+  config.free_directions = needs.free_directions;
+  return config;
+}
+
 std::string describe(const Needs& needs) {
   std::string text = needs.dimension == 2 ? "2D" : "3D";
   text += ", volume " + std::string(to_string(needs.volume));

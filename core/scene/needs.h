@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/config.h"
 #include "core/geometry/volume.h"
 
 namespace kerf {
@@ -19,6 +20,9 @@ struct Needs {
   std::array<bool, 3> separating{true, true, true};  ///< axes along which objects are told apart
   bool contacts = true;                              ///< the narrow phase is wanted
 };
+
+/// The paper's parameters without what the scene does not need.
+Config default_config(const Needs& needs);
 
 /// One line for captions, manifests and `kerf scenes`.
 std::string describe(const Needs& needs);

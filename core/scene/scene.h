@@ -25,6 +25,7 @@ struct Body {
 struct SceneOptions {
   std::uint32_t objects = 0;  ///< moving objects at the end of the run; 0: the scene's own default
   std::uint32_t steps = 0;    ///< steps over which a growing scene reaches its number; 0: its own default
+  std::uint32_t recycle = 0;  ///< once all have come, every so many steps the oldest falls anew; 0: never
   std::uint64_t seed = 1;     ///< of every random choice
 };
 

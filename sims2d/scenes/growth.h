@@ -11,6 +11,7 @@ namespace kerf::inline sims2d {
 struct Growth {
   std::uint32_t objects = 0;
   std::uint32_t steps = 1;
+  std::uint32_t recycle = 0;  ///< steps between two objects that fall anew after the growth; 0: none does
 
   /// Objects that are there after `step` steps.
   [[nodiscard]] std::uint32_t due(std::uint32_t step) const;

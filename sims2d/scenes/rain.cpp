@@ -53,9 +53,16 @@ Rain::Rain(const Band& band, const Growth& growth, std::uint64_t seed)
 void Rain::fall(World& world, std::uint32_t step) {
   row_height_ -= World::kFallSpeed * World::kStepSeconds;
   for (const std::uint32_t due = growth_.due(step); fallen_ < due; ++fallen_) {
-    if (slots_.empty() || row_height_ < band_.bottom) begin_row();
-    world.add(next());
+    objects_.push_back(world.add(next()));
   }
+  recycle(world, step);
+}
+
+/// Keeps a full scene in motion: the oldest object is taken out of the heap and falls again.
+void Rain::recycle(World& world, std::uint32_t step) {
+  if (growth_.recycle == 0 || step <= growth_.steps || step % growth_.recycle != 0 || objects_.empty())
+    return;
+  world.place(objects_[recycled_++ % objects_.size()], next());
 }
 
 void Rain::begin_row() {
@@ -67,6 +74,7 @@ void Rain::begin_row() {
 }
 
 BodyPlan Rain::next() {
+  if (slots_.empty() || row_height_ < band_.bottom) begin_row();
   // The largest object reaches 0.78 from its middle, half a slot is 0.85.
   const Scalar shift = between(random_, -0.06, 0.06);
   BodyPlan plan;

@@ -32,11 +32,12 @@ class Rain {
 
   static constexpr Scalar kSlot = 1.7F;
 
-  /// Adds what is due in step `step` (counted from 1) to `world`. Call it once a step, just before the
-  /// world's own.
+  /// Adds what is due in step `step` (counted from 1) to `world`, and lets old objects fall anew. Call it
+  /// once a step, just before the world's own.
   void fall(World& world, std::uint32_t step);
 
  private:
+  void recycle(World& world, std::uint32_t step);
   void begin_row();
   BodyPlan next();
 
@@ -44,6 +45,8 @@ class Rain {
   Growth growth_;
   Random random_;
   std::uint32_t fallen_ = 0;
+  std::vector<ObjectId> objects_;     ///< in the order in which they fell
+  std::size_t recycled_ = 0;          ///< so far; objects take turns
   Scalar row_height_ = 0;             ///< of the row being filled, now
   std::vector<std::uint32_t> slots_;  ///< those still free in this row; the last is next
 };

@@ -87,7 +87,19 @@ void DropScene::advance() {
   const std::uint32_t wanted = due(step() + 1);
   while (dropped_.size() < wanted) drop_one();
   put_back_strays();
+  recycle();
   world_.advance();
+}
+
+/// Keeps a full scene in motion: the oldest object is taken out of the heap and falls again.
+void DropScene::recycle() {
+  if (drop_.recycle == 0 || step() < drop_.steps || step() % drop_.recycle != 0) return;
+  drop_anew(dropped_[recycled_++ % dropped_.size()]);
+}
+
+void DropScene::drop_anew(ObjectId object) {
+  const Motion motion = random_fall(random_);
+  world_.place(object, next_place(), motion);
 }
 
 void DropScene::drop_one() {
@@ -103,8 +115,7 @@ void DropScene::put_back_strays() {
   for (const ObjectId object : dropped_) {
     const Vector<3> center = bodies()[object.index()].pose.position;
     if (contains(drop_.inside, {center, center})) continue;
-    const Motion motion = random_fall(random_);
-    world_.place(object, next_place(), motion);
+    drop_anew(object);
     ++put_back_;
   }
 }

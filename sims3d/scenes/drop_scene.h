@@ -14,6 +14,7 @@ struct Drop {
   std::uint32_t objects = 0;     ///< moving objects at the end of the growth
   std::uint32_t steps = 1;       ///< steps over which they come, evenly
   std::vector<Vector<3>> sites;  ///< where they appear; at least 2.5 units apart along X or Z
+  std::uint32_t recycle = 0;     ///< steps between two objects that fall anew after the growth; 0: none does
   Box<3> inside;                 ///< an object whose centre leaves it is put back on a site
   WorldSettings physics;
 };
@@ -53,6 +54,8 @@ class DropScene final : public Scene<3> {
   [[nodiscard]] std::uint32_t due(std::uint32_t step) const;
   void drop_one();
   void put_back_strays();
+  void recycle();
+  void drop_anew(ObjectId object);
   Vector<3> next_place();
   void shuffle_sites();
 
@@ -65,6 +68,7 @@ class DropScene final : public Scene<3> {
   std::vector<float> last_height_;        // per site, of the object that appeared there last ...
   std::vector<std::uint32_t> last_step_;  // ... and when
   std::vector<ObjectId> dropped_;
+  std::size_t recycled_ = 0;  // so far; objects take turns
   std::uint32_t put_back_ = 0;
 };
 

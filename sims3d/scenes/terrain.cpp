@@ -67,6 +67,7 @@ Drop make_drop(const SceneOptions& options, const Hills& hills, double half, Sca
   Drop drop;
   drop.objects = options.objects;
   drop.steps = options.steps;
+  drop.recycle = options.recycle;
   const double reach = half - kShore;
   for (double z = -reach; z <= reach; z += kSiteSpacing) {
     for (double x = -reach; x <= reach; x += kSiteSpacing) {
