@@ -81,7 +81,8 @@ TYPED_TEST(Directions, HaveLengthOneAndComponentsUpToOne) {
 
 TYPED_TEST(Directions, LieInOneHemisphere) {
   constexpr int kD = TypeParam::value;
-  for (const Vector<kD>& direction : DirectionSet<kD>(256, 1).all()) {
+  const DirectionSet<kD> set(256, 1);
+  for (const Vector<kD>& direction : set.all()) {
     int last = kD - 1;
     while (last > 0 && direction[last] == 0) --last;
     EXPECT_GT(direction[last], 0);
