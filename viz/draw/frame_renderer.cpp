@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -18,14 +19,18 @@
 namespace kerf {
 namespace {
 
-constexpr int kSamples = 4;
-
 const FrameOptions& checked(const FrameOptions& options) {
   const auto good = [](int side) { return side >= kMinFrameSide && side <= kMaxFrameSide; };
-  if (good(options.width) && good(options.height)) return options;
-  throw std::invalid_argument("a frame of " + std::to_string(options.width) + "x" +
-                              std::to_string(options.height) + " pixels cannot be drawn; each side can be " +
-                              std::to_string(kMinFrameSide) + " to " + std::to_string(kMaxFrameSide));
+  if (!good(options.width) || !good(options.height)) {
+    throw std::invalid_argument("a frame of " + std::to_string(options.width) + "x" +
+                                std::to_string(options.height) +
+                                " pixels cannot be drawn; each side can be " + std::to_string(kMinFrameSide) +
+                                " to " + std::to_string(kMaxFrameSide));
+  }
+  if (options.samples != 0 && options.samples != 1 && options.samples != 4)
+    throw std::invalid_argument("a pixel can have 1 or 4 samples, or 0 for a choice, not " +
+                                std::to_string(options.samples));
+  return options;
 }
 
 /// Where each object is stored, from the leaves' entries.
@@ -59,7 +64,6 @@ struct FrameRenderer<D>::State {
         camera(parse_camera<D>(chosen.camera)),
         font(font_pixels(chosen.height)),
         context(make_offscreen_context()),
-        framebuffer(context->functions(), chosen.width, chosen.height, kSamples),
         painter(context->functions(), font) {}
   ~State() { context->make_current(); }
   State(const State&) = delete;
@@ -77,10 +81,20 @@ struct FrameRenderer<D>::State {
     highlights.update(input, skeleton, skeleton_before, view_box.box());
     // Powers of two, and a gap between growing and shrinking: the ramp changes rarely.
     const std::uint32_t wanted = std::bit_ceil(std::max(16U, skeleton.largest_leaf()));
-    if (wanted > largest_population || 4 * skeleton.largest_leaf() < largest_population)
+    if (wanted > largest_population ||
+        5 * std::uint64_t{skeleton.largest_leaf()} < 2 * std::uint64_t{largest_population})
       largest_population = wanted;
     for (Batch& batch : batches) batch.clear();
     overlay.clear();
+  }
+
+  /// Smooth edges cost three times as much. A sequence that has gone over to jagged ones stays with them.
+  void choose_framebuffer(std::size_t bodies) {
+    int wanted = options.samples;
+    if (wanted == 0) wanted = samples == 1 || bodies >= kManyBodies ? 1 : 4;
+    if (wanted == samples) return;
+    framebuffer.emplace(context->functions(), options.width, options.height, wanted);
+    samples = wanted;
   }
 
   /// The scene itself, one batch a pass.
@@ -131,11 +145,12 @@ struct FrameRenderer<D>::State {
     const double line_scale = std::clamp(options.height / 720.0, 0.6, 8.0);
     const DrawContext<D> frame{input,  view,           skeleton,   placements,
                                bounds, options.layers, line_scale, largest_population};
-    framebuffer.bind();
+    choose_framebuffer(input.bodies.size());
+    framebuffer->bind();
     painter.begin(palette::kGround);
     draw_scene(frame);
     draw_overlay(frame, layout, caption, legend);
-    framebuffer.read(image);
+    framebuffer->read(image);
     check_gl(context->functions(), "drawing a frame");
     return image;
   }
@@ -144,7 +159,8 @@ struct FrameRenderer<D>::State {
   CameraChoice<D> camera;
   Font font;
   std::unique_ptr<GlContext> context;
-  Framebuffer framebuffer;
+  std::optional<Framebuffer> framebuffer;
+  int samples = 0;  ///< of the framebuffer
   Painter painter;
 
   ViewBox<D> view_box;

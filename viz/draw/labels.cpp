@@ -53,7 +53,7 @@ std::optional<Viewport> find_place(const Viewport& wanted, const Viewport& scene
 
 void draw_highlight_labels(const View& view, const Font& font, const Layout& layout,
                            const std::vector<Highlight>& highlights, Overlay& overlay) {
-  const int pad = std::max(2, font.advance() / 3);
+  const int pad = std::max(4, 3 * font.advance() / 4);
   std::vector<Viewport> taken;
   for (const Highlight& highlight : highlights) {
     const auto point = anchor(view, highlight);

@@ -39,7 +39,7 @@ int lines(std::span<const Spot> spots) { return spots.empty() ? 0 : spots.back()
 
 }  // namespace flow
 
-int font_pixels(int picture_height) { return std::clamp(picture_height / 45, 11, 128); }
+int font_pixels(int picture_height) { return std::clamp(picture_height / 40, 11, 128); }
 
 Layout make_layout(const Font& font, int width, int height, const std::vector<CaptionItem>& caption,
                    bool has_log, const std::vector<LegendItem>& legend) {

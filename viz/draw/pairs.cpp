@@ -7,7 +7,9 @@
 namespace kerf {
 namespace {
 
-constexpr double kLarge = 3;  // an object so many times larger than its partner is met, not reached
+// An object so many times larger than its partner is met where it begins; no line goes to its middle.
+constexpr double kLarge = 3;
+constexpr double kLargeFixed = 1.5;
 
 template <int D>
 double largest_extent(const Box<D>& box) {
@@ -37,12 +39,19 @@ struct Line {
 };
 
 template <int D>
-Line line_between(const Box<D>& a, const Box<D>& b) {
-  const double size_a = largest_extent(a);
-  const double size_b = largest_extent(b);
-  Line line{to_point(a.center()), to_point(b.center())};
-  if (size_b > kLarge * size_a) line.b = meeting_point(a, b);
-  if (size_a > kLarge * size_b) line.a = meeting_point(b, a);
+bool is_large(const Body<D>& body, const Body<D>& partner) {
+  const double ratio = body.mobility == Mobility::fixed ? kLargeFixed : kLarge;
+  return largest_extent(body.box) > ratio * largest_extent(partner.box);
+}
+
+template <int D>
+Line line_between(const Body<D>& a, const Body<D>& b) {
+  Line line{to_point(a.box.center()), to_point(b.box.center())};
+  if (is_large(b, a)) {
+    line.b = meeting_point(a.box, b.box);
+  } else if (is_large(a, b)) {
+    line.a = meeting_point(b.box, a.box);
+  }
   return line;
 }
 
@@ -61,7 +70,7 @@ void draw_pair(const DrawContext<D>& context, const Pair& pair, bool is_contact,
   const Body<D>& a = bodies[pair.a.index()];
   const Body<D>& b = bodies[pair.b.index()];
   if (!is_drawable(a) || !is_drawable(b)) return;
-  Line line = line_between(a.box, b.box);
+  Line line = line_between(a, b);
   if constexpr (D == 3) {
     const double lift = 0.9 * std::min(largest_extent(a.box), largest_extent(b.box));
     line = {towards_eye(context.view, line.a, lift), towards_eye(context.view, line.b, lift)};

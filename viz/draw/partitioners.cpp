@@ -11,6 +11,9 @@ namespace {
 /// The nearer the root, the wider.
 double line_width(std::uint32_t depth) { return std::max(1.1, 3.0 - 0.4 * depth); }
 
+/// Deeper partitioners are outlines only: hundreds of panes would be a fog, and cost more than all else.
+constexpr std::uint32_t kDeepestPane = 6;
+
 /// Many panes in a row must let the objects behind them through.
 double pane_alpha(std::uint32_t leaves) { return std::clamp(0.45 / std::sqrt(1.0 + leaves), 0.025, 0.18); }
 
@@ -28,7 +31,8 @@ void draw_partitioners(const DrawContext<D>& context, Batch& batch) {
       if (!polygon.empty())
         add_line(batch, context.view, polygon[0], polygon[1], {palette::kPartitioner, width});
     } else {
-      add_polygon(batch, context.view, polygon, with_alpha(palette::kPartitioner, alpha));
+      if (joint.depth <= kDeepestPane)
+        add_polygon(batch, context.view, polygon, with_alpha(palette::kPartitioner, alpha));
       add_outline(batch, context.view, polygon, {with_alpha(palette::kPartitioner, 0.55), 0.7 * width});
     }
   }

@@ -120,7 +120,8 @@ void add_line(Batch& batch, const View& view, const Eigen::Vector3d& a, const Ei
 
 void add_outline(Batch& batch, const View& view, std::span<const Eigen::Vector3d> corners,
                  const Stroke& stroke) {
-  for (std::size_t i = 0; i < corners.size(); ++i)
+  const std::size_t edges = corners.size() == 2 ? 1 : corners.size();
+  for (std::size_t i = 0; i < edges; ++i)
     add_line(batch, view, corners[i], corners[(i + 1) % corners.size()], stroke);
 }
 

@@ -21,7 +21,7 @@ struct Stroke {
 void add_line(Batch& batch, const View& view, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
               const Stroke& stroke);
 
-/// The closed outline of a polygon.
+/// The closed outline of a polygon; of two points, the line between them.
 void add_outline(Batch& batch, const View& view, std::span<const Eigen::Vector3d> corners,
                  const Stroke& stroke);
 

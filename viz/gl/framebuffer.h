@@ -5,7 +5,7 @@
 
 namespace kerf {
 
-/// Where a frame is drawn: colour and depth with several samples a pixel, resolved to one when read.
+/// Where a frame is drawn: colour and depth with one or several samples a pixel, resolved to one when read.
 /// The context that made it must be current in every call and when it dies.
 class Framebuffer {
  public:
@@ -26,6 +26,7 @@ class Framebuffer {
   const GlFunctions& gl_;
   int width_;
   int height_;
+  int samples_;
   GLuint framebuffers_[2]{};   ///< drawn to, read from
   GLuint renderbuffers_[3]{};  ///< colour, depth, resolved colour
 };
