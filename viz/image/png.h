@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 
 #include "viz/image/image.h"
 
@@ -19,6 +20,8 @@ void write_png(const std::filesystem::path& path, const Image& image);
 /// PNG, truncated, damaged, larger than kMaxImageSide); memory is taken only after the size is known to be
 /// sane.
 Image read_png(const std::filesystem::path& path);
+/// The same for a PNG in memory; errors call it `path`.
+Image read_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 
 /// Hash of the size and the decoded pixels: equal for equal pictures, however they were compressed.
 std::uint64_t pixel_hash(const Image& image);

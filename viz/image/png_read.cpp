@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -32,19 +33,22 @@ namespace {
 
 static_assert(STBI_MAX_DIMENSIONS == kMaxImageSide);
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = std::span<const std::uint8_t>;
+
+constexpr std::size_t kMaxBytes = std::size_t{1}
+                                  << 30U;  // what stb_image can be given; a device may be endless
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
   throw std::runtime_error("cannot read " + path.string() + ": " + reason);
 }
 
-bool starts_like_png(const Bytes& bytes) {
+bool starts_like_png(Bytes bytes) {
   return bytes.size() >= png::kSignature.size() &&
          std::equal(png::kSignature.begin(), png::kSignature.end(), bytes.begin());
 }
 
 /// Reads no further than the first block if it is not a PNG.
-Bytes read_whole_file(const std::filesystem::path& path) {
+std::vector<std::uint8_t> read_whole_file(const std::filesystem::path& path) {
   struct Close {
     void operator()(std::FILE* f) const { std::fclose(f); }
   };
@@ -52,17 +56,14 @@ Bytes read_whole_file(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error)) fail(path, "it is a folder");
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
   if (file == nullptr) fail(path, std::generic_category().message(errno));
-  constexpr std::size_t kLimit = std::size_t{1}
-                                 << 30U;  // what stb_image can be given; a device may be endless
-  Bytes bytes;
+  std::vector<std::uint8_t> bytes;
   std::vector<std::uint8_t> block(1U << 16U);
   while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
     bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count));
     if (!starts_like_png(bytes)) fail(path, "it is not a PNG");
-    if (bytes.size() > kLimit) fail(path, "the file is too long for a PNG");
+    if (bytes.size() > kMaxBytes) break;
   }
   if (std::ferror(file.get()) != 0) fail(path, std::generic_category().message(errno));
-  if (bytes.empty()) fail(path, "the file is empty");
   return bytes;
 }
 
@@ -84,7 +85,7 @@ void check_header(const std::filesystem::path& path, const std::uint8_t* header,
 }
 
 /// Walks the chunks: they must be whole, undamaged, begin with a header that can be true and end with IEND.
-void check_chunks(const std::filesystem::path& path, const Bytes& bytes) {
+void check_chunks(const std::filesystem::path& path, Bytes bytes) {
   const auto truncated = [&path, &bytes] {
     fail(path, "the file is truncated (it ends after " + std::to_string(bytes.size()) + " bytes)");
   };
@@ -113,8 +114,12 @@ void check_chunks(const std::filesystem::path& path, const Bytes& bytes) {
 
 }  // namespace
 
-Image read_png(const std::filesystem::path& path) {
-  const Bytes bytes = read_whole_file(path);
+Image read_png(const std::filesystem::path& path) { return read_png(read_whole_file(path), path); }
+
+Image read_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
+  if (bytes.empty()) fail(path, "the file is empty");
+  if (bytes.size() > kMaxBytes) fail(path, "the file is too long for a PNG");
+  if (!starts_like_png(bytes)) fail(path, "it is not a PNG");
   check_chunks(path, bytes);
   Image image;
   struct Free {
