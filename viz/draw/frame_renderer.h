@@ -56,9 +56,9 @@ struct FrameOptions {
   int width = 1280;  ///< kMinFrameSide to kMaxFrameSide, as height
   int height = 720;
   LayerSet layers = LayerSet::all();
-  int samples =
-      0;  ///< 4: smooth edges; 1: jagged ones, about three times faster; 0: smooth up to kManyBodies
   std::string camera;  ///< see `parse_camera`; empty: everything in view
+  /// Of each pixel. 4: smooth edges; 1: jagged ones, about three times faster; 0: smooth up to kManyBodies.
+  int samples = 0;
 };
 
 /// Draws frames with a GL context of its own; the same inputs in the same order give the same pixels on every
