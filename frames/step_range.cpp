@@ -1,5 +1,6 @@
 #include "frames/step_range.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,8 @@ void check(const StepRange& range, const std::string& given) {
     throw UsageError(given + ": the first step, " + std::to_string(range.first) + ", comes after the last, " +
                      std::to_string(range.last));
   }
-  if (range.last > kMaxStep) throw UsageError(given + ": at most " + std::to_string(kMaxStep) + " steps");
+  if (std::max(range.last, range.stride) > kMaxStep)
+    throw UsageError(given + ": at most " + std::to_string(kMaxStep) + " steps");
   if (range.frames() > kMaxFrames) {
     throw UsageError(given + ": that is " + std::to_string(range.frames()) + " frames, at most " +
                      std::to_string(kMaxFrames) + " can be numbered; give a larger N");

@@ -26,6 +26,16 @@ std::vector<std::string> long_render(const std::filesystem::path& out) {
   return {"render", "pile", "--steps", "1:1000000:1", "--objects", "50", "--size", "160x120", "--out", out};
 }
 
+/// Whether `file` comes into being before a minute has passed.
+bool appears(const std::filesystem::path& file) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!std::filesystem::exists(file)) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
 /// What is in `folder` is a valid part of a sequence: an incomplete manifest that names exactly the frames
 /// that are there, each with the pixels that it says.
 void expect_valid_part(const std::filesystem::path& folder) {
@@ -47,9 +57,7 @@ TEST_P(FailureProgram, SignalLeavesAValidPart) {
   auto arguments = long_render(folder.path() / "frames");
   arguments.insert(arguments.end(), {"--video", folder.path() / "film.mp4"});
   Process process(testing::kerf_command(arguments));
-  while (!std::filesystem::exists(folder.path() / "frames" / "pile_000003.png")) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
+  ASSERT_TRUE(appears(folder.path() / "frames" / "pile_000003.png"));
   process.signal(GetParam());
   const Outcome outcome = process.wait();
   EXPECT_EQ(outcome.exit, kExitInterrupted);
@@ -67,9 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Signals, FailureProgram, ::testing::Values(SIGINT, SIGT
 TEST(FailureProgram, KilledRunClaimsNothing) {
   const TemporaryFolder folder;
   Process process(testing::kerf_command(long_render(folder.path())));
-  while (!std::filesystem::exists(folder.path() / "pile_000003.png")) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
+  ASSERT_TRUE(appears(folder.path() / "pile_000003.png"));
   process.signal(SIGKILL);
   EXPECT_EQ(process.wait().exit, 128 + SIGKILL);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "frames.json"));

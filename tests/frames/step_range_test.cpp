@@ -37,7 +37,7 @@ TEST_P(BadSteps, AreRefusedByName) {
 INSTANTIATE_TEST_SUITE_P(StepRange, BadSteps,
                          ::testing::Values("", "x", "1:", ":5", "1:2:3:4", "1:2:", "-1", "1:-5", "1.5", " 1",
                                            "0", "0:5", "20:10", "1:10:0", "10000001", "99999999999999999999",
-                                           "1:10000000:1"));
+                                           "1:10000000:1", "5:10:4294967295"));
 
 }  // namespace
 }  // namespace kerf
