@@ -39,8 +39,10 @@ const std::array kParameters{
               &Config::budget_divisor},
     Parameter{{"schedule_interval", "steps between two traversals", 1, 1e6}, &Config::schedule_interval},
     Parameter{{"max_height", "no split at or below this depth", 0, 63}, &Config::max_height},
-    Parameter{{"max_entries", "no split once entries exceed this many times the objects", 1, 1000},
-              &Config::max_entries},
+    Parameter{
+        {"max_entries",
+         "no split once entries exceed this many times the objects; merges beyond twice as many", 1, 1000},
+        &Config::max_entries},
     Parameter{{"directions", "size of the direction set in 3D; a quarter of it in 2D", 3, 4096},
               &Config::directions},
     Parameter{{"seed", "of the direction set", 0, 18446744073709551615.0}, &Config::seed},

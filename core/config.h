@@ -34,7 +34,8 @@ struct Config {
 
   // Limits that the paper asks for without a number (sections 6.2 and 7).
   std::uint32_t max_height = 40;   ///< no split below this depth; at most 63
-  float max_entries = 4.0F;        ///< no split once entries exceed this many times the objects
+  float max_entries = 4.0F;        ///< no split once entries exceed this many times the objects; beyond twice
+                                   ///< as many, straddled nodes are merged at once
   std::uint32_t directions = 256;  ///< size of the direction set (3D; 2D uses a quarter)
   std::uint64_t seed = 1;          ///< of the direction set
 };

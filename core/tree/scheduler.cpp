@@ -7,6 +7,7 @@
 #include "core/tree/balance.h"
 #include "core/tree/criteria.h"
 #include "core/tree/merge.h"
+#include "core/tree/shed.h"
 #include "core/tree/shift_split.h"
 #include "core/tree/split.h"
 #include "core/tree/swap.h"
@@ -66,6 +67,8 @@ template <int D>
 template <class Trace>
 void Scheduler<D>::traverse(Tree<D>& tree, const Config& config, std::uint32_t step,
                             Reporter<Trace>& reporter) {
+  if (config.budget_divisor != 0)
+    for (const OperatorActed& event : shed_entries(tree, config)) note(event, reporter);
   std::vector<NodeRef>& merges = lists_[index(Operator::merge)];
   if (config.budget_divisor == 0 || step % config.schedule_interval != 0 || pending() > merges.size()) return;
   merges.clear();  // those still needed are found again

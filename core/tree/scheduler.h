@@ -21,7 +21,8 @@ namespace kerf {
 template <int D>
 class Scheduler {
  public:
-  /// Lines 1 to 12. Does nothing while events are pending, between two scheduling steps, or without a budget.
+  /// Lines 1 to 12. Does nothing while events are pending, between two scheduling steps, or without a budget;
+  /// but entries beyond their cap are shed in any step that has a budget.
   template <class Trace>
   void traverse(Tree<D>& tree, const Config& config, std::uint32_t step, Reporter<Trace>& reporter);
   /// Lines 13 to 18.

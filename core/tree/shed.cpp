@@ -1,0 +1,47 @@
+#include "core/tree/shed.h"
+
+#include "core/tree/criteria.h"
+#include "core/tree/merge.h"
+
+namespace kerf {
+namespace {
+
+template <int D>
+bool exceeds(const Tree<D>& tree, float entries_an_object) {
+  return static_cast<double>(tree.entries()) > static_cast<double>(entries_an_object) * tree.objects();
+}
+
+/// Merges the topmost nodes of which more than `share` of the objects lie on both sides.
+template <int D>
+void merge_straddled(Tree<D>& tree, float share, std::vector<OperatorActed>& events) {
+  std::vector<NodeId> todo{tree.root()};
+  while (!todo.empty()) {
+    const NodeId id = todo.back();
+    todo.pop_back();
+    if (tree[id].is_leaf()) continue;
+    const Quality q = quality(tree, id);
+    if (static_cast<float>(redundancy(q)) > share * static_cast<float>(q.population)) {
+      events.push_back(merge(tree, id));
+    } else {
+      todo.push_back(tree[id].right);
+      todo.push_back(tree[id].left);
+    }
+  }
+}
+
+}  // namespace
+
+template <int D>
+std::vector<OperatorActed> shed_entries(Tree<D>& tree, const Config& config) {
+  constexpr float kLeast = 1.0F / 64;  // below it any straddler is one too many
+  std::vector<OperatorActed> events;
+  if (!exceeds(tree, 2 * config.max_entries)) return events;
+  for (float share = config.repair_redundancy; exceeds(tree, config.max_entries); share /= 2)
+    merge_straddled(tree, share < kLeast ? 0 : share, events);
+  return events;
+}
+
+template std::vector<OperatorActed> shed_entries<2>(Tree<2>&, const Config&);
+template std::vector<OperatorActed> shed_entries<3>(Tree<3>&, const Config&);
+
+}  // namespace kerf
