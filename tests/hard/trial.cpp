@@ -74,6 +74,11 @@ void check_tree(const Bsp<D>& bsp, bool thoroughly, Trial& trial) {
   for (std::size_t op = 0; op < s.operators.size(); ++op) acted += s.operators[op] - trial.operators[op];
   trial.operators = s.operators;
   trial.most_operators = std::max(trial.most_operators, static_cast<std::uint32_t>(acted));
+  // Without a budget no operator may act; a partitioner that is shifted may gain some straddlers again.
+  const double cap = 2 * static_cast<double>(bsp.config().max_entries) + 1;
+  if (bsp.config().budget_divisor != 0 && s.redundancy + 1 > cap && trial.violations++ == 0)
+    note(trial,
+         std::to_string(s.redundancy + 1) + " entries an object in step " + std::to_string(trial.steps));
   if (!thoroughly) return;
   for (const Violation& violation : validate(bsp.tree())) {
     if (trial.violations++ == 0)
