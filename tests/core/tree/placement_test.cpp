@@ -60,6 +60,17 @@ TYPED_TEST(Placement, DisplacedObjectsLeaveEveryLeafAndReturn) {
   }
 }
 
+TYPED_TEST(Placement, DisplacingOneObjectLeavesThoseDisplacedBeforeAlone) {
+  constexpr int kD = TypeParam::value;
+  auto tree = tree_of<kD>(std::vector{slab<kD>(0, 1), slab<kD>(0, 1)});
+  for (const std::uint32_t k : {0U, 1U}) {
+    const std::vector<ObjectId> one{{k}};
+    displace<kD>(tree, tree.root(), one);
+    place(tree, tree.root(), {k}, 0);
+  }
+  EXPECT_EQ(objects_below(tree, tree.root()), (std::vector<ObjectId>{{0}, {1}}));
+}
+
 TYPED_TEST(Placement, WalksTheDeepestTree) {
   constexpr int kD = TypeParam::value;
   auto tree = tree_of<kD>(std::vector<Box<kD>>{});
