@@ -11,9 +11,9 @@ namespace kerf {
 /// Largest side of an image that is read or written, in pixels.
 inline constexpr int kMaxImageSide = 16384;
 
-/// Writes an RGB PNG (alpha is dropped: frames are opaque). The file appears under its name only when it is
-/// complete: it is written beside it, flushed, checked and renamed. Throws std::runtime_error with the path
-/// and the reason; nothing is left behind then.
+/// Writes a PNG, without an alpha channel if the image is opaque. The file appears under its name only when
+/// it is complete: it is written beside it, flushed, checked and renamed. Throws std::runtime_error with the
+/// path and the reason; nothing is left behind then.
 void write_png(const std::filesystem::path& path, const Image& image);
 
 /// Reads a PNG of any kind as RGBA. Throws std::runtime_error with the path and the reason (missing, not a

@@ -1,0 +1,89 @@
+#include "viz/draw/highlights.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/dimensions.h"
+#include "tests/viz/small_scene.h"
+
+namespace kerf {
+namespace {
+
+template <int D>
+class Fixture {
+ public:
+  Fixture() { skeleton.assign(&scene.tree()); }
+
+  [[nodiscard]] Event event(std::uint64_t id, std::uint32_t step, Operator op, NodeRef node) const {
+    return {id, step, OperatorActed{op, node, {}, {}, 0, 3, 5}};
+  }
+  [[nodiscard]] FrameInput<D> input(const std::vector<Event>& events, std::uint32_t step) const {
+    FrameInput<D> result = scene.input();
+    result.events = events;
+    result.caption.step = step;
+    return result;
+  }
+
+  test::SmallScene<D> scene;
+  Skeleton<D> skeleton;
+  Skeleton<D> nothing;
+  Box<D> bounds{test::all<D>(-1), test::all<D>(13)};
+  Highlights<D> highlights;
+};
+
+template <class T>
+class HighlightsTest : public testing::Test {};
+TYPED_TEST_SUITE(HighlightsTest, test::Dimensions, test::DimensionNames);
+
+TYPED_TEST(HighlightsTest, LivingNodeShowsItsCellAndPlanes) {
+  constexpr int kD = TypeParam::value;
+  Fixture<kD> f;
+  const NodeRef root = f.scene.tree().ref(f.scene.tree().root());
+  const std::vector<Event> events{f.event(1, 20, Operator::balance, root)};
+  f.highlights.update(f.input(events, 20), f.skeleton, f.nothing, f.bounds);
+  ASSERT_EQ(f.highlights.all().size(), 1U);
+  const Highlight& shown = f.highlights.all()[0];
+  EXPECT_FALSE(shown.faces.empty());
+  EXPECT_FALSE(shown.partitioner.empty());
+  EXPECT_FALSE(shown.old_partitioner.empty());
+  EXPECT_EQ(shown.label(), "balance n" + std::to_string(root.node.value));
+  EXPECT_EQ(shown.strength(), 1);
+}
+
+TYPED_TEST(HighlightsTest, DeadNodeKeepsItsLastCellWhileItFades) {
+  constexpr int kD = TypeParam::value;
+  Fixture<kD> f;
+  const NodeRef root = f.scene.tree().ref(f.scene.tree().root());
+  const std::vector<Event> events{f.event(1, 20, Operator::swap, root)};
+  // The node lived in the frame before and is gone now, and in the frame after.
+  f.highlights.update(f.input(events, 20), f.nothing, f.skeleton, f.bounds);
+  EXPECT_FALSE(f.highlights.all().at(0).faces.empty());
+  f.highlights.update(f.input(events, 24), f.nothing, f.nothing, f.bounds);
+  EXPECT_FALSE(f.highlights.all().at(0).faces.empty());
+  EXPECT_EQ(f.highlights.all().at(0).age, 4U);
+  EXPECT_LT(f.highlights.all().at(0).strength(), 1);
+}
+
+TYPED_TEST(HighlightsTest, OldEventsGoAndTheNewestOfANodeCounts) {
+  constexpr int kD = TypeParam::value;
+  Fixture<kD> f;
+  const NodeRef root = f.scene.tree().ref(f.scene.tree().root());
+  const std::vector<Event> events{f.event(1, 20, Operator::split, root),
+                                  f.event(2, 22, Operator::balance, root)};
+  f.highlights.update(f.input(events, 22), f.skeleton, f.nothing, f.bounds);
+  ASSERT_EQ(f.highlights.all().size(), 1U);
+  EXPECT_EQ(f.highlights.all()[0].acted.op, Operator::balance);
+  f.highlights.update(f.input(events, 22 + kHighlightSteps + 1), f.skeleton, f.nothing, f.bounds);
+  EXPECT_TRUE(f.highlights.all().empty());
+}
+
+TYPED_TEST(HighlightsTest, NodeNeverSeenHasALabelOnly) {
+  constexpr int kD = TypeParam::value;
+  Fixture<kD> f;
+  const std::vector<Event> events{f.event(1, 20, Operator::merge, {NodeId{4000}, 3})};
+  f.highlights.update(f.input(events, 20), f.skeleton, f.nothing, f.bounds);
+  ASSERT_EQ(f.highlights.all().size(), 1U);
+  EXPECT_TRUE(f.highlights.all()[0].faces.empty());
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,90 @@
+#include "viz/draw/overlay.h"
+
+#include <gtest/gtest.h>
+
+#include "viz/draw/flow.h"
+#include "viz/draw/palette.h"
+
+namespace kerf {
+namespace {
+
+Caption large_caption() {
+  Caption caption{
+      "a-scene-with-a-long-name", "sweep-and-prune", 99999, 99999, 99999, 9999999, 9999999, {}, ""};
+  caption.statistics.operators.fill(9999);
+  return caption;
+}
+
+TEST(Layout, LeavesTheSceneRoomAtEverySize) {
+  for (const int height : {64, 90, 180, 240, 360, 720, 1080, 2160}) {
+    for (const int width : {64, 120, height, height * 16 / 9}) {
+      const Font font(font_pixels(height));
+      const auto caption = caption_items(large_caption(), true);
+      const auto legend = legend_items(LayerSet::all(), 3, true, 1024);
+      const Layout layout = make_layout(font, width, height, caption, true, legend);
+      EXPECT_GE(layout.scene.height, 0.3 * height) << width << "x" << height;
+      EXPECT_EQ(layout.caption_height + layout.scene.height + layout.legend_height, height);
+    }
+  }
+}
+
+TEST(Layout, EverythingFitsAtTheUsualSizes) {
+  for (const auto& [width, height] : {std::pair{640, 360}, {1280, 720}, {1920, 1080}}) {
+    const Font font(font_pixels(height));
+    const auto caption = caption_items(large_caption(), true);
+    const auto legend = legend_items(LayerSet::all(), 2, true, 1024);
+    const Layout layout = make_layout(font, width, height, caption, true, legend);
+    const int rows = flow::lines(flow::arrange_caption(font, width, caption)) + 1;
+    EXPECT_GE(layout.caption_height, rows * font.line_height());
+    EXPECT_GE(layout.legend_height,
+              flow::lines(flow::arrange_legend(font, width, legend)) * font.line_height());
+  }
+}
+
+TEST(Caption, StandsStillWhileNumbersGrow) {
+  const Font font(16);
+  Caption small = large_caption();
+  small.step = small.objects = small.moving = 1;
+  small.pairs = small.contacts = 0;
+  small.statistics.operators.fill(0);
+  Caption large = large_caption();
+  large.pairs = large.contacts = 12345;
+  const auto a = flow::arrange_caption(font, 1280, caption_items(small, true));
+  const auto b = flow::arrange_caption(font, 1280, caption_items(large, true));
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].x, b[i].x) << i;
+    EXPECT_EQ(a[i].line, b[i].line) << i;
+  }
+}
+
+TEST(Legend, NamesOnlyWhatIsDrawn) {
+  EXPECT_TRUE(legend_items(LayerSet::none(), 3, true, 16).empty());
+  EXPECT_EQ(legend_items(LayerSet::parse("partitioners"), 3, true, 16).size(), 1U);
+  EXPECT_TRUE(legend_items(LayerSet::parse("partitioners,leaves,operators"), 3, false, 16).empty());
+}
+
+TEST(Font, KnowsLatin1AndSurvivesAnyBytes) {
+  const Font font(16);
+  EXPECT_EQ(font.width("abc"), 3 * font.advance());
+  EXPECT_EQ(font.width("\xc2\xb7"), font.advance());
+  EXPECT_EQ(decode_utf8("a\xe2\x82\xac"), (std::vector<char32_t>{'a', 0x20ac}));
+  EXPECT_EQ(decode_utf8("\xff\xc3"), (std::vector<char32_t>{0xfffd, 0xfffd}));
+  for (char32_t code = 33; code < 127; ++code)
+    EXPECT_GT(font.glyph(code).width, 0) << static_cast<char>(code);
+}
+
+TEST(Palette, PopulationsGetLighterAndStayInRange) {
+  const auto lightness = [](Color c) { return 2 * c.r + 5 * c.g + c.b; };
+  int last = -1;
+  for (std::uint32_t population = 0; population <= 64; ++population) {
+    const int now = lightness(palette::population_color(population, 64));
+    EXPECT_GE(now, last) << population;
+    last = now;
+  }
+  EXPECT_EQ(palette::population_color(100, 64), palette::population_color(64, 64));
+  EXPECT_EQ(palette::population_color(5, 0), palette::population_color(0, 64));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,66 @@
+#include "viz/gl/context.h"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "tests/viz/temporary_folder.h"
+#include "viz/gl/framebuffer.h"
+
+namespace kerf {
+namespace {
+
+TEST(GlContext, IsModernEnoughAndSaysWhatItIs) {
+  const auto context = make_offscreen_context();
+  GLint major = 0;
+  context->functions().GetIntegerv(GL_MAJOR_VERSION, &major);
+  EXPECT_GE(major, 3);
+  EXPECT_THAT(context->description(), testing::HasSubstr("OSMesa"));
+}
+
+TEST(GlContext, ErrorsAreNamedWithTheirPlace) {
+  const auto context = make_offscreen_context();
+  EXPECT_NO_THROW(check_gl(context->functions(), "the beginning"));
+  context->functions().Enable(0xffff);
+  const std::string error =
+      test::message_of<std::runtime_error>([&] { check_gl(context->functions(), "the middle"); });
+  EXPECT_THAT(error, testing::HasSubstr("the middle"));
+  EXPECT_THAT(error, testing::HasSubstr("GL_INVALID_ENUM"));
+}
+
+TEST(Framebuffer, GivesBackWhatIsInIt) {
+  const auto context = make_offscreen_context();
+  const GlFunctions& gl = context->functions();
+  for (const int samples : {1, 4}) {
+    const Framebuffer framebuffer(gl, 40, 30, samples);
+    framebuffer.bind();
+    gl.ClearColor(1, 0, 0, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    Image image;
+    framebuffer.read(image);
+    EXPECT_EQ(image, make_image(40, 30, 0xff0000ff)) << samples << " samples";
+    check_gl(gl, "the test");
+  }
+}
+
+TEST(Framebuffer, TwoContextsDoNotMix) {
+  const auto first = make_offscreen_context();
+  const Framebuffer red(first->functions(), 8, 8, 1);
+  red.bind();
+  first->functions().ClearColor(1, 0, 0, 1);
+  first->functions().Clear(GL_COLOR_BUFFER_BIT);
+  {
+    const auto second = make_offscreen_context();
+    const Framebuffer blue(second->functions(), 8, 8, 1);
+    blue.bind();
+    second->functions().ClearColor(0, 0, 1, 1);
+    second->functions().Clear(GL_COLOR_BUFFER_BIT);
+  }
+  first->make_current();
+  Image image;
+  red.read(image);
+  EXPECT_EQ(image, make_image(8, 8, 0xff0000ff));
+}
+
+}  // namespace
+}  // namespace kerf
