@@ -9,17 +9,19 @@ namespace {
 
 constexpr std::uint32_t kDefaultObjects = 600;
 constexpr std::uint32_t kDefaultSteps = 400;
-constexpr std::uint32_t kObjectsPerBucket = 75;  // about three units deep
+constexpr std::uint32_t kObjectsPerBucket = 70;  // about three units deep
 constexpr std::uint32_t kMinSide = 2;            // buckets along one side of the square
 
-// All lengths are multiples of 1/8, so that neighbouring bricks meet exactly.
 constexpr Scalar kInner = 5;   // width of a bucket inside
 constexpr Scalar kHeight = 4;  // of the walls above the floor, which lies at y = 0
 constexpr Scalar kHalfWall = 0.25F;
 constexpr Scalar kHalfFloor = 0.25F;
 constexpr Scalar kGap = 1.5F;  // between the walls of two buckets
 constexpr Scalar kPitch = kInner + 4 * kHalfWall + kGap;
-constexpr Scalar kFenceHeight = 1.5F;  // low: spilled objects roll, and the buckets stay in view
+// Tiles keep apart by a hair: a tree finds no room for a plane between rows of boxes that touch.
+constexpr Scalar kHalfTile = kPitch / 2 - 0x1p-10F;
+constexpr Scalar kApron = 2;           // of the outer tiles, between the buckets and the fence
+constexpr Scalar kFenceHeight = 2.5F;  // low: spilled objects roll, and the buckets stay in view
 constexpr Scalar kSite = 1.25F;        // from the middle of a bucket, along X and Z
 constexpr Scalar kSiteHeight = 8;
 
@@ -43,12 +45,16 @@ Scalar middle(std::uint32_t i, std::uint32_t side) {
   return kPitch * (static_cast<Scalar>(i) - 0.5F * static_cast<Scalar>(side - 1));
 }
 
+/// From the middle of the square to the fence.
+Scalar reach(std::uint32_t side) { return kPitch * static_cast<Scalar>(side) / 2 + kApron; }
+
+/// Row by row, every other row backwards: each bucket is followed by a neighbour.
 template <class Visit>
 void for_each_bucket(std::uint32_t side, Visit visit) {
   for (std::uint32_t i = 0; i < side; ++i) {
     for (std::uint32_t k = 0; k < side; ++k) {
       const Scalar x = middle(i, side);
-      const Scalar z = middle(k, side);
+      const Scalar z = middle(i % 2 == 0 ? k : side - 1 - k, side);
       visit(x, z);
     }
   }
@@ -58,12 +64,32 @@ void add_brick(World& world, const Vector<3>& center, const Vector<3>& half) {
   world.add_fixed(Brick<3>{half}, center);
 }
 
-void add_bucket(World& world, Scalar x, Scalar z) {
-  constexpr Scalar kHalfPitch = kPitch / 2;
+/// An interval by its middle and half its length.
+struct Span {
+  Scalar middle, half;
+};
+
+/// What tile i of `side` covers along X or Z.
+Span tile_span(std::uint32_t i, std::uint32_t side) {
+  const Scalar low = middle(i, side) - kHalfTile - (i == 0 ? kApron : 0);
+  const Scalar high = middle(i, side) + kHalfTile + (i + 1 == side ? kApron : 0);
+  return {(low + high) / 2, (high - low) / 2};
+}
+
+void add_tiles(World& world, std::uint32_t side) {
+  for (std::uint32_t i = 0; i < side; ++i) {
+    for (std::uint32_t k = 0; k < side; ++k) {
+      const Span x = tile_span(i, side);
+      const Span z = tile_span(k, side);
+      add_brick(world, {{x.middle, -kHalfFloor, z.middle}}, {{x.half, kHalfFloor, z.half}});
+    }
+  }
+}
+
+void add_walls(World& world, Scalar x, Scalar z) {
   constexpr Scalar kHalfHeight = kHeight / 2;
   constexpr Scalar kOffset = kInner / 2 + kHalfWall;
   constexpr Scalar kOuterHalf = kInner / 2 + 2 * kHalfWall;
-  add_brick(world, {{x, -kHalfFloor, z}}, {{kHalfPitch, kHalfFloor, kHalfPitch}});
   for (const Scalar sign : {-1.0F, 1.0F}) {
     add_brick(world, {{x + sign * kOffset, kHalfHeight, z}}, {{kHalfWall, kHalfHeight, kOuterHalf}});
     add_brick(world, {{x, kHalfHeight, z + sign * kOffset}}, {{kInner / 2, kHalfHeight, kHalfWall}});
@@ -73,12 +99,12 @@ void add_bucket(World& world, Scalar x, Scalar z) {
 /// One panel for each bucket at the border, so that no object is as large as the scene.
 void add_fence(World& world, std::uint32_t side) {
   constexpr Scalar kHalfHeight = kFenceHeight / 2;
-  const Scalar offset = kPitch * static_cast<Scalar>(side) / 2 + kHalfWall;
+  const Scalar offset = reach(side) + kHalfWall;
   for (std::uint32_t i = 0; i < side; ++i) {
-    const Scalar along = middle(i, side);
+    const Span along = tile_span(i, side);
     for (const Scalar sign : {-1.0F, 1.0F}) {
-      add_brick(world, {{sign * offset, kHalfHeight, along}}, {{kHalfWall, kHalfHeight, kPitch / 2}});
-      add_brick(world, {{along, kHalfHeight, sign * offset}}, {{kPitch / 2, kHalfHeight, kHalfWall}});
+      add_brick(world, {{sign * offset, kHalfHeight, along.middle}}, {{kHalfWall, kHalfHeight, along.half}});
+      add_brick(world, {{along.middle, kHalfHeight, sign * offset}}, {{along.half, kHalfHeight, kHalfWall}});
     }
   }
 }
@@ -92,8 +118,8 @@ Drop make_drop(const SceneOptions& options, std::uint32_t side) {
     for (const Scalar dx : {-kSite, kSite})
       for (const Scalar dz : {-kSite, kSite}) drop.sites.push_back({{x + dx, kSiteHeight, z + dz}});
   });
-  const Scalar reach = kPitch * static_cast<Scalar>(side) / 2;
-  drop.inside = {{{-reach, -1, -reach}}, {{reach, 1e6F, reach}}};
+  const Scalar border = reach(side);
+  drop.inside = {{{-border, -1, -border}}, {{border, 1e6F, border}}};
   return drop;
 }
 
@@ -102,7 +128,8 @@ std::unique_ptr<Scene<3>> make_buckets(BroadPhase<3>& broad_phase, const SceneOp
   const SceneOptions resolved = resolve(options, kDefaultObjects, kDefaultSteps);
   const std::uint32_t side = side_for(resolved.objects);
   const auto build = [side](World& world) {
-    for_each_bucket(side, [&world](Scalar x, Scalar z) { add_bucket(world, x, z); });
+    for_each_bucket(side, [&world](Scalar x, Scalar z) { add_walls(world, x, z); });
+    add_tiles(world, side);
     add_fence(world, side);
   };
   Drop drop = make_drop(resolved, side);

@@ -1,9 +1,9 @@
 #include "sims3d/scenes/drop_scene.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace kerf {
 namespace {
@@ -14,7 +14,8 @@ constexpr double kMinHalf = 0.35;
 constexpr double kMaxHalf = 0.55;
 constexpr double kJitter = 0.45;  // keeps neighbours and walls clear, and heaps from becoming towers
 constexpr double kSpin = 3;
-constexpr float kDropSpeed = 4;
+constexpr double kWindow = 0.3;  // of a shower, in which the drops of one site fall
+constexpr float kDropSpeed = 8;
 constexpr float kFallPerStep = kDropSpeed * 0.04F;
 constexpr float kClearance = 2;  // between the centres of two objects that appear on one site
 
@@ -69,12 +70,10 @@ DropScene::DropScene(BroadPhase<3>& broad_phase, const Needs& needs, std::uint64
       random_(seed),
       drop_(std::move(drop)),
       world_(broad_phase, seed, drop_.physics),
-      order_(drop_.sites.size()),
-      next_(drop_.sites.size()),
       last_height_(drop_.sites.size(), std::numeric_limits<float>::lowest()),
       last_step_(drop_.sites.size(), 0) {
-  if (drop_.sites.empty() || drop_.steps == 0) throw std::invalid_argument("a drop needs sites and steps");
-  std::iota(order_.begin(), order_.end(), 0U);
+  if (drop_.sites.empty() || drop_.steps == 0 || drop_.objects == 0)
+    throw std::invalid_argument("a drop needs objects, sites and steps");
 }
 
 std::uint32_t DropScene::due(std::uint32_t step) const {
@@ -121,8 +120,8 @@ void DropScene::put_back_strays() {
 }
 
 Vector<3> DropScene::next_place() {
-  if (next_ == order_.size()) shuffle_sites();
-  const std::size_t site = order_[next_++];
+  if (next_ == shower_.size()) plan_shower();
+  const std::size_t site = shower_[next_++];
   Vector<3> place = drop_.sites[site];
   place[0] += static_cast<Scalar>(random_.uniform(-kJitter, kJitter));
   place[2] += static_cast<Scalar>(random_.uniform(-kJitter, kJitter));
@@ -134,11 +133,20 @@ Vector<3> DropScene::next_place() {
   return place;
 }
 
-void DropScene::shuffle_sites() {
-  for (std::size_t i = order_.size(); i > 1; --i) {
-    const std::size_t j = random_.below(static_cast<std::uint32_t>(i));
-    std::swap(order_[i - 1], order_[j]);
+/// A site's drops are spread over a window of the shower that begins when the shower reaches the site.
+void DropScene::plan_shower() {
+  const std::size_t sites = drop_.sites.size();
+  const std::size_t drops_a_site = (drop_.objects + sites - 1) / sites;
+  std::vector<std::pair<double, std::uint32_t>> drops;  // when, where
+  drops.reserve(sites * drops_a_site);
+  for (std::uint32_t site = 0; site < sites; ++site) {
+    const double reached = static_cast<double>(site) / static_cast<double>(sites);
+    for (std::size_t i = 0; i < drops_a_site; ++i)
+      drops.emplace_back(reached + kWindow * random_.unit(), site);
   }
+  std::sort(drops.begin(), drops.end());
+  shower_.clear();
+  for (const auto& [when, site] : drops) shower_.push_back(site);
   next_ = 0;
 }
 

@@ -13,7 +13,7 @@ namespace kerf {
 struct Drop {
   std::uint32_t objects = 0;     ///< moving objects at the end of the growth
   std::uint32_t steps = 1;       ///< steps over which they come, evenly
-  std::vector<Vector<3>> sites;  ///< where they appear; at least 2.5 units apart along X or Z
+  std::vector<Vector<3>> sites;  ///< where they appear, in the shower's order; 2.5 units apart in X or Z
   std::uint32_t recycle = 0;     ///< steps between two objects that fall anew after the growth; 0: none does
   Box<3> inside;                 ///< an object whose centre leaves it is put back on a site
   WorldSettings physics;
@@ -26,9 +26,10 @@ SceneOptions resolve(const SceneOptions& options, std::uint32_t default_objects,
 /// Balls and bricks, about one unit in size, that fall into fixed surroundings; their number grows step by
 /// step.
 ///
-/// They appear upright but turning, on the sites in a shuffled order that uses each site
-/// once a round; a site that is not yet clear gets its next object so much higher. Fixed objects come first
-/// in the numbering.
+/// They appear upright but turning, in a shower that wanders over the sites in their order and gives each the
+/// same number of objects, so that a tree must follow what becomes crowded; when all have had their share it
+/// begins anew. A site that is not yet clear gets its next object so much higher. Fixed objects come first in
+/// the numbering.
 class DropScene final : public Scene<3> {
  public:
   /// `build` adds the fixed surroundings to the world; it is called once.
@@ -57,13 +58,13 @@ class DropScene final : public Scene<3> {
   void recycle();
   void drop_anew(ObjectId object);
   Vector<3> next_place();
-  void shuffle_sites();
+  void plan_shower();
 
   Needs needs_;
   Random random_;
   Drop drop_;
   World world_;
-  std::vector<std::uint32_t> order_;  // of the sites in this round
+  std::vector<std::uint32_t> shower_;  // sites in the order of their drops
   std::size_t next_ = 0;
   std::vector<float> last_height_;        // per site, of the object that appeared there last ...
   std::vector<std::uint32_t> last_step_;  // ... and when

@@ -9,6 +9,7 @@ namespace {
 constexpr double kAreaPerBump = 110;
 constexpr double kRimWidth = 8;
 constexpr double kRimHeight = 9;
+constexpr double kShrink = 1 - 0x1p-10;
 
 }  // namespace
 
@@ -44,8 +45,8 @@ Surface Hills::tile(double x, double z, std::uint32_t quads) const {
   for (std::uint32_t k = 0; k <= quads; ++k) {
     for (std::uint32_t i = 0; i <= quads; ++i) {
       const double y = height(x + i, z + k);
-      surface.vertices.push_back(
-          {{static_cast<Scalar>(i - middle), static_cast<Scalar>(y), static_cast<Scalar>(k - middle)}});
+      surface.vertices.push_back({{static_cast<Scalar>((i - middle) * kShrink), static_cast<Scalar>(y),
+                                   static_cast<Scalar>((k - middle) * kShrink)}});
     }
   }
   const std::uint32_t row = quads + 1;

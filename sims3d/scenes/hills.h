@@ -17,9 +17,9 @@ class Hills {
   /// Only sums and products, so that each machine builds the same landscape.
   [[nodiscard]] double height(double x, double z) const;
   /// The square tile of `quads` by `quads` squares of 1 unit whose lowest corner is (x, z), as two triangles
-  /// a square, counter-clockwise from above. The surface's frame stands at the tile's middle at height 0;
-  /// with whole numbers for x, z and an even number of squares, the edges of neighbouring tiles are the same
-  /// floats.
+  /// a square, counter-clockwise from above. The surface's frame stands at the tile's middle at height 0. A
+  /// tile keeps 1/1024 of its width from its neighbours: where boxes touch, any plane between two rows of
+  /// them is straddled by one row, and a tree may never find room for it.
   [[nodiscard]] Surface tile(double x, double z, std::uint32_t quads) const;
 
  private:

@@ -69,8 +69,10 @@ Drop make_drop(const SceneOptions& options, const Hills& hills, double half, Sca
   drop.steps = options.steps;
   drop.recycle = options.recycle;
   const double reach = half - kShore;
-  for (double z = -reach; z <= reach; z += kSiteSpacing) {
-    for (double x = -reach; x <= reach; x += kSiteSpacing) {
+  bool forward = true;  // each site is followed by a neighbour
+  for (double z = -reach; z <= reach; z += kSiteSpacing, forward = !forward) {
+    for (double along = -reach; along <= reach; along += kSiteSpacing) {
+      const double x = forward ? along : -along;
       const double y = hills.height(x, z) + kSiteHeight;
       drop.sites.push_back({{static_cast<Scalar>(x), static_cast<Scalar>(y), static_cast<Scalar>(z)}});
     }

@@ -44,6 +44,26 @@ TEST(DropScene, ObjectsOfOneSiteAppearClearOfEachOther) {
   EXPECT_EQ(moving(scene), 20U);
 }
 
+TEST(DropScene, TheShowerWandersAndServesEachSiteAlike) {
+  BruteForce<3> broad_phase;
+  Drop drop;
+  drop.objects = 100;
+  drop.steps = 100;
+  drop.inside = kLarge;
+  for (int i = 0; i < 10; ++i) drop.sites.push_back({{static_cast<float>(3 * i), 5, 0}});
+  DropScene scene(broad_phase, {}, 1, drop, kNothing);
+  std::vector<std::size_t> drops(10, 0);
+  std::vector<float> halves(2, 0);
+  for (std::size_t k = 0; k < 100; ++k) {
+    scene.advance();
+    const float x = scene.bodies()[k].pose.position[0];
+    ++drops[static_cast<std::size_t>(x / 3 + 0.5F)];
+    halves[k / 50] += x / 50;
+  }
+  EXPECT_THAT(drops, testing::Each(10U));
+  EXPECT_LT(halves[0] + 10, halves[1]);
+}
+
 TEST(DropScene, StraysArePutBackOnASite) {
   BruteForce<3> broad_phase;
   const Box<3> inside{{{-5, -2, -5}}, {{5, 1e6F, 5}}};

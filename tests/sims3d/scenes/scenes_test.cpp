@@ -179,6 +179,18 @@ TEST_P(Scenes, CarriesThePapersNumberOfObjects) {
   EXPECT_GT(scene->contacts().size(), 4250U);
 }
 
+TEST_P(Scenes, LetsTheTreeSplitAndRepairItself) {
+  Bsp<3> tree;
+  const auto scene = make(tree, {});
+  advance(*scene, 500);
+  const Statistics statistics = tree.statistics();
+  EXPECT_GE(statistics.leaves, 6U);
+  EXPECT_GT(statistics.count(Operator::split), 0U);
+  EXPECT_GT(statistics.count(Operator::shift_split), 0U);
+  EXPECT_GT(statistics.count(Operator::balance), 0U);
+  EXPECT_GT(statistics.count(Operator::swap), 0U);
+}
+
 TEST_P(Scenes, ComesToRest) {
   Bsp<3> tree;
   const auto scene = make(tree, kSmall);
