@@ -37,8 +37,7 @@ void keep_pair(void* pairs, dGeomID a, dGeomID b) {
 
 }  // namespace
 
-OdeSpace::OdeSpace(OdeSpaceKind kind, const Box<3>& bounds, OdeIntake intake)
-    : kind_(kind), intake_(intake) {
+OdeSpace::OdeSpace(OdeSpaceKind kind, const Box<3>& bounds, OdeIntake intake) : kind_(kind), intake_(intake) {
   const auto lock = library_.enter();
   space_ = make_space(kind, bounds);
   if (space_ == nullptr) throw std::runtime_error("ODE cannot make its space");
