@@ -130,4 +130,10 @@ void run_broad_phase_case(CaseBytes bytes, MachineReport& report) {
     run_case<3>(reader, report);
 }
 
+std::string broad_phase_case(CaseBytes bytes) {
+  MachineReport report;
+  run_broad_phase_case(bytes, report);
+  return report.finding;
+}
+
 }  // namespace kerf::test

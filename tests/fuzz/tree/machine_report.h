@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string>
 
 #include "core/trace/event.h"
+#include "tests/fuzz/corpus.h"
 
 namespace kerf::test {
 
@@ -27,8 +27,6 @@ struct MachineReport {
   }
 };
 
-using CaseBytes = std::span<const std::uint8_t>;
-
 /// Runs a case on a tree whose operators are called directly, in any order and on any node, beside placement
 /// and Algorithm 1. After every operation the tree is validated and, unless a byte says to wait, its pairs
 /// are compared with the oracle's. Bytes choose the dimension and the kind of volume as well.
@@ -37,5 +35,9 @@ void run_operator_case(CaseBytes bytes, MachineReport& report);
 /// Runs a case on a broad phase as callers see it: requests good and bad, parameter changes and steps. It is
 /// compared with the oracle, and with itself when nobody watches.
 void run_broad_phase_case(CaseBytes bytes, MachineReport& report);
+
+/// What one such case finds; empty: nothing.
+std::string operators_case(CaseBytes bytes);
+std::string broad_phase_case(CaseBytes bytes);
 
 }  // namespace kerf::test

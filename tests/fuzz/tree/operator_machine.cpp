@@ -55,6 +55,12 @@ void run_operator_case(CaseBytes bytes, MachineReport& report) {
     run_case<3>(reader, report);
 }
 
+std::string operators_case(CaseBytes bytes) {
+  MachineReport report;
+  run_operator_case(bytes, report);
+  return report.finding;
+}
+
 template <int D>
 OperatorMachine<D>::OperatorMachine(VolumeKind kind, ByteReader& bytes, MachineReport& report)
     : bytes_(bytes),
