@@ -193,6 +193,10 @@ TYPED_TEST(EventList, IsPartOfTheStateHash) {
   EXPECT_NE(this->scheduler.mix_into(tree), empty.mix_into(tree));
   EXPECT_NE(this->scheduler.mix_into(tree), one.mix_into(tree));
   EXPECT_NE(one.mix_into(tree), empty.mix_into(tree));
+  kerf::Scheduler<TypeParam::value> late = this->scheduler;
+  late.process(scene.tree, with(""), 10, this->reporter);
+  ASSERT_EQ(late.pending(), one.pending());
+  EXPECT_NE(late.mix_into(tree), one.mix_into(tree)) << "as many events, but of another node";
   const kerf::Scheduler<TypeParam::value> copy = this->scheduler;
   EXPECT_EQ(this->scheduler.mix_into(tree), copy.mix_into(tree));
 }
