@@ -32,3 +32,6 @@ if(KERF_FUZZ)
   kerf_fuzz(request kerf_fuzz_parsers_parts)
   kerf_fuzz(png kerf_fuzz_parsers_parts)
 endif()
+
+# A mutant that no longer applies would go unnoticed until somebody runs them all.
+add_test(NAME Mutants.AllApplyToTheSources COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/mutants/run_mutants --check)
