@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/config.h"
@@ -34,13 +35,14 @@ bool wants_merge(const Tree<D>& tree, NodeId id, const Config& config) {
 
 /// An inner node whose partitioner no longer divides: unbalanced (paper section 6.1), or, which the paper
 /// leaves open, straddled by more than `repair_redundancy` of its objects. A balanced node of which every
-/// object is on both sides would otherwise never be repaired.
+/// object is on both sides would otherwise never be repaired. What a split may accept is never repaired.
 template <int D>
 bool wants_repair(const Tree<D>& tree, NodeId id, const Config& config) {
   if (tree[id].is_leaf()) return false;
   const Quality q = quality(tree, id);
+  const float accepted = std::max(config.repair_redundancy, config.max_redundancy);
   return balance(q) < config.min_balance ||
-         static_cast<float>(redundancy(q)) > config.repair_redundancy * static_cast<float>(q.population);
+         static_cast<float>(redundancy(q)) > accepted * static_cast<float>(q.population);
 }
 
 }  // namespace kerf
