@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 
 #include "tests/support/dimensions.h"
@@ -130,6 +133,29 @@ TYPED_TEST(Directions, RefuseASizeThatCannotBe) {
   EXPECT_THROW(DirectionSet<kD>(kD - 1, 1), std::invalid_argument);
   EXPECT_THROW(DirectionSet<kD>(4097, 1), std::invalid_argument);
   EXPECT_THROW(DirectionSet<kD>(0xFFFFFFFFU, 1), std::invalid_argument);
+}
+
+// HARD_CASES S11: the axes come first, the rest is kept bit by bit.
+TYPED_TEST(Directions, CanBeGiven) {
+  constexpr int kD = TypeParam::value;
+  Vector<kD> nearly = axis_vector<kD>(0);
+  nearly[kD - 1] = 1e-45F;
+  const std::array<Vector<kD>, 3> given{nearly, axis_vector<kD>(1) * -0.25F, nearly};
+  const DirectionSet<kD> set{std::span<const Vector<kD>>(given)};
+  ASSERT_EQ(set.size(), kD + 3U);
+  for (int axis = 0; axis < kD; ++axis)
+    EXPECT_EQ(set[static_cast<std::uint32_t>(axis)], axis_vector<kD>(axis));
+  for (std::uint32_t k = 0; k < given.size(); ++k) EXPECT_EQ(set[kD + k], given[k]);
+}
+
+// HARD_CASES S12.
+TYPED_TEST(Directions, RefuseOneThatCannotDivide) {
+  constexpr int kD = TypeParam::value;
+  constexpr Scalar kNan = std::numeric_limits<Scalar>::quiet_NaN();
+  for (const Scalar bad : {Scalar{0}, kNan, Scalar{1.0001F}, std::numeric_limits<Scalar>::infinity()}) {
+    const std::array<Vector<kD>, 1> given{axis_vector<kD>(0) * bad};
+    EXPECT_THROW(DirectionSet<kD>(std::span<const Vector<kD>>(given)), std::invalid_argument) << bad;
+  }
 }
 
 }  // namespace
