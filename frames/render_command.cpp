@@ -22,7 +22,8 @@ std::string footer() {
       "\n        sequence and nothing else. Ctrl-C keeps the finished frames and their manifest."
       "\nEXIT    0 done, 1 failed, 2 wrong usage, 130 interrupted"
       "\n\nVOLUMES for --volume: box, sphere, oriented-box; in 3D 14-dop, 26-dop; in 2D 8-dop, 16-dop"
-      "\n\nPARAMETERS of the tree for --config, with their defaults:\n";
+      "\n\nPARAMETERS of the tree for --config, with the paper's values. A scene that needs no free "
+      "directions\n           starts with free_directions=0; frames.json says what was used:\n";
   for (const ConfigField& field : config_fields()) {
     std::string line = "  " + std::string(field.name) + "=" + get(Config{}, field.name);
     line.resize(std::max<std::size_t>(line.size() + 1, 28), ' ');
@@ -49,7 +50,8 @@ RenderCommand::RenderCommand(CLI::App& program)
          "KIND");
   option("--show", texts_.show, "What is drawn, see below (default all)", "LAYERS");
   option("--camera", texts_.camera, "From where, see below (default: all in view)", "TEXT");
-  option("--config", texts_.config, "Parameters of the tree, see below (default: the paper's)", "K=V,...");
+  option("--config", texts_.config, "Parameters of the tree, see below (default: what the scene needs)",
+         "K=V,...");
   option("--out", texts_.out, "Folder for frames and manifest (default out/SCENE)", "DIR");
   option("--video", texts_.video, "Also a film (.mp4, .mkv, .mov), by ffmpeg", "FILE");
   option("--fps", texts_.fps, "Frames a second of the film (default 25)", "N");

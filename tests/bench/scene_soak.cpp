@@ -1,5 +1,5 @@
-// A scene that never comes to rest, for very many steps: does the tree stay as good as it was? Height, entries
-// and the 99th percentile of the step time of the last quarter stand beside those of the second.
+// A scene that never comes to rest, for very many steps: does the tree stay as good as it was? Height,
+// entries and the 99th percentile of the step time of the last quarter stand beside those of the second.
 // usage: kerf_scene_soak SCENE OBJECTS STEPS CSV-FILE     SCENE is a 3D scene, or a 2D one as NAME-2d
 //
 // The CSV has a row for each thousandth of the run: tests/bench/scene_soak.gp draws it. Exit code 1: it has
