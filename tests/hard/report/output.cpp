@@ -1,0 +1,136 @@
+#include "tests/hard/report/output.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "frames/atomic_file.h"
+
+namespace kerf::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Outcome& outcome) {
+  const Trial& t = outcome.trial;
+  Json json{{"verdict", to_string(outcome.verdict)},
+            {"steps", t.steps},
+            {"pairs", t.pairs},
+            {"missed", t.missed},
+            {"extra", t.extra},
+            {"twice", t.twice},
+            {"worst_step_ms", t.worst_ms},
+            {"all_steps_ms", t.total_ms}};
+  if (!outcome.reason.empty()) json["reason"] = outcome.reason;
+  if (t.note[0] != 0) json["first"] = t.note.data();
+  return json;
+}
+
+Json to_json(const Attempt& attempt, bool ours) {
+  Json json = to_json(attempt.outcome);
+  if (!ours) return json;
+  const Trial& t = attempt.outcome.trial;
+  json["config"] = attempt.config;
+  json["turned_volumes"] = attempt.turned;
+  json["wrong_statuses"] = t.statuses;
+  json["violations"] = t.violations;
+  json["height"] = t.height;
+  json["entries_an_object"] = t.entries;
+  json["most_operators_a_step"] = t.most_operators;
+  return json;
+}
+
+Json to_json(const Column& column) {
+  return {{"dimension", column.dimension},
+          {"who", column.ours ? "kerf" : "rival"},
+          {"name", column.name},
+          {"flat", column.flat}};
+}
+
+void save(const std::filesystem::path& path, const Json& json) {
+  constexpr int kIndent = 1;
+  write_file_atomically(path, json.dump(kIndent) + "\n");
+}
+
+/// "1k", "=" and so on of all columns of a group, side by side.
+void print_group(const Table& table, int dimension, bool ours) {
+  std::printf("\n%dD, %s\n%-30s", dimension, ours ? "kerf by volume" : "rivals", "");
+  for (const Column& column : table.columns)
+    if (column.dimension == dimension && column.ours == ours) std::printf(" %-9.9s", column.name.c_str());
+  std::printf("%s\n", ours ? "  worst step  entries  height" : "");
+  for (const Row& row : table.rows) {
+    std::printf("%-4s %-25.25s", row.hard_case->id.data(), row.hard_case->name.data());
+    Outcome worst;
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const Column& column = table.columns[i];
+      if (column.dimension != dimension || column.ours != ours) continue;
+      std::printf(" %-9s", symbol(row.cells[i].worst).c_str());
+      worst = worse(worst, row.cells[i].worst);
+    }
+    if (ours)
+      std::printf(" %9.2f ms %8.2f %7u", worst.trial.worst_ms, worst.trial.entries, worst.trial.height);
+    std::printf("\n");
+  }
+}
+
+double ratio(const VolumeFigure& f) {
+  return f.contacts == 0 ? 0 : static_cast<double>(f.candidates) / static_cast<double>(f.contacts);
+}
+
+}  // namespace
+
+void print(const Table& table) {
+  std::printf(
+      "= exact   +n extra   2xn told twice   !n wrong status or unsound   -n missed   T time-out   X "
+      "crash\n");
+  for (const int dimension : {2, 3})
+    for (const bool ours : {true, false}) print_group(table, dimension, ours);
+}
+
+void print(std::span<const VolumeFigure> figures) {
+  std::printf(
+      "\ncandidates for each true contact, bricks of unit volume at random poses, as dense as a pile\n");
+  std::printf("%-4s %-8s %-14s %12s %10s %8s %10s\n", "", "bricks", "volume", "candidates", "contacts",
+              "ratio", "ms a step");
+  for (const VolumeFigure& f : figures)
+    std::printf("%dD   %2.0f:1%s %-14s %12llu %10llu %8.2f %10.2f%s\n", f.dimension, f.slenderness,
+                f.dimension == 3 ? ":1 " : "   ", to_string(f.kind).data(),
+                static_cast<unsigned long long>(f.candidates), static_cast<unsigned long long>(f.contacts),
+                ratio(f), f.milliseconds, f.missed > 0 ? "  MISSES CONTACTS" : "");
+}
+
+void write_json(const std::filesystem::path& path, const Table& table) {
+  Json columns = Json::array();
+  for (const Column& column : table.columns) columns.push_back(to_json(column));
+  Json rows = Json::array();
+  for (const Row& row : table.rows) {
+    Json cells = Json::array();
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      Json cell{{"verdict", to_string(row.cells[i].worst.verdict)}, {"sign", symbol(row.cells[i].worst)}};
+      cell["attempts"] = Json::array();
+      for (const Attempt& attempt : row.cells[i].attempts)
+        cell["attempts"].push_back(to_json(attempt, table.columns[i].ours));
+      cells.push_back(std::move(cell));
+    }
+    rows.push_back({{"id", row.hard_case->id},
+                    {"name", row.hard_case->name},
+                    {"what", row.hard_case->what},
+                    {"cells", std::move(cells)}});
+  }
+  save(path, {{"columns", std::move(columns)}, {"cases", std::move(rows)}});
+}
+
+void write_json(const std::filesystem::path& path, std::span<const VolumeFigure> figures) {
+  Json all = Json::array();
+  for (const VolumeFigure& f : figures)
+    all.push_back({{"dimension", f.dimension},
+                   {"slenderness", f.slenderness},
+                   {"volume", to_string(f.kind)},
+                   {"candidates", f.candidates},
+                   {"contacts", f.contacts},
+                   {"candidates_per_contact", ratio(f)},
+                   {"missed_contacts", f.missed},
+                   {"step_ms", f.milliseconds}});
+  save(path, all);
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,137 @@
+#include "tests/hard/report/table.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "tests/hard/flush_to_zero.h"
+#include "tests/hard/settings.h"
+#include "tests/rivals/rival.h"
+
+namespace kerf::test {
+namespace {
+
+template <int D>
+void add_columns(std::vector<Column>& columns) {
+  for (const VolumeKind kind : volume_kinds<D>())
+    columns.push_back({D, true, false, std::string(to_string(kind))});
+  for (const Rival<D>& rival : rivals<D>())
+    columns.push_back({D, false, rival.flat, std::string(rival.name)});
+}
+
+/// What a user of a rival would tell it: where the objects are at the beginning and how large one usually is.
+template <int D>
+RivalHints<D> hints_for(const Script<D>& script) {
+  RivalHints<D> hints;
+  hints.bounds = Box<D>::empty();
+  std::vector<Scalar> sizes;
+  for (const ScriptStep<D>& step : script) {
+    for (const Request<D>& request : step.requests) {
+      hints.capacity = std::max(hints.capacity, request.object.value + 1);
+      if (request.kind != Request<D>::Kind::insert || !is_valid(request.box)) continue;
+      hints.bounds = join(hints.bounds, request.box);
+      const Vector<D> extent = request.box.extent();
+      sizes.push_back(*std::max_element(extent.value.begin(), extent.value.end()));
+    }
+    if (!sizes.empty()) break;
+  }
+  if (sizes.empty()) {
+    hints.bounds = {};
+    return hints;
+  }
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  hints.box_size = std::max(*middle, std::numeric_limits<Scalar>::min());
+  return hints;
+}
+
+/// Plays one case to everybody in one dimension.
+template <int D>
+class CaseRun {
+ public:
+  CaseRun(const HardCase& hard_case, Children& children)
+      : case_(hard_case),
+        children_(children),
+        small_(make_script<D>(hard_case, Size::test)),
+        large_(make_script<D>(hard_case, Size::report)),
+        truth_(find_truth(large_, VolumeKind::box, Feed::boxes)) {}
+
+  void ours(VolumeKind kind, Cell& cell) {
+    const bool box = kind == VolumeKind::box;
+    for (Setting setting : settings_for(case_, kind)) {
+      if (box && large_.front().requests.size() > kManyObjects) setting.validate_every = 5;
+      const std::size_t index = cell.attempts.size();
+      cell.attempts.push_back({std::string(setting.config), setting.feed == Feed::posed, {}});
+      const auto work = [=, this](Trial& trial) {
+        if (box) {
+          play_kerf(large_, truth_, setting, trial);
+        } else {
+          play_kerf(small_, find_truth(small_, kind, setting.feed), setting, trial);
+        }
+      };
+      children_.run(work, setting.flush_to_zero, [&cell, index](const Outcome& outcome) {
+        cell.attempts[index].outcome = outcome;
+        cell.worst = worse(cell.worst, outcome);
+      });
+    }
+  }
+
+  void rival(const Rival<D>& rival, Cell& cell) {
+    if (case_.ours_only) return;
+    const auto work = [&rival, this](Trial& trial) {
+      const FlushToZero flush(case_.flush_to_zero);
+      const auto subject = rival.make(hints_for(large_), Intake::raw);
+      play<D>(large_, truth_, *subject, trial);
+    };
+    children_.run(work, case_.flush_to_zero, [&cell](const Outcome& outcome) {
+      cell.attempts = {{"", false, outcome}};
+      cell.worst = outcome;
+    });
+  }
+
+ private:
+  static constexpr std::size_t kManyObjects = 5000;
+
+  const HardCase& case_;
+  Children& children_;
+  Script<D> small_;
+  Script<D> large_;
+  Truth truth_;
+};
+
+/// Fills the cells of a row from `first` on; returns the column behind them.
+template <int D>
+std::size_t fill(Row& row, std::size_t first, Children& children) {
+  CaseRun<D> run(*row.hard_case, children);
+  std::size_t column = first;
+  for (const VolumeKind kind : volume_kinds<D>()) run.ours(kind, row.cells[column++]);
+  for (const Rival<D>& rival : rivals<D>()) run.rival(rival, row.cells[column++]);
+  children.finish();
+  return column;
+}
+
+}  // namespace
+
+std::vector<Column> all_columns() {
+  std::vector<Column> columns;
+  add_columns<2>(columns);
+  add_columns<3>(columns);
+  return columns;
+}
+
+Table make_table(std::string_view only, const Limits& limits, unsigned at_once,
+                 const std::function<void(const HardCase&)>& progress) {
+  Table table;
+  table.columns = all_columns();
+  Children children(limits, at_once);
+  for (const HardCase& hard_case : hard_cases()) {
+    const std::string name = std::string(hard_case.id) + "_" + std::string(hard_case.name);
+    if (name.find(only) == std::string::npos) continue;
+    progress(hard_case);
+    Row row{&hard_case, std::vector<Cell>(table.columns.size())};
+    fill<3>(row, fill<2>(row, 0, children), children);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace kerf::test

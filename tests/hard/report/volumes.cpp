@@ -1,0 +1,193 @@
+#include "tests/hard/report/volumes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+
+#include "core/broad_phase/bsp.h"
+#include "core/random.h"
+#include "core/scene/bounding.h"
+#include "sims3d/geoms.h"
+
+namespace kerf::test {
+namespace {
+
+/// Share of the world's volume that the bricks have: what boxes poured into a container come to.
+constexpr double kDensity = 0.6;
+
+template <int D>
+struct PosedBrick {
+  Brick<D> brick;
+  PrecisePose<D> pose;
+};
+
+void turn(PrecisePose<2>& pose, Random& random) {
+  const double angle = random.uniform(0, 3.14159265358979);
+  pose.axes = {{{std::cos(angle), std::sin(angle)}, {-std::sin(angle), std::cos(angle)}}};
+}
+
+/// A uniform rotation (Shoemake 1992, by rejection).
+void turn(PrecisePose<3>& pose, Random& random) {
+  std::array<double, 4> q;
+  double size = 0;
+  do {
+    size = 0;
+    for (double& x : q) {
+      x = random.uniform(-1, 1);
+      size += x * x;
+    }
+  } while (size > 1 || size < 1e-3);
+  for (double& x : q) x /= std::sqrt(size);
+  const auto [w, x, y, z] = q;
+  pose.axes = {{{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+                {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+                {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}}};
+}
+
+template <int D>
+std::vector<PosedBrick<D>> scatter(std::uint32_t count, double slenderness, Random& random) {
+  const double thickness = std::pow(slenderness, -1.0 / D);
+  const double world = std::pow(count / kDensity, 1.0 / D);
+  std::vector<PosedBrick<D>> bricks(count);
+  for (PosedBrick<D>& b : bricks) {
+    for (int i = 0; i < D; ++i)
+      b.brick.half[i] = static_cast<Scalar>(thickness * (i == 0 ? slenderness : 1) / 2);
+    for (double& x : b.pose.position) x = random.uniform(0, world);
+    turn(b.pose, random);
+  }
+  return bricks;
+}
+
+/// Whether the shadows of both on an axis of one of them are apart.
+bool apart_along(const std::array<double, 2>& axis, const PosedBrick<2>& a, const PosedBrick<2>& b) {
+  double distance = 0;
+  double reach = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    distance += axis[i] * (b.pose.position[i] - a.pose.position[i]);
+    for (const PosedBrick<2>* brick : {&a, &b}) {
+      const std::array<double, 2>& own = brick->pose.axes[i];
+      reach +=
+          static_cast<double>(brick->brick.half.value[i]) * std::abs(own[0] * axis[0] + own[1] * axis[1]);
+    }
+  }
+  return std::abs(distance) > reach;
+}
+
+/// The truth in 2D.
+class NarrowPhase2 {
+ public:
+  explicit NarrowPhase2(const std::vector<PosedBrick<2>>& bricks) : bricks_(bricks) {}
+  bool touch(std::uint32_t i, std::uint32_t j) const {
+    const PosedBrick<2>& a = bricks_[i];
+    const PosedBrick<2>& b = bricks_[j];
+    return !apart_along(a.pose.axes[0], a, b) && !apart_along(a.pose.axes[1], a, b) &&
+           !apart_along(b.pose.axes[0], a, b) && !apart_along(b.pose.axes[1], a, b);
+  }
+
+ private:
+  const std::vector<PosedBrick<2>>& bricks_;
+};
+
+/// The truth in 3D: ODE's collider of boxes.
+class NarrowPhase3 {
+ public:
+  explicit NarrowPhase3(const std::vector<PosedBrick<3>>& bricks) {
+    const auto lock = library_.enter();
+    for (const PosedBrick<3>& b : bricks) {
+      geoms_.push_back(make_geom(b.brick));
+      const auto& p = b.pose.position;
+      const auto& u = b.pose.axes;
+      dMatrix3 rotation{u[0][0], u[1][0], u[2][0], 0,       u[0][1], u[1][1],
+                        u[2][1], 0,       u[0][2], u[1][2], u[2][2], 0};
+      dGeomSetPosition(geoms_.back().geom.get(), p[0], p[1], p[2]);
+      dGeomSetRotation(geoms_.back().geom.get(), rotation);
+    }
+  }
+  bool touch(std::uint32_t i, std::uint32_t j) const {
+    const auto lock = library_.enter();
+    dContactGeom contact;
+    return dCollide(geoms_[i].geom.get(), geoms_[j].geom.get(), 1, &contact, sizeof contact) > 0;
+  }
+
+ private:
+  OdeLibrary library_;  // first: the geoms end before it does
+  std::vector<Geom> geoms_;
+};
+
+template <int D>
+using NarrowPhaseOf = std::conditional_t<D == 2, NarrowPhase2, NarrowPhase3>;
+
+/// All contacts, in order. The bricks' spheres tell which pairs are worth a test, nothing of ours does.
+template <int D>
+std::vector<Pair> find_contacts(const std::vector<PosedBrick<D>>& bricks) {
+  const NarrowPhaseOf<D> narrow_phase(bricks);
+  double diagonal2 = 0;
+  for (const Scalar h : bricks.front().brick.half.value)
+    diagonal2 += 4 * static_cast<double>(h) * static_cast<double>(h);
+  std::vector<Pair> contacts;
+  for (std::uint32_t i = 0; i < bricks.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < bricks.size(); ++j) {
+      double apart2 = 0;
+      for (std::size_t k = 0; k < D; ++k) {
+        const double apart = bricks[i].pose.position[k] - bricks[j].pose.position[k];
+        apart2 += apart * apart;
+      }
+      if (apart2 <= diagonal2 * 1.001 && narrow_phase.touch(i, j)) contacts.push_back({{i}, {j}});
+    }
+  }
+  return contacts;
+}
+
+double processor_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+template <int D>
+VolumeFigure measure(const std::vector<PosedBrick<D>>& bricks, const std::vector<Pair>& contacts,
+                     VolumeKind kind, double slenderness) {
+  constexpr int kGrowingSteps = 400;  // until the tree is as fine as it will be
+  constexpr int kTimedSteps = 10;
+  std::vector<Volume<D>> volumes;
+  for (const PosedBrick<D>& b : bricks) volumes.push_back(bound<D>(kind, b.brick, b.pose));
+  Bsp<D> bsp({}, kind);
+  for (std::uint32_t k = 0; k < volumes.size(); ++k) (void)bsp.insert({k}, volumes[k], Mobility::moving);
+  for (int step = 0; step < kGrowingSteps; ++step) bsp.step();
+  const double start = processor_ms();
+  for (int step = 0; step < kTimedSteps; ++step) {
+    for (std::uint32_t k = 0; k < volumes.size(); ++k) (void)bsp.move({k}, volumes[k]);
+    bsp.step();
+  }
+  VolumeFigure figure{D, slenderness, kind, bsp.pairs().size(), contacts.size(), 0, 0};
+  figure.milliseconds = (processor_ms() - start) / kTimedSteps;
+  std::vector<Pair> candidates(bsp.pairs().begin(), bsp.pairs().end());
+  std::sort(candidates.begin(), candidates.end());
+  for (const Pair& contact : contacts)
+    if (!std::binary_search(candidates.begin(), candidates.end(), contact)) ++figure.missed;
+  return figure;
+}
+
+template <int D>
+void measure_all(std::uint32_t count, std::vector<VolumeFigure>& figures) {
+  constexpr std::array kSlenderness{1.0, 4.0, 16.0};
+  for (const double slenderness : kSlenderness) {
+    Random random(17);
+    const auto bricks = scatter<D>(count, slenderness, random);
+    const std::vector<Pair> contacts = find_contacts<D>(bricks);
+    for (const VolumeKind kind : volume_kinds<D>())
+      figures.push_back(measure<D>(bricks, contacts, kind, slenderness));
+  }
+}
+
+}  // namespace
+
+std::vector<VolumeFigure> measure_volumes(std::uint32_t bricks) {
+  std::vector<VolumeFigure> figures;
+  measure_all<2>(bricks, figures);
+  measure_all<3>(bricks, figures);
+  return figures;
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,143 @@
+// F1 to F3: files that lie, disks that are full and processes that are killed, for what exists by now: scenes
+// and parameters by name, frames, images. The tests of viz/ and frames/ go further into each.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "frames/errors.h"
+#include "tests/frames/program.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::Process;
+using testing::TemporaryFolder;
+
+std::string bytes_of(const std::filesystem::path& file) { return testing::read_text(file); }
+
+void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+/// What `read_png` says of a file that it must refuse.
+std::string refusal(const std::filesystem::path& file) {
+  try {
+    read_png(file);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "it was read";
+}
+
+/// The address space that the process takes at most from now on, until the end of the scope.
+class MemoryLimit {
+ public:
+  explicit MemoryLimit(rlim_t bytes_more) {
+    getrlimit(RLIMIT_AS, &before_);
+    std::ifstream statm("/proc/self/statm");
+    rlim_t pages = 0;
+    statm >> pages;
+    const rlimit limit{pages * 4096 + bytes_more, before_.rlim_max};
+    setrlimit(RLIMIT_AS, &limit);
+  }
+  ~MemoryLimit() { setrlimit(RLIMIT_AS, &before_); }
+  MemoryLimit(const MemoryLimit&) = delete;
+  MemoryLimit& operator=(const MemoryLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST(HardFiles, F1_ATruncatedImageIsRefusedByName) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "frame.png";
+  write_png(file, make_image(40, 30, 0x336699ffU));
+  const std::string whole = bytes_of(file);
+  for (const std::size_t length : {std::size_t{0}, std::size_t{7}, whole.size() / 2, whole.size() - 1}) {
+    write_bytes(file, whole.substr(0, length));
+    EXPECT_THAT(refusal(file), HasSubstr("frame.png"));
+  }
+}
+
+TEST(HardFiles, F1_ALyingImageTakesNoMemory) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "frame.png";
+  // 16384 by 16384 pixels, 1 GB, in a file of some fifty bytes; the header's checksum is right.
+  const std::string lie(
+      "\x89PNG\r\n\x1a\n"
+      "\0\0\0\x0dIHDR\0\0\x40\0\0\0\x40\0\x08\x06\0\0\0\xa9\xc8\x10\x84"
+      "\0\0\0\0IDAT\x35\xaf\x06\x1e"
+      "\0\0\0\0IEND\xae\x42\x60\x82",
+      57);
+  write_bytes(file, lie);
+  const MemoryLimit limit(rlim_t{200} << 20U);
+  EXPECT_THAT(refusal(file), HasSubstr("frame.png"));
+}
+
+TEST(HardFiles, F1_ASceneOrAParameterThatIsNoneIsNamed) {
+  const TemporaryFolder folder;
+  const Outcome scene = testing::run_kerf({"render", "pyle", "--out", folder.path() / "a"});
+  EXPECT_EQ(scene.exit, kExitUsage);
+  EXPECT_THAT(scene.err, HasSubstr("pyle"));
+  EXPECT_THAT(scene.err, HasSubstr("pile")) << "what was meant";
+  const Outcome parameter =
+      testing::run_kerf({"render", "pile", "--config", "max_height=1e9", "--out", folder.path() / "b"});
+  EXPECT_EQ(parameter.exit, kExitUsage);
+  EXPECT_THAT(parameter.err, HasSubstr("max_height"));
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(HardFiles, F2_AFullDeviceAndAClosedPipeAreErrors) {
+  const std::string program = KERF_PROGRAM;
+  const Outcome full = Process({"sh", "-c", program + " scenes > /dev/full"}).wait();
+  EXPECT_NE(full.exit, 0);
+  EXPECT_THAT(full.err, HasSubstr("kerf"));
+  // The reader is gone before the first word.
+  const Outcome pipe =
+      Process({"bash", "-c", "(sleep 0.3; " + program + " scenes) | true; exit ${PIPESTATUS[0]}"}).wait();
+  EXPECT_NE(pipe.exit, 0);
+}
+
+TEST(HardFiles, F2_AFileThatMayNotGrowLeavesNothing) {
+  const TemporaryFolder folder;
+  const Outcome outcome = testing::run_kerf(
+      {"render", "pile", "--objects", "30", "--steps", "1:3:1", "--size", "320x240", "--out", folder.path()},
+      {2000, ""});
+  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_THAT(outcome.err, HasSubstr("pile_00000"));
+  for (const std::string& file : folder.files())
+    EXPECT_FALSE(file.ends_with(".png")) << file << " has a final name and is not complete";
+}
+
+/// Killed without a warning after different times: each file that has its final name opens, and only a
+/// sequence that was finished claims so.
+TEST(HardFiles, F3_AKilledSequenceHoldsOnlyWholeFrames) {
+  for (const int milliseconds : {60, 150, 240, 400, 700}) {
+    const TemporaryFolder folder;
+    Process process(testing::kerf_command({"render", "pile", "--steps", "1:1000000:1", "--objects", "50",
+                                           "--size", "320x240", "--out", folder.path()}));
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    process.signal(SIGKILL);
+    EXPECT_EQ(process.wait().exit, 128 + SIGKILL);
+    for (const std::string& name : folder.files()) {
+      EXPECT_NE(name, "frames.json");
+      if (!name.starts_with("pile_") || !name.ends_with(".png") || name.find("part") != std::string::npos)
+        continue;
+      EXPECT_EQ(read_png(folder.path() / name).width, 320) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf
