@@ -135,6 +135,21 @@ TYPED_TEST(FrameRendererTest, EachPairAndEachContactIsSeen) {
   }
 }
 
+TYPED_TEST(FrameRendererTest, OperatorsAreNamedInTheScene) {
+  constexpr int kD = TypeParam::value;
+  const test::SmallScene<kD> scene(60);
+  const NodeRef root = scene.tree().ref(scene.tree().root());
+  const auto image_with = [&](Operator op) {
+    const std::vector<Event> events{{1, 5, OperatorActed{op, root, {}, {}, 0, 3, 6}}};
+    FrameInput<kD> input = scene.input();
+    input.events = events;
+    input.caption.step = 5;
+    return frame(input, options("operators"));
+  };
+  // The same cell and the same plane: only the label differs.
+  EXPECT_NE(image_with(Operator::split), image_with(Operator::shift_split));
+}
+
 TYPED_TEST(FrameRendererTest, BrokenInputIsDrawnWithoutHarm) {
   constexpr int kD = TypeParam::value;
   const test::SmallScene<kD> scene;

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "viz/draw/flow.h"
 #include "viz/draw/palette.h"
 
@@ -56,6 +60,30 @@ TEST(Caption, StandsStillWhileNumbersGrow) {
     EXPECT_EQ(a[i].x, b[i].x) << i;
     EXPECT_EQ(a[i].line, b[i].line) << i;
   }
+}
+
+TEST(Labels, LieInTheSceneAndApart) {
+  const Font font(16);
+  const Layout layout{40, 30, {0, 40, 640, 290}};
+  const View view = frame_all(Box<2>{{{0, 0}}, {{4, 2}}}, {}, layout.scene, 640, 360);
+  Highlight highlight;
+  highlight.faces = {{{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0, 0.1, 0}}};  // in a corner
+  Overlay overlay;
+  draw_highlight_labels(view, font, layout, std::vector<Highlight>(6, highlight), overlay);
+  // Each label is a frame and a ground of four corners each.
+  ASSERT_EQ(overlay.shapes.vertices.size(), 6U * 8U);
+  EXPECT_FALSE(overlay.text.vertices.empty());
+  std::vector<std::pair<float, float>> rows;
+  for (std::size_t i = 0; i < overlay.shapes.vertices.size(); i += 8) {
+    const auto begin = overlay.shapes.vertices.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto [low, high] =
+        std::minmax_element(begin, begin + 4, [](const Vertex& a, const Vertex& b) { return a.y < b.y; });
+    rows.emplace_back((low->y + 1) * 180, (high->y + 1) * 180);
+    EXPECT_GE(rows.back().first, 40 - 1e-3);
+    EXPECT_LE(rows.back().second, 330 + 1e-3);
+  }
+  std::ranges::sort(rows);
+  for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_GE(rows[i].first, rows[i - 1].second);
 }
 
 TEST(Legend, NamesOnlyWhatIsDrawn) {
