@@ -20,10 +20,16 @@ if(KERF_SANITIZE)
 endif()
 target_include_directories(kerf_options INTERFACE ${PROJECT_SOURCE_DIR})
 
-# kerf_room(NAME SOURCES... ) takes every .cpp and .h below the current folder, so that a new file needs no line here.
+# kerf_room(NAME [EXCLUDE REGEX...]) takes every .cpp and .h below the current folder that matches none of the
+# expressions, so that a new file needs no line here.
 function(kerf_room name)
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "" EXCLUDE)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  foreach(pattern IN LISTS room_EXCLUDE)
+    list(FILTER sources EXCLUDE REGEX "${pattern}")
+    list(FILTER headers EXCLUDE REGEX "${pattern}")
+  endforeach()
   add_library(${name} STATIC ${sources})
   target_sources(${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   target_link_libraries(${name} PUBLIC kerf_options)

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "frames/rivals/rival.h"
 #include "tests/hard/flush_to_zero.h"
 #include "tests/hard/settings.h"
-#include "tests/rivals/rival.h"
 
 namespace kerf::test {
 namespace {

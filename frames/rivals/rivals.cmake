@@ -1,4 +1,4 @@
-# Other libraries' broad phases behind our interface: for the hard cases and the benchmarks, no part of the product.
+# Other libraries' broad phases behind our interface: for `kerf bench` and the hard cases.
 find_package(PkgConfig REQUIRED)
 find_package(box2d 2.4.1 REQUIRED)
 find_package(embree 3 REQUIRED)

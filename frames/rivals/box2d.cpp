@@ -1,13 +1,13 @@
-#include "tests/rivals/box2d.h"
+#include "frames/rivals/box2d.h"
 
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_dynamic_tree.h>
 
 #include <algorithm>
 
-#include "tests/rivals/rival_base.h"
+#include "frames/rivals/rival_base.h"
 
-namespace kerf::test {
+namespace kerf {
 namespace {
 
 b2AABB to_box2d(const Box<2>& box) {
@@ -135,4 +135,4 @@ std::unique_ptr<BroadPhase<2>> make_box2d_broad_phase(const RivalHints<2>& hints
   return std::make_unique<BroadPhaseRival>(hints, intake);
 }
 
-}  // namespace kerf::test
+}  // namespace kerf

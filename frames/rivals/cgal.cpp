@@ -1,10 +1,10 @@
-#include "tests/rivals/cgal.h"
+#include "frames/rivals/cgal.h"
 
 #include <CGAL/box_intersection_d.h>
 
-#include "tests/rivals/rival_base.h"
+#include "frames/rivals/rival_base.h"
 
-namespace kerf::test {
+namespace kerf {
 namespace {
 
 template <int D>
@@ -80,4 +80,4 @@ std::unique_ptr<BroadPhase<D>> make_cgal(const RivalHints<D>& hints, Intake inta
 template std::unique_ptr<BroadPhase<2>> make_cgal<2>(const RivalHints<2>&, Intake);
 template std::unique_ptr<BroadPhase<3>> make_cgal<3>(const RivalHints<3>&, Intake);
 
-}  // namespace kerf::test
+}  // namespace kerf

@@ -8,7 +8,7 @@
 
 #include "core/broad_phase/broad_phase.h"
 
-namespace kerf::test {
+namespace kerf {
 
 /// What some libraries ask before the first box, because they cannot grow or adapt.
 template <int D>
@@ -42,4 +42,4 @@ std::span<const Rival<D>> rivals();
 template <int D>
 std::optional<Rival<D>> find_rival(std::string_view name);
 
-}  // namespace kerf::test
+}  // namespace kerf

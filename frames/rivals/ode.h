@@ -2,13 +2,13 @@
 
 #include <memory>
 
-#include "tests/rivals/rival.h"
+#include "frames/rivals/rival.h"
 
-namespace kerf::test {
+namespace kerf {
 
 /// ODE's spaces, as the worlds of sims3d/ know them.
 std::unique_ptr<BroadPhase<3>> make_ode_hash(const RivalHints<3>& hints, Intake intake);
 std::unique_ptr<BroadPhase<3>> make_ode_quadtree(const RivalHints<3>& hints, Intake intake);
 std::unique_ptr<BroadPhase<3>> make_ode_sweep_and_prune(const RivalHints<3>& hints, Intake intake);
 
-}  // namespace kerf::test
+}  // namespace kerf

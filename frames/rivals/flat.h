@@ -3,9 +3,9 @@
 #include <memory>
 #include <utility>
 
-#include "tests/rivals/rival.h"
+#include "frames/rivals/rival.h"
 
-namespace kerf::test {
+namespace kerf {
 
 /// The box of a slab of unit thickness.
 inline Box<3> flat_box(const Box<2>& box) {
@@ -35,4 +35,4 @@ std::unique_ptr<BroadPhase<2>> make_flat(const RivalHints<2>& hints, Intake inta
   return std::make_unique<Flat>(Make({flat_box(hints.bounds), hints.box_size, hints.capacity}, intake));
 }
 
-}  // namespace kerf::test
+}  // namespace kerf

@@ -1,4 +1,4 @@
-#include "tests/rivals/fcl.h"
+#include "frames/rivals/fcl.h"
 
 #include <fcl/broadphase/broadphase_SaP.h>
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
@@ -7,9 +7,9 @@
 
 #include <utility>
 
-#include "tests/rivals/rival_base.h"
+#include "frames/rivals/rival_base.h"
 
-namespace kerf::test {
+namespace kerf {
 namespace {
 
 using FclObject = fcl::CollisionObject<double>;
@@ -138,4 +138,4 @@ std::unique_ptr<BroadPhase<3>> make_fcl_spatial_hash(const RivalHints<3>& hints,
   return std::make_unique<FclRival>("fcl-spatial-hash", std::move(manager), hints, intake);
 }
 
-}  // namespace kerf::test
+}  // namespace kerf

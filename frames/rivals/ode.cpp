@@ -1,8 +1,8 @@
-#include "tests/rivals/ode.h"
+#include "frames/rivals/ode.h"
 
 #include "sims3d/rivals/ode_space.h"
 
-namespace kerf::test {
+namespace kerf {
 namespace {
 
 std::unique_ptr<BroadPhase<3>> make_space(OdeSpaceKind kind, const RivalHints<3>& hints, Intake intake) {
@@ -24,4 +24,4 @@ std::unique_ptr<BroadPhase<3>> make_ode_sweep_and_prune(const RivalHints<3>& hin
   return make_space(OdeSpaceKind::sweep_and_prune, hints, intake);
 }
 
-}  // namespace kerf::test
+}  // namespace kerf

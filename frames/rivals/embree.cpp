@@ -1,13 +1,13 @@
-#include "tests/rivals/embree.h"
+#include "frames/rivals/embree.h"
 
 #include <embree3/rtcore.h>
 
 #include <stdexcept>
 #include <string>
 
-#include "tests/rivals/rival_base.h"
+#include "frames/rivals/rival_base.h"
 
-namespace kerf::test {
+namespace kerf {
 namespace {
 
 void check(RTCDevice device) {
@@ -160,4 +160,4 @@ std::unique_ptr<BroadPhase<3>> make_embree(const RivalHints<3>& hints, Intake in
   return std::make_unique<EmbreeRival>(hints, intake);
 }
 
-}  // namespace kerf::test
+}  // namespace kerf

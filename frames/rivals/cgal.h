@@ -2,12 +2,12 @@
 
 #include <memory>
 
-#include "tests/rivals/rival.h"
+#include "frames/rivals/rival.h"
 
-namespace kerf::test {
+namespace kerf {
 
 /// CGAL::box_self_intersection_d, which builds its segment trees anew each time, with closed boxes.
 template <int D>
 std::unique_ptr<BroadPhase<D>> make_cgal(const RivalHints<D>& hints, Intake intake);
 
-}  // namespace kerf::test
+}  // namespace kerf

@@ -5,9 +5,9 @@
 
 #include "core/broad_phase/broad_phase.h"
 #include "core/broad_phase/object_table.h"
-#include "tests/rivals/rival.h"
+#include "frames/rivals/rival.h"
 
-namespace kerf::test {
+namespace kerf {
 
 /// What all rivals share: statuses, which objects the library holds now, and the list of pairs. A rival says
 /// how an object enters the library, changes and leaves it, and how pairs are found.
@@ -56,4 +56,4 @@ class RivalBase : public BroadPhase<D> {
 extern template class RivalBase<2>;
 extern template class RivalBase<3>;
 
-}  // namespace kerf::test
+}  // namespace kerf

@@ -1,17 +1,17 @@
-#include "tests/rivals/rival.h"
+#include "frames/rivals/rival.h"
 
 #include <algorithm>
 #include <array>
 
-#include "tests/rivals/box2d.h"
-#include "tests/rivals/bullet.h"
-#include "tests/rivals/cgal.h"
-#include "tests/rivals/embree.h"
-#include "tests/rivals/fcl.h"
-#include "tests/rivals/flat.h"
-#include "tests/rivals/ode.h"
+#include "frames/rivals/box2d.h"
+#include "frames/rivals/bullet.h"
+#include "frames/rivals/cgal.h"
+#include "frames/rivals/embree.h"
+#include "frames/rivals/fcl.h"
+#include "frames/rivals/flat.h"
+#include "frames/rivals/ode.h"
 
-namespace kerf::test {
+namespace kerf {
 namespace {
 
 constexpr std::array<Rival<3>, 11> kRivals3{
@@ -64,4 +64,4 @@ std::optional<Rival<D>> find_rival(std::string_view name) {
 template std::optional<Rival<2>> find_rival<2>(std::string_view);
 template std::optional<Rival<3>> find_rival<3>(std::string_view);
 
-}  // namespace kerf::test
+}  // namespace kerf

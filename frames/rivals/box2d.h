@@ -2,13 +2,13 @@
 
 #include <memory>
 
-#include "tests/rivals/rival.h"
+#include "frames/rivals/rival.h"
 
-namespace kerf::test {
+namespace kerf {
 
 /// b2DynamicTree, asked for the neighbours of every moving object in each step.
 std::unique_ptr<BroadPhase<2>> make_box2d_tree(const RivalHints<2>& hints, Intake intake);
 /// b2BroadPhase, which tells new pairs of fat boxes; they are kept as Box2D's contact manager keeps them.
 std::unique_ptr<BroadPhase<2>> make_box2d_broad_phase(const RivalHints<2>& hints, Intake intake);
 
-}  // namespace kerf::test
+}  // namespace kerf

@@ -1,6 +1,6 @@
-#include "tests/rivals/rival_base.h"
+#include "frames/rivals/rival_base.h"
 
-namespace kerf::test {
+namespace kerf {
 
 template <int D>
 RivalBase<D>::RivalBase(const RivalHints<D>& hints, Intake intake) : intake_(intake) {
@@ -67,4 +67,4 @@ void RivalBase<D>::step() {
 template class RivalBase<2>;
 template class RivalBase<3>;
 
-}  // namespace kerf::test
+}  // namespace kerf

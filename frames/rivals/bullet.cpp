@@ -1,13 +1,13 @@
-#include "tests/rivals/bullet.h"
+#include "frames/rivals/bullet.h"
 
 #include <BulletCollision/BroadphaseCollision/btAxisSweep3.h>
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
 #include <utility>
 
-#include "tests/rivals/rival_base.h"
+#include "frames/rivals/rival_base.h"
 
-namespace kerf::test {
+namespace kerf {
 namespace {
 
 btVector3 to_bullet(const Vector<3>& v) { return {v[0], v[1], v[2]}; }
@@ -71,4 +71,4 @@ std::unique_ptr<BroadPhase<3>> make_bullet_axis_sweep(const RivalHints<3>& hints
   return std::make_unique<BulletRival>("bullet-axis-sweep", std::move(sweep), hints, intake);
 }
 
-}  // namespace kerf::test
+}  // namespace kerf
