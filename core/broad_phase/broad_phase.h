@@ -52,6 +52,16 @@ class BroadPhase {
   virtual Status move(ObjectId object, const Box<D>& box) = 0;
   virtual Status move(ObjectId object, const Volume<D>& volume) { return move(object, volume.box); }
   virtual Status remove(ObjectId object) = 0;
+  /// Moves objects[k] to boxes[k] for each k, as so many calls of `move` would: who moves thousands pays no
+  /// call for each. All are done whatever one says; the first status other than `ok` is returned.
+  virtual Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) {
+    Status first = Status::ok;
+    for (std::size_t k = 0; k < objects.size(); ++k) {
+      const Status status = move(objects[k], boxes[k]);
+      if (first == Status::ok) first = status;
+    }
+    return first;
+  }
 
   /// Brings the structure up to date and finds all pairs.
   virtual void step() = 0;
