@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "frames/bench/bench_command.h"
 #include "frames/errors.h"
 #include "frames/render_command.h"
 #include "frames/scenes_command.h"
@@ -69,10 +70,12 @@ std::string help_hint(const CLI::App& program) {
 }
 
 /// Runs the chosen subcommand and turns what it throws into an exit code.
-int run(const CLI::App& program, const ScenesCommand& scenes, const RenderCommand& render) {
+int run(const CLI::App& program, const ScenesCommand& scenes, const RenderCommand& render,
+        const BenchCommand& bench) {
   try {
     if (scenes.chosen()) scenes.run();
     if (render.chosen()) render.run();
+    if (bench.chosen()) bench.run();
     return kExitDone;
   } catch (const UsageError& error) {
     return report(error.what() + help_hint(program), kExitUsage);
@@ -92,6 +95,7 @@ int run_command_line(int argc, char** argv) {
   program.set_version_flag("--version", "kerf " KERF_VERSION);
   const ScenesCommand scenes(program);
   const RenderCommand render(program);
+  const BenchCommand bench(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -105,7 +109,7 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render);
+  return run(program, scenes, render, bench);
 }
 
 }  // namespace kerf

@@ -1,0 +1,87 @@
+#include "frames/bench/algorithm.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "core/broad_phase/bsp.h"
+#include "core/config.h"
+#include "frames/errors.h"
+#include "frames/suggest.h"
+
+namespace kerf {
+namespace {
+
+template <int D>
+Algorithm<D> tree(std::string name, std::string what, const Config& config) {
+  return {std::move(name), std::move(what), Origin::kerf, 1, true, [config](const RivalHints<D>&, unsigned) {
+            return std::make_unique<Bsp<D>>(config);
+          }};
+}
+
+template <int D>
+Algorithm<D> library(const Rival<D>& rival) {
+  // Known to be wrong or hundreds of times slower than others: only for those who ask.
+  const bool by_default = rival.name != "fcl-interval-tree" && rival.name != "fcl-spatial-hash";
+  return {std::string(rival.name),
+          std::string(rival.what),
+          Origin::library,
+          1,
+          by_default,
+          [make = rival.make](const RivalHints<D>& hints, unsigned) { return make(hints, Intake::checked); }};
+}
+
+template <int D>
+std::optional<Algorithm<D>> find_named(std::string_view name) {
+  for (Algorithm<D>& algorithm : algorithms<D>())
+    if (algorithm.name == name) return std::move(algorithm);
+  return std::nullopt;
+}
+
+Config config_of(std::string assignments) {
+  Config config;
+  std::replace(assignments.begin(), assignments.end(), ':', ',');
+  try {
+    kerf::apply(config, assignments);
+    check(config);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  return config;
+}
+
+}  // namespace
+
+template <int D>
+std::vector<Algorithm<D>> algorithms() {
+  std::vector<Algorithm<D>> all;
+  all.push_back(tree<D>("kerf", "the Semi-Adjusting BSP-tree", Config{}));
+  for (const Rival<D>& rival : rivals<D>()) all.push_back(library(rival));
+  return all;
+}
+
+template <int D>
+std::optional<Algorithm<D>> find_algorithm(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return find_named<D>(text);
+  if (text.substr(0, colon) != "kerf")
+    throw UsageError("'" + std::string(text) + "': only kerf takes parameters");
+  return tree<D>(std::string(text), "the tree with other parameters",
+                 config_of(std::string(text.substr(colon + 1))));
+}
+
+void check_algorithm(std::string_view text) {
+  if (find_algorithm<2>(text) || find_algorithm<3>(text)) return;
+  std::vector<std::string> names;
+  for (const auto& algorithm : algorithms<3>()) names.push_back(algorithm.name);
+  for (const auto& algorithm : algorithms<2>())
+    if (std::find(names.begin(), names.end(), algorithm.name) == names.end()) names.push_back(algorithm.name);
+  throw UsageError(unknown_name_message("algorithm", text, names));
+}
+
+template std::vector<Algorithm<2>> algorithms<2>();
+template std::vector<Algorithm<3>> algorithms<3>();
+template std::optional<Algorithm<2>> find_algorithm<2>(std::string_view);
+template std::optional<Algorithm<3>> find_algorithm<3>(std::string_view);
+
+}  // namespace kerf

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "frames/bench/bench_row.h"
+#include "frames/bench/bench_scene.h"
+
+namespace kerf {
+
+/// How one cell is measured.
+struct CellPlan {
+  const BenchScene* scene = nullptr;
+  std::uint32_t objects = 1000;
+  unsigned threads = 1;
+  std::vector<std::string> algorithms;
+  std::uint32_t rounds = 3;
+  std::uint32_t warm_up = 32;  ///< steps before those that count
+  std::uint32_t steps = 100;
+  std::uint64_t seed = 1;
+  double patience = 30;  ///< seconds of measuring in a round after which an algorithm is left out
+  bool trace = false;    ///< keep the time of each step
+};
+
+/// What a cell tells while it runs.
+struct CellWatch {
+  std::function<void(const std::string&)> progress;
+  std::function<bool()> stop;
+};
+
+struct CellResult {
+  std::vector<BenchRow> rows;  ///< the floor first
+  std::vector<BenchGap> gaps;
+};
+
+/// Measures all algorithms of the plan that D dimensions and that many threads have.
+///
+/// Each algorithm lives in a process of its own. The motion is computed a block of steps at a time; then each
+/// algorithm in turn does these steps, and the next block begins with another of them. Whole blocks and not
+/// single steps, because a step right after another algorithm's measures the caches that one left behind;
+/// blocks and not whole runs, because the machine is not the same from minute to minute. What an interrupt
+/// leaves is returned.
+template <int D>
+CellResult measure_cell(const CellPlan& plan, const CellWatch& watch);
+
+}  // namespace kerf

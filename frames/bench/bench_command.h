@@ -1,0 +1,25 @@
+#pragma once
+
+#include "frames/bench/bench_request.h"
+
+namespace CLI {
+class App;
+}
+
+namespace kerf {
+
+/// `kerf bench`: how long broad phases take, ours and others', on the same boxes.
+class BenchCommand {
+ public:
+  explicit BenchCommand(CLI::App& program);
+  [[nodiscard]] bool chosen() const;
+  /// Measures and prints. Throws UsageError, Interrupted when asked to stop (what was measured is written),
+  /// and std::runtime_error if the result cannot be written.
+  void run() const;
+
+ private:
+  CLI::App* command_;
+  BenchTexts texts_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,87 @@
+#include "frames/bench/bench_report.h"
+
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "frames/bench/machine.h"
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  std::array<char, 400> text{};
+  std::snprintf(text.data(), text.size(), pattern, values...);
+  return text.data();
+}
+
+std::string as_text(const CellName& cell) {
+  return format("%-14s %dD %8u %2u", cell.scene.c_str(), cell.dimension, cell.objects, cell.threads);
+}
+
+Json as_json(const CellName& cell, const std::string& algorithm) {
+  return {{"scene", cell.scene},
+          {"dim", cell.dimension},
+          {"objects", cell.objects},
+          {"algorithm", algorithm},
+          {"threads", cell.threads}};
+}
+
+Json as_json(const BenchRow& row) {
+  Json json = as_json(row.cell, row.algorithm);
+  json.update({{"median_ns", row.median_ns},
+               {"p90_ns", row.p90_ns},
+               {"p99_ns", row.p99_ns},
+               {"max_ns", row.max_ns},
+               {"build_ns", row.build_ns},
+               {"pairs", row.pairs},
+               {"missed", row.missed},
+               {"extra", row.extra},
+               {"times_floor", row.times_floor},
+               {"rss_bytes", row.rss_bytes},
+               {"steps", row.steps}});
+  if (!row.step_ns.empty()) json["step_ns"] = row.step_ns;
+  return json;
+}
+
+}  // namespace
+
+std::string bench_heading() {
+  return "SCENE          DIM OBJECTS TH ALGORITHM                 MEDIAN      P90      P99  ns an object and "
+         "step\n" +
+         std::string(57, ' ') + "                            FLOORS      PAIRS   MISSED    EXTRA  B/OBJECT";
+}
+
+std::string as_text(const BenchRow& row) {
+  return as_text(row.cell) + format(" %-24s %8.1f %8.1f %8.1f  %7.1f %10llu %8llu %8llu %9.0f",
+                                    row.algorithm.c_str(), row.median_ns, row.p90_ns, row.p99_ns,
+                                    row.times_floor, static_cast<unsigned long long>(row.pairs),
+                                    static_cast<unsigned long long>(row.missed),
+                                    static_cast<unsigned long long>(row.extra),
+                                    static_cast<double>(row.rss_bytes) / row.cell.objects);
+}
+
+std::string as_text(const BenchGap& gap) {
+  return as_text(gap.cell) + format(" %-24s %s", gap.algorithm.c_str(), gap.reason.c_str());
+}
+
+std::string as_json(const BenchRequest& request, const CellResult& all, bool complete) {
+  Json json;
+  json["machine"] = describe_machine();
+  json["settings"] = {{"rounds", request.rounds}, {"seed", request.seed}, {"patience_s", request.patience}};
+  json["results"] = Json::array();
+  for (const BenchRow& row : all.rows) json["results"].push_back(as_json(row));
+  json["gaps"] = Json::array();
+  for (const BenchGap& gap : all.gaps) {
+    Json item = as_json(gap.cell, gap.algorithm);
+    item["reason"] = gap.reason;
+    json["gaps"].push_back(std::move(item));
+  }
+  json["complete"] = complete;
+  return json.dump(1) + "\n";
+}
+
+}  // namespace kerf

@@ -1,0 +1,114 @@
+#include "frames/bench/bench_request.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include "frames/bench/algorithm.h"
+#include "frames/errors.h"
+#include "frames/parse_number.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::uint32_t kMostObjects = 4'000'000;
+constexpr std::uint32_t kMostSteps = 100'000;
+
+std::vector<std::string> items(const std::string& option, std::string_view text) {
+  std::vector<std::string> found;
+  for (std::string_view rest = text;;) {
+    const std::size_t comma = rest.find(',');
+    found.emplace_back(rest.substr(0, comma));
+    if (found.back().empty())
+      throw UsageError(option + " '" + std::string(text) + "': an empty name between commas");
+    if (comma == std::string_view::npos) return found;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
+template <class Number>
+Number number(const std::string& option, std::string_view text, Number least, Number most) {
+  const auto value = parse_number<Number>(text);
+  if (!value || *value < least || *value > most)
+    throw UsageError(option + " '" + std::string(text) + "' is no whole number from " +
+                     std::to_string(least) + " to " + std::to_string(most));
+  return *value;
+}
+
+template <class Number>
+std::vector<Number> numbers(const std::string& option, std::string_view text, Number least, Number most) {
+  std::vector<Number> found;
+  for (const std::string& item : items(option, text))
+    found.push_back(number<Number>(option, item, least, most));
+  return found;
+}
+
+std::vector<const BenchScene*> parse_scenes(const std::string& text) {
+  std::vector<const BenchScene*> scenes;
+  if (text.empty() || text == "all") {
+    for (const BenchScene& scene : bench_scenes()) scenes.push_back(&scene);
+    return scenes;
+  }
+  for (const std::string& name : items("--scenes", text)) scenes.push_back(&find_bench_scene(name));
+  return scenes;
+}
+
+/// All that are measured by default in one of the dimensions, or all that there are.
+std::vector<std::string> usual_algorithms(bool all) {
+  std::vector<std::string> names;
+  const auto add = [&](const auto& algorithm) {
+    const bool known = std::find(names.begin(), names.end(), algorithm.name) != names.end();
+    if ((all || algorithm.by_default) && !known) names.push_back(algorithm.name);
+  };
+  for (const auto& algorithm : algorithms<3>()) add(algorithm);
+  for (const auto& algorithm : algorithms<2>()) add(algorithm);
+  return names;
+}
+
+std::vector<std::string> parse_algorithms(const std::string& text) {
+  if (text.empty() || text == "all") return usual_algorithms(text == "all");
+  std::vector<std::string> names = items("--algorithms", text);
+  for (const std::string& name : names) check_algorithm(name);
+  if (std::set<std::string>(names.begin(), names.end()).size() != names.size())
+    throw UsageError("--algorithms '" + text + "' names one twice");
+  return names;
+}
+
+}  // namespace
+
+std::uint32_t BenchRequest::steps_for(std::uint32_t count) const {
+  constexpr std::uint32_t kObjectSteps = 4'000'000;
+  return steps != 0 ? steps : std::clamp(kObjectSteps / count, 12U, 300U);
+}
+
+std::uint32_t BenchRequest::warm_up_for(std::uint32_t count) const {
+  constexpr std::uint32_t kObjectSteps = 4'000'000;
+  return warm_up != 0 ? warm_up : std::clamp(kObjectSteps / count, 8U, 48U);
+}
+
+BenchRequest parse_bench_request(const BenchTexts& texts) {
+  BenchRequest request;
+  request.scenes = parse_scenes(texts.scenes);
+  request.algorithms = parse_algorithms(texts.algorithms);
+  const auto many = [](auto& list, const char* option, const std::string& text, auto least, auto most) {
+    using Number = typename std::remove_reference_t<decltype(list)>::value_type;
+    if (!text.empty()) list = numbers<Number>(option, text, Number(least), Number(most));
+  };
+  const auto one = [](auto& value, const char* option, const std::string& text, auto least, auto most) {
+    using Number = std::remove_reference_t<decltype(value)>;
+    if (!text.empty()) value = number<Number>(option, text, Number(least), Number(most));
+  };
+  many(request.objects, "--objects", texts.objects, 20, kMostObjects);
+  many(request.dimensions, "--dims", texts.dimensions, 2, 3);
+  many(request.threads, "--threads", texts.threads, 1, 256);
+  one(request.rounds, "--rounds", texts.rounds, 1, 1000);
+  one(request.steps, "--steps", texts.steps, 1, kMostSteps);
+  one(request.warm_up, "--warm-up", texts.warm_up, 1, kMostSteps);
+  one(request.seed, "--seed", texts.seed, 0, UINT32_MAX);
+  one(request.patience, "--patience", texts.patience, 1, 3600);
+  request.json = texts.json;
+  request.trace = texts.trace;
+  return request;
+}
+
+}  // namespace kerf

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kerf {
+
+/// Which runs belong together: the same boxes at the same time.
+struct CellName {
+  std::string scene;
+  int dimension = 3;
+  std::uint32_t objects = 0;
+  unsigned threads = 1;
+};
+
+/// What was measured of one algorithm. Times are nanoseconds an object and step; of each step the least of
+/// the rounds counts, since what else the machine does only ever adds.
+struct BenchRow {
+  CellName cell;
+  std::string algorithm;
+  double median_ns = 0;
+  double p90_ns = 0;
+  double p99_ns = 0;
+  double max_ns = 0;
+  double build_ns = 0;       ///< to insert an object, and the first step
+  std::uint64_t pairs = 0;   ///< a step, in the mean
+  std::uint64_t missed = 0;  ///< in all measured steps
+  std::uint64_t extra = 0;   ///< in all measured steps
+  double times_floor = 0;    ///< the median over that of the floor
+  std::uint64_t rss_bytes = 0;
+  std::uint32_t steps = 0;     ///< measured
+  std::vector<float> step_ns;  ///< one by one, if that was asked for
+};
+
+/// An algorithm of which there is no row, or one of fewer steps, and why.
+struct BenchGap {
+  CellName cell;
+  std::string algorithm;
+  std::string reason;
+};
+
+/// The value that `share` of the sorted numbers do not exceed (nearest rank); 0 if there are none.
+double percentile(const std::vector<double>& sorted, double share);
+
+}  // namespace kerf

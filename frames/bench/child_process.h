@@ -1,0 +1,38 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+namespace kerf {
+
+/// A forked process that does one kind of work on request, so that a library that crashes or never ends harms
+/// nobody, and its memory can be told from ours.
+class ChildProcess {
+ public:
+  /// `work(request)` is called in the child. Throws std::runtime_error if no process can be made.
+  explicit ChildProcess(const std::function<void(char)>& work);
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// Has the child do its work and waits for it. False if the child died, threw, or was killed here since it
+  /// took longer than `limit` or `stop` became true; `trouble` says what happened, and there is no child any
+  /// more.
+  bool ask(char request, std::chrono::duration<double> limit, const std::function<bool()>& stop);
+  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+
+ private:
+  void serve(const std::function<void(char)>& work);
+  bool end(const std::string& trouble);
+  bool bury();
+
+  pid_t process_ = -1;
+  int requests_ = -1;
+  int replies_ = -1;
+  std::string trouble_;
+};
+
+}  // namespace kerf

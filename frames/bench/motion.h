@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/geometry/box.h"
+#include "core/ids.h"
+#include "core/random.h"
+
+namespace kerf {
+
+/// Pairs an object in the dense scenes, where placing is uniform: n boxes of mean extent 1 in a cube of
+/// volume V have n * 2^(D-1) / V pairs an object.
+inline constexpr double kPairsPerObject = 3.7;
+
+/// The side of the cube in which `count` boxes of mean extent `size` have `pairs` pairs an object.
+double side_for(std::uint32_t count, int dimension, double size = 1, double pairs = kPairsPerObject);
+
+/// Boxes that move by a rule of their own, without an engine and without looking at any broad phase. The same
+/// seed gives the same motion. Objects are numbered from 0; the fixed ones, if any, come last.
+template <int D>
+class Motion {
+ public:
+  explicit Motion(std::uint64_t seed) : random_(seed) {}
+  Motion(const Motion&) = delete;
+  Motion& operator=(const Motion&) = delete;
+  virtual ~Motion() = default;
+
+  /// One step on.
+  virtual void advance() = 0;
+  [[nodiscard]] std::span<const Box<D>> boxes() const { return boxes_; }
+  /// Objects from 0 to this are moving objects, the others are fixed.
+  [[nodiscard]] std::uint32_t moving() const { return moving_; }
+  /// Whether `advance` changes every moving object; else `moved` tells which.
+  [[nodiscard]] bool all_move() const { return all_move_; }
+  [[nodiscard]] std::span<const ObjectId> moved() const { return moved_; }
+  /// Where the objects are and how large they usually are: what some libraries want to know.
+  [[nodiscard]] const Box<D>& bounds() const { return bounds_; }
+  [[nodiscard]] Scalar box_size() const { return box_size_; }
+
+ protected:
+  [[nodiscard]] double uniform(double low, double high) { return random_.uniform(low, high); }
+  [[nodiscard]] Vector<D> vector_within(double low, double high) {
+    Vector<D> v;
+    for (int i = 0; i < D; ++i) v[i] = static_cast<Scalar>(random_.uniform(low, high));
+    return v;
+  }
+  /// Uniform over all directions.
+  [[nodiscard]] Vector<D> direction();
+  /// Half the extents of a usual box: 0.5 to 1.5 along each axis.
+  [[nodiscard]] Vector<D> usual_half() { return vector_within(0.25, 0.75); }
+  static Box<D> around(const Vector<D>& center, const Vector<D>& half) {
+    return {center - half, center + half};
+  }
+  static Box<D> cube(double side) { return {{}, along_all(side)}; }
+  static Vector<D> along_all(double x) {
+    Vector<D> v;
+    for (int i = 0; i < D; ++i) v[i] = static_cast<Scalar>(x);
+    return v;
+  }
+
+  Random random_;
+  std::vector<Box<D>> boxes_;
+  std::vector<ObjectId> moved_;
+  Box<D> bounds_{};
+  Scalar box_size_ = 1;
+  std::uint32_t moving_ = 0;
+  bool all_move_ = true;
+};
+
+extern template class Motion<2>;
+extern template class Motion<3>;
+
+}  // namespace kerf

@@ -1,0 +1,154 @@
+#include <utility>
+#include <vector>
+
+#include "frames/bench/motions/motions.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kStride = 0.75;  ///< of a usual extent
+
+/// Boxes scattered evenly in a cube.
+template <int D>
+class Scattered : public Motion<D> {
+ public:
+  Scattered(std::uint32_t count, std::uint64_t seed) : Motion<D>(seed), side_(side_for(count, D)) {
+    this->moving_ = count;
+    this->bounds_ = this->cube(side_);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      centers_.push_back(this->vector_within(0, side_));
+      halves_.push_back(this->usual_half());
+      this->boxes_.push_back(this->around(centers_[k], halves_[k]));
+    }
+  }
+
+ protected:
+  void put(std::size_t k, const Vector<D>& center) {
+    centers_[k] = center;
+    this->boxes_[k] = this->around(center, halves_[k]);
+  }
+  /// Whether `x` had to be folded back into the world.
+  [[nodiscard]] bool reflect(Scalar& x) const {
+    const auto side = static_cast<Scalar>(side_);
+    if (x >= 0 && x <= side) return false;
+    x = x < 0 ? -x : 2 * side - x;
+    return true;
+  }
+
+  double side_;
+  std::vector<Vector<D>> centers_;
+  std::vector<Vector<D>> halves_;
+};
+
+template <int D>
+class Brownian final : public Scattered<D> {
+ public:
+  using Scattered<D>::Scattered;
+  void advance() override {
+    for (std::size_t k = 0; k < this->boxes_.size(); ++k) {
+      Vector<D> center = this->centers_[k] + this->vector_within(-kStride, kStride);
+      for (int i = 0; i < D; ++i) static_cast<void>(this->reflect(center[i]));
+      this->put(k, center);
+    }
+  }
+};
+
+template <int D>
+class Uniform final : public Scattered<D> {
+ public:
+  Uniform(std::uint32_t count, std::uint64_t seed) : Scattered<D>(count, seed) {
+    for (std::uint32_t k = 0; k < count; ++k)
+      velocities_.push_back(this->direction() * static_cast<Scalar>(kStride));
+  }
+  void advance() override {
+    for (std::size_t k = 0; k < this->boxes_.size(); ++k) {
+      Vector<D> center = this->centers_[k] + velocities_[k];
+      for (int i = 0; i < D; ++i)
+        if (this->reflect(center[i])) velocities_[k][i] = -velocities_[k][i];
+      this->put(k, center);
+    }
+  }
+
+ private:
+  std::vector<Vector<D>> velocities_;
+};
+
+template <int D>
+class Teleport final : public Scattered<D> {
+ public:
+  using Scattered<D>::Scattered;
+  void advance() override {
+    for (std::size_t k = 0; k < this->boxes_.size(); ++k) this->put(k, this->vector_within(0, this->side_));
+  }
+};
+
+template <int D>
+class MostlyStatic final : public Scattered<D> {
+ public:
+  MostlyStatic(std::uint32_t count, std::uint64_t seed) : Scattered<D>(count, seed) {
+    this->all_move_ = false;
+    order_.resize(count);
+    for (std::uint32_t k = 0; k < count; ++k) order_[k] = {k};
+    for (std::uint32_t k = count; k > 1; --k) std::swap(order_[k - 1], order_[this->random_.below(k)]);
+  }
+  void advance() override {
+    constexpr double kWalk = 0.3;
+    change_guard();
+    this->moved_.assign(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(awake()));
+    for (const ObjectId object : this->moved_) {
+      Vector<D> center = this->centers_[object.index()] + this->vector_within(-kWalk, kWalk);
+      for (int i = 0; i < D; ++i) static_cast<void>(this->reflect(center[i]));
+      this->put(object.index(), center);
+    }
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t awake() const {
+    constexpr std::uint32_t kOneIn = 20;
+    return this->moving_ / kOneIn;
+  }
+  /// One in 64 of those that are awake changes places with one that rests.
+  void change_guard() {
+    constexpr std::uint32_t kOneIn = 64;
+    const std::uint32_t resting = this->moving_ - awake();
+    for (std::uint32_t k = 0; k < awake() / kOneIn; ++k) {
+      const std::uint32_t tired = this->random_.below(awake());
+      std::swap(order_[tired], order_[awake() + this->random_.below(resting)]);
+    }
+  }
+
+  std::vector<ObjectId> order_;  ///< those that are awake come first
+};
+
+}  // namespace
+
+template <int D>
+std::unique_ptr<Motion<D>> make_brownian(std::uint32_t count, std::uint64_t seed) {
+  return std::make_unique<Brownian<D>>(count, seed);
+}
+
+template <int D>
+std::unique_ptr<Motion<D>> make_uniform(std::uint32_t count, std::uint64_t seed) {
+  return std::make_unique<Uniform<D>>(count, seed);
+}
+
+template <int D>
+std::unique_ptr<Motion<D>> make_teleport(std::uint32_t count, std::uint64_t seed) {
+  return std::make_unique<Teleport<D>>(count, seed);
+}
+
+template <int D>
+std::unique_ptr<Motion<D>> make_mostly_static(std::uint32_t count, std::uint64_t seed) {
+  return std::make_unique<MostlyStatic<D>>(count, seed);
+}
+
+template std::unique_ptr<Motion<2>> make_brownian<2>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<3>> make_brownian<3>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<2>> make_uniform<2>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<3>> make_uniform<3>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<2>> make_teleport<2>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<3>> make_teleport<3>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<2>> make_mostly_static<2>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<3>> make_mostly_static<3>(std::uint32_t, std::uint64_t);
+
+}  // namespace kerf

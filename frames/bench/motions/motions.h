@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "frames/bench/motion.h"
+
+namespace kerf {
+
+/// Random walk by up to 0.75 of a usual extent along each axis and step: nothing of a step holds in the next.
+template <int D>
+std::unique_ptr<Motion<D>> make_brownian(std::uint32_t count, std::uint64_t seed);
+/// Straight flight by 0.75 of a usual extent a step, bouncing off the walls of the world.
+template <int D>
+std::unique_ptr<Motion<D>> make_uniform(std::uint32_t count, std::uint64_t seed);
+/// Everything is somewhere else in each step.
+template <int D>
+std::unique_ptr<Motion<D>> make_teleport(std::uint32_t count, std::uint64_t seed);
+
+/// Eight wandering attractors; everything starts scattered, collapses into swirling clouds of Gaussian
+/// density and changes its attractor now and then. About 4 pairs an object in the mean, more in the hearts of
+/// clouds.
+template <int D>
+std::unique_ptr<Motion<D>> make_attractors(std::uint32_t count, std::uint64_t seed);
+
+/// A third of the objects falls onto heaps, which trickle down where they are steep. For each that lands one
+/// is taken from the top and falls again.
+template <int D>
+std::unique_ptr<Motion<D>> make_falling(std::uint32_t count, std::uint64_t seed);
+/// A pile four times as wide as high. Every object stirs by a small part of its size in each step, and one in
+/// two thousand slides.
+template <int D>
+std::unique_ptr<Motion<D>> make_settled(std::uint32_t count, std::uint64_t seed);
+/// Four buckets along each horizontal axis, with fixed walls and floors, into which a quarter of the objects
+/// falls.
+template <int D>
+std::unique_ptr<Motion<D>> make_buckets(std::uint32_t count, std::uint64_t seed);
+
+/// One in twenty walks, by up to 0.3 of a usual extent, the others rest; who walks changes slowly. Those that
+/// rest are not fixed: their pairs belong to the complete set.
+template <int D>
+std::unique_ptr<Motion<D>> make_mostly_static(std::uint32_t count, std::uint64_t seed);
+
+/// Needles of length 1 to 8, nearly diagonal, that fly lengthwise and turn. Their boxes are large and differ
+/// much in size.
+template <int D>
+std::unique_ptr<Motion<D>> make_needles(std::uint32_t count, std::uint64_t seed);
+
+}  // namespace kerf

@@ -1,0 +1,94 @@
+#include "frames/bench/participant.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace kerf {
+namespace {
+
+constexpr std::chrono::seconds kLongestRequest{120};
+
+std::string in_seconds(double seconds) { return std::to_string(static_cast<int>(seconds + 0.5)) + " s"; }
+
+}  // namespace
+
+Participant::Participant(std::string name, std::uint32_t block, std::uint32_t steps)
+    : name_(std::move(name)), answers_(block), nanoseconds_(steps, kNever) {}
+
+void Participant::start(const Life& life) {
+  spent_ = 0;
+  if (trouble_.empty()) process_ = std::make_unique<ChildProcess>(life);
+}
+
+bool Participant::ask(Request request, const CellWatch& watch) {
+  if (!process_) return false;
+  const auto start = std::chrono::steady_clock::now();
+  const bool done = process_->ask(static_cast<char>(request), kLongestRequest, watch.stop);
+  spent_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (done) return true;
+  trouble_ = process_->trouble();
+  process_.reset();
+  return false;
+}
+
+void Participant::build(const CellPlan& plan, const CellWatch& watch) {
+  if (!ask(Request::build, watch)) return;
+  build_ = std::min(build_, answers_.step(0).nanoseconds);
+  if (spent_ > plan.patience) {
+    trouble_ = "took " + in_seconds(spent_) + " to begin";
+    process_.reset();
+  }
+}
+
+void Participant::run(std::int64_t first, std::uint32_t count, const CellPlan& plan, const CellWatch& watch) {
+  if (!ask(Request::run, watch)) return;
+  for (std::uint32_t k = 0; k < count; ++k) keep(first + k, answers_.step(k));
+  const bool last = first + count >= plan.steps;
+  if (spent_ <= plan.patience || last) return;
+  trouble_ = "left out after " + in_seconds(spent_) + " and " +
+             std::to_string(first + static_cast<std::int64_t>(count + plan.warm_up)) + " steps";
+  ask(Request::account, watch);
+  bytes_ = answers_.bytes();
+  process_.reset();
+}
+
+void Participant::keep(std::int64_t step, const StepResult& result) {
+  if (step < 0) return;
+  auto& least = nanoseconds_[static_cast<std::size_t>(step)];
+  least = std::min(least, result.nanoseconds);
+  pairs_ += result.pairs;
+  missed_ += result.missed;
+  extra_ += result.extra;
+  ++steps_;
+}
+
+void Participant::finish(const CellWatch& watch) {
+  if (ask(Request::account, watch)) bytes_ = answers_.bytes();
+  process_.reset();
+}
+
+std::optional<BenchRow> Participant::row(const CellName& cell, bool trace) const {
+  std::vector<double> each;
+  for (const std::uint64_t time : nanoseconds_)
+    if (time != kNever) each.push_back(static_cast<double>(time) / cell.objects);
+  if (each.empty()) return std::nullopt;
+  BenchRow row;
+  row.cell = cell;
+  row.algorithm = name_;
+  if (trace) row.step_ns.assign(each.begin(), each.end());
+  std::sort(each.begin(), each.end());
+  row.median_ns = percentile(each, 0.5);
+  row.p90_ns = percentile(each, 0.9);
+  row.p99_ns = percentile(each, 0.99);
+  row.max_ns = each.back();
+  row.build_ns = build_ == kNever ? 0 : static_cast<double>(build_) / cell.objects;
+  row.pairs = pairs_ / steps_;
+  row.missed = missed_;
+  row.extra = extra_;
+  row.rss_bytes = bytes_;
+  row.steps = static_cast<std::uint32_t>(each.size());
+  return row;
+}
+
+}  // namespace kerf

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frames/bench/bench_cell.h"
+#include "frames/bench/child_process.h"
+#include "frames/bench/subject.h"
+
+namespace kerf {
+
+/// An algorithm in a cell: its process in the present round, and what was measured so far.
+class Participant {
+ public:
+  Participant(std::string name, std::uint32_t block, std::uint32_t steps);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const Answers& answers() const { return answers_; }
+
+  /// A new round in a new process; an algorithm that failed before is left in peace.
+  void start(const Life& life);
+  /// The objects of the block's first step.
+  void build(const CellPlan& plan, const CellWatch& watch);
+  /// Does `count` steps, the first of which is number `first` of those that count, or before them if
+  /// negative.
+  void run(std::int64_t first, std::uint32_t count, const CellPlan& plan, const CellWatch& watch);
+  /// Ends the round.
+  void finish(const CellWatch& watch);
+
+  /// Nothing if no step was measured.
+  [[nodiscard]] std::optional<BenchRow> row(const CellName& cell, bool trace) const;
+  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+
+ private:
+  static constexpr std::uint64_t kNever = UINT64_MAX;
+  bool ask(Request request, const CellWatch& watch);
+  void keep(std::int64_t step, const StepResult& result);
+
+  std::string name_;
+  Answers answers_;
+  std::unique_ptr<ChildProcess> process_;
+  std::vector<std::uint64_t> nanoseconds_;  ///< per step the least of all rounds
+  std::uint64_t build_ = kNever;
+  std::uint64_t pairs_ = 0;
+  std::uint64_t steps_ = 0;  ///< in all rounds
+  std::uint64_t missed_ = 0;
+  std::uint64_t extra_ = 0;
+  std::uint64_t bytes_ = 0;
+  double spent_ = 0;  ///< seconds in this round
+  std::string trouble_;
+};
+
+}  // namespace kerf

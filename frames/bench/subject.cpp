@@ -1,0 +1,134 @@
+#include "frames/bench/subject.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+#include <vector>
+
+#include "frames/bench/memory_use.h"
+#include "frames/bench/truth.h"
+
+namespace kerf {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::uint64_t nanoseconds_since(Clock::time_point start) {
+  return static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count());
+}
+
+template <int D>
+class Subject {
+ public:
+  Subject(std::function<std::unique_ptr<BroadPhase<D>>()> make, const StepBlock<D>& block,
+          const Answers& answers)
+      : make_(std::move(make)), block_(&block), answers_(&answers) {}
+
+  void operator()(char request) {
+    if (request == static_cast<char>(Request::build)) build();
+    if (request == static_cast<char>(Request::run)) run();
+    if (request == static_cast<char>(Request::account))
+      answers_->bytes() = peak_own_memory() - std::min(before_, peak_own_memory());
+  }
+
+ private:
+  void build() {
+    block_->touch();
+    before_ = own_memory();
+    const auto start = Clock::now();
+    broad_phase_ = make_();
+    const auto boxes = block_->boxes(0);
+    for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+      const auto mobility = k < block_->moving() ? Mobility::moving : Mobility::fixed;
+      static_cast<void>(broad_phase_->insert({k}, boxes[k], mobility));
+    }
+    broad_phase_->step();
+    note(0, nanoseconds_since(start));
+  }
+  void run() {
+    for (std::uint32_t step = 0; step < block_->steps(); ++step) {
+      const auto start = Clock::now();
+      static_cast<void>(broad_phase_->move_many(block_->moved(step), block_->moved_boxes(step)));
+      broad_phase_->step();
+      note(step, nanoseconds_since(start));
+    }
+  }
+  void note(std::uint32_t step, std::uint64_t nanoseconds) {
+    const auto found = broad_phase_->pairs();
+    answers_->step(step) = {nanoseconds, found.size(), 0, 0};
+    if (truth_of(found) == block_->truth(step)) return;
+    const Difference difference = compare(found, true_pairs(block_->boxes(step), block_->moving()));
+    answers_->step(step).missed = difference.missed;
+    answers_->step(step).extra = difference.extra;
+  }
+
+  std::function<std::unique_ptr<BroadPhase<D>>()> make_;
+  const StepBlock<D>* block_;
+  const Answers* answers_;
+  std::shared_ptr<BroadPhase<D>> broad_phase_;  ///< shared: a Life can be copied
+  std::uint64_t before_ = 0;
+};
+
+/// The box around all boxes, in lanes that the compiler can make vectors of.
+template <int D>
+Scalar read_all(std::span<const Box<D>> boxes) {
+  constexpr std::size_t kLanes = 48;
+  static_assert(kLanes * sizeof(Scalar) % sizeof(Box<D>) == 0);
+  std::array<Scalar, kLanes> most{};
+  const Scalar* const floats = boxes.front().min.value.data();
+  const std::size_t count = boxes.size() * 2 * D;
+  for (std::size_t at = 0; at + kLanes <= count; at += kLanes)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      most[lane] = floats[at + lane] > most[lane] ? floats[at + lane] : most[lane];
+  return *std::max_element(most.begin(), most.end());
+}
+
+template <int D>
+class Floor {
+ public:
+  Floor(const StepBlock<D>& block, const Answers& answers) : block_(&block), answers_(&answers) {}
+
+  void operator()(char request) {
+    if (request == static_cast<char>(Request::account)) return;
+    block_->touch();
+    const bool build = request == static_cast<char>(Request::build);
+    for (std::uint32_t step = 0; step < (build ? 1 : block_->steps()); ++step) pass(step);
+  }
+
+ private:
+  void pass(std::uint32_t step) {
+    if (pairs_.size() < block_->truth(step).pairs) pairs_.resize(2 * block_->truth(step).pairs);
+    const auto start = Clock::now();
+    const auto something = static_cast<std::uint32_t>(read_all(block_->boxes(step)));
+    std::fill_n(pairs_.begin(), block_->truth(step).pairs, Pair{{something}, {step}});
+    answers_->step(step) = {nanoseconds_since(start), block_->truth(step).pairs, 0, 0};
+  }
+
+  const StepBlock<D>* block_;
+  const Answers* answers_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace
+
+template <int D>
+Life subject_life(std::function<std::unique_ptr<BroadPhase<D>>()> make, const StepBlock<D>& block,
+                  const Answers& answers) {
+  return Subject<D>(std::move(make), block, answers);
+}
+
+template <int D>
+Life floor_life(const StepBlock<D>& block, const Answers& answers) {
+  return Floor<D>(block, answers);
+}
+
+template Life subject_life<2>(std::function<std::unique_ptr<BroadPhase<2>>()>, const StepBlock<2>&,
+                              const Answers&);
+template Life subject_life<3>(std::function<std::unique_ptr<BroadPhase<3>>()>, const StepBlock<3>&,
+                              const Answers&);
+template Life floor_life<2>(const StepBlock<2>&, const Answers&);
+template Life floor_life<3>(const StepBlock<3>&, const Answers&);
+
+}  // namespace kerf

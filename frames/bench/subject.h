@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "core/broad_phase/broad_phase.h"
+#include "frames/bench/shared_memory.h"
+#include "frames/bench/step_block.h"
+
+namespace kerf {
+
+/// What a subject tells of one step.
+struct StepResult {
+  std::uint64_t nanoseconds = 0;
+  std::uint64_t pairs = 0;
+  std::uint64_t missed = 0;
+  std::uint64_t extra = 0;  ///< invented, or told twice
+};
+
+/// What a subject's process is asked to do.
+enum class Request : char {
+  build = 'b',    ///< insert the objects of the block's first step and find their pairs
+  run = 'r',      ///< do all steps of the block
+  account = 'a',  ///< tell how much memory was used at most
+};
+
+/// The table through which a subject's process answers.
+class Answers {
+ public:
+  explicit Answers(std::uint32_t capacity)
+      : memory_(sizeof(std::uint64_t) * 2 + capacity * sizeof(StepResult)) {}
+
+  [[nodiscard]] std::uint64_t& bytes() const { return reinterpret_cast<std::uint64_t*>(memory_.data())[0]; }
+  [[nodiscard]] StepResult& step(std::uint32_t index) const {
+    return reinterpret_cast<StepResult*>(memory_.data() + sizeof(std::uint64_t) * 2)[index];
+  }
+
+ private:
+  SharedMemory memory_;
+};
+
+/// The life of a process in which one algorithm is measured; called for each request.
+using Life = std::function<void(char)>;
+
+/// For a broad phase. A step's time is that of giving it the boxes that changed and of `step()`; what it
+/// found is compared with the truth afterwards. `block` and `answers` must outlive the process.
+template <int D>
+Life subject_life(std::function<std::unique_ptr<BroadPhase<D>>()> make, const StepBlock<D>& block,
+                  const Answers& answers);
+
+/// For the floor, which no complete answer can undercut: read all boxes, write all pairs.
+template <int D>
+Life floor_life(const StepBlock<D>& block, const Answers& answers);
+
+}  // namespace kerf
