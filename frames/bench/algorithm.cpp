@@ -4,7 +4,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/broad_phase/all_pairs.h"
 #include "core/broad_phase/bsp.h"
+#include "core/broad_phase/columns.h"
+#include "core/broad_phase/sweep_and_prune.h"
 #include "core/config.h"
 #include "frames/errors.h"
 #include "frames/suggest.h"
@@ -16,6 +19,13 @@ template <int D>
 Algorithm<D> tree(std::string name, std::string what, const Config& config) {
   return {std::move(name), std::move(what), Origin::kerf, 1, true, [config](const RivalHints<D>&, unsigned) {
             return std::make_unique<Bsp<D>>(config);
+          }};
+}
+
+template <template <int> class Kind, int D>
+Algorithm<D> own(std::string name, std::string what) {
+  return {std::move(name), std::move(what), Origin::ours, 1, true, [](const RivalHints<D>&, unsigned) {
+            return std::make_unique<Kind<D>>();
           }};
 }
 
@@ -56,6 +66,9 @@ template <int D>
 std::vector<Algorithm<D>> algorithms() {
   std::vector<Algorithm<D>> all;
   all.push_back(tree<D>("kerf", "the Semi-Adjusting BSP-tree", Config{}));
+  all.push_back(own<Columns, D>("columns", "our grid of columns, built anew in each step"));
+  all.push_back(own<SweepAndPrune, D>("sweep-and-prune", "our sort-and-sweep with vectors"));
+  all.push_back(own<AllPairs, D>("all-pairs", "our brute force with vectors"));
   for (const Rival<D>& rival : rivals<D>()) all.push_back(library(rival));
   return all;
 }

@@ -25,6 +25,7 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"Eigen", "unsupported/Eigen/"},
     {"xxHash", "xxhash.h"},
     {"xxHash", "xxh"},
+    {"Highway", "hwy/"},
     {"GL", "GL/"},
     {"GL", "EGL/"},
     {"GL", "GLES"},
@@ -68,6 +69,8 @@ constexpr auto kPermissions = std::to_array<Permission>({
     {"core/", "Eigen"},
     {"core/tree/hash.cpp", "xxHash"},
     {"core/kernels/", "x86 intrinsics"},
+    {"core/kernels/", "Highway"},
+    {"core/broad_phase/lanes.cpp", "Highway"},
 
     {"viz/", "viz"},
     {"viz/", "core"},

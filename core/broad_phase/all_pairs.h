@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/broad_phase/lanes.h"
+#include "core/broad_phase/tabled.h"
+
+namespace kerf {
+
+/// Brute force at its best: every box against every other, a vector of them at a time. BruteForce is the same
+/// without vectors, for those who want to read what a pair is.
+template <int D>
+class AllPairs final : public Tabled<D> {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "all-pairs"; }
+
+ private:
+  void find_pairs(PairList& pairs) override;
+
+  Lanes<D> lanes_;
+};
+
+extern template class AllPairs<2>;
+extern template class AllPairs<3>;
+
+}  // namespace kerf

@@ -1,0 +1,180 @@
+#include "core/broad_phase/columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kerf {
+namespace {
+
+/// Entries that begin within the length of a usual one, in a column: two vectors of AVX2 hold nearly all of
+/// them.
+constexpr double kFollowers = 8;
+constexpr double kSmallest = 1.0;        ///< cell over the mean extent
+constexpr std::size_t kMostEntries = 6;  ///< per object, in the mean; beyond it cells are made larger
+
+}  // namespace
+
+template <int D>
+void Columns<D>::measure() {
+  Box<D> begins = Box<D>::empty();
+  std::array<double, D> extents{};
+  for (const ObjectId object : this->placed()) {
+    const Box<D>& box = this->table().box(object);
+    for (int i = 0; i < D; ++i) {
+      begins.min[i] = std::min(begins.min[i], box.min[i]);
+      begins.max[i] = std::max(begins.max[i], box.min[i]);
+      extents[static_cast<std::size_t>(i)] += static_cast<double>(box.max[i]) - box.min[i];
+    }
+  }
+  for (std::size_t i = 0; i < D; ++i) {
+    low_[i] = begins.min[static_cast<int>(i)];
+    high_[i] = begins.max[static_cast<int>(i)];
+    extent_[i] = extents[i] / static_cast<double>(this->placed().size());
+  }
+}
+
+/// Cells of `size` mean extents, where the scene is wide enough for that.
+template <int D>
+void Columns<D>::lay_out(double size) {
+  const std::uint32_t most = D == 2 ? 1U << 15U : 1U << 10U;
+  for (std::size_t k = 0; k < kAcross; ++k) {
+    const auto axis = static_cast<std::size_t>(grid_.axes[k + 1]);
+    const double length = high_[axis] - low_[axis];
+    const double cells = std::clamp(length / (size * extent_[axis]), 1.0, static_cast<double>(most));
+    // A length of 0 gives no number; such a scene has one cell.
+    grid_.cells[k] = length > 0 ? static_cast<std::uint32_t>(cells) : 1;
+    const double scale = grid_.cells[k] > 1 ? grid_.cells[k] / length : 0;
+    grid_.scale[k] = static_cast<Scalar>(scale);
+    grid_.offset[k] = static_cast<Scalar>(low_[axis]) * grid_.scale[k];
+  }
+}
+
+/// Rounding is monotone, so boxes that overlap reach a common cell wherever they lie.
+template <int D>
+typename Columns<D>::Reach Columns<D>::reach_of(const Box<D>& box) const {
+  Reach reach;
+  for (std::size_t k = 0; k < kAcross; ++k) {
+    const int axis = grid_.axes[k + 1];
+    const auto last = static_cast<Scalar>(grid_.cells[k] - 1);
+    const auto cell = [&](Scalar x) {
+      const Scalar place = x * grid_.scale[k] - grid_.offset[k];
+      return static_cast<std::uint16_t>(
+          static_cast<std::int32_t>(std::min(std::max(place, Scalar{0}), last)));
+    };
+    reach.first[k] = cell(box.min[axis]);
+    reach.last[k] = cell(box.max[axis]);
+  }
+  return reach;
+}
+
+template <int D>
+template <class Visit>
+void Columns<D>::for_each_column(const Reach& reach, Visit visit) const {
+  if constexpr (D == 2) {
+    for (std::size_t x = reach.first[0]; x <= reach.last[0]; ++x) visit(x, x != reach.first[0] ? 2U : 0U);
+  } else {
+    for (std::size_t y = reach.first[1]; y <= reach.last[1]; ++y) {
+      const std::uint32_t later = y != reach.first[1] ? 4U : 0U;
+      for (std::size_t x = reach.first[0]; x <= reach.last[0]; ++x)
+        visit(y * grid_.cells[0] + x, later | (x != reach.first[0] ? 2U : 0U));
+    }
+  }
+}
+
+/// Leaves in `ends_` how many entries each column will have; returns the sum.
+template <int D>
+std::size_t Columns<D>::count_entries() {
+  std::size_t columns = 1;
+  for (const std::uint32_t cells : grid_.cells) columns *= cells;
+  ends_.assign(columns, 0);
+  reaches_.resize(this->table().bound());
+  std::size_t entries = 0;
+  for (const ObjectId object : this->placed()) {
+    const Reach reach = reach_of(this->table().box(object));
+    reaches_[object.index()] = reach;
+    std::size_t count = 1;
+    for (std::size_t k = 0; k < kAcross; ++k) count *= reach.last[k] - std::size_t{reach.first[k]} + 1;
+    entries += count;
+    if (entries > kMostEntries * this->placed().size() && columns > 1) return entries;
+    for_each_column(reach, [this](std::size_t column, std::uint32_t) { ++ends_[column]; });
+  }
+  return entries;
+}
+
+template <int D>
+void Columns<D>::sort_objects() {
+  order_.items.clear();
+  for (const ObjectId object : this->placed())
+    order_.items.push_back({sort_key(this->table().box(object).min[grid_.axes[0]]), object.value});
+  order_.sort();
+}
+
+template <int D>
+void Columns<D>::deal() {
+  std::uint32_t end = 0;
+  for (std::uint32_t& place : ends_) end += std::exchange(place, end);
+  if (entries_.size() < end) entries_.resize(2 * end);
+  for (const RadixSort::Item& item : order_.items) {
+    const ObjectId object{item.value};
+    const Box<D>& box = this->table().box(object);
+    Entry entry;
+    for (std::size_t k = 0; k < D; ++k) {
+      entry.min[k] = box.min[grid_.axes[k]];
+      entry.max[k] = box.max[grid_.axes[k]];
+    }
+    entry.object = object.value;
+    const std::uint32_t fixed = this->table().is_fixed(object) ? 1 : 0;
+    for_each_column(reaches_[object.index()], [&](std::size_t column, std::uint32_t apart) {
+      entry.apart = apart | fixed;
+      entries_[ends_[column]++] = entry;
+    });
+  }
+}
+
+template <int D>
+void Columns<D>::sweep(PairList& pairs) {
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : ends_) {
+    lanes_.resize(end - begin);
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const Entry& entry = entries_[k];
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        lanes_.min[axis][k - begin] = entry.min[axis];
+        lanes_.max[axis][k - begin] = entry.max[axis];
+      }
+      lanes_.object[k - begin] = entry.object;
+      lanes_.apart[k - begin] = entry.apart;
+    }
+    sweep_lanes(lanes_, pairs);
+    begin = end;
+  }
+}
+
+template <int D>
+void Columns<D>::find_pairs(PairList& pairs) {
+  if (this->placed().empty()) return;
+  measure();
+  double volume = 1;
+  double lengths = 1;
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < D; ++i) {
+    const double relative = (high_[i] - low_[i]) / extent_[i];
+    if (relative > (high_[longest] - low_[longest]) / extent_[longest]) longest = i;
+    volume *= relative;
+  }
+  for (std::size_t k = 0; k < D; ++k) grid_.axes[k] = static_cast<int>((longest + k) % D);
+  lengths = std::pow(kFollowers * volume / static_cast<double>(this->placed().size()), 1.0 / kAcross) - 1;
+  double size = std::max(kSmallest, lengths);
+  for (lay_out(size); count_entries() > kMostEntries * this->placed().size() && ends_.size() > 1;
+       lay_out(size))
+    size *= 2;
+  sort_objects();
+  deal();
+  sweep(pairs);
+}
+
+template class Columns<2>;
+template class Columns<3>;
+
+}  // namespace kerf

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/broad_phase/lanes.h"
+#include "core/broad_phase/radix_sort.h"
+#include "core/broad_phase/tabled.h"
+
+namespace kerf {
+
+/// A grid of columns, built anew in each step: cells across all axes but the one along which the scene is
+/// longest. Objects are sorted along that axis by radix, dealt out to every column that they reach, and each
+/// column is swept, a vector of boxes at a time.
+///
+/// Two boxes that overlap share a column; the pair is told by the one in which, along each axis, at least one
+/// of both begins. There is only one such column: where the box begins that begins later.
+template <int D>
+class Columns final : public Tabled<D> {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "columns"; }
+
+ private:
+  static constexpr std::size_t kAcross = D - 1;
+  /// The cells that an object reaches across the columns.
+  struct Reach {
+    std::array<std::uint16_t, kAcross> first;
+    std::array<std::uint16_t, kAcross> last;
+  };
+  /// An object in a column. `axis` 0 is the one along the column.
+  struct Entry {
+    std::array<Scalar, D> min;
+    std::array<Scalar, D> max;
+    std::uint32_t object;
+    std::uint32_t apart;
+  };
+  struct Grid {
+    std::array<int, D> axes{};  ///< of the world: the one along the columns, then those across
+    std::array<Scalar, kAcross> scale{};
+    std::array<Scalar, kAcross> offset{};
+    std::array<std::uint32_t, kAcross> cells{};
+  };
+
+  void find_pairs(PairList& pairs) override;
+  void measure();
+  void lay_out(double size);
+  [[nodiscard]] Reach reach_of(const Box<D>& box) const;
+  std::size_t count_entries();
+  void sort_objects();
+  void deal();
+  void sweep(PairList& pairs);
+  template <class Visit>
+  void for_each_column(const Reach& reach, Visit visit) const;
+
+  Grid grid_;
+  std::array<double, D> low_{};      ///< where boxes begin at least
+  std::array<double, D> high_{};     ///< and at most
+  std::array<double, D> extent_{};   ///< of a box in the mean
+  std::vector<Reach> reaches_;       ///< by object
+  std::vector<std::uint32_t> ends_;  ///< by column: one past its last entry dealt so far
+  RadixSort order_;
+  std::vector<Entry> entries_;
+  Lanes<D> lanes_;
+};
+
+extern template class Columns<2>;
+extern template class Columns<3>;
+
+}  // namespace kerf

@@ -1,0 +1,56 @@
+#include "core/broad_phase/tabled.h"
+
+namespace kerf {
+
+/// Only a change of who takes part makes the list old.
+template <int D>
+Status Tabled<D>::note(ObjectId object, Status status) {
+  if (status == Status::unknown_id || status == Status::duplicate_id) return status;
+  const bool listed = object.index() < listed_.size() && listed_[object.index()] != 0;
+  list_is_old_ |= listed != table_.is_placed(object);
+  return status;
+}
+
+template <int D>
+Status Tabled<D>::insert(ObjectId object, const Box<D>& box, Mobility mobility) {
+  return note(object, table_.insert(object, box, mobility));
+}
+
+template <int D>
+Status Tabled<D>::remove(ObjectId object) {
+  return note(object, table_.remove(object));
+}
+
+template <int D>
+Status Tabled<D>::move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) {
+  Status first = Status::ok;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    const Status status = note(objects[k], table_.move(objects[k], boxes[k]));
+    if (first == Status::ok) first = status;
+  }
+  return first;
+}
+
+template <int D>
+void Tabled<D>::list_placed() {
+  placed_.clear();
+  listed_.assign(table_.bound(), 0);
+  for (std::uint32_t id = 0; id < table_.bound(); ++id) {
+    if (!table_.is_placed({id})) continue;
+    placed_.push_back({id});
+    listed_[id] = 1;
+  }
+  list_is_old_ = false;
+}
+
+template <int D>
+void Tabled<D>::step() {
+  if (list_is_old_) list_placed();
+  pairs_.clear();
+  find_pairs(pairs_);
+}
+
+template class Tabled<2>;
+template class Tabled<3>;
+
+}  // namespace kerf

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "core/broad_phase/broad_phase.h"
+#include "core/broad_phase/object_table.h"
+#include "core/broad_phase/pair_list.h"
+
+namespace kerf {
+
+/// What our broad phases share that find all pairs anew in each step: the table of objects, the list of those
+/// that take part, and the pairs.
+template <int D>
+class Tabled : public BroadPhase<D> {
+ public:
+  Status insert(ObjectId object, const Box<D>& box, Mobility mobility) final;
+  Status move(ObjectId object, const Box<D>& box) final { return note(object, table_.move(object, box)); }
+  Status remove(ObjectId object) final;
+  Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) final;
+  void step() final;
+  [[nodiscard]] std::span<const Pair> pairs() const final { return pairs_.pairs(); }
+
+ protected:
+  /// Writes the pairs of `placed()` to `pairs`, which is empty.
+  virtual void find_pairs(PairList& pairs) = 0;
+
+  [[nodiscard]] const ObjectTable<D>& table() const { return table_; }
+  /// The objects that take part, in the order of their ids.
+  [[nodiscard]] const std::vector<ObjectId>& placed() const { return placed_; }
+
+ private:
+  Status note(ObjectId object, Status status);
+  void list_placed();
+
+  ObjectTable<D> table_;
+  std::vector<ObjectId> placed_;
+  std::vector<std::uint8_t> listed_;  ///< per object: it is in placed_
+  bool list_is_old_ = false;
+  PairList pairs_;
+};
+
+extern template class Tabled<2>;
+extern template class Tabled<3>;
+
+}  // namespace kerf

@@ -1,0 +1,156 @@
+// Our broad phases beside the tree make the same promise: each step's pairs are the oracle's, each once.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/broad_phase/all_pairs.h"
+#include "core/broad_phase/columns.h"
+#include "core/broad_phase/sweep_and_prune.h"
+#include "tests/support/boxes.h"
+#include "tests/support/checked.h"
+#include "tests/support/moving_boxes.h"
+
+namespace kerf::test {
+namespace {
+
+template <class B>
+struct DimensionOf;
+template <template <int> class B, int D>
+struct DimensionOf<B<D>> {
+  static constexpr int kValue = D;
+};
+
+struct BroadPhaseNames {
+  template <class B>
+  static std::string GetName(int /*index*/) {  // NOLINT(readability-identifier-naming): GoogleTest's name
+    return std::string(B().name()) + "_" + std::to_string(DimensionOf<B>::kValue) + "D";
+  }
+};
+
+template <class B>
+class OwnBroadPhase : public testing::Test {
+ protected:
+  static constexpr int kD = DimensionOf<B>::kValue;
+  static constexpr std::uint32_t kCount = 700;
+
+  OwnBroadPhase() : checked_(subject_), crowd_(checked_, world(), 1.5, 11) {}
+  static double world() { return 3.5 * std::pow(kCount, 1.0 / kD); }
+  void insert(std::uint32_t id, const Box<kD>& box, Mobility mobility = Mobility::moving) {
+    static_cast<void>(checked_.insert({id}, box, mobility));
+  }
+
+  B subject_;
+  Checked<kD> checked_;
+  MovingBoxes<kD> crowd_;
+};
+
+using Subjects =
+    testing::Types<Columns<2>, Columns<3>, SweepAndPrune<2>, SweepAndPrune<3>, AllPairs<2>, AllPairs<3>>;
+TYPED_TEST_SUITE(OwnBroadPhase, Subjects, BroadPhaseNames);
+
+TYPED_TEST(OwnBroadPhase, AgreesOnBouncingBoxesAndTeleports) {
+  this->crowd_.add(this->kCount, 5);
+  for (std::uint32_t step = 1; step <= 30; ++step) {
+    this->crowd_.bounce(1);
+    if (step % 10 == 0) this->crowd_.teleport();
+    this->checked_.step();
+  }
+}
+
+TYPED_TEST(OwnBroadPhase, AgreesWhenAClusterCollapsesAndExplodes) {
+  this->crowd_.add(this->kCount);
+  for (std::uint32_t step = 1; step <= 30; ++step) {
+    this->crowd_.gather(step % 20 < 10 ? 0.35 : -0.5);
+    this->checked_.step();
+  }
+}
+
+TYPED_TEST(OwnBroadPhase, AgreesWhileObjectsComeGoAndAreQuarantined) {
+  for (std::uint32_t step = 1; step <= 40; ++step) {
+    this->crowd_.add(step % 7 == 0 ? 90 : 10, 4);
+    this->crowd_.walk(0.5);
+    this->crowd_.damage(5);
+    if (step % 4 == 0) this->crowd_.heal();
+    this->crowd_.replace(5);
+    if (step % 5 == 0) this->crowd_.remove(step == 35 ? this->crowd_.size() : 30);
+    this->checked_.step();
+  }
+}
+
+TYPED_TEST(OwnBroadPhase, AgreesOnBoxesOfVeryDifferentSizes) {
+  constexpr int kD = TestFixture::kD;
+  Random random(7);
+  for (std::uint32_t id = 0; id < 400; ++id) {
+    const double size = std::exp2(random.uniform(-12, 7));
+    this->insert(id, box_at<kD>(random_point<kD>(random, 0, 100), static_cast<Scalar>(size)),
+                 id % 9 == 0 ? Mobility::fixed : Mobility::moving);
+  }
+  this->checked_.step();
+}
+
+TYPED_TEST(OwnBroadPhase, AgreesOnALatticeOfTouchingBoxes) {
+  constexpr int kD = TestFixture::kD;
+  for (std::uint32_t id = 0; id < 512; ++id) {
+    Vector<kD> low;
+    for (int axis = 0; axis < kD; ++axis) low[axis] = static_cast<Scalar>((id >> (3 * axis)) % 8);
+    this->insert(id, {low, low + all<kD>(1)});
+  }
+  this->checked_.step();
+}
+
+/// Nothing but the largest floats, opposite zeros, points, and a single box far out.
+TYPED_TEST(OwnBroadPhase, AgreesAtTheEndsOfTheFloats) {
+  constexpr int kD = TestFixture::kD;
+  constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
+  constexpr Scalar kTiny = std::numeric_limits<Scalar>::denorm_min();
+  const std::vector<Scalar> ends{-kMax, -kMax / 2, -1, -kTiny, -0.0F, 0.0F, kTiny, 1, 1e9F, kMax / 2, kMax};
+  std::uint32_t id = 0;
+  for (const Scalar low : ends)
+    for (const Scalar high : ends)
+      if (low <= high) this->insert(id++, {all<kD>(low), all<kD>(high)});
+  this->checked_.step();
+  EXPECT_GT(this->subject_.pairs().size(), 500U);
+}
+
+TYPED_TEST(OwnBroadPhase, AgreesWhenAllButOneLieFarFromTheOther) {
+  constexpr int kD = TestFixture::kD;
+  this->crowd_.add(this->kCount);
+  this->insert(this->kCount, box_at<kD>(all<kD>(1e30F), 1));
+  this->checked_.step();
+}
+
+TYPED_TEST(OwnBroadPhase, AgreesWhenEverythingCoincides) {
+  constexpr int kD = TestFixture::kD;
+  for (std::uint32_t id = 0; id < 300; ++id) this->insert(id, box_at<kD>(all<kD>(5), 1));
+  this->checked_.step();
+  EXPECT_EQ(this->subject_.pairs().size(), 300U * 299U / 2);
+}
+
+TYPED_TEST(OwnBroadPhase, MovesManyAsMoveDoes) {
+  constexpr int kD = TestFixture::kD;
+  TypeParam one;
+  Random random(3);
+  std::vector<ObjectId> ids;
+  std::vector<Box<kD>> boxes;
+  for (std::uint32_t id = 0; id < 200; ++id) {
+    this->insert(id, random_box<kD>(random, 20, 1.5));
+    ASSERT_EQ(one.insert({id}, random_box<kD>(random, 20, 1.5), Mobility::moving), Status::ok);
+    ids.push_back({id});
+    boxes.push_back(random_box<kD>(random, 20, 1.5));
+  }
+  for (std::uint32_t id = 0; id < 200; ++id) static_cast<void>(this->checked_.move(ids[id], boxes[id]));
+  EXPECT_EQ(one.move_many(ids, boxes), Status::ok);
+  one.step();
+  this->checked_.step();
+  EXPECT_TRUE(same_pairs(one.pairs(), this->subject_.pairs()));
+  ids.push_back({4000});
+  boxes.push_back(boxes[0]);
+  EXPECT_EQ(one.move_many(ids, boxes), Status::unknown_id);
+}
+
+}  // namespace
+}  // namespace kerf::test
