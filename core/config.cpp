@@ -46,6 +46,13 @@ const std::array kParameters{
     Parameter{{"directions", "size of the direction set in 3D; a quarter of it in 2D", 3, 4096},
               &Config::directions},
     Parameter{{"seed", "of the direction set", 0, 18446744073709551615.0}, &Config::seed},
+    Parameter{{"byte_sweep", "1: leaves are swept by vectors of bytes", 0, 1}, &Config::byte_sweep},
+    Parameter{{"skin", "steps of its motion that an object's fat box allows for; 0: none", 0, 1000},
+              &Config::skin},
+    Parameter{{"stream_share", "share of leaving objects above which all are placed in one pass", 0, 1},
+              &Config::stream_share},
+    Parameter{{"bulk_factor", "leaves above so many thresholds are divided at once; 0: never", 0, 1e6},
+              &Config::bulk_factor},
 };
 
 const Parameter& find(std::string_view name) {
@@ -117,6 +124,21 @@ std::span<const ConfigField> config_fields() {
     return fields;
   }();
   return kFields;
+}
+
+Config tuned_config() {
+  Config config;
+  config.free_directions = false;
+  config.sample = 256;
+  config.max_redundancy = 0.35F;
+  config.repair_redundancy = 0.6F;
+  config.min_threshold = 512;
+  config.max_threshold = 1024;
+  config.byte_sweep = true;
+  config.skin = 8;
+  config.stream_share = 0.25F;
+  config.bulk_factor = 2;
+  return config;
 }
 
 void check(const Config& config) {

@@ -38,7 +38,18 @@ struct Config {
                                    ///< as many, straddled nodes are merged at once
   std::uint32_t directions = 256;  ///< size of the direction set (3D; 2D uses a quarter)
   std::uint64_t seed = 1;          ///< of the direction set
+
+  // Beyond the paper: policies beside it, all off. `tuned_config` switches them on.
+  bool byte_sweep = false;  ///< leaves are swept by vectors of bytes instead of along ordered lists
+  float skin = 0;           ///< with byte_sweep: steps of its own motion that an object's fat box allows for
+  float stream_share = 1;   ///< with byte_sweep: when more objects than this share leave their fat boxes in a
+                            ///< step, all are placed anew in one pass
+  float bulk_factor = 0;    ///< a leaf above so many times the threshold is divided at once, whatever the
+                            ///< budget; 0: never
 };
+
+/// The fastest that we know for boxes: axis directions, large leaves, all policies beyond the paper.
+Config tuned_config();
 
 /// Throws std::invalid_argument, naming the parameter and its range, when a value cannot work.
 void check(const Config& config);

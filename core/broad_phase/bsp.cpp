@@ -1,10 +1,14 @@
 #include "core/broad_phase/bsp.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
+#include "core/broad_phase/skin.h"
+#include "core/kernels/move_boxes.h"
 #include "core/kernels/sweep.h"
 #include "core/tree/hash.h"
 #include "core/tree/placement.h"
@@ -49,9 +53,12 @@ void Bsp<D, Trace>::set_config(const Config& config) {
 template <int D, class Trace>
 Status Bsp<D, Trace>::note(ObjectId object, Status status) {
   if (status == Status::unknown_id || status == Status::duplicate_id) return status;
-  if (changing_.size() <= object.index()) changing_.resize(object.index() + 1, 0);
-  if (changing_[object.index()] == 0) changed_.push_back(object);
-  changing_[object.index()] = 1;
+  attention_.resize(latest_.bound(), kUnplaced);
+  std::uint8_t& attention = attention_[object.index()];
+  if ((attention & kChanging) != 0) return status;
+  attention |= kChanging;
+  changed_.push_back(object);
+  before_.push_back(latest_.packed(object));
   return status;
 }
 
@@ -67,7 +74,32 @@ Status Bsp<D, Trace>::insert(ObjectId object, const Volume<D>& volume, Mobility 
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::move(ObjectId object, const Box<D>& box) {
-  return note(object, latest_.move(object, box));
+  return move_many({&object, 1}, {&box, 1});
+}
+
+template <int D, class Trace>
+Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) {
+  Status first = Status::ok;
+  const auto keep_first = [&first](Status status) {
+    if (first == Status::ok) first = status;
+  };
+  if (latest_.kind() != VolumeKind::box) {
+    for (std::size_t k = 0; k < objects.size(); ++k)
+      keep_first(note(objects[k], latest_.move(objects[k], boxes[k])));
+    return first;
+  }
+  const bool keeps = mode_ == Mode::kept;
+  const MoveAnswer answer = move_boxes<D>({objects, boxes, latest_.packed(), attention_,
+                                           keeps ? std::as_const(tree_.table).packed().data() : nullptr,
+                                           changed_.reserve(objects.size()), before_.reserve(objects.size()),
+                                           left_over_.reserve(objects.size())});
+  changed_.commit(answer.changed);
+  before_.commit(answer.changed);
+  left_over_.commit(answer.left_over);
+  for (const std::uint32_t k : left_over_.all())
+    keep_first(note(objects[k], latest_.move(objects[k], boxes[k])));
+  left_over_.clear();
+  return first;
 }
 
 template <int D, class Trace>
@@ -85,50 +117,212 @@ void Bsp<D, Trace>::step() {
   ++step_;
   reporter_.begin_step(step_);
   begin(Phase::place);
-  place_changes();
+  place();
   begin(Phase::sort);
-  sort_leaves(tree_);
+  if (mode_ == Mode::ordered) sort_leaves(tree_);
   begin(Phase::schedule);
   scheduler_.traverse(tree_, config_, step_, reporter_);
   begin(Phase::operate);
   scheduler_.process(tree_, config_, step_, reporter_);
-  sort_leaves(tree_);
+  if (mode_ == Mode::ordered) sort_leaves(tree_);
   begin(Phase::sweep);
   sweep();
   end_phase();
 }
 
-/// Brings the entries up to date with the table. Placement is never deferred: it is what makes the pairs
+/// Keeping pays while few objects leave their fat boxes: a look-up costs some ten times what sweeping costs
+/// for an object. Either way a few steps must say so, since objects begin with no fat box at all.
+template <int D, class Trace>
+void Bsp<D, Trace>::choose_mode() {
+  constexpr float kHot = 0.12F;
+  constexpr std::uint32_t kHotSteps = 3;
+  constexpr float kCool = 0.06F;
+  constexpr std::uint32_t kCoolSteps = 8;
+  if (!config_.byte_sweep) return enter(Mode::ordered);
+  if (config_.skin == 0 || latest_.kind() != VolumeKind::box) return enter(Mode::swept);
+  if (mode_ == Mode::ordered) return enter(Mode::kept);
+  const bool keeps = mode_ == Mode::kept;
+  const auto leaving = static_cast<float>(changed_.size());
+  const bool doubt = keeps ? leaving > kHot * static_cast<float>(latest_.size()) : speed_of_sample() < kCool;
+  calm_ = doubt ? calm_ + 1 : 0;
+  if (keeps && calm_ >= kHotSteps) enter(Mode::swept);
+  if (!keeps && calm_ >= kCoolSteps) enter(Mode::kept);
+}
+
+/// What share of the objects would leave fat boxes in a step, by the motion of some of them.
+template <int D, class Trace>
+float Bsp<D, Trace>::speed_of_sample() const {
+  constexpr std::size_t kSample = 256;
+  const std::size_t stride = std::max<std::size_t>(1, tree_.table.bound() / kSample);
+  float sum = 0;
+  float count = 0;
+  for (std::size_t id = 0; id < tree_.table.bound(); id += stride) {
+    const ObjectId object{static_cast<std::uint32_t>(id)};
+    if (!tree_.table.is_placed(object) || !latest_.is_placed(object)) continue;
+    sum += share_of_skin(latest_.box(object), tree_.table.box(object));
+    ++count;
+  }
+  return count == 0 ? 0 : sum / count;
+}
+
+template <int D, class Trace>
+void Bsp<D, Trace>::enter(Mode mode) {
+  if (mode == mode_) return;
+  mode_ = mode;
+  calm_ = 0;
+  kept_.clear();
+}
+
+/// Brings the entries up to date with the objects. Placement is never deferred: it is what makes the pairs
 /// complete.
+template <int D, class Trace>
+void Bsp<D, Trace>::place() {
+  const Mode before = mode_;
+  choose_mode();
+  const bool many =
+      static_cast<float>(changed_.size()) > config_.stream_share * static_cast<float>(latest_.size());
+  if (mode_ == Mode::kept) {
+    if (before != Mode::kept) {
+      fatten_all();
+    } else if (many) {
+      fatten_changed();
+    } else {
+      place_fat();
+    }
+  } else if (before == Mode::kept || (many && mode_ == Mode::swept)) {
+    tree_.table = latest_;
+    place_all();
+  } else {
+    place_changes();
+  }
+  for (const ObjectId object : changed_.all())
+    attention_[object.index()] = latest_.is_placed(object) ? 0 : kUnplaced;
+  changed_.clear();
+  before_.clear();
+}
+
+template <int D, class Trace>
+void Bsp<D, Trace>::place_all() {
+  placed_ = changed_.size();
+  stream(tree_, stream_buffer_);
+  reporter_.report([&] { return AllPlaced{tree_.objects()}; });
+}
+
+/// Each object for itself, by the boxes as they are.
 template <int D, class Trace>
 void Bsp<D, Trace>::place_changes() {
   std::vector<ObjectId> leaving;
   std::vector<ObjectId> entering;
-  for (const ObjectId object : changed_) {
-    changing_[object.index()] = 0;
+  for (const ObjectId object : changed_.all()) {
     const bool was_placed = tree_.table.is_placed(object);
     const bool is_placed = latest_.is_placed(object);
     if (was_placed && is_placed && stays(tree_, object, latest_.volume(object))) continue;
     if (was_placed) leaving.push_back(object);
     if (is_placed) entering.push_back(object);
-    if (was_placed && !is_placed) reporter_.report([&] { return ObjectPlaced{object, 0}; });
   }
+  for (const ObjectId object : leaving)
+    if (!latest_.is_placed(object)) reporter_.report([&] { return ObjectPlaced{object, 0}; });
   displace<D>(tree_, tree_.root(), leaving);
-  for (const ObjectId object : changed_) tree_.table.copy(latest_, object);
-  changed_.clear();
+  for (const ObjectId object : changed_.all()) tree_.table.copy(latest_, object);
+  place_entering(entering);
+}
+
+template <int D, class Trace>
+void Bsp<D, Trace>::place_entering(const std::vector<ObjectId>& entering) {
   for (const ObjectId object : entering) {
-    const std::uint32_t leaves = place(tree_, tree_.root(), object, 0);
+    const std::uint32_t leaves = kerf::place(tree_, tree_.root(), object, 0);
     reporter_.report([&] { return ObjectPlaced{object, leaves}; });
   }
   placed_ = entering.size();
 }
 
 template <int D, class Trace>
+Box<D> Bsp<D, Trace>::fat_box(ObjectId object, const Box<D>& before) {
+  if (skins_.size() <= object.index()) skins_.resize(latest_.bound());
+  Skin& skin = skins_[object.index()];
+  skin.left(step_);
+  return fatten(latest_.box(object), before, skin, config_.skin);
+}
+
+/// Fat boxes for all, by the motion since the tree's boxes.
+template <int D, class Trace>
+void Bsp<D, Trace>::fatten_all() {
+  for (std::size_t id = 0; id < latest_.bound(); ++id) {
+    const ObjectId object{static_cast<std::uint32_t>(id)};
+    const Box<D> before = tree_.table.is_placed(object) ? tree_.table.box(object) : latest_.box(object);
+    tree_.table.copy(latest_, object);
+    if (latest_.is_placed(object)) tree_.table.widen(object, fat_box(object, before));
+  }
+  place_all();
+}
+
+template <int D, class Trace>
+void Bsp<D, Trace>::fatten_changed() {
+  for (std::size_t k = 0; k < changed_.size(); ++k) {
+    const ObjectId object = changed_.all()[k];
+    tree_.table.copy(latest_, object);
+    if (latest_.is_placed(object)) tree_.table.widen(object, fat_box(object, before_.all()[k].unpack()));
+  }
+  place_all();
+}
+
+/// Each object that left its fat box gets another one, and its kept pairs are looked up again.
+template <int D, class Trace>
+void Bsp<D, Trace>::place_fat() {
+  std::vector<ObjectId> leaving;
+  std::vector<ObjectId> entering;
+  std::vector<Box<D>> fat(changed_.size());
+  std::vector<Reached> old_places;
+  std::vector<Reached> new_places;
+  for (std::size_t k = 0; k < changed_.size(); ++k) {
+    const ObjectId object = changed_.all()[k];
+    const bool was_placed = tree_.table.is_placed(object);
+    const bool is_placed = latest_.is_placed(object);
+    old_places.clear();
+    new_places.clear();
+    if (was_placed) reach(tree_, tree_.table.box(object), old_places);
+    if (is_placed) {
+      fat[k] = fat_box(object, before_.all()[k].unpack());
+      reach(tree_, fat[k], new_places);
+    }
+    for (const Reached& place : old_places) kept_.touch({place.leaf, object, 0, false});
+    for (const Reached& place : new_places) {
+      tree_[place.leaf].unsorted = true;
+      kept_.touch({place.leaf, object,
+                   apart_bits(tree_[place.leaf], place.straddle, latest_.is_fixed(object)), true});
+    }
+    if (old_places == new_places) continue;
+    if (was_placed) leaving.push_back(object);
+    if (is_placed) entering.push_back(object);
+    if (!is_placed) reporter_.report([&] { return ObjectPlaced{object, 0}; });
+  }
+  displace<D>(tree_, tree_.root(), leaving);
+  for (std::size_t k = 0; k < changed_.size(); ++k) {
+    tree_.table.copy(latest_, changed_.all()[k]);
+    if (latest_.is_placed(changed_.all()[k])) tree_.table.widen(changed_.all()[k], fat[k]);
+  }
+  place_entering(entering);
+  kept_.placed(tree_);
+}
+
+template <int D, class Trace>
 void Bsp<D, Trace>::sweep() {
   pairs_.clear();
+  if (mode_ == Mode::kept) {
+    kept_.update(tree_);
+    kept_.emit(tree_, latest_, pairs_);
+    return;
+  }
   for_each_node(tree_, tree_.root(), [this](NodeId id) {
-    if (tree_[id].is_leaf()) sweep_leaf(tree_.table, tree_[id], buffer_, pairs_);
+    if (!tree_[id].is_leaf()) return;
+    if (mode_ == Mode::ordered) {
+      sweep_leaf(tree_.table, tree_[id], buffer_, pairs_);
+    } else {
+      view_leaf(tree_, id, view_);
+      byte_sweep_.find(view_, PairOrder::canonical, pairs_);
+    }
   });
+  if (mode_ == Mode::swept && latest_.kind() != VolumeKind::box) drop_separated(tree_.table, 0, pairs_);
 }
 
 template <int D, class Trace>

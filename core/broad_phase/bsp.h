@@ -5,11 +5,15 @@
 #include <vector>
 
 #include "core/broad_phase/broad_phase.h"
+#include "core/broad_phase/kept_pairs.h"
+#include "core/broad_phase/pair_buffer.h"
+#include "core/broad_phase/skin.h"
 #include "core/config.h"
 #include "core/kernels/sweep.h"
 #include "core/trace/reporter.h"
 #include "core/tree/scheduler.h"
 #include "core/tree/statistics.h"
+#include "core/tree/stream.h"
 #include "core/tree/tree.h"
 
 namespace kerf {
@@ -29,8 +33,9 @@ class Bsp final : public BroadPhase<D> {
   Status move(ObjectId object, const Box<D>& box) override;
   Status move(ObjectId object, const Volume<D>& volume) override;
   Status remove(ObjectId object) override;
+  Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) override;
   void step() override;
-  [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_; }
+  [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_.all(); }
 
   [[nodiscard]] const Config& config() const { return config_; }
   /// Takes effect from the next step on; the tree is kept. The direction set cannot change: throws
@@ -45,8 +50,25 @@ class Bsp final : public BroadPhase<D> {
   [[nodiscard]] Trace& trace() { return reporter_.trace(); }
 
  private:
+  /// How the pairs of a step are found.
+  enum class Mode : std::uint8_t {
+    ordered,  ///< the paper's: each leaf is swept along its ordered list
+    swept,    ///< each leaf is swept by vectors of bytes
+    kept,     ///< pairs of fat boxes are kept and filtered: the tree's table has the fat boxes
+  };
+
   Status note(ObjectId object, Status status);
+  void choose_mode();
+  [[nodiscard]] float speed_of_sample() const;
+  void enter(Mode mode);
+  void place();
   void place_changes();
+  void place_all();
+  void place_entering(const std::vector<ObjectId>& entering);
+  Box<D> fat_box(ObjectId object, const Box<D>& before);
+  void fatten_all();
+  void fatten_changed();
+  void place_fat();
   void sweep();
   void begin(Phase phase);
   void end_phase();
@@ -55,11 +77,22 @@ class Bsp final : public BroadPhase<D> {
   Tree<D> tree_;
   Scheduler<D> scheduler_;
   Reporter<Trace> reporter_;
-  ObjectTable<D> latest_;          ///< as the caller sees the objects; the tree's table follows in step()
-  std::vector<ObjectId> changed_;  ///< objects of which the two tables may differ
-  std::vector<std::uint8_t> changing_;  ///< per object: it is in changed_
+  ObjectTable<D> latest_;              ///< as the caller sees the objects; the tree's table follows in step()
+  AppendBuffer<ObjectId> changed_;     ///< objects of which the two tables may differ
+  AppendBuffer<PackedBox<D>> before_;  ///< the boxes from which those of changed_ moved
+  AppendBuffer<std::uint32_t> left_over_;
+  static constexpr std::uint8_t kChanging = 1;  ///< the object is in changed_
+  static constexpr std::uint8_t kUnplaced = 2;  ///< it is absent or in quarantine
+  std::vector<std::uint8_t> attention_;         ///< per object: what must be looked at before it moves
+  std::vector<Skin> skins_;                     ///< per object
+  Mode mode_ = Mode::ordered;
+  std::uint32_t calm_ = 0;  ///< steps in a row that speak for the other mode
   SweepBuffer<D> buffer_;
-  std::vector<Pair> pairs_;
+  LeafView<D> view_;
+  ByteSweep<D> byte_sweep_;
+  KeptPairs<D> kept_;
+  StreamBuffer stream_buffer_;
+  PairBuffer pairs_;
   Phase phase_ = Phase::sweep;
   std::chrono::steady_clock::time_point phase_start_;
   std::array<double, kPhaseCount> phase_seconds_{};

@@ -1,28 +1,13 @@
 #include "core/broad_phase/object_table.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace kerf {
-namespace {
-
-/// Ordered, without NaN, and finite: nearly every box there is. False for NaN.
-template <int D>
-bool is_plain(const Box<D>& box) {
-  constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
-  bool all = true;
-  for (int i = 0; i < D; ++i)
-    all &= (box.min[i] <= box.max[i]) & (box.min[i] >= -kMax) & (box.max[i] <= kMax);
-  return all;
-}
-
-}  // namespace
-
 template <int D>
 Status ObjectTable<D>::accept(ObjectId object, const Box<D>& box) {
-  if (kind_ != VolumeKind::box || !is_plain(box)) return accept(object, make_box_volume(box));
+  if (kind_ != VolumeKind::box || !is_valid(box)) return accept(object, make_box_volume(box));
   states_[object.index()] = ObjectState::placed;
-  boxes_[object.index()] = box;
+  boxes_[object.index()] = PackedBox<D>(box);
   return Status::ok;
 }
 
@@ -36,7 +21,7 @@ Status ObjectTable<D>::accept(ObjectId object, const Volume<D>& given) {
   const Volume<D> finite = clamp_to_finite(volume);
   const auto size = static_cast<std::size_t>(extra_size<D>(kind_));
   states_[object.index()] = ObjectState::placed;
-  boxes_[object.index()] = finite.box;
+  boxes_[object.index()] = PackedBox<D>(finite.box);
   std::copy_n(finite.extra.begin(), size,
               extra_.begin() + static_cast<std::ptrdiff_t>(object.index() * size));
   return finite.box == given.box && finite.extra == volume.extra ? Status::ok : Status::clamped;

@@ -6,6 +6,7 @@
 
 #include "core/broad_phase/broad_phase.h"
 #include "core/geometry/box.h"
+#include "core/geometry/packed_box.h"
 #include "core/geometry/volume.h"
 #include "core/ids.h"
 
@@ -33,13 +34,15 @@ class ObjectTable {
     return state(object) == ObjectState::absent ? Status::unknown_id : accept(object, bound);
   }
   Status remove(ObjectId object);
+  /// Replaces the box of a placed object by one around it.
+  void widen(ObjectId object, const Box<D>& box) { boxes_[object.index()] = PackedBox<D>(box); }
 
   /// Takes over all that another table of the same kind says of an object.
   void copy(const ObjectTable& from, ObjectId object);
 
   /// One more than the largest id ever used: the size for arrays kept per object.
   [[nodiscard]] std::size_t bound() const { return boxes_.size(); }
-  /// Objects present, the quarantined ones included.
+  /// Objects present, those in quarantine included.
   [[nodiscard]] std::uint32_t size() const { return size_; }
   [[nodiscard]] ObjectState state(ObjectId object) const {
     return object.index() < states_.size() ? states_[object.index()] : ObjectState::absent;
@@ -48,7 +51,12 @@ class ObjectTable {
   [[nodiscard]] bool is_fixed(ObjectId object) const { return fixed_[object.index()] != 0; }
   [[nodiscard]] VolumeKind kind() const { return kind_; }
   /// The box as it was accepted. Valid for placed objects only.
-  [[nodiscard]] const Box<D>& box(ObjectId object) const { return boxes_[object.index()]; }
+  [[nodiscard]] Box<D> box(ObjectId object) const { return boxes_[object.index()].unpack(); }
+  [[nodiscard]] const PackedBox<D>& packed(ObjectId object) const { return boxes_[object.index()]; }
+  /// By id, `bound()` of them; those of objects that are not placed mean nothing.
+  [[nodiscard]] std::span<const PackedBox<D>> packed() const { return boxes_; }
+  /// For whoever replaces boxes of placed objects by valid ones, many at a time.
+  [[nodiscard]] std::span<PackedBox<D>> packed() { return boxes_; }
   /// The numbers that the kind keeps beside the box, `extra_size<D>(kind())` of them.
   [[nodiscard]] const Scalar* extra(ObjectId object) const {
     return extra_.data() + object.index() * static_cast<std::size_t>(extra_size<D>(kind_));
@@ -57,7 +65,7 @@ class ObjectTable {
   [[nodiscard]] Volume<D> volume(ObjectId object) const;
   /// Whether two placed objects are a pair: the definition, for the tree and for the oracle.
   [[nodiscard]] bool is_pair(ObjectId a, ObjectId b) const {
-    return overlaps(box(a), box(b)) && !(is_fixed(a) && is_fixed(b)) &&
+    return overlaps(packed(a), packed(b)) && !(is_fixed(a) && is_fixed(b)) &&
            volumes_overlap<D>(kind_, extra(a), extra(b));
   }
 
@@ -68,7 +76,7 @@ class ObjectTable {
   Status accept(ObjectId object, const Volume<D>& given);
 
   VolumeKind kind_;
-  std::vector<Box<D>> boxes_;
+  std::vector<PackedBox<D>> boxes_;
   std::vector<Scalar> extra_;
   std::vector<ObjectState> states_;
   std::vector<std::uint8_t> fixed_;

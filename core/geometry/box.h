@@ -54,11 +54,13 @@ constexpr Box<D> join(Box<D> a, const Box<D>& b) {
   return a;
 }
 
-/// A box that can be placed as it is: min <= max on each axis and every bound finite.
+/// A box that can be placed as it is: min <= max on each axis and every bound finite. False for NaN.
 template <int D>
-bool is_valid(const Box<D>& box) {
-  bool all = is_finite(box.min) && is_finite(box.max);
-  for (int i = 0; i < D; ++i) all &= box.min[i] <= box.max[i];
+constexpr bool is_valid(const Box<D>& box) {
+  constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
+  bool all = true;
+  for (int i = 0; i < D; ++i)
+    all &= (box.min[i] <= box.max[i]) & (box.min[i] >= -kMax) & (box.max[i] <= kMax);
   return all;
 }
 

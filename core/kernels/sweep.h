@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/broad_phase/pair_buffer.h"
 #include "core/ids.h"
 #include "core/tree/tree.h"
 
@@ -20,7 +21,10 @@ void sort_entries(std::vector<Entry>& entries);
 /// Appends the pairs of one leaf that the canonical-leaf rule (DESIGN.md, "Once") gives to it. The entries
 /// are ordered; two boxes can overlap only if their keys do, so the inner loop ends at the first key beyond.
 template <int D>
-void sweep_leaf(const ObjectTable<D>& table, const Node<D>& leaf, SweepBuffer<D>& buffer,
-                std::vector<Pair>& pairs);
+void sweep_leaf(const ObjectTable<D>& table, const Node<D>& leaf, SweepBuffer<D>& buffer, PairBuffer& pairs);
+
+/// Takes out the pairs from `begin` on whose boxes overlap but whose volumes do not.
+template <int D>
+void drop_separated(const ObjectTable<D>& table, std::size_t begin, PairBuffer& pairs);
 
 }  // namespace kerf

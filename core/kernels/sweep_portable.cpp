@@ -3,23 +3,17 @@
 #include "core/kernels/sweep.h"
 
 namespace kerf {
-namespace {
-
-/// Takes out the pairs from `begin` on whose boxes overlap but whose volumes do not.
 template <int D>
-void drop_separated(const ObjectTable<D>& table, std::size_t begin, std::vector<Pair>& pairs) {
-  const auto separated = [&](const Pair& pair) {
+void drop_separated(const ObjectTable<D>& table, std::size_t begin, PairBuffer& pairs) {
+  const std::span<Pair> found = pairs.all().subspan(begin);
+  const auto end = std::remove_if(found.begin(), found.end(), [&](const Pair& pair) {
     return !volumes_overlap<D>(table.kind(), table.extra(pair.a), table.extra(pair.b));
-  };
-  pairs.erase(std::remove_if(pairs.begin() + static_cast<std::ptrdiff_t>(begin), pairs.end(), separated),
-              pairs.end());
+  });
+  pairs.truncate(begin + static_cast<std::size_t>(end - found.begin()));
 }
 
-}  // namespace
-
 template <int D>
-void sweep_leaf(const ObjectTable<D>& table, const Node<D>& leaf, SweepBuffer<D>& buffer,
-                std::vector<Pair>& pairs) {
+void sweep_leaf(const ObjectTable<D>& table, const Node<D>& leaf, SweepBuffer<D>& buffer, PairBuffer& pairs) {
   const std::vector<Entry>& entries = leaf.entries;
   buffer.boxes.resize(entries.size());
   buffer.fixed.resize(entries.size());
@@ -41,7 +35,9 @@ void sweep_leaf(const ObjectTable<D>& table, const Node<D>& leaf, SweepBuffer<D>
   if (table.kind() != VolumeKind::box) drop_separated(table, begin, pairs);
 }
 
-template void sweep_leaf<2>(const ObjectTable<2>&, const Node<2>&, SweepBuffer<2>&, std::vector<Pair>&);
-template void sweep_leaf<3>(const ObjectTable<3>&, const Node<3>&, SweepBuffer<3>&, std::vector<Pair>&);
+template void drop_separated<2>(const ObjectTable<2>&, std::size_t, PairBuffer&);
+template void drop_separated<3>(const ObjectTable<3>&, std::size_t, PairBuffer&);
+template void sweep_leaf<2>(const ObjectTable<2>&, const Node<2>&, SweepBuffer<2>&, PairBuffer&);
+template void sweep_leaf<3>(const ObjectTable<3>&, const Node<3>&, SweepBuffer<3>&, PairBuffer&);
 
 }  // namespace kerf

@@ -26,20 +26,21 @@ std::string describe(const EventBody& body) {
     return std::string(to_string(e.op)) + " " + name(e.node) +
            " refused: " + std::string(to_string(e.reason));
   };
-  return std::visit(Overloaded{
-                        [](const PhaseBegan& e) { return "phase " + std::string(to_string(e.phase)); },
-                        [](const ObjectPlaced& e) {
-                          return "object " + std::to_string(e.object.value) + " in " +
-                                 std::to_string(e.leaves) + " leaves";
-                        },
-                        [](const OperatorScheduled& e) {
-                          return std::string(to_string(e.op)) + " " + name(e.node) + " scheduled";
-                        },
-                        acted,
-                        refused,
-                        [](const EventsDeferred& e) { return std::to_string(e.count) + " events deferred"; },
-                    },
-                    body);
+  return std::visit(
+      Overloaded{
+          [](const PhaseBegan& e) { return "phase " + std::string(to_string(e.phase)); },
+          [](const ObjectPlaced& e) {
+            return "object " + std::to_string(e.object.value) + " in " + std::to_string(e.leaves) + " leaves";
+          },
+          [](const OperatorScheduled& e) {
+            return std::string(to_string(e.op)) + " " + name(e.node) + " scheduled";
+          },
+          acted,
+          refused,
+          [](const EventsDeferred& e) { return std::to_string(e.count) + " events deferred"; },
+          [](const AllPlaced& e) { return "all " + std::to_string(e.objects) + " objects placed anew"; },
+      },
+      body);
 }
 
 }  // namespace

@@ -67,6 +67,11 @@ struct ObjectPlaced {
   std::uint32_t leaves = 0;  ///< leaves that hold it now; 0: removed or quarantined
 };
 
+/// So many objects had left their places that all were placed anew in one pass.
+struct AllPlaced {
+  std::uint32_t objects = 0;
+};
+
 /// A phase of a step begins.
 enum class Phase : std::uint8_t { place, sort, schedule, operate, sweep };
 inline constexpr int kPhaseCount = 5;
@@ -75,8 +80,8 @@ struct PhaseBegan {
   Phase phase = Phase::place;
 };
 
-using EventBody =
-    std::variant<PhaseBegan, ObjectPlaced, OperatorScheduled, OperatorActed, OperatorRefused, EventsDeferred>;
+using EventBody = std::variant<PhaseBegan, ObjectPlaced, OperatorScheduled, OperatorActed, OperatorRefused,
+                               EventsDeferred, AllPlaced>;
 
 /// One thing that happened. Ids count up from 0 over the life of a broad phase and are the same in every run.
 struct Event {

@@ -8,6 +8,8 @@ namespace {
 
 /// A sampled candidate is confirmed on all objects; that many of the best get the chance.
 constexpr std::size_t kConfirmed = 4;
+/// In leaves of so many samples the sample's offset is taken; else the best offset of all objects is found.
+constexpr std::size_t kManySamples = 32;
 
 /// The offset furthest from both neighbours in the gap [low, high): objects may then move a little without
 /// crossing. Rounding may end on `high`, which belongs to the other side; then the low end serves
@@ -36,6 +38,18 @@ std::optional<Candidate> best_along(const Tree<D>& tree, std::uint32_t direction
   const std::optional<ReferencePoint> point = best_reference_point(scratch, config);
   if (!point) return std::nullopt;
   return Candidate{direction, point->offset, point->quality, false};
+}
+
+/// The candidate's partitioner judged on all objects, or none if it is not good for them.
+template <int D>
+std::optional<Candidate> judge(const Tree<D>& tree, const Candidate& candidate,
+                               std::span<const ObjectId> objects, const Config& config,
+                               std::vector<Interval>& scratch) {
+  scratch.clear();
+  for (const ObjectId object : objects) scratch.push_back(tree.project(candidate.direction, object));
+  const Quality quality = measure(scratch, candidate.offset);
+  if (!is_good(quality, config)) return std::nullopt;
+  return Candidate{candidate.direction, candidate.offset, quality, true};
 }
 
 }  // namespace
@@ -128,7 +142,10 @@ std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, co
   const std::vector<ObjectId> all = sample_objects(entries, entries.size());
   candidates.resize(std::min(candidates.size(), kConfirmed));
   for (const Candidate& candidate : candidates) {
-    if (auto confirmed = best_along<D>(tree, candidate.direction, all, config, scratch)) {
+    auto confirmed = all.size() > kManySamples * sampled.size()
+                         ? judge<D>(tree, candidate, all, config, scratch)
+                         : best_along<D>(tree, candidate.direction, all, config, scratch);
+    if (confirmed) {
       confirmed->exact = true;
       return confirmed;
     }

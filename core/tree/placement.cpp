@@ -99,6 +99,24 @@ bool stays(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume) {
 }
 
 template <int D>
+void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached) {
+  WalkStack<Visit> todo;
+  todo.push({tree.root(), 0});
+  while (!todo.empty()) {
+    const Visit visit = todo.pop();
+    const Node<D>& node = tree[visit.node];
+    if (node.is_leaf()) {
+      reached.push_back({visit.node, visit.straddle});
+      continue;
+    }
+    const Sides sides = classify(node.plane, box);
+    const DepthMask straddle = visit.straddle | (sides.straddle() ? depth_bit(node.depth) : 0);
+    if (sides.right) todo.push({node.right, straddle});
+    if (sides.left) todo.push({node.left, straddle});
+  }
+}
+
+template <int D>
 std::vector<Stored> collect(const Tree<D>& tree, NodeId from) {
   const DepthMask above = bits_above(tree[from].depth);
   std::vector<Stored> stored;
@@ -112,10 +130,11 @@ std::vector<Stored> collect(const Tree<D>& tree, NodeId from) {
   return stored;
 }
 
-#define KERF_INSTANTIATE(D)                                               \
-  template std::uint32_t place<D>(Tree<D>&, NodeId, ObjectId, DepthMask); \
-  template void displace<D>(Tree<D>&, NodeId, std::span<const ObjectId>); \
-  template bool stays<D>(Tree<D>&, ObjectId, const Volume<D>&);           \
+#define KERF_INSTANTIATE(D)                                                     \
+  template std::uint32_t place<D>(Tree<D>&, NodeId, ObjectId, DepthMask);       \
+  template void displace<D>(Tree<D>&, NodeId, std::span<const ObjectId>);       \
+  template bool stays<D>(Tree<D>&, ObjectId, const Volume<D>&);                 \
+  template void reach<D>(const Tree<D>&, const Box<D>&, std::vector<Reached>&); \
   template std::vector<Stored> collect<D>(const Tree<D>&, NodeId);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

@@ -24,6 +24,17 @@ std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above
 template <int D>
 void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving);
 
+/// A leaf that a volume reaches, and the ancestors of the leaf that it straddles on the way.
+struct Reached {
+  NodeId leaf;
+  DepthMask straddle = 0;
+  friend constexpr bool operator==(const Reached&, const Reached&) = default;
+};
+
+/// Appends every leaf that a box reaches, left before right. For trees of boxes.
+template <int D>
+void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached);
+
 /// True if a placed object's new volume reaches the same leaves, on the same sides, as the one in the tree's
 /// table; those leaves are then marked for the sort. The entries and the table are as they were.
 template <int D>

@@ -69,6 +69,7 @@ void Scheduler<D>::traverse(Tree<D>& tree, const Config& config, std::uint32_t s
                             Reporter<Trace>& reporter) {
   if (config.budget_divisor != 0)
     for (const OperatorActed& event : shed_entries(tree, config)) note(event, reporter);
+  if (config.budget_divisor != 0 && config.bulk_factor > 0) divide_bulk(tree, config, step, reporter);
   std::vector<NodeRef>& merges = lists_[index(Operator::merge)];
   if (config.budget_divisor == 0 || step % config.schedule_interval != 0 || pending() > merges.size()) return;
   merges.clear();  // those still needed are found again
@@ -77,6 +78,26 @@ void Scheduler<D>::traverse(Tree<D>& tree, const Config& config, std::uint32_t s
     const NodeId id = todo.back();
     todo.pop_back();
     if (visit(tree, id, config, step, reporter) || tree[id].is_leaf()) continue;
+    todo.push_back(tree[id].right);
+    todo.push_back(tree[id].left);
+  }
+}
+
+/// Splits leaves that are many times too large, and their children, at once: thousands of objects that came
+/// together would otherwise be swept in few leaves for hundreds of steps.
+template <int D>
+template <class Trace>
+void Scheduler<D>::divide_bulk(Tree<D>& tree, const Config& config, std::uint32_t step,
+                               Reporter<Trace>& reporter) {
+  const auto limit = config.bulk_factor * static_cast<float>(split_threshold(tree.objects(), config));
+  std::vector<NodeId> todo{tree.root()};
+  while (!todo.empty()) {
+    const NodeId id = todo.back();
+    todo.pop_back();
+    const bool is_bulk = tree[id].is_leaf() && static_cast<float>(tree[id].population) > limit;
+    if (is_bulk && tree[id].retry_step <= step)
+      divide_leaf(tree, Operator::split, tree.ref(id), config, step, reporter);
+    if (tree[id].is_leaf()) continue;
     todo.push_back(tree[id].right);
     todo.push_back(tree[id].left);
   }

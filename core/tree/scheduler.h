@@ -22,7 +22,7 @@ template <int D>
 class Scheduler {
  public:
   /// Lines 1 to 12. Does nothing while events are pending, between two scheduling steps, or without a budget;
-  /// but entries beyond their cap are shed in any step that has a budget.
+  /// but entries beyond their cap are shed, and leaves in bulk divided, in any step that has a budget.
   template <class Trace>
   void traverse(Tree<D>& tree, const Config& config, std::uint32_t step, Reporter<Trace>& reporter);
   /// Lines 13 to 18.
@@ -48,6 +48,8 @@ class Scheduler {
   template <class Trace>
   bool apply(Tree<D>& tree, Operator op, NodeRef ref, const Config& config, std::uint32_t step,
              Reporter<Trace>& reporter);
+  template <class Trace>
+  void divide_bulk(Tree<D>& tree, const Config& config, std::uint32_t step, Reporter<Trace>& reporter);
   template <class Trace>
   void divide_leaf(Tree<D>& tree, Operator op, NodeRef ref, const Config& config, std::uint32_t step,
                    Reporter<Trace>& reporter);

@@ -10,7 +10,8 @@ std::optional<ReferencePoint> shifted_partitioner(const Tree<D>& tree, NodeId le
   if (node.parent.is_none()) return std::nullopt;
   std::vector<Interval> intervals;
   intervals.reserve(node.entries.size());
-  for (const Entry& entry : node.entries) intervals.push_back(entry.key);
+  for (const Entry& entry : node.entries)
+    intervals.push_back(node.unsorted ? tree.project(node.direction, entry.object) : entry.key);
   return best_reference_point(intervals, config);
 }
 

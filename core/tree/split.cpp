@@ -23,7 +23,7 @@ Quality divide(Tree<D>& tree, NodeId leaf, std::uint32_t direction, Scalar offse
   std::vector<Entry> left;
   std::vector<Entry> right;
   for (Entry entry : tree[leaf].entries) {
-    if (!same_list) entry.key = tree.project(direction, entry.object);
+    if (!sorted) entry.key = tree.project(direction, entry.object);
     const Sides sides = classify(entry.key, offset);
     if (sides.straddle()) entry.straddle |= bit;
     if (sides.left) left.push_back(entry);

@@ -51,6 +51,7 @@ void Tree<D>::add_entry(NodeId leaf, ObjectId object, DepthMask straddle) {
   Node<D>& node = nodes_[leaf.index()];
   node.entries.push_back({project(node.direction, object), object, straddle});
   node.unsorted = true;
+  node.changed = true;
   ++entries_;
 }
 
@@ -59,17 +60,31 @@ void Tree<D>::set_entries(NodeId leaf, std::vector<Entry> entries) {
   entries_ += entries.size();
   entries_ -= nodes_[leaf.index()].entries.size();
   nodes_[leaf.index()].entries = std::move(entries);
+  nodes_[leaf.index()].changed = true;
 }
 
 template <int D>
 void Tree<D>::clear_entries(NodeId leaf) {
   entries_ -= nodes_[leaf.index()].entries.size();
   nodes_[leaf.index()].entries.clear();
+  nodes_[leaf.index()].changed = true;
+}
+
+template <int D>
+std::vector<Entry>& Tree<D>::refill(NodeId leaf, std::size_t count) {
+  Node<D>& node = nodes_[leaf.index()];
+  entries_ += count;
+  entries_ -= node.entries.size();
+  node.entries.resize(count);
+  node.unsorted = true;
+  node.changed = true;
+  return node.entries;
 }
 
 template <int D>
 void Tree<D>::drop_marked_entries(NodeId leaf) {
   std::vector<Entry>& entries = nodes_[leaf.index()].entries;
+  nodes_[leaf.index()].changed = true;
   entries_ -=
       std::erase_if(entries, [this](const Entry& entry) { return marks_[entry.object.index()] != 0; });
 }

@@ -91,11 +91,11 @@ template <int D>
 std::vector<Pair> swept(kerf::Tree<D>& tree) {
   sort_phase(tree);
   SweepBuffer<D> buffer;
-  std::vector<Pair> pairs;
+  PairBuffer pairs;
   for_each_node(tree, tree.root(), [&](NodeId id) {
     if (tree[id].is_leaf()) sweep_leaf(tree.table, tree[id], buffer, pairs);
   });
-  return pairs;
+  return {pairs.all().begin(), pairs.all().end()};
 }
 
 template <int D>

@@ -17,6 +17,9 @@
 namespace kerf::test {
 namespace {
 
+#define KERF_FAST                                                                                           \
+  "byte_sweep=1,free_directions=0,max_redundancy=0.4,schedule_interval=2,budget_divisor=1,min_threshold=8," \
+  "max_threshold=16,bulk_factor=2,"
 constexpr std::array kConfigs{
     "",  // the paper's
     "free_directions=0",
@@ -27,7 +30,12 @@ constexpr std::array kConfigs{
     "min_balance=0.3",
     "max_redundancy=1,repair_redundancy=1,schedule_interval=1,budget_divisor=1,min_threshold=2,"
     "max_threshold=4,max_height=6,max_entries=1.5",
-    "budget_divisor=0"};
+    "budget_divisor=0",
+    // Beyond the paper: kept pairs, sweeps by bytes, and both with everything placed anew in each step.
+    KERF_FAST "skin=8,stream_share=0.25", KERF_FAST "skin=8,stream_share=1",
+    KERF_FAST "skin=8,stream_share=0", KERF_FAST "skin=0,stream_share=1",
+    KERF_FAST "skin=0,stream_share=0,free_directions=1"};
+#undef KERF_FAST
 
 template <class T>
 class Oracle : public testing::Test {
@@ -59,6 +67,29 @@ TYPED_TEST_SUITE(Oracle, Dimensions, DimensionNames);
 
 TYPED_TEST(Oracle, AgreesOnRandomWalks) {
   this->run(80, [](auto& crowd, std::uint32_t) { crowd.walk(0.5); });
+}
+
+TYPED_TEST(Oracle, AgreesOnSlowWalksAndWhereSomeStandStill) {
+  this->run(80, [](auto& crowd, std::uint32_t step) { crowd.walk(step % 10 == 0 ? 0 : 0.02); });
+}
+
+TYPED_TEST(Oracle, AgreesWhenSlowAndFastStretchesAlternate) {
+  this->run(120, [](auto& crowd, std::uint32_t step) { crowd.walk(step % 40 < 20 ? 0.01 : 1.5); });
+}
+
+TYPED_TEST(Oracle, AgreesWhenThePolicyChangesInTheMidstOfARun) {
+  constexpr int kD = TypeParam::value;
+  Bsp<kD> tree(config_of(kConfigs[2]));
+  Checked<kD> checked(tree);
+  MovingBoxes<kD> crowd(checked, TestFixture::world(), TestFixture::kReach, 12);
+  crowd.add(TestFixture::kCount, 5);
+  for (std::uint32_t step = 0; step < 130; ++step) {
+    if (step % 7 == 0) tree.set_config(config_of(kConfigs[step / 7 % kConfigs.size()]));
+    crowd.walk(0.05);
+    if (step % 5 == 0) crowd.replace(5);
+    checked.step();
+    ASSERT_TRUE(is_sound(tree.tree())) << "in step " << step;
+  }
 }
 
 TYPED_TEST(Oracle, AgreesOnBouncingBoxes) {

@@ -106,9 +106,9 @@ TYPED_TEST(Sweep, TellsAStraddlingPairInTheLeftmostLeafOfBoth) {
   plant(tree, right, 0, 6);  // all straddle
   SweepBuffer<kD> buffer;
   const auto pairs_of = [&](NodeId leaf) {
-    std::vector<Pair> pairs;
+    PairBuffer pairs;
     sweep_leaf(tree.table, tree[leaf], buffer, pairs);
-    return sorted(pairs);
+    return sorted({pairs.all().begin(), pairs.all().end()});
   };
   EXPECT_EQ(pairs_of(tree[tree.root()].left), (std::vector<Pair>{{{0}, {2}}}));
   EXPECT_EQ(pairs_of(tree[right].left), (std::vector<Pair>{{{0}, {1}}, {{1}, {2}}}));

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/broad_phase/pair_buffer.h"
+#include "core/kernels/byte_sweep.h"
+#include "core/kernels/kept_leaf.h"
+#include "core/tree/tree.h"
+
+namespace kerf {
+
+/// What the sweep of `leaf` reads, as the tree has it now.
+template <int D>
+void view_leaf(const Tree<D>& tree, NodeId leaf, LeafView<D>& view);
+/// The `apart` bits (see LeafView) of an entry of `leaf`.
+template <int D>
+DepthMask apart_bits(const Node<D>& leaf, DepthMask straddle, bool fixed) {
+  return (straddle & leaf.right_of) | (fixed ? LeafView<D>::kFixedBit : 0);
+}
+
+/// An object whose fat box changed, or which came or went, in one leaf.
+struct Touch {
+  NodeId leaf;
+  ObjectId object;
+  DepthMask apart = 0;
+  bool present = false;  ///< it has an entry in the leaf now
+};
+
+/// The pairs of fat boxes, leaf by leaf. As long as the boxes stay in their fat ones, the pairs of a step are
+/// among them (DESIGN.md, "Fast"): a step only filters them. A leaf that an operator changed is swept anew;
+/// an object that got another fat box is taken out of its leaves' lists and looked up again.
+template <int D>
+class KeptPairs {
+ public:
+  /// To be told of every entry that placement changes, old places before new ones.
+  void touch(Touch touch) { touches_.push_back(touch); }
+  /// To be told when placement is done: leaves that change from now on are swept anew.
+  void placed(Tree<D>& tree);
+  /// Forgets everything: all leaves are swept in the next `update`.
+  void clear();
+  /// Brings the candidates up to date with the tree.
+  void update(Tree<D>& tree);
+  /// Appends the candidates whose boxes overlap in `table`.
+  void emit(const Tree<D>& tree, const ObjectTable<D>& table, PairBuffer& pairs) const;
+
+ private:
+  void patch_leaves(Tree<D>& tree);
+  void patch(const Tree<D>& tree, std::span<const Touch> touches);
+  void drop_marked(KeptLeaf<D>& leaf);
+  void sweep(const Tree<D>& tree, NodeId leaf);
+
+  std::vector<KeptLeaf<D>> leaves_;  ///< by node
+  std::vector<Touch> touches_;
+  std::vector<std::uint8_t> marks_;  ///< by object; all are 0 between patches
+  LeafView<D> view_;
+  ByteSweep<D> byte_sweep_;
+  PairBuffer found_;
+};
+
+extern template class KeptPairs<2>;
+extern template class KeptPairs<3>;
+
+}  // namespace kerf

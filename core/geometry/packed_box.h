@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+
+#include "core/geometry/box.h"
+
+namespace kerf {
+
+/// A box as (min, -max), each half of `kHalf` floats: whole vectors compared tell overlap and containment.
+/// The sign bit alone is turned, so that packing and unpacking give back the same floats. Lanes beyond the
+/// dimension are 0.
+template <int D>
+struct alignas(D == 2 ? 16 : 32) PackedBox {
+  static constexpr int kHalf = D == 2 ? 2 : 4;
+  std::array<Scalar, std::size_t{2} * kHalf> lane{};
+
+  PackedBox() = default;
+  explicit constexpr PackedBox(const Box<D>& box) {
+    for (int i = 0; i < D; ++i) {
+      lane[static_cast<std::size_t>(i)] = box.min[i];
+      lane[static_cast<std::size_t>(kHalf + i)] = -box.max[i];
+    }
+  }
+  [[nodiscard]] constexpr Box<D> unpack() const {
+    Box<D> box;
+    for (int i = 0; i < D; ++i) {
+      box.min[i] = lane[static_cast<std::size_t>(i)];
+      box.max[i] = -lane[static_cast<std::size_t>(kHalf + i)];
+    }
+    return box;
+  }
+};
+
+template <int D>
+constexpr bool contains(const PackedBox<D>& outer, const PackedBox<D>& inner) {
+  bool all = true;
+  for (std::size_t i = 0; i < outer.lane.size(); ++i) all &= outer.lane[i] <= inner.lane[i];
+  return all;
+}
+
+template <int D>
+constexpr bool overlaps(const PackedBox<D>& a, const PackedBox<D>& b) {
+  constexpr std::size_t kHalf = PackedBox<D>::kHalf;
+  bool all = true;
+  for (std::size_t i = 0; i < a.lane.size(); ++i) all &= a.lane[i] <= -b.lane[(i + kHalf) % a.lane.size()];
+  return all;
+}
+
+}  // namespace kerf

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "core/broad_phase/pair_buffer.h"
+#include "core/kernels/leaf_view.h"
+
+namespace kerf {
+
+/// How a kernel writes a pair.
+enum class PairOrder : std::uint8_t {
+  canonical,  ///< a < b
+  by_owner,   ///< a is the entry that comes first in the sweep: all its pairs stand together
+};
+
+/// The sweep of one leaf by vectors of bytes.
+///
+/// Each axis is mapped onto 0 .. 255 by a monotone function, so that every overlap stays one and a few are
+/// invented: `floor(clamp((x - origin) * scale))`, each operation of which is monotone in floats, too. Bytes
+/// are ordered along the axis that separates best by counting, compared 64 at a time with all that begin
+/// before the entry ends, and what is found is confirmed on the floats. So the pairs are exact, and the same
+/// in the same order whatever the width of the machine's vectors.
+template <int D>
+class ByteSweep {
+ public:
+  /// Appends the closed overlaps among the view's boxes whose `apart` have no bit in common.
+  void find(const LeafView<D>& leaf, PairOrder order, PairBuffer& pairs);
+
+  // The kernels' memory, kept between leaves.
+  struct Found {
+    std::uint32_t i;
+    std::uint32_t j;
+  };
+  static constexpr std::size_t kPad = 64;          ///< bytes that may be read beyond the end of a plane
+  static constexpr std::size_t kConfirmAt = 2048;  ///< findings that are confirmed in one go
+  LeafView<D> sorted;
+  /// The bytes of an entry, the lowest first: min of each axis in the first half, max in the second.
+  using Key = std::conditional_t<D == 2, std::uint32_t, std::uint64_t>;
+  std::vector<Key> keys;                  ///< of the entries as they came
+  std::vector<Key> sorted_keys;           ///< in order
+  std::vector<std::uint8_t> planes;       ///< bytes in order: min of each axis, then max
+  std::array<std::uint32_t, 257> ends{};  ///< [q + 1]: entries that begin at or before q
+  std::vector<Found> found;
+  std::size_t stride = 0;
+  int axis = 0;  ///< along which the entries are ordered
+
+  [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }
+  void make_room(std::size_t n);
+};
+
+extern template class ByteSweep<2>;
+extern template class ByteSweep<3>;
+
+}  // namespace kerf

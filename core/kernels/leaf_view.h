@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/packed_box.h"
+#include "core/tree/node.h"
+
+namespace kerf {
+
+/// What the sweep of a leaf reads, one array for each thing, entry by entry.
+///
+/// `apart` holds the bits of the planes that an entry straddles and that the leaf lies right of, and
+/// `kFixedBit` for a fixed object: two entries are this leaf's pair iff their `apart` have no bit in common
+/// (DESIGN.md, "Once"; two fixed objects are never a pair).
+template <int D>
+struct LeafView {
+  static constexpr DepthMask kFixedBit = DepthMask{1} << 63U;  // no ancestor lies that deep
+  std::vector<PackedBox<D>> boxes;
+  std::vector<ObjectId> objects;
+  std::vector<DepthMask> apart;
+
+  [[nodiscard]] std::size_t size() const { return objects.size(); }
+  void resize(std::size_t n) {
+    boxes.resize(n);
+    objects.resize(n);
+    apart.resize(n);
+  }
+};
+
+}  // namespace kerf

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/geometry/packed_box.h"
+#include "core/ids.h"
+
+namespace kerf {
+
+/// A request to move many objects, and what the kernel may touch. All arrays are by object but those of the
+/// request and of the answer, which have room for as many as are asked to move.
+template <int D>
+struct MoveRequest {
+  std::span<const ObjectId> objects;
+  std::span<const Box<D>> boxes;
+
+  std::span<PackedBox<D>> latest;     ///< takes the new boxes
+  std::span<std::uint8_t> attention;  ///< not 0: the object is left to the caller
+  const PackedBox<D>* fat = nullptr;  ///< an object that stays inside of it asks for nothing; none: all ask
+
+  ObjectId* changed = nullptr;         ///< answer: objects that ask; their `attention` is 1 now
+  PackedBox<D>* before = nullptr;      ///< answer: where they were
+  std::uint32_t* left_over = nullptr;  ///< answer: positions of requests that were left to the caller
+};
+
+struct MoveAnswer {
+  std::size_t changed = 0;
+  std::size_t left_over = 0;
+};
+
+/// Writes all boxes that can be taken as they are, of objects that need no attention. The rest (NaN, infinite
+/// or inverted boxes; objects unknown, in quarantine or noted already) is left to the caller.
+template <int D>
+MoveAnswer move_boxes(const MoveRequest<D>& request);
+
+}  // namespace kerf

@@ -1,0 +1,222 @@
+// Every kernel finds the pairs that the definition gives, and all kernels give the same in the same order.
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "core/kernels/byte_sweep.h"
+#include "core/kernels/kept_leaf.h"
+#include "core/kernels/machine.h"
+#include "core/kernels/move_boxes.h"
+#include "core/random.h"
+#include "tests/support/dimensions.h"
+#include "tests/support/pairs.h"
+
+namespace kerf::test {
+namespace {
+
+constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
+
+/// Where the boxes of a leaf may lie: each draws its ends in its own way.
+enum class Spread { even, grid, tiny, huge, outlier, one_point };
+
+Scalar draw(Spread spread, Random& random) {
+  const auto x = static_cast<Scalar>(random.uniform(-1, 1));
+  switch (spread) {
+    case Spread::even:
+      return 10 * x;
+    case Spread::grid:
+      return std::round(4 * x);
+    case Spread::tiny:
+      return x * std::numeric_limits<Scalar>::denorm_min() * 50;
+    case Spread::huge:
+      return x * kMax;
+    case Spread::outlier:
+      return random.uniform(0, 1) < 0.02 ? x * 1e30F : x;
+    case Spread::one_point:
+      return 7;
+  }
+  return x;
+}
+
+template <int D>
+Box<D> draw_box(Spread spread, Random& random) {
+  Box<D> box;
+  for (int i = 0; i < D; ++i) {
+    const Scalar a = draw(spread, random);
+    const Scalar b =
+        spread == Spread::even ? a + static_cast<Scalar>(random.uniform(0, 2)) : draw(spread, random);
+    box.min[i] = std::min(a, b);
+    box.max[i] = std::max(a, b);
+  }
+  return box;
+}
+
+/// A leaf of `count` boxes with ids in no order; some entries lie apart, some are fixed.
+template <int D>
+LeafView<D> draw_leaf(Spread spread, std::size_t count, Random& random) {
+  LeafView<D> leaf;
+  leaf.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    leaf.boxes[i] = PackedBox<D>(draw_box<D>(spread, random));
+    leaf.objects[i] = {static_cast<std::uint32_t>((i * 7919 + 13) % 100003)};
+    leaf.apart[i] = random.bits() & random.bits() & 7U;
+    if (random.uniform(0, 1) < 0.1) leaf.apart[i] |= LeafView<D>::kFixedBit;
+  }
+  return leaf;
+}
+
+template <int D>
+std::vector<Pair> expected_pairs(const LeafView<D>& leaf) {
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < leaf.size(); ++i)
+    for (std::size_t j = i + 1; j < leaf.size(); ++j)
+      if ((leaf.apart[i] & leaf.apart[j]) == 0 && overlaps(leaf.boxes[i].unpack(), leaf.boxes[j].unpack()))
+        pairs.push_back(make_pair(leaf.objects[i], leaf.objects[j]));
+  return pairs;
+}
+
+template <class T>
+class Kernels : public testing::Test {
+ protected:
+  void TearDown() override { use_kernel(""); }
+};
+TYPED_TEST_SUITE(Kernels, Dimensions, DimensionNames);
+
+TYPED_TEST(Kernels, TheMachineHasTheBaselineAndRefusesOthers) {
+  EXPECT_EQ(kernels().back(), "EMU128");
+  EXPECT_THROW(use_kernel("ABACUS"), std::invalid_argument);
+  use_kernel("EMU128");
+  EXPECT_EQ(kernel(), "EMU128");
+}
+
+TYPED_TEST(Kernels, SweepFindsWhatTheDefinitionGivesInOneOrder) {
+  constexpr int kD = TypeParam::value;
+  Random random(3);
+  for (const Spread spread :
+       {Spread::even, Spread::grid, Spread::tiny, Spread::huge, Spread::outlier, Spread::one_point}) {
+    for (const std::size_t count : {0, 1, 2, 63, 64, 65, 129, 400}) {
+      SCOPED_TRACE(testing::Message() << "spread " << static_cast<int>(spread) << ", entries " << count);
+      const LeafView<kD> leaf = draw_leaf<kD>(spread, count, random);
+      std::vector<Pair> first;
+      for (const std::string& name : kernels()) {
+        use_kernel(name);
+        ByteSweep<kD> sweep;
+        PairBuffer found;
+        sweep.find(leaf, PairOrder::canonical, found);
+        const std::vector<Pair> pairs(found.all().begin(), found.all().end());
+        EXPECT_EQ(difference(pairs, expected_pairs(leaf)), "") << name;
+        if (name == kernels().front()) first = pairs;
+        EXPECT_EQ(pairs, first) << name << " gives another order";
+      }
+    }
+  }
+}
+
+/// What the rows of a leaf say, as canonical pairs.
+std::vector<Pair> pairs_of_rows(const std::vector<std::uint32_t>& rows) {
+  std::vector<Pair> pairs;
+  for (std::size_t row = 0; row < rows.size(); row += 2 + rows[row + 1])
+    for (std::size_t k = 0; k < rows[row + 1]; ++k)
+      pairs.push_back(make_pair({rows[row]}, {rows[row + 2 + k]}));
+  return pairs;
+}
+
+TYPED_TEST(Kernels, EntriesAddedOneByOneFindTheirPartners) {
+  constexpr int kD = TypeParam::value;
+  Random random(5);
+  for (const Spread spread : {Spread::even, Spread::grid, Spread::huge, Spread::outlier, Spread::one_point}) {
+    const LeafView<kD> leaf = draw_leaf<kD>(spread, 150, random);
+    std::vector<PackedBox<kD>> boxes(100003);
+    for (std::size_t i = 0; i < leaf.size(); ++i) boxes[leaf.objects[i].index()] = leaf.boxes[i];
+    std::vector<std::uint32_t> first;
+    for (const std::string& name : kernels()) {
+      use_kernel(name);
+      LeafView<kD> half;
+      half.resize(1);
+      half.boxes[0] = leaf.boxes[0];
+      half.objects[0] = leaf.objects[0];
+      half.apart[0] = leaf.apart[0];
+      KeptLeaf<kD> kept;
+      keep_entries(half, kept);
+      for (std::size_t i = 1; i < leaf.size(); ++i)
+        add_entry<kD>(kept, leaf.objects[i].value, leaf.apart[i], boxes);
+      EXPECT_EQ(difference(pairs_of_rows(kept.rows), expected_pairs(leaf)), "") << name;
+      if (name == kernels().front()) first = kept.rows;
+      EXPECT_EQ(kept.rows, first) << name << " gives another order";
+      PairBuffer filtered;
+      filter_rows<kD>(kept.rows, boxes, filtered);
+      EXPECT_EQ(difference({filtered.all().begin(), filtered.all().end()}, expected_pairs(leaf)), "") << name;
+    }
+  }
+}
+
+TYPED_TEST(Kernels, FilterKeepsTouchingBoxesAndDropsSeparatedOnes) {
+  constexpr int kD = TypeParam::value;
+  std::vector<PackedBox<kD>> boxes;
+  for (const Scalar at : {Scalar{0}, Scalar{1}, std::nextafter(Scalar{1}, Scalar{2})}) {
+    Box<kD> box;
+    for (int i = 0; i < kD; ++i) box.max[i] = 1;
+    box.min[kD - 1] = at;
+    box.max[kD - 1] = at + 1;
+    boxes.emplace_back(box);
+  }
+  for (const std::string& name : kernels()) {
+    use_kernel(name);
+    PairBuffer pairs;
+    filter_rows<kD>(std::vector<std::uint32_t>{2, 2, 0, 1, 1, 1, 0}, boxes, pairs);
+    EXPECT_EQ(std::vector<Pair>(pairs.all().begin(), pairs.all().end()),
+              (std::vector<Pair>{{{1}, {2}}, {{0}, {1}}}))
+        << name;
+  }
+}
+
+TYPED_TEST(Kernels, MovesTellWhoLeftAndLeaveTheOddToTheCaller) {
+  constexpr int kD = TypeParam::value;
+  const auto cube = [](Scalar low, Scalar high) {
+    Box<kD> box;
+    for (int i = 0; i < kD; ++i) {
+      box.min[i] = low;
+      box.max[i] = high;
+    }
+    return box;
+  };
+  const Scalar nan = std::numeric_limits<Scalar>::quiet_NaN();
+  const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+  std::vector<Box<kD>> given{cube(0, 1), cube(0, 1.5F),     cube(nan, 1),
+                             cube(1, 0), cube(0, infinity), cube(0, 1)};
+  for (int axis = 0; axis < kD; ++axis) {  // one bad end each is enough
+    given.push_back(cube(0, 1));
+    given.back().min[axis] = nan;
+    given.push_back(cube(0, 1));
+    given.back().max[axis] = -infinity;
+  }
+  std::vector<ObjectId> objects;
+  for (std::uint32_t id = 0; id < given.size(); ++id) objects.push_back({id});
+  objects.push_back({1000});
+  given.push_back(cube(0, 1));
+  for (const std::string& name : kernels()) {
+    use_kernel(name);
+    std::vector<PackedBox<kD>> latest(given.size() - 1, PackedBox<kD>(cube(-1, 1)));
+    const std::vector<PackedBox<kD>> fat(latest.size(), PackedBox<kD>(cube(-1, 1)));
+    std::vector<std::uint8_t> attention(latest.size(), 0);
+    attention[5] = 2;
+    std::vector<ObjectId> changed(given.size());
+    std::vector<PackedBox<kD>> before(given.size());
+    std::vector<std::uint32_t> left_over(given.size());
+    const MoveAnswer answer = move_boxes<kD>(
+        {objects, given, latest, attention, fat.data(), changed.data(), before.data(), left_over.data()});
+    EXPECT_EQ(answer.changed, 1U) << name;
+    EXPECT_EQ(changed[0], ObjectId{1}) << name;
+    EXPECT_EQ(before[0].unpack(), cube(-1, 1)) << name;
+    EXPECT_EQ(latest[0].unpack(), cube(0, 1)) << name;
+    EXPECT_EQ(latest[1].unpack(), cube(0, 1.5F)) << name;
+    EXPECT_EQ(latest[2].unpack(), cube(-1, 1)) << name << ": what is left to the caller is not touched";
+    EXPECT_EQ(attention[1], 1) << name;
+    EXPECT_EQ(answer.left_over, given.size() - 2) << name;
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test
