@@ -1,6 +1,9 @@
 #include "tests/hard/trial.h"
 
+#include <sys/time.h>
+
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <string>
 
@@ -16,6 +19,25 @@ double processor_ms() {
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
+
+/// Sends this process SIGPROF unless it ends within that much processor time; 0 is for ever.
+class Countdown {
+ public:
+  explicit Countdown(double ms) {
+    if (ms > 0) set(ms);
+  }
+  Countdown(const Countdown&) = delete;
+  Countdown& operator=(const Countdown&) = delete;
+  ~Countdown() { set(0); }
+
+ private:
+  static void set(double ms) {
+    itimerval timer{};
+    timer.it_value.tv_sec = static_cast<time_t>(ms / 1e3);
+    timer.it_value.tv_usec = static_cast<suseconds_t>(std::fmod(ms, 1e3) * 1e3);
+    setitimer(ITIMER_PROF, &timer, nullptr);
+  }
+};
 
 std::string to_string(const Pair& pair) {
   return std::to_string(pair.a.value) + "-" + std::to_string(pair.b.value);
@@ -48,6 +70,7 @@ void compare(std::span<const Pair> told, const std::vector<Pair>& right, Trial& 
 /// Makes the requests of a step and times them with it. Answers are ours to judge only where `judge` says so.
 template <int D>
 void step(const ScriptStep<D>& given, BroadPhase<D>& subject, Feed feed, bool judge, Trial& trial) {
+  const Countdown countdown(trial.limit_ms > 0 ? std::max(trial.limit_ms - trial.total_ms, 1.0) : 0);
   const double start = processor_ms();
   for (const Request<D>& request : given.requests) {
     const Status status = ask(subject, request, feed);

@@ -27,6 +27,7 @@ struct Trial {
   double entries = 0;            ///< ours: most entries for an object
   double worst_ms = 0;           ///< processor time of the slowest step, its requests included
   double total_ms = 0;
+  double limit_ms = 0;  ///< of total_ms: the process gets SIGPROF when it is used up; 0: no limit
   std::array<std::uint64_t, kOperatorCount> operators{};  ///< ours: acted
   std::uint32_t most_operators = 0;                       ///< ours: acted in one step
   std::array<char, 200> note{};                           ///< the first thing that went wrong, in words

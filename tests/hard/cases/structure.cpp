@@ -46,7 +46,7 @@ Script<D> nested_boxes(Size size) {
 
 template <int D>
 Script<D> crossing_rods(Size size) {
-  const std::uint32_t n = pick(size, 180, 2000);
+  const std::uint32_t n = pick(size, 180, 1200);
   Random random(3);
   std::vector<Vector<D>> places;
   for (std::uint32_t k = 0; k < n; ++k) places.push_back(random_point<D>(random, -100, 100));

@@ -20,11 +20,13 @@ namespace {
 constexpr int kThrown = 3;
 constexpr int kOutOfMemory = 4;
 
-Trial* shared_trial() {
+Trial* shared_trial(const Limits& limits) {
   void* memory = mmap(nullptr, sizeof(Trial), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED)
     throw std::runtime_error("no shared memory: " + std::string(std::strerror(errno)));
-  return new (memory) Trial;
+  auto* trial = new (memory) Trial;
+  trial->limit_ms = 1e3 * limits.seconds;
+  return trial;
 }
 
 void set_limit(decltype(RLIMIT_CPU) what, rlim_t value) {
@@ -51,8 +53,8 @@ void set_limit(decltype(RLIMIT_CPU) what, rlim_t value) {
   }
 }
 
-Outcome outcome_of(int status, const Trial& trial, bool extra_allowed) {
-  Outcome outcome{Verdict::crash, trial, {}};
+Outcome outcome_of(int status, const Trial& trial, bool extra_allowed, const Limits& limits) {
+  Outcome outcome{Verdict::crash, trial, {}, false};
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
     outcome.verdict = judge(trial, extra_allowed);
   } else if (WIFEXITED(status)) {
@@ -60,8 +62,12 @@ Outcome outcome_of(int status, const Trial& trial, bool extra_allowed) {
     outcome.reason = code == kOutOfMemory ? "out of memory"
                      : code == kThrown    ? trial.note.data()
                                           : "exit code " + std::to_string(code);
+  } else if (WTERMSIG(status) == SIGPROF) {
+    outcome.verdict = Verdict::time_out;
+    outcome.reason = "more than " + std::to_string(limits.seconds) + " s of processor time in steps";
   } else if (WTERMSIG(status) == SIGKILL || WTERMSIG(status) == SIGXCPU) {
     outcome.verdict = Verdict::time_out;
+    outcome.reason = "more than " + std::to_string(limits.processor_seconds) + " s of processor time in all";
   } else {
     outcome.reason = strsignal(WTERMSIG(status));
   }
@@ -81,11 +87,11 @@ Children::~Children() {
 void Children::run(const Work& work, bool extra_allowed, Done done) {
   while (running_.size() >= at_once_) wait_for_one();
   Child child;
-  child.trial = shared_trial();
+  child.trial = shared_trial(limits_);
   child.extra_allowed = extra_allowed;
   child.done = std::move(done);
   // Only for what sleeps instead of working: others may want the processor, too.
-  child.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(12 * limits_.processor_seconds);
+  child.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(4 * limits_.processor_seconds);
   child.process = fork();
   if (child.process == 0) live(work, *child.trial, limits_);
   if (child.process < 0) {
@@ -123,7 +129,7 @@ void Children::wait_for_one() {
 void Children::end(std::size_t index, int status) {
   const Child child = std::move(running_[index]);
   running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(index));
-  const Outcome outcome = outcome_of(status, *child.trial, child.extra_allowed);
+  const Outcome outcome = outcome_of(status, *child.trial, child.extra_allowed, limits_);
   munmap(child.trial, sizeof(Trial));
   child.done(outcome);
 }

@@ -13,7 +13,8 @@ namespace kerf::test {
 
 /// What a trial may use up.
 struct Limits {
-  unsigned processor_seconds = 10;
+  unsigned seconds = 2;                            ///< of processor time in requests and steps
+  unsigned processor_seconds = 30;                 ///< in all, the comparison with the truth included
   std::uint64_t memory = std::uint64_t{4} << 30U;  ///< bytes of address space
 };
 

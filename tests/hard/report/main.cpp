@@ -1,10 +1,13 @@
 // The table of the hard cases: ours with each volume and the rivals, each trial in a process of its own.
-// usage: kerf_hardcases [FOLDER [CASE]]; CASE is a part of "V4_PointsAndFlatPlates".
+// usage: kerf_hardcases [FOLDER [CASE]]; CASE is a part of "V4_PointsAndFlatPlates", or "volumes" for their
+// table alone.
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <string>
+#include <thread>
 
 #include "frames/atomic_file.h"
 #include "tests/hard/report/output.h"
@@ -16,43 +19,67 @@ namespace {
 using namespace kerf;
 using namespace kerf::test;
 
-constexpr unsigned kAtOnce = 2;
-constexpr std::uint32_t kBricks = 3000;
+constexpr std::string_view kVolumes = "volumes";
+constexpr std::uint32_t kBricks = 2000;
 
-/// 0 if nothing of ours is wrong.
-int faults(const Table& table, std::span<const VolumeFigure> figures) {
-  int count = 0;
-  for (const Row& row : table.rows)
-    for (std::size_t i = 0; i < row.cells.size(); ++i)
-      if (table.columns[i].ours && row.cells[i].worst.verdict != Verdict::exact) ++count;
+/// What is wrong with ours, in cells of the table and lines of the volumes.
+struct Faults {
+  int wrong = 0;  ///< anything but exact
+  int late = 0;   ///< exact as far as it came, which was not to the end
+
+  void print(const std::filesystem::path& folder) const {
+    if (wrong + late == 0) {
+      std::printf("\nKerf is exact everywhere.");
+    } else {
+      std::printf("\nKERF IS WRONG %d TIMES, TOO SLOW %d TIMES.", wrong, late);
+    }
+    std::printf(" Files are in %s\n", std::filesystem::absolute(folder).c_str());
+  }
+};
+
+void count(const Table& table, Faults& faults) {
+  for (const Row& row : table.rows) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const Verdict verdict = row.cells[i].worst.verdict;
+      if (!table.columns[i].ours || verdict == Verdict::exact) continue;
+      ++(verdict == Verdict::time_out ? faults.late : faults.wrong);
+    }
+  }
+}
+
+/// False if no case has such a name.
+bool report_cases(const std::filesystem::path& folder, std::string_view only, Faults& faults) {
+  const unsigned at_once = std::max(1U, std::thread::hardware_concurrency());
+  const Table table = make_table(only, {}, at_once, [](const HardCase& hard_case) {
+    std::fprintf(stderr, "%s %s\n", hard_case.id.data(), hard_case.name.data());
+  });
+  if (table.rows.empty()) return false;
+  print(table);
+  std::fflush(stdout);
+  write_json(folder / "hardcases.json", table);
+  write_png(folder / "hardcases.png", draw_table(table));
+  count(table, faults);
+  return true;
+}
+
+void report_volumes(const std::filesystem::path& folder, Faults& faults) {
+  const std::vector<VolumeFigure> figures = measure_volumes(kBricks);
+  print(figures);
+  write_json(folder / "volumes.json", figures);
   for (const VolumeFigure& figure : figures)
-    if (figure.missed > 0) ++count;
-  return count;
+    if (figure.missed > 0) ++faults.wrong;
 }
 
 int report(const std::filesystem::path& folder, std::string_view only) {
   make_writable_folder(folder);
-  const Table table = make_table(only, {}, kAtOnce, [](const HardCase& hard_case) {
-    std::fprintf(stderr, "%s %s\n", hard_case.id.data(), hard_case.name.data());
-  });
-  if (table.rows.empty()) {
+  Faults faults;
+  if (only != kVolumes && !report_cases(folder, only, faults)) {
     std::fprintf(stderr, "kerf_hardcases: no case is called \"%s\"\n", std::string(only).c_str());
     return 2;
   }
-  print(table);
-  write_json(folder / "hardcases.json", table);
-  write_png(folder / "hardcases.png", draw_table(table));
-  std::vector<VolumeFigure> figures;
-  if (only.empty()) {
-    figures = measure_volumes(kBricks);
-    print(figures);
-    write_json(folder / "volumes.json", figures);
-  }
-  const int wrong = faults(table, figures);
-  std::printf("\n%s. In %s: hardcases.json, hardcases.png%s\n",
-              wrong == 0 ? "Kerf is exact everywhere" : (std::to_string(wrong) + " FAULTS OF KERF").c_str(),
-              std::filesystem::absolute(folder).c_str(), only.empty() ? ", volumes.json" : "");
-  return wrong == 0 ? 0 : 1;
+  if (only.empty() || only == kVolumes) report_volumes(folder, faults);
+  faults.print(folder);
+  return faults.wrong + faults.late == 0 ? 0 : 1;
 }
 
 }  // namespace

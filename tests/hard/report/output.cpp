@@ -51,18 +51,46 @@ void save(const std::filesystem::path& path, const Json& json) {
   write_file_atomically(path, json.dump(kIndent) + "\n");
 }
 
+/// The part of a name before its n-th hyphen and behind the one before: "tree" is part 2 of
+/// "fcl-interval-tree".
+std::string_view part(std::string_view name, int n) {
+  for (; n > 0; --n) {
+    const std::size_t hyphen = name.find('-');
+    if (hyphen == std::string_view::npos) return {};
+    name.remove_prefix(hyphen + 1);
+  }
+  return name.substr(0, name.find('-'));
+}
+
+std::vector<std::size_t> columns_of(const Table& table, int dimension, bool ours) {
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    if (table.columns[i].dimension == dimension && table.columns[i].ours == ours) columns.push_back(i);
+  return columns;
+}
+
+/// The names, a part a line, so that columns stay narrow.
+void print_heads(const Table& table, std::span<const std::size_t> columns, bool ours) {
+  constexpr int kLines = 3;
+  for (int line = 0; line < kLines; ++line) {
+    std::printf("%-30s", "");
+    for (const std::size_t i : columns)
+      std::printf(" %-9.9s", std::string(part(table.columns[i].name, line)).c_str());
+    std::printf("%s\n", ours && line == kLines - 1 ? "  worst step  entries  height" : "");
+  }
+}
+
 /// "1k", "=" and so on of all columns of a group, side by side.
 void print_group(const Table& table, int dimension, bool ours) {
-  std::printf("\n%dD, %s\n%-30s", dimension, ours ? "kerf by volume" : "rivals", "");
-  for (const Column& column : table.columns)
-    if (column.dimension == dimension && column.ours == ours) std::printf(" %-9.9s", column.name.c_str());
-  std::printf("%s\n", ours ? "  worst step  entries  height" : "");
+  const std::vector<std::size_t> columns = columns_of(table, dimension, ours);
+  std::printf("\n%dD, %s\n", dimension,
+              ours ? "kerf by volume" : "rivals (but for cases about parameters and operators of kerf)");
+  print_heads(table, columns, ours);
   for (const Row& row : table.rows) {
+    if (!ours && row.hard_case->ours_only) continue;
     std::printf("%-4s %-25.25s", row.hard_case->id.data(), row.hard_case->name.data());
     Outcome worst;
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const Column& column = table.columns[i];
-      if (column.dimension != dimension || column.ours != ours) continue;
+    for (const std::size_t i : columns) {
       std::printf(" %-9s", symbol(row.cells[i].worst).c_str());
       worst = worse(worst, row.cells[i].worst);
     }
@@ -80,8 +108,9 @@ double ratio(const VolumeFigure& f) {
 
 void print(const Table& table) {
   std::printf(
-      "= exact   +n extra   2xn told twice   !n wrong status or unsound   -n missed   T time-out   X "
-      "crash\n");
+      "= exact   +n extra   2xn told twice   !n wrong status or unsound   -n missed   X crash\n"
+      "T time-out (%u s of processor time in steps)   t not tried: timed out in 2D\n",
+      Limits{}.seconds);
   for (const int dimension : {2, 3})
     for (const bool ours : {true, false}) print_group(table, dimension, ours);
 }
@@ -106,6 +135,7 @@ void write_json(const std::filesystem::path& path, const Table& table) {
     Json cells = Json::array();
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       Json cell{{"verdict", to_string(row.cells[i].worst.verdict)}, {"sign", symbol(row.cells[i].worst)}};
+      if (row.cells[i].worst.inferred) cell["reason"] = row.cells[i].worst.reason;
       cell["attempts"] = Json::array();
       for (const Attempt& attempt : row.cells[i].attempts)
         cell["attempts"].push_back(to_json(attempt, table.columns[i].ours));

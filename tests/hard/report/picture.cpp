@@ -13,10 +13,10 @@ constexpr int kCellWidth = 46;
 constexpr int kCellHeight = 24;
 constexpr int kMargin = 24;
 constexpr int kCaseWidth = 560;   ///< of the column that names the cases
-constexpr int kHeadHeight = 250;  ///< of the columns' names
+constexpr int kHeadHeight = 280;  ///< of the columns' names
 constexpr int kTitleHeight = 60;
 constexpr int kGroupGap = 16;  ///< between dimensions, and half of it between ours and the rivals
-constexpr int kLegendHeight = 92;
+constexpr int kLegendHeight = 112;
 
 struct Style {
   Color ground;
@@ -79,7 +79,8 @@ class TablePicture {
     const Column& column = table_.columns[i];
     const bool first = i == 0 || table_.columns[i - 1].dimension != column.dimension;
     if (first)
-      canvas_.text(large_, lefts_[i], kMargin, std::to_string(column.dimension) + "D", palette::kInk);
+      canvas_.text(large_, lefts_[i], kMargin + kTitleHeight, std::to_string(column.dimension) + "D",
+                   palette::kInk);
     canvas_.text_upwards(small_, lefts_[i] + (kCellWidth - small_.line_height()) / 2, top_ - 10,
                          title_of(column), column.ours ? palette::kPartitioner : palette::kInk);
   }
@@ -114,6 +115,10 @@ class TablePicture {
         "kerf: the worst of its configurations. Rivals see every box as it is. (flat): a 3D library that "
         "is shown 2D boxes as slabs of unit thickness.",
         palette::kFaintInk);
+    canvas_.text(small_, kMargin, top + kCellHeight + 14 + small_.line_height(),
+                 "T: " + std::to_string(Limits{}.seconds) +
+                     " s of processor time in requests and steps. t: not tried, since it timed out in 2D.",
+                 palette::kFaintInk);
   }
 
   const Table& table_;

@@ -98,15 +98,37 @@ class CaseRun {
   Truth truth_;
 };
 
-/// Fills the cells of a row from `first` on; returns the column behind them.
-template <int D>
-std::size_t fill(Row& row, std::size_t first, Children& children) {
-  CaseRun<D> run(*row.hard_case, children);
-  std::size_t column = first;
-  for (const VolumeKind kind : volume_kinds<D>()) run.ours(kind, row.cells[column++]);
-  for (const Rival<D>& rival : rivals<D>()) run.rival(rival, row.cells[column++]);
+/// Where a rival's cell of the plane is among all columns; none if it only knows space.
+const Cell* cell_in_2d(const Row& row, std::string_view name) {
+  std::size_t column = volume_kinds<2>().size();
+  for (const Rival<2>& rival : rivals<2>()) {
+    if (rival.name == name) return &row.cells[column];
+    ++column;
+  }
+  return nullptr;
+}
+
+/// Fills the cells of a row. Who needs too long in 2D is not tried in 3D: time-outs are what takes the time.
+void fill(Row& row, Children& children) {
+  CaseRun<2> plane(*row.hard_case, children);
+  CaseRun<3> space(*row.hard_case, children);
+  const std::size_t first_rival_2d = volume_kinds<2>().size();
+  const std::size_t first_3d = first_rival_2d + rivals<2>().size();
+  for (std::size_t i = 0; i < rivals<2>().size(); ++i)
+    plane.rival(rivals<2>()[i], row.cells[first_rival_2d + i]);
+  for (std::size_t i = 0; i < first_rival_2d; ++i) plane.ours(volume_kinds<2>()[i], row.cells[i]);
+  std::size_t column = first_3d;
+  for (const VolumeKind kind : volume_kinds<3>()) space.ours(kind, row.cells[column++]);
   children.finish();
-  return column;
+  for (const Rival<3>& rival : rivals<3>()) {
+    const Cell* easier = cell_in_2d(row, rival.name);
+    if (easier != nullptr && easier->worst.verdict == Verdict::time_out) {
+      row.cells[column].worst = {Verdict::time_out, {}, "not tried: it timed out in 2D", true};
+    } else {
+      space.rival(rival, row.cells[column]);
+    }
+    ++column;
+  }
 }
 
 }  // namespace
@@ -122,15 +144,16 @@ Table make_table(std::string_view only, const Limits& limits, unsigned at_once,
                  const std::function<void(const HardCase&)>& progress) {
   Table table;
   table.columns = all_columns();
+  table.rows.reserve(hard_cases().size());  // children that end later know their cells by reference
   Children children(limits, at_once);
   for (const HardCase& hard_case : hard_cases()) {
     const std::string name = std::string(hard_case.id) + "_" + std::string(hard_case.name);
     if (name.find(only) == std::string::npos) continue;
     progress(hard_case);
-    Row row{&hard_case, std::vector<Cell>(table.columns.size())};
-    fill<3>(row, fill<2>(row, 0, children), children);
-    table.rows.push_back(std::move(row));
+    table.rows.push_back({&hard_case, std::vector<Cell>(table.columns.size())});
+    fill(table.rows.back(), children);
   }
+  children.finish();
   return table;
 }
 

@@ -71,7 +71,7 @@ std::string symbol(const Outcome& outcome) {
     case Verdict::missed:
       return "-" + short_number(outcome.count());
     case Verdict::time_out:
-      return "T";
+      return outcome.inferred ? "t" : "T";
     case Verdict::crash:
       return "X";
   }

@@ -26,7 +26,8 @@ std::string_view to_string(Verdict verdict);
 struct Outcome {
   Verdict verdict = Verdict::not_applicable;
   Trial trial;
-  std::string reason;  ///< of a crash
+  std::string reason;     ///< of a crash or a time-out
+  bool inferred = false;  ///< not tried: the verdict is that of an easier variant
 
   /// The count that belongs to the verdict; 0 where none does.
   [[nodiscard]] std::uint64_t count() const;
@@ -37,7 +38,8 @@ Verdict judge(const Trial& trial, bool extra_allowed);
 /// The worse verdict with its trial; figures are the worse of both.
 Outcome worse(const Outcome& a, const Outcome& b);
 
-/// "=", "+12", "2x5", "-1k", "T", "X": the verdict and its count in at most five characters.
+/// "=", "+12", "2x5", "-1k", "T", "X": the verdict and its count in at most five characters. "t" is a
+/// time-out that was inferred.
 std::string symbol(const Outcome& outcome);
 
 }  // namespace kerf::test
