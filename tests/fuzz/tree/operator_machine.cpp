@@ -1,13 +1,17 @@
 #include "tests/fuzz/tree/operator_machine.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/tree/balance.h"
 #include "core/tree/criteria.h"
 #include "core/tree/hash.h"
 #include "core/tree/merge.h"
 #include "core/tree/placement.h"
+#include "core/tree/shed.h"
 #include "core/tree/shift_split.h"
 #include "core/tree/split.h"
 #include "core/tree/swap.h"
@@ -79,64 +83,35 @@ template <int D>
 void OperatorMachine<D>::operate() {
   const std::uint8_t code = bytes_.byte();
   const bool sorts = code < 224;  // else the next operation finds lists out of order, as within a step
-  switch (code % 28) {
-    case 0:
-    case 1:
-    case 2:
-    case 3:
-    case 4:
-      insert();
-      break;
-    case 5:
-    case 6:
-    case 7:
-    case 8:
-      move();
-      break;
-    case 9:
-      move_many();
-      break;
-    case 10:
-    case 11:
-      remove();
-      break;
-    case 12:
-    case 13:
-    case 14:
-      divide_leaf(Operator::split);
-      break;
-    case 15:
-    case 16:
-      divide_leaf(Operator::shift_split);
-      break;
-    case 17:
-    case 18:
-      change_inner(Operator::balance);
-      break;
-    case 19:
-    case 20:
-      change_inner(Operator::swap);
-      break;
-    case 21:
-      change_inner(Operator::merge);
-      break;
-    case 22:
-    case 23:
-      plant_plane();
-      break;
-    case 24:
-      schedule(true);
-      break;
-    case 25:
-    case 26:
-      schedule(false);
-      break;
-    default:
-      last_ = "parameter change";
-      ++report_.requests;
-      change_parameter(config_, bytes_);
-      break;
-  }
+  const int what = code % 29;
+  if (what < 5)
+    insert();
+  else if (what < 9)
+    move();
+  else if (what < 10)
+    move_many();
+  else if (what < 12)
+    remove();
+  else if (what < 15)
+    divide_leaf(Operator::split);
+  else if (what < 17)
+    divide_leaf(Operator::shift_split);
+  else if (what < 19)
+    change_inner(Operator::balance);
+  else if (what < 21)
+    change_inner(Operator::swap);
+  else if (what < 22)
+    change_inner(Operator::merge);
+  else if (what < 24)
+    plant_plane();
+  else if (what < 25)
+    schedule(true);
+  else if (what < 27)
+    schedule(false);
+  else if (what < 28)
+    change_config();
+  else
+    shed();
   if (report_.finding.empty()) check(sorts);
 }
 
@@ -266,6 +241,25 @@ void OperatorMachine<D>::schedule(bool traverse) {
   }
   for (std::size_t op = 0; op < acted.size(); ++op) report_.acted[op] += scheduler_.acted()[op] - acted[op];
   report_.refused += scheduler_.refused() - refused;
+}
+
+template <int D>
+void OperatorMachine<D>::change_config() {
+  last_ = "parameter change";
+  ++report_.requests;
+  change_parameter(config_, bytes_);
+}
+
+template <int D>
+void OperatorMachine<D>::shed() {
+  last_ = "shedding of entries";
+  Config tight = config_;  // few sequences reach twice the usual limit
+  tight.max_entries = 1 + 0.25F * static_cast<float>(bytes_.below(8));
+  const std::vector<OperatorActed> events = shed_entries(tree_, tight);
+  for (const OperatorActed& event : events) expect_event(event);
+  const double limit = static_cast<double>(tight.max_entries) * tree_.objects();
+  if (static_cast<double>(tree_.entries()) > (events.empty() ? 2 * limit : limit))
+    find("too many entries are left");
 }
 
 template <int D>

@@ -34,6 +34,8 @@ class OperatorMachine {
   void change_inner(Operator op);
   void plant_plane();
   void schedule(bool traverse);
+  void change_config();
+  void shed();
   void refused_without_trace(std::uint64_t hash_before, Operator op);
   void expect_event(const OperatorActed& event);
   void check(bool sorts);
