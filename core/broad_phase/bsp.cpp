@@ -134,9 +134,9 @@ void Bsp<D, Trace>::step() {
 /// for an object. Either way a few steps must say so, since objects begin with no fat box at all.
 template <int D, class Trace>
 void Bsp<D, Trace>::choose_mode() {
-  constexpr float kHot = 0.12F;
+  constexpr float kHot = 0.05F;
   constexpr std::uint32_t kHotSteps = 3;
-  constexpr float kCool = 0.06F;
+  constexpr float kCool = 0.015F;
   constexpr std::uint32_t kCoolSteps = 8;
   if (!config_.byte_sweep) return enter(Mode::ordered);
   if (config_.skin == 0 || latest_.kind() != VolumeKind::box) return enter(Mode::swept);
@@ -319,7 +319,7 @@ void Bsp<D, Trace>::sweep() {
       sweep_leaf(tree_.table, tree_[id], buffer_, pairs_);
     } else {
       view_leaf(tree_, id, view_);
-      byte_sweep_.find(view_, PairOrder::canonical, pairs_);
+      byte_sweep_.find(view_, pairs_);
     }
   });
   if (mode_ == Mode::swept && latest_.kind() != VolumeKind::box) drop_separated(tree_.table, 0, pairs_);

@@ -56,38 +56,33 @@ void KeptPairs<D>::patch_leaves(Tree<D>& tree) {
   touches_.clear();
 }
 
+/// A few objects are looked for one by one; for many, one pass over all pairs is cheaper.
 template <int D>
 void KeptPairs<D>::patch(const Tree<D>& tree, std::span<const Touch> touches) {
+  constexpr std::size_t kFew = 16;
   KeptLeaf<D>& leaf = leaves_[touches.front().leaf.index()];
-  for (const Touch& touch : touches) marks_[touch.object.index()] = 1;
-  drop_marked(leaf);
-  for (const Touch& touch : touches) marks_[touch.object.index()] = 0;
+  if (touches.size() <= kFew) {
+    for (const Touch& touch : touches) drop_object(leaf, touch.object.value);
+  } else {
+    for (const Touch& touch : touches) marks_[touch.object.index()] = 1;
+    drop_marked(leaf);
+    for (const Touch& touch : touches) marks_[touch.object.index()] = 0;
+  }
   for (const Touch& touch : touches)
     if (touch.present) add_entry(leaf, touch.object.value, touch.apart, tree.table.packed());
 }
 
-/// Takes the marked objects out of the entries and out of all rows.
+/// Takes the marked objects out of the entries and out of all pairs.
 template <int D>
 void KeptPairs<D>::drop_marked(KeptLeaf<D>& leaf) {
   for (std::size_t k = leaf.objects.size(); k > 0; --k)
     if (marks_[leaf.objects[k - 1]] != 0) drop_entry(leaf, k - 1);
-  std::vector<std::uint32_t>& rows = leaf.rows;
   std::size_t written = 0;
-  for (std::size_t row = 0; row < rows.size();) {
-    const std::uint32_t owner = rows[row];
-    const std::size_t end = row + 2 + rows[row + 1];
-    std::size_t at = written + 2;
-    for (std::size_t k = row + 2; k < end; ++k) {
-      rows[at] = rows[k];
-      at += marks_[rows[k]] == 0 ? 1 : 0;
-    }
-    row = end;
-    if (marks_[owner] != 0 || at == written + 2) continue;
-    rows[written] = owner;
-    rows[written + 1] = static_cast<std::uint32_t>(at - written - 2);
-    written = at;
+  for (const Pair& pair : leaf.pairs) {
+    leaf.pairs[written] = pair;
+    written += (marks_[pair.a.index()] | marks_[pair.b.index()]) == 0 ? 1 : 0;
   }
-  rows.resize(written);
+  leaf.pairs.resize(written);
 }
 
 template <int D>
@@ -97,23 +92,14 @@ void KeptPairs<D>::sweep(const Tree<D>& tree, NodeId id) {
   view_leaf(tree, id, view_);
   keep_entries(view_, leaf);
   found_.clear();
-  byte_sweep_.find(view_, PairOrder::by_owner, found_);
-  const std::span<const Pair> found = found_.all();
-  leaf.rows.clear();
-  for (std::size_t k = 0; k < found.size();) {
-    const std::size_t head = leaf.rows.size();
-    const ObjectId owner = found[k].a;
-    leaf.rows.push_back(owner.value);
-    leaf.rows.push_back(0);
-    for (; k < found.size() && found[k].a == owner; ++k) leaf.rows.push_back(found[k].b.value);
-    leaf.rows[head + 1] = static_cast<std::uint32_t>(leaf.rows.size() - head - 2);
-  }
+  byte_sweep_.find(view_, found_);
+  leaf.pairs.assign(found_.all().begin(), found_.all().end());
 }
 
 template <int D>
 void KeptPairs<D>::emit(const Tree<D>& tree, const ObjectTable<D>& table, PairBuffer& pairs) const {
   for_each_node(tree, tree.root(), [&](NodeId id) {
-    if (tree[id].is_leaf()) filter_rows(std::span(leaves_[id.index()].rows), table.packed(), pairs);
+    if (tree[id].is_leaf()) filter_pairs<D>(leaves_[id.index()].pairs, table.packed(), pairs);
   });
 }
 

@@ -37,10 +37,9 @@ HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
 /// the order in which they came.
 template <int D>
 HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
-  using Key = typename ByteSweep<D>::Key;
   const std::size_t n = leaf.size();
   const unsigned shift = 8U * static_cast<unsigned>(sweep.axis);
-  const Key* const keys = sweep.keys.data();
+  const ByteKey<D>* const keys = sweep.keys.data();
   std::uint32_t* const ends = sweep.ends.data();
   std::fill_n(ends, 257, 0U);
   for (std::size_t i = 0; i < n; ++i) ++ends[((keys[i] >> shift) & 255U) + 1];
@@ -50,7 +49,7 @@ HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   PackedBox<D>* const HWY_RESTRICT boxes = sweep.sorted.boxes.data();
   ObjectId* const HWY_RESTRICT objects = sweep.sorted.objects.data();
   DepthMask* const HWY_RESTRICT apart = sweep.sorted.apart.data();
-  Key* const HWY_RESTRICT sorted_keys = sweep.sorted_keys.data();
+  ByteKey<D>* const HWY_RESTRICT sorted_keys = sweep.sorted_keys.data();
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t place = next[(keys[i] >> shift) & 255U]++;
     boxes[place] = leaf.boxes[i];
@@ -67,13 +66,12 @@ HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
 
 /// Confirms on the floats what the bytes have found. No branch depends on the outcome.
 template <int D>
-HWY_INLINE void confirm(const ByteSweep<D>& sweep, PairOrder order, std::size_t count, PairBuffer& pairs) {
+HWY_INLINE void confirm(const ByteSweep<D>& sweep, std::size_t count, PairBuffer& pairs) {
   Pair* const HWY_RESTRICT out = pairs.reserve(count);
   const auto* const found = sweep.found.data();
   const PackedBox<D>* const boxes = sweep.sorted.boxes.data();
   const DepthMask* const apart = sweep.sorted.apart.data();
   const ObjectId* const objects = sweep.sorted.objects.data();
-  const bool canonical = order == PairOrder::canonical;
   std::size_t written = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const auto [i, j] = found[k];
@@ -81,17 +79,27 @@ HWY_INLINE void confirm(const ByteSweep<D>& sweep, PairOrder order, std::size_t 
     const bool here = (apart[i] & apart[j]) == 0;
     const std::uint32_t first = objects[i].value;
     const std::uint32_t second = objects[j].value;
-    out[written] = {ObjectId{canonical ? std::min(first, second) : first},
-                    ObjectId{canonical ? std::max(first, second) : second}};
+    out[written] = {ObjectId{std::min(first, second)}, ObjectId{std::max(first, second)}};
     written += static_cast<std::size_t>(overlap & here);
   }
   pairs.commit(written);
 }
 
+/// Writes (i, j + k) for each bit k and gives their number. Four are written whether they are there or not:
+/// few rows have more, and the branch that tells is seldom mispredicted.
+HWY_INLINE std::size_t list_bits(std::uint64_t bits, std::uint32_t i, std::uint32_t j, FoundAt* found) {
+  const auto count = static_cast<std::size_t>(std::popcount(bits));
+  for (int k = 0; k < 4; ++k, bits &= bits - 1)
+    found[k] = {i, j + static_cast<std::uint32_t>(std::countr_zero(bits))};
+  for (std::size_t k = 4; k < count; ++k, bits &= bits - 1)
+    found[k] = {i, j + static_cast<std::uint32_t>(std::countr_zero(bits))};
+  return count;
+}
+
 /// Compares each entry with those behind it that begin before it ends, on the axes that the order leaves
 /// open.
 template <int D>
-HWY_INLINE void compare_all(ByteSweep<D>& sweep, PairOrder order, PairBuffer& pairs) {
+HWY_INLINE void compare_all(ByteSweep<D>& sweep, PairBuffer& pairs) {
   const Bytes bytes;
   const auto n = static_cast<std::uint32_t>(sweep.sorted.size());
   Probe<D - 1> probe;
@@ -113,29 +121,28 @@ HWY_INLINE void compare_all(ByteSweep<D>& sweep, PairOrder order, PairBuffer& pa
     for (std::uint32_t j = i + 1; j < end; j += 64) {
       std::uint64_t bits = overlap_bits(probe, j);
       if (end - j < 64) bits &= (std::uint64_t{1} << (end - j)) - 1;
-      for (; bits != 0; bits &= bits - 1)
-        found[count++] = {i, j + static_cast<std::uint32_t>(std::countr_zero(bits))};
+      count += list_bits(bits, i, j, found + count);
       if (count < ByteSweep<D>::kConfirmAt) continue;
-      confirm(sweep, order, count, pairs);
+      confirm(sweep, count, pairs);
       count = 0;
     }
   }
-  confirm(sweep, order, count, pairs);
+  confirm(sweep, count, pairs);
 }
 
 template <int D>
-HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairOrder order, PairBuffer& pairs) {
+HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuffer& pairs) {
   sweep.make_room(leaf.size());
   make_keys(leaf, sweep);
   order_entries(leaf, sweep);
-  compare_all(sweep, order, pairs);
+  compare_all(sweep, pairs);
 }
 
-void find_2(const LeafView<2>& leaf, ByteSweep<2>& sweep, PairOrder order, PairBuffer& pairs) {
-  find_pairs(leaf, sweep, order, pairs);
+void find_2(const LeafView<2>& leaf, ByteSweep<2>& sweep, PairBuffer& pairs) {
+  find_pairs(leaf, sweep, pairs);
 }
-void find_3(const LeafView<3>& leaf, ByteSweep<3>& sweep, PairOrder order, PairBuffer& pairs) {
-  find_pairs(leaf, sweep, order, pairs);
+void find_3(const LeafView<3>& leaf, ByteSweep<3>& sweep, PairBuffer& pairs) {
+  find_pairs(leaf, sweep, pairs);
 }
 
 }  // namespace kerf::HWY_NAMESPACE
@@ -152,18 +159,18 @@ void ByteSweep<D>::make_room(std::size_t n) {
   constexpr std::size_t kRow = 64;
   stride = n + kPad;
   if (planes.size() < stride * 2 * D) planes.resize(stride * 2 * D);
-  found.resize(kConfirmAt + kRow);
+  found.resize(kConfirmAt + kRow + 4);
   keys.resize(n);
   sorted_keys.resize(n);
   sorted.resize(n);
 }
 
 template <int D>
-void ByteSweep<D>::find(const LeafView<D>& leaf, PairOrder order, PairBuffer& pairs) {
+void ByteSweep<D>::find(const LeafView<D>& leaf, PairBuffer& pairs) {
   if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(find_2)(leaf, *this, order, pairs);
+    HWY_DYNAMIC_DISPATCH(find_2)(leaf, *this, pairs);
   } else {
-    HWY_DYNAMIC_DISPATCH(find_3)(leaf, *this, order, pairs);
+    HWY_DYNAMIC_DISPATCH(find_3)(leaf, *this, pairs);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 #include "core/broad_phase/pair_buffer.h"
@@ -11,10 +10,10 @@
 
 namespace kerf {
 
-/// How a kernel writes a pair.
-enum class PairOrder : std::uint8_t {
-  canonical,  ///< a < b
-  by_owner,   ///< a is the entry that comes first in the sweep: all its pairs stand together
+/// Two places in the order of a sweep.
+struct FoundAt {
+  std::uint32_t i;
+  std::uint32_t j;
 };
 
 /// The sweep of one leaf by vectors of bytes.
@@ -27,24 +26,19 @@ enum class PairOrder : std::uint8_t {
 template <int D>
 class ByteSweep {
  public:
-  /// Appends the closed overlaps among the view's boxes whose `apart` have no bit in common.
-  void find(const LeafView<D>& leaf, PairOrder order, PairBuffer& pairs);
+  /// Appends the closed overlaps among the view's boxes whose `apart` have no bit in common, as canonical
+  /// pairs.
+  void find(const LeafView<D>& leaf, PairBuffer& pairs);
 
   // The kernels' memory, kept between leaves.
-  struct Found {
-    std::uint32_t i;
-    std::uint32_t j;
-  };
   static constexpr std::size_t kPad = 64;          ///< bytes that may be read beyond the end of a plane
   static constexpr std::size_t kConfirmAt = 2048;  ///< findings that are confirmed in one go
   LeafView<D> sorted;
-  /// The bytes of an entry, the lowest first: min of each axis in the first half, max in the second.
-  using Key = std::conditional_t<D == 2, std::uint32_t, std::uint64_t>;
-  std::vector<Key> keys;                  ///< of the entries as they came
-  std::vector<Key> sorted_keys;           ///< in order
+  std::vector<ByteKey<D>> keys;           ///< of the entries as they came
+  std::vector<ByteKey<D>> sorted_keys;    ///< in order
   std::vector<std::uint8_t> planes;       ///< bytes in order: min of each axis, then max
   std::array<std::uint32_t, 257> ends{};  ///< [q + 1]: entries that begin at or before q
-  std::vector<Found> found;
+  std::vector<FoundAt> found;
   std::size_t stride = 0;
   int axis = 0;  ///< along which the entries are ordered
 

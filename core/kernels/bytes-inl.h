@@ -11,7 +11,6 @@
 
 #include <cfloat>
 #include <cstdint>
-#include <type_traits>
 
 #include "core/kernels/leaf_view.h"
 
@@ -83,18 +82,18 @@ HWY_INLINE ByteMap make_byte_map(const LeafView<D>& leaf) {
 
 /// The bytes of mapped ends: min of each axis in the low half, max in the high one.
 template <int D>
-HWY_INLINE auto byte_key(Floats min, Floats max) {
-  using Key = std::conditional_t<D == 2, std::uint32_t, std::uint64_t>;
+HWY_INLINE ByteKey<D> byte_key(Floats min, Floats max) {
   const hn::FixedTag<std::int32_t, 4> ints;
   const hn::FixedTag<std::uint8_t, 4> bytes;
   alignas(16) std::uint32_t low[4];
   alignas(16) std::uint32_t high[4];
   hn::Store(hn::DemoteTo(bytes, hn::ConvertTo(ints, min)), bytes, reinterpret_cast<std::uint8_t*>(low));
   hn::Store(hn::DemoteTo(bytes, hn::ConvertTo(ints, max)), bytes, reinterpret_cast<std::uint8_t*>(high));
-  if constexpr (D == 2)
-    return static_cast<Key>((low[0] & 0xffffU) | (high[0] << 16U));
-  else
-    return static_cast<Key>(low[0] | (Key{high[0]} << 32U));
+  if constexpr (D == 2) {
+    return (low[0] & 0xffffU) | (high[0] << 16U);
+  } else {
+    return low[0] | (ByteKey<D>{high[0]} << 32U);
+  }
 }
 
 /// One entry, spread over whole vectors, and the planes with which it is compared: A axes of both.

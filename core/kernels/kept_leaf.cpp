@@ -19,19 +19,19 @@ HWY_INLINE ByteMap map_of(const KeptLeaf<D>& leaf) {
 }
 
 template <int D>
-HWY_INLINE auto key_of(const ByteMap& map, const PackedBox<D>& box) {
+HWY_INLINE ByteKey<D> key_of(const ByteMap& map, const PackedBox<D>& box) {
   const Ends ends = load_ends(box);
   return byte_key<D>(map(ends.min), map(hn::Neg(ends.minus_max)));
 }
 
 /// Byte k of a key: min of each axis, then max.
-template <int D, class Key>
-HWY_INLINE std::uint8_t byte_of(Key key, std::size_t k) {
+template <int D>
+HWY_INLINE std::uint8_t byte_of(ByteKey<D> key, std::size_t k) {
   return static_cast<std::uint8_t>(key >> (8U * (k < D ? k : k - D + PackedBox<D>::kHalf)));
 }
 
-template <int D, class Key>
-HWY_INLINE void store_key(KeptLeaf<D>& leaf, std::size_t place, Key key) {
+template <int D>
+HWY_INLINE void store_key(KeptLeaf<D>& leaf, std::size_t place, ByteKey<D> key) {
   for (std::size_t k = 0; k < 2 * D; ++k) leaf.plane(k)[place] = byte_of<D>(key, k);
 }
 
@@ -44,10 +44,8 @@ HWY_INLINE void keep(const LeafView<D>& view, KeptLeaf<D>& leaf) {
   for (std::size_t i = 0; i < view.size(); ++i) store_key(leaf, i, key_of(map, view.boxes[i]));
 }
 
-/// Appends the partners of `box` to the rows and gives their number.
-template <int D, class Key>
-HWY_INLINE std::uint32_t find_partners(KeptLeaf<D>& leaf, const PackedBox<D>& box, Key key, DepthMask apart,
-                                       const PackedBox<D>* boxes) {
+template <int D>
+HWY_INLINE Probe<D> make_probe(KeptLeaf<D>& leaf, ByteKey<D> key) {
   const Bytes bytes;
   Probe<D> probe;
   for (std::size_t k = 0; k < D; ++k) {
@@ -56,8 +54,14 @@ HWY_INLINE std::uint32_t find_partners(KeptLeaf<D>& leaf, const PackedBox<D>& bo
     probe.min[k] = hn::Set(bytes, byte_of<D>(key, k));
     probe.max[k] = hn::Set(bytes, byte_of<D>(key, D + k));
   }
-  const Ends own = load_ends(box);
-  const std::size_t before = leaf.rows.size();
+  return probe;
+}
+
+template <int D>
+HWY_INLINE void add(KeptLeaf<D>& leaf, std::uint32_t object, DepthMask apart, const PackedBox<D>* boxes) {
+  const auto key = key_of(map_of(leaf), boxes[object]);
+  const Probe<D> probe = make_probe<D>(leaf, key);
+  const Ends own = load_ends(boxes[object]);
   const std::size_t n = leaf.objects.size();
   for (std::size_t j = 0; j < n; j += 64) {
     std::uint64_t bits = overlap_bits(probe, j);
@@ -66,55 +70,51 @@ HWY_INLINE std::uint32_t find_partners(KeptLeaf<D>& leaf, const PackedBox<D>& bo
       const std::size_t at = j + static_cast<std::size_t>(std::countr_zero(bits));
       const std::uint32_t other = leaf.objects[at];
       if ((leaf.apart[at] & apart) == 0 && ends_overlap<D>(own, load_ends(boxes[other])))
-        leaf.rows.push_back(other);
+        leaf.pairs.push_back(make_pair({object}, {other}));
     }
   }
-  return static_cast<std::uint32_t>(leaf.rows.size() - before);
-}
-
-template <int D>
-HWY_INLINE void add(KeptLeaf<D>& leaf, std::uint32_t object, DepthMask apart, const PackedBox<D>* boxes) {
-  const auto key = key_of(map_of(leaf), boxes[object]);
-  leaf.rows.push_back(object);
-  leaf.rows.push_back(0);
-  const std::size_t count_at = leaf.rows.size() - 1;
-  const std::uint32_t count = find_partners(leaf, boxes[object], key, apart, boxes);
-  leaf.rows[count_at] = count;
-  if (count == 0) leaf.rows.resize(leaf.rows.size() - 2);
-  store_key(leaf, leaf.objects.size(), key);
+  store_key(leaf, n, key);
   leaf.objects.push_back(object);
   leaf.apart.push_back(apart);
 }
 
-/// The owner of a row is loaded once, its ends changed over: a partner overlaps it iff no lane of the partner
-/// is greater. No branch depends on the outcome.
+/// The first of `n` numbers from `k` on that is `wanted`, or n.
+HWY_INLINE std::size_t find_number(const std::uint32_t* numbers, std::size_t k, std::size_t n,
+                                   std::uint32_t wanted) {
+  const hn::ScalableTag<std::uint32_t> lanes;
+  const std::size_t step = hn::Lanes(lanes);
+  const auto all = hn::Set(lanes, wanted);
+  while (k + step <= n && hn::AllFalse(lanes, hn::Eq(hn::LoadU(lanes, numbers + k), all))) k += step;
+  while (k < n && numbers[k] != wanted) ++k;
+  return k;
+}
+
+/// What the last pair replaces is looked at again, so that the order of the pairs left does not depend on the
+/// width of the vectors.
+void drop_pairs(std::vector<Pair>& pairs, std::uint32_t object) {
+  static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
+  const auto* const numbers = reinterpret_cast<const std::uint32_t*>(pairs.data());
+  std::size_t n = pairs.size();
+  for (std::size_t at = find_number(numbers, 0, 2 * n, object); at < 2 * n;
+       at = find_number(numbers, at & ~std::size_t{1}, 2 * n, object))
+    pairs[at / 2] = pairs[--n];
+  pairs.resize(n);
+}
+
+std::size_t find_object(const std::vector<std::uint32_t>& objects, std::uint32_t object) {
+  return find_number(objects.data(), 0, objects.size(), object);
+}
+
+/// No branch depends on the outcome.
 template <int D>
-HWY_INLINE void filter(std::span<const std::uint32_t> rows, const PackedBox<D>* boxes, PairBuffer& pairs) {
-  const Four four;
-  const hn::CappedTag<float, 2 * PackedBox<D>::kHalf> wide;
-  constexpr std::size_t kLanes = hn::MaxLanes(hn::CappedTag<float, 2 * PackedBox<D>::kHalf>{});
-  Pair* const HWY_RESTRICT out = pairs.reserve(rows.size());
+HWY_INLINE void filter(std::span<const Pair> candidates, const PackedBox<D>* boxes, PairBuffer& pairs) {
+  Pair* const HWY_RESTRICT out = pairs.reserve(candidates.size());
   std::size_t written = 0;
-  const std::uint32_t* row = rows.data();
-  const std::uint32_t* const end = row + rows.size();
-  PackedBox<D> limit;
-  while (row != end) {
-    const std::uint32_t owner = row[0];
-    const std::uint32_t* const row_end = row + 2 + row[1];
-    const Ends own = load_ends(boxes[owner]);
-    hn::Store(hn::Neg(own.minus_max), four, limit.lane.data());
-    if constexpr (D == 3) hn::Store(hn::Neg(own.min), four, limit.lane.data() + 4);
-    const auto low = hn::Load(wide, limit.lane.data());
-    const auto high = hn::Load(wide, limit.lane.data() + limit.lane.size() - kLanes);
-    for (row += 2; row != row_end; ++row) {
-      const std::uint32_t other = *row;
-      const float* const lanes = boxes[other].lane.data();
-      auto inside = hn::Le(hn::Load(wide, lanes), low);
-      if constexpr (kLanes < 2 * PackedBox<D>::kHalf)
-        inside = hn::And(inside, hn::Le(hn::Load(wide, lanes + kLanes), high));
-      out[written] = {ObjectId{std::min(owner, other)}, ObjectId{std::max(owner, other)}};
-      written += static_cast<std::size_t>(hn::AllTrue(wide, inside));
-    }
+  for (const Pair& pair : candidates) {
+    const Ends a = load_ends(boxes[pair.a.index()]);
+    const Ends b = load_ends(boxes[pair.b.index()]);
+    out[written] = pair;
+    written += static_cast<std::size_t>(ends_overlap<D>(a, b));
   }
   pairs.commit(written);
 }
@@ -127,11 +127,11 @@ void add_2(KeptLeaf<2>& leaf, std::uint32_t object, DepthMask apart, const Packe
 void add_3(KeptLeaf<3>& leaf, std::uint32_t object, DepthMask apart, const PackedBox<3>* boxes) {
   add(leaf, object, apart, boxes);
 }
-void filter_2(std::span<const std::uint32_t> rows, const PackedBox<2>* boxes, PairBuffer& pairs) {
-  filter(rows, boxes, pairs);
+void filter_2(std::span<const Pair> candidates, const PackedBox<2>* boxes, PairBuffer& pairs) {
+  filter(candidates, boxes, pairs);
 }
-void filter_3(std::span<const std::uint32_t> rows, const PackedBox<3>* boxes, PairBuffer& pairs) {
-  filter(rows, boxes, pairs);
+void filter_3(std::span<const Pair> candidates, const PackedBox<3>* boxes, PairBuffer& pairs) {
+  filter(candidates, boxes, pairs);
 }
 
 }  // namespace kerf::HWY_NAMESPACE
@@ -143,6 +143,8 @@ namespace {
 
 constexpr std::size_t kPad = 64;  // bytes that may be read beyond the end of a plane
 
+HWY_EXPORT(drop_pairs);
+HWY_EXPORT(find_object);
 HWY_EXPORT(keep_2);
 HWY_EXPORT(keep_3);
 HWY_EXPORT(add_2);
@@ -190,6 +192,14 @@ void drop_entry(KeptLeaf<D>& leaf, std::size_t k) {
 }
 
 template <int D>
+void drop_object(KeptLeaf<D>& leaf, std::uint32_t object) {
+  const std::size_t k = HWY_DYNAMIC_DISPATCH(find_object)(leaf.objects, object);
+  if (k == leaf.objects.size()) return;
+  drop_entry(leaf, k);
+  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.pairs, object);
+}
+
+template <int D>
 void add_entry(KeptLeaf<D>& leaf, std::uint32_t object, DepthMask apart,
                std::span<const PackedBox<D>> boxes) {
   make_room(leaf, leaf.objects.size() + 1, true);
@@ -201,20 +211,20 @@ void add_entry(KeptLeaf<D>& leaf, std::uint32_t object, DepthMask apart,
 }
 
 template <int D>
-void filter_rows(std::span<const std::uint32_t> rows, std::span<const PackedBox<D>> boxes,
-                 PairBuffer& pairs) {
+void filter_pairs(std::span<const Pair> candidates, std::span<const PackedBox<D>> boxes, PairBuffer& pairs) {
   if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(filter_2)(rows, boxes.data(), pairs);
+    HWY_DYNAMIC_DISPATCH(filter_2)(candidates, boxes.data(), pairs);
   } else {
-    HWY_DYNAMIC_DISPATCH(filter_3)(rows, boxes.data(), pairs);
+    HWY_DYNAMIC_DISPATCH(filter_3)(candidates, boxes.data(), pairs);
   }
 }
 
 #define KERF_INSTANTIATE(D)                                                                          \
   template void keep_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                   \
+  template void drop_object<D>(KeptLeaf<D>&, std::uint32_t);                                         \
   template void drop_entry<D>(KeptLeaf<D>&, std::size_t);                                            \
   template void add_entry<D>(KeptLeaf<D>&, std::uint32_t, DepthMask, std::span<const PackedBox<D>>); \
-  template void filter_rows<D>(std::span<const std::uint32_t>, std::span<const PackedBox<D>>, PairBuffer&);
+  template void filter_pairs<D>(std::span<const Pair>, std::span<const PackedBox<D>>, PairBuffer&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

@@ -23,23 +23,25 @@ struct KeptLeaf {
   std::vector<DepthMask> apart;
   std::vector<std::uint8_t> planes;  ///< min of each axis, then max, `stride` bytes each
   std::size_t stride = 0;
-  /// Rows one behind the other: an object, the number of its partners, the partners.
-  std::vector<std::uint32_t> rows;
+  std::vector<Pair> pairs;  ///< whose fat boxes overlap
 
   [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }
 };
 
-/// Takes the entries of a view into an empty or outdated leaf; the rows stay as they are.
+/// Takes the entries of a view into an empty or outdated leaf; the pairs stay as they are.
 template <int D>
 void keep_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);
-/// Takes out entry `k`; the last one takes its place.
+/// Takes out entry `k`; the last one takes its place. The pairs stay.
 template <int D>
 void drop_entry(KeptLeaf<D>& leaf, std::size_t k);
-/// Adds an entry, and a row with all those that its fat box overlaps. `boxes` has the fat boxes by object.
+/// Takes an object's entry, if it has one, and its pairs out.
+template <int D>
+void drop_object(KeptLeaf<D>& leaf, std::uint32_t object);
+/// Adds an entry and its pairs with all those that its fat box overlaps. `boxes` has the fat boxes by object.
 template <int D>
 void add_entry(KeptLeaf<D>& leaf, std::uint32_t object, DepthMask apart, std::span<const PackedBox<D>> boxes);
-/// Appends the candidates of `rows` whose boxes overlap, as canonical pairs. `boxes` by object.
+/// Appends those of the candidates whose boxes overlap. `boxes` by object.
 template <int D>
-void filter_rows(std::span<const std::uint32_t> rows, std::span<const PackedBox<D>> boxes, PairBuffer& pairs);
+void filter_pairs(std::span<const Pair> candidates, std::span<const PackedBox<D>> boxes, PairBuffer& pairs);
 
 }  // namespace kerf

@@ -2,12 +2,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "core/geometry/packed_box.h"
 #include "core/tree/node.h"
 
 namespace kerf {
+
+/// The bytes of an entry, the lowest first: min of each axis in the first half, max in the second.
+template <int D>
+using ByteKey = std::conditional_t<D == 2, std::uint32_t, std::uint64_t>;
 
 /// What the sweep of a leaf reads, one array for each thing, entry by entry.
 ///

@@ -104,7 +104,7 @@ TYPED_TEST(Kernels, SweepFindsWhatTheDefinitionGivesInOneOrder) {
         use_kernel(name);
         ByteSweep<kD> sweep;
         PairBuffer found;
-        sweep.find(leaf, PairOrder::canonical, found);
+        sweep.find(leaf, found);
         const std::vector<Pair> pairs(found.all().begin(), found.all().end());
         EXPECT_EQ(difference(pairs, expected_pairs(leaf)), "") << name;
         if (name == kernels().front()) first = pairs;
@@ -114,15 +114,6 @@ TYPED_TEST(Kernels, SweepFindsWhatTheDefinitionGivesInOneOrder) {
   }
 }
 
-/// What the rows of a leaf say, as canonical pairs.
-std::vector<Pair> pairs_of_rows(const std::vector<std::uint32_t>& rows) {
-  std::vector<Pair> pairs;
-  for (std::size_t row = 0; row < rows.size(); row += 2 + rows[row + 1])
-    for (std::size_t k = 0; k < rows[row + 1]; ++k)
-      pairs.push_back(make_pair({rows[row]}, {rows[row + 2 + k]}));
-  return pairs;
-}
-
 TYPED_TEST(Kernels, EntriesAddedOneByOneFindTheirPartners) {
   constexpr int kD = TypeParam::value;
   Random random(5);
@@ -130,7 +121,7 @@ TYPED_TEST(Kernels, EntriesAddedOneByOneFindTheirPartners) {
     const LeafView<kD> leaf = draw_leaf<kD>(spread, 150, random);
     std::vector<PackedBox<kD>> boxes(100003);
     for (std::size_t i = 0; i < leaf.size(); ++i) boxes[leaf.objects[i].index()] = leaf.boxes[i];
-    std::vector<std::uint32_t> first;
+    std::vector<Pair> first;
     for (const std::string& name : kernels()) {
       use_kernel(name);
       LeafView<kD> half;
@@ -142,11 +133,11 @@ TYPED_TEST(Kernels, EntriesAddedOneByOneFindTheirPartners) {
       keep_entries(half, kept);
       for (std::size_t i = 1; i < leaf.size(); ++i)
         add_entry<kD>(kept, leaf.objects[i].value, leaf.apart[i], boxes);
-      EXPECT_EQ(difference(pairs_of_rows(kept.rows), expected_pairs(leaf)), "") << name;
-      if (name == kernels().front()) first = kept.rows;
-      EXPECT_EQ(kept.rows, first) << name << " gives another order";
+      EXPECT_EQ(difference(kept.pairs, expected_pairs(leaf)), "") << name;
+      if (name == kernels().front()) first = kept.pairs;
+      EXPECT_EQ(kept.pairs, first) << name << " gives another order";
       PairBuffer filtered;
-      filter_rows<kD>(kept.rows, boxes, filtered);
+      filter_pairs<kD>(kept.pairs, boxes, filtered);
       EXPECT_EQ(difference({filtered.all().begin(), filtered.all().end()}, expected_pairs(leaf)), "") << name;
     }
   }
@@ -165,7 +156,7 @@ TYPED_TEST(Kernels, FilterKeepsTouchingBoxesAndDropsSeparatedOnes) {
   for (const std::string& name : kernels()) {
     use_kernel(name);
     PairBuffer pairs;
-    filter_rows<kD>(std::vector<std::uint32_t>{2, 2, 0, 1, 1, 1, 0}, boxes, pairs);
+    filter_pairs<kD>(std::vector<Pair>{{{0}, {2}}, {{1}, {2}}, {{0}, {1}}}, boxes, pairs);
     EXPECT_EQ(std::vector<Pair>(pairs.all().begin(), pairs.all().end()),
               (std::vector<Pair>{{{1}, {2}}, {{0}, {1}}}))
         << name;
