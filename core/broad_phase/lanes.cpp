@@ -105,7 +105,8 @@ HWY_INLINE Pair* test_vector(const LaneView& lanes, std::size_t j, const Probe<D
   }
   const auto common = hn::And(hn::LoadU(w, lanes.apart + j), probe.apart);
   const auto told = hn::And(hn::RebindMask(w, hit), hn::Eq(common, hn::Zero(w)));
-  // Without a branch: whether there is a hit can be predicted worse than the stores cost.
+  // In a sweep without a branch: whether there is a hit can be predicted worse than the stores cost.
+  if (!kSorted && hn::AllFalse(w, told)) return out;
   return write_pairs(probe.object, hn::LoadU(w, lanes.object + j), told, out);
 }
 

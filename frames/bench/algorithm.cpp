@@ -7,6 +7,7 @@
 #include "core/broad_phase/all_pairs.h"
 #include "core/broad_phase/bsp.h"
 #include "core/broad_phase/columns.h"
+#include "core/broad_phase/loose_octree.h"
 #include "core/broad_phase/sweep_and_prune.h"
 #include "core/config.h"
 #include "frames/errors.h"
@@ -15,11 +16,15 @@
 namespace kerf {
 namespace {
 
+constexpr std::string_view kTuned = "kerf";
+constexpr std::string_view kPaper = "kerf-paper";
+
 template <int D>
-Algorithm<D> tree(std::string name, std::string what, const Config& config) {
-  return {std::move(name), std::move(what), Origin::kerf, 1, true, [config](const RivalHints<D>&, unsigned) {
-            return std::make_unique<Bsp<D>>(config);
-          }};
+Algorithm<D> tree(std::string_view name, std::string what, const Config& config) {
+  return {
+      std::string(name), std::move(what), Origin::kerf, 1, true, [config](const RivalHints<D>&, unsigned) {
+        return std::make_unique<Bsp<D>>(config);
+      }};
 }
 
 template <template <int> class Kind, int D>
@@ -48,8 +53,7 @@ std::optional<Algorithm<D>> find_named(std::string_view name) {
   return std::nullopt;
 }
 
-Config config_of(std::string assignments) {
-  Config config;
+Config config_of(Config config, std::string assignments) {
   std::replace(assignments.begin(), assignments.end(), ':', ',');
   try {
     kerf::apply(config, assignments);
@@ -65,9 +69,11 @@ Config config_of(std::string assignments) {
 template <int D>
 std::vector<Algorithm<D>> algorithms() {
   std::vector<Algorithm<D>> all;
-  all.push_back(tree<D>("kerf", "the Semi-Adjusting BSP-tree", Config{}));
+  all.push_back(tree<D>(kTuned, "the Semi-Adjusting BSP-tree, tuned", tuned_config()));
+  all.push_back(tree<D>(kPaper, "the same with the paper's parameters alone", Config{}));
   all.push_back(own<Columns, D>("columns", "our grid of columns, built anew in each step"));
   all.push_back(own<SweepAndPrune, D>("sweep-and-prune", "our sort-and-sweep with vectors"));
+  all.push_back(own<LooseOctree, D>("loose-octree", "our loose octree, built anew in each step"));
   all.push_back(own<AllPairs, D>("all-pairs", "our brute force with vectors"));
   for (const Rival<D>& rival : rivals<D>()) all.push_back(library(rival));
   return all;
@@ -77,10 +83,12 @@ template <int D>
 std::optional<Algorithm<D>> find_algorithm(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return find_named<D>(text);
-  if (text.substr(0, colon) != "kerf")
-    throw UsageError("'" + std::string(text) + "': only kerf takes parameters");
-  return tree<D>(std::string(text), "the tree with other parameters",
-                 config_of(std::string(text.substr(colon + 1))));
+  const std::string_view base = text.substr(0, colon);
+  if (base != kTuned && base != kPaper)
+    throw UsageError("'" + std::string(text) + "': only " + std::string(kTuned) + " and " +
+                     std::string(kPaper) + " take parameters");
+  return tree<D>(text, "the tree with other parameters",
+                 config_of(base == kTuned ? tuned_config() : Config{}, std::string(text.substr(colon + 1))));
 }
 
 void check_algorithm(std::string_view text) {

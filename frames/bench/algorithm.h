@@ -30,7 +30,7 @@ struct Algorithm {
 template <int D>
 std::vector<Algorithm<D>> algorithms();
 
-/// The algorithm that a user means: a name, and for "kerf" parameters of the tree after colons, for example
+/// The algorithm that a user means: a name, and for the trees parameters after colons, for example
 /// "kerf:max_threshold=256:free_directions=0". Nothing if there is none in this dimension. Throws UsageError
 /// for parameters that cannot work.
 template <int D>

@@ -25,12 +25,12 @@ class Cell {
  public:
   Cell(const CellPlan& plan, const CellWatch& watch)
       : plan_(plan), watch_(watch), capacity_(block_capacity<D>(plan.objects)) {
-    participants_.push_back(std::make_unique<Participant>("floor", capacity_, plan.steps));
+    participants_.push_back(std::make_unique<Participant>("floor", capacity_, plan));
     for (const std::string& name : plan.algorithms) {
       const auto algorithm = find_algorithm<D>(name);
       if (!algorithm || algorithm->max_threads < plan.threads) continue;
       algorithms_.push_back(*algorithm);
-      participants_.push_back(std::make_unique<Participant>(name, capacity_, plan.steps));
+      participants_.push_back(std::make_unique<Participant>(name, capacity_, plan));
     }
   }
   CellResult measure() {
@@ -58,6 +58,7 @@ class Cell {
   void begin(const Motion<D>& motion, StepBlock<D>& block) {
     step_ = 0;
     add(motion, block);
+    if (round_ == 0) verify_truth(motion.boxes(), motion.moving());
     // What this process has let go must not be what its children find free: their memory is measured.
     malloc_trim(0);
     const RivalHints<D> hints{motion.bounds(), motion.box_size(), plan_.objects};
@@ -68,7 +69,7 @@ class Cell {
     }
     for (const auto& participant : participants_) {
       watch_.progress(where(0) + participant->name());
-      if (!watch_.stop()) participant->build(plan_, watch_);
+      if (!watch_.stop()) participant->build(watch_);
     }
   }
   auto maker(const Algorithm<D>& algorithm, const RivalHints<D>& hints) const {
@@ -86,7 +87,7 @@ class Cell {
     for (std::size_t k = 0; k < count && !watch_.stop(); ++k) {
       Participant& participant = *participants_[(k + done / capacity_ + round_) % count];
       watch_.progress(where(done) + participant.name());
-      participant.run(first, block.steps(), plan_, watch_);
+      participant.run(first, block.steps(), watch_);
     }
   }
   [[nodiscard]] std::string where(std::uint32_t done) const {

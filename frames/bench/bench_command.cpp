@@ -31,7 +31,8 @@ std::string footer() {
   for (const auto& algorithm : algorithms<2>())
     if (!find_algorithm<3>(algorithm.name)) line(algorithm);
   return text +
-         "  kerf:K=V:K=V...         the tree with other parameters (see `kerf render --help`)\n\n"
+         "  kerf:K=V:K=V...         with other parameters (see `kerf render --help`); also "
+         "kerf-paper:K=V...\n\n"
          "Each algorithm is given the same boxes, in a process of its own, a block of steps at a time in "
          "turn, "
          "and\nhas to tell the complete set of pairs in each step, which is compared with the truth. Of each "

@@ -49,9 +49,9 @@ ChildProcess::ChildProcess(const std::function<void(char)>& work) {
   close(requests[process_ == 0 ? 1 : 0]);
   close(replies[process_ == 0 ? 0 : 1]);
   if (process_ != 0) return;
-  // The terminal tells the whole group of an interrupt; what it means is the parent's to decide.
+  // An interrupt is often told to the whole group; what it means is the parent's to decide.
   signal(SIGINT, SIG_IGN);
-  signal(SIGTERM, SIG_DFL);
+  signal(SIGTERM, SIG_IGN);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(0);
   quieten();

@@ -7,14 +7,14 @@
 namespace kerf {
 namespace {
 
-constexpr std::chrono::seconds kLongestRequest{120};
+constexpr double kLongestRequest = 2;  ///< over the patience
 
 std::string in_seconds(double seconds) { return std::to_string(static_cast<int>(seconds + 0.5)) + " s"; }
 
 }  // namespace
 
-Participant::Participant(std::string name, std::uint32_t block, std::uint32_t steps)
-    : name_(std::move(name)), answers_(block), nanoseconds_(steps, kNever) {}
+Participant::Participant(std::string name, std::uint32_t block, const CellPlan& plan)
+    : plan_(plan), name_(std::move(name)), answers_(block), nanoseconds_(plan.steps, kNever) {}
 
 void Participant::start(const Life& life) {
   spent_ = 0;
@@ -24,7 +24,8 @@ void Participant::start(const Life& life) {
 bool Participant::ask(Request request, const CellWatch& watch) {
   if (!process_) return false;
   const auto start = std::chrono::steady_clock::now();
-  const bool done = process_->ask(static_cast<char>(request), kLongestRequest, watch.stop);
+  const std::chrono::duration<double> limit(kLongestRequest * plan_.patience);
+  const bool done = process_->ask(static_cast<char>(request), limit, watch.stop);
   spent_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (done) return true;
   trouble_ = process_->trouble();
@@ -32,22 +33,22 @@ bool Participant::ask(Request request, const CellWatch& watch) {
   return false;
 }
 
-void Participant::build(const CellPlan& plan, const CellWatch& watch) {
+void Participant::build(const CellWatch& watch) {
   if (!ask(Request::build, watch)) return;
   build_ = std::min(build_, answers_.step(0).nanoseconds);
-  if (spent_ > plan.patience) {
+  if (spent_ > plan_.patience) {
     trouble_ = "took " + in_seconds(spent_) + " to begin";
     process_.reset();
   }
 }
 
-void Participant::run(std::int64_t first, std::uint32_t count, const CellPlan& plan, const CellWatch& watch) {
+void Participant::run(std::int64_t first, std::uint32_t count, const CellWatch& watch) {
   if (!ask(Request::run, watch)) return;
   for (std::uint32_t k = 0; k < count; ++k) keep(first + k, answers_.step(k));
-  const bool last = first + count >= plan.steps;
-  if (spent_ <= plan.patience || last) return;
+  const bool last = first + count >= plan_.steps;
+  if (spent_ <= plan_.patience || last) return;
   trouble_ = "left out after " + in_seconds(spent_) + " and " +
-             std::to_string(first + static_cast<std::int64_t>(count + plan.warm_up)) + " steps";
+             std::to_string(first + static_cast<std::int64_t>(count + plan_.warm_up)) + " steps";
   ask(Request::account, watch);
   bytes_ = answers_.bytes();
   process_.reset();

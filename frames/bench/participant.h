@@ -14,7 +14,7 @@ namespace kerf {
 /// An algorithm in a cell: its process in the present round, and what was measured so far.
 class Participant {
  public:
-  Participant(std::string name, std::uint32_t block, std::uint32_t steps);
+  Participant(std::string name, std::uint32_t block, const CellPlan& plan);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const Answers& answers() const { return answers_; }
@@ -22,10 +22,10 @@ class Participant {
   /// A new round in a new process; an algorithm that failed before is left in peace.
   void start(const Life& life);
   /// The objects of the block's first step.
-  void build(const CellPlan& plan, const CellWatch& watch);
+  void build(const CellWatch& watch);
   /// Does `count` steps, the first of which is number `first` of those that count, or before them if
   /// negative.
-  void run(std::int64_t first, std::uint32_t count, const CellPlan& plan, const CellWatch& watch);
+  void run(std::int64_t first, std::uint32_t count, const CellWatch& watch);
   /// Ends the round.
   void finish(const CellWatch& watch);
 
@@ -38,6 +38,7 @@ class Participant {
   bool ask(Request request, const CellWatch& watch);
   void keep(std::int64_t step, const StepResult& result);
 
+  const CellPlan& plan_;
   std::string name_;
   Answers answers_;
   std::unique_ptr<ChildProcess> process_;

@@ -3,31 +3,42 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/broad_phase/brute_force.h"
-#include "frames/rivals/rival.h"
+#include "core/broad_phase/all_pairs.h"
+#include "core/broad_phase/columns.h"
+#include "core/broad_phase/sweep_and_prune.h"
 
 namespace kerf {
 namespace {
 
-constexpr std::size_t kBruteForce = 2000;  ///< objects that brute force is used for
+constexpr std::size_t kMostTested = 5000;   ///< objects of which each is tested with each
+constexpr std::size_t kMostSwept = 100000;  ///< objects that are sorted and swept
 
 template <int D>
-std::unique_ptr<BroadPhase<D>> make_oracle(std::size_t count) {
-  if (count <= kBruteForce) return std::make_unique<BruteForce<D>>();
-  return find_rival<D>("cgal-box-intersection")->make({}, Intake::checked);
+std::vector<Pair> pairs_by(BroadPhase<D>&& oracle, std::span<const Box<D>> boxes, std::uint32_t moving) {
+  for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+    const Status status = oracle.insert({k}, boxes[k], k < moving ? Mobility::moving : Mobility::fixed);
+    if (status != Status::ok) throw std::logic_error("the scene has a bad box");
+  }
+  oracle.step();
+  return {oracle.pairs().begin(), oracle.pairs().end()};
 }
 
 }  // namespace
 
 template <int D>
 std::vector<Pair> true_pairs(std::span<const Box<D>> boxes, std::uint32_t moving) {
-  const auto oracle = make_oracle<D>(boxes.size());
-  for (std::uint32_t k = 0; k < boxes.size(); ++k) {
-    const Status status = oracle->insert({k}, boxes[k], k < moving ? Mobility::moving : Mobility::fixed);
-    if (status != Status::ok) throw std::runtime_error("the scene has a bad box");
-  }
-  oracle->step();
-  return {oracle->pairs().begin(), oracle->pairs().end()};
+  if (boxes.size() <= kMostTested) return pairs_by<D>(AllPairs<D>(), boxes, moving);
+  if (boxes.size() <= kMostSwept) return pairs_by<D>(SweepAndPrune<D>(), boxes, moving);
+  return pairs_by<D>(Columns<D>(), boxes, moving);
+}
+
+template <int D>
+void verify_truth(std::span<const Box<D>> boxes, std::uint32_t moving) {
+  const std::vector<Pair> truth = true_pairs<D>(boxes, moving);
+  const Truth other = boxes.size() <= kMostSwept ? truth_of(pairs_by<D>(Columns<D>(), boxes, moving))
+                                                 : truth_of(pairs_by<D>(SweepAndPrune<D>(), boxes, moving));
+  if (truth_of(truth) != other)
+    throw std::logic_error("two algorithms of ours that should be exact disagree");
 }
 
 Difference compare(std::span<const Pair> found, std::vector<Pair> truth) {
@@ -52,5 +63,7 @@ Difference compare(std::span<const Pair> found, std::vector<Pair> truth) {
 
 template std::vector<Pair> true_pairs<2>(std::span<const Box<2>>, std::uint32_t);
 template std::vector<Pair> true_pairs<3>(std::span<const Box<3>>, std::uint32_t);
+template void verify_truth<2>(std::span<const Box<2>>, std::uint32_t);
+template void verify_truth<3>(std::span<const Box<3>>, std::uint32_t);
 
 }  // namespace kerf

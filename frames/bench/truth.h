@@ -9,9 +9,14 @@
 
 namespace kerf {
 
-/// The complete set of pairs of some boxes, of which the first `moving` are not fixed.
+/// The complete set of pairs of some boxes, of which the first `moving` are not fixed: by brute force for
+/// few, by sort-and-sweep for many, by columns for very many. The tests hold these against the oracle.
 template <int D>
 std::vector<Pair> true_pairs(std::span<const Box<D>> boxes, std::uint32_t moving);
+
+/// Throws std::logic_error if two different algorithms do not agree on these boxes.
+template <int D>
+void verify_truth(std::span<const Box<D>> boxes, std::uint32_t moving);
 
 /// How `found` differs from the truth.
 struct Difference {

@@ -9,6 +9,7 @@
 
 #include "core/broad_phase/all_pairs.h"
 #include "core/broad_phase/columns.h"
+#include "core/broad_phase/loose_octree.h"
 #include "core/broad_phase/sweep_and_prune.h"
 #include "tests/support/boxes.h"
 #include "tests/support/checked.h"
@@ -34,22 +35,22 @@ struct BroadPhaseNames {
 template <class B>
 class OwnBroadPhase : public testing::Test {
  protected:
-  static constexpr int kD = DimensionOf<B>::kValue;
+  static constexpr int kDimension = DimensionOf<B>::kValue;
   static constexpr std::uint32_t kCount = 700;
 
   OwnBroadPhase() : checked_(subject_), crowd_(checked_, world(), 1.5, 11) {}
-  static double world() { return 3.5 * std::pow(kCount, 1.0 / kD); }
-  void insert(std::uint32_t id, const Box<kD>& box, Mobility mobility = Mobility::moving) {
+  static double world() { return 3.5 * std::pow(kCount, 1.0 / kDimension); }
+  void insert(std::uint32_t id, const Box<kDimension>& box, Mobility mobility = Mobility::moving) {
     static_cast<void>(checked_.insert({id}, box, mobility));
   }
 
   B subject_;
-  Checked<kD> checked_;
-  MovingBoxes<kD> crowd_;
+  Checked<kDimension> checked_;
+  MovingBoxes<kDimension> crowd_;
 };
 
-using Subjects =
-    testing::Types<Columns<2>, Columns<3>, SweepAndPrune<2>, SweepAndPrune<3>, AllPairs<2>, AllPairs<3>>;
+using Subjects = testing::Types<Columns<2>, Columns<3>, SweepAndPrune<2>, SweepAndPrune<3>, LooseOctree<2>,
+                                LooseOctree<3>, AllPairs<2>, AllPairs<3>>;
 TYPED_TEST_SUITE(OwnBroadPhase, Subjects, BroadPhaseNames);
 
 TYPED_TEST(OwnBroadPhase, AgreesOnBouncingBoxesAndTeleports) {
@@ -82,7 +83,7 @@ TYPED_TEST(OwnBroadPhase, AgreesWhileObjectsComeGoAndAreQuarantined) {
 }
 
 TYPED_TEST(OwnBroadPhase, AgreesOnBoxesOfVeryDifferentSizes) {
-  constexpr int kD = TestFixture::kD;
+  constexpr int kD = TestFixture::kDimension;
   Random random(7);
   for (std::uint32_t id = 0; id < 400; ++id) {
     const double size = std::exp2(random.uniform(-12, 7));
@@ -93,7 +94,7 @@ TYPED_TEST(OwnBroadPhase, AgreesOnBoxesOfVeryDifferentSizes) {
 }
 
 TYPED_TEST(OwnBroadPhase, AgreesOnALatticeOfTouchingBoxes) {
-  constexpr int kD = TestFixture::kD;
+  constexpr int kD = TestFixture::kDimension;
   for (std::uint32_t id = 0; id < 512; ++id) {
     Vector<kD> low;
     for (int axis = 0; axis < kD; ++axis) low[axis] = static_cast<Scalar>((id >> (3 * axis)) % 8);
@@ -104,7 +105,7 @@ TYPED_TEST(OwnBroadPhase, AgreesOnALatticeOfTouchingBoxes) {
 
 /// Nothing but the largest floats, opposite zeros, points, and a single box far out.
 TYPED_TEST(OwnBroadPhase, AgreesAtTheEndsOfTheFloats) {
-  constexpr int kD = TestFixture::kD;
+  constexpr int kD = TestFixture::kDimension;
   constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
   constexpr Scalar kTiny = std::numeric_limits<Scalar>::denorm_min();
   const std::vector<Scalar> ends{-kMax, -kMax / 2, -1, -kTiny, -0.0F, 0.0F, kTiny, 1, 1e9F, kMax / 2, kMax};
@@ -117,21 +118,21 @@ TYPED_TEST(OwnBroadPhase, AgreesAtTheEndsOfTheFloats) {
 }
 
 TYPED_TEST(OwnBroadPhase, AgreesWhenAllButOneLieFarFromTheOther) {
-  constexpr int kD = TestFixture::kD;
+  constexpr int kD = TestFixture::kDimension;
   this->crowd_.add(this->kCount);
   this->insert(this->kCount, box_at<kD>(all<kD>(1e30F), 1));
   this->checked_.step();
 }
 
 TYPED_TEST(OwnBroadPhase, AgreesWhenEverythingCoincides) {
-  constexpr int kD = TestFixture::kD;
+  constexpr int kD = TestFixture::kDimension;
   for (std::uint32_t id = 0; id < 300; ++id) this->insert(id, box_at<kD>(all<kD>(5), 1));
   this->checked_.step();
   EXPECT_EQ(this->subject_.pairs().size(), 300U * 299U / 2);
 }
 
 TYPED_TEST(OwnBroadPhase, MovesManyAsMoveDoes) {
-  constexpr int kD = TestFixture::kD;
+  constexpr int kD = TestFixture::kDimension;
   TypeParam one;
   Random random(3);
   std::vector<ObjectId> ids;

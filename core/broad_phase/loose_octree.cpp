@@ -1,0 +1,134 @@
+#include "core/broad_phase/loose_octree.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kerf {
+
+/// As many levels as give the finest one about two cells an object.
+template <int D>
+void LooseOctree<D>::lay_out() {
+  finest_ = 0;
+  while (std::size_t{1} << (D * (finest_ + 1)) <= 2 * this->placed().size()) ++finest_;
+  level_begins_.assign(1, 0);
+  for (unsigned level = 0; level <= finest_; ++level)
+    level_begins_.push_back(level_begins_.back() + (1U << (D * level)));
+  Box<D> begins = Box<D>::empty();
+  for (const ObjectId object : this->placed()) {
+    const Box<D>& box = this->table().box(object);
+    for (int i = 0; i < D; ++i) {
+      begins.min[i] = std::min(begins.min[i], box.min[i]);
+      begins.max[i] = std::max(begins.max[i], box.min[i]);
+    }
+  }
+  for (std::size_t i = 0; i < D; ++i) {
+    const double low = begins.min[static_cast<int>(i)];
+    const double length = begins.max[static_cast<int>(i)] - low;
+    scale_[i] = length > 0 ? static_cast<Scalar>(static_cast<double>(1U << finest_) / length) : 0;
+    offset_[i] = static_cast<Scalar>(low) * scale_[i];
+    // A scene thinner than a float can scale has one layer.
+    if (!(scale_[i] <= std::numeric_limits<Scalar>::max())) scale_[i] = offset_[i] = 0;
+  }
+}
+
+template <int D>
+std::uint32_t LooseOctree<D>::coordinate(Scalar x, std::size_t axis) const {
+  const auto last = static_cast<Scalar>((1U << finest_) - 1);
+  return static_cast<std::uint32_t>(std::min(std::max(x * scale_[axis] - offset_[axis], Scalar{0}), last));
+}
+
+template <int D>
+typename LooseOctree<D>::Member LooseOctree<D>::member_of(ObjectId object) const {
+  Member member{this->table().box(object), object, this->table().is_fixed(object), 0, {}, {}};
+  unsigned up = 0;
+  for (std::size_t i = 0; i < D; ++i) {
+    member.first[i] = coordinate(member.box.min[static_cast<int>(i)], i);
+    member.last[i] = coordinate(member.box.max[static_cast<int>(i)], i);
+    while ((member.last[i] >> up) - (member.first[i] >> up) > 1) ++up;
+  }
+  // What fits at one level fits at all coarser ones.
+  member.level = static_cast<std::uint8_t>(finest_ - up);
+  return member;
+}
+
+template <int D>
+std::uint32_t LooseOctree<D>::cell_of(unsigned level, const Place& place) const {
+  std::uint32_t number = 0;
+  for (std::size_t i = D; i-- > 0;) number = (number << level) + place[i];
+  return level_begins_[level] + number;
+}
+
+/// By counting the members of each cell.
+template <int D>
+void LooseOctree<D>::sort_members() {
+  unsorted_.clear();
+  cells_.clear();
+  ends_.assign(level_begins_.back(), 0);
+  level_members_.assign(finest_ + 1, 0);
+  for (const ObjectId object : this->placed()) {
+    unsorted_.push_back(member_of(object));
+    const Member& member = unsorted_.back();
+    Place place = member.first;
+    for (std::uint32_t& x : place) x >>= finest_ - member.level;
+    cells_.push_back(cell_of(member.level, place));
+    ++ends_[cells_.back()];
+    ++level_members_[member.level];
+  }
+  std::uint32_t end = 0;
+  for (std::uint32_t& place : ends_) end += std::exchange(place, end);
+  members_.resize(unsorted_.size());
+  for (std::size_t k = 0; k < unsorted_.size(); ++k) members_[ends_[cells_[k]]++] = unsorted_[k];
+}
+
+/// Members of a row of cells from `from` on. Without a branch: hits can hardly be predicted.
+template <int D>
+void LooseOctree<D>::test_row(const Member& member, std::uint32_t from, std::uint32_t first,
+                              std::uint32_t last, PairList& pairs) const {
+  const std::uint32_t begin = std::max(first == 0 ? 0 : ends_[first - 1], from);
+  const std::uint32_t end = ends_[last];
+  if (begin >= end) return;
+  Pair* out = pairs.reserve(end - begin);
+  for (std::uint32_t k = begin; k < end; ++k) {
+    const Member& other = members_[k];
+    *out = make_pair(member.object, other.object);
+    out += (overlaps(member.box, other.box) & !(member.fixed & other.fixed)) ? 1 : 0;
+  }
+  pairs.commit(out);
+}
+
+template <int D>
+void LooseOctree<D>::test_level(std::uint32_t index, unsigned level, PairList& pairs) const {
+  const Member& member = members_[index];
+  const std::uint32_t from = level == member.level ? index + 1 : 0;
+  Place first;
+  Place last;
+  for (std::size_t i = 0; i < D; ++i) {
+    const std::uint32_t begin = member.first[i] >> (finest_ - level);
+    first[i] = begin - (begin > 0 ? 1 : 0);
+    last[i] = member.last[i] >> (finest_ - level);
+  }
+  Place place = first;
+  const std::uint32_t row = last[0] - first[0];
+  for (std::uint32_t z = D == 3 ? first[D - 1] : 0; z <= (D == 3 ? last[D - 1] : 0); ++z) {
+    if (D == 3) place[D - 1] = z;
+    for (place[1] = first[1]; place[1] <= last[1]; ++place[1]) {
+      const std::uint32_t cell = cell_of(level, place);
+      test_row(member, from, cell, cell + row, pairs);
+    }
+  }
+}
+
+template <int D>
+void LooseOctree<D>::find_pairs(PairList& pairs) {
+  if (this->placed().empty()) return;
+  lay_out();
+  sort_members();
+  for (std::uint32_t k = 0; k < members_.size(); ++k)
+    for (unsigned level = 0; level <= members_[k].level; ++level)
+      if (level_members_[level] != 0) test_level(k, level, pairs);
+}
+
+template class LooseOctree<2>;
+template class LooseOctree<3>;
+
+}  // namespace kerf

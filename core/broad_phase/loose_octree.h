@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/broad_phase/tabled.h"
+
+namespace kerf {
+
+/// A loose octree (in 2D a quadtree) after Thatcher Ulrich ("Loose Octrees", Game Programming Gems, 2000),
+/// built anew in each step. A cell holds the objects that begin in its place and reach no farther than into
+/// the next place, so that each object is in exactly one cell, found without a search: that of the finest
+/// level where this is so. Levels are flat grids and cells are ranges of one array; nothing is chased. An
+/// object is tested against those behind it in its own level and against all in coarser ones.
+///
+/// Places are whole numbers, computed once at the finest level and halved for coarser ones. Rounding is
+/// monotone, so no overlap is lost.
+template <int D>
+class LooseOctree final : public Tabled<D> {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "loose-octree"; }
+
+ private:
+  using Place = std::array<std::uint32_t, D>;
+  struct Member {
+    Box<D> box;
+    ObjectId object;
+    bool fixed = false;
+    std::uint8_t level = 0;
+    Place first;  ///< at the finest level, where the object begins
+    Place last;   ///< and ends
+  };
+
+  void find_pairs(PairList& pairs) override;
+  void lay_out();
+  [[nodiscard]] Member member_of(ObjectId object) const;
+  [[nodiscard]] std::uint32_t coordinate(Scalar x, std::size_t axis) const;
+  /// The number of a cell; `place` is that of its level. Level 0 is one cell.
+  [[nodiscard]] std::uint32_t cell_of(unsigned level, const Place& place) const;
+  void sort_members();
+  void test_level(std::uint32_t index, unsigned level, PairList& pairs) const;
+  void test_row(const Member& member, std::uint32_t from, std::uint32_t first, std::uint32_t last,
+                PairList& pairs) const;
+
+  unsigned finest_ = 0;
+  std::array<Scalar, D> scale_{};
+  std::array<Scalar, D> offset_{};
+  std::vector<std::uint32_t> level_begins_;   ///< by level: its first cell; one more at the end
+  std::vector<std::uint32_t> level_members_;  ///< by level
+  std::vector<std::uint32_t> ends_;           ///< by cell: one past its last member
+  std::vector<std::uint32_t> cells_;          ///< by place in `unsorted_`
+  std::vector<Member> unsorted_;
+  std::vector<Member> members_;  ///< by cell
+};
+
+extern template class LooseOctree<2>;
+extern template class LooseOctree<3>;
+
+}  // namespace kerf
