@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frames/errors.h"
+#include "frames/parse_config.h"
 #include "frames/parse_number.h"
 #include "frames/suggest.h"
 #include "frames/video.h"
@@ -31,33 +32,6 @@ auto parse_option(std::string_view option, Parse parse) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(std::string(option) + ": " + error.what());
   }
-}
-
-/// Names come first: an unknown one gets a suggestion, which the core does not make.
-void check_parameter_names(std::string_view assignments) {
-  std::vector<std::string> names;
-  for (const ConfigField& field : config_fields()) names.emplace_back(field.name);
-  while (!assignments.empty()) {
-    const std::string_view assignment = assignments.substr(0, assignments.find(','));
-    assignments.remove_prefix(std::min(assignments.size(), assignment.size() + 1));
-    const std::string_view name = assignment.substr(0, assignment.find('='));
-    if (name.size() == assignment.size()) {
-      throw UsageError("--config: '" + std::string(assignment) +
-                       "' is not K=V, for example max_redundancy=0.05");
-    }
-    if (std::ranges::find(names, name) == names.end()) {
-      throw UsageError("--config: " + unknown_name_message("parameter", name, names));
-    }
-  }
-}
-
-Config parse_config(const std::string& text, const Config& defaults) {
-  check_parameter_names(text);
-  return parse_option("--config", [&] {
-    Config config = defaults;
-    kerf::apply(config, text);
-    return config;
-  });
 }
 
 void check_camera(const CatalogScene& scene, const std::string& text) {
@@ -113,7 +87,7 @@ RenderRequest parse_request(const RenderTexts& texts) {
   check_camera(request.scene, texts.camera);
   request.camera = texts.camera;
   const Needs needs = needs_of(request.scene);
-  request.config = parse_config(texts.config, default_config(needs));
+  request.config = parse_config("--config", texts.config, default_config(needs));
   request.volume = texts.volume.empty() ? needs.volume : parse_volume(request.scene, texts.volume);
   request.out = texts.out.empty() ? std::filesystem::path("out") / request.scene.name
                                   : std::filesystem::path(texts.out);

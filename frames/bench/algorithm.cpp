@@ -1,7 +1,6 @@
 #include "frames/bench/algorithm.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "core/broad_phase/all_pairs.h"
@@ -11,6 +10,7 @@
 #include "core/broad_phase/sweep_and_prune.h"
 #include "core/config.h"
 #include "frames/errors.h"
+#include "frames/parse_config.h"
 #include "frames/suggest.h"
 
 namespace kerf {
@@ -53,15 +53,9 @@ std::optional<Algorithm<D>> find_named(std::string_view name) {
   return std::nullopt;
 }
 
-Config config_of(Config config, std::string assignments) {
+Config config_of(const Config& defaults, std::string assignments) {
   std::replace(assignments.begin(), assignments.end(), ':', ',');
-  try {
-    kerf::apply(config, assignments);
-    check(config);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
-  return config;
+  return parse_config("--algorithms", assignments, defaults);
 }
 
 }  // namespace

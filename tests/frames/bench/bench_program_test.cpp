@@ -1,0 +1,105 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <thread>
+
+#include "frames/errors.h"
+#include "tests/frames/program.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::kerf_command;
+using testing::Outcome;
+using testing::Process;
+using testing::read_json;
+using testing::run_kerf;
+using testing::TemporaryFolder;
+
+TEST(BenchProgram, PrintsRowsAndWritesJson) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "bench.json").string();
+  const Outcome outcome =
+      run_kerf({"bench", "--scenes", "falling,needles", "--objects", "200", "--algorithms", "kerf,box2d-tree",
+                "--rounds", "1", "--steps", "5", "--warm-up", "3", "--json", file});
+  EXPECT_EQ(outcome.exit, kExitDone) << outcome.err;
+  EXPECT_EQ(outcome.err, "") << "no progress where there is no terminal";
+  EXPECT_THAT(outcome.out, HasSubstr("box2d-tree"));
+  const auto json = read_json(file);
+  EXPECT_TRUE(json["complete"]);
+  EXPECT_TRUE(json["machine"].contains("processor"));
+  // Per scene: floor and tree in each dimension, Box2D in one.
+  ASSERT_EQ(json["results"].size(), 10U);
+  for (const auto& row : json["results"]) {
+    for (const char* key : {"scene", "dim", "objects", "algorithm", "threads", "median_ns", "p90_ns",
+                            "p99_ns", "pairs", "missed", "extra", "times_floor", "rss_bytes"})
+      EXPECT_TRUE(row.contains(key)) << key;
+    EXPECT_EQ(row["missed"], 0);
+    EXPECT_EQ(row["extra"], 0);
+    EXPECT_GT(row["median_ns"], 0);
+  }
+}
+
+TEST(BenchProgram, KeepsWhatWasMeasuredWhenInterrupted) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "bench.json";
+  Process process(
+      kerf_command({"bench", "--scenes", "uniform,brownian", "--dims", "2", "--objects", "100,2000000",
+                    "--algorithms", "kerf", "--rounds", "1", "--json", file.string()}));
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!std::filesystem::exists(file) && std::chrono::steady_clock::now() < give_up)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  process.signal(SIGINT);
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.exit, kExitInterrupted) << outcome.err;
+  const auto json = read_json(file);
+  EXPECT_FALSE(json["complete"]);
+  EXPECT_GE(json["results"].size(), 2U);
+}
+
+TEST(BenchProgram, SaysWhyAFileCannotBeWritten) {
+  const Outcome outcome =
+      run_kerf({"bench", "--scenes", "uniform", "--dims", "2", "--objects", "100", "--algorithms", "kerf",
+                "--rounds", "1", "--steps", "2", "--json", "/nowhere/bench.json"});
+  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_THAT(outcome.err, HasSubstr("/nowhere/bench.json"));
+}
+
+struct Mistake {
+  const char* name;
+  std::vector<std::string> arguments;
+  const char* answer;
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* stream) { *stream << mistake.name; }
+
+class BenchMistake : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(BenchMistake, IsExplained) {
+  std::vector<std::string> arguments = GetParam().arguments;
+  arguments.insert(arguments.begin(), "bench");
+  const Outcome outcome = run_kerf(arguments);
+  EXPECT_EQ(outcome.exit, kExitUsage) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr(GetParam().answer));
+  EXPECT_THAT(outcome.err, HasSubstr("--help"));
+  EXPECT_EQ(outcome.out, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    BenchProgram, BenchMistake,
+    ::testing::Values(Mistake{"Scene", {"--scenes", "bronian"}, "did you mean 'brownian'?"},
+                      Mistake{"Algorithm", {"--algorithms", "colums"}, "did you mean 'columns'?"},
+                      Mistake{
+                          "Parameter", {"--algorithms", "kerf:max_hight=3"}, "did you mean 'max_height'?"},
+                      Mistake{"Dimension", {"--dims", "4"}, "from 2 to 3"},
+                      Mistake{"Objects", {"--objects", "1"}, "whole number from"},
+                      Mistake{"EmptyName", {"--objects", "1000,,2000"}, "between commas"},
+                      Mistake{"Rounds", {"--rounds", "0"}, "whole number from 1"},
+                      Mistake{"Option", {"--scnes", "brownian"}, "did you mean '--scenes'?"}),
+    [](const ::testing::TestParamInfo<Mistake>& mistake) { return std::string(mistake.param.name); });
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,224 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/broad_phase/brute_force.h"
+#include "frames/bench/algorithm.h"
+#include "frames/bench/bench_cell.h"
+#include "frames/bench/bench_request.h"
+#include "frames/bench/subject.h"
+#include "frames/bench/truth.h"
+#include "frames/errors.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::vector<Pair> some_pairs() { return {{{1}, {2}}, {{1}, {7}}, {{3}, {4}}, {{5}, {6}}}; }
+
+TEST(BenchTruth, DoesNotDependOnOrderButOnEachPair) {
+  std::vector<Pair> pairs = some_pairs();
+  const Truth truth = truth_of(pairs);
+  std::reverse(pairs.begin(), pairs.end());
+  std::swap(pairs[0].a, pairs[0].b);
+  EXPECT_EQ(truth_of(pairs), truth);
+  pairs[1].b.value ^= 1U;
+  EXPECT_NE(truth_of(pairs), truth);
+  pairs = some_pairs();
+  pairs.back() = pairs.front();
+  EXPECT_NE(truth_of(pairs), truth) << "one told twice, one missed: the number is the same";
+}
+
+TEST(BenchTruth, ComparesAsSets) {
+  std::vector<Pair> found = some_pairs();
+  std::swap(found[0], found[3]);
+  EXPECT_EQ(compare(found, some_pairs()).missed + compare(found, some_pairs()).extra, 0U);
+  found.push_back(found[1]);    // told twice
+  found.push_back({{9}, {8}});  // invented
+  found.erase(found.begin());   // missed
+  const Difference difference = compare(found, some_pairs());
+  EXPECT_EQ(difference.missed, 1U);
+  EXPECT_EQ(difference.extra, 2U);
+  EXPECT_EQ(compare({}, some_pairs()).missed, 4U);
+}
+
+TEST(BenchPercentile, IsTheNearestRank) {
+  EXPECT_EQ(percentile({}, 0.5), 0);
+  EXPECT_EQ(percentile({7}, 0.99), 7);
+  std::vector<double> numbers;
+  for (int k = 1; k <= 200; ++k) numbers.push_back(k);
+  EXPECT_EQ(percentile(numbers, 0.5), 100);
+  EXPECT_EQ(percentile(numbers, 0.9), 180);
+  EXPECT_EQ(percentile(numbers, 0.99), 198);
+  EXPECT_EQ(percentile(numbers, 1), 200);
+}
+
+class BenchMotion : public ::testing::TestWithParam<const BenchScene*> {
+ protected:
+  template <int D>
+  static std::vector<Box<D>> boxes_after(std::uint32_t steps, std::uint64_t seed) {
+    const auto motion = GetParam()->make<D>(500, seed);
+    for (std::uint32_t step = 0; step < steps; ++step) motion->advance();
+    return {motion->boxes().begin(), motion->boxes().end()};
+  }
+  /// Each step's boxes are valid and only those change of which it is told; there are a few pairs an object.
+  template <int D>
+  static void check() {
+    const auto motion = GetParam()->make<D>(1000, 3);
+    ASSERT_EQ(motion->boxes().size(), 1000U);
+    ASSERT_LE(motion->moving(), 1000U);
+    double pairs = 0;
+    constexpr int kSteps = 40;
+    for (int step = 0; step < kSteps; ++step) {
+      const std::vector<Box<D>> before(motion->boxes().begin(), motion->boxes().end());
+      motion->advance();
+      std::uint32_t changed = 0;
+      for (std::uint32_t k = 0; k < before.size(); ++k) {
+        ASSERT_TRUE(is_valid(motion->boxes()[k]));
+        if (motion->boxes()[k] == before[k]) continue;
+        ++changed;
+        ASSERT_LT(k, motion->moving());
+        const auto told = motion->moved();
+        ASSERT_TRUE(motion->all_move() || std::find(told.begin(), told.end(), ObjectId{k}) != told.end());
+      }
+      EXPECT_GE(changed, motion->all_move() ? motion->moving() * 9 / 10 : motion->moved().size() / 2);
+      pairs += static_cast<double>(true_pairs(motion->boxes(), motion->moving()).size()) / 1000;
+    }
+    EXPECT_GT(pairs / kSteps, 0.8);
+    EXPECT_LT(pairs / kSteps, 8);
+  }
+};
+
+TEST_P(BenchMotion, HasValidBoxesAndAFewPairsAnObject) {
+  check<2>();
+  check<3>();
+}
+
+TEST_P(BenchMotion, IsTheSameForTheSameSeed) {
+  EXPECT_EQ(boxes_after<2>(20, 5), boxes_after<2>(20, 5));
+  EXPECT_EQ(boxes_after<3>(20, 5), boxes_after<3>(20, 5));
+  EXPECT_NE(boxes_after<3>(20, 5), boxes_after<3>(20, 6));
+}
+
+std::vector<const BenchScene*> all_scenes() {
+  std::vector<const BenchScene*> all;
+  for (const BenchScene& scene : bench_scenes()) all.push_back(&scene);
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, BenchMotion, ::testing::ValuesIn(all_scenes()), [](const auto& scene) {
+  std::string name(scene.param->name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST(BenchTruth, TwoAlgorithmsAgreeOnWhatIsTrueAndBruteForceWithThem) {
+  for (const std::uint32_t count : {300U, 6000U}) {
+    const auto motion = find_bench_scene("buckets").make<3>(count, 1);
+    verify_truth(motion->boxes(), motion->moving());
+    BruteForce<3> oracle;
+    for (std::uint32_t k = 0; k < count; ++k)
+      ASSERT_EQ(
+          oracle.insert({k}, motion->boxes()[k], k < motion->moving() ? Mobility::moving : Mobility::fixed),
+          Status::ok);
+    oracle.step();
+    EXPECT_EQ(truth_of(oracle.pairs()), truth_of(true_pairs(motion->boxes(), motion->moving())));
+  }
+}
+
+/// A broad phase with a bug: it forgets every hundredth pair and tells one twice.
+class Forgetful final : public BroadPhase<2> {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "forgetful"; }
+  Status insert(ObjectId object, const Box<2>& box, Mobility mobility) override {
+    return oracle_.insert(object, box, mobility);
+  }
+  Status move(ObjectId object, const Box<2>& box) override { return oracle_.move(object, box); }
+  Status remove(ObjectId object) override { return oracle_.remove(object); }
+  void step() override {
+    oracle_.step();
+    pairs_.assign(1, oracle_.pairs().front());
+    for (std::size_t k = 0; k < oracle_.pairs().size(); ++k)
+      if (k % 100 != 99) pairs_.push_back(oracle_.pairs()[k]);
+  }
+  [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_; }
+
+ private:
+  BruteForce<2> oracle_;
+  std::vector<Pair> pairs_;
+};
+
+TEST(BenchSubject, IsHeldAgainstTheTruth) {
+  const auto motion = find_bench_scene("uniform").make<2>(200, 1);
+  StepBlock<2> block(*motion, 2);
+  for (int step = 0; step < 2; ++step) {
+    motion->advance();
+    block.add(*motion);
+    block.set_truth(static_cast<std::uint32_t>(step), truth_of(true_pairs(motion->boxes(), 200)));
+  }
+  const Answers answers(2);
+  const Life life = subject_life<2>([] { return std::make_unique<Forgetful>(); }, block, answers);
+  life(static_cast<char>(Request::build));
+  life(static_cast<char>(Request::run));
+  for (std::uint32_t step = 0; step < 2; ++step) {
+    EXPECT_EQ(answers.step(step).missed, block.truth(step).pairs / 100) << step;
+    EXPECT_EQ(answers.step(step).extra, 1U) << step;
+    EXPECT_GT(answers.step(step).nanoseconds, 0U);
+  }
+}
+
+TEST(BenchCell, MeasuresEveryAlgorithmAndTheFloor) {
+  CellPlan plan;
+  plan.scene = &find_bench_scene("mostly-static");
+  plan.objects = 300;
+  plan.algorithms = {"kerf", "columns", "all-pairs"};
+  plan.rounds = 2;
+  plan.warm_up = 5;
+  plan.steps = 20;
+  plan.trace = true;
+  const CellWatch watch{[](const std::string&) {}, [] { return false; }};
+  const CellResult result = measure_cell<3>(plan, watch);
+  EXPECT_TRUE(result.gaps.empty());
+  ASSERT_EQ(result.rows.size(), 4U);
+  EXPECT_EQ(result.rows[0].algorithm, "floor");
+  for (const BenchRow& row : result.rows) {
+    EXPECT_EQ(row.steps, 20U);
+    EXPECT_EQ(row.step_ns.size(), 20U);
+    EXPECT_EQ(row.missed + row.extra, 0U) << row.algorithm;
+    EXPECT_EQ(row.pairs, result.rows[0].pairs);
+    EXPECT_GE(row.times_floor, row.algorithm == "floor" ? 1 : 1.5) << row.algorithm;
+    EXPECT_LE(row.median_ns, row.p90_ns);
+    EXPECT_LE(row.p90_ns, row.p99_ns);
+    EXPECT_GE(row.rss_bytes, row.algorithm == "floor" ? 0U : 300 * sizeof(Box<3>)) << row.algorithm;
+  }
+}
+
+TEST(BenchCell, LeavesOutWhatHasTooFewThreadsOrNoSuchDimension) {
+  CellPlan plan;
+  plan.scene = &find_bench_scene("uniform");
+  plan.objects = 50;
+  plan.algorithms = {"box2d-tree"};
+  const CellWatch watch{[](const std::string&) {}, [] { return false; }};
+  EXPECT_TRUE(measure_cell<3>(plan, watch).rows.empty());
+  plan.threads = 64;
+  EXPECT_TRUE(measure_cell<2>(plan, watch).rows.empty());
+}
+
+TEST(BenchRequest, TakesParametersOfTheTree) {
+  BenchTexts texts;
+  texts.algorithms = "kerf,kerf:max_entries=3:skin=2,kerf-paper:max_threshold=99";
+  EXPECT_EQ(parse_bench_request(texts).algorithms.size(), 3U);
+  texts.algorithms = "kerf:max_treshold=64";
+  EXPECT_THROW(parse_bench_request(texts), UsageError);
+  texts.algorithms = "columns:skin=2";
+  EXPECT_THROW(parse_bench_request(texts), UsageError);
+  texts.algorithms = "columns,columns";
+  EXPECT_THROW(parse_bench_request(texts), UsageError);
+}
+
+}  // namespace
+}  // namespace kerf
