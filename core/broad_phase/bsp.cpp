@@ -314,15 +314,22 @@ void Bsp<D, Trace>::sweep() {
     return;
   }
   for_each_node(tree_, tree_.root(), [this](NodeId id) {
-    if (!tree_[id].is_leaf()) return;
-    if (mode_ == Mode::ordered) {
-      sweep_leaf(tree_.table, tree_[id], buffer_, pairs_);
-    } else {
-      view_leaf(tree_, id, view_);
-      byte_sweep_.find(view_, pairs_);
-    }
+    if (tree_[id].is_leaf()) sweep(id);
   });
-  if (mode_ == Mode::swept && latest_.kind() != VolumeKind::box) drop_separated(tree_.table, 0, pairs_);
+}
+
+/// The list of a leaf lies along its parent's normal. Where the paper's criteria let a leaf grow without end,
+/// that may be an axis on which all boxes coincide (HARD_CASES.md, S6): such a leaf is swept by bytes along
+/// the best axis, whatever the policy.
+template <int D, class Trace>
+void Bsp<D, Trace>::sweep(NodeId leaf) {
+  constexpr std::size_t kLongList = 512;
+  if (mode_ == Mode::ordered && tree_[leaf].entries.size() <= kLongList)
+    return sweep_leaf(tree_.table, tree_[leaf], buffer_, pairs_);
+  const std::size_t begin = pairs_.size();
+  view_leaf(tree_, leaf, view_);
+  byte_sweep_.find(view_, pairs_);
+  if (latest_.kind() != VolumeKind::box) drop_separated(tree_.table, begin, pairs_);
 }
 
 template <int D, class Trace>

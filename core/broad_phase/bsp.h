@@ -70,6 +70,7 @@ class Bsp final : public BroadPhase<D> {
   void fatten_changed();
   void place_fat();
   void sweep();
+  void sweep(NodeId leaf);
   void begin(Phase phase);
   void end_phase();
 

@@ -49,7 +49,7 @@ class KeptPairs {
   void patch_leaves(Tree<D>& tree);
   void patch(const Tree<D>& tree, std::span<const Touch> touches);
   void drop_marked(KeptLeaf<D>& leaf);
-  void sweep(const Tree<D>& tree, NodeId leaf);
+  void sweep(const Tree<D>& tree, NodeId id);
 
   std::vector<KeptLeaf<D>> leaves_;  ///< by node
   std::vector<Touch> touches_;
