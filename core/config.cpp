@@ -132,7 +132,7 @@ Config tuned_config() {
   config.sample = 256;
   config.max_redundancy = 0.35F;
   config.repair_redundancy = 0.6F;
-  config.min_threshold = 512;
+  config.min_threshold = 768;
   config.max_threshold = 1024;
   config.byte_sweep = true;
   config.skin = 8;

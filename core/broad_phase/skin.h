@@ -11,7 +11,7 @@ namespace kerf {
 /// How thick the skin of an object is and since when. It learns: who leaves soon gets a thicker one.
 struct Skin {
   static constexpr std::uint8_t kThickest = 6;
-  std::uint8_t level = 0;
+  std::uint8_t level = 4;   ///< a sixteenth of the object's size, until it is known better
   std::uint16_t since = 0;  ///< the step, modulo 2^16: a wrong age costs time, never a pair
 
   /// To be told of each step in which the object left its fat box.
