@@ -93,12 +93,12 @@ HWY_INLINE Pair* write_pairs(hn::Vec<Words> object, hn::Vec<Words> others, hn::M
 
 /// Writes the pairs with the boxes from `j` on; returns the new end. On axis 0 the caller may know that every
 /// box from `j` on begins after the probe does.
-template <int D, bool kSorted>
+template <int D, bool Sorted>
 HWY_INLINE Pair* test_vector(const LaneView& lanes, std::size_t j, const Probe<D>& probe, Pair* out) {
   const Floats f;
   const Words w;
   auto hit = hn::Le(hn::LoadU(f, lanes.min[0] + j), probe.max[0]);
-  if (!kSorted) hit = hn::And(hit, hn::Ge(hn::LoadU(f, lanes.max[0] + j), probe.min[0]));
+  if (!Sorted) hit = hn::And(hit, hn::Ge(hn::LoadU(f, lanes.max[0] + j), probe.min[0]));
   for (int axis = 1; axis < D; ++axis) {
     hit = hn::And(hit, hn::Le(hn::LoadU(f, lanes.min[axis] + j), probe.max[axis]));
     hit = hn::And(hit, hn::Ge(hn::LoadU(f, lanes.max[axis] + j), probe.min[axis]));
@@ -106,7 +106,7 @@ HWY_INLINE Pair* test_vector(const LaneView& lanes, std::size_t j, const Probe<D
   const auto common = hn::And(hn::LoadU(w, lanes.apart + j), probe.apart);
   const auto told = hn::And(hn::RebindMask(w, hit), hn::Eq(common, hn::Zero(w)));
   // In a sweep without a branch: whether there is a hit can be predicted worse than the stores cost.
-  if (!kSorted && hn::AllFalse(w, told)) return out;
+  if (!Sorted && hn::AllFalse(w, told)) return out;
   return write_pairs(probe.object, hn::LoadU(w, lanes.object + j), told, out);
 }
 

@@ -72,7 +72,7 @@ class Cell {
       if (!watch_.stop()) participant->build(watch_);
     }
   }
-  auto maker(const Algorithm<D>& algorithm, const RivalHints<D>& hints) const {
+  [[nodiscard]] auto maker(const Algorithm<D>& algorithm, const RivalHints<D>& hints) const {
     return [make = algorithm.make, hints, threads = plan_.threads] { return make(hints, threads); };
   }
   /// The truth is found in the first round.

@@ -59,7 +59,7 @@ ChildProcess::ChildProcess(const std::function<void(char)>& work) {
 }
 
 /// The child's whole life.
-void ChildProcess::serve(const std::function<void(char)>& work) {
+void ChildProcess::serve(const std::function<void(char)>& work) const {
   try {
     char request = 0;
     while (read(requests_, &request, 1) == 1) {

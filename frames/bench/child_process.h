@@ -25,7 +25,7 @@ class ChildProcess {
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
  private:
-  void serve(const std::function<void(char)>& work);
+  void serve(const std::function<void(char)>& work) const;
   bool end(const std::string& trouble);
   bool bury();
 
