@@ -64,8 +64,9 @@ class Cell {
     const RivalHints<D> hints{motion.bounds(), motion.box_size(), plan_.objects};
     for (std::size_t k = 0; k < participants_.size(); ++k) {
       const Answers& answers = participants_[k]->answers();
-      participants_[k]->start(k == 0 ? floor_life(block, answers)
-                                     : subject_life<D>(maker(algorithms_[k - 1], hints), block, answers));
+      participants_[k]->start(
+          k == 0 ? floor_life(block, answers)
+                 : subject_life<D>(maker(algorithms_[k - 1], hints), block, answers, plan_.threads == 1));
     }
     for (const auto& participant : participants_) {
       watch_.progress(where(0) + participant->name());

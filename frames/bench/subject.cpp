@@ -2,29 +2,22 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <utility>
 #include <vector>
 
 #include "frames/bench/memory_use.h"
+#include "frames/bench/step_timer.h"
 #include "frames/bench/truth.h"
 
 namespace kerf {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-std::uint64_t nanoseconds_since(Clock::time_point start) {
-  return static_cast<std::uint64_t>(
-      std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count());
-}
-
 template <int D>
 class Subject {
  public:
   Subject(std::function<std::unique_ptr<BroadPhase<D>>()> make, const StepBlock<D>& block,
-          const Answers& answers)
-      : make_(std::move(make)), block_(&block), answers_(&answers) {}
+          const Answers& answers, bool one_thread)
+      : make_(std::move(make)), block_(&block), answers_(&answers), one_thread_(one_thread) {}
 
   void operator()(char request) {
     if (request == static_cast<char>(Request::build)) build();
@@ -37,7 +30,7 @@ class Subject {
   void build() {
     block_->touch();
     before_ = own_memory();
-    const auto start = Clock::now();
+    const StepTimer timer(one_thread_);
     broad_phase_ = make_();
     const auto boxes = block_->boxes(0);
     for (std::uint32_t k = 0; k < boxes.size(); ++k) {
@@ -45,14 +38,14 @@ class Subject {
       static_cast<void>(broad_phase_->insert({k}, boxes[k], mobility));
     }
     broad_phase_->step();
-    note(0, nanoseconds_since(start));
+    note(0, timer.nanoseconds());
   }
   void run() {
     for (std::uint32_t step = 0; step < block_->steps(); ++step) {
-      const auto start = Clock::now();
+      const StepTimer timer(one_thread_);
       static_cast<void>(broad_phase_->move_many(block_->moved(step), block_->moved_boxes(step)));
       broad_phase_->step();
-      note(step, nanoseconds_since(start));
+      note(step, timer.nanoseconds());
     }
   }
   void note(std::uint32_t step, std::uint64_t nanoseconds) {
@@ -67,6 +60,7 @@ class Subject {
   std::function<std::unique_ptr<BroadPhase<D>>()> make_;
   const StepBlock<D>* block_;
   const Answers* answers_;
+  bool one_thread_;
   std::shared_ptr<BroadPhase<D>> broad_phase_;  ///< shared: a Life can be copied
   std::uint64_t before_ = 0;
 };
@@ -100,10 +94,10 @@ class Floor {
  private:
   void pass(std::uint32_t step) {
     if (pairs_.size() < block_->truth(step).pairs) pairs_.resize(2 * block_->truth(step).pairs);
-    const auto start = Clock::now();
+    const StepTimer timer(true);
     const auto something = static_cast<std::uint32_t>(read_all(block_->boxes(step)));
     std::fill_n(pairs_.begin(), block_->truth(step).pairs, Pair{{something}, {step}});
-    answers_->step(step) = {nanoseconds_since(start), block_->truth(step).pairs, 0, 0};
+    answers_->step(step) = {timer.nanoseconds(), block_->truth(step).pairs, 0, 0};
   }
 
   const StepBlock<D>* block_;
@@ -115,8 +109,8 @@ class Floor {
 
 template <int D>
 Life subject_life(std::function<std::unique_ptr<BroadPhase<D>>()> make, const StepBlock<D>& block,
-                  const Answers& answers) {
-  return Subject<D>(std::move(make), block, answers);
+                  const Answers& answers, bool one_thread) {
+  return Subject<D>(std::move(make), block, answers, one_thread);
 }
 
 template <int D>
@@ -125,9 +119,9 @@ Life floor_life(const StepBlock<D>& block, const Answers& answers) {
 }
 
 template Life subject_life<2>(std::function<std::unique_ptr<BroadPhase<2>>()>, const StepBlock<2>&,
-                              const Answers&);
+                              const Answers&, bool);
 template Life subject_life<3>(std::function<std::unique_ptr<BroadPhase<3>>()>, const StepBlock<3>&,
-                              const Answers&);
+                              const Answers&, bool);
 template Life floor_life<2>(const StepBlock<2>&, const Answers&);
 template Life floor_life<3>(const StepBlock<3>&, const Answers&);
 

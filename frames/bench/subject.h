@@ -44,10 +44,11 @@ class Answers {
 using Life = std::function<void(char)>;
 
 /// For a broad phase. A step's time is that of giving it the boxes that changed and of `step()`; what it
-/// found is compared with the truth afterwards. `block` and `answers` must outlive the process.
+/// found is compared with the truth afterwards. `block` and `answers` must outlive the process. `one_thread`:
+/// see StepTimer.
 template <int D>
 Life subject_life(std::function<std::unique_ptr<BroadPhase<D>>()> make, const StepBlock<D>& block,
-                  const Answers& answers);
+                  const Answers& answers, bool one_thread);
 
 /// For the floor, which no complete answer can undercut: read all boxes, write all pairs.
 template <int D>

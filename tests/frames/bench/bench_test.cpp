@@ -161,7 +161,7 @@ TEST(BenchSubject, IsHeldAgainstTheTruth) {
     block.set_truth(static_cast<std::uint32_t>(step), truth_of(true_pairs(motion->boxes(), 200)));
   }
   const Answers answers(2);
-  const Life life = subject_life<2>([] { return std::make_unique<Forgetful>(); }, block, answers);
+  const Life life = subject_life<2>([] { return std::make_unique<Forgetful>(); }, block, answers, true);
   life(static_cast<char>(Request::build));
   life(static_cast<char>(Request::run));
   for (std::uint32_t step = 0; step < 2; ++step) {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+namespace kerf {
+
+/// The time of one step. Where a single thread works, time in which the system gave the processor to others
+/// does not count: the lesser of wall time and the thread's processor time is taken. (Wall time alone where
+/// nobody interferes, since reading the other clock takes a quarter of a microsecond.)
+class StepTimer {
+ public:
+  explicit StepTimer(bool one_thread);
+  [[nodiscard]] std::uint64_t nanoseconds() const;
+
+ private:
+  bool one_thread_;
+  std::uint64_t processor_;
+  std::uint64_t wall_;
+};
+
+}  // namespace kerf
