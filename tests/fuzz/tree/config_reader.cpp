@@ -32,7 +32,7 @@ Config small_tree_config() {
 
 void change_parameter(Config& config, ByteReader& bytes) {
   const auto share = [&bytes] { return kShares[bytes.below(kShares.size())]; };
-  switch (bytes.below(14)) {
+  switch (bytes.below(18)) {
     case 0:
       return change_thresholds(config, bytes);
     case 1:
@@ -68,6 +68,18 @@ void change_parameter(Config& config, ByteReader& bytes) {
       break;
     case 12:
       config.max_height = bytes.below(64);
+      break;
+    case 13:
+      config.byte_sweep = bytes.below(3) != 0;
+      break;
+    case 14:
+      config.skin = static_cast<float>(bytes.below(3)) * 4;
+      break;
+    case 15:
+      config.stream_share = share();
+      break;
+    case 16:
+      config.bulk_factor = static_cast<float>(bytes.below(3));
       break;
     default:
       config.max_entries = kEntryLimits[bytes.below(kEntryLimits.size())];
