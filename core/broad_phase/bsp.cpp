@@ -285,11 +285,11 @@ void Bsp<D, Trace>::place_fat() {
       fat[k] = fat_box(object, before_.all()[k].unpack());
       reach(tree_, fat[k], new_places);
     }
-    for (const Reached& place : old_places) kept_.touch({place.leaf, object, 0, false});
+    for (const Reached& place : old_places) kept_.note({place.leaf, object, 0, false});
     for (const Reached& place : new_places) {
       tree_[place.leaf].unsorted = true;
-      kept_.touch({place.leaf, object,
-                   apart_bits(tree_[place.leaf], place.straddle, latest_.is_fixed(object)), true});
+      kept_.note({place.leaf, object, apart_bits(tree_[place.leaf], place.straddle, latest_.is_fixed(object)),
+                  true});
     }
     if (old_places == new_places) continue;
     if (was_placed) leaving.push_back(object);

@@ -17,13 +17,13 @@ void view_leaf(const Tree<D>& tree, NodeId leaf, LeafView<D>& view) {
 
 template <int D>
 void KeptPairs<D>::clear() {
-  touches_.clear();
+  changes_.clear();
   leaves_.clear();
 }
 
 template <int D>
 void KeptPairs<D>::placed(Tree<D>& tree) {
-  for (const Touch& touch : touches_) tree[touch.leaf].changed = false;
+  for (const EntryChange& change : changes_) tree[change.leaf].changed = false;
 }
 
 template <int D>
@@ -43,33 +43,33 @@ void KeptPairs<D>::update(Tree<D>& tree) {
 template <int D>
 void KeptPairs<D>::patch_leaves(Tree<D>& tree) {
   constexpr std::size_t kSweepBelow = 4;  // entries a touch
-  std::stable_sort(touches_.begin(), touches_.end(),
-                   [](const Touch& a, const Touch& b) { return a.leaf < b.leaf; });
-  for (std::size_t begin = 0; begin < touches_.size();) {
+  std::stable_sort(changes_.begin(), changes_.end(),
+                   [](const EntryChange& a, const EntryChange& b) { return a.leaf < b.leaf; });
+  for (std::size_t begin = 0; begin < changes_.size();) {
     std::size_t end = begin;
-    while (end < touches_.size() && touches_[end].leaf == touches_[begin].leaf) ++end;
-    Node<D>& node = tree[touches_[begin].leaf];
+    while (end < changes_.size() && changes_[end].leaf == changes_[begin].leaf) ++end;
+    Node<D>& node = tree[changes_[begin].leaf];
     if ((end - begin) * kSweepBelow > node.entries.size()) node.changed = true;
-    if (node.alive && !node.changed) patch(tree, std::span(touches_).subspan(begin, end - begin));
+    if (node.alive && !node.changed) patch(tree, std::span(changes_).subspan(begin, end - begin));
     begin = end;
   }
-  touches_.clear();
+  changes_.clear();
 }
 
 /// A few objects are looked for one by one; for many, one pass over all pairs is cheaper.
 template <int D>
-void KeptPairs<D>::patch(const Tree<D>& tree, std::span<const Touch> touches) {
+void KeptPairs<D>::patch(const Tree<D>& tree, std::span<const EntryChange> changes) {
   constexpr std::size_t kFew = 16;
-  KeptLeaf<D>& leaf = leaves_[touches.front().leaf.index()];
-  if (touches.size() <= kFew) {
-    for (const Touch& touch : touches) drop_object(leaf, touch.object.value);
+  KeptLeaf<D>& leaf = leaves_[changes.front().leaf.index()];
+  if (changes.size() <= kFew) {
+    for (const EntryChange& change : changes) drop_object(leaf, change.object.value);
   } else {
-    for (const Touch& touch : touches) marks_[touch.object.index()] = 1;
+    for (const EntryChange& change : changes) marks_[change.object.index()] = 1;
     drop_marked(leaf);
-    for (const Touch& touch : touches) marks_[touch.object.index()] = 0;
+    for (const EntryChange& change : changes) marks_[change.object.index()] = 0;
   }
-  for (const Touch& touch : touches)
-    if (touch.present) add_entry(leaf, touch.object.value, touch.apart, tree.table.packed());
+  for (const EntryChange& change : changes)
+    if (change.present) add_entry(leaf, change.object.value, change.apart, tree.table.packed());
 }
 
 /// Takes the marked objects out of the entries and out of all pairs.

@@ -21,7 +21,7 @@ DepthMask apart_bits(const Node<D>& leaf, DepthMask straddle, bool fixed) {
 }
 
 /// An object whose fat box changed, or which came or went, in one leaf.
-struct Touch {
+struct EntryChange {
   NodeId leaf;
   ObjectId object;
   DepthMask apart = 0;
@@ -35,7 +35,7 @@ template <int D>
 class KeptPairs {
  public:
   /// To be told of every entry that placement changes, old places before new ones.
-  void touch(Touch touch) { touches_.push_back(touch); }
+  void note(EntryChange change) { changes_.push_back(change); }
   /// To be told when placement is done: leaves that change from now on are swept anew.
   void placed(Tree<D>& tree);
   /// Forgets everything: all leaves are swept in the next `update`.
@@ -47,12 +47,12 @@ class KeptPairs {
 
  private:
   void patch_leaves(Tree<D>& tree);
-  void patch(const Tree<D>& tree, std::span<const Touch> touches);
+  void patch(const Tree<D>& tree, std::span<const EntryChange> changes);
   void drop_marked(KeptLeaf<D>& leaf);
   void sweep(const Tree<D>& tree, NodeId id);
 
   std::vector<KeptLeaf<D>> leaves_;  ///< by node
-  std::vector<Touch> touches_;
+  std::vector<EntryChange> changes_;
   std::vector<std::uint8_t> marks_;  ///< by object; all are 0 between patches
   LeafView<D> view_;
   ByteSweep<D> byte_sweep_;
