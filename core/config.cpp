@@ -132,8 +132,10 @@ Config tuned_config() {
   config.sample = 256;
   config.max_redundancy = 0.35F;
   config.repair_redundancy = 0.6F;
-  config.min_threshold = 768;
+  config.min_threshold = 1024;
   config.max_threshold = 1024;
+  config.event_capacity = 16;
+  config.budget_divisor = 4;
   config.byte_sweep = true;
   config.skin = 8;
   config.stream_share = 0.25F;

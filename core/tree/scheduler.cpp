@@ -118,6 +118,10 @@ bool Scheduler<D>::visit(Tree<D>& tree, NodeId id, const Config& config, std::ui
     return true;
   }
   if (wants_split(tree, id, config) && tree[id].retry_step <= step) {
+    if (pending() >= config.event_capacity) {  // looking for a point would be in vain
+      refuse(Operator::split, tree.ref(id), Refusal::list_full, reporter);
+      return true;
+    }
     const bool shift = shifted_partitioner(tree, id, config).has_value();
     schedule(tree, shift ? Operator::shift_split : Operator::split, id, config, reporter);
     return true;
