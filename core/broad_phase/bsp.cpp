@@ -58,7 +58,7 @@ Status Bsp<D, Trace>::note(ObjectId object, Status status) {
   if ((attention & kChanging) != 0) return status;
   attention |= kChanging;
   changed_.push_back(object);
-  before_.push_back(latest_.packed(object));
+  if (mode_ == Mode::kept) before_.push_back(latest_.packed(object));
   return status;
 }
 
@@ -89,12 +89,12 @@ Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<con
     return first;
   }
   const bool keeps = mode_ == Mode::kept;
-  const MoveAnswer answer = move_boxes<D>({objects, boxes, latest_.packed(), attention_,
-                                           keeps ? std::as_const(tree_.table).packed().data() : nullptr,
-                                           changed_.reserve(objects.size()), before_.reserve(objects.size()),
-                                           left_over_.reserve(objects.size())});
+  const MoveAnswer answer = move_boxes<D>(
+      {objects, boxes, latest_.packed(), attention_,
+       keeps ? std::as_const(tree_.table).packed().data() : nullptr, changed_.reserve(objects.size()),
+       keeps ? before_.reserve(objects.size()) : nullptr, left_over_.reserve(objects.size())});
   changed_.commit(answer.changed);
-  before_.commit(answer.changed);
+  if (keeps) before_.commit(answer.changed);
   left_over_.commit(answer.left_over);
   for (const std::uint32_t k : left_over_.all())
     keep_first(note(objects[k], latest_.move(objects[k], boxes[k])));

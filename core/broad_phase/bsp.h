@@ -80,7 +80,7 @@ class Bsp final : public BroadPhase<D> {
   Reporter<Trace> reporter_;
   ObjectTable<D> latest_;              ///< as the caller sees the objects; the tree's table follows in step()
   AppendBuffer<ObjectId> changed_;     ///< objects of which the two tables may differ
-  AppendBuffer<PackedBox<D>> before_;  ///< the boxes from which those of changed_ moved
+  AppendBuffer<PackedBox<D>> before_;  ///< kept: the boxes from which those of changed_ moved
   AppendBuffer<std::uint32_t> left_over_;
   static constexpr std::uint8_t kChanging = 1;  ///< the object is in changed_
   static constexpr std::uint8_t kUnplaced = 2;  ///< it is absent or in quarantine

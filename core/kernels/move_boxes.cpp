@@ -57,7 +57,7 @@ HWY_INLINE bool holds(const PackedBox<D>& outer, const Ends& ends) {
   return hn::AllTrue(four, inside);
 }
 
-template <int D>
+template <bool kFat, int D>
 HWY_INLINE MoveAnswer move_all(const MoveRequest<D>& request) {
   MoveAnswer answer;
   const ObjectId* const objects = request.objects.data();
@@ -71,9 +71,12 @@ HWY_INLINE MoveAnswer move_all(const MoveRequest<D>& request) {
       request.left_over[answer.left_over++] = static_cast<std::uint32_t>(k);
       continue;
     }
-    const bool asks = request.fat == nullptr || !holds(request.fat[id], ends);
+    bool asks = true;
+    if constexpr (kFat) {
+      asks = !holds(request.fat[id], ends);
+      request.before[answer.changed] = latest[id];
+    }
     request.changed[answer.changed] = objects[k];
-    request.before[answer.changed] = latest[id];
     answer.changed += asks ? 1 : 0;
     attention[id] = asks ? 1 : 0;
     store_ends(ends, latest[id]);
@@ -81,8 +84,13 @@ HWY_INLINE MoveAnswer move_all(const MoveRequest<D>& request) {
   return answer;
 }
 
-MoveAnswer move_2(const MoveRequest<2>& request) { return move_all(request); }
-MoveAnswer move_3(const MoveRequest<3>& request) { return move_all(request); }
+template <int D>
+HWY_INLINE MoveAnswer move_any(const MoveRequest<D>& request) {
+  return request.fat == nullptr ? move_all<false>(request) : move_all<true>(request);
+}
+
+MoveAnswer move_2(const MoveRequest<2>& request) { return move_any(request); }
+MoveAnswer move_3(const MoveRequest<3>& request) { return move_any(request); }
 
 }  // namespace kerf::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -21,7 +21,7 @@ struct MoveRequest {
   const PackedBox<D>* fat = nullptr;  ///< an object that stays inside of it asks for nothing; none: all ask
 
   ObjectId* changed = nullptr;         ///< answer: objects that ask; their `attention` is 1 now
-  PackedBox<D>* before = nullptr;      ///< answer: where they were
+  PackedBox<D>* before = nullptr;      ///< answer, only with `fat`: where they were
   std::uint32_t* left_over = nullptr;  ///< answer: positions of requests that were left to the caller
 };
 

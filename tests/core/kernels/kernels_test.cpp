@@ -206,6 +206,10 @@ TYPED_TEST(Kernels, MovesTellWhoLeftAndLeaveTheOddToTheCaller) {
     EXPECT_EQ(latest[2].unpack(), cube(-1, 1)) << name << ": what is left to the caller is not touched";
     EXPECT_EQ(attention[1], 1) << name;
     EXPECT_EQ(answer.left_over, given.size() - 2) << name;
+    const MoveAnswer again = move_boxes<kD>(
+        {objects, given, latest, attention, nullptr, changed.data(), nullptr, left_over.data()});
+    EXPECT_EQ(again.changed, 1U) << name << ": object 1 has been noted; without fat boxes object 0 asks";
+    EXPECT_EQ(changed[0], ObjectId{0}) << name;
   }
 }
 
