@@ -1,14 +1,19 @@
 // Prints what a set of seeded runs comes to: a hash of every pair in its order, of every event, and of every
-// state. However the program was compiled, the lines must be the same (tests/determinism/compare_builds).
+// state. However the program was compiled, the lines must be the same (tests/determinism/compare_builds);
+// runs of the policies beyond the paper are done with every kernel, which must agree, too.
 
 #include <xxhash.h>
 
+#include <array>
 #include <cstdint>
 #include <cstdio>
+#include <exception>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/broad_phase/bsp.h"
+#include "core/kernels/machine.h"
 #include "core/random.h"
 
 namespace {
@@ -57,7 +62,7 @@ struct Flyer {
 };
 
 template <int D>
-void run(const char* name, VolumeKind kind, const Config& config) {
+std::string run(const char* name, VolumeKind kind, const Config& config) {
   Random random(42);
   std::vector<Flyer<D>> flyers;
   Bsp<D, EventLog> bsp(config, kind);
@@ -82,8 +87,24 @@ void run(const char* name, VolumeKind kind, const Config& config) {
     }
     states.add(bsp.state_hash());
   }
-  std::printf("%dD %-12s %-10s pairs %016llx events %016llx states %016llx\n", D, to_string(kind).data(),
-              name, pairs.value(), events.value(), states.value());
+  std::array<char, 160> line{};
+  std::snprintf(line.data(), line.size(), "%dD %-12s %-10s pairs %016llx events %016llx states %016llx", D,
+                to_string(kind).data(), name, pairs.value(), events.value(), states.value());
+  return line.data();
+}
+
+/// The same run with every kernel that this machine has; throws if they differ.
+template <int D>
+std::string run_with_each_kernel(const char* name, VolumeKind kind, const Config& config) {
+  std::string first;
+  for (const std::string& kernel : kernels()) {
+    use_kernel(kernel);
+    const std::string line = run<D>(name, kind, config);
+    if (first.empty()) first = line;
+    if (line != first) throw std::runtime_error(kernel + " differs:\n" + first + "\n" + line);
+  }
+  use_kernel("");
+  return first;
 }
 
 template <int D>
@@ -94,16 +115,26 @@ void run_all() {
   busy.budget_divisor = 1;
   Config axes = busy;
   axes.free_directions = false;
+  Config swept = axes;
+  swept.byte_sweep = true;
+  swept.bulk_factor = 2;
+  Config kept = swept;
+  kept.skin = 8;
   for (const VolumeKind kind : volume_kinds<D>()) {
-    run<D>("paper", kind, Config{});
-    run<D>("busy", kind, busy);
-    run<D>("busy-axes", kind, axes);
+    std::puts(run<D>("paper", kind, Config{}).c_str());
+    std::puts(run<D>("busy", kind, busy).c_str());
+    std::puts(run<D>("busy-axes", kind, axes).c_str());
+    std::puts(run_with_each_kernel<D>("swept", kind, swept).c_str());
+    std::puts(run_with_each_kernel<D>("kept", kind, kept).c_str());
   }
 }
 
 }  // namespace
 
-int main() {
+int main() try {
   run_all<2>();
   run_all<3>();
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "kerf_fingerprint: %s\n", error.what());
+  return 1;
 }
