@@ -96,7 +96,7 @@ TYPED_TEST(Kernels, SweepFindsWhatTheDefinitionGivesInOneOrder) {
   Random random(3);
   for (const Spread spread :
        {Spread::even, Spread::grid, Spread::tiny, Spread::huge, Spread::outlier, Spread::one_point}) {
-    for (const std::size_t count : {0, 1, 2, 63, 64, 65, 129, 400}) {
+    for (const std::size_t count : {0U, 1U, 2U, 63U, 64U, 65U, 129U, 400U}) {
       SCOPED_TRACE(testing::Message() << "spread " << static_cast<int>(spread) << ", entries " << count);
       const LeafView<kD> leaf = draw_leaf<kD>(spread, count, random);
       std::vector<Pair> first;
