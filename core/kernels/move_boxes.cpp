@@ -57,7 +57,7 @@ HWY_INLINE bool holds(const PackedBox<D>& outer, const Ends& ends) {
   return hn::AllTrue(four, inside);
 }
 
-template <bool kFat, int D>
+template <bool Fat, int D>
 HWY_INLINE MoveAnswer move_all(const MoveRequest<D>& request) {
   MoveAnswer answer;
   const ObjectId* const objects = request.objects.data();
@@ -72,7 +72,7 @@ HWY_INLINE MoveAnswer move_all(const MoveRequest<D>& request) {
       continue;
     }
     bool asks = true;
-    if constexpr (kFat) {
+    if constexpr (Fat) {
       asks = !holds(request.fat[id], ends);
       request.before[answer.changed] = latest[id];
     }
