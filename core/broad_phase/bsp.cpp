@@ -92,7 +92,8 @@ Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<con
   const MoveAnswer answer = move_boxes<D>(
       {objects, boxes, latest_.packed(), attention_,
        keeps ? std::as_const(tree_.table).packed().data() : nullptr, changed_.reserve(objects.size()),
-       keeps ? before_.reserve(objects.size()) : nullptr, left_over_.reserve(objects.size())});
+       keeps ? before_.reserve(objects.size()) : nullptr, left_over_.reserve(objects.size())},
+      *pool_);
   changed_.commit(answer.changed);
   if (keeps) before_.commit(answer.changed);
   left_over_.commit(answer.left_over);
@@ -185,18 +186,22 @@ void Bsp<D, Trace>::place() {
     if (before != Mode::kept) {
       fatten_all();
     } else if (many) {
-      fatten_changed();
+      make_fat_boxes();
+      take_fat_boxes();
+      place_all();
     } else {
       place_fat();
     }
   } else if (before == Mode::kept || (many && mode_ == Mode::swept)) {
-    tree_.table = latest_;
+    tree_.table.copy_all(latest_, *pool_);
     place_all();
   } else {
     place_changes();
   }
-  for (const ObjectId object : changed_.all())
-    attention_[object.index()] = latest_.is_placed(object) ? 0 : kUnplaced;
+  pool_->for_slices(changed_.size(), [this](const Slice& slice, std::size_t) {
+    for (const ObjectId object : changed_.all().subspan(slice.begin, slice.end - slice.begin))
+      attention_[object.index()] = latest_.is_placed(object) ? 0 : kUnplaced;
+  });
   changed_.clear();
   before_.clear();
 }
@@ -204,7 +209,7 @@ void Bsp<D, Trace>::place() {
 template <int D, class Trace>
 void Bsp<D, Trace>::place_all() {
   placed_ = changed_.size();
-  stream(tree_, stream_buffer_);
+  stream(tree_, stream_memory_, *pool_);
   reporter_.report([&] { return AllPlaced{tree_.objects()}; });
 }
 
@@ -224,6 +229,7 @@ void Bsp<D, Trace>::place_changes() {
     if (!latest_.is_placed(object)) reporter_.report([&] { return ObjectPlaced{object, 0}; });
   displace<D>(tree_, tree_.root(), leaving);
   for (const ObjectId object : changed_.all()) tree_.table.copy(latest_, object);
+  placed_ = 0;
   place_entering(entering);
 }
 
@@ -233,12 +239,11 @@ void Bsp<D, Trace>::place_entering(const std::vector<ObjectId>& entering) {
     const std::uint32_t leaves = kerf::place(tree_, tree_.root(), object, 0);
     reporter_.report([&] { return ObjectPlaced{object, leaves}; });
   }
-  placed_ = entering.size();
+  placed_ += entering.size();
 }
 
 template <int D, class Trace>
 Box<D> Bsp<D, Trace>::fat_box(ObjectId object, const Box<D>& before) {
-  if (skins_.size() <= object.index()) skins_.resize(latest_.bound());
   Skin& skin = skins_[object.index()];
   skin.left(step_);
   return fatten(latest_.box(object), before, skin, config_.skin);
@@ -247,89 +252,110 @@ Box<D> Bsp<D, Trace>::fat_box(ObjectId object, const Box<D>& before) {
 /// Fat boxes for all, by the motion since the tree's boxes.
 template <int D, class Trace>
 void Bsp<D, Trace>::fatten_all() {
-  for (std::size_t id = 0; id < latest_.bound(); ++id) {
-    const ObjectId object{static_cast<std::uint32_t>(id)};
-    const Box<D> before = tree_.table.is_placed(object) ? tree_.table.box(object) : latest_.box(object);
-    tree_.table.copy(latest_, object);
-    if (latest_.is_placed(object)) tree_.table.widen(object, fat_box(object, before));
-  }
+  skins_.resize(latest_.bound());
+  fat_.resize(latest_.bound());
+  const auto for_placed = [this](auto work) {
+    pool_->for_slices(latest_.bound(), [&](const Slice& slice, std::size_t) {
+      for (std::size_t id = slice.begin; id < slice.end; ++id)
+        if (latest_.is_placed({static_cast<std::uint32_t>(id)}))
+          work(ObjectId{static_cast<std::uint32_t>(id)});
+    });
+  };
+  for_placed([this](ObjectId object) {
+    const bool known = tree_.table.is_placed(object);
+    fat_[object.index()] = fat_box(object, known ? tree_.table.box(object) : latest_.box(object));
+  });
+  tree_.table.copy_all(latest_, *pool_);
+  for_placed([this](ObjectId object) { tree_.table.widen(object, fat_[object.index()]); });
   place_all();
 }
 
+/// The new fat boxes of those that left theirs, into fat_.
 template <int D, class Trace>
-void Bsp<D, Trace>::fatten_changed() {
+void Bsp<D, Trace>::make_fat_boxes() {
+  skins_.resize(latest_.bound());
+  fat_.resize(changed_.size());
+  pool_->for_slices(changed_.size(), [this](const Slice& slice, std::size_t) {
+    for (std::size_t k = slice.begin; k < slice.end; ++k)
+      if (latest_.is_placed(changed_.all()[k]))
+        fat_[k] = fat_box(changed_.all()[k], before_.all()[k].unpack());
+  });
+}
+
+template <int D, class Trace>
+void Bsp<D, Trace>::take_fat_boxes() {
   for (std::size_t k = 0; k < changed_.size(); ++k) {
     const ObjectId object = changed_.all()[k];
     tree_.table.copy(latest_, object);
-    if (latest_.is_placed(object)) tree_.table.widen(object, fat_box(object, before_.all()[k].unpack()));
+    if (latest_.is_placed(object)) tree_.table.widen(object, fat_[k]);
   }
-  place_all();
 }
 
 /// Each object that left its fat box gets another one, and its kept pairs are looked up again.
 template <int D, class Trace>
 void Bsp<D, Trace>::place_fat() {
-  std::vector<ObjectId> leaving;
-  std::vector<ObjectId> entering;
-  std::vector<Box<D>> fat(changed_.size());
-  std::vector<Reached> old_places;
-  std::vector<Reached> new_places;
-  for (std::size_t k = 0; k < changed_.size(); ++k) {
-    const ObjectId object = changed_.all()[k];
-    const bool was_placed = tree_.table.is_placed(object);
-    const bool is_placed = latest_.is_placed(object);
-    old_places.clear();
-    new_places.clear();
-    if (was_placed) reach(tree_, tree_.table.box(object), old_places);
-    if (is_placed) {
-      fat[k] = fat_box(object, before_.all()[k].unpack());
-      reach(tree_, fat[k], new_places);
+  make_fat_boxes();
+  fat_pieces_.resize(pool_->slices_of(changed_.size()));
+  pool_->for_slices(changed_.size(), [this](const Slice& slice, std::size_t k) {
+    fat_pieces_[k].clear();
+    for (std::size_t at = slice.begin; at < slice.end; ++at) find_fat_places(at, fat_pieces_[k]);
+  });
+  for (const FatPiece& piece : fat_pieces_) {
+    for (const EntryChange& change : piece.entries) {
+      if (change.present) tree_[change.leaf].unsorted = true;
+      kept_.note(change);
     }
-    for (const Reached& place : old_places) kept_.note({place.leaf, object, 0, false});
-    for (const Reached& place : new_places) {
-      tree_[place.leaf].unsorted = true;
-      kept_.note({place.leaf, object, apart_bits(tree_[place.leaf], place.straddle, latest_.is_fixed(object)),
-                  true});
-    }
-    if (old_places == new_places) continue;
-    if (was_placed) leaving.push_back(object);
-    if (is_placed) entering.push_back(object);
-    if (!is_placed) reporter_.report([&] { return ObjectPlaced{object, 0}; });
+    for (const ObjectId object : piece.leaving)
+      if (!latest_.is_placed(object)) reporter_.report([&] { return ObjectPlaced{object, 0}; });
   }
-  displace<D>(tree_, tree_.root(), leaving);
-  for (std::size_t k = 0; k < changed_.size(); ++k) {
-    tree_.table.copy(latest_, changed_.all()[k]);
-    if (latest_.is_placed(changed_.all()[k])) tree_.table.widen(changed_.all()[k], fat[k]);
-  }
-  place_entering(entering);
+  for (const FatPiece& piece : fat_pieces_) displace<D>(tree_, tree_.root(), piece.leaving);
+  take_fat_boxes();
+  placed_ = 0;
+  for (const FatPiece& piece : fat_pieces_) place_entering(piece.entering);
   kept_.placed(tree_);
+}
+
+/// Where the k-th of the changed objects was, and where it goes.
+template <int D, class Trace>
+void Bsp<D, Trace>::find_fat_places(std::size_t k, FatPiece& piece) const {
+  const ObjectId object = changed_.all()[k];
+  const bool was_placed = tree_.table.is_placed(object);
+  const bool is_placed = latest_.is_placed(object);
+  piece.old_places.clear();
+  piece.new_places.clear();
+  if (was_placed) reach(tree_, tree_.table.box(object), piece.old_places);
+  if (is_placed) reach(tree_, fat_[k], piece.new_places);
+  for (const Reached& place : piece.old_places) piece.entries.push_back({place.leaf, object, 0, false});
+  for (const Reached& place : piece.new_places)
+    piece.entries.push_back(
+        {place.leaf, object, apart_bits(tree_[place.leaf], place.straddle, latest_.is_fixed(object)), true});
+  if (piece.old_places == piece.new_places) return;
+  if (was_placed) piece.leaving.push_back(object);
+  if (is_placed) piece.entering.push_back(object);
 }
 
 template <int D, class Trace>
 void Bsp<D, Trace>::sweep() {
   pairs_.clear();
-  if (mode_ == Mode::kept) {
-    kept_.update(tree_);
-    kept_.emit(tree_, latest_, pairs_);
-    return;
-  }
-  for_each_node(tree_, tree_.root(), [this](NodeId id) {
-    if (tree_[id].is_leaf()) sweep(id);
-  });
+  if (mode_ == Mode::kept) return kept_.find(tree_, latest_, leaf_pass_, *pool_, pairs_);
+  leaf_pass_.run(
+      tree_, *pool_,
+      [this](NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) { sweep(leaf, scratch, pairs); },
+      pairs_);
 }
 
 /// The list of a leaf lies along its parent's normal. Where the paper's criteria let a leaf grow without end,
 /// that may be an axis on which all boxes coincide (HARD_CASES.md, S6): such a leaf is swept by bytes along
 /// the best axis, whatever the policy.
 template <int D, class Trace>
-void Bsp<D, Trace>::sweep(NodeId leaf) {
+void Bsp<D, Trace>::sweep(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) const {
   constexpr std::size_t kLongList = 512;
   if (mode_ == Mode::ordered && tree_[leaf].entries.size() <= kLongList)
-    return sweep_leaf(tree_.table, tree_[leaf], buffer_, pairs_);
-  const std::size_t begin = pairs_.size();
-  view_leaf(tree_, leaf, view_);
-  byte_sweep_.find(view_, pairs_);
-  if (latest_.kind() != VolumeKind::box) drop_separated(tree_.table, begin, pairs_);
+    return sweep_leaf(tree_.table, tree_[leaf], scratch.ordered, pairs);
+  const std::size_t begin = pairs.size();
+  view_leaf(tree_, leaf, scratch.view);
+  scratch.byte_sweep.find(scratch.view, pairs);
+  if (latest_.kind() != VolumeKind::box) drop_separated(tree_.table, begin, pairs);
 }
 
 template <int D, class Trace>

@@ -2,15 +2,18 @@
 
 #include <array>
 #include <chrono>
+#include <memory>
 #include <vector>
 
 #include "core/broad_phase/broad_phase.h"
 #include "core/broad_phase/kept_pairs.h"
+#include "core/broad_phase/leaf_pass.h"
 #include "core/broad_phase/pair_buffer.h"
 #include "core/broad_phase/skin.h"
 #include "core/config.h"
-#include "core/kernels/sweep.h"
+#include "core/parallel/task_pool.h"
 #include "core/trace/reporter.h"
+#include "core/tree/placement.h"
 #include "core/tree/scheduler.h"
 #include "core/tree/statistics.h"
 #include "core/tree/stream.h"
@@ -41,6 +44,9 @@ class Bsp final : public BroadPhase<D> {
   /// Takes effect from the next step on; the tree is kept. The direction set cannot change: throws
   /// std::invalid_argument if `directions` or `seed` differ.
   void set_config(const Config& config);
+  /// How many threads may share the work of a step; 1 to begin with. Pairs and their order, events and state
+  /// are the same for any number. Throws std::invalid_argument for 0.
+  void set_threads(unsigned threads) { pool_ = std::make_unique<TaskPool>(threads); }
   [[nodiscard]] const Tree<D>& tree() const { return tree_; }
   [[nodiscard]] Statistics statistics() const;
   /// Equal for equal trees with equal events pending, wherever they were built.
@@ -57,6 +63,21 @@ class Bsp final : public BroadPhase<D> {
     kept,     ///< pairs of fat boxes are kept and filtered: the tree's table has the fat boxes
   };
 
+  /// What one piece of the objects that left their fat boxes does to the tree.
+  struct FatPiece {
+    std::vector<EntryChange> entries;
+    std::vector<ObjectId> leaving;
+    std::vector<ObjectId> entering;
+    std::vector<Reached> old_places;
+    std::vector<Reached> new_places;
+
+    void clear() {
+      entries.clear();
+      leaving.clear();
+      entering.clear();
+    }
+  };
+
   Status note(ObjectId object, Status status);
   void choose_mode();
   [[nodiscard]] float speed_of_sample() const;
@@ -67,10 +88,12 @@ class Bsp final : public BroadPhase<D> {
   void place_entering(const std::vector<ObjectId>& entering);
   Box<D> fat_box(ObjectId object, const Box<D>& before);
   void fatten_all();
-  void fatten_changed();
+  void make_fat_boxes();
+  void take_fat_boxes();
   void place_fat();
+  void find_fat_places(std::size_t k, FatPiece& piece) const;
   void sweep();
-  void sweep(NodeId leaf);
+  void sweep(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) const;
   void begin(Phase phase);
   void end_phase();
 
@@ -88,11 +111,12 @@ class Bsp final : public BroadPhase<D> {
   std::vector<Skin> skins_;                     ///< per object
   Mode mode_ = Mode::ordered;
   std::uint32_t calm_ = 0;  ///< steps in a row that speak for the other mode
-  SweepBuffer<D> buffer_;
-  LeafView<D> view_;
-  ByteSweep<D> byte_sweep_;
+  std::unique_ptr<TaskPool> pool_ = std::make_unique<TaskPool>();
+  LeafPass<D> leaf_pass_;
   KeptPairs<D> kept_;
-  StreamBuffer stream_buffer_;
+  std::vector<Box<D>> fat_;  ///< by changed_, but while all objects get one: by id
+  std::vector<FatPiece> fat_pieces_;
+  StreamMemory stream_memory_;
   PairBuffer pairs_;
   Phase phase_ = Phase::sweep;
   std::chrono::steady_clock::time_point phase_start_;

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "core/broad_phase/leaf_pass.h"
 #include "core/broad_phase/pair_buffer.h"
-#include "core/kernels/byte_sweep.h"
 #include "core/kernels/kept_leaf.h"
 #include "core/tree/tree.h"
 
@@ -35,28 +35,24 @@ template <int D>
 class KeptPairs {
  public:
   /// To be told of every entry that placement changes, old places before new ones.
-  void note(EntryChange change) { changes_.push_back(change); }
+  void note(const EntryChange& change) { changes_.push_back(change); }
   /// To be told when placement is done: leaves that change from now on are swept anew.
   void placed(Tree<D>& tree);
-  /// Forgets everything: all leaves are swept in the next `update`.
+  /// Forgets everything: all leaves are swept in the next `find`.
   void clear();
-  /// Brings the candidates up to date with the tree.
-  void update(Tree<D>& tree);
-  /// Appends the candidates whose boxes overlap in `table`.
-  void emit(const Tree<D>& tree, const ObjectTable<D>& table, PairBuffer& pairs) const;
+  /// Brings the candidates up to date with the tree, whose table has the fat boxes, and appends those whose
+  /// boxes overlap in `table`.
+  void find(Tree<D>& tree, const ObjectTable<D>& table, LeafPass<D>& pass, TaskPool& pool, PairBuffer& pairs);
 
  private:
-  void patch_leaves(Tree<D>& tree);
-  void patch(const Tree<D>& tree, std::span<const EntryChange> changes);
-  void drop_marked(KeptLeaf<D>& leaf);
-  void sweep(const Tree<D>& tree, NodeId id);
+  using Changes = std::span<const EntryChange>;
+  [[nodiscard]] Changes changes_of(NodeId leaf) const;
+  void renew(Tree<D>& tree, NodeId id, LeafScratch<D>& scratch);
+  void patch(const Tree<D>& tree, Changes changes, LeafScratch<D>& scratch);
+  void sweep(const Tree<D>& tree, NodeId id, LeafScratch<D>& scratch);
 
   std::vector<KeptLeaf<D>> leaves_;  ///< by node
   std::vector<EntryChange> changes_;
-  std::vector<std::uint8_t> marks_;  ///< by object; all are 0 between patches
-  LeafView<D> view_;
-  ByteSweep<D> byte_sweep_;
-  PairBuffer found_;
 };
 
 extern template class KeptPairs<2>;

@@ -68,6 +68,21 @@ void ObjectTable<D>::copy(const ObjectTable& from, ObjectId object) {
 }
 
 template <int D>
+void ObjectTable<D>::copy_all(const ObjectTable& from, TaskPool& pool) {
+  const auto copy = [&pool](const auto& source, auto& target) {
+    target.resize(source.size());
+    pool.for_slices(source.size(), [&](const Slice& slice, std::size_t) {
+      std::copy_n(source.data() + slice.begin, slice.end - slice.begin, target.data() + slice.begin);
+    });
+  };
+  copy(from.boxes_, boxes_);
+  copy(from.extra_, extra_);
+  copy(from.states_, states_);
+  copy(from.fixed_, fixed_);
+  size_ = from.size_;
+}
+
+template <int D>
 Volume<D> ObjectTable<D>::volume(ObjectId object) const {
   Volume<D> result;
   result.kind = kind_;

@@ -9,6 +9,7 @@
 #include "core/geometry/packed_box.h"
 #include "core/geometry/volume.h"
 #include "core/ids.h"
+#include "core/parallel/task_pool.h"
 
 namespace kerf {
 
@@ -39,6 +40,8 @@ class ObjectTable {
 
   /// Takes over all that another table of the same kind says of an object.
   void copy(const ObjectTable& from, ObjectId object);
+  /// Takes over everything.
+  void copy_all(const ObjectTable& from, TaskPool& pool);
 
   /// One more than the largest id ever used: the size for arrays kept per object.
   [[nodiscard]] std::size_t bound() const { return boxes_.size(); }

@@ -6,6 +6,7 @@
 
 #include "core/geometry/packed_box.h"
 #include "core/ids.h"
+#include "core/parallel/task_pool.h"
 
 namespace kerf {
 
@@ -34,5 +35,8 @@ struct MoveAnswer {
 /// or inverted boxes; objects unknown, in quarantine or noted already) is left to the caller.
 template <int D>
 MoveAnswer move_boxes(const MoveRequest<D>& request);
+/// The same by several threads, if the objects ascend: only then is it plain that none is asked for twice.
+template <int D>
+MoveAnswer move_boxes(const MoveRequest<D>& request, TaskPool& pool);
 
 }  // namespace kerf

@@ -1,5 +1,6 @@
 #include "core/tree/stream.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace kerf {
@@ -26,43 +27,55 @@ void with_intervals(const Tree<D>& tree, std::uint32_t direction, Work work) {
   });
 }
 
+/// Sends one list down, in its own buffer.
 template <int D>
 class Streamer {
  public:
-  Streamer(Tree<D>& tree, StreamBuffer& buffer) : tree_(tree), buffer_(buffer) {}
+  Streamer(const Tree<D>& tree, StreamBuffer& buffer) : tree_(tree), buffer_(buffer) {}
 
-  void run() {
-    std::vector<Range> todo{{tree_.root(), 0, list_all()}};
+  /// Makes the list of all placed objects with an id in the slice.
+  std::size_t list(const Slice& ids) {
+    make_room(ids.end - ids.begin);
+    std::size_t count = 0;
+    for (std::size_t id = ids.begin; id < ids.end; ++id) {
+      buffer_.objects[count] = static_cast<std::uint32_t>(id);
+      buffer_.straddle[count] = 0;
+      count += tree_.table.is_placed({static_cast<std::uint32_t>(id)}) ? 1 : 0;
+    }
+    return count;
+  }
+  /// Puts what parts left for their k-th end behind one another.
+  std::size_t gather(const std::vector<StreamPart>& parts, std::size_t k) {
+    std::size_t count = 0;
+    for (const StreamPart& part : parts) {
+      const StreamPart::Stretch& from = part.ends[k];
+      make_room(count + from.end - from.begin);
+      std::copy(part.arrived.objects.begin() + at(from.begin), part.arrived.objects.begin() + at(from.end),
+                buffer_.objects.begin() + at(count));
+      std::copy(part.arrived.straddle.begin() + at(from.begin), part.arrived.straddle.begin() + at(from.end),
+                buffer_.straddle.begin() + at(count));
+      count += from.end - from.begin;
+    }
+    return count;
+  }
+  /// Sends the first `count` of the list down; below a node go on those of which `visit(range)` says so.
+  template <class Visit>
+  void run(NodeId from, std::size_t count, Visit visit) {
+    std::vector<Range> todo{{from, 0, count}};
     while (!todo.empty()) {
       const Range range = todo.back();
       todo.pop_back();
-      Node<D>& node = tree_[range.node];
-      node.population = static_cast<std::uint32_t>(range.end - range.begin);
-      if (node.is_leaf()) {
-        fill(range);
-      } else {
-        divide(node, range, todo);
-      }
+      if (visit(range)) divide(tree_[range.node], range, todo);
     }
   }
 
  private:
+  static std::ptrdiff_t at(std::size_t k) { return static_cast<std::ptrdiff_t>(k); }
+
   void make_room(std::size_t size) {
     if (size <= buffer_.objects.size()) return;
     buffer_.objects.resize(2 * size);
     buffer_.straddle.resize(2 * size);
-  }
-
-  std::size_t list_all() {
-    const auto bound = static_cast<std::uint32_t>(tree_.table.bound());
-    make_room(bound);
-    std::size_t count = 0;
-    for (std::uint32_t id = 0; id < bound; ++id) {
-      buffer_.objects[count] = id;
-      buffer_.straddle[count] = 0;
-      count += tree_.table.is_placed({id}) ? 1 : 0;
-    }
-    return count;
   }
 
   /// Keeps what lies left at the list's place and writes what lies right behind its end. The right child is
@@ -92,28 +105,112 @@ class Streamer {
     todo.push_back({node.right, range.end, right});
   }
 
-  void fill(const Range& range) {
-    std::vector<Entry>& entries = tree_.refill(range.node, range.end - range.begin);
-    with_intervals(tree_, tree_[range.node].direction, [&](auto interval_of) {
-      for (std::size_t k = 0; k < entries.size(); ++k) {
-        const std::uint32_t object = buffer_.objects[range.begin + k];
-        entries[k] = {interval_of(object), ObjectId{object}, buffer_.straddle[range.begin + k]};
-      }
-    });
-  }
-
-  Tree<D>& tree_;
+  const Tree<D>& tree_;
   StreamBuffer& buffer_;
 };
+
+/// Writes the entries of a leaf.
+template <int D>
+void fill(Tree<D>& tree, const Range& range, const StreamBuffer& buffer) {
+  std::vector<Entry>& entries = tree.refill(range.node, range.end - range.begin);
+  with_intervals(tree, tree[range.node].direction, [&](auto interval_of) {
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      const std::uint32_t object = buffer.objects[range.begin + k];
+      entries[k] = {interval_of(object), ObjectId{object}, buffer.straddle[range.begin + k]};
+    }
+  });
+}
+
+/// Sends the first `count` of the streamer's list down to the leaves.
+template <int D>
+void finish(Tree<D>& tree, NodeId from, std::size_t count, Streamer<D>& streamer,
+            const StreamBuffer& buffer) {
+  streamer.run(from, count, [&](const Range& range) {
+    tree[range.node].population = static_cast<std::uint32_t>(range.end - range.begin);
+    if (tree[range.node].is_leaf()) fill(tree, range, buffer);
+    return !tree[range.node].is_leaf();
+  });
+}
+
+/// The least depth at which the tree falls into that many parts, or its height.
+template <int D>
+std::uint32_t depth_of_parts(const Tree<D>& tree, std::size_t least) {
+  std::vector<NodeId> level{tree.root()};
+  std::uint32_t depth = 0;
+  for (std::size_t leaves = 0; !level.empty() && level.size() + leaves < least; ++depth) {
+    std::vector<NodeId> next;
+    for (const NodeId id : level) {
+      if (tree[id].is_leaf()) {
+        ++leaves;
+      } else {
+        next.insert(next.end(), {tree[id].left, tree[id].right});
+      }
+    }
+    level = std::move(next);
+  }
+  return depth;
+}
+
+/// Sends a piece of the objects down to the given depth.
+template <int D>
+void stream_part(const Tree<D>& tree, const Slice& ids, std::uint32_t depth, StreamBuffer& buffer,
+                 StreamPart& part) {
+  part.ends.clear();
+  part.passed.clear();
+  part.arrived.objects.clear();
+  part.arrived.straddle.clear();
+  Streamer<D> streamer(tree, buffer);
+  streamer.run(tree.root(), streamer.list(ids), [&](const Range& range) {
+    const Node<D>& node = tree[range.node];
+    if (!node.is_leaf() && node.depth < depth) {
+      part.passed.emplace_back(range.node, range.end - range.begin);
+      return true;
+    }
+    const std::size_t begin = part.arrived.objects.size();
+    const auto copy = [&range](const auto& from, auto& to) {
+      to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(range.begin),
+                from.begin() + static_cast<std::ptrdiff_t>(range.end));
+    };
+    copy(buffer.objects, part.arrived.objects);
+    copy(buffer.straddle, part.arrived.straddle);
+    part.ends.push_back({range.node, begin, part.arrived.objects.size()});
+    return false;
+  });
+}
+
+template <int D>
+void stream_in_parts(Tree<D>& tree, StreamMemory& memory, TaskPool& pool) {
+  memory.parts.resize(pool.pieces());
+  const std::uint32_t depth = depth_of_parts(tree, pool.pieces());
+  pool.for_each(memory.parts.size(), [&](std::size_t piece, std::size_t thread) {
+    stream_part(tree, slice(tree.table.bound(), memory.parts.size(), piece), depth, memory.by_thread[thread],
+                memory.parts[piece]);
+  });
+  for (const auto& [node, count] : memory.parts.front().passed) tree[node].population = 0;
+  for (const StreamPart& part : memory.parts)
+    for (const auto& [node, count] : part.passed) tree[node].population += count;
+  const std::vector<StreamPart::Stretch>& ends = memory.parts.front().ends;
+  pool.for_each(ends.size(), [&](std::size_t k, std::size_t thread) {
+    Streamer<D> streamer(tree, memory.by_thread[thread]);
+    finish(tree, ends[k].node, streamer.gather(memory.parts, k), streamer, memory.by_thread[thread]);
+  });
+}
 
 }  // namespace
 
 template <int D>
-void stream(Tree<D>& tree, StreamBuffer& buffer) {
-  Streamer<D>(tree, buffer).run();
+void stream(Tree<D>& tree, StreamMemory& memory, TaskPool& pool) {
+  memory.by_thread.resize(pool.threads());
+  if (pool.threads() == 1) {
+    Streamer<D> streamer(tree, memory.by_thread.front());
+    finish(tree, tree.root(), streamer.list({0, tree.table.bound()}), streamer, memory.by_thread.front());
+  } else {
+    stream_in_parts(tree, memory, pool);
+  }
+  tree.count_entries();
 }
 
-template void stream<2>(Tree<2>&, StreamBuffer&);
-template void stream<3>(Tree<3>&, StreamBuffer&);
+template void stream<2>(Tree<2>&, StreamMemory&, TaskPool&);
+template void stream<3>(Tree<3>&, StreamMemory&, TaskPool&);
 
 }  // namespace kerf

@@ -1,25 +1,46 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "core/parallel/task_pool.h"
 #include "core/tree/tree.h"
 
 namespace kerf {
 
-/// Memory of `stream`, kept between steps.
+/// The objects of a list and what they straddle so far.
 struct StreamBuffer {
   std::vector<std::uint32_t> objects;
   std::vector<DepthMask> straddle;
 };
 
+/// What one piece of the objects leaves where the upper part of the tree ends.
+struct StreamPart {
+  struct Stretch {
+    NodeId node;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+  StreamBuffer arrived;
+  std::vector<Stretch> ends;                             ///< where they lie in `arrived`
+  std::vector<std::pair<NodeId, std::uint32_t>> passed;  ///< how many passed each node above
+};
+
+/// Memory of `stream`, kept between steps.
+struct StreamMemory {
+  std::vector<StreamBuffer> by_thread;
+  std::vector<StreamPart> parts;
+};
+
 /// Places all objects of the table anew in one pass down the tree: each node divides the list of its objects
 /// for its children. What a walk for each object costs in mispredicted branches, costs nothing here, and the
 /// lists soon fit in the nearest cache. It pays when many have left their places. The structure of the tree
-/// and its partitioners stay.
+/// and its partitioners stay. Threads take pieces of the objects through the upper part of the tree, then
+/// whole subtrees; the lists are the same for any number of them.
 ///
 /// Pre: the tree's table has the volumes by which all are to be placed; the entries may be of any others.
 template <int D>
-void stream(Tree<D>& tree, StreamBuffer& buffer);
+void stream(Tree<D>& tree, StreamMemory& memory, TaskPool& pool);
 
 }  // namespace kerf

@@ -73,12 +73,16 @@ void Tree<D>::clear_entries(NodeId leaf) {
 template <int D>
 std::vector<Entry>& Tree<D>::refill(NodeId leaf, std::size_t count) {
   Node<D>& node = nodes_[leaf.index()];
-  entries_ += count;
-  entries_ -= node.entries.size();
   node.entries.resize(count);
   node.unsorted = true;
   node.changed = true;
   return node.entries;
+}
+
+template <int D>
+void Tree<D>::count_entries() {
+  entries_ = 0;
+  for_each_node(*this, root_, [this](NodeId id) { entries_ += nodes_[id.index()].entries.size(); });
 }
 
 template <int D>

@@ -53,8 +53,10 @@ class Tree {
   /// Replaces all entries of the leaf; they are taken as they are.
   void set_entries(NodeId leaf, std::vector<Entry> entries);
   void clear_entries(NodeId leaf);
-  /// The leaf's entries, `count` of them now, for somebody to write anew.
+  /// The leaf's entries, `count` of them now, for somebody to write anew. Different leaves can be refilled at
+  /// the same time; `count_entries` must follow.
   std::vector<Entry>& refill(NodeId leaf, std::size_t count);
+  void count_entries();
   /// Takes the entries of all marked objects out of the leaf. The order of the others is kept.
   void drop_marked_entries(NodeId leaf);
   /// A mark per object; all are off between operations.

@@ -18,13 +18,20 @@ namespace {
 
 constexpr std::string_view kTuned = "kerf";
 constexpr std::string_view kPaper = "kerf-paper";
+constexpr unsigned kMostThreads = 256;  // as many as `--threads` takes
 
 template <int D>
 Algorithm<D> tree(std::string_view name, std::string what, const Config& config) {
-  return {
-      std::string(name), std::move(what), Origin::kerf, 1, true, [config](const RivalHints<D>&, unsigned) {
-        return std::make_unique<Bsp<D>>(config);
-      }};
+  return {std::string(name),
+          std::move(what),
+          Origin::kerf,
+          kMostThreads,
+          true,
+          [config](const RivalHints<D>&, unsigned threads) {
+            auto bsp = std::make_unique<Bsp<D>>(config);
+            bsp->set_threads(threads);
+            return bsp;
+          }};
 }
 
 template <template <int> class Kind, int D>

@@ -1,6 +1,7 @@
 // Prints what a set of seeded runs comes to: a hash of every pair in its order, of every event, and of every
 // state. However the program was compiled, the lines must be the same (tests/determinism/compare_builds);
-// runs of the policies beyond the paper are done with every kernel, which must agree, too.
+// runs of the policies beyond the paper are done with every kernel, and runs of many objects with several
+// numbers of threads, which must agree, too.
 
 #include <xxhash.h>
 
@@ -20,8 +21,12 @@ namespace {
 
 using namespace kerf;
 
-constexpr std::uint32_t kObjects = 300;
-constexpr std::uint32_t kSteps = 120;
+/// Who runs, for how long, and by whom it is done.
+struct Crowd {
+  std::uint32_t objects = 300;
+  std::uint32_t steps = 120;
+  unsigned threads = 1;
+};
 
 /// A hash over a stream of values.
 class Stream {
@@ -62,23 +67,28 @@ struct Flyer {
 };
 
 template <int D>
-std::string run(const char* name, VolumeKind kind, const Config& config) {
+std::string run(const char* name, VolumeKind kind, const Config& config, const Crowd& crowd = {}) {
   Random random(42);
   std::vector<Flyer<D>> flyers;
+  std::vector<ObjectId> moving;
+  std::vector<Box<D>> boxes;
   Bsp<D, EventLog> bsp(config, kind);
+  bsp.set_threads(crowd.threads);
   Stream pairs;
   Stream events;
   Stream states;
-  for (std::uint32_t i = 0; i < kObjects; ++i) {
+  for (std::uint32_t i = 0; i < crowd.objects; ++i) {
     flyers.emplace_back(random);
     (void)bsp.insert({i}, flyers[i].box(), i % 10 == 0 ? Mobility::fixed : Mobility::moving);
+    if (i % 10 != 0) moving.push_back({i});
   }
-  for (std::uint32_t step = 0; step < kSteps; ++step) {
-    for (std::uint32_t i = 0; i < kObjects; ++i) {
-      if (i % 10 == 0) continue;
-      flyers[i].fly(random);
-      (void)bsp.move({i}, flyers[i].box());
+  for (std::uint32_t step = 0; step < crowd.steps; ++step) {
+    boxes.clear();
+    for (const ObjectId object : moving) {
+      flyers[object.index()].fly(random);
+      boxes.push_back(flyers[object.index()].box());
     }
+    (void)bsp.move_many(moving, boxes);
     bsp.step();
     pairs.add(bsp.pairs().data(), bsp.pairs().size_bytes());
     for (const Event& event : bsp.trace().take()) {
@@ -107,6 +117,19 @@ std::string run_with_each_kernel(const char* name, VolumeKind kind, const Config
   return first;
 }
 
+/// The same run, long enough for threads to share it, by several numbers of them; throws if they differ.
+template <int D>
+std::string run_with_threads(const char* name, const Config& config) {
+  std::string first;
+  for (const unsigned threads : {1U, 2U, 3U, 7U}) {
+    const std::string line = run<D>(name, VolumeKind::box, config, {3000, 20, threads});
+    if (first.empty()) first = line;
+    if (line != first)
+      throw std::runtime_error(std::to_string(threads) + " threads differ:\n" + first + "\n" + line);
+  }
+  return first;
+}
+
 template <int D>
 void run_all() {
   Config busy;  // all five operators act
@@ -128,6 +151,9 @@ void run_all() {
   }
   std::puts(run_with_each_kernel<D>("swept", VolumeKind::box, swept).c_str());
   std::puts(run_with_each_kernel<D>("kept", VolumeKind::box, kept).c_str());
+  std::puts(run_with_threads<D>("many-paper", Config{}).c_str());
+  std::puts(run_with_threads<D>("many-swept", swept).c_str());
+  std::puts(run_with_threads<D>("many-kept", kept).c_str());
 }
 
 }  // namespace

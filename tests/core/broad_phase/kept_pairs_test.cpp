@@ -32,11 +32,16 @@ class Kept : public testing::Test {
     return tree;
   }
 
-  static std::vector<Pair> pairs_of(KeptPairs<T::value>& kept, kerf::Tree<T::value>& tree) {
-    kept.update(tree);
+  static std::vector<Pair> pairs_of(KeptPairs<T::value>& kept, kerf::Tree<T::value>& tree,
+                                    const ObjectTable<T::value>& table) {
+    LeafPass<T::value> pass;
+    TaskPool pool(2);
     PairBuffer pairs;
-    kept.emit(tree, tree.table, pairs);
+    kept.find(tree, table, pass, pool, pairs);
     return {pairs.all().begin(), pairs.all().end()};
+  }
+  static std::vector<Pair> pairs_of(KeptPairs<T::value>& kept, kerf::Tree<T::value>& tree) {
+    return pairs_of(kept, tree, tree.table);
   }
 };
 TYPED_TEST_SUITE(Kept, Dimensions, DimensionNames);
@@ -75,12 +80,10 @@ TYPED_TEST(Kept, ALeafThatNothingChangedIsNotSweptAgain) {
   auto tree = TestFixture::divided(random);
   KeptPairs<TypeParam::value> kept;
   const std::vector<Pair> before = TestFixture::pairs_of(kept, tree);
+  const auto table = tree.table;
   for (std::uint32_t id = 0; id < TestFixture::kCount; ++id)  // unnoticed on purpose: the fat boxes are gone
     tree.table.widen({id}, {});
-  kept.update(tree);
-  PairBuffer pairs;
-  kept.emit(tree, tree.table, pairs);
-  EXPECT_EQ(difference({pairs.all().begin(), pairs.all().end()}, before), "");
+  EXPECT_EQ(difference(TestFixture::pairs_of(kept, tree, table), before), "");
 }
 
 }  // namespace

@@ -24,6 +24,11 @@ class Stream : public testing::Test {
       tree.step();
     }
   }
+  static void stream_by(unsigned threads, Tree<T::value>& tree) {
+    StreamMemory memory;
+    TaskPool pool(threads);
+    stream(tree, memory, pool);
+  }
 };
 TYPED_TEST_SUITE(Stream, Dimensions, DimensionNames);
 
@@ -35,8 +40,7 @@ TYPED_TEST(Stream, FindsThePlacesThatAreThereAlready) {
                   std::string(directions)));
     TestFixture::grow(grown, 200);
     auto tree = grown.tree();
-    StreamBuffer buffer;
-    stream(tree, buffer);
+    TestFixture::stream_by(1, tree);
     EXPECT_TRUE(is_sound(tree));
     EXPECT_EQ(tree.entries(), grown.tree().entries());
     EXPECT_EQ(tree.objects(), 200U);
@@ -50,9 +54,25 @@ TYPED_TEST(Stream, PlacesByTheNewBoxesOfTheTable) {
   TestFixture::grow(grown, 200);
   auto tree = grown.tree();
   for (std::uint32_t id = 0; id < 200; id += 2) tree.table.widen({id}, tree.table.box({199 - id}));
-  StreamBuffer buffer;
-  stream(tree, buffer);
+  TestFixture::stream_by(1, tree);
   EXPECT_TRUE(is_sound(tree));
+}
+
+TYPED_TEST(Stream, ListsAreTheSameForAnyNumberOfThreads) {
+  Bsp<TypeParam::value> grown(
+      config_of("max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=8,max_threshold=8"));
+  TestFixture::grow(grown, 300);
+  auto expected = grown.tree();
+  for (std::uint32_t id = 0; id < 300; id += 3) expected.table.widen({id}, expected.table.box({299 - id}));
+  auto moved = expected;
+  TestFixture::stream_by(1, expected);
+  for (const unsigned threads : {2U, 3U, 8U}) {
+    auto tree = moved;
+    TestFixture::stream_by(threads, tree);
+    EXPECT_TRUE(is_sound(tree));
+    EXPECT_EQ(tree.entries(), expected.entries());
+    EXPECT_EQ(hash(tree), hash(expected)) << threads << " threads";
+  }
 }
 
 TYPED_TEST(Stream, AnEmptyTableEmptiesEveryLeaf) {
@@ -61,8 +81,7 @@ TYPED_TEST(Stream, AnEmptyTableEmptiesEveryLeaf) {
   TestFixture::grow(grown, 60);
   auto tree = grown.tree();
   for (std::uint32_t id = 0; id < 60; ++id) EXPECT_EQ(tree.table.remove({id}), Status::ok);
-  StreamBuffer buffer;
-  stream(tree, buffer);
+  TestFixture::stream_by(1, tree);
   EXPECT_TRUE(is_sound(tree));
   EXPECT_EQ(tree.entries(), 0U);
 }

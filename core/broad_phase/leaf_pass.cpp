@@ -1,0 +1,66 @@
+#include "core/broad_phase/leaf_pass.h"
+
+#include <algorithm>
+
+namespace kerf {
+
+template <int D>
+void LeafPass<D>::run(const Tree<D>& tree, TaskPool& pool, const Work& work, PairBuffer& pairs) {
+  list_leaves(tree);
+  scratch_.resize(pool.threads());
+  if (pool.threads() == 1) {
+    for (const NodeId leaf : leaves_) work(leaf, scratch_.front(), pairs);
+    return;
+  }
+  cut(tree, pool.pieces());
+  pool.for_each(runs_.size(), [&](std::size_t piece, std::size_t thread) {
+    found_[piece].clear();
+    for (std::size_t k = runs_[piece].begin; k < runs_[piece].end; ++k)
+      work(leaves_[k], scratch_[thread], found_[piece]);
+  });
+  join(pool, pairs);
+}
+
+template <int D>
+void LeafPass<D>::list_leaves(const Tree<D>& tree) {
+  leaves_.clear();
+  for_each_node(tree, tree.root(), [&](NodeId id) {
+    if (tree[id].is_leaf()) leaves_.push_back(id);
+  });
+}
+
+/// Runs of about as many entries each.
+template <int D>
+void LeafPass<D>::cut(const Tree<D>& tree, std::size_t pieces) {
+  runs_.assign(pieces, Slice{});
+  found_.resize(std::max(found_.size(), pieces));
+  std::uint64_t passed = 0;
+  std::size_t next = 0;
+  for (std::size_t piece = 0; piece < pieces; ++piece) {
+    const std::uint64_t goal = slice(tree.entries(), pieces, piece).end;
+    runs_[piece].begin = next;
+    while (next < leaves_.size() && (passed < goal || piece + 1 == pieces))
+      passed += tree[leaves_[next++]].entries.size();
+    runs_[piece].end = next;
+  }
+}
+
+template <int D>
+void LeafPass<D>::join(TaskPool& pool, PairBuffer& pairs) {
+  std::vector<std::size_t> begins;
+  std::size_t total = 0;
+  for (std::size_t piece = 0; piece < runs_.size(); ++piece) {
+    begins.push_back(total);
+    total += found_[piece].size();
+  }
+  Pair* const out = pairs.reserve(total);
+  pool.for_each(runs_.size(), [&](std::size_t piece, std::size_t) {
+    std::copy_n(found_[piece].all().data(), found_[piece].size(), out + begins[piece]);
+  });
+  pairs.commit(total);
+}
+
+template class LeafPass<2>;
+template class LeafPass<3>;
+
+}  // namespace kerf

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace kerf {
+
+/// The part [begin, end) of a list.
+struct Slice {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Piece `k` of `count` things in `pieces` of nearly equal size.
+constexpr Slice slice(std::size_t count, std::size_t pieces, std::size_t k) {
+  return {count * k / pieces, count * (k + 1) / pieces};
+}
+
+/// Threads that share independent pieces of work.
+class TaskPool {
+ public:
+  /// Calls with the piece and with the thread that does it, which is below `threads()`.
+  using Work = std::function<void(std::size_t piece, std::size_t thread)>;
+
+  /// That many threads work, the caller's being one of them; the machine's processors are the limit. With one
+  /// thread, all is done where it is asked for and no thread is ever made. Throws std::invalid_argument for
+  /// 0.
+  explicit TaskPool(unsigned threads = 1);
+  TaskPool(const TaskPool&) = delete;
+  TaskPool& operator=(const TaskPool&) = delete;
+  ~TaskPool();
+
+  [[nodiscard]] unsigned threads() const { return threads_; }
+  /// Into how many pieces work should be cut, so that nobody waits long for the last one.
+  [[nodiscard]] std::size_t pieces() const;
+  /// Does each piece once, several at a time and in no order; returns when all are done.
+  void for_each(std::size_t pieces, const Work& work);
+  /// The same for the slices of a list of `count` small things; `work(slice, piece)`. Gives their number.
+  template <class SliceWork>
+  std::size_t for_slices(std::size_t count, SliceWork work) {
+    const std::size_t number = slices_of(count);
+    for_each(number, [&](std::size_t piece, std::size_t) { work(slice(count, number, piece), piece); });
+    return number;
+  }
+  /// The number of slices of such a list: 1 where sharing costs more than it gives.
+  [[nodiscard]] std::size_t slices_of(std::size_t count) const;
+
+ private:
+  struct Arena;
+  unsigned threads_;
+  std::unique_ptr<Arena> arena_;
+};
+
+}  // namespace kerf
