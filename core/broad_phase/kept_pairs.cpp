@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/kernels/prefetch.h"
+
 namespace kerf {
 namespace {
 
@@ -25,6 +27,7 @@ void view_leaf(const Tree<D>& tree, NodeId leaf, LeafView<D>& view) {
   const std::vector<Entry>& entries = tree[leaf].entries;
   view.resize(entries.size());
   for (std::size_t i = 0; i < entries.size(); ++i) {
+    prefetch(&tree.table.packed(entries[std::min(i + kPrefetchAhead, entries.size() - 1)].object));
     view.boxes[i] = tree.table.packed(entries[i].object);
     view.objects[i] = entries[i].object;
     view.apart[i] = apart_bits(tree[leaf], entries[i].straddle, tree.table.is_fixed(entries[i].object));

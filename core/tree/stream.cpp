@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/kernels/prefetch.h"
+
 namespace kerf {
 namespace {
 
@@ -90,6 +92,7 @@ class Streamer {
     std::size_t right = range.end;
     with_intervals(tree_, node.direction, [&](auto interval_of) {
       for (std::size_t k = range.begin; k < range.end; ++k) {
+        prefetch(&tree_.table.packed({objects[std::min(k + kPrefetchAhead, range.end - 1)]}));
         const std::uint32_t object = objects[k];
         const Sides sides = classify(interval_of(object), offset);
         const DepthMask mask = straddle[k] | (static_cast<DepthMask>(sides.left & sides.right) << depth);
