@@ -97,8 +97,11 @@ Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<con
   changed_.commit(answer.changed);
   if (keeps) before_.commit(answer.changed);
   left_over_.commit(answer.left_over);
-  for (const std::uint32_t k : left_over_.all())
+  for (const std::uint32_t k : left_over_.all()) {
+    if (objects[k].index() < attention_.size())
+      attention_[objects[k].index()] &= static_cast<std::uint8_t>(~kWaiting);
     keep_first(note(objects[k], latest_.move(objects[k], boxes[k])));
+  }
   left_over_.clear();
   return first;
 }

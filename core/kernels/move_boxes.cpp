@@ -68,6 +68,7 @@ HWY_INLINE MoveAnswer move_all(const MoveRequest<D>& request) {
     const std::size_t id = objects[k].index();
     const Ends ends = pack_ends(boxes[k]);
     if (id >= request.attention.size() || attention[id] != 0 || !is_valid<D>(ends)) {
+      if (id < request.attention.size()) attention[id] |= kWaiting;
       request.left_over[answer.left_over++] = static_cast<std::uint32_t>(k);
       continue;
     }

@@ -10,6 +10,10 @@
 
 namespace kerf {
 
+/// The bit of an object's `attention` that says: a request for it was left over, so later ones must be, too.
+/// The caller takes it back.
+inline constexpr std::uint8_t kWaiting = 0x80;
+
 /// A request to move many objects, and what the kernel may touch. All arrays are by object but those of the
 /// request and of the answer, which have room for as many as are asked to move.
 template <int D>

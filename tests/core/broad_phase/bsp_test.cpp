@@ -50,6 +50,41 @@ TYPED_TEST(Bsp, RequestsTakeEffectInTheNextStep) {
   EXPECT_EQ(tree.steps(), 2U);
 }
 
+/// Requests in any order, with objects twice, unknown ones and bad boxes among them.
+TYPED_TEST(Bsp, ThreadsTakeRequestsAsOneAfterAnotherWould) {
+  constexpr int kD = TypeParam::value;
+  constexpr std::uint32_t kCount = 3000;
+  for (const bool ascending : {true, false}) {
+    Random random(31);
+    kerf::Bsp<kD> shared(tuned_config());
+    kerf::Bsp<kD> alone(tuned_config());
+    shared.set_threads(3);
+    for (std::uint32_t id = 0; id < kCount; id += 2) {
+      ASSERT_EQ(shared.insert({id}, slab<kD>(0, 1), Mobility::moving), Status::ok);
+      ASSERT_EQ(alone.insert({id}, slab<kD>(0, 1), Mobility::moving), Status::ok);
+    }
+    for (int step = 0; step < 12; ++step) {
+      std::vector<ObjectId> objects;
+      std::vector<Box<kD>> boxes;
+      for (std::uint32_t k = 0; k < kCount; ++k) {
+        const auto place = static_cast<Scalar>(random.uniform(0, 2000));
+        objects.push_back({ascending ? k : random.below(kCount)});
+        boxes.push_back(k % 100 == 7 ? slab<kD>(1, 0) : slab<kD>(place, place + 1));
+      }
+      Status first = Status::ok;
+      for (std::uint32_t k = 0; k < kCount; ++k) {
+        const Status status = alone.move(objects[k], boxes[k]);
+        if (first == Status::ok) first = status;
+      }
+      EXPECT_EQ(shared.move_many(objects, boxes), first);
+      alone.step();
+      shared.step();
+      ASSERT_EQ(difference(shared.pairs(), alone.pairs()), "") << "step " << step;
+      ASSERT_EQ(hash(shared.tree()), hash(alone.tree())) << "step " << step;
+    }
+  }
+}
+
 TYPED_TEST(Bsp, AnswersBadRequestsAndForgetsThem) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD> tree;

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/broad_phase/radix_sort.h"
+#include "core/ids.h"
+
+namespace kerf {
+
+/// Which pairs began and which ended from step to step, for engines that keep contacts and want to hear of
+/// changes only. It serves any broad phase, and who does not ask for it does not pay: the pairs are brought
+/// into an order by counting and compared with those before.
+class PairChanges {
+ public:
+  /// To be told of the complete set of each step, no pair twice. Before the first step there were none.
+  void update(std::span<const Pair> pairs);
+  /// Pairs of the last step that the one before did not have, in ascending order.
+  [[nodiscard]] std::span<const Pair> begun() const { return begun_; }
+  /// Pairs of the step before that the last one does not have, in ascending order.
+  [[nodiscard]] std::span<const Pair> ended() const { return ended_; }
+
+ private:
+  void order(std::span<const Pair> pairs);
+
+  RadixSort sort_;
+  std::vector<Pair> before_;
+  std::vector<Pair> now_;  ///< in ascending order, as before_
+  std::vector<Pair> begun_;
+  std::vector<Pair> ended_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,74 @@
+#include "core/parallel/task_pool.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <stdexcept>
+#include <vector>
+
+namespace kerf::test {
+namespace {
+
+TEST(TaskPool, DoesEachPieceOnceWhateverTheNumberOfThreads) {
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    TaskPool pool(threads);
+    std::vector<std::atomic<int>> done(1000);
+    std::atomic<bool> known = true;
+    pool.for_each(done.size(), [&](std::size_t piece, std::size_t thread) {
+      ++done[piece];
+      if (thread >= threads) known = false;
+    });
+    for (const auto& times : done) EXPECT_EQ(times, 1);
+    EXPECT_TRUE(known) << "a thread had a number beyond " << threads;
+  }
+}
+
+TEST(TaskPool, PiecesAreDoneAtTheSameTime) {
+  TaskPool pool(2);
+  std::mutex mutex;
+  std::condition_variable both;
+  int here = 0;
+  pool.for_each(2, [&](std::size_t, std::size_t) {  // one thread alone would wait for ever
+    std::unique_lock lock(mutex);
+    ++here;
+    both.notify_all();
+    EXPECT_TRUE(both.wait_for(lock, std::chrono::seconds(60), [&] { return here == 2; }));
+  });
+}
+
+TEST(TaskPool, SlicesCoverAListWithoutGapOrOverlap) {
+  for (const std::size_t count : {0U, 1U, 511U, 5000U, 100003U}) {
+    TaskPool pool(3);
+    std::vector<Slice> slices(pool.slices_of(count));
+    EXPECT_EQ(pool.for_slices(count, [&](const Slice& slice, std::size_t k) { slices[k] = slice; }),
+              slices.size());
+    std::size_t end = 0;
+    for (const Slice& slice : slices) {
+      EXPECT_EQ(slice.begin, end);
+      end = slice.end;
+    }
+    EXPECT_EQ(end, count);
+  }
+}
+
+TEST(TaskPool, ASmallListIsNotCut) {
+  EXPECT_EQ(TaskPool(8).slices_of(100), 1U);
+  EXPECT_EQ(TaskPool(1).slices_of(1000000), 1U);
+  EXPECT_GT(TaskPool(2).slices_of(1000000), 1U);
+}
+
+TEST(TaskPool, AnErrorReachesTheCaller) {
+  TaskPool pool(2);
+  EXPECT_THROW(pool.for_each(10,
+                             [](std::size_t piece, std::size_t) {
+                               if (piece == 3) throw std::runtime_error("x");
+                             }),
+               std::runtime_error);
+}
+
+TEST(TaskPool, RefusesToHaveNoThread) { EXPECT_THROW(TaskPool(0), std::invalid_argument); }
+
+}  // namespace
+}  // namespace kerf::test
