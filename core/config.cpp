@@ -38,6 +38,12 @@ const std::array kParameters{
     Parameter{{"budget_divisor", "events a step: list size / divisor; 0: no operators", 0, kAny},
               &Config::budget_divisor},
     Parameter{{"schedule_interval", "steps between two traversals", 1, 1e6}, &Config::schedule_interval},
+    Parameter{{"split", "0: no leaf is ever divided", 0, 1}, &Config::split},
+    Parameter{{"shift_split", "0: a crowded leaf is split by a new direction at once", 0, 1},
+              &Config::shift_split},
+    Parameter{{"merge", "0: only entries beyond their cap are merged away", 0, 1}, &Config::merge},
+    Parameter{{"balance", "0: an unbalanced node is swapped at once", 0, 1}, &Config::balance},
+    Parameter{{"swap", "0: a node that cannot be balanced stays as it is", 0, 1}, &Config::swap},
     Parameter{{"max_height", "no split at or below this depth", 0, 63}, &Config::max_height},
     Parameter{
         {"max_entries",

@@ -32,6 +32,13 @@ struct Config {
   std::uint32_t budget_divisor = 16;  ///< events a step: ceil(list size / divisor); 0 switches operators off
   std::uint32_t schedule_interval = 10;  ///< steps between two traversals of Algorithm 1
 
+  // Which operators may act: all do in the paper; to see what each of them earns, switch one off.
+  bool split = true;        ///< without it, nothing is ever divided
+  bool shift_split = true;  ///< without it, a crowded leaf is split by a new direction at once
+  bool merge = true;        ///< off: only entries beyond their cap are merged away
+  bool balance = true;      ///< without it, an unbalanced node is swapped at once
+  bool swap = true;         ///< without it, a node that cannot be balanced stays as it is
+
   // Limits that the paper asks for without a number (sections 6.2 and 7).
   std::uint32_t max_height = 40;   ///< no split below this depth; at most 63
   float max_entries = 4.0F;        ///< no split once entries exceed this many times the objects; beyond twice

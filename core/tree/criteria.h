@@ -24,13 +24,13 @@ Quality quality(const Tree<D>& tree, NodeId inner) {
 /// A leaf that Algorithm 1 wants to split.
 template <int D>
 bool wants_split(const Tree<D>& tree, NodeId id, const Config& config) {
-  return tree[id].is_leaf() && tree[id].population > split_threshold(tree.objects(), config);
+  return config.split && tree[id].is_leaf() && tree[id].population > split_threshold(tree.objects(), config);
 }
 
 /// An inner node that Algorithm 1 wants to merge.
 template <int D>
 bool wants_merge(const Tree<D>& tree, NodeId id, const Config& config) {
-  return !tree[id].is_leaf() && tree[id].population < merge_threshold(tree.objects(), config);
+  return config.merge && !tree[id].is_leaf() && tree[id].population < merge_threshold(tree.objects(), config);
 }
 
 /// An inner node whose partitioner no longer divides: unbalanced (paper section 6.1), or, which the paper

@@ -36,8 +36,9 @@ bool still_wanted(const Tree<D>& tree, Operator op, NodeId id, const Config& con
     case Operator::split:
       return wants_split(tree, id, config);
     case Operator::swap:
+      return config.swap && wants_repair(tree, id, config);
     case Operator::balance:
-      return wants_repair(tree, id, config);
+      return config.balance && wants_repair(tree, id, config);
     case Operator::merge:
       return wants_merge(tree, id, config);
   }
@@ -108,21 +109,13 @@ template <int D>
 template <class Trace>
 bool Scheduler<D>::visit(Tree<D>& tree, NodeId id, const Config& config, std::uint32_t step,
                          Reporter<Trace>& reporter) {
-  if (wants_repair(tree, id, config)) {
-    Refusal refusal{};
-    if (const auto event = balance(tree, id, config, refusal)) {
-      note(*event, reporter);
-    } else {
-      schedule(tree, Operator::swap, id, config, reporter);
-    }
-    return true;
-  }
+  if (wants_repair(tree, id, config) && repair(tree, id, config, reporter)) return true;
   if (wants_split(tree, id, config) && tree[id].retry_step <= step) {
     if (pending() >= config.event_capacity) {  // looking for a point would be in vain
       refuse(Operator::split, tree.ref(id), Refusal::list_full, reporter);
       return true;
     }
-    const bool shift = shifted_partitioner(tree, id, config).has_value();
+    const bool shift = config.shift_split && shifted_partitioner(tree, id, config).has_value();
     schedule(tree, shift ? Operator::shift_split : Operator::split, id, config, reporter);
     return true;
   }
@@ -131,6 +124,21 @@ bool Scheduler<D>::visit(Tree<D>& tree, NodeId id, const Config& config, std::ui
     return true;
   }
   return false;
+}
+
+/// Lines 4 to 7: balances the node or, if no shift is good, lists it for a swap.
+template <int D>
+template <class Trace>
+bool Scheduler<D>::repair(Tree<D>& tree, NodeId id, const Config& config, Reporter<Trace>& reporter) {
+  Refusal refusal{};
+  std::optional<OperatorActed> event;
+  if (config.balance) event = balance(tree, id, config, refusal);
+  if (event) {
+    note(*event, reporter);
+  } else if (config.swap) {
+    schedule(tree, Operator::swap, id, config, reporter);
+  }
+  return event || config.swap;
 }
 
 template <int D>

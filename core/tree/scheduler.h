@@ -44,6 +44,8 @@ class Scheduler {
   template <class Trace>
   bool visit(Tree<D>& tree, NodeId id, const Config& config, std::uint32_t step, Reporter<Trace>& reporter);
   template <class Trace>
+  bool repair(Tree<D>& tree, NodeId id, const Config& config, Reporter<Trace>& reporter);
+  template <class Trace>
   void schedule(const Tree<D>& tree, Operator op, NodeId id, const Config& config, Reporter<Trace>& reporter);
   template <class Trace>
   bool apply(Tree<D>& tree, Operator op, NodeRef ref, const Config& config, std::uint32_t step,

@@ -111,6 +111,24 @@ TYPED_TEST(Algorithm1, Line6TreatsAStraddledNodeLikeAnUnbalancedOne) {
   EXPECT_THAT(told(this->reporter), ElementsAre(scheduled(Operator::swap, scene.tree.root())));
 }
 
+TYPED_TEST(Algorithm1, AnOperatorThatIsOffLeavesItsWorkToTheNextOrUndone) {
+  const auto listed = [this](Cell cell, const char* off) {
+    auto scene = scene_of<TypeParam::value>({Cell::calm, cell});
+    this->scheduler = {};
+    this->traverse(scene, off);
+    const std::vector<std::string> lines = told(this->reporter);
+    return lines.empty() ? std::string() : lines.front().substr(0, lines.front().find(' '));
+  };
+  EXPECT_EQ(listed(Cell::shiftable, ""), "balance");
+  EXPECT_EQ(listed(Cell::shiftable, "balance=0"), "swap");
+  EXPECT_EQ(listed(Cell::stuck, "swap=0"), "split") << "the walk goes on below";
+  EXPECT_EQ(listed(Cell::shifting, ""), "shift-split");
+  EXPECT_EQ(listed(Cell::shifting, "shift_split=0"), "split");
+  EXPECT_EQ(listed(Cell::crowded, "split=0"), "");
+  EXPECT_EQ(listed(Cell::thin, ""), "merge");
+  EXPECT_EQ(listed(Cell::thin, "merge=0"), "");
+}
+
 TYPED_TEST(Algorithm1, Line7StopsBelowAnUnbalancedNode) {
   for (const Cell cell : {Cell::stuck, Cell::shiftable}) {
     auto scene = scene_of<TypeParam::value>({cell, Cell::calm});

@@ -16,6 +16,13 @@ void change_thresholds(Config& config, ByteReader& bytes) {
   config.max_threshold = std::max(one, other);
 }
 
+void change_operators(Config& config, ByteReader& bytes) {
+  constexpr std::array kSwitches{&Config::split, &Config::shift_split, &Config::merge, &Config::balance,
+                                 &Config::swap};
+  bool& on = config.*kSwitches[bytes.below(kSwitches.size())];
+  on = !on;
+}
+
 }  // namespace
 
 Config small_tree_config() {
@@ -32,7 +39,7 @@ Config small_tree_config() {
 
 void change_parameter(Config& config, ByteReader& bytes) {
   const auto share = [&bytes] { return kShares[bytes.below(kShares.size())]; };
-  switch (bytes.below(18)) {
+  switch (bytes.below(19)) {
     case 0:
       return change_thresholds(config, bytes);
     case 1:
@@ -80,6 +87,9 @@ void change_parameter(Config& config, ByteReader& bytes) {
       break;
     case 16:
       config.bulk_factor = static_cast<float>(bytes.below(3));
+      break;
+    case 17:
+      change_operators(config, bytes);
       break;
     default:
       config.max_entries = kEntryLimits[bytes.below(kEntryLimits.size())];
