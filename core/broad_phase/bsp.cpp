@@ -135,11 +135,13 @@ void Bsp<D, Trace>::step() {
 }
 
 /// Keeping pays while few objects leave their fat boxes: a look-up costs some ten times what sweeping costs
-/// for an object. Either way a few steps must say so, since objects begin with no fat box at all.
+/// for an object. Either way a few steps must say so, since objects begin with no fat box at all; but where
+/// they are fast, one is enough: fat boxes of their size would overlap without end.
 template <int D, class Trace>
 void Bsp<D, Trace>::choose_mode() {
   constexpr float kHot = 0.05F;
   constexpr std::uint32_t kHotSteps = 3;
+  constexpr float kFast = 0.25F;
   constexpr float kCool = 0.015F;
   constexpr std::uint32_t kCoolSteps = 8;
   if (!config_.byte_sweep) return enter(Mode::ordered);
@@ -149,14 +151,13 @@ void Bsp<D, Trace>::choose_mode() {
   const auto leaving = static_cast<float>(changed_.size());
   const bool doubt = keeps ? leaving > kHot * static_cast<float>(latest_.size()) : speed_of_sample() < kCool;
   calm_ = doubt ? calm_ + 1 : 0;
-  if (keeps && calm_ >= kHotSteps) enter(Mode::swept);
+  if (keeps && doubt && (calm_ >= kHotSteps || speed_of_leaving() > kFast)) enter(Mode::swept);
   if (!keeps && calm_ >= kCoolSteps) enter(Mode::kept);
 }
 
 /// What share of the objects would leave fat boxes in a step, by the motion of some of them.
 template <int D, class Trace>
 float Bsp<D, Trace>::speed_of_sample() const {
-  constexpr std::size_t kSample = 256;
   const std::size_t stride = std::max<std::size_t>(1, tree_.table.bound() / kSample);
   float sum = 0;
   float count = 0;
@@ -166,6 +167,18 @@ float Bsp<D, Trace>::speed_of_sample() const {
     sum += share_of_skin(latest_.box(object), tree_.table.box(object));
     ++count;
   }
+  return count == 0 ? 0 : sum / count;
+}
+
+/// What share of its largest skin an object that left uses up in a step, by some of them.
+template <int D, class Trace>
+float Bsp<D, Trace>::speed_of_leaving() const {
+  const std::size_t stride = std::max<std::size_t>(1, changed_.size() / kSample);
+  float sum = 0;
+  float count = 0;
+  for (std::size_t k = 0; k < changed_.size(); k += stride, ++count)
+    if (latest_.is_placed(changed_.all()[k]))
+      sum += share_of_skin(latest_.box(changed_.all()[k]), before_.all()[k].unpack());
   return count == 0 ? 0 : sum / count;
 }
 

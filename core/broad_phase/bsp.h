@@ -80,7 +80,9 @@ class Bsp final : public BroadPhase<D> {
 
   Status note(ObjectId object, Status status);
   void choose_mode();
+  static constexpr std::size_t kSample = 256;  ///< objects that are asked how fast they are
   [[nodiscard]] float speed_of_sample() const;
+  [[nodiscard]] float speed_of_leaving() const;
   void enter(Mode mode);
   void place();
   void place_changes();

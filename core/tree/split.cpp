@@ -4,6 +4,17 @@
 #include <utility>
 
 namespace kerf {
+namespace {
+
+/// A copy with room for an eighth more: what comes and goes needs no new memory, and little is wasted.
+std::vector<Entry> with_headroom(const std::vector<Entry>& entries) {
+  std::vector<Entry> copy;
+  copy.reserve(entries.size() + entries.size() / 8);
+  copy.assign(entries.begin(), entries.end());
+  return copy;
+}
+
+}  // namespace
 
 template <int D>
 std::optional<Refusal> forbids_division(const Tree<D>& tree, NodeId leaf, std::uint32_t straddlers,
@@ -31,14 +42,14 @@ Quality divide(Tree<D>& tree, NodeId leaf, std::uint32_t direction, Scalar offse
   }
   const NodeId left_id = tree.make_leaf(leaf, false, direction);
   const NodeId right_id = tree.make_leaf(leaf, true, direction);
-  const auto fill = [&](NodeId child, std::vector<Entry> entries) {
+  const auto fill = [&](NodeId child, const std::vector<Entry>& entries) {
     tree[child].population = static_cast<std::uint32_t>(entries.size());
     tree[child].unsorted = !sorted;
-    tree.set_entries(child, std::move(entries));
+    tree.set_entries(child, with_headroom(entries));
   };
-  fill(left_id, std::move(left));
-  fill(right_id, std::move(right));
-  tree.clear_entries(leaf);
+  fill(left_id, left);
+  fill(right_id, right);
+  tree.set_entries(leaf, {});  // an inner node keeps no memory for entries
   Node<D>& node = tree[leaf];
   node.plane = plane;
   node.direction = direction;

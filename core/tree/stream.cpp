@@ -76,8 +76,8 @@ class Streamer {
 
   void make_room(std::size_t size) {
     if (size <= buffer_.objects.size()) return;
-    buffer_.objects.resize(2 * size);
-    buffer_.straddle.resize(2 * size);
+    buffer_.objects.resize(size + size / 4);
+    buffer_.straddle.resize(size + size / 4);
   }
 
   /// Keeps what lies left at the list's place and writes what lies right behind its end. The right child is
