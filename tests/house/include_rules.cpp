@@ -26,6 +26,8 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"xxHash", "xxhash.h"},
     {"xxHash", "xxh"},
     {"Highway", "hwy/"},
+    {"oneTBB", "oneapi/"},
+    {"oneTBB", "tbb/"},
     {"GL", "GL/"},
     {"GL", "EGL/"},
     {"GL", "GLES"},
@@ -71,6 +73,7 @@ constexpr auto kPermissions = std::to_array<Permission>({
     {"core/kernels/", "x86 intrinsics"},
     {"core/kernels/", "Highway"},
     {"core/broad_phase/lanes.cpp", "Highway"},
+    {"core/parallel/", "oneTBB"},
 
     {"viz/", "viz"},
     {"viz/", "core"},
