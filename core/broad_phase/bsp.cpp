@@ -35,6 +35,12 @@ void sort_leaves(Tree<D>& tree) {
   });
 }
 
+/// Position `k` of a sample of `count` things, which no order of theirs can deceive.
+std::size_t sample_place(std::uint32_t k, std::size_t count) {
+  constexpr std::uint32_t kGolden = 0x9E3779B9U;
+  return (std::uint64_t{k * kGolden} * count) >> 32U;
+}
+
 }  // namespace
 
 template <int D, class Trace>
@@ -134,35 +140,28 @@ void Bsp<D, Trace>::step() {
   end_phase();
 }
 
-/// Keeping pays while few objects leave their fat boxes: a look-up costs some ten times what sweeping costs
-/// for an object. Either way a few steps must say so, since objects begin with no fat box at all; but where
-/// they are fast, one is enough: fat boxes of their size would overlap without end.
 template <int D, class Trace>
 void Bsp<D, Trace>::choose_mode() {
-  constexpr float kHot = 0.05F;
-  constexpr std::uint32_t kHotSteps = 3;
-  constexpr float kFast = 0.25F;
-  constexpr float kCool = 0.015F;
-  constexpr std::uint32_t kCoolSteps = 8;
   if (!config_.byte_sweep) return enter(Mode::ordered);
   if (config_.skin == 0 || latest_.kind() != VolumeKind::box) return enter(Mode::swept);
-  if (mode_ == Mode::ordered) return enter(Mode::kept);
-  const bool keeps = mode_ == Mode::kept;
-  const auto leaving = static_cast<float>(changed_.size());
-  const bool doubt = keeps ? leaving > kHot * static_cast<float>(latest_.size()) : speed_of_sample() < kCool;
-  calm_ = doubt ? calm_ + 1 : 0;
-  if (keeps && doubt && (calm_ >= kHotSteps || speed_of_leaving() > kFast)) enter(Mode::swept);
-  if (!keeps && calm_ >= kCoolSteps) enter(Mode::kept);
+  if (mode_ == Mode::ordered) {
+    keep_or_sweep_ = {};
+  } else if (mode_ == Mode::kept) {
+    const float leaving = static_cast<float>(changed_.size()) / static_cast<float>(latest_.size() + 1);
+    keep_or_sweep_.kept(leaving, leaving > KeepOrSweep::kHot ? speed_of_leaving() : 0);
+  } else {
+    keep_or_sweep_.swept(speed_of_sample());
+  }
+  enter(keep_or_sweep_.keeps() ? Mode::kept : Mode::swept);
 }
 
-/// What share of the objects would leave fat boxes in a step, by the motion of some of them.
+/// What share of the thickest skin an object uses up in a step, in the mean of a sample.
 template <int D, class Trace>
 float Bsp<D, Trace>::speed_of_sample() const {
-  const std::size_t stride = std::max<std::size_t>(1, tree_.table.bound() / kSample);
   float sum = 0;
   float count = 0;
-  for (std::size_t id = 0; id < tree_.table.bound(); id += stride) {
-    const ObjectId object{static_cast<std::uint32_t>(id)};
+  for (std::uint32_t k = 0; k < std::min<std::size_t>(kSample, tree_.table.bound()); ++k) {
+    const ObjectId object{static_cast<std::uint32_t>(sample_place(k, tree_.table.bound()))};
     if (!tree_.table.is_placed(object) || !latest_.is_placed(object)) continue;
     sum += share_of_skin(latest_.box(object), tree_.table.box(object));
     ++count;
@@ -170,23 +169,23 @@ float Bsp<D, Trace>::speed_of_sample() const {
   return count == 0 ? 0 : sum / count;
 }
 
-/// What share of its largest skin an object that left uses up in a step, by some of them.
+/// The same of those that left their fat boxes.
 template <int D, class Trace>
 float Bsp<D, Trace>::speed_of_leaving() const {
-  const std::size_t stride = std::max<std::size_t>(1, changed_.size() / kSample);
   float sum = 0;
-  float count = 0;
-  for (std::size_t k = 0; k < changed_.size(); k += stride, ++count)
-    if (latest_.is_placed(changed_.all()[k]))
-      sum += share_of_skin(latest_.box(changed_.all()[k]), before_.all()[k].unpack());
-  return count == 0 ? 0 : sum / count;
+  const auto count = static_cast<std::uint32_t>(std::min(kSample, changed_.size()));
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::size_t at = sample_place(k, changed_.size());
+    if (latest_.is_placed(changed_.all()[at]))
+      sum += share_of_skin(latest_.box(changed_.all()[at]), before_.all()[at].unpack());
+  }
+  return sum / static_cast<float>(std::max(count, 1U));
 }
 
 template <int D, class Trace>
 void Bsp<D, Trace>::enter(Mode mode) {
   if (mode == mode_) return;
   mode_ = mode;
-  calm_ = 0;
   kept_.clear();
 }
 
@@ -196,6 +195,7 @@ template <int D, class Trace>
 void Bsp<D, Trace>::place() {
   const Mode before = mode_;
   choose_mode();
+  if (mode_ == Mode::kept && before == Mode::kept) slim_some();
   const bool many =
       static_cast<float>(changed_.size()) > config_.stream_share * static_cast<float>(latest_.size());
   if (mode_ == Mode::kept) {
@@ -261,8 +261,12 @@ void Bsp<D, Trace>::place_entering(const std::vector<ObjectId>& entering) {
 template <int D, class Trace>
 Box<D> Bsp<D, Trace>::fat_box(ObjectId object, const Box<D>& before) {
   Skin& skin = skins_[object.index()];
+  if ((attention_[object.index()] & kSlimmed) != 0) {
+    skin.wrap(step_);
+    return wrap(latest_.box(object), skin);
+  }
   skin.left(step_);
-  return fatten(latest_.box(object), before, skin, config_.skin);
+  return fatten(latest_.box(object), before, skin, config_.skin, fat_share(object.value));
 }
 
 /// Fat boxes for all, by the motion since the tree's boxes.
@@ -284,6 +288,22 @@ void Bsp<D, Trace>::fatten_all() {
   tree_.table.copy_all(latest_, *pool_);
   for_placed([this](ObjectId object) { tree_.table.widen(object, fat_[object.index()]); });
   place_all();
+}
+
+/// Looks at some objects in each step, at all of them in 1,024: who stays in the fat box of a flight is
+/// wrapped in its skin instead, since its candidates are filtered in each step.
+template <int D, class Trace>
+void Bsp<D, Trace>::slim_some() {
+  const auto bound = static_cast<std::uint32_t>(std::min(skins_.size(), attention_.size()));
+  const Slice some = slice(bound, Skin::kRest, step_ % Skin::kRest);
+  for (std::size_t id = some.begin; id < some.end; ++id) {
+    const ObjectId object{static_cast<std::uint32_t>(id)};
+    if (attention_[id] != 0 || !skins_[id].is_at_rest(step_)) continue;
+    if (!is_for_flight(tree_.table.box(object), latest_.box(object))) continue;
+    attention_[id] = kChanging | kSlimmed;
+    changed_.push_back(object);
+    before_.push_back(latest_.packed(object));
+  }
 }
 
 /// The new fat boxes of those that left theirs, into fat_.

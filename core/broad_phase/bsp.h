@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/broad_phase/broad_phase.h"
+#include "core/broad_phase/keep_or_sweep.h"
 #include "core/broad_phase/kept_pairs.h"
 #include "core/broad_phase/leaf_pass.h"
 #include "core/broad_phase/pair_buffer.h"
@@ -90,6 +91,7 @@ class Bsp final : public BroadPhase<D> {
   void place_entering(const std::vector<ObjectId>& entering);
   Box<D> fat_box(ObjectId object, const Box<D>& before);
   void fatten_all();
+  void slim_some();
   void make_fat_boxes();
   void take_fat_boxes();
   void place_fat();
@@ -109,10 +111,11 @@ class Bsp final : public BroadPhase<D> {
   AppendBuffer<std::uint32_t> left_over_;
   static constexpr std::uint8_t kChanging = 1;  ///< the object is in changed_
   static constexpr std::uint8_t kUnplaced = 2;  ///< it is absent or in quarantine
+  static constexpr std::uint8_t kSlimmed = 4;   ///< it is in changed_ though nobody moved it
   std::vector<std::uint8_t> attention_;         ///< per object: what must be looked at before it moves
   std::vector<Skin> skins_;                     ///< per object
   Mode mode_ = Mode::ordered;
-  std::uint32_t calm_ = 0;  ///< steps in a row that speak for the other mode
+  KeepOrSweep keep_or_sweep_;
   std::unique_ptr<TaskPool> pool_ = std::make_unique<TaskPool>();
   LeafPass<D> leaf_pass_;
   KeptPairs<D> kept_;

@@ -11,16 +11,32 @@ namespace kerf {
 /// How thick the skin of an object is and since when. It learns: who leaves soon gets a thicker one.
 struct Skin {
   static constexpr std::uint8_t kThickest = 6;
+  static constexpr std::uint32_t kRest = 1024;  ///< steps: two look-ups in so many are not noticed
   std::uint8_t level = 4;   ///< a sixteenth of the object's size, until it is known better
+  bool wrapped = false;     ///< it was wrapped since it left last
+  std::uint8_t wraps = 0;   ///< how often it left soon after it had been wrapped
   std::uint16_t since = 0;  ///< the step, modulo 2^16: a wrong age costs time, never a pair
 
+  [[nodiscard]] std::uint16_t age(std::uint32_t step) const {
+    return static_cast<std::uint16_t>(step - since);
+  }
   /// To be told of each step in which the object left its fat box.
   void left(std::uint32_t step) {
     constexpr std::uint16_t kSoon = 12;
     constexpr std::uint16_t kLate = 200;
-    const auto age = static_cast<std::uint16_t>(step - since);
-    if (age < kSoon && level < kThickest) ++level;
-    if (age > kLate && level > 0) --level;
+    constexpr std::uint8_t kMostWraps = 5;
+    if (age(step) < kSoon && level < kThickest) ++level;
+    if (age(step) > kLate && level > 0) --level;
+    if (wrapped) wraps = age(step) < kSoon ? std::min<std::uint8_t>(wraps + 1, kMostWraps) : 0;
+    wrapped = false;
+    since = static_cast<std::uint16_t>(step);
+  }
+  /// Whether the object stayed so long that it should be wrapped in its skin, whatever fat it has. Who left
+  /// again soon waits twice as long each time.
+  [[nodiscard]] bool is_at_rest(std::uint32_t step) const { return age(step) >= kRest << wraps; }
+  /// To be told of each step in which it was.
+  void wrap(std::uint32_t step) {
+    wrapped = true;
     since = static_cast<std::uint16_t>(step);
   }
   /// A quarter of the object's size at most.
@@ -43,23 +59,52 @@ SizeAndSpeed size_and_speed(const Box<D>& box, const Box<D>& before) {
   return result;
 }
 
+/// The share of the way ahead that an object really gets, from a third to all of it. Objects that move alike
+/// would otherwise all leave their fat boxes in the same step, and that step would take ten times the
+/// others'.
+inline float fat_share(std::uint32_t object) {
+  constexpr std::uint32_t kGolden = 0x9E3779B9U;  // consecutive objects get shares far apart
+  constexpr float kLeast = 1.0F / 3;
+  return kLeast + (1 - kLeast) * static_cast<float>((object * kGolden) >> 8U) * 0x1p-24F;
+}
+
 /// The fat box of an object: it holds `box` and where it will be for some steps if it goes on like from
 /// `before`. It grows ahead of the motion by `steps` of it, though never by more than the object's own size,
-/// and by the skin on every side, for what shakes or turns. What stands still gets no fat. Box and motion
-/// are finite; so is the result.
+/// and by the skin on every side, for what shakes or turns; of the way ahead it gets a share. What stands
+/// still gets no fat, nor does what jumped: where it goes next is not known, and if it stays, it is fat for
+/// nothing. Box and motion are finite; so is the result.
 template <int D>
-Box<D> fatten(const Box<D>& box, const Box<D>& before, const Skin& skin, float steps) {
+Box<D> fatten(const Box<D>& box, const Box<D>& before, const Skin& skin, float steps, float share) {
   const auto [size, speed] = size_and_speed(box, before);
-  if (speed == 0) return box;
-  const float around = std::min(std::max(skin.thickness(size), speed), size);
+  if (speed == 0 || speed >= size) return box;
+  const float around = std::max(skin.thickness(size), speed);
   Box<D> fat;
   for (int i = 0; i < D; ++i) {
-    const float back = std::clamp((before.min[i] - box.min[i]) * steps, 0.0F, size);
-    const float ahead = std::clamp((box.max[i] - before.max[i]) * steps, 0.0F, size);
+    const float back = std::clamp((before.min[i] - box.min[i]) * steps, 0.0F, size) * share;
+    const float ahead = std::clamp((box.max[i] - before.max[i]) * steps, 0.0F, size) * share;
     fat.min[i] = box.min[i] - (back + around);
     fat.max[i] = box.max[i] + (ahead + around);
   }
   return is_valid(fat) ? fat : box;
+}
+
+/// The fat box of an object of which nothing is known but that it stayed long: the skin on every side.
+template <int D>
+Box<D> wrap(const Box<D>& box, const Skin& skin) {
+  const float around = skin.thickness(size_and_speed(box, box).size);
+  Box<D> fat = box;
+  for (int i = 0; i < D; ++i) {
+    fat.min[i] -= around;
+    fat.max[i] += around;
+  }
+  return is_valid(fat) ? fat : box;
+}
+
+/// Whether a fat box is larger than any skin: its object was fast when it got it.
+template <int D>
+bool is_for_flight(const Box<D>& fat, const Box<D>& box) {
+  const auto [size, margin] = size_and_speed(box, fat);
+  return margin > 0.26F * size;  // the thickest is a quarter
 }
 
 /// The share of the largest skin that one step like that from `before` uses up: 1 leaves it at once.

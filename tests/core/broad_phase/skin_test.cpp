@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "tests/support/dimensions.h"
@@ -32,30 +34,94 @@ TYPED_TEST_SUITE(Skins, Dimensions, DimensionNames);
 
 TYPED_TEST(Skins, WhatStandsStillGetsNoFat) {
   constexpr int kD = TypeParam::value;
-  EXPECT_EQ(fatten(cube<kD>(0, 1), cube<kD>(0, 1), Skin{}, 8), cube<kD>(0, 1));
+  EXPECT_EQ(fatten(cube<kD>(0, 1), cube<kD>(0, 1), Skin{}, 8, 1), cube<kD>(0, 1));
 }
 
 TYPED_TEST(Skins, TheFatBoxHoldsTheWayAhead) {
   constexpr int kD = TypeParam::value;
   const Box<kD> before = cube<kD>(0, 1);
   Box<kD> box = moved(before, 0, 0.05F);
-  const Box<kD> fat = fatten(box, before, Skin{}, 8);
+  const Box<kD> fat = fatten(box, before, Skin{}, 8, 1);
   for (int step = 0; step <= 8; ++step, box = moved(box, 0, 0.05F)) EXPECT_TRUE(contains(fat, box)) << step;
   EXPECT_FALSE(contains(fat, moved(before, 0, -0.1F))) << "nothing is spent on the way back";
 }
 
 TYPED_TEST(Skins, NoFatIsThickerThanTheObjectAheadOrAround) {
   constexpr int kD = TypeParam::value;
-  const Box<kD> fat = fatten(moved(cube<kD>(0, 1), 0, 100), cube<kD>(0, 1), Skin{}, 1000);
-  EXPECT_LE(fat.max[0], 103.0F);
-  EXPECT_GE(fat.min[0], 99.0F);
+  const Box<kD> fat = fatten(moved(cube<kD>(0, 1), 0, 0.9F), cube<kD>(0, 1), Skin{}, 1000, 1);
+  EXPECT_LE(fat.max[0], 3.9F);
+  EXPECT_GE(fat.min[0], -0.1F);
+}
+
+TYPED_TEST(Skins, WhatJumpedGetsNoFat) {
+  constexpr int kD = TypeParam::value;
+  const Box<kD> there = moved(cube<kD>(0, 1), 0, 100);
+  EXPECT_EQ(fatten(there, cube<kD>(0, 1), Skin{}, 8, 1), there);
+}
+
+TYPED_TEST(Skins, AShareOfTheWayAheadIsGivenAndTheNextStepAlways) {
+  constexpr int kD = TypeParam::value;
+  const Box<kD> before = cube<kD>(0, 1);
+  const Box<kD> box = moved(before, 0, 0.05F);
+  const Box<kD> all = fatten(box, before, Skin{}, 8, 1);
+  const Box<kD> half = fatten(box, before, Skin{}, 8, 0.5F);
+  EXPECT_TRUE(contains(all, half));
+  EXPECT_NEAR(half.max[0] - box.max[0], 0.0625F + 0.2F, 1e-5F);
+  EXPECT_TRUE(contains(half, before)) << "back by a step, too";
+}
+
+TYPED_TEST(Skins, OnlyTheFatOfAFlightIsThickerThanAnySkin) {
+  constexpr int kD = TypeParam::value;
+  Skin thick;
+  thick.level = Skin::kThickest;
+  const Box<kD> before = cube<kD>(0, 1);
+  const Box<kD> crept = moved(before, 0, 1e-6F);
+  const Box<kD> flew = moved(before, 0, 0.2F);
+  EXPECT_FALSE(is_for_flight(fatten(crept, before, thick, 8, 1), crept));
+  EXPECT_TRUE(is_for_flight(fatten(flew, before, thick, 8, 1), flew));
+}
+
+TYPED_TEST(Skins, AWrapIsAsThickAsTheSkinOnEverySide) {
+  constexpr int kD = TypeParam::value;
+  EXPECT_EQ(wrap(cube<kD>(0, 16), Skin{}), cube<kD>(-1, 17));
+  constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
+  EXPECT_EQ(wrap(cube<kD>(0, kMax), Skin{}), cube<kD>(0, kMax));
+}
+
+TEST(Skin, WhoLeavesSoonAfterBeingWrappedIsLeftInPeaceTwiceAsLong) {
+  Skin skin;
+  constexpr std::uint32_t kRest = Skin::kRest;
+  skin.left(10);
+  EXPECT_FALSE(skin.is_at_rest(10 + kRest - 1));
+  EXPECT_TRUE(skin.is_at_rest(10 + kRest));
+  skin.wrap(2000);
+  skin.left(2002);
+  EXPECT_FALSE(skin.is_at_rest(2002 + 2 * kRest - 1));
+  EXPECT_TRUE(skin.is_at_rest(2002 + 2 * kRest));
+  skin.wrap(5000);
+  skin.left(5300);
+  EXPECT_TRUE(skin.is_at_rest(5300 + kRest)) << "it rested for long";
+}
+
+TEST(Skin, SharesLieBetweenAThirdAndOneAndDifferBetweenNeighbours) {
+  float least = 1;
+  float most = 0;
+  for (std::uint32_t object = 0; object < 1000; ++object) {
+    least = std::min(least, fat_share(object));
+    most = std::max(most, fat_share(object));
+    EXPECT_GT(std::abs(fat_share(object) - fat_share(object + 1)), 0.1F);
+  }
+  EXPECT_GE(least, 1.0F / 3);
+  EXPECT_LT(least, 0.35F);
+  EXPECT_LE(most, 1);
+  EXPECT_GT(most, 0.98F);
 }
 
 TYPED_TEST(Skins, WhatWouldOverflowStaysAsItIs) {
   constexpr int kD = TypeParam::value;
   constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
-  EXPECT_EQ(fatten(cube<kD>(-kMax, kMax), cube<kD>(-kMax / 2, kMax), Skin{}, 8), cube<kD>(-kMax, kMax));
-  const Box<kD> fat = fatten(cube<kD>(kMax / 2, kMax), cube<kD>(-kMax, kMax), Skin{}, 0);
+  EXPECT_EQ(fatten(cube<kD>(-kMax, kMax), cube<kD>(-kMax / 2, kMax), Skin{}, 8, 1), cube<kD>(-kMax, kMax));
+  const Box<kD> fat = fatten(cube<kD>(kMax / 2, kMax), cube<kD>(-kMax, kMax), Skin{}, 0, 1);
   EXPECT_TRUE(is_valid(fat));
   EXPECT_TRUE(contains(fat, cube<kD>(kMax / 2, kMax)));
 }

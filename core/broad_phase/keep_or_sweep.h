@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace kerf {
+
+/// Decides, step by step, whether the pairs of fat boxes are kept or leaves are swept. Keeping pays while few
+/// objects leave their fat boxes: a look-up costs some ten times what sweeping costs for an object.
+class KeepOrSweep {
+ public:
+  static constexpr float kHot = 0.10F;  ///< share of objects that leave in a step, above which sweeping pays
+
+  [[nodiscard]] bool keeps() const { return keeps_; }
+
+  /// After a step with kept pairs. `leaving`: the share of objects that left their fat boxes; `speed`: what
+  /// share of the thickest skin they use up in a step, only looked at if more than kHot left. A few steps
+  /// must speak for sweeping, and in the beginning many more, while skins learn how thick they must be; but
+  /// where objects are fast, one is enough: fat boxes of their size would overlap without end.
+  void kept(float leaving, float speed) {
+    constexpr float kFast = 0.25F;
+    constexpr float kHopeless = 0.2F;
+    constexpr std::uint32_t kLearning = 24;
+    constexpr std::uint32_t kEnough = 3;
+    ++steps_;
+    against_ = leaving > (steps_ < kLearning ? kHopeless : kHot) ? against_ + 1 : 0;
+    if (against_ >= kEnough || (leaving > kHot && speed > kFast)) change();
+  }
+
+  /// After a step in which leaves were swept. `speed`: what share of the thickest skin all objects would use
+  /// up in a step, in the mean.
+  void swept(float speed) {
+    constexpr float kCool = 0.015F;
+    ++steps_;
+    against_ = speed < kCool ? against_ + 1 : 0;
+    if (against_ >= patience_) change();
+  }
+
+ private:
+  /// Who soon regrets to have kept waits twice as long before the next time.
+  void change() {
+    constexpr std::uint32_t kSoon = 100;
+    constexpr std::uint32_t kShortest = 8;
+    constexpr std::uint32_t kLongest = 512;
+    if (keeps_) patience_ = steps_ < kSoon ? std::min(2 * patience_, kLongest) : kShortest;
+    keeps_ = !keeps_;
+    steps_ = 0;
+    against_ = 0;
+  }
+
+  bool keeps_ = true;
+  std::uint32_t steps_ = 0;    ///< since the last change
+  std::uint32_t against_ = 0;  ///< steps in a row that speak for a change
+  std::uint32_t patience_ = 4;
+};
+
+}  // namespace kerf

@@ -1,0 +1,63 @@
+#include "core/broad_phase/keep_or_sweep.h"
+
+#include <gtest/gtest.h>
+
+namespace kerf::test {
+namespace {
+
+/// Steps until the mode changes, at most `most`.
+template <class Step>
+int steps_until_change(KeepOrSweep& choice, Step step, int most = 2000) {
+  const bool keeps = choice.keeps();
+  int count = 0;
+  while (count < most && choice.keeps() == keeps) {
+    step();
+    ++count;
+  }
+  return count;
+}
+
+TEST(KeepOrSweep, KeepsAsLongAsFewLeave) {
+  KeepOrSweep choice;
+  EXPECT_TRUE(choice.keeps());
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept(0.09F, 1); }), 2000);
+}
+
+TEST(KeepOrSweep, BeginnersMayLoseMoreWhileSkinsLearnButNotForLong) {
+  KeepOrSweep choice;
+  choice.kept(1, 0.01F);  // nobody has a fat box yet
+  EXPECT_TRUE(choice.keeps());
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept(0.15F, 0.01F); }), 25);
+  KeepOrSweep hopeless;
+  EXPECT_EQ(steps_until_change(hopeless, [&] { hopeless.kept(0.5F, 0.01F); }), 3);
+}
+
+TEST(KeepOrSweep, OneStepOfFastObjectsIsEnough) {
+  KeepOrSweep choice;
+  choice.kept(1, 0.5F);
+  EXPECT_FALSE(choice.keeps());
+}
+
+TEST(KeepOrSweep, WhoRegretsWaitsTwiceAsLongEachTime) {
+  KeepOrSweep choice;
+  int waited = 0;
+  for (int turn = 0; turn < 5; ++turn) {
+    steps_until_change(choice, [&] { choice.kept(0.5F, 0.01F); });
+    const int wait = steps_until_change(choice, [&] { choice.swept(0.001F); });
+    if (turn > 0) EXPECT_EQ(wait, 2 * waited);
+    waited = wait;
+  }
+  steps_until_change(
+      choice, [&] { choice.kept(0.01F, 0); }, 500);
+  steps_until_change(choice, [&] { choice.kept(0.5F, 0.01F); });
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.swept(0.001F); }), 8) << "it paid for long";
+}
+
+TEST(KeepOrSweep, SweepsOnWhileObjectsAreFast) {
+  KeepOrSweep choice;
+  choice.kept(1, 0.5F);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.swept(0.02F); }), 2000);
+}
+
+}  // namespace
+}  // namespace kerf::test
