@@ -44,7 +44,9 @@ TEST(KeepOrSweep, WhoRegretsWaitsTwiceAsLongEachTime) {
   for (int turn = 0; turn < 5; ++turn) {
     steps_until_change(choice, [&] { choice.kept(0.5F, 0.01F); });
     const int wait = steps_until_change(choice, [&] { choice.swept(0.001F); });
-    if (turn > 0) EXPECT_EQ(wait, 2 * waited);
+    if (turn > 0) {
+      EXPECT_EQ(wait, 2 * waited);
+    }
     waited = wait;
   }
   steps_until_change(
