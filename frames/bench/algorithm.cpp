@@ -1,9 +1,11 @@
 #include "frames/bench/algorithm.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "core/broad_phase/all_pairs.h"
+#include "core/broad_phase/approximate.h"
 #include "core/broad_phase/bsp.h"
 #include "core/broad_phase/columns.h"
 #include "core/broad_phase/loose_octree.h"
@@ -60,9 +62,40 @@ std::optional<Algorithm<D>> find_named(std::string_view name) {
   return std::nullopt;
 }
 
-Config config_of(const Config& defaults, std::string assignments) {
-  std::replace(assignments.begin(), assignments.end(), ':', ',');
-  return parse_config("--algorithms", assignments, defaults);
+/// What stands behind a tree's name, parted into what the tree takes and how it is to be wrong.
+struct Parameters {
+  std::string config;
+  std::string approximation;
+};
+
+Parameters part(std::string_view text) {
+  Parameters parts;
+  while (!text.empty()) {
+    const std::string_view assignment = text.substr(0, text.find(':'));
+    text.remove_prefix(std::min(text.size(), assignment.size() + 1));
+    const bool approximate = is_approximation_parameter(assignment.substr(0, assignment.find('=')));
+    std::string& list = approximate ? parts.approximation : parts.config;
+    list += (list.empty() ? "" : ",") + std::string(assignment);
+  }
+  return parts;
+}
+
+Approximation parse_approximation(const std::string& text) {
+  try {
+    Approximation how;
+    kerf::apply(how, text);
+    return how;
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--algorithms: ") + error.what());
+  }
+}
+
+template <int D>
+Algorithm<D> approximate(Algorithm<D> exact, const Approximation& how) {
+  exact.make = [make = exact.make, how](const RivalHints<D>& hints, unsigned threads) {
+    return std::make_unique<Approximate<D>>(make(hints, threads), how);
+  };
+  return exact;
 }
 
 }  // namespace
@@ -88,8 +121,12 @@ std::optional<Algorithm<D>> find_algorithm(std::string_view text) {
   if (base != kTuned && base != kPaper)
     throw UsageError("'" + std::string(text) + "': only " + std::string(kTuned) + " and " +
                      std::string(kPaper) + " take parameters");
-  return tree<D>(text, "the tree with other parameters",
-                 config_of(base == kTuned ? tuned_config() : Config{}, std::string(text.substr(colon + 1))));
+  const Parameters parts = part(text.substr(colon + 1));
+  const Config config =
+      parse_config("--algorithms", parts.config, base == kTuned ? tuned_config() : Config{});
+  const Approximation how = parse_approximation(parts.approximation);
+  Algorithm<D> other = tree<D>(text, "the tree with other parameters", config);
+  return how == Approximation{} ? other : approximate(std::move(other), how);
 }
 
 void check_algorithm(std::string_view text) {

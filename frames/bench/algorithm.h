@@ -31,8 +31,9 @@ template <int D>
 std::vector<Algorithm<D>> algorithms();
 
 /// The algorithm that a user means: a name, and for the trees parameters after colons, for example
-/// "kerf:max_threshold=256:free_directions=0". Nothing if there is none in this dimension. Throws UsageError
-/// for parameters that cannot work.
+/// "kerf:max_threshold=256:free_directions=0", among them those of an `Approximation`:
+/// "kerf:period=4:margin=0.2". Nothing if there is none in this dimension. Throws UsageError for parameters
+/// that cannot work.
 template <int D>
 std::optional<Algorithm<D>> find_algorithm(std::string_view text);
 

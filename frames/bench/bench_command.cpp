@@ -32,7 +32,11 @@ std::string footer() {
     if (!find_algorithm<3>(algorithm.name)) line(algorithm);
   return text +
          "  kerf:K=V:K=V...         with other parameters (see `kerf render --help`); also "
-         "kerf-paper:K=V...\n\n"
+         "kerf-paper:K=V...\n"
+         "  kerf:period=4:margin=0.2  approximate on purpose: placed every so many steps, boxes widened; "
+         "also\n"
+         "                         filter=1, grid=SIZE and shrink=1 (see "
+         "core/broad_phase/approximation.h)\n\n"
          "Each algorithm is given the same boxes, in a process of its own, a block of steps at a time in "
          "turn, "
          "and\nhas to tell the complete set of pairs in each step, which is compared with the truth. Of each "
