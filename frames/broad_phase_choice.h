@@ -23,7 +23,8 @@ struct BroadPhaseChoice {
 
 /// The names of all broad phases that a scene of D dimensions can have: those of `algorithms<D>()` but for
 /// three of FCL's. One crashes when objects come a few at a time, two miss pairs (docs/HARD_CASES.md); `kerf
-/// bench` measures them in processes of their own.
+/// bench` measures them in processes of their own. All others are exact but "ode-hash", which misses a pair
+/// now and then.
 template <int D>
 std::vector<std::string> broad_phase_names();
 

@@ -47,10 +47,11 @@ class AttractorScene final : public WorldScene {
     const Scalar half = kPitch * static_cast<Scalar>(side) / 2;
     room_ = {{{-half, -half}}, {{half, half}}};
     for (std::uint32_t k = 0; k < objects; ++k) {
+      const std::uint32_t row = k / side;
       BodyPlan plan;
       plan.shape = random_shape(random);
       plan.position = {{(static_cast<Scalar>(k % side) + 0.5F) * kPitch - half,
-                        (static_cast<Scalar>(k / side) + 0.5F) * kPitch - half}};
+                        (static_cast<Scalar>(row) + 0.5F) * kPitch - half}};
       plan.angle = static_cast<Scalar>(random.uniform(-std::numbers::pi, std::numbers::pi));
       plan.spin = static_cast<Scalar>(random.uniform(-2, 2));
       world().add(plan);

@@ -40,10 +40,11 @@ class FractureScene final : public WorldScene {
     const auto side = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(blocks))));
     const Scalar half = kPitch * static_cast<Scalar>(side) / 2;
     for (std::uint32_t k = 0; k < blocks; ++k) {
+      const std::uint32_t row = k / side;
       BodyPlan plan;
       plan.shape = square(kHalfBlock);
       plan.position = {{(static_cast<Scalar>(k % side) + 0.5F) * kPitch - half,
-                        (static_cast<Scalar>(k / side) + 0.5F) * kPitch - half}};
+                        (static_cast<Scalar>(row) + 0.5F) * kPitch - half}};
       for (int i = 0; i < 2; ++i) plan.position[i] += static_cast<Scalar>(random.uniform(-kJitter, kJitter));
       plan.angle = static_cast<Scalar>(random.uniform(-std::numbers::pi, std::numbers::pi));
       plan.spin = static_cast<Scalar>(random.uniform(-kSpin, kSpin));

@@ -32,10 +32,11 @@ class TumblerScene final : public WorldScene {
     for (std::uint32_t wall = 0; wall < kWalls; ++wall) walls_[wall] = world().add(wall_plan(wall));
     Random random(seed);
     for (std::uint32_t k = 0; k < objects; ++k) {
+      const std::uint32_t row = k / side;
       BodyPlan plan;
       plan.shape = random_shape(random);
       plan.position = {{(static_cast<Scalar>(k % side) + 0.5F) * kPitch - lattice,
-                        (static_cast<Scalar>(k / side) + 0.5F) * kPitch - lattice}};
+                        (static_cast<Scalar>(row) + 0.5F) * kPitch - lattice}};
       plan.spin = static_cast<Scalar>(random.uniform(-2, 2));
       world().add(plan);
     }

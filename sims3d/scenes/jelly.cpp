@@ -94,9 +94,10 @@ class JellyScene final : public WorldScene {
     first_ = static_cast<std::uint32_t>(bodies().size());
     Random random(options.seed);
     for (std::uint32_t k = 0; k < options.objects; ++k) {
+      const std::uint32_t layer = k / side / side;
       Pose<3> pose;
       pose.position = {{(static_cast<Scalar>(k % side) + 0.5F) * kPitch - half,
-                        kLowest + static_cast<Scalar>(k / side / side) * kPitch,
+                        kLowest + static_cast<Scalar>(layer) * kPitch,
                         (static_cast<Scalar>(k / side % side) + 0.5F) * kPitch - half}};
       pose.position = pose.position + random_vector(random, kJitter);
       pose.axes = random_turn(random);

@@ -55,11 +55,11 @@ class RodScene final : public WorldScene {
     for (std::uint32_t k = 0; k < options.objects; ++k) {
       const auto row = static_cast<Scalar>(k / abreast % kRows);
       const auto side = static_cast<Scalar>(k % abreast);
-      const auto layer = static_cast<Scalar>(k / abreast / kRows);
+      const std::uint32_t layer = k / abreast / kRows;
       Pose<3> pose;
       pose.position = frame[0] * ((row + 0.5F) * kLengthPitch - length / 2) +
                       frame[2] * ((side + 0.5F) * kSidePitch - width / 2);
-      pose.position[1] = kLowest + layer * kLayerPitch;
+      pose.position[1] = kLowest + static_cast<Scalar>(layer) * kLayerPitch;
       pose.axes = lying(random.uniform(-kLean, kLean));
       world().add_moving(Brick<3>{kHalfRod}, pose, {});
     }

@@ -49,7 +49,10 @@ void all_exact_broad_phases_give_one_run(std::string_view scene) {
   const SceneEntry<D>& entry = entry_of<D>(scene);
   const Run<D> reference = run(entry, "brute-force");
   EXPECT_GT(reference.contacts.size(), 1000U);
-  for (const std::string& name : broad_phase_names<D>()) EXPECT_TRUE(run(entry, name) == reference) << name;
+  for (const std::string& name : broad_phase_names<D>()) {
+    if (name == "ode-hash") continue;  // not exact, see `broad_phase_names`
+    EXPECT_TRUE(run(entry, name) == reference) << name;
+  }
 }
 
 TEST(BroadPhaseChoice, AllExactOnesGiveTheSameRunIn2D) { all_exact_broad_phases_give_one_run<2>("pile"); }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include "tests/support/checked.h"
 
 namespace kerf::test {
@@ -21,19 +24,21 @@ TEST_P(OdeSpaces, FlatBoxesAndPointsHavePairs) {
   insert(0, {{{-2, 0, -2}}, {{2, 0, 2}}}, Mobility::fixed);
   insert(1, {{{0, -1, 0}}, {{1, 1, 1}}}, Mobility::moving);
   insert(2, {{{1, 0, 1}}, {{1, 0, 1}}}, Mobility::moving);
-  insert(3, {{{0, 0x1p-126F, 0}}, {{1, 1, 1}}}, Mobility::moving);
-  insert(4, {{{3, 3, 3}}, {{3, 3, 3}}}, Mobility::moving);
+  insert(3, {{{3, 3, 3}}, {{3, 3, 3}}}, Mobility::moving);
   checked.step();
-  EXPECT_GE(checked.pairs().size(), 4U);
+  EXPECT_EQ(checked.pairs().size(), 3U);
+}
+
+std::string kind_name(const testing::TestParamInfo<OdeSpaceKind>& info) {
+  std::string name(OdeSpace(info.param, kBounds).name());
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OdeSpaces,
                          testing::Values(OdeSpaceKind::hash, OdeSpaceKind::quadtree,
                                          OdeSpaceKind::sweep_and_prune),
-                         [](const auto& kind) {
-                           constexpr const char* kNames[] = {"hash", "quadtree", "sap"};
-                           return std::string(kNames[static_cast<std::size_t>(kind.param)]);
-                         });
+                         kind_name);
 
 }  // namespace
 }  // namespace kerf::test
