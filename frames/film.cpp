@@ -15,19 +15,32 @@ namespace kerf {
 namespace {
 
 template <int D>
+using WatchedTree = Bsp<D, EventLog>;
+
+template <int D>
+std::unique_ptr<BroadPhase<D>> watched_broad_phase(const SceneEntry<D>& entry, const RenderRequest& request) {
+  const BroadPhaseChoice& choice = request.broad_phase;
+  if (choice.is_tree()) return std::make_unique<WatchedTree<D>>(choice.config, choice.volume);
+  return make_broad_phase<D>(choice, entry, request.options);
+}
+
+template <int D>
 class SceneFilm final : public Film {
  public:
   SceneFilm(const SceneEntry<D>& entry, const RenderRequest& request)
       : name_(request.scene.name),
-        tree_(request.config, request.volume),
+        broad_phase_name_(request.broad_phase.name),
         renderer_({request.size.width, request.size.height, request.layers, request.camera}),
-        scene_(entry.make(tree_, request.options)) {}
+        broad_phase_(watched_broad_phase(entry, request)),
+        tree_(dynamic_cast<WatchedTree<D>*>(broad_phase_.get())),
+        scene_(entry.make(*broad_phase_, request.options)) {}
 
   void advance() override {
     scene_->advance();
-    std::vector<Event> events = tree_.trace().take();
+    if (tree_ == nullptr) return;
+    std::vector<Event> events = tree_->trace().take();
     events_since_record_ += events.size();
-    const std::uint32_t now = tree_.steps();
+    const std::uint32_t now = tree_->steps();
     std::erase_if(recent_, [&](const Event& event) { return event.step + kHighlightSteps < now; });
     std::ranges::copy_if(events, std::back_inserter(recent_), [](const Event& event) {
       return std::holds_alternative<OperatorActed>(event.body);
@@ -36,7 +49,7 @@ class SceneFilm final : public Film {
 
   const Image& draw() override {
     const FrameInput<D> input{.bodies = scene_->bodies(),
-                              .tree = &tree_.tree(),
+                              .tree = tree_ == nullptr ? nullptr : &tree_->tree(),
                               .pairs = scene_->pairs(),
                               .contacts = scene_->contacts(),
                               .events = recent_,
@@ -45,18 +58,19 @@ class SceneFilm final : public Film {
   }
 
   FrameRecord record() override {
-    const Statistics statistics = tree_.statistics();
     FrameRecord record;
     record.step = scene_->step();
     record.objects = static_cast<std::uint32_t>(scene_->bodies().size());
     record.pairs = scene_->pairs().size();
     record.contacts = scene_->contacts().size();
+    if (tree_ == nullptr) return record;
+    const Statistics statistics = tree_->statistics();
     record.height = statistics.height;
     record.leaves = statistics.leaves;
     record.entries = statistics.entries;
     record.operators = statistics.operators;
     record.events = std::exchange(events_since_record_, 0);
-    record.state_hash = tree_.state_hash();
+    record.state_hash = tree_->state_hash();
     return record;
   }
 
@@ -64,20 +78,23 @@ class SceneFilm final : public Film {
   [[nodiscard]] Caption caption() const {
     const auto moves = [](const Body<D>& body) { return body.mobility == Mobility::moving; };
     return {.scene = name_,
-            .broad_phase = std::string(tree_.name()),
+            .broad_phase = broad_phase_name_,
             .step = scene_->step(),
             .objects = static_cast<std::uint32_t>(scene_->bodies().size()),
             .moving = static_cast<std::uint32_t>(std::ranges::count_if(scene_->bodies(), moves)),
             .pairs = scene_->pairs().size(),
             .contacts = scene_->contacts().size(),
-            .statistics = tree_.statistics(),
+            .statistics = tree_ == nullptr ? Statistics{} : tree_->statistics(),
             .note = {}};
   }
 
   std::string name_;
-  Bsp<D, EventLog> tree_;
+  std::string broad_phase_name_;
   FrameRenderer<D> renderer_;
-  std::unique_ptr<Scene<D>> scene_;  ///< after the tree, which it uses to its end
+  BroadPhaseChoice choice_;
+  std::unique_ptr<BroadPhase<D>> broad_phase_;
+  WatchedTree<D>* tree_;             ///< the same; null: it is no tree
+  std::unique_ptr<Scene<D>> scene_;  ///< after the broad phase, which it uses to its end
   std::vector<Event> recent_;        ///< operators of the last kHighlightSteps steps
   std::uint64_t events_since_record_ = 0;
 };

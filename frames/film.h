@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// A running simulation with the tree as its broad phase, and a camera on it.
+/// A running simulation and a camera on it.
 class Film {
  public:
   Film() = default;

@@ -65,7 +65,8 @@ std::string to_json(const Manifest& manifest) {
                {"camera", manifest.camera},
                {"volume", manifest.volume},
                {"recycle", manifest.recycle},
-               {"config", config_json(manifest.config)},
+               {"broad_phase", manifest.broad_phase},
+               {"config", manifest.config ? config_json(*manifest.config) : Json()},
                {"frames", Json::array()}};
   for (const FrameRecord& frame : manifest.frames) json["frames"].push_back(frame_json(frame));
   // Paths need not be UTF-8; what cannot be said in JSON is replaced, never a reason to lose the manifest.

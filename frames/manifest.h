@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,8 @@ struct Manifest {
   PictureSize size;
   std::string layers;
   std::string camera;
-  Config config;
+  std::string broad_phase;
+  std::optional<Config> config;  ///< of the tree; none: another broad phase
   std::string volume;
   std::uint32_t recycle = 0;  ///< steps between two objects that fall anew; 0: none does
   bool complete = false;      ///< every frame of `steps` was made

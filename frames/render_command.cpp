@@ -10,6 +10,13 @@ namespace {
 
 std::string layer_names() { return to_string(LayerSet::all()); }
 
+template <int D>
+std::string names_of() {
+  std::string names;
+  for (const std::string& name : broad_phase_names<D>()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
 /// What the options cannot say in a line each.
 std::string footer() {
   std::string text =
@@ -21,9 +28,13 @@ std::string footer() {
       "\n        A folder that holds a sequence is refused unless --overwrite is given, which removes that"
       "\n        sequence and nothing else. Ctrl-C keeps the finished frames and their manifest."
       "\nEXIT    0 done, 1 failed, 2 wrong usage, 130 interrupted"
+      "\n\nBROAD PHASES for --broad-phase: kerf is the tuned tree, kerf-paper the tree with the paper's "
+      "parameters\n  3D  " +
+      names_of<3>() + "\n  2D  " + names_of<2>() +
       "\n\nVOLUMES for --volume: box, sphere, oriented-box; in 3D 14-dop, 26-dop; in 2D 8-dop, 16-dop"
-      "\n\nPARAMETERS of the tree for --config, with the paper's values. A scene that needs no free "
-      "directions\n           starts with free_directions=0; frames.json says what was used:\n";
+      "\n\nPARAMETERS of the tree for --config, with the paper's values. kerf-paper in a scene that "
+      "needs no free\n           directions starts with free_directions=0, kerf with its own; frames.json "
+      "says what was used:\n";
   for (const ConfigField& field : config_fields()) {
     std::string line = "  " + std::string(field.name) + "=" + get(Config{}, field.name);
     line.resize(std::max<std::size_t>(line.size() + 1, 28), ' ');
@@ -46,11 +57,12 @@ RenderCommand::RenderCommand(CLI::App& program)
   option("--grow", texts_.grow, "Steps until all objects are there (default: the scene's own)", "STEPS");
   option("--recycle", texts_.recycle,
          "Then let the oldest fall anew, one every so many steps (default never)", "STEPS");
+  option("--broad-phase", texts_.broad_phase, "What finds the pairs, see below (default kerf-paper)", "NAME");
   option("--volume", texts_.volume, "How objects are bounded, see below (default: what the scene needs)",
          "KIND");
   option("--show", texts_.show, "What is drawn, see below (default all)", "LAYERS");
   option("--camera", texts_.camera, "From where, see below (default: all in view)", "TEXT");
-  option("--config", texts_.config, "Parameters of the tree, see below (default: what the scene needs)",
+  option("--config", texts_.config, "Parameters of the tree, see below (default: those of --broad-phase)",
          "K=V,...");
   option("--out", texts_.out, "Folder for frames and manifest (default out/SCENE)", "DIR");
   option("--video", texts_.video, "Also a film (.mp4, .mkv, .mov), by ffmpeg", "FILE");

@@ -66,6 +66,27 @@ Needs needs_of(const CatalogScene& scene) {
   return std::visit([](const auto* entry) { return entry->needs; }, scene.entry);
 }
 
+void check_growth(const CatalogScene& scene, const RenderTexts& texts) {
+  const bool grows = std::visit([](const auto* entry) { return entry->grows; }, scene.entry);
+  if (grows || (texts.grow.empty() && texts.recycle.empty())) return;
+  throw UsageError((texts.grow.empty() ? "--recycle: " : "--grow: ") + scene.name +
+                   " does not grow: all its objects are there from the first step; leave the option out");
+}
+
+BroadPhaseChoice parse_broad_phase(const CatalogScene& scene, const RenderTexts& texts) {
+  BroadPhaseChoice choice = choose_broad_phase(
+      texts.broad_phase.empty() ? kPaperTree : std::string_view(texts.broad_phase), needs_of(scene));
+  if (!texts.config.empty() && !choice.is_tree())
+    throw UsageError("--config: " + choice.name + " has no parameters; only kerf and kerf-paper do");
+  choice.config = parse_config("--config", texts.config, choice.config);
+  if (texts.volume.empty()) return choice;
+  choice.volume = parse_volume(scene, texts.volume);
+  if (choice.volume != VolumeKind::box && !takes_volumes(choice.name))
+    throw UsageError("--volume: " + choice.name +
+                     " knows only boxes; kerf, kerf-paper and brute-force take other volumes");
+  return choice;
+}
+
 }  // namespace
 
 RenderRequest parse_request(const RenderTexts& texts) {
@@ -77,6 +98,7 @@ RenderRequest parse_request(const RenderTexts& texts) {
     request.options.objects = number_in("--objects", texts.objects, 1U, kMaxRequestedObjects);
   }
   if (!texts.grow.empty()) request.options.steps = number_in("--grow", texts.grow, 1U, kMaxStep);
+  check_growth(request.scene, texts);
   if (!texts.recycle.empty()) request.options.recycle = number_in("--recycle", texts.recycle, 1U, kMaxStep);
   if (!texts.seed.empty()) {
     request.options.seed = number_in<std::uint64_t>("--seed", texts.seed, 0, UINT64_MAX);
@@ -86,9 +108,7 @@ RenderRequest parse_request(const RenderTexts& texts) {
     request.layers = parse_option("--show", [&] { return LayerSet::parse(texts.show); });
   check_camera(request.scene, texts.camera);
   request.camera = texts.camera;
-  const Needs needs = needs_of(request.scene);
-  request.config = parse_config("--config", texts.config, default_config(needs));
-  request.volume = texts.volume.empty() ? needs.volume : parse_volume(request.scene, texts.volume);
+  request.broad_phase = parse_broad_phase(request.scene, texts);
   request.out = texts.out.empty() ? std::filesystem::path("out") / request.scene.name
                                   : std::filesystem::path(texts.out);
   request.video = texts.video;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/config.h"
+#include "frames/broad_phase_choice.h"
 #include "frames/picture_size.h"
 #include "frames/scene_catalog.h"
 #include "frames/step_range.h"
@@ -20,6 +20,7 @@ struct RenderTexts {
   std::string objects;
   std::string grow;
   std::string recycle;
+  std::string broad_phase;
   std::string volume;
   std::string show;
   std::string camera;
@@ -40,8 +41,7 @@ struct RenderRequest {
   SceneOptions options;
   LayerSet layers = LayerSet::all();
   std::string camera;
-  Config config;
-  VolumeKind volume = VolumeKind::box;
+  BroadPhaseChoice broad_phase;
   std::filesystem::path out;
   std::filesystem::path video;  ///< empty: none
   int fps = 25;

@@ -16,6 +16,14 @@ namespace {
 
 using Row = std::vector<std::string>;
 
+/// What --objects, --grow and --recycle mean in a scene.
+template <int D>
+std::string parameters_of(const SceneEntry<D>& entry) {
+  if (!entry.parameters.empty()) return std::string(entry.parameters);
+  return "objects: those that fall; grow: steps in which they come; recycle: steps between two that fall "
+         "anew";
+}
+
 Row row_of(const CatalogScene& scene) {
   return std::visit(
       [&](const auto* entry) {
@@ -24,7 +32,8 @@ Row row_of(const CatalogScene& scene) {
                    std::to_string(entry->default_objects),
                    std::string(entry->source),
                    std::string(entry->summary),
-                   describe(entry->needs)};
+                   describe(entry->needs),
+                   parameters_of(*entry)};
       },
       scene.entry);
 }
@@ -54,7 +63,9 @@ std::string as_json(const std::vector<CatalogScene>& catalog) {
                           {"default_objects", entry->default_objects},
                           {"source", entry->source},
                           {"summary", entry->summary},
-                          {"needs", describe(entry->needs)}});
+                          {"needs", describe(entry->needs)},
+                          {"grows", entry->grows},
+                          {"parameters", parameters_of(*entry)}});
         },
         scene.entry);
   }
@@ -62,16 +73,17 @@ std::string as_json(const std::vector<CatalogScene>& catalog) {
 }
 
 std::string as_text(const std::vector<CatalogScene>& catalog, bool verbose) {
-  std::vector<Row> rows{{"NAME", "DIM", "OBJECTS", "SOURCE", "SUMMARY", "NEEDS"}};
+  std::vector<Row> rows{{"NAME", "DIM", "OBJECTS", "SOURCE", "SUMMARY", "NEEDS", "PARAMETERS"}};
   for (const CatalogScene& scene : catalog) rows.push_back(row_of(scene));
-  return table(rows, verbose ? 6 : 5);
+  return table(rows, verbose ? 7 : 5);
 }
 
 }  // namespace
 
 ScenesCommand::ScenesCommand(CLI::App& program)
     : command_(program.add_subcommand("scenes", "List the scenes that can be rendered")) {
-  command_->add_flag("--verbose", verbose_, "Also what each scene needs of its broad phase");
+  command_->add_flag("--verbose", verbose_,
+                     "Also what each scene needs of its broad phase, and what its parameters mean");
   command_->add_flag("--json", json_, "Everything, as JSON");
   command_->footer(
       "OBJECTS counts the moving objects by default; `kerf render --objects N` changes it.\n"

@@ -34,8 +34,9 @@ Manifest begin_manifest(const RenderRequest& request) {
   manifest.size = request.size;
   manifest.layers = to_string(request.layers);
   manifest.camera = request.camera;
-  manifest.config = request.config;
-  manifest.volume = to_string(request.volume);
+  manifest.broad_phase = request.broad_phase.name;
+  if (request.broad_phase.is_tree()) manifest.config = request.broad_phase.config;
+  manifest.volume = to_string(request.broad_phase.volume);
   manifest.recycle = request.options.recycle;
   return manifest;
 }

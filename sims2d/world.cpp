@@ -32,13 +32,13 @@ void check_plan(const BodyPlan& plan) {
 
 b2BodyDef definition(const BodyPlan& plan, std::size_t object) {
   b2BodyDef def;
-  def.type = plan.mobility == Mobility::fixed ? b2_staticBody : b2_dynamicBody;
+  if (plan.mobility == Mobility::moving) def.type = plan.driven ? b2_kinematicBody : b2_dynamicBody;
   def.position.Set(plan.position[0], plan.position[1]);
   def.angle = plan.angle;
   def.linearVelocity.Set(plan.velocity[0], plan.velocity[1]);
   def.angularVelocity = plan.spin;
-  def.linearDamping = World::kDrag;
-  def.angularDamping = kSpinDrag;
+  def.linearDamping = plan.driven ? 0 : World::kDrag;
+  def.angularDamping = plan.driven ? 0 : kSpinDrag;
   def.userData.pointer = object;
   return def;
 }
@@ -60,9 +60,9 @@ bool is_finite(const Pose<2>& pose) {
 
 }  // namespace
 
-World::World(BroadPhase<2>& broad_phase)
+World::World(BroadPhase<2>& broad_phase, Scalar gravity)
     : broad_phase_(broad_phase),
-      engine_(std::make_unique<b2World>(b2Vec2(0.0F, -kGravity))),
+      engine_(std::make_unique<b2World>(b2Vec2(0.0F, -gravity))),
       gate_(std::make_unique<ContactGate>(*engine_)) {
   engine_->SetContinuousPhysics(false);
 }
@@ -84,14 +84,43 @@ ObjectId World::add(const BodyPlan& plan) {
   handles_.push_back(engine_->CreateBody(&def));
   handles_.back()->CreateFixture(&fixture);
   bodies_.push_back({plan.shape, to_pose(transform), volume.box, plan.mobility});
+  reshaped_.push_back(0);
   return object;
 }
 
-void World::place(ObjectId object, const BodyPlan& plan) {
+b2Body& World::moving_body(ObjectId object) const {
   if (object.index() >= bodies_.size() || bodies_[object.index()].mobility == Mobility::fixed)
-    throw std::invalid_argument("only a moving object can be placed");
+    throw std::invalid_argument("only a moving object can be placed, pushed, reshaped or asked how it moves");
+  return *handles_[object.index()];
+}
+
+void World::push(ObjectId object, const Vector<2>& acceleration) {
+  b2Body& body = moving_body(object);
+  const float mass = body.GetMass();
+  body.ApplyForceToCenter({mass * acceleration[0], mass * acceleration[1]}, true);
+}
+
+void World::reshape(ObjectId object, const Shape<2>& shape) {
+  b2Body& body = moving_body(object);
+  const std::unique_ptr<b2Shape> made = to_box2d(shape);
+  const b2FixtureDef fixture = material(*made);
+  body.DestroyFixture(body.GetFixtureList());
+  body.CreateFixture(&fixture);
+  body.SetAwake(true);
+  bodies_[object.index()].shape = shape;
+  reshaped_[object.index()] = 1;
+}
+
+Vector<2> World::velocity_of(ObjectId object) const {
+  const b2Vec2& velocity = moving_body(object).GetLinearVelocity();
+  return {{velocity.x, velocity.y}};
+}
+
+Scalar World::spin_of(ObjectId object) const { return moving_body(object).GetAngularVelocity(); }
+
+void World::place(ObjectId object, const BodyPlan& plan) {
+  b2Body& body = moving_body(object);
   check_plan(plan);
-  b2Body& body = *handles_[object.index()];
   body.SetTransform({plan.position[0], plan.position[1]}, plan.angle);
   body.SetLinearVelocity({plan.velocity[0], plan.velocity[1]});
   body.SetAngularVelocity(plan.spin);
@@ -113,11 +142,12 @@ void World::update_boxes() {
     if (body.mobility == Mobility::fixed) continue;
     const b2Transform& transform = handles_[i]->GetTransform();
     const Pose<2> pose = to_pose(transform);
-    if (same(pose, body.pose)) continue;
+    if (same(pose, body.pose) && reshaped_[i] == 0) continue;
     if (!is_finite(pose))
       throw std::runtime_error("the pose of " + name_of(i) + " is not finite at step " +
                                std::to_string(step_));
     body.pose = pose;
+    reshaped_[i] = 0;
     const b2Shape& shape = *handles_[i]->GetFixtureList()->GetShape();
     const Volume<2> volume = padded_volume(broad_phase_.volume_kind(), body.shape, shape, transform);
     body.box = volume.box;

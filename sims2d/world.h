@@ -24,7 +24,8 @@ struct BodyPlan {
   Scalar angle = 0;
   Mobility mobility = Mobility::moving;
   Vector<2> velocity;
-  Scalar spin = 0;  ///< radians a second
+  Scalar spin = 0;      ///< radians a second
+  bool driven = false;  ///< moves as `place` says and nothing stops it: the wall of a machine
 };
 
 /// A Box2D world whose contacts come from a broad phase of ours and from nothing else. Units are metres and
@@ -50,8 +51,8 @@ class World {
   static constexpr Scalar kDrag = 1.25F;                  ///< loss of speed, per second
   static constexpr Scalar kFallSpeed = kGravity / kDrag;  ///< at which drag and gravity are equal
 
-  /// `broad_phase` must hold no objects and outlive the world.
-  explicit World(BroadPhase<2>& broad_phase);
+  /// `broad_phase` must hold no objects and outlive the world. `gravity` pulls down.
+  explicit World(BroadPhase<2>& broad_phase, Scalar gravity = kGravity);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -63,6 +64,15 @@ class World {
   /// Puts a moving body to the pose and motion of the plan, awake; its shape stays. Takes effect in the next
   /// `advance()`. Throws std::invalid_argument as `add` does, and for a fixed or unknown body.
   void place(ObjectId object, const BodyPlan& plan);
+  /// Accelerates a moving body for the next step, besides gravity and contacts, and keeps it awake: metres a
+  /// second squared. Throws std::invalid_argument for a fixed or unknown body.
+  void push(ObjectId object, const Vector<2>& acceleration);
+  /// Gives a moving body another shape in the same place and motion, awake. Throws as `add` and `push` do.
+  void reshape(ObjectId object, const Shape<2>& shape);
+  /// Units a second after the last step. Throws as `push` does.
+  [[nodiscard]] Vector<2> velocity_of(ObjectId object) const;
+  /// Radians a second after the last step. Throws as `push` does.
+  [[nodiscard]] Scalar spin_of(ObjectId object) const;
 
   /// One step. Bodies that did not move (fixed and sleeping ones) are not moved in the broad phase. Throws
   /// std::runtime_error for a pose that is not finite and for pairs of unknown objects.
@@ -76,6 +86,7 @@ class World {
   [[nodiscard]] const b2World& engine() const { return *engine_; }
 
  private:
+  [[nodiscard]] b2Body& moving_body(ObjectId object) const;
   void update_boxes();
   void ask();
   void collect_contacts();
@@ -85,6 +96,7 @@ class World {
   std::unique_ptr<ContactGate> gate_;
   std::vector<b2Body*> handles_;
   std::vector<Body<2>> bodies_;
+  std::vector<std::uint8_t> reshaped_;  ///< since the last step
   std::vector<Pair> sorted_;
   std::vector<Pair> contacts_;
   std::uint32_t step_ = 0;

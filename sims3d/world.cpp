@@ -108,19 +108,64 @@ ObjectId World::add(Geom geom, OdeHandle<dxBody> rigid, const Shape<3>& shape, M
   rigid_.push_back(std::move(rigid));
   geoms_.push_back(std::move(geom));
   moved_.push_back(1);
+  max_speeds_.push_back(settings_.max_speed);
   return object;
 }
 
-void World::place(ObjectId object, const Vector<3>& position, const Motion& motion) {
+dBodyID World::moving_body(ObjectId object) const {
   if (object.index() >= rigid_.size() || !rigid_[object.index()])
-    throw std::invalid_argument("only a moving object can be placed");
+    throw std::invalid_argument("only a moving object can be placed, pushed, reshaped or asked how it moves");
+  return rigid_[object.index()].get();
+}
+
+void World::place(ObjectId object, const Vector<3>& position, const Motion& motion) {
+  dBodyID body = moving_body(object);
   const auto lock = library_.enter();
-  dBodyID body = rigid_[object.index()].get();
   dBodySetPosition(body, static_cast<double>(position[0]), static_cast<double>(position[1]),
                    static_cast<double>(position[2]));
   set_motion(body, motion);
   sleep_.wake(object, body);
   moved_[object.index()] = 1;
+}
+
+void World::push(ObjectId object, const Vector<3>& acceleration) {
+  dBodyID body = moving_body(object);
+  const auto lock = library_.enter();
+  dMass mass;
+  dBodyGetMass(body, &mass);
+  dBodyAddForce(body, mass.mass * static_cast<double>(acceleration[0]),
+                mass.mass * static_cast<double>(acceleration[1]),
+                mass.mass * static_cast<double>(acceleration[2]));
+}
+
+void World::reshape(ObjectId object, const Shape<3>& shape) {
+  dBodyID body = moving_body(object);
+  const auto lock = library_.enter();
+  Geom geom = make_geom(shape);
+  const dMass mass = make_mass(shape, settings_.density);
+  dBodySetMass(body, &mass);
+  dGeomSetBody(geom.geom.get(), body);
+  geoms_[object.index()] = std::move(geom);
+  bodies_[object.index()].shape = shape;
+  sleep_.wake(object, body);
+  moved_[object.index()] = 1;
+}
+
+void World::set_max_speed(ObjectId object, double speed) {
+  static_cast<void>(moving_body(object));
+  max_speeds_[object.index()] = speed;
+}
+
+Motion World::motion_of(ObjectId object) const {
+  const dBodyID body = moving_body(object);
+  const dReal* linear = dBodyGetLinearVel(body);
+  const dReal* angular = dBodyGetAngularVel(body);
+  Motion motion;
+  for (int i = 0; i < 3; ++i) {
+    motion.linear[i] = static_cast<Scalar>(linear[i]);
+    motion.angular[i] = static_cast<Scalar>(angular[i]);
+  }
+  return motion;
 }
 
 void World::advance() {
@@ -251,8 +296,9 @@ void World::check_and_limit(ObjectId object, dBodyID body) const {
     throw std::runtime_error("object " + std::to_string(object.value) + " has no finite pose after step " +
                              std::to_string(step_ + 1) + ": the simulation has broken down");
   const double speed = dCalcVectorLength3(velocity);
-  if (speed <= settings_.max_speed) return;
-  const double scale = settings_.max_speed / speed;
+  const double max_speed = max_speeds_[object.index()];
+  if (speed <= max_speed) return;
+  const double scale = max_speed / speed;
   dBodySetLinearVel(body, velocity[0] * scale, velocity[1] * scale, velocity[2] * scale);
 }
 

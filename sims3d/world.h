@@ -55,9 +55,21 @@ class World {
   ObjectId add_fixed(const Shape<3>& shape, const Vector<3>& position);
   /// Adds a ball or brick; throws as `add_fixed` does.
   ObjectId add_moving(const Shape<3>& shape, const Pose<3>& pose, const Motion& motion);
-  /// Puts a moving object somewhere else, awake. Takes effect in the next `advance()`. Throws
-  /// std::invalid_argument for anything but a moving object.
+
+  // What follows takes effect in the next `advance()` and throws std::invalid_argument for anything but a
+  // moving object.
+
+  /// Puts an object somewhere else, awake.
   void place(ObjectId object, const Vector<3>& position, const Motion& motion);
+  /// Accelerates an object for one step, besides gravity and contacts: units a second squared.
+  void push(ObjectId object, const Vector<3>& acceleration);
+  /// Gives an object another shape, of the world's density, in the same place and motion; wakes it. Throws as
+  /// `add_moving` does.
+  void reshape(ObjectId object, const Shape<3>& shape);
+  /// Gives an object a terminal speed of its own, in units a second.
+  void set_max_speed(ObjectId object, double speed);
+  /// How an object moves after the last step of dynamics.
+  [[nodiscard]] Motion motion_of(ObjectId object) const;
 
   /// One step. Throws std::runtime_error if a body's pose or velocity is no longer finite, if the broad phase
   /// refuses a box or names an object that does not exist, or if ODE reports an error; std::bad_alloc if
@@ -87,6 +99,7 @@ class World {
   void join(const Touch& touch);
   void integrate();
   void check_and_limit(ObjectId object, dBodyID body) const;
+  [[nodiscard]] dBodyID moving_body(ObjectId object) const;
   [[nodiscard]] bool is_asleep(ObjectId object) const;
   [[nodiscard]] bool is_awake(ObjectId object) const;
 
@@ -99,6 +112,7 @@ class World {
   std::vector<OdeHandle<dxBody>> rigid_;  // null for fixed objects
   std::vector<Geom> geoms_;
   std::vector<std::uint8_t> moved_;  // since the last narrow phase
+  std::vector<double> max_speeds_;
   std::vector<Pair> candidates_;
   NarrowPhase narrow_phase_;
   Sleep sleep_;

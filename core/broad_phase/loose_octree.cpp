@@ -83,10 +83,11 @@ void LooseOctree<D>::sort_members() {
 /// Members of a row of cells from `from` on. Without a branch: hits can hardly be predicted.
 template <int D>
 void LooseOctree<D>::test_row(const Member& member, std::uint32_t from, std::uint32_t first,
-                              std::uint32_t last, PairList& pairs) const {
+                              std::uint32_t last, PairList& pairs) {
   const std::uint32_t begin = std::max(first == 0 ? 0 : ends_[first - 1], from);
   const std::uint32_t end = ends_[last];
   if (begin >= end) return;
+  candidates_ += end - begin;
   Pair* out = pairs.reserve(end - begin);
   for (std::uint32_t k = begin; k < end; ++k) {
     const Member& other = members_[k];
@@ -97,7 +98,7 @@ void LooseOctree<D>::test_row(const Member& member, std::uint32_t from, std::uin
 }
 
 template <int D>
-void LooseOctree<D>::test_level(std::uint32_t index, unsigned level, PairList& pairs) const {
+void LooseOctree<D>::test_level(std::uint32_t index, unsigned level, PairList& pairs) {
   const Member& member = members_[index];
   const std::uint32_t from = level == member.level ? index + 1 : 0;
   Place first;
@@ -119,10 +120,16 @@ void LooseOctree<D>::test_level(std::uint32_t index, unsigned level, PairList& p
 }
 
 template <int D>
-void LooseOctree<D>::find_pairs(PairList& pairs) {
+void LooseOctree<D>::arrange() {
+  members_.clear();
   if (this->placed().empty()) return;
   lay_out();
   sort_members();
+}
+
+template <int D>
+void LooseOctree<D>::find_pairs(PairList& pairs) {
+  candidates_ = 0;
   for (std::uint32_t k = 0; k < members_.size(); ++k)
     for (unsigned level = 0; level <= members_[k].level; ++level)
       if (level_members_[level] != 0) test_level(k, level, pairs);

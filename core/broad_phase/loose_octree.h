@@ -20,6 +20,8 @@ template <int D>
 class LooseOctree final : public Tabled<D> {
  public:
   [[nodiscard]] std::string_view name() const override { return "loose-octree"; }
+  /// How many pairs of boxes the last `step()` tested.
+  [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
 
  private:
   using Place = std::array<std::uint32_t, D>;
@@ -32,6 +34,7 @@ class LooseOctree final : public Tabled<D> {
     Place last;   ///< and ends
   };
 
+  void arrange() override;
   void find_pairs(PairList& pairs) override;
   void lay_out();
   [[nodiscard]] Member member_of(ObjectId object) const;
@@ -39,9 +42,9 @@ class LooseOctree final : public Tabled<D> {
   /// The number of a cell; `place` is that of its level. Level 0 is one cell.
   [[nodiscard]] std::uint32_t cell_of(unsigned level, const Place& place) const;
   void sort_members();
-  void test_level(std::uint32_t index, unsigned level, PairList& pairs) const;
+  void test_level(std::uint32_t index, unsigned level, PairList& pairs);
   void test_row(const Member& member, std::uint32_t from, std::uint32_t first, std::uint32_t last,
-                PairList& pairs) const;
+                PairList& pairs);
 
   unsigned finest_ = 0;
   std::array<Scalar, D> scale_{};
@@ -52,6 +55,7 @@ class LooseOctree final : public Tabled<D> {
   std::vector<std::uint32_t> cells_;          ///< by place in `unsorted_`
   std::vector<Member> unsorted_;
   std::vector<Member> members_;  ///< by cell
+  std::uint64_t candidates_ = 0;
 };
 
 extern template class LooseOctree<2>;

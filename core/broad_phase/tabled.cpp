@@ -1,5 +1,7 @@
 #include "core/broad_phase/tabled.h"
 
+#include <chrono>
+
 namespace kerf {
 
 /// Only a change of who takes part makes the list old.
@@ -45,7 +47,11 @@ void Tabled<D>::list_placed() {
 
 template <int D>
 void Tabled<D>::step() {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
   if (list_is_old_) list_placed();
+  arrange();
+  arrange_seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
   pairs_.clear();
   find_pairs(pairs_);
 }

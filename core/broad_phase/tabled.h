@@ -20,7 +20,12 @@ class Tabled : public BroadPhase<D> {
   void step() final;
   [[nodiscard]] std::span<const Pair> pairs() const final { return pairs_.pairs(); }
 
+  /// How many seconds the last `step()` spent on its structure, before it looked for pairs.
+  [[nodiscard]] double arrange_seconds() const { return arrange_seconds_; }
+
  protected:
+  /// Brings the structure, if there is any, into agreement with `placed()` and their boxes.
+  virtual void arrange() {}
   /// Writes the pairs of `placed()` to `pairs`, which is empty.
   virtual void find_pairs(PairList& pairs) = 0;
 
@@ -36,6 +41,7 @@ class Tabled : public BroadPhase<D> {
   std::vector<ObjectId> placed_;
   std::vector<std::uint8_t> listed_;  ///< per object: it is in placed_
   bool list_is_old_ = false;
+  double arrange_seconds_ = 0;
   PairList pairs_;
 };
 

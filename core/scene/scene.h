@@ -62,6 +62,9 @@ struct SceneEntry {
   std::uint32_t default_objects = 0;  ///< moving objects
   Needs needs;
   std::unique_ptr<Scene<D>> (*make)(BroadPhase<D>& broad_phase, const SceneOptions& options) = nullptr;
+  bool grows =
+      true;  ///< objects come over `steps` and may `recycle`; false: all are there from the first step
+  std::string_view parameters{};  ///< what the options mean here, where that needs a word
 };
 
 }  // namespace kerf

@@ -6,9 +6,11 @@
 
 #include "core/broad_phase/all_pairs.h"
 #include "core/broad_phase/approximate.h"
+#include "core/broad_phase/brute_force.h"
 #include "core/broad_phase/bsp.h"
 #include "core/broad_phase/columns.h"
 #include "core/broad_phase/loose_octree.h"
+#include "core/broad_phase/sort_and_sweep.h"
 #include "core/broad_phase/sweep_and_prune.h"
 #include "core/config.h"
 #include "frames/errors.h"
@@ -18,8 +20,6 @@
 namespace kerf {
 namespace {
 
-constexpr std::string_view kTuned = "kerf";
-constexpr std::string_view kPaper = "kerf-paper";
 constexpr unsigned kMostThreads = 256;  // as many as `--threads` takes
 
 template <int D>
@@ -41,6 +41,26 @@ Algorithm<D> own(std::string name, std::string what) {
   return {std::move(name), std::move(what), Origin::ours, 1, true, [](const RivalHints<D>&, unsigned) {
             return std::make_unique<Kind<D>>();
           }};
+}
+
+/// The paper's rival, only for those who ask: where many move far, its swaps take quadratic time.
+template <int D>
+Algorithm<D> sweep_and_prune() {
+  return {"sweep-and-prune",
+          "our sweep-and-prune: a list an axis, ordered by swaps",
+          Origin::ours,
+          1,
+          false,
+          [](const RivalHints<D>& hints, unsigned) {
+            return std::make_unique<SweepAndPrune<D>>(hints.separating);
+          }};
+}
+
+template <int D>
+Algorithm<D> brute_force() {
+  return {"brute-force", "the oracle: each box against each",
+          Origin::ours,  1,
+          false,         [](const RivalHints<D>&, unsigned) { return std::make_unique<BruteForce<D>>(); }};
 }
 
 template <int D>
@@ -103,12 +123,14 @@ Algorithm<D> approximate(Algorithm<D> exact, const Approximation& how) {
 template <int D>
 std::vector<Algorithm<D>> algorithms() {
   std::vector<Algorithm<D>> all;
-  all.push_back(tree<D>(kTuned, "the Semi-Adjusting BSP-tree, tuned", tuned_config()));
-  all.push_back(tree<D>(kPaper, "the same with the paper's parameters alone", Config{}));
+  all.push_back(tree<D>(kTunedTree, "the Semi-Adjusting BSP-tree, tuned", tuned_config()));
+  all.push_back(tree<D>(kPaperTree, "the same with the paper's parameters alone", Config{}));
   all.push_back(own<Columns, D>("columns", "our grid of columns, built anew in each step"));
-  all.push_back(own<SweepAndPrune, D>("sweep-and-prune", "our sort-and-sweep with vectors"));
+  all.push_back(own<SortAndSweep, D>("sort-and-sweep", "our sort-and-sweep with vectors"));
+  all.push_back(sweep_and_prune<D>());
   all.push_back(own<LooseOctree, D>("loose-octree", "our loose octree, built anew in each step"));
   all.push_back(own<AllPairs, D>("all-pairs", "our brute force with vectors"));
+  all.push_back(brute_force<D>());
   for (const Rival<D>& rival : rivals<D>()) all.push_back(library(rival));
   return all;
 }
@@ -118,12 +140,12 @@ std::optional<Algorithm<D>> find_algorithm(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return find_named<D>(text);
   const std::string_view base = text.substr(0, colon);
-  if (base != kTuned && base != kPaper)
-    throw UsageError("'" + std::string(text) + "': only " + std::string(kTuned) + " and " +
-                     std::string(kPaper) + " take parameters");
+  if (base != kTunedTree && base != kPaperTree)
+    throw UsageError("'" + std::string(text) + "': only " + std::string(kTunedTree) + " and " +
+                     std::string(kPaperTree) + " take parameters");
   const Parameters parts = part(text.substr(colon + 1));
   const Config config =
-      parse_config("--algorithms", parts.config, base == kTuned ? tuned_config() : Config{});
+      parse_config("--algorithms", parts.config, base == kTunedTree ? tuned_config() : Config{});
   const Approximation how = parse_approximation(parts.approximation);
   Algorithm<D> other = tree<D>(text, "the tree with other parameters", config);
   return how == Approximation{} ? other : approximate(std::move(other), how);

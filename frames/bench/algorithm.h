@@ -15,7 +15,11 @@ namespace kerf {
 /// Whose work an algorithm is.
 enum class Origin : std::uint8_t { kerf, ours, library };
 
-/// What `kerf bench` can measure.
+/// The names of the tree, tuned and as the paper has it.
+inline constexpr std::string_view kTunedTree = "kerf";
+inline constexpr std::string_view kPaperTree = "kerf-paper";
+
+/// What `kerf bench` can measure, and what can be the broad phase of a scene.
 template <int D>
 struct Algorithm {
   std::string name;

@@ -1,7 +1,5 @@
 #include "frames/bench/bench_command.h"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <stdexcept>
@@ -13,6 +11,7 @@
 #include "frames/bench/bench_report.h"
 #include "frames/errors.h"
 #include "frames/interrupt.h"
+#include "frames/progress_line.h"
 
 namespace kerf {
 namespace {
@@ -48,19 +47,6 @@ void print(const std::string& line) {
   if (std::puts(line.c_str()) < 0 || std::fflush(stdout) != 0)
     throw std::runtime_error("cannot write to standard output");
 }
-
-/// A line on the terminal that is written over and over; silent if standard error is no terminal.
-class Line {
- public:
-  ~Line() { clear(); }
-  void show(const std::string& text) const {
-    if (shown_) std::fprintf(stderr, "\r\033[K%s", text.c_str());
-  }
-  void clear() const { show(""); }
-
- private:
-  bool shown_ = isatty(STDERR_FILENO) == 1;
-};
 
 CellPlan plan_for(const BenchRequest& request, const BenchScene& scene, std::uint32_t objects,
                   unsigned threads) {
@@ -126,7 +112,7 @@ class Bench {
 
   const BenchRequest& request_;
   InterruptGuard interrupt_;
-  Line line_;
+  ProgressLine line_;
   CellResult all_;
 };
 

@@ -5,7 +5,7 @@
 
 #include "core/broad_phase/all_pairs.h"
 #include "core/broad_phase/columns.h"
-#include "core/broad_phase/sweep_and_prune.h"
+#include "core/broad_phase/sort_and_sweep.h"
 
 namespace kerf {
 namespace {
@@ -28,7 +28,7 @@ std::vector<Pair> pairs_by(BroadPhase<D>&& oracle, std::span<const Box<D>> boxes
 template <int D>
 std::vector<Pair> true_pairs(std::span<const Box<D>> boxes, std::uint32_t moving) {
   if (boxes.size() <= kMostTested) return pairs_by<D>(AllPairs<D>(), boxes, moving);
-  if (boxes.size() <= kMostSwept) return pairs_by<D>(SweepAndPrune<D>(), boxes, moving);
+  if (boxes.size() <= kMostSwept) return pairs_by<D>(SortAndSweep<D>(), boxes, moving);
   return pairs_by<D>(Columns<D>(), boxes, moving);
 }
 
@@ -36,7 +36,7 @@ template <int D>
 void verify_truth(std::span<const Box<D>> boxes, std::uint32_t moving) {
   const std::vector<Pair> truth = true_pairs<D>(boxes, moving);
   const Truth other = boxes.size() <= kMostSwept ? truth_of(pairs_by<D>(Columns<D>(), boxes, moving))
-                                                 : truth_of(pairs_by<D>(SweepAndPrune<D>(), boxes, moving));
+                                                 : truth_of(pairs_by<D>(SortAndSweep<D>(), boxes, moving));
   if (truth_of(truth) != other)
     throw std::logic_error("two algorithms of ours that should be exact disagree");
 }

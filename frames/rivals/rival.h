@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -16,6 +17,7 @@ struct RivalHints {
   Box<D> bounds;                  ///< where the objects are; what leaves it is the library's affair
   Scalar box_size = 1;            ///< a usual extent of a box: the cell size of grids
   std::uint32_t capacity = 1024;  ///< most objects at a time
+  std::array<bool, 3> separating{true, true, true};  ///< axes along which objects are told apart
 };
 
 /// What a rival is given to see.

@@ -1,10 +1,17 @@
 #include "sims3d/rivals/ode_space.h"
 
+#include <algorithm>
 #include <array>
+#include <chrono>
+#include <limits>
 #include <stdexcept>
 
 namespace kerf {
 namespace {
+
+/// ODE takes a geom without extent for none at all and tells no pair of it. This much is lost in the rounding
+/// of any coordinate but 0, and nearer to 0 than any other float.
+constexpr dReal kThinnest = 4 * std::numeric_limits<dReal>::min();
 
 constexpr unsigned long kFixed = 1;
 constexpr unsigned long kMoving = 2;
@@ -42,11 +49,15 @@ OdeSpace::OdeSpace(OdeSpaceKind kind, const Box<3>& bounds, OdeIntake intake) : 
   space_ = make_space(kind, bounds);
   if (space_ == nullptr) throw std::runtime_error("ODE cannot make its space");
   dSpaceSetCleanup(space_, 0);
+  constexpr dReal kFarAway = 1e30;
+  stranger_.reset(dCreateSphere(nullptr, 1));
+  dGeomSetPosition(stranger_.get(), kFarAway, kFarAway, kFarAway);
 }
 
 OdeSpace::~OdeSpace() {
   const auto lock = library_.enter();
   geoms_.clear();
+  stranger_.reset();
   dSpaceDestroy(space_);
 }
 
@@ -72,6 +83,7 @@ void OdeSpace::place(ObjectId object, const Box<3>& given) {
     const auto k = static_cast<std::size_t>(i);
     center[k] = (static_cast<dReal>(box.min[i]) + static_cast<dReal>(box.max[i])) / 2;
     size[k] = static_cast<dReal>(box.max[i]) - static_cast<dReal>(box.min[i]);
+    if (!raw) size[k] = std::max(size[k], kThinnest);
   }
   if (!geom) {
     geom.reset(dCreateBox(space_, size[0], size[1], size[2]));
@@ -106,8 +118,17 @@ Status OdeSpace::remove(ObjectId object) {
   return status;
 }
 
+/// Asking for what overlaps a geom that is nowhere near makes the quadtree put what moved in its place.
+void OdeSpace::arrange() {
+  if (kind_ != OdeSpaceKind::quadtree) return;
+  const auto start = std::chrono::steady_clock::now();
+  dSpaceCollide2(reinterpret_cast<dGeomID>(space_), stranger_.get(), &pairs_, keep_pair);
+  arrange_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 void OdeSpace::step() {
   const auto lock = library_.enter();
+  arrange();
   pairs_.clear();
   dSpaceCollide(space_, &pairs_, keep_pair);
 }

@@ -34,9 +34,13 @@ class OdeSpace final : public BroadPhase<3> {
   Status remove(ObjectId object) override;
   void step() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_; }
+  /// How many seconds the last `step()` took to bring the quadtree up to date. The other spaces do so while
+  /// they look for pairs, and tell 0.
+  [[nodiscard]] double arrange_seconds() const { return arrange_seconds_; }
 
  private:
   void place(ObjectId object, const Box<3>& given);
+  void arrange();
 
   OdeLibrary library_;  // first: everything below ends before it does
   OdeSpaceKind kind_;
@@ -44,6 +48,8 @@ class OdeSpace final : public BroadPhase<3> {
   ObjectTable<3> objects_;
   dSpaceID space_;
   std::vector<OdeHandle<dxGeom>> geoms_;
+  OdeHandle<dxGeom> stranger_;  ///< far away and in no space
+  double arrange_seconds_ = 0;
   std::vector<Pair> pairs_;
 };
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <utility>
 
+#include "sims3d/scenes/random_body.h"
+
 namespace kerf {
 namespace {
 
 constexpr std::uint32_t kMaxObjects = 100'000;
 constexpr std::uint32_t kMaxSteps = 1'000'000;
-constexpr double kMinHalf = 0.35;
-constexpr double kMaxHalf = 0.55;
 constexpr double kJitter = 0.45;  // keeps neighbours and walls clear, and heaps from becoming towers
 constexpr double kSpin = 3;
 constexpr double kWindow = 0.3;  // of a shower, in which the drops of one site fall
@@ -25,33 +25,7 @@ void limit(std::uint32_t value, std::uint32_t maximum, const char* what) {
                               std::to_string(maximum) + " are possible");
 }
 
-Shape<3> random_shape(Random& random) {
-  const bool ball = random.below(2) == 0;
-  if (ball) return Ball{static_cast<Scalar>(random.uniform(kMinHalf, kMaxHalf))};
-  Brick<3> brick;
-  for (int i = 0; i < 3; ++i) brick.half[i] = static_cast<Scalar>(random.uniform(kMinHalf, kMaxHalf));
-  return brick;
-}
-
-/// A turn about Y by a random angle, without a library's sine: a random point of the unit disc, normalised.
-std::array<Vector<3>, 3> random_turn(Random& random) {
-  while (true) {
-    const double c = random.uniform(-1, 1);
-    const double s = random.uniform(-1, 1);
-    const double norm2 = c * c + s * s;
-    if (norm2 > 1 || norm2 < 1e-4) continue;
-    const double norm = std::sqrt(norm2);
-    const auto cosine = static_cast<Scalar>(c / norm);
-    const auto sine = static_cast<Scalar>(s / norm);
-    return {Vector<3>{{cosine, 0, -sine}}, Vector<3>{{0, 1, 0}}, Vector<3>{{sine, 0, cosine}}};
-  }
-}
-
-Motion random_fall(Random& random) {
-  Motion motion{{{0, -kDropSpeed, 0}}, {}};
-  for (int i = 0; i < 3; ++i) motion.angular[i] = static_cast<Scalar>(random.uniform(-kSpin, kSpin));
-  return motion;
-}
+Motion random_fall(Random& random) { return {{{0, -kDropSpeed, 0}}, random_vector(random, kSpin)}; }
 
 }  // namespace
 

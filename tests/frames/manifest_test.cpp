@@ -14,7 +14,7 @@ Manifest example() {
   manifest.scene = "pile";
   manifest.dimension = 2;
   manifest.seed = UINT64_MAX;
-  manifest.config.max_redundancy = 0.125F;
+  manifest.config.emplace().max_redundancy = 0.125F;
   FrameRecord frame;
   frame.file = frame_file_name("pile", 42);
   frame.step = 169;

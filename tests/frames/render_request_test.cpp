@@ -54,7 +54,7 @@ TEST(RenderRequest, TextsArrive) {
   const RenderRequest shown = parse_request(with("pile", &RenderTexts::show, "objects,pairs"));
   EXPECT_EQ(shown.layers, LayerSet::parse("objects,pairs"));
   const Config config =
-      parse_request(with("pile", &RenderTexts::config, "max_redundancy=0.5,sample=99")).config;
+      parse_request(with("pile", &RenderTexts::config, "max_redundancy=0.5,sample=99")).broad_phase.config;
   EXPECT_FLOAT_EQ(config.max_redundancy, 0.5F);
   EXPECT_EQ(config.sample, 99U);
   EXPECT_EQ(parse_request(with("buckets", &RenderTexts::camera, "yaw=10")).camera, "yaw=10");

@@ -11,6 +11,7 @@
 #include "core/broad_phase/all_pairs.h"
 #include "core/broad_phase/columns.h"
 #include "core/broad_phase/loose_octree.h"
+#include "core/broad_phase/sort_and_sweep.h"
 #include "core/broad_phase/sweep_and_prune.h"
 #include "tests/support/boxes.h"
 #include "tests/support/checked.h"
@@ -53,8 +54,8 @@ class OwnBroadPhase : public testing::Test {
   MovingBoxes<kDimension> crowd_;
 };
 
-using Subjects = testing::Types<Columns<2>, Columns<3>, SweepAndPrune<2>, SweepAndPrune<3>, LooseOctree<2>,
-                                LooseOctree<3>, AllPairs<2>, AllPairs<3>>;
+using Subjects = testing::Types<Columns<2>, Columns<3>, SortAndSweep<2>, SortAndSweep<3>, SweepAndPrune<2>,
+                                SweepAndPrune<3>, LooseOctree<2>, LooseOctree<3>, AllPairs<2>, AllPairs<3>>;
 TYPED_TEST_SUITE(OwnBroadPhase, Subjects, BroadPhaseNames);
 
 TYPED_TEST(OwnBroadPhase, AgreesOnBouncingBoxesAndTeleports) {

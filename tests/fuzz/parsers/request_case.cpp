@@ -24,7 +24,7 @@ std::string check_request(const RenderRequest& request) {
   if (request.options.objects > kMaxRequestedObjects) return "objects";
   if (request.fps < 1 || request.fps > 240) return "fps";
   if (!(LayerSet::parse(to_string(request.layers)) == request.layers)) return "layers";
-  check(request.config);
+  check(request.broad_phase.config);
   return "";
 }
 

@@ -92,8 +92,7 @@ TEST_P(SceneContacts, ComeFromPairsThatTheOracleConfirms) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SceneContacts, ::testing::ValuesIn(scenes_2d().begin(), scenes_2d().end()),
-                         scene_name);
+INSTANTIATE_TEST_SUITE_P(All, SceneContacts, ::testing::ValuesIn(rain_scenes()), scene_name);
 
 }  // namespace
 }  // namespace kerf::test

@@ -5,6 +5,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "sims2d/scenes/rain_scene.h"
 #include "sims2d/scenes/scenes.h"
@@ -18,7 +19,7 @@ inline std::ostream& operator<<(std::ostream& out, const SceneEntry<2>& entry) {
 
 namespace kerf::test {
 
-/// A test for every 2D scene.
+/// A test of 2D scenes.
 class Scenes2d : public ::testing::TestWithParam<SceneEntry<2>> {
  protected:
   static std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
@@ -28,6 +29,14 @@ class Scenes2d : public ::testing::TestWithParam<SceneEntry<2>> {
     return dynamic_cast<const RainScene&>(scene).world();
   }
 };
+
+/// Those in which objects rain into a yard.
+inline std::vector<SceneEntry<2>> rain_scenes() {
+  std::vector<SceneEntry<2>> scenes;
+  for (const SceneEntry<2>& entry : scenes_2d())
+    if (entry.grows) scenes.push_back(entry);
+  return scenes;
+}
 
 inline std::string scene_name(const ::testing::TestParamInfo<SceneEntry<2>>& info) {
   return std::string(info.param.name);

@@ -83,8 +83,7 @@ TEST_P(SceneTrajectories, RepeatWithTheSameSeedAndDifferWithAnother) {
   EXPECT_FALSE(same_state(*fresh, *c));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SceneTrajectories, ::testing::ValuesIn(scenes_2d().begin(), scenes_2d().end()),
-                         scene_name);
+INSTANTIATE_TEST_SUITE_P(All, SceneTrajectories, ::testing::ValuesIn(rain_scenes()), scene_name);
 
 }  // namespace
 }  // namespace kerf::test

@@ -1,0 +1,50 @@
+#include "core/broad_phase/sort_and_sweep.h"
+
+#include <array>
+#include <utility>
+
+namespace kerf {
+
+template <int D>
+int SortAndSweep<D>::widest_axis() const {
+  std::array<double, D> sum{};
+  std::array<double, D> squares{};
+  for (const ObjectId object : this->placed()) {
+    const Vector<D> center = this->table().box(object).center();
+    for (int i = 0; i < D; ++i) {
+      sum[static_cast<std::size_t>(i)] += center[i];
+      squares[static_cast<std::size_t>(i)] += static_cast<double>(center[i]) * center[i];
+    }
+  }
+  const auto count = static_cast<double>(this->placed().size());
+  std::size_t widest = 0;
+  for (std::size_t i = 0; i < D; ++i) {
+    squares[i] -= sum[i] * sum[i] / count;
+    if (squares[i] > squares[widest]) widest = i;
+  }
+  return static_cast<int>(widest);
+}
+
+template <int D>
+void SortAndSweep<D>::find_pairs(PairList& pairs) {
+  if (this->placed().empty()) return;
+  const int axis = widest_axis();
+  order_.items.clear();
+  for (const ObjectId object : this->placed())
+    order_.items.push_back({sort_key(this->table().box(object).min[axis]), object.value});
+  order_.sort();
+  lanes_.resize(order_.items.size());
+  for (std::size_t k = 0; k < order_.items.size(); ++k) {
+    const ObjectId object{order_.items[k].value};
+    Box<D> box = this->table().box(object);
+    std::swap(box.min[0], box.min[axis]);
+    std::swap(box.max[0], box.max[axis]);
+    lanes_.set(k, box, object, this->table().is_fixed(object) ? 1 : 0);
+  }
+  sweep_lanes(lanes_, pairs);
+}
+
+template class SortAndSweep<2>;
+template class SortAndSweep<3>;
+
+}  // namespace kerf

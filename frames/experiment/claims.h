@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frames/experiment/experiment_plots.h"
+
+namespace kerf {
+
+/// A statement of the paper's section 6.2 and what became of it here.
+struct Verdict {
+  int simulation = 0;  ///< 0: of all
+  std::string claim;   ///< in the paper's words, shortened
+  bool holds = false;
+  std::string figures;  ///< by which it was judged
+  std::string reason;   ///< why it does not hold; empty if it does
+};
+
+/// All statements that figures can decide, in the paper's order. "BSP" is the tree with the paper's
+/// parameters.
+std::vector<Verdict> judge_claims(const ExperimentRuns& runs);
+
+/// What a run took on the whole, in milliseconds a step and in pairs: medians of stretches of twenty steps,
+/// and of these the mean. So a run that grows counts as a whole, and a moment in which the machine did
+/// something else does not.
+struct Means {
+  double fps = 0;
+  double collision = 0;
+  double update = 0;
+  double candidates = -1;  ///< negative: it does not tell
+  [[nodiscard]] double total() const { return collision + update; }
+};
+
+/// Of the steps from `begin` to `end`, parts of the whole.
+Means means_of(const ExperimentRun& run, std::string_view contestant, double begin = 0, double end = 1);
+
+}  // namespace kerf

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace kerf {
+
+/// `kerf experiment`: the paper's figures 12 and 13 and its claims, from simulations run here.
+class ExperimentCommand {
+ public:
+  explicit ExperimentCommand(CLI::App& program);
+  [[nodiscard]] bool chosen() const;
+  /// Throws UsageError, Interrupted, or std::runtime_error.
+  void run() const;
+
+ private:
+  CLI::App* command_;
+  std::string steps_;
+  std::string objects_;
+  std::string seed_;
+  std::string out_;
+  bool full_ = false;
+};
+
+}  // namespace kerf

@@ -1,0 +1,112 @@
+#include "frames/experiment/experiment_file.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "frames/atomic_file.h"
+#include "frames/errors.h"
+
+namespace kerf {
+namespace {
+
+constexpr const char* kColumns =
+    "step,moving,broad_phase,fps,pairs,candidates,collision_ms,overhead_ms,depth,leaves,operators,wrong,"
+    "contacts,"
+    "rest_ms";
+
+/// The first line, by which a file is known to fit.
+std::string title(const Simulation& simulation, const ExperimentSize& size) {
+  return "# kerf experiment, simulation " + std::to_string(simulation.number) + " (" +
+         std::string(simulation.scene) + "), steps " + std::to_string(size.steps) + ", objects " +
+         std::to_string(size.objects) + ", seed " + std::to_string(size.seed);
+}
+
+void write_step(std::ostream& text, const ExperimentStep& row) {
+  for (std::size_t k = 0; k < contestants().size(); ++k) {
+    const ContestantStep& one = row.contestants[k];
+    text << row.step << ',' << row.moving << ',' << contestants()[k] << ',' << row.fps(k) << ',' << row.pairs
+         << ',';
+    if (one.candidates >= 0) text << one.candidates;
+    text << ',' << one.collision << ',' << one.update << ',';
+    if (one.leaves > 0)
+      text << one.height << ',' << one.leaves << ',' << one.operators;
+    else
+      text << ",,";
+    text << ',' << one.wrong << ',' << row.contacts << ',' << row.rest << '\n';
+  }
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream text(line + ",");
+  for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+std::uint64_t whole(const std::string& cell) { return cell.empty() ? 0 : std::stoull(cell); }
+
+/// Adds a line to the step that it belongs to. Throws std::logic_error for what is no such line.
+void read_line(const std::string& line, ExperimentRun& run) {
+  const std::vector<std::string> cells = cells_of(line);
+  const std::size_t contestant = run.empty() ? 0 : run.back().contestants.size() % contestants().size();
+  if (cells.size() != 14 || cells[2] != contestants()[contestant])
+    throw std::invalid_argument("not a line of an experiment");
+  if (contestant == 0) {
+    ExperimentStep& row = run.emplace_back();
+    row.step = static_cast<std::uint32_t>(whole(cells[0]));
+    row.moving = static_cast<std::uint32_t>(whole(cells[1]));
+    row.pairs = whole(cells[4]);
+    row.contacts = whole(cells[12]);
+    row.rest = std::stod(cells[13]);
+  }
+  ContestantStep one;
+  if (!cells[5].empty()) one.candidates = std::stod(cells[5]);
+  one.collision = std::stod(cells[6]);
+  one.update = std::stod(cells[7]);
+  one.height = static_cast<std::uint32_t>(whole(cells[8]));
+  one.leaves = static_cast<std::uint32_t>(whole(cells[9]));
+  one.operators = whole(cells[10]);
+  one.wrong = whole(cells[11]);
+  run.back().contestants.push_back(one);
+}
+
+}  // namespace
+
+std::filesystem::path run_path(const std::filesystem::path& folder, const Simulation& simulation) {
+  return folder /
+         ("simulation-" + std::to_string(simulation.number) + "-" + std::string(simulation.scene) + ".csv");
+}
+
+void save_run(const std::filesystem::path& folder, const Simulation& simulation, const ExperimentSize& size,
+              const ExperimentRun& run) {
+  std::ostringstream text;
+  text << title(simulation, size) << '\n' << kColumns << '\n';
+  for (const ExperimentStep& row : run) write_step(text, row);
+  write_file_atomically(run_path(folder, simulation), text.str());
+}
+
+std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const Simulation& simulation,
+                                      const ExperimentSize& size) {
+  const std::filesystem::path path = run_path(folder, simulation);
+  std::ifstream file(path);
+  if (!file) return std::nullopt;
+  std::string line;
+  std::getline(file, line);
+  if (line != title(simulation, size))
+    throw UsageError(path.string() +
+                     " is of another experiment; choose another folder with --out, or remove it");
+  ExperimentRun run;
+  try {
+    std::getline(file, line);
+    while (std::getline(file, line)) read_line(line, run);
+  } catch (const std::logic_error&) {
+    run.clear();
+  }
+  if (run.size() != size.steps || run.back().contestants.size() != contestants().size())
+    throw std::runtime_error(path.string() + " is damaged; remove it, and the simulation is run again");
+  return run;
+}
+
+}  // namespace kerf

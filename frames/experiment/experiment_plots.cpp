@@ -1,0 +1,131 @@
+#include "frames/experiment/experiment_plots.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "frames/bench/algorithm.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t kPoints = 100;  // of a line; each is the median of the steps around it
+
+using Value = std::function<double(const ExperimentStep&, std::size_t contestant)>;
+
+/// One panel of a column.
+struct Panel {
+  const char* title;
+  bool trees_only;
+  const char* setting;
+  Value value;  ///< negative: none
+};
+
+const std::vector<Panel>& panels() {
+  static const std::vector<Panel> kPanels{
+      {"frames a second", false, "set logscale y", [](const auto& row, std::size_t k) { return row.fps(k); }},
+      {"pairs (black) and candidates", false, "set logscale y",
+       [](const auto& row, std::size_t k) { return row.contestants[k].candidates; }},
+      {"collision time, ms a step", false, "set logscale y",
+       [](const auto& row, std::size_t k) { return row.contestants[k].collision; }},
+      {"overhead (update) time, ms a step", false, "set logscale y",
+       [](const auto& row, std::size_t k) { return row.contestants[k].update; }},
+      {"depth of the BSP-tree", true, "set yrange [0:1<*]",
+       [](const auto& row, std::size_t k) { return row.contestants[k].height; }},
+      {"leaves of the BSP-tree", true, "set yrange [0:1<*]",
+       [](const auto& row, std::size_t k) { return row.contestants[k].leaves; }},
+      {"operators of the BSP-tree so far", true, "set yrange [0:1<*]",
+       [](const auto& row, std::size_t k) { return static_cast<double>(row.contestants[k].operators); }}};
+  return kPanels;
+}
+
+/// The medians of `value` over stretches of the run, as lines "step value".
+std::string points(const ExperimentRun& run, const std::function<double(const ExperimentStep&)>& value) {
+  std::ostringstream text;
+  const std::size_t stretch = std::max<std::size_t>(5, run.size() / kPoints);
+  for (std::size_t begin = 0; begin < run.size(); begin += stretch) {
+    std::vector<double> values;
+    for (std::size_t k = begin; k < std::min(begin + stretch, run.size()); ++k)
+      if (value(run[k]) >= 0) values.push_back(value(run[k]));
+    if (values.empty()) continue;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    text << run[std::min(begin + stretch / 2, run.size() - 1)].step << ' ' << *middle << '\n';
+  }
+  return text.str();
+}
+
+/// Data blocks and the plot command of one panel.
+std::string panel_script(const Panel& panel, const Simulation& simulation, const ExperimentRun& run) {
+  std::ostringstream data;
+  std::ostringstream plot;
+  const auto add = [&](std::size_t index, const std::string& lines, const std::string& style) {
+    if (lines.empty()) return;
+    const std::string name = "$line" + std::to_string(index);
+    data << name << " << EOD\n" << lines << "EOD\n";
+    plot << (plot.str().empty() ? "plot " : ", ") << name << " with lines " << style;
+  };
+  for (std::size_t k = 0; k < contestants().size(); ++k) {
+    const std::string name(contestants()[k]);
+    if (panel.trees_only && name != kTunedTree && name != kPaperTree) continue;
+    const bool tree = name == kPaperTree;
+    add(k, points(run, [&](const ExperimentStep& row) { return panel.value(row, k); }),
+        "lt " + std::to_string(k + 1) + " lw " + (tree ? "2.5" : "1.3") + " title '" + name + "'");
+  }
+  if (std::string(panel.title).starts_with("pairs"))
+    add(contestants().size(),
+        points(run, [](const ExperimentStep& row) { return static_cast<double>(row.pairs); }),
+        "lc rgb 'black' dt 2 lw 1.5 title 'pairs, all alike'");
+  return "set title \"" +
+         (&panel == &panels().front() ? "Simulation " + std::to_string(simulation.number) + ": " +
+                                            std::string(simulation.title) + "\\n" + panel.title
+                                      : std::string(panel.title)) +
+         "\"\nunset logscale y\nset yrange [*:*]\n" + panel.setting + "\n" + data.str() + plot.str() + "\n";
+}
+
+std::string figure_script(const std::string& terminal, const std::filesystem::path& path, int left,
+                          const ExperimentRuns& runs) {
+  std::ostringstream text;
+  text
+      << "set terminal " << terminal << "\nset output \"" << path.string() << "\"\n"
+      << "set linetype 1 lc rgb '#d62728'\nset linetype 2 lc rgb '#1f77b4'\nset linetype 3 lc rgb '#2ca02c'\n"
+      << "set linetype 4 lc rgb '#9467bd'\nset linetype 5 lc rgb '#ff7f0e'\nset linetype 6 lc rgb '#e377c2'\n"
+      << "set linetype 7 lc rgb '#7f7f7f'\nset grid lc rgb '#dddddd'\nset key outside right top\n"
+      << "set format y '%g'\nset xlabel 'step'\nset multiplot layout " << panels().size()
+      << ",2 columnsfirst\n";
+  for (int side = 0; side < 2; ++side) {
+    const auto index = static_cast<std::size_t>(left + side);
+    for (const Panel& panel : panels()) text << panel_script(panel, simulations()[index], runs[index]);
+  }
+  text << "unset multiplot\n";
+  return text.str();
+}
+
+void run_gnuplot(const std::string& script) {
+  constexpr const char* kAdvice =
+      "gnuplot failed; install it (apt-get install gnuplot-nox) and run the same command again: the "
+      "simulations "
+      "are kept";
+  std::FILE* const gnuplot = popen("gnuplot", "w");
+  if (gnuplot == nullptr) throw std::runtime_error(kAdvice);
+  const bool written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
+  if (pclose(gnuplot) != 0 || !written) throw std::runtime_error(kAdvice);
+}
+
+}  // namespace
+
+void plot_experiment(const std::filesystem::path& folder, const ExperimentRuns& runs) {
+  for (const int figure : {12, 13}) {
+    const std::string name = "figure-" + std::to_string(figure);
+    const int left = 2 * (figure - 12);
+    run_gnuplot(figure_script("svg size 1500,2300 dynamic background rgb 'white' font 'DejaVu Sans,13'",
+                              folder / (name + ".svg"), left, runs));
+    run_gnuplot(figure_script("pngcairo size 1500,2300 background rgb 'white' font 'DejaVu Sans,11'",
+                              folder / (name + ".png"), left, runs));
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,123 @@
+#include "frames/experiment/simulation.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <stdexcept>
+
+#include "core/broad_phase/object_table.h"
+#include "frames/bench/step_block.h"
+#include "frames/bench/step_timer.h"
+#include "frames/bench/truth.h"
+#include "frames/broad_phase_choice.h"
+#include "frames/experiment/contestant.h"
+#include "frames/scene_catalog.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::array<Simulation, 4> kSimulations{{{1, "terrain", "objects fall into a terrain"},
+                                                  {2, "attractors", "clouds follow moving attractors"},
+                                                  {3, "fracture", "blocks collide and break"},
+                                                  {4, "buckets", "objects fall into buckets"}}};
+
+constexpr std::array<std::string_view, 7> kContestants{
+    "kerf-paper", "ode-quadtree", "ode-hash", "loose-octree", "sweep-and-prune", "kerf", "ode-sap"};
+
+double milliseconds(const StepTimer& timer) { return static_cast<double>(timer.nanoseconds()) * 1e-6; }
+
+/// Stands in the world's loop and has all contestants do each step.
+class Chorus final : public BroadPhase<3> {
+ public:
+  Chorus(const SceneEntry<3>& entry, const SceneOptions& options) {
+    for (const std::string_view name : kContestants) {
+      BroadPhaseChoice choice = choose_broad_phase(name, entry.needs);
+      if (name == kPaperTree) choice.config = Config{};
+      contestants_.emplace_back(make_broad_phase<3>(choice, entry, options));
+    }
+  }
+
+  [[nodiscard]] std::string_view name() const override { return "chorus"; }
+  Status insert(ObjectId object, const Box<3>& box, Mobility mobility) override {
+    requests_.inserted.push_back({object, box, mobility});
+    return table_.insert(object, box, mobility);
+  }
+  Status move(ObjectId object, const Box<3>& box) override {
+    requests_.moved.push_back(object);
+    requests_.boxes.push_back(box);
+    return table_.move(object, box);
+  }
+  Status remove(ObjectId /*object*/) override {
+    throw std::logic_error("no scene of the experiment removes objects");
+  }
+
+  void step() override {
+    const StepTimer timer(true);
+    results_.assign(contestants_.size(), {});
+    // Each in turn begins, as the caches are warmer for whoever comes later.
+    for (std::size_t k = 0; k < contestants_.size(); ++k) {
+      const std::size_t turn = (k + steps_) % contestants_.size();
+      results_[turn] = contestants_[turn].step(requests_, steps_ % kBetweenCounts == 0);
+    }
+    ++steps_;
+    compare();
+    requests_.clear();
+    milliseconds_ = milliseconds(timer);
+  }
+  [[nodiscard]] std::span<const Pair> pairs() const override { return contestants_[0].subject().pairs(); }
+
+  /// Of the last step.
+  [[nodiscard]] const std::vector<ContestantStep>& results() const { return results_; }
+  [[nodiscard]] double step_milliseconds() const { return milliseconds_; }
+
+ private:
+  static constexpr std::uint32_t kBetweenCounts = 5;
+
+  void compare() {
+    const Truth truth = truth_of(pairs());
+    for (std::size_t k = 1; k < contestants_.size(); ++k) {
+      const std::span<const Pair> found = contestants_[k].subject().pairs();
+      if (truth_of(found) == truth) continue;
+      const Difference difference = kerf::compare(found, {pairs().begin(), pairs().end()});
+      results_[k].wrong = difference.missed + difference.extra;
+    }
+  }
+
+  ObjectTable<3> table_;
+  std::vector<Contestant> contestants_;
+  StepRequests requests_;
+  std::vector<ContestantStep> results_;
+  double milliseconds_ = 0;
+  std::uint32_t steps_ = 0;
+};
+
+}  // namespace
+
+std::span<const Simulation> simulations() { return kSimulations; }
+std::span<const std::string_view> contestants() { return kContestants; }
+
+ExperimentRun run_simulation(const Simulation& simulation, const ExperimentSize& size,
+                             const std::function<bool(std::uint32_t step)>& watch) {
+  const CatalogScene found = find_scene(simulation.scene);
+  const SceneEntry<3>& entry = *std::get<const SceneEntry<3>*>(found.entry);
+  SceneOptions options{.objects = size.objects, .seed = size.seed};
+  if (entry.grows) options.steps = size.steps;
+  Chorus chorus(entry, options);
+  const std::unique_ptr<Scene<3>> scene = entry.make(chorus, options);
+  ExperimentRun run;
+  for (std::uint32_t step = 1; step <= size.steps && watch(step); ++step) {
+    const StepTimer timer(true);
+    scene->advance();
+    ExperimentStep& row = run.emplace_back();
+    row.rest = milliseconds(timer) - chorus.step_milliseconds();
+    row.step = step;
+    row.moving =
+        static_cast<std::uint32_t>(std::ranges::count(scene->bodies(), Mobility::moving, &Body<3>::mobility));
+    row.pairs = scene->pairs().size();
+    row.contacts = scene->contacts().size();
+    row.contestants = chorus.results();
+  }
+  return run;
+}
+
+}  // namespace kerf

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+
+namespace kerf {
+
+/// A line on the terminal that is written over and over; silent if standard error is no terminal.
+class ProgressLine {
+ public:
+  ProgressLine() = default;
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(const std::string& text) const {
+    if (shown_) std::fprintf(stderr, "\r\033[K%s", text.c_str());
+  }
+  void clear() const { show(""); }
+
+ private:
+  bool shown_ = isatty(STDERR_FILENO) == 1;
+};
+
+}  // namespace kerf

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/scene/scene.h"
+#include "sims2d/world.h"
+
+namespace kerf::inline sims2d {
+
+/// A scene that is a world and something that happens in it before each step.
+class WorldScene : public Scene<2> {
+ public:
+  WorldScene(BroadPhase<2>& broad_phase, const Needs& needs, Scalar gravity = World::kGravity)
+      : needs_(needs), world_(broad_phase, gravity) {}
+
+  [[nodiscard]] Needs needs() const final { return needs_; }
+  void advance() final {
+    act();
+    world_.advance();
+  }
+  [[nodiscard]] std::uint32_t step() const final { return world_.step(); }
+  [[nodiscard]] std::span<const Body<2>> bodies() const final { return world_.bodies(); }
+  [[nodiscard]] std::span<const Pair> pairs() const final { return world_.pairs(); }
+  [[nodiscard]] std::span<const Pair> contacts() const final { return world_.contacts(); }
+  [[nodiscard]] const World& world() const { return world_; }
+
+ protected:
+  /// What happens before the step; sees the poses and contacts of the step before.
+  virtual void act() = 0;
+  [[nodiscard]] World& world() { return world_; }
+
+ private:
+  Needs needs_;
+  World world_;
+};
+
+}  // namespace kerf::inline sims2d

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/scene/scene.h"
+#include "sims3d/world.h"
+
+namespace kerf {
+
+/// A scene that is a world and something that happens in it before each step.
+class WorldScene : public Scene<3> {
+ public:
+  WorldScene(BroadPhase<3>& broad_phase, const Needs& needs, std::uint64_t seed, const WorldSettings& physics)
+      : needs_(needs), world_(broad_phase, seed, physics) {}
+
+  [[nodiscard]] Needs needs() const final { return needs_; }
+  void advance() final {
+    act();
+    world_.advance();
+  }
+  [[nodiscard]] std::uint32_t step() const final { return world_.step(); }
+  [[nodiscard]] std::span<const Body<3>> bodies() const final { return world_.bodies(); }
+  [[nodiscard]] std::span<const Pair> pairs() const final { return world_.pairs(); }
+  [[nodiscard]] std::span<const Pair> contacts() const final { return world_.contacts(); }
+
+ protected:
+  /// What happens before the step; sees the poses and contacts of the step before.
+  virtual void act() = 0;
+  [[nodiscard]] World& world() { return world_; }
+
+ private:
+  Needs needs_;
+  World world_;
+};
+
+}  // namespace kerf
