@@ -12,6 +12,7 @@
 #include "frames/bench/bench_command.h"
 #include "frames/errors.h"
 #include "frames/render_command.h"
+#include "frames/report/report_command.h"
 #include "frames/scenes_command.h"
 #include "frames/suggest.h"
 
@@ -71,11 +72,12 @@ std::string help_hint(const CLI::App& program) {
 
 /// Runs the chosen subcommand and turns what it throws into an exit code.
 int run(const CLI::App& program, const ScenesCommand& scenes, const RenderCommand& render,
-        const BenchCommand& bench) {
+        const BenchCommand& bench, const ReportCommand& report_page) {
   try {
     if (scenes.chosen()) scenes.run();
     if (render.chosen()) render.run();
     if (bench.chosen()) bench.run();
+    if (report_page.chosen()) report_page.run();
     return kExitDone;
   } catch (const UsageError& error) {
     return report(error.what() + help_hint(program), kExitUsage);
@@ -96,6 +98,7 @@ int run_command_line(int argc, char** argv) {
   const ScenesCommand scenes(program);
   const RenderCommand render(program);
   const BenchCommand bench(program);
+  const ReportCommand report_page(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -109,7 +112,7 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render, bench);
+  return run(program, scenes, render, bench, report_page);
 }
 
 }  // namespace kerf

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "core/scene/nudge.h"
+
 namespace kerf {
 namespace {
 
@@ -105,7 +107,7 @@ void DropScene::drop_one() {
   const Shape<3> shape = random_shape(random_);
   const auto axes = random_turn(random_);
   const Motion motion = random_fall(random_);
-  const Vector<3> place = next_place();
+  const Vector<3> place = nudged(next_place(), dropped_.empty() ? drop_.nudge : 0);
   dropped_.push_back(world_.add_moving(shape, {place, axes}, motion));
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace kerf {
+
+/// A text as gnuplot has it, in quotes.
+std::string in_quotes(std::string_view text);
+/// The shortest text that gives the number back.
+std::string number_text(double x);
+
+/// The picture that a script draws, of so many pixels, as an SVG element for a page in which `id` is unlike
+/// all others. The script is told no terminal and no output. Throws std::runtime_error if there is no
+/// gnuplot, or if it does not take the script.
+std::string run_gnuplot(const std::string& script, int width, int height, std::string_view id);
+
+}  // namespace kerf
