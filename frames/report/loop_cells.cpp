@@ -11,10 +11,11 @@ Cell cell_of(const std::string& scene, int dimension, const ReportSizes& sizes, 
   const std::string key = "loop " + scene + " " + std::to_string(dimension) + "D, " +
                           std::to_string(length.objects) + " objects, " + std::to_string(sizes.loop_steps) +
                           " steps, seed " + std::to_string(seed);
-  return {key, [=](const Poll& poll) {
-            return dimension == 2 ? run_closed_loops<2>(scene, length, seed, poll)
-                                  : run_closed_loops<3>(scene, length, seed, poll);
-          }};
+  const auto run = [=](const Poll& poll) {
+    return dimension == 2 ? run_closed_loops<2>(scene, length, seed, poll)
+                          : run_closed_loops<3>(scene, length, seed, poll);
+  };
+  return {key, run, work_of(dimension == 2 ? 3 : 6, length.objects, sizes.loop_steps)};
 }
 
 LoopScene loop_scene(const std::string& scene, int dimension, const ReportSizes& sizes) {

@@ -34,10 +34,10 @@ std::vector<MotionCell> motion_cells(const ReportSizes& sizes) {
       const std::string key = "motion " + name + " " + std::to_string(dimension) + "D, " +
                               std::to_string(sizes.objects) + " objects, " + std::to_string(sizes.steps) +
                               " steps, " + std::to_string(sizes.rounds) + " rounds";
-      motions.push_back({name, dimension, {key, [=](const Poll& poll) {
-                                             return dimension == 2 ? measure<2>(name, sizes, poll)
-                                                                   : measure<3>(name, sizes, poll);
-                                           }}});
+      const auto run = [=](const Poll& poll) {
+        return dimension == 2 ? measure<2>(name, sizes, poll) : measure<3>(name, sizes, poll);
+      };
+      motions.push_back({name, dimension, {key, run, work_of(5, sizes.objects, sizes.steps)}});
     }
   return motions;
 }

@@ -62,6 +62,6 @@ struct HeatMap {
 /// Throws std::runtime_error, saying what to install, if there is no gnuplot.
 std::string draw(const Plot& plot, std::string_view id);
 std::string draw(const BarPlot& plot, std::string_view id);
-std::string draw(const HeatMap& plot, std::string_view id);
+std::string draw(const HeatMap& map, std::string_view id);
 
 }  // namespace kerf

@@ -25,10 +25,10 @@ NeedsCell cell_of(const std::string& scene, int dimension, const ReportSizes& si
   const std::string key = "needs " + scene + " " + std::to_string(dimension) + "D, " +
                           std::to_string(sizes.scene_objects) + " objects, " + std::to_string(sizes.steps) +
                           " steps, " + std::to_string(sizes.rounds) + " rounds";
-  return {scene, dimension, {key, [=](const Poll& poll) {
-                               return dimension == 2 ? measure<2>(scene, sizes, poll)
-                                                     : measure<3>(scene, sizes, poll);
-                             }}};
+  const auto run = [=](const Poll& poll) {
+    return dimension == 2 ? measure<2>(scene, sizes, poll) : measure<3>(scene, sizes, poll);
+  };
+  return {scene, dimension, {key, run, work_of(6, sizes.scene_objects, sizes.steps)}};
 }
 
 std::vector<NeedsCell> needs_cells(const ReportSizes& sizes) {

@@ -61,10 +61,10 @@ SceneCell cell_of(const std::string& scene, int dimension, const ReportSizes& si
   const std::string key = "total " + scene + " " + std::to_string(dimension) + "D, " +
                           std::to_string(sizes.scene_objects) + " objects, " + std::to_string(sizes.steps) +
                           " steps, " + std::to_string(sizes.rounds) + " rounds";
-  return {scene, dimension, {key, [=](const Poll& poll) {
-                               return dimension == 2 ? measure<2>(scene, sizes, poll)
-                                                     : measure<3>(scene, sizes, poll);
-                             }}};
+  const auto run = [=](const Poll& poll) {
+    return dimension == 2 ? measure<2>(scene, sizes, poll) : measure<3>(scene, sizes, poll);
+  };
+  return {scene, dimension, {key, run, work_of(dimension == 2 ? 12 : 28, sizes.scene_objects, sizes.steps)}};
 }
 
 std::vector<SceneCell> scene_cells(const ReportSizes& sizes) {

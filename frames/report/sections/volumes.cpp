@@ -49,7 +49,8 @@ Cell cell_of(int dimension, double slenderness, std::uint32_t bricks) {
             for (const VolumeFigure& figure : measure_volumes(dimension, slenderness, bricks, poll))
               rows.push_back(row_of(figure));
             return rows;
-          }};
+          },
+          work_of(1.5, bricks, 100)};
 }
 
 std::vector<Cell> cells_in(int dimension, const ReportRequest& request) {

@@ -31,7 +31,7 @@ using testing::TemporaryFolder;
 Outcome run_small_report(const std::string& page, const std::vector<std::string>& more) {
   std::vector<std::string> arguments{
       "report",  "--objects", "40",    "--steps", "12",          "--rounds",         "1",
-      "--seeds", "2",         "--out", page,      "--hardcases", page + ".hardcases"};
+      "--seeds", "1",         "--out", page,      "--hardcases", page + ".hardcases"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return run_kerf(arguments);
 }
