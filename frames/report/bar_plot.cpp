@@ -18,7 +18,8 @@ std::string data_block(const BarPlot& plot) {
   std::string data = "$bars << EOD\n";
   for (std::size_t k = 0; k < plot.bars.size(); ++k) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", plot.bars[k].value);
+    const double value = plot.bars[k].value;
+    std::snprintf(text.data(), text.size(), value < 100 ? "%.3g" : "%.0f", value);
     data += std::to_string(k) + " " + number_text(plot.bars[k].value) + " " + text.data() + "\n";
   }
   return data + "EOD\n";

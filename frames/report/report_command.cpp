@@ -161,7 +161,8 @@ ReportCommand::ReportCommand(CLI::App& program)
   const auto option = [this](const char* name, std::string& text, const char* meaning) {
     command_->add_option(name, text, meaning)->type_name("N");
   };
-  option("--objects", texts_.objects, "Objects of every motion and scene (default 1000, 500 and 120)");
+  option("--objects", texts_.objects,
+         "Objects of every motion and scene (default 120 to 2000, by the section)");
   option("--steps", texts_.steps, "Steps of every motion and scene (default 100 and 250)");
   option("--rounds", texts_.rounds, "How often timed runs are repeated (default 3)");
   option("--seeds", texts_.seeds, "Seeds of scenes in which pairs decide what moves (default 16)");

@@ -13,6 +13,7 @@ constexpr ReportSizes kFull{.objects = 4250,
                             .steps = 300,
                             .rounds = 3,
                             .scene_objects = 4250,
+                            .need_objects = 4250,
                             .loop_objects = 1000,
                             .loop_steps = 1500,
                             .seeds = 32};
@@ -65,7 +66,7 @@ ReportRequest parse_report_request(const ReportTexts& texts, const std::vector<s
   ReportSizes& sizes = request.sizes;
   Overrides overrides(request);
   overrides.apply("--objects", texts.objects, 20, 100'000,
-                  {&sizes.objects, &sizes.scene_objects, &sizes.loop_objects});
+                  {&sizes.objects, &sizes.scene_objects, &sizes.need_objects, &sizes.loop_objects});
   overrides.apply("--steps", texts.steps, 10, 100'000, {&sizes.steps, &sizes.loop_steps});
   overrides.apply("--rounds", texts.rounds, 1, 100, {&sizes.rounds});
   overrides.apply("--seeds", texts.seeds, 1, 1000, {&sizes.seeds});

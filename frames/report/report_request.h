@@ -26,6 +26,7 @@ struct ReportSizes {
   std::uint32_t steps = 100;          ///< that count, after a warm-up
   std::uint32_t rounds = 3;           ///< of each step the least counts
   std::uint32_t scene_objects = 500;  ///< moving objects of a recorded scene
+  std::uint32_t need_objects = 2000;  ///< where needs are switched on: more than a leaf holds
   std::uint32_t loop_objects = 120;   ///< moving objects of a scene that the pairs decide
   std::uint32_t loop_steps = 250;     ///< of these, the objects come in the first two fifths
   std::uint32_t seeds = 16;           ///< of such scenes

@@ -34,8 +34,9 @@ std::vector<bool> front_of(const Json& rows, const Trade& trade) {
   return pareto_front(costs);
 }
 
-Plot plot_of(const Json& rows, const Trade& trade, const std::string& title) {
+Plot plot_of(const Json& rows, const Trade& trade, const std::string& title, const Json& all) {
   Plot plot{title, trade.error_label, trade.time_label, true, true, {}};
+  for (const Json& row : all) series_of(plot, row.at("family").get<std::string>());
   const std::vector<bool> front = front_of(rows, trade);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const std::string label = front[k] ? short_name(rows[k].at("setting").get<std::string>()) : "";

@@ -23,8 +23,9 @@ inline constexpr const char* kControl = "control";
 /// Which rows are on the Pareto front.
 std::vector<bool> front_of(const Json& rows, const Trade& trade);
 /// The rows as a plot: a series for each "family", rows on the front marked and labelled with their
-/// "setting"; those of approximate families are joined. Both axes are logarithmic.
-Plot plot_of(const Json& rows, const Trade& trade, const std::string& title);
+/// "setting"; those of approximate families are joined. Both axes are logarithmic. If they are some of the
+/// rows of another plot, `all` are its rows, and families look as they do there.
+Plot plot_of(const Json& rows, const Trade& trade, const std::string& title, const Json& all = {});
 /// Of the rows with at most so much error the first that is within a twentieth of the fastest: who recommends
 /// does not tell noise from gain. Null if there is none.
 Json recommended_within(const Json& rows, const Trade& trade, double most_error);

@@ -79,7 +79,7 @@ bool apart_along(const std::array<double, 2>& axis, const PosedBrick<2>& a, cons
 class NarrowPhase2 {
  public:
   explicit NarrowPhase2(const std::vector<PosedBrick<2>>& bricks) : bricks_(bricks) {}
-  bool touch(std::uint32_t i, std::uint32_t j) const {
+  [[nodiscard]] bool touch(std::uint32_t i, std::uint32_t j) const {
     const PosedBrick<2>& a = bricks_[i];
     const PosedBrick<2>& b = bricks_[j];
     return !apart_along(a.pose.axes[0], a, b) && !apart_along(a.pose.axes[1], a, b) &&
@@ -105,7 +105,7 @@ class NarrowPhase3 {
       dGeomSetRotation(geoms_.back().geom.get(), rotation);
     }
   }
-  bool touch(std::uint32_t i, std::uint32_t j) const {
+  [[nodiscard]] bool touch(std::uint32_t i, std::uint32_t j) const {
     const auto lock = library_.enter();
     dContactGeom contact;
     return dCollide(geoms_[i].geom.get(), geoms_[j].geom.get(), 1, &contact, sizeof contact) > 0;
@@ -166,77 +166,93 @@ std::vector<Volume<D>> bound_all(const std::vector<PosedBrick<D>>& bricks, Volum
   return volumes;
 }
 
-/// A tree of one kind of volume around the bricks, and what its steps took.
+/// What steps took, in all rounds.
+struct Clocks {
+  StepTimes bounding;
+  StepTimes tree;
+};
+
+/// A tree of one kind of volume around the bricks.
 template <int D>
 class Subject {
  public:
-  Subject(const std::vector<PosedBrick<D>>& bricks, VolumeKind kind, double slenderness)
-      : kind_(kind), bsp_({}, kind) {
+  Subject(const std::vector<PosedBrick<D>>& bricks, VolumeKind kind) : kind_(kind), bsp_({}, kind) {
     constexpr int kGrowingSteps = 200;  // until the tree is as fine as it will be
-    figure_.dimension = D;
-    figure_.slenderness = slenderness;
-    figure_.kind = kind;
     const std::vector<Volume<D>> volumes = bound_all(bricks, kind);
     for (std::uint32_t k = 0; k < volumes.size(); ++k)
       static_cast<void>(bsp_.insert({k}, volumes[k], Mobility::moving));
     for (int step = 0; step < kGrowingSteps; ++step) bsp_.step();
   }
 
-  void step(const std::vector<PosedBrick<D>>& bricks) {
+  void step(const std::vector<PosedBrick<D>>& bricks, Clocks& clocks) {
     const StepTimer bounding(true);
     const std::vector<Volume<D>> volumes = bound_all(bricks, kind_);
-    bounding_.add(static_cast<double>(bounding.nanoseconds()));
-    const StepTimer timer(true);
+    clocks.bounding.add(static_cast<double>(bounding.nanoseconds()));
+    const StepTimer tree(true);
     for (std::uint32_t k = 0; k < volumes.size(); ++k) static_cast<void>(bsp_.move({k}, volumes[k]));
     bsp_.step();
-    times_.add(static_cast<double>(timer.nanoseconds()));
+    clocks.tree.add(static_cast<double>(tree.nanoseconds()));
   }
 
   /// Of the last step.
-  VolumeFigure figure(const std::vector<Pair>& contacts) {
-    figure_.candidates = bsp_.pairs().size();
-    figure_.contacts = contacts.size();
+  void count(const std::vector<Pair>& contacts, VolumeFigure& figure) const {
+    figure.candidates = bsp_.pairs().size();
+    figure.contacts = contacts.size();
     std::vector<Pair> candidates(bsp_.pairs().begin(), bsp_.pairs().end());
     std::sort(candidates.begin(), candidates.end());
     for (const Pair& contact : contacts)
-      if (!std::binary_search(candidates.begin(), candidates.end(), contact)) ++figure_.missed;
-    const Times times = times_.over(static_cast<double>(bsp_.tree().objects()));
-    figure_.bound_ns = bounding_.over(static_cast<double>(bsp_.tree().objects())).mean;
-    figure_.mean_ns = times.mean;
-    figure_.median_ns = times.median;
-    figure_.p99_ns = times.p99;
-    figure_.max_ns = times.max;
-    return figure_;
+      if (!std::binary_search(candidates.begin(), candidates.end(), contact)) ++figure.missed;
   }
 
  private:
   VolumeKind kind_;
   Bsp<D> bsp_;
-  VolumeFigure figure_;
-  StepTimes bounding_;
-  StepTimes times_;
 };
 
+void note_times(const Clocks& clocks, double bricks, VolumeFigure& figure) {
+  const Times tree = clocks.tree.over(bricks);
+  figure.bound_ns = clocks.bounding.over(bricks).mean;
+  figure.mean_ns = tree.mean;
+  figure.median_ns = tree.median;
+  figure.p99_ns = tree.p99;
+  figure.max_ns = tree.max;
+}
+
 template <int D>
-std::vector<VolumeFigure> measure(double slenderness, std::uint32_t count,
-                                  const std::function<void()>& poll) {
+VolumeFigure measure(const std::vector<PosedBrick<D>>& start, double slenderness, VolumeKind kind,
+                     std::vector<Pair>& contacts, const std::function<void()>& poll) {
   constexpr int kTimedSteps = 20;
-  Random random(17);
-  const auto start = scatter<D>(count, slenderness, random);
-  std::vector<Pair> contacts;
-  std::vector<VolumeFigure> figures;
-  for (const VolumeKind kind : volume_kinds<D>()) {
+  constexpr int kRounds = 3;
+  Clocks clocks;
+  VolumeFigure figure{.dimension = D, .slenderness = slenderness, .kind = kind};
+  for (int round = 0; round < kRounds; ++round) {
     auto bricks = start;
     Random stirring(18);
-    Subject<D> subject(bricks, kind, slenderness);
+    Subject<D> subject(bricks, kind);
+    clocks.bounding.restart();
+    clocks.tree.restart();
     for (int step = 0; step < kTimedSteps; ++step) {
       if (poll) poll();
       stir(bricks, stirring);
-      subject.step(bricks);
+      subject.step(bricks, clocks);
     }
-    if (kind == VolumeKind::box) contacts = find_contacts<D>(bricks);
-    figures.push_back(subject.figure(contacts));
+    if (round > 0) continue;
+    if (contacts.empty()) contacts = find_contacts<D>(bricks);
+    subject.count(contacts, figure);
   }
+  note_times(clocks, static_cast<double>(start.size()), figure);
+  return figure;
+}
+
+template <int D>
+std::vector<VolumeFigure> measure_all(double slenderness, std::uint32_t count,
+                                      const std::function<void()>& poll) {
+  Random random(17);
+  const auto bricks = scatter<D>(count, slenderness, random);
+  std::vector<Pair> contacts;  // at the end of the motion, which is the same for all kinds
+  std::vector<VolumeFigure> figures;
+  for (const VolumeKind kind : volume_kinds<D>())
+    figures.push_back(measure(bricks, slenderness, kind, contacts, poll));
   return figures;
 }
 
@@ -246,7 +262,8 @@ std::vector<double> slendernesses() { return {1, 4, 16}; }
 
 std::vector<VolumeFigure> measure_volumes(int dimension, double slenderness, std::uint32_t bricks,
                                           const std::function<void()>& poll) {
-  return dimension == 2 ? measure<2>(slenderness, bricks, poll) : measure<3>(slenderness, bricks, poll);
+  return dimension == 2 ? measure_all<2>(slenderness, bricks, poll)
+                        : measure_all<3>(slenderness, bricks, poll);
 }
 
 }  // namespace kerf

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "frames/report/need_cost.h"
 #include "frames/report/plot.h"
 #include "frames/report/section.h"
@@ -13,7 +15,9 @@ struct NeedsCell {
 
 template <int D>
 Json measure(const std::string& scene, const ReportSizes& sizes, const Poll& poll) {
-  const Take<D> take = record<D>(scene, {sizes.scene_objects, sizes.scene_objects, sizes.steps}, poll);
+  constexpr std::uint32_t kGrow = 500;
+  const std::uint32_t objects = sizes.need_objects;
+  const Take<D> take = record<D>(scene, {objects, std::min(objects, kGrow), sizes.steps}, poll);
   Json rows = Json::array();
   for (const Model& model : models<D>()) rows.push_back(run_model(take, model, sizes.rounds, poll));
   const double least = rows[0]["mean_ns"].template get<double>();
@@ -23,12 +27,12 @@ Json measure(const std::string& scene, const ReportSizes& sizes, const Poll& pol
 
 NeedsCell cell_of(const std::string& scene, int dimension, const ReportSizes& sizes) {
   const std::string key = "needs " + scene + " " + std::to_string(dimension) + "D, " +
-                          std::to_string(sizes.scene_objects) + " objects, " + std::to_string(sizes.steps) +
+                          std::to_string(sizes.need_objects) + " objects, " + std::to_string(sizes.steps) +
                           " steps, " + std::to_string(sizes.rounds) + " rounds";
   const auto run = [=](const Poll& poll) {
     return dimension == 2 ? measure<2>(scene, sizes, poll) : measure<3>(scene, sizes, poll);
   };
-  return {scene, dimension, {key, run, work_of(6, sizes.scene_objects, sizes.steps)}};
+  return {scene, dimension, {key, run, work_of(6, sizes.need_objects, sizes.steps)}};
 }
 
 std::vector<NeedsCell> needs_cells(const ReportSizes& sizes) {
