@@ -71,6 +71,11 @@ std::string number_text(double x) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
 
+void require_gnuplot() {
+  if (std::system("gnuplot --version >/dev/null 2>&1") != 0)
+    throw std::runtime_error("there is no gnuplot, which draws the plots: apt-get install gnuplot-nox");
+}
+
 std::string run_gnuplot(const std::string& script, int width, int height, std::string_view id) {
   const ScratchFile picture;
   FILE* const gnuplot = popen("gnuplot 2>/dev/null", "w");
@@ -80,9 +85,7 @@ std::string run_gnuplot(const std::string& script, int width, int height, std::s
                            " font 'sans-serif,13' background 'white'\nset output " +
                            in_quotes(picture.name()) + "\n";
   std::fputs((head + script + "\nset output\n").c_str(), gnuplot);
-  if (pclose(gnuplot) != 0)
-    throw std::runtime_error(
-        "gnuplot did not draw a plot; it is needed for pages: apt-get install gnuplot-nox");
+  if (pclose(gnuplot) != 0) throw std::runtime_error("gnuplot did not draw the plot " + std::string(id));
   return as_element(picture.text(), std::string(id));
 }
 

@@ -59,7 +59,7 @@ struct HeatMap {
 };
 
 /// An SVG element, made by gnuplot, that can stand in a page; `id` must be unlike those of all others there.
-/// Throws std::runtime_error, saying what to install, if there is no gnuplot.
+/// Throws std::runtime_error if gnuplot cannot.
 std::string draw(const Plot& plot, std::string_view id);
 std::string draw(const BarPlot& plot, std::string_view id);
 std::string draw(const HeatMap& map, std::string_view id);

@@ -12,6 +12,7 @@
 #include "frames/bench/machine.h"
 #include "frames/errors.h"
 #include "frames/interrupt.h"
+#include "frames/report/gnuplot.h"
 #include "frames/report/section.h"
 
 namespace kerf {
@@ -90,6 +91,7 @@ class Report {
   }
 
   void run() {
+    require_gnuplot();
     measure();
     write_file_atomically(request_.out, page().html());
     std::printf("%s\n", std::filesystem::absolute(request_.out).c_str());
@@ -133,11 +135,11 @@ class Report {
     page.paragraph(
         "What a broad phase that is wrong on purpose gains, and what that does to pairs, contacts and "
         "motion. "
-        "Exact is the default; every approximate mode is an explicit setting, written as kerf bench "
-        "--algorithms takes it: period (placed every so many steps), margin (boxes widened by so much), "
-        "filter "
-        "(kept pairs are held against the latest boxes), grid (ends of boxes rounded to cells of that size), "
-        "shrink (rounded inward).");
+        "Exact is the default; every approximate mode is an explicit setting, written as kerf bench takes "
+        "it: "
+        "period (placed every so many steps), margin (boxes widened by so much), filter (kept pairs are held "
+        "against the latest boxes), grid (ends of boxes rounded to cells of that size), shrink (rounded "
+        "inward).");
     for (const Section* section : sections_) {
       page.section(section->name, section->title);
       section->write(request_, store_, page);

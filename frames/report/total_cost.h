@@ -30,7 +30,7 @@ class TotalCost {
   void place(std::size_t step);
   void play(BroadPhase<D>& broad_phase, Figures& figures, bool judge, const Poll& poll);
   void begin(BroadPhase<D>& broad_phase);
-  std::vector<Pair> test(const BroadPhase<D>& broad_phase) const;
+  [[nodiscard]] std::vector<Pair> test(const BroadPhase<D>& broad_phase) const;
 
   const Take<D>* take_;
   ContactProbe<D> probe_;

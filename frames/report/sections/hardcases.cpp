@@ -8,13 +8,13 @@
 namespace kerf {
 namespace {
 
-/// As tests/hard/report writes them, the mildest first.
-constexpr std::array<const char*, 8> kVerdicts{"exact",  "extra",    "twice", "broken",
-                                               "missed", "time-out", "crash", "n.a."};
+/// As tests/hard/report writes them, in the order of the colours of plots: what does not apply is grey.
+constexpr std::array kVerdicts{"exact", "extra", "twice", "broken", "missed", "time-out", "n.a.", "crash"};
+constexpr int kNotApplicable = 6;
 
 int kind_of(const std::string& verdict) {
   const auto found = std::find(kVerdicts.begin(), kVerdicts.end(), verdict);
-  return static_cast<int>(std::min<std::ptrdiff_t>(found - kVerdicts.begin(), kVerdicts.size() - 1));
+  return found == kVerdicts.end() ? kNotApplicable : static_cast<int>(found - kVerdicts.begin());
 }
 
 /// The table of one dimension; without columns if there are none.
@@ -40,7 +40,7 @@ HeatMap map_of(const Json& table, int dimension) {
 void write_maps(const Json& table, Page& page) {
   page.paragraph(
       "What a broad phase must survive (docs/HARD_CASES.md), for kerf with each volume and for other "
-      "libraries. Black cells do not apply.");
+      "libraries. Grey cells do not apply.");
   for (const int dimension : {2, 3}) {
     const HeatMap map = map_of(table, dimension);
     if (map.columns.empty()) continue;

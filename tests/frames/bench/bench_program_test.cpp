@@ -47,7 +47,7 @@ TEST(BenchProgram, MeasuresWhatAnApproximateTreeMissesAndInvents) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "bench.json").string();
   const Outcome outcome = run_kerf({"bench", "--scenes", "uniform", "--dims", "2", "--objects", "200",
-                                    "--algorithms", "kerf,kerf:period=4:max_threshold=64,kerf:grid=0.5",
+                                    "--algorithms", "kerf,kerf:period=4:schedule_interval=5,kerf:grid=0.5",
                                     "--rounds", "1", "--steps", "8", "--warm-up", "3", "--json", file});
   ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
   const auto rows = read_json(file)["results"];
