@@ -13,6 +13,7 @@
 #include "frames/errors.h"
 #include "frames/experiment/experiment_command.h"
 #include "frames/render_command.h"
+#include "frames/report/report_command.h"
 #include "frames/scenes_command.h"
 #include "frames/suggest.h"
 
@@ -71,13 +72,10 @@ std::string help_hint(const CLI::App& program) {
 }
 
 /// Runs the chosen subcommand and turns what it throws into an exit code.
-int run(const CLI::App& program, const ScenesCommand& scenes, const RenderCommand& render,
-        const BenchCommand& bench, const ExperimentCommand& experiment) {
+template <class... Command>
+int run(const CLI::App& program, const Command&... commands) {
   try {
-    if (scenes.chosen()) scenes.run();
-    if (render.chosen()) render.run();
-    if (bench.chosen()) bench.run();
-    if (experiment.chosen()) experiment.run();
+    ((commands.chosen() ? commands.run() : void()), ...);
     return kExitDone;
   } catch (const UsageError& error) {
     return report(error.what() + help_hint(program), kExitUsage);
@@ -99,6 +97,7 @@ int run_command_line(int argc, char** argv) {
   const RenderCommand render(program);
   const BenchCommand bench(program);
   const ExperimentCommand experiment(program);
+  const ReportCommand report_page(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -112,7 +111,7 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render, bench, experiment);
+  return run(program, scenes, render, bench, experiment, report_page);
 }
 
 }  // namespace kerf

@@ -27,6 +27,7 @@ struct SceneOptions {
   std::uint32_t steps = 0;    ///< steps over which a growing scene reaches its number; 0: its own default
   std::uint32_t recycle = 0;  ///< once all have come, every so many steps the oldest falls anew; 0: never
   std::uint64_t seed = 1;     ///< of every random choice
+  std::uint32_t nudge = 0;    ///< ulps by which the first object is moved aside: a control for chaos
 };
 
 /// A simulated world in which the given broad phase, and no other, proposes the pairs.

@@ -24,6 +24,7 @@ Growth growth_of(std::string_view scene, const SceneOptions& options, std::uint3
       static_cast<std::uint32_t>(std::ceil(20 * std::sqrt(static_cast<double>(growth.objects))));
   growth.steps = options.steps == 0 ? dense : options.steps;
   growth.recycle = options.recycle;
+  growth.nudge = options.nudge;
   return growth;
 }
 

@@ -12,6 +12,7 @@ struct Growth {
   std::uint32_t objects = 0;
   std::uint32_t steps = 1;
   std::uint32_t recycle = 0;  ///< steps between two objects that fall anew after the growth; 0: none does
+  std::uint32_t nudge = 0;    ///< ulps by which the first object is moved aside
 
   /// Objects that are there after `step` steps.
   [[nodiscard]] std::uint32_t due(std::uint32_t step) const;

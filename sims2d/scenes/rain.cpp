@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/scene/nudge.h"
+
 namespace kerf::inline sims2d {
 namespace {
 
@@ -53,7 +55,9 @@ Rain::Rain(const Band& band, const Growth& growth, std::uint64_t seed)
 void Rain::fall(World& world, std::uint32_t step) {
   row_height_ -= World::kFallSpeed * World::kStepSeconds;
   for (const std::uint32_t due = growth_.due(step); fallen_ < due; ++fallen_) {
-    objects_.push_back(world.add(next()));
+    BodyPlan plan = next();
+    if (fallen_ == 0) plan.position = nudged(plan.position, growth_.nudge);
+    objects_.push_back(world.add(plan));
   }
   recycle(world, step);
 }

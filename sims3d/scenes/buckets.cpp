@@ -114,6 +114,7 @@ Drop make_drop(const SceneOptions& options, std::uint32_t side) {
   drop.objects = options.objects;
   drop.steps = options.steps;
   drop.recycle = options.recycle;
+  drop.nudge = options.nudge;
   for_each_bucket(side, [&drop](Scalar x, Scalar z) {
     for (const Scalar dx : {-kSite, kSite})
       for (const Scalar dz : {-kSite, kSite}) drop.sites.push_back({{x + dx, kSiteHeight, z + dz}});

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/scene/nudge.h"
 #include "sims3d/scenes/random_body.h"
 
 namespace kerf {
@@ -79,7 +80,7 @@ void DropScene::drop_one() {
   const Shape<3> shape = random_shape(random_);
   const auto axes = random_turn(random_);
   const Motion motion = random_fall(random_);
-  const Vector<3> place = next_place();
+  const Vector<3> place = nudged(next_place(), dropped_.empty() ? drop_.nudge : 0);
   dropped_.push_back(world_.add_moving(shape, {place, axes}, motion));
 }
 

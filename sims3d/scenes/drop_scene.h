@@ -15,6 +15,7 @@ struct Drop {
   std::uint32_t steps = 1;       ///< steps over which they come, evenly
   std::vector<Vector<3>> sites;  ///< where they appear, in the shower's order; 2.5 units apart in X or Z
   std::uint32_t recycle = 0;     ///< steps between two objects that fall anew after the growth; 0: none does
+  std::uint32_t nudge = 0;       ///< ulps by which the first object is moved aside
   Box<3> inside;                 ///< an object whose centre leaves it is put back on a site
   WorldSettings physics;
 };

@@ -68,6 +68,7 @@ Drop make_drop(const SceneOptions& options, const Hills& hills, double half, Sca
   drop.objects = options.objects;
   drop.steps = options.steps;
   drop.recycle = options.recycle;
+  drop.nudge = options.nudge;
   const double reach = half - kShore;
   bool forward = true;  // each site is followed by a neighbour
   for (double z = -reach; z <= reach; z += kSiteSpacing, forward = !forward) {

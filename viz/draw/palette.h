@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "viz/draw/color.h"
@@ -21,6 +22,16 @@ inline constexpr Color kPartitioner{0, 114, 178};  // blue
 inline constexpr Color kCandidate{213, 94, 0};     // vermillion, dashed
 inline constexpr Color kContact{20, 20, 20};       // black, solid, with a marker
 inline constexpr Color kOperator{204, 0, 120};     // a strong relative of reddish purple
+
+/// The lines of a plot, in the order in which they are easiest told apart: Okabe and Ito's set, black last.
+inline constexpr std::array<Color, 8> kSeries{{{0, 114, 178},
+                                               {213, 94, 0},
+                                               {0, 158, 115},
+                                               {204, 121, 167},
+                                               {230, 159, 0},
+                                               {86, 180, 233},
+                                               {120, 120, 120},
+                                               {20, 20, 20}}};
 
 /// Colour of a leaf's population, 0 to `largest`: blue to light green.
 Color population_color(std::uint32_t population, std::uint32_t largest);

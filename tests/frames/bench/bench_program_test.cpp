@@ -43,6 +43,22 @@ TEST(BenchProgram, PrintsRowsAndWritesJson) {
   }
 }
 
+TEST(BenchProgram, MeasuresWhatAnApproximateTreeMissesAndInvents) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "bench.json").string();
+  const Outcome outcome = run_kerf({"bench", "--scenes", "uniform", "--dims", "2", "--objects", "200",
+                                    "--algorithms", "kerf,kerf:period=4:schedule_interval=5,kerf:grid=0.5",
+                                    "--rounds", "1", "--steps", "8", "--warm-up", "3", "--json", file});
+  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  const auto rows = read_json(file)["results"];
+  ASSERT_EQ(rows.size(), 4U) << "the floor is first";
+  EXPECT_EQ(rows[1]["missed"], 0);
+  EXPECT_GT(rows[2]["missed"], 0);
+  EXPECT_GT(rows[2]["extra"], 0);
+  EXPECT_EQ(rows[3]["missed"], 0) << "rounding is monotone";
+  EXPECT_GT(rows[3]["extra"], 0);
+}
+
 TEST(BenchProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "bench.json";
@@ -94,6 +110,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Mistake{"Algorithm", {"--algorithms", "colums"}, "did you mean 'columns'?"},
                       Mistake{
                           "Parameter", {"--algorithms", "kerf:max_hight=3"}, "did you mean 'max_height'?"},
+                      Mistake{"Period", {"--algorithms", "kerf:period=0"}, "from 1 to 1000000"},
+                      Mistake{"Shrink", {"--algorithms", "kerf:shrink=1"}, "it needs a grid"},
                       Mistake{"Dimension", {"--dims", "4"}, "from 2 to 3"},
                       Mistake{"Objects", {"--objects", "1"}, "whole number from"},
                       Mistake{"EmptyName", {"--objects", "1000,,2000"}, "between commas"},

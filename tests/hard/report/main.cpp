@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <future>
 #include <string>
 #include <thread>
 
@@ -62,8 +63,18 @@ bool report_cases(const std::filesystem::path& folder, std::string_view only, Fa
   return true;
 }
 
+std::vector<VolumeFigure> volumes_in(int dimension) {
+  std::vector<VolumeFigure> figures;
+  for (const double slenderness : slendernesses())
+    for (const VolumeFigure& figure : measure_volumes(dimension, slenderness, kBricks))
+      figures.push_back(figure);
+  return figures;
+}
+
 void report_volumes(const std::filesystem::path& folder, Faults& faults) {
-  const std::vector<VolumeFigure> figures = measure_volumes(kBricks);
+  auto space = std::async(std::launch::async, volumes_in, 3);
+  std::vector<VolumeFigure> figures = volumes_in(2);
+  for (const VolumeFigure& figure : space.get()) figures.push_back(figure);
   print(figures);
   write_json(folder / "volumes.json", figures);
   for (const VolumeFigure& figure : figures)

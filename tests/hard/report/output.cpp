@@ -119,12 +119,12 @@ void print(std::span<const VolumeFigure> figures) {
   std::printf(
       "\ncandidates for each true contact, bricks of unit volume at random poses, as dense as a pile\n");
   std::printf("%-4s %-8s %-14s %12s %10s %8s %10s\n", "", "bricks", "volume", "candidates", "contacts",
-              "ratio", "ms a step");
+              "ratio", "ns/object");
   for (const VolumeFigure& f : figures)
     std::printf("%dD   %2.0f:1%s %-14s %12llu %10llu %8.2f %10.2f%s\n", f.dimension, f.slenderness,
                 f.dimension == 3 ? ":1 " : "   ", to_string(f.kind).data(),
                 static_cast<unsigned long long>(f.candidates), static_cast<unsigned long long>(f.contacts),
-                ratio(f), f.milliseconds, f.missed > 0 ? "  MISSES CONTACTS" : "");
+                ratio(f), f.mean_ns, f.missed > 0 ? "  MISSES CONTACTS" : "");
 }
 
 void write_json(const std::filesystem::path& path, const Table& table) {
@@ -159,7 +159,7 @@ void write_json(const std::filesystem::path& path, std::span<const VolumeFigure>
                    {"contacts", f.contacts},
                    {"candidates_per_contact", ratio(f)},
                    {"missed_contacts", f.missed},
-                   {"step_ms", f.milliseconds}});
+                   {"step_ns_an_object", f.mean_ns}});
   save(path, all);
 }
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <span>
 
+#include "frames/report/volumes.h"
 #include "tests/hard/report/table.h"
-#include "tests/hard/report/volumes.h"
 
 namespace kerf::test {
 

@@ -1,17 +1,17 @@
-#include "tests/hard/report/volumes.h"
+#include "frames/report/volumes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
-#include <future>
 
 #include "core/broad_phase/bsp.h"
 #include "core/random.h"
 #include "core/scene/bounding.h"
+#include "frames/bench/step_timer.h"
+#include "frames/report/figures.h"
 #include "sims3d/geoms.h"
 
-namespace kerf::test {
+namespace kerf {
 namespace {
 
 /// Share of the world's volume that the bricks have: what boxes poured into a container come to.
@@ -79,7 +79,7 @@ bool apart_along(const std::array<double, 2>& axis, const PosedBrick<2>& a, cons
 class NarrowPhase2 {
  public:
   explicit NarrowPhase2(const std::vector<PosedBrick<2>>& bricks) : bricks_(bricks) {}
-  bool touch(std::uint32_t i, std::uint32_t j) const {
+  [[nodiscard]] bool touch(std::uint32_t i, std::uint32_t j) const {
     const PosedBrick<2>& a = bricks_[i];
     const PosedBrick<2>& b = bricks_[j];
     return !apart_along(a.pose.axes[0], a, b) && !apart_along(a.pose.axes[1], a, b) &&
@@ -105,7 +105,7 @@ class NarrowPhase3 {
       dGeomSetRotation(geoms_.back().geom.get(), rotation);
     }
   }
-  bool touch(std::uint32_t i, std::uint32_t j) const {
+  [[nodiscard]] bool touch(std::uint32_t i, std::uint32_t j) const {
     const auto lock = library_.enter();
     dContactGeom contact;
     return dCollide(geoms_[i].geom.get(), geoms_[j].geom.get(), 1, &contact, sizeof contact) > 0;
@@ -140,58 +140,130 @@ std::vector<Pair> find_contacts(const std::vector<PosedBrick<D>>& bricks) {
   return contacts;
 }
 
-/// Of this thread: the other dimension is measured beside this one.
-double processor_ms() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+/// Each brick drifts by up to a twentieth of its volume's side and turns by up to 0.05 about one of its axes.
+template <int D>
+void stir(std::vector<PosedBrick<D>>& bricks, Random& random) {
+  constexpr double kDrift = 0.05;
+  constexpr double kTurn = 0.05;
+  for (PosedBrick<D>& b : bricks) {
+    for (double& x : b.pose.position) x += random.uniform(-kDrift, kDrift);
+    const std::size_t first = D == 2 ? 0 : random.below(D);
+    const double angle = random.uniform(-kTurn, kTurn);
+    auto& u = b.pose.axes[first];
+    auto& v = b.pose.axes[(first + 1) % D];
+    for (std::size_t i = 0; i < D; ++i) {
+      const double along = u[i];
+      u[i] = std::cos(angle) * along + std::sin(angle) * v[i];
+      v[i] = std::cos(angle) * v[i] - std::sin(angle) * along;
+    }
+  }
 }
 
 template <int D>
-VolumeFigure measure(const std::vector<PosedBrick<D>>& bricks, const std::vector<Pair>& contacts,
-                     VolumeKind kind, double slenderness) {
-  constexpr int kGrowingSteps = 200;  // until the tree is as fine as it will be
-  constexpr int kTimedSteps = 10;
+std::vector<Volume<D>> bound_all(const std::vector<PosedBrick<D>>& bricks, VolumeKind kind) {
   std::vector<Volume<D>> volumes;
   for (const PosedBrick<D>& b : bricks) volumes.push_back(bound<D>(kind, b.brick, b.pose));
-  Bsp<D> bsp({}, kind);
-  for (std::uint32_t k = 0; k < volumes.size(); ++k) (void)bsp.insert({k}, volumes[k], Mobility::moving);
-  for (int step = 0; step < kGrowingSteps; ++step) bsp.step();
-  const double start = processor_ms();
-  for (int step = 0; step < kTimedSteps; ++step) {
-    for (std::uint32_t k = 0; k < volumes.size(); ++k) (void)bsp.move({k}, volumes[k]);
-    bsp.step();
+  return volumes;
+}
+
+/// What steps took, in all rounds.
+struct Clocks {
+  StepTimes bounding;
+  StepTimes tree;
+};
+
+/// A tree of one kind of volume around the bricks.
+template <int D>
+class Subject {
+ public:
+  Subject(const std::vector<PosedBrick<D>>& bricks, VolumeKind kind) : kind_(kind), bsp_({}, kind) {
+    constexpr int kGrowingSteps = 200;  // until the tree is as fine as it will be
+    const std::vector<Volume<D>> volumes = bound_all(bricks, kind);
+    for (std::uint32_t k = 0; k < volumes.size(); ++k)
+      static_cast<void>(bsp_.insert({k}, volumes[k], Mobility::moving));
+    for (int step = 0; step < kGrowingSteps; ++step) bsp_.step();
   }
-  VolumeFigure figure{D, slenderness, kind, bsp.pairs().size(), contacts.size(), 0, 0};
-  figure.milliseconds = (processor_ms() - start) / kTimedSteps;
-  std::vector<Pair> candidates(bsp.pairs().begin(), bsp.pairs().end());
-  std::sort(candidates.begin(), candidates.end());
-  for (const Pair& contact : contacts)
-    if (!std::binary_search(candidates.begin(), candidates.end(), contact)) ++figure.missed;
+
+  void step(const std::vector<PosedBrick<D>>& bricks, Clocks& clocks) {
+    const StepTimer bounding(true);
+    const std::vector<Volume<D>> volumes = bound_all(bricks, kind_);
+    clocks.bounding.add(static_cast<double>(bounding.nanoseconds()));
+    const StepTimer tree(true);
+    for (std::uint32_t k = 0; k < volumes.size(); ++k) static_cast<void>(bsp_.move({k}, volumes[k]));
+    bsp_.step();
+    clocks.tree.add(static_cast<double>(tree.nanoseconds()));
+  }
+
+  /// Of the last step.
+  void count(const std::vector<Pair>& contacts, VolumeFigure& figure) const {
+    figure.candidates = bsp_.pairs().size();
+    figure.contacts = contacts.size();
+    std::vector<Pair> candidates(bsp_.pairs().begin(), bsp_.pairs().end());
+    std::sort(candidates.begin(), candidates.end());
+    for (const Pair& contact : contacts)
+      if (!std::binary_search(candidates.begin(), candidates.end(), contact)) ++figure.missed;
+  }
+
+ private:
+  VolumeKind kind_;
+  Bsp<D> bsp_;
+};
+
+void note_times(const Clocks& clocks, double bricks, VolumeFigure& figure) {
+  const Times tree = clocks.tree.over(bricks);
+  figure.bound_ns = clocks.bounding.over(bricks).mean;
+  figure.mean_ns = tree.mean;
+  figure.median_ns = tree.median;
+  figure.p99_ns = tree.p99;
+  figure.max_ns = tree.max;
+}
+
+template <int D>
+VolumeFigure measure(const std::vector<PosedBrick<D>>& start, double slenderness, VolumeKind kind,
+                     std::vector<Pair>& contacts, const std::function<void()>& poll) {
+  constexpr int kTimedSteps = 20;
+  constexpr int kRounds = 3;
+  Clocks clocks;
+  VolumeFigure figure{.dimension = D, .slenderness = slenderness, .kind = kind};
+  for (int round = 0; round < kRounds; ++round) {
+    auto bricks = start;
+    Random stirring(18);
+    Subject<D> subject(bricks, kind);
+    clocks.bounding.restart();
+    clocks.tree.restart();
+    for (int step = 0; step < kTimedSteps; ++step) {
+      if (poll) poll();
+      stir(bricks, stirring);
+      subject.step(bricks, clocks);
+    }
+    if (round > 0) continue;
+    if (contacts.empty()) contacts = find_contacts<D>(bricks);
+    subject.count(contacts, figure);
+  }
+  note_times(clocks, static_cast<double>(start.size()), figure);
   return figure;
 }
 
 template <int D>
-std::vector<VolumeFigure> measure_all(std::uint32_t count) {
-  constexpr std::array kSlenderness{1.0, 4.0, 16.0};
+std::vector<VolumeFigure> measure_all(double slenderness, std::uint32_t count,
+                                      const std::function<void()>& poll) {
+  Random random(17);
+  const auto bricks = scatter<D>(count, slenderness, random);
+  std::vector<Pair> contacts;  // at the end of the motion, which is the same for all kinds
   std::vector<VolumeFigure> figures;
-  for (const double slenderness : kSlenderness) {
-    Random random(17);
-    const auto bricks = scatter<D>(count, slenderness, random);
-    const std::vector<Pair> contacts = find_contacts<D>(bricks);
-    for (const VolumeKind kind : volume_kinds<D>())
-      figures.push_back(measure<D>(bricks, contacts, kind, slenderness));
-  }
+  for (const VolumeKind kind : volume_kinds<D>())
+    figures.push_back(measure(bricks, slenderness, kind, contacts, poll));
   return figures;
 }
 
 }  // namespace
 
-std::vector<VolumeFigure> measure_volumes(std::uint32_t bricks) {
-  auto space = std::async(std::launch::async, measure_all<3>, bricks);
-  std::vector<VolumeFigure> figures = measure_all<2>(bricks);
-  for (const VolumeFigure& figure : space.get()) figures.push_back(figure);
-  return figures;
+std::vector<double> slendernesses() { return {1, 4, 16}; }
+
+std::vector<VolumeFigure> measure_volumes(int dimension, double slenderness, std::uint32_t bricks,
+                                          const std::function<void()>& poll) {
+  return dimension == 2 ? measure_all<2>(slenderness, bricks, poll)
+                        : measure_all<3>(slenderness, bricks, poll);
 }
 
-}  // namespace kerf::test
+}  // namespace kerf

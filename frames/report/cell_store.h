@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "frames/report/cell.h"
+
+namespace kerf {
+
+/// The results of cells in a JSON file, written after each. What another machine or version measured is not
+/// taken over.
+class CellStore {
+ public:
+  /// Reads the file if there is one; a file that cannot be used counts as empty.
+  explicit CellStore(std::filesystem::path file);
+
+  [[nodiscard]] bool has(const std::string& key) const { return results_.contains(key); }
+  /// Must be there.
+  [[nodiscard]] const Json& at(const std::string& key) const { return results_.at(key); }
+  /// Throws std::runtime_error if the file cannot be written.
+  void put(const std::string& key, Json result);
+  /// Forgets everything.
+  void clear() { results_ = Json::object(); }
+
+ private:
+  std::filesystem::path file_;
+  Json results_ = Json::object();
+};
+
+}  // namespace kerf

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <box2d/b2_math.h>
+#include <box2d/b2_shape.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/geometry/volume.h"
+#include "core/ids.h"
+#include "core/scene/shape.h"
+
+namespace kerf {
+
+/// A narrow phase of shapes at poses of one's choice: Box2D's manifolds.
+class ContactProbe2 {
+ public:
+  /// The next object.
+  void add(const Shape<2>& shape);
+  void place(ObjectId object, const Pose<2>& pose);
+  /// As the scenes bound it.
+  [[nodiscard]] Volume<2> volume(VolumeKind kind, ObjectId object) const;
+  /// How deep the two are in each other, Box2D's skins included; nothing if they do not touch.
+  [[nodiscard]] std::optional<double> depth(Pair pair) const;
+
+ private:
+  struct Object {
+    Shape<2> shape;
+    std::shared_ptr<const b2Shape> engine;
+    b2Transform transform;
+  };
+  std::vector<Object> objects_;
+};
+
+}  // namespace kerf

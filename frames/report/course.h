@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/broad_phase/broad_phase.h"
+#include "frames/bench/motion.h"
+#include "frames/report/cell.h"
+
+namespace kerf {
+
+/// The boxes of a run, step by step, with the true pairs: what all settings are measured on.
+template <int D>
+struct Course {
+  struct Step {
+    std::vector<ObjectId> moved;
+    std::vector<Box<D>> boxes;  ///< of those that moved
+    std::vector<Pair> truth;    ///< by brute force, sorted
+  };
+  std::uint32_t moving = 0;   ///< objects before this are moving, the others fixed
+  std::vector<Box<D>> first;  ///< all boxes before the first step
+  std::uint32_t warm_up = 0;  ///< steps at the beginning that do not count
+  std::vector<Step> steps;
+};
+
+/// `warm_up` and then `steps` steps of a motion.
+template <int D>
+Course<D> record(Motion<D>& motion, std::uint32_t warm_up, std::uint32_t steps, const Poll& poll);
+
+/// Runs a broad phase over the course: once to be judged, then `rounds` times to be timed. The figures are
+/// those of `StepTimes` (an object and step), of `Meetings`, and "true_pairs", "told", "missed" and "extra",
+/// in all steps that count, with "missed_share" and "extra_share" of the true pairs.
+template <int D>
+Json run_course(const Course<D>& course, const std::function<std::unique_ptr<BroadPhase<D>>()>& make,
+                std::uint32_t rounds, const Poll& poll);
+
+}  // namespace kerf

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/ids.h"
+#include "frames/report/cell.h"
+
+namespace kerf {
+
+/// How late pairs are told. A meeting begins in the first step in which two boxes overlap and ends when they
+/// part; it is detected in the first of these steps in which the pair is told. The steps before that are its
+/// lag: all of its steps, if it is never told. Meetings that are there from the beginning do not count, nor
+/// do those that are undetected when the run ends.
+class Meetings {
+ public:
+  /// The pairs of the next step, both sorted.
+  void add(std::span<const Pair> truth, std::span<const Pair> told);
+
+  /// {"meetings", "never" (share that ended undetected), "lag_mean", "lag_p99", "lag_max" (steps)}.
+  [[nodiscard]] Json figures() const;
+
+ private:
+  struct Meeting {
+    Pair pair;
+    std::uint32_t begin = 0;
+    bool waits = false;  ///< not yet detected
+  };
+
+  void detect(Meeting& meeting);
+  void end(const Meeting& meeting);
+
+  std::vector<Meeting> open_;  ///< sorted by pair
+  std::vector<Meeting> next_;
+  std::vector<double> lags_;
+  std::uint64_t never_ = 0;
+  std::uint32_t step_ = 0;
+};
+
+}  // namespace kerf

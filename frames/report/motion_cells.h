@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frames/report/cell.h"
+#include "frames/report/report_request.h"
+
+namespace kerf {
+
+/// A motion of `kerf bench` on which all settings are measured.
+struct MotionCell {
+  std::string motion;
+  int dimension = 3;
+  Cell cell;  ///< a list of rows: "setting", "family" and the figures of `run_course`
+};
+
+std::vector<MotionCell> motion_cells(const ReportSizes& sizes);
+/// The cells alone.
+std::vector<Cell> cells_of(const std::vector<MotionCell>& motions);
+
+}  // namespace kerf

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "frames/report/cell.h"
+#include "frames/report/cell_store.h"
+#include "frames/report/page.h"
+#include "frames/report/report_request.h"
+
+namespace kerf {
+
+/// A part of the report: what it has measured, and how it shows that.
+struct Section {
+  std::string name;  ///< by which the user chooses it
+  std::string title;
+  std::function<std::vector<Cell>(const ReportRequest&)> cells;
+  /// All cells are in the store.
+  std::function<void(const ReportRequest&, const CellStore&, Page&)> write;
+};
+
+/// All sections, in the order of the page.
+const std::vector<Section>& report_sections();
+
+/// The command that makes a section of the page.
+std::string command_of(const ReportRequest& request, const std::string& section);
+
+// One a file, in frames/report/sections.
+Section missed_section();      ///< time against missed pairs
+Section lag_section();         ///< time against lag of detection
+Section volumes_section();     ///< time against candidates per contact
+Section total_section();       ///< broad phase and narrow phase together
+Section divergence_section();  ///< trajectories that part
+Section physics_section();     ///< energy and penetration
+Section needs_section();       ///< what each modelled need costs
+Section hardcases_section();   ///< the heat map of hard cases
+
+}  // namespace kerf

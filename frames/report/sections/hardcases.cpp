@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+#include "frames/report/plot.h"
+#include "frames/report/section.h"
+
+namespace kerf {
+namespace {
+
+/// As tests/hard/report writes them, in the order of the colours of plots: what does not apply is grey.
+constexpr std::array kVerdicts{"exact", "extra", "twice", "broken", "missed", "time-out", "n.a.", "crash"};
+constexpr int kNotApplicable = 6;
+
+int kind_of(const std::string& verdict) {
+  const auto found = std::find(kVerdicts.begin(), kVerdicts.end(), verdict);
+  return found == kVerdicts.end() ? kNotApplicable : static_cast<int>(found - kVerdicts.begin());
+}
+
+/// The table of one dimension; without columns if there are none.
+HeatMap map_of(const Json& table, int dimension) {
+  HeatMap map;
+  map.kind_names.assign(kVerdicts.begin(), kVerdicts.end());
+  std::vector<std::size_t> columns;
+  for (std::size_t k = 0; k < table.at("columns").size(); ++k) {
+    const Json& column = table["columns"][k];
+    if (column.at("dimension") != dimension) continue;
+    columns.push_back(k);
+    map.columns.push_back((column.at("who") == "kerf" ? "kerf " : "") + column.at("name").get<std::string>());
+  }
+  for (const Json& row : table.at("cases")) {
+    map.rows.push_back(row.at("id").get<std::string>() + " " + row.at("name").get<std::string>());
+    map.kinds.emplace_back();
+    for (const std::size_t k : columns)
+      map.kinds.back().push_back(kind_of(row.at("cells").at(k).at("verdict").get<std::string>()));
+  }
+  return map;
+}
+
+void write_maps(const Json& table, Page& page) {
+  page.paragraph(
+      "What a broad phase must survive (docs/HARD_CASES.md), for kerf with each volume and for other "
+      "libraries. Grey cells do not apply.");
+  for (const int dimension : {2, 3}) {
+    const HeatMap map = map_of(table, dimension);
+    if (map.columns.empty()) continue;
+    page.heading(std::to_string(dimension) + "D");
+    page.figure(draw(map, "hardcases" + std::to_string(dimension)),
+                "Verdicts by case and broad phase; the worst of all attempts counts.");
+  }
+}
+
+void write(const ReportRequest& request, const CellStore& /*store*/, Page& page) {
+  const std::filesystem::path file = request.hardcases / "hardcases.json";
+  std::ifstream stream(file);
+  const Json table = Json::parse(stream, nullptr, false);
+  if (table.is_object() && table.contains("columns") && table.contains("cases")) {
+    write_maps(table, page);
+  } else {
+    page.paragraph("There is no table of hard cases in " + file.string() +
+                   ". Make it with ./run hardcases, which takes some minutes, and make this page again; "
+                   "--hardcases FOLDER names another place.");
+  }
+  page.command("./run hardcases && " + command_of(request, "hardcases"));
+}
+
+}  // namespace
+
+Section hardcases_section() {
+  return {"hardcases", "Hard cases", [](const ReportRequest&) { return std::vector<Cell>{}; }, write};
+}
+
+}  // namespace kerf

@@ -1,0 +1,38 @@
+#include "frames/report/motion_cells.h"
+#include "frames/report/section.h"
+#include "frames/report/trade.h"
+
+namespace kerf {
+namespace {
+
+const Trade kTrade{"lag_mean", "mean_ns", 1, "steps until a meeting is detected, mean",
+                   "ns an object and step, mean"};
+
+const std::vector<TableColumn> kColumns{
+    {"setting", "setting"},  {"mean ns", "mean_ns", 1}, {"lag mean", "lag_mean", 3},
+    {"lag p99", "lag_p99"},  {"lag max", "lag_max"},    {"never detected %", "never_share", 2, 100},
+    {"meetings", "meetings"}};
+
+std::vector<Cell> cells(const ReportRequest& request) { return cells_of(motion_cells(request.sizes)); }
+
+void write(const ReportRequest& request, const CellStore& store, Page& page) {
+  page.paragraph(
+      "How many steps pass from the step in which two boxes begin to overlap until the pair is told: 0 for a "
+      "broad phase that is exact. A meeting that ends without having been told counts with all its steps.");
+  for (const MotionCell& motion : motion_cells(request.sizes)) {
+    const Json& rows = store.at(motion.cell.key);
+    const std::string name = motion.motion + " in " + std::to_string(motion.dimension) + "D";
+    page.heading(name);
+    page.figure(draw(plot_of(rows, kTrade, name + ": time against lag of detection"),
+                     "lag-" + motion.motion + std::to_string(motion.dimension)),
+                motion.cell.key + ". Lower left is better; a ring marks the Pareto front.");
+    page.table("all settings of this plot", kColumns, rows, front_of(rows, kTrade));
+  }
+  page.command(command_of(request, "lag"));
+}
+
+}  // namespace
+
+Section lag_section() { return {"lag", "Lag of detection", cells, write}; }
+
+}  // namespace kerf

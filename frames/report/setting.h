@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/broad_phase/approximation.h"
+#include "core/broad_phase/broad_phase.h"
+#include "core/config.h"
+
+namespace kerf {
+
+/// One point of the knobs that trade time for error.
+struct Setting {
+  std::string name;    ///< as `kerf bench --algorithms` takes it
+  std::string family;  ///< settings that differ in one number: a line in a plot
+  Config config = tuned_config();
+  Approximation how;
+};
+
+/// The exact tree, ours and the paper's, with leaves of several sizes and schedules, and then all approximate
+/// modes: placement every k steps without and with a margin, filtered, and rounded intervals.
+std::vector<Setting> all_settings();
+/// A few of them, for runs in which the pairs decide what moves.
+std::vector<Setting> few_settings();
+
+template <int D>
+std::unique_ptr<BroadPhase<D>> make_broad_phase(const Setting& setting);
+
+}  // namespace kerf

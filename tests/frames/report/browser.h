@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace kerf::testing {
+
+/// What headless Chromium, without a network, makes of a page.
+struct Sight {
+  struct Picture {
+    double width = 0;
+    double height = 0;
+    std::size_t shapes = 0;  ///< elements of it that have a size
+  };
+  std::string trouble;                 ///< why there is nothing to see; empty: all went well
+  std::vector<std::string> console;    ///< lines of the console
+  std::vector<std::string> resources;  ///< addresses that the page asked for beside its own
+  std::vector<Picture> pictures;       ///< of each svg element, as laid out
+  bool fits = false;                   ///< no scrolling sideways
+};
+
+/// Loads a copy of the page with a script in it that looks at what is there.
+Sight look_at(const std::filesystem::path& page);
+
+}  // namespace kerf::testing

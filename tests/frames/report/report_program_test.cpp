@@ -1,0 +1,171 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "frames/errors.h"
+#include "tests/frames/program.h"
+#include "tests/frames/report/browser.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::kerf_command;
+using testing::look_at;
+using ::testing::Not;
+using testing::Outcome;
+using testing::Process;
+using testing::read_json;
+using testing::read_text;
+using testing::run_kerf;
+using testing::Sight;
+using testing::TemporaryFolder;
+
+/// A report as small as it can be, with more arguments.
+Outcome run_small_report(const std::string& page, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{
+      "report",  "--objects", "40",    "--steps", "12",          "--rounds",         "1",
+      "--seeds", "1",         "--out", page,      "--hardcases", page + ".hardcases"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_kerf(arguments);
+}
+
+void write_hardcases(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "hardcases.json") << R"({"columns":[{"dimension":2,"who":"kerf","name":"box"},
+    {"dimension":2,"who":"rival","name":"planted-rival"}],"cases":[{"id":"V1","name":"NotANumber",
+    "what":"","cells":[{"verdict":"exact","sign":"="},{"verdict":"crash","sign":"X"}]}]})";
+}
+
+TEST(ReportProgram, APageOfAllSectionsStandsAloneInABrowser) {
+  const TemporaryFolder folder;
+  const std::string page = (folder.path() / "page.html").string();
+  write_hardcases(page + ".hardcases");
+  const Outcome outcome = run_small_report(page, {});
+  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  EXPECT_EQ(outcome.err, "") << "no progress where there is no terminal";
+  const std::string text = read_text(page);
+  EXPECT_THAT(text, Not(HasSubstr("src="))) << "nothing is loaded";
+  EXPECT_THAT(text, Not(HasSubstr("@import")));
+  for (const char* part : {"kerf report missed --objects 40", "Recommended settings", "period=4:margin=0.1",
+                           "oriented-box", "one ulp aside", "energy drift", "a third axis", "planted-rival"})
+    EXPECT_THAT(text, HasSubstr(part));
+  const Sight sight = look_at(page);
+  ASSERT_EQ(sight.trouble, "");
+  EXPECT_THAT(sight.console, IsEmpty());
+  EXPECT_THAT(sight.resources, IsEmpty());
+  EXPECT_TRUE(sight.fits);
+  // Six motions twice, two dimensions of volumes, two pictures of each of four scenes, once their divergence
+  // and two of their physics, two of needs and one heat map.
+  EXPECT_EQ(sight.pictures.size(), 12U + 2 + 8 + 4 + 8 + 2 + 1);
+  for (const Sight::Picture& picture : sight.pictures) {
+    EXPECT_GT(picture.width, 200);
+    EXPECT_GT(picture.height, 100);
+    EXPECT_GT(picture.shapes, 5U);
+  }
+}
+
+TEST(ReportProgram, TheBrowserWouldSeeWhatIsWrong) {
+  const TemporaryFolder folder;
+  const std::filesystem::path page = folder.path() / "page.html";
+  std::ofstream(page) << R"(<!DOCTYPE html><html><head><style></style></head><body style="width:5000px">
+    <img src="https://example.invalid/picture.png"><svg width="0" height="0"></svg>
+    <script>console.error("planted"); undefined_function();</script></body></html>)";
+  const Sight sight = look_at(page);
+  ASSERT_EQ(sight.trouble, "");
+  EXPECT_GE(sight.console.size(), 2U);
+  EXPECT_THAT(sight.resources, ElementsAre("https://example.invalid/picture.png"));
+  EXPECT_FALSE(sight.fits);
+  ASSERT_EQ(sight.pictures.size(), 1U);
+  EXPECT_EQ(sight.pictures[0].width, 0);
+  EXPECT_EQ(sight.pictures[0].shapes, 0U);
+}
+
+TEST(ReportProgram, DoesNotMeasureAgainWhatIsKept) {
+  const TemporaryFolder folder;
+  const std::string page = (folder.path() / "page.html").string();
+  ASSERT_EQ(run_small_report(page, {"volumes"}).exit, kExitDone);
+  const std::filesystem::path kept = folder.path() / "page.json";
+  auto figures = read_json(kept);
+  for (auto& cell : figures["cells"]) cell[0]["contacts"] = 987654321;
+  std::ofstream(kept) << figures;
+  ASSERT_EQ(run_small_report(page, {"volumes"}).exit, kExitDone);
+  EXPECT_THAT(read_text(page), HasSubstr("987654321"));
+  ASSERT_EQ(run_small_report(page, {"volumes", "--fresh"}).exit, kExitDone);
+  EXPECT_THAT(read_text(page), Not(HasSubstr("987654321")));
+}
+
+TEST(ReportProgram, TakesNothingOverFromAnotherMachine) {
+  const TemporaryFolder folder;
+  const std::string page = (folder.path() / "page.html").string();
+  std::ofstream(folder.path() / "page.json") << R"({"owner": "somebody else", "cells": {"a": 1}})";
+  ASSERT_EQ(run_small_report(page, {"hardcases"}).exit, kExitDone);
+  EXPECT_THAT(read_text(page), HasSubstr("./run hardcases")) << "says how to make the table";
+  ASSERT_EQ(run_small_report(page, {"volumes"}).exit, kExitDone);
+  EXPECT_FALSE(read_json(folder.path() / "page.json")["cells"].contains("a"));
+}
+
+TEST(ReportProgram, KeepsWhatWasMeasuredWhenInterrupted) {
+  const TemporaryFolder folder;
+  const std::filesystem::path kept = folder.path() / "page.json";
+  const std::filesystem::path page = folder.path() / "page.html";
+  Process process(kerf_command(
+      {"report", "physics", "--objects", "40", "--steps", "60", "--seeds", "1000", "--out", page.string()}));
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!std::filesystem::exists(kept) && std::chrono::steady_clock::now() < give_up)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  process.signal(SIGINT);
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.exit, kExitInterrupted) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("are kept in"));
+  EXPECT_GE(read_json(kept)["cells"].size(), 1U);
+  EXPECT_FALSE(std::filesystem::exists(page));
+}
+
+TEST(ReportProgram, SaysWhatIsMissingForPlots) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_kerf({"report", "volumes", "--objects", "20", "--out", (folder.path() / "page.html").string()},
+               {.path = "/nowhere"});
+  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_THAT(outcome.err, HasSubstr("gnuplot-nox"));
+}
+
+struct Mistake {
+  const char* name;
+  std::vector<std::string> arguments;
+  const char* answer;
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* stream) { *stream << mistake.name; }
+
+class ReportMistake : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(ReportMistake, IsExplained) {
+  std::vector<std::string> arguments = GetParam().arguments;
+  arguments.insert(arguments.begin(), "report");
+  const Outcome outcome = run_kerf(arguments);
+  EXPECT_EQ(outcome.exit, kExitUsage) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr(GetParam().answer));
+  EXPECT_THAT(outcome.err, HasSubstr("--help"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    ReportProgram, ReportMistake,
+    ::testing::Values(Mistake{"Section", {"misssed"}, "did you mean 'missed'?"},
+                      Mistake{"Objects", {"--objects", "3"}, "from 20 to 100000"},
+                      Mistake{"Steps", {"--steps", "ten"}, "whole number from"},
+                      Mistake{"Seeds", {"--seeds", "0"}, "whole number from 1"},
+                      Mistake{"Page", {"--out", "page.json"}, "call the page something.html"},
+                      Mistake{"NoPage", {"--out", ""}, "needs the name of a file"},
+                      Mistake{"Option", {"--objcts", "30"}, "did you mean '--objects'?"}),
+    [](const ::testing::TestParamInfo<Mistake>& mistake) { return std::string(mistake.param.name); });
+
+}  // namespace
+}  // namespace kerf
