@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "core/broad_phase/bsp.h"
+#include "core/recording/recorder.h"
 #include "frames/errors.h"
+#include "frames/recording_file.h"
 #include "viz/draw/frame_renderer.h"
 
 namespace kerf {
@@ -21,7 +23,8 @@ class SceneFilm final : public Film {
       : name_(request.scene.name),
         tree_(request.config, request.volume),
         renderer_({request.size.width, request.size.height, request.layers, request.camera}),
-        scene_(entry.make(tree_, request.options)) {}
+        recorder_(make_recorder(tree_, request)),
+        scene_(entry.make(recorder_ ? static_cast<BroadPhase<D>&>(*recorder_) : tree_, request.options)) {}
 
   void advance() override {
     scene_->advance();
@@ -60,7 +63,17 @@ class SceneFilm final : public Film {
     return record;
   }
 
+  void finish() override {
+    if (recorder_) recorder_->finish();
+  }
+
  private:
+  static std::unique_ptr<Recorder<D>> make_recorder(Bsp<D, EventLog>& tree, const RenderRequest& request) {
+    if (request.record.empty()) return nullptr;
+    clear_recording_path(request.record, request.overwrite);
+    return std::make_unique<Recorder<D>>(tree, request.record, recording_info(request));
+  }
+
   [[nodiscard]] Caption caption() const {
     const auto moves = [](const Body<D>& body) { return body.mobility == Mobility::moving; };
     return {.scene = name_,
@@ -77,8 +90,9 @@ class SceneFilm final : public Film {
   std::string name_;
   Bsp<D, EventLog> tree_;
   FrameRenderer<D> renderer_;
-  std::unique_ptr<Scene<D>> scene_;  ///< after the tree, which it uses to its end
-  std::vector<Event> recent_;        ///< operators of the last kHighlightSteps steps
+  std::unique_ptr<Recorder<D>> recorder_;  ///< none unless asked for
+  std::unique_ptr<Scene<D>> scene_;        ///< after the tree, which it uses to its end
+  std::vector<Event> recent_;              ///< operators of the last kHighlightSteps steps
   std::uint64_t events_since_record_ = 0;
 };
 
