@@ -10,10 +10,18 @@
 #include <vector>
 
 #include "frames/bench/bench_command.h"
+#include "frames/compare_command.h"
 #include "frames/errors.h"
+#include "frames/explain_command.h"
+#include "frames/export_command.h"
+#include "frames/import_command.h"
+#include "frames/minimize_command.h"
+#include "frames/record_command.h"
 #include "frames/render_command.h"
 #include "frames/scenes_command.h"
+#include "frames/step_command.h"
 #include "frames/suggest.h"
+#include "frames/verify_command.h"
 
 namespace kerf {
 namespace {
@@ -70,12 +78,10 @@ std::string help_hint(const CLI::App& program) {
 }
 
 /// Runs the chosen subcommand and turns what it throws into an exit code.
-int run(const CLI::App& program, const ScenesCommand& scenes, const RenderCommand& render,
-        const BenchCommand& bench) {
+template <class... Command>
+int run(const CLI::App& program, const Command&... commands) {
   try {
-    if (scenes.chosen()) scenes.run();
-    if (render.chosen()) render.run();
-    if (bench.chosen()) bench.run();
+    ((commands.chosen() ? commands.run() : void()), ...);
     return kExitDone;
   } catch (const UsageError& error) {
     return report(error.what() + help_hint(program), kExitUsage);
@@ -95,6 +101,14 @@ int run_command_line(int argc, char** argv) {
   program.set_version_flag("--version", "kerf " KERF_VERSION);
   const ScenesCommand scenes(program);
   const RenderCommand render(program);
+  const RecordCommand record(program);
+  const ImportCommand import(program);
+  const VerifyCommand verify(program);
+  const StepCommand step(program);
+  const ExplainCommand explain(program);
+  const CompareCommand compare(program);
+  const MinimizeCommand minimize(program);
+  const ExportCommand export_(program);
   const BenchCommand bench(program);
   try {
     program.parse(argc, argv);
@@ -109,7 +123,8 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render, bench);
+  return run(program, scenes, render, record, import, verify, step, explain, compare, minimize, export_,
+             bench);
 }
 
 }  // namespace kerf
