@@ -18,6 +18,7 @@
 #include "frames/minimize_command.h"
 #include "frames/record_command.h"
 #include "frames/render_command.h"
+#include "frames/rerun_command.h"
 #include "frames/scenes_command.h"
 #include "frames/step_command.h"
 #include "frames/suggest.h"
@@ -103,12 +104,13 @@ int run_command_line(int argc, char** argv) {
   const RenderCommand render(program);
   const RecordCommand record(program);
   const ImportCommand import(program);
+  const RerunCommand rerun(program);
   const VerifyCommand verify(program);
   const StepCommand step(program);
   const ExplainCommand explain(program);
   const CompareCommand compare(program);
   const MinimizeCommand minimize(program);
-  const ExportCommand export_(program);
+  const ExportCommand exporter(program);
   const BenchCommand bench(program);
   try {
     program.parse(argc, argv);
@@ -123,8 +125,8 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render, record, import, verify, step, explain, compare, minimize, export_,
-             bench);
+  return run(program, scenes, render, record, import, rerun, verify, step, explain, compare, minimize,
+             exporter, bench);
 }
 
 }  // namespace kerf

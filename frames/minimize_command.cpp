@@ -76,7 +76,7 @@ void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
   const auto hit = search.forward(request.when, Position::end_of(0));
   if (!hit)
     throw std::runtime_error("the condition never holds in this recording, so there is nothing to minimize");
-  const Scenario<D> whole = scenario_of(*recording, hit->step);
+  const StepRow& row = recording->row(hit->step);
   std::size_t trials = 0;
   const auto fails = [&](const Scenario<D>& scenario) {
     if (interrupt.requested())
@@ -86,9 +86,10 @@ void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
     record(scenario, trial.path());
     return first_hit<D>(trial.path(), request.when).has_value();
   };
-  const Scenario<D> small = minimize<D>(whole, fails);
-  std::printf("%zu trials: from %zu steps, %zu objects, %zu requests\n", trials, whole.steps.size(),
-              objects_of(whole).size(), whole.requests());
+  Replayer<D> replayer(recording);
+  const Scenario<D> late = start_late<D>(replayer, hit->step, fails);
+  const Scenario<D> small = minimize<D>(late, fails);
+  std::printf("%zu trials: from %u steps and %u objects\n", trials, row.step, row.statistics.objects);
   write_results(small, request);
 }
 

@@ -31,7 +31,7 @@ std::string reason_of(const BspState<D>& before, const Deed& deed) {
   if (!before.tree.is_alive(deed.node))
     return "its node is dead: it was merged, or replaced by a swap, since it was listed";
   const NodeId id = deed.node.node;
-  const std::string wish = node_text(id) + " was " + wish_text(before.tree, id, before.config);
+  std::string wish = node_text(id) + " was " + wish_text(before.tree, id, before.config);
   if (deed.op == Operator::merge && !wants_merge(before.tree, id, before.config))
     return wish + "; it was merged because the tree had " + std::to_string(before.tree.entries()) +
            " entries for " + std::to_string(before.tree.objects()) + " objects";

@@ -22,7 +22,7 @@ struct EventExplanation {
 
 /// Throws std::runtime_error for an event that the recording does not have.
 template <int D>
-EventExplanation<D> explain_event(Replayer<D>& replayer, std::uint64_t event);
+EventExplanation<D> explain_event(Replayer<D>& replayer, std::uint64_t id);
 
 /// The explanation in sentences, a line each.
 template <int D>

@@ -9,19 +9,6 @@ namespace kerf {
 namespace {
 
 template <int D>
-using Fails = std::function<bool(const Scenario<D>&)>;
-
-/// Starts as late as it still fails: 1, 2, 4, ... steps before the end are tried.
-template <int D>
-Scenario<D> start_late(const Scenario<D>& scenario, const Fails<D>& fails) {
-  for (std::size_t rest = 1; rest + 1 < scenario.steps.size(); rest *= 2) {
-    Scenario<D> late = starting_late(scenario, scenario.steps.size() - rest);
-    if (fails(late)) return late;
-  }
-  return scenario;
-}
-
-template <int D>
 Scenario<D> leave_out_objects(const Scenario<D>& scenario, const Fails<D>& fails) {
   const auto kept = delta_debug(objects_of(scenario), [&](const std::vector<ObjectId>& objects) {
     return fails(with_objects(scenario, objects));
@@ -42,8 +29,16 @@ Scenario<D> leave_out_steps(const Scenario<D>& scenario, const Fails<D>& fails) 
 }  // namespace
 
 template <int D>
-Scenario<D> minimize(Scenario<D> scenario, const std::function<bool(const Scenario<D>&)>& fails) {
-  scenario = start_late(scenario, fails);
+Scenario<D> start_late(Replayer<D>& replayer, std::uint32_t last, const Fails<D>& fails) {
+  for (std::uint32_t rest = 1; rest < last; rest *= 2) {
+    Scenario<D> late = scenario_of(replayer, last - rest, last);
+    if (fails(late)) return late;
+  }
+  return scenario_of(replayer, 0, last);
+}
+
+template <int D>
+Scenario<D> minimize(Scenario<D> scenario, const Fails<D>& fails) {
   for (std::size_t before = SIZE_MAX; scenario.requests() + scenario.steps.size() < before;) {
     before = scenario.requests() + scenario.steps.size();
     scenario = leave_out_objects(scenario, fails);
@@ -52,7 +47,11 @@ Scenario<D> minimize(Scenario<D> scenario, const std::function<bool(const Scenar
   return scenario;
 }
 
-template Scenario<2> minimize<2>(Scenario<2>, const std::function<bool(const Scenario<2>&)>&);
-template Scenario<3> minimize<3>(Scenario<3>, const std::function<bool(const Scenario<3>&)>&);
+#define KERF_INSTANTIATE(D)                                                         \
+  template Scenario<D> start_late<D>(Replayer<D>&, std::uint32_t, const Fails<D>&); \
+  template Scenario<D> minimize<D>(Scenario<D>, const Fails<D>&);
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
 
 }  // namespace kerf

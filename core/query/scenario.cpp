@@ -109,10 +109,16 @@ std::size_t Scenario<D>::requests() const {
 }
 
 template <int D>
-Scenario<D> scenario_of(RecordingReader<D>& recording, std::uint32_t steps) {
+Scenario<D> scenario_of(Replayer<D>& replayer, std::uint32_t first, std::uint32_t last) {
+  RecordingReader<D>& recording = replayer.recording();
   Scenario<D> scenario{recording.info(), {}, {}};
-  for (std::uint32_t step = 1; step <= steps; ++step) {
-    scenario.steps.push_back(recording.step(step).requests);
+  for (std::uint32_t step = std::max(first, 1U); step <= last; ++step) {
+    if (step == first && first > 1) {
+      replayer.seek(first);
+      scenario.steps.push_back(insert_all(replayer.tree().objects()));
+    } else {
+      scenario.steps.push_back(recording.step(step).requests);
+    }
     if (recording.their_step(step)) scenario.theirs.push_back(recording.their_pairs(step));
   }
   return scenario;
@@ -140,18 +146,6 @@ Scenario<D> with_objects(const Scenario<D>& scenario, const std::vector<ObjectId
   for (const std::vector<Pair>& pairs : scenario.theirs)
     std::ranges::copy_if(pairs, std::back_inserter(smaller.theirs.emplace_back()),
                          [&](const Pair& pair) { return wanted(pair.a) && wanted(pair.b); });
-  return smaller;
-}
-
-template <int D>
-Scenario<D> starting_late(const Scenario<D>& scenario, std::size_t first) {
-  Bsp<D> tree(scenario.info.config, scenario.info.volume);
-  for (std::size_t k = 0; k < first; ++k) apply(scenario.steps[k], tree);
-  Scenario<D> smaller{scenario.info, {insert_all(tree.objects())}, {}};
-  const auto rest = static_cast<std::ptrdiff_t>(first);
-  smaller.steps.insert(smaller.steps.end(), scenario.steps.begin() + rest, scenario.steps.end());
-  if (!scenario.theirs.empty())
-    smaller.theirs.assign(scenario.theirs.begin() + rest - 1, scenario.theirs.end());
   return smaller;
 }
 
@@ -186,10 +180,9 @@ void record(const Scenario<D>& scenario, const std::filesystem::path& path) {
 
 #define KERF_INSTANTIATE(D)                                                                \
   template struct Scenario<D>;                                                             \
-  template Scenario<D> scenario_of<D>(RecordingReader<D>&, std::uint32_t);                 \
+  template Scenario<D> scenario_of<D>(Replayer<D>&, std::uint32_t, std::uint32_t);         \
   template std::vector<ObjectId> objects_of<D>(const Scenario<D>&);                        \
   template Scenario<D> with_objects<D>(const Scenario<D>&, const std::vector<ObjectId>&);  \
-  template Scenario<D> starting_late<D>(const Scenario<D>&, std::size_t);                  \
   template Scenario<D> with_steps<D>(const Scenario<D>&, const std::vector<std::size_t>&); \
   template void record<D>(const Scenario<D>&, const std::filesystem::path&);
 KERF_INSTANTIATE(2)

@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/recording/recording_reader.h"
-#include "core/recording/step_requests.h"
+#include "core/replay/replayer.h"
 
 namespace kerf {
 
@@ -19,9 +18,10 @@ struct Scenario {
   [[nodiscard]] std::size_t requests() const;
 };
 
-/// All of a recording, or its first `steps` steps.
+/// The steps of a recording up to `last`. Those up to `first` become one, in which every object is put where
+/// it was at their end; with 0 or 1 all are as they were.
 template <int D>
-Scenario<D> scenario_of(RecordingReader<D>& recording, std::uint32_t steps);
+Scenario<D> scenario_of(Replayer<D>& replayer, std::uint32_t first, std::uint32_t last);
 
 /// Every object that is ever asked for, in the order of their ids.
 template <int D>
@@ -29,9 +29,6 @@ std::vector<ObjectId> objects_of(const Scenario<D>& scenario);
 /// Only what concerns these objects, given in the order of their ids.
 template <int D>
 Scenario<D> with_objects(const Scenario<D>& scenario, const std::vector<ObjectId>& kept);
-/// The first `first` steps become one, in which every object is put where it was at their end.
-template <int D>
-Scenario<D> starting_late(const Scenario<D>& scenario, std::size_t first);
 /// Only these steps, given in their order; what is asked in the others is asked in the next that is kept.
 template <int D>
 Scenario<D> with_steps(const Scenario<D>& scenario, const std::vector<std::size_t>& kept);

@@ -98,7 +98,7 @@ void Recorder<D>::step() {
 
 /// The log may hold those of earlier steps, if nobody took them.
 template <int D>
-std::span<const Event> Recorder<D>::events_of_step() {
+std::span<const Event> Recorder<D>::events_of_step() const {
   const std::vector<Event>& all = tree_.trace().events();
   const auto first = std::ranges::lower_bound(all, next_event_, {}, &Event::id);
   return {first, all.end()};

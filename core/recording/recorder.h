@@ -42,7 +42,7 @@ class Recorder final : public BroadPhase<D> {
     return object.index() < known_.size() && known_[object.index()];
   }
   void record();
-  [[nodiscard]] std::span<const Event> events_of_step();
+  [[nodiscard]] std::span<const Event> events_of_step() const;
 
   Bsp<D, EventLog>& tree_;
   RecordingWriter<D> writer_;

@@ -70,7 +70,7 @@ class RecordingReader {
   void read_rows();
   [[nodiscard]] Bytes keyframe_bytes(std::uint32_t step) const;
   void read_block(BlockDecoder<D>& decoder, const Bytes& block, Span& span) const;
-  Span read_span(std::uint32_t keyframe) const;
+  [[nodiscard]] Span read_span(std::uint32_t keyframe) const;
 
   Database database_;
   RecordingInfo info_;

@@ -41,7 +41,7 @@ struct StepRequests {
   void add_insert(ObjectId object, const Volume<D>& volume, Mobility mobility);
   void add_move(ObjectId object, const Box<D>& box);
   void add_move(ObjectId object, const Volume<D>& volume);
-  void add_moves(std::span<const ObjectId> objects, std::span<const Box<D>> boxes);
+  void add_moves(std::span<const ObjectId> moved, std::span<const Box<D>> new_boxes);
   void add_remove(ObjectId object);
   friend bool operator==(const StepRequests&, const StepRequests&) = default;
 

@@ -19,7 +19,8 @@ Scalar unordered(std::int32_t x) { return std::bit_cast<Scalar>(x ^ ((x >> 31) &
 /// The nearest float of finite size; NaN becomes 0.
 Scalar to_scalar(double x) {
   constexpr double kMax = std::numeric_limits<Scalar>::max();
-  return std::isnan(x) ? 0.0F : static_cast<Scalar>(std::clamp(x, -kMax, kMax));
+  if (std::abs(x) <= kMax) return static_cast<Scalar>(x);
+  return std::isnan(x) ? 0.0F : static_cast<Scalar>(std::copysign(kMax, x));
 }
 
 std::uint32_t distance(std::int32_t from, std::int32_t to) {

@@ -31,7 +31,7 @@ class EventLog {
 class Watch {
  public:
   static constexpr bool kEnabled = true;
-  void record(const Event& event) {
+  void record(const Event& event) const {
     if (on_event) on_event(event);
   }
   std::function<void(const Event&)> on_event;

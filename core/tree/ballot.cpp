@@ -63,8 +63,8 @@ std::vector<BallotEntry> ballot_of_split(const Tree<D>& tree, NodeId leaf, const
     return score(a.quality) > score(b.quality);
   });
   mark_chosen(choose_partitioner(tree, leaf, config), entries);
-  std::ranges::stable_partition(entries,
-                                [](const BallotEntry& entry) { return entry.result == Ballot::chosen; });
+  std::stable_partition(entries.begin(), entries.end(),
+                        [](const BallotEntry& entry) { return entry.result == Ballot::chosen; });
   return entries;
 }
 

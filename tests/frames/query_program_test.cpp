@@ -94,6 +94,20 @@ TEST_F(QueryProgram, ComparesRuns) {
               HasSubstr("events     differ first in step"));
 }
 
+/// The same boxes with another rule: other operators, the same pairs. With the same rule: the same run.
+TEST_F(QueryProgram, RunsAgainWithAnotherConfiguration) {
+  ASSERT_EQ(run_kerf({"rerun", file("a"), "-o", file("b"), "--config", "min_balance=0.3"}).exit, 0);
+  ASSERT_EQ(run_kerf({"rerun", file("a"), "-o", file("c")}).exit, 0);
+  EXPECT_EQ(run_kerf({"compare", file("a"), file("c")}).exit, 0);
+  const auto json = nlohmann::json::parse(run_kerf({"compare", file("a"), file("b"), "--json"}).out);
+  EXPECT_TRUE(json["first_different"]["requests"].is_null());
+  EXPECT_TRUE(json["first_different"]["pairs"].is_null());
+  EXPECT_FALSE(json["first_different"]["events"].is_null());
+  EXPECT_EQ(run_kerf({"verify", file("b")}).exit, 0);
+  EXPECT_EQ(run_kerf({"rerun", file("a"), "-o", file("a"), "--overwrite"}).exit, 2);
+  EXPECT_EQ(run_kerf({"rerun", file("a"), "-o", file("d"), "--config", "min_balnce=0.3"}).exit, 2);
+}
+
 TEST_F(QueryProgram, ExportsATimelineAndTables) {
   const Outcome trace = run_kerf({"export", file("a"), "--chrome-trace", "-o", path("trace.json")});
   ASSERT_EQ(trace.exit, 0) << trace.err;

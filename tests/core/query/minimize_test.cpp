@@ -38,11 +38,11 @@ class Minimize : public testing::Test {
  protected:
   static constexpr int kDimension = T::value;
 
-  Scenario<kDimension> crowd(VolumeKind kind = VolumeKind::box) {
+  Scenario<kDimension> crowd(VolumeKind kind = VolumeKind::box, std::uint32_t first = 0) {
     const test::TemporaryRecording file;
     test::record_crowd<kDimension>(file.path(), 40, test::busy_config(), test::busy_config(), kind);
-    RecordingReader<kDimension> recording(file.path());
-    return scenario_of(recording, recording.steps());
+    Replayer<kDimension> replayer(std::make_shared<RecordingReader<kDimension>>(file.path()));
+    return scenario_of(replayer, first, 40);
   }
 };
 TYPED_TEST_SUITE(Minimize, test::Dimensions, test::DimensionNames);
@@ -93,8 +93,8 @@ TYPED_TEST(Minimize, StartingLateOrLeavingOutStepsEndsWithTheSamePairs) {
   constexpr int kD = TypeParam::value;
   const Scenario<kD> whole = this->crowd();
   const auto expected = last_pairs(whole);
-  for (const std::size_t first : {1U, 5U, 17U, 39U}) {
-    const Scenario<kD> late = starting_late(whole, first);
+  for (const std::uint32_t first : {1U, 5U, 17U, 39U, 40U}) {
+    const Scenario<kD> late = this->crowd(VolumeKind::box, first);
     EXPECT_EQ(late.steps.size(), 41 - first);
     EXPECT_TRUE(test::same_pairs(last_pairs(late), expected)) << first;
   }
@@ -103,7 +103,18 @@ TYPED_TEST(Minimize, StartingLateOrLeavingOutStepsEndsWithTheSamePairs) {
   EXPECT_TRUE(test::same_pairs(last_pairs(few), expected));
 }
 
-/// The events that a smaller run shares with the whole show that operators are still at work in it.
+TYPED_TEST(Minimize, StartsAsLateAsItStillFails) {
+  constexpr int kD = TypeParam::value;
+  const test::TemporaryRecording file;
+  test::record_crowd<kD>(file.path(), 40, test::busy_config());
+  Replayer<kD> replayer(std::make_shared<RecordingReader<kD>>(file.path()));
+  const auto late =
+      start_late<kD>(replayer, 40, [](const Scenario<kD>& scenario) { return scenario.steps.size() >= 8; });
+  EXPECT_EQ(late.steps.size(), 9U);  // one in which all come, and the eight that were tried after four
+  const auto never = start_late<kD>(replayer, 40, [](const Scenario<kD>& /*any*/) { return false; });
+  EXPECT_EQ(never.steps.size(), 40U);
+}
+
 TYPED_TEST(Minimize, AnOperatorNeedsACrowd) {
   constexpr int kD = TypeParam::value;
   const auto splits = [](const Scenario<kD>& scenario) {
