@@ -40,13 +40,20 @@ std::string reason_of(const BspState<D>& before, const Deed& deed) {
   return wish;
 }
 
-/// When the operator was put into the event list, if it was: the latest time before the event.
+/// A listed shift-split that finds no point becomes a split.
+bool may_become(Operator listed, Operator acted) {
+  return listed == acted || (listed == Operator::shift_split && acted == Operator::split);
+}
+
+/// When the operator was put into the event list, if it was (balance never is): the latest time before the
+/// event.
 template <int D>
 std::optional<Event> scheduling_of(RecordingReader<D>& recording, const Event& event, const Deed& deed) {
   std::optional<Event> found;
   for (const Event& other : node_history(recording, deed.node.node, event.step)) {
     const auto* scheduled = std::get_if<OperatorScheduled>(&other.body);
-    if (other.id < event.id && scheduled != nullptr && scheduled->node == deed.node) found = other;
+    if (other.id >= event.id || scheduled == nullptr) continue;
+    if (scheduled->node == deed.node && may_become(scheduled->op, deed.op)) found = other;
   }
   return found;
 }

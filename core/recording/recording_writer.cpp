@@ -10,7 +10,7 @@ constexpr std::uint32_t kBlockSteps = 10;
 constexpr auto kFlushInterval = std::chrono::seconds(1);
 /// A keyframe every 16 to 256 steps: a seek replays from the last one, so the more objects, the nearer it
 /// must be.
-constexpr std::uint64_t kObjectSteps = 200'000;
+constexpr std::uint64_t kObjectSteps = 150'000;
 constexpr std::uint32_t kLeastSteps = 16;
 constexpr std::uint32_t kMostSteps = 256;
 

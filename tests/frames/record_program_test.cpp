@@ -79,7 +79,7 @@ TEST(RecordProgram, InterruptedOrKilledItLeavesWhatWasDone) {
   for (const int signal : {SIGINT, SIGKILL}) {
     const TemporaryFolder folder;
     const std::string file = folder.path() / "a.kerf";
-    Process process(kerf_command({"record", "pile", "-o", file, "--steps", "9999999", "--objects", "30"}));
+    Process process(kerf_command({"record", "pile", "-o", file, "--steps", "900000", "--objects", "30"}));
     const auto enough = [&] {
       return std::filesystem::exists(file + "-wal") && std::filesystem::file_size(file + "-wal") > 200'000;
     };
