@@ -15,7 +15,7 @@ BspState<D> Bsp<D, Trace>::state() const {
           skins_,
           {pairs().begin(), pairs().end()},
           static_cast<std::uint8_t>(mode_),
-          calm_,
+          keep_or_sweep_,
           placed_,
           reporter_.next_id(),
           step_};
@@ -29,7 +29,7 @@ void Bsp<D, Trace>::restore(const BspState<D>& state) {
   latest_ = state.latest;
   skins_ = state.skins;
   mode_ = static_cast<Mode>(state.mode);
-  calm_ = state.calm;
+  keep_or_sweep_ = state.keep_or_sweep;
   placed_ = state.placed;
   step_ = state.step;
   reporter_.resume(state.next_event, state.step);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/broad_phase/keep_or_sweep.h"
 #include "core/broad_phase/object_table.h"
 #include "core/broad_phase/skin.h"
 #include "core/config.h"
@@ -23,7 +24,7 @@ struct BspState {
   std::vector<Skin> skins;  ///< by object
   std::vector<Pair> pairs;  ///< of the last step
   std::uint8_t mode = 0;    ///< how pairs are found, as Bsp numbers it
-  std::uint32_t calm = 0;
+  KeepOrSweep keep_or_sweep{};
   std::uint64_t placed = 0;
   std::uint64_t next_event = 0;
   std::uint32_t step = 0;

@@ -156,6 +156,16 @@ void get_scheduler(ByteReader& in, Scheduler<D>& scheduler) {
   scheduler.resume(std::move(lists), acted, in.varint());
 }
 
+Skin get_skin(ByteReader& in) {
+  constexpr std::uint8_t kMostWraps = 16;  // each doubles a number of steps
+  Skin skin;
+  skin.level = std::min(in.u8(), Skin::kThickest);
+  skin.wrapped = in.u8() != 0;
+  skin.wraps = std::min(in.u8(), kMostWraps);
+  skin.since = static_cast<std::uint16_t>(in.varint());
+  return skin;
+}
+
 }  // namespace
 
 template <int D>
@@ -168,10 +178,12 @@ Bytes encode_keyframe(const BspState<D>& state) {
   out.varint(state.skins.size());
   for (const Skin& skin : state.skins) {
     out.u8(skin.level);
+    out.u8(skin.wrapped ? 1 : 0);
+    out.u8(skin.wraps);
     out.varint(skin.since);
   }
   out.u8(state.mode);
-  out.varint(state.calm);
+  for (const std::uint32_t x : state.keep_or_sweep.memory()) out.varint(x);
   out.varint(state.placed);
   out.varint(state.next_event);
   out.varint(state.step);
@@ -191,13 +203,12 @@ BspState<D> decode_keyframe(std::span<const std::uint8_t> bytes,
   get_tree(in, state.tree);
   get_scheduler(in, state.scheduler);
   state.skins.resize(in.count());
-  for (Skin& skin : state.skins) {
-    skin.level = std::min(in.u8(), Skin::kThickest);
-    skin.since = static_cast<std::uint16_t>(in.varint());
-  }
+  for (Skin& skin : state.skins) skin = get_skin(in);
   state.mode = in.u8();
   if (state.mode > 2) throw std::runtime_error("the recording is damaged: a keyframe has no known mode");
-  state.calm = static_cast<std::uint32_t>(in.varint());
+  KeepOrSweep::Memory memory{};
+  for (std::uint32_t& x : memory) x = static_cast<std::uint32_t>(in.varint());
+  state.keep_or_sweep.resume(memory);
   state.placed = in.varint();
   state.next_event = in.varint();
   state.step = static_cast<std::uint32_t>(in.varint());
