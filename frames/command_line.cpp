@@ -10,12 +10,21 @@
 #include <vector>
 
 #include "frames/bench/bench_command.h"
+#include "frames/compare_command.h"
 #include "frames/errors.h"
 #include "frames/experiment/experiment_command.h"
+#include "frames/explain_command.h"
+#include "frames/export_command.h"
+#include "frames/import_command.h"
+#include "frames/minimize_command.h"
+#include "frames/record_command.h"
 #include "frames/render_command.h"
 #include "frames/report/report_command.h"
+#include "frames/rerun_command.h"
 #include "frames/scenes_command.h"
+#include "frames/step_command.h"
 #include "frames/suggest.h"
+#include "frames/verify_command.h"
 
 namespace kerf {
 namespace {
@@ -95,6 +104,15 @@ int run_command_line(int argc, char** argv) {
   program.set_version_flag("--version", "kerf " KERF_VERSION);
   const ScenesCommand scenes(program);
   const RenderCommand render(program);
+  const RecordCommand record(program);
+  const ImportCommand import(program);
+  const RerunCommand rerun(program);
+  const VerifyCommand verify(program);
+  const StepCommand step(program);
+  const ExplainCommand explain(program);
+  const CompareCommand compare(program);
+  const MinimizeCommand minimize(program);
+  const ExportCommand exporter(program);
   const BenchCommand bench(program);
   const ExperimentCommand experiment(program);
   const ReportCommand report_page(program);
@@ -111,7 +129,8 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render, bench, experiment, report_page);
+  return run(program, scenes, render, record, import, rerun, verify, step, explain, compare, minimize,
+             exporter, bench, experiment, report_page);
 }
 
 }  // namespace kerf

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "core/broad_phase/bsp.h"
+#include "core/recording/recorder.h"
 #include "frames/errors.h"
+#include "frames/recording_file.h"
 #include "viz/draw/frame_renderer.h"
 
 namespace kerf {
@@ -33,7 +35,9 @@ class SceneFilm final : public Film {
         renderer_({request.size.width, request.size.height, request.layers, request.camera}),
         broad_phase_(watched_broad_phase(entry, request)),
         tree_(dynamic_cast<WatchedTree<D>*>(broad_phase_.get())),
-        scene_(entry.make(*broad_phase_, request.options)) {}
+        recorder_(make_recorder(tree_, request)),
+        scene_(entry.make(recorder_ ? static_cast<BroadPhase<D>&>(*recorder_) : *broad_phase_,
+                          request.options)) {}
 
   void advance() override {
     scene_->advance();
@@ -74,7 +78,18 @@ class SceneFilm final : public Film {
     return record;
   }
 
+  void finish() override {
+    if (recorder_) recorder_->finish();
+  }
+
  private:
+  static std::unique_ptr<Recorder<D>> make_recorder(WatchedTree<D>* tree, const RenderRequest& request) {
+    if (request.record.empty()) return nullptr;
+    const RecordingInfo info = recording_info(request);
+    clear_recording_path(request.record, request.overwrite);
+    return std::make_unique<Recorder<D>>(*tree, request.record, info);
+  }
+
   [[nodiscard]] Caption caption() const {
     const auto moves = [](const Body<D>& body) { return body.mobility == Mobility::moving; };
     return {.scene = name_,
@@ -91,11 +106,11 @@ class SceneFilm final : public Film {
   std::string name_;
   std::string broad_phase_name_;
   FrameRenderer<D> renderer_;
-  BroadPhaseChoice choice_;
   std::unique_ptr<BroadPhase<D>> broad_phase_;
-  WatchedTree<D>* tree_;             ///< the same; null: it is no tree
-  std::unique_ptr<Scene<D>> scene_;  ///< after the broad phase, which it uses to its end
-  std::vector<Event> recent_;        ///< operators of the last kHighlightSteps steps
+  WatchedTree<D>* tree_;                   ///< the same; null: it is no tree
+  std::unique_ptr<Recorder<D>> recorder_;  ///< none unless asked for
+  std::unique_ptr<Scene<D>> scene_;        ///< after the broad phase, which it uses to its end
+  std::vector<Event> recent_;              ///< operators of the last kHighlightSteps steps
   std::uint64_t events_since_record_ = 0;
 };
 

@@ -24,6 +24,8 @@ class Film {
   /// What the present step's picture shows. `file` and `pixel_hash` are left to the caller. Events are
   /// counted from the call before.
   virtual FrameRecord record() = 0;
+  /// Ends the recording, if one was asked for. Nothing may be asked of the film afterwards.
+  virtual void finish() = 0;
 };
 
 /// Throws UsageError for a configuration that cannot work, std::runtime_error if nothing can be drawn.

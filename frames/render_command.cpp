@@ -69,7 +69,9 @@ RenderCommand::RenderCommand(CLI::App& program)
   option("--fps", texts_.fps, "Frames a second of the film (default 25)", "N");
   option("--contact-sheet", texts_.contact_sheet, "Also twenty of the frames in one .png", "FILE");
   option("--seed", texts_.seed, "Of every random choice of the scene (default 1)", "S");
-  command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier sequence, film and contact sheet");
+  option("--record", texts_.record, "Also a recording for `kerf verify` and the like", "FILE");
+  command_->add_flag("--overwrite", texts_.overwrite,
+                     "Replace an earlier sequence, film, contact sheet and recording");
   command_->footer(footer());
 }
 

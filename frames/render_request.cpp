@@ -115,6 +115,7 @@ RenderRequest parse_request(const RenderTexts& texts) {
   if (!request.video.empty()) Video::check_extension(request.video);
   request.contact_sheet = texts.contact_sheet;
   if (!request.contact_sheet.empty()) check_picture_extension(request.contact_sheet);
+  request.record = texts.record;
   request.overwrite = texts.overwrite;
   return request;
 }

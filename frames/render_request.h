@@ -30,6 +30,7 @@ struct RenderTexts {
   std::string fps;
   std::string contact_sheet;
   std::string seed;
+  std::string record;
   bool overwrite = false;
 };
 
@@ -46,6 +47,7 @@ struct RenderRequest {
   std::filesystem::path video;  ///< empty: none
   int fps = 25;
   std::filesystem::path contact_sheet;  ///< empty: none
+  std::filesystem::path record;         ///< empty: none
   bool overwrite = false;
 };
 

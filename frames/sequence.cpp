@@ -101,6 +101,7 @@ class Sequence {
       progress.update(frames, step);
     }
     queue.finish();
+    film_->finish();
   }
 
   /// Second thread. The record joins the manifest when its file is there.

@@ -17,13 +17,6 @@
 namespace kerf {
 namespace {
 
-template <int D>
-std::shared_ptr<const Projector<D>> make_projector(const Config& config, VolumeKind kind) {
-  check(config);
-  const std::uint32_t size = D == 3 ? config.directions : std::max<std::uint32_t>(D, config.directions / 4);
-  return std::make_shared<const Projector<D>>(DirectionSet<D>(size, config.seed), kind);
-}
-
 /// Renews and orders the lists of the leaves that something changed.
 template <int D>
 void sort_leaves(Tree<D>& tree) {
@@ -437,5 +430,7 @@ template class Bsp<2, NoTrace>;
 template class Bsp<3, NoTrace>;
 template class Bsp<2, EventLog>;
 template class Bsp<3, EventLog>;
+template class Bsp<2, Watch>;
+template class Bsp<3, Watch>;
 
 }  // namespace kerf

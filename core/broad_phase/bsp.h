@@ -22,6 +22,9 @@
 
 namespace kerf {
 
+template <int D>
+struct BspState;
+
 /// The Semi-Adjusting BSP-tree as a broad phase (paper sections 3 to 5). `Trace` is told of every event; with
 /// NoTrace watching costs nothing.
 template <int D, class Trace = NoTrace>
@@ -49,12 +52,21 @@ class Bsp final : public BroadPhase<D> {
   /// are the same for any number. Throws std::invalid_argument for 0.
   void set_threads(unsigned threads) { pool_ = std::make_unique<TaskPool>(threads); }
   [[nodiscard]] const Tree<D>& tree() const { return tree_; }
+  /// The objects as the caller sees them; the tree's own table follows in `step()` and may have fat boxes.
+  [[nodiscard]] const ObjectTable<D>& objects() const { return latest_; }
   [[nodiscard]] Statistics statistics() const;
   /// Equal for equal trees with equal events pending, wherever they were built.
   [[nodiscard]] std::uint64_t state_hash() const;
   /// Steps done so far; events carry the number of the step in which they happened, the first being 1.
   [[nodiscard]] std::uint32_t steps() const { return step_; }
   [[nodiscard]] Trace& trace() { return reporter_.trace(); }
+
+  /// Everything that decides what the coming steps do. To be taken right after a step: requests that wait are
+  /// not part of it.
+  [[nodiscard]] BspState<D> state() const;
+  /// Goes on from a state of any tree of the same kind of volume: every step then has the same hash, the same
+  /// events and the same pairs, which may come in another order.
+  void restore(const BspState<D>& state);
 
  private:
   /// How the pairs of a step are found.
@@ -134,5 +146,7 @@ extern template class Bsp<2, NoTrace>;
 extern template class Bsp<3, NoTrace>;
 extern template class Bsp<2, EventLog>;
 extern template class Bsp<3, EventLog>;
+extern template class Bsp<2, Watch>;
+extern template class Bsp<3, Watch>;
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace kerf {
@@ -34,6 +35,16 @@ class KeepOrSweep {
     ++steps_;
     against_ = speed < kCool ? against_ + 1 : 0;
     if (against_ >= patience_) change();
+  }
+
+  /// What it remembers, as numbers for a keyframe.
+  using Memory = std::array<std::uint32_t, 4>;
+  [[nodiscard]] Memory memory() const { return {keeps_ ? 1U : 0U, steps_, against_, patience_}; }
+  void resume(const Memory& memory) {
+    keeps_ = memory[0] != 0;
+    steps_ = memory[1];
+    against_ = memory[2];
+    patience_ = memory[3];
   }
 
  private:

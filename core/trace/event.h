@@ -31,12 +31,14 @@ struct OperatorActed {
   std::uint32_t direction = 0;  ///< index in the direction set of the partitioner concerned
   float old_offset = 0;
   float new_offset = 0;
+  friend bool operator==(const OperatorActed&, const OperatorActed&) = default;
 };
 
 /// Algorithm 1 put an operator into the event list.
 struct OperatorScheduled {
   Operator op = Operator::split;
   NodeRef node;
+  friend bool operator==(const OperatorScheduled&, const OperatorScheduled&) = default;
 };
 
 /// Why a scheduled or evaluated operator did not act.
@@ -54,22 +56,26 @@ struct OperatorRefused {
   Operator op = Operator::split;
   NodeRef node;
   Refusal reason = Refusal::dead_node;
+  friend bool operator==(const OperatorRefused&, const OperatorRefused&) = default;
 };
 
 /// Events left for a later step when the budget was spent.
 struct EventsDeferred {
   std::uint32_t count = 0;
+  friend bool operator==(const EventsDeferred&, const EventsDeferred&) = default;
 };
 
 /// An object changed leaves because it moved, came or went.
 struct ObjectPlaced {
   ObjectId object;
   std::uint32_t leaves = 0;  ///< leaves that hold it now; 0: removed or quarantined
+  friend bool operator==(const ObjectPlaced&, const ObjectPlaced&) = default;
 };
 
 /// So many objects had left their places that all were placed anew in one pass.
 struct AllPlaced {
   std::uint32_t objects = 0;
+  friend bool operator==(const AllPlaced&, const AllPlaced&) = default;
 };
 
 /// A phase of a step begins.
@@ -78,6 +84,7 @@ inline constexpr int kPhaseCount = 5;
 std::string_view to_string(Phase phase);
 struct PhaseBegan {
   Phase phase = Phase::place;
+  friend bool operator==(const PhaseBegan&, const PhaseBegan&) = default;
 };
 
 using EventBody = std::variant<PhaseBegan, ObjectPlaced, OperatorScheduled, OperatorActed, OperatorRefused,
@@ -88,6 +95,7 @@ struct Event {
   std::uint64_t id = 0;
   std::uint32_t step = 0;
   EventBody body;
+  friend bool operator==(const Event&, const Event&) = default;
 };
 
 /// One line for logs and captions, for example "e17 step 20 split n5: 65 -> 65 (33 | 34)".

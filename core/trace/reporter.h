@@ -14,6 +14,13 @@ class Reporter {
  public:
   [[nodiscard]] Trace& trace() { return trace_; }
   void begin_step(std::uint32_t step) { step_ = step; }
+  /// The id of the event to come.
+  [[nodiscard]] std::uint64_t next_id() const { return next_id_; }
+  /// As if everything up to `next_id` in `step` had been reported.
+  void resume(std::uint64_t next_id, std::uint32_t step) {
+    next_id_ = next_id;
+    step_ = step;
+  }
 
   /// `make()` builds the body; it is called only when somebody watches.
   template <class Make>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,17 @@ class EventLog {
 
  private:
   std::vector<Event> events_;
+};
+
+/// Tells each event at the moment in which it happens: whoever listens may look at the tree in the middle of
+/// a step, but not change it.
+class Watch {
+ public:
+  static constexpr bool kEnabled = true;
+  void record(const Event& event) const {
+    if (on_event) on_event(event);
+  }
+  std::function<void(const Event&)> on_event;
 };
 
 }  // namespace kerf

@@ -11,6 +11,7 @@ namespace {
 /// Numbers one after another; structs are never hashed whole, since their padding says nothing.
 class Words {
  public:
+  explicit Words(std::size_t expected) { words_.reserve(expected); }
   void add(std::uint64_t word) { words_.push_back(word); }
   void add(Scalar x, Scalar y) {
     add((std::uint64_t{std::bit_cast<std::uint32_t>(x)} << 32U) | std::bit_cast<std::uint32_t>(y));
@@ -46,7 +47,7 @@ void add_node(Words& words, const Tree<D>& tree, NodeId id) {
 
 template <int D>
 std::uint64_t hash(const Tree<D>& tree) {
-  Words words;
+  Words words(4 * tree.entries() + 5 * tree.slots() + (D + 1) * tree.table.bound());
   for_each_node(tree, tree.root(), [&](NodeId id) { add_node(words, tree, id); });
   for (std::uint32_t id = 0; id < tree.table.bound(); ++id) {
     const ObjectId object{id};

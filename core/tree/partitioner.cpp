@@ -115,14 +115,24 @@ std::uint32_t candidate_count(std::uint32_t objects, std::uint32_t directions, c
 }
 
 template <int D>
+std::vector<ObjectId> sampled_objects(const Tree<D>& tree, NodeId leaf, const Config& config) {
+  return sample_objects(tree[leaf].entries, config.sample);
+}
+
+template <int D>
+std::uint32_t directions_tried(const Tree<D>& tree, NodeId leaf, const Config& config) {
+  const auto objects = static_cast<std::uint32_t>(tree[leaf].entries.size());
+  const std::uint32_t allowed = config.free_directions ? tree.directions().size() : D;
+  return std::max<std::uint32_t>(D, candidate_count(objects, allowed, config));
+}
+
+template <int D>
 std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, const Config& config,
                                             std::vector<Candidate>* ballot) {
   const std::vector<Entry>& entries = tree[leaf].entries;
-  const auto objects = static_cast<std::uint32_t>(entries.size());
-  const std::vector<ObjectId> sampled = sample_objects(entries, config.sample);
+  const std::vector<ObjectId> sampled = sampled_objects(tree, leaf, config);
   const bool exact = sampled.size() == entries.size();
-  const std::uint32_t axes_only = config.free_directions ? tree.directions().size() : D;
-  const std::uint32_t tries = std::max<std::uint32_t>(D, candidate_count(objects, axes_only, config));
+  const std::uint32_t tries = directions_tried(tree, leaf, config);
 
   std::vector<Candidate> candidates;
   std::vector<Interval> scratch;
@@ -153,9 +163,13 @@ std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, co
   return std::nullopt;
 }
 
-template std::optional<Candidate> choose_partitioner<2>(const Tree<2>&, NodeId, const Config&,
-                                                        std::vector<Candidate>*);
-template std::optional<Candidate> choose_partitioner<3>(const Tree<3>&, NodeId, const Config&,
-                                                        std::vector<Candidate>*);
+#define KERF_INSTANTIATE(D)                                                                      \
+  template std::vector<ObjectId> sampled_objects<D>(const Tree<D>&, NodeId, const Config&);      \
+  template std::uint32_t directions_tried<D>(const Tree<D>&, NodeId, const Config&);             \
+  template std::optional<Candidate> choose_partitioner<D>(const Tree<D>&, NodeId, const Config&, \
+                                                          std::vector<Candidate>*);
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
 
 }  // namespace kerf

@@ -52,6 +52,15 @@ std::optional<ReferencePoint> best_reference_point(std::span<const Interval> int
 /// size.
 std::uint32_t candidate_count(std::uint32_t objects, std::uint32_t directions, const Config& config);
 
+/// The objects of a leaf on which candidates are judged first: all, or `config.sample` of them, spread over
+/// its list.
+template <int D>
+std::vector<ObjectId> sampled_objects(const Tree<D>& tree, NodeId leaf, const Config& config);
+
+/// How many directions of the set, from its beginning, a split of the leaf tries.
+template <int D>
+std::uint32_t directions_tried(const Tree<D>& tree, NodeId leaf, const Config& config);
+
 /// The best partitioner for a leaf among the candidate directions, judged on a sample and confirmed on all
 /// its objects (paper sections 3.2 and 4.1), or none. `ballot`, if given, receives every candidate that had a
 /// good point.

@@ -88,7 +88,16 @@ Interval Projector<D>::project_extra(std::uint32_t direction, const Box<D>& box,
   return project_slabs(sums_[direction], box, extra);
 }
 
+template <int D>
+std::shared_ptr<const Projector<D>> make_projector(const Config& config, VolumeKind kind) {
+  check(config);
+  const std::uint32_t size = D == 3 ? config.directions : std::max<std::uint32_t>(D, config.directions / 4);
+  return std::make_shared<const Projector<D>>(DirectionSet<D>(size, config.seed), kind);
+}
+
 template class Projector<2>;
 template class Projector<3>;
+template std::shared_ptr<const Projector<2>> make_projector<2>(const Config&, VolumeKind);
+template std::shared_ptr<const Projector<3>> make_projector<3>(const Config&, VolumeKind);
 
 }  // namespace kerf

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/config.h"
 #include "core/geometry/direction_set.h"
 #include "core/geometry/plane.h"
 #include "core/geometry/slabs.h"
@@ -36,6 +37,11 @@ class Projector {
   std::vector<double> lengths_;   ///< of the directions, rounded up
   std::vector<SlabSum<D>> sums_;  ///< of the directions, for DOPs
 };
+
+/// The projector of a configuration: its direction set has a quarter of the size in 2D. Throws
+/// std::invalid_argument when the configuration cannot work.
+template <int D>
+std::shared_ptr<const Projector<D>> make_projector(const Config& config, VolumeKind kind);
 
 extern template class Projector<2>;
 extern template class Projector<3>;

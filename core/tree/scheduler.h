@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/config.h"
@@ -38,6 +39,13 @@ class Scheduler {
   [[nodiscard]] std::uint64_t mix_into(std::uint64_t seed) const;
   /// Operators refused or dropped since the beginning.
   [[nodiscard]] std::uint64_t refused() const { return refused_; }
+  /// Takes over what another scheduler had listed and counted. `lists` has one list for each operator.
+  void resume(std::array<std::vector<NodeRef>, kOperatorCount> lists,
+              const std::array<std::uint64_t, kOperatorCount>& acted, std::uint64_t refused) {
+    lists_ = std::move(lists);
+    acted_ = acted;
+    refused_ = refused;
+  }
 
  private:
   static std::size_t index(Operator op) { return static_cast<std::size_t>(op); }

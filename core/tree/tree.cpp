@@ -1,5 +1,6 @@
 #include "core/tree/tree.h"
 
+#include <stdexcept>
 #include <utility>
 
 namespace kerf {
@@ -91,6 +92,24 @@ void Tree<D>::drop_marked_entries(NodeId leaf) {
   nodes_[leaf.index()].changed = true;
   entries_ -=
       std::erase_if(entries, [this](const Entry& entry) { return marks_[entry.object.index()] != 0; });
+}
+
+template <int D>
+void Tree<D>::assign(std::vector<Node<D>> nodes, std::vector<NodeId> unused, NodeId root) {
+  const auto leads_somewhere = [&](NodeId id) { return id.index() < nodes.size(); };
+  bool sound = leads_somewhere(root);
+  for (const NodeId id : unused) sound = sound && leads_somewhere(id);
+  std::uint64_t entries = 0;
+  for (const Node<D>& node : nodes) {
+    entries += node.entries.size();
+    sound = sound && node.direction < directions().size() && node.left.is_none() == node.right.is_none() &&
+            (node.is_leaf() || (leads_somewhere(node.left) && leads_somewhere(node.right)));
+  }
+  if (!sound) throw std::runtime_error("a tree cannot be taken over: a link leads nowhere");
+  nodes_ = std::move(nodes);
+  free_ = std::move(unused);
+  root_ = root;
+  entries_ = entries;
 }
 
 template <int D>

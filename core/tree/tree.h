@@ -29,6 +29,7 @@ class Tree {
   [[nodiscard]] NodeRef ref(NodeId id) const { return {id, nodes_[id.index()].generation}; }
   [[nodiscard]] bool is_alive(NodeRef ref) const;
   [[nodiscard]] const DirectionSet<D>& directions() const { return projector_->directions(); }
+  [[nodiscard]] const std::shared_ptr<const Projector<D>>& projector() const { return projector_; }
   /// The interval of a placed object along a direction of the set.
   [[nodiscard]] Interval project(std::uint32_t direction, ObjectId object) const {
     return (*projector_)(direction, table.box(object), table.extra(object));
@@ -40,6 +41,13 @@ class Tree {
   [[nodiscard]] std::uint64_t entries() const { return entries_; }
   /// Objects that have a place in the tree: those present and not quarantined.
   [[nodiscard]] std::uint32_t objects() const { return nodes_[root_.index()].population; }
+
+  /// All slots, dead ones included, and the dead ones in the order in which they will be used again.
+  [[nodiscard]] const std::vector<Node<D>>& nodes() const { return nodes_; }
+  [[nodiscard]] const std::vector<NodeId>& unused() const { return free_; }
+  /// Takes over the nodes of another tree with the same projector. Throws std::runtime_error for links that
+  /// lead nowhere.
+  void assign(std::vector<Node<D>> nodes, std::vector<NodeId> unused, NodeId root);
 
   /// Volumes as they are placed. Operators classify by these and by nothing else.
   ObjectTable<D> table;

@@ -28,6 +28,8 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"Highway", "hwy/"},
     {"oneTBB", "oneapi/"},
     {"oneTBB", "tbb/"},
+    {"SQLite", "sqlite3.h"},
+    {"Zstandard", "zstd.h"},
     {"GL", "GL/"},
     {"GL", "EGL/"},
     {"GL", "GLES"},
@@ -74,6 +76,8 @@ constexpr auto kPermissions = std::to_array<Permission>({
     {"core/kernels/", "Highway"},
     {"core/broad_phase/lanes.cpp", "Highway"},
     {"core/parallel/", "oneTBB"},
+    {"core/recording/database.cpp", "SQLite"},
+    {"core/recording/compression.cpp", "Zstandard"},
 
     {"viz/", "viz"},
     {"viz/", "core"},

@@ -1,0 +1,58 @@
+#include "core/broad_phase/bsp_state.h"
+
+#include <algorithm>
+
+#include "core/broad_phase/bsp.h"
+
+namespace kerf {
+
+template <int D, class Trace>
+BspState<D> Bsp<D, Trace>::state() const {
+  return {config_,
+          tree_,
+          scheduler_,
+          latest_,
+          skins_,
+          {pairs().begin(), pairs().end()},
+          static_cast<std::uint8_t>(mode_),
+          keep_or_sweep_,
+          placed_,
+          reporter_.next_id(),
+          step_};
+}
+
+template <int D, class Trace>
+void Bsp<D, Trace>::restore(const BspState<D>& state) {
+  config_ = state.config;
+  tree_ = state.tree;
+  scheduler_ = state.scheduler;
+  latest_ = state.latest;
+  skins_ = state.skins;
+  mode_ = static_cast<Mode>(state.mode);
+  keep_or_sweep_ = state.keep_or_sweep;
+  placed_ = state.placed;
+  step_ = state.step;
+  reporter_.resume(state.next_event, state.step);
+  kept_.clear();
+  changed_.clear();
+  before_.clear();
+  attention_.assign(latest_.bound(), kUnplaced);
+  for (std::uint32_t id = 0; id < latest_.bound(); ++id)
+    if (latest_.is_placed({id})) attention_[id] = 0;
+  pairs_.clear();
+  std::ranges::copy(state.pairs, pairs_.reserve(state.pairs.size()));
+  pairs_.commit(state.pairs.size());
+}
+
+#define KERF_INSTANTIATE(D, TRACE)                   \
+  template BspState<D> Bsp<D, TRACE>::state() const; \
+  template void Bsp<D, TRACE>::restore(const BspState<D>&);
+KERF_INSTANTIATE(2, NoTrace)
+KERF_INSTANTIATE(3, NoTrace)
+KERF_INSTANTIATE(2, EventLog)
+KERF_INSTANTIATE(3, EventLog)
+KERF_INSTANTIATE(2, Watch)
+KERF_INSTANTIATE(3, Watch)
+#undef KERF_INSTANTIATE
+
+}  // namespace kerf

@@ -1,0 +1,63 @@
+#include "core/query/criteria_text.h"
+
+#include <algorithm>
+
+#include "core/query/text.h"
+#include "core/tree/criteria.h"
+
+namespace kerf {
+namespace {
+
+std::string percent(double share) { return number_text(100 * share) + " %"; }
+
+double share_of_straddlers(const Quality& q) {
+  return q.population == 0 ? 0 : static_cast<double>(redundancy(q)) / q.population;
+}
+
+template <int D>
+std::string leaf_wish(const Tree<D>& tree, NodeId id, const Config& config) {
+  const std::uint32_t threshold = split_threshold(tree.objects(), config);
+  const std::string figures = std::to_string(tree[id].population) + " objects, and the threshold for " +
+                              std::to_string(tree.objects()) + " in the scene is " +
+                              std::to_string(threshold);
+  if (!wants_split(tree, id, config)) return "a leaf that may stay: it has " + figures;
+  std::string text = "a leaf that is crowded: it has " + figures;
+  if (tree[id].refusals > 0)
+    text += "; " + std::to_string(tree[id].refusals) + " splits were refused, the next is tried from step " +
+            std::to_string(tree[id].retry_step);
+  return text;
+}
+
+template <int D>
+std::string repair_wish(const Quality& q, const Config& config) {
+  if (balance(q) < config.min_balance)
+    return "unbalanced: its balance " + number_text(static_cast<double>(balance(q))) + " is below " +
+           number_text(static_cast<double>(config.min_balance));
+  const auto accepted = static_cast<double>(std::max(config.repair_redundancy, config.max_redundancy));
+  return "cut through: " + percent(share_of_straddlers(q)) + " of its objects are on both sides, more than " +
+         percent(accepted);
+}
+
+}  // namespace
+
+std::string quality_text(const Quality& q) {
+  return std::to_string(q.population) + " objects (" + std::to_string(q.left) + " | " +
+         std::to_string(q.right) + "), balance " + number_text(static_cast<double>(balance(q))) + ", " +
+         std::to_string(redundancy(q)) + " straddlers (" + percent(share_of_straddlers(q)) + ")";
+}
+
+template <int D>
+std::string wish_text(const Tree<D>& tree, NodeId id, const Config& config) {
+  if (tree[id].is_leaf()) return leaf_wish(tree, id, config);
+  if (wants_repair(tree, id, config)) return repair_wish<D>(quality(tree, id), config);
+  const std::uint32_t least = merge_threshold(tree.objects(), config);
+  if (wants_merge(tree, id, config))
+    return "thin: its " + std::to_string(tree[id].population) + " objects are fewer than the " +
+           std::to_string(least) + " below which nodes are merged";
+  return "good as it is";
+}
+
+template std::string wish_text<2>(const Tree<2>&, NodeId, const Config&);
+template std::string wish_text<3>(const Tree<3>&, NodeId, const Config&);
+
+}  // namespace kerf

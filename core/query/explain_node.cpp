@@ -1,0 +1,70 @@
+#include "core/query/explain_node.h"
+
+#include <algorithm>
+
+#include "core/query/criteria_text.h"
+#include "core/query/text.h"
+#include "core/tree/criteria.h"
+
+namespace kerf {
+namespace {
+
+template <int D>
+std::vector<HalfSpace<D>> path_to(const Tree<D>& tree, NodeId id) {
+  std::vector<HalfSpace<D>> path;
+  for (NodeId above = tree[id].parent; !above.is_none(); id = above, above = tree[id].parent)
+    path.push_back({above, tree[above].plane, tree[above].right == id});
+  std::ranges::reverse(path);
+  return path;
+}
+
+template <int D>
+std::string kind_text(const NodeExplanation<D>& e) {
+  if (!e.quality) return "leaf with " + std::to_string(e.node.population) + " objects";
+  return "partitioner " + plane_text(e.node.plane) + " over " + quality_text(*e.quality);
+}
+
+}  // namespace
+
+template <int D>
+NodeExplanation<D> explain_node(Replayer<D>& replayer, std::uint32_t step, NodeId id) {
+  NodeExplanation<D> result;
+  result.step = step;
+  result.id = id;
+  replayer.seek(step);
+  result.history = node_history(replayer.recording(), id, step);
+  const Tree<D>& tree = replayer.tree().tree();
+  result.alive = id.index() < tree.slots() && tree[id].alive;
+  if (!result.alive) return result;
+  result.node = tree[id];
+  result.path = path_to(tree, id);
+  if (!tree[id].is_leaf()) result.quality = quality(tree, id);
+  result.wish = wish_text(tree, id, replayer.tree().config());
+  return result;
+}
+
+template <int D>
+std::string to_text(const NodeExplanation<D>& e) {
+  std::string text = "after step " + std::to_string(e.step) + ", " + node_text(e.id);
+  if (!e.alive) {
+    text += e.history.empty() ? " has never been used\n" : " is not alive\n";
+  } else {
+    text += " (life " + std::to_string(e.node.generation) + ") is at depth " + std::to_string(e.node.depth) +
+            ": " + kind_text(e) + "\n" + e.wish + "\n";
+    for (const HalfSpace<D>& side : e.path)
+      text += "  " + std::string(side.right ? "right" : "left") + " of " + node_text(side.node) + ", " +
+              plane_text(side.plane) + "\n";
+  }
+  if (!e.history.empty()) text += "what happened to it:\n";
+  for (const Event& event : e.history) text += "  " + describe(event) + "\n";
+  return text;
+}
+
+#define KERF_INSTANTIATE(D)                                                         \
+  template NodeExplanation<D> explain_node<D>(Replayer<D>&, std::uint32_t, NodeId); \
+  template std::string to_text<D>(const NodeExplanation<D>&);
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
+
+}  // namespace kerf

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/query/history.h"
+#include "core/replay/replayer.h"
+
+namespace kerf {
+
+/// A side of an ancestor's partitioner.
+template <int D>
+struct HalfSpace {
+  NodeId node;
+  Plane<D> plane;
+  bool right = false;
+};
+
+/// A node at the end of a step: where it stands, how good it is, and what Algorithm 1 wants of it.
+template <int D>
+struct NodeExplanation {
+  std::uint32_t step = 0;
+  NodeId id;
+  bool alive = false;
+  Node<D> node;                    ///< if alive
+  std::vector<HalfSpace<D>> path;  ///< from the root down to its parent
+  std::optional<Quality> quality;  ///< of its partitioner; none for a leaf
+  std::string wish;                ///< what the criteria ask for, with the figures
+  std::vector<Event> history;      ///< up to this step, over all its lives
+};
+
+/// Throws std::runtime_error for a step that the recording does not have.
+template <int D>
+NodeExplanation<D> explain_node(Replayer<D>& replayer, std::uint32_t step, NodeId id);
+
+/// The explanation in sentences, a line each.
+template <int D>
+std::string to_text(const NodeExplanation<D>& explanation);
+
+}  // namespace kerf

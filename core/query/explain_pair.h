@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/query/history.h"
+#include "core/replay/replayer.h"
+
+namespace kerf {
+
+/// Two objects beside the partitioner of one node.
+template <int D>
+struct HalfSpaceTest {
+  NodeId node;
+  std::uint32_t depth = 0;
+  Plane<D> plane;
+  Interval a;  ///< the objects' shadows on its normal
+  Interval b;
+  Sides a_sides;
+  Sides b_sides;
+};
+
+/// Why two objects are a pair at the end of a step, or why not.
+template <int D>
+struct PairExplanation {
+  std::uint32_t step = 0;
+  Pair pair;
+  ObjectState a_state = ObjectState::absent;
+  ObjectState b_state = ObjectState::absent;
+  Box<D> a_box;
+  Box<D> b_box;
+  bool both_fixed = false;
+  bool told = false;     ///< the tree told the pair
+  bool is_pair = false;  ///< by the definition; anything else than `told` is a fault
+  std::optional<std::size_t>
+      their_times;  ///< how often the other engine told it, if the recording has its pairs
+  bool boxes_overlap = false;
+  int axis = 0;                         ///< along which the boxes are furthest apart, or overlap least
+  double margin = 0;                    ///< how far apart; negative: by how much they overlap
+  std::vector<HalfSpaceTest<D>> tests;  ///< from the root down, as long as they share a side
+  std::optional<NodeId> shared_leaf;    ///< the canonical one, where they are compared
+  std::optional<Event> shared_since;    ///< after this event they shared it
+  std::vector<PairChange> history;      ///< up to this step
+};
+
+/// Throws std::runtime_error for a step that the recording does not have.
+template <int D>
+PairExplanation<D> explain_pair(Replayer<D>& replayer, std::uint32_t step, const Pair& pair);
+
+/// The explanation in sentences, a line each.
+template <int D>
+std::string to_text(const PairExplanation<D>& explanation);
+
+}  // namespace kerf

@@ -1,0 +1,265 @@
+#include "core/query/expression.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/query/expression_lexer.h"
+#include "core/query/expression_words.h"
+
+namespace kerf {
+namespace {
+
+using Kind = ExpressionPart::Kind;
+
+struct Infix {
+  std::string_view symbol;
+  Kind kind;
+  int strength;
+};
+constexpr std::array kInfixes{
+    Infix{"||", Kind::either, 1},        Infix{"&&", Kind::both, 2},
+    Infix{"==", Kind::equal, 3},         Infix{"=", Kind::equal, 3},
+    Infix{"!=", Kind::unequal, 3},       Infix{"<=", Kind::less_equal, 3},
+    Infix{">=", Kind::greater_equal, 3}, Infix{"<", Kind::less, 3},
+    Infix{">", Kind::greater, 3},        Infix{"+", Kind::add, 4},
+    Infix{"-", Kind::subtract, 4},       Infix{"*", Kind::multiply, 5},
+    Infix{"/", Kind::divide, 5},
+};
+
+/// A pair, plane, node or object of which something is asked, and the words that may follow.
+struct Subject {
+  std::string_view name;
+  std::string_view verb;  ///< empty: none follows
+  Happening happening;
+};
+constexpr std::array kSubjects{
+    Subject{"pair", "enters", Happening::pair_enters}, Subject{"pair", "leaves", Happening::pair_leaves},
+    Subject{"pair", "", Happening::pair_is},           Subject{"plane", "moves", Happening::plane_moves},
+    Subject{"node", "", Happening::node_changes},      Subject{"object", "moves", Happening::object_moves},
+};
+
+bool is_named(Variable variable) {
+  return variable == Variable::op || variable == Variable::kind || variable == Variable::phase;
+}
+
+/// Precedence climbing over the tokens; parts are appended operands first. Nesting is limited, since it costs
+/// stack.
+class Parser {
+ public:
+  explicit Parser(std::string_view text) : text_(text), tokens_(tokens_of(text)) {}
+
+  std::vector<ExpressionPart> run() {
+    infix(1);
+    if (now().kind != Token::Kind::end) reject("here an operator such as && was expected");
+    const Kind kind = parts_.back().kind;
+    const bool is_condition = kind == Kind::happening || kind == Kind::is_not || kind >= Kind::less;
+    if (!is_condition)
+      reject_expression(text_, 0, "this is a number, not a condition; compare it with something");
+    return std::move(parts_);
+  }
+
+ private:
+  [[nodiscard]] const Token& now() const { return tokens_[next_]; }
+  [[noreturn]] void reject(std::string_view what) const { reject_expression(text_, now().place, what); }
+
+  bool accept(std::string_view text) {
+    if (now().kind == Token::Kind::end || now().text != text) return false;
+    ++next_;
+    return true;
+  }
+  void expect(std::string_view text) {
+    if (!accept(text)) reject("here '" + std::string(text) + "' was expected");
+  }
+  std::size_t add(const ExpressionPart& part) {
+    parts_.push_back(part);
+    return parts_.size() - 1;
+  }
+
+  /// Parses operands joined by operators that bind at least that strongly; returns the index of the whole.
+  std::size_t infix(int strength) {
+    std::size_t left = prefix();
+    for (;;) {
+      const auto found = std::ranges::find(kInfixes, now().text, &Infix::symbol);
+      if (now().kind != Token::Kind::symbol || found == kInfixes.end() || found->strength < strength)
+        return left;
+      const std::size_t place = now().place;
+      ++next_;
+      check_names(*found, left, place);
+      const std::size_t right = found->kind == Kind::equal || found->kind == Kind::unequal
+                                    ? named_or_infix(left, found->strength + 1)
+                                    : infix(found->strength + 1);
+      left = add({.kind = found->kind, .left = left, .right = right});
+    }
+  }
+
+  /// Only == and != make sense for names.
+  void check_names(const Infix& infix, std::size_t left, std::size_t place) const {
+    const ExpressionPart& part = parts_[left];
+    if (part.kind != Kind::variable || !is_named(part.variable)) return;
+    if (infix.kind != Kind::equal && infix.kind != Kind::unequal)
+      reject_expression(text_, place, "a name can only be compared by == or !=");
+  }
+
+  /// What follows `op ==`, `kind ==` or `phase ==` is one of their names; anything else is an expression.
+  std::size_t named_or_infix(std::size_t left, int strength) {
+    const ExpressionPart part = parts_[left];
+    if (part.kind != Kind::variable || !is_named(part.variable)) return infix(strength);
+    std::string name(now().text);
+    std::ranges::replace(name, '-', '_');
+    std::string known;
+    for (const NamedValue& value : named_values()) {
+      if (value.of != part.variable) continue;
+      if (value.name == name) {
+        ++next_;
+        return add({.kind = Kind::number, .number = value.value});
+      }
+      known += (known.empty() ? "" : ", ") + std::string(value.name);
+    }
+    reject("here one of these was expected: " + known);
+  }
+
+  std::size_t prefix() {
+    constexpr int kDeepest = 100;
+    if (++depth_ > kDeepest) reject("this is nested too deeply");
+    const std::size_t part = prefix_unlimited();
+    --depth_;
+    return part;
+  }
+
+  std::size_t prefix_unlimited() {
+    constexpr int kTightest = 6;
+    if (accept("!")) return add({.kind = Kind::is_not, .left = infix(3)});
+    if (accept("-")) return add({.kind = Kind::negate, .left = infix(kTightest)});
+    if (accept("(")) {
+      const std::size_t inner = infix(1);
+      expect(")");
+      return inner;
+    }
+    if (now().kind == Token::Kind::number)
+      return add({.kind = Kind::number, .number = tokens_[next_++].number});
+    if (now().kind == Token::Kind::word) return word();
+    reject("here a name, a number or '(' was expected");
+  }
+
+  std::size_t word() {
+    const bool has_arguments = tokens_[next_ + 1].text == "(";
+    if (accept("median")) return median();
+    if (has_arguments) return happening();
+    const VariableWord* const found = find_variable();
+    if (found == nullptr) reject_word();
+    ++next_;
+    return add({.kind = Kind::variable, .variable = found->variable});
+  }
+
+  /// `median` alone is that of the step's time.
+  std::size_t median() {
+    Variable of = Variable::step_time;
+    if (accept("(")) {
+      const VariableWord* const found = find_variable();
+      if (found == nullptr) reject_word();
+      if (found->variable > Variable::sweep_time)
+        reject("only what steps have in the recording has a median");
+      of = found->variable;
+      ++next_;
+      expect(")");
+    }
+    return add({.kind = Kind::median, .variable = of});
+  }
+
+  [[nodiscard]] const VariableWord* find_variable() const {
+    const auto found = std::ranges::find(variable_words(), now().text, &VariableWord::name);
+    return found == variable_words().end() ? nullptr : &*found;
+  }
+
+  [[noreturn]] void reject_word() const {
+    std::string known;
+    for (const VariableWord& word : variable_words())
+      known += (known.empty() ? "" : ", ") + std::string(word.name);
+    reject("'" + std::string(now().text) +
+           "' is not known; known are pair(i,j), plane(nK), node(nK), object(i), median, " + known);
+  }
+
+  std::size_t happening() {
+    const std::string_view name = now().text;
+    if (std::ranges::find(kSubjects, name, &Subject::name) == kSubjects.end()) reject_word();
+    ++next_;
+    ExpressionPart part{.kind = Kind::happening};
+    expect("(");
+    part.a = id();
+    if (name == "pair") {
+      expect(",");
+      part.b = id();
+    }
+    expect(")");
+    std::string verbs;
+    for (const Subject& subject : kSubjects) {
+      if (subject.name != name) continue;
+      part.happening = subject.happening;
+      if (subject.verb.empty() || accept(subject.verb)) return add(part);
+      verbs += (verbs.empty() ? "" : " or ") + std::string(subject.verb);
+    }
+    reject("here " + verbs + " was expected");
+  }
+
+  /// A number of an object or node, with or without the letter of nodes: 17 or n17.
+  std::uint32_t id() {
+    std::string_view text = now().text;
+    if (text.starts_with("n")) text.remove_prefix(1);
+    std::uint64_t value = 0;
+    for (const char c : text) {
+      if (c < '0' || c > '9' || value > UINT32_MAX) reject("here a number such as 17 or n17 was expected");
+      value = value * 10 + static_cast<std::uint64_t>(c - '0');
+    }
+    if (text.empty() || value >= UINT32_MAX) reject("here a number such as 17 or n17 was expected");
+    ++next_;
+    return static_cast<std::uint32_t>(value);
+  }
+
+  std::string_view text_;
+  std::vector<Token> tokens_;
+  std::size_t next_ = 0;
+  int depth_ = 0;
+  std::vector<ExpressionPart> parts_;
+};
+
+}  // namespace
+
+Expression Expression::parse(std::string_view text) {
+  Expression expression;
+  expression.text_ = text;
+  expression.parts_ = Parser(text).run();
+  return expression;
+}
+
+bool Expression::has(bool (*wanted)(const ExpressionPart&)) const {
+  return std::ranges::any_of(parts_, wanted);
+}
+
+bool Expression::asks_events() const {
+  return has([](const ExpressionPart& part) {
+    return (part.kind == Kind::variable && part.variable >= Variable::event) ||
+           (part.kind == Kind::happening && part.happening >= Happening::plane_moves);
+  });
+}
+
+bool Expression::asks_pairs() const {
+  return has([](const ExpressionPart& part) {
+    return part.kind == Kind::happening && part.happening <= Happening::pair_leaves;
+  });
+}
+
+bool Expression::asks_oracle() const {
+  return has([](const ExpressionPart& part) {
+    return part.kind == Kind::variable && part.variable >= Variable::missed &&
+           part.variable <= Variable::twice;
+  });
+}
+
+bool Expression::asks_depth() const {
+  return has([](const ExpressionPart& part) {
+    return part.kind == Kind::variable && part.variable == Variable::depth;
+  });
+}
+
+}  // namespace kerf

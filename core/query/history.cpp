@@ -1,0 +1,67 @@
+#include "core/query/history.h"
+
+namespace kerf {
+namespace {
+
+/// Makes the calls of a step that concern one of two objects.
+template <int D>
+bool follow(const StepRequests<D>& requests, const Pair& pair, ObjectTable<D>& table) {
+  bool changed = false;
+  std::size_t k = 0;
+  const Scalar* extra = requests.extra.data();
+  for (const Call& call : requests.calls) {
+    for (const std::size_t end = k + call.count; k < end; ++k) {
+      const ObjectId object = requests.objects[k];
+      const Scalar* const own_extra = extra;
+      if (has_volume(call.kind)) extra += extra_size<D>(table.kind());
+      if (object != pair.a && object != pair.b) continue;
+      changed = true;
+      Volume<D> volume = make_box_volume(requests.boxes[k]);
+      if (has_volume(call.kind)) volume = volume_from(table.kind(), requests.boxes[k], own_extra);
+      if (call.kind == RequestKind::remove) {
+        (void)table.remove(object);
+      } else if (is_insert(call.kind)) {
+        (void)table.insert(object, volume, call.mobility);
+      } else {
+        (void)table.move(object, volume);
+      }
+    }
+  }
+  return changed;
+}
+
+}  // namespace
+
+template <int D>
+std::vector<PairChange> pair_history(RecordingReader<D>& recording, const Pair& pair, std::uint32_t up_to) {
+  std::vector<PairChange> history;
+  ObjectTable<D> table(recording.info().volume);
+  bool was = false;
+  for (std::uint32_t step = 1; step <= up_to; ++step) {
+    if (!follow(recording.step(step).requests, pair, table)) continue;
+    const bool is = table.is_placed(pair.a) && table.is_placed(pair.b) && table.is_pair(pair.a, pair.b);
+    if (is != was) history.push_back({step, is});
+    was = is;
+  }
+  return history;
+}
+
+template <int D>
+std::vector<Event> node_history(RecordingReader<D>& recording, NodeId node, std::uint32_t up_to) {
+  std::vector<Event> history;
+  for (const std::uint64_t id : recording.events_of_node(node)) {
+    const std::uint32_t step = recording.step_of(id).value_or(UINT32_MAX);
+    if (step > up_to) break;
+    history.push_back(recording.event(id));
+  }
+  return history;
+}
+
+#define KERF_INSTANTIATE(D)                                                                          \
+  template std::vector<PairChange> pair_history<D>(RecordingReader<D>&, const Pair&, std::uint32_t); \
+  template std::vector<Event> node_history<D>(RecordingReader<D>&, NodeId, std::uint32_t);
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
+
+}  // namespace kerf

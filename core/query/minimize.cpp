@@ -1,0 +1,57 @@
+#include "core/query/minimize.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/query/delta_debug.h"
+
+namespace kerf {
+namespace {
+
+template <int D>
+Scenario<D> leave_out_objects(const Scenario<D>& scenario, const Fails<D>& fails) {
+  const auto kept = delta_debug(objects_of(scenario), [&](const std::vector<ObjectId>& objects) {
+    return fails(with_objects(scenario, objects));
+  });
+  return with_objects(scenario, kept);
+}
+
+template <int D>
+Scenario<D> leave_out_steps(const Scenario<D>& scenario, const Fails<D>& fails) {
+  std::vector<std::size_t> all(scenario.steps.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const auto kept = delta_debug(all, [&](const std::vector<std::size_t>& steps) {
+    return !steps.empty() && fails(with_steps(scenario, steps));
+  });
+  return with_steps(scenario, kept);
+}
+
+}  // namespace
+
+template <int D>
+Scenario<D> start_late(Replayer<D>& replayer, std::uint32_t last, const Fails<D>& fails) {
+  for (std::uint32_t rest = 1; rest < last; rest *= 2) {
+    Scenario<D> late = scenario_of(replayer, last - rest, last);
+    if (fails(late)) return late;
+  }
+  return scenario_of(replayer, 0, last);
+}
+
+template <int D>
+Scenario<D> minimize(Scenario<D> scenario, const Fails<D>& fails) {
+  for (std::size_t before = SIZE_MAX; scenario.requests() + scenario.steps.size() < before;) {
+    before = scenario.requests() + scenario.steps.size();
+    scenario = leave_out_objects(scenario, fails);
+    scenario = leave_out_steps(scenario, fails);
+  }
+  return scenario;
+}
+
+#define KERF_INSTANTIATE(D)                                                         \
+  template Scenario<D> start_late<D>(Replayer<D>&, std::uint32_t, const Fails<D>&); \
+  template Scenario<D> minimize<D>(Scenario<D>, const Fails<D>&);
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
+
+}  // namespace kerf

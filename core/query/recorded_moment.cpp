@@ -1,0 +1,193 @@
+#include "core/query/recorded_moment.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/replay/oracle.h"
+#include "core/tree/partitioner.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+double phase_time(const StepRow& row, Phase phase) {
+  return row.statistics.phase_seconds[static_cast<std::size_t>(phase)];
+}
+
+const NodeRef* node_of(const Event& event) {
+  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) return &acted->node;
+  if (const auto* scheduled = std::get_if<OperatorScheduled>(&event.body)) return &scheduled->node;
+  if (const auto* refused = std::get_if<OperatorRefused>(&event.body)) return &refused->node;
+  return nullptr;
+}
+
+double operator_number(const Event& event) {
+  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) return static_cast<double>(acted->op);
+  if (const auto* scheduled = std::get_if<OperatorScheduled>(&event.body))
+    return static_cast<double>(scheduled->op);
+  if (const auto* refused = std::get_if<OperatorRefused>(&event.body))
+    return static_cast<double>(refused->op);
+  return kNothing;
+}
+
+double acted_number(const OperatorActed& acted, Variable variable) {
+  if (variable == Variable::population) return acted.before.population;
+  if (acted.after.left + acted.after.right == 0) return kNothing;  // a leaf has no partitioner
+  if (variable == Variable::balance) return static_cast<double>(balance(acted.after));
+  return redundancy(acted.after);
+}
+
+}  // namespace
+
+double row_number(const StepRow& row, Variable variable) {
+  const Statistics& s = row.statistics;
+  switch (variable) {
+    case Variable::step:
+      return row.step;
+    case Variable::objects:
+      return s.objects;
+    case Variable::changed:
+      return static_cast<double>(row.changed);
+    case Variable::pairs:
+      return static_cast<double>(row.pairs);
+    case Variable::height:
+      return s.height;
+    case Variable::leaves:
+      return s.leaves;
+    case Variable::entries:
+      return static_cast<double>(s.entries);
+    case Variable::redundancy:
+      return s.redundancy;
+    case Variable::refused:
+      return static_cast<double>(s.refused);
+    case Variable::deferred:
+      return s.deferred;
+    case Variable::placed:
+      return static_cast<double>(s.placed);
+    case Variable::step_time:
+      return row.seconds();
+    case Variable::place_time:
+      return phase_time(row, Phase::place);
+    case Variable::sort_time:
+      return phase_time(row, Phase::sort);
+    case Variable::schedule_time:
+      return phase_time(row, Phase::schedule);
+    case Variable::operate_time:
+      return phase_time(row, Phase::operate);
+    case Variable::sweep_time:
+      return phase_time(row, Phase::sweep);
+    default:
+      return kNothing;
+  }
+}
+
+double event_number(const Event& event, Variable variable) {
+  const NodeRef* const node = node_of(event);
+  const auto* const acted = std::get_if<OperatorActed>(&event.body);
+  switch (variable) {
+    case Variable::event:
+      return static_cast<double>(event.id);
+    case Variable::op:
+      return operator_number(event);
+    case Variable::kind:
+      return static_cast<double>(event.body.index());
+    case Variable::phase: {
+      const auto* began = std::get_if<PhaseBegan>(&event.body);
+      return began == nullptr ? kNothing : static_cast<double>(began->phase);
+    }
+    case Variable::node:
+      return node == nullptr ? kNothing : node->node.value;
+    case Variable::object: {
+      const auto* placed = std::get_if<ObjectPlaced>(&event.body);
+      return placed == nullptr ? kNothing : placed->object.value;
+    }
+    case Variable::population:
+    case Variable::balance:
+    case Variable::straddlers:
+      return acted == nullptr ? kNothing : acted_number(*acted, variable);
+    default:
+      return kNothing;
+  }
+}
+
+double row_median(std::span<const StepRow> rows, Variable variable) {
+  if (rows.empty()) return kNothing;
+  std::vector<double> values;
+  for (const StepRow& row : rows) values.push_back(row_number(row, variable));
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+template <int D>
+RecordedMoment<D>::RecordedMoment(const RecordingReader<D>& recording, std::uint32_t step, const Event* event,
+                                  const Bsp<D, Watch>* tree, const std::vector<Pair>* before,
+                                  std::vector<std::optional<double>>& medians)
+    : recording_(recording), step_(step), event_(event), tree_(tree), before_(before), medians_(medians) {}
+
+template <int D>
+double RecordedMoment<D>::number(Variable variable) const {
+  if (variable >= Variable::missed && variable <= Variable::twice) return judged(variable);
+  if (variable < Variable::event) return row_number(recording_.row(step_), variable);
+  if (event_ == nullptr) return kNothing;
+  if (variable != Variable::depth) return event_number(*event_, variable);
+  const NodeRef* const node = node_of(*event_);
+  if (node == nullptr || tree_ == nullptr || !tree_->tree().is_alive(*node)) return kNothing;
+  return tree_->tree()[node->node].depth;
+}
+
+/// Somebody else's pairs if the recording has some, else the tree's.
+template <int D>
+double RecordedMoment<D>::judged(Variable variable) const {
+  if (!judgement_) judgement_ = recording_.their_step(step_);
+  if (!judgement_) {
+    if (tree_ == nullptr || event_ != nullptr) return kNothing;
+    const PairJudgement judgement = judge_pairs(tree_->pairs(), oracle_pairs(tree_->objects()));
+    judgement_ = TheirStep{tree_->pairs().size(), judgement.missed.size(), judgement.extra.size(),
+                           judgement.twice.size()};
+  }
+  if (variable == Variable::missed) return static_cast<double>(judgement_->missed);
+  return static_cast<double>(variable == Variable::extra ? judgement_->extra : judgement_->twice);
+}
+
+template <int D>
+double RecordedMoment<D>::median(Variable variable) const {
+  constexpr auto kRowVariables = static_cast<std::size_t>(Variable::missed);
+  medians_.resize(kRowVariables);
+  std::optional<double>& median = medians_[static_cast<std::size_t>(variable)];
+  if (!median) median = row_median(recording_.rows(), variable);
+  return *median;
+}
+
+template <int D>
+bool RecordedMoment<D>::is_pair(const Pair& pair) const {
+  return std::ranges::any_of(tree_->pairs(),
+                             [&](const Pair& other) { return make_pair(other.a, other.b) == pair; });
+}
+
+template <int D>
+bool RecordedMoment<D>::happens(const ExpressionPart& happening) const {
+  if (happening.happening <= Happening::pair_leaves) {
+    if (tree_ == nullptr || event_ != nullptr) return false;
+    const Pair pair = make_pair(ObjectId{happening.a}, ObjectId{happening.b});
+    const bool is = is_pair(pair);
+    if (happening.happening == Happening::pair_is) return is;
+    const bool was = before_ != nullptr && std::ranges::binary_search(*before_, pair);
+    return happening.happening == Happening::pair_enters ? is && !was : was && !is;
+  }
+  if (event_ == nullptr) return false;
+  if (happening.happening == Happening::object_moves) {
+    const auto* placed = std::get_if<ObjectPlaced>(&event_->body);
+    return placed != nullptr && placed->object.value == happening.a;
+  }
+  const auto* acted = std::get_if<OperatorActed>(&event_->body);
+  if (acted == nullptr || acted->node.node.value != happening.a) return false;
+  const bool sets_plane = acted->op != Operator::merge && acted->op != Operator::swap;
+  return happening.happening == Happening::node_changes || sets_plane;
+}
+
+template class RecordedMoment<2>;
+template class RecordedMoment<3>;
+
+}  // namespace kerf

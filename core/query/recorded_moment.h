@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/query/evaluate.h"
+#include "core/recording/recording_info.h"
+#include "core/replay/replayer.h"
+
+namespace kerf {
+
+/// What a step's row says of a variable; NaN if it says nothing.
+double row_number(const StepRow& row, Variable variable);
+/// What an event says of a variable; NaN if it says nothing.
+double event_number(const Event& event, Variable variable);
+/// The median over all steps; NaN if there are none. Only for variables of rows.
+double row_median(std::span<const StepRow> rows, Variable variable);
+
+/// A moment as the recording tells it, with the tree beside it where it has been replayed.
+template <int D>
+class RecordedMoment final : public Moment {
+ public:
+  /// `tree` may be none: then there is no depth and no pair. `event` is none at the end of a step. `before`
+  /// are the pairs of the step before, sorted.
+  RecordedMoment(const RecordingReader<D>& recording, std::uint32_t step, const Event* event,
+                 const Bsp<D, Watch>* tree, const std::vector<Pair>* before,
+                 std::vector<std::optional<double>>& medians);
+
+  [[nodiscard]] double number(Variable variable) const override;
+  [[nodiscard]] double median(Variable variable) const override;
+  [[nodiscard]] bool happens(const ExpressionPart& happening) const override;
+
+ private:
+  [[nodiscard]] double judged(Variable variable) const;
+  [[nodiscard]] bool is_pair(const Pair& pair) const;
+
+  const RecordingReader<D>& recording_;
+  std::uint32_t step_;
+  const Event* event_;
+  const Bsp<D, Watch>* tree_;
+  const std::vector<Pair>* before_;
+  std::vector<std::optional<double>>& medians_;  ///< by variable; kept between moments
+  mutable std::optional<TheirStep> judgement_;   ///< of the oracle, asked once
+};
+
+extern template class RecordedMoment<2>;
+extern template class RecordedMoment<3>;
+
+}  // namespace kerf

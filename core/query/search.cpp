@@ -1,0 +1,99 @@
+#include "core/query/search.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/query/recorded_moment.h"
+
+namespace kerf {
+namespace {
+
+std::vector<Pair> sorted(std::span<const Pair> pairs) {
+  std::vector<Pair> result;
+  for (const Pair& pair : pairs) result.push_back(make_pair(pair.a, pair.b));
+  std::ranges::sort(result);
+  return result;
+}
+
+}  // namespace
+
+template <int D>
+Search<D>::Search(std::shared_ptr<RecordingReader<D>> recording) : recording_(std::move(recording)) {}
+
+template <int D>
+std::optional<Position> Search<D>::forward(const Expression& expression, const Position& from,
+                                           const Progress& progress) {
+  const Range range{from, Position::end_of(recording_->steps() + 1), false};
+  for (std::uint32_t step = std::max(from.step, 1U); step <= recording_->steps(); ++step) {
+    if (progress && !progress(step)) return std::nullopt;
+    if (const auto found = in_step(expression, step, range)) return found;
+  }
+  return std::nullopt;
+}
+
+template <int D>
+std::optional<Position> Search<D>::backward(const Expression& expression, const Position& from,
+                                            const Progress& progress) {
+  const Range range{Position{0, 0}, from, true};
+  for (std::uint32_t step = std::min(from.step, recording_->steps()); step > 0; --step) {
+    if (progress && !progress(step)) return std::nullopt;
+    if (const auto found = in_step(expression, step, range)) return found;
+  }
+  return std::nullopt;
+}
+
+/// Judgements of an import's pairs are in the recording.
+template <int D>
+bool Search<D>::needs_replay(const Expression& expression) const {
+  return expression.asks_depth() || expression.asks_pairs() ||
+         (expression.asks_oracle() && !recording_->info().imported);
+}
+
+template <int D>
+std::optional<Position> Search<D>::in_step(const Expression& expression, std::uint32_t step,
+                                           const Range& range) {
+  if (expression.asks_events()) return in_events(expression, step, range);
+  return at_end(expression, step, range);
+}
+
+template <int D>
+std::optional<Position> Search<D>::in_events(const Expression& expression, std::uint32_t step,
+                                             const Range& range) {
+  std::optional<Position> found;
+  const auto ask = [&](const Event& event, const Bsp<D, Watch>* tree) {
+    const Position position{step, event.id};
+    if (position <= range.after || position >= range.before || (found && !range.wants_last)) return;
+    if (holds(expression, RecordedMoment<D>(*recording_, step, &event, tree, nullptr, medians_)))
+      found = position;
+  };
+  if (!needs_replay(expression)) {
+    for (const Event& event : recording_->step(step).events) ask(event, nullptr);
+    return found;
+  }
+  if (!replayer_) replayer_ = std::make_unique<Replayer<D>>(recording_);
+  replayer_->seek(step - 1);
+  replayer_->advance([&](const Event& event) { ask(event, &replayer_->tree()); });
+  return found;
+}
+
+template <int D>
+std::optional<Position> Search<D>::at_end(const Expression& expression, std::uint32_t step,
+                                          const Range& range) {
+  const Position position = Position::end_of(step);
+  if (position <= range.after || position >= range.before) return std::nullopt;
+  std::vector<Pair> before;
+  if (needs_replay(expression)) {
+    if (!replayer_) replayer_ = std::make_unique<Replayer<D>>(recording_);
+    replayer_->seek(step - 1);
+    if (expression.asks_pairs()) before = sorted(replayer_->tree().pairs());
+    replayer_->seek(step);
+  }
+  const Bsp<D, Watch>* const tree = replayer_ ? &replayer_->tree() : nullptr;
+  const RecordedMoment<D> moment(*recording_, step, nullptr, tree, &before, medians_);
+  return holds(expression, moment) ? std::optional(position) : std::nullopt;
+}
+
+template class Search<2>;
+template class Search<3>;
+
+}  // namespace kerf

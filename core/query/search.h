@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "core/query/expression.h"
+#include "core/replay/position.h"
+#include "core/replay/replayer.h"
+
+namespace kerf {
+
+/// Finds the moments of a recorded run at which an expression holds: after events if it speaks of events,
+/// else at the ends of steps. What was recorded is asked first; the run is replayed only where that is not
+/// enough.
+///
+/// Everything throws std::runtime_error if the recording is damaged.
+template <int D>
+class Search {
+ public:
+  /// Told each step; when it returns false the search ends without a result.
+  using Progress = std::function<bool(std::uint32_t)>;
+
+  explicit Search(std::shared_ptr<RecordingReader<D>> recording);
+
+  /// The first moment after `from`; none if there is none.
+  std::optional<Position> forward(const Expression& expression, const Position& from,
+                                  const Progress& progress = {});
+  /// The last moment before `from`.
+  std::optional<Position> backward(const Expression& expression, const Position& from,
+                                   const Progress& progress = {});
+
+ private:
+  /// First or last of a step's moments between two.
+  struct Range {
+    Position after;
+    Position before;
+    bool wants_last = false;
+  };
+
+  [[nodiscard]] bool needs_replay(const Expression& expression) const;
+  std::optional<Position> in_step(const Expression& expression, std::uint32_t step, const Range& range);
+  std::optional<Position> in_events(const Expression& expression, std::uint32_t step, const Range& range);
+  std::optional<Position> at_end(const Expression& expression, std::uint32_t step, const Range& range);
+
+  std::shared_ptr<RecordingReader<D>> recording_;
+  std::unique_ptr<Replayer<D>> replayer_;  ///< none until it is needed
+  std::vector<std::optional<double>> medians_;
+};
+
+extern template class Search<2>;
+extern template class Search<3>;
+
+}  // namespace kerf

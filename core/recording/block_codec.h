@@ -1,0 +1,68 @@
+#pragma once
+
+#include <vector>
+
+#include "core/recording/step_requests.h"
+#include "core/recording/volume_predictor.h"
+#include "core/trace/event.h"
+
+namespace kerf {
+
+/// What a recording keeps of one step beside its row in the table of steps.
+template <int D>
+struct RecordedStep {
+  StepRequests<D> requests;   ///< what was asked before the step
+  std::vector<Event> events;  ///< what happened in it
+};
+
+/// Writes consecutive steps into blocks. Columns of like numbers are compressed together: calls, objects,
+/// lengths of differences, events; the bits of differences follow them as they are.
+template <int D>
+class BlockEncoder {
+ public:
+  explicit BlockEncoder(VolumeKind kind);
+
+  /// To be called at every keyframe, between two blocks.
+  void restart(const ObjectTable<D>& latest) { predictor_.restart(latest); }
+  /// Returns how many objects came, went or got another box.
+  std::uint64_t add(const StepRequests<D>& requests, std::span<const Event> events);
+  /// Steps since the last block.
+  [[nodiscard]] std::uint32_t steps() const { return steps_; }
+  /// The block of these steps.
+  Bytes take();
+
+ private:
+  std::uint64_t add_volumes(const StepRequests<D>& requests);
+
+  VolumeKind kind_;
+  VolumePredictor<D> predictor_;
+  std::uint32_t steps_ = 0;
+  ByteWriter calls_;
+  ByteWriter objects_;
+  ByteWriter events_;
+  std::vector<Bytes> lengths_;  ///< by channel
+  BitWriter bits_;
+};
+
+/// Reads the blocks of BlockEncoder in their order. Throws std::runtime_error for a damaged one.
+template <int D>
+class BlockDecoder {
+ public:
+  explicit BlockDecoder(VolumeKind kind) : kind_(kind), predictor_(kind) {}
+
+  void restart(const ObjectTable<D>& latest) { predictor_.restart(latest); }
+  /// Appends the block's steps; `first_step` and `first_event` number them.
+  void read(std::span<const std::uint8_t> block, std::uint32_t first_step, std::uint64_t first_event,
+            std::vector<RecordedStep<D>>& steps);
+
+ private:
+  VolumeKind kind_;
+  VolumePredictor<D> predictor_;
+};
+
+extern template class BlockEncoder<2>;
+extern template class BlockEncoder<3>;
+extern template class BlockDecoder<2>;
+extern template class BlockDecoder<3>;
+
+}  // namespace kerf

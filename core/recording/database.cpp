@@ -1,0 +1,130 @@
+#include "core/recording/database.h"
+
+#include <sqlite3.h>
+
+#include <stdexcept>
+
+namespace kerf {
+namespace {
+
+[[noreturn]] void fail(sqlite3* database) {
+  const char* file = sqlite3_db_filename(database, "main");
+  throw std::runtime_error(std::string(file == nullptr ? "the recording" : file) + ": " +
+                           sqlite3_errmsg(database));
+}
+
+}  // namespace
+
+void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+
+Statement::Statement(sqlite3* database, std::string_view sql) : database_(database) {
+  sqlite3_stmt* statement = nullptr;
+  check(sqlite3_prepare_v2(database, sql.data(), static_cast<int>(sql.size()), &statement, nullptr));
+  statement_.reset(statement);
+}
+
+void Statement::check(int result) const {
+  if (result != SQLITE_OK) fail(database_);
+}
+
+Statement& Statement::bind(int place, std::int64_t value) {
+  check(sqlite3_bind_int64(statement_.get(), place, value));
+  return *this;
+}
+
+Statement& Statement::bind(int place, double value) {
+  check(sqlite3_bind_double(statement_.get(), place, value));
+  return *this;
+}
+
+Statement& Statement::bind(int place, std::string_view text) {
+  check(sqlite3_bind_text(statement_.get(), place, text.data(), static_cast<int>(text.size()),
+                          SQLITE_TRANSIENT));
+  return *this;
+}
+
+Statement& Statement::bind(int place, std::span<const std::uint8_t> bytes) {
+  check(sqlite3_bind_blob64(statement_.get(), place, bytes.data(), bytes.size(), SQLITE_STATIC));
+  return *this;
+}
+
+bool Statement::step() {
+  const int result = sqlite3_step(statement_.get());
+  if (result == SQLITE_ROW) return true;
+  reset();
+  if (result != SQLITE_DONE) fail(database_);
+  return false;
+}
+
+void Statement::run() {
+  while (step()) continue;
+}
+
+void Statement::reset() { sqlite3_reset(statement_.get()); }
+
+void Statement::clear() { sqlite3_clear_bindings(statement_.get()); }
+
+std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
+
+double Statement::real(int column) const { return sqlite3_column_double(statement_.get(), column); }
+
+std::string Statement::text(int column) const {
+  const unsigned char* text = sqlite3_column_text(statement_.get(), column);
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+  return text == nullptr ? std::string() : std::string(text, text + size);
+}
+
+Bytes Statement::bytes(int column) const {
+  const auto* data = static_cast<const std::uint8_t*>(sqlite3_column_blob(statement_.get(), column));
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+  return data == nullptr ? Bytes() : Bytes(data, data + size);
+}
+
+void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+
+Database::Database(const std::filesystem::path& path, int flags) {
+  sqlite3* database = nullptr;
+  const int result = sqlite3_open_v2(path.c_str(), &database, flags, nullptr);
+  database_.reset(database);
+  if (result != SQLITE_OK)
+    throw std::runtime_error("cannot open " + path.string() + ": " +
+                             (database == nullptr ? "not enough memory" : sqlite3_errmsg(database)));
+}
+
+Database Database::create(const std::filesystem::path& path) {
+  if (std::filesystem::exists(path)) throw std::runtime_error(path.string() + " exists already");
+  Database database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  // The log is folded into the file every 4,000 pages: each time the writer waits for the disk.
+  database.execute(
+      "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 4000;");
+  return database;
+}
+
+Database Database::open(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path))
+    throw std::runtime_error("there is no recording " + path.string());
+  Database database(path, SQLITE_OPEN_READONLY);
+  constexpr int kPatience = 5000;  // ms, while the writer folds its log into the file
+  sqlite3_busy_timeout(database.database_.get(), kPatience);
+  return database;
+}
+
+void Database::execute(const std::string& sql) {
+  if (sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
+    fail(database_.get());
+}
+
+Statement Database::prepare(std::string_view sql) const { return {database_.get(), sql}; }
+
+std::int64_t Database::ask(std::string_view sql) const {
+  Statement statement = prepare(sql);
+  return statement.step() ? statement.integer(0) : 0;
+}
+
+void Database::close() {
+  // Without a log beside it the file can be copied as it is.
+  execute("PRAGMA journal_mode = DELETE;");
+  database_.reset();
+}
+
+}  // namespace kerf

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/recording/bytes.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace kerf {
+
+/// One SQL statement with places for values, numbered from 1. Throws std::runtime_error as Database does.
+class Statement {
+ public:
+  Statement(sqlite3* database, std::string_view sql);
+
+  Statement& bind(int place, std::int64_t value);
+  Statement& bind(int place, double value);
+  Statement& bind(int place, std::string_view text);
+  /// The bytes must live until the statement is run.
+  Statement& bind(int place, std::span<const std::uint8_t> bytes);
+
+  /// True if there is a row to read; after the last row the statement can be bound and run again.
+  bool step();
+  /// Runs a statement that gives no rows.
+  void run();
+  /// Ends the reading of rows before the last.
+  void reset();
+  /// All places are NULL again.
+  void clear();
+  /// No longer usable; to be called before its database is closed.
+  void end() { statement_.reset(); }
+
+  // Columns are numbered from 0.
+  [[nodiscard]] std::int64_t integer(int column) const;
+  [[nodiscard]] double real(int column) const;
+  [[nodiscard]] std::string text(int column) const;
+  [[nodiscard]] Bytes bytes(int column) const;
+
+ private:
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  void check(int result) const;
+
+  sqlite3* database_;
+  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+};
+
+/// An SQLite file. Everything throws std::runtime_error with the file and SQLite's reason.
+class Database {
+ public:
+  /// A new file, written ahead: a reader may look on, and whoever is killed leaves what was committed. Throws
+  /// if the file exists.
+  static Database create(const std::filesystem::path& path);
+  /// An existing file, to be read only.
+  static Database open(const std::filesystem::path& path);
+
+  void execute(const std::string& sql);
+  [[nodiscard]] Statement prepare(std::string_view sql) const;
+  /// The first column of the first row.
+  [[nodiscard]] std::int64_t ask(std::string_view sql) const;
+  /// Ends the work on the file and says whether all of it is there.
+  void close();
+
+ private:
+  struct Close {
+    void operator()(sqlite3* database) const;
+  };
+  Database(const std::filesystem::path& path, int flags);
+
+  std::unique_ptr<sqlite3, Close> database_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,110 @@
+#include "core/recording/event_codec.h"
+
+#include <type_traits>
+#include <utility>
+
+namespace kerf {
+namespace {
+
+// One pair of functions for each kind of event: `visit_fields` names the fields once for writing and reading.
+
+struct FieldWriter {
+  ByteWriter& out;
+  void operator()(std::uint32_t x) const { out.varint(x); }
+  void operator()(float x) const { out.f32(x); }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void operator()(Enum x) const { out.u8(static_cast<std::uint8_t>(x)); }
+};
+
+/// How many values an enumeration has.
+constexpr std::uint8_t count_of(Operator /*kind*/) { return kOperatorCount; }
+constexpr std::uint8_t count_of(Phase /*kind*/) { return kPhaseCount; }
+constexpr std::uint8_t count_of(Refusal /*kind*/) {
+  return static_cast<std::uint8_t>(Refusal::list_full) + 1;
+}
+
+struct FieldReader {
+  ByteReader& in;
+  void operator()(std::uint32_t& x) const { x = static_cast<std::uint32_t>(in.varint()); }
+  void operator()(float& x) const { x = in.f32(); }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void operator()(Enum& x) const {
+    const std::uint8_t value = in.u8();
+    if (value >= count_of(x))
+      throw std::runtime_error("the recording is damaged: an event has no known name");
+    x = static_cast<Enum>(value);
+  }
+};
+
+void visit_fields(auto& ref, const auto& field) requires requires { ref.generation; }
+{
+  field(ref.node.value);
+  field(ref.generation);
+}
+void visit_fields(auto& quality, const auto& field) requires requires { quality.right; }
+{
+  field(quality.population);
+  field(quality.left);
+  field(quality.right);
+}
+
+template <class Body>
+void visit_body(Body& body, const auto& field) {
+  using Plain = std::remove_const_t<Body>;
+  if constexpr (std::is_same_v<Plain, PhaseBegan>) field(body.phase);
+  if constexpr (std::is_same_v<Plain, ObjectPlaced>) {
+    field(body.object.value);
+    field(body.leaves);
+  }
+  if constexpr (std::is_same_v<Plain, EventsDeferred>) field(body.count);
+  if constexpr (std::is_same_v<Plain, AllPlaced>) field(body.objects);
+  if constexpr (requires { body.op; }) {
+    field(body.op);
+    visit_fields(body.node, field);
+  }
+  if constexpr (std::is_same_v<Plain, OperatorRefused>) field(body.reason);
+  if constexpr (std::is_same_v<Plain, OperatorActed>) {
+    visit_fields(body.before, field);
+    visit_fields(body.after, field);
+    field(body.direction);
+    field(body.old_offset);
+    field(body.new_offset);
+  }
+}
+
+/// A default event body of the given alternative.
+template <std::size_t... Index>
+EventBody make_body(std::size_t index, std::index_sequence<Index...> /*all*/) {
+  EventBody body;
+  ((index == Index ? static_cast<void>(body.emplace<Index>()) : static_cast<void>(0)), ...);
+  return body;
+}
+
+}  // namespace
+
+void put_events(std::span<const Event> events, ByteWriter& out) {
+  out.varint(events.size());
+  for (const Event& event : events) {
+    out.u8(static_cast<std::uint8_t>(event.body.index()));
+    std::visit([&](const auto& body) { visit_body(body, FieldWriter{out}); }, event.body);
+  }
+}
+
+std::vector<Event> get_events(ByteReader& in, std::uint32_t step, std::uint64_t first_id) {
+  constexpr std::size_t kKinds = std::variant_size_v<EventBody>;
+  std::vector<Event> events(in.count());
+  for (Event& event : events) {
+    event.id = first_id++;
+    event.step = step;
+    const std::uint8_t kind = in.u8();
+    if (kind >= kKinds)
+      throw std::runtime_error("the recording is damaged: it has an event of no known kind");
+    event.body = make_body(kind, std::make_index_sequence<kKinds>());
+    std::visit([&](auto& body) { visit_body(body, FieldReader{in}); }, event.body);
+  }
+  return events;
+}
+
+}  // namespace kerf

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/broad_phase/bsp_state.h"
+#include "core/recording/bytes.h"
+
+namespace kerf {
+
+/// A keyframe as compressed bytes, without the pairs of its step.
+template <int D>
+Bytes encode_keyframe(const BspState<D>& state);
+
+/// The reverse, for a tree with this projector. Throws std::runtime_error for damaged bytes.
+template <int D>
+BspState<D> decode_keyframe(std::span<const std::uint8_t> bytes,
+                            std::shared_ptr<const Projector<D>> projector);
+
+/// Only the objects of a keyframe, as the caller of the tree saw them.
+template <int D>
+ObjectTable<D> decode_keyframe_objects(std::span<const std::uint8_t> bytes, VolumeKind kind);
+
+}  // namespace kerf

@@ -1,0 +1,127 @@
+#include "core/recording/recorder.h"
+
+#include <algorithm>
+
+namespace kerf {
+namespace {
+
+/// Refused requests did nothing and are not written down.
+bool counts(Status status) { return status != Status::unknown_id && status != Status::duplicate_id; }
+
+/// What a table of boxes and other volumes makes of a volume of the wrong kind: a box, or nothing that can be
+/// placed.
+template <int D>
+Box<D> box_of(const Volume<D>& volume) {
+  return is_ordered(volume) ? volume.box : Box<D>::empty();
+}
+
+}  // namespace
+
+template <int D>
+Recorder<D>::Recorder(Bsp<D, EventLog>& tree, const std::filesystem::path& path, const RecordingInfo& info)
+    : tree_(tree), writer_(path, info) {}
+
+template <int D>
+Status Recorder<D>::insert(ObjectId object, const Box<D>& box, Mobility mobility) {
+  const Status status = tree_.insert(object, box, mobility);
+  if (!counts(status)) return status;
+  requests_.add_insert(object, box, mobility);
+  know(object, true);
+  return status;
+}
+
+template <int D>
+Status Recorder<D>::insert(ObjectId object, const Volume<D>& volume, Mobility mobility) {
+  if (volume.kind != volume_kind()) return insert(object, box_of(volume), mobility);
+  const Status status = tree_.insert(object, volume, mobility);
+  if (!counts(status)) return status;
+  requests_.add_insert(object, volume, mobility);
+  know(object, true);
+  return status;
+}
+
+template <int D>
+Status Recorder<D>::move(ObjectId object, const Box<D>& box) {
+  const Status status = tree_.move(object, box);
+  if (counts(status)) requests_.add_move(object, box);
+  return status;
+}
+
+template <int D>
+Status Recorder<D>::move(ObjectId object, const Volume<D>& volume) {
+  if (volume.kind != volume_kind()) return move(object, box_of(volume));
+  const Status status = tree_.move(object, volume);
+  if (counts(status)) requests_.add_move(object, volume);
+  return status;
+}
+
+template <int D>
+void Recorder<D>::know(ObjectId object, bool present) {
+  if (known_.size() <= object.index()) known_.resize(object.index() + 1);
+  known_[object.index()] = present;
+}
+
+template <int D>
+Status Recorder<D>::move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) {
+  const Status status = tree_.move_many(objects, boxes);
+  if (status == Status::ok) {
+    requests_.add_moves(objects, boxes);
+    return status;
+  }
+  std::vector<ObjectId> known;
+  std::vector<Box<D>> their_boxes;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    if (!knows(objects[k])) continue;
+    known.push_back(objects[k]);
+    their_boxes.push_back(boxes[k]);
+  }
+  requests_.add_moves(known, their_boxes);
+  return status;
+}
+
+template <int D>
+Status Recorder<D>::remove(ObjectId object) {
+  const Status status = tree_.remove(object);
+  if (!counts(status)) return status;
+  requests_.add_remove(object);
+  know(object, false);
+  return status;
+}
+
+template <int D>
+void Recorder<D>::step() {
+  tree_.step();
+  const auto start = std::chrono::steady_clock::now();
+  record();
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The log may hold those of earlier steps, if nobody took them.
+template <int D>
+std::span<const Event> Recorder<D>::events_of_step() const {
+  const std::vector<Event>& all = tree_.trace().events();
+  const auto first = std::ranges::lower_bound(all, next_event_, {}, &Event::id);
+  return {first, all.end()};
+}
+
+template <int D>
+void Recorder<D>::record() {
+  const std::span<const Event> events = events_of_step();
+  StepRow row;
+  row.step = tree_.steps();
+  row.statistics = tree_.statistics();
+  row.pairs = tree_.pairs().size();
+  row.first_event = next_event_;
+  row.events = events.size();
+  row.state_hash = tree_.state_hash();
+  row.pairs_hash = hash_pairs(tree_.pairs());
+  writer_.add(requests_, events, row);
+  if (writer_.wants_keyframe()) writer_.add(tree_.state());
+  next_event_ += events.size();
+  requests_.clear();
+}
+
+template class Recorder<2>;
+template class Recorder<3>;
+
+}  // namespace kerf

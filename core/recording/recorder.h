@@ -1,0 +1,58 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string_view>
+
+#include "core/broad_phase/bsp.h"
+#include "core/recording/recording_writer.h"
+
+namespace kerf {
+
+/// Stands between a scene and its tree and writes down all that passes: what is asked, what happens, how the
+/// tree is after each step. The tree must be new and be asked through the recorder only.
+///
+/// Throws std::runtime_error in `step()` if the recording cannot be written.
+template <int D>
+class Recorder final : public BroadPhase<D> {
+ public:
+  Recorder(Bsp<D, EventLog>& tree, const std::filesystem::path& path, const RecordingInfo& info);
+
+  [[nodiscard]] std::string_view name() const override { return tree_.name(); }
+  [[nodiscard]] VolumeKind volume_kind() const override { return tree_.volume_kind(); }
+  Status insert(ObjectId object, const Box<D>& box, Mobility mobility) override;
+  Status insert(ObjectId object, const Volume<D>& volume, Mobility mobility) override;
+  Status move(ObjectId object, const Box<D>& box) override;
+  Status move(ObjectId object, const Volume<D>& volume) override;
+  Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) override;
+  Status remove(ObjectId object) override;
+  void step() override;
+  [[nodiscard]] std::span<const Pair> pairs() const override { return tree_.pairs(); }
+
+  /// Also keeps somebody else's pairs of the last step.
+  void add_theirs(std::span<const Pair> pairs, const TheirStep& judgement) { writer_.add(pairs, judgement); }
+  /// Ends the recording in order. Nothing may be asked of the recorder afterwards.
+  void finish() { writer_.finish(); }
+  /// What recording has cost so far.
+  [[nodiscard]] double seconds() const { return seconds_; }
+
+ private:
+  void know(ObjectId object, bool present);
+  [[nodiscard]] bool knows(ObjectId object) const {
+    return object.index() < known_.size() && known_[object.index()];
+  }
+  void record();
+  [[nodiscard]] std::span<const Event> events_of_step() const;
+
+  Bsp<D, EventLog>& tree_;
+  RecordingWriter<D> writer_;
+  StepRequests<D> requests_;
+  std::vector<bool> known_;  ///< by object: it is there
+  std::uint64_t next_event_ = 0;
+  double seconds_ = 0;
+};
+
+extern template class Recorder<2>;
+extern template class Recorder<3>;
+
+}  // namespace kerf

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "core/broad_phase/broad_phase.h"
+#include "core/config.h"
+#include "core/tree/statistics.h"
+
+namespace kerf {
+
+/// What a recording is of: all that its tree must know, and all that its scene must know to be run again.
+struct RecordingInfo {
+  int dimension = 3;
+  VolumeKind volume = VolumeKind::box;
+  Config config;
+  std::string scene;          ///< name in the catalogue; of an import the file that it came from
+  bool imported = false;      ///< the boxes come from somebody else's engine
+  std::uint64_t seed = 1;     ///< of the scene
+  std::uint32_t objects = 0;  ///< as asked for; 0: the scene's own number
+  std::uint32_t grow = 0;     ///< steps of growth; 0: the scene's own number
+  std::uint32_t recycle = 0;  ///< steps between two objects that fall anew; 0: none does
+  bool complete = false;      ///< the recording was ended in order, not killed
+};
+
+/// One row of the table of steps: how the tree was after a step.
+struct StepRow {
+  std::uint32_t step = 0;
+  Statistics statistics;
+  std::uint64_t changed = 0;  ///< objects that came, went or got another box
+  std::uint64_t pairs = 0;
+  std::uint64_t first_event = 0;
+  std::uint64_t events = 0;
+  std::uint64_t state_hash = 0;
+  std::uint64_t pairs_hash = 0;  ///< of the set of pairs, in any order
+
+  /// What the broad phase took, in seconds.
+  [[nodiscard]] double seconds() const {
+    double sum = 0;
+    for (const double phase : statistics.phase_seconds) sum += phase;
+    return sum;
+  }
+};
+
+/// How somebody else's pairs of a step compare with the definition.
+struct TheirStep {
+  std::uint64_t pairs = 0;   ///< as they told them
+  std::uint64_t missed = 0;  ///< overlaps that they did not tell
+  std::uint64_t extra = 0;   ///< told, but no overlap
+  std::uint64_t twice = 0;   ///< told again
+};
+
+/// A hash as people see it: 16 hexadecimal digits.
+std::string to_hex(std::uint64_t hash);
+
+/// A hash of the set of pairs; a pair told twice changes it.
+std::uint64_t hash_pairs(std::span<const Pair> pairs);
+
+}  // namespace kerf

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <filesystem>
+#include <list>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/broad_phase/bsp_state.h"
+#include "core/recording/block_codec.h"
+#include "core/recording/database.h"
+#include "core/recording/recording_info.h"
+#include "core/tree/projector.h"
+
+namespace kerf {
+
+/// How large the parts of a recording are, in bytes.
+struct RecordingSize {
+  std::uint64_t blocks = 0;
+  std::uint64_t keyframes = 0;
+  std::uint64_t changed = 0;  ///< boxes that changed, in all steps: blocks / changed are what each has cost
+};
+
+/// What a recording is of, whatever its dimension. Throws std::runtime_error as `open_recording` does.
+RecordingInfo read_recording_info(const std::filesystem::path& path);
+
+/// Reads a recording, also one that is still being written or was cut short: what is there when it is opened
+/// counts. Everything throws std::runtime_error, with the file where it is known, for what is damaged.
+template <int D>
+class RecordingReader {
+ public:
+  explicit RecordingReader(const std::filesystem::path& path);
+
+  [[nodiscard]] const RecordingInfo& info() const { return info_; }
+  /// Steps that are whole; they count from 1.
+  [[nodiscard]] std::uint32_t steps() const { return static_cast<std::uint32_t>(rows_.size()); }
+  /// One row for each step, the first being step 1.
+  [[nodiscard]] std::span<const StepRow> rows() const { return rows_; }
+  [[nodiscard]] const StepRow& row(std::uint32_t step) const { return rows_[step - 1]; }
+  /// The step in which an event happened; none if it is beyond the end.
+  [[nodiscard]] std::optional<std::uint32_t> step_of(std::uint64_t event) const;
+
+  /// Requests and events of a step. Valid until other steps have been asked for.
+  const RecordedStep<D>& step(std::uint32_t step);
+  /// Throws std::runtime_error for an id that the recording does not have.
+  Event event(std::uint64_t id);
+  /// The ids of what was scheduled, refused or done at a node, over all its lives.
+  [[nodiscard]] std::vector<std::uint64_t> events_of_node(NodeId node) const;
+  /// Steps that have a keyframe, in order; step 0, which needs none, is not among them.
+  [[nodiscard]] std::span<const std::uint32_t> keyframes() const { return keyframes_; }
+  /// The last step up to `step` that has a keyframe; 0 if none has.
+  [[nodiscard]] std::uint32_t keyframe_before(std::uint32_t step) const;
+  /// A keyframe for a tree with this projector.
+  [[nodiscard]] BspState<D> keyframe(std::uint32_t step, std::shared_ptr<const Projector<D>> projector) const;
+
+  /// Somebody else's pairs of a step, as they told them; none unless the recording is an import.
+  [[nodiscard]] std::vector<Pair> their_pairs(std::uint32_t step) const;
+  [[nodiscard]] std::optional<TheirStep> their_step(std::uint32_t step) const;
+  [[nodiscard]] RecordingSize size() const;
+
+ private:
+  /// The steps from one keyframe to the next, decoded.
+  struct Span {
+    std::uint32_t first = 0;
+    std::vector<RecordedStep<D>> steps;
+  };
+  static constexpr std::size_t kSpans = 3;
+
+  void read_rows();
+  [[nodiscard]] Bytes keyframe_bytes(std::uint32_t step) const;
+  void read_block(BlockDecoder<D>& decoder, const Bytes& block, Span& span) const;
+  [[nodiscard]] Span read_span(std::uint32_t keyframe) const;
+
+  Database database_;
+  RecordingInfo info_;
+  std::vector<StepRow> rows_;
+  std::vector<std::uint32_t> keyframes_;
+  std::list<Span> spans_;  ///< latest used first
+};
+
+extern template class RecordingReader<2>;
+extern template class RecordingReader<3>;
+
+}  // namespace kerf

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <span>
+
+#include "core/broad_phase/bsp_state.h"
+#include "core/recording/block_codec.h"
+#include "core/recording/database.h"
+#include "core/recording/recording_info.h"
+
+namespace kerf {
+
+/// Writes a recording (docs/RECORDING.md). What was committed, at least once a second and every ten steps, is
+/// there whatever happens to the program. Throws std::runtime_error with the file and the reason, a full disk
+/// for example.
+template <int D>
+class RecordingWriter {
+ public:
+  /// Throws if the file exists.
+  RecordingWriter(const std::filesystem::path& path, const RecordingInfo& info);
+
+  void add(const StepRequests<D>& requests, std::span<const Event> events, StepRow row);
+  /// True if a keyframe should follow the last step.
+  [[nodiscard]] bool wants_keyframe() const;
+  void add(const BspState<D>& keyframe);
+  /// Somebody else's pairs of the last step, as they told them.
+  void add(std::span<const Pair> their_pairs, const TheirStep& judgement);
+  /// Ends the recording: it is complete then.
+  void finish();
+
+ private:
+  void put(const StepRow& row);
+  void put(const Event& event);
+  void flush();
+
+  Database database_;
+  Statement put_step_;
+  Statement put_event_;
+  Statement put_block_;
+  Statement put_keyframe_;
+  BlockEncoder<D> encoder_;
+  std::uint32_t step_ = 0;
+  std::uint64_t changed_ = 0;         ///< since the last block
+  std::uint64_t since_keyframe_ = 0;  ///< objects, summed over the steps
+  std::uint32_t last_keyframe_ = 0;
+  std::chrono::steady_clock::time_point last_flush_;
+};
+
+extern template class RecordingWriter<2>;
+extern template class RecordingWriter<3>;
+
+}  // namespace kerf

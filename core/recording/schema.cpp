@@ -1,0 +1,114 @@
+#include "core/recording/schema.h"
+
+#include <charconv>
+#include <map>
+#include <stdexcept>
+
+namespace kerf {
+namespace {
+
+constexpr const char* kTables = R"sql(
+CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE steps(
+  step INTEGER PRIMARY KEY,
+  objects INTEGER, changed INTEGER, pairs INTEGER,
+  height INTEGER, leaves INTEGER, entries INTEGER, redundancy REAL,
+  balances INTEGER, shift_splits INTEGER, splits INTEGER, swaps INTEGER, merges INTEGER,
+  refused INTEGER, deferred INTEGER, placed INTEGER,
+  first_event INTEGER, events INTEGER,
+  place_seconds REAL, sort_seconds REAL, schedule_seconds REAL, operate_seconds REAL, sweep_seconds REAL,
+  state_hash INTEGER, pairs_hash INTEGER);
+CREATE TABLE events(
+  id INTEGER PRIMARY KEY, step INTEGER, kind TEXT, op TEXT, node INTEGER, generation INTEGER,
+  population INTEGER, left_before INTEGER, right_before INTEGER, left_after INTEGER, right_after INTEGER,
+  direction INTEGER, old_offset REAL, new_offset REAL, reason TEXT);
+CREATE TABLE blocks(first_step INTEGER PRIMARY KEY, steps INTEGER, changed INTEGER, data BLOB);
+CREATE TABLE keyframes(step INTEGER PRIMARY KEY, data BLOB);
+CREATE TABLE their_steps(step INTEGER PRIMARY KEY, pairs INTEGER, missed INTEGER, extra INTEGER, twice INTEGER);
+CREATE TABLE their_pairs(step INTEGER, a INTEGER, b INTEGER);
+CREATE INDEX their_pairs_of_step ON their_pairs(step);
+)sql";
+
+template <class Number>
+Number number(const std::map<std::string, std::string>& meta, const char* key) {
+  Number value{};
+  const auto found = meta.find(key);
+  if (found == meta.end()) throw std::runtime_error(std::string("the recording does not say its ") + key);
+  const std::string& text = found->second;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size())
+    throw std::runtime_error(std::string("the recording is damaged: its ") + key + " is '" + text + "'");
+  return value;
+}
+
+VolumeKind volume_kind(int dimension, const std::string& name) {
+  const auto kind = dimension == 2 ? parse_volume_kind<2>(name) : parse_volume_kind<3>(name);
+  if (!kind) throw std::runtime_error("the recording is damaged: there is no volume '" + name + "'");
+  return *kind;
+}
+
+}  // namespace
+
+void set_meta(Database& database, std::string_view key, std::string_view value) {
+  database.prepare("INSERT OR REPLACE INTO meta VALUES(?, ?)").bind(1, key).bind(2, value).run();
+}
+
+void create_schema(Database& database, const RecordingInfo& info) {
+  database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kRecordingId) +
+                   "; PRAGMA user_version = " + std::to_string(kRecordingVersion) + ";" + kTables);
+  set_meta(database, "dimension", std::to_string(info.dimension));
+  set_meta(database, "volume", to_string(info.volume));
+  set_meta(database, "config", to_string(info.config));
+  set_meta(database, "scene", info.scene);
+  set_meta(database, "imported", info.imported ? "1" : "0");
+  set_meta(database, "seed", std::to_string(info.seed));
+  set_meta(database, "objects", std::to_string(info.objects));
+  set_meta(database, "grow", std::to_string(info.grow));
+  set_meta(database, "recycle", std::to_string(info.recycle));
+  set_meta(database, "complete", "0");
+  database.execute("COMMIT");
+}
+
+Database open_recording(const std::filesystem::path& path) {
+  Database database = Database::open(path);
+  std::int64_t id = 0;
+  try {
+    id = database.ask("PRAGMA application_id");
+  } catch (const std::runtime_error&) {
+    id = 0;  // no SQLite file at all
+  }
+  if (id != kRecordingId)
+    throw std::runtime_error(path.string() + " is no recording of Kerf; `kerf record` makes one");
+  const std::int64_t version = database.ask("PRAGMA user_version");
+  if (version != kRecordingVersion)
+    throw std::runtime_error(path.string() + " is a recording of version " + std::to_string(version) +
+                             ", and this Kerf reads version " + std::to_string(kRecordingVersion) +
+                             "; record it again, or use the Kerf that made it");
+  return database;
+}
+
+RecordingInfo read_info(const Database& database) {
+  std::map<std::string, std::string> meta;
+  Statement rows = database.prepare("SELECT key, value FROM meta");
+  while (rows.step()) meta[rows.text(0)] = rows.text(1);
+  RecordingInfo info;
+  info.dimension = number<int>(meta, "dimension");
+  if (info.dimension != 2 && info.dimension != 3)
+    throw std::runtime_error("the recording is damaged: its dimension is neither 2 nor 3");
+  info.volume = volume_kind(info.dimension, meta["volume"]);
+  try {
+    kerf::apply(info.config, meta["config"]);
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(std::string("the recording's configuration: ") + error.what());
+  }
+  info.scene = meta["scene"];
+  info.imported = meta["imported"] == "1";
+  info.complete = meta["complete"] == "1";
+  info.seed = number<std::uint64_t>(meta, "seed");
+  info.objects = number<std::uint32_t>(meta, "objects");
+  info.grow = number<std::uint32_t>(meta, "grow");
+  info.recycle = number<std::uint32_t>(meta, "recycle");
+  return info;
+}
+
+}  // namespace kerf

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "core/recording/database.h"
+#include "core/recording/recording_info.h"
+
+namespace kerf {
+
+/// SQLite's application id of recordings: "kerf" in ASCII.
+inline constexpr std::uint32_t kRecordingId = 0x6B657266;
+/// Raised when an older Kerf cannot read what a newer one writes (docs/RECORDING.md).
+inline constexpr std::uint32_t kRecordingVersion = 1;
+
+/// Makes the tables of a new recording and writes what it is of.
+void create_schema(Database& database, const RecordingInfo& info);
+/// Writes one entry of the table `meta`.
+void set_meta(Database& database, std::string_view key, std::string_view value);
+
+/// Opens a recording. Throws std::runtime_error, saying what to do, for a file that is none or of another
+/// version.
+Database open_recording(const std::filesystem::path& path);
+/// Reads what it is of. Throws std::runtime_error if that makes no sense.
+RecordingInfo read_info(const Database& database);
+
+}  // namespace kerf

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/broad_phase/broad_phase.h"
+
+namespace kerf {
+
+/// The calls of BroadPhase that change objects.
+enum class RequestKind : std::uint8_t {
+  insert_box,
+  insert_volume,
+  move_box,
+  move_boxes,
+  move_volume,
+  remove
+};
+
+/// So many calls of one kind in a row; of `move_boxes` one call for so many objects.
+struct Call {
+  RequestKind kind = RequestKind::move_box;
+  Mobility mobility = Mobility::moving;  ///< of what is inserted
+  std::uint32_t count = 0;
+  friend bool operator==(const Call&, const Call&) = default;
+};
+
+/// What a broad phase was asked between two steps, in that order: the order decides where entries stand, and
+/// so is part of the run.
+template <int D>
+struct StepRequests {
+  std::vector<Call> calls;
+  std::vector<ObjectId> objects;  ///< one after another, as many as the calls count
+  std::vector<Box<D>> boxes;      ///< as many; of removed objects they mean nothing
+  std::vector<Scalar>
+      extra;  ///< what the recording's kind of volume has beside the box, for the calls with volumes
+
+  void clear();
+  void add_insert(ObjectId object, const Box<D>& box, Mobility mobility);
+  void add_insert(ObjectId object, const Volume<D>& volume, Mobility mobility);
+  void add_move(ObjectId object, const Box<D>& box);
+  void add_move(ObjectId object, const Volume<D>& volume);
+  void add_moves(std::span<const ObjectId> moved, std::span<const Box<D>> new_boxes);
+  void add_remove(ObjectId object);
+  friend bool operator==(const StepRequests&, const StepRequests&) = default;
+
+ private:
+  void add(Call call, ObjectId object, const Box<D>& box);
+};
+
+constexpr bool has_volume(RequestKind kind) {
+  return kind == RequestKind::insert_volume || kind == RequestKind::move_volume;
+}
+constexpr bool is_insert(RequestKind kind) {
+  return kind == RequestKind::insert_box || kind == RequestKind::insert_volume;
+}
+
+/// A volume from its box and the numbers that its kind has beside it.
+template <int D>
+Volume<D> volume_from(VolumeKind kind, const Box<D>& box, const Scalar* extra);
+
+/// Makes the same calls again.
+template <int D>
+void apply(const StepRequests<D>& requests, BroadPhase<D>& broad_phase);
+
+extern template struct StepRequests<2>;
+extern template struct StepRequests<3>;
+
+}  // namespace kerf

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/broad_phase/object_table.h"
+
+namespace kerf {
+
+/// The pairs of a table by the definition, sorted: each object against each.
+template <int D>
+std::vector<Pair> oracle_pairs(const ObjectTable<D>& objects);
+
+/// Told pairs beside the true ones; each list is sorted.
+struct PairJudgement {
+  std::vector<Pair> missed;  ///< true, but not told
+  std::vector<Pair> extra;   ///< told, but not true
+  std::vector<Pair> twice;   ///< told again, once for each time
+  [[nodiscard]] bool is_exact() const { return missed.empty() && extra.empty() && twice.empty(); }
+};
+
+/// `truth` is sorted; `told` comes in any order, each pair's objects too.
+PairJudgement judge_pairs(std::span<const Pair> told, std::span<const Pair> truth);
+
+}  // namespace kerf

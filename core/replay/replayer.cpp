@@ -1,0 +1,86 @@
+#include "core/replay/replayer.h"
+
+#include <iterator>
+#include <utility>
+
+namespace kerf {
+namespace {
+
+/// About the memory of a state.
+template <int D>
+std::size_t size_of(const BspState<D>& state) {
+  constexpr std::size_t kObject = 2 * (sizeof(PackedBox<D>) + 2) + sizeof(Skin) + 1;
+  return state.tree.entries() * sizeof(Entry) + state.tree.slots() * sizeof(Node<D>) +
+         state.latest.bound() * kObject + state.pairs.size() * sizeof(Pair);
+}
+
+}  // namespace
+
+template <int D>
+Replayer<D>::Replayer(std::shared_ptr<RecordingReader<D>> recording, std::size_t memory)
+    : recording_(std::move(recording)),
+      memory_(memory),
+      tree_(recording_->info().config, recording_->info().volume) {
+  keep();  // step 0
+}
+
+template <int D>
+void Replayer<D>::seek(std::uint32_t step) {
+  if (step > recording_->steps()) (void)recording_->step(step);  // throws, saying which there are
+  if (step != this->step()) start_before(step);
+  while (this->step() < step) {
+    advance();
+    keep();
+  }
+}
+
+/// Takes the latest of what leads to the step: the present state, a kept one, a keyframe. A keyframe lacks
+/// the pairs of its own step.
+template <int D>
+void Replayer<D>::start_before(std::uint32_t step) {
+  const std::uint32_t keyframe = step == 0 ? 0 : recording_->keyframe_before(step - 1);
+  const auto after = kept_.upper_bound(step);
+  const auto kept = after == kept_.begin() ? kept_.end() : std::prev(after);
+  const bool has_kept = kept != kept_.end() && kept->first >= keyframe;
+  const std::uint32_t best = has_kept ? kept->first : keyframe;
+  if (this->step() <= step && this->step() >= best) return;
+  if (has_kept) {
+    tree_.restore(kept->second.state);
+  } else {
+    tree_.restore(recording_->keyframe(keyframe, tree_.tree().projector()));
+  }
+}
+
+template <int D>
+void Replayer<D>::advance(const OnEvent& on_event) {
+  const RecordedStep<D>& next = recording_->step(step() + 1);
+  apply(next.requests, tree_);
+  tree_.trace().on_event = on_event;
+  tree_.step();
+  tree_.trace().on_event = {};
+}
+
+template <int D>
+void Replayer<D>::keep() {
+  if (kept_.contains(step())) return;
+  Kept kept{tree_.state(), 0};
+  kept.bytes = size_of(kept.state);
+  kept_bytes_ += kept.bytes;
+  kept_.emplace(step(), std::move(kept));
+  while (kept_bytes_ > memory_ && kept_.size() > 2) forget_farthest(step());
+}
+
+/// The state before the first step stays: no keyframe has it.
+template <int D>
+void Replayer<D>::forget_farthest(std::uint32_t from) {
+  const auto first = std::next(kept_.begin());
+  const auto last = std::prev(kept_.end());
+  const auto farthest = from - first->first > last->first - from ? first : last;
+  kept_bytes_ -= farthest->second.bytes;
+  kept_.erase(farthest);
+}
+
+template class Replayer<2>;
+template class Replayer<3>;
+
+}  // namespace kerf

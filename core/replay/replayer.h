@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "core/broad_phase/bsp.h"
+#include "core/broad_phase/bsp_state.h"
+#include "core/recording/recording_reader.h"
+
+namespace kerf {
+
+/// Runs a recording's tree again: from the beginning, or from the keyframe before any step. States on the way
+/// are kept in memory, so that one step back is a copy.
+///
+/// Throws std::runtime_error for a step that the recording does not have, or if it is damaged.
+template <int D>
+class Replayer {
+ public:
+  using OnEvent = std::function<void(const Event&)>;
+
+  /// Keeps states of about `memory` bytes.
+  explicit Replayer(std::shared_ptr<RecordingReader<D>> recording, std::size_t memory = kMemory);
+
+  /// Goes to the end of a step; 0 is before the first.
+  void seek(std::uint32_t step);
+  /// Runs the next step; `on_event` is told what happens, and may look at `tree()` meanwhile.
+  void advance(const OnEvent& on_event = {});
+
+  [[nodiscard]] std::uint32_t step() const { return tree_.steps(); }
+  [[nodiscard]] const Bsp<D, Watch>& tree() const { return tree_; }
+  [[nodiscard]] RecordingReader<D>& recording() { return *recording_; }
+  /// About what the kept states take.
+  [[nodiscard]] std::size_t memory() const { return kept_bytes_; }
+
+ private:
+  static constexpr std::size_t kMemory = std::size_t{128} << 20U;
+  struct Kept {
+    BspState<D> state;
+    std::size_t bytes = 0;
+  };
+
+  void start_before(std::uint32_t step);
+  void keep();
+  void forget_farthest(std::uint32_t from);
+
+  std::shared_ptr<RecordingReader<D>> recording_;
+  std::size_t memory_;
+  Bsp<D, Watch> tree_;
+  std::map<std::uint32_t, Kept> kept_;  ///< by step
+  std::size_t kept_bytes_ = 0;
+};
+
+extern template class Replayer<2>;
+extern template class Replayer<3>;
+
+}  // namespace kerf

@@ -1,0 +1,111 @@
+#include "frames/compare_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "core/query/compare.h"
+#include "frames/errors.h"
+#include "frames/recording_file.h"
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json as_json(const RecordingSummary& summary) {
+  Json json{{"steps", summary.steps}};
+  for (int op = 0; op < kOperatorCount; ++op)
+    json["operators"][std::string(to_string(static_cast<Operator>(op)))] =
+        summary.operators[static_cast<std::size_t>(op)];
+  json["refused"] = summary.refused;
+  json["pairs"] = summary.pairs;
+  json["height"] = summary.height;
+  json["redundancy"] = summary.redundancy;
+  json["median_ms"] = summary.milliseconds;
+  json["most_ms"] = summary.most_milliseconds;
+  return json;
+}
+
+Json step_or_null(const std::optional<std::uint32_t>& step) { return step ? Json(*step) : Json(nullptr); }
+
+Json as_json(const RecordingComparison& comparison) {
+  return {{"same", comparison.same()},
+          {"first_different",
+           {{"requests", step_or_null(comparison.requests)},
+            {"state", step_or_null(comparison.state)},
+            {"pairs", step_or_null(comparison.pairs)},
+            {"events", step_or_null(comparison.events)},
+            {"a_event", comparison.a_event},
+            {"b_event", comparison.b_event}}},
+          {"a", as_json(comparison.a)},
+          {"b", as_json(comparison.b)}};
+}
+
+void print_first(const char* what, const std::optional<std::uint32_t>& step) {
+  if (step) {
+    std::printf("%-10s differ first in step %u\n", what, *step);
+  } else {
+    std::printf("%-10s are the same\n", what);
+  }
+}
+
+void print_figures(const RecordingSummary& a, const RecordingSummary& b) {
+  const auto row = [](const char* name, double x, double y) {
+    std::printf("%-14s %14.6g %14.6g\n", name, x, y);
+  };
+  std::printf("%-14s %14s %14s\n", "", "A", "B");
+  row("steps", a.steps, b.steps);
+  for (int op = 0; op < kOperatorCount; ++op) {
+    const auto k = static_cast<std::size_t>(op);
+    row(std::string(to_string(static_cast<Operator>(op))).c_str(), static_cast<double>(a.operators[k]),
+        static_cast<double>(b.operators[k]));
+  }
+  row("refused", static_cast<double>(a.refused), static_cast<double>(b.refused));
+  row("pairs", static_cast<double>(a.pairs), static_cast<double>(b.pairs));
+  row("height", a.height, b.height);
+  row("redundancy", a.redundancy, b.redundancy);
+  row("ms, median", a.milliseconds, b.milliseconds);
+  row("ms, most", a.most_milliseconds, b.most_milliseconds);
+}
+
+void print(const RecordingComparison& comparison) {
+  print_first("requests", comparison.requests);
+  print_first("events", comparison.events);
+  if (comparison.events) {
+    const auto text = [](const std::string& event) { return event.empty() ? "nothing more" : event.c_str(); };
+    std::printf("  A: %s\n  B: %s\n", text(comparison.a_event), text(comparison.b_event));
+  }
+  print_first("trees", comparison.state);
+  print_first("pairs", comparison.pairs);
+  print_figures(comparison.a, comparison.b);
+}
+
+}  // namespace
+
+CompareCommand::CompareCommand(CLI::App& program)
+    : command_(program.add_subcommand("compare", "Find where two recordings first differ")) {
+  command_->add_option("A", a_, "A recording")->type_name("")->required();
+  command_->add_option("B", b_, "Another, of the same dimension")->type_name("")->required();
+  command_->add_flag("--json", json_, "As JSON");
+  command_->footer("EXIT    0 they are the same run (times do not count), 1 they differ, 2 wrong usage");
+}
+
+bool CompareCommand::chosen() const { return command_->parsed(); }
+
+void CompareCommand::run() const {
+  const RecordingComparison comparison =
+      with_recording(a_, [&]<int D>(std::shared_ptr<RecordingReader<D>> a) {
+        RecordingReader<D> b(b_);
+        return compare(*a, b);
+      });
+  if (json_) {
+    std::printf("%s\n", as_json(comparison).dump(1).c_str());
+  } else {
+    print(comparison);
+  }
+  if (!comparison.same()) throw std::runtime_error("the recordings differ");
+}
+
+}  // namespace kerf

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <iosfwd>
+
+#include "core/recording/recording_reader.h"
+
+namespace kerf {
+
+/// The broad phase's time as a timeline in the trace-event format: a slice for each step and phase, a mark
+/// for each operator, curves of pairs, entries, deferred events and redundancy. The steps follow one another
+/// without gaps.
+template <int D>
+void export_chrome_trace(RecordingReader<D>& recording, std::ostream& out);
+
+/// The table of steps as CSV, with a heading.
+template <int D>
+void export_steps(const RecordingReader<D>& recording, std::ostream& out);
+
+/// Every change of a box as CSV, with a heading: step,object,min_x,max_x,min_y,max_y[,min_z,max_z],fixed.
+/// Bounds are empty where an object goes. Numbers have as many digits as it takes to read them back bit by
+/// bit.
+template <int D>
+void export_boxes(RecordingReader<D>& recording, std::ostream& out);
+
+}  // namespace kerf

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace kerf {
+
+/// `kerf import`: somebody else's boxes, and their pairs, become a recording.
+class ImportCommand {
+ public:
+  explicit ImportCommand(CLI::App& program);
+  [[nodiscard]] bool chosen() const;
+  /// Throws UsageError that names the line, or std::runtime_error if something cannot be read or written.
+  void run() const;
+
+ private:
+  CLI::App* command_;
+  std::string boxes_;
+  std::string pairs_;
+  std::string out_;
+  std::string config_;
+  bool overwrite_ = false;
+};
+
+}  // namespace kerf

@@ -1,0 +1,136 @@
+#include "frames/minimize_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "core/query/minimize.h"
+#include "core/query/search.h"
+#include "frames/atomic_file.h"
+#include "frames/errors.h"
+#include "frames/interrupt.h"
+#include "frames/parse_expression.h"
+#include "frames/recording_file.h"
+#include "frames/recording_picture.h"
+#include "frames/test_of_scenario.h"
+
+namespace kerf {
+namespace {
+
+struct MinimizeRequest {
+  Expression when;
+  std::filesystem::path out;
+};
+
+/// A recording for one trial; it goes away with the object.
+class Trial {
+ public:
+  explicit Trial(const std::filesystem::path& beside) : path_(beside.string() + ".trial") {}
+  ~Trial() {
+    std::error_code ignored;
+    for (const char* const ending : {"", "-wal", "-shm"})
+      std::filesystem::remove(path_.string() + ending, ignored);
+  }
+  Trial(const Trial&) = delete;
+  Trial& operator=(const Trial&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+template <int D>
+std::optional<Position> first_hit(const std::filesystem::path& path, const Expression& when) {
+  Search<D> search(std::make_shared<RecordingReader<D>>(path));
+  return search.forward(when, Position::end_of(0));
+}
+
+template <int D>
+void write_results(const Scenario<D>& scenario, const MinimizeRequest& request) {
+  record(scenario, request.out);
+  const auto recording = std::make_shared<RecordingReader<D>>(request.out);
+  Search<D> search(recording);
+  const auto hit = search.forward(request.when, Position::end_of(0));
+  if (!hit) throw std::runtime_error("the small recording does not show the condition");
+  Cursor<D> cursor(recording);
+  cursor.go(*hit);
+  std::filesystem::path picture = request.out;
+  draw_moment(cursor, {1280, 720}, picture.replace_extension(".png"));
+  std::filesystem::path test = request.out;
+  const std::uint64_t hash = recording->rows().back().state_hash;
+  write_file_atomically(test.replace_extension(".cpp"),
+                        test_of_scenario(scenario, request.when.text(), hash));
+  std::printf(
+      "%s: %zu steps, %zu objects, %zu requests; it holds at %s\n%s: a picture of that moment\n%s: a C++ "
+      "test\n",
+      request.out.c_str(), scenario.steps.size(), objects_of(scenario).size(), scenario.requests(),
+      to_string(*hit).c_str(), picture.c_str(), test.c_str());
+}
+
+template <int D>
+void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
+                        const MinimizeRequest& request) {
+  const InterruptGuard interrupt;
+  Search<D> search(recording);
+  const auto hit = search.forward(request.when, Position::end_of(0));
+  if (!hit)
+    throw std::runtime_error("the condition never holds in this recording, so there is nothing to minimize");
+  const StepRow& row = recording->row(hit->step);
+  std::size_t trials = 0;
+  const auto fails = [&](const Scenario<D>& scenario) {
+    if (interrupt.requested())
+      throw Interrupted("interrupted after " + std::to_string(trials) + " trials; nothing was written");
+    ++trials;
+    const Trial trial(request.out);
+    record(scenario, trial.path());
+    return first_hit<D>(trial.path(), request.when).has_value();
+  };
+  Replayer<D> replayer(recording);
+  const Scenario<D> late = start_late<D>(replayer, hit->step, fails);
+  const Scenario<D> small = minimize<D>(late, fails);
+  std::printf("%zu trials: from %u steps and %u objects\n", trials, row.step, row.statistics.objects);
+  write_results(small, request);
+}
+
+/// What is not the same in every run cannot guide anything.
+void check(const Expression& when) {
+  const bool asks_time = std::ranges::any_of(when.parts(), [](const ExpressionPart& part) {
+    const bool names =
+        part.kind == ExpressionPart::Kind::variable || part.kind == ExpressionPart::Kind::median;
+    return names && part.variable >= Variable::step_time && part.variable <= Variable::sweep_time;
+  });
+  if (asks_time)
+    throw UsageError("--when: times differ from run to run; give a condition that does not speak of them");
+}
+
+}  // namespace
+
+MinimizeCommand::MinimizeCommand(CLI::App& program)
+    : command_(program.add_subcommand("minimize", "Find the smallest run in which a condition still holds")) {
+  command_->add_option("FILE", file_, "A recording")->type_name("")->required();
+  command_->add_option("--when", when_, "The condition, see `kerf step --help`")
+      ->type_name("EXPR")
+      ->required();
+  command_->add_option("-o,--out", out_, "The small recording, for example small.kerf")
+      ->type_name("FILE")
+      ->required();
+  command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording, picture and test");
+  command_->footer(
+      "Objects and steps are left out as long as the condition still holds (delta debugging). Beside the\n"
+      "recording a picture (.png) and a self-contained C++ test (.cpp) are written under its name.");
+}
+
+bool MinimizeCommand::chosen() const { return command_->parsed(); }
+
+void MinimizeCommand::run() const {
+  const MinimizeRequest request{parse_expression("--when", when_), out_};
+  check(request.when);
+  if (request.out.extension() == ".png" || request.out.extension() == ".cpp")
+    throw UsageError("--out '" + out_ +
+                     "': the picture and the test get the names with .png and .cpp; choose another ending");
+  clear_recording_path(request.out, overwrite_);
+  with_recording(file_, [&](auto recording) { minimize_recording(recording, request); });
+}
+
+}  // namespace kerf

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "core/query/expression.h"
+
+namespace kerf {
+
+/// Throws UsageError that begins with the option's name and shows what is wrong where.
+Expression parse_expression(const std::string& option, const std::string& text);
+
+}  // namespace kerf

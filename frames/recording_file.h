@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/recording/recording_reader.h"
+#include "core/replay/position.h"
+#include "frames/render_request.h"
+
+namespace kerf {
+
+/// What a recording of this run is of.
+RecordingInfo recording_info(const RenderRequest& request);
+
+/// Makes room for a new recording. Throws UsageError if the name is taken, unless `overwrite` is given and a
+/// recording has it, which is then removed.
+void clear_recording_path(const std::filesystem::path& path, bool overwrite);
+
+/// Removes a recording with its log.
+void remove_recording(const std::filesystem::path& path);
+
+/// Opens a recording of either dimension and calls `work` with its reader. Throws std::runtime_error as
+/// RecordingReader does.
+template <class Work>
+auto with_recording(const std::filesystem::path& path, Work work) {
+  if (read_recording_info(path).dimension == 2) return work(std::make_shared<RecordingReader<2>>(path));
+  return work(std::make_shared<RecordingReader<3>>(path));
+}
+
+/// "17" is the end of step 17, "e1234" the moment after that event. Throws UsageError for anything else.
+template <int D>
+Position parse_position(const std::string& option, const std::string& text,
+                        const RecordingReader<D>& recording);
+
+}  // namespace kerf

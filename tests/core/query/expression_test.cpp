@@ -1,0 +1,141 @@
+#include "core/query/expression.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+
+#include "core/query/evaluate.h"
+#include "core/trace/event.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A moment of which the test says what is true.
+class Told final : public Moment {
+ public:
+  std::map<Variable, double> numbers;
+  std::vector<Happening> happening;
+
+  [[nodiscard]] double number(Variable variable) const override {
+    const auto found = numbers.find(variable);
+    return found == numbers.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  }
+  [[nodiscard]] double median(Variable variable) const override { return number(variable) / 4; }
+  [[nodiscard]] bool happens(const ExpressionPart& part) const override {
+    return part.a == 12 && std::ranges::find(happening, part.happening) != happening.end();
+  }
+};
+
+bool is_true(std::string_view text, const Told& moment = {}) {
+  return holds(Expression::parse(text), moment);
+}
+
+std::string refusal(std::string_view text) {
+  try {
+    (void)Expression::parse(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Expression, BindsAsInC) {
+  EXPECT_TRUE(is_true("1 + 2 * 3 == 7"));
+  EXPECT_TRUE(is_true("(1 + 2) * 3 == 9"));
+  EXPECT_TRUE(is_true("10 - 3 - 2 == 5"));
+  EXPECT_TRUE(is_true("8 / 4 / 2 == 1"));
+  EXPECT_TRUE(is_true("-2 * -3 == 6"));
+  EXPECT_TRUE(is_true("1 > 2 || 1 < 2 && 2 < 3"));
+  EXPECT_FALSE(is_true("(1 > 2 || 1 < 2) && 2 > 3"));
+  EXPECT_TRUE(is_true("!1 > 2"));
+  EXPECT_FALSE(is_true("!(1 < 2)"));
+  EXPECT_TRUE(is_true("!1>2 && 1<2"));
+  for (const char* const text : {"1<=1", "1>=1", "1!=2", "1=1"}) EXPECT_TRUE(is_true(text)) << text;
+  for (const char* const text : {"1<1", "1>1", "2<=1", "1>=2", "1!=1", "1==2"})
+    EXPECT_FALSE(is_true(text)) << text;
+}
+
+TEST(Expression, NumbersHaveUnits) {
+  EXPECT_TRUE(is_true("5ms == 0.005"));
+  EXPECT_TRUE(is_true("20us > 0.000019 && 20us < 0.000021"));
+  EXPECT_TRUE(is_true("2s == 2"));
+  EXPECT_TRUE(is_true("5% == 0.05"));
+  EXPECT_TRUE(is_true("1e3 == 1000"));
+  EXPECT_THAT(refusal("step_time > 5h"), HasSubstr("known are s, ms, us and %"));
+}
+
+TEST(Expression, NamesStandForWhatTheMomentSays) {
+  Told moment;
+  moment.numbers = {{Variable::op, static_cast<double>(Operator::shift_split)},
+                    {Variable::depth, 9},
+                    {Variable::redundancy, 0.06},
+                    {Variable::deferred, 17},
+                    {Variable::step_time, 4}};
+  EXPECT_TRUE(is_true("op==shift_split && depth>8", moment));
+  EXPECT_TRUE(is_true("op==shift-split", moment));
+  EXPECT_FALSE(is_true("op==merge", moment));
+  EXPECT_TRUE(is_true("op!=merge", moment));
+  EXPECT_TRUE(is_true("redundancy>0.05 && deferred>16", moment));
+  EXPECT_TRUE(is_true("step_time>2*median", moment));
+  EXPECT_TRUE(is_true("step_time==4*median(step_time)", moment));
+  EXPECT_TRUE(is_true("redundancy==4*median(redundancy)", moment));
+}
+
+TEST(Expression, WhatDoesNotExistIsNeverTrue) {
+  for (const char* const text :
+       {"depth>8", "depth<=8", "depth==8", "depth!=8", "op==merge", "op!=merge", "depth+1>0"})
+    EXPECT_FALSE(is_true(text)) << text;
+  EXPECT_TRUE(is_true("!(depth>8)"));
+}
+
+TEST(Expression, ThingsHappenToPairsPlanesNodesAndObjects) {
+  Told moment;
+  moment.happening = {Happening::pair_enters, Happening::plane_moves};
+  EXPECT_TRUE(is_true("pair(12,77) enters", moment));
+  EXPECT_FALSE(is_true("pair(12,77) leaves", moment));
+  EXPECT_FALSE(is_true("pair(12,77)", moment));
+  EXPECT_TRUE(is_true("plane(n12) moves", moment));
+  EXPECT_TRUE(is_true("plane(12) moves && !node(n12)", moment));
+  EXPECT_FALSE(is_true("plane(n13) moves", moment));
+  EXPECT_EQ(Expression::parse("pair(12,77) leaves").root().b, 77U);
+}
+
+TEST(Expression, KnowsWhatItNeeds) {
+  EXPECT_FALSE(Expression::parse("redundancy>0.05").asks_events());
+  EXPECT_TRUE(Expression::parse("redundancy>0.05 && op==merge").asks_events());
+  EXPECT_TRUE(Expression::parse("object(3) moves").asks_events());
+  EXPECT_FALSE(Expression::parse("pair(1,2)").asks_events());
+  EXPECT_TRUE(Expression::parse("pair(1,2)").asks_pairs());
+  EXPECT_TRUE(Expression::parse("missed>0").asks_oracle());
+  EXPECT_FALSE(Expression::parse("placed>0").asks_oracle());
+  EXPECT_TRUE(Expression::parse("depth>8").asks_depth());
+}
+
+TEST(Expression, MistakesAreShownAtTheirPlace) {
+  EXPECT_THAT(refusal("op==mrge"), HasSubstr("\n  op==mrge\n      ^"));
+  EXPECT_THAT(refusal("op==mrge"), HasSubstr("balance, shift_split, split, swap, merge"));
+  EXPECT_THAT(refusal("op>split"), HasSubstr("== or !="));
+  EXPECT_THAT(refusal("dept>8"), HasSubstr("'dept' is not known"));
+  EXPECT_THAT(refusal("dept>8"), HasSubstr("redundancy"));
+  EXPECT_THAT(refusal("depth>"), HasSubstr("\n        ^"));
+  EXPECT_THAT(refusal("depth>8)"), HasSubstr("an operator such as &&"));
+  EXPECT_THAT(refusal("(depth>8"), HasSubstr("')' was expected"));
+  EXPECT_THAT(refusal("pair(1) enters"), HasSubstr("',' was expected"));
+  EXPECT_THAT(refusal("pair(a,b)"), HasSubstr("a number such as 17"));
+  EXPECT_THAT(refusal("plane(n17)"), HasSubstr("moves was expected"));
+  EXPECT_THAT(refusal("thing(17)"), HasSubstr("'thing' is not known"));
+  EXPECT_THAT(refusal("depth+8"), HasSubstr("not a condition"));
+  EXPECT_THAT(refusal("depth @ 8"), HasSubstr("means nothing here"));
+  EXPECT_THAT(refusal("median(depth)>1"), HasSubstr("has a median"));
+  EXPECT_THAT(refusal("pair(99999999999,1)"), HasSubstr("a number such as 17"));
+  EXPECT_THAT(refusal(""), HasSubstr("was expected"));
+  EXPECT_THAT(refusal(std::string(5000, '(')), HasSubstr("nested too deeply"));
+  EXPECT_THAT(refusal(std::string(5000, '!')), HasSubstr("nested too deeply"));
+}
+
+}  // namespace
+}  // namespace kerf

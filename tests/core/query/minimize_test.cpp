@@ -1,0 +1,143 @@
+#include "core/query/minimize.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "core/broad_phase/bsp.h"
+#include "core/query/delta_debug.h"
+#include "tests/support/dimensions.h"
+#include "tests/support/pairs.h"
+#include "tests/support/recorded_crowd.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(DeltaDebug, LeavesWhatIsToBlame) {
+  std::vector<int> items(100);
+  std::iota(items.begin(), items.end(), 0);
+  std::size_t calls = 0;
+  const auto blames = [&](std::vector<int> guilty) {
+    return delta_debug(items, [&calls, guilty](const std::vector<int>& rest) {
+      ++calls;
+      return std::ranges::includes(rest, guilty);
+    });
+  };
+  EXPECT_THAT(blames({42}), ElementsAre(42));
+  EXPECT_LT(calls, 40U);
+  EXPECT_THAT(blames({3, 50, 99}), ElementsAre(3, 50, 99));
+  EXPECT_EQ(blames(items), items);
+  EXPECT_THAT(delta_debug(std::vector<int>{7}, [](const auto& /*rest*/) { return false; }), ElementsAre(7));
+}
+
+template <class T>
+class Minimize : public testing::Test {
+ protected:
+  static constexpr int kDimension = T::value;
+
+  Scenario<kDimension> crowd(VolumeKind kind = VolumeKind::box, std::uint32_t first = 0) {
+    const test::TemporaryRecording file;
+    test::record_crowd<kDimension>(file.path(), 40, test::busy_config(), test::busy_config(), kind);
+    Replayer<kDimension> replayer(std::make_shared<RecordingReader<kDimension>>(file.path()));
+    return scenario_of(replayer, first, 40);
+  }
+};
+TYPED_TEST_SUITE(Minimize, test::Dimensions, test::DimensionNames);
+
+/// The pairs after the last step.
+template <int D>
+std::vector<Pair> last_pairs(const Scenario<D>& scenario) {
+  Bsp<D> tree(scenario.info.config, scenario.info.volume);
+  for (const StepRequests<D>& step : scenario.steps) {
+    apply(step, tree);
+    tree.step();
+  }
+  return test::sorted(tree.pairs());
+}
+
+/// Who comes first moves, is broken, goes and comes again; what is left says only where the two are.
+TYPED_TEST(Minimize, APairNeedsTwoObjectsAndOneStep) {
+  constexpr int kD = TypeParam::value;
+  for (const VolumeKind kind : {VolumeKind::box, VolumeKind::sphere}) {
+    const Scenario<kD> whole = this->crowd(kind);
+    const Pair pair = last_pairs(whole).front();
+    const auto fails = [&](const Scenario<kD>& scenario) {
+      return std::ranges::binary_search(last_pairs(scenario), pair);
+    };
+    const Scenario<kD> small = minimize<kD>(whole, fails);
+    EXPECT_TRUE(fails(small));
+    EXPECT_EQ(small.steps.size(), 1U);
+    EXPECT_THAT(objects_of(small), ElementsAre(pair.a, pair.b));
+    EXPECT_LE(small.requests(), 4U);
+  }
+}
+
+/// A subset of objects has those pairs of the whole that it can have.
+TYPED_TEST(Minimize, LeavingOutObjectsKeepsThePairsOfTheOthers) {
+  constexpr int kD = TypeParam::value;
+  const Scenario<kD> whole = this->crowd();
+  std::vector<ObjectId> even;
+  for (const ObjectId object : objects_of(whole))
+    if (object.value % 2 == 0) even.push_back(object);
+  std::vector<Pair> expected;
+  for (const Pair& pair : last_pairs(whole))
+    if (pair.a.value % 2 == 0 && pair.b.value % 2 == 0) expected.push_back(pair);
+  EXPECT_FALSE(expected.empty());
+  EXPECT_TRUE(test::same_pairs(last_pairs(with_objects(whole, even)), expected));
+}
+
+TYPED_TEST(Minimize, StartingLateOrLeavingOutStepsEndsWithTheSamePairs) {
+  constexpr int kD = TypeParam::value;
+  const Scenario<kD> whole = this->crowd();
+  const auto expected = last_pairs(whole);
+  for (const std::uint32_t first : {1U, 5U, 17U, 39U, 40U}) {
+    const Scenario<kD> late = this->crowd(VolumeKind::box, first);
+    EXPECT_EQ(late.steps.size(), 41 - first);
+    EXPECT_TRUE(test::same_pairs(last_pairs(late), expected)) << first;
+  }
+  const Scenario<kD> few = with_steps(whole, {4, 5, 30, 39});
+  EXPECT_EQ(few.steps.size(), 4U);
+  EXPECT_TRUE(test::same_pairs(last_pairs(few), expected));
+}
+
+TYPED_TEST(Minimize, StartsAsLateAsItStillFails) {
+  constexpr int kD = TypeParam::value;
+  const test::TemporaryRecording file;
+  test::record_crowd<kD>(file.path(), 40, test::busy_config());
+  Replayer<kD> replayer(std::make_shared<RecordingReader<kD>>(file.path()));
+  const auto late =
+      start_late<kD>(replayer, 40, [](const Scenario<kD>& scenario) { return scenario.steps.size() >= 8; });
+  EXPECT_EQ(late.steps.size(), 9U);  // one in which all come, and the eight that were tried after four
+  const auto never = start_late<kD>(replayer, 40, [](const Scenario<kD>& /*any*/) { return false; });
+  EXPECT_EQ(never.steps.size(), 40U);
+}
+
+TYPED_TEST(Minimize, AnOperatorNeedsACrowd) {
+  constexpr int kD = TypeParam::value;
+  const auto splits = [](const Scenario<kD>& scenario) {
+    Bsp<kD> tree(scenario.info.config);
+    for (const StepRequests<kD>& step : scenario.steps) {
+      apply(step, tree);
+      tree.step();
+      if (tree.statistics().count(Operator::split) > 0) return true;
+    }
+    return false;
+  };
+  const Scenario<kD> whole = this->crowd();
+  ASSERT_TRUE(splits(whole));
+  const Scenario<kD> small = minimize<kD>(whole, splits);
+  EXPECT_TRUE(splits(small));
+  EXPECT_LT(small.requests(), whole.requests() / 10);
+  EXPECT_GT(objects_of(small).size(), 6U);  // fewer are never split
+  for (const ObjectId object : objects_of(small)) {
+    auto fewer = objects_of(small);
+    std::erase(fewer, object);
+    EXPECT_FALSE(splits(with_objects(small, fewer))) << "without object " << object.value;
+  }
+}
+
+}  // namespace
+}  // namespace kerf

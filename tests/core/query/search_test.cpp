@@ -1,0 +1,155 @@
+#include "core/query/search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/query/recorded_moment.h"
+#include "core/replay/cursor.h"
+#include "tests/support/dimensions.h"
+#include "tests/support/pairs.h"
+#include "tests/support/recorded_crowd.h"
+
+namespace kerf {
+namespace {
+
+template <class T>
+class SearchTest : public testing::Test {
+ protected:
+  static constexpr int kDimension = T::value;
+
+  SearchTest() {
+    test::record_crowd<kDimension>(file_.path(), 60, test::busy_config());
+    recording_ = std::make_shared<RecordingReader<kDimension>>(file_.path());
+  }
+
+  /// All moments forwards; backwards there must be the same.
+  std::vector<Position> find_all(const char* text) {
+    const Expression expression = Expression::parse(text);
+    Search<kDimension> search(recording_);
+    std::vector<Position> found;
+    for (auto at = search.forward(expression, Position::end_of(0)); at; at = search.forward(expression, *at))
+      found.push_back(*at);
+    std::vector<Position> back;
+    for (auto at = search.backward(expression, Position::end_of(61)); at;
+         at = search.backward(expression, *at))
+      back.push_back(*at);
+    std::ranges::reverse(back);
+    EXPECT_EQ(found, back) << text;
+    return found;
+  }
+
+  /// The moments at which `wanted(cursor)` holds, by going there; in steps or in events.
+  template <class Wanted>
+  std::vector<Position> walk(Granularity granularity, Wanted wanted) {
+    Cursor<kDimension> cursor(recording_);
+    std::vector<Position> found;
+    while (cursor.forward(granularity))
+      if (wanted(cursor)) found.push_back(cursor.position());
+    return found;
+  }
+
+  test::TemporaryRecording file_;
+  std::shared_ptr<RecordingReader<kDimension>> recording_;
+};
+TYPED_TEST_SUITE(SearchTest, test::Dimensions, test::DimensionNames);
+
+TYPED_TEST(SearchTest, OperatorsAtADepth) {
+  constexpr int kD = TypeParam::value;
+  const auto expected = this->walk(Granularity::op, [](const Cursor<kD>& cursor) {
+    const auto event = cursor.event();
+    const auto* acted = std::get_if<OperatorActed>(&event->body);
+    return acted != nullptr && acted->op == Operator::split &&
+           cursor.state().tree[acted->node.node].depth > 1;
+  });
+  EXPECT_GT(expected.size(), 3U);
+  EXPECT_EQ(this->find_all("kind==acted && op==split && depth>1"), expected);
+}
+
+TYPED_TEST(SearchTest, PlanesThatMoveAndNodesThatChange) {
+  constexpr int kD = TypeParam::value;
+  const auto moves = [](const Cursor<kD>& cursor) {
+    const auto event = cursor.event();
+    const auto* acted = event ? std::get_if<OperatorActed>(&event->body) : nullptr;
+    return acted != nullptr && acted->node.node == NodeId{0} && acted->op != Operator::merge &&
+           acted->op != Operator::swap;
+  };
+  const auto expected = this->walk(Granularity::op, moves);
+  EXPECT_GT(expected.size(), 0U);
+  EXPECT_EQ(this->find_all("plane(n0) moves"), expected);
+  EXPECT_GE(this->find_all("node(n0)").size(), expected.size());
+}
+
+TYPED_TEST(SearchTest, PairsThatEnterAndLeave) {
+  constexpr int kD = TypeParam::value;
+  Cursor<kD> cursor(this->recording_);
+  cursor.go_to_step(30);
+  ASSERT_FALSE(cursor.state().pairs.empty());
+  const Pair pair = cursor.state().pairs.front();
+  const std::string name = "pair(" + std::to_string(pair.a.value) + "," + std::to_string(pair.b.value) + ")";
+  std::vector<bool> is(61, false);
+  const auto present = this->walk(Granularity::step, [&](const Cursor<kD>& at) {
+    const auto pairs = test::sorted(at.state().pairs);
+    is[at.position().step] = std::ranges::binary_search(pairs, pair);
+    return is[at.position().step];
+  });
+  EXPECT_EQ(this->find_all(name.c_str()), present);
+  std::vector<Position> enters;
+  std::vector<Position> leaves;
+  for (std::uint32_t step = 1; step <= 60; ++step) {
+    if (is[step] && !is[step - 1]) enters.push_back(Position::end_of(step));
+    if (!is[step] && is[step - 1]) leaves.push_back(Position::end_of(step));
+  }
+  EXPECT_FALSE(enters.empty());
+  EXPECT_EQ(this->find_all((name + " enters").c_str()), enters);
+  EXPECT_EQ(this->find_all((name + " leaves").c_str()), leaves);
+}
+
+TYPED_TEST(SearchTest, FiguresOfSteps) {
+  const auto rows = this->recording_->rows();
+  const auto expected = [&](auto wanted) {
+    std::vector<Position> found;
+    for (const StepRow& row : rows)
+      if (wanted(row)) found.push_back(Position::end_of(row.step));
+    return found;
+  };
+  const auto redundant = expected([](const StepRow& row) { return row.statistics.redundancy > 0.3; });
+  EXPECT_FALSE(redundant.empty());
+  EXPECT_LT(redundant.size(), 60U);
+  EXPECT_EQ(this->find_all("redundancy>0.3"), redundant);
+  EXPECT_EQ(this->find_all("deferred>1"),
+            expected([](const StepRow& row) { return row.statistics.deferred > 1; }));
+  const double median = row_median(rows, Variable::step_time);
+  EXPECT_EQ(this->find_all("step_time>1.5*median"),
+            expected([&](const StepRow& row) { return row.seconds() > 1.5 * median; }));
+}
+
+TYPED_TEST(SearchTest, TheOracleFindsNothingMissedAndWhatIsPlantedInAnImport) {
+  constexpr int kD = TypeParam::value;
+  EXPECT_TRUE(this->find_all("missed>0 || extra>0 || twice>0").empty());
+  this->recording_.reset();
+  this->file_.change(
+      "INSERT INTO their_steps VALUES(17, 5, 1, 0, 2); UPDATE meta SET value='1' WHERE key='imported'");
+  this->recording_ = std::make_shared<RecordingReader<kD>>(this->file_.path());
+  EXPECT_EQ(this->find_all("missed>0"), std::vector{Position::end_of(17)});
+  EXPECT_EQ(this->find_all("twice==2"), std::vector{Position::end_of(17)});
+  EXPECT_TRUE(this->find_all("extra>0").empty());
+}
+
+TYPED_TEST(SearchTest, ObjectsThatMoveAndPhasesThatBegin) {
+  EXPECT_GT(this->find_all("object(3) moves").size(), 3U);
+  EXPECT_EQ(this->find_all("phase==sweep").size(), 60U);
+  EXPECT_EQ(this->find_all("phase==sweep && step>50").size(), 10U);
+  EXPECT_FALSE(this->find_all("kind==refused || kind==deferred").empty());
+}
+
+TYPED_TEST(SearchTest, CanBeStopped) {
+  Search<TypeParam::value> search(this->recording_);
+  std::uint32_t asked = 0;
+  const auto stop = [&](std::uint32_t /*step*/) { return ++asked < 5; };
+  EXPECT_EQ(search.forward(Expression::parse("missed>0"), Position::end_of(0), stop), std::nullopt);
+  EXPECT_EQ(asked, 5U);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,210 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+
+#include "core/recording/recording_reader.h"
+#include "tests/frames/program.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run_kerf;
+using testing::TemporaryFolder;
+
+/// A recording of 60 steps in which operators act.
+class QueryProgram : public ::testing::Test {
+ protected:
+  QueryProgram() { record("a", "min_threshold=4,max_threshold=8,schedule_interval=2"); }
+
+  void record(const std::string& name, const std::string& config) {
+    const Outcome outcome = run_kerf({"record", "pile", "-o", file(name), "--steps", "60", "--objects", "60",
+                                      "--grow", "30", "--config", config});
+    ASSERT_EQ(outcome.exit, 0) << outcome.err;
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return folder_.path() / (name + ".kerf"); }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(QueryProgram, StepsToWhereAConditionHolds) {
+  const Outcome forward = run_kerf({"step", file("a"), "--to", "op==split && kind==acted"});
+  ASSERT_EQ(forward.exit, 0) << forward.err;
+  EXPECT_THAT(forward.out, ::testing::ContainsRegex("^e[0-9]+ step [0-9]+ split n"));
+  EXPECT_THAT(forward.out, HasSubstr("state hash "));
+  const Outcome three = run_kerf({"step", file("a"), "--to", "op==split && kind==acted", "--hits", "3"});
+  EXPECT_TRUE(three.out.starts_with(forward.out));
+  EXPECT_EQ(std::ranges::count(three.out, '\n'), 9);
+  const std::string last_line = three.out.substr(three.out.rfind("\ne") + 1);
+  const std::string last = last_line.substr(0, last_line.find(' '));
+  const Outcome back = run_kerf(
+      {"step", file("a"), "--to", "op==split && kind==acted", "--from", last, "--reverse", "--hits", "2"});
+  EXPECT_THAT(back.out, ::testing::EndsWith(forward.out));  // the first is the second before the third
+}
+
+TEST_F(QueryProgram, SaysWhenThereIsNoSuchMomentAndWhatIsWrongWithACondition) {
+  const Outcome none = run_kerf({"step", file("a"), "--to", "missed>0"});
+  EXPECT_EQ(none.exit, 1);
+  EXPECT_THAT(none.err, HasSubstr("there is no such moment"));
+  const Outcome wrong = run_kerf({"step", file("a"), "--to", "redundncy>0.05"});
+  EXPECT_EQ(wrong.exit, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("'redundncy' is not known"));
+  EXPECT_EQ(run_kerf({"step", file("a"), "--to", "step>3", "--from", "61"}).exit, 2);
+  EXPECT_EQ(run_kerf({"step", file("a"), "--to", "step>3", "--hits", "0"}).exit, 2);
+  EXPECT_EQ(run_kerf({"step", file("b"), "--to", "step>3"}).exit, 1);
+}
+
+TEST_F(QueryProgram, ExplainsPairsNodesAndEvents) {
+  RecordingReader<2> recording(file("a"));
+  const Outcome node = run_kerf({"explain", file("a"), "--step", "50", "--node", "n0"});
+  EXPECT_EQ(node.exit, 0) << node.err;
+  EXPECT_THAT(node.out, HasSubstr("after step 50, n0"));
+  const Outcome event = run_kerf(
+      {"explain", file("a"), "--event", "e" + std::to_string(recording.events_of_node({0}).front())});
+  EXPECT_EQ(event.exit, 0) << event.err;
+  EXPECT_THAT(event.out, HasSubstr("n0 was a leaf that is crowded"));
+  const Outcome pair = run_kerf({"explain", file("a"), "--pair", "5,9"});
+  EXPECT_EQ(pair.exit, 0) << pair.err;
+  EXPECT_THAT(pair.out, HasSubstr("after step 60, 5 and 9 are"));
+  EXPECT_EQ(run_kerf({"explain", file("a"), "--pair", "5,5"}).exit, 2);
+  EXPECT_EQ(run_kerf({"explain", file("a"), "--pair", "5"}).exit, 2);
+  EXPECT_EQ(run_kerf({"explain", file("a")}).exit, 2);
+  EXPECT_EQ(run_kerf({"explain", file("a"), "--event", "e99999999"}).exit, 2);
+  EXPECT_EQ(run_kerf({"explain", file("a"), "--step", "99", "--node", "1"}).exit, 2);
+}
+
+TEST_F(QueryProgram, ComparesRuns) {
+  record("same", "min_threshold=4,max_threshold=8,schedule_interval=2");
+  record("other", "min_threshold=4,max_threshold=8,schedule_interval=2,min_balance=0.3");
+  EXPECT_EQ(run_kerf({"compare", file("a"), file("same")}).exit, 0);
+  const Outcome differs = run_kerf({"compare", file("a"), file("other"), "--json"});
+  EXPECT_EQ(differs.exit, 1);
+  const auto json = nlohmann::json::parse(differs.out);
+  EXPECT_FALSE(json["same"]);
+  EXPECT_TRUE(
+      json["first_different"]["requests"].is_null());  // exact pairs lead to the same run of the scene
+  EXPECT_TRUE(json["first_different"]["pairs"].is_null());
+  EXPECT_GT(json["first_different"]["events"], 0);
+  EXPECT_THAT(run_kerf({"compare", file("a"), file("other")}).out,
+              HasSubstr("events     differ first in step"));
+}
+
+/// The same boxes with another rule: other operators, the same pairs. With the same rule: the same run.
+TEST_F(QueryProgram, RunsAgainWithAnotherConfiguration) {
+  ASSERT_EQ(run_kerf({"rerun", file("a"), "-o", file("b"), "--config", "min_balance=0.3"}).exit, 0);
+  ASSERT_EQ(run_kerf({"rerun", file("a"), "-o", file("c")}).exit, 0);
+  EXPECT_EQ(run_kerf({"compare", file("a"), file("c")}).exit, 0);
+  const auto json = nlohmann::json::parse(run_kerf({"compare", file("a"), file("b"), "--json"}).out);
+  EXPECT_TRUE(json["first_different"]["requests"].is_null());
+  EXPECT_TRUE(json["first_different"]["pairs"].is_null());
+  EXPECT_FALSE(json["first_different"]["events"].is_null());
+  EXPECT_EQ(run_kerf({"verify", file("b")}).exit, 0);
+  EXPECT_EQ(run_kerf({"rerun", file("a"), "-o", file("a"), "--overwrite"}).exit, 2);
+  EXPECT_EQ(run_kerf({"rerun", file("a"), "-o", file("d"), "--config", "min_balnce=0.3"}).exit, 2);
+}
+
+TEST_F(QueryProgram, ExportsATimelineAndTables) {
+  const Outcome trace = run_kerf({"export", file("a"), "--chrome-trace", "-o", path("trace.json")});
+  ASSERT_EQ(trace.exit, 0) << trace.err;
+  const auto json = testing::read_json(path("trace.json"));
+  std::map<std::string, int> kinds;
+  for (const auto& event : json["traceEvents"]) ++kinds[event["ph"]];
+  EXPECT_EQ(kinds["X"], 60 * 6);
+  EXPECT_EQ(kinds["C"], 60 * 4);
+  EXPECT_GT(kinds["i"], 5);
+  const Outcome csv = run_kerf({"export", file("a"), "--csv"});
+  EXPECT_EQ(std::ranges::count(csv.out, '\n'), 61);
+  EXPECT_EQ(run_kerf({"export", file("a")}).exit, 2);
+  EXPECT_EQ(run_kerf({"export", file("a"), "--csv", "-o", path("no/such.csv")}).exit, 1);
+}
+
+/// Its own boxes, exported and imported, make the same run.
+TEST_F(QueryProgram, WhatIsExportedCanBeImported) {
+  ASSERT_EQ(run_kerf({"export", file("a"), "--boxes", "-o", path("boxes.csv")}).exit, 0);
+  const Outcome imported =
+      run_kerf({"import", path("boxes.csv"), "-o", file("b"), "--config",
+                "free_directions=0,min_threshold=4,max_threshold=8,schedule_interval=2"});
+  ASSERT_EQ(imported.exit, 0) << imported.err;
+  const RecordingReader<2> a(file("a"));
+  const RecordingReader<2> b(file("b"));
+  ASSERT_EQ(a.steps(), b.steps());
+  for (std::uint32_t step = 1; step <= a.steps(); ++step)
+    ASSERT_EQ(a.row(step).pairs_hash, b.row(step).pairs_hash);
+  EXPECT_TRUE(b.info().imported);
+}
+
+TEST_F(QueryProgram, TheirMissedExtraAndRepeatedPairsAreFound) {
+  std::ofstream(path("boxes.csv")) << "step,object,min_x,max_x,min_y,max_y\n"
+                                      "10,0,0,1,0,1\n10,1,1,2,0,1\n10,2,5,6,5,6\n"
+                                      "11,2,0.5,1.5,0.5,1.5\n"
+                                      "13,1,,,,\n";
+  std::ofstream(path("pairs.csv")) << "10,0,1\n"
+                                      "11,1,0\n11,0,1\n11,1,2\n"  // twice, and 0-2 is missed
+                                      "12,0,1\n12,0,2\n12,1,2\n"
+                                      "13,0,2\n13,1,2\n";  // 1 is gone
+  const Outcome imported =
+      run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("b")});
+  ASSERT_EQ(imported.exit, 0) << imported.err;
+  EXPECT_THAT(imported.out, HasSubstr("9 told, 1 missed, 1 extra, 1 twice"));
+  EXPECT_THAT(imported.out, HasSubstr("first wrong in step 2"));
+  EXPECT_THAT(run_kerf({"step", file("b"), "--to", "missed>0"}).out, ::testing::StartsWith("step 2\n"));
+  EXPECT_THAT(run_kerf({"step", file("b"), "--to", "extra>0"}).out, ::testing::StartsWith("step 4\n"));
+  const Outcome verified = run_kerf({"verify", file("b")});
+  EXPECT_EQ(verified.exit, 0) << verified.err;
+  EXPECT_THAT(verified.out, HasSubstr("theirs: 9 pairs, 1 missed, 1 extra, 1 twice"));
+  const Outcome why = run_kerf({"explain", file("b"), "--step", "2", "--pair", "0,2"});
+  EXPECT_THAT(why.out, HasSubstr("0 and 2 are a pair: their boxes overlap"));
+  EXPECT_THAT(why.out, HasSubstr("the other engine missed it"));
+}
+
+TEST_F(QueryProgram, MistakesInAnImportAreNamedByTheirLine) {
+  const auto refusal = [&](const std::string& text) {
+    std::ofstream(path("boxes.csv")) << text;
+    const Outcome outcome = run_kerf({"import", path("boxes.csv"), "-o", file("b"), "--overwrite"});
+    EXPECT_EQ(outcome.exit, 2) << text;
+    return outcome.err;
+  };
+  EXPECT_THAT(refusal("1,0,0,1,0,1\n1,0,0,1\n"), HasSubstr("boxes.csv, line 2"));
+  EXPECT_THAT(refusal("2,0,0,1,0,1\n1,0,0,1,0,1\n"), HasSubstr("step 1 comes after step 2"));
+  EXPECT_THAT(refusal("1,0,0,one,0,1\n"), HasSubstr("'one' in column 4"));
+  EXPECT_THAT(refusal("1,-1,0,1,0,1\n"), HasSubstr("no whole number from 0"));
+  EXPECT_THAT(refusal("1,0\n"), HasSubstr("6 columns in 2D and 8 in 3D"));
+  EXPECT_THAT(refusal("1,0,,,,\n"), HasSubstr("goes, but is not there"));
+  EXPECT_THAT(refusal("# nothing\n"), HasSubstr("has no boxes"));
+  EXPECT_EQ(run_kerf({"import", path("none.csv"), "-o", file("c")}).exit, 1);
+}
+
+TEST_F(QueryProgram, MinimizesToARecordingAPictureAndATest) {
+  const Outcome outcome =
+      run_kerf({"minimize", file("a"), "--when", "op==split && kind==acted", "-o", file("small")});
+  ASSERT_EQ(outcome.exit, 0) << outcome.err;
+  const RecordingReader<2> whole(file("a"));
+  const RecordingReader<2> small(file("small"));
+  EXPECT_LT(small.steps(), 5U);
+  EXPECT_LT(small.rows().back().statistics.objects, whole.rows().back().statistics.objects);
+  EXPECT_EQ(run_kerf({"verify", file("small")}).exit, 0);
+  EXPECT_EQ(run_kerf({"step", file("small"), "--to", "op==split && kind==acted"}).exit, 0);
+  EXPECT_GT(std::filesystem::file_size(path("small.png")), 1000U);
+  const std::string test = testing::read_text(path("small.cpp"));
+  EXPECT_THAT(test, HasSubstr("op==split && kind==acted"));
+  EXPECT_THAT(test,
+              HasSubstr("EXPECT_EQ(tree.state_hash(), 0x" + to_hex(small.rows().back().state_hash) + "U);"));
+  EXPECT_EQ(run_kerf({"minimize", file("a"), "--when", "missed>0", "-o", file("none")}).exit, 1);
+  const Outcome timed = run_kerf({"minimize", file("a"), "--when", "step_time>2*median", "-o", file("none")});
+  EXPECT_EQ(timed.exit, 2);
+  EXPECT_THAT(timed.err, HasSubstr("times differ from run to run"));
+}
+
+TEST_F(QueryProgram, DrawsTheMomentThatItFinds) {
+  const Outcome outcome = run_kerf({"step", file("a"), "--to", "step==40", "--picture", path("40.png")});
+  EXPECT_EQ(outcome.exit, 0) << outcome.err;
+  EXPECT_GT(std::filesystem::file_size(path("40.png")), 1000U);
+}
+
+}  // namespace
+}  // namespace kerf

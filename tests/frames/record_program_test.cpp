@@ -1,0 +1,112 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "core/recording/recording_reader.h"
+#include "tests/frames/program.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::kerf_command;
+using testing::Outcome;
+using testing::Process;
+using testing::run_kerf;
+using testing::TemporaryFolder;
+
+TEST(RecordProgram, RecordsAndVerifiesScenesOfBothDimensions) {
+  for (const char* const scene : {"pile", "terrain"}) {
+    const TemporaryFolder folder;
+    const std::string file = folder.path() / "a.kerf";
+    const Outcome recorded = run_kerf({"record", scene, "-o", file, "--steps", "40", "--objects", "60",
+                                       "--grow", "20", "--config", "min_threshold=4,max_threshold=8"});
+    ASSERT_EQ(recorded.exit, 0) << recorded.err;
+    EXPECT_THAT(recorded.out, HasSubstr("40 steps"));
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"a.kerf"});
+    const Outcome verified = run_kerf({"verify", file, "--timings"});
+    EXPECT_EQ(verified.exit, 0) << verified.err;
+    EXPECT_THAT(verified.out, HasSubstr("every event, state hash, keyframe and set of pairs is as recorded"));
+    EXPECT_THAT(verified.out, HasSubstr("oracle: 0 missed, 0 extra, 0 twice"));
+    EXPECT_THAT(verified.out, HasSubstr("one step back: median"));
+  }
+}
+
+TEST(RecordProgram, RenderingRecordsTheSameRun) {
+  const TemporaryFolder folder;
+  const std::string alone = folder.path() / "alone.kerf";
+  const std::string beside = folder.path() / "beside.kerf";
+  const std::vector<std::string> scene{"--objects", "40", "--grow", "20", "--seed", "3"};
+  std::vector<std::string> record{"record", "pile", "-o", alone, "--steps", "30"};
+  std::vector<std::string> render{"render",  "pile",   "--record", beside,  "--steps",
+                                  "1:30:10", "--size", "160x120",  "--out", folder.path() / "frames"};
+  record.insert(record.end(), scene.begin(), scene.end());
+  render.insert(render.end(), scene.begin(), scene.end());
+  ASSERT_EQ(run_kerf(record).exit, 0);
+  const Outcome rendered = run_kerf(render);
+  ASSERT_EQ(rendered.exit, 0) << rendered.err;
+  const RecordingReader<2> one(alone);
+  const RecordingReader<2> other(beside);
+  ASSERT_EQ(one.steps(), 30U);
+  ASSERT_EQ(other.steps(), 30U);
+  EXPECT_TRUE(other.info().complete);
+  for (std::uint32_t step = 1; step <= 30; ++step)
+    EXPECT_EQ(one.row(step).state_hash, other.row(step).state_hash) << "in step " << step;
+}
+
+TEST(RecordProgram, ReplacesRecordingsOnlyWhenAskedAndNothingElseEver) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "a.kerf";
+  const std::vector<std::string> command{"record", "pile", "-o", file, "--steps", "2"};
+  std::vector<std::string> forced = command;
+  forced.emplace_back("--overwrite");
+  EXPECT_EQ(run_kerf(command).exit, 0);
+  const Outcome refused = run_kerf(command);
+  EXPECT_EQ(refused.exit, 2);
+  EXPECT_THAT(refused.err, HasSubstr("replace it with --overwrite"));
+  EXPECT_EQ(run_kerf(forced).exit, 0);
+  std::ofstream(file) << "a letter";
+  const Outcome protected_file = run_kerf(forced);
+  EXPECT_EQ(protected_file.exit, 2);
+  EXPECT_THAT(protected_file.err, HasSubstr("is no recording"));
+  EXPECT_EQ(testing::read_text(file), "a letter");
+}
+
+TEST(RecordProgram, InterruptedOrKilledItLeavesWhatWasDone) {
+  for (const int signal : {SIGINT, SIGKILL}) {
+    const TemporaryFolder folder;
+    const std::string file = folder.path() / "a.kerf";
+    Process process(kerf_command({"record", "pile", "-o", file, "--steps", "900000", "--objects", "30"}));
+    const auto enough = [&] {
+      return std::filesystem::exists(file + "-wal") && std::filesystem::file_size(file + "-wal") > 200'000;
+    };
+    for (int wait = 0; wait < 500 && !enough(); ++wait)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    process.signal(signal);
+    EXPECT_EQ(process.wait().exit, signal == SIGINT ? 130 : 128 + SIGKILL);
+    const Outcome verified = run_kerf({"verify", file, "--oracle-every", "0"});
+    EXPECT_EQ(verified.exit, 0) << verified.err;
+    EXPECT_EQ(RecordingReader<2>(file).info().complete, signal == SIGINT);
+    EXPECT_GT(RecordingReader<2>(file).steps(), 10U);
+  }
+}
+
+TEST(RecordProgram, BadInputIsNamed) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "a.kerf";
+  EXPECT_THAT(run_kerf({"record", "pile", "-o", file, "--steps", "1:10:2"}).err, HasSubstr("every step"));
+  EXPECT_THAT(run_kerf({"record", "pil", "-o", file}).err, HasSubstr("did you mean 'pile'"));
+  EXPECT_EQ(run_kerf({"record", "pile"}).exit, 2);
+  const Outcome missing = run_kerf({"verify", file});
+  EXPECT_EQ(missing.exit, 1);
+  EXPECT_THAT(missing.err, HasSubstr("there is no recording"));
+  const Outcome nowhere = run_kerf({"record", "pile", "-o", folder.path() / "no/folder/a.kerf"});
+  EXPECT_EQ(nowhere.exit, 1);
+  EXPECT_THAT(nowhere.err, HasSubstr("cannot open"));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,62 @@
+#include "tests/support/recorded_crowd.h"
+
+#include <sqlite3.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "tests/support/config_of.h"
+
+namespace kerf::test {
+
+TemporaryRecording::TemporaryRecording() {
+  std::string name = (std::filesystem::temp_directory_path() / "kerf-recording-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+  folder_ = name;
+}
+
+TemporaryRecording::~TemporaryRecording() { std::filesystem::remove_all(folder_); }
+
+void TemporaryRecording::change(const std::string& sql) const {
+  sqlite3* database = nullptr;
+  if (sqlite3_open(path().c_str(), &database) != SQLITE_OK ||
+      sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
+    throw std::runtime_error(sqlite3_errmsg(database));
+  sqlite3_close(database);
+}
+
+Config busy_config() {
+  return config_of(
+      "directions=24,min_threshold=6,max_threshold=10,schedule_interval=2,max_redundancy=0.2,repair_"
+      "redundancy=0.3");
+}
+
+template <int D>
+RecordingInfo info_of(const Config& config, VolumeKind volume) {
+  RecordingInfo info;
+  info.dimension = D;
+  info.config = config;
+  info.volume = volume;
+  info.scene = "crowd";
+  return info;
+}
+
+template <int D>
+void record_crowd(const std::filesystem::path& path, std::uint32_t steps, const Config& config,
+                  const Config& told, VolumeKind volume) {
+  Bsp<D, EventLog> tree(config, volume);
+  Recorder<D> recorder(tree, path, info_of<D>(told, volume));
+  play_crowd<D>(recorder, steps, 1, [&](std::uint32_t step) {
+    if (step % 2 == 0) (void)tree.trace().take();  // whoever takes events, and when, is no matter
+  });
+  recorder.finish();
+}
+
+template RecordingInfo info_of<2>(const Config&, VolumeKind);
+template RecordingInfo info_of<3>(const Config&, VolumeKind);
+template void record_crowd<2>(const std::filesystem::path&, std::uint32_t, const Config&, const Config&,
+                              VolumeKind);
+template void record_crowd<3>(const std::filesystem::path&, std::uint32_t, const Config&, const Config&,
+                              VolumeKind);
+
+}  // namespace kerf::test
