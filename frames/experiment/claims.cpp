@@ -163,21 +163,26 @@ double first_fracture(const ExperimentRun& run) {
   return static_cast<double>(grown - run.begin()) / static_cast<double>(run.size());
 }
 
-double candidates_of_an_object(const ExperimentRun& run, std::string_view name, double begin, double end) {
-  const auto at = static_cast<std::size_t>(begin * static_cast<double>(run.size()));
-  const auto last = std::max(at + 1, static_cast<std::size_t>(end * static_cast<double>(run.size())));
+/// Pairs delivered, over moving objects, between two parts of the run.
+double pairs_of_an_object(const ExperimentRun& run, double begin, double end) {
+  const auto first = static_cast<std::size_t>(begin * static_cast<double>(run.size()));
+  const auto last = std::max(first + 1, static_cast<std::size_t>(end * static_cast<double>(run.size())));
+  double pairs = 0;
   double objects = 0;
-  for (std::size_t k = at; k < last; ++k) objects += run[k].moving;
-  return means_of(run, name, begin, end).candidates * static_cast<double>(last - at) / objects;
+  for (std::size_t k = first; k < last; ++k) {
+    pairs += static_cast<double>(run[k].pairs);
+    objects += run[k].moving;
+  }
+  return pairs / objects;
 }
 
 void judge_fracture(const ExperimentRuns& runs, std::vector<Verdict>& verdicts) {
   const Judge judge(3, runs);
   const double broken = std::min(0.8, first_fracture(judge.run()) + 0.05);
-  const double early = candidates_of_an_object(judge.run(), kBsp, broken, broken + 0.1);
-  const double late = candidates_of_an_object(judge.run(), kBsp, 0.8, 1);
+  const double early = pairs_of_an_object(judge.run(), broken, broken + 0.1);
+  const double late = pairs_of_an_object(judge.run(), 0.8, 1);
   verdicts.push_back(judge.verdict("collision pairs decrease after the fractures", late < early,
-                                   "the BSP's candidates for each object: " + number(early) +
+                                   "pairs for each object: " + number(early) +
                                        " when blocks have just broken, " + number(late) + " at the end",
                                    "the attractor keeps the fragments as near each other as they were"));
   verdicts.push_back(judge.verdict("SH and SP are not as fast as QT and BSP",
