@@ -3,27 +3,36 @@
 #include <xxhash.h>
 
 #include <bit>
-#include <vector>
+#include <memory>
 
 namespace kerf {
 namespace {
 
-/// Numbers one after another; structs are never hashed whole, since their padding says nothing.
+/// Numbers one after another, no more than were announced; structs are never hashed whole, since their
+/// padding says nothing.
 class Words {
  public:
-  explicit Words(std::size_t expected) { words_.reserve(expected); }
-  void add(std::uint64_t word) { words_.push_back(word); }
+  explicit Words(std::size_t most) : words_(std::make_unique_for_overwrite<std::uint64_t[]>(most)) {}
+  void add(std::uint64_t word) { words_[size_++] = word; }
   void add(Scalar x, Scalar y) {
     add((std::uint64_t{std::bit_cast<std::uint32_t>(x)} << 32U) | std::bit_cast<std::uint32_t>(y));
   }
   void add(std::uint32_t x, std::uint32_t y) { add((std::uint64_t{x} << 32U) | y); }
-  [[nodiscard]] std::uint64_t hash() const {
-    return XXH3_64bits(words_.data(), words_.size() * sizeof(words_[0]));
-  }
+  [[nodiscard]] std::uint64_t hash() const { return XXH3_64bits(words_.get(), size_ * sizeof(words_[0])); }
 
  private:
-  std::vector<std::uint64_t> words_;
+  std::unique_ptr<std::uint64_t[]> words_;
+  std::size_t size_ = 0;
 };
+
+/// As many words as a tree can give: see `add_node` and `hash`.
+template <int D>
+std::size_t most_words(const Tree<D>& tree) {
+  const auto extra = static_cast<std::size_t>(extra_size<D>(tree.table.kind()));
+  std::size_t most = (1 + D + extra) * tree.table.bound();
+  for_each_node(tree, tree.root(), [&](NodeId id) { most += 4 + 3 * tree[id].entries.size(); });
+  return most;
+}
 
 template <int D>
 void add_node(Words& words, const Tree<D>& tree, NodeId id) {
@@ -47,7 +56,7 @@ void add_node(Words& words, const Tree<D>& tree, NodeId id) {
 
 template <int D>
 std::uint64_t hash(const Tree<D>& tree) {
-  Words words(4 * tree.entries() + 5 * tree.slots() + (D + 1) * tree.table.bound());
+  Words words(most_words(tree));
   for_each_node(tree, tree.root(), [&](NodeId id) { add_node(words, tree, id); });
   for (std::uint32_t id = 0; id < tree.table.bound(); ++id) {
     const ObjectId object{id};
