@@ -92,6 +92,7 @@ class Report {
 
   void run() {
     require_gnuplot();
+    make_writable_folder(std::filesystem::absolute(request_.out).parent_path());
     measure();
     write_file_atomically(request_.out, page().html());
     std::printf("%s\n", std::filesystem::absolute(request_.out).c_str());

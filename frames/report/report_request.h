@@ -10,7 +10,7 @@ namespace kerf {
 /// The options of `kerf report` as the user typed them; empty: not given.
 struct ReportTexts {
   std::vector<std::string> sections;
-  std::string out = "report.html";
+  std::string out = "out/report.html";
   std::string hardcases = "out/hardcases";
   std::string objects;
   std::string steps;

@@ -137,6 +137,12 @@ TEST(ReportProgram, SaysWhatIsMissingForPlots) {
   EXPECT_THAT(outcome.err, HasSubstr("gnuplot-nox"));
 }
 
+TEST(ReportProgram, SaysWhereItCannotWrite) {
+  const Outcome outcome = run_kerf({"report", "volumes", "--out", "/proc/nowhere/page.html"});
+  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_THAT(outcome.err, HasSubstr("/proc/nowhere"));
+}
+
 struct Mistake {
   const char* name;
   std::vector<std::string> arguments;
