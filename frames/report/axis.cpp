@@ -52,18 +52,18 @@ double Axis::share(double value) const {
 
 /// Powers of ten, and more of each the fewer there are.
 std::string Axis::log_tics() const {
-  std::string tics = has_zero_ ? "\"0\" " + number_text(zero_) : "";
+  std::string tics = has_zero_ ? "\"0\" " + plot_number(zero_) : "";
   for (int power = static_cast<int>(std::floor(std::log10(low_))); std::pow(10, power) <= high_; ++power)
     for (const double digit : digits_for(std::log10(high_ / low_))) {
-      const double at = std::stod(number_text(digit) + "e" + std::to_string(power));
+      const double at = std::stod(plot_number(digit) + "e" + std::to_string(power));
       if (at < first_tic_ || at > high_) continue;
-      tics += (tics.empty() ? "" : ", ") + in_quotes(number_text(at)) + " " + number_text(at);
+      tics += (tics.empty() ? "" : ", ") + in_quotes(plot_number(at)) + " " + plot_number(at);
     }
   return tics;
 }
 
 std::string Axis::script(const std::string& axis) const {
-  std::string text = "set " + axis + "range [" + number_text(low_) + ":" + number_text(high_) + "]\n";
+  std::string text = "set " + axis + "range [" + plot_number(low_) + ":" + plot_number(high_) + "]\n";
   if (log_) text += "set logscale " + axis + "\nset " + axis + "tics (" + log_tics() + ")\n";
   return text;
 }

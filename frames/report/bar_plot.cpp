@@ -20,7 +20,7 @@ std::string data_block(const BarPlot& plot) {
     std::array<char, 32> text{};
     const double value = plot.bars[k].value;
     std::snprintf(text.data(), text.size(), value < 100 ? "%.3g" : "%.0f", value);
-    data += std::to_string(k) + " " + number_text(plot.bars[k].value) + " " + text.data() + "\n";
+    data += std::to_string(k) + " " + plot_number(plot.bars[k].value) + " " + text.data() + "\n";
   }
   return data + "EOD\n";
 }
@@ -38,7 +38,7 @@ std::string draw(const BarPlot& plot, std::string_view id) {
   const std::string script =
       frame_script(plot.title, plot.x_label) +
       "unset key\nunset grid\nset lmargin at screen 0.27\nset rmargin at screen 0.97\nset yrange [" +
-      std::to_string(plot.bars.size()) + ":-1]\nset xrange [0:" + number_text(end) +
+      std::to_string(plot.bars.size()) + ":-1]\nset xrange [0:" + plot_number(end) +
       "]\nset style fill solid 0.85 noborder\nset ytics scale 0 " + names_as_tics(names) + "\n" +
       data_block(plot) + "plot $bars using ($2/2):1:(0):2:($1-0.36):($1+0.36) with boxxyerror lc rgb " +
       series_color(0) + ", $bars using 2:1:3 with labels left offset 0.5,0";

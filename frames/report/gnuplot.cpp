@@ -66,7 +66,7 @@ std::string in_quotes(std::string_view text) {
   return result + "\"";
 }
 
-std::string number_text(double x) {
+std::string plot_number(double x) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }

@@ -8,7 +8,7 @@ namespace kerf {
 /// A text as gnuplot has it, in quotes.
 std::string in_quotes(std::string_view text);
 /// The shortest text that gives the number back.
-std::string number_text(double x);
+std::string plot_number(double x);
 
 /// Throws std::runtime_error, saying what to install, if there is no gnuplot: before hours are spent on
 /// figures that nobody can draw.

@@ -22,8 +22,8 @@ std::string data_of(const HeatMap& map, int kind) {
 }
 
 std::string axes_script(const HeatMap& map, int width, int height) {
-  const std::string last_column = number_text(static_cast<double>(map.columns.size()) - 0.5);
-  const std::string last_row = number_text(static_cast<double>(map.rows.size()) - 0.5);
+  const std::string last_column = plot_number(static_cast<double>(map.columns.size()) - 0.5);
+  const std::string last_row = plot_number(static_cast<double>(map.rows.size()) - 0.5);
   return "set lmargin" + at_pixel(kNames, width) + "\nset rmargin" + at_pixel(width - kKey, width) +
          "\nset tmargin" + at_pixel(height - kHeads, height) + "\nset bmargin" + at_pixel(kFoot, height) +
          "\nset xrange [-0.5:" + last_column + "]\nset x2range [-0.5:" + last_column + "]\nset yrange [" +

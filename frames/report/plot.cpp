@@ -64,7 +64,7 @@ std::string labels_script(const Plot& plot, const Axes& axes) {
   for (std::size_t k = 0; k < wishes.size(); ++k)
     if (places[k])
       script += "set label " + in_quotes(wishes[k].text) + at_pixel(places[k]->x, kWidth) + ", screen " +
-                number_text(1 - places[k]->y / kHeight) + " left font ',11' front\n";
+                plot_number(1 - places[k]->y / kHeight) + " left font ',11' front\n";
   return script;
 }
 
@@ -73,7 +73,7 @@ std::string data_block(const std::string& name, const PlotSeries& series, const 
   std::string block = "$" + name + " << EOD\n";
   for (const PlotPoint& point : series.points)
     if (!only_marked || point.marked)
-      block += number_text(axes.x.place(point.x)) + " " + number_text(axes.y.place(point.y)) + "\n";
+      block += plot_number(axes.x.place(point.x)) + " " + plot_number(axes.y.place(point.y)) + "\n";
   return block + "EOD\n";
 }
 

@@ -15,7 +15,7 @@ std::string series_color(std::size_t k) {
   return text.data();
 }
 
-std::string at_pixel(double pixels, double of) { return " at screen " + number_text(pixels / of); }
+std::string at_pixel(double pixels, double of) { return " at screen " + plot_number(pixels / of); }
 
 std::string frame_script(const std::string& title, const std::string& x_label) {
   return "set title " + in_quotes(title) + "\nset xlabel " + in_quotes(x_label) +
