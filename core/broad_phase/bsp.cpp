@@ -107,6 +107,7 @@ Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<con
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::move(ObjectId object, const Volume<D>& volume) {
+  if (latest_.kind() == VolumeKind::box && volume.kind == VolumeKind::box) return move(object, volume.box);
   return note(object, latest_.move(object, volume));
 }
 

@@ -85,6 +85,29 @@ TYPED_TEST(Bsp, ThreadsTakeRequestsAsOneAfterAnotherWould) {
   }
 }
 
+/// Engines give volumes. Of boxes those are the boxes, also for who stays in its fat one.
+TYPED_TEST(Bsp, AVolumeThatIsABoxMovesAsTheBoxDoes) {
+  constexpr int kD = TypeParam::value;
+  Random random(5);
+  kerf::Bsp<kD> by_boxes(tuned_config());
+  kerf::Bsp<kD> by_volumes(tuned_config());
+  for (std::uint32_t id = 0; id < 100; ++id) {
+    ASSERT_EQ(by_boxes.insert({id}, slab<kD>(0, 1), Mobility::moving), Status::ok);
+    ASSERT_EQ(by_volumes.insert({id}, slab<kD>(0, 1), Mobility::moving), Status::ok);
+  }
+  for (int step = 0; step < 60; ++step) {
+    for (std::uint32_t id = 0; id < 100; ++id) {
+      const auto place = static_cast<Scalar>(id + 0.02 * random.uniform(-1, 1));
+      ASSERT_EQ(by_boxes.move({id}, slab<kD>(place, place + 1)), Status::ok);
+      ASSERT_EQ(by_volumes.move({id}, make_box_volume(slab<kD>(place, place + 1))), Status::ok);
+    }
+    by_boxes.step();
+    by_volumes.step();
+    ASSERT_EQ(by_volumes.statistics().placed, by_boxes.statistics().placed) << "step " << step;
+    ASSERT_EQ(by_volumes.state_hash(), by_boxes.state_hash()) << "step " << step;
+  }
+}
+
 TYPED_TEST(Bsp, AnswersBadRequestsAndForgetsThem) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD> tree;
