@@ -49,7 +49,7 @@ void set_pose(dBodyID body, const Pose<3>& pose) {
                    static_cast<double>(pose.position[2]));
 }
 
-void set_motion(dBodyID body, const Motion& motion) {
+void set_motion(dBodyID body, const Twist& motion) {
   dBodySetLinearVel(body, static_cast<double>(motion.linear[0]), static_cast<double>(motion.linear[1]),
                     static_cast<double>(motion.linear[2]));
   dBodySetAngularVel(body, static_cast<double>(motion.angular[0]), static_cast<double>(motion.angular[1]),
@@ -88,7 +88,7 @@ ObjectId World::add_fixed(const Shape<3>& shape, const Vector<3>& position) {
   return add(std::move(geom), nullptr, shape, Mobility::fixed);
 }
 
-ObjectId World::add_moving(const Shape<3>& shape, const Pose<3>& pose, const Motion& motion) {
+ObjectId World::add_moving(const Shape<3>& shape, const Pose<3>& pose, const Twist& motion) {
   const auto lock = library_.enter();
   Geom geom = make_geom(shape);
   const dMass mass = make_mass(shape, settings_.density);
@@ -118,7 +118,7 @@ dBodyID World::moving_body(ObjectId object) const {
   return rigid_[object.index()].get();
 }
 
-void World::place(ObjectId object, const Vector<3>& position, const Motion& motion) {
+void World::place(ObjectId object, const Vector<3>& position, const Twist& motion) {
   dBodyID body = moving_body(object);
   const auto lock = library_.enter();
   dBodySetPosition(body, static_cast<double>(position[0]), static_cast<double>(position[1]),
@@ -156,11 +156,11 @@ void World::set_max_speed(ObjectId object, double speed) {
   max_speeds_[object.index()] = speed;
 }
 
-Motion World::motion_of(ObjectId object) const {
+Twist World::twist_of(ObjectId object) const {
   const dBodyID body = moving_body(object);
   const dReal* linear = dBodyGetLinearVel(body);
   const dReal* angular = dBodyGetAngularVel(body);
-  Motion motion;
+  Twist motion;
   for (int i = 0; i < 3; ++i) {
     motion.linear[i] = static_cast<Scalar>(linear[i]);
     motion.angular[i] = static_cast<Scalar>(angular[i]);

@@ -26,8 +26,8 @@ struct WorldSettings {
   SleepRule sleep;
 };
 
-/// How an object moves when it comes into the world.
-struct Motion {
+/// How an object moves: its velocity and its turning.
+struct Twist {
   Vector<3> linear;   ///< units a second
   Vector<3> angular;  ///< radians a second
 };
@@ -54,13 +54,13 @@ class World {
   /// shape that `make_geom` refuses, std::runtime_error if the broad phase refuses the object.
   ObjectId add_fixed(const Shape<3>& shape, const Vector<3>& position);
   /// Adds a ball or brick; throws as `add_fixed` does.
-  ObjectId add_moving(const Shape<3>& shape, const Pose<3>& pose, const Motion& motion);
+  ObjectId add_moving(const Shape<3>& shape, const Pose<3>& pose, const Twist& motion);
 
   // What follows takes effect in the next `advance()` and throws std::invalid_argument for anything but a
   // moving object.
 
   /// Puts an object somewhere else, awake.
-  void place(ObjectId object, const Vector<3>& position, const Motion& motion);
+  void place(ObjectId object, const Vector<3>& position, const Twist& motion);
   /// Accelerates an object for one step, besides gravity and contacts: units a second squared.
   void push(ObjectId object, const Vector<3>& acceleration);
   /// Gives an object another shape, of the world's density, in the same place and motion; wakes it. Throws as
@@ -69,7 +69,7 @@ class World {
   /// Gives an object a terminal speed of its own, in units a second.
   void set_max_speed(ObjectId object, double speed);
   /// How an object moves after the last step of dynamics.
-  [[nodiscard]] Motion motion_of(ObjectId object) const;
+  [[nodiscard]] Twist twist_of(ObjectId object) const;
 
   /// One step. Throws std::runtime_error if a body's pose or velocity is no longer finite, if the broad phase
   /// refuses a box or names an object that does not exist, or if ODE reports an error; std::bad_alloc if

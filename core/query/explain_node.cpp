@@ -10,8 +10,8 @@ namespace kerf {
 namespace {
 
 template <int D>
-std::vector<HalfSpace<D>> path_to(const Tree<D>& tree, NodeId id) {
-  std::vector<HalfSpace<D>> path;
+std::vector<PathSide<D>> path_to(const Tree<D>& tree, NodeId id) {
+  std::vector<PathSide<D>> path;
   for (NodeId above = tree[id].parent; !above.is_none(); id = above, above = tree[id].parent)
     path.push_back({above, tree[above].plane, tree[above].right == id});
   std::ranges::reverse(path);
@@ -51,7 +51,7 @@ std::string to_text(const NodeExplanation<D>& e) {
   } else {
     text += " (life " + std::to_string(e.node.generation) + ") is at depth " + std::to_string(e.node.depth) +
             ": " + kind_text(e) + "\n" + e.wish + "\n";
-    for (const HalfSpace<D>& side : e.path)
+    for (const PathSide<D>& side : e.path)
       text += "  " + std::string(side.right ? "right" : "left") + " of " + node_text(side.node) + ", " +
               plane_text(side.plane) + "\n";
   }

@@ -11,7 +11,7 @@ namespace kerf {
 
 /// A side of an ancestor's partitioner.
 template <int D>
-struct HalfSpace {
+struct PathSide {
   NodeId node;
   Plane<D> plane;
   bool right = false;
@@ -24,7 +24,7 @@ struct NodeExplanation {
   NodeId id;
   bool alive = false;
   Node<D> node;                    ///< if alive
-  std::vector<HalfSpace<D>> path;  ///< from the root down to its parent
+  std::vector<PathSide<D>> path;   ///< from the root down to its parent
   std::optional<Quality> quality;  ///< of its partitioner; none for a leaf
   std::string wish;                ///< what the criteria ask for, with the figures
   std::vector<Event> history;      ///< up to this step, over all its lives

@@ -102,8 +102,8 @@ class Judge {
     return "candidates " + figures(candidates, "") + "; delivered by all " +
            number(all / static_cast<double>(run_.size()));
   }
-  [[nodiscard]] Verdict verdict(const char* claim, bool holds, std::string figures,
-                                const std::string& reason) const {
+  [[nodiscard]] ClaimVerdict verdict(const char* claim, bool holds, std::string figures,
+                                     const std::string& reason) const {
     return {simulation_, claim, holds, std::move(figures), holds ? "" : reason};
   }
   [[nodiscard]] const ExperimentRun& run() const { return run_; }
@@ -113,7 +113,7 @@ class Judge {
   const ExperimentRun& run_;
 };
 
-void judge_terrain(const ExperimentRuns& runs, std::vector<Verdict>& verdicts) {
+void judge_terrain(const ExperimentRuns& runs, std::vector<ClaimVerdict>& verdicts) {
   const Judge judge(1, runs);
   verdicts.push_back(judge.verdict("BSP and LO lead in performance",
                                    judge.leads(total, kBsp, kLo) && judge.leads(total, kLo, kBsp),
@@ -141,7 +141,7 @@ void judge_terrain(const ExperimentRuns& runs, std::vector<Verdict>& verdicts) {
                                    "overhead " + judge.times(update), kHiddenWork));
 }
 
-void judge_attractors(const ExperimentRuns& runs, std::vector<Verdict>& verdicts) {
+void judge_attractors(const ExperimentRuns& runs, std::vector<ClaimVerdict>& verdicts) {
   const Judge judge(2, runs);
   verdicts.push_back(judge.verdict("QT leads in performance, since it is suitable for sparse environments",
                                    judge.leads(total, kQt), judge.times(total), kFlatQuadtree));
@@ -176,7 +176,7 @@ double pairs_of_an_object(const ExperimentRun& run, double begin, double end) {
   return pairs / objects;
 }
 
-void judge_fracture(const ExperimentRuns& runs, std::vector<Verdict>& verdicts) {
+void judge_fracture(const ExperimentRuns& runs, std::vector<ClaimVerdict>& verdicts) {
   const Judge judge(3, runs);
   const double broken = std::min(0.8, first_fracture(judge.run()) + 0.05);
   const double early = pairs_of_an_object(judge.run(), broken, broken + 0.1);
@@ -199,7 +199,7 @@ void judge_fracture(const ExperimentRuns& runs, std::vector<Verdict>& verdicts) 
                                    "collision " + judge.times(collision), kFlatOctree));
 }
 
-void judge_buckets(const ExperimentRuns& runs, std::vector<Verdict>& verdicts) {
+void judge_buckets(const ExperimentRuns& runs, std::vector<ClaimVerdict>& verdicts) {
   const Judge judge(4, runs);
   verdicts.push_back(judge.verdict("BSP has the best collision time, followed by QT",
                                    judge.leads(collision, kBsp) && judge.leads(collision, kQt, kBsp),
@@ -232,7 +232,7 @@ void judge_buckets(const ExperimentRuns& runs, std::vector<Verdict>& verdicts) {
 }
 
 /// Over the last two thirds of the runs, after which a tree has grown.
-void judge_depth(const ExperimentRuns& runs, std::vector<Verdict>& verdicts) {
+void judge_depth(const ExperimentRuns& runs, std::vector<ClaimVerdict>& verdicts) {
   const auto bsp = static_cast<std::size_t>(std::ranges::find(contestants(), kBsp) - contestants().begin());
   std::uint32_t worst = 0;
   std::string figures;
@@ -286,8 +286,8 @@ Means means_of(const ExperimentRun& run, std::string_view contestant, double beg
           mean([k](const ExperimentStep& row) { return row.contestants[k].candidates; })};
 }
 
-std::vector<Verdict> judge_claims(const ExperimentRuns& runs) {
-  std::vector<Verdict> verdicts;
+std::vector<ClaimVerdict> judge_claims(const ExperimentRuns& runs) {
+  std::vector<ClaimVerdict> verdicts;
   judge_terrain(runs, verdicts);
   judge_attractors(runs, verdicts);
   judge_fracture(runs, verdicts);

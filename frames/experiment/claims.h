@@ -8,7 +8,7 @@
 namespace kerf {
 
 /// A statement of the paper's section 6.2 and what became of it here.
-struct Verdict {
+struct ClaimVerdict {
   int simulation = 0;  ///< 0: of all
   std::string claim;   ///< in the paper's words, shortened
   bool holds = false;
@@ -18,7 +18,7 @@ struct Verdict {
 
 /// All statements that figures can decide, in the paper's order. "BSP" is the tree with the paper's
 /// parameters.
-std::vector<Verdict> judge_claims(const ExperimentRuns& runs);
+std::vector<ClaimVerdict> judge_claims(const ExperimentRuns& runs);
 
 /// What a run took on the whole, in milliseconds a step and in pairs: medians of stretches of twenty steps,
 /// and of these the mean. So a run that grows counts as a whole, and a moment in which the machine did

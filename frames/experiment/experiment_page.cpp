@@ -92,7 +92,7 @@ void write_means(std::ostream& text, const Simulation& simulation, const Experim
 void write_verdicts(std::ostream& text, const ExperimentRuns& runs) {
   text << "\n## What the paper says (section 6.2), and what was found\n\n"
        << "| simulation | the paper | here | figures | if not, why |\n|--:|---|---|---|---|\n";
-  for (const Verdict& verdict : judge_claims(runs))
+  for (const ClaimVerdict& verdict : judge_claims(runs))
     text << "| " << (verdict.simulation == 0 ? "all" : std::to_string(verdict.simulation)) << " | "
          << verdict.claim << " | " << (verdict.holds ? "holds" : "**does not hold**") << " | "
          << verdict.figures << " | " << verdict.reason << " |\n";

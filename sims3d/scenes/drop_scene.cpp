@@ -26,7 +26,7 @@ void limit(std::uint32_t value, std::uint32_t maximum, const char* what) {
                               std::to_string(maximum) + " are possible");
 }
 
-Motion random_fall(Random& random) { return {{{0, -kDropSpeed, 0}}, random_vector(random, kSpin)}; }
+Twist random_fall(Random& random) { return {{{0, -kDropSpeed, 0}}, random_vector(random, kSpin)}; }
 
 }  // namespace
 
@@ -72,14 +72,14 @@ void DropScene::recycle() {
 }
 
 void DropScene::drop_anew(ObjectId object) {
-  const Motion motion = random_fall(random_);
+  const Twist motion = random_fall(random_);
   world_.place(object, next_place(), motion);
 }
 
 void DropScene::drop_one() {
   const Shape<3> shape = random_shape(random_);
   const auto axes = random_turn(random_);
-  const Motion motion = random_fall(random_);
+  const Twist motion = random_fall(random_);
   const Vector<3> place = nudged(next_place(), dropped_.empty() ? drop_.nudge : 0);
   dropped_.push_back(world_.add_moving(shape, {place, axes}, motion));
 }

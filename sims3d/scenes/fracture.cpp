@@ -91,7 +91,7 @@ class FractureScene final : public WorldScene {
   void break_up(ObjectId block) {
     whole_[block.index()] = 0;
     const Pose<3> pose = bodies()[block.index()].pose;
-    const Motion motion = world().motion_of(block);
+    const Twist motion = world().twist_of(block);
     world().reshape(block, cube(kHalfFragment));
     for (std::uint32_t k = 0; k < kFragments; ++k) {
       const std::array<std::uint32_t, 3> cell{k % kAcross, k / kAcross % kAcross, k / kAcross / kAcross};
@@ -99,7 +99,7 @@ class FractureScene final : public WorldScene {
       for (std::size_t i = 0; i < 3; ++i)
         arm = arm + pose.axes[i] * ((static_cast<Scalar>(cell[i]) - (kAcross - 1) / 2.0F) * kCell);
       const Pose<3> place{pose.position + arm, pose.axes};
-      const Motion own{motion.linear + cross(motion.angular, arm) + arm * kBurst, motion.angular};
+      const Twist own{motion.linear + cross(motion.angular, arm) + arm * kBurst, motion.angular};
       if (k == 0) {
         world().place(block, place.position, own);
       } else {

@@ -117,7 +117,7 @@ class JellyScene final : public WorldScene {
   void act() override {
     for (std::uint32_t k = 0; k < blocks_.size(); ++k) {
       const ObjectId object{first_ + k};
-      knock(blocks_[k], bodies()[object.index()].pose, world().motion_of(object).linear);
+      knock(blocks_[k], bodies()[object.index()].pose, world().twist_of(object).linear);
       world().reshape(object, deformed(blocks_[k]));
     }
   }

@@ -55,7 +55,7 @@ class CaseRun {
         large_(make_script<D>(hard_case, Size::report)),
         truth_(find_truth(large_, VolumeKind::box, Feed::boxes)) {}
 
-  void ours(VolumeKind kind, Cell& cell) {
+  void ours(VolumeKind kind, TableCell& cell) {
     const bool box = kind == VolumeKind::box;
     for (Setting setting : settings_for(case_, kind)) {
       if (box && large_.front().requests.size() > kManyObjects) setting.validate_every = 5;
@@ -75,7 +75,7 @@ class CaseRun {
     }
   }
 
-  void rival(const Rival<D>& rival, Cell& cell) {
+  void rival(const Rival<D>& rival, TableCell& cell) {
     if (case_.ours_only) return;
     const auto work = [&rival, this](Trial& trial) {
       const FlushToZero flush(case_.flush_to_zero);
@@ -99,7 +99,7 @@ class CaseRun {
 };
 
 /// Where a rival's cell of the plane is among all columns; none if it only knows space.
-const Cell* cell_in_2d(const Row& row, std::string_view name) {
+const TableCell* cell_in_2d(const Row& row, std::string_view name) {
   std::size_t column = volume_kinds<2>().size();
   for (const Rival<2>& rival : rivals<2>()) {
     if (rival.name == name) return &row.cells[column];
@@ -121,7 +121,7 @@ void fill(Row& row, Children& children) {
   for (const VolumeKind kind : volume_kinds<3>()) space.ours(kind, row.cells[column++]);
   children.finish();
   for (const Rival<3>& rival : rivals<3>()) {
-    const Cell* easier = cell_in_2d(row, rival.name);
+    const TableCell* easier = cell_in_2d(row, rival.name);
     if (easier != nullptr && easier->worst.verdict == Verdict::time_out) {
       row.cells[column].worst = {Verdict::time_out, {}, "not tried: it timed out in 2D", true};
     } else {
@@ -150,7 +150,7 @@ Table make_table(std::string_view only, const Limits& limits, unsigned at_once,
     const std::string name = std::string(hard_case.id) + "_" + std::string(hard_case.name);
     if (name.find(only) == std::string::npos) continue;
     progress(hard_case);
-    table.rows.push_back({&hard_case, std::vector<Cell>(table.columns.size())});
+    table.rows.push_back({&hard_case, std::vector<TableCell>(table.columns.size())});
     fill(table.rows.back(), children);
   }
   children.finish();

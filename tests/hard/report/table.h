@@ -27,14 +27,14 @@ struct Attempt {
 };
 
 /// Our attempts, of which the worst counts; a rival has one.
-struct Cell {
+struct TableCell {
   Outcome worst;
   std::vector<Attempt> attempts;
 };
 
 struct Row {
   const HardCase* hard_case = nullptr;
-  std::vector<Cell> cells;  ///< one a column
+  std::vector<TableCell> cells;  ///< one a column
 };
 
 struct Table {
