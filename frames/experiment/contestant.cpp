@@ -19,12 +19,6 @@ double seconds_since(Clock::time_point start) {
 
 double milliseconds(const StepTimer& timer) { return static_cast<double>(timer.nanoseconds()) * 1e-6; }
 
-void hand_over(const StepRequests& requests, BroadPhase<3>& subject) {
-  for (const StepRequests::Newcomer& newcomer : requests.inserted)
-    static_cast<void>(subject.insert(newcomer.object, newcomer.box, newcomer.mobility));
-  static_cast<void>(subject.move_many(requests.moved, requests.boxes));
-}
-
 /// Of the last step, the part that brought the structure up to date.
 double arranging_seconds(const BroadPhase<3>& subject) {
   if (const auto* tree = dynamic_cast<const Bsp<3>*>(&subject)) {
@@ -66,9 +60,9 @@ double candidates_of(const BroadPhase<3>& subject) {
 
 }  // namespace
 
-ContestantStep Contestant::step(const StepRequests& requests, bool count) {
+ContestantStep Contestant::step(const StepRequests<3>& requests, bool count) {
   const StepTimer handing_over(true);
-  hand_over(requests, *subject_);
+  apply(requests, *subject_);
   const double handed_over = milliseconds(handing_over);
   const Clock::time_point start = Clock::now();
   const StepTimer stepping(true);

@@ -1,31 +1,12 @@
 #pragma once
 
 #include <memory>
-#include <span>
-#include <vector>
 
 #include "core/broad_phase/broad_phase.h"
+#include "core/recording/step_requests.h"
 #include "frames/experiment/simulation.h"
 
 namespace kerf {
-
-/// What the world has said of its objects since the step before.
-struct StepRequests {
-  struct Newcomer {
-    ObjectId object;
-    Box<3> box;
-    Mobility mobility;
-  };
-  std::vector<Newcomer> inserted;
-  std::vector<ObjectId> moved;
-  std::vector<Box<3>> boxes;  ///< of moved
-
-  void clear() {
-    inserted.clear();
-    moved.clear();
-    boxes.clear();
-  }
-};
 
 /// A broad phase in the experiment.
 class Contestant {
@@ -33,7 +14,7 @@ class Contestant {
   explicit Contestant(std::unique_ptr<BroadPhase<3>> subject) : subject_(std::move(subject)) {}
 
   /// Hands over the requests, does a step, and tells what it took. `count`: candidates are to be told.
-  ContestantStep step(const StepRequests& requests, bool count);
+  ContestantStep step(const StepRequests<3>& requests, bool count);
   [[nodiscard]] const BroadPhase<3>& subject() const { return *subject_; }
 
  private:

@@ -39,12 +39,12 @@ class Chorus final : public BroadPhase<3> {
 
   [[nodiscard]] std::string_view name() const override { return "chorus"; }
   Status insert(ObjectId object, const Box<3>& box, Mobility mobility) override {
-    requests_.inserted.push_back({object, box, mobility});
+    requests_.add_insert(object, box, mobility);
     return table_.insert(object, box, mobility);
   }
   Status move(ObjectId object, const Box<3>& box) override {
-    requests_.moved.push_back(object);
-    requests_.boxes.push_back(box);
+    moved_.push_back(object);
+    boxes_.push_back(box);
     return table_.move(object, box);
   }
   Status remove(ObjectId /*object*/) override {
@@ -53,6 +53,7 @@ class Chorus final : public BroadPhase<3> {
 
   void step() override {
     const StepTimer timer(true);
+    requests_.add_moves(moved_, boxes_);
     results_.assign(contestants_.size(), {});
     // Each in turn begins, as the caches are warmer for whoever comes later.
     for (std::size_t k = 0; k < contestants_.size(); ++k) {
@@ -62,6 +63,8 @@ class Chorus final : public BroadPhase<3> {
     ++steps_;
     compare();
     requests_.clear();
+    moved_.clear();
+    boxes_.clear();
     milliseconds_ = milliseconds(timer);
   }
   [[nodiscard]] std::span<const Pair> pairs() const override { return contestants_[0].subject().pairs(); }
@@ -85,7 +88,9 @@ class Chorus final : public BroadPhase<3> {
 
   ObjectTable<3> table_;
   std::vector<Contestant> contestants_;
-  StepRequests requests_;
+  StepRequests<3> requests_;  ///< what is inserted, then what moves, all in one call
+  std::vector<ObjectId> moved_;
+  std::vector<Box<3>> boxes_;
   std::vector<ContestantStep> results_;
   double milliseconds_ = 0;
   std::uint32_t steps_ = 0;
