@@ -7,26 +7,17 @@ namespace {
 template <int D>
 bool follow(const StepRequests<D>& requests, const Pair& pair, ObjectTable<D>& table) {
   bool changed = false;
-  std::size_t k = 0;
-  const Scalar* extra = requests.extra.data();
-  for (const Call& call : requests.calls) {
-    for (const std::size_t end = k + call.count; k < end; ++k) {
-      const ObjectId object = requests.objects[k];
-      const Scalar* const own_extra = extra;
-      if (has_volume(call.kind)) extra += extra_size<D>(table.kind());
-      if (object != pair.a && object != pair.b) continue;
-      changed = true;
-      Volume<D> volume = make_box_volume(requests.boxes[k]);
-      if (has_volume(call.kind)) volume = volume_from(table.kind(), requests.boxes[k], own_extra);
-      if (call.kind == RequestKind::remove) {
-        (void)table.remove(object);
-      } else if (is_insert(call.kind)) {
-        (void)table.insert(object, volume, call.mobility);
-      } else {
-        (void)table.move(object, volume);
-      }
+  for_each_request(requests, table.kind(), [&](const ObjectRequest<D>& request) {
+    if (request.object != pair.a && request.object != pair.b) return;
+    changed = true;
+    if (request.kind == RequestKind::remove) {
+      (void)table.remove(request.object);
+    } else if (is_insert(request.kind)) {
+      (void)table.insert(request.object, request.volume, request.mobility);
+    } else {
+      (void)table.move(request.object, request.volume);
     }
-  }
+  });
   return changed;
 }
 

@@ -10,38 +10,19 @@
 namespace kerf {
 namespace {
 
-/// What is asked of one object.
-template <int D>
-struct Single {
-  RequestKind kind;
-  Mobility mobility;
-  ObjectId object;
-  Volume<D> volume;
-};
-
 /// The requests one by one; objects that were moved by one call are moved by as many.
 template <int D>
-std::vector<Single<D>> singles_of(const StepRequests<D>& requests, VolumeKind kind) {
-  std::vector<Single<D>> singles;
-  const Scalar* extra = requests.extra.data();
-  std::size_t k = 0;
-  for (const Call& call : requests.calls) {
-    for (const std::size_t end = k + call.count; k < end; ++k) {
-      Volume<D> volume = make_box_volume(requests.boxes[k]);
-      if (has_volume(call.kind)) {
-        volume = volume_from(kind, requests.boxes[k], extra);
-        extra += extra_size<D>(kind);
-      }
-      const bool in_group = call.kind == RequestKind::move_boxes;
-      singles.push_back(
-          {in_group ? RequestKind::move_box : call.kind, call.mobility, requests.objects[k], volume});
-    }
-  }
+std::vector<ObjectRequest<D>> singles_of(const StepRequests<D>& requests, VolumeKind kind) {
+  std::vector<ObjectRequest<D>> singles;
+  for_each_request(requests, kind, [&](ObjectRequest<D> request) {
+    if (request.kind == RequestKind::move_boxes) request.kind = RequestKind::move_box;
+    singles.push_back(request);
+  });
   return singles;
 }
 
 template <int D>
-void append(StepRequests<D>& requests, const Single<D>& single) {
+void append(StepRequests<D>& requests, const ObjectRequest<D>& single) {
   switch (single.kind) {
     case RequestKind::insert_box:
       return requests.add_insert(single.object, single.volume.box, single.mobility);
@@ -59,11 +40,11 @@ void append(StepRequests<D>& requests, const Single<D>& single) {
 
 /// Of several boxes given to an object only the last counts, in the place of the first.
 template <int D>
-std::vector<Single<D>> collapsed(const std::vector<Single<D>>& singles) {
+std::vector<ObjectRequest<D>> collapsed(const std::vector<ObjectRequest<D>>& singles) {
   constexpr std::size_t kNone = SIZE_MAX;
   std::map<ObjectId, std::size_t> place;  // of what was asked of each object, in `result`
-  std::vector<Single<D>> result;
-  for (const Single<D>& single : singles) {
+  std::vector<ObjectRequest<D>> result;
+  for (const ObjectRequest<D>& single : singles) {
     std::size_t& last = place.try_emplace(single.object, kNone).first->second;
     const bool moves = single.kind == RequestKind::move_box || single.kind == RequestKind::move_volume;
     if (moves && last != kNone && has_volume(result[last].kind) == has_volume(single.kind)) {
@@ -140,7 +121,7 @@ Scenario<D> with_objects(const Scenario<D>& scenario, const std::vector<ObjectId
   Scenario<D> smaller{scenario.info, {}, {}};
   for (const StepRequests<D>& step : scenario.steps) {
     StepRequests<D>& requests = smaller.steps.emplace_back();
-    for (const Single<D>& single : singles_of(step, scenario.info.volume))
+    for (const ObjectRequest<D>& single : singles_of(step, scenario.info.volume))
       if (wanted(single.object)) append(requests, single);
   }
   for (const std::vector<Pair>& pairs : scenario.theirs)
@@ -154,11 +135,11 @@ Scenario<D> with_steps(const Scenario<D>& scenario, const std::vector<std::size_
   Scenario<D> smaller{scenario.info, {}, {}};
   std::size_t next = 0;
   for (const std::size_t step : kept) {
-    std::vector<Single<D>> merged;
+    std::vector<ObjectRequest<D>> merged;
     for (; next <= step; ++next)
       std::ranges::copy(singles_of(scenario.steps[next], scenario.info.volume), std::back_inserter(merged));
     StepRequests<D>& requests = smaller.steps.emplace_back();
-    for (const Single<D>& single : collapsed(merged)) append(requests, single);
+    for (const ObjectRequest<D>& single : collapsed(merged)) append(requests, single);
     if (!scenario.theirs.empty()) smaller.theirs.push_back(scenario.theirs[step]);
   }
   return smaller;

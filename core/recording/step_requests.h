@@ -60,6 +60,31 @@ constexpr bool is_insert(RequestKind kind) {
 template <int D>
 Volume<D> volume_from(VolumeKind kind, const Box<D>& box, const Scalar* extra);
 
+/// What is asked of one object.
+template <int D>
+struct ObjectRequest {
+  RequestKind kind = RequestKind::move_box;
+  Mobility mobility = Mobility::moving;  ///< of what is inserted
+  ObjectId object;
+  Volume<D> volume;  ///< of calls with boxes the box; of a removal nothing
+};
+
+/// Calls `visit` with what is asked of each object, in order. `kind` is the recording's.
+template <int D, class Visit>
+void for_each_request(const StepRequests<D>& requests, VolumeKind kind, Visit visit) {
+  const Scalar* extra = requests.extra.data();
+  std::size_t k = 0;
+  for (const Call& call : requests.calls) {
+    for (const std::size_t end = k + call.count; k < end; ++k) {
+      const bool whole = has_volume(call.kind);
+      visit(ObjectRequest<D>{
+          call.kind, call.mobility, requests.objects[k],
+          whole ? volume_from(kind, requests.boxes[k], extra) : make_box_volume(requests.boxes[k])});
+      if (whole) extra += extra_size<D>(kind);
+    }
+  }
+}
+
 /// Makes the same calls again.
 template <int D>
 void apply(const StepRequests<D>& requests, BroadPhase<D>& broad_phase);
