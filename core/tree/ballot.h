@@ -31,9 +31,9 @@ struct BallotEntry {
 };
 
 /// All candidates that `op` had at a node (paper sections 3.2 and 4): for a split every direction tried, the
-/// chosen one first, then by falling score; for a shift-split and a balance the one direction that they may
-/// use. The tree is as it was before the operator. Empty for a merge and a swap, which choose nothing.
-/// Recomputed, never stored.
+/// chosen one first, then the good ones, then the others, each by falling score; for a shift-split and a
+/// balance the one direction that they may use. The tree is as it was before the operator. Empty for a merge
+/// and a swap, which choose nothing. Recomputed, never stored.
 template <int D>
 std::vector<BallotEntry> ballot(const Tree<D>& tree, Operator op, NodeId node, const Config& config);
 

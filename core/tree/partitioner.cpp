@@ -127,8 +127,7 @@ std::uint32_t directions_tried(const Tree<D>& tree, NodeId leaf, const Config& c
 }
 
 template <int D>
-std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, const Config& config,
-                                            std::vector<Candidate>* ballot) {
+std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, const Config& config) {
   const std::vector<Entry>& entries = tree[leaf].entries;
   const std::vector<ObjectId> sampled = sampled_objects(tree, leaf, config);
   const bool exact = sampled.size() == entries.size();
@@ -145,7 +144,6 @@ std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, co
   std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return score(a.quality) > score(b.quality);
   });
-  if (ballot != nullptr) *ballot = candidates;
   if (candidates.empty()) return std::nullopt;
   if (exact) return candidates.front();
 
@@ -166,8 +164,7 @@ std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, co
 #define KERF_INSTANTIATE(D)                                                                      \
   template std::vector<ObjectId> sampled_objects<D>(const Tree<D>&, NodeId, const Config&);      \
   template std::uint32_t directions_tried<D>(const Tree<D>&, NodeId, const Config&);             \
-  template std::optional<Candidate> choose_partitioner<D>(const Tree<D>&, NodeId, const Config&, \
-                                                          std::vector<Candidate>*);
+  template std::optional<Candidate> choose_partitioner<D>(const Tree<D>&, NodeId, const Config&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

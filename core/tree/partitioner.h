@@ -33,7 +33,7 @@ struct ReferencePoint {
   Quality quality;
 };
 
-/// One candidate of a split, as the debugger's ballot shows it.
+/// A candidate of a split with a good point.
 struct Candidate {
   std::uint32_t direction = 0;
   Scalar offset = 0;
@@ -62,10 +62,8 @@ template <int D>
 std::uint32_t directions_tried(const Tree<D>& tree, NodeId leaf, const Config& config);
 
 /// The best partitioner for a leaf among the candidate directions, judged on a sample and confirmed on all
-/// its objects (paper sections 3.2 and 4.1), or none. `ballot`, if given, receives every candidate that had a
-/// good point.
+/// its objects (paper sections 3.2 and 4.1), or none.
 template <int D>
-std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, const Config& config,
-                                            std::vector<Candidate>* ballot = nullptr);
+std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, const Config& config);
 
 }  // namespace kerf

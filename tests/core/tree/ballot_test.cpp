@@ -79,7 +79,15 @@ TYPED_TEST(BallotTest, HoldsTheOperatorsChoiceAlsoWhenItSamples) {
       const auto chosen = choose_partitioner(tree, tree.root(), config);
       EXPECT_EQ(entries.front().result == Ballot::chosen, chosen.has_value());
       if (!chosen) continue;
+      EXPECT_EQ(entries.front().direction, chosen->direction);
       EXPECT_EQ(entries.front().offset, chosen->offset);
+      for (std::size_t i = 2; i < entries.size(); ++i) {
+        const bool good = is_good(entries[i].quality, config);
+        EXPECT_GE(is_good(entries[i - 1].quality, config), good);
+        if (is_good(entries[i - 1].quality, config) == good) {
+          EXPECT_GE(score(entries[i - 1].quality), score(entries[i].quality));
+        }
+      }
     }
   }
 }

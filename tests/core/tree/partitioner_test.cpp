@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/tree/ballot.h"
 #include "tests/support/boxes.h"
 #include "tests/support/config_of.h"
 #include "tests/support/dimensions.h"
@@ -112,10 +113,12 @@ TYPED_TEST(ChoosePartitioner, WithoutFreeDirectionsStaysOnTheAxes) {
   std::vector<Box<kD>> stairs;  // only a diagonal plane divides them evenly without straddlers
   for (int k = 0; k < 20; ++k) stairs.push_back(box_at(all<kD>(static_cast<Scalar>(k)), 0.4F));
   const auto tree = tree_of<kD>(stairs);
-  std::vector<Candidate> ballot;
-  ASSERT_TRUE(choose_partitioner(tree, tree.root(), config_of("free_directions=0"), &ballot));
-  for (const Candidate& candidate : ballot) EXPECT_LT(candidate.direction, kD);
-  EXPECT_EQ(ballot.size(), kD);
+  const auto tried = ballot(tree, Operator::split, tree.root(), config_of("free_directions=0"));
+  for (const BallotEntry& entry : tried) EXPECT_LT(entry.direction, kD);
+  EXPECT_EQ(tried.size(), kD);
+  const auto chosen = choose_partitioner(tree, tree.root(), config_of("free_directions=0"));
+  ASSERT_TRUE(chosen);
+  EXPECT_LT(chosen->direction, kD);
 }
 
 TYPED_TEST(ChoosePartitioner, TriesEveryAxisHoweverFewCandidatesAreAsked) {
@@ -129,31 +132,12 @@ TYPED_TEST(ChoosePartitioner, TriesEveryAxisHoweverFewCandidatesAreAsked) {
   EXPECT_EQ(chosen->direction, kD - 1);
 }
 
-TYPED_TEST(ChoosePartitioner, BallotIsOrderedByScoreAndLedByTheChoice) {
-  constexpr int kD = TypeParam::value;
-  const auto tree = tree_of<kD>(scattered<kD>(100, 3));
-  std::vector<Candidate> ballot;
-  const auto chosen = choose_partitioner(tree, tree.root(), config_of("max_redundancy=0.2"), &ballot);
-  ASSERT_TRUE(chosen);
-  ASSERT_GT(ballot.size(), 2U);
-  EXPECT_EQ(ballot.front().direction, chosen->direction);
-  for (std::size_t i = 1; i < ballot.size(); ++i) {
-    EXPECT_GE(score(ballot[i - 1].quality), score(ballot[i].quality));
-    EXPECT_TRUE(ballot[i].exact);
-  }
-}
-
 TYPED_TEST(ChoosePartitioner, SampledChoiceIsConfirmedOnAllObjects) {
   constexpr int kD = TypeParam::value;
   const Config config = config_of("sample=16");
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto tree = tree_of<kD>(scattered<kD>(200, seed));
-    std::vector<Candidate> ballot;
-    const auto chosen = choose_partitioner(tree, tree.root(), config, &ballot);
-    for (const Candidate& candidate : ballot) {
-      EXPECT_FALSE(candidate.exact);
-      EXPECT_EQ(candidate.quality.population, 16U);
-    }
+    const auto chosen = choose_partitioner(tree, tree.root(), config);
     ASSERT_TRUE(chosen);
     EXPECT_TRUE(chosen->exact);
     EXPECT_EQ(chosen->quality, measure(shadows(tree, chosen->direction), chosen->offset));
@@ -166,9 +150,7 @@ TYPED_TEST(ChoosePartitioner, FindsNothingWhereEverythingCoincides) {
   const std::vector<Box<kD>> same(50, slab<kD>(0, 1));
   const auto tree = tree_of<kD>(same);
   for (const char* text : {"", "sample=4", "min_balance=0,max_redundancy=1"}) {
-    std::vector<Candidate> ballot;
-    EXPECT_FALSE(choose_partitioner(tree, tree.root(), config_of(text), &ballot)) << text;
-    EXPECT_TRUE(ballot.empty());
+    EXPECT_FALSE(choose_partitioner(tree, tree.root(), config_of(text))) << text;
   }
 }
 
