@@ -60,6 +60,7 @@ class Sequence {
       manifest_.complete = manifest_.frames.size() == manifest_.wanted_frames();
       save(manifest_, folder_.path());
     } catch (...) {
+      crew_.reset();  // what is on its way is finished first
       manifest_.complete = false;
       save_what_is_there();
       throw;
@@ -113,6 +114,8 @@ class Sequence {
       crew_->add(order(index));
     }
     crew_->finish();
+    // A recording goes on to the last step, also when that is no frame.
+    if (!request_.record.empty()) film_->advance_to(steps.last, go_on);
     film_->finish();
   }
 
