@@ -10,8 +10,8 @@
 #include "core/broad_phase/bsp.h"
 #include "core/recording/recorder.h"
 #include "frames/errors.h"
+#include "frames/farm/frame_parcel.h"
 #include "frames/recording_file.h"
-#include "viz/draw/frame_renderer.h"
 
 namespace kerf {
 namespace {
@@ -30,35 +30,31 @@ template <int D>
 class SceneFilm final : public Film {
  public:
   SceneFilm(const SceneEntry<D>& entry, const RenderRequest& request)
-      : name_(request.scene.name),
+      : name_(request.name),
         broad_phase_name_(request.broad_phase.name),
-        renderer_({request.size.width, request.size.height, request.layers, request.camera}),
+        planner_(request.layers, 0),
         broad_phase_(watched_broad_phase(entry, request)),
         tree_(dynamic_cast<WatchedTree<D>*>(broad_phase_.get())),
         recorder_(make_recorder(tree_, request)),
         scene_(entry.make(recorder_ ? static_cast<BroadPhase<D>&>(*recorder_) : *broad_phase_,
                           request.options)) {}
 
-  void advance() override {
-    scene_->advance();
-    if (tree_ == nullptr) return;
-    std::vector<Event> events = tree_->trace().take();
-    events_since_record_ += events.size();
-    const std::uint32_t now = tree_->steps();
-    std::erase_if(recent_, [&](const Event& event) { return event.step + kHighlightSteps < now; });
-    std::ranges::copy_if(events, std::back_inserter(recent_), [](const Event& event) {
-      return std::holds_alternative<OperatorActed>(event.body);
-    });
+  bool advance_to(std::uint32_t step, const GoOn& go_on) override {
+    while (scene_->step() < step) {
+      advance();
+      if (!go_on(scene_->step())) return false;
+    }
+    return true;
   }
 
-  const Image& draw() override {
+  std::vector<std::uint8_t> parcel() override {
     const FrameInput<D> input{.bodies = scene_->bodies(),
                               .tree = tree_ == nullptr ? nullptr : &tree_->tree(),
                               .pairs = scene_->pairs(),
                               .contacts = scene_->contacts(),
                               .events = recent_,
                               .caption = caption()};
-    return renderer_.render(input);
+    return pack(input, planner_.plan(input));
   }
 
   FrameRecord record() override {
@@ -90,13 +86,24 @@ class SceneFilm final : public Film {
     return std::make_unique<Recorder<D>>(*tree, request.record, info);
   }
 
+  void advance() {
+    scene_->advance();
+    if (tree_ == nullptr) return;
+    std::vector<Event> events = tree_->trace().take();
+    events_since_record_ += events.size();
+    const std::uint32_t now = tree_->steps();
+    std::erase_if(recent_, [&](const Event& event) { return event.step + kHighlightSteps < now; });
+    std::ranges::copy_if(events, std::back_inserter(recent_), [](const Event& event) {
+      return std::holds_alternative<OperatorActed>(event.body);
+    });
+  }
+
   [[nodiscard]] Caption caption() const {
-    const auto moves = [](const Body<D>& body) { return body.mobility == Mobility::moving; };
     return {.scene = name_,
             .broad_phase = broad_phase_name_,
             .step = scene_->step(),
             .objects = static_cast<std::uint32_t>(scene_->bodies().size()),
-            .moving = static_cast<std::uint32_t>(std::ranges::count_if(scene_->bodies(), moves)),
+            .moving = count_moving(scene_->bodies()),
             .pairs = scene_->pairs().size(),
             .contacts = scene_->contacts().size(),
             .statistics = tree_ == nullptr ? Statistics{} : tree_->statistics(),
@@ -105,7 +112,7 @@ class SceneFilm final : public Film {
 
   std::string name_;
   std::string broad_phase_name_;
-  FrameRenderer<D> renderer_;
+  FramePlanner<D> planner_;
   std::unique_ptr<BroadPhase<D>> broad_phase_;
   WatchedTree<D>* tree_;                   ///< the same; null: it is no tree
   std::unique_ptr<Recorder<D>> recorder_;  ///< none unless asked for
@@ -117,6 +124,7 @@ class SceneFilm final : public Film {
 }  // namespace
 
 std::unique_ptr<Film> make_film(const RenderRequest& request) {
+  if (request.recording) return make_recording_film(request);
   try {
     return std::visit(
         [&](const auto* entry) -> std::unique_ptr<Film> {

@@ -1,15 +1,18 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "frames/manifest.h"
 #include "frames/render_request.h"
-#include "viz/image/image.h"
 
 namespace kerf {
 
-/// A running simulation and a camera on it.
+/// A running simulation, or a recorded one, seen frame by frame. It draws nothing itself.
 class Film {
  public:
   Film() = default;
@@ -17,18 +20,30 @@ class Film {
   Film& operator=(const Film&) = delete;
   virtual ~Film() = default;
 
-  /// One step of the simulation.
-  virtual void advance() = 0;
-  /// The picture of the present step; valid until the next call.
-  virtual const Image& draw() = 0;
-  /// What the present step's picture shows. `file` and `pixel_hash` are left to the caller. Events are
-  /// counted from the call before.
+  /// Told the step on the way; false stops there.
+  using GoOn = std::function<bool(std::uint32_t step)>;
+  /// Goes forward to the end of a step. False if it was stopped before.
+  virtual bool advance_to(std::uint32_t step, const GoOn& go_on) = 0;
+  /// What a FrameMaker draws of the present step; the film takes it that the frame is drawn, by whomever.
+  virtual std::vector<std::uint8_t> parcel() = 0;
+  /// What the present step's picture shows. `file`, `index` and `pixel_hash` are left to the caller. Events
+  /// are those since the frame before.
   virtual FrameRecord record() = 0;
   /// Ends the recording, if one was asked for. Nothing may be asked of the film afterwards.
   virtual void finish() = 0;
 };
 
-/// Throws UsageError for a configuration that cannot work, std::runtime_error if nothing can be drawn.
+/// Throws UsageError for a configuration that cannot work, std::runtime_error for a recording that cannot be
+/// read.
 std::unique_ptr<Film> make_film(const RenderRequest& request);
+/// The same for a request of a recording.
+std::unique_ptr<Film> make_recording_film(const RenderRequest& request);
+
+/// Objects of `bodies` that move.
+template <int D>
+std::uint32_t count_moving(std::span<const Body<D>> bodies) {
+  const auto moves = [](const Body<D>& body) { return body.mobility == Mobility::moving; };
+  return static_cast<std::uint32_t>(std::ranges::count_if(bodies, moves));
+}
 
 }  // namespace kerf

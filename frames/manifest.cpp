@@ -1,7 +1,10 @@
 #include "frames/manifest.h"
 
 #include <cstdio>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
 
 #include "frames/atomic_file.h"
 
@@ -9,6 +12,8 @@ namespace kerf {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "kerf-frames-2";
 
 std::string hex(std::uint64_t hash) {
   char text[17];
@@ -27,13 +32,16 @@ Json config_json(const Config& config) {
   return json;
 }
 
+std::uint64_t from_hex(const Json& text) { return std::stoull(text.get<std::string>(), nullptr, 16); }
+
 Json frame_json(const FrameRecord& frame) {
   Json operators = Json::object();
   for (int i = 0; i < kOperatorCount; ++i) {
     operators[std::string(to_string(static_cast<Operator>(i)))] =
         frame.operators[static_cast<std::size_t>(i)];
   }
-  return {{"file", frame.file},
+  return {{"index", frame.index},
+          {"file", frame.file},
           {"step", frame.step},
           {"objects", frame.objects},
           {"pairs", frame.pairs},
@@ -47,40 +55,132 @@ Json frame_json(const FrameRecord& frame) {
           {"pixel_hash", hex(frame.pixel_hash)}};
 }
 
+FrameRecord frame_of(const Json& json) {
+  FrameRecord frame;
+  json.at("index").get_to(frame.index);
+  json.at("file").get_to(frame.file);
+  json.at("step").get_to(frame.step);
+  json.at("objects").get_to(frame.objects);
+  json.at("pairs").get_to(frame.pairs);
+  json.at("contacts").get_to(frame.contacts);
+  json.at("height").get_to(frame.height);
+  json.at("leaves").get_to(frame.leaves);
+  json.at("entries").get_to(frame.entries);
+  for (int i = 0; i < kOperatorCount; ++i)
+    json.at("operators")
+        .at(std::string(to_string(static_cast<Operator>(i))))
+        .get_to(frame.operators[static_cast<std::size_t>(i)]);
+  json.at("events").get_to(frame.events);
+  frame.state_hash = from_hex(json.at("state_hash"));
+  frame.pixel_hash = from_hex(json.at("pixel_hash"));
+  return frame;
+}
+
+/// Paths need not be UTF-8; what cannot be said in JSON is replaced, never a reason to lose the manifest.
+std::string dump(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+/// What is drawn: a scene that runs or a recording.
+Json origin_json(const RenderRequest& request) {
+  const SceneOptions& options = request.options;
+  Json json = {{"scene", request.recording ? request.recording->info.scene : request.scene.name},
+               {"dimension", request.dimension()},
+               {"seed", options.seed},
+               {"requested_objects", options.objects},
+               {"grow", options.steps},
+               {"recycle", options.recycle},
+               {"broad_phase", request.broad_phase.name},
+               {"volume", to_string(request.broad_phase.volume)},
+               {"config", request.broad_phase.is_tree() ? config_json(request.broad_phase.config) : Json()}};
+  if (request.recording) {
+    json["broad_phase"] = "kerf";
+    json["recording"] = {{"steps", request.recording->steps},
+                         {"last_state_hash", hex(request.recording->last_state_hash)}};
+  } else {
+    json["needs"] = std::visit([](const auto* entry) { return describe(entry->needs); }, request.scene.entry);
+  }
+  return json;
+}
+
+Json to_object(const Manifest& manifest) {
+  Json json = Json::parse(manifest.header);
+  json["shard"] = {{"index", manifest.shard.index}, {"count", manifest.shard.count}};
+  json["complete"] = manifest.complete;
+  json["frames"] = Json::array();
+  for (const FrameRecord& frame : manifest.frames) json["frames"].push_back(frame_json(frame));
+  return json;
+}
+
+Manifest from_object(Json json) {
+  Manifest manifest;
+  json.at("name").get_to(manifest.name);
+  const Json& steps = json.at("steps");
+  manifest.steps = {steps.at("first"), steps.at("last"), steps.at("stride")};
+  manifest.size = {json.at("size").at("width"), json.at("size").at("height")};
+  manifest.shard = {json.at("shard").at("index"), json.at("shard").at("count")};
+  json.at("complete").get_to(manifest.complete);
+  for (const Json& frame : json.at("frames")) manifest.frames.push_back(frame_of(frame));
+  for (const char* const rest : {"shard", "complete", "frames"}) json.erase(rest);
+  manifest.header = dump(json, -1);
+  return manifest;
+}
+
 }  // namespace
 
-std::string to_json(const Manifest& manifest) {
-  const StepRange& steps = manifest.steps;
-  Json json = {{"format", "kerf-frames-1"},
-               {"complete", manifest.complete},
-               {"scene", manifest.scene},
-               {"dimension", manifest.dimension},
-               {"needs", manifest.needs},
-               {"seed", manifest.seed},
-               {"requested_objects", manifest.requested_objects},
-               {"grow", manifest.grow},
-               {"steps", {{"first", steps.first}, {"last", steps.last}, {"stride", steps.stride}}},
-               {"size", {{"width", manifest.size.width}, {"height", manifest.size.height}}},
-               {"layers", manifest.layers},
-               {"camera", manifest.camera},
-               {"volume", manifest.volume},
-               {"recycle", manifest.recycle},
-               {"broad_phase", manifest.broad_phase},
-               {"config", manifest.config ? config_json(*manifest.config) : Json()},
-               {"frames", Json::array()}};
-  for (const FrameRecord& frame : manifest.frames) json["frames"].push_back(frame_json(frame));
-  // Paths need not be UTF-8; what cannot be said in JSON is replaced, never a reason to lose the manifest.
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+std::uint32_t Manifest::wanted_frames() const {
+  const std::uint32_t all = steps.frames();
+  return all / shard.count + (shard.index < all % shard.count ? 1 : 0);
 }
+
+Manifest begin_manifest(const RenderRequest& request) {
+  Json json = {{"format", kFormat}, {"name", request.name}};
+  json.update(origin_json(request));
+  const StepRange& steps = request.steps;
+  json["steps"] = {{"first", steps.first}, {"last", steps.last}, {"stride", steps.stride}};
+  json["size"] = {{"width", request.size.width}, {"height", request.size.height}};
+  json["layers"] = to_string(request.layers);
+  json["camera"] = request.camera;
+  return {dump(json, -1), request.name, steps, request.size, request.shard, false, {}};
+}
+
+std::string to_json(const Manifest& manifest) { return dump(to_object(manifest), 1) + "\n"; }
 
 void save(const Manifest& manifest, const std::filesystem::path& folder) {
   write_file_atomically(folder / kManifestName, to_json(manifest));
 }
 
-std::string frame_file_name(const std::string& scene, std::uint32_t frame) {
+Manifest read_manifest(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / kManifestName;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  try {
+    Json json = Json::parse(file);
+    if (json.at("format") != kFormat)
+      throw std::runtime_error(path.string() + " is of another version of kerf: render anew");
+    return from_object(std::move(json));
+  } catch (const std::logic_error& error) {
+    throw std::runtime_error(path.string() + " is damaged: " + error.what());
+  } catch (const Json::exception& error) {
+    throw std::runtime_error(path.string() + " is damaged: " + error.what());
+  }
+}
+
+std::string first_difference(const std::string& header, const std::string& other) {
+  const Json a = Json::parse(header);
+  const Json b = Json::parse(other);
+  for (const auto& [key, value] : a.items())
+    if (!b.contains(key) || b[key] != value)
+      return key + ": " + dump(value, -1) + " and " + (b.contains(key) ? dump(b[key], -1) : "nothing");
+  for (const auto& [key, value] : b.items())
+    if (!a.contains(key)) return key + ": nothing and " + dump(value, -1);
+  return "";
+}
+
+std::string frame_file_name(const std::string& name, std::uint32_t frame) {
   char number[16];
   std::snprintf(number, sizeof number, "_%06u.png", frame);
-  return scene + number;
+  return name + number;
 }
 
 }  // namespace kerf

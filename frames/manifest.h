@@ -3,13 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/config.h"
 #include "core/trace/event.h"
 #include "frames/picture_size.h"
+#include "frames/render_request.h"
 #include "frames/step_range.h"
 
 namespace kerf {
@@ -18,6 +17,7 @@ inline constexpr const char* kManifestName = "frames.json";
 
 /// One picture of a sequence and the state of the simulation that it shows.
 struct FrameRecord {
+  std::uint32_t index = 0;     ///< in the whole sequence, from 0
   std::string file;            ///< name inside the sequence's folder
   std::uint32_t step = 0;      ///< steps done
   std::uint32_t objects = 0;   ///< fixed ones included
@@ -32,25 +32,23 @@ struct FrameRecord {
   std::uint64_t pixel_hash = 0;                           ///< of the decoded pixels
 };
 
-/// What a sequence of frames is: everything needed to make it again, and what each frame shows.
+/// What a sequence of frames is, and what each frame shows.
 struct Manifest {
-  std::string scene;
-  int dimension = 3;
-  std::string needs;
-  std::uint64_t seed = 1;
-  std::uint32_t requested_objects = 0;  ///< 0: the scene's own number
-  std::uint32_t grow = 0;               ///< steps of growth; 0: the scene's own number
+  std::string
+      header;        ///< JSON object: all that is needed to make the sequence again. Equal: the same sequence
+  std::string name;  ///< with which the files' names begin
   StepRange steps;
   PictureSize size;
-  std::string layers;
-  std::string camera;
-  std::string broad_phase;
-  std::optional<Config> config;  ///< of the tree; none: another broad phase
-  std::string volume;
-  std::uint32_t recycle = 0;  ///< steps between two objects that fall anew; 0: none does
-  bool complete = false;      ///< every frame of `steps` was made
+  Shard shard;            ///< frames that are made here
+  bool complete = false;  ///< all of them are
   std::vector<FrameRecord> frames;
+
+  /// How many frames a complete one has.
+  [[nodiscard]] std::uint32_t wanted_frames() const;
 };
+
+/// What the frames of this request will be; none is made yet.
+Manifest begin_manifest(const RenderRequest& request);
 
 /// The manifest as JSON text; hashes are 16 hexadecimal digits.
 std::string to_json(const Manifest& manifest);
@@ -58,7 +56,13 @@ std::string to_json(const Manifest& manifest);
 /// Writes `folder`/frames.json atomically. Throws std::system_error with path and reason.
 void save(const Manifest& manifest, const std::filesystem::path& folder);
 
+/// Throws std::runtime_error with the path if there is none, or none that `save` wrote.
+Manifest read_manifest(const std::filesystem::path& folder);
+
+/// The first thing in which two headers differ: "camera: '' and 'yaw=10'".
+std::string first_difference(const std::string& header, const std::string& other);
+
 /// "buckets_000042.png"
-std::string frame_file_name(const std::string& scene, std::uint32_t frame);
+std::string frame_file_name(const std::string& name, std::uint32_t frame);
 
 }  // namespace kerf

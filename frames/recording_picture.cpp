@@ -2,30 +2,12 @@
 
 #include <algorithm>
 
+#include "frames/recorded_bodies.h"
 #include "viz/draw/frame_renderer.h"
 #include "viz/image/png.h"
 
 namespace kerf {
 namespace {
-
-/// An object as a recording knows it: a box. Who is not there is a point in the middle of `somewhere`, since
-/// bodies are numbered as objects are.
-template <int D>
-std::vector<Body<D>> bodies_of(const ObjectTable<D>& objects) {
-  Box<D> somewhere;
-  std::vector<Body<D>> bodies;
-  for (std::uint32_t id = 0; id < objects.bound(); ++id)
-    if (objects.is_placed({id})) somewhere = objects.box({id});
-  for (std::uint32_t id = 0; id < objects.bound(); ++id) {
-    const bool is_there = objects.is_placed({id});
-    const Box<D> box = is_there ? objects.box({id}) : Box<D>{somewhere.center(), somewhere.center()};
-    Body<D> body{Brick<D>{box.extent() * 0.5F}, {}, box, Mobility::moving};
-    body.pose.position = box.center();
-    if (is_there && objects.is_fixed({id})) body.mobility = Mobility::fixed;
-    bodies.push_back(body);
-  }
-  return bodies;
-}
 
 /// Operators of the last steps, as far as they had happened at that moment.
 template <int D>

@@ -26,7 +26,8 @@ std::string footer() {
       "\n        any part of it; what is left out is chosen so that everything is seen"
       "\nOUTPUT  DIR/SCENE_000000.png and so on, and DIR/frames.json, which says what each frame shows."
       "\n        A folder that holds a sequence is refused unless --overwrite is given, which removes that"
-      "\n        sequence and nothing else. Ctrl-C keeps the finished frames and their manifest."
+      "\n        sequence and nothing else. Ctrl-C keeps the finished frames and their manifest; the same"
+      "\n        command with --resume makes the rest."
       "\nEXIT    0 done, 1 failed, 2 wrong usage, 130 interrupted"
       "\n\nBROAD PHASES for --broad-phase: kerf is the tuned tree, kerf-paper the tree with the paper's "
       "parameters\n  3D  " +
@@ -46,11 +47,12 @@ std::string footer() {
 }  // namespace
 
 RenderCommand::RenderCommand(CLI::App& program)
-    : command_(program.add_subcommand("render", "Run a scene and draw it as a sequence of frames")) {
+    : command_(program.add_subcommand(
+          "render", "Run a scene, or a recording again, and draw it as a sequence of frames")) {
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
   };
-  option("SCENE", texts_.scene, "A scene of `kerf scenes`", "")->required();
+  option("SCENE", texts_.scene, "A scene of `kerf scenes`, or the file of a recording", "")->required();
   option("--steps", texts_.steps, "From step A to B a frame every N steps (default 1:1000:4)", "A:B:N");
   option("--size", texts_.size, "Width and height in pixels (default 1280x720)", "WxH");
   option("--objects", texts_.objects, "Moving objects at the end (default: the scene's own)", "N");
@@ -70,6 +72,9 @@ RenderCommand::RenderCommand(CLI::App& program)
   option("--contact-sheet", texts_.contact_sheet, "Also twenty of the frames in one .png", "FILE");
   option("--seed", texts_.seed, "Of every random choice of the scene (default 1)", "S");
   option("--record", texts_.record, "Also a recording for `kerf verify` and the like", "FILE");
+  option("--workers", texts_.workers, "Processes that draw; 0: this one alone (default: one a core)", "N");
+  option("--shard", texts_.shard, "Of a recording: only every N-th frame, the K-th first", "K/N");
+  command_->add_flag("--resume", texts_.resume, "Keep the frames that an interrupted render has left");
   command_->add_flag("--overwrite", texts_.overwrite,
                      "Replace an earlier sequence, film, contact sheet and recording");
   command_->footer(footer());
@@ -77,6 +82,8 @@ RenderCommand::RenderCommand(CLI::App& program)
 
 bool RenderCommand::chosen() const { return command_->parsed(); }
 
-void RenderCommand::run() const { render_sequence(parse_request(texts_)); }
+void RenderCommand::run() const {
+  render_sequence(names_recording(texts_) ? parse_recording_request(texts_) : parse_request(texts_));
+}
 
 }  // namespace kerf

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "frames/errors.h"
 #include "frames/parse_config.h"
 #include "frames/parse_number.h"
+#include "frames/recording_file.h"
 #include "frames/suggest.h"
 #include "frames/video.h"
 #include "viz/draw/camera.h"
@@ -34,9 +37,9 @@ auto parse_option(std::string_view option, Parse parse) {
   }
 }
 
-void check_camera(const CatalogScene& scene, const std::string& text) {
+void check_camera(int dimension, const std::string& text) {
   parse_option("--camera", [&] {
-    if (scene.dimension() == 2) {
+    if (dimension == 2) {
       (void)parse_camera<2>(text);
     } else {
       (void)parse_camera<3>(text);
@@ -87,13 +90,79 @@ BroadPhaseChoice parse_broad_phase(const CatalogScene& scene, const RenderTexts&
   return choice;
 }
 
+/// What is asked of the pictures, whatever they are of.
+void parse_pictures(const RenderTexts& texts, RenderRequest& request) {
+  if (!texts.size.empty()) request.size = parse_picture_size(texts.size);
+  if (!texts.fps.empty()) request.fps = number_in("--fps", texts.fps, 1, 240);
+  if (!texts.show.empty())
+    request.layers = parse_option("--show", [&] { return LayerSet::parse(texts.show); });
+  check_camera(request.dimension(), texts.camera);
+  request.camera = texts.camera;
+  request.out =
+      texts.out.empty() ? std::filesystem::path("out") / request.name : std::filesystem::path(texts.out);
+  request.video = texts.video;
+  if (!request.video.empty()) Video::check_extension(request.video);
+  request.contact_sheet = texts.contact_sheet;
+  if (!request.contact_sheet.empty()) check_picture_extension(request.contact_sheet);
+  request.workers = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  if (!texts.workers.empty()) request.workers = number_in("--workers", texts.workers, 0, kMaxWorkers);
+  request.overwrite = texts.overwrite;
+  request.resume = texts.resume;
+  if (texts.resume && texts.overwrite)
+    throw UsageError("--resume keeps the frames that are there, --overwrite does not; give one of them");
+}
+
+/// "3/8" is the third of eight.
+Shard parse_shard(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const auto k = parse_number<std::uint32_t>(std::string_view(text).substr(0, slash));
+  const auto n = slash == std::string::npos
+                     ? std::nullopt
+                     : parse_number<std::uint32_t>(std::string_view(text).substr(slash + 1));
+  if (!k || !n || *k == 0 || *k > *n)
+    throw UsageError("--shard '" + text + "' is not K/N, such as 3/8, with K from 1 to N");
+  return {*k - 1, *n};
+}
+
+void parse_shard_of_recording(const RenderTexts& texts, RenderRequest& request) {
+  if (texts.shard.empty()) return;
+  request.shard = parse_shard(texts.shard);
+  if (!texts.video.empty() || !texts.contact_sheet.empty())
+    throw UsageError(
+        "a shard has not all frames that a film or a contact sheet needs; give --video and "
+        "--contact-sheet to `kerf collect`");
+  if (texts.out.empty())
+    request.out +=
+        "." + std::to_string(request.shard.index + 1) + "-of-" + std::to_string(request.shard.count);
+}
+
+/// Options that say how a scene is to run.
+void refuse_scene_options(const RenderTexts& texts) {
+  const std::pair<const char*, const std::string*> options[] = {
+      {"--objects", &texts.objects}, {"--grow", &texts.grow},
+      {"--recycle", &texts.recycle}, {"--broad-phase", &texts.broad_phase},
+      {"--volume", &texts.volume},   {"--config", &texts.config},
+      {"--seed", &texts.seed},       {"--record", &texts.record}};
+  for (const auto& [name, text] : options)
+    if (!text->empty())
+      throw UsageError(std::string(name) + ": " + texts.scene +
+                       " is a recording, of which that is settled; leave the option out");
+}
+
+RecordingSource open_source(const std::filesystem::path& path) {
+  return with_recording(path, [&](const auto& reader) {
+    if (reader->steps() == 0) throw UsageError(path.string() + " has no steps, so there is nothing to draw");
+    return RecordingSource{path, reader->info(), reader->steps(), reader->rows().back().state_hash};
+  });
+}
+
 }  // namespace
 
 RenderRequest parse_request(const RenderTexts& texts) {
   RenderRequest request;
   request.scene = find_scene(texts.scene);
+  request.name = request.scene.name;
   if (!texts.steps.empty()) request.steps = parse_steps(texts.steps);
-  if (!texts.size.empty()) request.size = parse_picture_size(texts.size);
   if (!texts.objects.empty()) {
     request.options.objects = number_in("--objects", texts.objects, 1U, kMaxRequestedObjects);
   }
@@ -103,20 +172,43 @@ RenderRequest parse_request(const RenderTexts& texts) {
   if (!texts.seed.empty()) {
     request.options.seed = number_in<std::uint64_t>("--seed", texts.seed, 0, UINT64_MAX);
   }
-  if (!texts.fps.empty()) request.fps = number_in("--fps", texts.fps, 1, 240);
-  if (!texts.show.empty())
-    request.layers = parse_option("--show", [&] { return LayerSet::parse(texts.show); });
-  check_camera(request.scene, texts.camera);
-  request.camera = texts.camera;
+  parse_pictures(texts, request);
   request.broad_phase = parse_broad_phase(request.scene, texts);
-  request.out = texts.out.empty() ? std::filesystem::path("out") / request.scene.name
-                                  : std::filesystem::path(texts.out);
-  request.video = texts.video;
-  if (!request.video.empty()) Video::check_extension(request.video);
-  request.contact_sheet = texts.contact_sheet;
-  if (!request.contact_sheet.empty()) check_picture_extension(request.contact_sheet);
   request.record = texts.record;
-  request.overwrite = texts.overwrite;
+  if (request.resume && !request.record.empty())
+    throw UsageError(
+        "--record: a recording cannot be resumed; leave out --resume, or make it by `kerf record`");
+  if (!texts.shard.empty())
+    throw UsageError("--shard needs a recording: make one by `kerf record " + texts.scene +
+                     " -o FILE` and render that");
+  return request;
+}
+
+bool names_recording(const RenderTexts& texts) {
+  try {
+    (void)find_scene(texts.scene);
+    return false;
+  } catch (const UsageError&) {
+    return std::filesystem::is_regular_file(texts.scene);
+  }
+}
+
+RenderRequest parse_recording_request(const RenderTexts& texts) {
+  refuse_scene_options(texts);
+  RenderRequest request;
+  request.recording = open_source(texts.scene);
+  request.name = request.recording->path.stem().string();
+  const std::uint32_t steps = request.recording->steps;
+  request.steps.last = steps;
+  if (!texts.steps.empty()) request.steps = parse_steps(texts.steps);
+  if (request.steps.last > steps)
+    throw UsageError("--steps " + texts.steps + ": the recording ends with step " + std::to_string(steps));
+  request.broad_phase.config = request.recording->info.config;
+  request.broad_phase.volume = request.recording->info.volume;
+  request.options = {request.recording->info.objects, request.recording->info.grow,
+                     request.recording->info.recycle, request.recording->info.seed};
+  parse_pictures(texts, request);
+  parse_shard_of_recording(texts, request);
   return request;
 }
 

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "core/recording/recording_info.h"
 #include "frames/broad_phase_choice.h"
 #include "frames/picture_size.h"
 #include "frames/scene_catalog.h"
@@ -31,12 +33,33 @@ struct RenderTexts {
   std::string contact_sheet;
   std::string seed;
   std::string record;
+  std::string workers;
+  std::string shard;
   bool overwrite = false;
+  bool resume = false;
+};
+
+/// Every `count`-th frame of a sequence, from frame `index` on.
+struct Shard {
+  std::uint32_t index = 0;
+  std::uint32_t count = 1;
+  [[nodiscard]] bool has(std::uint32_t frame) const { return frame % count == index; }
+  friend bool operator==(const Shard&, const Shard&) = default;
+};
+
+/// A recording that is rendered.
+struct RecordingSource {
+  std::filesystem::path path;
+  RecordingInfo info;
+  std::uint32_t steps = 0;
+  std::uint64_t last_state_hash = 0;
 };
 
 /// What is to be rendered, every part of it checked.
 struct RenderRequest {
-  CatalogScene scene;
+  std::string name;    ///< of the scene, or what a recording's frames are called
+  CatalogScene scene;  ///< if there is no recording
+  std::optional<RecordingSource> recording;
   StepRange steps;
   PictureSize size;
   SceneOptions options;
@@ -48,12 +71,25 @@ struct RenderRequest {
   int fps = 25;
   std::filesystem::path contact_sheet;  ///< empty: none
   std::filesystem::path record;         ///< empty: none
+  int workers = 1;                      ///< processes that draw; 0: this one
+  Shard shard;
   bool overwrite = false;
+  bool resume = false;  ///< frames that are there already are kept
+
+  [[nodiscard]] int dimension() const { return recording ? recording->info.dimension : scene.dimension(); }
 };
 
 inline constexpr std::uint32_t kMaxRequestedObjects = 1'000'000;
 
+inline constexpr int kMaxWorkers = 256;
+
 /// Throws UsageError that says what to do. Touches no file.
 RenderRequest parse_request(const RenderTexts& texts);
+
+/// Whether `kerf render` is given a recording: the name of no scene, but of a file.
+bool names_recording(const RenderTexts& texts);
+/// The same for a recording, which is opened to see what it is of. Throws std::runtime_error if it cannot be
+/// read.
+RenderRequest parse_recording_request(const RenderTexts& texts);
 
 }  // namespace kerf

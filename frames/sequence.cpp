@@ -1,6 +1,8 @@
 #include "frames/sequence.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <exception>
 #include <optional>
 #include <string>
@@ -9,37 +11,20 @@
 #include "frames/atomic_file.h"
 #include "frames/contact_strip.h"
 #include "frames/errors.h"
+#include "frames/farm/forked_crew.h"
+#include "frames/farm/picture_maker.h"
+#include "frames/farm/solo_crew.h"
 #include "frames/film.h"
-#include "frames/frame_queue.h"
+#include "frames/folder_lock.h"
 #include "frames/interrupt.h"
 #include "frames/manifest.h"
 #include "frames/progress.h"
 #include "frames/sequence_folder.h"
 #include "frames/video.h"
 #include "viz/gl/context.h"
-#include "viz/image/png.h"
 
 namespace kerf {
 namespace {
-
-Manifest begin_manifest(const RenderRequest& request) {
-  Manifest manifest;
-  manifest.scene = request.scene.name;
-  manifest.dimension = request.scene.dimension();
-  manifest.needs = std::visit([](const auto* entry) { return describe(entry->needs); }, request.scene.entry);
-  manifest.seed = request.options.seed;
-  manifest.requested_objects = request.options.objects;
-  manifest.grow = request.options.steps;
-  manifest.steps = request.steps;
-  manifest.size = request.size;
-  manifest.layers = to_string(request.layers);
-  manifest.camera = request.camera;
-  manifest.broad_phase = request.broad_phase.name;
-  if (request.broad_phase.is_tree()) manifest.config = request.broad_phase.config;
-  manifest.volume = to_string(request.broad_phase.volume);
-  manifest.recycle = request.options.recycle;
-  return manifest;
-}
 
 /// A film or contact sheet replaces an earlier file only if the user said so.
 void check_free(const std::filesystem::path& file, bool overwrite) {
@@ -47,36 +32,35 @@ void check_free(const std::filesystem::path& file, bool overwrite) {
   throw UsageError(file.string() + " exists already; choose another name, or replace it with --overwrite");
 }
 
-/// So many pictures may wait for the disk: enough to smooth its delays, little enough for memory.
-std::size_t queue_capacity(PictureSize size) {
-  constexpr std::size_t kBytes = 64U << 20U;
-  const std::size_t picture =
-      4 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-  return std::clamp<std::size_t>(kBytes / picture, 1, 8);
+std::size_t image_bytes(const RenderRequest& request) {
+  if (request.video.empty() && request.contact_sheet.empty()) return 0;
+  return 4 * static_cast<std::size_t>(request.size.width) * static_cast<std::size_t>(request.size.height);
 }
 
-/// The work on one sequence; the second thread uses `manifest_`, `video_` and `strip_` until the queue is
-/// done.
+/// The work on one sequence; the crew's thread uses `manifest_`, `video_` and `strip_` until it is done.
 class Sequence {
  public:
   explicit Sequence(const RenderRequest& request)
       : request_(request),
-        folder_(request.out, request.overwrite),
-        film_(make_film(request)),
         manifest_(begin_manifest(request)),
+        lock_(lock_if_there(request.out)),
+        folder_(request.out, manifest_.name),
+        kept_(look_into_folder()),
+        crew_(make_crew()),
+        film_(make_film(request)),
         strip_(request.steps.frames()) {
     if (!request.video.empty()) video_.emplace(request.video, request.size, request.fps);
     if (request.contact_sheet.has_parent_path()) make_writable_folder(request.contact_sheet.parent_path());
-    folder_.make();
-    folder_.clear();
+    take_folder();
   }
 
   void run(const InterruptGuard& interrupt) {
     try {
       make_frames(interrupt);
-      manifest_.complete = manifest_.frames.size() == request_.steps.frames();
+      manifest_.complete = manifest_.frames.size() == manifest_.wanted_frames();
       save(manifest_, folder_.path());
     } catch (...) {
+      crew_.reset();  // what is on its way is finished first
       manifest_.complete = false;
       save_what_is_there();
       throw;
@@ -87,32 +71,83 @@ class Sequence {
   }
 
  private:
-  void make_frames(const InterruptGuard& interrupt) {
-    const StepRange& steps = request_.steps;
-    FrameQueue queue(queue_capacity(request_.size), [this](FrameJob& job) { finish(job); });
-    Progress progress(steps);
-    std::uint32_t frames = 0;
-    for (std::uint32_t step = 1; step <= steps.last && !interrupt.requested(); ++step) {
-      film_->advance();
-      if (step == steps.step_of(frames)) {
-        queue.add({film_->draw(), film_->record()});
-        ++frames;
-      }
-      progress.update(frames, step);
+  static std::unique_ptr<FolderLock> lock_if_there(const std::filesystem::path& folder) {
+    return std::filesystem::is_directory(folder) ? std::make_unique<FolderLock>(folder) : nullptr;
+  }
+
+  KeptFrames look_into_folder() {
+    if (request_.resume) return folder_.frames_of(manifest_);
+    folder_.check_free(request_.overwrite);
+    return {};
+  }
+
+  /// From here on files are written. Who else made the folder meanwhile may have put frames into it.
+  void take_folder() {
+    folder_.make();
+    if (!lock_) {
+      lock_ = std::make_unique<FolderLock>(folder_.path());
+      folder_.check_free(request_.overwrite || request_.resume);
     }
-    queue.finish();
+    if (!request_.resume) folder_.clear();
+  }
+
+  std::unique_ptr<FrameCrew> make_crew() {
+    const auto start = [request = request_] { return make_picture_maker(request); };
+    auto deliver = [this](const FrameRecord& record, const Image& image) { finish(record, image); };
+    if (request_.workers == 0) return std::make_unique<SoloCrew>(start, std::move(deliver));
+    const auto most = static_cast<int>(std::min<std::uint32_t>(manifest_.wanted_frames(), kMaxWorkers));
+    return std::make_unique<ForkedCrew>(std::min(request_.workers, std::max(1, most)), image_bytes(request_),
+                                        start, std::move(deliver));
+  }
+
+  void make_frames(const InterruptGuard& interrupt) {
+    save_now_and_then();
+    Progress progress(request_.steps);
+    const auto go_on = [&](std::uint32_t step) {
+      progress.update(finished_, step);
+      return !interrupt.requested();
+    };
+    const StepRange& steps = request_.steps;
+    for (std::uint32_t index = 0; index < steps.frames(); ++index) {
+      if (!request_.shard.has(index)) continue;
+      if (interrupt.requested() || !film_->advance_to(steps.step_of(index), go_on)) break;
+      crew_->add(order(index));
+    }
+    crew_->finish();
+    // A recording goes on to the last step, also when that is no frame.
+    if (!request_.record.empty()) film_->advance_to(steps.last, go_on);
     film_->finish();
   }
 
-  /// Second thread. The record joins the manifest when its file is there.
-  void finish(FrameJob& job) {
-    const auto index = static_cast<std::uint32_t>(manifest_.frames.size());
-    job.record.file = frame_file_name(manifest_.scene, index);
-    job.record.pixel_hash = pixel_hash(job.image);
-    write_png(folder_.path() / job.record.file, job.image);
-    manifest_.frames.push_back(job.record);
-    if (video_) video_->add(job.image.rgba);
-    if (!request_.contact_sheet.empty()) strip_.offer(index, job.image);
+  FrameOrder order(std::uint32_t index) {
+    FrameOrder order;
+    order.parcel = film_->parcel();
+    order.record = film_->record();
+    order.record.index = index;
+    order.record.file = frame_file_name(manifest_.name, index);
+    const auto kept = kept_.find(index);
+    if (kept != kept_.end()) order.kept = kept->second;
+    order.wants_image = video_ || (!request_.contact_sheet.empty() && strip_.is_chosen(index));
+    return order;
+  }
+
+  /// The crew's thread. The record joins the manifest when its file is there.
+  void finish(const FrameRecord& record, const Image& image) {
+    manifest_.frames.push_back(record);
+    finished_ = static_cast<std::uint32_t>(manifest_.frames.size());
+    if (video_) video_->add(image.rgba);
+    if (!request_.contact_sheet.empty() && strip_.is_chosen(record.index)) strip_.offer(record.index, image);
+    save_now_and_then();
+  }
+
+  /// So that a run that is killed can be resumed. Takes a small part of the time, however long the manifest.
+  void save_now_and_then() {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    if (start < next_save_) return;
+    save(manifest_, folder_.path());
+    const Clock::time_point end = Clock::now();
+    next_save_ = end + std::max<Clock::duration>(std::chrono::seconds(1), 50 * (end - start));
   }
 
   /// After a failure: what went wrong first is what the user must hear, so errors here stay silent. On a full
@@ -141,17 +176,23 @@ class Sequence {
 
   [[nodiscard]] std::string interruption() const {
     std::string text = "interrupted: " + std::to_string(manifest_.frames.size()) + " of " +
-                       std::to_string(request_.steps.frames()) + " frames are in " + folder_.path().string();
+                       std::to_string(manifest_.wanted_frames()) + " frames are in " +
+                       folder_.path().string() + "; the same command with --resume makes the rest";
     if (video_) text += "; no film was made";
     return text;
   }
 
   const RenderRequest& request_;
-  SequenceFolder folder_;
-  std::unique_ptr<Film> film_;
   Manifest manifest_;
+  std::unique_ptr<FolderLock> lock_;  ///< none while there is no folder
+  SequenceFolder folder_;
+  KeptFrames kept_;                  ///< by an earlier run
+  std::unique_ptr<FrameCrew> crew_;  ///< before the film, which may have threads
+  std::unique_ptr<Film> film_;
   ContactStrip strip_;
   std::optional<Video> video_;
+  std::atomic<std::uint32_t> finished_ = 0;
+  std::chrono::steady_clock::time_point next_save_{};
 };
 
 }  // namespace

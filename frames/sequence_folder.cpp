@@ -13,44 +13,65 @@
 namespace kerf {
 namespace {
 
-/// Whether `file` is named as `frame_file_name` names the frames of one of our scenes.
-bool is_frame(const std::string& file) {
-  return std::ranges::any_of(scene_catalog(), [&](const CatalogScene& scene) {
-    const std::string pattern = frame_file_name(scene.name, 0);
-    return std::ranges::equal(file, pattern, [](unsigned char given, unsigned char wanted) {
-      return std::isdigit(wanted) ? std::isdigit(given) != 0 : given == wanted;
-    });
+bool is_named_like(const std::string& file, const std::string& name) {
+  const std::string pattern = frame_file_name(name, 0);
+  return std::ranges::equal(file, pattern, [](unsigned char given, unsigned char wanted) {
+    return wanted == '0' ? std::isdigit(given) != 0 : given == wanted;
   });
 }
 
-/// Manifest first: while frames are going away nothing claims that they are there.
-std::vector<std::filesystem::path> files_of_sequence(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  if (std::filesystem::exists(folder / kManifestName)) files.push_back(folder / kManifestName);
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (is_frame(entry.path().filename().string())) files.push_back(entry.path());
-  }
-  return files;
+/// Whether `file` is named as `frame_file_name` names the frames of `name` or one of our scenes.
+bool is_frame(const std::string& file, const std::string& name) {
+  return is_named_like(file, name) || std::ranges::any_of(scene_catalog(), [&](const CatalogScene& scene) {
+           return is_named_like(file, scene.name);
+         });
 }
 
 }  // namespace
 
-SequenceFolder::SequenceFolder(std::filesystem::path path, bool overwrite) : path_(std::move(path)) {
-  if (!std::filesystem::exists(path_)) return;
-  if (!std::filesystem::is_directory(path_)) {
+SequenceFolder::SequenceFolder(std::filesystem::path path, std::string name)
+    : path_(std::move(path)), name_(std::move(name)) {
+  if (std::filesystem::exists(path_) && !std::filesystem::is_directory(path_))
     throw UsageError(path_.string() + " is not a folder; choose another with --out");
-  }
-  if (!overwrite && !files_of_sequence(path_).empty()) {
-    throw UsageError(path_.string() +
-                     " holds a frame sequence already; choose another folder with --out, or " +
-                     "replace the sequence with --overwrite");
-  }
+}
+
+/// Manifest first: while frames are going away nothing claims that they are there.
+std::vector<std::filesystem::path> SequenceFolder::files_of_sequence() const {
+  std::vector<std::filesystem::path> files;
+  if (!std::filesystem::exists(path_)) return files;
+  if (std::filesystem::exists(path_ / kManifestName)) files.push_back(path_ / kManifestName);
+  for (const auto& entry : std::filesystem::directory_iterator(path_))
+    if (is_frame(entry.path().filename().string(), name_)) files.push_back(entry.path());
+  return files;
+}
+
+void SequenceFolder::check_free(bool overwrite) const {
+  if (overwrite || files_of_sequence().empty()) return;
+  throw UsageError(path_.string() +
+                   " holds a frame sequence already; choose another folder with --out, replace the " +
+                   "sequence with --overwrite, or make what it lacks with --resume");
+}
+
+KeptFrames SequenceFolder::frames_of(const Manifest& manifest) const {
+  if (files_of_sequence().empty()) return {};
+  if (!std::filesystem::exists(path_ / kManifestName))
+    throw UsageError(path_.string() + " has frames but no " + kManifestName +
+                     ", so nobody knows of what; choose another folder, or replace them with --overwrite");
+  const Manifest earlier = read_manifest(path_);
+  std::string difference = first_difference(earlier.header, manifest.header);
+  if (!(earlier.shard == manifest.shard)) difference = "another shard";
+  if (!difference.empty())
+    throw UsageError("--resume: " + path_.string() + " holds another sequence (" + difference +
+                     "); give the options with which it was begun, or choose another folder with --out");
+  KeptFrames kept;
+  for (const FrameRecord& frame : earlier.frames) kept.emplace(frame.index, frame.pixel_hash);
+  return kept;
 }
 
 void SequenceFolder::make() const { make_writable_folder(path_); }
 
 void SequenceFolder::clear() const {
-  for (const std::filesystem::path& file : files_of_sequence(path_)) std::filesystem::remove(file);
+  for (const std::filesystem::path& file : files_of_sequence()) std::filesystem::remove(file);
 }
 
 }  // namespace kerf

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <thread>
 #include <vector>
@@ -72,13 +73,120 @@ INSTANTIATE_TEST_SUITE_P(Signals, FailureProgram, ::testing::Values(SIGINT, SIGT
                            return signal.param == SIGINT ? "Interrupt" : "Terminate";
                          });
 
-TEST(FailureProgram, KilledRunClaimsNothing) {
+/// The processes that a program has forked.
+std::vector<pid_t> children_of(pid_t parent) {
+  const std::string task =
+      "/proc/" + std::to_string(parent) + "/task/" + std::to_string(parent) + "/children";
+  std::ifstream file(task);
+  return {std::istream_iterator<pid_t>(file), {}};
+}
+
+bool goes_away(pid_t process) {
+  for (int i = 0; i < 2000; ++i) {
+    if (::kill(process, 0) != 0) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+std::vector<std::string> short_render(const std::filesystem::path& out, const std::string& steps) {
+  return {"render", "pile", "--steps", steps, "--objects", "50", "--size", "160x120", "--out", out};
+}
+
+/// The same files with the same bytes.
+void expect_same_folder(const std::filesystem::path& a, const std::filesystem::path& b) {
+  ASSERT_EQ(testing::files_in(a), testing::files_in(b));
+  for (const std::string& file : testing::files_in(a))
+    EXPECT_TRUE(testing::read_text(a / file) == testing::read_text(b / file)) << file;
+}
+
+TEST(FailureProgram, KilledRunLeavesNoProcessAndIsResumed) {
   const TemporaryFolder folder;
-  Process process(testing::kerf_command(long_render(folder.path())));
-  ASSERT_TRUE(appears(folder.path() / "pile_000003.png"));
+  const auto all = folder.path() / "all";
+  const auto part = folder.path() / "part";
+  const auto arguments = short_render(part, "1:4000:10");
+  Process process(testing::kerf_command(with(arguments, {"--workers", "2"})));
+  ASSERT_TRUE(appears(part / "pile_000003.png"));
+  const std::vector<pid_t> workers = children_of(process.id());
+  EXPECT_EQ(workers.size(), 2U);
   process.signal(SIGKILL);
   EXPECT_EQ(process.wait().exit, 128 + SIGKILL);
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "frames.json"));
+  for (const pid_t worker : workers) EXPECT_TRUE(goes_away(worker)) << worker;
+  EXPECT_EQ(testing::read_json(part / "frames.json")["complete"], false);
+
+  EXPECT_EQ(run_kerf(arguments).exit, kExitUsage) << "nothing is mixed unless asked for";
+  const Outcome other = run_kerf(with(arguments, {"--resume", "--camera", "width=9"}));
+  EXPECT_EQ(other.exit, kExitUsage);
+  EXPECT_THAT(other.err, HasSubstr("camera"));
+  const Outcome resumed = run_kerf(with(arguments, {"--resume"}));
+  ASSERT_EQ(resumed.exit, kExitDone) << resumed.err;
+  ASSERT_EQ(run_kerf(short_render(all, "1:4000:10")).exit, kExitDone);
+  expect_same_folder(part, all);
+}
+
+TEST(FailureProgram, ResumedFramesAreLookedAt) {
+  const TemporaryFolder folder;
+  const auto part = folder.path() / "part";
+  ASSERT_EQ(run_kerf(short_render(part, "1:41:10")).exit, kExitDone);
+  const std::string whole = testing::read_text(part / "pile_000001.png");
+  const std::string before = testing::read_text(part / "frames.json");
+  std::filesystem::resize_file(part / "pile_000001.png", 100);
+  std::filesystem::copy_file(part / "pile_000003.png", part / "pile_000002.png",
+                             std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::remove(part / "pile_000004.png");
+  const Outcome outcome = run_kerf(with(short_render(part, "1:41:10"), {"--resume"}));
+  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  EXPECT_TRUE(testing::read_text(part / "pile_000001.png") == whole);
+  EXPECT_EQ(testing::read_text(part / "frames.json"), before);
+  for (const json& frame : testing::read_json(part / "frames.json")["frames"])
+    EXPECT_EQ(std::stoull(frame["pixel_hash"].get<std::string>(), nullptr, 16),
+              pixel_hash(read_png(part / frame["file"].get<std::string>())));
+}
+
+TEST(FailureProgram, FramesOfAKilledWorkerAreDrawnByTheOthers) {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "a";
+  Process process(testing::kerf_command(with(short_render(out, "1:4000:10"), {"--workers", "3"})));
+  ASSERT_TRUE(appears(out / "pile_000003.png"));
+  const std::vector<pid_t> workers = children_of(process.id());
+  ASSERT_EQ(workers.size(), 3U);
+  ::kill(workers[1], SIGKILL);
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.exit, kExitDone) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("killed by signal 9"));
+  ASSERT_EQ(run_kerf(with(short_render(folder.path() / "b", "1:4000:10"), {"--workers", "0"})).exit,
+            kExitDone);
+  expect_same_folder(out, folder.path() / "b");
+}
+
+TEST(FailureProgram, WithoutAnyWorkerItIsAnErrorThatCanBeResumed) {
+  const TemporaryFolder folder;
+  Process process(testing::kerf_command(with(long_render(folder.path()), {"--workers", "1"})));
+  ASSERT_TRUE(appears(folder.path() / "pile_000003.png"));
+  ::kill(children_of(process.id()).at(0), SIGKILL);
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_THAT(outcome.err, HasSubstr("--resume"));
+  expect_valid_part(folder.path());
+}
+
+TEST(FailureProgram, TwoRendersIntoOneFolder) {
+  const TemporaryFolder folder;
+  Process first(testing::kerf_command(long_render(folder.path())));
+  ASSERT_TRUE(appears(folder.path() / "pile_000003.png"));
+  for (const char* const how : {"--overwrite", "--resume"}) {
+    const Outcome second = run_kerf(with(long_render(folder.path()), {how}));
+    EXPECT_EQ(second.exit, kExitFailure) << how;
+    EXPECT_THAT(second.err, HasSubstr("another render is writing"));
+  }
+  first.signal(SIGINT);
+  EXPECT_EQ(first.wait().exit, kExitInterrupted);
+  expect_valid_part(folder.path());
 }
 
 TEST(FailureProgram, FolderThatCannotBeMade) {
@@ -98,7 +206,7 @@ TEST(FailureProgram, FolderThatCannotBeMade) {
 
 TEST(FailureProgram, FileThatMayNotGrowIsAnError) {
   const TemporaryFolder folder;
-  const Outcome outcome = run_kerf(long_render(folder.path()), {500, ""});
+  const Outcome outcome = run_kerf(long_render(folder.path()), {2000, ""});
   EXPECT_EQ(outcome.exit, kExitFailure);
   EXPECT_THAT(outcome.err, HasSubstr("pile_000000.png"));
   EXPECT_THAT(outcome.err, HasSubstr("too large"));

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <stdexcept>
+
 #include "tests/frames/program.h"
 
 namespace kerf {
@@ -9,13 +12,19 @@ namespace {
 
 using nlohmann::json;
 
+RenderRequest request() {
+  RenderRequest request;
+  request.scene = find_scene("pile");
+  request.name = "pile";
+  request.options.seed = UINT64_MAX;
+  request.broad_phase.config.max_redundancy = 0.125F;
+  return request;
+}
+
 Manifest example() {
-  Manifest manifest;
-  manifest.scene = "pile";
-  manifest.dimension = 2;
-  manifest.seed = UINT64_MAX;
-  manifest.config.emplace().max_redundancy = 0.125F;
+  Manifest manifest = begin_manifest(request());
   FrameRecord frame;
+  frame.index = 42;
   frame.file = frame_file_name("pile", 42);
   frame.step = 169;
   frame.pairs = 7;
@@ -51,9 +60,49 @@ TEST(Manifest, SaysWhatAFrameShows) {
 }
 
 TEST(Manifest, TextThatIsNotUtf8DoesNotLoseIt) {
-  Manifest manifest = example();
-  manifest.camera = "\xff\xfe";
-  EXPECT_TRUE(json::accept(to_json(manifest)));
+  RenderRequest strange = request();
+  strange.camera = "\xff\xfe";
+  EXPECT_TRUE(json::accept(to_json(begin_manifest(strange))));
+}
+
+TEST(Manifest, IsReadAsItWasWritten) {
+  const testing::TemporaryFolder folder;
+  Manifest written = example();
+  written.shard = {1, 3};
+  save(written, folder.path());
+  const Manifest read = read_manifest(folder.path());
+  EXPECT_EQ(to_json(read), to_json(written));
+  EXPECT_EQ(read.header, written.header);
+  EXPECT_EQ(read.wanted_frames(), written.wanted_frames());
+}
+
+TEST(Manifest, ThatIsDamagedIsAnError) {
+  const testing::TemporaryFolder folder;
+  EXPECT_THROW((void)read_manifest(folder.path()), std::runtime_error);
+  for (const char* const text : {"", "{}", "[1]", "{\"format\":\"kerf-frames-2\"}"}) {
+    std::ofstream(folder.path() / kManifestName) << text;
+    EXPECT_THROW((void)read_manifest(folder.path()), std::runtime_error) << text;
+  }
+}
+
+TEST(Manifest, ShardsShareTheFrames) {
+  Manifest manifest = begin_manifest(request());
+  for (const std::uint32_t count : {1U, 3U, 7U, 1000U}) {
+    std::uint32_t sum = 0;
+    for (std::uint32_t index = 0; index < count; ++index) {
+      manifest.shard = {index, count};
+      sum += manifest.wanted_frames();
+    }
+    EXPECT_EQ(sum, manifest.steps.frames());
+  }
+}
+
+TEST(Manifest, NamesTheFirstDifference) {
+  RenderRequest other = request();
+  EXPECT_EQ(first_difference(begin_manifest(request()).header, begin_manifest(other).header), "");
+  other.camera = "yaw=10";
+  EXPECT_EQ(first_difference(begin_manifest(request()).header, begin_manifest(other).header),
+            "camera: \"\" and \"yaw=10\"");
 }
 
 }  // namespace

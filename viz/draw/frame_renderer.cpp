@@ -1,18 +1,15 @@
 #include "viz/draw/frame_renderer.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include "viz/draw/draw_context.h"
-#include "viz/draw/highlights.h"
+#include "viz/draw/frame_planner.h"
 #include "viz/draw/overlay.h"
 #include "viz/draw/painter.h"
 #include "viz/draw/palette.h"
-#include "viz/draw/view_box.h"
 #include "viz/gl/context.h"
 #include "viz/gl/framebuffer.h"
 
@@ -33,21 +30,6 @@ const FrameOptions& checked(const FrameOptions& options) {
   return options;
 }
 
-/// Where each object is stored, from the leaves' entries.
-template <int D>
-void find_placements(const Tree<D>& tree, std::size_t objects, std::vector<Placement>& placements) {
-  placements.assign(objects, {});
-  for_each_node(tree, tree.root(), [&](NodeId id) {
-    if (!tree[id].is_leaf()) return;
-    for (const Entry& entry : tree[id].entries) {
-      if (entry.object.index() >= objects) continue;
-      Placement& placement = placements[entry.object.index()];
-      ++placement.leaves;
-      placement.population = std::max(placement.population, tree[id].population);
-    }
-  });
-}
-
 std::string log_line(const std::string& note, const std::vector<Highlight>& highlights) {
   std::string acted;
   for (const Highlight& highlight : highlights)
@@ -62,6 +44,7 @@ struct FrameRenderer<D>::State {
   explicit State(const FrameOptions& chosen)
       : options(checked(chosen)),
         camera(parse_camera<D>(chosen.camera)),
+        planner(chosen.layers, chosen.samples),
         font(font_pixels(chosen.height)),
         context(make_offscreen_context()),
         painter(context->functions(), font) {}
@@ -71,34 +54,15 @@ struct FrameRenderer<D>::State {
 
   [[nodiscard]] bool has(Layer layer) const { return options.layers.has(layer); }
 
-  void prepare(const FrameInput<D>& input) {
-    view_box.update(input.bodies);
-    std::swap(skeleton, skeleton_before);
-    skeleton.assign(input.tree);
-    placements.clear();
-    if (input.tree != nullptr && has(Layer::leaves))
-      find_placements(*input.tree, input.bodies.size(), placements);
-    highlights.update(input, skeleton, skeleton_before, view_box.box());
-    // Powers of two, and a gap between growing and shrinking: the ramp changes rarely.
-    const std::uint32_t wanted = std::bit_ceil(std::max(16U, skeleton.largest_leaf()));
-    if (wanted > largest_population ||
-        5 * std::uint64_t{skeleton.largest_leaf()} < 2 * std::uint64_t{largest_population})
-      largest_population = wanted;
-    for (Batch& batch : batches) batch.clear();
-    overlay.clear();
-  }
-
-  /// Smooth edges cost three times as much. A sequence that has gone over to jagged ones stays with them.
-  void choose_framebuffer(std::size_t bodies) {
-    int wanted = options.samples;
-    if (wanted == 0) wanted = samples == 1 || bodies >= kManyBodies ? 1 : 4;
+  void choose_framebuffer(int wanted) {
     if (wanted == samples) return;
     framebuffer.emplace(context->functions(), options.width, options.height, wanted);
     samples = wanted;
   }
 
   /// The scene itself, one batch a pass.
-  void draw_scene(const DrawContext<D>& frame) {
+  void draw_scene(const DrawContext<D>& frame, const std::vector<Highlight>& highlights) {
+    for (Batch& batch : batches) batch.clear();
     Batch& back = batches[0];
     Batch& glass = batches[1];
     Batch& lines = batches[2];
@@ -111,7 +75,7 @@ struct FrameRenderer<D>::State {
     }
     if (has(Layer::partitioners)) draw_partitioners(frame, glass);
     draw_pairs(frame, lines, pair_scratch);
-    if (has(Layer::operators)) draw_highlights(frame.view, frame.line_scale, highlights.all(), front);
+    if (has(Layer::operators)) draw_highlights(frame.view, frame.line_scale, highlights, front);
     painter.draw(back, D == 3 ? Depth::test_and_write : Depth::ignore);
     painter.draw(glass, D == 3 ? Depth::test : Depth::ignore);
     painter.draw(lines, D == 3 ? Depth::test : Depth::ignore);
@@ -119,8 +83,9 @@ struct FrameRenderer<D>::State {
   }
 
   void draw_overlay(const DrawContext<D>& frame, const Layout& layout,
-                    const std::vector<CaptionItem>& caption, const std::vector<LegendItem>& legend) {
-    const auto& newest = highlights.all();
+                    const std::vector<CaptionItem>& caption, const std::vector<LegendItem>& legend,
+                    const std::vector<Highlight>& newest) {
+    overlay.clear();
     if (has(Layer::operators)) draw_highlight_labels(frame.view, font, layout, newest, overlay);
     const std::string log =
         log_line(frame.input.caption.note, has(Layer::operators) ? newest : std::vector<Highlight>{});
@@ -130,26 +95,23 @@ struct FrameRenderer<D>::State {
     painter.draw(overlay.text, frame.view);
   }
 
-  const Image& render(const FrameInput<D>& input) {
+  const Image& render(const FrameInput<D>& input, const FramePlan<D>& plan) {
     context->make_current();
-    prepare(input);
-    const bool has_tree = input.tree != nullptr;
     std::vector<CaptionItem> caption;
-    if (has(Layer::caption)) caption = caption_items(input.caption, has_tree);
+    if (has(Layer::caption)) caption = caption_items(input.caption, plan.has_tree);
     std::vector<LegendItem> legend;
-    if (has(Layer::legend)) legend = legend_items(options.layers, D, has_tree, largest_population);
+    if (has(Layer::legend)) legend = legend_items(options.layers, D, plan.has_tree, plan.largest_population);
     const bool has_log = !caption.empty() && (has(Layer::operators) || !input.caption.note.empty());
     const Layout layout = make_layout(font, options.width, options.height, caption, has_log, legend);
-    const Box<D> bounds = view_box.box();
-    const View view = frame_all(bounds, camera, layout.scene, options.width, options.height);
+    const View view = frame_all(plan.bounds, camera, layout.scene, options.width, options.height);
     const double line_scale = std::clamp(options.height / 720.0, 0.6, 8.0);
-    const DrawContext<D> frame{input,  view,           skeleton,   placements,
-                               bounds, options.layers, line_scale, largest_population};
-    choose_framebuffer(input.bodies.size());
+    const DrawContext<D> frame{input,       view,           plan.skeleton, plan.placements,
+                               plan.bounds, options.layers, line_scale,    plan.largest_population};
+    choose_framebuffer(plan.samples);
     framebuffer->bind();
     painter.begin(palette::kGround);
-    draw_scene(frame);
-    draw_overlay(frame, layout, caption, legend);
+    draw_scene(frame, plan.highlights);
+    draw_overlay(frame, layout, caption, legend, plan.highlights);
     framebuffer->read(image);
     check_gl(context->functions(), "drawing a frame");
     return image;
@@ -157,20 +119,14 @@ struct FrameRenderer<D>::State {
 
   FrameOptions options;
   CameraChoice<D> camera;
+  FramePlanner<D> planner;
   Font font;
   std::unique_ptr<GlContext> context;
   std::optional<Framebuffer> framebuffer;
   int samples = 0;  ///< of the framebuffer
   Painter painter;
 
-  ViewBox<D> view_box;
-  Skeleton<D> skeleton;
-  Skeleton<D> skeleton_before;
-  Highlights<D> highlights;
-  std::uint32_t largest_population = 0;
-
   // Memory kept from frame to frame.
-  std::vector<Placement> placements;
   std::array<Batch, 4> batches;
   Overlay overlay;
   std::vector<Pair> pair_scratch;
@@ -191,22 +147,28 @@ FrameRenderer<D>& FrameRenderer<D>::operator=(FrameRenderer&&) noexcept = defaul
 
 template <int D>
 const Image& FrameRenderer<D>::render(const FrameInput<D>& input) {
-  return state_->render(input);
+  return state_->render(input, state_->planner.plan(input));
+}
+
+template <int D>
+const Image& FrameRenderer<D>::render(const FrameInput<D>& input, const FramePlan<D>& plan) {
+  return state_->render(input, plan);
 }
 
 template <int D>
 void FrameRenderer<D>::set_view_box(const Box<D>& box) {
-  state_->view_box.fix(box);
+  state_->planner.fix_view_box(box);
 }
 
 template <int D>
 Box<D> FrameRenderer<D>::view_box() const {
-  return state_->view_box.box();
+  return state_->planner.view_box();
 }
 
 template <int D>
 void FrameRenderer<D>::set_layers(LayerSet layers) {
   state_->options.layers = layers;
+  state_->planner.set_layers(layers);
 }
 
 template class FrameRenderer<2>;

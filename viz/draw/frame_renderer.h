@@ -61,11 +61,14 @@ struct FrameOptions {
   int samples = 0;
 };
 
+template <int D>
+struct FramePlan;
+
 /// Draws frames with a GL context of its own; the same inputs in the same order give the same pixels on every
 /// run and for every number of rasteriser threads.
 ///
 /// The view holds everything seen so far and does not follow single objects: it grows in large steps only. A
-/// caller who draws frames out of order (or in several processes) fixes it with `set_view_box`.
+/// caller who draws frames out of order (or in several processes) plans them in order with a FramePlanner.
 template <int D>
 class FrameRenderer {
  public:
@@ -77,6 +80,9 @@ class FrameRenderer {
 
   /// The picture is valid until the next call. Throws std::runtime_error on a GL error.
   const Image& render(const FrameInput<D>& input);
+  /// The same for a frame that a FramePlanner has planned, maybe in another process. The input's tree and
+  /// events are not looked at: the plan has what follows from them.
+  const Image& render(const FrameInput<D>& input, const FramePlan<D>& plan);
 
   /// From now on exactly this box is framed. Throws std::invalid_argument unless it is valid.
   void set_view_box(const Box<D>& box);

@@ -1,6 +1,7 @@
 #include "viz/draw/skeleton.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace kerf {
 
@@ -17,10 +18,26 @@ void Skeleton<D>::assign(const Tree<D>* tree) {
     const Node<D>& node = (*tree)[id];
     joints_[id.index()] = {node.plane,      node.parent, node.left,       node.right,
                            node.generation, node.depth,  node.population, true};
-    if (!node.is_leaf()) return;
-    ++leaves_;
-    largest_leaf_ = std::max(largest_leaf_, node.population);
   });
+  count_leaves();
+}
+
+template <int D>
+void Skeleton<D>::assign(NodeId root, std::vector<Joint> joints) {
+  root_ = root;
+  joints_ = std::move(joints);
+  count_leaves();
+}
+
+template <int D>
+void Skeleton<D>::count_leaves() {
+  leaves_ = 0;
+  largest_leaf_ = 0;
+  for (const Joint& joint : joints_) {
+    if (!joint.alive || !joint.is_leaf()) continue;
+    ++leaves_;
+    largest_leaf_ = std::max(largest_leaf_, joint.population);
+  }
 }
 
 template <int D>

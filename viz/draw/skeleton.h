@@ -29,7 +29,12 @@ class Skeleton {
   /// Takes over the nodes of `tree`; none: nothing is alive. Memory is kept from call to call.
   void assign(const Tree<D>* tree);
 
+  /// Takes over what `root()` and `joints()` of another one gave.
+  void assign(NodeId root, std::vector<Joint> joints);
+
   [[nodiscard]] NodeId root() const { return root_; }
+  /// By node; those that are not alive mean nothing.
+  [[nodiscard]] std::span<const Joint> joints() const { return joints_; }
   [[nodiscard]] bool empty() const { return root_.is_none(); }
   [[nodiscard]] const Joint& operator[](NodeId id) const { return joints_[id.index()]; }
   [[nodiscard]] bool is_alive(NodeRef ref) const;
@@ -43,6 +48,8 @@ class Skeleton {
   [[nodiscard]] std::vector<NodeId> back_to_front(const Eigen::Vector3d& eye) const;
 
  private:
+  void count_leaves();
+
   std::vector<Joint> joints_;
   NodeId root_;
   std::uint32_t leaves_ = 0;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "viz/draw/frame_planner.h"
+
+namespace kerf {
+
+/// All that is drawn in one frame, apart from the simulation that it comes from.
+template <int D>
+struct FrameParcel {
+  std::vector<Body<D>> bodies;
+  std::vector<Pair> pairs;
+  std::vector<Pair> contacts;
+  Caption caption;
+  FramePlan<D> plan;
+
+  /// What a renderer is given together with `plan`.
+  [[nodiscard]] FrameInput<D> input() const { return {bodies, nullptr, pairs, contacts, {}, caption}; }
+};
+
+/// For another process of the same program.
+template <int D>
+std::vector<std::uint8_t> pack(const FrameInput<D>& input, const FramePlan<D>& plan);
+/// Throws std::runtime_error if the bytes end too soon.
+template <int D>
+FrameParcel<D> unpack(std::span<const std::uint8_t> bytes);
+
+}  // namespace kerf

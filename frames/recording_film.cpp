@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "core/replay/replayer.h"
+#include "core/tree/criteria.h"
+#include "frames/farm/frame_parcel.h"
+#include "frames/film.h"
+#include "frames/recorded_bodies.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::uint32_t kLeastRamp = 16;
+
+/// What all frames of a recording have in common, found without running its tree: so a frame looks the same
+/// whichever others are drawn before it, and nothing jumps in the film.
+template <int D>
+struct Setting {
+  Box<D> view;
+  std::uint32_t largest_population = kLeastRamp;
+  int samples = 4;
+};
+
+template <int D>
+void ask(const StepRequests<D>& requests, ObjectTable<D>& objects) {
+  for_each_request(requests, objects.kind(), [&](const ObjectRequest<D>& request) {
+    if (request.kind == RequestKind::remove) {
+      (void)objects.remove(request.object);
+    } else if (is_insert(request.kind)) {
+      (void)objects.insert(request.object, request.volume, request.mobility);
+    } else {
+      (void)objects.move(request.object, request.volume);
+    }
+  });
+}
+
+/// The view holds what every frame of the whole sequence shows.
+template <int D>
+Setting<D> find_setting(RecordingReader<D>& recording, const StepRange& steps) {
+  Setting<D> setting;
+  ViewBox<D> view;
+  ObjectTable<D> table(recording.info().volume);
+  std::uint32_t objects = 0;
+  for (std::uint32_t step = 1; step <= steps.last; ++step) {
+    ask(recording.step(step).requests, table);
+    objects = std::max(objects, recording.row(step).statistics.objects);
+    if (step >= steps.first && (step - steps.first) % steps.stride == 0)
+      view.update(std::span<const Body<D>>(bodies_of(table)));
+  }
+  setting.view = view.box();
+  setting.largest_population =
+      std::bit_ceil(std::max(kLeastRamp, split_threshold(objects, recording.info().config)));
+  if (objects >= kManyBodies) setting.samples = 1;
+  return setting;
+}
+
+template <int D>
+class RecordingFilm final : public Film {
+ public:
+  explicit RecordingFilm(const RenderRequest& request)
+      : recording_(std::make_shared<RecordingReader<D>>(request.recording->path)),
+        replayer_(recording_, 0),
+        setting_(find_setting(*recording_, request.steps)),
+        planner_(request.layers, setting_.samples),
+        stride_(request.steps.stride) {
+    planner_.fix_view_box(setting_.view);
+    planner_.fix_largest_population(setting_.largest_population);
+  }
+
+  /// All steps are looked at of which a frame may still show operators, and at least those: so a frame looks
+  /// the same wherever the replay came from.
+  bool advance_to(std::uint32_t step, const GoOn& go_on) override {
+    const std::uint32_t first = step > kHighlightSteps ? step - kHighlightSteps : 1;
+    if (replayer_.step() + 1 < first) jump_to(first - 1);
+    while (replayer_.step() < step) {
+      replayer_.advance();
+      take_events();
+      if (replayer_.step() < step) planner_.observe(moment());
+      if (!go_on(replayer_.step())) return false;
+    }
+    return true;
+  }
+
+  std::vector<std::uint8_t> parcel() override {
+    const std::vector<Body<D>> bodies = bodies_of(replayer_.tree().objects());
+    // A replay from a keyframe finds the pairs in another order.
+    std::vector<Pair> pairs(replayer_.tree().pairs().begin(), replayer_.tree().pairs().end());
+    std::ranges::sort(pairs);
+    FrameInput<D> input = moment();
+    input.bodies = bodies;
+    input.pairs = pairs;
+    input.caption = caption(bodies);
+    return pack(input, planner_.plan(input));
+  }
+
+  FrameRecord record() override {
+    const std::uint32_t step = replayer_.step();
+    const StepRow& row = recording_->row(step);
+    FrameRecord record;
+    record.step = step;
+    record.objects = row.statistics.objects;
+    record.pairs = row.pairs;
+    record.height = row.statistics.height;
+    record.leaves = row.statistics.leaves;
+    record.entries = row.statistics.entries;
+    record.operators = row.statistics.operators;
+    for (std::uint32_t s = step > stride_ ? step - stride_ + 1 : 1; s <= step; ++s)
+      record.events += recording_->row(s).events;
+    record.state_hash = replayer_.tree().state_hash();
+    if (record.state_hash != row.state_hash)
+      throw std::runtime_error("the replay differs from the recording at step " + std::to_string(step) +
+                               ": `kerf verify` tells more");
+    return record;
+  }
+
+  void finish() override {}
+
+ private:
+  void jump_to(std::uint32_t step) {
+    replayer_.seek(step);
+    planner_.forget();
+    recent_.clear();
+    planner_.observe(moment());
+  }
+
+  void take_events() {
+    const std::uint32_t now = replayer_.step();
+    std::erase_if(recent_, [&](const Event& event) { return event.step + kHighlightSteps < now; });
+    std::ranges::copy_if(recording_->step(now).events, std::back_inserter(recent_), [](const Event& event) {
+      return std::holds_alternative<OperatorActed>(event.body);
+    });
+  }
+
+  /// What a planner must know of any step.
+  [[nodiscard]] FrameInput<D> moment() const {
+    FrameInput<D> input;
+    input.tree = &replayer_.tree().tree();
+    input.events = recent_;
+    input.caption.step = replayer_.step();
+    return input;
+  }
+
+  [[nodiscard]] Caption caption(std::span<const Body<D>> bodies) const {
+    const StepRow& row = recording_->row(replayer_.step());
+    return {.scene = recording_->info().scene,
+            .broad_phase = "kerf",
+            .step = replayer_.step(),
+            .objects = row.statistics.objects,
+            .moving = count_moving(bodies),
+            .pairs = row.pairs,
+            .contacts = 0,
+            .statistics = row.statistics,
+            .note = {}};
+  }
+
+  std::shared_ptr<RecordingReader<D>> recording_;
+  Replayer<D> replayer_;
+  Setting<D> setting_;
+  FramePlanner<D> planner_;
+  std::uint32_t stride_;
+  std::vector<Event> recent_;  ///< operators of the last kHighlightSteps steps
+};
+
+}  // namespace
+
+std::unique_ptr<Film> make_recording_film(const RenderRequest& request) {
+  if (request.dimension() == 2) return std::make_unique<RecordingFilm<2>>(request);
+  return std::make_unique<RecordingFilm<3>>(request);
+}
+
+}  // namespace kerf

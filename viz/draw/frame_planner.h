@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "viz/draw/draw_context.h"
+#include "viz/draw/highlights.h"
+#include "viz/draw/view_box.h"
+
+namespace kerf {
+
+/// What a frame shows beside its input: what follows from the tree, and from the frames before it. With it
+/// any renderer, in any process, draws the frame alike.
+template <int D>
+struct FramePlan {
+  Box<D> bounds;                      ///< that is framed
+  bool has_tree = false;              ///< caption and legend speak of it
+  Skeleton<D> skeleton;               ///< of the tree
+  std::vector<Placement> placements;  ///< by object; empty: objects are not tinted
+  std::vector<Highlight> highlights;  ///< newest first
+  std::uint32_t largest_population = 0;
+  int samples = 0;  ///< of a pixel; 0: not chosen yet
+};
+
+/// Carries on from frame to frame what must not jump: the view, the ramp of populations, smooth or jagged
+/// edges, and the cells of nodes that have died since.
+template <int D>
+class FramePlanner {
+ public:
+  /// As in FrameOptions.
+  explicit FramePlanner(LayerSet layers, int samples) : layers_(layers), wanted_samples_(samples) {}
+
+  /// The plan is valid until the next call.
+  const FramePlan<D>& plan(const FrameInput<D>& input);
+  /// A moment that is not drawn, but whose operators a later frame may show.
+  void observe(const FrameInput<D>& input);
+  /// Forgets all moments, but not what was fixed.
+  void forget();
+
+  /// From now on exactly this box is framed. Throws std::invalid_argument unless it is valid.
+  void fix_view_box(const Box<D>& box) { view_box_.fix(box); }
+  /// From now on the ramp of populations ends here.
+  void fix_largest_population(std::uint32_t population);
+  [[nodiscard]] Box<D> view_box() const { return view_box_.box(); }
+  void set_layers(LayerSet layers) { layers_ = layers; }
+
+ private:
+  void choose_largest_population();
+  void choose_samples(std::size_t bodies);
+
+  LayerSet layers_;
+  int wanted_samples_;
+  ViewBox<D> view_box_;
+  Skeleton<D> before_;
+  Highlights<D> highlights_;
+  bool largest_is_fixed_ = false;
+  FramePlan<D> plan_;
+};
+
+extern template class FramePlanner<2>;
+extern template class FramePlanner<3>;
+
+}  // namespace kerf
