@@ -14,19 +14,25 @@ namespace kerf {
 namespace {
 
 constexpr const char* kFooter =
-    "REFERENCE and TEST are two PNG files or two folders, whose frames are matched by name.\n"
-    "GATES   exact  every pixel is the same: for pictures of one rasteriser (the default)\n"
-    "        flip   nobody would see a difference: FLIP's maximum is small; for two rasterisers\n"
+    "REFERENCE and TEST are two PNG files or two folders, whose frames are matched by name. Beside frames "
+    "drawn\n"
+    "with --ids lie NAME.ids.png and NAME.draw.json: what differs is then told by name (plane n17 missing).\n"
+    "GATES   auto   exact, or flip where the draw lists name two rasterisers (the default)\n"
+    "        exact  every pixel is the same: for pictures of one rasteriser\n"
+    "        ids    the same things were drawn at the same place in the same colours\n"
+    "        flip   nobody would see a difference: FLIP's maximum is small and, where there are ids, they "
+    "agree\n"
     "EXIT    0 the same, 1 different, 2 unusable: nothing was proved, or wrong usage, 130 interrupted";
 
 DiffRules parse_rules(const std::string& gate, const std::string& limit) {
   DiffRules rules;
-  const std::vector<std::string> names{"exact", "flip"};
-  if (gate == "flip") {
-    rules.gate = DiffGate::flip;
-  } else if (!gate.empty() && gate != "exact") {
-    throw UsageError("--gate: " + unknown_name_message("gate", gate, names));
+  std::vector<std::string> names;
+  for (const DiffGate known : kDiffGates) {
+    names.emplace_back(to_string(known));
+    if (gate == names.back()) rules.gate = known;
   }
+  if (!gate.empty() && gate != to_string(rules.gate))
+    throw UsageError("--gate: " + unknown_name_message("gate", gate, names));
   if (limit.empty()) return rules;
   const auto number = parse_number<double>(limit);
   if (!number || !(*number >= 0 && *number <= 1))

@@ -9,6 +9,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kShownReasons = 24;
+
 std::string color_text(const std::array<std::uint8_t, 4>& c) {
   char text[16];
   std::snprintf(text, sizeof text, c[3] == 255 ? "#%02x%02x%02x" : "#%02x%02x%02x%02x", c[0], c[1], c[2],
@@ -41,7 +43,10 @@ std::string frame_text(const FrameDiff& diff) {
   if (diff.same) return "";
   std::string text = diff.frame.name + ":";
   const bool single = diff.reasons.size() == 1;
-  for (const std::string& reason : diff.reasons) text += (single ? " " : "\n  ") + reason;
+  const std::size_t shown = std::min(diff.reasons.size(), kShownReasons);
+  for (std::size_t i = 0; i < shown; ++i) text += (single ? " " : "\n  ") + diff.reasons[i];
+  if (shown < diff.reasons.size())
+    text += "\n  and " + std::to_string(diff.reasons.size() - shown) + " more; --json has them all";
   text += "\n";
   if (!diff.pixels.first.empty()) text += "  " + first_pixels(diff.pixels) + "\n";
   if (diff.flip) text += "  " + flip_figures(*diff.flip) + "\n";
@@ -81,7 +86,9 @@ Json frame_json(const FrameDiff& diff) {
             {"reference", diff.frame.reference.string()},
             {"test", diff.frame.test.string()}};
   if (!diff.trouble.empty()) json["trouble"] = diff.trouble;
+  json["gate"] = to_string(diff.gate);
   json["reasons"] = diff.reasons;
+  json["drawn"] = diff.drawn;
   json["pixels"] = pixels_json(diff.pixels);
   if (diff.flip) json["flip"] = flip_json(*diff.flip);
   return json;

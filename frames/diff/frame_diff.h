@@ -12,15 +12,17 @@ namespace kerf {
 
 /// What must hold for two pictures to count as the same.
 enum class DiffGate {
-  exact,  ///< every pixel: for pictures of one rasteriser
-  flip,   ///< nobody would notice: FLIP's maximum, for pictures of two rasterisers
+  automatic,  ///< exact, unless the draw lists name two rasterisers: then flip
+  exact,      ///< every pixel: for pictures of one rasteriser
+  ids,        ///< draw list and id image: the same things at the same place in the same colours
+  flip,       ///< nobody would notice: FLIP's maximum, and ids where they are; for two rasterisers
 };
 
 /// FLIP's maximum up to which the gate `flip` is content.
 inline constexpr double kFlipLimit = 0.3;
 
 struct DiffRules {
-  DiffGate gate = DiffGate::exact;
+  DiffGate gate = DiffGate::automatic;
   double flip_limit = kFlipLimit;
 };
 
@@ -30,6 +32,8 @@ struct FrameDiff {
   std::string trouble;  ///< why they cannot be compared; empty: they were
   bool same = false;    ///< by the gate
   PixelComparison pixels;
+  DiffGate gate = DiffGate::exact;   ///< that decided
+  std::vector<std::string> drawn;    ///< what has changed in words; known if both have ids
   std::optional<FlipSummary> flip;   ///< if any pixel differs
   std::vector<std::string> reasons;  ///< what the gate objects to, one line each
 };
@@ -37,7 +41,9 @@ struct FrameDiff {
 /// Compares two pictures; never throws for what is wrong with their files: that is `trouble`.
 FrameDiff diff_frame(const FramePair& frame, const DiffRules& rules);
 
-/// "exact", "flip"
+/// "auto", "exact", "ids", "flip"
 std::string_view to_string(DiffGate gate);
+inline constexpr DiffGate kDiffGates[] = {DiffGate::automatic, DiffGate::exact, DiffGate::ids,
+                                          DiffGate::flip};
 
 }  // namespace kerf
