@@ -11,6 +11,7 @@
 
 #include "frames/bench/bench_command.h"
 #include "frames/compare_command.h"
+#include "frames/diff/diff_command.h"
 #include "frames/errors.h"
 #include "frames/experiment/experiment_command.h"
 #include "frames/explain_command.h"
@@ -88,6 +89,8 @@ int run(const CLI::App& program, const Command&... commands) {
     return kExitDone;
   } catch (const UsageError& error) {
     return report(error.what() + help_hint(program), kExitUsage);
+  } catch (const UnusableInput& error) {
+    return report(with_advice(error.what()), kExitUsage);
   } catch (const Interrupted& error) {
     return report(error.what(), kExitInterrupted);
   } catch (const std::bad_alloc&) {
@@ -113,6 +116,7 @@ int run_command_line(int argc, char** argv) {
   const CompareCommand compare(program);
   const MinimizeCommand minimize(program);
   const ExportCommand exporter(program);
+  const DiffCommand diff(program);
   const BenchCommand bench(program);
   const ExperimentCommand experiment(program);
   const ReportCommand report_page(program);
@@ -130,7 +134,7 @@ int run_command_line(int argc, char** argv) {
     return kExitUsage;
   }
   return run(program, scenes, render, record, import, rerun, verify, step, explain, compare, minimize,
-             exporter, bench, experiment, report_page);
+             exporter, diff, bench, experiment, report_page);
 }
 
 }  // namespace kerf

@@ -62,6 +62,13 @@ class OsmesaContext final : public GlContext {
 
 std::unique_ptr<GlContext> make_offscreen_context() { return std::make_unique<OsmesaContext>(); }
 
+std::string GlContext::rasterizer() const {
+  const auto text = [this](GLenum what) {
+    return std::string(reinterpret_cast<const char*>(functions().GetString(what)));
+  };
+  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
 void tune_allocator_for_rendering() {
   constexpr int kKeep = 256 << 20;
   mallopt(M_TRIM_THRESHOLD, kKeep);

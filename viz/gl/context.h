@@ -21,6 +21,8 @@ class GlContext {
   [[nodiscard]] virtual const GlFunctions& functions() const = 0;
   /// Driver and version, for reports.
   [[nodiscard]] virtual std::string description() const = 0;
+  /// What decides on pixels: the rasteriser and its version, however the context was made.
+  [[nodiscard]] std::string rasterizer() const;
 };
 
 /// A context without window or display (OSMesa), current in the calling thread. Throws std::runtime_error
