@@ -11,6 +11,7 @@
 
 #include "frames/bench/bench_command.h"
 #include "frames/compare_command.h"
+#include "frames/debug_command.h"
 #include "frames/errors.h"
 #include "frames/experiment/experiment_command.h"
 #include "frames/explain_command.h"
@@ -108,6 +109,7 @@ int run_command_line(int argc, char** argv) {
   const ImportCommand import(program);
   const RerunCommand rerun(program);
   const VerifyCommand verify(program);
+  const DebugCommand debug(program);
   const StepCommand step(program);
   const ExplainCommand explain(program);
   const CompareCommand compare(program);
@@ -129,7 +131,7 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render, record, import, rerun, verify, step, explain, compare, minimize,
+  return run(program, scenes, render, record, import, rerun, verify, debug, step, explain, compare, minimize,
              exporter, bench, experiment, report_page);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "viz/draw/batch.h"
@@ -27,6 +28,7 @@ struct DrawContext {
   LayerSet layers;
   double line_scale = 1;                 ///< widths are given for a picture of 720 rows
   std::uint32_t largest_population = 1;  ///< end of the ramp
+  std::span<const Color> colors{};       ///< by object, instead of those by population; empty: none
 
   [[nodiscard]] bool has(Layer layer) const { return layers.has(layer); }
 };
