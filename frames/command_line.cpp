@@ -17,6 +17,7 @@
 #include "frames/explain_command.h"
 #include "frames/export_command.h"
 #include "frames/import_command.h"
+#include "frames/lint_command.h"
 #include "frames/minimize_command.h"
 #include "frames/record_command.h"
 #include "frames/render_command.h"
@@ -113,6 +114,7 @@ int run_command_line(int argc, char** argv) {
   const StepCommand step(program);
   const ExplainCommand explain(program);
   const CompareCommand compare(program);
+  const LintCommand lint(program);
   const MinimizeCommand minimize(program);
   const ExportCommand exporter(program);
   const BenchCommand bench(program);
@@ -131,8 +133,8 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render, record, import, rerun, verify, debug, step, explain, compare, minimize,
-             exporter, bench, experiment, report_page);
+  return run(program, scenes, render, record, import, rerun, verify, debug, step, explain, compare, lint,
+             minimize, exporter, bench, experiment, report_page);
 }
 
 }  // namespace kerf

@@ -179,6 +179,11 @@ void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
   in_window("inspector", layout.right_below, [&] {
     if (!ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll)) return;
     draw_tab(context, "Why", draw_why);
+    draw_tab(context, "Ballot", draw_ballot);
+    draw_tab(context, "Algorithm 1", draw_algorithm);
+    draw_tab(context, "Oracle", draw_oracle);
+    draw_tab(context, "Compare", draw_compare);
+    draw_tab(context, "Lint", draw_lint);
     ImGui::EndTabBar();
   });
   memory_.open_tab.clear();

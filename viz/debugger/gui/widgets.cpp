@@ -1,11 +1,14 @@
 #include "viz/debugger/gui/widgets.h"
 
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 namespace kerf::widgets {
 
 void hint(const char* text) {
-  if (*text != '\0' && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
+  constexpr float kPatience = 0.6F;  // seconds
+  if (*text != '\0' && ImGui::IsItemHovered() && ImGui::GetCurrentContext()->HoveredIdTimer > kPatience)
+    ImGui::SetTooltip("%s", text);
 }
 
 bool button(Gui& gui, const char* label, const char* text, const std::string& name) {

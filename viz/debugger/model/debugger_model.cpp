@@ -154,9 +154,26 @@ const Alarm& DebuggerModel::ask_oracle() {
 void DebuggerModel::compare_with(std::unique_ptr<Run> other) {
   if (other->info().dimension != run_->info().dimension)
     throw std::runtime_error("a run in 2D and one in 3D cannot be compared");
+  comparison_.reset();
   other_ = std::move(other);
   other_lanes_ = make_lanes(other_->rows());
   moved();
+}
+
+void DebuggerModel::stop_comparing() {
+  other_.reset();
+  comparison_.reset();
+}
+
+const RecordingComparison& DebuggerModel::comparison() {
+  if (!comparison_) comparison_ = run_->compare(*other_);
+  return *comparison_;
+}
+
+const std::vector<Thrash>& DebuggerModel::lint(std::uint32_t within) {
+  if (!findings_ || findings_within_ != within) findings_ = run_->lint(within);
+  findings_within_ = within;
+  return *findings_;
 }
 
 }  // namespace kerf

@@ -84,9 +84,14 @@ class DebuggerModel {
 
   // Comparing: another run goes where this one goes.
   void compare_with(std::unique_ptr<Run> other);
-  void stop_comparing() { other_.reset(); }
+  void stop_comparing();
+  /// Only while comparing.
+  [[nodiscard]] const RecordingComparison& comparison();
   [[nodiscard]] Run* other() { return other_.get(); }
   [[nodiscard]] const std::vector<Lane>& other_lanes() const { return other_lanes_; }
+
+  /// Where operators undo each other or wait.
+  [[nodiscard]] const std::vector<Thrash>& lint(std::uint32_t within);
 
   std::string message;  ///< the last thing that the user should know
   bool message_is_error = false;
@@ -99,6 +104,9 @@ class DebuggerModel {
   std::vector<Lane> lanes_;
   std::unique_ptr<Run> other_;
   std::vector<Lane> other_lanes_;
+  std::optional<RecordingComparison> comparison_;
+  std::optional<std::vector<Thrash>> findings_;
+  std::uint32_t findings_within_ = 0;
   Selection selection_;
   std::vector<WatchedValue> watches_;
   std::set<Position> bookmarks_;

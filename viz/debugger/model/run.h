@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "core/query/compare.h"
 #include "core/query/expression.h"
 #include "core/query/history.h"
+#include "core/query/thrash.h"
 #include "core/recording/recording_info.h"
 #include "core/replay/oracle.h"
 #include "core/replay/position.h"
@@ -96,6 +98,10 @@ class Run {
   [[nodiscard]] virtual std::vector<NodeId> leaves_of(ObjectId object) const = 0;
   [[nodiscard]] virtual std::vector<Event> history(NodeId node) = 0;
   [[nodiscard]] virtual std::vector<PairChange> history(const Pair& pair) = 0;
+  /// Where operators undo each other or wait, in the whole run.
+  [[nodiscard]] virtual std::vector<Thrash> lint(std::uint32_t within) = 0;
+  /// Throws std::runtime_error unless both have the same dimension.
+  [[nodiscard]] virtual RecordingComparison compare(Run& other) = 0;
   /// Step in which an operator last acted on the node, up to now; 0: none has.
   [[nodiscard]] virtual std::uint32_t last_change(NodeId node) = 0;
 

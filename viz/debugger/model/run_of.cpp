@@ -1,7 +1,7 @@
 #include "viz/debugger/model/run_of.h"
 
 #include <algorithm>
-#include <cmath>
+#include <stdexcept>
 
 #include "core/query/criteria_text.h"
 #include "core/query/explain_event.h"
@@ -182,12 +182,29 @@ std::vector<PairChange> RunOf<D>::history(const Pair& pair) {
 }
 
 template <int D>
+const std::vector<OperatorRow>& RunOf<D>::operators() {
+  if (!operators_) operators_ = read_operators(path_);
+  return *operators_;
+}
+
+template <int D>
+std::vector<Thrash> RunOf<D>::lint(std::uint32_t within) {
+  return find_thrash(operators(), steps(), within);
+}
+
+template <int D>
+RecordingComparison RunOf<D>::compare(Run& other) {
+  auto* const same = dynamic_cast<RunOf<D>*>(&other);
+  if (same == nullptr) throw std::runtime_error("a run in 2D and one in 3D cannot be compared");
+  return kerf::compare(*recording_, *same->recording_);
+}
+
+template <int D>
 std::uint32_t RunOf<D>::last_change(NodeId node) {
   std::uint32_t last = 0;
-  for (const std::uint64_t id : recording_->events_of_node(node)) {
-    const std::uint32_t step = recording_->step_of(id).value_or(UINT32_MAX);
-    if (step > position().step || id > position().event) break;
-    last = step;
+  for (const OperatorRow& row : operators()) {
+    if (row.step > position().step || row.event > position().event) break;
+    if (row.node.node == node && row.kind == OperatorRow::Kind::acted) last = row.step;
   }
   return last;
 }

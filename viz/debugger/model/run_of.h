@@ -44,6 +44,8 @@ class RunOf final : public Run {
   [[nodiscard]] std::vector<NodeId> leaves_of(ObjectId object) const override;
   [[nodiscard]] std::vector<Event> history(NodeId node) override;
   [[nodiscard]] std::vector<PairChange> history(const Pair& pair) override;
+  [[nodiscard]] std::vector<Thrash> lint(std::uint32_t within) override;
+  [[nodiscard]] RecordingComparison compare(Run& other) override;
   [[nodiscard]] std::uint32_t last_change(NodeId node) override;
   [[nodiscard]] const PairJudgement& judgement() override;
   [[nodiscard]] std::uint64_t judged_pairs() override;
@@ -58,6 +60,7 @@ class RunOf final : public Run {
 
  private:
   void moved();
+  const std::vector<OperatorRow>& operators();
   [[nodiscard]] std::string explain_object(ObjectId object) const;
 
   std::filesystem::path path_;
@@ -70,6 +73,7 @@ class RunOf final : public Run {
   std::optional<std::vector<CandidateRow>> ballot_;
   std::optional<PairJudgement> judgement_;
   std::uint64_t judged_pairs_ = 0;
+  std::optional<std::vector<OperatorRow>> operators_;  ///< of the whole run
 };
 
 extern template class RunOf<2>;

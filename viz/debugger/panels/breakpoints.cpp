@@ -10,7 +10,8 @@ namespace kerf {
 namespace {
 
 constexpr const char* kExamples =
-    "for example\n  op==merge && depth>8\n  pair(12,77) enters\n  plane(n17) moves\n  redundancy>5%\n"
+    "Enter adds it, F5 runs to it; for example\n  op==merge && depth>8\n  pair(12,77) enters\n  plane(n17) "
+    "moves\n  redundancy>5%\n"
     "  deferred>16\n  step_time>2*median\n  missed>0\n`kerf step --help` has all words";
 
 template <class Add>
@@ -63,8 +64,6 @@ void draw_breakpoints(PanelContext& context) {
   DebuggerModel& model = context.model;
   PanelMemory& memory = context.memory;
   ImGui::TextUnformatted("Stop when");
-  ImGui::SameLine();
-  ImGui::TextDisabled("Enter adds it, F5 runs to it");
   if (widgets::text_field(context.gui, "condition", memory.condition, "op==merge && depth>8", -1))
     try_adding(context, memory.condition, [&](const std::string& text) { model.add_breakpoint(text); });
   widgets::hint(kExamples);

@@ -26,6 +26,11 @@ struct PanelMemory {
   std::optional<Selection> explained;
   Position explained_at;
   std::string explanation;
+  std::optional<std::size_t> kept_candidate;  ///< of the ballot, pressed
+  Position ballot_of;
+  std::string other_file;
+  std::string assignments;  ///< of "what if"
+  int lint_within = 50;
 };
 
 /// What a panel may look at and change.
@@ -44,6 +49,11 @@ void draw_outline(PanelContext& context);
 void draw_breakpoints(PanelContext& context);
 void draw_events(PanelContext& context);
 void draw_why(PanelContext& context);
+void draw_ballot(PanelContext& context);
+void draw_algorithm(PanelContext& context);
+void draw_oracle(PanelContext& context);
+void draw_compare(PanelContext& context);
+void draw_lint(PanelContext& context);
 void draw_view_tools(PanelContext& context);
 void draw_view_overlay(PanelContext& context, const SceneView& view, const PanelArea& area,
                        const std::string& title);

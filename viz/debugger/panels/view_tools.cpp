@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "core/query/text.h"
 #include "viz/debugger/gui/widgets.h"
@@ -67,6 +67,13 @@ void draw_text_on(ImDrawList& list, ImVec2 at, const std::string& text, Color co
   list.AddText(at, widgets::to_imgui(color), text.c_str());
 }
 
+/// Above what it names, but within the view.
+ImVec2 label_place(const SceneLabel& label, const PanelArea& area) {
+  const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
+  return {area.x + std::clamp(label.x + 4, 4.0F, area.width - size.x - 6),
+          area.y + std::clamp(label.y - 16, 4.0F, area.height - size.y - 4)};
+}
+
 }  // namespace
 
 void draw_view_tools(PanelContext& context) {
@@ -99,7 +106,7 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect({area.x, area.y}, {area.x + area.width, area.y + area.height}, true);
   for (const SceneLabel& label : view.labels())
-    draw_text_on(list, {area.x + label.x + 4, area.y + label.y - 16}, label.text, palette::kOperator);
+    draw_text_on(list, label_place(label, area), label.text, palette::kOperator);
   const float line = ImGui::GetTextLineHeight() + 2;
   const float bottom = area.y + area.height - 4;
   const ShownCounts& counts = view.counts();
