@@ -11,12 +11,14 @@
 
 #include "frames/bench/bench_command.h"
 #include "frames/compare_command.h"
+#include "frames/debug_command.h"
 #include "frames/diff/diff_command.h"
 #include "frames/errors.h"
 #include "frames/experiment/experiment_command.h"
 #include "frames/explain_command.h"
 #include "frames/export_command.h"
 #include "frames/import_command.h"
+#include "frames/lint_command.h"
 #include "frames/minimize_command.h"
 #include "frames/record_command.h"
 #include "frames/render_command.h"
@@ -111,9 +113,11 @@ int run_command_line(int argc, char** argv) {
   const ImportCommand import(program);
   const RerunCommand rerun(program);
   const VerifyCommand verify(program);
+  const DebugCommand debug(program);
   const StepCommand step(program);
   const ExplainCommand explain(program);
   const CompareCommand compare(program);
+  const LintCommand lint(program);
   const MinimizeCommand minimize(program);
   const ExportCommand exporter(program);
   const DiffCommand diff(program);
@@ -133,8 +137,8 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render, record, import, rerun, verify, step, explain, compare, minimize,
-             exporter, diff, bench, experiment, report_page);
+  return run(program, scenes, render, record, import, rerun, verify, debug, step, explain, compare, lint,
+             minimize, exporter, diff, bench, experiment, report_page);
 }
 
 }  // namespace kerf
