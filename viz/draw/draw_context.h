@@ -29,11 +29,8 @@ struct DrawContext {
   LayerSet layers;
   double line_scale = 1;                 ///< widths are given for a picture of 720 rows
   std::uint32_t largest_population = 1;  ///< end of the ramp
-<<<<<<< HEAD
   DrawList* list = nullptr;              ///< none: nobody asks what was drawn
-=======
   std::span<const Color> colors{};       ///< by object, instead of those by population; empty: none
->>>>>>> e96e41607fc6b083252c3d6d9656fd5cb105781f
 
   [[nodiscard]] bool has(Layer layer) const { return layers.has(layer); }
   /// What is added to `batch` from now on is this.

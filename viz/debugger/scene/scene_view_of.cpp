@@ -138,7 +138,8 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
       .bodies = bodies_, .tree = nullptr, .pairs = pairs_, .contacts = {}, .events = {}, .caption = {}};
   const std::vector<Placement> placements;
   const double line_scale = std::clamp(height_ / 500.0, 0.7, 2.0);
-  const DrawContext<D> frame{input, seen_->view, skeleton_, placements, box_, layers, line_scale, 1, colors_};
+  const DrawContext<D> frame{input,  seen_->view, skeleton_, placements, box_,
+                             layers, line_scale,  1,         nullptr,    colors_};
   Batch planes;
   draw_nodes(frame, back, planes);
   if constexpr (D == 2) {
