@@ -74,6 +74,9 @@ RenderCommand::RenderCommand(CLI::App& program)
   option("--record", texts_.record, "Also a recording for `kerf verify` and the like", "FILE");
   option("--workers", texts_.workers, "Processes that draw; 0: this one alone (default: one a core)", "N");
   option("--shard", texts_.shard, "Of a recording: only every N-th frame, the K-th first", "K/N");
+  command_->add_flag(
+      "--ids", texts_.ids,
+      "Also FRAME.ids.png and FRAME.draw.json: which plane, leaf or pair is where, for kerf diff");
   command_->add_flag("--resume", texts_.resume, "Keep the frames that an interrupted render has left");
   command_->add_flag("--overwrite", texts_.overwrite,
                      "Replace an earlier sequence, film, contact sheet and recording");

@@ -106,6 +106,7 @@ void parse_pictures(const RenderTexts& texts, RenderRequest& request) {
   if (!request.contact_sheet.empty()) check_picture_extension(request.contact_sheet);
   request.workers = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   if (!texts.workers.empty()) request.workers = number_in("--workers", texts.workers, 0, kMaxWorkers);
+  request.ids = texts.ids;
   request.overwrite = texts.overwrite;
   request.resume = texts.resume;
   if (texts.resume && texts.overwrite)

@@ -35,6 +35,7 @@ struct RenderTexts {
   std::string record;
   std::string workers;
   std::string shard;
+  bool ids = false;
   bool overwrite = false;
   bool resume = false;
 };
@@ -73,6 +74,7 @@ struct RenderRequest {
   std::filesystem::path record;         ///< empty: none
   int workers = 1;                      ///< processes that draw; 0: this one
   Shard shard;
+  bool ids = false;  ///< also what is in each picture, by name
   bool overwrite = false;
   bool resume = false;  ///< frames that are there already are kept
 

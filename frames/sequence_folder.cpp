@@ -20,6 +20,13 @@ bool is_named_like(const std::string& file, const std::string& name) {
   });
 }
 
+/// The frame beside which a file may lie.
+std::string frame_of(const std::string& file) {
+  for (const std::string ending : {".ids.png", ".draw.json"})
+    if (file.ends_with(ending)) return file.substr(0, file.size() - ending.size()) + ".png";
+  return file;
+}
+
 /// Whether `file` is named as `frame_file_name` names the frames of `name` or one of our scenes.
 bool is_frame(const std::string& file, const std::string& name) {
   return is_named_like(file, name) || std::ranges::any_of(scene_catalog(), [&](const CatalogScene& scene) {
@@ -41,7 +48,7 @@ std::vector<std::filesystem::path> SequenceFolder::files_of_sequence() const {
   if (!std::filesystem::exists(path_)) return files;
   if (std::filesystem::exists(path_ / kManifestName)) files.push_back(path_ / kManifestName);
   for (const auto& entry : std::filesystem::directory_iterator(path_))
-    if (is_frame(entry.path().filename().string(), name_)) files.push_back(entry.path());
+    if (is_frame(frame_of(entry.path().filename().string()), name_)) files.push_back(entry.path());
   return files;
 }
 

@@ -3,6 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "frames/atomic_file.h"
+#include "frames/diff/approve.h"
+#include "frames/diff/diff_page.h"
 #include "frames/diff/diff_result.h"
 #include "frames/errors.h"
 #include "frames/interrupt.h"
@@ -57,6 +60,13 @@ DiffResult compare(const std::string& reference, const std::string& test, const 
   return result;
 }
 
+void approve(const DiffResult& result) {
+  const std::vector<std::string> approved = approve_frames(result);
+  for (const std::string& name : approved) std::fprintf(stderr, "approved %s\n", name.c_str());
+  std::fprintf(stderr, approved.size() == 1 ? "1 frame approved\n" : "%zu frames approved\n",
+               approved.size());
+}
+
 }  // namespace
 
 DiffCommand::DiffCommand(CLI::App& program)
@@ -68,13 +78,19 @@ DiffCommand::DiffCommand(CLI::App& program)
   command_->add_option("--gate", gate_, "What counts as the same, see below")->type_name("NAME");
   command_->add_option("--flip-limit", flip_limit_, "Largest FLIP that the gate flip allows, 0 to 1")
       ->type_name("X");
+  command_->add_option("--report", report_, "Also a page that shows what differs: DIR/index.html")
+      ->type_name("DIR");
   command_->add_flag("--json", json_, "As JSON");
+  command_->add_flag(
+      "--approve", approve_,
+      "Afterwards put the frames of TEST that differ, and only those, in place of their references");
   command_->footer(kFooter);
 }
 
 bool DiffCommand::chosen() const { return command_->parsed(); }
 
 void DiffCommand::run() const {
+  if (!report_.empty()) make_writable_folder(report_);
   const DiffRules rules = parse_rules(gate_, flip_limit_);
   DiffResult result;
   try {
@@ -83,6 +99,11 @@ void DiffCommand::run() const {
     throw UnusableInput("not enough memory to compare pictures of this size; nothing was proved");
   }
   std::fputs((json_ ? to_json(result) : to_text(result)).c_str(), stdout);
+  if (!report_.empty()) {
+    write_file_atomically(std::filesystem::path(report_) / "index.html", diff_page(result));
+    std::fprintf(stderr, "look at %s/index.html\n", report_.c_str());
+  }
+  if (approve_) return approve(result);
   if (!result.is_usable()) throw UnusableInput(summary_line(result));
   if (!result.is_same()) throw PicturesDiffer(summary_line(result));
 }

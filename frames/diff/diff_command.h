@@ -22,7 +22,9 @@ class DiffCommand {
   std::string test_;
   std::string gate_;
   std::string flip_limit_;
+  std::string report_;
   bool json_ = false;
+  bool approve_ = false;
 };
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "frames/diff/draw_list_file.h"
 #include "frames/errors.h"
 #include "frames/farm/frame_parcel.h"
 #include "viz/image/png.h"
@@ -14,7 +15,9 @@ class PictureMaker final : public FrameMaker {
  public:
   explicit PictureMaker(const RenderRequest& request)
       : folder_(request.out),
-        renderer_({request.size.width, request.size.height, request.layers, request.camera, 0}) {}
+        wants_ids_(request.ids),
+        renderer_({request.size.width, request.size.height, request.layers, request.camera, 0, request.ids}) {
+  }
 
   Made make(const std::string& file, std::span<const std::uint8_t> parcel,
             std::optional<std::uint64_t> kept) override {
@@ -23,6 +26,7 @@ class PictureMaker final : public FrameMaker {
     const FrameParcel<D> frame = unpack<D>(parcel);
     const Image& image = renderer_.render(frame.input(), frame.plan);
     write_png(path, image);
+    if (wants_ids_) write_ids(path, {renderer_.ids(), renderer_.rasterizer()});
     return {pixel_hash(image), &image};
   }
 
@@ -30,6 +34,7 @@ class PictureMaker final : public FrameMaker {
   /// A file that is missing or damaged is made again.
   bool is_kept(const std::filesystem::path& path, std::uint64_t hash) {
     try {
+      if (wants_ids_ && !read_ids(path)) return false;
       kept_ = read_png(path);
       return pixel_hash(kept_) == hash;
     } catch (const std::runtime_error&) {
@@ -38,6 +43,7 @@ class PictureMaker final : public FrameMaker {
   }
 
   std::filesystem::path folder_;
+  bool wants_ids_;
   FrameRenderer<D> renderer_;
   Image kept_;
 };

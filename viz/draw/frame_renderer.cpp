@@ -49,6 +49,7 @@ struct FrameRenderer<D>::State {
         context(make_offscreen_context()),
         painter(context->functions(), font) {
     for (Batch& batch : batches) batch.keeps_items = options.ids;
+    overlay.shapes.keeps_items = options.ids;
     overlay.text.keeps_lines = options.ids;
   }
   ~State() { context->make_current(); }
@@ -97,6 +98,8 @@ struct FrameRenderer<D>::State {
     id_framebuffer->bind();
     painter.begin_ids();
     paint(id_batches);
+    make_id_batch(overlay.shapes, id_overlay);  // what lies under a label is not seen
+    painter.draw(id_overlay, Depth::ignore);
     id_framebuffer->read(ids.image);
     ids.list.texts = overlay.text.lines;
     measure_items(batches, options.width, options.height, ids.list);
@@ -160,6 +163,7 @@ struct FrameRenderer<D>::State {
   // Memory kept from frame to frame.
   std::array<Batch, 4> batches;
   std::array<Batch, 4> id_batches;
+  Batch id_overlay;
   FrameIds ids;
   Tamper tamper;
   Overlay overlay;

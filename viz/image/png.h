@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <vector>
 
 #include "viz/image/image.h"
 
@@ -15,6 +16,9 @@ inline constexpr int kMaxImageSide = 16384;
 /// it is complete: it is written beside it, flushed, checked and renamed. Throws std::runtime_error with the
 /// path and the reason; nothing is left behind then.
 void write_png(const std::filesystem::path& path, const Image& image);
+
+/// The bytes of that file.
+std::vector<std::uint8_t> encode_png(const Image& image);
 
 /// Reads a PNG of any kind as RGBA. Throws std::runtime_error with the path and the reason (missing, not a
 /// PNG, truncated, damaged, larger than kMaxImageSide); memory is taken only after the size is known to be

@@ -80,7 +80,20 @@ void append_chunk(std::vector<std::uint8_t>& out, std::string_view type, std::sp
   append_u32(out, libdeflate_crc32(0, out.data() + start, out.size() - start));
 }
 
-std::vector<std::uint8_t> encode(const Image& image) {
+/// Writes, flushes and closes; returns 0 or the errno of what failed first.
+int write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) return errno;
+  int error = 0;
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) error = errno;
+  if (std::fflush(file) != 0 && error == 0) error = errno;
+  if (std::fclose(file) != 0 && error == 0) error = errno;
+  return error;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_png(const Image& image) {
   const bool opaque = is_opaque(image);
   std::vector<std::uint8_t> header;
   append_u32(header, static_cast<std::uint32_t>(image.width));
@@ -96,19 +109,6 @@ std::vector<std::uint8_t> encode(const Image& image) {
   return file;
 }
 
-/// Writes, flushes and closes; returns 0 or the errno of what failed first.
-int write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) return errno;
-  int error = 0;
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) error = errno;
-  if (std::fflush(file) != 0 && error == 0) error = errno;
-  if (std::fclose(file) != 0 && error == 0) error = errno;
-  return error;
-}
-
-}  // namespace
-
 void write_png(const std::filesystem::path& path, const Image& image) {
   if (image.width < 1 || image.height < 1 || image.width > kMaxImageSide || image.height > kMaxImageSide ||
       image.rgba.size() != image.stride() * static_cast<std::size_t>(image.height)) {
@@ -120,7 +120,7 @@ void write_png(const std::filesystem::path& path, const Image& image) {
     fail(path, "it exists and is not a file");
   std::filesystem::path part = path;
   part += "." + std::to_string(getpid()) + ".part";
-  int error = write_whole_file(part, encode(image));
+  int error = write_whole_file(part, encode_png(image));
   if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
   if (error == 0) return;
   std::filesystem::remove(part, ignored);

@@ -1,0 +1,63 @@
+#include "frames/diff/approve.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "frames/atomic_file.h"
+#include "frames/diff/draw_list_file.h"
+#include "frames/diff/sidecar.h"
+#include "frames/errors.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+void copy_whole(const fs::path& from, const fs::path& to) {
+  std::ifstream file(from, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw std::runtime_error("cannot read " + from.string());
+  write_file_atomically(to, bytes);
+}
+
+/// Ids that no longer belong to the picture must not stay beside it.
+void copy_or_remove(const fs::path& from, const fs::path& to) {
+  if (fs::exists(from)) {
+    copy_whole(from, to);
+  } else {
+    fs::remove(to);
+  }
+}
+
+bool is_to_be_approved(const FrameDiff& diff) { return !diff.same && !diff.frame.is_missing(); }
+
+void check(const fs::path& frame) {
+  try {
+    (void)read_png(frame);
+    (void)read_ids(frame);
+  } catch (const std::runtime_error& error) {
+    throw UnusableInput(std::string(error.what()) + "; nothing was approved");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> approve_frames(const DiffResult& result) {
+  for (const FrameDiff& diff : result.frames)
+    if (is_to_be_approved(diff)) check(diff.frame.test);
+  std::vector<std::string> approved;
+  for (const FrameDiff& diff : result.frames) {
+    if (!is_to_be_approved(diff)) continue;
+    const fs::path to = diff.frame.is_extra() ? result.reference / diff.frame.name : diff.frame.reference;
+    if (to.has_parent_path()) fs::create_directories(to.parent_path());
+    // The picture last: whoever stops in between still finds a difference.
+    copy_or_remove(ids_path(diff.frame.test), ids_path(to));
+    copy_or_remove(draw_list_path(diff.frame.test), draw_list_path(to));
+    copy_whole(diff.frame.test, to);
+    approved.push_back(diff.frame.name);
+  }
+  return approved;
+}
+
+}  // namespace kerf

@@ -1,0 +1,126 @@
+#include "frames/diff/diff_page.h"
+
+#include <optional>
+#include <stdexcept>
+
+#include "frames/diff/base64.h"
+#include "frames/diff/diff_page_parts.h"
+#include "frames/diff/draw_list_file.h"
+#include "frames/report/page.h"
+#include "viz/draw/compare_drawn.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+std::string shell_quoted(const std::string& word) {
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string shell_word(const std::string& word) {
+  const bool is_plain = !word.empty() && word.find_first_not_of(
+                                             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                             "_./+,:=@%-") == std::string::npos;
+  return is_plain ? word : shell_quoted(word);
+}
+
+std::string picture(const Image& image, const std::string& title, const std::string& kind) {
+  return "<figure class=\"" + kind + "\"><figcaption>" + title + "</figcaption><img alt=\"" + title +
+         "\" src=\"data:image/png;base64," + base64(encode_png(image)) + "\"></figure>\n";
+}
+
+/// A picture that can be read, whatever is wrong with the other one.
+std::optional<Image> try_read(const std::filesystem::path& path) {
+  if (path.empty()) return std::nullopt;
+  try {
+    return read_png(path);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
+std::string id_panel(const FramePair& frame) {
+  try {
+    const auto a = read_ids(frame.reference);
+    const auto b = read_ids(frame.test);
+    if (!a || !b) return "";
+    return picture(id_difference(a->ids, b->ids), "ids: red gone, blue come, violet changed", "ids");
+  } catch (const std::exception&) {
+    return "";
+  }
+}
+
+std::string panels(const FrameDiff& diff) {
+  const std::optional<Image> reference = try_read(diff.frame.reference);
+  const std::optional<Image> test = try_read(diff.frame.test);
+  std::string text = "<div class=\"panels\">\n";
+  if (test) text += picture(*test, reference ? "new, or the reference while pointed at" : "new", "new");
+  if (reference) text += picture(*reference, "reference", "reference");
+  if (reference && test && diff.trouble.empty()) {
+    text +=
+        picture(heat_map(flip_errors(*reference, *test)), "FLIP, from black (none) to yellow (1)", "heat");
+    text += id_panel(diff.frame);
+  }
+  return text + "</div>\n<div class=\"lenses\" hidden></div>\n";
+}
+
+std::string list(const std::vector<std::string>& lines) {
+  if (lines.empty()) return "";
+  std::string text = "<ul>\n";
+  for (const std::string& line : lines) text += "<li>" + escaped(line) + "</li>\n";
+  return text + "</ul>\n";
+}
+
+std::string figures(const FrameDiff& diff) {
+  if (!diff.flip) return "";
+  char text[200];
+  std::snprintf(text, sizeof text, "FLIP: largest %.4f, mean %.6f. Worst at", diff.flip->max,
+                diff.flip->mean);
+  std::string line = text;
+  for (const FlipPixel& pixel : diff.flip->worst) {
+    std::snprintf(text, sizeof text, " <button data-x=\"%d\" data-y=\"%d\">(%d, %d) %.3f</button>", pixel.x,
+                  pixel.y, pixel.x, pixel.y, pixel.error);
+    line += text;
+  }
+  return "<p>" + line + "</p>\n";
+}
+
+std::string section(const FrameDiff& diff) {
+  std::string text = "<section><h2>" + escaped(diff.frame.name) + "</h2>\n";
+  if (!diff.trouble.empty()) text += "<p class=\"trouble\">" + escaped(diff.trouble) + "</p>\n";
+  return text + list(diff.reasons) + figures(diff) + panels(diff) + "</section>\n";
+}
+
+}  // namespace
+
+std::string approve_command(const DiffResult& result) {
+  return "kerf diff " + shell_word(result.reference.string()) + " " + shell_word(result.test.string()) +
+         " --approve";
+}
+
+std::string diff_page(const DiffResult& result) {
+  std::string text = std::string(kDiffPageHead) + "<h1>" + escaped(summary_line(result)) + "</h1>\n";
+  text += "<p class=\"sub\">reference " + escaped(result.reference.string()) + ", new " +
+          escaped(result.test.string()) + "</p>\n" + list(result.notes) + list(result.faults);
+  if (!result.is_same())
+    text +=
+        "<p>If the new frames are right, this puts those that differ in place of their references, and "
+        "touches no other:</p>\n<p><code id=\"approve\">" +
+        escaped(approve_command(result)) + "</code></p>\n";
+  std::size_t shown = 0;
+  std::vector<std::string> others;
+  for (const FrameDiff& diff : result.frames) {
+    if (diff.same) continue;
+    if (shown++ < kMostShownFrames) {
+      text += section(diff);
+    } else {
+      others.push_back(diff.frame.name);
+    }
+  }
+  if (!others.empty()) text += "<h2>not shown</h2>\n" + list(others);
+  return text + std::string(kDiffPageFoot);
+}
+
+}  // namespace kerf
