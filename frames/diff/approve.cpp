@@ -49,7 +49,9 @@ std::vector<std::string> approve_frames(const DiffResult& result) {
   std::vector<std::string> approved;
   for (const FrameDiff& diff : result.frames) {
     if (!is_to_be_approved(diff)) continue;
-    const fs::path to = diff.frame.is_extra() ? result.reference / diff.frame.name : diff.frame.reference;
+    fs::path to = diff.frame.reference;
+    if (diff.frame.is_extra())
+      to = fs::is_directory(result.test) ? result.reference / diff.frame.name : result.reference;
     if (to.has_parent_path()) fs::create_directories(to.parent_path());
     // The picture last: whoever stops in between still finds a difference.
     copy_or_remove(ids_path(diff.frame.test), ids_path(to));

@@ -44,10 +44,11 @@ DiffRules parse_rules(const std::string& gate, const std::string& limit) {
   return rules;
 }
 
-DiffResult compare(const std::string& reference, const std::string& test, const DiffRules& rules) {
+DiffResult compare(const std::string& reference, const std::string& test, const DiffRules& rules,
+                   WithoutReferences without) {
   const InterruptGuard interrupt;
   const ProgressLine progress;
-  PairedFrames paired = pair_frames(reference, test);
+  PairedFrames paired = pair_frames(reference, test, without);
   DiffResult result{reference, test, rules, {}, std::move(paired.notes), std::move(paired.faults)};
   for (const FramePair& frame : paired.frames) {
     if (interrupt.requested())
@@ -58,6 +59,15 @@ DiffResult compare(const std::string& reference, const std::string& test, const 
     result.frames.push_back(diff_frame(frame, rules));
   }
   return result;
+}
+
+/// Before the work, so that it is not done for nothing.
+void make_report_folder(const std::string& folder) {
+  try {
+    make_writable_folder(folder);
+  } catch (const std::runtime_error& error) {
+    throw UnusableInput(error.what());
+  }
 }
 
 void approve(const DiffResult& result) {
@@ -90,14 +100,22 @@ DiffCommand::DiffCommand(CLI::App& program)
 bool DiffCommand::chosen() const { return command_->parsed(); }
 
 void DiffCommand::run() const {
-  if (!report_.empty()) make_writable_folder(report_);
   const DiffRules rules = parse_rules(gate_, flip_limit_);
-  DiffResult result;
   try {
-    result = compare(reference_, test_, rules);
+    run(rules);
   } catch (const std::bad_alloc&) {
     throw UnusableInput("not enough memory to compare pictures of this size; nothing was proved");
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw UnusableInput(error.what());
+  } catch (const std::system_error& error) {
+    throw UnusableInput(error.what());
   }
+}
+
+void DiffCommand::run(const DiffRules& rules) const {
+  if (!report_.empty()) make_report_folder(report_);
+  const DiffResult result =
+      compare(reference_, test_, rules, approve_ ? WithoutReferences::accept : WithoutReferences::refuse);
   std::fputs((json_ ? to_json(result) : to_text(result)).c_str(), stdout);
   if (!report_.empty()) {
     write_file_atomically(std::filesystem::path(report_) / "index.html", diff_page(result));

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "frames/diff/frame_diff.h"
+
 namespace CLI {
 class App;
 }
@@ -17,6 +19,8 @@ class DiffCommand {
   void run() const;
 
  private:
+  void run(const DiffRules& rules) const;
+
   CLI::App* command_;
   std::string reference_;
   std::string test_;

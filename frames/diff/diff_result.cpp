@@ -117,8 +117,9 @@ std::string summary_line(const DiffResult& result) {
   if (result.count_troubled() > 0)
     text = std::to_string(result.count_troubled()) + " of " + all + " frames cannot be compared; ";
   if (!result.faults.empty()) text += "frames that a manifest names are not there; ";
-  text += std::to_string(result.count_different()) + " of " + all +
-          (all == "1" ? " frame differs" : " frames differ");
+  const std::size_t different = result.count_different();
+  text += std::to_string(different) + " of " + all + (all == "1" ? " frame" : " frames") +
+          (different == 1 ? " differs" : " differ");
   if (std::ranges::any_of(result.frames, missing)) text += ", " + count(missing) + " of them missing";
   if (std::ranges::any_of(result.frames, extra)) text += ", " + count(extra) + " without a reference";
   return text + gate;

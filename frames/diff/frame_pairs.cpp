@@ -41,6 +41,11 @@ Names find_frames(const fs::path& folder) {
       names.emplace(entry->path().lexically_relative(folder).generic_string(), entry->path());
   }
   if (error) refuse(folder, error.message());
+  return names;
+}
+
+Names find_some_frames(const fs::path& folder) {
+  Names names = find_frames(folder);
   if (names.empty()) refuse(folder, "it holds no PNG file");
   return names;
 }
@@ -66,19 +71,21 @@ void check_manifest(const fs::path& folder, const Names& names, PairedFrames& re
 
 }  // namespace
 
-PairedFrames pair_frames(const fs::path& reference, const fs::path& test) {
-  const bool folders = is_folder(reference);
+PairedFrames pair_frames(const fs::path& reference, const fs::path& test, WithoutReferences without) {
+  const bool accepts = without == WithoutReferences::accept;
+  const bool begins = accepts && !fs::exists(reference);
+  const bool folders = begins ? is_folder(test) : is_folder(reference);
   if (folders != is_folder(test)) {
     refuse(folders ? test : reference, "it is a file and " + (folders ? reference : test).string() +
                                            " is a folder; give two files or two folders");
   }
   PairedFrames result;
   if (!folders) {
-    result.frames.push_back({test.filename().string(), reference, test});
+    result.frames.push_back({test.filename().string(), begins ? fs::path() : reference, test});
     return result;
   }
-  const Names references = find_frames(reference);
-  const Names tests = find_frames(test);
+  const Names references = begins ? Names() : accepts ? find_frames(reference) : find_some_frames(reference);
+  const Names tests = find_some_frames(test);
   std::map<std::string, FramePair> pairs;
   for (const auto& [name, path] : references) pairs[name] = {name, path, {}};
   for (const auto& [name, path] : tests) {

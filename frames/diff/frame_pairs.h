@@ -22,9 +22,14 @@ struct PairedFrames {
   std::vector<std::string> faults;  ///< what makes a folder unusable: frames that its manifest promises
 };
 
+/// Whether there must be something to compare with.
+enum class WithoutReferences { refuse, accept };
+
 /// Pairs two files, or the PNG files of two folders and the folders in them by their names; pictures that lie
 /// beside frames (`is_sidecar`) are no frames. Throws UnusableInput if one of them is not there, cannot be
 /// read, holds no PNG, or one is a file and the other a folder.
-PairedFrames pair_frames(const std::filesystem::path& reference, const std::filesystem::path& test);
+/// `accept`: a reference folder that is empty or not there makes all frames of the test side extra ones.
+PairedFrames pair_frames(const std::filesystem::path& reference, const std::filesystem::path& test,
+                         WithoutReferences without = WithoutReferences::refuse);
 
 }  // namespace kerf

@@ -13,8 +13,9 @@ constexpr std::string_view kBegin = "SIGHT{{{";
 constexpr std::string_view kEnd = "}}}SIGHT";
 
 /// Writes what it sees into the page, where --dump-dom finds it.
-constexpr std::string_view kScript = R"(<script>
+constexpr std::string_view kScript = R"(
 addEventListener("load", () => {
+  const answer = act();
   const pictures = [...document.querySelectorAll("svg")].map(svg => {
     const box = svg.getBoundingClientRect();
     const shapes = [...svg.querySelectorAll("path,text,circle,polygon,use,rect")].filter(shape => {
@@ -26,6 +27,8 @@ addEventListener("load", () => {
   const sight = {
     pictures: pictures,
     resources: performance.getEntriesByType("resource").map(entry => entry.name),
+    images: [...document.images].map(image => image.naturalWidth),
+    answer: String(answer || ""),
     fits: document.documentElement.scrollWidth <= document.documentElement.clientWidth,
   };
   const note = document.createElement("pre");
@@ -48,14 +51,16 @@ void read(const std::string& text, Sight& sight) {
     sight.pictures.push_back({picture.at("width"), picture.at("height"), picture.at("shapes")});
   sight.resources = seen.at("resources").get<std::vector<std::string>>();
   sight.fits = seen.at("fits");
+  sight.images = seen.at("images").get<std::vector<int>>();
+  sight.answer = seen.at("answer");
 }
 
 }  // namespace
 
-Sight look_at(const std::filesystem::path& page) {
+Sight look_at(const std::filesystem::path& page, const std::string& act) {
   const TemporaryFolder folder;
   std::string text = read_text(page);
-  text.insert(text.find("<style>"), kScript);
+  text.insert(text.find("<style>"), "<script>function act() {" + act + "}" + std::string(kScript));
   const std::filesystem::path copy = folder.path() / "page.html";
   std::ofstream(copy) << text;
   // No name is found and nothing answers, so that only what the page brings along can be there.

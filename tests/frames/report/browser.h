@@ -18,9 +18,12 @@ struct Sight {
   std::vector<std::string> resources;  ///< addresses that the page asked for beside its own
   std::vector<Picture> pictures;       ///< of each svg element, as laid out
   bool fits = false;                   ///< no scrolling sideways
+  std::vector<int> images;             ///< widths of the decoded pictures; 0: broken
+  std::string answer;                  ///< of the script
 };
 
-/// Loads a copy of the page with a script in it that looks at what is there.
-Sight look_at(const std::filesystem::path& page);
+/// Loads a copy of the page with a script in it that looks at what is there. `act`: the body of a function in
+/// JavaScript that first does something with the page and may return a text.
+Sight look_at(const std::filesystem::path& page, const std::string& act = "");
 
 }  // namespace kerf::testing
