@@ -118,7 +118,7 @@ void DebuggerModel::add_breakpoint(const std::string& condition) {
 }
 
 void DebuggerModel::add_watch(const std::string& expression) {
-  WatchedValue watch{Expression::parse(expression)};
+  WatchedValue watch{Expression::parse_value(expression)};
   watch.value = run_->value(watch.expression);
   watches_.push_back(std::move(watch));
 }
@@ -157,6 +157,26 @@ void DebuggerModel::compare_with(std::unique_ptr<Run> other) {
   comparison_.reset();
   other_ = std::move(other);
   other_lanes_ = make_lanes(other_->rows());
+  moved();
+}
+
+void DebuggerModel::what_if(const WhatIfQuestion& question) {
+  const auto out = work_folder / ("what-if-" + std::to_string(++reruns_) + ".kerf");
+  run_->rerun(question, out);
+  compare_with(open_run(out));
+  say("the other run is " + out.string());
+}
+
+void DebuggerModel::change_over() {
+  if (!other_) return;
+  const Position here = Position::end_of(std::min(run_->position().step, other_->steps()));
+  std::swap(run_, other_);
+  std::swap(lanes_, other_lanes_);
+  comparison_.reset();
+  findings_.reset();
+  alarms_.assign(run_->steps() + 1, std::nullopt);
+  selection_ = {};
+  run_->go(here);
   moved();
 }
 

@@ -85,6 +85,12 @@ class DebuggerModel {
   // Comparing: another run goes where this one goes.
   void compare_with(std::unique_ptr<Run> other);
   void stop_comparing();
+  /// Runs it again with something else decided, into `work_folder`, and compares with that. Throws as
+  /// Run::rerun.
+  void what_if(const WhatIfQuestion& question);
+  std::filesystem::path work_folder = ".";
+  /// Goes on in the other run, from where this one stands; this one becomes the other.
+  void change_over();
   /// Only while comparing.
   [[nodiscard]] const RecordingComparison& comparison();
   [[nodiscard]] Run* other() { return other_.get(); }
@@ -111,7 +117,8 @@ class DebuggerModel {
   std::vector<WatchedValue> watches_;
   std::set<Position> bookmarks_;
   std::vector<std::optional<Alarm>> alarms_;  ///< by step; none: not asked
-  double due_ = 0;                            ///< of what is played, a fraction
+  int reruns_ = 0;
+  double due_ = 0;  ///< of what is played, a fraction
 };
 
 }  // namespace kerf
