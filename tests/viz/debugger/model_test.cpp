@@ -139,6 +139,19 @@ TYPED_TEST(DebuggerModelTest, OneSelectionAndWhatIsHidden) {
   EXPECT_EQ(model.view.isolated, std::nullopt);
 }
 
+TYPED_TEST(DebuggerModelTest, RibbonsAreTheHistoryOfWhatIsSelected) {
+  DebuggerModel& model = this->model();
+  EXPECT_TRUE(model.ribbons().empty());
+  model.select(NodeId{0});
+  EXPECT_EQ(model.ribbons().size(), model.run().history(NodeId{0}).size());
+  model.go(Position::end_of(40));
+  const Pair pair = make_pair(model.run().pairs()[0].a, model.run().pairs()[0].b);
+  model.select(pair);
+  bool is_now = false;
+  for (const Ribbon& ribbon : model.ribbons()) is_now |= ribbon.first_step <= 40 && 40 <= ribbon.last_step;
+  EXPECT_TRUE(is_now);
+}
+
 TYPED_TEST(DebuggerModelTest, TheOracleFindsNothingInAnExactTree) {
   DebuggerModel& model = this->model();
   model.go(Position::end_of(40));

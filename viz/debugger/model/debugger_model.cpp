@@ -77,7 +77,25 @@ void DebuggerModel::pass_time(double seconds) {
   for (; due_ >= 1 && playing; due_ -= 1) step(granularity, true);
 }
 
-void DebuggerModel::select(const Selection& selection) { selection_ = selection; }
+void DebuggerModel::select(const Selection& selection) {
+  if (selection_ != selection) ribbons_.reset();
+  selection_ = selection;
+}
+
+const std::vector<Ribbon>& DebuggerModel::ribbons() {
+  if (ribbons_) return *ribbons_;
+  ribbons_.emplace();
+  if (const auto* node = std::get_if<NodeId>(&selection_)) {
+    for (const Event& event : run_->history(*node))
+      ribbons_->push_back({event.step, event.step, std::holds_alternative<OperatorRefused>(event.body)});
+  } else if (const auto* pair = std::get_if<Pair>(&selection_)) {
+    for (const PairChange& change : run_->history(*pair)) {
+      if (change.is_pair) ribbons_->push_back({change.step, run_->steps(), false});
+      if (!change.is_pair && !ribbons_->empty()) ribbons_->back().last_step = change.step - 1;
+    }
+  }
+  return *ribbons_;
+}
 
 void DebuggerModel::select_object(ObjectId object, bool makes_pair) {
   const auto* const first = std::get_if<ObjectId>(&selection_);
@@ -175,7 +193,7 @@ void DebuggerModel::change_over() {
   comparison_.reset();
   findings_.reset();
   alarms_.assign(run_->steps() + 1, std::nullopt);
-  selection_ = {};
+  select({});
   run_->go(here);
   moved();
 }
