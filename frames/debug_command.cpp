@@ -7,11 +7,14 @@
 #include <optional>
 
 #include "frames/errors.h"
+#include "frames/interrupt.h"
 #include "frames/record_scene.h"
 #include "frames/scratch_folder.h"
 #include "viz/debugger/debugger.h"
+#include "viz/debugger/gui/glfw_window.h"
 #include "viz/debugger/script.h"
 #include "viz/gl/context.h"
+#include "viz/image/png.h"
 
 namespace kerf {
 namespace {
@@ -25,6 +28,52 @@ std::string read_script(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw UsageError("--script: " + path + " cannot be read");
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What one sitting with the debugger needs.
+struct Session {
+  std::filesystem::path file;
+  std::filesystem::path work_folder;
+  std::filesystem::path pictures;
+  PictureSize size;
+};
+
+void play_headless(const Session& session, const std::vector<ScriptLine>& lines) {
+  const auto context = make_offscreen_context();
+  Debugger debugger(*context, open_run(session.file));
+  debugger.model().work_folder = session.work_folder;
+  ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures).play(lines);
+}
+
+void save_picture(Debugger& debugger, const std::filesystem::path& folder) {
+  const auto path = folder / (debugger.facts()["position"] + ".png");
+  try {
+    std::filesystem::create_directories(folder);
+    write_png(path, debugger.picture());
+    debugger.report("saved " + path.string(), false);
+  } catch (const std::exception& error) {
+    debugger.report(error.what(), true);
+  }
+}
+
+void show_window(const Session& session, const std::vector<ScriptLine>& lines) {
+  const InterruptGuard interrupt;
+  GlfwWindow window("kerf debug " + session.file.string(), session.size.width, session.size.height);
+  Debugger debugger(window, open_run(session.file));
+  debugger.model().work_folder = session.work_folder;
+  const auto present = [&] {
+    debugger.show_in_window(window.width(), window.height());
+    window.swap();
+  };
+  if (!lines.empty()) {
+    ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures, present).play(lines);
+    return;
+  }
+  while (!window.should_close() && !interrupt.requested()) {
+    debugger.frame(window.take_input(!debugger.model().playing), window.width(), window.height());
+    if (debugger.takes_screenshot()) save_picture(debugger, session.pictures);
+    present();
+  }
 }
 
 }  // namespace
@@ -77,11 +126,13 @@ void DebugCommand::run() const {
     file = texts.record;
   }
   tune_allocator_for_rendering();
-  const auto context = make_offscreen_context();
-  Debugger debugger(*context, open_run(file));
-  ScriptPlayer player(debugger, size.width, size.height, out_.empty() ? "." : out_);
+  const Session session{file, scratch.path(), out_.empty() ? "." : out_, size};
   try {
-    player.play(lines);
+    if (headless_) {
+      play_headless(session, lines);
+    } else {
+      show_window(session, lines);
+    }
   } catch (const ScriptError& error) {
     throw std::runtime_error(script_ + ", " + error.what());
   }

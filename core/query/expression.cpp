@@ -49,13 +49,18 @@ class Parser {
  public:
   explicit Parser(std::string_view text) : text_(text), tokens_(tokens_of(text)) {}
 
-  std::vector<ExpressionPart> run() {
-    infix(1);
-    if (now().kind != Token::Kind::end) reject("here an operator such as && was expected");
-    const Kind kind = parts_.back().kind;
+  std::vector<ExpressionPart> run_condition() {
+    auto parts = run();
+    const Kind kind = parts.back().kind;
     const bool is_condition = kind == Kind::happening || kind == Kind::is_not || kind >= Kind::less;
     if (!is_condition)
       reject_expression(text_, 0, "this is a number, not a condition; compare it with something");
+    return parts;
+  }
+
+  std::vector<ExpressionPart> run() {
+    infix(1);
+    if (now().kind != Token::Kind::end) reject("here an operator such as && was expected");
     return std::move(parts_);
   }
 
@@ -226,6 +231,13 @@ class Parser {
 }  // namespace
 
 Expression Expression::parse(std::string_view text) {
+  Expression expression;
+  expression.text_ = text;
+  expression.parts_ = Parser(text).run_condition();
+  return expression;
+}
+
+Expression Expression::parse_value(std::string_view text) {
   Expression expression;
   expression.text_ = text;
   expression.parts_ = Parser(text).run();

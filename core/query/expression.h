@@ -94,6 +94,8 @@ class Expression {
  public:
   /// Throws std::invalid_argument that shows the place, and what is possible there.
   static Expression parse(std::string_view text);
+  /// The same for what may also be a number, such as `100*redundancy`: a value to be watched.
+  static Expression parse_value(std::string_view text);
 
   [[nodiscard]] std::span<const ExpressionPart> parts() const { return parts_; }
   [[nodiscard]] const ExpressionPart& root() const { return parts_.back(); }

@@ -36,13 +36,29 @@ void draw_tab(PanelContext& context, const char* name, void (*draw)(PanelContext
   ImGui::EndTabItem();
 }
 
+void draw_tabs(PanelContext& context) {
+  const ImVec2 usual = ImGui::GetStyle().ItemInnerSpacing;
+  ImGui::GetStyle().ItemInnerSpacing = {2, usual.y};
+  if (ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll)) {
+    draw_tab(context, "Why", draw_why);
+    draw_tab(context, "Ballot", draw_ballot);
+    draw_tab(context, "Algorithm", draw_algorithm);
+    draw_tab(context, "Oracle", draw_oracle);
+    draw_tab(context, "What if", draw_what_if);
+    draw_tab(context, "Compare", draw_compare);
+    draw_tab(context, "Lint", draw_lint);
+    ImGui::EndTabBar();
+  }
+  ImGui::GetStyle().ItemInnerSpacing = usual;
+}
+
 }  // namespace
 
 PanelLayout layout_panels(int width, int height) {
   const auto w = static_cast<float>(width);
   const auto h = static_cast<float>(height);
   const float left = std::floor(std::clamp(0.19F * w, 210.0F, 330.0F));
-  const float right = std::floor(std::clamp(0.31F * w, 330.0F, 560.0F));
+  const float right = std::floor(std::clamp(0.335F * w, 330.0F, 560.0F));
   const float below = std::floor(std::clamp(0.22F * h, 140.0F, 230.0F));
   constexpr float kTop = 58;
   constexpr float kTools = 58;
@@ -65,7 +81,8 @@ Debugger::Debugger(GlContext& context, std::unique_ptr<Run> run)
     : context_(context),
       model_(std::move(run)),
       gui_(context.functions()),
-      view_(make_scene_view(context.functions(), model_.run())) {}
+      view_(make_scene_view(context.functions(), model_.run())),
+      run_(&model_.run()) {}
 
 void Debugger::frame(const DebuggerInput& input, int width, int height) {
   context_.make_current();
@@ -159,6 +176,8 @@ void Debugger::take_key(const KeyPress& press) {
 /// The run that is compared is seen beside this one, from the same place.
 void Debugger::update_views(const PanelLayout& layout) {
   Run* const other = model_.other();
+  if (&model_.run() != run_) view_ = make_scene_view(context_.functions(), model_.run());
+  run_ = &model_.run();
   if (other != other_) {
     other_view_ = other == nullptr ? nullptr : make_scene_view(context_.functions(), *other);
     other_ = other;
@@ -172,21 +191,18 @@ void Debugger::update_views(const PanelLayout& layout) {
 }
 
 void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
+  const std::string wanted_tab = memory_.open_tab;
   in_window("transport", layout.transport, [&] { draw_transport(context); });
   in_window("tree", layout.left_above, [&] { draw_outline(context); });
   in_window("breakpoints", layout.left_below, [&] { draw_breakpoints(context); });
   in_window("events", layout.right_above, [&] { draw_events(context); });
   in_window("inspector", layout.right_below, [&] {
-    if (!ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll)) return;
-    draw_tab(context, "Why", draw_why);
-    draw_tab(context, "Ballot", draw_ballot);
-    draw_tab(context, "Algorithm 1", draw_algorithm);
-    draw_tab(context, "Oracle", draw_oracle);
-    draw_tab(context, "Compare", draw_compare);
-    draw_tab(context, "Lint", draw_lint);
-    ImGui::EndTabBar();
+    const ImVec2 usual = ImGui::GetStyle().FramePadding;
+    ImGui::GetStyle().FramePadding = {3, usual.y};  // all tabs side by side
+    draw_tabs(context);
+    ImGui::GetStyle().FramePadding = usual;
   });
-  memory_.open_tab.clear();
+  if (memory_.open_tab == wanted_tab) memory_.open_tab.clear();
   in_window("tools", layout.tools, [&] { draw_view_tools(context); });
   draw_view(context, layout);
   in_window(

@@ -69,6 +69,7 @@ class Debugger {
   Gui gui_;
   std::unique_ptr<SceneView> view_;
   std::unique_ptr<SceneView> other_view_;
+  const Run* run_;              ///< of which `view_` is
   const Run* other_ = nullptr;  ///< of which `other_view_` is
   PanelMemory memory_;
   std::optional<Framebuffer> framebuffer_;

@@ -19,15 +19,28 @@ std::string last_error() {
 }
 
 std::optional<Key> key_of(int key) {
-  static const std::map<int, Key> kKeys{
-      {GLFW_KEY_SPACE, Key::space},   {GLFW_KEY_COMMA, Key::comma},  {GLFW_KEY_PERIOD, Key::period},
-      {GLFW_KEY_HOME, Key::home},     {GLFW_KEY_END, Key::end},      {GLFW_KEY_F, Key::f},
-      {GLFW_KEY_H, Key::h},           {GLFW_KEY_I, Key::i},          {GLFW_KEY_B, Key::b},
-      {GLFW_KEY_O, Key::o},           {GLFW_KEY_ESCAPE, Key::escape}, {GLFW_KEY_ENTER, Key::enter},
-      {GLFW_KEY_KP_ENTER, Key::enter}, {GLFW_KEY_BACKSPACE, Key::backspace}, {GLFW_KEY_DELETE, Key::del},
-      {GLFW_KEY_LEFT, Key::left},     {GLFW_KEY_RIGHT, Key::right},  {GLFW_KEY_TAB, Key::tab},
-      {GLFW_KEY_F1, Key::f1},         {GLFW_KEY_F5, Key::f5},        {GLFW_KEY_F9, Key::f9},
-      {GLFW_KEY_F12, Key::f12}};
+  static const std::map<int, Key> kKeys{{GLFW_KEY_SPACE, Key::space},
+                                        {GLFW_KEY_COMMA, Key::comma},
+                                        {GLFW_KEY_PERIOD, Key::period},
+                                        {GLFW_KEY_HOME, Key::home},
+                                        {GLFW_KEY_END, Key::end},
+                                        {GLFW_KEY_F, Key::f},
+                                        {GLFW_KEY_H, Key::h},
+                                        {GLFW_KEY_I, Key::i},
+                                        {GLFW_KEY_B, Key::b},
+                                        {GLFW_KEY_O, Key::o},
+                                        {GLFW_KEY_ESCAPE, Key::escape},
+                                        {GLFW_KEY_ENTER, Key::enter},
+                                        {GLFW_KEY_KP_ENTER, Key::enter},
+                                        {GLFW_KEY_BACKSPACE, Key::backspace},
+                                        {GLFW_KEY_DELETE, Key::del},
+                                        {GLFW_KEY_LEFT, Key::left},
+                                        {GLFW_KEY_RIGHT, Key::right},
+                                        {GLFW_KEY_TAB, Key::tab},
+                                        {GLFW_KEY_F1, Key::f1},
+                                        {GLFW_KEY_F5, Key::f5},
+                                        {GLFW_KEY_F9, Key::f9},
+                                        {GLFW_KEY_F12, Key::f12}};
   const auto found = kKeys.find(key);
   return found == kKeys.end() ? std::nullopt : std::optional(found->second);
 }
@@ -127,8 +140,13 @@ bool GlfwWindow::should_close() const { return glfwWindowShouldClose(window_.get
 
 void GlfwWindow::swap() { glfwSwapBuffers(window_.get()); }
 
-DebuggerInput GlfwWindow::take_input() {
-  glfwPollEvents();
+DebuggerInput GlfwWindow::take_input(bool idle) {
+  constexpr double kWait = 0.05;  // seconds: panels move on slowly even if nothing happens
+  if (idle) {
+    glfwWaitEventsTimeout(kWait);
+  } else {
+    glfwPollEvents();
+  }
   DebuggerInput taken = std::exchange(input_, {});
   double x = 0;
   double y = 0;

@@ -27,8 +27,8 @@ class GlfwWindow final : public GlContext {
   [[nodiscard]] bool should_close() const;
   /// Shows what was drawn into the window's framebuffer, and waits for the display.
   void swap();
-  /// What happened since the last call.
-  [[nodiscard]] DebuggerInput take_input();
+  /// What happened since the last call; `idle`: waits a little for something to happen.
+  [[nodiscard]] DebuggerInput take_input(bool idle);
 
  private:
   /// GLFW is there once for the process, as long as a window lives.

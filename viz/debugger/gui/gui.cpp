@@ -35,7 +35,7 @@ void set_colors(ImGuiStyle& style) {
   set(ImGuiCol_TabActive, color_of({248, 248, 245}));
   set(ImGuiCol_TabHovered, color_of({190, 214, 232}));
   set(ImGuiCol_CheckMark, color_of(palette::kPartitioner));
-  set(ImGuiCol_SliderGrab, color_of(palette::kPartitioner, 0.6));
+  set(ImGuiCol_SliderGrab, color_of(palette::kPartitioner, 0.3));
   set(ImGuiCol_TableHeaderBg, color_of({228, 228, 222}));
 }
 

@@ -77,7 +77,25 @@ void DebuggerModel::pass_time(double seconds) {
   for (; due_ >= 1 && playing; due_ -= 1) step(granularity, true);
 }
 
-void DebuggerModel::select(const Selection& selection) { selection_ = selection; }
+void DebuggerModel::select(const Selection& selection) {
+  if (selection_ != selection) ribbons_.reset();
+  selection_ = selection;
+}
+
+const std::vector<Ribbon>& DebuggerModel::ribbons() {
+  if (ribbons_) return *ribbons_;
+  ribbons_.emplace();
+  if (const auto* node = std::get_if<NodeId>(&selection_)) {
+    for (const Event& event : run_->history(*node))
+      ribbons_->push_back({event.step, event.step, std::holds_alternative<OperatorRefused>(event.body)});
+  } else if (const auto* pair = std::get_if<Pair>(&selection_)) {
+    for (const PairChange& change : run_->history(*pair)) {
+      if (change.is_pair) ribbons_->push_back({change.step, run_->steps(), false});
+      if (!change.is_pair && !ribbons_->empty()) ribbons_->back().last_step = change.step - 1;
+    }
+  }
+  return *ribbons_;
+}
 
 void DebuggerModel::select_object(ObjectId object, bool makes_pair) {
   const auto* const first = std::get_if<ObjectId>(&selection_);
@@ -118,7 +136,7 @@ void DebuggerModel::add_breakpoint(const std::string& condition) {
 }
 
 void DebuggerModel::add_watch(const std::string& expression) {
-  WatchedValue watch{Expression::parse(expression)};
+  WatchedValue watch{Expression::parse_value(expression)};
   watch.value = run_->value(watch.expression);
   watches_.push_back(std::move(watch));
 }
@@ -157,6 +175,26 @@ void DebuggerModel::compare_with(std::unique_ptr<Run> other) {
   comparison_.reset();
   other_ = std::move(other);
   other_lanes_ = make_lanes(other_->rows());
+  moved();
+}
+
+void DebuggerModel::what_if(const WhatIfQuestion& question) {
+  const auto out = work_folder / ("what-if-" + std::to_string(++reruns_) + ".kerf");
+  run_->rerun(question, out);
+  compare_with(open_run(out));
+  say("the other run is " + out.string());
+}
+
+void DebuggerModel::change_over() {
+  if (!other_) return;
+  const Position here = Position::end_of(std::min(run_->position().step, other_->steps()));
+  std::swap(run_, other_);
+  std::swap(lanes_, other_lanes_);
+  comparison_.reset();
+  findings_.reset();
+  alarms_.assign(run_->steps() + 1, std::nullopt);
+  select({});
+  run_->go(here);
   moved();
 }
 

@@ -22,6 +22,13 @@ struct Alarm {
   [[nodiscard]] bool is_wrong() const { return missed + extra + twice > 0; }
 };
 
+/// A span of the selected thing's history: an operator at a node, or two objects being a pair.
+struct Ribbon {
+  std::uint32_t first_step = 0;
+  std::uint32_t last_step = 0;
+  bool is_refusal = false;
+};
+
 /// Everything that the debugger knows and does, without a window: panels and scripts only call it.
 class DebuggerModel {
  public:
@@ -50,6 +57,8 @@ class DebuggerModel {
   void select_object(ObjectId object, bool makes_pair);
   [[nodiscard]] const Selection& selection() const { return selection_; }
   [[nodiscard]] bool is_selected(NodeId node) const;
+  /// What happened to the selected node in the whole run, or when the selected pair was one.
+  [[nodiscard]] const std::vector<Ribbon>& ribbons();
 
   // Seeing.
   ViewSettings view;
@@ -85,6 +94,12 @@ class DebuggerModel {
   // Comparing: another run goes where this one goes.
   void compare_with(std::unique_ptr<Run> other);
   void stop_comparing();
+  /// Runs it again with something else decided, into `work_folder`, and compares with that. Throws as
+  /// Run::rerun.
+  void what_if(const WhatIfQuestion& question);
+  std::filesystem::path work_folder = ".";
+  /// Goes on in the other run, from where this one stands; this one becomes the other.
+  void change_over();
   /// Only while comparing.
   [[nodiscard]] const RecordingComparison& comparison();
   [[nodiscard]] Run* other() { return other_.get(); }
@@ -108,10 +123,12 @@ class DebuggerModel {
   std::optional<std::vector<Thrash>> findings_;
   std::uint32_t findings_within_ = 0;
   Selection selection_;
+  std::optional<std::vector<Ribbon>> ribbons_;  ///< of the selection
   std::vector<WatchedValue> watches_;
   std::set<Position> bookmarks_;
   std::vector<std::optional<Alarm>> alarms_;  ///< by step; none: not asked
-  double due_ = 0;                            ///< of what is played, a fraction
+  int reruns_ = 0;
+  double due_ = 0;  ///< of what is played, a fraction
 };
 
 }  // namespace kerf

@@ -45,6 +45,15 @@ struct ProjectionStrip {
   double offset = 0;
 };
 
+/// What is to be decided otherwise in a rerun: an operator is refused or takes another candidate, or
+/// parameters change from a step on.
+struct WhatIfQuestion {
+  std::optional<std::uint64_t> event{};
+  std::optional<std::size_t> candidate{};  ///< of the event's ballot; none: it is refused
+  std::string assignments{};               ///< "K=V,..."; empty: no parameter changes
+  std::uint32_t from = 1;                  ///< first step with them
+};
+
 /// A recorded run with a place in it, whatever its dimension: what panels show comes from here. Everything
 /// throws std::runtime_error if the recording is damaged.
 class Run {
@@ -100,6 +109,9 @@ class Run {
   [[nodiscard]] virtual std::vector<PairChange> history(const Pair& pair) = 0;
   /// Where operators undo each other or wait, in the whole run.
   [[nodiscard]] virtual std::vector<Thrash> lint(std::uint32_t within) = 0;
+  /// Runs the same requests again, with something else decided, and records that. Throws
+  /// std::invalid_argument, saying why, for what cannot be decided.
+  virtual void rerun(const WhatIfQuestion& question, const std::filesystem::path& out) = 0;
   /// Throws std::runtime_error unless both have the same dimension.
   [[nodiscard]] virtual RecordingComparison compare(Run& other) = 0;
   /// Step in which an operator last acted on the node, up to now; 0: none has.

@@ -8,6 +8,7 @@
 #include "core/query/explain_node.h"
 #include "core/query/explain_pair.h"
 #include "core/query/text.h"
+#include "core/replay/what_if.h"
 #include "core/tree/criteria.h"
 
 namespace kerf {
@@ -190,6 +191,18 @@ const std::vector<OperatorRow>& RunOf<D>::operators() {
 template <int D>
 std::vector<Thrash> RunOf<D>::lint(std::uint32_t within) {
   return find_thrash(operators(), steps(), within);
+}
+
+template <int D>
+void RunOf<D>::rerun(const WhatIfQuestion& question, const std::filesystem::path& out) {
+  RecordingInfo changed = recording_->info();
+  if (question.event) decide(changed, cursor_.replayer(), *question.event, question.candidate);
+  if (!question.assignments.empty()) {
+    Config wanted = config_of(changed, question.from);
+    kerf::apply(wanted, question.assignments);
+    change_config(changed, *recording_, question.from, wanted);
+  }
+  (void)kerf::rerun(*recording_, changed, out);
 }
 
 template <int D>

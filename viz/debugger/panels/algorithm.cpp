@@ -16,6 +16,8 @@ void draw_algorithm(PanelContext& context) {
                                                 {at.x + ImGui::GetContentRegionAvail().x, at.y + 15},
                                                 widgets::to_imgui(palette::kOperator, 0.25));
     ImGui::Text("%2zu  %s", k + 1, kAlgorithm1[k].data());
+    if (lit && context.memory.lit_at != model.run().position()) ImGui::SetScrollHereY(0.4F);
+    if (lit) context.memory.lit_at = model.run().position();
     if (trace.decided[k].empty()) continue;
     ImGui::PushStyleColor(ImGuiCol_Text,
                           widgets::to_vector(lit ? palette::kOperator : palette::kPartitioner));

@@ -10,7 +10,7 @@
 namespace kerf {
 namespace {
 
-constexpr float kStripHeight = 150;
+constexpr float kStripHeight = 110;
 
 Color color_of_result(Ballot result) {
   if (result == Ballot::chosen) return palette::kSeries[2];
@@ -20,6 +20,25 @@ Color color_of_result(Ballot result) {
 void cell(const std::string& text) {
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(text.c_str());
+}
+
+/// A word that a narrow column has room for; the row's hint has the whole reason.
+const char* result_word(Ballot result) {
+  switch (result) {
+    case Ballot::chosen:
+      return "chosen";
+    case Ballot::beaten:
+      return "beaten";
+    case Ballot::unbalanced:
+      return "unbalanced";
+    case Ballot::redundant:
+      return "cuts many";
+    case Ballot::undividing:
+      return "no gain";
+    case Ballot::unconfirmed:
+      return "sample only";
+  }
+  return "";
 }
 
 std::string two_digits(double x) {
@@ -43,14 +62,14 @@ bool draw_candidate_row(PanelContext& context, std::size_t k, const CandidateRow
   if (pressed) context.memory.kept_candidate = k;
   if (hovered)
     ImGui::SetTooltip(
-        "%s\n%s", candidate.plane.c_str(),
+        "%s\n%s\n%s", candidate.plane.c_str(), to_string(candidate.entry.result).data(),
         candidate.entry.exact ? "judged on all its objects" : "judged on a sample of its objects");
   cell(candidate.plane);
   cell(std::to_string(q.left) + "|" + std::to_string(q.right));
   cell(two_digits(double{balance(q)}));
   cell(std::to_string(redundancy(q)));
   cell(two_digits(candidate.score));
-  cell(std::string(to_string(candidate.entry.result)));
+  cell(result_word(candidate.entry.result));
   ImGui::PopStyleColor();
   return hovered;
 }

@@ -35,7 +35,7 @@ void draw_breakpoint(PanelContext& context, std::size_t k) {
   ImGui::Checkbox("##on", &breakpoint.enabled);
   context.gui.name_last_item("breakpoint " + number);
   ImGui::SameLine();
-  ImGui::TextUnformatted(breakpoint.condition.text().c_str());
+  ImGui::TextWrapped("%s", breakpoint.condition.text().c_str());
   if (breakpoint.hits > 0) {
     ImGui::SameLine();
     ImGui::TextDisabled("%ux", breakpoint.hits);

@@ -74,6 +74,8 @@ void draw_compare(PanelContext& context) {
   }
   if (widgets::button(context.gui, "stop comparing")) return model.stop_comparing();
   ImGui::SameLine();
+  if (widgets::button(context.gui, "change over", "go on in the other run")) return model.change_over();
+  ImGui::SameLine();
   ImGui::TextDisabled("with %s", model.other()->path().filename().c_str());
   const RecordingComparison& comparison = model.comparison();
   draw_difference(context, "requests", comparison.requests);

@@ -26,10 +26,12 @@ struct PanelMemory {
   std::optional<Selection> explained;
   Position explained_at;
   std::string explanation;
+  Position lit_at;  ///< moment to which Algorithm 1 has scrolled
   std::optional<std::size_t> kept_candidate;  ///< of the ballot, pressed
   Position ballot_of;
   std::string other_file;
   std::string assignments;  ///< of "what if"
+  std::string problem_of_what_if;
   int lint_within = 50;
 };
 
@@ -52,6 +54,7 @@ void draw_why(PanelContext& context);
 void draw_ballot(PanelContext& context);
 void draw_algorithm(PanelContext& context);
 void draw_oracle(PanelContext& context);
+void draw_what_if(PanelContext& context);
 void draw_compare(PanelContext& context);
 void draw_lint(PanelContext& context);
 void draw_view_tools(PanelContext& context);

@@ -99,6 +99,23 @@ void draw_marks(PanelContext& context, const TimeAxis& axis, float top) {
                widgets::to_imgui(wrong == 0 ? palette::kFaintInk : palette::kCandidate), text.c_str());
 }
 
+/// When operators were at the selected node, or the selected objects were a pair.
+void draw_ribbons(PanelContext& context, const TimeAxis& axis, float top) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool nothing = std::holds_alternative<std::monostate>(context.model.selection());
+  const std::string name = nothing ? "selected" : to_string(context.model.selection());
+  list.AddText({ImGui::GetWindowPos().x + 8, top - 1},
+               widgets::to_imgui(nothing ? palette::kFaintInk : palette::kInk), name.c_str());
+  list.AddRectFilled({axis.left, top}, {axis.left + axis.width, top + kMarks - 2},
+                     IM_COL32(255, 255, 255, 255));
+  for (const Ribbon& ribbon : context.model.ribbons()) {
+    const float left = axis.x_of(ribbon.first_step - 1.0);
+    const float right = std::max(left + 2, axis.x_of(ribbon.last_step));
+    list.AddRectFilled({left, top + 1}, {right, top + kMarks - 3},
+                       widgets::to_imgui(ribbon.is_refusal ? palette::kCandidate : palette::kSeries[4]));
+  }
+}
+
 /// Pressed or dragged anywhere over the lanes, the cursor goes there.
 void scrub(PanelContext& context, const TimeAxis& axis, float top, float bottom) {
   ImGui::SetCursorScreenPos({axis.left, top});
@@ -122,11 +139,12 @@ void draw_timeline(PanelContext& context) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const DebuggerModel& model = context.model;
   const TimeAxis axis{origin.x + kNames, std::max(50.0F, room.x - kNames - kValues), model.run().steps()};
-  const float lanes = room.y - kMarks - 2;
+  const float lanes = room.y - 2 * kMarks - 4;
   const float height = lanes / static_cast<float>(model.lanes().size());
   for (std::size_t k = 0; k < model.lanes().size(); ++k)
     draw_lane(context, k, axis, origin.y + height * static_cast<float>(k), height);
   draw_marks(context, axis, origin.y + lanes + 2);
+  draw_ribbons(context, axis, origin.y + lanes + kMarks + 4);
   const float x = axis.x_of(model.run().position().step);
   ImGui::GetWindowDrawList()->AddLine({x, origin.y}, {x, origin.y + room.y},
                                       widgets::to_imgui(palette::kOperator), 2);

@@ -53,7 +53,7 @@ void draw_granularity(PanelContext& context) {
   }
   ImGui::SameLine();
   auto speed = static_cast<float>(context.model.speed);
-  ImGui::SetNextItemWidth(90);
+  ImGui::SetNextItemWidth(110);
   if (ImGui::SliderFloat("##speed", &speed, 1, 200, "%.0f a second", ImGuiSliderFlags_Logarithmic))
     context.model.speed = double{speed};
   context.gui.name_last_item("speed");

@@ -112,8 +112,10 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
   const ShownCounts& counts = view.counts();
   const bool all = counts.objects == counts.all_objects && counts.partitioners == counts.all_partitioners &&
                    counts.pairs == counts.all_pairs;
-  draw_text_on(list, {area.x + 8, bottom - line}, counts_text(counts),
-               all ? palette::kFaintInk : palette::kCandidate);
+  std::string drawn = counts_text(counts);
+  if (ImGui::CalcTextSize(drawn.c_str()).x > area.width - 16)
+    drawn = std::to_string(counts.objects) + " of " + std::to_string(counts.all_objects) + " objects drawn";
+  draw_text_on(list, {area.x + 8, bottom - line}, drawn, all ? palette::kFaintInk : palette::kCandidate);
   if (!title.empty()) draw_text_on(list, {area.x + 8, area.y + 6}, title, palette::kInk);
   const ViewSettings& settings = context.model.view;
   if (settings.layers.has(Layer::leaves)) {

@@ -46,7 +46,8 @@ class SceneView {
   /// Pictures drawn so far; one that nothing has changed is not drawn again.
   [[nodiscard]] virtual std::uint64_t drawn() const = 0;
 
-  /// The object under a pixel of the view: in 3D the nearest, in 2D the smallest.
+  /// The object under a pixel of the view: in 3D the nearest, in 2D the smallest; one that moves if there is
+  /// any.
   [[nodiscard]] virtual std::optional<ObjectId> pick(double x, double y) const = 0;
   /// Where an object's middle is seen.
   [[nodiscard]] virtual std::optional<SceneLabel> place_of(ObjectId object) const = 0;

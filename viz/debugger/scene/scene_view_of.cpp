@@ -19,6 +19,7 @@ constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
 constexpr std::uint32_t kDeepestPane = 6;
 constexpr double kCellAlpha = 0.5;
+constexpr double kBehindAll = 1e30;
 
 /// Whether an object is among the `share` that is drawn: spread evenly, and the same in every picture.
 bool is_sampled(std::size_t object, double share) {
@@ -326,7 +327,8 @@ std::optional<ObjectId> SceneViewOf<D>::pick(double x, double y) const {
     const Box<D>& box = bodies_[id].box;
     const auto hit = distance_to(ray, box);
     if (!hit) continue;
-    const double rank = D == 3 ? *hit : double{box.extent()[0]} * double{box.extent()[1]};
+    double rank = D == 3 ? *hit : double{box.extent()[0]} * double{box.extent()[1]};
+    if (bodies_[id].mobility == Mobility::fixed) rank += kBehindAll;  // ground and walls are seen through
     if (rank >= nearest) continue;
     nearest = rank;
     best = ObjectId{id};

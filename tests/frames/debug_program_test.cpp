@@ -1,0 +1,115 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "tests/frames/program.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::Process;
+using testing::run_kerf;
+using testing::TemporaryFolder;
+
+/// A recording, a script and a folder for pictures.
+class DebugProgram : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+  void record() const {
+    const Outcome outcome = run_kerf({"record", "pyramid", "-o", path("run.kerf"), "--steps", "40",
+                                      "--config", "min_threshold=4,max_threshold=8,schedule_interval=2"});
+    ASSERT_EQ(outcome.exit, 0) << outcome.err;
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(DebugProgram, RecordsASceneAndPlaysAScript) {
+  write("s", "key End\nexpect steps == 20\nexpect step == 20\nscreenshot end\n");
+  const Outcome outcome = run_kerf({"debug", "pile", "--steps", "20", "--headless", "--script", path("s"),
+                                    "-o", path("out"), "--size", "1000x640"});
+  ASSERT_EQ(outcome.exit, 0) << outcome.err;
+  const Image image = read_png(path("out/end.png"));
+  EXPECT_EQ(image.width, 1000);
+  EXPECT_EQ(image.height, 640);
+}
+
+TEST_F(DebugProgram, AFailedExpectationIsAnExitCodeAndALine) {
+  record();
+  write("s", "key End\nexpect step == 3\n");
+  const Outcome outcome = run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s")});
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("line 2, 'expect step == 3': step is '40'"));
+}
+
+TEST_F(DebugProgram, SaysWhatItNeeds) {
+  write("s", "click \"open\n");
+  EXPECT_THAT(run_kerf({"debug", "pile", "--headless"}).err, HasSubstr("give a --script"));
+  EXPECT_THAT(run_kerf({"debug", "pile", "--headless", "--script", path("s")}).err, HasSubstr("a quote"));
+  EXPECT_THAT(run_kerf({"debug", "pile", "--headless", "--script", path("none")}).err,
+              HasSubstr("cannot be read"));
+  EXPECT_THAT(run_kerf({"debug", "pil"}).err, HasSubstr("pile"));
+  EXPECT_THAT(run_kerf({"debug", "pile", "--size", "300x200"}).err, HasSubstr("at least 960x600"));
+}
+
+TEST_F(DebugProgram, WithoutADisplayItSaysWhatToDo) {
+  record();
+  const std::string command = "unset DISPLAY WAYLAND_DISPLAY; exec \"$0\" debug \"$1\"";
+  const Outcome outcome =
+      Process({"/bin/sh", "-c", command, testing::kerf_command({})[0], path("run.kerf")}).wait();
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("--headless"));
+}
+
+/// Pixels of two pictures that differ by more than `tolerance` in a channel.
+std::size_t different_pixels(const Image& a, const Image& b, int tolerance) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < a.rgba.size(); k += 4) {
+    bool differs = false;
+    for (std::size_t c = 0; c < 4; ++c) differs |= std::abs(a.rgba[k + c] - b.rgba[k + c]) > tolerance;
+    count += differs ? 1 : 0;
+  }
+  return count;
+}
+
+TEST_F(DebugProgram, AWindowShowsWhatIsDrawnWithoutOne) {
+  record();
+  write(
+      "s",
+      "key End\nkey ,\ndouble view@0.5,0.5\ndrag view@0.3,0.3 view@0.45,0.4\nwheel 2\nclick \"tab Oracle\"\n"
+      "screenshot a\nkey ,\nkey ,\nclick n0\nhover 5,5\nscreenshot b\n");
+  const Outcome without =
+      run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s"), "-o", path("without")});
+  ASSERT_EQ(without.exit, 0) << without.err;
+  std::vector<std::string> command{"/usr/bin/xvfb-run", "-a", "-s", "-screen 0 1400x900x24"};
+  for (const std::string& word :
+       testing::kerf_command({"debug", path("run.kerf"), "--script", path("s"), "-o", path("with")}))
+    command.push_back(word);
+  const Outcome with = Process(command).wait();
+  ASSERT_EQ(with.exit, 0) << with.err;
+  for (const std::string name : {"a", "b"}) {
+    const Image expected = read_png(path("without/" + name + ".png"));
+    const Image shown = read_png(path("with/" + name + ".png"));
+    ASSERT_EQ(expected.width, shown.width);
+    EXPECT_EQ(different_pixels(expected, shown, 0), 0U) << name;
+  }
+  EXPECT_GT(different_pixels(read_png(path("with/a.png")), read_png(path("with/b.png")), 0), 1000U);
+}
+
+TEST_F(DebugProgram, LintFindsWhatWaits) {
+  record();
+  const Outcome found = run_kerf({"lint", path("run.kerf"), "--within", "1"});
+  EXPECT_EQ(found.exit, 1);
+  EXPECT_THAT(found.out, ::testing::ContainsRegex("e[0-9]+  "));
+  const Outcome none = run_kerf({"lint", path("run.kerf"), "--within", "1000"});
+  EXPECT_EQ(none.exit, 0) << none.out;
+  EXPECT_EQ(run_kerf({"lint", path("run.kerf"), "--within", "0"}).exit, 2);
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,238 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "tests/support/dimensions.h"
+#include "tests/support/recorded_crowd.h"
+#include "tests/viz/temporary_folder.h"
+#include "viz/debugger/model/algorithm_1.h"
+#include "viz/debugger/model/debugger_model.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A crowd in which operators act, and a model of it.
+template <class T>
+class DebuggerModelTest : public testing::Test {
+ protected:
+  static constexpr int kD = T::value;
+  static constexpr std::uint32_t kSteps = 60;
+
+  DebuggerModelTest() {
+    test::record_crowd<kD>(file_.path(), kSteps, test::busy_config());
+    model_ = std::make_unique<DebuggerModel>(open_run(file_.path()));
+    model_->work_folder = folder_.path();
+  }
+  [[nodiscard]] DebuggerModel& model() { return *model_; }
+
+  /// The first event after which `text` holds.
+  Position first(const std::string& text) {
+    return model_->run().search(Expression::parse(text), {}, true, {}).value_or(Position{});
+  }
+
+ private:
+  test::TemporaryRecording file_;
+  test::TemporaryFolder folder_;
+  std::unique_ptr<DebuggerModel> model_;
+};
+TYPED_TEST_SUITE(DebuggerModelTest, test::Dimensions, test::DimensionNames);
+
+TYPED_TEST(DebuggerModelTest, TheSameStateForwardsAndBackwards) {
+  DebuggerModel& model = this->model();
+  model.go(Position::end_of(8));
+  std::vector<std::pair<Position, std::uint64_t>> seen;
+  for (int k = 0; k < 150; ++k) {
+    seen.emplace_back(model.run().position(), model.run().state_hash());
+    model.step(Granularity::event, true);
+  }
+  while (!seen.empty()) {
+    model.step(Granularity::event, false);
+    ASSERT_EQ(model.run().position(), seen.back().first);
+    ASSERT_EQ(model.run().state_hash(), seen.back().second);
+    seen.pop_back();
+  }
+}
+
+TYPED_TEST(DebuggerModelTest, EveryKindOfBreakpointStopsBothWays) {
+  DebuggerModel& model = this->model();
+  model.go(this->first("op==split && kind==acted"));
+  const std::string node = "n" + std::to_string(model.run().event_node()->value);
+  model.go(Position::end_of(this->kSteps));
+  const Pair pair = model.run().pairs()[0];
+  const std::string names = std::to_string(pair.a.value) + "," + std::to_string(pair.b.value);
+  for (const std::string& text :
+       {std::string("op==merge"), std::string("kind==refused"), std::string("depth>2"),
+        std::string("phase==operate"), "plane(" + node + ") moves", "node(" + node + ")",
+        "object(" + std::to_string(pair.a.value) + ") moves", "pair(" + names + ")",
+        "pair(" + names + ") enters", std::string("redundancy>1%"), std::string("deferred>0"),
+        std::string("step_time>1.01*median"), std::string("height>=3 && pairs>0")}) {
+    SCOPED_TRACE(text);
+    model.breakpoints.clear();
+    model.add_breakpoint(text);
+    model.go({});
+    model.run_to_breakpoint(true);
+    const Position there = model.run().position();
+    ASSERT_EQ(model.breakpoints[0].hits, 1U) << model.message;
+    EXPECT_EQ(model.run().value(Expression::parse(text)), 1);
+    EXPECT_THAT(model.message, HasSubstr(to_string(there)));
+    model.go(Position::end_of(this->kSteps));
+    model.step(Granularity::event, true);
+    model.run_to_breakpoint(false);
+    EXPECT_GE(model.run().position(), there);
+    EXPECT_EQ(model.run().value(Expression::parse(text)), 1);
+  }
+}
+
+TYPED_TEST(DebuggerModelTest, TheNearestOfSeveralBreakpointsStops) {
+  DebuggerModel& model = this->model();
+  model.add_breakpoint("step==30");
+  model.add_breakpoint("step==20");
+  model.add_breakpoint("step==10");
+  model.breakpoints[2].enabled = false;
+  model.run_to_breakpoint(true);
+  EXPECT_EQ(model.run().position(), Position::end_of(20));
+  model.go(Position::end_of(40));
+  model.run_to_breakpoint(false);
+  EXPECT_EQ(model.run().position(), Position::end_of(30));
+  EXPECT_THROW(model.add_breakpoint("redundncy>1"), std::invalid_argument);
+  EXPECT_EQ(model.breakpoints.size(), 3U);
+}
+
+TYPED_TEST(DebuggerModelTest, ABreakpointHereIsRemovedByTheSameKey) {
+  DebuggerModel& model = this->model();
+  model.go(this->first("op==split && kind==acted"));
+  const Position here = model.run().position();
+  model.toggle_breakpoint_here();
+  ASSERT_EQ(model.breakpoints.size(), 1U);
+  model.go(Position::end_of(this->kSteps));
+  model.run_to_breakpoint(false);
+  EXPECT_EQ(model.run().position(), here);
+  model.toggle_breakpoint_here();
+  EXPECT_TRUE(model.breakpoints.empty());
+}
+
+TYPED_TEST(DebuggerModelTest, WatchesFollowTheMoment) {
+  DebuggerModel& model = this->model();
+  model.add_watch("pairs");
+  for (const std::uint32_t step : {10U, 50U, 10U}) {
+    model.go(Position::end_of(step));
+    EXPECT_EQ(model.watches()[0].value, static_cast<double>(model.run().rows()[step - 1].pairs));
+  }
+}
+
+TYPED_TEST(DebuggerModelTest, OneSelectionAndWhatIsHidden) {
+  DebuggerModel& model = this->model();
+  model.select_object(ObjectId{5}, false);
+  model.select_object(ObjectId{2}, true);
+  EXPECT_EQ(to_string(model.selection()), "pair 2,5");
+  model.select(NodeId{0});
+  EXPECT_TRUE(model.is_selected(NodeId{0}));
+  model.toggle_hidden();
+  EXPECT_TRUE(model.view.hidden_nodes.contains(NodeId{0}));
+  model.toggle_hidden();
+  EXPECT_TRUE(model.view.hidden_nodes.empty());
+  model.toggle_isolated();
+  EXPECT_EQ(model.view.isolated, NodeId{0});
+  model.show_all();
+  EXPECT_EQ(model.view.isolated, std::nullopt);
+}
+
+TYPED_TEST(DebuggerModelTest, RibbonsAreTheHistoryOfWhatIsSelected) {
+  DebuggerModel& model = this->model();
+  EXPECT_TRUE(model.ribbons().empty());
+  model.select(NodeId{0});
+  EXPECT_EQ(model.ribbons().size(), model.run().history(NodeId{0}).size());
+  model.go(Position::end_of(40));
+  const Pair pair = make_pair(model.run().pairs()[0].a, model.run().pairs()[0].b);
+  model.select(pair);
+  bool is_now = false;
+  for (const Ribbon& ribbon : model.ribbons()) is_now |= ribbon.first_step <= 40 && 40 <= ribbon.last_step;
+  EXPECT_TRUE(is_now);
+}
+
+TYPED_TEST(DebuggerModelTest, TheOracleFindsNothingInAnExactTree) {
+  DebuggerModel& model = this->model();
+  model.go(Position::end_of(40));
+  ASSERT_TRUE(model.alarms()[40].has_value());
+  EXPECT_FALSE(model.alarms()[40]->is_wrong());
+  EXPECT_EQ(model.run().judged_pairs(), model.run().pairs().size());
+}
+
+TYPED_TEST(DebuggerModelTest, PlayingGoesOnWithTime) {
+  DebuggerModel& model = this->model();
+  model.granularity = Granularity::step;
+  model.speed = 10;
+  model.playing = true;
+  model.pass_time(0.55);
+  EXPECT_EQ(model.run().position(), Position::end_of(5));
+  model.pass_time(0.05);
+  EXPECT_EQ(model.run().position(), Position::end_of(6));
+  model.pass_time(100);
+  EXPECT_FALSE(model.playing) << "it stops at the end";
+}
+
+TYPED_TEST(DebuggerModelTest, WhatIfRefusesAnOperatorAndComparesFromThere) {
+  DebuggerModel& model = this->model();
+  model.go(this->first("op==split && kind==acted"));
+  const Position split = model.run().position();
+  model.what_if({.event = split.event});
+  ASSERT_NE(model.other(), nullptr);
+  EXPECT_EQ(model.comparison().events, split.step);
+  EXPECT_EQ(model.comparison().requests, std::nullopt);
+  model.go(Position::end_of(split.step));
+  EXPECT_EQ(model.other()->position(), Position::end_of(split.step));
+  EXPECT_NE(model.other()->state_hash(), model.run().state_hash());
+  const std::uint64_t others = model.other()->state_hash();
+  model.change_over();
+  EXPECT_EQ(model.run().state_hash(), others);
+}
+
+TYPED_TEST(DebuggerModelTest, WhatIfTakesAnotherCandidateOrParameter) {
+  DebuggerModel& model = this->model();
+  model.go(this->first("op==split && kind==acted"));
+  ASSERT_GT(model.run().ballot().size(), 1U);
+  EXPECT_EQ(model.run().ballot()[0].entry.result, Ballot::chosen);
+  EXPECT_FALSE(model.run().strip(0).intervals.empty());
+  model.what_if({.event = model.run().position().event, .candidate = 1});
+  EXPECT_EQ(model.comparison().events, model.run().position().step);
+  model.what_if({.assignments = "merge=0", .from = 30});
+  EXPECT_GE(model.comparison().events.value_or(30), 30U);
+  EXPECT_THROW(model.what_if({.assignments = "nothing=1", .from = 30}), std::invalid_argument);
+}
+
+TYPED_TEST(DebuggerModelTest, Algorithm1StandsAtTheLineOfTheEvent) {
+  DebuggerModel& model = this->model();
+  model.go(this->first("op==split && kind==scheduled"));
+  EXPECT_EQ(trace_algorithm_1(model.run()).line, 9);
+  model.go(this->first("op==split && kind==acted"));
+  const Algorithm1Trace trace = trace_algorithm_1(model.run());
+  EXPECT_EQ(trace.line, 15);
+  EXPECT_THAT(trace.decided[14], HasSubstr("split n"));
+  model.go(this->first("op==merge && kind==acted"));
+  EXPECT_EQ(trace_algorithm_1(model.run()).line, 17);
+  model.step(Granularity::step, true);
+  EXPECT_EQ(trace_algorithm_1(model.run()).line, 0);
+}
+
+TEST(OpenRun, SaysWhatCannotBeRead) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "text";
+  std::ofstream(path) << "no recording";
+  EXPECT_THROW((void)open_run(path), std::runtime_error);
+}
+
+TEST(Lanes, NoPeakIsLostWhereStepsShareAColumn) {
+  Lane lane{"peak", std::vector<float>(1000, 1.0F), 9};
+  lane.values[537] = 9;
+  const auto columns = columns_of(lane, 100);
+  ASSERT_EQ(columns.size(), 100U);
+  EXPECT_EQ(columns[53].greatest, 9);
+  EXPECT_EQ(columns[53].least, 1);
+  EXPECT_EQ(columns_of(lane, 3000).size(), 3000U);
+  EXPECT_EQ(columns_of(Lane{}, 10).size(), 0U);
+}
+
+}  // namespace
+}  // namespace kerf

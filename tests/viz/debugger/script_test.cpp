@@ -1,0 +1,218 @@
+#include "viz/debugger/script.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/recorded_crowd.h"
+#include "tests/viz/temporary_folder.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Script, LinesHaveWordsQuotesAndComments) {
+  const auto lines = parse_script("# nothing\n\nclick \"step forward\" # the button\n  expect step == 1");
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].number, 3);
+  EXPECT_THAT(lines[0].words, testing::ElementsAre("click", "step forward"));
+  EXPECT_THAT(lines[1].words, testing::ElementsAre("expect", "step", "==", "1"));
+  EXPECT_THROW((void)parse_script("click \"open"), ScriptError);
+}
+
+/// A debugger without a window on a small crowd, driven by scripts.
+class ScriptedDebugger : public testing::Test {
+ protected:
+  ScriptedDebugger() { test::record_crowd<3>(file_.path(), 60, test::busy_config()); }
+
+  /// What the script failed with; empty if it did not.
+  std::string play(const std::string& script, const std::string& folder = "pictures") {
+    const auto context = make_offscreen_context();
+    Debugger debugger(*context, open_run(file_.path()));
+    debugger.model().work_folder = folder_.path();
+    ScriptPlayer player(debugger, 1280, 720, folder_.path() / folder);
+    try {
+      player.play(parse_script(script));
+    } catch (const ScriptError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  [[nodiscard]] Image picture(const std::string& name, const std::string& folder = "pictures") const {
+    return read_png(folder_.path() / folder / (name + ".png"));
+  }
+
+ private:
+  test::TemporaryRecording file_;
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(ScriptedDebugger, KeysButtonsAndScrubberGoThroughTheRun) {
+  EXPECT_EQ(play(R"(
+expect position == "step 0"
+key shift+.
+expect step == 1
+click "step forward"
+expect step == 2
+key End
+expect step == 60
+key shift+,
+expect step == 59
+click start
+expect step == 0
+drag scrubber@0,0.5 scrubber@0.5,0.5
+expect step == 30
+click "go to"
+type 17
+key Enter
+expect position == "step 17"
+expect message == ""
+key .
+expect event != none
+remember first event
+key .
+expect event != $first
+key ,
+expect event == $first
+key Space
+expect playing == yes
+key Space
+expect playing == no
+)"),
+            "");
+}
+
+TEST_F(ScriptedDebugger, BackIsTheSameStateAndTheSamePicture) {
+  EXPECT_EQ(play(R"(
+click "go to"
+type 20
+key Enter
+hover 700,400
+key .
+key .
+remember here state
+screenshot before
+key .
+key .
+key .
+expect state != $here
+key ,
+key ,
+key ,
+expect state == $here
+screenshot after
+)"),
+            "");
+  EXPECT_EQ(picture("before"), picture("after"));
+}
+
+TEST_F(ScriptedDebugger, TheSameScriptGivesTheSamePictures) {
+  const std::string script =
+      "key End\ndouble view@0.5,0.6\ndrag view@0.3,0.3 view@0.4,0.35\nwheel 2\nscreenshot a";
+  ASSERT_EQ(play(script, "one"), "");
+  ASSERT_EQ(play(script, "two"), "");
+  EXPECT_EQ(picture("a", "one"), picture("a", "two"));
+}
+
+TEST_F(ScriptedDebugger, TypedConditionsStopTheRun) {
+  EXPECT_EQ(play(R"(
+click condition
+type "op==merge && kind==acted"
+key Enter
+expect breakpoints == 1
+expect breakpoint0 == "op==merge && kind==acted"
+key Escape
+key F5
+expect deed ~ merge
+expect hits0 == 1
+remember first position
+key F5
+expect position != $first
+key shift+F5
+expect position == $first
+click "breakpoint 0"
+key F5
+expect position == $first
+expect message ~ "no breakpoint"
+click condition
+type "redundncy>1"
+key Enter
+expect problem ~ redundncy
+click watch
+type "100*2/8"
+key Enter
+expect watch0 == 25
+)"),
+            "");
+}
+
+TEST_F(ScriptedDebugger, DoubleClickSelectsAndShiftMakesAPair) {
+  EXPECT_EQ(play(R"(
+key End
+double object:3
+expect selection ~ object
+remember one selection
+double object:7 shift
+expect selection ~ pair
+wait 2
+expect explanation ~ overlap
+key Escape
+expect selection == nothing
+remember all drawn_objects
+click n0
+expect selection == n0
+key H
+wait 2
+expect hidden == 1
+expect drawn_objects == 0
+key H
+wait 2
+expect drawn_objects == $all
+)"),
+            "");
+}
+
+TEST_F(ScriptedDebugger, PanelsOpenAndCompare) {
+  EXPECT_EQ(play(R"(
+click condition
+type "op==split && kind==acted"
+key Enter
+key Escape
+key F5
+click "tab Ballot"
+wait 2
+expect candidates > 1
+hover "candidate 1"
+expect candidate == 1
+screenshot ballot
+click "tab Algorithm"
+click "tab Oracle"
+click "tab Lint"
+click "tab What if"
+wait 2
+click refuse
+wait 2
+expect comparing == yes
+click "change over"
+wait 2
+expect comparing == yes
+click "stop comparing"
+expect comparing == no
+key F1
+expect help == yes
+key Escape
+expect help == no
+)"),
+            "");
+}
+
+TEST_F(ScriptedDebugger, AFailedExpectationNamesItsLineAndWhatWasFound) {
+  EXPECT_THAT(play("key End\nexpect step == 3"), HasSubstr("line 2, 'expect step == 3': step is '60'"));
+  EXPECT_THAT(play("press End"), HasSubstr("'press' is none of key, click"));
+  EXPECT_THAT(play("click nowhere"), HasSubstr("there is no 'nowhere' to be seen"));
+  EXPECT_THAT(play("expect speed == 3"), HasSubstr("there is nothing called 'speed'"));
+  EXPECT_THAT(play("key F13"), HasSubstr("there is no key 'F13'"));
+}
+
+}  // namespace
+}  // namespace kerf
