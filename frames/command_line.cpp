@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "frames/bench/bench_command.h"
+#include "frames/collect_command.h"
 #include "frames/compare_command.h"
 #include "frames/errors.h"
 #include "frames/experiment/experiment_command.h"
@@ -104,6 +105,7 @@ int run_command_line(int argc, char** argv) {
   program.set_version_flag("--version", "kerf " KERF_VERSION);
   const ScenesCommand scenes(program);
   const RenderCommand render(program);
+  const CollectCommand collector(program);
   const RecordCommand record(program);
   const ImportCommand import(program);
   const RerunCommand rerun(program);
@@ -129,8 +131,8 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render, record, import, rerun, verify, step, explain, compare, minimize,
-             exporter, bench, experiment, report_page);
+  return run(program, scenes, render, collector, record, import, rerun, verify, step, explain, compare,
+             minimize, exporter, bench, experiment, report_page);
 }
 
 }  // namespace kerf

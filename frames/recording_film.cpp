@@ -65,7 +65,7 @@ class RecordingFilm final : public Film {
       : recording_(std::make_shared<RecordingReader<D>>(request.recording->path)),
         replayer_(recording_, 0),
         setting_(find_setting(*recording_, request.steps)),
-        planner_(request.layers, setting_.samples),
+        planner_(request.layers, request.samples == 0 ? setting_.samples : samples_of_renderer(request)),
         stride_(request.steps.stride) {
     planner_.fix_view_box(setting_.view);
     planner_.fix_largest_population(setting_.largest_population);

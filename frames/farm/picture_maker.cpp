@@ -4,24 +4,37 @@
 
 #include "frames/errors.h"
 #include "frames/farm/frame_parcel.h"
+#include "viz/image/contact_sheet.h"
 #include "viz/image/png.h"
 
 namespace kerf {
 namespace {
 
+FrameOptions frame_options(const RenderRequest& request) {
+  const int scale = request.samples == kSupersampled ? 2 : 1;
+  FrameOptions options;
+  options.width = scale * request.size.width;
+  options.height = scale * request.size.height;
+  options.layers = request.layers;
+  options.camera = request.camera;
+  options.camera_path = request.camera_path;
+  options.backend = request.backend;
+  return options;
+}
+
 template <int D>
 class PictureMaker final : public FrameMaker {
  public:
   explicit PictureMaker(const RenderRequest& request)
-      : folder_(request.out),
-        renderer_({request.size.width, request.size.height, request.layers, request.camera, 0}) {}
+      : folder_(request.out), size_(request.size), renderer_(frame_options(request)) {}
 
   Made make(const std::string& file, std::span<const std::uint8_t> parcel,
             std::optional<std::uint64_t> kept) override {
     const std::filesystem::path path = folder_ / file;
     if (kept && is_kept(path, *kept)) return {*kept, &kept_};
     const FrameParcel<D> frame = unpack<D>(parcel);
-    const Image& image = renderer_.render(frame.input(), frame.plan);
+    const Image& drawn = renderer_.render(frame.input(), frame.plan);
+    const Image& image = in_size(drawn);
     write_png(path, image);
     return {pixel_hash(image), &image};
   }
@@ -37,9 +50,16 @@ class PictureMaker final : public FrameMaker {
     }
   }
 
+  const Image& in_size(const Image& drawn) {
+    if (drawn.width == size_.width) return drawn;
+    return shrunk_ = downscale(drawn, size_.width, size_.height);
+  }
+
   std::filesystem::path folder_;
+  PictureSize size_;
   FrameRenderer<D> renderer_;
   Image kept_;
+  Image shrunk_;
 };
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "core/tree/statistics.h"
 #include "core/tree/tree.h"
 #include "viz/draw/layers.h"
+#include "viz/gl/backend.h"
 #include "viz/image/image.h"
 
 namespace kerf {
@@ -59,6 +60,8 @@ struct FrameOptions {
   std::string camera;  ///< see `parse_camera`; empty: everything in view
   /// Of each pixel. 4: smooth edges; 1: jagged ones, about three times faster; 0: smooth up to kManyBodies.
   int samples = 0;
+  std::string camera_path{};  ///< see CameraPath; empty: the camera stands still
+  GlBackend backend = GlBackend::osmesa;
 };
 
 template <int D>

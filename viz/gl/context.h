@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "viz/gl/backend.h"
 #include "viz/gl/functions.h"
 
 namespace kerf {
@@ -23,9 +24,12 @@ class GlContext {
   [[nodiscard]] virtual std::string description() const = 0;
 };
 
-/// A context without window or display (OSMesa), current in the calling thread. Throws std::runtime_error
-/// that says what is missing. A process that forks must do so before the first context.
-std::unique_ptr<GlContext> make_offscreen_context();
+/// A context without window or display, current in the calling thread. Throws std::runtime_error that says
+/// what is missing. A process that forks must do so before the first context.
+std::unique_ptr<GlContext> make_offscreen_context(GlBackend backend = GlBackend::osmesa);
+
+/// Driver and version of the current context.
+std::string describe(const GlFunctions& gl);
 
 /// Lets malloc keep what the software rasteriser frees each frame (up to a fifth faster). It speaks for the
 /// whole process, so programs call it, libraries do not.
