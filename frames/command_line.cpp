@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "frames/bench/bench_command.h"
+#include "frames/bench_frames/bench_frames_command.h"
 #include "frames/collect_command.h"
 #include "frames/compare_command.h"
 #include "frames/errors.h"
 #include "frames/experiment/experiment_command.h"
 #include "frames/explain_command.h"
 #include "frames/export_command.h"
+#include "frames/film_diff_command.h"
 #include "frames/import_command.h"
 #include "frames/minimize_command.h"
 #include "frames/record_command.h"
@@ -106,6 +108,7 @@ int run_command_line(int argc, char** argv) {
   const ScenesCommand scenes(program);
   const RenderCommand render(program);
   const CollectCommand collector(program);
+  const FilmDiffCommand film_diff(program);
   const RecordCommand record(program);
   const ImportCommand import(program);
   const RerunCommand rerun(program);
@@ -116,6 +119,7 @@ int run_command_line(int argc, char** argv) {
   const MinimizeCommand minimize(program);
   const ExportCommand exporter(program);
   const BenchCommand bench(program);
+  const BenchFramesCommand bench_frames(program);
   const ExperimentCommand experiment(program);
   const ReportCommand report_page(program);
   try {
@@ -131,8 +135,8 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render, collector, record, import, rerun, verify, step, explain, compare,
-             minimize, exporter, bench, experiment, report_page);
+  return run(program, scenes, render, collector, film_diff, record, import, rerun, verify, step, explain,
+             compare, minimize, exporter, bench, bench_frames, experiment, report_page);
 }
 
 }  // namespace kerf

@@ -107,7 +107,8 @@ class SceneFilm final : public Film {
             .pairs = scene_->pairs().size(),
             .contacts = scene_->contacts().size(),
             .statistics = tree_ == nullptr ? Statistics{} : tree_->statistics(),
-            .note = {}};
+            .note = {},
+            .knows_contacts = true};
   }
 
   std::string name_;

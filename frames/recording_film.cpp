@@ -53,7 +53,7 @@ Setting<D> find_setting(RecordingReader<D>& recording, const StepRange& steps) {
   }
   setting.view = view.box();
   setting.largest_population =
-      std::bit_ceil(std::max(kLeastRamp, split_threshold(objects, recording.info().config)));
+      std::bit_ceil(std::max(kLeastRamp, 2 * split_threshold(objects, recording.info().config)));
   if (objects >= kManyBodies) setting.samples = 1;
   return setting;
 }
@@ -154,7 +154,8 @@ class RecordingFilm final : public Film {
             .pairs = row.pairs,
             .contacts = 0,
             .statistics = row.statistics,
-            .note = {}};
+            .note = {},
+            .knows_contacts = false};
   }
 
   std::shared_ptr<RecordingReader<D>> recording_;

@@ -236,6 +236,7 @@ RenderRequest parse_recording_request(const RenderTexts& texts) {
   request.options = {request.recording->info.objects, request.recording->info.grow,
                      request.recording->info.recycle, request.recording->info.seed};
   parse_pictures(texts, request);
+  request.layers.set(Layer::contacts, false);  // a recording has no narrow phase
   parse_shard_of_recording(texts, request);
   return request;
 }

@@ -28,7 +28,8 @@ struct Caption {
   std::uint64_t pairs = 0;
   std::uint64_t contacts = 0;
   Statistics statistics;
-  std::string note;  ///< free text, one line, may be empty
+  std::string note{};  ///< free text, one line, may be empty
+  bool knows_contacts = true;
 };
 
 /// One moment of a scene. Nothing is kept: it need not outlive the call.
