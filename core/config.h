@@ -53,6 +53,7 @@ struct Config {
                             ///< step, all are placed anew in one pass
   float bulk_factor = 0;    ///< a leaf above so many times the threshold is divided at once, whatever the
                             ///< budget; 0: never
+  friend bool operator==(const Config&, const Config&) = default;
 };
 
 /// The fastest that we know for boxes: axis directions, large leaves, all policies beyond the paper.

@@ -13,12 +13,15 @@
 #include "frames/bench_frames/bench_frames_command.h"
 #include "frames/collect_command.h"
 #include "frames/compare_command.h"
+#include "frames/debug_command.h"
+#include "frames/diff/diff_command.h"
 #include "frames/errors.h"
 #include "frames/experiment/experiment_command.h"
 #include "frames/explain_command.h"
 #include "frames/export_command.h"
 #include "frames/film_diff_command.h"
 #include "frames/import_command.h"
+#include "frames/lint_command.h"
 #include "frames/minimize_command.h"
 #include "frames/record_command.h"
 #include "frames/render_command.h"
@@ -91,6 +94,8 @@ int run(const CLI::App& program, const Command&... commands) {
     return kExitDone;
   } catch (const UsageError& error) {
     return report(error.what() + help_hint(program), kExitUsage);
+  } catch (const UnusableInput& error) {
+    return report(with_advice(error.what()), kExitUsage);
   } catch (const Interrupted& error) {
     return report(error.what(), kExitInterrupted);
   } catch (const std::bad_alloc&) {
@@ -113,11 +118,14 @@ int run_command_line(int argc, char** argv) {
   const ImportCommand import(program);
   const RerunCommand rerun(program);
   const VerifyCommand verify(program);
+  const DebugCommand debug(program);
   const StepCommand step(program);
   const ExplainCommand explain(program);
   const CompareCommand compare(program);
+  const LintCommand lint(program);
   const MinimizeCommand minimize(program);
   const ExportCommand exporter(program);
+  const DiffCommand diff(program);
   const BenchCommand bench(program);
   const BenchFramesCommand bench_frames(program);
   const ExperimentCommand experiment(program);
@@ -135,8 +143,8 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render, collector, film_diff, record, import, rerun, verify, step, explain,
-             compare, minimize, exporter, bench, bench_frames, experiment, report_page);
+  return run(program, scenes, render, collector, film_diff, record, import, rerun, verify, debug, step,
+             explain, compare, lint, minimize, exporter, diff, bench, bench_frames, experiment, report_page);
 }
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/recording/schema.h"
 #include "frames/import_boxes.h"
 #include "frames/parse_config.h"
 #include "frames/recording_file.h"

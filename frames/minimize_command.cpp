@@ -7,6 +7,7 @@
 
 #include "core/query/minimize.h"
 #include "core/query/search.h"
+#include "core/recording/schema.h"
 #include "frames/atomic_file.h"
 #include "frames/errors.h"
 #include "frames/interrupt.h"
@@ -27,11 +28,7 @@ struct MinimizeRequest {
 class Trial {
  public:
   explicit Trial(const std::filesystem::path& beside) : path_(beside.string() + ".trial") {}
-  ~Trial() {
-    std::error_code ignored;
-    for (const char* const ending : {"", "-wal", "-shm"})
-      std::filesystem::remove(path_.string() + ending, ignored);
-  }
+  ~Trial() { remove_recording(path_); }
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -62,10 +59,11 @@ void write_results(const Scenario<D>& scenario, const MinimizeRequest& request) 
   write_file_atomically(test.replace_extension(".cpp"),
                         test_of_scenario(scenario, request.when.text(), hash));
   std::printf(
-      "%s: %zu steps, %zu objects, %zu requests; it holds at %s\n%s: a picture of that moment\n%s: a C++ "
+      "%s: %zu steps, %zu objects, %zu requests, %zu kinds of operators in them; it holds at %s\n%s: a "
+      "picture of that moment\n%s: a C++ "
       "test\n",
       request.out.c_str(), scenario.steps.size(), objects_of(scenario).size(), scenario.requests(),
-      to_string(*hit).c_str(), picture.c_str(), test.c_str());
+      acting_operators(scenario).size(), to_string(*hit).c_str(), picture.c_str(), test.c_str());
 }
 
 template <int D>
@@ -87,6 +85,10 @@ void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
     return first_hit<D>(trial.path(), request.when).has_value();
   };
   Replayer<D> replayer(recording);
+  if (!recording->info().decisions.empty() && !fails(scenario_of(replayer, 0, hit->step)))
+    throw std::runtime_error(
+        "the condition holds only because of a decision about one event (`kerf rerun`), and other objects or "
+        "steps make other events: there is nothing to minimize");
   const Scenario<D> late = start_late<D>(replayer, hit->step, fails);
   const Scenario<D> small = minimize<D>(late, fails);
   std::printf("%zu trials: from %u steps and %u objects\n", trials, row.step, row.statistics.objects);
@@ -117,7 +119,8 @@ MinimizeCommand::MinimizeCommand(CLI::App& program)
       ->required();
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording, picture and test");
   command_->footer(
-      "Objects and steps are left out as long as the condition still holds (delta debugging). Beside the\n"
+      "Objects, steps and operators are left out as long as the condition still holds (delta debugging). "
+      "Beside the\n"
       "recording a picture (.png) and a self-contained C++ test (.cpp) are written under its name.");
 }
 

@@ -1,5 +1,6 @@
 #include "frames/recording_file.h"
 
+#include "core/recording/schema.h"
 #include "frames/errors.h"
 #include "frames/parse_number.h"
 
@@ -32,10 +33,6 @@ void clear_recording_path(const std::filesystem::path& path, bool overwrite) {
     throw UsageError(path.string() + " is no recording and is not replaced; choose another name");
   }
   remove_recording(path);
-}
-
-void remove_recording(const std::filesystem::path& path) {
-  for (const char* const ending : {"", "-wal", "-shm"}) std::filesystem::remove(path.string() + ending);
 }
 
 template <int D>

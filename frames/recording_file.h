@@ -17,9 +17,6 @@ RecordingInfo recording_info(const RenderRequest& request);
 /// recording has it, which is then removed.
 void clear_recording_path(const std::filesystem::path& path, bool overwrite);
 
-/// Removes a recording with its log.
-void remove_recording(const std::filesystem::path& path);
-
 /// Opens a recording of either dimension and calls `work` with its reader. Throws std::runtime_error as
 /// RecordingReader does.
 template <class Work>

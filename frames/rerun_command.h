@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace CLI {
@@ -8,7 +9,8 @@ class App;
 
 namespace kerf {
 
-/// `kerf rerun`: the same boxes once more, with another configuration of the tree.
+/// `kerf rerun`: the same boxes once more, with another configuration of the tree, or another fate of one
+/// operator.
 class RerunCommand {
  public:
   explicit RerunCommand(CLI::App& program);
@@ -21,6 +23,9 @@ class RerunCommand {
   std::string file_;
   std::string out_;
   std::string config_;
+  std::uint32_t from_ = 1;
+  std::string refuse_;
+  std::string take_;
   bool overwrite_ = false;
 };
 

@@ -37,7 +37,9 @@ class TestText {
     text_ = head(condition);
     for (std::size_t k = 0; k < scenario_.steps.size(); ++k) {
       text_ += "  // step " + std::to_string(k + 1) + "\n";
-      add_step(scenario_.steps[k]);
+      add_step(scenario_.steps[k].requests);
+      if (k > 0 && scenario_.steps[k].config != scenario_.steps[k - 1].config)
+        text_ += "  set_config(\"" + to_string(scenario_.steps[k].config) + "\");\n";
       text_ += "  step();\n";
     }
     return text_ + "  EXPECT_EQ(tree.state_hash(), 0x" + to_hex(hash) + "U);\n}\n";
@@ -61,7 +63,7 @@ class TestText {
            "  constexpr auto kMoving = kerf::Mobility::moving;\n  constexpr auto kFixed = "
            "kerf::Mobility::fixed;\n"
            "  kerf::Config config;\n  kerf::apply(config, \"" +
-           to_string(scenario_.info.config) +
+           to_string(scenario_.steps.front().config) +
            "\");\n"
            "  const kerf::VolumeKind kind = " +
            kind +
@@ -89,8 +91,11 @@ class TestText {
            "    std::ranges::sort(pairs);\n    return pairs;\n  };\n"
            "  const auto step = [&] {\n    both([](auto& b) { b.step(); });\n"
            "    EXPECT_EQ(sorted(tree), sorted(oracle));\n  };\n"
+           "  const auto set_config = [&](const char* text) {\n    kerf::Config changed;\n    "
+           "kerf::apply(changed, "
+           "text);\n    tree.set_config(changed);\n  };\n"
            "  (void)kMoving, (void)kFixed, (void)volume, (void)insert, (void)move, (void)move_many, "
-           "(void)remove;\n\n";
+           "(void)remove, (void)set_config;\n\n";
   }
 
   void add_step(const StepRequests<D>& requests) {

@@ -48,6 +48,18 @@ void Bsp<D, Trace>::set_config(const Config& config) {
   config_ = config;
 }
 
+template <int D, class Trace>
+void Bsp<D, Trace>::decide(std::vector<Decision> decisions) {
+  if (!Trace::kEnabled) throw std::invalid_argument("without a trace events have no numbers to decide about");
+  for (const Decision& decision : decisions)
+    if (decision.plane &&
+        (decision.plane->direction >= tree_.directions().size() || !std::isfinite(decision.plane->offset)))
+      throw std::invalid_argument("e" + std::to_string(decision.event) + ": there is no direction " +
+                                  std::to_string(decision.plane->direction) + " with offset " +
+                                  std::to_string(decision.plane->offset));
+  reporter_.decide(std::move(decisions));
+}
+
 /// Remembers that an object changed, unless the request was refused.
 template <int D, class Trace>
 Status Bsp<D, Trace>::note(ObjectId object, Status status) {

@@ -48,6 +48,10 @@ class Bsp final : public BroadPhase<D> {
   /// Takes effect from the next step on; the tree is kept. The direction set cannot change: throws
   /// std::invalid_argument if `directions` or `seed` differ.
   void set_config(const Config& config);
+  /// What happens to single operators instead of what Algorithm 1 says; each decision names its event, which
+  /// is the same in every run up to there. Throws std::invalid_argument for a tree that numbers no events
+  /// (NoTrace), or for a partitioner that cannot be.
+  void decide(std::vector<Decision> decisions);
   /// How many threads may share the work of a step; 1 to begin with. Pairs and their order, events and state
   /// are the same for any number. Throws std::invalid_argument for 0.
   void set_threads(unsigned threads) { pool_ = std::make_unique<TaskPool>(threads); }

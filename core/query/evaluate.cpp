@@ -74,8 +74,12 @@ class Evaluation {
 }  // namespace
 
 bool holds(const Expression& expression, const Moment& moment) {
-  const double x = Evaluation(expression, moment).value(expression.root());
+  const double x = value(expression, moment);
   return !std::isnan(x) && x != 0;
+}
+
+double value(const Expression& expression, const Moment& moment) {
+  return Evaluation(expression, moment).value(expression.root());
 }
 
 }  // namespace kerf

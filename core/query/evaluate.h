@@ -20,5 +20,7 @@ class Moment {
 
 /// Whether the expression holds. A comparison with what does not exist is false, whichever it is.
 bool holds(const Expression& expression, const Moment& moment);
+/// The number that an expression stands for, 1 or 0 for a condition; NaN for what does not exist.
+double value(const Expression& expression, const Moment& moment);
 
 }  // namespace kerf

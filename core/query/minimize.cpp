@@ -26,6 +26,25 @@ Scenario<D> leave_out_steps(const Scenario<D>& scenario, const Fails<D>& fails) 
   return with_steps(scenario, kept);
 }
 
+template <int D>
+Scenario<D> leave_out_operators(const Scenario<D>& scenario, const Fails<D>& fails) {
+  const std::vector<Acting> acting = acting_operators(scenario);
+  const auto without_others = [&](const std::vector<Acting>& kept) {
+    std::vector<Acting> left_out;
+    for (const Acting& one : acting)
+      if (std::ranges::find(kept, one) == kept.end()) left_out.push_back(one);
+    return without_operators(scenario, left_out);
+  };
+  if (acting.empty() || fails(without_others({}))) return without_others({});
+  return without_others(
+      delta_debug(acting, [&](const std::vector<Acting>& kept) { return fails(without_others(kept)); }));
+}
+
+template <int D>
+std::size_t size_of(const Scenario<D>& scenario) {
+  return scenario.requests() + scenario.steps.size() + acting_operators(scenario).size();
+}
+
 }  // namespace
 
 template <int D>
@@ -39,10 +58,11 @@ Scenario<D> start_late(Replayer<D>& replayer, std::uint32_t last, const Fails<D>
 
 template <int D>
 Scenario<D> minimize(Scenario<D> scenario, const Fails<D>& fails) {
-  for (std::size_t before = SIZE_MAX; scenario.requests() + scenario.steps.size() < before;) {
-    before = scenario.requests() + scenario.steps.size();
+  for (std::size_t before = SIZE_MAX; size_of(scenario) < before;) {
+    before = size_of(scenario);
     scenario = leave_out_objects(scenario, fails);
     scenario = leave_out_steps(scenario, fails);
+    scenario = leave_out_operators(scenario, fails);
   }
   return scenario;
 }

@@ -16,7 +16,8 @@ using Fails = std::function<bool(const Scenario<D>&)>;
 template <int D>
 Scenario<D> start_late(Replayer<D>& replayer, std::uint32_t last, const Fails<D>& fails);
 
-/// Leaves out objects and steps while `fails` holds, until none of them can be left out alone.
+/// Leaves out objects, steps, and operators in steps while `fails` holds, until none of them can be left out
+/// alone.
 ///
 /// Pre: fails(scenario).
 template <int D>

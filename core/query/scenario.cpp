@@ -80,27 +80,58 @@ TheirStep judge(const std::vector<Pair>& theirs, const ObjectTable<D>& objects) 
   return {theirs.size(), judgement.missed.size(), judgement.extra.size(), judgement.twice.size()};
 }
 
+bool& switch_of(Config& config, Operator op) {
+  switch (op) {
+    case Operator::balance:
+      return config.balance;
+    case Operator::shift_split:
+      return config.shift_split;
+    case Operator::split:
+      return config.split;
+    case Operator::swap:
+      return config.swap;
+    case Operator::merge:
+      break;
+  }
+  return config.merge;
+}
+
+/// As the recording says it that is made of the scenario.
+template <int D>
+RecordingInfo info_of(const Scenario<D>& scenario) {
+  RecordingInfo info = scenario.info;
+  info.changes.clear();
+  info.decisions.clear();
+  if (!scenario.steps.empty()) info.config = scenario.steps.front().config;
+  for (std::uint32_t k = 1; k < scenario.steps.size(); ++k)
+    if (scenario.steps[k].config != scenario.steps[k - 1].config)
+      info.changes.push_back({k + 1, scenario.steps[k].config});
+  return info;
+}
+
 }  // namespace
 
 template <int D>
 std::size_t Scenario<D>::requests() const {
   std::size_t sum = 0;
-  for (const StepRequests<D>& step : steps) sum += step.objects.size();
+  for (const ScenarioStep<D>& step : steps) sum += step.requests.objects.size();
   return sum;
 }
 
 template <int D>
 Scenario<D> scenario_of(Replayer<D>& replayer, std::uint32_t first, std::uint32_t last) {
   RecordingReader<D>& recording = replayer.recording();
-  Scenario<D> scenario{recording.info(), {}, {}};
-  for (std::uint32_t step = std::max(first, 1U); step <= last; ++step) {
-    if (step == first && first > 1) {
+  Scenario<D> scenario{recording.info(), {}};
+  for (std::uint32_t number = std::max(first, 1U); number <= last; ++number) {
+    ScenarioStep<D>& step = scenario.steps.emplace_back();
+    step.config = config_of(recording.info(), number);
+    if (number == first && first > 1) {
       replayer.seek(first);
-      scenario.steps.push_back(insert_all(replayer.tree().objects()));
+      step.requests = insert_all(replayer.tree().objects());
     } else {
-      scenario.steps.push_back(recording.step(step).requests);
+      step.requests = recording.step(number).requests;
     }
-    if (recording.their_step(step)) scenario.theirs.push_back(recording.their_pairs(step));
+    if (recording.their_step(number)) step.theirs = recording.their_pairs(number);
   }
   return scenario;
 }
@@ -108,8 +139,8 @@ Scenario<D> scenario_of(Replayer<D>& replayer, std::uint32_t first, std::uint32_
 template <int D>
 std::vector<ObjectId> objects_of(const Scenario<D>& scenario) {
   std::vector<ObjectId> objects;
-  for (const StepRequests<D>& step : scenario.steps)
-    objects.insert(objects.end(), step.objects.begin(), step.objects.end());
+  for (const ScenarioStep<D>& step : scenario.steps)
+    objects.insert(objects.end(), step.requests.objects.begin(), step.requests.objects.end());
   std::ranges::sort(objects);
   objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
   return objects;
@@ -118,43 +149,70 @@ std::vector<ObjectId> objects_of(const Scenario<D>& scenario) {
 template <int D>
 Scenario<D> with_objects(const Scenario<D>& scenario, const std::vector<ObjectId>& kept) {
   const auto wanted = [&](ObjectId object) { return std::ranges::binary_search(kept, object); };
-  Scenario<D> smaller{scenario.info, {}, {}};
-  for (const StepRequests<D>& step : scenario.steps) {
-    StepRequests<D>& requests = smaller.steps.emplace_back();
-    for (const ObjectRequest<D>& single : singles_of(step, scenario.info.volume))
-      if (wanted(single.object)) append(requests, single);
-  }
-  for (const std::vector<Pair>& pairs : scenario.theirs)
-    std::ranges::copy_if(pairs, std::back_inserter(smaller.theirs.emplace_back()),
+  Scenario<D> smaller{scenario.info, {}};
+  for (const ScenarioStep<D>& step : scenario.steps) {
+    ScenarioStep<D>& rest = smaller.steps.emplace_back();
+    rest.config = step.config;
+    for (const ObjectRequest<D>& single : singles_of(step.requests, scenario.info.volume))
+      if (wanted(single.object)) append(rest.requests, single);
+    if (!step.theirs) continue;
+    std::ranges::copy_if(*step.theirs, std::back_inserter(rest.theirs.emplace()),
                          [&](const Pair& pair) { return wanted(pair.a) && wanted(pair.b); });
+  }
   return smaller;
 }
 
 template <int D>
 Scenario<D> with_steps(const Scenario<D>& scenario, const std::vector<std::size_t>& kept) {
-  Scenario<D> smaller{scenario.info, {}, {}};
+  Scenario<D> smaller{scenario.info, {}};
   std::size_t next = 0;
-  for (const std::size_t step : kept) {
+  for (const std::size_t index : kept) {
     std::vector<ObjectRequest<D>> merged;
-    for (; next <= step; ++next)
-      std::ranges::copy(singles_of(scenario.steps[next], scenario.info.volume), std::back_inserter(merged));
-    StepRequests<D>& requests = smaller.steps.emplace_back();
-    for (const ObjectRequest<D>& single : collapsed(merged)) append(requests, single);
-    if (!scenario.theirs.empty()) smaller.theirs.push_back(scenario.theirs[step]);
+    for (; next <= index; ++next)
+      std::ranges::copy(singles_of(scenario.steps[next].requests, scenario.info.volume),
+                        std::back_inserter(merged));
+    ScenarioStep<D>& step = smaller.steps.emplace_back();
+    step.config = scenario.steps[index].config;
+    for (const ObjectRequest<D>& single : collapsed(merged)) append(step.requests, single);
+    step.theirs = scenario.steps[index].theirs;
   }
   return smaller;
 }
 
 template <int D>
-void record(const Scenario<D>& scenario, const std::filesystem::path& path) {
+std::vector<Acting> acting_operators(const Scenario<D>& scenario) {
+  std::vector<Acting> acting;
   Bsp<D, EventLog> tree(scenario.info.config, scenario.info.volume);
-  Recorder<D> recorder(tree, path, scenario.info);
   for (std::size_t k = 0; k < scenario.steps.size(); ++k) {
-    apply(scenario.steps[k], recorder);
+    apply(scenario.steps[k].requests, tree);
+    tree.set_config(scenario.steps[k].config);
+    tree.step();
+    for (const Event& event : tree.trace().take()) {
+      const auto* const acted = std::get_if<OperatorActed>(&event.body);
+      if (acted == nullptr) continue;
+      const Acting found{k, acted->op};
+      if (std::ranges::find(acting, found) == acting.end()) acting.push_back(found);
+    }
+  }
+  return acting;
+}
+
+template <int D>
+Scenario<D> without_operators(Scenario<D> scenario, const std::vector<Acting>& left_out) {
+  for (const Acting& acting : left_out) switch_of(scenario.steps[acting.step].config, acting.op) = false;
+  return scenario;
+}
+
+template <int D>
+void record(const Scenario<D>& scenario, const std::filesystem::path& path) {
+  const RecordingInfo info = info_of(scenario);
+  Bsp<D, EventLog> tree(info.config, info.volume);
+  Recorder<D> recorder(tree, path, info);
+  for (const ScenarioStep<D>& step : scenario.steps) {
+    apply(step.requests, recorder);
     recorder.step();
     (void)tree.trace().take();
-    if (!scenario.theirs.empty())
-      recorder.add_theirs(scenario.theirs[k], judge(scenario.theirs[k], tree.objects()));
+    if (step.theirs) recorder.add_theirs(*step.theirs, judge(*step.theirs, tree.objects()));
   }
   recorder.finish();
 }
@@ -165,6 +223,8 @@ void record(const Scenario<D>& scenario, const std::filesystem::path& path) {
   template std::vector<ObjectId> objects_of<D>(const Scenario<D>&);                        \
   template Scenario<D> with_objects<D>(const Scenario<D>&, const std::vector<ObjectId>&);  \
   template Scenario<D> with_steps<D>(const Scenario<D>&, const std::vector<std::size_t>&); \
+  template std::vector<Acting> acting_operators<D>(const Scenario<D>&);                    \
+  template Scenario<D> without_operators<D>(Scenario<D>, const std::vector<Acting>&);      \
   template void record<D>(const Scenario<D>&, const std::filesystem::path&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

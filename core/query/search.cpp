@@ -1,6 +1,7 @@
 #include "core/query/search.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/query/recorded_moment.h"
@@ -40,6 +41,32 @@ std::optional<Position> Search<D>::backward(const Expression& expression, const 
     if (const auto found = in_step(expression, step, range)) return found;
   }
   return std::nullopt;
+}
+
+template <int D>
+double Search<D>::value(const Expression& expression, const Position& at) {
+  double result = std::numeric_limits<double>::quiet_NaN();
+  if (at.step == 0) return result;
+  const auto ask = [&](const Event* event, const Bsp<D, Watch>* tree, const std::vector<Pair>* before) {
+    result = kerf::value(expression, RecordedMoment<D>(*recording_, at.step, event, tree, before, medians_));
+  };
+  if (!at.is_end() && !expression.asks_depth()) {
+    const std::vector<Event>& events = recording_->step(at.step).events;
+    ask(&events[at.event - recording_->row(at.step).first_event], nullptr, nullptr);
+    return result;
+  }
+  if (!needs_replay(expression)) {
+    ask(nullptr, nullptr, nullptr);
+    return result;
+  }
+  if (!replayer_) replayer_ = std::make_unique<Replayer<D>>(recording_);
+  replayer_->seek(at.step - 1);
+  const std::vector<Pair> before = sorted(replayer_->tree().pairs());
+  replayer_->advance([&](const Event& event) {
+    if (event.id == at.event) ask(&event, &replayer_->tree(), nullptr);
+  });
+  if (at.is_end()) ask(nullptr, &replayer_->tree(), &before);
+  return result;
 }
 
 /// Judgements of an import's pairs are in the recording.

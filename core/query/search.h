@@ -30,6 +30,10 @@ class Search {
   std::optional<Position> backward(const Expression& expression, const Position& from,
                                    const Progress& progress = {});
 
+  /// The value of an expression right after an event or at the end of a step; NaN for what does not exist
+  /// there, and for everything before the first step.
+  double value(const Expression& expression, const Position& at);
+
  private:
   /// First or last of a step's moments between two.
   struct Range {

@@ -20,9 +20,7 @@ struct FieldWriter {
 /// How many values an enumeration has.
 constexpr std::uint8_t count_of(Operator /*kind*/) { return kOperatorCount; }
 constexpr std::uint8_t count_of(Phase /*kind*/) { return kPhaseCount; }
-constexpr std::uint8_t count_of(Refusal /*kind*/) {
-  return static_cast<std::uint8_t>(Refusal::list_full) + 1;
-}
+constexpr std::uint8_t count_of(Refusal /*kind*/) { return kRefusalCount; }
 
 struct FieldReader {
   ByteReader& in;

@@ -19,7 +19,9 @@ Box<D> box_of(const Volume<D>& volume) {
 
 template <int D>
 Recorder<D>::Recorder(Bsp<D, EventLog>& tree, const std::filesystem::path& path, const RecordingInfo& info)
-    : tree_(tree), writer_(path, info) {}
+    : tree_(tree), info_(info), writer_(path, info) {
+  tree_.decide(info.decisions);
+}
 
 template <int D>
 Status Recorder<D>::insert(ObjectId object, const Box<D>& box, Mobility mobility) {
@@ -90,6 +92,7 @@ Status Recorder<D>::remove(ObjectId object) {
 
 template <int D>
 void Recorder<D>::step() {
+  if (!info_.changes.empty()) tree_.set_config(config_of(info_, tree_.steps() + 1));
   tree_.step();
   const auto start = std::chrono::steady_clock::now();
   record();

@@ -10,9 +10,11 @@
 namespace kerf {
 
 /// Stands between a scene and its tree and writes down all that passes: what is asked, what happens, how the
-/// tree is after each step. The tree must be new and be asked through the recorder only.
+/// tree is after each step. The tree must be new and be asked through the recorder only;
+/// what somebody decided or changed in the run (RecordingInfo) reaches it here.
 ///
-/// Throws std::runtime_error in `step()` if the recording cannot be written.
+/// Throws std::runtime_error in `step()` if the recording cannot be written; std::invalid_argument if what
+/// was decided or changed cannot be (see Bsp::decide and Bsp::set_config).
 template <int D>
 class Recorder final : public BroadPhase<D> {
  public:
@@ -45,6 +47,7 @@ class Recorder final : public BroadPhase<D> {
   [[nodiscard]] std::span<const Event> events_of_step() const;
 
   Bsp<D, EventLog>& tree_;
+  RecordingInfo info_;
   RecordingWriter<D> writer_;
   StepRequests<D> requests_;
   std::vector<bool> known_;  ///< by object: it is there

@@ -1,8 +1,16 @@
 #include "core/recording/recording_info.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/random.h"
 
 namespace kerf {
+
+const Config& config_of(const RecordingInfo& info, std::uint32_t step) {
+  const auto after = std::ranges::upper_bound(info.changes, step, {}, &ConfigChange::step);
+  return after == info.changes.begin() ? info.config : std::prev(after)->config;
+}
 
 std::uint64_t hash_pairs(std::span<const Pair> pairs) {
   std::uint64_t sum = pairs.size();

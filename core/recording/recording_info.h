@@ -3,26 +3,39 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/broad_phase/broad_phase.h"
 #include "core/config.h"
+#include "core/trace/decision.h"
 #include "core/tree/statistics.h"
 
 namespace kerf {
+
+/// From a step on another configuration holds.
+struct ConfigChange {
+  std::uint32_t step = 0;  ///< the first with it
+  Config config;
+};
 
 /// What a recording is of: all that its tree must know, and all that its scene must know to be run again.
 struct RecordingInfo {
   int dimension = 3;
   VolumeKind volume = VolumeKind::box;
-  Config config;
-  std::string scene;          ///< name in the catalogue; of an import the file that it came from
-  bool imported = false;      ///< the boxes come from somebody else's engine
-  std::uint64_t seed = 1;     ///< of the scene
-  std::uint32_t objects = 0;  ///< as asked for; 0: the scene's own number
-  std::uint32_t grow = 0;     ///< steps of growth; 0: the scene's own number
-  std::uint32_t recycle = 0;  ///< steps between two objects that fall anew; 0: none does
-  bool complete = false;      ///< the recording was ended in order, not killed
+  Config config;                      ///< of the first step, and until it changes
+  std::vector<ConfigChange> changes;  ///< by step
+  std::vector<Decision> decisions;    ///< what somebody decided instead of Algorithm 1
+  std::string scene;                  ///< name in the catalogue; of an import the file that it came from
+  bool imported = false;              ///< the boxes come from somebody else's engine
+  std::uint64_t seed = 1;             ///< of the scene
+  std::uint32_t objects = 0;          ///< as asked for; 0: the scene's own number
+  std::uint32_t grow = 0;             ///< steps of growth; 0: the scene's own number
+  std::uint32_t recycle = 0;          ///< steps between two objects that fall anew; 0: none does
+  bool complete = false;              ///< the recording was ended in order, not killed
 };
+
+/// The configuration of a step.
+const Config& config_of(const RecordingInfo& info, std::uint32_t step);
 
 /// One row of the table of steps: how the tree was after a step.
 struct StepRow {

@@ -3,12 +3,15 @@
 #include <charconv>
 #include <map>
 #include <stdexcept>
+#include <system_error>
 
 namespace kerf {
 namespace {
 
 constexpr const char* kTables = R"sql(
 CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE config_changes(step INTEGER PRIMARY KEY, config TEXT NOT NULL);
+CREATE TABLE decisions(event INTEGER PRIMARY KEY, op TEXT NOT NULL, direction INTEGER, offset REAL);
 CREATE TABLE steps(
   step INTEGER PRIMARY KEY,
   objects INTEGER, changed INTEGER, pairs INTEGER,
@@ -47,6 +50,63 @@ VolumeKind volume_kind(int dimension, const std::string& name) {
   return *kind;
 }
 
+/// A configuration as it was written down, on top of the defaults.
+Config parse_recorded(const std::string& text) {
+  try {
+    Config config;
+    kerf::apply(config, text);
+    return config;
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(std::string("the recording's configuration: ") + error.what());
+  }
+}
+
+Operator operator_of(const std::string& name) {
+  for (int k = 0; k < kOperatorCount; ++k)
+    if (const auto op = static_cast<Operator>(k); to_string(op) == name) return op;
+  throw std::runtime_error("the recording is damaged: there is no operator '" + name + "'");
+}
+
+void write_changes(Database& database, const std::vector<ConfigChange>& changes) {
+  Statement put = database.prepare("INSERT INTO config_changes VALUES(?, ?)");
+  for (const ConfigChange& change : changes)
+    put.bind(1, std::int64_t{change.step}).bind(2, to_string(change.config)).run();
+}
+
+void write_decisions(Database& database, const std::vector<Decision>& decisions) {
+  Statement put = database.prepare("INSERT INTO decisions VALUES(?, ?, ?, ?)");
+  for (const Decision& decision : decisions) {
+    put.clear();
+    put.bind(1, static_cast<std::int64_t>(decision.event)).bind(2, to_string(decision.op));
+    if (decision.plane)
+      put.bind(3, std::int64_t{decision.plane->direction})
+          .bind(4, static_cast<double>(decision.plane->offset));
+    put.run();
+  }
+}
+
+std::vector<ConfigChange> read_changes(const Database& database) {
+  std::vector<ConfigChange> changes;
+  Statement rows = database.prepare("SELECT step, config FROM config_changes ORDER BY step");
+  while (rows.step())
+    changes.push_back({static_cast<std::uint32_t>(rows.integer(0)), parse_recorded(rows.text(1))});
+  return changes;
+}
+
+std::vector<Decision> read_decisions(const Database& database) {
+  std::vector<Decision> decisions;
+  Statement rows = database.prepare(
+      "SELECT event, op, direction IS NOT NULL, direction, offset FROM decisions ORDER BY event");
+  while (rows.step()) {
+    Decision decision{static_cast<std::uint64_t>(rows.integer(0)), operator_of(rows.text(1)), std::nullopt};
+    if (rows.integer(2) != 0)
+      decision.plane =
+          ChosenPlane{static_cast<std::uint32_t>(rows.integer(3)), static_cast<float>(rows.real(4))};
+    decisions.push_back(decision);
+  }
+  return decisions;
+}
+
 }  // namespace
 
 void set_meta(Database& database, std::string_view key, std::string_view value) {
@@ -66,7 +126,15 @@ void create_schema(Database& database, const RecordingInfo& info) {
   set_meta(database, "grow", std::to_string(info.grow));
   set_meta(database, "recycle", std::to_string(info.recycle));
   set_meta(database, "complete", "0");
+  write_changes(database, info.changes);
+  write_decisions(database, info.decisions);
   database.execute("COMMIT");
+}
+
+void remove_recording(const std::filesystem::path& path) noexcept {
+  std::error_code ignored;
+  for (const char* const ending : {"", "-wal", "-shm"})
+    std::filesystem::remove(path.string() + ending, ignored);
 }
 
 Database open_recording(const std::filesystem::path& path) {
@@ -96,11 +164,9 @@ RecordingInfo read_info(const Database& database) {
   if (info.dimension != 2 && info.dimension != 3)
     throw std::runtime_error("the recording is damaged: its dimension is neither 2 nor 3");
   info.volume = volume_kind(info.dimension, meta["volume"]);
-  try {
-    kerf::apply(info.config, meta["config"]);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(std::string("the recording's configuration: ") + error.what());
-  }
+  info.config = parse_recorded(meta["config"]);
+  info.changes = read_changes(database);
+  info.decisions = read_decisions(database);
   info.scene = meta["scene"];
   info.imported = meta["imported"] == "1";
   info.complete = meta["complete"] == "1";

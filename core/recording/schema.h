@@ -11,12 +11,15 @@ namespace kerf {
 /// SQLite's application id of recordings: "kerf" in ASCII.
 inline constexpr std::uint32_t kRecordingId = 0x6B657266;
 /// Raised when an older Kerf cannot read what a newer one writes (docs/RECORDING.md).
-inline constexpr std::uint32_t kRecordingVersion = 1;
+inline constexpr std::uint32_t kRecordingVersion = 2;
 
 /// Makes the tables of a new recording and writes what it is of.
 void create_schema(Database& database, const RecordingInfo& info);
 /// Writes one entry of the table `meta`.
 void set_meta(Database& database, std::string_view key, std::string_view value);
+
+/// Removes a recording with its log, whatever of it is there.
+void remove_recording(const std::filesystem::path& path) noexcept;
 
 /// Opens a recording. Throws std::runtime_error, saying what to do, for a file that is none or of another
 /// version.

@@ -29,6 +29,19 @@ std::optional<Contest> contest_of(const Event& event) {
   return Contest{Operator::split, refused->node.node};
 }
 
+/// Where somebody decided, another candidate acted than Algorithm 1 would have chosen.
+void mark_decided(const OperatorActed& acted, std::vector<BallotEntry>& entries) {
+  if (acted.op != Operator::split) return;
+  for (BallotEntry& entry : entries) {
+    const bool has_acted = entry.direction == acted.direction && entry.offset == acted.new_offset;
+    if (has_acted) {
+      entry.result = Ballot::chosen;
+    } else if (entry.result == Ballot::chosen) {
+      entry.result = Ballot::beaten;
+    }
+  }
+}
+
 template <int D>
 std::uint32_t step_of(const RecordingReader<D>& recording, std::uint64_t event) {
   const auto step = recording.step_of(event);
@@ -64,7 +77,9 @@ template <int D>
 std::vector<BallotEntry> ballot_of(const BspState<D>& before, const Event& event) {
   const auto contest = contest_of(event);
   if (!contest) return {};
-  return ballot(before.tree, contest->op, contest->node, before.config);
+  std::vector<BallotEntry> entries = ballot(before.tree, contest->op, contest->node, before.config);
+  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) mark_decided(*acted, entries);
+  return entries;
 }
 
 template <int D>

@@ -21,6 +21,7 @@ Replayer<D>::Replayer(std::shared_ptr<RecordingReader<D>> recording, std::size_t
     : recording_(std::move(recording)),
       memory_(memory),
       tree_(recording_->info().config, recording_->info().volume) {
+  tree_.decide(recording_->info().decisions);
   keep();  // step 0
 }
 
@@ -55,6 +56,7 @@ template <int D>
 void Replayer<D>::advance(const OnEvent& on_event) {
   const RecordedStep<D>& next = recording_->step(step() + 1);
   apply(next.requests, tree_);
+  tree_.set_config(config_of(recording_->info(), step() + 1));
   tree_.trace().on_event = on_event;
   tree_.step();
   tree_.trace().on_event = {};

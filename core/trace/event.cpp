@@ -75,6 +75,8 @@ std::string_view to_string(Refusal refusal) {
       return "the cap on entries";
     case Refusal::list_full:
       return "the event list is full";
+    case Refusal::decided:
+      return "somebody decided so";
   }
   return "";
 }

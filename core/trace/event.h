@@ -49,7 +49,9 @@ enum class Refusal : std::uint8_t {
   height,          ///< the height cap
   entries,         ///< the cap on entries
   list_full,       ///< the event list is full
+  decided,         ///< somebody decided so (see Decision)
 };
+inline constexpr int kRefusalCount = 7;
 std::string_view to_string(Refusal refusal);
 
 struct OperatorRefused {

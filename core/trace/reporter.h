@@ -1,14 +1,17 @@
 #pragma once
 
 #include <utility>
+#include <vector>
 
+#include "core/trace/decision.h"
 #include "core/trace/event.h"
 #include "core/trace/trace.h"
 
 namespace kerf {
 
-/// Numbers events and hands them to the trace. With NoTrace every call compiles to nothing, the building of
-/// the event included.
+/// Numbers events and hands them to the trace; and, since a number names an event before it happens, knows
+/// what somebody decided about it. With NoTrace every call compiles to nothing, the building of the event
+/// included.
 template <class Trace>
 class Reporter {
  public:
@@ -22,6 +25,20 @@ class Reporter {
     step_ = step;
   }
 
+  /// Holds for the whole run, `resume` included.
+  void decide(std::vector<Decision> decisions) { decisions_ = std::move(decisions); }
+  /// What was decided about the event to come, should it be that operator; none: Algorithm 1 goes on.
+  [[nodiscard]] const Decision* decision(Operator op) const {
+    if constexpr (Trace::kEnabled)
+      for (const Decision& decision : decisions_)
+        if (decision.event == next_id_ && decision.op == op) return &decision;
+    return nullptr;
+  }
+  [[nodiscard]] bool refuses(Operator op) const {
+    const Decision* const decided = decision(op);
+    return decided != nullptr && !decided->plane;
+  }
+
   /// `make()` builds the body; it is called only when somebody watches.
   template <class Make>
   void report(Make make) {
@@ -32,6 +49,7 @@ class Reporter {
   [[no_unique_address]] Trace trace_;
   std::uint64_t next_id_ = 0;
   std::uint32_t step_ = 0;
+  std::vector<Decision> decisions_;
 };
 
 }  // namespace kerf

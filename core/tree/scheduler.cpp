@@ -70,7 +70,8 @@ void Scheduler<D>::traverse(Tree<D>& tree, const Config& config, std::uint32_t s
                             Reporter<Trace>& reporter) {
   if (config.budget_divisor != 0)
     for (const OperatorActed& event : shed_entries(tree, config)) note(event, reporter);
-  if (config.budget_divisor != 0 && config.bulk_factor > 0) divide_bulk(tree, config, step, reporter);
+  if (config.budget_divisor != 0 && config.split && config.bulk_factor > 0)
+    divide_bulk(tree, config, step, reporter);
   std::vector<NodeRef>& merges = lists_[index(Operator::merge)];
   if (config.budget_divisor == 0 || step % config.schedule_interval != 0 || pending() > merges.size()) return;
   merges.clear();  // those still needed are found again
@@ -132,7 +133,8 @@ template <class Trace>
 bool Scheduler<D>::repair(Tree<D>& tree, NodeId id, const Config& config, Reporter<Trace>& reporter) {
   Refusal refusal{};
   std::optional<OperatorActed> event;
-  if (config.balance) event = balance(tree, id, config, refusal);
+  if (config.balance && !is_refused(tree, Operator::balance, id, reporter))
+    event = balance(tree, id, config, refusal);
   if (event) {
     note(*event, reporter);
   } else if (config.swap) {
@@ -179,6 +181,8 @@ bool Scheduler<D>::apply(Tree<D>& tree, Operator op, NodeRef ref, const Config& 
     refuse(op, ref, alive ? Refusal::not_needed : Refusal::dead_node, reporter);
     return false;
   }
+  const bool divides = op == Operator::shift_split || op == Operator::split;
+  if (!divides && is_refused(tree, op, ref.node, reporter)) return true;
   if (op == Operator::swap) {
     note(swap(tree, ref.node), reporter);
   } else if (op == Operator::merge) {
@@ -189,6 +193,15 @@ bool Scheduler<D>::apply(Tree<D>& tree, Operator op, NodeRef ref, const Config& 
   return true;
 }
 
+/// Whether somebody decided that this does not happen; then it is told.
+template <int D>
+template <class Trace>
+bool Scheduler<D>::is_refused(const Tree<D>& tree, Operator op, NodeId id, Reporter<Trace>& reporter) {
+  if (!reporter.refuses(op)) return false;
+  refuse(op, tree.ref(id), Refusal::decided, reporter);
+  return true;
+}
+
 /// Shift-split first; only if it fails the split is performed (section 5.2).
 template <int D>
 template <class Trace>
@@ -196,8 +209,9 @@ void Scheduler<D>::divide_leaf(Tree<D>& tree, Operator op, NodeRef ref, const Co
                                std::uint32_t step, Reporter<Trace>& reporter) {
   Refusal refusal{};
   std::optional<OperatorActed> event;
-  if (op == Operator::shift_split) event = shift_split(tree, ref.node, config, refusal);
-  if (!event) event = split(tree, ref.node, config, refusal);
+  if (op == Operator::shift_split && !is_refused(tree, op, ref.node, reporter))
+    event = shift_split(tree, ref.node, config, refusal);
+  if (!event) event = split(tree, ref.node, config, reporter.decision(Operator::split), refusal);
   if (event) {
     note(*event, reporter);
   } else {

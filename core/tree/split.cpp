@@ -14,6 +14,17 @@ std::vector<Entry> with_headroom(const std::vector<Entry>& entries) {
   return copy;
 }
 
+/// The partitioner as a candidate; none if it divides nothing.
+template <int D>
+std::optional<Candidate> candidate_of(const Tree<D>& tree, NodeId leaf, const ChosenPlane& plane) {
+  std::vector<Interval> intervals;
+  for (const Entry& entry : tree[leaf].entries)
+    intervals.push_back(tree.project(plane.direction, entry.object));
+  const Quality quality = measure(intervals, plane.offset);
+  if (std::max(quality.left, quality.right) >= quality.population) return std::nullopt;
+  return Candidate{plane.direction, plane.offset, quality, true};
+}
+
 }  // namespace
 
 template <int D>
@@ -63,11 +74,22 @@ Quality divide(Tree<D>& tree, NodeId leaf, std::uint32_t direction, Scalar offse
 
 template <int D>
 std::optional<OperatorActed> split(Tree<D>& tree, NodeId leaf, const Config& config, Refusal& refusal) {
+  return split(tree, leaf, config, nullptr, refusal);
+}
+
+template <int D>
+std::optional<OperatorActed> split(Tree<D>& tree, NodeId leaf, const Config& config, const Decision* decision,
+                                   Refusal& refusal) {
+  if (decision != nullptr && !decision->plane) {
+    refusal = Refusal::decided;
+    return std::nullopt;
+  }
   if (const auto forbidden = forbids_division(tree, leaf, 0, config)) {
     refusal = *forbidden;
     return std::nullopt;
   }
-  const std::optional<Candidate> chosen = choose_partitioner(tree, leaf, config);
+  const std::optional<Candidate> chosen = decision != nullptr ? candidate_of(tree, leaf, *decision->plane)
+                                                              : choose_partitioner(tree, leaf, config);
   if (!chosen) {
     refusal = Refusal::no_partitioner;
     return std::nullopt;
@@ -85,7 +107,8 @@ std::optional<OperatorActed> split(Tree<D>& tree, NodeId leaf, const Config& con
 #define KERF_INSTANTIATE(D)                                                                                  \
   template std::optional<Refusal> forbids_division<D>(const Tree<D>&, NodeId, std::uint32_t, const Config&); \
   template Quality divide<D>(Tree<D>&, NodeId, std::uint32_t, Scalar);                                       \
-  template std::optional<OperatorActed> split<D>(Tree<D>&, NodeId, const Config&, Refusal&);
+  template std::optional<OperatorActed> split<D>(Tree<D>&, NodeId, const Config&, Refusal&);                 \
+  template std::optional<OperatorActed> split<D>(Tree<D>&, NodeId, const Config&, const Decision*, Refusal&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

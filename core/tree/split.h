@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/config.h"
+#include "core/trace/decision.h"
 #include "core/trace/event.h"
 #include "core/tree/partitioner.h"
 #include "core/tree/tree.h"
@@ -21,6 +22,12 @@ namespace kerf {
 /// changed. Event: OperatorActed{split}. `refusal` tells why nothing happened.
 template <int D>
 std::optional<OperatorActed> split(Tree<D>& tree, NodeId leaf, const Config& config, Refusal& refusal);
+
+/// As above, unless somebody decided otherwise: then the leaf stays, or is divided by their partitioner if
+/// the caps allow it and both children are smaller, however good it is.
+template <int D>
+std::optional<OperatorActed> split(Tree<D>& tree, NodeId leaf, const Config& config, const Decision* decision,
+                                   Refusal& refusal);
 
 /// Divides a leaf by a partitioner that somebody chose: what split and shift-split share. Returns the new
 /// quality.

@@ -108,6 +108,40 @@ TEST_F(QueryProgram, RunsAgainWithAnotherConfiguration) {
   EXPECT_EQ(run_kerf({"rerun", file("a"), "-o", file("d"), "--config", "min_balnce=0.3"}).exit, 2);
 }
 
+/// What if this split had not been, had taken another plane, or the rule had changed from here on?
+TEST_F(QueryProgram, RunsAgainWithADecision) {
+  const Outcome found = run_kerf({"step", file("a"), "--to", "op==split && kind==acted"});
+  const std::string event = found.out.substr(0, found.out.find(' '));
+  ASSERT_EQ(run_kerf({"rerun", file("a"), "-o", file("b"), "--refuse", event}).exit, 0);
+  EXPECT_EQ(run_kerf({"verify", file("b")}).exit, 0);
+  EXPECT_THAT(run_kerf({"step", file("b"), "--to", "op==split && kind==refused"}).out,
+              HasSubstr("somebody decided so"));
+  const auto json = nlohmann::json::parse(run_kerf({"compare", file("a"), file("b"), "--json"}).out);
+  EXPECT_THAT(found.out, HasSubstr(" step " + json["first_different"]["events"].dump() + " "));
+  EXPECT_TRUE(json["first_different"]["pairs"].is_null());
+
+  const Outcome taken = run_kerf({"rerun", file("a"), "-o", file("c"), "--take", event + ":1"});
+  ASSERT_EQ(taken.exit, 0) << taken.err;
+  EXPECT_EQ(run_kerf({"verify", file("c")}).exit, 0);
+  ASSERT_EQ(run_kerf({"rerun", file("c"), "-o", file("d"), "--config", "merge=0", "--from", "40"}).exit, 0);
+  EXPECT_EQ(run_kerf({"verify", file("d")}).exit, 0);
+}
+
+TEST_F(QueryProgram, SaysWhyADecisionCannotBe) {
+  const auto error = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"rerun", file("a"), "-o", file("b")});
+    const Outcome outcome = run_kerf(arguments);
+    EXPECT_EQ(outcome.exit, 2);
+    EXPECT_FALSE(std::filesystem::exists(file("b")));
+    return outcome.err;
+  };
+  EXPECT_THAT(error({"--refuse", "e0"}), HasSubstr("not an operator that acts"));
+  EXPECT_THAT(error({"--refuse", "12"}), HasSubstr("is not an event such as e1234"));
+  EXPECT_THAT(error({"--take", "e12"}), HasSubstr("is not an event with a candidate"));
+  EXPECT_THAT(error({"--from", "7"}), HasSubstr("--from says where --config begins"));
+  EXPECT_THAT(error({"--config", "merge=0", "--from", "61"}), HasSubstr("there is no step 61"));
+}
+
 TEST_F(QueryProgram, ExportsATimelineAndTables) {
   const Outcome trace = run_kerf({"export", file("a"), "--chrome-trace", "-o", path("trace.json")});
   ASSERT_EQ(trace.exit, 0) << trace.err;

@@ -21,16 +21,22 @@ struct Vertex {
 struct Batch {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
+  std::vector<std::uint32_t> items;  ///< by vertex, if kept: its item of the draw list
+  std::uint32_t item = 0;            ///< to which what is added from now on belongs
+  bool keeps_items = false;
 
   void clear() {
     vertices.clear();
     indices.clear();
+    items.clear();
+    item = 0;
   }
   [[nodiscard]] bool empty() const { return indices.empty(); }
 
   std::uint32_t add_vertex(const Eigen::Vector4d& clip, Color color) {
     vertices.push_back({static_cast<float>(clip.x()), static_cast<float>(clip.y()),
                         static_cast<float>(clip.z()), static_cast<float>(clip.w()), color});
+    if (keeps_items) items.push_back(item);
     return static_cast<std::uint32_t>(vertices.size() - 1);
   }
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {

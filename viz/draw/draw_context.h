@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "viz/draw/batch.h"
 #include "viz/draw/camera.h"
+#include "viz/draw/draw_list.h"
 #include "viz/draw/frame_renderer.h"
 #include "viz/draw/skeleton.h"
 
@@ -27,8 +29,14 @@ struct DrawContext {
   LayerSet layers;
   double line_scale = 1;                 ///< widths are given for a picture of 720 rows
   std::uint32_t largest_population = 1;  ///< end of the ramp
+  DrawList* list = nullptr;              ///< none: nobody asks what was drawn
+  std::span<const Color> colors{};       ///< by object, instead of those by population; empty: none
 
   [[nodiscard]] bool has(Layer layer) const { return layers.has(layer); }
+  /// What is added to `batch` from now on is this.
+  void begin(Batch& batch, DrawnKind kind, std::uint32_t a, std::uint32_t b = 0) const {
+    if (list != nullptr) batch.item = list->add(kind, a, b);
+  }
 };
 
 /// A body that can be drawn: every number finite.

@@ -49,7 +49,10 @@ struct FrameRenderer<D>::State {
         planner(chosen.layers, chosen.samples),
         font(font_pixels(chosen.height)),
         context(make_offscreen_context(chosen.backend)),
-        painter(context->functions(), font) {}
+        painter(context->functions(), font) {
+    for (Batch& batch : batches) batch.keeps_items = options.ids;
+    overlay.text.keeps_lines = options.ids;
+  }
   ~State() { context->make_current(); }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
@@ -77,11 +80,29 @@ struct FrameRenderer<D>::State {
     }
     if (has(Layer::partitioners)) draw_partitioners(frame, glass);
     draw_pairs(frame, lines, pair_scratch);
-    if (has(Layer::operators)) draw_highlights(frame.view, frame.line_scale, highlights, front);
-    painter.draw(back, D == 3 ? Depth::test_and_write : Depth::ignore);
-    painter.draw(glass, D == 3 ? Depth::test : Depth::ignore);
-    painter.draw(lines, D == 3 ? Depth::test : Depth::ignore);
-    painter.draw(front, Depth::ignore);
+    if (has(Layer::operators)) draw_highlights(frame.view, frame.line_scale, highlights, front, frame.list);
+    if (tamper) tamper(batches, ids.list);
+    paint(batches);
+  }
+
+  void paint(const std::array<Batch, 4>& passes) const {
+    painter.draw(passes[0], D == 3 ? Depth::test_and_write : Depth::ignore);
+    painter.draw(passes[1], D == 3 ? Depth::test : Depth::ignore);
+    painter.draw(passes[2], D == 3 ? Depth::test : Depth::ignore);
+    painter.draw(passes[3], Depth::ignore);
+  }
+
+  /// The same triangles again, in flat colours and with one sample a pixel.
+  void draw_ids() {
+    if (!id_framebuffer) id_framebuffer.emplace(context->functions(), options.width, options.height, 1);
+    for (std::size_t i = 0; i < batches.size(); ++i) make_id_batch(batches[i], id_batches[i]);
+    id_framebuffer->bind();
+    painter.begin_ids();
+    paint(id_batches);
+    id_framebuffer->read(ids.image);
+    ids.list.texts = overlay.text.lines;
+    measure_items(batches, options.width, options.height, ids.list);
+    count_pixels(ids.image, ids.list);
   }
 
   void draw_overlay(const DrawContext<D>& frame, const Layout& layout,
@@ -108,14 +129,23 @@ struct FrameRenderer<D>::State {
     const CameraChoice<D> now = camera_path.at(input.caption.step, camera);
     const View view = frame_all(plan.bounds, now, layout.scene, options.width, options.height);
     const double line_scale = std::clamp(options.height / 720.0, 0.6, 8.0);
-    const DrawContext<D> frame{input,       view,           plan.skeleton, plan.placements,
-                               plan.bounds, options.layers, line_scale,    plan.largest_population};
+    const DrawContext<D> frame{input,
+                               view,
+                               plan.skeleton,
+                               plan.placements,
+                               plan.bounds,
+                               options.layers,
+                               line_scale,
+                               plan.largest_population,
+                               options.ids ? &ids.list : nullptr};
+    ids.list.clear();
     choose_framebuffer(plan.samples);
     framebuffer->bind();
     painter.begin(palette::kGround);
     draw_scene(frame, plan.highlights);
     draw_overlay(frame, layout, caption, legend, plan.highlights);
     framebuffer->read(image);
+    if (options.ids) draw_ids();
     check_gl(context->functions(), "drawing a frame");
     return image;
   }
@@ -127,11 +157,15 @@ struct FrameRenderer<D>::State {
   Font font;
   std::unique_ptr<GlContext> context;
   std::optional<Framebuffer> framebuffer;
+  std::optional<Framebuffer> id_framebuffer;
   int samples = 0;  ///< of the framebuffer
   Painter painter;
 
   // Memory kept from frame to frame.
   std::array<Batch, 4> batches;
+  std::array<Batch, 4> id_batches;
+  FrameIds ids;
+  Tamper tamper;
   Overlay overlay;
   std::vector<Pair> pair_scratch;
   Image image;
@@ -173,6 +207,21 @@ template <int D>
 void FrameRenderer<D>::set_layers(LayerSet layers) {
   state_->options.layers = layers;
   state_->planner.set_layers(layers);
+}
+
+template <int D>
+const FrameIds& FrameRenderer<D>::ids() const {
+  return state_->ids;
+}
+
+template <int D>
+std::string FrameRenderer<D>::rasterizer() const {
+  return state_->context->rasterizer();
+}
+
+template <int D>
+void FrameRenderer<D>::set_tamper(Tamper tamper) {
+  state_->tamper = std::move(tamper);
 }
 
 template class FrameRenderer<2>;

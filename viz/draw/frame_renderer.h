@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include "core/trace/event.h"
 #include "core/tree/statistics.h"
 #include "core/tree/tree.h"
+#include "viz/draw/draw_list.h"
 #include "viz/draw/layers.h"
 #include "viz/gl/backend.h"
 #include "viz/image/image.h"
@@ -61,9 +63,14 @@ struct FrameOptions {
   std::string camera;  ///< see `parse_camera`; empty: everything in view
   /// Of each pixel. 4: smooth edges; 1: jagged ones, about three times faster; 0: smooth up to kManyBodies.
   int samples = 0;
+  bool ids = false;           ///< also keep what was drawn and where, see `FrameIds`
   std::string camera_path{};  ///< see CameraPath; empty: the camera stands still
   GlBackend backend = GlBackend::osmesa;
 };
+
+/// Is given the triangles of a scene (back, glass, lines, front) before they are drawn. With it tests plant
+/// bugs.
+using Tamper = std::function<void(std::span<Batch> batches, const DrawList& list)>;
 
 template <int D>
 struct FramePlan;
@@ -93,6 +100,12 @@ class FrameRenderer {
   /// The box that the last frame showed, to be given to the other renderers of a sequence.
   [[nodiscard]] Box<D> view_box() const;
   void set_layers(LayerSet layers);
+
+  /// Of the last frame; empty unless the options asked for it.
+  [[nodiscard]] const FrameIds& ids() const;
+  /// Pixels of renderers that say the same here are the same.
+  [[nodiscard]] std::string rasterizer() const;
+  void set_tamper(Tamper tamper);
 
  private:
   struct State;

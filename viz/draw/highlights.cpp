@@ -66,10 +66,13 @@ void Highlights<D>::update(const FrameInput<D>& input, const Skeleton<D>& now, c
 }
 
 void draw_highlights(const View& view, double line_scale, const std::vector<Highlight>& highlights,
-                     Batch& batch) {
+                     Batch& batch, DrawList* list) {
   // The newest comes first in the list and is drawn last, on top.
   for (auto h = highlights.rbegin(); h != highlights.rend(); ++h) {
     const Color color = with_alpha(palette::kOperator, h->strength());
+    if (list != nullptr)
+      batch.item =
+          list->add(DrawnKind::operation, h->acted.node.node.value, static_cast<std::uint32_t>(h->acted.op));
     const double width = (1.2 + 1.8 * h->strength()) * line_scale;
     for (const Polygon& face : h->faces) add_outline(batch, view, face, {color, width});
     add_outline(batch, view, h->old_partitioner, {color, width, 7 * line_scale, 5 * line_scale});

@@ -37,8 +37,9 @@ class Highlights {
 };
 
 /// Outlines the cells that operators acted on, above everything else in the scene.
+/// `list`: takes note of them; may be null.
 void draw_highlights(const View& view, double line_scale, const std::vector<Highlight>& highlights,
-                     Batch& batch);
+                     Batch& batch, DrawList* list = nullptr);
 
 extern template class Highlights<2>;
 extern template class Highlights<3>;

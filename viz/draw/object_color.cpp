@@ -12,6 +12,7 @@ bool is_drawable(const Body<D>& body) {
 
 template <int D>
 Color object_color(const DrawContext<D>& context, std::size_t object) {
+  if (object < context.colors.size()) return context.colors[object];
   if (context.input.bodies[object].mobility == Mobility::fixed) return palette::kFixed;
   if (object >= context.placements.size()) return palette::kMoving;
   const Placement& placement = context.placements[object];

@@ -63,6 +63,7 @@ void draw_body(const DrawContext<2>& context, std::size_t object, Batch& batch) 
   const Polygon polygon = outline(body, pixels);
   if (polygon.size() < 3) return;
   const Color color = object_color(context, object);
+  context.begin(batch, DrawnKind::object, static_cast<std::uint32_t>(object));
   const Vector<2> extent = body.box.extent();
   const bool is_large = std::min(extent[0], extent[1]) * pixels > 6 * rim;
   add_polygon(batch, context.view, polygon, is_large ? lit(color, 0.45) : color);
@@ -94,6 +95,7 @@ void draw_leaves(const DrawContext<2>& context, Batch& batch) {
     const auto& joint = context.skeleton[id];
     if (!joint.is_leaf()) continue;
     const Color color = palette::population_color(joint.population, context.largest_population);
+    context.begin(batch, DrawnKind::leaf, id.value);
     for (const Polygon& cell : cell_faces(context.skeleton, id, context.bounds))
       add_polygon(batch, context.view, cell, with_alpha(color, kAlpha));
   }

@@ -50,6 +50,7 @@ struct Pane {
   std::array<Eigen::Vector4d, 4> corners;
   std::array<Eigen::Vector3d, 4> world;
   Color color;
+  std::uint32_t item = 0;
 };
 
 struct Targets {
@@ -74,7 +75,7 @@ void draw_ball(const Targets& to, const Frame& frame, const Ball& ball, double p
 
 Pane make_pane(const Body<3>& body, const std::array<Eigen::Vector3d, 4>& corners,
                const std::array<Eigen::Vector4d, 4>& clip, const View& view, Color color) {
-  Pane pane{0, clip, {}, color};
+  Pane pane{0, clip, {}, color, 0};
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < 4; ++i) {
     pane.world[i] = to_point(body.pose.position);
@@ -106,6 +107,7 @@ void draw_brick(const Targets& to, const Frame& frame, const Body<3>& body, cons
       const bool is_wall = body.mobility == Mobility::fixed && normal.dot(frame.up) < kWallSlope;
       if (is_wall) {
         to.panes.push_back(make_pane(body, corners, clip, to.context.view, shade));
+        to.panes.back().item = to.glass.item;
       } else {
         to.solid.add_fan(clip, shade);
       }
@@ -136,6 +138,8 @@ void draw_body(const Targets& to, std::size_t object) {
   const Body<3>& body = to.context.input.bodies[object];
   const Frame frame = frame_of(to.context.view, body.pose);
   const Color color = object_color(to.context, object);
+  to.context.begin(to.solid, DrawnKind::object, static_cast<std::uint32_t>(object));
+  to.glass.item = to.solid.item;
   if (const auto* ball = std::get_if<Ball>(&body.shape)) {
     draw_ball(to, frame, *ball, to.context.view.pixels_per_unit(to_point(body.pose.position)), color);
   } else if (const auto* brick = std::get_if<Brick<3>>(&body.shape)) {
@@ -155,6 +159,7 @@ void draw_objects(const DrawContext<3>& context, Batch& solid, Batch& glass) {
   std::ranges::stable_sort(panes, std::ranges::greater{}, &Pane::distance);
   const Stroke edge{with_alpha(palette::kFaintInk, 0.45), context.line_scale};
   for (const Pane& pane : panes) {
+    glass.item = pane.item;
     glass.add_fan(pane.corners, with_alpha(pane.color, kGlassAlpha));
     add_outline(glass, context.view, pane.world, edge);
   }

@@ -63,6 +63,7 @@ GLuint compile(const GlFunctions& gl, GLenum type, const char* source) {
 }  // namespace
 
 void TextBatch::add(const Font& font, int x, int y, std::string_view text, Color color) {
+  if (keeps_lines && !text.empty()) lines.push_back({x, y, std::string(text)});
   int pen = x;
   for (const char32_t code : decode_utf8(text)) {
     const Font::Glyph& glyph = font.glyph(code);
@@ -152,6 +153,11 @@ void Painter::begin(Color ground) const {
   gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   gl_.Enable(GL_BLEND);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);  // the picture stays opaque
+}
+
+void Painter::begin_ids() const {
+  begin({0, 0, 0, 0});
+  gl_.Disable(GL_BLEND);
 }
 
 void Painter::draw(const Batch& batch, Depth depth) const {

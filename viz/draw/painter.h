@@ -6,6 +6,7 @@
 
 #include "viz/draw/batch.h"
 #include "viz/draw/camera.h"
+#include "viz/draw/draw_list.h"
 #include "viz/draw/font.h"
 #include "viz/gl/functions.h"
 
@@ -21,8 +22,13 @@ struct TextBatch {
     Color color;
   };
   std::vector<Vertex> vertices;  ///< six a letter
+  std::vector<DrawnText> lines;  ///< if kept: what was written
+  bool keeps_lines = false;
 
-  void clear() { vertices.clear(); }
+  void clear() {
+    vertices.clear();
+    lines.clear();
+  }
   /// Writes one line of UTF-8 with its upper left corner at (x, y), in whole pixels.
   void add(const Font& font, int x, int y, std::string_view text, Color color);
 };
@@ -37,6 +43,8 @@ class Painter {
   Painter& operator=(const Painter&) = delete;
 
   void begin(Color ground) const;
+  /// Begins a picture in which the last triangle of a pixel counts alone, its colour kept bit for bit.
+  void begin_ids() const;
   void draw(const Batch& batch, Depth depth) const;
   void draw(const TextBatch& text, const View& view) const;
 

@@ -70,6 +70,7 @@ void draw_pair(const DrawContext<D>& context, const Pair& pair, bool is_contact,
   const Body<D>& a = bodies[pair.a.index()];
   const Body<D>& b = bodies[pair.b.index()];
   if (!is_drawable(a) || !is_drawable(b)) return;
+  context.begin(batch, DrawnKind::pair, pair.a.value, pair.b.value);
   Line line = line_between(a, b);
   if constexpr (D == 3) {
     const double lift = 0.9 * std::min(largest_extent(a.box), largest_extent(b.box));

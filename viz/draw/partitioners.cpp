@@ -25,6 +25,7 @@ void draw_partitioners(const DrawContext<D>& context, Batch& batch) {
   for (const NodeId id : context.skeleton.back_to_front(context.view.eye)) {
     const auto& joint = context.skeleton[id];
     if (joint.is_leaf()) continue;
+    context.begin(batch, DrawnKind::plane, id.value);
     const Polygon polygon = partitioner_in_cell(context.skeleton, id, joint.plane, context.bounds);
     const double width = line_width(joint.depth) * context.line_scale;
     if constexpr (D == 2) {

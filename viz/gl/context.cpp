@@ -14,9 +14,9 @@ std::unique_ptr<GlContext> make_offscreen_context(GlBackend backend) {
   return make_osmesa_context();
 }
 
-std::string describe(const GlFunctions& gl) {
-  const auto text = [&](GLenum what) {
-    return std::string(reinterpret_cast<const char*>(gl.GetString(what)));
+std::string GlContext::rasterizer() const {
+  const auto text = [this](GLenum what) {
+    return std::string(reinterpret_cast<const char*>(functions().GetString(what)));
   };
   return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
 }

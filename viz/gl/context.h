@@ -22,14 +22,13 @@ class GlContext {
   [[nodiscard]] virtual const GlFunctions& functions() const = 0;
   /// Driver and version, for reports.
   [[nodiscard]] virtual std::string description() const = 0;
+  /// What decides on pixels: the rasteriser and its version, however the context was made.
+  [[nodiscard]] std::string rasterizer() const;
 };
 
 /// A context without window or display, current in the calling thread. Throws std::runtime_error that says
 /// what is missing. A process that forks must do so before the first context.
 std::unique_ptr<GlContext> make_offscreen_context(GlBackend backend = GlBackend::osmesa);
-
-/// Driver and version of the current context.
-std::string describe(const GlFunctions& gl);
 
 /// Lets malloc keep what the software rasteriser frees each frame (up to a fifth faster). It speaks for the
 /// whole process, so programs call it, libraries do not.

@@ -86,7 +86,7 @@ class EglContext final : public GlContext {
   }
 
   [[nodiscard]] const GlFunctions& functions() const override { return functions_; }
-  [[nodiscard]] std::string description() const override { return "EGL, " + describe(functions_); }
+  [[nodiscard]] std::string description() const override { return "EGL, " + rasterizer(); }
 
  private:
   [[nodiscard]] EGLContext create() const {

@@ -36,6 +36,21 @@ void Framebuffer::bind() const {
   gl_.Viewport(0, 0, width_, height_);
 }
 
+void Framebuffer::copy_to(const Framebuffer& target, int x, int y) const {
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[0]);
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffers_[0]);
+  gl_.BlitFramebuffer(0, 0, width_, height_, x, y, x + width_, y + height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void Framebuffer::show_in_window(int window_width, int window_height) const {
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[0]);
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl_.BlitFramebuffer(0, 0, width_, height_, 0, window_height, window_width, 0, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+}
+
 void Framebuffer::read(Image& image) const {
   image.width = width_;
   image.height = height_;

@@ -19,6 +19,10 @@ class Framebuffer {
   void bind() const;
   /// Copies what was drawn; row 0 of the buffer becomes the top row.
   void read(Image& image) const;
+  /// Copies all of it into another one, its top left corner to (x, y); several samples become one.
+  void copy_to(const Framebuffer& target, int x, int y) const;
+  /// Copies all of it, upside down as windows have it, into the framebuffer that a window shows.
+  void show_in_window(int window_width, int window_height) const;
 
  private:
   void attach(GLenum point, GLuint renderbuffer, GLenum format, int samples) const;

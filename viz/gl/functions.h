@@ -36,6 +36,7 @@ namespace kerf {
   X(DISABLE, Disable)                                               \
   X(DRAWARRAYS, DrawArrays)                                         \
   X(DRAWELEMENTS, DrawElements)                                     \
+  X(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)                 \
   X(ENABLE, Enable)                                                 \
   X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)               \
   X(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer)               \
@@ -56,6 +57,7 @@ namespace kerf {
   X(PIXELSTOREI, PixelStorei)                                       \
   X(READPIXELS, ReadPixels)                                         \
   X(RENDERBUFFERSTORAGEMULTISAMPLE, RenderbufferStorageMultisample) \
+  X(SCISSOR, Scissor)                                               \
   X(SHADERSOURCE, ShaderSource)                                     \
   X(TEXIMAGE2D, TexImage2D)                                         \
   X(TEXPARAMETERI, TexParameteri)                                   \

@@ -31,7 +31,7 @@ class OsmesaContext final : public GlContext {
 
   [[nodiscard]] const GlFunctions& functions() const override { return functions_; }
 
-  [[nodiscard]] std::string description() const override { return "OSMesa, " + describe(functions_); }
+  [[nodiscard]] std::string description() const override { return "OSMesa, " + rasterizer(); }
 
  private:
   static constexpr std::array<int, 11> kAttributes{OSMESA_FORMAT,

@@ -51,8 +51,9 @@ TYPED_TEST_SUITE(Minimize, test::Dimensions, test::DimensionNames);
 template <int D>
 std::vector<Pair> last_pairs(const Scenario<D>& scenario) {
   Bsp<D> tree(scenario.info.config, scenario.info.volume);
-  for (const StepRequests<D>& step : scenario.steps) {
-    apply(step, tree);
+  for (const ScenarioStep<D>& step : scenario.steps) {
+    apply(step.requests, tree);
+    tree.set_config(step.config);
     tree.step();
   }
   return test::sorted(tree.pairs());
@@ -119,8 +120,9 @@ TYPED_TEST(Minimize, AnOperatorNeedsACrowd) {
   constexpr int kD = TypeParam::value;
   const auto splits = [](const Scenario<kD>& scenario) {
     Bsp<kD> tree(scenario.info.config);
-    for (const StepRequests<kD>& step : scenario.steps) {
-      apply(step, tree);
+    for (const ScenarioStep<kD>& step : scenario.steps) {
+      apply(step.requests, tree);
+      tree.set_config(step.config);
       tree.step();
       if (tree.statistics().count(Operator::split) > 0) return true;
     }
@@ -137,6 +139,35 @@ TYPED_TEST(Minimize, AnOperatorNeedsACrowd) {
     std::erase(fewer, object);
     EXPECT_FALSE(splits(with_objects(small, fewer))) << "without object " << object.value;
   }
+}
+
+/// A tree that has been divided needs the divisions and nothing that came after them.
+TYPED_TEST(Minimize, OperatorsThatDoNotMatterAreSwitchedOff) {
+  constexpr int kD = TypeParam::value;
+  const auto is_high = [](const Scenario<kD>& scenario) {
+    Bsp<kD> tree(scenario.info.config);
+    std::uint32_t height = 0;
+    for (const ScenarioStep<kD>& step : scenario.steps) {
+      apply(step.requests, tree);
+      tree.set_config(step.config);
+      tree.step();
+      height = std::max(height, tree.statistics().height);
+    }
+    return height >= 2;
+  };
+  const Scenario<kD> whole = this->crowd();
+  ASSERT_TRUE(is_high(whole));
+  const Scenario<kD> small = minimize<kD>(whole, is_high);
+  EXPECT_TRUE(is_high(small));
+  const std::vector<Acting> acting = acting_operators(small);
+  EXPECT_LT(acting.size(), acting_operators(whole).size() / 4);
+  for (const Acting& one : acting) EXPECT_FALSE(is_high(without_operators(small, {one})));
+  const test::TemporaryRecording file;
+  record(small, file.path());
+  RecordingReader<kD> recorded(file.path());
+  EXPECT_EQ(recorded.steps(), small.steps.size());
+  for (std::uint32_t step = 1; step <= recorded.steps(); ++step)
+    EXPECT_EQ(config_of(recorded.info(), step), small.steps[step - 1].config);
 }
 
 }  // namespace

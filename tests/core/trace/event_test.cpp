@@ -31,9 +31,8 @@ TEST(DescribeEvent, NamesEveryOperatorPhaseAndRefusalApart) {
   EXPECT_EQ(names.size(), 5U);
   for (int i = 0; i < kPhaseCount; ++i) names.insert(to_string(static_cast<Phase>(i)));
   EXPECT_EQ(names.size(), 10U);
-  for (int i = 0; i <= static_cast<int>(Refusal::list_full); ++i)
-    names.insert(to_string(static_cast<Refusal>(i)));
-  EXPECT_EQ(names.size(), 16U);
+  for (int i = 0; i < kRefusalCount; ++i) names.insert(to_string(static_cast<Refusal>(i)));
+  EXPECT_EQ(names.size(), std::size_t{kOperatorCount + kPhaseCount + kRefusalCount});
   EXPECT_FALSE(names.contains(""));
 }
 

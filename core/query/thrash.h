@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/recording/operator_rows.h"
+
+namespace kerf {
+
+/// Work of the operators that undoes itself or is never done.
+enum class ThrashKind : std::uint8_t {
+  split_merge_split,  ///< a node was split, merged and split again
+  balance_ping_pong,  ///< a partitioner was shifted one way, back, and that way again
+  starved,            ///< an operator was listed and waited
+};
+std::string_view to_string(ThrashKind kind);
+
+struct Thrash {
+  ThrashKind kind = ThrashKind::starved;
+  Operator op = Operator::split;  ///< of what starved
+  NodeId node;
+  std::uint64_t event = 0;  ///< by which it is complete; of what starved, where it was listed
+  std::uint32_t first_step = 0;
+  std::uint32_t last_step = 0;  ///< of what is still waiting the last of the run
+};
+
+/// All that happened within `steps` steps, or for what starved lasted longer, by event. O(events).
+std::vector<Thrash> find_thrash(std::span<const OperatorRow> operators, std::uint32_t last_step,
+                                std::uint32_t steps);
+
+/// "n17 was split, merged and split again in steps 20 to 60".
+std::string to_text(const Thrash& thrash);
+
+}  // namespace kerf

@@ -1,0 +1,44 @@
+#include "core/recording/operator_rows.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "core/recording/schema.h"
+
+namespace kerf {
+namespace {
+
+Operator operator_called(const std::string& name) {
+  for (int k = 0; k < kOperatorCount; ++k)
+    if (to_string(static_cast<Operator>(k)) == name) return static_cast<Operator>(k);
+  throw std::runtime_error("the recording is damaged: there is no operator '" + name + "'");
+}
+
+OperatorRow::Kind kind_called(const std::string& name) {
+  if (name == "scheduled") return OperatorRow::Kind::scheduled;
+  return name == "refused" ? OperatorRow::Kind::refused : OperatorRow::Kind::acted;
+}
+
+}  // namespace
+
+std::vector<OperatorRow> read_operators(const std::filesystem::path& recording) {
+  const Database database = open_recording(recording);
+  std::vector<OperatorRow> operators;
+  Statement rows = database.prepare(
+      "SELECT id, step, kind, op, node, generation, coalesce(new_offset - old_offset, 0) FROM events "
+      "WHERE kind IN ('scheduled', 'acted', 'refused') ORDER BY id");
+  while (rows.step()) {
+    OperatorRow row;
+    row.event = static_cast<std::uint64_t>(rows.integer(0));
+    row.step = static_cast<std::uint32_t>(rows.integer(1));
+    row.kind = kind_called(rows.text(2));
+    row.op = operator_called(rows.text(3));
+    row.node.node = NodeId{static_cast<std::uint32_t>(rows.integer(4))};
+    row.node.generation = static_cast<std::uint32_t>(rows.integer(5));
+    row.shift = rows.real(6);
+    operators.push_back(row);
+  }
+  return operators;
+}
+
+}  // namespace kerf

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "core/trace/event.h"
+
+namespace kerf {
+
+/// What a recording's table of events says of an operator.
+struct OperatorRow {
+  enum class Kind : std::uint8_t { scheduled, acted, refused };
+  std::uint64_t event = 0;
+  std::uint32_t step = 0;
+  Kind kind = Kind::acted;
+  Operator op = Operator::split;
+  NodeRef node;
+  double shift = 0;  ///< of those that acted: by how much the offset grew
+};
+
+/// Everything that was scheduled, refused or done in a run, in order: without its steps, which would have to
+/// be unpacked. Throws std::runtime_error as `open_recording` does.
+std::vector<OperatorRow> read_operators(const std::filesystem::path& recording);
+
+}  // namespace kerf

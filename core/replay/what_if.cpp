@@ -1,0 +1,149 @@
+#include "core/replay/what_if.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "core/recording/recorder.h"
+#include "core/recording/schema.h"
+#include "core/replay/cursor.h"
+
+namespace kerf {
+namespace {
+
+std::string name_of(std::uint64_t event) { return "e" + std::to_string(event); }
+
+/// Which operator an event is of: one that acted, or a split that found no partitioner.
+std::optional<Operator> decidable(const Event& event) {
+  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) return acted->op;
+  const auto* refused = std::get_if<OperatorRefused>(&event.body);
+  if (refused == nullptr || refused->reason != Refusal::no_partitioner) return std::nullopt;
+  return Operator::split;
+}
+
+/// Nothing was decided or changed from this step on, but for decisions in the step before `event`.
+template <int D>
+void check_latest(const RecordingInfo& info, const RecordingReader<D>& recording, std::uint32_t step,
+                  std::uint64_t event) {
+  for (const Decision& decision : info.decisions)
+    if (decision.event >= event || recording.step_of(decision.event).value_or(step) > step)
+      throw std::invalid_argument("the recording has a decision about " + name_of(decision.event) +
+                                  ", which would be another event then: start from the recording before it");
+  for (const ConfigChange& change : info.changes)
+    if (change.step > step)
+      throw std::invalid_argument("the recording has another configuration from step " +
+                                  std::to_string(change.step) +
+                                  " on: start from the recording before that change");
+}
+
+template <int D>
+ChosenPlane plane_of(Replayer<D>& replayer, const Event& event, std::size_t candidate) {
+  const auto candidates = ballot_of(state_before(replayer, event.id), event);
+  const std::string ballot = name_of(event.id) + " has " + std::to_string(candidates.size()) + " candidates";
+  if (candidate >= candidates.size())
+    throw std::invalid_argument(ballot + ", counted from 0: there is no candidate " +
+                                std::to_string(candidate));
+  const BallotEntry& entry = candidates[candidate];
+  if (entry.result == Ballot::undividing)
+    throw std::invalid_argument("candidate " + std::to_string(candidate) + " of " + name_of(event.id) +
+                                " divides nothing, so it cannot be taken");
+  return {entry.direction, entry.offset};
+}
+
+bool took_effect(const Decision& decision, const Event& event) {
+  if (const auto* refused = std::get_if<OperatorRefused>(&event.body))
+    return !decision.plane && refused->op == decision.op && refused->reason == Refusal::decided;
+  const auto* acted = std::get_if<OperatorActed>(&event.body);
+  return decision.plane && acted != nullptr && acted->direction == decision.plane->direction &&
+         acted->new_offset == decision.plane->offset;
+}
+
+std::string why_not(const Decision& decision, const Event& event) {
+  const std::string what = name_of(decision.event) + ": the decision had no effect: ";
+  if (const auto* refused = std::get_if<OperatorRefused>(&event.body))
+    return what + std::string(to_string(refused->reason));
+  return what + describe(event) +
+         ". What sheds entries beyond max_entries cannot be refused; raise max_entries instead";
+}
+
+void check_effect(const std::vector<Decision>& decisions, const std::vector<Event>& events) {
+  for (const Decision& decision : decisions) {
+    const auto event = std::ranges::find(events, decision.event, &Event::id);
+    if (event != events.end() && !took_effect(decision, *event))
+      throw std::runtime_error(why_not(decision, *event));
+  }
+}
+
+template <int D>
+bool rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, const std::filesystem::path& out,
+                 const std::function<bool()>& stop) {
+  Bsp<D, EventLog> tree(info.config, info.volume);
+  Recorder<D> recorder(tree, out, info);
+  for (std::uint32_t step = 1; step <= recording.steps() && !(stop && stop()); ++step) {
+    apply(recording.step(step).requests, recorder);
+    recorder.step();
+    check_effect(info.decisions, tree.trace().take());
+    if (const auto theirs = recording.their_step(step))
+      recorder.add_theirs(recording.their_pairs(step), *theirs);
+  }
+  recorder.finish();
+  return tree.steps() == recording.steps();
+}
+
+}  // namespace
+
+template <int D>
+void decide(RecordingInfo& info, Replayer<D>& replayer, std::uint64_t event,
+            std::optional<std::size_t> candidate) {
+  const Event happened = replayer.recording().event(event);
+  const auto op = decidable(happened);
+  if (!op)
+    throw std::invalid_argument(describe(happened) +
+                                ": not an operator that acts; `kerf step --to 'kind==acted'` finds one");
+  if (candidate && *op != Operator::split)
+    throw std::invalid_argument(describe(happened) + ": only a split has candidates to choose from");
+  if (!candidate && !std::holds_alternative<OperatorActed>(happened.body))
+    throw std::invalid_argument(describe(happened) + ": it has not acted, so there is nothing to refuse");
+  check_latest(info, replayer.recording(), happened.step, event);
+  Decision decision{event, *op, std::nullopt};
+  if (candidate) decision.plane = plane_of(replayer, happened, *candidate);
+  info.decisions.push_back(decision);
+}
+
+template <int D>
+void change_config(RecordingInfo& info, const RecordingReader<D>& recording, std::uint32_t step,
+                   const Config& config) {
+  if (step == 0 || step > recording.steps())
+    throw std::invalid_argument("the recording has steps 1 to " + std::to_string(recording.steps()) +
+                                ": there is no step " + std::to_string(step));
+  check_latest(info, recording, step - 1, UINT64_MAX);
+  if (step == 1) {
+    info.config = config;
+    return;
+  }
+  if (config.directions != info.config.directions || config.seed != info.config.seed)
+    throw std::invalid_argument("directions and seed can only change from the beginning: leave out the step");
+  info.changes.push_back({step, config});
+}
+
+template <int D>
+bool rerun(RecordingReader<D>& recording, const RecordingInfo& info, const std::filesystem::path& out,
+           const std::function<bool()>& stop) {
+  try {
+    return rerun_steps(recording, info, out, stop);
+  } catch (const std::runtime_error&) {
+    remove_recording(out);
+    throw;
+  }
+}
+
+#define KERF_INSTANTIATE(D)                                                                                \
+  template void decide<D>(RecordingInfo&, Replayer<D>&, std::uint64_t, std::optional<std::size_t>);        \
+  template void change_config<D>(RecordingInfo&, const RecordingReader<D>&, std::uint32_t, const Config&); \
+  template bool rerun<D>(RecordingReader<D>&, const RecordingInfo&, const std::filesystem::path&,          \
+                         const std::function<bool()>&);
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
+
+}  // namespace kerf

@@ -1,0 +1,90 @@
+#include "frames/debug_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "frames/errors.h"
+#include "frames/record_scene.h"
+#include "frames/scratch_folder.h"
+#include "viz/debugger/debugger.h"
+#include "viz/debugger/script.h"
+#include "viz/gl/context.h"
+
+namespace kerf {
+namespace {
+
+constexpr const char* kFooter =
+    "SCENE is recorded first, into a temporary file; FILE is what `kerf record` or `kerf import` wrote.\n"
+    "In the window, F1 shows the keys. docs/DEBUGGING.md is a guide, and has the commands of scripts.\n"
+    "EXIT    0 done, 1 a script's expectation does not hold or nothing can be shown, 2 wrong usage";
+
+std::string read_script(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw UsageError("--script: " + path + " cannot be read");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+DebugCommand::DebugCommand(CLI::App& program)
+    : command_(program.add_subcommand("debug", "Step through a run, forwards and backwards, and ask why")) {
+  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
+    return command_->add_option(name, text, meaning)->type_name(type);
+  };
+  option("SCENE|FILE", texts_.scene, "A scene of `kerf scenes`, or a recording", "")->required();
+  option("--steps", texts_.steps, "Of a scene: how many are recorded (default 300)", "N");
+  option("--objects", texts_.objects, "Of a scene: moving objects (default: the scene's own)", "N");
+  option("--grow", texts_.grow, "Of a scene: steps until all objects are there", "STEPS");
+  option("--broad-phase", texts_.broad_phase, "Of a scene: kerf-paper (default) or kerf, the tuned tree",
+         "NAME");
+  option("--config", texts_.config, "Of a scene: parameters of the tree, see `kerf render --help`",
+         "K=V,...");
+  option("--seed", texts_.seed, "Of a scene: of every random choice (default 1)", "S");
+  option("--record", texts_.record, "Of a scene: keep the recording under this name", "FILE");
+  command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier recording");
+  option("--size", texts_.size, "Of the window or the pictures (default 1280x720)", "WxH");
+  command_->add_flag("--headless", headless_, "Without a window or display: needs --script");
+  option("--script", script_, "Do what this file says, and end", "FILE");
+  option("-o,--out", out_, "Folder for the pictures of F12 and of scripts (default: here)", "DIR");
+  command_->footer(kFooter);
+}
+
+bool DebugCommand::chosen() const { return command_->parsed(); }
+
+void DebugCommand::run() const {
+  if (headless_ && script_.empty())
+    throw UsageError("--headless has nobody to drive it; give a --script, or leave it out for a window");
+  std::vector<ScriptLine> lines;
+  try {
+    if (!script_.empty()) lines = parse_script(read_script(script_));
+  } catch (const ScriptError& error) {
+    throw UsageError(script_ + ", " + error.what());
+  }
+  const PictureSize size = texts_.size.empty() ? PictureSize{1280, 720} : parse_picture_size(texts_.size);
+  if (size.width < kLeastDebuggerWidth || size.height < kLeastDebuggerHeight)
+    throw UsageError("--size " + texts_.size + ": the panels need at least " +
+                     std::to_string(kLeastDebuggerWidth) + "x" + std::to_string(kLeastDebuggerHeight));
+  const ScratchFolder scratch;
+  std::filesystem::path file = texts_.scene;
+  if (!std::filesystem::exists(file)) {
+    RenderTexts texts = texts_;
+    if (texts.steps.empty()) texts.steps = "300";
+    if (texts.record.empty()) texts.record = scratch.path() / "run.kerf";
+    record_scene(parse_request(texts));
+    file = texts.record;
+  }
+  tune_allocator_for_rendering();
+  const auto context = make_offscreen_context();
+  Debugger debugger(*context, open_run(file));
+  ScriptPlayer player(debugger, size.width, size.height, out_.empty() ? "." : out_);
+  try {
+    player.play(lines);
+  } catch (const ScriptError& error) {
+    throw std::runtime_error(script_ + ", " + error.what());
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "frames/render_request.h"
+
+namespace CLI {
+class App;
+}
+
+namespace kerf {
+
+/// `kerf debug`: looks into a run, step by step, in a window or by a script.
+class DebugCommand {
+ public:
+  explicit DebugCommand(CLI::App& program);
+  [[nodiscard]] bool chosen() const;
+  /// Throws UsageError, Interrupted, or std::runtime_error: a file cannot be read, there is no display, or a
+  /// script's expectation does not hold.
+  void run() const;
+
+ private:
+  CLI::App* command_;
+  RenderTexts texts_;
+  std::string script_;
+  std::string out_;
+  bool headless_ = false;
+};
+
+}  // namespace kerf

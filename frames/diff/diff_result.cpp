@@ -1,0 +1,151 @@
+#include "frames/diff/diff_result.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kShownReasons = 24;
+
+std::string color_text(const std::array<std::uint8_t, 4>& c) {
+  char text[16];
+  std::snprintf(text, sizeof text, c[3] == 255 ? "#%02x%02x%02x" : "#%02x%02x%02x%02x", c[0], c[1], c[2],
+                c[3]);
+  return text;
+}
+
+std::string first_pixels(const PixelComparison& pixels) {
+  std::string text = "first:";
+  for (const DifferentPixel& pixel : pixels.first) {
+    text += (text.ends_with(':') ? " (" : ", (") + std::to_string(pixel.x) + ", " + std::to_string(pixel.y) +
+            ") " + color_text(pixel.a) + " -> " + color_text(pixel.b);
+  }
+  return text;
+}
+
+std::string flip_figures(const FlipSummary& flip) {
+  char text[160];
+  std::snprintf(text, sizeof text, "FLIP: largest %.4f, mean %.6f; worst at", flip.max, flip.mean);
+  std::string result = text;
+  for (const FlipPixel& pixel : flip.worst) {
+    std::snprintf(text, sizeof text, " (%d, %d) %.3f", pixel.x, pixel.y, pixel.error);
+    result += text;
+  }
+  return result;
+}
+
+std::string frame_text(const FrameDiff& diff) {
+  if (!diff.trouble.empty()) return diff.frame.name + ": " + diff.trouble + "\n";
+  if (diff.same) return "";
+  std::string text = diff.frame.name + ":";
+  const bool single = diff.reasons.size() == 1;
+  const std::size_t shown = std::min(diff.reasons.size(), kShownReasons);
+  for (std::size_t i = 0; i < shown; ++i) text += (single ? " " : "\n  ") + diff.reasons[i];
+  if (shown < diff.reasons.size())
+    text += "\n  and " + std::to_string(diff.reasons.size() - shown) + " more; --json has them all";
+  text += "\n";
+  if (!diff.pixels.first.empty()) text += "  " + first_pixels(diff.pixels) + "\n";
+  if (diff.flip) text += "  " + flip_figures(*diff.flip) + "\n";
+  return text;
+}
+
+Json pixels_json(const PixelComparison& pixels) {
+  Json first = Json::array();
+  for (const DifferentPixel& pixel : pixels.first)
+    first.push_back(
+        {{"x", pixel.x}, {"y", pixel.y}, {"reference", color_text(pixel.a)}, {"test", color_text(pixel.b)}});
+  const PixelBounds& bounds = pixels.bounds;
+  return {{"different", pixels.different},
+          {"largest_step", pixels.largest_step},
+          {"left", bounds.left},
+          {"top", bounds.top},
+          {"right", bounds.right},
+          {"bottom", bounds.bottom},
+          {"first", first}};
+}
+
+Json flip_json(const FlipSummary& flip) {
+  Json worst = Json::array();
+  for (const FlipPixel& pixel : flip.worst)
+    worst.push_back({{"x", pixel.x}, {"y", pixel.y}, {"error", pixel.error}});
+  return {{"max", flip.max}, {"mean", flip.mean}, {"worst", worst}};
+}
+
+Json frame_json(const FrameDiff& diff) {
+  const char* verdict = !diff.trouble.empty()     ? "unusable"
+                        : diff.same               ? "same"
+                        : diff.frame.is_missing() ? "missing"
+                        : diff.frame.is_extra()   ? "extra"
+                                                  : "different";
+  Json json{{"name", diff.frame.name},
+            {"verdict", verdict},
+            {"reference", diff.frame.reference.string()},
+            {"test", diff.frame.test.string()}};
+  if (!diff.trouble.empty()) json["trouble"] = diff.trouble;
+  json["gate"] = to_string(diff.gate);
+  json["reasons"] = diff.reasons;
+  json["drawn"] = diff.drawn;
+  json["pixels"] = pixels_json(diff.pixels);
+  if (diff.flip) json["flip"] = flip_json(*diff.flip);
+  return json;
+}
+
+}  // namespace
+
+std::size_t DiffResult::count_different() const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      frames, [](const FrameDiff& diff) { return diff.trouble.empty() && !diff.same; }));
+}
+
+std::size_t DiffResult::count_troubled() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(frames, [](const FrameDiff& diff) { return !diff.trouble.empty(); }));
+}
+
+std::string summary_line(const DiffResult& result) {
+  const auto count = [&](auto what) { return std::to_string(std::ranges::count_if(result.frames, what)); };
+  const auto missing = [](const FrameDiff& diff) { return diff.frame.is_missing(); };
+  const auto extra = [](const FrameDiff& diff) { return diff.frame.is_extra(); };
+  const std::string all = std::to_string(result.frames.size());
+  const std::string gate = ", by the gate '" + std::string(to_string(result.rules.gate)) + "'";
+  if (result.is_same()) return all + (all == "1" ? " frame is the same" : " frames are the same") + gate;
+  std::string text;
+  if (result.count_troubled() > 0)
+    text = std::to_string(result.count_troubled()) + " of " + all + " frames cannot be compared; ";
+  if (!result.faults.empty()) text += "frames that a manifest names are not there; ";
+  text += std::to_string(result.count_different()) + " of " + all +
+          (all == "1" ? " frame differs" : " frames differ");
+  if (std::ranges::any_of(result.frames, missing)) text += ", " + count(missing) + " of them missing";
+  if (std::ranges::any_of(result.frames, extra)) text += ", " + count(extra) + " without a reference";
+  return text + gate;
+}
+
+std::string to_text(const DiffResult& result) {
+  std::string text;
+  for (const std::string& note : result.notes) text += "note: " + note + "\n";
+  for (const std::string& fault : result.faults) text += fault + "\n";
+  for (const FrameDiff& diff : result.frames) text += frame_text(diff);
+  return result.is_same() ? text + summary_line(result) + "\n" : text;
+}
+
+std::string to_json(const DiffResult& result) {
+  Json json{{"format", "kerf-diff-1"},
+            {"reference", result.reference.string()},
+            {"test", result.test.string()},
+            {"gate", to_string(result.rules.gate)},
+            {"flip_limit", result.rules.flip_limit},
+            {"same", result.is_same()},
+            {"usable", result.is_usable()},
+            {"different", result.count_different()},
+            {"notes", result.notes},
+            {"faults", result.faults},
+            {"frames", Json::array()}};
+  for (const FrameDiff& diff : result.frames) json["frames"].push_back(frame_json(diff));
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace kerf

@@ -1,0 +1,122 @@
+#include "frames/diff/frame_diff.h"
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "frames/diff/draw_list_file.h"
+#include "viz/draw/compare_drawn.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+std::string size_text(const Image& image) {
+  return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
+
+std::string pixels_text(const PixelComparison& pixels, const Image& image) {
+  const PixelBounds& bounds = pixels.bounds;
+  char text[200];
+  std::snprintf(text, sizeof text, "%llu of %llu pixels differ, within %dx%d at (%d, %d), by up to %d of 255",
+                static_cast<unsigned long long>(pixels.different),
+                static_cast<unsigned long long>(image.rgba.size() / 4), bounds.right - bounds.left,
+                bounds.bottom - bounds.top, bounds.left, bounds.top, pixels.largest_step);
+  return text;
+}
+
+std::string flip_text(const FlipSummary& flip, double limit) {
+  char text[120];
+  std::snprintf(text, sizeof text, "FLIP is %.3f at (%d, %d), and %.3f is allowed", flip.max,
+                flip.worst.front().x, flip.worst.front().y, limit);
+  return text;
+}
+
+/// Ids of both, if both have them.
+struct BothIds {
+  std::optional<StoredIds> reference;
+  std::optional<StoredIds> test;
+  [[nodiscard]] bool there() const { return reference && test; }
+};
+
+StoredIds checked(StoredIds stored, const Image& image, const std::filesystem::path& frame) {
+  if (stored.ids.image.width != image.width || stored.ids.image.height != image.height)
+    throw std::runtime_error("the ids of " + frame.string() + " are of another size than the picture");
+  return stored;
+}
+
+std::optional<StoredIds> ids_of(const std::filesystem::path& frame, const Image& image) {
+  auto stored = read_ids(frame);
+  if (stored) stored = checked(std::move(*stored), image, frame);
+  return stored;
+}
+
+DiffGate choose_gate(DiffGate wanted, const BothIds& ids) {
+  if (wanted != DiffGate::automatic) return wanted;
+  const bool foreign = ids.there() && ids.reference->rasterizer != ids.test->rasterizer;
+  return foreign ? DiffGate::flip : DiffGate::exact;
+}
+
+void judge(const Image& test, const DiffRules& rules, FrameDiff& diff) {
+  if (diff.gate == DiffGate::exact && !diff.pixels.same())
+    diff.reasons.push_back(pixels_text(diff.pixels, test));
+  if (diff.gate == DiffGate::flip && diff.flip && diff.flip->max > rules.flip_limit)
+    diff.reasons.push_back(flip_text(*diff.flip, rules.flip_limit));
+  const bool drawn_counts = diff.gate != DiffGate::exact || !diff.reasons.empty();
+  if (drawn_counts) diff.reasons.insert(diff.reasons.end(), diff.drawn.begin(), diff.drawn.end());
+  diff.same = diff.reasons.empty();
+}
+
+void compare(const Image& reference, const Image& test, const DiffRules& rules, FrameDiff& diff) {
+  if (reference.width != test.width || reference.height != test.height) {
+    diff.trouble = "they are of different sizes: " + size_text(reference) + " and " + size_text(test);
+    return;
+  }
+  diff.pixels = compare_pixels(reference, test);
+  BothIds ids;
+  const bool pixels_decide = rules.gate == DiffGate::automatic || rules.gate == DiffGate::exact;
+  if (!diff.pixels.same() || !pixels_decide)
+    ids = {ids_of(diff.frame.reference, reference), ids_of(diff.frame.test, test)};
+  diff.gate = choose_gate(rules.gate, ids);
+  if (diff.gate == DiffGate::ids && !ids.there())
+    throw std::runtime_error("there are no ids beside " +
+                             (ids.reference ? diff.frame.test : diff.frame.reference).string() +
+                             "; draw it with --ids");
+  if (ids.there()) diff.drawn = compare_drawn(ids.reference->ids, ids.test->ids);
+  if (!diff.pixels.same()) diff.flip = summarize_flip(flip_errors(reference, test));
+  judge(test, rules, diff);
+}
+
+}  // namespace
+
+FrameDiff diff_frame(const FramePair& frame, const DiffRules& rules) {
+  FrameDiff diff;
+  diff.frame = frame;
+  try {
+    if (frame.is_missing()) {
+      diff.reasons = {"it is missing"};
+    } else if (frame.is_extra()) {
+      diff.reasons = {"it has no reference"};
+    } else {
+      compare(read_png(frame.reference), read_png(frame.test), rules, diff);
+    }
+  } catch (const std::runtime_error& error) {
+    diff.trouble = error.what();
+  }
+  return diff;
+}
+
+std::string_view to_string(DiffGate gate) {
+  switch (gate) {
+    case DiffGate::automatic:
+      return "auto";
+    case DiffGate::exact:
+      return "exact";
+    case DiffGate::ids:
+      return "ids";
+    case DiffGate::flip:
+      return "flip";
+  }
+  return "";
+}
+
+}  // namespace kerf

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frames/diff/frame_pairs.h"
+#include "viz/image/compare.h"
+#include "viz/image/flip.h"
+
+namespace kerf {
+
+/// What must hold for two pictures to count as the same.
+enum class DiffGate {
+  automatic,  ///< exact, unless the draw lists name two rasterisers: then flip
+  exact,      ///< every pixel: for pictures of one rasteriser
+  ids,        ///< draw list and id image: the same things at the same place in the same colours
+  flip,       ///< nobody would notice: FLIP's maximum, and ids where they are; for two rasterisers
+};
+
+/// FLIP's maximum up to which the gate `flip` is content.
+inline constexpr double kFlipLimit = 0.3;
+
+struct DiffRules {
+  DiffGate gate = DiffGate::automatic;
+  double flip_limit = kFlipLimit;
+};
+
+/// What became of one pair of pictures.
+struct FrameDiff {
+  FramePair frame;
+  std::string trouble;  ///< why they cannot be compared; empty: they were
+  bool same = false;    ///< by the gate
+  PixelComparison pixels;
+  DiffGate gate = DiffGate::exact;   ///< that decided
+  std::vector<std::string> drawn;    ///< what has changed in words; known if both have ids
+  std::optional<FlipSummary> flip;   ///< if any pixel differs
+  std::vector<std::string> reasons;  ///< what the gate objects to, one line each
+};
+
+/// Compares two pictures; never throws for what is wrong with their files: that is `trouble`.
+FrameDiff diff_frame(const FramePair& frame, const DiffRules& rules);
+
+/// "auto", "exact", "ids", "flip"
+std::string_view to_string(DiffGate gate);
+inline constexpr DiffGate kDiffGates[] = {DiffGate::automatic, DiffGate::exact, DiffGate::ids,
+                                          DiffGate::flip};
+
+}  // namespace kerf

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace kerf {
+
+/// Two pictures that belong together. An empty path: that side has none.
+struct FramePair {
+  std::string name;  ///< of the file; in folders the way to it from there
+  std::filesystem::path reference;
+  std::filesystem::path test;
+  [[nodiscard]] bool is_missing() const { return test.empty(); }
+  [[nodiscard]] bool is_extra() const { return reference.empty(); }
+};
+
+/// What is to be compared.
+struct PairedFrames {
+  std::vector<FramePair> frames;    ///< by name
+  std::vector<std::string> notes;   ///< what a reader should know, such as a sequence that was interrupted
+  std::vector<std::string> faults;  ///< what makes a folder unusable: frames that its manifest promises
+};
+
+/// Pairs two files, or the PNG files of two folders and the folders in them by their names; pictures that lie
+/// beside frames (`is_sidecar`) are no frames. Throws UnusableInput if one of them is not there, cannot be
+/// read, holds no PNG, or one is a file and the other a folder.
+PairedFrames pair_frames(const std::filesystem::path& reference, const std::filesystem::path& test);
+
+}  // namespace kerf

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+namespace kerf {
+
+/// "a.png" -> "a.ids.png": which item of the draw list covers each pixel.
+inline std::filesystem::path ids_path(const std::filesystem::path& frame) {
+  return std::filesystem::path(frame).replace_extension(".ids.png");
+}
+
+/// "a.png" -> "a.draw.json": what was drawn.
+inline std::filesystem::path draw_list_path(const std::filesystem::path& frame) {
+  return std::filesystem::path(frame).replace_extension(".draw.json");
+}
+
+/// Whether a picture lies beside a frame and is none itself.
+inline bool is_sidecar(const std::filesystem::path& path) {
+  return path.extension() == ".png" && path.stem().extension() == ".ids";
+}
+
+}  // namespace kerf

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace kerf {
+
+/// `kerf lint`: work of a recording's operators that undoes itself or is never done.
+class LintCommand {
+ public:
+  explicit LintCommand(CLI::App& program);
+  [[nodiscard]] bool chosen() const;
+  /// Throws UsageError, or std::runtime_error if something was found or the file cannot be read.
+  void run() const;
+
+ private:
+  CLI::App* command_;
+  std::string file_;
+  std::string within_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,242 @@
+#include "viz/debugger/debugger.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "viz/debugger/gui/widgets.h"
+#include "viz/draw/palette.h"
+
+namespace kerf {
+namespace {
+
+constexpr auto kFixedWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                              ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+/// A window that fills an area exactly.
+template <class Draw>
+void in_window(const char* name, const PanelArea& area, Draw draw, int flags = 0) {
+  ImGui::SetNextWindowPos({area.x, area.y});
+  ImGui::SetNextWindowSize({area.width, area.height});
+  if (ImGui::Begin(name, nullptr, kFixedWindow | flags)) draw();
+  ImGui::End();
+}
+
+void draw_tab(PanelContext& context, const char* name, void (*draw)(PanelContext&)) {
+  const bool wanted = context.memory.open_tab == name;
+  const bool open = ImGui::BeginTabItem(name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
+  context.gui.name_last_item(std::string("tab ") + name);
+  if (!open) return;
+  ImGui::BeginChild(name, {0, 0}, false);
+  draw(context);
+  ImGui::EndChild();
+  ImGui::EndTabItem();
+}
+
+}  // namespace
+
+PanelLayout layout_panels(int width, int height) {
+  const auto w = static_cast<float>(width);
+  const auto h = static_cast<float>(height);
+  const float left = std::floor(std::clamp(0.19F * w, 210.0F, 330.0F));
+  const float right = std::floor(std::clamp(0.31F * w, 330.0F, 560.0F));
+  const float below = std::floor(std::clamp(0.22F * h, 140.0F, 230.0F));
+  constexpr float kTop = 58;
+  constexpr float kTools = 58;
+  const float middle = h - kTop - below;
+  const float half_left = std::floor(0.62F * middle);
+  const float half_right = std::floor(0.36F * middle);
+  PanelLayout layout;
+  layout.transport = {0, 0, w, kTop};
+  layout.left_above = {0, kTop, left, half_left};
+  layout.left_below = {0, kTop + half_left, left, middle - half_left};
+  layout.right_above = {w - right, kTop, right, half_right};
+  layout.right_below = {w - right, kTop + half_right, right, middle - half_right};
+  layout.tools = {left, kTop, w - left - right, kTools};
+  layout.view = {left, kTop + kTools, w - left - right, middle - kTools};
+  layout.timeline = {0, h - below, w, below};
+  return layout;
+}
+
+Debugger::Debugger(GlContext& context, std::unique_ptr<Run> run)
+    : context_(context),
+      model_(std::move(run)),
+      gui_(context.functions()),
+      view_(make_scene_view(context.functions(), model_.run())) {}
+
+void Debugger::frame(const DebuggerInput& input, int width, int height) {
+  context_.make_current();
+  width = std::max(width, kLeastDebuggerWidth);
+  height = std::max(height, kLeastDebuggerHeight);
+  if (width != width_ || height != height_) framebuffer_.emplace(context_.functions(), width, height, 1);
+  width_ = width;
+  height_ = height;
+  const PanelLayout layout = layout_panels(width, height);
+  model_.pass_time(double{input.seconds});
+  gui_.begin(input, width, height);
+  take_keys(input);
+  update_views(layout);
+  const auto start = std::chrono::steady_clock::now();
+  PanelContext context{model_, gui_, memory_, *view_, other_view_.get()};
+  draw_panels(context, layout);
+  gui_.end();
+  panel_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  framebuffer_->bind();
+  const auto& gl = context_.functions();
+  gl.ClearColor(0.93F, 0.93F, 0.91F, 1);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  const int x = static_cast<int>(layout.view.x);
+  view_->copy_to(*framebuffer_, x, static_cast<int>(layout.view.y));
+  if (other_view_)
+    other_view_->copy_to(*framebuffer_, x + static_cast<int>(layout.view.width) / 2,
+                         static_cast<int>(layout.view.y));
+  framebuffer_->bind();
+  gui_.draw();
+  check_gl(gl, "drawing the debugger");
+}
+
+const Image& Debugger::picture() {
+  context_.make_current();
+  framebuffer_->read(image_);
+  return image_;
+}
+
+bool Debugger::takes_screenshot() { return std::exchange(memory_.screenshot, false); }
+
+void Debugger::report(std::string message, bool is_error) {
+  model_.message = std::move(message);
+  model_.message_is_error = is_error;
+}
+
+void Debugger::take_keys(const DebuggerInput& input) {
+  if (ImGui::GetIO().WantTextInput) return;
+  for (const KeyPress& press : input.keys) take_key(press);
+}
+
+void Debugger::take_key(const KeyPress& press) {
+  switch (press.key) {
+    case Key::space:
+      model_.playing = !model_.playing;
+      return;
+    case Key::comma:
+    case Key::period:
+      return model_.step(press.shift ? Granularity::step : model_.granularity, press.key == Key::period);
+    case Key::home:
+    case Key::end:
+      return model_.step(Granularity::run, press.key == Key::end);
+    case Key::f:
+      return view_->focus(model_.selection());
+    case Key::h:
+      return model_.toggle_hidden();
+    case Key::i:
+      return model_.toggle_isolated();
+    case Key::b:
+      return model_.toggle_bookmark();
+    case Key::o:
+      return static_cast<void>(model_.ask_oracle());
+    case Key::escape:
+      if (!std::exchange(memory_.help, false)) model_.select({});
+      return;
+    case Key::f5:
+      return model_.run_to_breakpoint(!press.shift);
+    case Key::f9:
+      return model_.toggle_breakpoint_here();
+    case Key::f12:
+      memory_.screenshot = true;
+      return;
+    case Key::f1:
+    case Key::question:
+      memory_.help = !memory_.help;
+      return;
+    default:
+      return;
+  }
+}
+
+/// The run that is compared is seen beside this one, from the same place.
+void Debugger::update_views(const PanelLayout& layout) {
+  Run* const other = model_.other();
+  if (other != other_) {
+    other_view_ = other == nullptr ? nullptr : make_scene_view(context_.functions(), *other);
+    other_ = other;
+  }
+  const int width = static_cast<int>(layout.view.width) / (other == nullptr ? 1 : 2);
+  const int height = static_cast<int>(layout.view.height);
+  view_->update(model_, width, height);
+  if (!other_view_) return;
+  other_view_->look_like(*view_);
+  other_view_->update(model_, width, height);
+}
+
+void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
+  in_window("transport", layout.transport, [&] { draw_transport(context); });
+  in_window("tree", layout.left_above, [&] { draw_outline(context); });
+  in_window("breakpoints", layout.left_below, [&] { draw_breakpoints(context); });
+  in_window("events", layout.right_above, [&] { draw_events(context); });
+  in_window("inspector", layout.right_below, [&] {
+    if (!ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll)) return;
+    draw_tab(context, "Why", draw_why);
+    draw_tab(context, "Ballot", draw_ballot);
+    draw_tab(context, "Algorithm 1", draw_algorithm);
+    draw_tab(context, "Oracle", draw_oracle);
+    draw_tab(context, "Compare", draw_compare);
+    draw_tab(context, "Lint", draw_lint);
+    ImGui::EndTabBar();
+  });
+  memory_.open_tab.clear();
+  in_window("tools", layout.tools, [&] { draw_view_tools(context); });
+  draw_view(context, layout);
+  in_window(
+      "timeline", layout.timeline, [&] { draw_timeline(context); }, ImGuiWindowFlags_NoScrollbar);
+  draw_help(context);
+}
+
+void Debugger::draw_view(PanelContext& context, const PanelLayout& layout) {
+  const PanelArea& area = layout.view;
+  gui_.name_area("view", area);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  in_window(
+      "view", area,
+      [&] {
+        use_mouse(context, area);
+        PanelArea part = area;
+        if (other_view_) part.width *= 0.5F;
+        const std::string name = model_.run().info().scene;
+        draw_view_overlay(context, *view_, part, other_view_ ? "this run" : name);
+        if (!other_view_) return;
+        part.x += part.width;
+        draw_view_overlay(context, *other_view_, part, "the other run");
+      },
+      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+}
+
+void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
+  ImGui::InvisibleButton("scene", {area.width, area.height},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool hovered = ImGui::IsItemHovered();
+  const ImVec2 moved = io.MouseDelta;
+  if (ImGui::IsItemActive() && (moved.x != 0 || moved.y != 0)) {
+    if (io.MouseDown[1]) {
+      view_->move(double{moved.x}, double{moved.y});
+    } else {
+      view_->turn(double{moved.x}, double{moved.y});
+    }
+  }
+  const double x = double{io.MousePos.x - area.x};
+  const double y = double{io.MousePos.y - area.y};
+  if (hovered && io.MouseWheel != 0) view_->zoom(double{io.MouseWheel}, x, y);
+  if (!hovered || !ImGui::IsMouseDoubleClicked(0)) return;
+  const auto object = view_->pick(x, y);
+  if (object) {
+    context.model.select_object(*object, io.KeyShift);
+  } else {
+    context.model.select({});
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "viz/debugger/gui/gui.h"
+#include "viz/debugger/model/debugger_model.h"
+#include "viz/debugger/panels/panel.h"
+#include "viz/debugger/scene/scene_view.h"
+#include "viz/gl/context.h"
+#include "viz/gl/framebuffer.h"
+#include "viz/image/image.h"
+
+namespace kerf {
+
+inline constexpr int kLeastDebuggerWidth = 960;
+inline constexpr int kLeastDebuggerHeight = 600;
+
+/// Where the panels are in a picture of a size.
+struct PanelLayout {
+  PanelArea transport;
+  PanelArea left_above;
+  PanelArea left_below;
+  PanelArea right_above;
+  PanelArea right_below;
+  PanelArea tools;  ///< above the view
+  PanelArea view;
+  PanelArea timeline;
+};
+PanelLayout layout_panels(int width, int height);
+
+/// The debugger: what the user does goes in, a picture comes out, one frame at a time. It does not know
+/// whether a window or a script drives it, and draws the same in both.
+class Debugger {
+ public:
+  /// The context must be current, and outlive it.
+  Debugger(GlContext& context, std::unique_ptr<Run> run);
+
+  /// Takes in what the user did and draws a frame of that many pixels.
+  void frame(const DebuggerInput& input, int width, int height);
+  /// The last frame. Valid until the next call.
+  const Image& picture();
+  /// Puts the last frame into the window whose context it is.
+  void show_in_window(int width, int height) const { framebuffer_->show_in_window(width, height); }
+
+  /// True once for each picture that the user asked for.
+  bool takes_screenshot();
+  /// What was asked for has been done, or could not be.
+  void report(std::string message, bool is_error);
+
+  [[nodiscard]] DebuggerModel& model() { return model_; }
+  [[nodiscard]] const Gui& gui() const { return gui_; }
+  [[nodiscard]] const SceneView& view() const { return *view_; }
+  /// What a script can ask about, in words: "step", "selection", "state" and so on.
+  [[nodiscard]] std::map<std::string, std::string> facts();
+
+ private:
+  void take_keys(const DebuggerInput& input);
+  void take_key(const KeyPress& press);
+  void update_views(const PanelLayout& layout);
+  void draw_panels(PanelContext& context, const PanelLayout& layout);
+  void draw_view(PanelContext& context, const PanelLayout& layout);
+  void use_mouse(PanelContext& context, const PanelArea& area);
+
+  GlContext& context_;
+  DebuggerModel model_;
+  Gui gui_;
+  std::unique_ptr<SceneView> view_;
+  std::unique_ptr<SceneView> other_view_;
+  const Run* other_ = nullptr;  ///< of which `other_view_` is
+  PanelMemory memory_;
+  std::optional<Framebuffer> framebuffer_;
+  int width_ = 0;
+  int height_ = 0;
+  Image image_;
+  double panel_seconds_ = 0;  ///< processor time of the panels in the last frame
+};
+
+}  // namespace kerf

@@ -1,0 +1,70 @@
+#include <cmath>
+
+#include "core/query/text.h"
+#include "viz/debugger/debugger.h"
+
+namespace kerf {
+namespace {
+
+using Facts = std::map<std::string, std::string>;
+
+void add_moment(Facts& facts, const Run& run) {
+  facts["position"] = to_string(run.position());
+  facts["step"] = std::to_string(run.position().step);
+  const auto event = run.event();
+  facts["event"] = event ? "e" + std::to_string(event->id) : "none";
+  facts["deed"] = event ? describe(*event) : "none";
+  facts["state"] = to_hex(run.state_hash());
+  facts["steps"] = std::to_string(run.steps());
+  facts["pairs"] = std::to_string(run.pairs().size());
+  facts["objects"] = std::to_string(run.objects());
+}
+
+void add_view(Facts& facts, const SceneView& view) {
+  const ShownCounts& counts = view.counts();
+  facts["drawn_objects"] = std::to_string(counts.objects);
+  facts["all_objects"] = std::to_string(counts.all_objects);
+  facts["drawn_partitioners"] = std::to_string(counts.partitioners);
+  facts["drawn_pairs"] = std::to_string(counts.pairs);
+  facts["pictures"] = std::to_string(view.drawn());
+}
+
+void add_stops(Facts& facts, const DebuggerModel& model) {
+  facts["breakpoints"] = std::to_string(model.breakpoints.size());
+  for (std::size_t k = 0; k < model.breakpoints.size(); ++k) {
+    facts["breakpoint" + std::to_string(k)] = model.breakpoints[k].condition.text();
+    facts["hits" + std::to_string(k)] = std::to_string(model.breakpoints[k].hits);
+  }
+  facts["watches"] = std::to_string(model.watches().size());
+  for (std::size_t k = 0; k < model.watches().size(); ++k) {
+    const double value = model.watches()[k].value;
+    facts["watch" + std::to_string(k)] = std::isnan(value) ? "none" : number_text(value);
+  }
+}
+
+}  // namespace
+
+std::map<std::string, std::string> Debugger::facts() {
+  Facts facts;
+  add_moment(facts, model_.run());
+  add_view(facts, *view_);
+  add_stops(facts, model_);
+  facts["selection"] = to_string(model_.selection());
+  facts["playing"] = model_.playing ? "yes" : "no";
+  facts["bookmarks"] = std::to_string(model_.bookmarks().size());
+  facts["hidden"] = std::to_string(model_.view.hidden_nodes.size() + model_.view.hidden_objects.size());
+  facts["alone"] = model_.view.isolated ? "n" + std::to_string(model_.view.isolated->value) : "none";
+  facts["colour"] = kTintNames[static_cast<std::size_t>(model_.view.tint)];
+  facts["layers"] = to_string(model_.view.layers);
+  facts["help"] = memory_.help ? "yes" : "no";
+  facts["explanation"] = memory_.explanation;
+  facts["problem"] = memory_.problem;
+  facts["message"] = model_.message;
+  facts["candidate"] = model_.hovered_candidate ? std::to_string(*model_.hovered_candidate) : "none";
+  facts["candidates"] = std::to_string(model_.run().ballot().size());
+  facts["comparing"] = model_.other() == nullptr ? "no" : "yes";
+  facts["panel_ms"] = number_text(1e3 * panel_seconds_);
+  return facts;
+}
+
+}  // namespace kerf

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "viz/debugger/gui/input.h"
+#include "viz/gl/context.h"
+
+struct GLFWwindow;
+
+namespace kerf {
+
+/// A window on the user's display with a GL context of its own, and what is done with mouse and keys in it.
+class GlfwWindow final : public GlContext {
+ public:
+  /// Throws std::runtime_error that says why there can be no window: no display, no OpenGL 3.3.
+  GlfwWindow(const std::string& title, int width, int height);
+  ~GlfwWindow() override;
+
+  void make_current() override;
+  [[nodiscard]] const GlFunctions& functions() const override { return functions_; }
+  [[nodiscard]] std::string description() const override;
+
+  /// Pixels of what can be drawn.
+  [[nodiscard]] int width() const;
+  [[nodiscard]] int height() const;
+  [[nodiscard]] bool should_close() const;
+  /// Shows what was drawn into the window's framebuffer, and waits for the display.
+  void swap();
+  /// What happened since the last call.
+  [[nodiscard]] DebuggerInput take_input();
+
+ private:
+  /// GLFW is there once for the process, as long as a window lives.
+  struct Library {
+    Library();
+    ~Library();
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+  };
+  struct Close {
+    void operator()(GLFWwindow* window) const;
+  };
+  static GLFWwindow* make_window(const std::string& title, int width, int height);
+  void listen();
+
+  Library library_;
+  std::unique_ptr<GLFWwindow, Close> window_;
+  GlFunctions functions_;
+  DebuggerInput input_;  ///< gathered by the callbacks
+  double last_ = 0;      ///< time of the last frame in seconds
+};
+
+}  // namespace kerf

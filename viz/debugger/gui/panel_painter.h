@@ -1,0 +1,36 @@
+#pragma once
+
+#include "viz/gl/functions.h"
+
+struct ImDrawData;
+
+namespace kerf {
+
+/// Draws what Dear ImGui has laid out, through the one table of GL functions: the packaged backends bring a
+/// loader of their own, which finds no libGL under OSMesa. The context that made it must be current in every
+/// call and when it dies.
+class PanelPainter {
+ public:
+  /// Takes the typeface's picture from the current ImGui context.
+  explicit PanelPainter(const GlFunctions& gl);
+  ~PanelPainter();
+  PanelPainter(const PanelPainter&) = delete;
+  PanelPainter& operator=(const PanelPainter&) = delete;
+
+  /// Draws into the framebuffer that is bound, of which row 0 is the top.
+  void draw(const ImDrawData& data) const;
+
+ private:
+  void make_program();
+  void make_vertex_array();
+  void make_texture();
+
+  const GlFunctions& gl_;
+  GLuint program_ = 0;
+  GLuint vertex_array_ = 0;
+  GLuint buffers_[2]{};  ///< corners, indices
+  GLuint texture_ = 0;
+  GLint picture_size_ = -1;
+};
+
+}  // namespace kerf

@@ -1,0 +1,49 @@
+#include "viz/debugger/gui/widgets.h"
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+namespace kerf::widgets {
+
+void hint(const char* text) {
+  constexpr float kPatience = 0.6F;  // seconds
+  if (*text != '\0' && ImGui::IsItemHovered() && ImGui::GetCurrentContext()->HoveredIdTimer > kPatience)
+    ImGui::SetTooltip("%s", text);
+}
+
+bool button(Gui& gui, const char* label, const char* text, const std::string& name) {
+  const bool pressed = ImGui::Button(label);
+  gui.name_last_item(name.empty() ? label : name);
+  hint(text);
+  return pressed;
+}
+
+bool checkbox(Gui& gui, const char* label, bool& value, const char* text) {
+  const bool changed = ImGui::Checkbox(label, &value);
+  gui.name_last_item(label);
+  hint(text);
+  return changed;
+}
+
+bool text_field(Gui& gui, const char* name, std::string& text, const char* inside, float width) {
+  ImGui::SetNextItemWidth(width);
+  const std::string id = std::string("##") + name;
+  const bool entered =
+      ImGui::InputTextWithHint(id.c_str(), inside, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  gui.name_last_item(name);
+  return entered;
+}
+
+bool row(Gui& gui, const std::string& label, const std::string& name, bool selected) {
+  const bool pressed = ImGui::Selectable((label + "##" + name).c_str(), selected);
+  gui.name_last_item(name);
+  return pressed;
+}
+
+ImU32 to_imgui(Color color, double alpha) {
+  return IM_COL32(color.r, color.g, color.b, static_cast<int>(255 * alpha));
+}
+
+ImVec4 to_vector(Color color) { return ImGui::ColorConvertU32ToFloat4(to_imgui(color)); }
+
+}  // namespace kerf::widgets

@@ -1,0 +1,179 @@
+#include "viz/debugger/model/debugger_model.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace kerf {
+namespace {
+
+/// Brute force takes a few milliseconds for so many objects, and grows with their square.
+constexpr std::uint32_t kMostForOracle = 8000;
+
+template <class T>
+void toggle(std::set<T>& set, const T& item) {
+  if (!set.erase(item)) set.insert(item);
+}
+
+}  // namespace
+
+DebuggerModel::DebuggerModel(std::unique_ptr<Run> run)
+    : run_(std::move(run)), lanes_(make_lanes(run_->rows())), alarms_(run_->steps() + 1) {
+  moved();
+}
+
+void DebuggerModel::say(std::string text, bool is_error) {
+  message = std::move(text);
+  message_is_error = is_error;
+}
+
+void DebuggerModel::moved() {
+  hovered_candidate.reset();
+  if (other_) {
+    const std::uint32_t step = std::min(run_->position().step, other_->steps());
+    other_->go(Position::end_of(step));
+  }
+  for (WatchedValue& watch : watches_) watch.value = run_->value(watch.expression);
+  if (asks_oracle && run_->objects() <= kMostForOracle) (void)ask_oracle();
+}
+
+void DebuggerModel::go(const Position& position) {
+  Position within = position;
+  if (within.step > run_->steps()) within = Position::end_of(run_->steps());
+  if (within == run_->position()) return;
+  run_->go(within);
+  moved();
+}
+
+void DebuggerModel::go_to_event(std::uint64_t event) {
+  const auto step = run_->step_of(event);
+  if (!step) return say("the recording has no event e" + std::to_string(event), true);
+  go({*step, event});
+}
+
+void DebuggerModel::step(Granularity wanted, bool forwards) {
+  if (!run_->step(wanted, forwards)) {
+    playing = false;
+    return say(forwards ? "there is nothing further on" : "there is nothing further back");
+  }
+  moved();
+  hovered_candidate = run_->candidate();
+}
+
+void DebuggerModel::run_to_breakpoint(bool forwards, const Run::Progress& progress) {
+  if (std::ranges::none_of(breakpoints, &Breakpoint::enabled))
+    return say("there is no breakpoint to run to: add one on the left, or press F9 at an event");
+  const auto stop = next_stop(*run_, breakpoints, forwards, progress);
+  if (!stop) return say(forwards ? "no breakpoint holds further on" : "no breakpoint holds further back");
+  Breakpoint& breakpoint = breakpoints[stop->breakpoint];
+  ++breakpoint.hits;
+  go(stop->position);
+  say("stopped at " + to_string(stop->position) + ": " + breakpoint.condition.text());
+}
+
+void DebuggerModel::pass_time(double seconds) {
+  if (!playing) return;
+  due_ += seconds * speed;
+  for (; due_ >= 1 && playing; due_ -= 1) step(granularity, true);
+}
+
+void DebuggerModel::select(const Selection& selection) { selection_ = selection; }
+
+void DebuggerModel::select_object(ObjectId object, bool makes_pair) {
+  const auto* const first = std::get_if<ObjectId>(&selection_);
+  if (makes_pair && first != nullptr && *first != object) return select(make_pair(*first, object));
+  select(object);
+}
+
+bool DebuggerModel::is_selected(NodeId node) const {
+  const auto* const selected = std::get_if<NodeId>(&selection_);
+  return selected != nullptr && *selected == node;
+}
+
+void DebuggerModel::toggle_hidden() {
+  if (const auto* node = std::get_if<NodeId>(&selection_)) return toggle(view.hidden_nodes, *node);
+  if (const auto* object = std::get_if<ObjectId>(&selection_)) return toggle(view.hidden_objects, *object);
+  say("select a node or an object to hide it");
+}
+
+void DebuggerModel::show_all() {
+  view.hidden_nodes.clear();
+  view.hidden_objects.clear();
+  view.isolated.reset();
+}
+
+void DebuggerModel::toggle_isolated() {
+  const auto* const node = std::get_if<NodeId>(&selection_);
+  if (view.isolated) {
+    view.isolated.reset();
+  } else if (node != nullptr) {
+    view.isolated = *node;
+  } else {
+    say("select a node to see only what is below it");
+  }
+}
+
+void DebuggerModel::add_breakpoint(const std::string& condition) {
+  breakpoints.push_back({Expression::parse(condition)});
+}
+
+void DebuggerModel::add_watch(const std::string& expression) {
+  WatchedValue watch{Expression::parse(expression)};
+  watch.value = run_->value(watch.expression);
+  watches_.push_back(std::move(watch));
+}
+
+void DebuggerModel::remove_breakpoint(std::size_t k) {
+  breakpoints.erase(breakpoints.begin() + static_cast<std::ptrdiff_t>(k));
+}
+
+void DebuggerModel::remove_watch(std::size_t k) {
+  watches_.erase(watches_.begin() + static_cast<std::ptrdiff_t>(k));
+}
+
+void DebuggerModel::toggle_breakpoint_here() {
+  const Position& here = run_->position();
+  const std::string text =
+      here.is_end() ? "step==" + std::to_string(here.step) : "event==" + std::to_string(here.event);
+  const auto same = [&](const Breakpoint& breakpoint) { return breakpoint.condition.text() == text; };
+  if (std::erase_if(breakpoints, same) == 0) add_breakpoint(text);
+}
+
+void DebuggerModel::toggle_bookmark() { toggle(bookmarks_, run_->position()); }
+
+const Alarm& DebuggerModel::ask_oracle() {
+  const std::uint32_t step = run_->position().step;
+  std::optional<Alarm>& alarm = alarms_[step];
+  if (!alarm) {
+    const PairJudgement& judgement = run_->judgement();
+    alarm = Alarm{step, judgement.missed.size(), judgement.extra.size(), judgement.twice.size()};
+  }
+  return *alarm;
+}
+
+void DebuggerModel::compare_with(std::unique_ptr<Run> other) {
+  if (other->info().dimension != run_->info().dimension)
+    throw std::runtime_error("a run in 2D and one in 3D cannot be compared");
+  comparison_.reset();
+  other_ = std::move(other);
+  other_lanes_ = make_lanes(other_->rows());
+  moved();
+}
+
+void DebuggerModel::stop_comparing() {
+  other_.reset();
+  comparison_.reset();
+}
+
+const RecordingComparison& DebuggerModel::comparison() {
+  if (!comparison_) comparison_ = run_->compare(*other_);
+  return *comparison_;
+}
+
+const std::vector<Thrash>& DebuggerModel::lint(std::uint32_t within) {
+  if (!findings_ || findings_within_ != within) findings_ = run_->lint(within);
+  findings_within_ = within;
+  return *findings_;
+}
+
+}  // namespace kerf

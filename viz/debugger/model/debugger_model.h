@@ -1,0 +1,117 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "viz/debugger/model/breakpoint.h"
+#include "viz/debugger/model/lanes.h"
+#include "viz/debugger/model/run.h"
+#include "viz/debugger/model/view_settings.h"
+
+namespace kerf {
+
+/// What one wants to see of a step, beside whether pairs are right: asked of the oracle so far.
+struct Alarm {
+  std::uint32_t step = 0;
+  std::uint64_t missed = 0;
+  std::uint64_t extra = 0;
+  std::uint64_t twice = 0;
+  [[nodiscard]] bool is_wrong() const { return missed + extra + twice > 0; }
+};
+
+/// Everything that the debugger knows and does, without a window: panels and scripts only call it.
+class DebuggerModel {
+ public:
+  explicit DebuggerModel(std::unique_ptr<Run> run);
+
+  [[nodiscard]] Run& run() { return *run_; }
+  [[nodiscard]] const Run& run() const { return *run_; }
+  [[nodiscard]] const std::vector<Lane>& lanes() const { return lanes_; }
+
+  // Going.
+  void go(const Position& position);
+  void go_to_event(std::uint64_t event);
+  void step(Granularity granularity, bool forwards);
+  /// To the next moment, either way, at which a breakpoint holds; says so if there is none.
+  void run_to_breakpoint(bool forwards, const Run::Progress& progress = {});
+  /// Plays on by so many seconds, if it plays.
+  void pass_time(double seconds);
+
+  bool playing = false;
+  double speed = 10;                          ///< what is played a second, in steps or events
+  Granularity granularity = Granularity::op;  ///< what `,` and `.` and playing go by
+
+  // Selecting.
+  void select(const Selection& selection);
+  /// With one object selected, another one makes a pair.
+  void select_object(ObjectId object, bool makes_pair);
+  [[nodiscard]] const Selection& selection() const { return selection_; }
+  [[nodiscard]] bool is_selected(NodeId node) const;
+
+  // Seeing.
+  ViewSettings view;
+  /// Hides the selected node or object; shows it again if it was hidden.
+  void toggle_hidden();
+  void show_all();
+  /// Shows only what is below the selected node; everything if it was isolated.
+  void toggle_isolated();
+  std::optional<std::size_t> hovered_candidate;  ///< of the ballot: its plane is drawn
+
+  // Stopping.
+  /// Throws std::invalid_argument that says what is wrong with the condition.
+  void add_breakpoint(const std::string& condition);
+  void add_watch(const std::string& expression);
+  void remove_breakpoint(std::size_t k);
+  void remove_watch(std::size_t k);
+  /// One at the event that has just happened, or none if there is one.
+  void toggle_breakpoint_here();
+  std::vector<Breakpoint> breakpoints;
+  [[nodiscard]] const std::vector<WatchedValue>& watches() const { return watches_; }
+
+  // Marking.
+  void toggle_bookmark();
+  [[nodiscard]] const std::set<Position>& bookmarks() const { return bookmarks_; }
+
+  // Judging.
+  /// Asks the oracle about the step of the cursor.
+  const Alarm& ask_oracle();
+  [[nodiscard]] const std::vector<std::optional<Alarm>>& alarms() const { return alarms_; }
+  /// The oracle is asked wherever the cursor stands; off where brute force would take too long.
+  bool asks_oracle = true;
+
+  // Comparing: another run goes where this one goes.
+  void compare_with(std::unique_ptr<Run> other);
+  void stop_comparing();
+  /// Only while comparing.
+  [[nodiscard]] const RecordingComparison& comparison();
+  [[nodiscard]] Run* other() { return other_.get(); }
+  [[nodiscard]] const std::vector<Lane>& other_lanes() const { return other_lanes_; }
+
+  /// Where operators undo each other or wait.
+  [[nodiscard]] const std::vector<Thrash>& lint(std::uint32_t within);
+
+  std::string message;  ///< the last thing that the user should know
+  bool message_is_error = false;
+
+ private:
+  void moved();
+  void say(std::string text, bool is_error = false);
+
+  std::unique_ptr<Run> run_;
+  std::vector<Lane> lanes_;
+  std::unique_ptr<Run> other_;
+  std::vector<Lane> other_lanes_;
+  std::optional<RecordingComparison> comparison_;
+  std::optional<std::vector<Thrash>> findings_;
+  std::uint32_t findings_within_ = 0;
+  Selection selection_;
+  std::vector<WatchedValue> watches_;
+  std::set<Position> bookmarks_;
+  std::vector<std::optional<Alarm>> alarms_;  ///< by step; none: not asked
+  double due_ = 0;                            ///< of what is played, a fraction
+};
+
+}  // namespace kerf

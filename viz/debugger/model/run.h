@@ -1,0 +1,123 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/query/compare.h"
+#include "core/query/expression.h"
+#include "core/query/history.h"
+#include "core/query/thrash.h"
+#include "core/recording/recording_info.h"
+#include "core/replay/oracle.h"
+#include "core/replay/position.h"
+#include "core/tree/ballot.h"
+#include "viz/debugger/model/selection.h"
+
+namespace kerf {
+
+/// A living node as outline and colours need it.
+struct TreeRow {
+  NodeId parent;
+  NodeId left;  ///< none: a leaf
+  NodeId right;
+  std::uint32_t depth = 0;
+  std::uint32_t population = 0;
+  Quality quality;  ///< of an inner node's partitioner
+  bool alive = false;
+  [[nodiscard]] bool is_leaf() const { return left.is_none(); }
+};
+
+/// A candidate of the ballot in words and figures.
+struct CandidateRow {
+  BallotEntry entry;
+  std::string plane;  ///< "0.6 x + 0.8 y = 3.5"
+  double score = 0;
+};
+
+/// The objects of a node on a candidate's direction, by their lower ends, and where the candidate divides.
+struct ProjectionStrip {
+  std::vector<Interval> intervals;
+  double offset = 0;
+};
+
+/// A recorded run with a place in it, whatever its dimension: what panels show comes from here. Everything
+/// throws std::runtime_error if the recording is damaged.
+class Run {
+ public:
+  using Progress = std::function<bool(std::uint32_t)>;
+
+  Run() = default;
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+  virtual ~Run() = default;
+
+  [[nodiscard]] virtual const std::filesystem::path& path() const = 0;
+  [[nodiscard]] virtual const RecordingInfo& info() const = 0;
+  /// One row for each step, the first being step 1.
+  [[nodiscard]] virtual std::span<const StepRow> rows() const = 0;
+  [[nodiscard]] std::uint32_t steps() const { return static_cast<std::uint32_t>(rows().size()); }
+
+  [[nodiscard]] virtual const Position& position() const = 0;
+  /// The event that has just happened; none at the end of a step.
+  [[nodiscard]] virtual std::optional<Event> event() const = 0;
+  /// Does nothing if it stands there already.
+  virtual void go(const Position& position) = 0;
+  /// False if there is nothing further that way.
+  virtual bool step(Granularity granularity, bool forwards) = 0;
+  /// Which candidate is looked at; none unless one has gone by candidates.
+  [[nodiscard]] virtual std::optional<std::size_t> candidate() const = 0;
+  [[nodiscard]] virtual std::optional<std::uint32_t> step_of(std::uint64_t event) const = 0;
+  /// Those of the step at which it stands; none before the first. Valid until it moves.
+  [[nodiscard]] virtual std::span<const Event> events_of_step() const = 0;
+  [[nodiscard]] virtual std::uint64_t state_hash() const = 0;
+  /// That of the tree at this moment.
+  [[nodiscard]] virtual const Config& config() const = 0;
+
+  [[nodiscard]] virtual NodeId root() const = 0;
+  /// By node, dead ones included. Valid until it moves.
+  [[nodiscard]] virtual std::span<const TreeRow> tree() = 0;
+  [[nodiscard]] virtual std::span<const Pair> pairs() const = 0;
+  [[nodiscard]] virtual std::uint32_t objects() const = 0;
+  [[nodiscard]] virtual std::uint32_t deferred() const = 0;
+
+  [[nodiscard]] virtual const std::vector<CandidateRow>& ballot() = 0;
+  /// The node of the event that has just happened; none if it has none.
+  [[nodiscard]] virtual std::optional<NodeId> event_node() const = 0;
+  [[nodiscard]] virtual ProjectionStrip strip(std::size_t candidate) = 0;
+
+  /// Sentences, a line each. Of what is no more, that.
+  [[nodiscard]] virtual std::string explain(const Selection& selection) = 0;
+  [[nodiscard]] virtual std::string explain_event(std::uint64_t event) = 0;
+  /// What Algorithm 1 wants of a living node, with the figures.
+  [[nodiscard]] virtual std::string wish(NodeId node) const = 0;
+  [[nodiscard]] virtual std::vector<NodeId> leaves_of(ObjectId object) const = 0;
+  [[nodiscard]] virtual std::vector<Event> history(NodeId node) = 0;
+  [[nodiscard]] virtual std::vector<PairChange> history(const Pair& pair) = 0;
+  /// Where operators undo each other or wait, in the whole run.
+  [[nodiscard]] virtual std::vector<Thrash> lint(std::uint32_t within) = 0;
+  /// Throws std::runtime_error unless both have the same dimension.
+  [[nodiscard]] virtual RecordingComparison compare(Run& other) = 0;
+  /// Step in which an operator last acted on the node, up to now; 0: none has.
+  [[nodiscard]] virtual std::uint32_t last_change(NodeId node) = 0;
+
+  /// The tree's pairs (of an import those of the other engine) against brute force, at the end of the step.
+  [[nodiscard]] virtual const PairJudgement& judgement() = 0;
+  [[nodiscard]] virtual std::uint64_t judged_pairs() = 0;
+
+  /// The next moment, either way, at which the condition holds; none if there is none or `progress`, told
+  /// each step, has returned false.
+  [[nodiscard]] virtual std::optional<Position> search(const Expression& condition, const Position& from,
+                                                       bool forwards, const Progress& progress) = 0;
+  /// The value of an expression at this moment; NaN for what does not exist.
+  [[nodiscard]] virtual double value(const Expression& expression) = 0;
+};
+
+/// Opens a recording of either dimension. Throws std::runtime_error that says why it cannot be read.
+std::unique_ptr<Run> open_run(const std::filesystem::path& path);
+
+}  // namespace kerf

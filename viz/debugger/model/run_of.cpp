@@ -1,0 +1,250 @@
+#include "viz/debugger/model/run_of.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/query/criteria_text.h"
+#include "core/query/explain_event.h"
+#include "core/query/explain_node.h"
+#include "core/query/explain_pair.h"
+#include "core/query/text.h"
+#include "core/tree/criteria.h"
+
+namespace kerf {
+namespace {
+
+const NodeRef* node_of(const Event& event) {
+  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) return &acted->node;
+  if (const auto* refused = std::get_if<OperatorRefused>(&event.body)) return &refused->node;
+  if (const auto* scheduled = std::get_if<OperatorScheduled>(&event.body)) return &scheduled->node;
+  return nullptr;
+}
+
+/// Calls `visit` with each object below a node, those on both sides of a partitioner more than once.
+template <int D, class Visit>
+void for_each_object_below(const Tree<D>& tree, NodeId id, Visit visit) {
+  for_each_node(tree, id, [&](NodeId below) {
+    for (const Entry& entry : tree[below].entries) visit(entry.object);
+  });
+}
+
+}  // namespace
+
+template <int D>
+RunOf<D>::RunOf(std::filesystem::path path)
+    : path_(std::move(path)),
+      recording_(std::make_shared<RecordingReader<D>>(path_)),
+      cursor_(recording_),
+      search_(recording_) {}
+
+template <int D>
+void RunOf<D>::moved() {
+  tree_.clear();
+  ballot_.reset();
+  judgement_.reset();
+}
+
+template <int D>
+void RunOf<D>::go(const Position& position) {
+  if (position == cursor_.position()) return;
+  cursor_.go(position);
+  moved();
+}
+
+template <int D>
+bool RunOf<D>::step(Granularity granularity, bool forwards) {
+  const Position before = position();
+  const bool went = forwards ? cursor_.forward(granularity) : cursor_.backward(granularity);
+  if (before != position()) moved();
+  return went;
+}
+
+template <int D>
+std::span<const Event> RunOf<D>::events_of_step() const {
+  if (position().step == 0) return {};
+  return recording_->step(position().step).events;
+}
+
+template <int D>
+std::span<const TreeRow> RunOf<D>::tree() {
+  if (!tree_.empty()) return tree_;
+  const Tree<D>& tree = state().tree;
+  tree_.resize(tree.slots());
+  for_each_node(tree, tree.root(), [&](NodeId id) {
+    const Node<D>& node = tree[id];
+    TreeRow row{node.parent, node.left, node.right, node.depth, node.population, {}, true};
+    if (!node.is_leaf()) row.quality = quality(tree, id);
+    tree_[id.index()] = row;
+  });
+  return tree_;
+}
+
+template <int D>
+const std::vector<CandidateRow>& RunOf<D>::ballot() {
+  if (ballot_) return *ballot_;
+  ballot_.emplace();
+  for (const BallotEntry& entry : cursor_.candidates()) {
+    const Plane<D> plane{state().tree.directions()[entry.direction], entry.offset};
+    ballot_->push_back({entry, plane_text(plane), double{score(entry.quality)}});
+  }
+  return *ballot_;
+}
+
+template <int D>
+Plane<D> RunOf<D>::plane(std::size_t candidate) {
+  const BallotEntry& entry = ballot()[candidate].entry;
+  return {state().tree.directions()[entry.direction], entry.offset};
+}
+
+template <int D>
+std::optional<NodeId> RunOf<D>::event_node() const {
+  const auto event = cursor_.event();
+  const NodeRef* const node = event ? node_of(*event) : nullptr;
+  return node == nullptr ? std::nullopt : std::optional(node->node);
+}
+
+template <int D>
+ProjectionStrip RunOf<D>::strip(std::size_t candidate) {
+  ProjectionStrip strip;
+  const auto node = event_node();
+  const Tree<D>& tree = state().tree;
+  if (!node || candidate >= ballot().size() || node->index() >= tree.slots() || !tree[*node].alive)
+    return strip;
+  const BallotEntry& entry = ballot()[candidate].entry;
+  std::vector<ObjectId> objects;
+  for_each_object_below(tree, *node, [&](ObjectId object) { objects.push_back(object); });
+  std::ranges::sort(objects);
+  objects.erase(std::ranges::unique(objects).begin(), objects.end());
+  for (const ObjectId object : objects) strip.intervals.push_back(tree.project(entry.direction, object));
+  std::ranges::sort(strip.intervals, {}, &Interval::lo);
+  strip.offset = double{entry.offset};
+  return strip;
+}
+
+template <int D>
+std::string RunOf<D>::explain(const Selection& selection) {
+  const std::uint32_t step = position().step;
+  if (const auto* node = std::get_if<NodeId>(&selection))
+    return to_text(kerf::explain_node(cursor_.replayer(), step, *node));
+  if (const auto* pair = std::get_if<Pair>(&selection))
+    return to_text(kerf::explain_pair(cursor_.replayer(), step, *pair));
+  if (const auto* object = std::get_if<ObjectId>(&selection)) return explain_object(*object);
+  return "";
+}
+
+template <int D>
+std::string RunOf<D>::explain_object(ObjectId object) const {
+  const ObjectTable<D>& table = state().latest;
+  std::string text = "object " + std::to_string(object.value);
+  if (table.state(object) == ObjectState::absent) return text + " is not there\n";
+  if (table.state(object) == ObjectState::quarantined)
+    return text + " has a box that cannot be placed: it is in quarantine\n";
+  text += std::string(table.is_fixed(object) ? " is fixed" : " moves") + "\n  " +
+          box_text(table.box(object)) + "\nit is stored in";
+  for (const NodeId leaf : leaves_of(object)) text += " " + node_text(leaf);
+  text += "\nits pairs:";
+  for (const Pair& pair : pairs()) {
+    if (pair.a == object) text += " " + std::to_string(pair.b.value);
+    if (pair.b == object) text += " " + std::to_string(pair.a.value);
+  }
+  return text + "\n";
+}
+
+template <int D>
+std::string RunOf<D>::explain_event(std::uint64_t event) {
+  return to_text(kerf::explain_event(cursor_.replayer(), event));
+}
+
+template <int D>
+std::string RunOf<D>::wish(NodeId node) const {
+  return wish_text(state().tree, node, state().config);
+}
+
+template <int D>
+std::vector<NodeId> RunOf<D>::leaves_of(ObjectId object) const {
+  std::vector<NodeId> leaves;
+  const Tree<D>& tree = state().tree;
+  for_each_node(tree, tree.root(), [&](NodeId id) {
+    if (std::ranges::find(tree[id].entries, object, &Entry::object) != tree[id].entries.end())
+      leaves.push_back(id);
+  });
+  return leaves;
+}
+
+template <int D>
+std::vector<Event> RunOf<D>::history(NodeId node) {
+  return node_history(*recording_, node, recording_->steps());
+}
+
+template <int D>
+std::vector<PairChange> RunOf<D>::history(const Pair& pair) {
+  return pair_history(*recording_, pair, recording_->steps());
+}
+
+template <int D>
+const std::vector<OperatorRow>& RunOf<D>::operators() {
+  if (!operators_) operators_ = read_operators(path_);
+  return *operators_;
+}
+
+template <int D>
+std::vector<Thrash> RunOf<D>::lint(std::uint32_t within) {
+  return find_thrash(operators(), steps(), within);
+}
+
+template <int D>
+RecordingComparison RunOf<D>::compare(Run& other) {
+  auto* const same = dynamic_cast<RunOf<D>*>(&other);
+  if (same == nullptr) throw std::runtime_error("a run in 2D and one in 3D cannot be compared");
+  return kerf::compare(*recording_, *same->recording_);
+}
+
+template <int D>
+std::uint32_t RunOf<D>::last_change(NodeId node) {
+  std::uint32_t last = 0;
+  for (const OperatorRow& row : operators()) {
+    if (row.step > position().step || row.event > position().event) break;
+    if (row.node.node == node && row.kind == OperatorRow::Kind::acted) last = row.step;
+  }
+  return last;
+}
+
+template <int D>
+const PairJudgement& RunOf<D>::judgement() {
+  if (judgement_) return *judgement_;
+  const std::uint32_t step = position().step;
+  cursor_.replayer().seek(step);
+  const auto& tree = cursor_.replayer().tree();
+  std::vector<Pair> told(tree.pairs().begin(), tree.pairs().end());
+  if (step > 0 && recording_->their_step(step)) told = recording_->their_pairs(step);
+  judged_pairs_ = told.size();
+  judgement_ = judge_pairs(told, oracle_pairs(tree.objects()));
+  return *judgement_;
+}
+
+template <int D>
+std::uint64_t RunOf<D>::judged_pairs() {
+  (void)judgement();
+  return judged_pairs_;
+}
+
+template <int D>
+std::optional<Position> RunOf<D>::search(const Expression& condition, const Position& from, bool forwards,
+                                         const Progress& progress) {
+  return forwards ? search_.forward(condition, from, progress) : search_.backward(condition, from, progress);
+}
+
+template <int D>
+double RunOf<D>::value(const Expression& expression) {
+  return search_.value(expression, position());
+}
+
+template class RunOf<2>;
+template class RunOf<3>;
+
+std::unique_ptr<Run> open_run(const std::filesystem::path& path) {
+  if (read_recording_info(path).dimension == 2) return std::make_unique<RunOf<2>>(path);
+  return std::make_unique<RunOf<3>>(path);
+}
+
+}  // namespace kerf

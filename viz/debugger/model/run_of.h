@@ -1,0 +1,82 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/query/search.h"
+#include "core/replay/cursor.h"
+#include "viz/debugger/model/run.h"
+
+namespace kerf {
+
+/// A run of one dimension.
+template <int D>
+class RunOf final : public Run {
+ public:
+  explicit RunOf(std::filesystem::path path);
+
+  [[nodiscard]] const std::filesystem::path& path() const override { return path_; }
+  [[nodiscard]] const RecordingInfo& info() const override { return recording_->info(); }
+  [[nodiscard]] std::span<const StepRow> rows() const override { return recording_->rows(); }
+  [[nodiscard]] const Position& position() const override { return cursor_.position(); }
+  [[nodiscard]] std::optional<Event> event() const override { return cursor_.event(); }
+  void go(const Position& position) override;
+  bool step(Granularity granularity, bool forwards) override;
+  [[nodiscard]] std::optional<std::size_t> candidate() const override { return cursor_.candidate(); }
+  [[nodiscard]] std::optional<std::uint32_t> step_of(std::uint64_t event) const override {
+    return recording_->step_of(event);
+  }
+  [[nodiscard]] std::span<const Event> events_of_step() const override;
+  [[nodiscard]] std::uint64_t state_hash() const override { return state().hash(); }
+  [[nodiscard]] const Config& config() const override { return state().config; }
+  [[nodiscard]] NodeId root() const override { return state().tree.root(); }
+  [[nodiscard]] std::span<const TreeRow> tree() override;
+  [[nodiscard]] std::span<const Pair> pairs() const override { return state().pairs; }
+  [[nodiscard]] std::uint32_t objects() const override { return state().latest.size(); }
+  [[nodiscard]] std::uint32_t deferred() const override { return state().scheduler.pending(); }
+  [[nodiscard]] const std::vector<CandidateRow>& ballot() override;
+  [[nodiscard]] std::optional<NodeId> event_node() const override;
+  [[nodiscard]] ProjectionStrip strip(std::size_t candidate) override;
+  [[nodiscard]] std::string explain(const Selection& selection) override;
+  [[nodiscard]] std::string explain_event(std::uint64_t event) override;
+  [[nodiscard]] std::string wish(NodeId node) const override;
+  [[nodiscard]] std::vector<NodeId> leaves_of(ObjectId object) const override;
+  [[nodiscard]] std::vector<Event> history(NodeId node) override;
+  [[nodiscard]] std::vector<PairChange> history(const Pair& pair) override;
+  [[nodiscard]] std::vector<Thrash> lint(std::uint32_t within) override;
+  [[nodiscard]] RecordingComparison compare(Run& other) override;
+  [[nodiscard]] std::uint32_t last_change(NodeId node) override;
+  [[nodiscard]] const PairJudgement& judgement() override;
+  [[nodiscard]] std::uint64_t judged_pairs() override;
+  [[nodiscard]] std::optional<Position> search(const Expression& condition, const Position& from,
+                                               bool forwards, const Progress& progress) override;
+  [[nodiscard]] double value(const Expression& expression) override;
+
+  /// The tree and all that belongs to it, for the view.
+  [[nodiscard]] const BspState<D>& state() const { return cursor_.state(); }
+  /// The plane of a candidate of the ballot.
+  [[nodiscard]] Plane<D> plane(std::size_t candidate);
+
+ private:
+  void moved();
+  const std::vector<OperatorRow>& operators();
+  [[nodiscard]] std::string explain_object(ObjectId object) const;
+
+  std::filesystem::path path_;
+  std::shared_ptr<RecordingReader<D>> recording_;
+  Cursor<D> cursor_;
+  Search<D> search_;
+
+  // Found when first asked for, forgotten when the cursor moves.
+  std::vector<TreeRow> tree_;
+  std::optional<std::vector<CandidateRow>> ballot_;
+  std::optional<PairJudgement> judgement_;
+  std::uint64_t judged_pairs_ = 0;
+  std::optional<std::vector<OperatorRow>> operators_;  ///< of the whole run
+};
+
+extern template class RunOf<2>;
+extern template class RunOf<3>;
+
+}  // namespace kerf

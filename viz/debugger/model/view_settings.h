@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "core/ids.h"
+#include "core/tree/node.h"
+#include "viz/draw/layers.h"
+
+namespace kerf {
+
+/// What the colour of leaves and of the objects in them tells.
+enum class Tint : std::uint8_t { population, balance, redundancy, cost, age };
+inline constexpr std::array<std::string_view, 5> kTintNames{"population", "balance", "redundancy", "cost",
+                                                            "age"};
+
+/// What is shown of the scene, and how.
+struct ViewSettings {
+  LayerSet layers = LayerSet::none()
+                        .with(Layer::objects, true)
+                        .with(Layer::partitioners, true)
+                        .with(Layer::leaves, true)
+                        .with(Layer::pairs, true)
+                        .with(Layer::operators, true);
+  Tint tint = Tint::population;
+  int least_depth = 0;  ///< partitioners of other depths are left out
+  int greatest_depth = static_cast<int>(kMaxHeight);
+  std::optional<NodeId> isolated;  ///< only what is below it
+  std::set<NodeId> hidden_nodes;   ///< with all below them
+  std::set<ObjectId> hidden_objects;
+  friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
+};
+
+}  // namespace kerf

@@ -1,0 +1,92 @@
+#include <stdexcept>
+
+#include "core/query/text.h"
+#include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/panel.h"
+#include "viz/draw/palette.h"
+
+namespace kerf {
+namespace {
+
+void open_other(PanelContext& context) {
+  try {
+    context.model.compare_with(open_run(context.memory.other_file));
+  } catch (const std::runtime_error& error) {
+    context.memory.problem = error.what();
+    context.model.message = error.what();
+    context.model.message_is_error = true;
+  }
+}
+
+void figure_row(const char* name, double a, double b) {
+  ImGui::TableNextRow();
+  for (const std::string& text : {std::string(name), number_text(a), number_text(b)}) {
+    ImGui::TableNextColumn();
+    if (a != b) {
+      ImGui::TextUnformatted(text.c_str());
+    } else {
+      ImGui::TextDisabled("%s", text.c_str());
+    }
+  }
+}
+
+void draw_figures(const RecordingSummary& a, const RecordingSummary& b) {
+  if (!ImGui::BeginTable("figures", 3, ImGuiTableFlags_RowBg)) return;
+  ImGui::TableSetupColumn("");
+  ImGui::TableSetupColumn("this run");
+  ImGui::TableSetupColumn("the other");
+  ImGui::TableHeadersRow();
+  figure_row("steps", a.steps, b.steps);
+  for (std::size_t op = 0; op < a.operators.size(); ++op)
+    figure_row(to_string(static_cast<Operator>(op)).data(), static_cast<double>(a.operators[op]),
+               static_cast<double>(b.operators[op]));
+  figure_row("refused", static_cast<double>(a.refused), static_cast<double>(b.refused));
+  figure_row("pairs", static_cast<double>(a.pairs), static_cast<double>(b.pairs));
+  figure_row("height", a.height, b.height);
+  figure_row("redundancy", a.redundancy, b.redundancy);
+  figure_row("ms, median", a.milliseconds, b.milliseconds);
+  ImGui::EndTable();
+}
+
+void draw_difference(PanelContext& context, const char* what, const std::optional<std::uint32_t>& step) {
+  if (!step) return ImGui::TextDisabled("%s are the same", what);
+  ImGui::Text("%s differ first in", what);
+  ImGui::SameLine();
+  const std::string label = "step " + std::to_string(*step) + "##" + what;
+  const bool pressed = ImGui::SmallButton(label.c_str());
+  context.gui.name_last_item(std::string("first different ") + what);
+  if (pressed) context.model.go(Position::end_of(*step));
+}
+
+}  // namespace
+
+void draw_compare(PanelContext& context) {
+  DebuggerModel& model = context.model;
+  if (model.other() == nullptr) {
+    ImGui::TextWrapped(
+        "%s",
+        "Two recordings side by side: the other one goes where this one goes, and its curves lie over these. "
+        "\"What if\" makes one, or open one:");
+    if (widgets::text_field(context.gui, "other file", context.memory.other_file, "a recording, then Enter",
+                            -1))
+      open_other(context);
+    return;
+  }
+  if (widgets::button(context.gui, "stop comparing")) return model.stop_comparing();
+  ImGui::SameLine();
+  ImGui::TextDisabled("with %s", model.other()->path().filename().c_str());
+  const RecordingComparison& comparison = model.comparison();
+  draw_difference(context, "requests", comparison.requests);
+  draw_difference(context, "events", comparison.events);
+  if (comparison.events) {
+    ImGui::TextWrapped("  this: %s",
+                       comparison.a_event.empty() ? "nothing more" : comparison.a_event.c_str());
+    ImGui::TextWrapped("  other: %s",
+                       comparison.b_event.empty() ? "nothing more" : comparison.b_event.c_str());
+  }
+  draw_difference(context, "trees", comparison.state);
+  draw_difference(context, "pairs", comparison.pairs);
+  draw_figures(comparison.a, comparison.b);
+}
+
+}  // namespace kerf

@@ -1,0 +1,81 @@
+#include <algorithm>
+
+#include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/panel.h"
+#include "viz/draw/palette.h"
+
+namespace kerf {
+namespace {
+
+bool is_listed(const Event& event, bool operators_only) {
+  return !operators_only || !std::holds_alternative<ObjectPlaced>(event.body);
+}
+
+Color color_of_event(const Event& event) {
+  if (std::holds_alternative<OperatorActed>(event.body)) return palette::kOperator;
+  if (std::holds_alternative<OperatorRefused>(event.body)) return palette::kCandidate;
+  if (std::holds_alternative<PhaseBegan>(event.body)) return palette::kPartitioner;
+  return palette::kInk;
+}
+
+/// "split n5: 65 -> 65 (33 | 34)" without id and step, which have columns of their own.
+std::string deed_text(const Event& event) {
+  const std::string text = describe(event);
+  const std::string front = "e" + std::to_string(event.id) + " step " + std::to_string(event.step) + " ";
+  return text.substr(std::min(front.size(), text.size()));
+}
+
+std::vector<const Event*> listed_events(PanelContext& context) {
+  std::vector<const Event*> listed;
+  for (const Event& event : context.model.run().events_of_step())
+    if (is_listed(event, context.memory.operators_only)) listed.push_back(&event);
+  return listed;
+}
+
+void draw_event_row(PanelContext& context, const Event& event) {
+  const std::string id = "e" + std::to_string(event.id);
+  const bool is_now = context.model.run().position().event == event.id;
+  ImGui::PushStyleColor(ImGuiCol_Text, widgets::to_vector(color_of_event(event)));
+  std::string text = id;
+  text.resize(std::max<std::size_t>(text.size() + 1, 8), ' ');
+  const bool pressed = widgets::row(context.gui, text + deed_text(event), id, is_now);
+  ImGui::PopStyleColor();
+  if (pressed) context.model.go({event.step, event.id});
+}
+
+/// The event that has just happened is kept in sight.
+void follow(PanelContext& context, const std::vector<const Event*>& events, float row_height) {
+  const Position& now = context.model.run().position();
+  if (context.memory.listed == now) return;
+  context.memory.listed = now;
+  const auto reached =
+      std::ranges::find_if(events, [&](const Event* event) { return event->id >= now.event; });
+  const auto row = static_cast<float>(reached - events.begin());
+  ImGui::SetScrollY(std::max(0.0F, row * row_height - 0.4F * ImGui::GetWindowHeight()));
+}
+
+}  // namespace
+
+void draw_events(PanelContext& context) {
+  const auto events = listed_events(context);
+  const Position& now = context.model.run().position();
+  ImGui::Text("Events of step %u", now.step);
+  ImGui::SameLine();
+  ImGui::TextDisabled("%zu of %zu", events.size(), context.model.run().events_of_step().size());
+  ImGui::SameLine(ImGui::GetWindowWidth() - 172);
+  widgets::checkbox(context.gui, "without objects", context.memory.operators_only,
+                    "leave out the objects that were placed in other leaves");
+  ImGui::BeginChild("list of events", {0, 0}, true);
+  context.gui.name_area("events", {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowWidth(),
+                                   ImGui::GetWindowHeight()});
+  follow(context, events, ImGui::GetTextLineHeightWithSpacing());
+  if (events.empty()) ImGui::TextDisabled("nothing happened: step on with '.', or press End");
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(events.size()), ImGui::GetTextLineHeightWithSpacing());
+  while (clipper.Step())
+    for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k)
+      draw_event_row(context, *events[static_cast<std::size_t>(k)]);
+  ImGui::EndChild();
+}
+
+}  // namespace kerf

@@ -1,0 +1,56 @@
+#include <array>
+
+#include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/panel.h"
+
+namespace kerf {
+namespace {
+
+struct KeyHelp {
+  const char* key;
+  const char* meaning;
+};
+constexpr std::array kKeys{
+    KeyHelp{"Space", "play, pause"},
+    KeyHelp{", and .", "back and on, by operator (or what is chosen above)"},
+    KeyHelp{"Shift+, and .", "a whole step back and on"},
+    KeyHelp{"Home, End", "to the start, to the end"},
+    KeyHelp{"F5, Shift+F5", "on, or back, to the next moment at which a breakpoint holds"},
+    KeyHelp{"F9", "breakpoint at this moment"},
+    KeyHelp{"B", "bookmark this moment; O: ask the oracle about it"},
+    KeyHelp{"F", "look at what is selected; with nothing selected, at everything"},
+    KeyHelp{"H", "hide what is selected, or show it again"},
+    KeyHelp{"I", "only what is below the selected node"},
+    KeyHelp{"Esc", "select nothing; close this"},
+    KeyHelp{"F12", "save a picture, named by the moment"},
+    KeyHelp{"F1, ?", "this help"},
+    KeyHelp{"", ""},
+    KeyHelp{"Left drag", "turn the view (2D: move it)"},
+    KeyHelp{"Right drag", "move the view"},
+    KeyHelp{"Wheel", "nearer and farther"},
+    KeyHelp{"Double click", "select an object; with Shift a second one: a pair"},
+    KeyHelp{"Drag below", "scrub through the run"},
+};
+
+}  // namespace
+
+void draw_help(PanelContext& context) {
+  if (!context.memory.help) return;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
+  constexpr auto kFlags =
+      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize;
+  ImGui::SetNextWindowFocus();
+  if (ImGui::Begin("Keys and mouse", &context.memory.help, kFlags)) {
+    for (const KeyHelp& help : kKeys) {
+      ImGui::TextUnformatted(help.key);
+      ImGui::SameLine(150);
+      ImGui::TextUnformatted(help.meaning);
+    }
+    ImGui::Spacing();
+    if (widgets::button(context.gui, "close")) context.memory.help = false;
+  }
+  ImGui::End();
+}
+
+}  // namespace kerf

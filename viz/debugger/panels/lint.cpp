@@ -1,0 +1,34 @@
+#include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/panel.h"
+
+namespace kerf {
+
+void draw_lint(PanelContext& context) {
+  DebuggerModel& model = context.model;
+  ImGui::TextWrapped("%s", "Operators that undo each other, or wait:");
+  ImGui::SetNextItemWidth(120);
+  ImGui::SliderInt("##within", &context.memory.lint_within, 5, 500, "within %d steps",
+                   ImGuiSliderFlags_Logarithmic);
+  context.gui.name_last_item("within");
+  const std::vector<Thrash>& found = model.lint(static_cast<std::uint32_t>(context.memory.lint_within));
+  ImGui::SameLine();
+  ImGui::TextDisabled("%zu found", found.size());
+  ImGui::BeginChild("findings", {0, 0}, true);
+  if (found.empty())
+    ImGui::TextWrapped(
+        "%s", "Nothing is split, merged and split again, no partitioner goes to and fro, nothing waits.");
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(found.size()));
+  while (clipper.Step())
+    for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
+      const Thrash& thrash = found[static_cast<std::size_t>(k)];
+      const std::string id = "e" + std::to_string(thrash.event);
+      if (!widgets::row(context.gui, id + "  " + to_text(thrash), "finding " + std::to_string(k), false))
+        continue;
+      model.select(thrash.node);
+      model.go_to_event(thrash.event);
+    }
+  ImGui::EndChild();
+}
+
+}  // namespace kerf

@@ -1,0 +1,65 @@
+#include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/panel.h"
+#include "viz/draw/palette.h"
+
+namespace kerf {
+namespace {
+
+void draw_list(PanelContext& context, const char* name, const char* meaning, const std::vector<Pair>& pairs) {
+  constexpr std::size_t kMost = 500;
+  const bool good = pairs.empty();
+  ImGui::TextColored(widgets::to_vector(good ? palette::kSeries[2] : palette::kCandidate), "%s: %zu", name,
+                     pairs.size());
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", meaning);
+  for (std::size_t k = 0; k < std::min(kMost, pairs.size()); ++k) {
+    const Selection pair = pairs[k];
+    const std::string text = to_string(pair);
+    ImGui::Indent();
+    if (widgets::row(context.gui, text, std::string(name) + " " + std::to_string(k),
+                     context.model.selection() == pair)) {
+      context.model.select(pair);
+      context.view.focus(pair);
+    }
+    ImGui::Unindent();
+  }
+  if (pairs.size() > kMost) ImGui::TextDisabled("and %zu more", pairs.size() - kMost);
+}
+
+}  // namespace
+
+void draw_oracle(PanelContext& context) {
+  DebuggerModel& model = context.model;
+  const std::uint32_t step = model.run().position().step;
+  const bool imported = model.run().info().imported;
+  if (!model.alarms()[step]) {
+    ImGui::TextWrapped("Brute force has not been asked about step %u: with so many objects it takes a while.",
+                       step);
+    if (widgets::button(context.gui, "ask the oracle", "compare with every pair of boxes (O)"))
+      (void)model.ask_oracle();
+    return;
+  }
+  const PairJudgement& judgement = model.run().judgement();
+  const std::uint64_t told = model.run().judged_pairs();
+  ImGui::TextWrapped("%s of step %u beside all pairs of boxes that overlap, by brute force:",
+                     imported ? "The pairs that the other engine told" : "The tree's pairs", step);
+  ImGui::Text("told: %llu", static_cast<unsigned long long>(told));
+  const std::uint64_t wrong = judgement.extra.size() + judgement.twice.size();
+  ImGui::Text("true: %llu", static_cast<unsigned long long>(told - wrong + judgement.missed.size()));
+  draw_list(context, "missed", "they overlap, and were not told", judgement.missed);
+  draw_list(context, "false", "told, but no overlap", judgement.extra);
+  draw_list(context, "twice", "told again", judgement.twice);
+  ImGui::Separator();
+  std::size_t asked = 0;
+  std::size_t alarms = 0;
+  for (const auto& alarm : model.alarms()) {
+    asked += alarm ? 1 : 0;
+    alarms += alarm && alarm->is_wrong() ? 1 : 0;
+  }
+  ImGui::TextWrapped(
+      "%zu steps asked so far, %zu of them wrong. A breakpoint missed>0 || extra>0 || twice>0 asks about "
+      "all.",
+      asked, alarms);
+}
+
+}  // namespace kerf

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "viz/debugger/gui/gui.h"
+#include "viz/debugger/model/debugger_model.h"
+#include "viz/debugger/scene/scene_view.h"
+
+namespace kerf {
+
+/// What panels remember between frames that is no business of the model.
+struct PanelMemory {
+  bool help = false;
+  bool screenshot = false;     ///< asked for in this frame
+  bool operators_only = true;  ///< the list of events leaves out placed objects
+  std::set<NodeId> unfolded;   ///< of the outline, beyond what is unfolded at first
+  std::set<NodeId> folded;
+  std::string condition;  ///< being typed
+  std::string watch;
+  std::string problem;  ///< with what was typed
+  std::string go_to;
+  std::optional<Position> listed;     ///< moment to which the lists have scrolled
+  std::optional<Selection> outlined;  ///< what the outline has scrolled to
+  std::string open_tab;               ///< to be opened in the next frame; empty: as it is
+  std::optional<Selection> explained;
+  Position explained_at;
+  std::string explanation;
+  std::optional<std::size_t> kept_candidate;  ///< of the ballot, pressed
+  Position ballot_of;
+  std::string other_file;
+  std::string assignments;  ///< of "what if"
+  int lint_within = 50;
+};
+
+/// What a panel may look at and change.
+struct PanelContext {
+  DebuggerModel& model;
+  Gui& gui;
+  PanelMemory& memory;
+  SceneView& view;
+  SceneView* other_view = nullptr;  ///< of the run that is compared
+};
+
+// Each is one file of this folder and fills the window or tab that has been begun.
+void draw_transport(PanelContext& context);
+void draw_timeline(PanelContext& context);
+void draw_outline(PanelContext& context);
+void draw_breakpoints(PanelContext& context);
+void draw_events(PanelContext& context);
+void draw_why(PanelContext& context);
+void draw_ballot(PanelContext& context);
+void draw_algorithm(PanelContext& context);
+void draw_oracle(PanelContext& context);
+void draw_compare(PanelContext& context);
+void draw_lint(PanelContext& context);
+void draw_view_tools(PanelContext& context);
+void draw_view_overlay(PanelContext& context, const SceneView& view, const PanelArea& area,
+                       const std::string& title);
+void draw_help(PanelContext& context);
+
+}  // namespace kerf

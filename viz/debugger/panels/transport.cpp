@@ -1,0 +1,119 @@
+#include <array>
+
+#include "core/query/text.h"
+#include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/panel.h"
+#include "viz/draw/palette.h"
+
+namespace kerf {
+namespace {
+
+struct GranularityName {
+  Granularity granularity;
+  const char* name;
+};
+constexpr std::array kGranularities{
+    GranularityName{Granularity::step, "step"}, GranularityName{Granularity::phase, "phase"},
+    GranularityName{Granularity::op, "operator"}, GranularityName{Granularity::event, "event"},
+    GranularityName{Granularity::candidate, "candidate"}};
+
+void draw_steps(PanelContext& context) {
+  DebuggerModel& model = context.model;
+  const auto go = [&](const char* label, const char* name, const char* hint, Granularity by, bool forwards) {
+    if (widgets::button(context.gui, label, hint, name)) model.step(by, forwards);
+    ImGui::SameLine();
+  };
+  go("|<", "start", "to the start (Home)", Granularity::run, false);
+  go("<<", "step back", "one step back (Shift+,)", Granularity::step, false);
+  go("<", "back", "back by what is chosen on the right (,)", model.granularity, false);
+  const char* const label = model.playing ? "pause" : "play ";
+  if (widgets::button(context.gui, label, "play and pause (Space)", "play")) model.playing = !model.playing;
+  ImGui::SameLine();
+  go(">", "forward", "on by what is chosen on the right (.)", model.granularity, true);
+  go(">>", "step forward", "one step on (Shift+.)", Granularity::step, true);
+  go(">|", "end", "to the end (End)", Granularity::run, true);
+}
+
+void draw_granularity(PanelContext& context) {
+  ImGui::TextDisabled("by");
+  ImGui::SameLine();
+  const char* now = "";
+  for (const GranularityName& item : kGranularities)
+    if (item.granularity == context.model.granularity) now = item.name;
+  ImGui::SetNextItemWidth(100);
+  const bool open = ImGui::BeginCombo("##by", now);
+  context.gui.name_last_item("granularity");
+  if (open) {
+    for (const GranularityName& item : kGranularities) {
+      const bool chosen = item.granularity == context.model.granularity;
+      if (widgets::row(context.gui, item.name, std::string("by ") + item.name, chosen))
+        context.model.granularity = item.granularity;
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::SameLine();
+  auto speed = static_cast<float>(context.model.speed);
+  ImGui::SetNextItemWidth(90);
+  if (ImGui::SliderFloat("##speed", &speed, 1, 200, "%.0f a second", ImGuiSliderFlags_Logarithmic))
+    context.model.speed = double{speed};
+  context.gui.name_last_item("speed");
+  widgets::hint("how fast it plays");
+}
+
+void draw_runs(PanelContext& context) {
+  DebuggerModel& model = context.model;
+  if (widgets::button(context.gui, "< run", "back to the last moment at which a breakpoint holds (Shift+F5)",
+                      "reverse continue"))
+    model.run_to_breakpoint(false);
+  ImGui::SameLine();
+  if (widgets::button(context.gui, "run >", "on to the next moment at which a breakpoint holds (F5)",
+                      "continue"))
+    model.run_to_breakpoint(true);
+  ImGui::SameLine();
+  if (widgets::button(context.gui, "mark", "bookmark this moment (B)", "bookmark")) model.toggle_bookmark();
+  ImGui::SameLine();
+  const bool entered =
+      widgets::text_field(context.gui, "go to", context.memory.go_to, "go to 17 or e1234", 140);
+  if (!entered || context.memory.go_to.empty()) return;
+  const std::string text = context.memory.go_to;
+  context.memory.go_to.clear();
+  try {
+    if (text.front() == 'e') return model.go_to_event(std::stoull(text.substr(1)));
+    model.go(Position::end_of(static_cast<std::uint32_t>(std::stoul(text))));
+  } catch (const std::logic_error&) {
+    model.message = "'" + text + "' is neither a step such as 17 nor an event such as e1234";
+    model.message_is_error = true;
+  }
+}
+
+/// Where it stands, in words: the same id as in lists, on the command line and in file names.
+void draw_moment_line(PanelContext& context) {
+  const DebuggerModel& model = context.model;
+  const Run& run = model.run();
+  const auto event = run.event();
+  std::string text = event ? describe(*event) : "end of step " + std::to_string(run.position().step);
+  if (run.position().step == 0) text = "before the first step";
+  ImGui::TextColored(widgets::to_vector(palette::kPartitioner), "%s", text.c_str());
+  ImGui::SameLine();
+  ImGui::TextDisabled("of %u steps   state %s", run.steps(), to_hex(run.state_hash()).c_str());
+  if (model.message.empty()) return;
+  ImGui::SameLine();
+  const Color color = model.message_is_error ? palette::kCandidate : palette::kFaintInk;
+  ImGui::TextColored(widgets::to_vector(color), "  %s", model.message.c_str());
+}
+
+}  // namespace
+
+void draw_transport(PanelContext& context) {
+  draw_steps(context);
+  draw_granularity(context);
+  ImGui::SameLine(0, 18);
+  draw_runs(context);
+  ImGui::SameLine(0, 18);
+  if (widgets::button(context.gui, "picture", "save what is seen (F12)")) context.memory.screenshot = true;
+  ImGui::SameLine();
+  if (widgets::button(context.gui, "help", "keys and mouse (F1 or ?)")) context.memory.help = true;
+  draw_moment_line(context);
+}
+
+}  // namespace kerf

@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <array>
+
+#include "core/query/text.h"
+#include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/panel.h"
+#include "viz/draw/palette.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::array kLayers{Layer::objects, Layer::partitioners, Layer::leaves, Layer::pairs,
+                             Layer::operators};
+
+void draw_layers(PanelContext& context) {
+  for (const Layer layer : kLayers) {
+    bool shown = context.model.view.layers.has(layer);
+    const std::string name(to_string(layer));
+    if (widgets::checkbox(context.gui, name.c_str(), shown)) context.model.view.layers.set(layer, shown);
+    ImGui::SameLine();
+  }
+}
+
+void draw_tint(PanelContext& context) {
+  ViewSettings& settings = context.model.view;
+  ImGui::TextDisabled("colour");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(105);
+  const bool open = ImGui::BeginCombo("##colour", kTintNames[static_cast<std::size_t>(settings.tint)].data());
+  context.gui.name_last_item("colour");
+  if (!open) return;
+  for (std::size_t k = 0; k < kTintNames.size(); ++k) {
+    const std::string name(kTintNames[k]);
+    if (widgets::row(context.gui, name, "colour " + name, static_cast<std::size_t>(settings.tint) == k))
+      settings.tint = static_cast<Tint>(k);
+  }
+  ImGui::EndCombo();
+}
+
+std::string tint_scale(Tint tint, double end) {
+  switch (tint) {
+    case Tint::population:
+      return "objects in the leaf: 0 to " + number_text(end);
+    case Tint::balance:
+      return "balance of the partitioner above the leaf: 0 to 1";
+    case Tint::redundancy:
+      return "straddlers of the partitioner above: 0 to 10 % and more";
+    case Tint::cost:
+      return "pairs a sweep may look at: 0 to " + number_text(end);
+    case Tint::age:
+      return "steps since an operator acted above: 0 to 100 and more";
+  }
+  return "";
+}
+
+std::string counts_text(const ShownCounts& counts) {
+  return std::to_string(counts.objects) + " of " + std::to_string(counts.all_objects) + " objects, " +
+         std::to_string(counts.partitioners) + " of " + std::to_string(counts.all_partitioners) +
+         " partitioners, " + std::to_string(counts.pairs) + " of " + std::to_string(counts.all_pairs) +
+         " pairs drawn";
+}
+
+void draw_text_on(ImDrawList& list, ImVec2 at, const std::string& text, Color color) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  list.AddRectFilled({at.x - 3, at.y - 1}, {at.x + size.x + 3, at.y + size.y + 1},
+                     widgets::to_imgui(palette::kGround, 0.85), 3);
+  list.AddText(at, widgets::to_imgui(color), text.c_str());
+}
+
+/// Above what it names, but within the view.
+ImVec2 label_place(const SceneLabel& label, const PanelArea& area) {
+  const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
+  return {area.x + std::clamp(label.x + 4, 4.0F, area.width - size.x - 6),
+          area.y + std::clamp(label.y - 16, 4.0F, area.height - size.y - 4)};
+}
+
+}  // namespace
+
+void draw_view_tools(PanelContext& context) {
+  DebuggerModel& model = context.model;
+  draw_layers(context);
+  draw_tint(context);
+  ViewSettings& settings = model.view;
+  if (widgets::button(context.gui, "focus", "look at what is selected, or at everything (F)"))
+    context.view.focus(model.selection());
+  ImGui::SameLine();
+  if (widgets::button(context.gui, "hide", "hide what is selected, or show it again (H)"))
+    model.toggle_hidden();
+  ImGui::SameLine();
+  if (widgets::button(context.gui, "alone", "only what is below the selected node (I)"))
+    model.toggle_isolated();
+  ImGui::SameLine();
+  if (widgets::button(context.gui, "show all", "nothing hidden, nothing alone")) model.show_all();
+  ImGui::SameLine();
+  ImGui::TextDisabled("depth");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(110);
+  ImGui::DragIntRange2("##depth", &settings.least_depth, &settings.greatest_depth, 0.2F, 0,
+                       static_cast<int>(kMaxHeight), "%d to", "%d");
+  context.gui.name_last_item("depth");
+  widgets::hint("drag: partitioners of these depths are drawn; the root has depth 0");
+}
+
+void draw_view_overlay(PanelContext& context, const SceneView& view, const PanelArea& area,
+                       const std::string& title) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect({area.x, area.y}, {area.x + area.width, area.y + area.height}, true);
+  for (const SceneLabel& label : view.labels())
+    draw_text_on(list, label_place(label, area), label.text, palette::kOperator);
+  const float line = ImGui::GetTextLineHeight() + 2;
+  const float bottom = area.y + area.height - 4;
+  const ShownCounts& counts = view.counts();
+  const bool all = counts.objects == counts.all_objects && counts.partitioners == counts.all_partitioners &&
+                   counts.pairs == counts.all_pairs;
+  draw_text_on(list, {area.x + 8, bottom - line}, counts_text(counts),
+               all ? palette::kFaintInk : palette::kCandidate);
+  if (!title.empty()) draw_text_on(list, {area.x + 8, area.y + 6}, title, palette::kInk);
+  const ViewSettings& settings = context.model.view;
+  if (settings.layers.has(Layer::leaves)) {
+    const float top = bottom - 2 * line - 4;
+    for (int k = 0; k < 60; ++k)
+      list.AddRectFilled({area.x + 8 + static_cast<float>(k), top + 2},
+                         {area.x + 9 + static_cast<float>(k), top + 13},
+                         widgets::to_imgui(palette::population_color(static_cast<std::uint32_t>(k), 60)));
+    draw_text_on(list, {area.x + 74, top}, tint_scale(settings.tint, counts.tint_end), palette::kFaintInk);
+  }
+  list.PopClipRect();
+}
+
+}  // namespace kerf

@@ -1,0 +1,78 @@
+#include <regex>
+#include <set>
+#include <stdexcept>
+
+#include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/panel.h"
+
+namespace kerf {
+namespace {
+
+/// Explanations are worked out once for each moment and selection, since some replay the run.
+const std::string& explanation(PanelContext& context) {
+  PanelMemory& memory = context.memory;
+  DebuggerModel& model = context.model;
+  const Position& now = model.run().position();
+  if (memory.explained == model.selection() && memory.explained_at == now) return memory.explanation;
+  memory.explained = model.selection();
+  memory.explained_at = now;
+  try {
+    const bool of_event = std::holds_alternative<std::monostate>(model.selection());
+    memory.explanation = of_event ? std::string() : model.run().explain(model.selection());
+    if (of_event && !now.is_end()) memory.explanation = model.run().explain_event(now.event);
+  } catch (const std::runtime_error& error) {
+    memory.explanation = error.what();
+  }
+  return memory.explanation;
+}
+
+/// Nodes and events that the text speaks of, to be gone to.
+void draw_links(PanelContext& context, const std::string& text) {
+  constexpr std::size_t kMost = 24;
+  static const std::regex kName(R"(\b([ne])(\d+)\b)");
+  std::set<std::string> names;
+  for (std::sregex_iterator it(text.begin(), text.end(), kName), end; it != end && names.size() < kMost; ++it)
+    names.insert((*it)[0]);
+  if (names.empty()) return;
+  ImGui::Separator();
+  ImGui::TextDisabled("go to");
+  for (const std::string& name : names) {
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < 60) ImGui::NewLine();
+    const bool pressed = ImGui::SmallButton(name.c_str());
+    context.gui.name_last_item("link " + name);
+    if (!pressed) continue;
+    const auto number = std::stoull(name.substr(1));
+    if (name.front() == 'e') {
+      context.model.go_to_event(number);
+    } else {
+      context.model.select(NodeId{static_cast<std::uint32_t>(number)});
+    }
+  }
+}
+
+}  // namespace
+
+void draw_why(PanelContext& context) {
+  DebuggerModel& model = context.model;
+  const bool nothing = std::holds_alternative<std::monostate>(model.selection());
+  if (!nothing) {
+    ImGui::Text("%s", to_string(model.selection()).c_str());
+    ImGui::SameLine();
+    if (widgets::button(context.gui, "deselect", "explain the event instead (Esc)")) model.select({});
+  }
+  const std::string text = explanation(context);
+  if (text.empty()) {
+    ImGui::TextWrapped(
+        "%s",
+        "Select a node in the tree or an object in the view (double click; with Shift a second one "
+        "makes a pair), or go to an event: here stands why it is so.");
+    return;
+  }
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  draw_links(context, text);
+}
+
+}  // namespace kerf

@@ -1,0 +1,93 @@
+#include "viz/debugger/scene/orbit.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "viz/draw/clip.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kDegreesPerPixel = 0.4;
+constexpr double kZoomPerClick = 0.85;
+
+}  // namespace
+
+template <int D>
+View Orbit<D>::view(int width, int height) const {
+  const Viewport all{0, 0, static_cast<double>(width), static_cast<double>(height)};
+  return kerf::frame_all(box_, choice_, all, width, height);
+}
+
+/// The free choice of the camera becomes numbers that can be changed.
+template <int D>
+void Orbit<D>::settle(int width, int height) {
+  const View now = view(width, height);
+  if constexpr (D == 3) {
+    if (choice_.target && choice_.distance) return;
+    if (!choice_.target) choice_.target = to_point(box_.center());
+    choice_.distance = std::max(1e-3, now.forward.dot(*choice_.target - now.eye));
+    choice_.target = now.eye + now.forward * *choice_.distance;
+  } else {
+    if (!choice_.center) choice_.center = to_point(box_.center()).template head<2>();
+    choice_.width = choice_.width.value_or(width / now.pixels_per_unit_at_one);
+  }
+}
+
+template <int D>
+void Orbit<D>::turn(double dx, double dy, int width, int height) {
+  if constexpr (D == 3) {
+    settle(width, height);
+    choice_.yaw -= dx * kDegreesPerPixel;
+    choice_.pitch = std::clamp(choice_.pitch + dy * kDegreesPerPixel, -89.0, 89.9);
+  } else {
+    move(dx, dy, width, height);
+  }
+}
+
+template <int D>
+void Orbit<D>::move(double dx, double dy, int width, int height) {
+  settle(width, height);
+  const View now = view(width, height);
+  if constexpr (D == 3) {
+    const double unit = *choice_.distance / now.pixels_per_unit_at_one;
+    const double yaw = choice_.yaw * std::numbers::pi / 180;
+    const Eigen::Vector3d right(std::cos(yaw), 0, -std::sin(yaw));
+    *choice_.target += unit * (dy * right.cross(now.forward) - dx * right);
+  } else {
+    *choice_.center += Eigen::Vector2d(-dx, dy) / now.pixels_per_unit_at_one;
+  }
+}
+
+template <int D>
+void Orbit<D>::zoom(double clicks, double x, double y, int width, int height) {
+  settle(width, height);
+  const double factor = std::pow(kZoomPerClick, clicks);
+  if constexpr (D == 3) {
+    *choice_.distance = std::clamp(*choice_.distance * factor, 1e-3, 1e9);
+  } else {
+    const Eigen::Vector2d offset(x - 0.5 * width, 0.5 * height - y);
+    *choice_.center += (1 - factor) / view(width, height).pixels_per_unit_at_one * offset;
+    choice_.width = std::clamp(*choice_.width * factor, 1e-6, 1e12);
+  }
+}
+
+template <int D>
+void Orbit<D>::look_at(const Box<D>& box, int width, int height) {
+  settle(width, height);
+  const double size = std::max(1e-3, (to_point(box.max) - to_point(box.min)).norm());
+  if constexpr (D == 3) {
+    choice_.target = to_point(box.center());
+    choice_.distance = 2.5 * size;
+  } else {
+    choice_.center = to_point(box.center()).template head<2>();
+    choice_.width = 4 * size;
+  }
+}
+
+template class Orbit<2>;
+template class Orbit<3>;
+
+}  // namespace kerf

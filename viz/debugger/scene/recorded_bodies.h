@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "core/broad_phase/object_table.h"
+#include "core/scene/scene.h"
+
+namespace kerf {
+
+/// Objects as a recording knows them: boxes. Who is not there has no finite box and is not drawn, but has its
+/// place, since bodies are numbered as objects are.
+template <int D>
+std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects);
+
+/// A body that no layer draws.
+template <int D>
+Body<D> absent_body();
+
+}  // namespace kerf

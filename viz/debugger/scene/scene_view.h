@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viz/debugger/model/debugger_model.h"
+#include "viz/gl/framebuffer.h"
+
+namespace kerf {
+
+/// How much of the scene a picture has, and what its colours run to.
+struct ShownCounts {
+  std::size_t objects = 0;
+  std::size_t all_objects = 0;
+  std::size_t partitioners = 0;
+  std::size_t all_partitioners = 0;
+  std::size_t pairs = 0;
+  std::size_t all_pairs = 0;
+  double tint_end = 1;  ///< the value that the brightest colour stands for
+};
+
+/// A word beside something in the scene, at pixels of the view.
+struct SceneLabel {
+  float x = 0;
+  float y = 0;
+  std::string text;
+};
+
+/// The scene of a run at its moment, as the model wants it seen. All calls need the GL context to be current.
+class SceneView {
+ public:
+  SceneView() = default;
+  SceneView(const SceneView&) = delete;
+  SceneView& operator=(const SceneView&) = delete;
+  virtual ~SceneView() = default;
+
+  /// Draws it anew if anything that is seen has changed.
+  virtual void update(const DebuggerModel& model, int width, int height) = 0;
+  /// Copies what was drawn, its top left corner to (x, y).
+  virtual void copy_to(const Framebuffer& target, int x, int y) const = 0;
+  [[nodiscard]] virtual const ShownCounts& counts() const = 0;
+  [[nodiscard]] virtual const std::vector<SceneLabel>& labels() const = 0;
+  /// Pictures drawn so far; one that nothing has changed is not drawn again.
+  [[nodiscard]] virtual std::uint64_t drawn() const = 0;
+
+  /// The object under a pixel of the view: in 3D the nearest, in 2D the smallest.
+  [[nodiscard]] virtual std::optional<ObjectId> pick(double x, double y) const = 0;
+  /// Where an object's middle is seen.
+  [[nodiscard]] virtual std::optional<SceneLabel> place_of(ObjectId object) const = 0;
+
+  virtual void turn(double dx, double dy) = 0;
+  virtual void move(double dx, double dy) = 0;
+  virtual void zoom(double clicks, double x, double y) = 0;
+  /// Looks at what is selected; at everything if nothing is.
+  virtual void focus(const Selection& selection) = 0;
+  /// Looks from where the other one looks, which must be of the same dimension.
+  virtual void look_like(const SceneView& other) = 0;
+};
+
+/// A view of the run, which must outlive it.
+std::unique_ptr<SceneView> make_scene_view(const GlFunctions& gl, Run& run);
+
+}  // namespace kerf

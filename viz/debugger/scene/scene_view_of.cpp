@@ -1,0 +1,359 @@
+#include "viz/debugger/scene/scene_view_of.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "viz/debugger/scene/ray.h"
+#include "viz/debugger/scene/recorded_bodies.h"
+#include "viz/draw/palette.h"
+#include "viz/draw/strokes.h"
+#include "viz/draw/view_box.h"
+
+namespace kerf {
+namespace {
+
+// More would make a picture slow, and nobody could tell them apart.
+constexpr std::size_t kMostObjects = 10'000;
+constexpr std::size_t kMostPartitioners = 1'500;
+constexpr std::size_t kMostPairs = 20'000;
+constexpr std::uint32_t kDeepestPane = 6;
+constexpr double kCellAlpha = 0.5;
+
+/// Whether an object is among the `share` that is drawn: spread evenly, and the same in every picture.
+bool is_sampled(std::size_t object, double share) {
+  const auto mixed = static_cast<std::uint32_t>(object * 2654435769U);
+  return static_cast<double>(mixed) < share * 4294967296.0;
+}
+
+Color tint_color(float value) {
+  return palette::population_color(static_cast<std::uint32_t>(value * 1000), 1000);
+}
+
+}  // namespace
+
+template <int D>
+SceneViewOf<D>::SceneViewOf(const GlFunctions& gl, RunOf<D>& run)
+    : gl_(gl), run_(run), font_(12), painter_(gl, font_) {
+  find_box();
+}
+
+/// The view must not depend on the way by which one has come to a moment: it holds the boxes of a few moments
+/// spread over the run.
+template <int D>
+void SceneViewOf<D>::find_box() {
+  constexpr std::uint32_t kMoments = 4;
+  const Position now = run_.position();
+  ViewBox<D> box;
+  for (std::uint32_t k = 1; k <= kMoments; ++k) {
+    run_.go(Position::end_of(run_.steps() * k / kMoments));
+    box.update(recorded_bodies(run_.state().latest));
+  }
+  run_.go(now);
+  box_ = box.box();
+  orbit_.set_box(box_);
+}
+
+template <int D>
+void SceneViewOf<D>::update(const DebuggerModel& model, int width, int height) {
+  width_ = std::max(width, 16);
+  height_ = std::max(height, 16);
+  const Seen seen{
+      run_.position(), model.view, model.selection(), model.hovered_candidate, orbit_.view(width_, height_),
+      width_,          height_};
+  if (seen_ && *seen_ == seen) return;
+  if (!moment_ || *moment_ != seen.position) take_moment();
+  const bool resized = !seen_ || seen_->width != width_ || seen_->height != height_;
+  seen_ = seen;
+  choose_bodies();
+  choose_colors();
+  const int samples = counts_.objects < kManyBodies ? 4 : 1;
+  if (resized || samples != samples_) framebuffer_.emplace(gl_, width_, height_, samples);
+  samples_ = samples;
+  draw(model);
+  ++drawn_;
+}
+
+template <int D>
+void SceneViewOf<D>::take_moment() {
+  moment_ = run_.position();
+  all_bodies_ = recorded_bodies(run_.state().latest);
+  skeleton_.assign(&run_.state().tree);
+}
+
+template <int D>
+void SceneViewOf<D>::choose_bodies() {
+  visible_ = find_visible(run_.state().tree, all_bodies_.size(), seen_->settings);
+  bodies_ = all_bodies_;
+  counts_ = {};
+  std::size_t wanted = 0;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (!is_drawable(all_bodies_[k])) continue;
+    ++counts_.all_objects;
+    wanted += visible_.objects[k];
+  }
+  const double share =
+      wanted <= kMostObjects ? 1.0 : static_cast<double>(kMostObjects) / static_cast<double>(wanted);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (visible_.objects[k] == 0 || !is_sampled(k, share)) bodies_[k] = absent_body<D>();
+    if (is_drawable(bodies_[k])) ++counts_.objects;
+  }
+  pairs_.clear();
+  counts_.all_pairs = run_.pairs().size();
+  for (const Pair& pair : run_.pairs()) {
+    if (pairs_.size() >= kMostPairs || !seen_->settings.layers.has(Layer::pairs)) break;
+    if (is_drawable(bodies_[pair.a.index()]) && is_drawable(bodies_[pair.b.index()])) pairs_.push_back(pair);
+  }
+  counts_.pairs = pairs_.size();
+}
+
+template <int D>
+void SceneViewOf<D>::choose_colors() {
+  tints_ = find_tints(run_, seen_->settings.tint);
+  counts_.tint_end = tints_.end;
+  colors_.assign(bodies_.size(), palette::kMoving);
+  const bool tinted = seen_->settings.layers.has(Layer::leaves);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const NodeId leaf = visible_.leaf_of[k];
+    if (bodies_[k].mobility == Mobility::fixed) {
+      colors_[k] = palette::kFixed;
+    } else if (tinted && visible_.in_several[k] != 0) {
+      colors_[k] = palette::kStraddler;
+    } else if (D == 3 && tinted && !leaf.is_none()) {
+      colors_[k] = tint_color(tints_.values[leaf.index()]);
+    }
+  }
+}
+
+template <int D>
+void SceneViewOf<D>::draw(const DebuggerModel& model) {
+  for (Batch& batch : batches_) batch.clear();
+  labels_.clear();
+  Batch& back = batches_[0];
+  Batch& glass = batches_[1];
+  Batch& lines = batches_[2];
+  Batch& front = batches_[3];
+  const LayerSet layers = seen_->settings.layers;
+  const FrameInput<D> input{
+      .bodies = bodies_, .tree = nullptr, .pairs = pairs_, .contacts = {}, .events = {}, .caption = {}};
+  const std::vector<Placement> placements;
+  const double line_scale = std::clamp(height_ / 500.0, 0.7, 2.0);
+  const DrawContext<D> frame{input,  seen_->view, skeleton_, placements, box_,
+                             layers, line_scale,  1,         nullptr,    colors_};
+  Batch planes;
+  draw_nodes(frame, back, planes);
+  if constexpr (D == 2) {
+    if (layers.has(Layer::objects)) draw_objects(frame, back);
+  } else {
+    if (layers.has(Layer::objects)) draw_objects(frame, back, glass);
+  }
+  draw_pairs(frame, lines, scratch_);
+  if (layers.has(Layer::operators)) draw_event(frame, front);
+  draw_selection(frame, front);
+  if (model.hovered_candidate) draw_candidate(frame, *model.hovered_candidate, front);
+  framebuffer_->bind();
+  painter_.begin(palette::kGround);
+  painter_.draw(back, D == 3 ? Depth::test_and_write : Depth::ignore);
+  painter_.draw(glass, D == 3 ? Depth::test : Depth::ignore);
+  painter_.draw(planes, D == 3 ? Depth::test : Depth::ignore);
+  painter_.draw(lines, D == 3 ? Depth::test : Depth::ignore);
+  painter_.draw(front, Depth::ignore);
+}
+
+/// Cells are filled in 2D; partitioners within the depths that are wanted, as many as can be told apart.
+template <int D>
+void SceneViewOf<D>::draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch& planes) {
+  const ViewSettings& settings = seen_->settings;
+  for (const NodeId id : skeleton_.back_to_front(seen_->view.eye)) {
+    const auto& joint = skeleton_[id];
+    const bool seen = visible_.nodes[id.index()] != 0;
+    if (!joint.is_leaf()) {
+      ++counts_.all_partitioners;
+      const auto depth = static_cast<int>(joint.depth);
+      const bool wanted = settings.layers.has(Layer::partitioners) && depth >= settings.least_depth &&
+                          depth <= settings.greatest_depth && counts_.partitioners < kMostPartitioners;
+      if (seen && wanted) draw_plane(frame, id, planes);
+      counts_.partitioners += seen && wanted ? 1 : 0;
+    } else if (D == 2 && seen && settings.layers.has(Layer::leaves)) {
+      for (const Polygon& cell : cell_faces(skeleton_, id, box_))
+        add_polygon(cells, frame.view, cell, with_alpha(tint_color(tints_.values[id.index()]), kCellAlpha));
+    }
+  }
+}
+
+template <int D>
+void SceneViewOf<D>::draw_plane(const DrawContext<D>& frame, NodeId id, Batch& batch) const {
+  const auto& joint = skeleton_[id];
+  const Polygon polygon = partitioner_in_cell(skeleton_, id, joint.plane, box_);
+  const double width = std::max(1.1, 3.0 - 0.4 * joint.depth) * frame.line_scale;
+  if constexpr (D == 2) {
+    if (!polygon.empty()) add_line(batch, frame.view, polygon[0], polygon[1], {palette::kPartitioner, width});
+  } else {
+    const double alpha = std::clamp(0.45 / std::sqrt(1.0 + skeleton_.leaves()), 0.025, 0.18);
+    if (joint.depth <= kDeepestPane)
+      add_polygon(batch, frame.view, polygon, with_alpha(palette::kPartitioner, alpha));
+    add_outline(batch, frame.view, polygon, {with_alpha(palette::kPartitioner, 0.55), 0.7 * width});
+  }
+}
+
+template <int D>
+void SceneViewOf<D>::add_label(const Eigen::Vector3d& point, std::string text) {
+  const auto at = seen_->view.project(point);
+  if (at) labels_.push_back({static_cast<float>(at->x()), static_cast<float>(at->y()), std::move(text)});
+}
+
+/// Where the event that has just happened took place.
+template <int D>
+void SceneViewOf<D>::draw_event(const DrawContext<D>& frame, Batch& batch) {
+  const auto event = run_.event();
+  const auto node = run_.event_node();
+  if (!event || !node || node->index() >= run_.state().tree.slots() || !run_.state().tree[*node].alive)
+    return;
+  const Stroke stroke{palette::kOperator, 2 * frame.line_scale};
+  Eigen::Vector3d top = to_point(box_.min);
+  for (const Polygon& face : cell_faces(skeleton_, *node, box_)) {
+    add_outline(batch, frame.view, face, stroke);
+    for (const Eigen::Vector3d& corner : face)
+      if (corner.y() > top.y()) top = corner;
+  }
+  add_label(top, "e" + std::to_string(event->id) + "  n" + std::to_string(node->value));
+}
+
+template <int D>
+void SceneViewOf<D>::draw_selection(const DrawContext<D>& frame, Batch& batch) {
+  const Selection& selection = seen_->selection;
+  if (const auto* node = std::get_if<NodeId>(&selection)) draw_node(frame, *node, batch);
+  if (const auto* object = std::get_if<ObjectId>(&selection)) draw_object(frame, *object, batch);
+  const auto* pair = std::get_if<Pair>(&selection);
+  if (pair == nullptr) return;
+  draw_object(frame, pair->a, batch);
+  draw_object(frame, pair->b, batch);
+  const auto a = box_of(pair->a);
+  const auto b = box_of(pair->b);
+  if (a && b)
+    add_line(batch, frame.view, to_point(a->center()), to_point(b->center()),
+             {palette::kOperator, 2.5 * frame.line_scale});
+}
+
+template <int D>
+void SceneViewOf<D>::draw_node(const DrawContext<D>& frame, NodeId id, Batch& batch) {
+  if (id.index() >= run_.state().tree.slots() || !run_.state().tree[id].alive) return;
+  const Stroke stroke{palette::kSeries[4], 2.5 * frame.line_scale};
+  const auto& joint = skeleton_[id];
+  for (const Polygon& face : cell_faces(skeleton_, id, box_)) add_outline(batch, frame.view, face, stroke);
+  if (joint.is_leaf()) return;
+  const Polygon plane = partitioner_in_cell(skeleton_, id, joint.plane, box_);
+  add_polygon(batch, frame.view, plane, with_alpha(palette::kSeries[4], 0.25));
+  add_outline(batch, frame.view, plane, {palette::kSeries[4], 4 * frame.line_scale});
+}
+
+template <int D>
+void SceneViewOf<D>::draw_object(const DrawContext<D>& frame, ObjectId id, Batch& batch) {
+  const auto box = box_of(id);
+  if (!box) return;
+  const Stroke stroke{palette::kOperator, 2 * frame.line_scale};
+  for (const HalfSpace& side : half_spaces(*box)) {
+    const auto sides = half_spaces(*box);
+    add_outline(batch, frame.view, plane_within(side, *box, sides), stroke);
+  }
+  add_label(to_point(box->max), std::to_string(id.value));
+}
+
+template <int D>
+void SceneViewOf<D>::draw_candidate(const DrawContext<D>& frame, std::size_t candidate, Batch& batch) {
+  const auto node = run_.event_node();
+  if (!node || candidate >= run_.ballot().size()) return;
+  if (node->index() >= run_.state().tree.slots() || !run_.state().tree[*node].alive) return;
+  const Polygon plane = partitioner_in_cell(skeleton_, *node, run_.plane(candidate), box_);
+  add_polygon(batch, frame.view, plane, with_alpha(palette::kCandidate, 0.3));
+  add_outline(batch, frame.view, plane, {palette::kCandidate, 4 * frame.line_scale});
+}
+
+template <int D>
+std::optional<Box<D>> SceneViewOf<D>::box_of(const Selection& selection) const {
+  const auto* object = std::get_if<ObjectId>(&selection);
+  const auto& table = run_.state().latest;
+  if (object != nullptr && table.is_placed(*object)) return table.box(*object);
+  if (const auto* pair = std::get_if<Pair>(&selection)) {
+    auto a = box_of(pair->a);
+    const auto b = box_of(pair->b);
+    if (!a || !b) return a ? a : b;
+    for (int axis = 0; axis < D; ++axis) {
+      a->min[axis] = std::min(a->min[axis], b->min[axis]);
+      a->max[axis] = std::max(a->max[axis], b->max[axis]);
+    }
+    return a;
+  }
+  const auto* node = std::get_if<NodeId>(&selection);
+  if (node == nullptr || node->index() >= run_.state().tree.slots() || !run_.state().tree[*node].alive)
+    return std::nullopt;
+  Box<D> box{box_.max, box_.min};
+  for (const Polygon& face : cell_faces(skeleton_, *node, box_))
+    for (const Eigen::Vector3d& corner : face)
+      for (int axis = 0; axis < D; ++axis) {
+        box.min[axis] = std::min(box.min[axis], static_cast<Scalar>(corner[axis]));
+        box.max[axis] = std::max(box.max[axis], static_cast<Scalar>(corner[axis]));
+      }
+  return box;
+}
+
+template <int D>
+void SceneViewOf<D>::focus(const Selection& selection) {
+  const auto box = box_of(selection);
+  if (box) {
+    orbit_.look_at(*box, width_, height_);
+  } else {
+    orbit_.frame_all();
+  }
+}
+
+template <int D>
+void SceneViewOf<D>::look_like(const SceneView& other) {
+  const auto* same = dynamic_cast<const SceneViewOf<D>*>(&other);
+  if (same == nullptr) return;
+  orbit_ = same->orbit_;
+  box_ = same->box_;
+}
+
+template <int D>
+std::optional<ObjectId> SceneViewOf<D>::pick(double x, double y) const {
+  if (!seen_) return std::nullopt;
+  const Ray ray = ray_through(seen_->view, x, y);
+  std::optional<ObjectId> best;
+  double nearest = std::numeric_limits<double>::max();
+  for (std::uint32_t id = 0; id < bodies_.size(); ++id) {
+    if (!is_drawable(bodies_[id])) continue;
+    const Box<D>& box = bodies_[id].box;
+    const auto hit = distance_to(ray, box);
+    if (!hit) continue;
+    const double rank = D == 3 ? *hit : double{box.extent()[0]} * double{box.extent()[1]};
+    if (rank >= nearest) continue;
+    nearest = rank;
+    best = ObjectId{id};
+  }
+  return best;
+}
+
+template <int D>
+std::optional<SceneLabel> SceneViewOf<D>::place_of(ObjectId object) const {
+  const auto box = box_of(object);
+  if (!seen_ || !box) return std::nullopt;
+  const auto at = seen_->view.project(to_point(box->center()));
+  if (!at) return std::nullopt;
+  return SceneLabel{static_cast<float>(at->x()), static_cast<float>(at->y()), std::to_string(object.value)};
+}
+
+template <int D>
+void SceneViewOf<D>::copy_to(const Framebuffer& target, int x, int y) const {
+  if (framebuffer_) framebuffer_->copy_to(target, x, y);
+}
+
+template class SceneViewOf<2>;
+template class SceneViewOf<3>;
+
+std::unique_ptr<SceneView> make_scene_view(const GlFunctions& gl, Run& run) {
+  if (auto* flat = dynamic_cast<RunOf<2>*>(&run)) return std::make_unique<SceneViewOf<2>>(gl, *flat);
+  return std::make_unique<SceneViewOf<3>>(gl, dynamic_cast<RunOf<3>&>(run));
+}
+
+}  // namespace kerf

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "viz/debugger/model/run_of.h"
+#include "viz/debugger/scene/orbit.h"
+#include "viz/debugger/scene/scene_view.h"
+#include "viz/debugger/scene/visibility.h"
+#include "viz/draw/draw_context.h"
+#include "viz/draw/highlights.h"
+#include "viz/draw/painter.h"
+
+namespace kerf {
+
+/// A view of a run of one dimension.
+template <int D>
+class SceneViewOf final : public SceneView {
+ public:
+  SceneViewOf(const GlFunctions& gl, RunOf<D>& run);
+
+  void update(const DebuggerModel& model, int width, int height) override;
+  void copy_to(const Framebuffer& target, int x, int y) const override;
+  [[nodiscard]] const ShownCounts& counts() const override { return counts_; }
+  [[nodiscard]] const std::vector<SceneLabel>& labels() const override { return labels_; }
+  [[nodiscard]] std::uint64_t drawn() const override { return drawn_; }
+  [[nodiscard]] std::optional<ObjectId> pick(double x, double y) const override;
+  [[nodiscard]] std::optional<SceneLabel> place_of(ObjectId object) const override;
+  void turn(double dx, double dy) override { orbit_.turn(dx, dy, width_, height_); }
+  void move(double dx, double dy) override { orbit_.move(dx, dy, width_, height_); }
+  void zoom(double clicks, double x, double y) override { orbit_.zoom(clicks, x, y, width_, height_); }
+  void focus(const Selection& selection) override;
+  void look_like(const SceneView& other) override;
+
+ private:
+  /// All that decides what a picture looks like.
+  struct Seen {
+    Position position;
+    ViewSettings settings;
+    Selection selection;
+    std::optional<std::size_t> candidate;
+    View view;
+    int width = 0;
+    int height = 0;
+    friend bool operator==(const Seen& a, const Seen& b) {
+      return a.position == b.position && a.settings == b.settings && a.selection == b.selection &&
+             a.candidate == b.candidate && a.view.clip_from_world == b.view.clip_from_world &&
+             a.width == b.width && a.height == b.height;
+    }
+  };
+
+  void find_box();
+  void take_moment();
+  void choose_bodies();
+  void choose_colors();
+  void draw(const DebuggerModel& model);
+  void draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch& planes);
+  void draw_plane(const DrawContext<D>& frame, NodeId id, Batch& batch) const;
+  void draw_event(const DrawContext<D>& frame, Batch& batch);
+  void draw_selection(const DrawContext<D>& frame, Batch& batch);
+  void draw_node(const DrawContext<D>& frame, NodeId id, Batch& batch);
+  void draw_object(const DrawContext<D>& frame, ObjectId id, Batch& batch);
+  void draw_candidate(const DrawContext<D>& frame, std::size_t candidate, Batch& batch);
+  void add_label(const Eigen::Vector3d& point, std::string text);
+  [[nodiscard]] std::optional<Box<D>> box_of(const Selection& selection) const;
+
+  const GlFunctions& gl_;
+  RunOf<D>& run_;
+  Font font_;
+  Painter painter_;
+  Orbit<D> orbit_;
+  Box<D> box_;
+  int width_ = 1;
+  int height_ = 1;
+  int samples_ = 0;
+  std::optional<Framebuffer> framebuffer_;
+  std::optional<Seen> seen_;
+  std::uint64_t drawn_ = 0;
+  ShownCounts counts_;
+  std::vector<SceneLabel> labels_;
+
+  // Of the moment that was drawn last.
+  std::optional<Position> moment_;
+  std::vector<Body<D>> all_bodies_;
+  std::vector<Body<D>> bodies_;  ///< those that are not shown are absent
+  Skeleton<D> skeleton_;
+  Visibility visible_;
+  NodeTints tints_;
+  std::vector<Color> colors_;
+  std::vector<Pair> pairs_;
+  std::vector<Pair> scratch_;
+  std::array<Batch, 4> batches_;
+};
+
+extern template class SceneViewOf<2>;
+extern template class SceneViewOf<3>;
+
+}  // namespace kerf

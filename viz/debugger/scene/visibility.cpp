@@ -1,0 +1,88 @@
+#include "viz/debugger/scene/visibility.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "core/tree/partitioner.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kOldest = 100;          // steps
+constexpr double kMostStraddlers = 0.1;  // share of the population
+
+/// The quality of the partitioner that made the node; that of the node itself at the root.
+const Quality& quality_above(std::span<const TreeRow> tree, const TreeRow& row) {
+  return row.parent.is_none() ? row.quality : tree[row.parent.index()].quality;
+}
+
+double tint_value(Run& run, std::span<const TreeRow> tree, std::size_t id, Tint tint) {
+  const TreeRow& row = tree[id];
+  const Quality& above = quality_above(tree, row);
+  switch (tint) {
+    case Tint::population:
+      return row.population;
+    case Tint::balance:
+      return above.population == 0 ? 1 : double{balance(above)};
+    case Tint::redundancy:
+      return above.population == 0 ? 0 : static_cast<double>(redundancy(above)) / above.population;
+    case Tint::cost:  // pairs that a sweep of the leaf could have to look at
+      return 0.5 * row.population * row.population;
+    case Tint::age:
+      return run.position().step -
+             run.last_change(row.parent.is_none() ? NodeId{static_cast<std::uint32_t>(id)} : row.parent);
+  }
+  return 0;
+}
+
+}  // namespace
+
+template <int D>
+Visibility find_visible(const Tree<D>& tree, std::size_t objects, const ViewSettings& settings) {
+  Visibility visible;
+  visible.nodes.assign(tree.slots(), 0);
+  visible.leaf_of.assign(objects, NodeId::none());
+  visible.in_several.assign(objects, 0);
+  const bool all = !settings.isolated && settings.hidden_nodes.empty();
+  visible.objects.assign(objects, all ? 1 : 0);
+  for_each_node(tree, tree.root(), [&](NodeId id) {
+    const Node<D>& node = tree[id];
+    const bool above = node.parent.is_none() ? !settings.isolated : visible.nodes[node.parent.index()] != 0;
+    const bool seen = (above || settings.isolated == id) && !settings.hidden_nodes.contains(id);
+    visible.nodes[id.index()] = seen ? 1 : 0;
+    for (const Entry& entry : node.entries) {
+      const std::size_t object = entry.object.index();
+      if (object >= objects) continue;
+      if (seen) visible.objects[object] = 1;
+      NodeId& leaf = visible.leaf_of[object];
+      if (!leaf.is_none()) visible.in_several[object] = 1;
+      if (leaf.is_none() || tree[leaf].population < node.population) leaf = id;
+    }
+  });
+  for (const ObjectId object : settings.hidden_objects)
+    if (object.index() < objects) visible.objects[object.index()] = 0;
+  return visible;
+}
+
+NodeTints find_tints(Run& run, Tint tint) {
+  const std::span<const TreeRow> tree = run.tree();
+  NodeTints tints{std::vector<float>(tree.size()), 1};
+  double largest = 1e-9;
+  for (std::size_t id = 0; id < tree.size(); ++id) {
+    if (!tree[id].alive || !tree[id].is_leaf()) continue;
+    tints.values[id] = static_cast<float>(tint_value(run, tree, id, tint));
+    largest = std::max(largest, double{tints.values[id]});
+  }
+  if (tint == Tint::population) tints.end = std::bit_ceil(std::max(16U, static_cast<unsigned>(largest)));
+  if (tint == Tint::cost) tints.end = largest;
+  if (tint == Tint::redundancy) tints.end = kMostStraddlers;
+  if (tint == Tint::age) tints.end = kOldest;
+  for (float& value : tints.values)
+    value = static_cast<float>(std::clamp(double{value} / tints.end, 0.0, 1.0));
+  return tints;
+}
+
+template Visibility find_visible<2>(const Tree<2>&, std::size_t, const ViewSettings&);
+template Visibility find_visible<3>(const Tree<3>&, std::size_t, const ViewSettings&);
+
+}  // namespace kerf

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/tree/tree.h"
+#include "viz/debugger/model/run.h"
+#include "viz/debugger/model/view_settings.h"
+
+namespace kerf {
+
+/// What of a tree is to be seen: by node, and by object whether a leaf that is seen holds it.
+struct Visibility {
+  std::vector<std::uint8_t> nodes;
+  std::vector<std::uint8_t> objects;
+  std::vector<NodeId> leaf_of;           ///< by object: the fullest leaf that holds it; none: not in the tree
+  std::vector<std::uint8_t> in_several;  ///< by object: more than one leaf holds it
+};
+
+template <int D>
+Visibility find_visible(const Tree<D>& tree, std::size_t objects, const ViewSettings& settings);
+
+/// A value from 0 to 1 for each living node by what the tint tells, and what 1 stands for.
+struct NodeTints {
+  std::vector<float> values;
+  double end = 1;
+};
+NodeTints find_tints(Run& run, Tint tint);
+
+}  // namespace kerf

@@ -1,0 +1,285 @@
+#include "viz/debugger/script.h"
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <optional>
+
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+[[noreturn]] void fail(const ScriptLine& line, const std::string& what) {
+  std::string text;
+  for (const std::string& word : line.words) text += (text.empty() ? "" : " ") + word;
+  throw ScriptError("line " + std::to_string(line.number) + ", '" + text + "': " + what);
+}
+
+std::optional<double> number_of(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// "a,b" as two numbers.
+std::optional<std::pair<double, double>> two_numbers(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const auto a = number_of(text.substr(0, comma));
+  const auto b = number_of(text.substr(comma + 1));
+  if (!a || !b) return std::nullopt;
+  return std::pair(*a, *b);
+}
+
+std::vector<std::string> words_of(int number, std::string_view text) {
+  std::vector<std::string> words;
+  std::string word;
+  bool quoted = false;
+  bool begun = false;
+  for (const char c : text) {
+    if (c == '"') {
+      quoted = !quoted;
+      begun = true;
+    } else if (c == '#' && !quoted && !begun) {
+      break;
+    } else if ((c == ' ' || c == '\t' || c == '\r') && !quoted) {
+      if (begun) words.push_back(std::exchange(word, {}));
+      begun = false;
+    } else {
+      word += c;
+      begun = true;
+    }
+  }
+  if (quoted) throw ScriptError("line " + std::to_string(number) + ": a quote is not closed");
+  if (begun) words.push_back(word);
+  return words;
+}
+
+const std::map<std::string, Key>& key_names() {
+  static const std::map<std::string, Key> kNames{{"space", Key::space}, {",", Key::comma},
+                                                 {".", Key::period},    {"home", Key::home},
+                                                 {"end", Key::end},     {"f", Key::f},
+                                                 {"h", Key::h},         {"i", Key::i},
+                                                 {"b", Key::b},         {"o", Key::o},
+                                                 {"?", Key::question},  {"escape", Key::escape},
+                                                 {"enter", Key::enter}, {"backspace", Key::backspace},
+                                                 {"f1", Key::f1},       {"f5", Key::f5},
+                                                 {"f9", Key::f9},       {"f12", Key::f12},
+                                                 {"delete", Key::del}};
+  return kNames;
+}
+
+bool compare(const std::string& a, const std::string& op, const std::string& b, const ScriptLine& line) {
+  if (op == "~") return a.find(b) != std::string::npos;
+  if (op == "!~") return a.find(b) == std::string::npos;
+  if (op == "==") return a == b || (number_of(a) && number_of(a) == number_of(b));
+  if (op == "!=") return !compare(a, "==", b, line);
+  const auto x = number_of(a);
+  const auto y = number_of(b);
+  if (!x || !y) fail(line, "'" + a + "' and '" + b + "' are not both numbers");
+  if (op == "<") return *x < *y;
+  if (op == "<=") return *x <= *y;
+  if (op == ">") return *x > *y;
+  if (op == ">=") return *x >= *y;
+  fail(line, "'" + op + "' is none of == != < <= > >= ~ !~");
+}
+
+}  // namespace
+
+std::vector<ScriptLine> parse_script(std::string_view text) {
+  std::vector<ScriptLine> lines;
+  for (int number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    ScriptLine line{number, words_of(number, text.substr(0, end))};
+    if (!line.words.empty()) lines.push_back(std::move(line));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+ScriptPlayer::ScriptPlayer(Debugger& debugger, int width, int height, std::filesystem::path folder,
+                           std::function<void()> present)
+    : debugger_(debugger),
+      width_(width),
+      height_(height),
+      folder_(std::move(folder)),
+      present_(std::move(present)) {}
+
+void ScriptPlayer::play(const std::vector<ScriptLine>& lines) {
+  frames(2);
+  for (const ScriptLine& line : lines) {
+    play(line);
+    if (debugger_.takes_screenshot()) take_picture(debugger_.facts()["position"]);
+  }
+}
+
+void ScriptPlayer::frames(int count) {
+  for (int k = 0; k < count; ++k) {
+    debugger_.frame(input_, width_, height_);
+    if (present_) present_();
+    input_.keys.clear();
+    input_.text.clear();
+    input_.wheel = 0;
+  }
+}
+
+void ScriptPlayer::play(const ScriptLine& line) {
+  const std::string& verb = line.words[0];
+  const auto word = [&](std::size_t k) -> const std::string& {
+    if (k >= line.words.size()) fail(line, "something is missing after '" + line.words.back() + "'");
+    return line.words[k];
+  };
+  const auto number = [&](std::size_t k) {
+    const auto value = number_of(word(k));
+    if (!value) fail(line, "'" + word(k) + "' is no number");
+    return *value;
+  };
+  if (verb == "key") return press(word(1));
+  if (verb == "click") return click(place(line, word(1)), 0, 1);
+  if (verb == "double") {
+    input_.shift = line.words.size() > 2 && line.words[2] == "shift";
+    click(place(line, word(1)), 0, 2);
+    input_.shift = false;
+    return frames(1);
+  }
+  if (verb == "hover") {
+    const Point point = place(line, word(1));
+    input_.mouse_x = point.x;
+    input_.mouse_y = point.y;
+    return frames(2);
+  }
+  if (verb == "drag") {
+    const bool right = line.words.size() > 3 && line.words[3] == "right";
+    return drag(place(line, word(1)), place(line, word(2)), right ? 1 : 0);
+  }
+  if (verb == "wheel") {
+    input_.wheel = static_cast<float>(number(1));
+    return frames(2);
+  }
+  if (verb == "type") {
+    input_.text = word(1);
+    return frames(2);
+  }
+  if (verb == "wait") return frames(static_cast<int>(number(1)));
+  if (verb == "screenshot") return take_picture(word(1));
+  if (verb == "expect") return expect(line);
+  if (verb == "remember") {
+    remembered_[word(1)] = fact(line, word(2));
+    return;
+  }
+  fail(line,
+       "'" + verb +
+           "' is none of key, click, double, hover, drag, wheel, type, wait, screenshot, expect, remember");
+}
+
+/// As a person does: the mouse is there before it is pressed, and stays for a frame after.
+void ScriptPlayer::click(const Point& point, int button, int times) {
+  input_.mouse_x = point.x;
+  input_.mouse_y = point.y;
+  frames(2);
+  for (int k = 0; k < times; ++k) {
+    input_.buttons[static_cast<std::size_t>(button)] = true;
+    frames(1);
+    input_.buttons[static_cast<std::size_t>(button)] = false;
+    frames(1);
+  }
+  frames(1);
+}
+
+void ScriptPlayer::drag(const Point& from, const Point& to, int button) {
+  constexpr int kSteps = 8;
+  input_.mouse_x = from.x;
+  input_.mouse_y = from.y;
+  frames(2);
+  input_.buttons[static_cast<std::size_t>(button)] = true;
+  frames(1);
+  for (int k = 1; k <= kSteps; ++k) {
+    const float share = static_cast<float>(k) / kSteps;
+    input_.mouse_x = from.x + share * (to.x - from.x);
+    input_.mouse_y = from.y + share * (to.y - from.y);
+    frames(1);
+  }
+  input_.buttons[static_cast<std::size_t>(button)] = false;
+  frames(2);
+}
+
+void ScriptPlayer::press(const std::string& text) {
+  std::string name = text;
+  std::ranges::transform(name, name.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  KeyPress key;
+  if (name.starts_with("shift+")) {
+    key.shift = true;
+    name.erase(0, 6);
+  }
+  const auto found = key_names().find(name);
+  if (found == key_names().end()) throw ScriptError("there is no key '" + text + "'");
+  key.key = found->second;
+  input_.shift = key.shift;
+  input_.keys = {key};
+  frames(1);
+  input_.shift = false;
+  frames(2);
+}
+
+/// A picture shows the state after everything that was done has been drawn.
+void ScriptPlayer::take_picture(const std::string& name) {
+  frames(2);
+  std::filesystem::create_directories(folder_);
+  write_png(folder_ / (name + ".png"), debugger_.picture());
+}
+
+std::string ScriptPlayer::fact(const ScriptLine& line, const std::string& name) {
+  const auto facts = debugger_.facts();
+  const auto found = facts.find(name);
+  if (found != facts.end()) return found->second;
+  std::string names;
+  for (const auto& [known, value] : facts) names += " " + known;
+  fail(line, "there is nothing called '" + name + "'; there are" + names);
+}
+
+void ScriptPlayer::expect(const ScriptLine& line) {
+  if (line.words.size() != 4) fail(line, "it is written `expect NAME == VALUE`");
+  const std::string found = fact(line, line.words[1]);
+  std::string wanted = line.words[3];
+  if (wanted.starts_with("$")) {
+    const auto kept = remembered_.find(wanted.substr(1));
+    if (kept == remembered_.end()) fail(line, "nothing was remembered as '" + wanted.substr(1) + "'");
+    wanted = kept->second;
+  }
+  if (!compare(found, line.words[2], wanted, line)) fail(line, line.words[1] + " is '" + found + "'");
+}
+
+/// "320,200" is a pixel, "play" a part of a panel, "view@0.5,0.25" a place within it by its share, "object:5"
+/// where that object is seen.
+ScriptPlayer::Point ScriptPlayer::place(const ScriptLine& line, const std::string& word) {
+  if (const auto pixel = two_numbers(word))
+    return {static_cast<float>(pixel->first), static_cast<float>(pixel->second)};
+  const std::size_t at = word.find('@');
+  const std::string name = word.substr(0, at);
+  std::pair<double, double> share{0.5, 0.5};
+  if (at != std::string::npos) {
+    const auto given = two_numbers(std::string_view(word).substr(at + 1));
+    if (!given) fail(line, "after the @ stand two shares such as 0.5,0.25");
+    share = *given;
+  }
+  if (name.starts_with("object:")) {
+    const auto id = number_of(std::string_view(name).substr(7));
+    const auto seen = id ? debugger_.view().place_of({static_cast<std::uint32_t>(*id)}) : std::nullopt;
+    const auto view = debugger_.gui().find("view");
+    if (!seen || !view) fail(line, "that object is not seen");
+    return {view->x + seen->x, view->y + seen->y};
+  }
+  const auto area = debugger_.gui().find(name);
+  if (!area) {
+    std::string names;
+    for (const auto& [known, rectangle] : debugger_.gui().named()) names += " '" + known + "'";
+    fail(line, "there is no '" + name + "' to be seen; there are" + names);
+  }
+  return {area->x + area->width * static_cast<float>(share.first),
+          area->y + area->height * static_cast<float>(share.second)};
+}
+
+}  // namespace kerf

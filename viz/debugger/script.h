@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viz/debugger/debugger.h"
+
+namespace kerf {
+
+/// A line of a script cannot be understood or its expectation does not hold; the message names the line.
+class ScriptError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One line: its words, of which those in quotes are one.
+struct ScriptLine {
+  int number = 0;
+  std::vector<std::string> words;
+};
+
+/// Lines without comments and empty ones. Throws ScriptError.
+std::vector<ScriptLine> parse_script(std::string_view text);
+
+/// Does with a debugger what a user would, line by line. docs/DEBUGGING.md has the commands.
+class ScriptPlayer {
+ public:
+  /// Pictures go into `folder`, which is made when the first is taken. `present` is called after each frame,
+  /// for whoever shows it.
+  ScriptPlayer(Debugger& debugger, int width, int height, std::filesystem::path folder,
+               std::function<void()> present = {});
+
+  /// Throws ScriptError, or std::runtime_error if a picture cannot be written.
+  void play(const std::vector<ScriptLine>& lines);
+
+ private:
+  struct Point {
+    float x = 0;
+    float y = 0;
+  };
+
+  void play(const ScriptLine& line);
+  void frames(int count);
+  void click(const Point& point, int button, int times);
+  void drag(const Point& from, const Point& to, int button);
+  void press(const std::string& key);
+  void take_picture(const std::string& name);
+  void expect(const ScriptLine& line);
+  [[nodiscard]] std::string fact(const ScriptLine& line, const std::string& name);
+  [[nodiscard]] Point place(const ScriptLine& line, const std::string& word);
+
+  Debugger& debugger_;
+  int width_;
+  int height_;
+  std::filesystem::path folder_;
+  std::function<void()> present_;
+  DebuggerInput input_;
+  std::map<std::string, std::string> remembered_;
+};
+
+}  // namespace kerf
