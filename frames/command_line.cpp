@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "frames/bench/bench_command.h"
+#include "frames/bench_frames/bench_frames_command.h"
+#include "frames/collect_command.h"
 #include "frames/compare_command.h"
 #include "frames/debug_command.h"
 #include "frames/diff/diff_command.h"
@@ -17,6 +19,7 @@
 #include "frames/experiment/experiment_command.h"
 #include "frames/explain_command.h"
 #include "frames/export_command.h"
+#include "frames/film_diff_command.h"
 #include "frames/import_command.h"
 #include "frames/lint_command.h"
 #include "frames/minimize_command.h"
@@ -109,6 +112,8 @@ int run_command_line(int argc, char** argv) {
   program.set_version_flag("--version", "kerf " KERF_VERSION);
   const ScenesCommand scenes(program);
   const RenderCommand render(program);
+  const CollectCommand collector(program);
+  const FilmDiffCommand film_diff(program);
   const RecordCommand record(program);
   const ImportCommand import(program);
   const RerunCommand rerun(program);
@@ -122,6 +127,7 @@ int run_command_line(int argc, char** argv) {
   const ExportCommand exporter(program);
   const DiffCommand diff(program);
   const BenchCommand bench(program);
+  const BenchFramesCommand bench_frames(program);
   const ExperimentCommand experiment(program);
   const ReportCommand report_page(program);
   try {
@@ -137,8 +143,8 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUsage;
   }
-  return run(program, scenes, render, record, import, rerun, verify, debug, step, explain, compare, lint,
-             minimize, exporter, diff, bench, experiment, report_page);
+  return run(program, scenes, render, collector, film_diff, record, import, rerun, verify, debug, step,
+             explain, compare, lint, minimize, exporter, diff, bench, bench_frames, experiment, report_page);
 }
 
 }  // namespace kerf

@@ -32,7 +32,7 @@ class SceneFilm final : public Film {
   SceneFilm(const SceneEntry<D>& entry, const RenderRequest& request)
       : name_(request.name),
         broad_phase_name_(request.broad_phase.name),
-        planner_(request.layers, 0),
+        planner_(request.layers, samples_of_renderer(request)),
         broad_phase_(watched_broad_phase(entry, request)),
         tree_(dynamic_cast<WatchedTree<D>*>(broad_phase_.get())),
         recorder_(make_recorder(tree_, request)),
@@ -107,7 +107,8 @@ class SceneFilm final : public Film {
             .pairs = scene_->pairs().size(),
             .contacts = scene_->contacts().size(),
             .statistics = tree_ == nullptr ? Statistics{} : tree_->statistics(),
-            .note = {}};
+            .note = {},
+            .knows_contacts = true};
   }
 
   std::string name_;

@@ -39,6 +39,11 @@ std::unique_ptr<Film> make_film(const RenderRequest& request);
 /// The same for a request of a recording.
 std::unique_ptr<Film> make_recording_film(const RenderRequest& request);
 
+/// As in FrameOptions.
+inline int samples_of_renderer(const RenderRequest& request) {
+  return request.samples == kSupersampled ? 1 : request.samples;
+}
+
 /// Objects of `bodies` that move.
 template <int D>
 std::uint32_t count_moving(std::span<const Body<D>> bodies) {

@@ -141,6 +141,8 @@ Manifest begin_manifest(const RenderRequest& request) {
   json["size"] = {{"width", request.size.width}, {"height", request.size.height}};
   json["layers"] = to_string(request.layers);
   json["camera"] = request.camera;
+  json["camera_path"] = request.camera_path;
+  json["samples"] = request.samples;
   return {dump(json, -1), request.name, steps, request.size, request.shard, false, {}};
 }
 

@@ -53,7 +53,7 @@ Setting<D> find_setting(RecordingReader<D>& recording, const StepRange& steps) {
   }
   setting.view = view.box();
   setting.largest_population =
-      std::bit_ceil(std::max(kLeastRamp, split_threshold(objects, recording.info().config)));
+      std::bit_ceil(std::max(kLeastRamp, 2 * split_threshold(objects, recording.info().config)));
   if (objects >= kManyBodies) setting.samples = 1;
   return setting;
 }
@@ -65,7 +65,7 @@ class RecordingFilm final : public Film {
       : recording_(std::make_shared<RecordingReader<D>>(request.recording->path)),
         replayer_(recording_, 0),
         setting_(find_setting(*recording_, request.steps)),
-        planner_(request.layers, setting_.samples),
+        planner_(request.layers, request.samples == 0 ? setting_.samples : samples_of_renderer(request)),
         stride_(request.steps.stride) {
     planner_.fix_view_box(setting_.view);
     planner_.fix_largest_population(setting_.largest_population);
@@ -154,7 +154,8 @@ class RecordingFilm final : public Film {
             .pairs = row.pairs,
             .contacts = 0,
             .statistics = row.statistics,
-            .note = {}};
+            .note = {},
+            .knows_contacts = false};
   }
 
   std::shared_ptr<RecordingReader<D>> recording_;

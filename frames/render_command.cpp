@@ -24,6 +24,10 @@ std::string footer() {
       "\n        a list of these, 'all' or 'none', or changes such as +leaves,-legend"
       "\nCAMERA  3D: yaw=30,pitch=25,fov=35,distance=40,target=0:0:0   2D: center=0:5,width=40"
       "\n        any part of it; what is left out is chosen so that everything is seen"
+      "\nPATH    a key frame a line: a step and what is said of the camera from then on, 120 yaw=90,pitch=20"
+      "\n        between them it moves smoothly; what follows a # is a remark"
+      "\nSAMPLES 1: jagged edges; 4: smooth ones, three times slower; 2x2: drawn at twice the size and "
+      "averaged"
       "\nOUTPUT  DIR/SCENE_000000.png and so on, and DIR/frames.json, which says what each frame shows."
       "\n        A folder that holds a sequence is refused unless --overwrite is given, which removes that"
       "\n        sequence and nothing else. Ctrl-C keeps the finished frames and their manifest; the same"
@@ -64,10 +68,13 @@ RenderCommand::RenderCommand(CLI::App& program)
          "KIND");
   option("--show", texts_.show, "What is drawn, see below (default all)", "LAYERS");
   option("--camera", texts_.camera, "From where, see below (default: all in view)", "TEXT");
+  option("--camera-path", texts_.camera_path, "Camera that moves, from a file, see below", "FILE");
+  option("--samples", texts_.samples, "Of each pixel, see below (default: 4, of many objects 1)", "1|4|2x2");
+  option("--backend", texts_.backend, "What draws; both give the same pixels (default osmesa)", "osmesa|egl");
   option("--config", texts_.config, "Parameters of the tree, see below (default: those of --broad-phase)",
          "K=V,...");
   option("--out", texts_.out, "Folder for frames and manifest (default out/SCENE)", "DIR");
-  option("--video", texts_.video, "Also a film (.mp4, .mkv, .mov), by ffmpeg", "FILE");
+  option("--video", texts_.video, "Also a film (.mp4, .mkv, .mov, .webm, .gif, .apng), by ffmpeg", "FILE");
   option("--fps", texts_.fps, "Frames a second of the film (default 25)", "N");
   option("--contact-sheet", texts_.contact_sheet, "Also twenty of the frames in one .png", "FILE");
   option("--seed", texts_.seed, "Of every random choice of the scene (default 1)", "S");

@@ -1,6 +1,8 @@
 #include "frames/render_request.h"
 
 #include <algorithm>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -11,8 +13,9 @@
 #include "frames/parse_number.h"
 #include "frames/recording_file.h"
 #include "frames/suggest.h"
-#include "frames/video.h"
 #include "viz/draw/camera.h"
+#include "viz/draw/camera_path.h"
+#include "viz/draw/frame_renderer.h"
 
 namespace kerf {
 namespace {
@@ -46,11 +49,6 @@ void check_camera(int dimension, const std::string& text) {
     }
     return 0;
   });
-}
-
-void check_picture_extension(const std::filesystem::path& path) {
-  if (path.extension() == ".png") return;
-  throw UsageError("--contact-sheet '" + path.string() + "': give the file the extension .png");
 }
 
 template <int D>
@@ -90,23 +88,56 @@ BroadPhaseChoice parse_broad_phase(const CatalogScene& scene, const RenderTexts&
   return choice;
 }
 
+std::string read_camera_path(int dimension, const std::string& file) {
+  if (file.empty()) return "";
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) throw UsageError("--camera-path: cannot read " + file);
+  parse_option("--camera-path " + file, [&] {
+    if (dimension == 2) {
+      (void)CameraPath<2>(text.str());
+    } else {
+      (void)CameraPath<3>(text.str());
+    }
+    return 0;
+  });
+  return text.str();
+}
+
+int parse_samples(const RenderTexts& texts, PictureSize size) {
+  if (texts.samples.empty()) return 0;
+  if (texts.samples == "1") return 1;
+  if (texts.samples == "4") return 4;
+  if (texts.samples != "2x2")
+    throw UsageError("--samples '" + texts.samples +
+                     "': give 1 (jagged edges), 4 (smooth ones) or 2x2 (drawn at twice the size)");
+  if (2 * std::max(size.width, size.height) > kMaxFrameSide)
+    throw UsageError("--samples 2x2 draws at twice the size: no side may be above " +
+                     std::to_string(kMaxFrameSide / 2) + " then");
+  return kSupersampled;
+}
+
 /// What is asked of the pictures, whatever they are of.
 void parse_pictures(const RenderTexts& texts, RenderRequest& request) {
   if (!texts.size.empty()) request.size = parse_picture_size(texts.size);
-  if (!texts.fps.empty()) request.fps = number_in("--fps", texts.fps, 1, 240);
   if (!texts.show.empty())
     request.layers = parse_option("--show", [&] { return LayerSet::parse(texts.show); });
   check_camera(request.dimension(), texts.camera);
   request.camera = texts.camera;
+  request.camera_path = read_camera_path(request.dimension(), texts.camera_path);
+  request.samples = parse_samples(texts, request.size);
+  if (!texts.backend.empty())
+    request.backend = parse_option("--backend", [&] { return parse_gl_backend(texts.backend); });
   request.out =
       texts.out.empty() ? std::filesystem::path("out") / request.name : std::filesystem::path(texts.out);
-  request.video = texts.video;
-  if (!request.video.empty()) Video::check_extension(request.video);
-  request.contact_sheet = texts.contact_sheet;
-  if (!request.contact_sheet.empty()) check_picture_extension(request.contact_sheet);
+  request.film = parse_film_request(texts.video, texts.fps, texts.contact_sheet, texts.overwrite);
   request.workers = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   if (!texts.workers.empty()) request.workers = number_in("--workers", texts.workers, 0, kMaxWorkers);
   request.ids = texts.ids;
+  if (texts.ids && request.samples == kSupersampled)
+    throw UsageError(
+        "--ids says what each pixel shows, and with --samples 2x2 each shows four: leave one out");
   request.overwrite = texts.overwrite;
   request.resume = texts.resume;
   if (texts.resume && texts.overwrite)
@@ -209,6 +240,7 @@ RenderRequest parse_recording_request(const RenderTexts& texts) {
   request.options = {request.recording->info.objects, request.recording->info.grow,
                      request.recording->info.recycle, request.recording->info.seed};
   parse_pictures(texts, request);
+  request.layers.set(Layer::contacts, false);  // a recording has no narrow phase
   parse_shard_of_recording(texts, request);
   return request;
 }

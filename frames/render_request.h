@@ -7,10 +7,12 @@
 
 #include "core/recording/recording_info.h"
 #include "frames/broad_phase_choice.h"
+#include "frames/film_files.h"
 #include "frames/picture_size.h"
 #include "frames/scene_catalog.h"
 #include "frames/step_range.h"
 #include "viz/draw/layers.h"
+#include "viz/gl/backend.h"
 
 namespace kerf {
 
@@ -36,9 +38,15 @@ struct RenderTexts {
   std::string workers;
   std::string shard;
   bool ids = false;
+  std::string backend;
+  std::string camera_path;
+  std::string samples;
   bool overwrite = false;
   bool resume = false;
 };
+
+/// Drawn at twice the size, with one sample a pixel, and averaged.
+inline constexpr int kSupersampled = 2;
 
 /// Every `count`-th frame of a sequence, from frame `index` on.
 struct Shard {
@@ -66,13 +74,14 @@ struct RenderRequest {
   SceneOptions options;
   LayerSet layers = LayerSet::all();
   std::string camera;
+  std::string camera_path;  ///< the file's text; empty: the camera stands still
+  int samples = 0;          ///< of each pixel, see kSupersampled; 0: a choice
+  GlBackend backend = GlBackend::osmesa;
   BroadPhaseChoice broad_phase;
   std::filesystem::path out;
-  std::filesystem::path video;  ///< empty: none
-  int fps = 25;
-  std::filesystem::path contact_sheet;  ///< empty: none
-  std::filesystem::path record;         ///< empty: none
-  int workers = 1;                      ///< processes that draw; 0: this one
+  FilmRequest film;
+  std::filesystem::path record;  ///< empty: none
+  int workers = 1;               ///< processes that draw; 0: this one
   Shard shard;
   bool ids = false;  ///< also what is in each picture, by name
   bool overwrite = false;
@@ -85,7 +94,7 @@ inline constexpr std::uint32_t kMaxRequestedObjects = 1'000'000;
 
 inline constexpr int kMaxWorkers = 256;
 
-/// Throws UsageError that says what to do. Touches no file.
+/// Throws UsageError that says what to do. Touches no file but that of the camera path, which is read.
 RenderRequest parse_request(const RenderTexts& texts);
 
 /// Whether `kerf render` is given a recording: the name of no scene, but of a file.

@@ -9,35 +9,28 @@
 #include <system_error>
 
 #include "frames/atomic_file.h"
-#include "frames/contact_strip.h"
 #include "frames/errors.h"
 #include "frames/farm/forked_crew.h"
 #include "frames/farm/picture_maker.h"
 #include "frames/farm/solo_crew.h"
 #include "frames/film.h"
+#include "frames/film_files.h"
 #include "frames/folder_lock.h"
 #include "frames/interrupt.h"
 #include "frames/manifest.h"
 #include "frames/progress.h"
 #include "frames/sequence_folder.h"
-#include "frames/video.h"
 #include "viz/gl/context.h"
 
 namespace kerf {
 namespace {
 
-/// A film or contact sheet replaces an earlier file only if the user said so.
-void check_free(const std::filesystem::path& file, bool overwrite) {
-  if (file.empty() || overwrite || !std::filesystem::exists(file)) return;
-  throw UsageError(file.string() + " exists already; choose another name, or replace it with --overwrite");
-}
-
 std::size_t image_bytes(const RenderRequest& request) {
-  if (request.video.empty() && request.contact_sheet.empty()) return 0;
+  if (!request.film.wants_any()) return 0;
   return 4 * static_cast<std::size_t>(request.size.width) * static_cast<std::size_t>(request.size.height);
 }
 
-/// The work on one sequence; the crew's thread uses `manifest_`, `video_` and `strip_` until it is done.
+/// The work on one sequence; the crew's thread uses `manifest_` and `files_` until it is done.
 class Sequence {
  public:
   explicit Sequence(const RenderRequest& request)
@@ -48,9 +41,7 @@ class Sequence {
         kept_(look_into_folder()),
         crew_(make_crew()),
         film_(make_film(request)),
-        strip_(request.steps.frames()) {
-    if (!request.video.empty()) video_.emplace(request.video, request.size, request.fps);
-    if (request.contact_sheet.has_parent_path()) make_writable_folder(request.contact_sheet.parent_path());
+        files_(request.film, request.size, request.steps.frames()) {
     take_folder();
   }
 
@@ -66,8 +57,7 @@ class Sequence {
       throw;
     }
     if (!manifest_.complete) throw Interrupted(interruption());
-    if (video_) video_->finish();
-    if (!request_.contact_sheet.empty()) strip_.save(request_.contact_sheet);
+    files_.finish();
   }
 
  private:
@@ -127,7 +117,7 @@ class Sequence {
     order.record.file = frame_file_name(manifest_.name, index);
     const auto kept = kept_.find(index);
     if (kept != kept_.end()) order.kept = kept->second;
-    order.wants_image = video_ || (!request_.contact_sheet.empty() && strip_.is_chosen(index));
+    order.wants_image = files_.wants(index);
     return order;
   }
 
@@ -135,8 +125,7 @@ class Sequence {
   void finish(const FrameRecord& record, const Image& image) {
     manifest_.frames.push_back(record);
     finished_ = static_cast<std::uint32_t>(manifest_.frames.size());
-    if (video_) video_->add(image.rgba);
-    if (!request_.contact_sheet.empty() && strip_.is_chosen(record.index)) strip_.offer(record.index, image);
+    if (files_.wants(record.index)) files_.add(record.index, image);
     save_now_and_then();
   }
 
@@ -178,7 +167,7 @@ class Sequence {
     std::string text = "interrupted: " + std::to_string(manifest_.frames.size()) + " of " +
                        std::to_string(manifest_.wanted_frames()) + " frames are in " +
                        folder_.path().string() + "; the same command with --resume makes the rest";
-    if (video_) text += "; no film was made";
+    if (files_.has_video()) text += "; no film was made";
     return text;
   }
 
@@ -189,8 +178,7 @@ class Sequence {
   KeptFrames kept_;                  ///< by an earlier run
   std::unique_ptr<FrameCrew> crew_;  ///< before the film, which may have threads
   std::unique_ptr<Film> film_;
-  ContactStrip strip_;
-  std::optional<Video> video_;
+  FilmFiles files_;
   std::atomic<std::uint32_t> finished_ = 0;
   std::chrono::steady_clock::time_point next_save_{};
 };
@@ -198,8 +186,7 @@ class Sequence {
 }  // namespace
 
 void render_sequence(const RenderRequest& request) {
-  check_free(request.video, request.overwrite);
-  check_free(request.contact_sheet, request.overwrite);
+  check_free(request.film);
   tune_allocator_for_rendering();
   const InterruptGuard interrupt;
   Sequence(request).run(interrupt);

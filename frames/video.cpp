@@ -20,37 +20,53 @@
 namespace kerf {
 namespace {
 
-std::vector<std::string> ffmpeg_arguments(const std::filesystem::path& part, PictureSize size, int rate) {
+using Words = std::vector<std::string>;
+
+/// What each kind of film is made with. yuv420p is what players understand; it needs even sides, so an odd
+/// side gets one more row or column.
+struct Format {
+  const char* extension;
+  Words options;
+};
+
+const std::vector<Format>& formats() {
+  static const Words h264{"-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                          "-c:v",      "libx264",
+                          "-preset",   "veryfast",
+                          "-crf",      "20",
+                          "-pix_fmt",  "yuv420p",
+                          "-movflags", "+faststart"};
+  // Each picture has its own 256 colours: one palette for all would need all of them in memory.
+  static const std::vector<Format> all{
+      {".mp4", h264},
+      {".mkv", h264},
+      {".mov", h264},
+      {".webm",
+       {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libvpx-vp9", "-crf", "31", "-b:v", "0", "-deadline",
+        "good", "-cpu-used", "5", "-row-mt", "1", "-pix_fmt", "yuv420p"}},
+      {".gif",
+       {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none", "-loop",
+        "0"}},
+      {".apng", {"-c:v", "apng", "-pred", "up", "-pix_fmt", "rgb24", "-plays", "0", "-f", "apng"}},
+  };
+  return all;
+}
+
+const Format* format_of(const std::filesystem::path& path) {
+  const auto format =
+      std::ranges::find(formats(), path.extension().string(), [](const Format& f) { return f.extension; });
+  return format == formats().end() ? nullptr : &*format;
+}
+
+Words ffmpeg_arguments(const std::filesystem::path& part, PictureSize size, int rate) {
   const std::string pixels = std::to_string(size.width) + "x" + std::to_string(size.height);
-  // yuv420p is what players understand; it needs even sides, so an odd side gets one more row or column.
-  return {"ffmpeg",
-          "-nostdin",
-          "-loglevel",
-          "error",
-          "-y",
-          "-f",
-          "rawvideo",
-          "-pixel_format",
-          "rgba",
-          "-video_size",
-          pixels,
-          "-framerate",
-          std::to_string(rate),
-          "-i",
-          "pipe:0",
-          "-vf",
-          "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-          "-c:v",
-          "libx264",
-          "-preset",
-          "veryfast",
-          "-crf",
-          "20",
-          "-pix_fmt",
-          "yuv420p",
-          "-movflags",
-          "+faststart",
-          "file:" + part.string()};
+  Words words{"ffmpeg", "-nostdin",   "-loglevel",          "error", "-y",
+              "-f",     "rawvideo",   "-pixel_format",      "rgba",  "-video_size",
+              pixels,   "-framerate", std::to_string(rate), "-i",    "pipe:0"};
+  const Words& options = format_of(part)->options;
+  words.insert(words.end(), options.begin(), options.end());
+  words.push_back("file:" + part.string());
+  return words;
 }
 
 /// Starts ffmpeg with `input` as its standard input and `log` as its output, in a process group of its own:
@@ -151,9 +167,9 @@ std::string Video::last_words() const {
 }
 
 void Video::check_extension(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  if (extension == ".mp4" || extension == ".mkv" || extension == ".mov") return;
-  throw UsageError("--video '" + path.string() + "': give the file the extension .mp4, .mkv or .mov");
+  if (format_of(path) != nullptr) return;
+  throw UsageError("--video '" + path.string() +
+                   "': give the file the extension .mp4, .mkv, .mov, .webm, .gif or .apng");
 }
 
 }  // namespace kerf

@@ -11,8 +11,9 @@
 
 namespace kerf {
 
-/// Encodes pictures to an H.264 film by the program ffmpeg, fed through a pipe. The file gets its name only
-/// in `finish()`; without it nothing is left behind, and a film that had the name before is untouched.
+/// Encodes pictures to a film, of the kind that the extension says, by the program ffmpeg, fed through a
+/// pipe. The file gets its name only in `finish()`; without it nothing is left behind, and a film that had
+/// the name before is untouched.
 ///
 /// Errors are std::runtime_error with what ffmpeg said. SIGPIPE must be ignored while one lives
 /// (InterruptGuard).
@@ -29,7 +30,7 @@ class Video {
   /// Waits for ffmpeg and gives the film its name.
   void finish();
 
-  /// Throws UsageError unless the extension is one that ffmpeg can put H.264 into (.mp4, .mkv, .mov).
+  /// Throws UsageError unless the extension is one of .mp4, .mkv, .mov (H.264), .webm (VP9), .gif and .apng.
   static void check_extension(const std::filesystem::path& path);
 
  private:

@@ -105,6 +105,7 @@ void write(RawWriter& out, const Caption& caption) {
   out.put(caption.pairs);
   out.put(caption.contacts);
   out.put(caption.statistics);
+  out.put(caption.knows_contacts);
 }
 
 Caption read_caption(RawReader& in) {
@@ -118,6 +119,7 @@ Caption read_caption(RawReader& in) {
   caption.pairs = in.get<std::uint64_t>();
   caption.contacts = in.get<std::uint64_t>();
   caption.statistics = in.get<Statistics>();
+  caption.knows_contacts = in.get<bool>();
   return caption;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "frames/errors.h"
@@ -49,6 +50,43 @@ TEST(VideoProgram, FilmHasEveryFrame) {
                                  folder.path() / "films" / "pile.mp4"})
                             .wait();
   EXPECT_EQ(probe.out, "h264,162,122,yuv420p,11\n") << probe.err;
+}
+
+class FilmFormats : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(FilmFormats, HaveEveryFrame) {
+  const TemporaryFolder folder;
+  const std::string file = std::string("pile.") + GetParam().first;
+  const Outcome outcome = run_kerf(film(folder, file));
+  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  const Outcome probe = Process({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                                 "stream=codec_name,nb_read_frames", "-of", "csv=p=0", folder.path() / file})
+                            .wait();
+  EXPECT_EQ(probe.out, std::string(GetParam().second) + ",11\n") << probe.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FilmFormats,
+                         ::testing::Values(std::pair{"webm", "vp9"}, std::pair{"gif", "gif"},
+                                           std::pair{"apng", "apng"}));
+
+TEST(FilmDiffProgram, ShowsWhatDiffers) {
+  const TemporaryFolder folder;
+  const auto render = [&](const std::string& name, const std::string& seed) {
+    return run_kerf({"render", "pile", "--objects", "30", "--steps", "1:21:4", "--size", "160x120", "--seed",
+                     seed, "--out", folder.path() / name});
+  };
+  ASSERT_EQ(render("a", "1").exit, kExitDone);
+  ASSERT_EQ(render("b", "2").exit, kExitDone);
+  const std::string film = folder.path() / "diff.mp4";
+  const Outcome outcome = run_kerf({"film-diff", folder.path() / "a", folder.path() / "b", "-o", film,
+                                    "--contact-sheet", folder.path() / "diff.png"});
+  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("6 frames, 6 of them different"));
+  EXPECT_THAT(
+      run_kerf({"film-diff", folder.path() / "a", folder.path() / "a", "-o", film, "--overwrite"}).out,
+      HasSubstr("6 frames, 0 of them different"));
+  EXPECT_THAT(run_kerf({"film-diff", folder.path() / "a", "/nowhere", "-o", film}).err,
+              HasSubstr("exists already"));
 }
 
 TEST(VideoProgram, WithoutFfmpegNothingIsStarted) {

@@ -40,6 +40,7 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"Dear ImGui", "imconfig"},
     {"stb", "stb"},
     {"libdeflate", "libdeflate"},
+    {"ISA-L", "isa-l/"},
     {"Box2D", "box2d/"},
     {"ODE", "ode/"},
     {"Bullet", "BulletCollision/"},
@@ -86,6 +87,7 @@ constexpr auto kPermissions = std::to_array<Permission>({
     {"viz/", "Dear ImGui"},
     {"viz/", "stb"},
     {"viz/", "libdeflate"},
+    {"viz/", "ISA-L"},
     {"viz/", "POSIX"},
 
     {"sims2d/", "sims2d"},

@@ -42,7 +42,7 @@ class SmallScene {
     const std::uint32_t step = events_.empty() ? 0 : events_.back().step;
     return {
         "small", "kerf", step, objects, objects, tree_.pairs().size(), contacts_.size(), tree_.statistics(),
-        ""};
+        "",      true};
   }
 
  private:

@@ -38,8 +38,8 @@ std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree) {
                                  {"step", number(caption.step, 5)},
                                  {"objects", number(caption.objects, 5)},
                                  {"moving", number(caption.moving, 5)},
-                                 {"pairs", number(caption.pairs, 5)},
-                                 {"contacts", number(caption.contacts, 5)}};
+                                 {"pairs", number(caption.pairs, 5)}};
+  if (caption.knows_contacts) items.push_back({"contacts", number(caption.contacts, 5)});
   if (!has_tree) return items;
   const Statistics& tree = caption.statistics;
   items.push_back({"height", number(tree.height, 2), true});

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "viz/draw/camera_path.h"
 #include "viz/draw/frame_planner.h"
 #include "viz/draw/overlay.h"
 #include "viz/draw/painter.h"
@@ -44,9 +45,10 @@ struct FrameRenderer<D>::State {
   explicit State(const FrameOptions& chosen)
       : options(checked(chosen)),
         camera(parse_camera<D>(chosen.camera)),
+        camera_path(chosen.camera_path),
         planner(chosen.layers, chosen.samples),
         font(font_pixels(chosen.height)),
-        context(make_offscreen_context()),
+        context(make_offscreen_context(chosen.backend)),
         painter(context->functions(), font) {
     for (Batch& batch : batches) batch.keeps_items = options.ids;
     overlay.shapes.keeps_items = options.ids;
@@ -127,7 +129,8 @@ struct FrameRenderer<D>::State {
     if (has(Layer::legend)) legend = legend_items(options.layers, D, plan.has_tree, plan.largest_population);
     const bool has_log = !caption.empty() && (has(Layer::operators) || !input.caption.note.empty());
     const Layout layout = make_layout(font, options.width, options.height, caption, has_log, legend);
-    const View view = frame_all(plan.bounds, camera, layout.scene, options.width, options.height);
+    const CameraChoice<D> now = camera_path.at(input.caption.step, camera);
+    const View view = frame_all(plan.bounds, now, layout.scene, options.width, options.height);
     const double line_scale = std::clamp(options.height / 720.0, 0.6, 8.0);
     const DrawContext<D> frame{input,
                                view,
@@ -152,6 +155,7 @@ struct FrameRenderer<D>::State {
 
   FrameOptions options;
   CameraChoice<D> camera;
+  CameraPath<D> camera_path;
   FramePlanner<D> planner;
   Font font;
   std::unique_ptr<GlContext> context;

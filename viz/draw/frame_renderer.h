@@ -15,6 +15,7 @@
 #include "core/tree/tree.h"
 #include "viz/draw/draw_list.h"
 #include "viz/draw/layers.h"
+#include "viz/gl/backend.h"
 #include "viz/image/image.h"
 
 namespace kerf {
@@ -29,7 +30,8 @@ struct Caption {
   std::uint64_t pairs = 0;
   std::uint64_t contacts = 0;
   Statistics statistics;
-  std::string note;  ///< free text, one line, may be empty
+  std::string note{};  ///< free text, one line, may be empty
+  bool knows_contacts = true;
 };
 
 /// One moment of a scene. Nothing is kept: it need not outlive the call.
@@ -61,7 +63,9 @@ struct FrameOptions {
   std::string camera;  ///< see `parse_camera`; empty: everything in view
   /// Of each pixel. 4: smooth edges; 1: jagged ones, about three times faster; 0: smooth up to kManyBodies.
   int samples = 0;
-  bool ids = false;  ///< also keep what was drawn and where, see `FrameIds`
+  bool ids = false;           ///< also keep what was drawn and where, see `FrameIds`
+  std::string camera_path{};  ///< see CameraPath; empty: the camera stands still
+  GlBackend backend = GlBackend::osmesa;
 };
 
 /// Is given the triangles of a scene (back, glass, lines, front) before they are drawn. With it tests plant

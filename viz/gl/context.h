@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "viz/gl/backend.h"
 #include "viz/gl/functions.h"
 
 namespace kerf {
@@ -25,9 +26,9 @@ class GlContext {
   [[nodiscard]] std::string rasterizer() const;
 };
 
-/// A context without window or display (OSMesa), current in the calling thread. Throws std::runtime_error
-/// that says what is missing. A process that forks must do so before the first context.
-std::unique_ptr<GlContext> make_offscreen_context();
+/// A context without window or display, current in the calling thread. Throws std::runtime_error that says
+/// what is missing. A process that forks must do so before the first context.
+std::unique_ptr<GlContext> make_offscreen_context(GlBackend backend = GlBackend::osmesa);
 
 /// Lets malloc keep what the software rasteriser frees each frame (up to a fifth faster). It speaks for the
 /// whole process, so programs call it, libraries do not.

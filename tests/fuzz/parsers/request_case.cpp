@@ -22,7 +22,7 @@ std::string check_request(const RenderRequest& request) {
   if (steps.frames() > kMaxFrames || steps.step_of(steps.frames() - 1) > steps.last) return "frames";
   if (request.size.width <= 0 || request.size.height <= 0) return "size";
   if (request.options.objects > kMaxRequestedObjects) return "objects";
-  if (request.fps < 1 || request.fps > 240) return "fps";
+  if (request.film.fps < 1 || request.film.fps > 240) return "fps";
   if (!(LayerSet::parse(to_string(request.layers)) == request.layers)) return "layers";
   check(request.broad_phase.config);
   return "";

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "tests/support/dimensions.h"
@@ -194,6 +195,27 @@ TYPED_TEST(FrameRendererTest, RefusesBadOptions) {
   how.camera = "zoom=3";
   EXPECT_THROW(FrameRenderer<kD>{how}, std::invalid_argument);
   EXPECT_THROW(FrameRenderer<kD>{options("all", 3)}, std::invalid_argument);
+}
+
+/// The two backends, each drawing in turns: the same pixels, whatever the other did.
+TYPED_TEST(FrameRendererTest, EglDrawsTheSamePixels) {
+  constexpr int kD = TypeParam::value;
+  const test::SmallScene<kD> scene;
+  for (const int samples : {1, 4}) {
+    FrameOptions how = options("all", samples);
+    FrameRenderer<kD> osmesa(how);
+    how.backend = GlBackend::egl;
+    std::optional<FrameRenderer<kD>> egl;
+    try {
+      egl.emplace(how);
+    } catch (const std::runtime_error& error) {
+      GTEST_SKIP() << error.what();
+    }
+    const Image first = osmesa.render(scene.input());
+    EXPECT_TRUE(egl->render(scene.input()) == first);
+    EXPECT_TRUE(osmesa.render(scene.input()) == first);
+    EXPECT_TRUE(egl->render(scene.input()) == first);
+  }
 }
 
 TEST(FrameRenderer, RenderersOfBothDimensionsWorkSideBySide) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <stdexcept>
+#include <vector>
 
 #include "tests/viz/temporary_folder.h"
 #include "viz/gl/framebuffer.h"
@@ -60,6 +61,42 @@ TEST(Framebuffer, TwoContextsDoNotMix) {
   Image image;
   red.read(image);
   EXPECT_EQ(image, make_image(8, 8, 0xff0000ff));
+}
+
+/// EGL is there wherever the tests run in full; elsewhere the reason is told.
+std::unique_ptr<GlContext> egl_or_none(std::string& reason) {
+  try {
+    return make_offscreen_context(GlBackend::egl);
+  } catch (const std::runtime_error& error) {
+    reason = error.what();
+    return nullptr;
+  }
+}
+
+TEST(GlContext, EglAndOsmesaWorkSideBySide) {
+  std::string reason;
+  const auto egl = egl_or_none(reason);
+  if (!egl) GTEST_SKIP() << reason;
+  const auto osmesa = make_offscreen_context();
+  EXPECT_THAT(egl->description(), testing::HasSubstr("llvmpipe"));
+  for (const std::uint32_t color : {0xff0000ffU, 0x00ff00ffU}) {
+    for (GlContext* const context : {egl.get(), osmesa.get()}) {
+      context->make_current();
+      const Framebuffer framebuffer(context->functions(), 8, 8, 1);
+      framebuffer.bind();
+      context->functions().ClearColor(color == 0xff0000ffU ? 1 : 0, color == 0xff0000ffU ? 0 : 1, 0, 1);
+      context->functions().Clear(GL_COLOR_BUFFER_BIT);
+      Image image;
+      framebuffer.read(image);
+      EXPECT_EQ(image, make_image(8, 8, color)) << context->description();
+    }
+  }
+}
+
+TEST(GlContext, BackendsHaveNames) {
+  EXPECT_EQ(parse_gl_backend("egl"), GlBackend::egl);
+  EXPECT_EQ(parse_gl_backend("osmesa"), GlBackend::osmesa);
+  EXPECT_THROW((void)parse_gl_backend("metal"), std::invalid_argument);
 }
 
 }  // namespace

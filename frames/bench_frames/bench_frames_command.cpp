@@ -1,0 +1,162 @@
+#include "frames/bench_frames/bench_frames_command.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+#include <vector>
+
+#include "frames/atomic_file.h"
+#include "frames/bench/machine.h"
+#include "frames/bench_frames/frame_loops.h"
+#include "frames/bench_frames/timed_process.h"
+#include "frames/errors.h"
+#include "frames/interrupt.h"
+#include "frames/parse_number.h"
+#include "frames/progress_line.h"
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The first frames pay for starting up; they are measured alone and taken off.
+constexpr std::uint32_t kWarmUp = 4;
+
+template <class Number>
+Number parse_in(const char* option, const std::string& text, Number least, Number most) {
+  const auto number = parse_number<Number>(text);
+  if (!number || *number < least || *number > most)
+    throw UsageError(std::string(option) + " '" + text + "' is not a whole number from " +
+                     std::to_string(least) + " to " + std::to_string(most));
+  return *number;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+/// Times of one frame, in milliseconds.
+struct Row {
+  FrameLoop loop;
+  double naive = 0;
+  double pipeline = 0;
+  double floor = 0;  ///< processor time by cores: no order of work could be faster
+  double encoding = 0;
+  double encoding_share = 0;  ///< of the processor time
+};
+
+std::uint32_t frames_for(std::uint32_t boxes) { return boxes > 50'000 ? 12 : boxes > 5'000 ? 40 : 60; }
+
+/// Of one frame, without what starting up takes.
+ProcessTimes per_frame(FrameLoop loop, void (*run)(const FrameLoop&)) {
+  const std::uint32_t frames = loop.frames;
+  loop.frames = kWarmUp;
+  const ProcessTimes start = run_timed([&] { run(loop); });
+  loop.frames = kWarmUp + frames;
+  const ProcessTimes all = run_timed([&] { run(loop); });
+  return {(all.wall - start.wall) / frames, (all.cpu - start.cpu) / frames};
+}
+
+Row measure(const FrameLoop& loop) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  Row row{loop, 0, 0, 0, 0, 0};
+  row.naive = 1e3 * per_frame(loop, run_naive_loop).wall;
+  const ProcessTimes pipeline = per_frame(loop, run_pipeline);
+  row.pipeline = 1e3 * pipeline.wall;
+  row.floor = 1e3 * pipeline.cpu / cores;
+  double encoding = 0;
+  run_timed(
+      [&] { write_file_atomically(loop.folder / "encoding.txt", std::to_string(measure_encoding(loop))); });
+  std::FILE* const file = std::fopen((loop.folder / "encoding.txt").c_str(), "r");
+  if (file == nullptr || std::fscanf(file, "%lf", &encoding) != 1)
+    throw std::runtime_error("the time of encoding was not told");
+  std::fclose(file);
+  row.encoding = 1e3 * encoding;
+  row.encoding_share = encoding / pipeline.cpu;
+  return row;
+}
+
+void print(const Row& row) {
+  std::printf("%4dx%-4d  %6u  %8.1f  %8.1f  %8.1f  %8.2f  %8.2f  %8.2f  %7.1f %%\n", row.loop.size.width,
+              row.loop.size.height, row.loop.boxes, row.naive, row.pipeline, row.floor,
+              row.pipeline / row.floor, row.naive / row.pipeline, row.encoding, 100 * row.encoding_share);
+  std::fflush(stdout);
+}
+
+Json to_json(const Row& row) {
+  return {{"width", row.loop.size.width}, {"height", row.loop.size.height},
+          {"boxes", row.loop.boxes},      {"frames", row.loop.frames},
+          {"workers", row.loop.workers},  {"naive_ms", row.naive},
+          {"pipeline_ms", row.pipeline},  {"floor_ms", row.floor},
+          {"encoding_ms", row.encoding},  {"encoding_share", row.encoding_share}};
+}
+
+}  // namespace
+
+BenchFramesCommand::BenchFramesCommand(CLI::App& program)
+    : command_(program.add_subcommand("bench-frames", "Measure how fast frames are made")) {
+  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
+    return command_->add_option(name, text, meaning)->type_name(type);
+  };
+  option("--sizes", sizes_, "Sizes of pictures (default 640x360,1280x720,1920x1080)", "WxH,...");
+  option("--boxes", boxes_, "Numbers of boxes (default 1000,10000,100000)", "N,...");
+  option("--frames", frames_, "Frames of each (default by the number of boxes)", "N");
+  option("--workers", workers_, "Processes that draw (default: one a core)", "N");
+  option("--out", out_, "Where the frames go, and are removed again (default: a temporary folder)", "DIR");
+  option("--json", json_, "Also the results and the machine", "FILE");
+  command_->footer(
+      "Milliseconds a frame: 'naive' simulates, draws, reads and encodes by stb in one loop; 'pipeline' is\n"
+      "what `kerf render` does; 'floor' is its processor time by the cores, which nothing can beat;\n"
+      "'encode' is the processor time of one PNG, and its share of a frame's. Meant for an idle machine.");
+}
+
+bool BenchFramesCommand::chosen() const { return command_->parsed(); }
+
+void BenchFramesCommand::run() const {
+  std::vector<PictureSize> sizes;
+  for (const std::string& size : split(sizes_)) sizes.push_back(parse_picture_size(size));
+  std::vector<std::uint32_t> boxes;
+  for (const std::string& count : split(boxes_)) boxes.push_back(parse_in("--boxes", count, 1U, 1'000'000U));
+  FrameLoop loop;
+  loop.workers = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  if (!workers_.empty()) loop.workers = parse_in("--workers", workers_, 1, 256);
+  const InterruptGuard interrupt;
+  const std::filesystem::path parent =
+      out_.empty() ? std::filesystem::temp_directory_path() : std::filesystem::path(out_);
+  loop.folder = parent / ("kerf-bench-frames-" + std::to_string(::getpid()));
+  make_writable_folder(loop.folder);
+  Json rows = Json::array();
+  std::printf("%9s  %6s  %8s  %8s  %8s  %8s  %8s  %8s  %9s\n", "size", "boxes", "naive", "pipeline", "floor",
+              "of floor", "faster", "encode", "share");
+  const ProgressLine progress;
+  try {
+    for (const PictureSize& size : sizes) {
+      for (const std::uint32_t count : boxes) {
+        if (interrupt.requested()) throw Interrupted("interrupted");
+        loop.size = size;
+        loop.boxes = count;
+        loop.frames = frames_.empty() ? frames_for(count) : parse_in("--frames", frames_, 1U, 100'000U);
+        const Row row = measure(loop);
+        progress.clear();
+        print(row);
+        rows.push_back(to_json(row));
+      }
+    }
+  } catch (...) {
+    std::filesystem::remove_all(loop.folder);
+    throw;
+  }
+  std::filesystem::remove_all(loop.folder);
+  if (json_.empty()) return;
+  write_file_atomically(json_, Json{{"machine", describe_machine()}, {"rows", rows}}.dump(1) + "\n");
+}
+
+}  // namespace kerf

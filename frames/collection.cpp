@@ -1,0 +1,109 @@
+#include "frames/collection.h"
+
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "frames/errors.h"
+#include "frames/folder_lock.h"
+#include "frames/sequence_folder.h"
+
+namespace kerf {
+namespace {
+
+void check_same_sequence(const Manifest& first, const std::filesystem::path& first_folder,
+                         const Manifest& other, const std::filesystem::path& folder) {
+  std::string difference = first_difference(first.header, other.header);
+  if (difference.empty() && first.shard.count != other.shard.count)
+    difference = "shards: " + std::to_string(first.shard.count) + " and " + std::to_string(other.shard.count);
+  if (difference.empty()) return;
+  throw UsageError(first_folder.string() + " and " + folder.string() + " are not of one sequence (" +
+                   difference + ")");
+}
+
+void take(const FrameRecord& record, const std::filesystem::path& folder,
+          std::map<std::uint32_t, CollectedFrame>& frames) {
+  const auto [known, is_new] = frames.emplace(record.index, CollectedFrame{record, folder});
+  if (is_new || known->second.record.pixel_hash == record.pixel_hash) return;
+  throw std::runtime_error(known->second.path().string() + " and " + (folder / record.file).string() +
+                           " should be the same picture and are not; render one of the shards again");
+}
+
+/// "0-3, 7, 9-12", and no more than a few of them.
+std::string ranges_of(const std::vector<std::uint32_t>& numbers) {
+  constexpr int kMost = 8;
+  std::string text;
+  int ranges = 0;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t end = i + 1;
+    while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) ++end;
+    if (++ranges > kMost) return text + " and more";
+    text += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
+    if (end - i > 1) text += "-" + std::to_string(numbers[end - 1]);
+    i = end;
+  }
+  return text;
+}
+
+}  // namespace
+
+Collection collect(const std::vector<std::filesystem::path>& folders) {
+  Collection collection;
+  std::map<std::uint32_t, CollectedFrame> frames;
+  for (const std::filesystem::path& folder : folders) {
+    const Manifest manifest = read_manifest(folder);
+    if (collection.folders++ == 0) {
+      collection.manifest = manifest;
+    } else {
+      check_same_sequence(collection.manifest, folders.front(), manifest, folder);
+    }
+    for (const FrameRecord& record : manifest.frames) take(record, folder, frames);
+  }
+  collection.manifest.frames.clear();
+  for (auto& [index, frame] : frames) {
+    collection.manifest.frames.push_back(frame.record);
+    collection.frames.push_back(std::move(frame));
+  }
+  collection.manifest.complete = collection.is_complete();
+  return collection;
+}
+
+std::string describe_gaps(const Collection& collection) {
+  std::set<std::uint32_t> there;
+  for (const CollectedFrame& frame : collection.frames) there.insert(frame.record.index);
+  const std::uint32_t count = collection.manifest.shard.count;
+  std::vector<std::uint32_t> missing;
+  std::set<std::uint32_t> shards;
+  for (std::uint32_t index = 0; index < collection.manifest.steps.frames(); ++index) {
+    if (there.contains(index)) continue;
+    missing.push_back(index);
+    shards.insert(index % count);
+  }
+  if (missing.empty()) return "";
+  std::string text = std::to_string(missing.size()) + " of " +
+                     std::to_string(collection.manifest.steps.frames()) +
+                     " frames are missing: " + ranges_of(missing);
+  if (count == 1) return text + "; the same `kerf render` with --resume makes them";
+  text += "; `kerf render` makes them with --resume and --shard";
+  for (const std::uint32_t shard : shards)
+    text += (shard == *shards.begin() ? " " : ", ") + std::to_string(shard + 1) + "/" + std::to_string(count);
+  return text;
+}
+
+void gather(const Collection& collection, const std::filesystem::path& folder, bool overwrite) {
+  const SequenceFolder target(folder, collection.manifest.name);
+  target.check_free(overwrite);
+  target.make();
+  const FolderLock lock(folder);
+  target.clear();
+  for (const CollectedFrame& frame : collection.frames) {
+    std::error_code cannot_link;
+    std::filesystem::create_hard_link(frame.path(), folder / frame.record.file, cannot_link);
+    if (cannot_link) std::filesystem::copy_file(frame.path(), folder / frame.record.file);
+  }
+  Manifest whole = collection.manifest;
+  whole.shard = {};
+  save(whole, folder);
+}
+
+}  // namespace kerf

@@ -1,0 +1,118 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "frames/errors.h"
+#include "tests/frames/program.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::run_kerf;
+using testing::TemporaryFolder;
+
+/// A recording in which operators act in many steps, and what renders it.
+class ShardProgram : public ::testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    const Outcome outcome = run_kerf(
+        {"record", GetParam(), "--steps", "60", "--objects", "200", "--grow", "40", "-o", recording()});
+    ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  }
+
+  [[nodiscard]] std::string recording() const { return folder_.path() / "run.kerf"; }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
+
+  [[nodiscard]] Outcome render(const std::string& name, std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments{"render", recording(), "--size", "200x120", "--steps", "3:60:5"};
+    arguments.insert(arguments.end(), {"--out", path(name)});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_kerf(arguments);
+  }
+
+  void expect_same_files(const std::string& a, const std::string& b) const {
+    ASSERT_EQ(testing::files_in(path(a)), testing::files_in(path(b)));
+    for (const std::string& file : testing::files_in(path(a)))
+      EXPECT_TRUE(testing::read_text(path(a) + "/" + file) == testing::read_text(path(b) + "/" + file))
+          << file;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_P(ShardProgram, ShardsAreTheWhole) {
+  ASSERT_EQ(render("all").exit, kExitDone);
+  for (const char* const k : {"1", "2", "3"})
+    ASSERT_EQ(render(std::string("s") + k, {"--shard", std::string(k) + "/3", "--workers", "0"}).exit,
+              kExitDone);
+  const Outcome outcome = run_kerf({"collect", path("s1"), path("s2"), path("s3"), "--out", path("together"),
+                                    "--video", path("film.gif"), "--contact-sheet", path("sheet.png")});
+  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("all 12 frames are there, from 3 folders"));
+  expect_same_files("all", "together");
+  EXPECT_TRUE(std::filesystem::exists(path("film.gif")));
+  EXPECT_GT(read_png(path("sheet.png")).width, 200);
+}
+
+TEST_P(ShardProgram, WhatIsMissingOrDamagedIsNamed) {
+  ASSERT_EQ(render("s1", {"--shard", "1/2"}).exit, kExitDone);
+  const Outcome half = run_kerf({"collect", path("s1")});
+  EXPECT_EQ(half.exit, kExitFailure);
+  EXPECT_THAT(half.err, HasSubstr("6 of 12 frames are missing: 1, 3, 5, 7, 9, 11"));
+  EXPECT_THAT(half.err, HasSubstr("--shard 2/2"));
+  ASSERT_EQ(render("s2", {"--shard", "2/2"}).exit, kExitDone);
+  std::filesystem::copy_file(path("s2/run_000003.png"), path("s2/run_000005.png"),
+                             std::filesystem::copy_options::overwrite_existing);
+  const Outcome damaged = run_kerf({"collect", path("s1"), path("s2")});
+  EXPECT_EQ(damaged.exit, kExitFailure);
+  EXPECT_THAT(damaged.err, HasSubstr("run_000005.png"));
+  std::filesystem::resize_file(path("s2/run_000005.png"), 200);
+  EXPECT_THAT(run_kerf({"collect", path("s1"), path("s2")}).err, HasSubstr("run_000005.png"));
+  ASSERT_EQ(render("s2", {"--shard", "2/2", "--resume"}).exit, kExitDone);
+  EXPECT_EQ(run_kerf({"collect", path("s1"), path("s2")}).exit, kExitDone);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, ShardProgram, ::testing::Values("buckets", "pile"));
+
+TEST(ShardUsage, IsToldWhatItNeeds) {
+  const TemporaryFolder folder;
+  const std::string recording = folder.path() / "a.kerf";
+  ASSERT_EQ(run_kerf({"record", "pile", "--steps", "20", "--objects", "30", "-o", recording}).exit,
+            kExitDone);
+  EXPECT_THAT(run_kerf({"render", "pile", "--shard", "1/2"}).err, HasSubstr("kerf record"));
+  EXPECT_THAT(run_kerf({"render", recording, "--seed", "2"}).err, HasSubstr("--seed"));
+  EXPECT_THAT(run_kerf({"render", recording, "--steps", "30"}).err, HasSubstr("ends with step 20"));
+  for (const char* const shard : {"0/2", "3/2", "1", "a/b", "1/"})
+    EXPECT_THAT(run_kerf({"render", recording, "--shard", shard}).err, HasSubstr("K/N")) << shard;
+  const std::string a = folder.path() / "a";
+  const std::string b = folder.path() / "b";
+  ASSERT_EQ(run_kerf({"render", recording, "--size", "64x64", "--out", a, "--shard", "1/2"}).exit, kExitDone);
+  ASSERT_EQ(run_kerf({"render", recording, "--size", "64x80", "--out", b, "--shard", "2/2"}).exit, kExitDone);
+  const Outcome mixed = run_kerf({"collect", a, b});
+  EXPECT_EQ(mixed.exit, kExitUsage);
+  EXPECT_THAT(mixed.err, HasSubstr("size"));
+  EXPECT_THAT(run_kerf({"collect", folder.path()}).err, HasSubstr("frames.json"));
+}
+
+TEST(CameraPathProgram, MovesTheCameraAndIsSaidInTheManifest) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "path.txt";
+  std::ofstream(path) << "1 width=40\n11 width=10\n";
+  const std::vector<std::string> render{"render",        "pile",   "--objects", "30",    "--steps",
+                                        "1:11:5",        "--size", "200x120",   "--out", folder.path() / "a",
+                                        "--camera-path", path};
+  ASSERT_EQ(run_kerf(render).exit, kExitDone);
+  EXPECT_EQ(testing::read_json(folder.path() / "a" / "frames.json")["camera_path"],
+            "1 width=40\n11 width=10\n");
+  std::ofstream(path) << "1 width=40\nx";
+  EXPECT_THAT(run_kerf(render).err, HasSubstr("line 2"));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace kerf {
+
+/// What draws without window or display. Both give the same pixels.
+enum class GlBackend : std::uint8_t { osmesa, egl };
+std::string_view to_string(GlBackend backend);
+/// Throws std::invalid_argument that lists the names.
+GlBackend parse_gl_backend(std::string_view text);
+
+}  // namespace kerf

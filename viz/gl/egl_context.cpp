@@ -1,0 +1,127 @@
+#include "viz/gl/egl_context.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <dlfcn.h>
+
+#include <array>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+namespace kerf {
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+  throw std::runtime_error("EGL: " + what +
+                           "; draw with --backend osmesa, or install Mesa's EGL (on Debian: "
+                           "apt-get install libegl1 libegl-mesa0)");
+}
+
+/// libEGL, loaded for the rest of the process: its drivers do not survive being unloaded. It is not linked,
+/// so that its GL and OSMesa's keep apart, and a machine without it has the rest.
+struct EglLibrary {
+  PFNEGLGETPROCADDRESSPROC GetProcAddress = nullptr;
+  PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplay = nullptr;
+  PFNEGLINITIALIZEPROC Initialize = nullptr;
+  PFNEGLBINDAPIPROC BindApi = nullptr;
+  PFNEGLCHOOSECONFIGPROC ChooseConfig = nullptr;
+  PFNEGLCREATECONTEXTPROC CreateContext = nullptr;
+  PFNEGLDESTROYCONTEXTPROC DestroyContext = nullptr;
+  PFNEGLMAKECURRENTPROC MakeCurrent = nullptr;
+
+  EglLibrary() {
+    void* const library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) fail("libEGL.so.1 cannot be loaded");
+    GetProcAddress = reinterpret_cast<PFNEGLGETPROCADDRESSPROC>(dlsym(library, "eglGetProcAddress"));
+    if (GetProcAddress == nullptr) fail("libEGL.so.1 has no eglGetProcAddress");
+    load(GetPlatformDisplay, "eglGetPlatformDisplayEXT");
+    load(Initialize, "eglInitialize");
+    load(BindApi, "eglBindAPI");
+    load(ChooseConfig, "eglChooseConfig");
+    load(CreateContext, "eglCreateContext");
+    load(DestroyContext, "eglDestroyContext");
+    load(MakeCurrent, "eglMakeCurrent");
+  }
+
+ private:
+  template <class Function>
+  void load(Function& function, const char* name) {
+    function = reinterpret_cast<Function>(GetProcAddress(name));
+    if (function == nullptr) fail(std::string("it has no ") + name);
+  }
+};
+
+const EglLibrary& egl() {
+  static const EglLibrary library;
+  return library;
+}
+
+GlProcedure find_gl(const char* name) { return egl().GetProcAddress(name); }
+
+class EglContext final : public GlContext {
+ public:
+  EglContext() {
+    // The pixels are promised to be OSMesa's, which a graphics card's are not.
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
+    display_ = egl().GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display_ == EGL_NO_DISPLAY || egl().Initialize(display_, nullptr, nullptr) == EGL_FALSE)
+      fail("it knows no display without a surface");
+    try {
+      context_ = create();
+      make_current();
+      functions_ = load_gl_functions(&find_gl);
+    } catch (...) {
+      destroy();
+      throw;
+    }
+  }
+  ~EglContext() override { destroy(); }
+
+  /// Without letting go first, EGL would believe that its context is current while OSMesa's is.
+  void make_current() override {
+    egl().MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (egl().MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
+      fail("it refuses its context");
+  }
+
+  [[nodiscard]] const GlFunctions& functions() const override { return functions_; }
+  [[nodiscard]] std::string description() const override { return "EGL, " + rasterizer(); }
+
+ private:
+  [[nodiscard]] EGLContext create() const {
+    constexpr std::array kConfig{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                 EGL_NONE};
+    constexpr std::array kContext{EGL_CONTEXT_MAJOR_VERSION,
+                                  3,
+                                  EGL_CONTEXT_MINOR_VERSION,
+                                  3,
+                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                  EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint found = 0;
+    egl().BindApi(EGL_OPENGL_API);
+    if (egl().ChooseConfig(display_, kConfig.data(), &config, 1, &found) == EGL_FALSE || found < 1)
+      fail("it has no configuration for OpenGL");
+    EGLContext context = egl().CreateContext(display_, config, EGL_NO_CONTEXT, kContext.data());
+    if (context == EGL_NO_CONTEXT) fail("it cannot make an OpenGL 3.3 core context");
+    return context;
+  }
+
+  /// The display is shared by all contexts of the process and stays.
+  void destroy() const {
+    egl().MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_ != EGL_NO_CONTEXT) egl().DestroyContext(display_, context_);
+  }
+
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+  GlFunctions functions_;
+};
+
+}  // namespace
+
+std::unique_ptr<GlContext> make_egl_context() { return std::make_unique<EglContext>(); }
+
+}  // namespace kerf
