@@ -99,7 +99,7 @@ TEST_F(DiffPage, ShowsEverythingWithoutAnythingFromElsewhere) {
 
 TEST_F(DiffPage, PointingSwapsAndMagnifies) {
   (void)diff({"--report", page().parent_path()});
-  const Sight sight = look_at(page(), R"(
+  const Sight sight = look_at(page(), R"js(
     const section = document.querySelector("section");
     const image = section.querySelector(".new img"), right = section.querySelector(".reference img");
     const own = image.src, words = [];
@@ -113,10 +113,8 @@ TEST_F(DiffPage, PointingSwapsAndMagnifies) {
     image.dispatchEvent(new MouseEvent("mouseleave"));
     words.push(image.src === own ? "back" : "not back");
     section.querySelector("button").click();
-    words.push(lenses[0].title === "(32, 0)"
-                                          ? "stuck"
-                                          : "moved");
-  return words.join(", ");)");
+    words.push(lenses[0].title === "(32, 0)" ? "stuck" : "moved");
+    return words.join(", ");)js");
   EXPECT_EQ(sight.trouble, "");
   EXPECT_THAT(sight.console, IsEmpty());
   EXPECT_EQ(sight.answer, "differs, swapped, 4 lenses at (32, 0) zoomed to 512px 320px, back, moved");
