@@ -47,7 +47,7 @@ TEST(RenderRequest, NumbersArrive) {
   EXPECT_EQ(parse_request(with("pile", &RenderTexts::objects, "77")).options.objects, 77U);
   EXPECT_EQ(parse_request(with("pile", &RenderTexts::grow, "40")).options.steps, 40U);
   EXPECT_EQ(parse_request(with("pile", &RenderTexts::seed, "18446744073709551615")).options.seed, UINT64_MAX);
-  EXPECT_EQ(parse_request(with("pile", &RenderTexts::fps, "50")).fps, 50);
+  EXPECT_EQ(parse_request(with("pile", &RenderTexts::fps, "50")).film.fps, 50);
 }
 
 TEST(RenderRequest, TextsArrive) {
@@ -59,8 +59,9 @@ TEST(RenderRequest, TextsArrive) {
   EXPECT_EQ(config.sample, 99U);
   EXPECT_EQ(parse_request(with("buckets", &RenderTexts::camera, "yaw=10")).camera, "yaw=10");
   EXPECT_EQ(parse_request(with("pile", &RenderTexts::out, "here")).out, "here");
-  EXPECT_EQ(parse_request(with("pile", &RenderTexts::video, "film.mp4")).video, "film.mp4");
-  EXPECT_EQ(parse_request(with("pile", &RenderTexts::contact_sheet, "sheet.png")).contact_sheet, "sheet.png");
+  EXPECT_EQ(parse_request(with("pile", &RenderTexts::video, "film.mp4")).film.video, "film.mp4");
+  EXPECT_EQ(parse_request(with("pile", &RenderTexts::contact_sheet, "sheet.png")).film.contact_sheet,
+            "sheet.png");
 }
 
 TEST(RenderRequest, NameOfBothDimensionsIsTheOneIn3D) {
