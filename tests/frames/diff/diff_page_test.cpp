@@ -113,8 +113,10 @@ TEST_F(DiffPage, PointingSwapsAndMagnifies) {
     image.dispatchEvent(new MouseEvent("mouseleave"));
     words.push(image.src === own ? "back" : "not back");
     section.querySelector("button").click();
-    words.push(lenses[0].title === "(32, 0)" ? "stuck" : "moved");
-    return words.join(", ");)js");
+    words.push(lenses[0].title === "(32, 0)"
+                                          ? "stuck"
+                                          : "moved");
+  return words.join(", ");)js");
   EXPECT_EQ(sight.trouble, "");
   EXPECT_THAT(sight.console, IsEmpty());
   EXPECT_EQ(sight.answer, "differs, swapped, 4 lenses at (32, 0) zoomed to 512px 320px, back, moved");
