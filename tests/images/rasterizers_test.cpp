@@ -23,12 +23,12 @@ testing::Outcome draw_elsewhere(const std::string& surroundings, const std::stri
   return process.wait();
 }
 
-TEST(Rasterizers, EveryNumberOfThreadsDrawsTheReferences) {
-  for (const std::string threads : {"LP_NUM_THREADS=0", "LP_NUM_THREADS=3"}) {
+TEST(Rasterizers, EveryNumberOfThreadsAndBackendDrawsTheReferences) {
+  for (const std::string how : {"LP_NUM_THREADS=0", "LP_NUM_THREADS=3 KERF_BACKEND=egl"}) {
     const testing::TemporaryFolder folder;
     const testing::Outcome outcome =
-        draw_elsewhere(threads, "ReferenceFrames*EachOperatorBeforeAndAfter", folder.path());
-    EXPECT_EQ(outcome.exit, 0) << threads << outcome.out;
+        draw_elsewhere(how, "ReferenceFrames*EachOperatorBeforeAndAfter", folder.path());
+    EXPECT_EQ(outcome.exit, 0) << how << outcome.out;
   }
 }
 

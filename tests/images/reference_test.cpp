@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <string>
 
 #include "tests/images/operator_moments.h"
@@ -15,6 +16,7 @@ FrameOptions options() {
   options.width = 480;
   options.height = 270;
   options.ids = true;
+  if (const char* backend = std::getenv("KERF_BACKEND")) options.backend = parse_gl_backend(backend);
   return options;
 }
 
