@@ -114,7 +114,8 @@ std::map<std::uint32_t, std::uint32_t> count_gone(const Ids& ids, const std::vec
 /// Collects what is to be said, by gravity.
 class Findings {
  public:
-  enum Gravity { missing, extra, recolored, moved, hidden, texts, kCount };
+  enum Gravity { missing, extra, recolored, moved, hidden, texts };
+  static constexpr std::size_t kGravities = 6;
   void add(Gravity gravity, std::string text) { lines_[gravity].push_back(std::move(text)); }
   [[nodiscard]] std::vector<std::string> all() const {
     std::vector<std::string> result;
@@ -123,7 +124,7 @@ class Findings {
   }
 
  private:
-  std::array<std::vector<std::string>, kCount> lines_;
+  std::array<std::vector<std::string>, kGravities> lines_;
 };
 
 /// Compares an item that both pictures have; true if there is something to be said of it.

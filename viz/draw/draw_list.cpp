@@ -48,7 +48,7 @@ Color mean_of(const Sum& sum) {
 std::string_view to_string(DrawnKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
 std::string name_of(const Drawn& drawn) {
-  const std::string kind(to_string(drawn.kind));
+  std::string kind(to_string(drawn.kind));
   const std::string a = std::to_string(drawn.a);
   switch (drawn.kind) {
     case DrawnKind::object:
