@@ -43,6 +43,14 @@ void RunOf<D>::moved() {
   tree_.clear();
   ballot_.reset();
   judgement_.reset();
+  hash_.reset();
+  strip_of_.reset();
+}
+
+template <int D>
+std::uint64_t RunOf<D>::state_hash() const {
+  if (!hash_) hash_ = state().hash();
+  return *hash_;
 }
 
 template <int D>
@@ -105,7 +113,14 @@ std::optional<NodeId> RunOf<D>::event_node() const {
 }
 
 template <int D>
-ProjectionStrip RunOf<D>::strip(std::size_t candidate) {
+const ProjectionStrip& RunOf<D>::strip(std::size_t candidate) {
+  if (strip_of_ != candidate) strip_ = make_strip(candidate);
+  strip_of_ = candidate;
+  return strip_;
+}
+
+template <int D>
+ProjectionStrip RunOf<D>::make_strip(std::size_t candidate) {
   ProjectionStrip strip;
   const auto node = event_node();
   const Tree<D>& tree = state().tree;
