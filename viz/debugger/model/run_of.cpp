@@ -130,7 +130,7 @@ ProjectionStrip RunOf<D>::make_strip(std::size_t candidate) {
   std::vector<ObjectId> objects;
   for_each_object_below(tree, *node, [&](ObjectId object) { objects.push_back(object); });
   std::ranges::sort(objects);
-  objects.erase(std::ranges::unique(objects).begin(), objects.end());
+  objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
   for (const ObjectId object : objects) strip.intervals.push_back(tree.project(entry.direction, object));
   std::ranges::sort(strip.intervals, {}, &Interval::lo);
   strip.offset = double{entry.offset};
