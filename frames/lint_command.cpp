@@ -31,8 +31,7 @@ void LintCommand::run() const {
     if (!given || *given == 0) throw UsageError("--within '" + within_ + "' is no whole number from 1 up");
     within = *given;
   }
-  const std::uint32_t steps =
-      with_recording(file_, [](const auto& recording) { return recording->steps(); });
+  const std::uint32_t steps = with_recording(file_, [](const auto& recording) { return recording->steps(); });
   const auto found = find_thrash(read_operators(file_), steps, within);
   for (const Thrash& thrash : found)
     std::printf("e%llu  %s\n", static_cast<unsigned long long>(thrash.event), to_text(thrash).c_str());

@@ -102,7 +102,9 @@ TEST_F(DebugProgram, AWindowShowsWhatIsDrawnWithoutOne) {
 }
 
 TEST_F(DebugProgram, LintFindsWhatWaits) {
-  record();
+  const Outcome recorded = run_kerf({"record", "pile", "-o", path("run.kerf"), "--steps", "100", "--objects",
+                                     "200", "--grow", "60", "--config", "min_threshold=8,max_threshold=16"});
+  ASSERT_EQ(recorded.exit, 0) << recorded.err;
   const Outcome found = run_kerf({"lint", path("run.kerf"), "--within", "1"});
   EXPECT_EQ(found.exit, 1);
   EXPECT_THAT(found.out, ::testing::ContainsRegex("e[0-9]+  "));

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/recording/recording_reader.h"
 #include "tests/support/recorded_crowd.h"
 
 namespace kerf {

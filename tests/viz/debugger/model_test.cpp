@@ -63,7 +63,7 @@ TYPED_TEST(DebuggerModelTest, EveryKindOfBreakpointStopsBothWays) {
   const Pair pair = model.run().pairs()[0];
   const std::string names = std::to_string(pair.a.value) + "," + std::to_string(pair.b.value);
   for (const std::string& text :
-       {std::string("op==merge"), std::string("kind==refused"), std::string("depth>2"),
+       {std::string("op==swap"), std::string("kind==refused"), std::string("depth>2"),
         std::string("phase==operate"), "plane(" + node + ") moves", "node(" + node + ")",
         "object(" + std::to_string(pair.a.value) + ") moves", "pair(" + names + ")",
         "pair(" + names + ") enters", std::string("redundancy>1%"), std::string("deferred>0"),
@@ -210,8 +210,10 @@ TYPED_TEST(DebuggerModelTest, Algorithm1StandsAtTheLineOfTheEvent) {
   const Algorithm1Trace trace = trace_algorithm_1(model.run());
   EXPECT_EQ(trace.line, 15);
   EXPECT_THAT(trace.decided[14], HasSubstr("split n"));
-  model.go(this->first("op==merge && kind==acted"));
-  EXPECT_EQ(trace_algorithm_1(model.run()).line, 17);
+  model.go(this->first("op==swap && kind==acted"));
+  EXPECT_EQ(trace_algorithm_1(model.run()).line, 16);
+  model.go(this->first("op==balance && kind==acted"));
+  EXPECT_EQ(trace_algorithm_1(model.run()).line, 5);
   model.step(Granularity::step, true);
   EXPECT_EQ(trace_algorithm_1(model.run()).line, 0);
 }

@@ -123,6 +123,7 @@ void Gui::draw() const {
 }
 
 void Gui::name_last_item(const std::string& name) {
+  if (!ImGui::IsItemVisible()) return;  // scrolled away: nobody could click it
   const ImVec2 least = ImGui::GetItemRectMin();
   const ImVec2 size = ImGui::GetItemRectSize();
   named_[name] = {least.x, least.y, size.x, size.y};

@@ -34,7 +34,7 @@ class Gui {
   void end();
   void draw() const;
 
-  /// Remembers where the last item is under a name by which scripts find it.
+  /// Remembers where the last item is under a name by which scripts find it, if it can be seen.
   void name_last_item(const std::string& name);
   void name_area(const std::string& name, const PanelArea& area) { named_[name] = area; }
   /// Of the last frame.

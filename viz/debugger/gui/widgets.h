@@ -10,13 +10,14 @@
 /// Parts of panels, each with a name by which scripts find it.
 namespace kerf::widgets {
 
-/// A button; `name` is its label unless given. `hint` is shown while the mouse is over it.
-bool button(Gui& gui, const char* label, const char* hint = "", const std::string& name = "");
-bool checkbox(Gui& gui, const char* label, bool& value, const char* hint = "");
-/// A field for one line of text; true when Enter is pressed.
-bool text_field(Gui& gui, const char* name, std::string& text, const char* hint, float width);
+/// A button; `name` is its label unless given. `text` is its hint.
+bool button(Gui& gui, const char* label, const char* text = "", const std::string& name = "");
+bool checkbox(Gui& gui, const char* label, bool& value, const char* text = "");
+/// A field for one line of text; true when Enter is pressed. `inside` stands there while it is empty.
+bool text_field(Gui& gui, const char* name, std::string& text, const char* inside, float width);
 /// A row of a list that can be chosen.
 bool row(Gui& gui, const std::string& label, const std::string& name, bool selected);
+/// Shown when the mouse has rested on the last item for a while.
 void hint(const char* text);
 ImU32 to_imgui(Color color, double alpha = 1);
 ImVec4 to_vector(Color color);

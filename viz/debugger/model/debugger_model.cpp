@@ -182,7 +182,7 @@ void DebuggerModel::what_if(const WhatIfQuestion& question) {
   const auto out = work_folder / ("what-if-" + std::to_string(++reruns_) + ".kerf");
   run_->rerun(question, out);
   compare_with(open_run(out));
-  say("the other run is " + out.string());
+  say("compared with " + out.filename().string());
 }
 
 void DebuggerModel::change_over() {

@@ -41,7 +41,7 @@ class DebuggerModel {
   // Going.
   void go(const Position& position);
   void go_to_event(std::uint64_t event);
-  void step(Granularity granularity, bool forwards);
+  void step(Granularity wanted, bool forwards);
   /// To the next moment, either way, at which a breakpoint holds; says so if there is none.
   void run_to_breakpoint(bool forwards, const Run::Progress& progress = {});
   /// Plays on by so many seconds, if it plays.

@@ -97,7 +97,7 @@ class Run {
   [[nodiscard]] virtual const std::vector<CandidateRow>& ballot() = 0;
   /// The node of the event that has just happened; none if it has none.
   [[nodiscard]] virtual std::optional<NodeId> event_node() const = 0;
-  [[nodiscard]] virtual ProjectionStrip strip(std::size_t candidate) = 0;
+  [[nodiscard]] virtual const ProjectionStrip& strip(std::size_t candidate) = 0;
 
   /// Sentences, a line each. Of what is no more, that.
   [[nodiscard]] virtual std::string explain(const Selection& selection) = 0;

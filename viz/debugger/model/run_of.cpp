@@ -43,6 +43,14 @@ void RunOf<D>::moved() {
   tree_.clear();
   ballot_.reset();
   judgement_.reset();
+  hash_.reset();
+  strip_of_.reset();
+}
+
+template <int D>
+std::uint64_t RunOf<D>::state_hash() const {
+  if (!hash_) hash_ = state().hash();
+  return *hash_;
 }
 
 template <int D>
@@ -105,7 +113,14 @@ std::optional<NodeId> RunOf<D>::event_node() const {
 }
 
 template <int D>
-ProjectionStrip RunOf<D>::strip(std::size_t candidate) {
+const ProjectionStrip& RunOf<D>::strip(std::size_t candidate) {
+  if (strip_of_ != candidate) strip_ = make_strip(candidate);
+  strip_of_ = candidate;
+  return strip_;
+}
+
+template <int D>
+ProjectionStrip RunOf<D>::make_strip(std::size_t candidate) {
   ProjectionStrip strip;
   const auto node = event_node();
   const Tree<D>& tree = state().tree;
@@ -115,7 +130,7 @@ ProjectionStrip RunOf<D>::strip(std::size_t candidate) {
   std::vector<ObjectId> objects;
   for_each_object_below(tree, *node, [&](ObjectId object) { objects.push_back(object); });
   std::ranges::sort(objects);
-  objects.erase(std::ranges::unique(objects).begin(), objects.end());
+  objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
   for (const ObjectId object : objects) strip.intervals.push_back(tree.project(entry.direction, object));
   std::ranges::sort(strip.intervals, {}, &Interval::lo);
   strip.offset = double{entry.offset};

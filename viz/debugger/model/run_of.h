@@ -28,7 +28,7 @@ class RunOf final : public Run {
     return recording_->step_of(event);
   }
   [[nodiscard]] std::span<const Event> events_of_step() const override;
-  [[nodiscard]] std::uint64_t state_hash() const override { return state().hash(); }
+  [[nodiscard]] std::uint64_t state_hash() const override;
   [[nodiscard]] const Config& config() const override { return state().config; }
   [[nodiscard]] NodeId root() const override { return state().tree.root(); }
   [[nodiscard]] std::span<const TreeRow> tree() override;
@@ -37,7 +37,7 @@ class RunOf final : public Run {
   [[nodiscard]] std::uint32_t deferred() const override { return state().scheduler.pending(); }
   [[nodiscard]] const std::vector<CandidateRow>& ballot() override;
   [[nodiscard]] std::optional<NodeId> event_node() const override;
-  [[nodiscard]] ProjectionStrip strip(std::size_t candidate) override;
+  [[nodiscard]] const ProjectionStrip& strip(std::size_t candidate) override;
   [[nodiscard]] std::string explain(const Selection& selection) override;
   [[nodiscard]] std::string explain_event(std::uint64_t event) override;
   [[nodiscard]] std::string wish(NodeId node) const override;
@@ -62,6 +62,7 @@ class RunOf final : public Run {
  private:
   void moved();
   const std::vector<OperatorRow>& operators();
+  [[nodiscard]] ProjectionStrip make_strip(std::size_t candidate);
   [[nodiscard]] std::string explain_object(ObjectId object) const;
 
   std::filesystem::path path_;
@@ -74,6 +75,9 @@ class RunOf final : public Run {
   std::optional<std::vector<CandidateRow>> ballot_;
   std::optional<PairJudgement> judgement_;
   std::uint64_t judged_pairs_ = 0;
+  mutable std::optional<std::uint64_t> hash_;
+  std::optional<std::size_t> strip_of_;
+  ProjectionStrip strip_;
   std::optional<std::vector<OperatorRow>> operators_;  ///< of the whole run
 };
 

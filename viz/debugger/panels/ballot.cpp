@@ -107,8 +107,10 @@ void draw_strip(const ProjectionStrip& strip) {
     return origin.x + 3 + static_cast<float>((at - low) / std::max(1e-9, high - low)) * (width - 6);
   };
   list.AddRectFilled(origin, {origin.x + width, origin.y + height}, IM_COL32(255, 255, 255, 255));
+  constexpr std::size_t kMostLines = 300;  // more than the strip has rows of pixels
+  const std::size_t every = 1 + strip.intervals.size() / kMostLines;
   const float row = (height - 4) / static_cast<float>(strip.intervals.size());
-  for (std::size_t k = 0; k < strip.intervals.size(); ++k) {
+  for (std::size_t k = 0; k < strip.intervals.size(); k += every) {
     const Interval& interval = strip.intervals[k];
     const Sides sides = classify(interval, static_cast<Scalar>(strip.offset));
     const Color color = sides.straddle() ? palette::kCandidate

@@ -26,7 +26,7 @@ struct PanelMemory {
   std::optional<Selection> explained;
   Position explained_at;
   std::string explanation;
-  Position lit_at;  ///< moment to which Algorithm 1 has scrolled
+  Position lit_at;                            ///< moment to which Algorithm 1 has scrolled
   std::optional<std::size_t> kept_candidate;  ///< of the ballot, pressed
   Position ballot_of;
   std::string other_file;

@@ -34,11 +34,17 @@ void draw_curve(ImDrawList& list, const Lane& lane, float scale, const TimeAxis&
   const auto y_of = [&](float value) {
     return top + height - 1 - (scale > 0 ? value / scale : 0) * (height - 3);
   };
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const float x = axis.left + static_cast<float>(k);
+  const auto same = [&](std::size_t a, std::size_t b) {
+    return columns[a].least == columns[b].least && columns[a].greatest == columns[b].greatest;
+  };
+  // Neighbours of the same height are one rectangle: there are thousands of columns.
+  for (std::size_t k = 0, end = 0; k < columns.size(); k = end) {
+    for (end = k + 1; end < columns.size() && same(k, end);) ++end;
     const float high = y_of(columns[k].greatest);
     const float low = filled ? top + height - 1 : std::max(y_of(columns[k].least), high + 1.5F);
-    list.AddRectFilled({x, high}, {x + 1, low}, color);
+    if (filled && columns[k].greatest <= 0) continue;
+    list.AddRectFilled({axis.left + static_cast<float>(k), high}, {axis.left + static_cast<float>(end), low},
+                       color);
   }
 }
 
@@ -94,7 +100,8 @@ void draw_marks(PanelContext& context, const TimeAxis& axis, float top) {
     const float x = axis.x_of(mark.step);
     list.AddTriangleFilled({x - 5, top}, {x + 5, top}, {x, top + 9}, widgets::to_imgui(palette::kOperator));
   }
-  const std::string text = wrong == 0 ? "no alarm" : std::to_string(wrong) + " alarms";
+  const std::string text =
+      wrong == 0 ? "no alarm" : std::to_string(wrong) + (wrong == 1 ? " alarm" : " alarms");
   list.AddText({axis.left + axis.width + 6, top - 1},
                widgets::to_imgui(wrong == 0 ? palette::kFaintInk : palette::kCandidate), text.c_str());
 }
