@@ -109,7 +109,7 @@ TEST(FailureProgram, KilledRunLeavesNoProcessAndIsResumed) {
   const TemporaryFolder folder;
   const auto all = folder.path() / "all";
   const auto part = folder.path() / "part";
-  const auto arguments = short_render(part, "1:4000:10");
+  const auto arguments = short_render(part, "1:2000:10");
   Process process(testing::kerf_command(with(arguments, {"--workers", "2"})));
   ASSERT_TRUE(appears(part / "pile_000003.png"));
   const std::vector<pid_t> workers = children_of(process.id());
@@ -125,7 +125,7 @@ TEST(FailureProgram, KilledRunLeavesNoProcessAndIsResumed) {
   EXPECT_THAT(other.err, HasSubstr("camera"));
   const Outcome resumed = run_kerf(with(arguments, {"--resume"}));
   ASSERT_EQ(resumed.exit, kExitDone) << resumed.err;
-  ASSERT_EQ(run_kerf(short_render(all, "1:4000:10")).exit, kExitDone);
+  ASSERT_EQ(run_kerf(short_render(all, "1:2000:10")).exit, kExitDone);
   expect_same_folder(part, all);
 }
 
@@ -151,7 +151,7 @@ TEST(FailureProgram, ResumedFramesAreLookedAt) {
 TEST(FailureProgram, FramesOfAKilledWorkerAreDrawnByTheOthers) {
   const TemporaryFolder folder;
   const auto out = folder.path() / "a";
-  Process process(testing::kerf_command(with(short_render(out, "1:4000:10"), {"--workers", "3"})));
+  Process process(testing::kerf_command(with(short_render(out, "1:2000:10"), {"--workers", "3"})));
   ASSERT_TRUE(appears(out / "pile_000003.png"));
   const std::vector<pid_t> workers = children_of(process.id());
   ASSERT_EQ(workers.size(), 3U);
@@ -159,7 +159,7 @@ TEST(FailureProgram, FramesOfAKilledWorkerAreDrawnByTheOthers) {
   const Outcome outcome = process.wait();
   EXPECT_EQ(outcome.exit, kExitDone) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("killed by signal 9"));
-  ASSERT_EQ(run_kerf(with(short_render(folder.path() / "b", "1:4000:10"), {"--workers", "0"})).exit,
+  ASSERT_EQ(run_kerf(with(short_render(folder.path() / "b", "1:2000:10"), {"--workers", "0"})).exit,
             kExitDone);
   expect_same_folder(out, folder.path() / "b");
 }

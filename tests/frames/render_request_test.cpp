@@ -88,7 +88,7 @@ TEST(RenderRequest, BadValuesAreRefused) {
   EXPECT_THAT(complaint("pile", &RenderTexts::seed, "-1"), HasSubstr("--seed"));
   EXPECT_THAT(complaint("pile", &RenderTexts::config, "sample"), HasSubstr("K=V"));
   EXPECT_THAT(complaint("pile", &RenderTexts::config, "sample=lots"), HasSubstr("sample"));
-  EXPECT_THAT(complaint("pile", &RenderTexts::video, "film.gif"), HasSubstr(".mp4"));
+  EXPECT_THAT(complaint("pile", &RenderTexts::video, "film.avi"), HasSubstr(".mp4"));
   EXPECT_THAT(complaint("pile", &RenderTexts::contact_sheet, "sheet.jpg"), HasSubstr(".png"));
 }
 

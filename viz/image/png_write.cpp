@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -34,12 +35,21 @@ bool is_opaque(const Image& image) {
   return all == 255;
 }
 
+/// Bytes that are written before they are read: a vector would first fill them with zeros, which takes as
+/// long as the half of compressing them.
+struct RawBytes {
+  explicit RawBytes(std::size_t count)
+      : data(std::make_unique_for_overwrite<std::uint8_t[]>(count)), size(count) {}
+  std::unique_ptr<std::uint8_t[]> data;
+  std::size_t size;
+};
+
 /// Rows as PNG wants them: a filter byte and the pixels. The filter is "none": on our flat drawings the
 /// compressor is faster without one, and its files are smaller.
-std::vector<std::uint8_t> unfiltered_rows(const Image& image, std::size_t channels) {
+RawBytes unfiltered_rows(const Image& image, std::size_t channels) {
   const auto width = static_cast<std::size_t>(image.width);
-  std::vector<std::uint8_t> rows(static_cast<std::size_t>(image.height) * (1 + channels * width));
-  std::uint8_t* out = rows.data();
+  RawBytes rows(static_cast<std::size_t>(image.height) * (1 + channels * width));
+  std::uint8_t* out = rows.data.get();
   for (int y = 0; y < image.height; ++y) {
     const std::uint8_t* pixel = image.pixel(0, y);
     *out++ = 0;
@@ -58,7 +68,7 @@ std::vector<std::uint8_t> unfiltered_rows(const Image& image, std::size_t channe
 }
 
 /// ISA-L at level 1, whole images at once: a quarter of libdeflate's time (docs/RENDERING.md).
-std::vector<std::uint8_t> compress(std::span<std::uint8_t> bytes) {
+RawBytes compress(RawBytes& bytes) {
   std::vector<std::uint8_t> level_buffer(ISAL_DEF_LVL1_DEFAULT);
   isal_zstream stream;
   isal_deflate_stateless_init(&stream);
@@ -67,14 +77,14 @@ std::vector<std::uint8_t> compress(std::span<std::uint8_t> bytes) {
   stream.level_buf_size = static_cast<std::uint32_t>(level_buffer.size());
   stream.gzip_flag = IGZIP_ZLIB;
   stream.end_of_stream = 1;
-  stream.next_in = bytes.data();
-  stream.avail_in = static_cast<std::uint32_t>(bytes.size());
+  stream.next_in = bytes.data.get();
+  stream.avail_in = static_cast<std::uint32_t>(bytes.size);
   // Bytes that do not shrink are stored, in blocks of less than 64 kB with five bytes each.
-  std::vector<std::uint8_t> result(bytes.size() + bytes.size() / 4096 + 4096);
-  stream.next_out = result.data();
-  stream.avail_out = static_cast<std::uint32_t>(result.size());
+  RawBytes result(bytes.size + bytes.size / 4096 + 4096);
+  stream.next_out = result.data.get();
+  stream.avail_out = static_cast<std::uint32_t>(result.size);
   if (isal_deflate_stateless(&stream) != COMP_OK) throw std::runtime_error("a picture cannot be compressed");
-  result.resize(stream.total_out);
+  result.size = stream.total_out;
   return result;
 }
 
@@ -110,12 +120,12 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
   append_u32(header, static_cast<std::uint32_t>(image.height));
   constexpr std::uint8_t kDepth = 8;
   header.insert(header.end(), {kDepth, opaque ? png::kRgb : png::kRgba, 0, 0, 0});
-  std::vector<std::uint8_t> rows = unfiltered_rows(image, opaque ? 3 : 4);
-  const std::vector<std::uint8_t> data = compress(rows);
+  RawBytes rows = unfiltered_rows(image, opaque ? 3 : 4);
+  const RawBytes data = compress(rows);
   std::vector<std::uint8_t> file(png::kSignature.begin(), png::kSignature.end());
-  file.reserve(file.size() + data.size() + 64);
+  file.reserve(file.size() + data.size + 64);
   append_chunk(file, "IHDR", header);
-  append_chunk(file, "IDAT", data);
+  append_chunk(file, "IDAT", {data.data.get(), data.size});
   append_chunk(file, "IEND", {});
   return file;
 }
