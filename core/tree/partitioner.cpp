@@ -161,9 +161,9 @@ std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, co
   return std::nullopt;
 }
 
-#define KERF_INSTANTIATE(D)                                                                      \
-  template std::vector<ObjectId> sampled_objects<D>(const Tree<D>&, NodeId, const Config&);      \
-  template std::uint32_t directions_tried<D>(const Tree<D>&, NodeId, const Config&);             \
+#define KERF_INSTANTIATE(D)                                                                 \
+  template std::vector<ObjectId> sampled_objects<D>(const Tree<D>&, NodeId, const Config&); \
+  template std::uint32_t directions_tried<D>(const Tree<D>&, NodeId, const Config&);        \
   template std::optional<Candidate> choose_partitioner<D>(const Tree<D>&, NodeId, const Config&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

@@ -30,8 +30,9 @@ ExperimentRuns even_runs() { return {even_run(), even_run(), even_run(), even_ru
 
 bool holds(const ExperimentRuns& runs, int simulation, const char* claim) {
   const std::vector<ClaimVerdict> verdicts = judge_claims(runs);
-  const auto found = std::ranges::find_if(
-      verdicts, [&](const ClaimVerdict& v) { return v.simulation == simulation && v.claim.starts_with(claim); });
+  const auto found = std::ranges::find_if(verdicts, [&](const ClaimVerdict& v) {
+    return v.simulation == simulation && v.claim.starts_with(claim);
+  });
   EXPECT_NE(found, verdicts.end()) << claim;
   if (found == verdicts.end()) return false;
   EXPECT_EQ(found->holds, found->reason.empty()) << claim;
