@@ -149,6 +149,7 @@ void ForkedCrew::hand_to(std::size_t worker, std::uint64_t ticket, Task& task) {
   order.wants_image = task.order.wants_image;
   std::strncpy(order.file, task.order.record.file.c_str(), sizeof order.file - 1);
   task.worker = static_cast<int>(worker);
+  task.turn = next_turn_++;
   workers_[worker].send(order);
 }
 
@@ -187,16 +188,26 @@ void ForkedCrew::finish_task(const WorkerReply& reply) {
   task.image = {reply.width, reply.height, {pixels.begin(), pixels.end()}};
 }
 
-/// Its parcels are still in their slots: the pixels come behind them.
+/// What a worker was at, of all that it has; null if it has nothing.
+ForkedCrew::Task* ForkedCrew::task_at_hand(std::size_t worker) {
+  Task* first = nullptr;
+  for (auto& [ticket, task] : tasks_)
+    if (task.worker == static_cast<int>(worker) && (first == nullptr || task.turn < first->turn))
+      first = &task;
+  return first;
+}
+
+/// Its parcels are still in their slots: the pixels come behind them. Only what it was at may be to blame.
 void ForkedCrew::bury(std::size_t worker) {
   const std::string end = "a process that draws " + workers_[worker].end();
   const std::lock_guard lock(mutex_);
+  const Task* const suspect = task_at_hand(worker);
   const bool any_left = std::ranges::any_of(workers_, [](const Worker& w) { return w.is_alive(); });
   for (auto task = tasks_.rbegin(); task != tasks_.rend(); ++task) {
     if (task->second.worker != static_cast<int>(worker)) continue;
     task->second.worker = -1;
     waiting_.push_front(task->first);
-    const bool hopeless = ++task->second.losses >= kMostLosses;
+    const bool hopeless = &task->second == suspect && ++task->second.losses >= kMostLosses;
     if (hopeless || !any_left)
       note_error(std::make_exception_ptr(
           std::runtime_error(end + " while it drew " + task->second.order.record.file +

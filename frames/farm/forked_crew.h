@@ -34,8 +34,9 @@ class ForkedCrew final : public FrameCrew {
     FrameOrder order;
     std::uint32_t slot = 0;
     std::size_t parcel_bytes = 0;
-    int worker = -1;  ///< that has it; -1: it waits
-    int losses = 0;   ///< workers that died while they had it
+    int worker = -1;         ///< that has it; -1: it waits
+    std::uint64_t turn = 0;  ///< in which order tasks were handed out: a worker does them in that order
+    int losses = 0;          ///< workers that died while they did it
     bool done = false;
     Image image;
   };
@@ -51,6 +52,7 @@ class ForkedCrew final : public FrameCrew {
   void wait_for_news();
   void take_reply(std::size_t worker);
   void finish_task(const WorkerReply& reply);
+  Task* task_at_hand(std::size_t worker);
   void bury(std::size_t worker);
   void deliver_finished(bool with_gaps);
   void note_error(const std::exception_ptr& error);
@@ -67,6 +69,7 @@ class ForkedCrew final : public FrameCrew {
   std::map<std::uint64_t, Task> tasks_;  ///< by ticket: not yet delivered
   std::deque<std::uint64_t> waiting_;
   std::uint64_t next_ticket_ = 0;
+  std::uint64_t next_turn_ = 0;
   bool closed_ = false;
   std::exception_ptr error_;
   std::thread thread_;  ///< last: it starts when everything else is there

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "frames/errors.h"
+#include "frames/manifest.h"
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
 
@@ -130,8 +131,13 @@ TEST(HardFiles, F3_AKilledSequenceHoldsOnlyWholeFrames) {
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
     process.signal(SIGKILL);
     EXPECT_EQ(process.wait().exit, 128 + SIGKILL);
+    if (std::filesystem::exists(folder.path() / kManifestName)) {
+      const Manifest manifest = read_manifest(folder.path());
+      EXPECT_FALSE(manifest.complete);
+      for (const FrameRecord& frame : manifest.frames)
+        EXPECT_EQ(pixel_hash(read_png(folder.path() / frame.file)), frame.pixel_hash) << frame.file;
+    }
     for (const std::string& name : folder.files()) {
-      EXPECT_NE(name, "frames.json");
       if (!name.starts_with("pile_") || !name.ends_with(".png") || name.find("part") != std::string::npos)
         continue;
       EXPECT_EQ(read_png(folder.path() / name).width, 320) << name;

@@ -29,24 +29,31 @@ std::optional<Eigen::Vector2d> anchor(const View& view, const Highlight& highlig
   return view.project(sum / count);
 }
 
-/// A place for a label near `wanted`, within the scene's part of the picture and clear of the others.
-std::optional<Viewport> find_place(const Viewport& wanted, const Viewport& scene,
-                                   const std::vector<Viewport>& taken) {
-  const auto clamped = [&](Viewport box) {
-    box.left = std::round(
-        std::clamp(box.left, scene.left, std::max(scene.left, scene.left + scene.width - box.width)));
-    box.top = std::round(
-        std::clamp(box.top, scene.top, std::max(scene.top, scene.top + scene.height - box.height)));
-    return box;
-  };
+/// A place for a label at the edge of the scene nearer to `point`, as high as it, and clear of the others:
+/// there it hides nothing.
+std::optional<Viewport> find_place(const Eigen::Vector2d& point, double width, double height,
+                                   const Viewport& scene, const std::vector<Viewport>& taken) {
+  const double margin = 4;
+  const bool left = point.x() < scene.left + scene.width / 2.0;
+  const double x = left ? scene.left + margin : scene.left + scene.width - width - margin;
   for (int ring = 0; ring < 12; ++ring) {
     for (const int sign : {-1, 1}) {
-      const Viewport box =
-          clamped({wanted.left, wanted.top + sign * ring * (wanted.height + 2), wanted.width, wanted.height});
+      const double y = point.y() - height / 2 + sign * ring * (height + 2);
+      const double top = std::clamp(y, scene.top, std::max(scene.top, scene.top + scene.height - height));
+      const Viewport box{std::round(x), std::round(top), width, height};
       if (std::ranges::none_of(taken, [&](const Viewport& other) { return overlap(box, other); })) return box;
     }
   }
   return std::nullopt;
+}
+
+/// From the label to what it names.
+void add_leader(const View& view, const Viewport& label, const Eigen::Vector2d& point, Color color,
+                Batch& batch) {
+  const bool is_left = label.left + label.width < point.x();
+  const Eigen::Vector2d end{is_left ? label.left + label.width : label.left, label.top + label.height / 2};
+  add_line_on_picture(batch, view, end, point, {color, 1.5});
+  add_diamond_on_picture(batch, view, point, 4, color);
 }
 
 }  // namespace
@@ -61,13 +68,13 @@ void draw_highlight_labels(const View& view, const Font& font, const Layout& lay
     const std::string label = highlight.label();
     const double width = font.width(label) + 2 * pad;
     const double height = font.line_height() + pad;
-    const auto place =
-        find_place({point->x() - width / 2, point->y() - height / 2, width, height}, layout.scene, taken);
+    const auto place = find_place(*point, width, height, layout.scene, taken);
     if (!place) continue;
     taken.push_back(*place);
+    const Color color = mix(palette::kGround, palette::kOperator, highlight.strength());
+    add_leader(view, *place, *point, color, overlay.shapes);
     // Dark letters on light, framed in the operators' colour: legible over any scene.
-    add_rectangle_on_picture(overlay.shapes, view, *place,
-                             mix(palette::kGround, palette::kOperator, highlight.strength()));
+    add_rectangle_on_picture(overlay.shapes, view, *place, color);
     const double rim = 2;
     add_rectangle_on_picture(overlay.shapes, view,
                              {place->left + rim, place->top + rim, width - 2 * rim, height - 2 * rim},

@@ -57,7 +57,8 @@ void draw_caption(const View& view, const Font& font, const Layout& layout,
                   const std::vector<CaptionItem>& items, const std::string& log, Overlay& overlay);
 void draw_legend(const View& view, const Font& font, const Layout& layout,
                  const std::vector<LegendItem>& items, double line_scale, Overlay& overlay);
-/// Names the highlighted operators beside their cells; labels never overlap each other.
+/// Names the highlighted operators at the edge of the scene, with a line to each; labels never overlap each
+/// other.
 void draw_highlight_labels(const View& view, const Font& font, const Layout& layout,
                            const std::vector<Highlight>& highlights, Overlay& overlay);
 

@@ -115,8 +115,8 @@ TEST_F(ForkedCrewTest, FramesOfOneThatDiesAreMadeByTheOthers) {
 
 TEST_F(ForkedCrewTest, AFrameThatKillsIsGivenUp) {
   ForkedCrew crew = this->crew(3);
-  for (std::uint32_t i = 0; i < 3; ++i) crew.add(order(i, i == 1 ? "die" : "x"));
-  try {
+  try {  // whoever is still adding hears of it, too
+    for (std::uint32_t i = 0; i < 3; ++i) crew.add(order(i, i == 1 ? "die" : "x"));
     crew.finish();
     FAIL() << "no error";
   } catch (const std::runtime_error& error) {

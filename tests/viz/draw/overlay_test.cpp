@@ -70,17 +70,18 @@ TEST(Labels, LieInTheSceneAndApart) {
   highlight.faces = {{{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0, 0.1, 0}}};  // in a corner
   Overlay overlay;
   draw_highlight_labels(view, font, layout, std::vector<Highlight>(6, highlight), overlay);
-  // Each label is a frame and a ground of four corners each.
-  ASSERT_EQ(overlay.shapes.vertices.size(), 6U * 8U);
+  // Each label is a line, a diamond, a frame and a ground of four corners each.
+  ASSERT_EQ(overlay.shapes.vertices.size(), 6U * 16U);
   EXPECT_FALSE(overlay.text.vertices.empty());
   std::vector<std::pair<float, float>> rows;
-  for (std::size_t i = 0; i < overlay.shapes.vertices.size(); i += 8) {
+  for (std::size_t i = 8; i < overlay.shapes.vertices.size(); i += 16) {
     const auto begin = overlay.shapes.vertices.begin() + static_cast<std::ptrdiff_t>(i);
     const auto [low, high] =
         std::minmax_element(begin, begin + 4, [](const Vertex& a, const Vertex& b) { return a.y < b.y; });
     rows.emplace_back((low->y + 1) * 180, (high->y + 1) * 180);
     EXPECT_GE(rows.back().first, 40 - 1e-3);
     EXPECT_LE(rows.back().second, 330 + 1e-3);
+    for (auto corner = begin; corner != begin + 4; ++corner) EXPECT_LT(corner->x, -0.5F);  // the left edge
   }
   std::ranges::sort(rows);
   for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_GE(rows[i].first, rows[i - 1].second);
