@@ -114,7 +114,7 @@ Worker::Worker(const StartFrameMaker& start, std::span<const SlotMemory> slots, 
 Worker::Worker(Worker&& other) noexcept
     : process_(std::exchange(other.process_, -1)), socket_(std::exchange(other.socket_, -1)) {}
 
-bool Worker::send(const WorkerOrder& order) const { return send_message(socket_, order); }
+void Worker::send(const WorkerOrder& order) const { (void)send_message(socket_, order); }
 
 std::optional<WorkerReply> Worker::receive() const { return receive_message<WorkerReply>(socket_); }
 

@@ -51,8 +51,8 @@ class Worker {
 
   [[nodiscard]] int socket() const { return socket_; }
   [[nodiscard]] bool is_alive() const { return process_ > 0; }
-  /// False if it has died.
-  bool send(const WorkerOrder& order) const;
+  /// Of one that has died, `receive` tells.
+  void send(const WorkerOrder& order) const;
   /// None if it has died.
   [[nodiscard]] std::optional<WorkerReply> receive() const;
   /// Closes the socket, waits for the process and says how it ended.

@@ -21,33 +21,33 @@ namespace {
 /// libEGL, loaded for the rest of the process: its drivers do not survive being unloaded. It is not linked,
 /// so that its GL and OSMesa's keep apart, and a machine without it has the rest.
 struct EglLibrary {
-  PFNEGLGETPROCADDRESSPROC GetProcAddress = nullptr;
-  PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplay = nullptr;
-  PFNEGLINITIALIZEPROC Initialize = nullptr;
-  PFNEGLBINDAPIPROC BindApi = nullptr;
-  PFNEGLCHOOSECONFIGPROC ChooseConfig = nullptr;
-  PFNEGLCREATECONTEXTPROC CreateContext = nullptr;
-  PFNEGLDESTROYCONTEXTPROC DestroyContext = nullptr;
-  PFNEGLMAKECURRENTPROC MakeCurrent = nullptr;
+  PFNEGLGETPROCADDRESSPROC get_proc_address = nullptr;
+  PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display = nullptr;
+  PFNEGLINITIALIZEPROC initialize = nullptr;
+  PFNEGLBINDAPIPROC bind_api = nullptr;
+  PFNEGLCHOOSECONFIGPROC choose_config = nullptr;
+  PFNEGLCREATECONTEXTPROC create_context = nullptr;
+  PFNEGLDESTROYCONTEXTPROC destroy_context = nullptr;
+  PFNEGLMAKECURRENTPROC set_current = nullptr;
 
   EglLibrary() {
     void* const library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) fail("libEGL.so.1 cannot be loaded");
-    GetProcAddress = reinterpret_cast<PFNEGLGETPROCADDRESSPROC>(dlsym(library, "eglGetProcAddress"));
-    if (GetProcAddress == nullptr) fail("libEGL.so.1 has no eglGetProcAddress");
-    load(GetPlatformDisplay, "eglGetPlatformDisplayEXT");
-    load(Initialize, "eglInitialize");
-    load(BindApi, "eglBindAPI");
-    load(ChooseConfig, "eglChooseConfig");
-    load(CreateContext, "eglCreateContext");
-    load(DestroyContext, "eglDestroyContext");
-    load(MakeCurrent, "eglMakeCurrent");
+    get_proc_address = reinterpret_cast<PFNEGLGETPROCADDRESSPROC>(dlsym(library, "eglGetProcAddress"));
+    if (get_proc_address == nullptr) fail("libEGL.so.1 has no eglGetProcAddress");
+    load(get_platform_display, "eglGetPlatformDisplayEXT");
+    load(initialize, "eglInitialize");
+    load(bind_api, "eglBindAPI");
+    load(choose_config, "eglChooseConfig");
+    load(create_context, "eglCreateContext");
+    load(destroy_context, "eglDestroyContext");
+    load(set_current, "eglMakeCurrent");
   }
 
  private:
   template <class Function>
   void load(Function& function, const char* name) {
-    function = reinterpret_cast<Function>(GetProcAddress(name));
+    function = reinterpret_cast<Function>(get_proc_address(name));
     if (function == nullptr) fail(std::string("it has no ") + name);
   }
 };
@@ -57,15 +57,15 @@ const EglLibrary& egl() {
   return library;
 }
 
-GlProcedure find_gl(const char* name) { return egl().GetProcAddress(name); }
+GlProcedure find_gl(const char* name) { return egl().get_proc_address(name); }
 
 class EglContext final : public GlContext {
  public:
   EglContext() {
     // The pixels are promised to be OSMesa's, which a graphics card's are not.
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
-    display_ = egl().GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display_ == EGL_NO_DISPLAY || egl().Initialize(display_, nullptr, nullptr) == EGL_FALSE)
+    display_ = egl().get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display_ == EGL_NO_DISPLAY || egl().initialize(display_, nullptr, nullptr) == EGL_FALSE)
       fail("it knows no display without a surface");
     try {
       context_ = create();
@@ -80,8 +80,8 @@ class EglContext final : public GlContext {
 
   /// Without letting go first, EGL would believe that its context is current while OSMesa's is.
   void make_current() override {
-    egl().MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    if (egl().MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
+    egl().set_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (egl().set_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
       fail("it refuses its context");
   }
 
@@ -101,18 +101,18 @@ class EglContext final : public GlContext {
                                   EGL_NONE};
     EGLConfig config = nullptr;
     EGLint found = 0;
-    egl().BindApi(EGL_OPENGL_API);
-    if (egl().ChooseConfig(display_, kConfig.data(), &config, 1, &found) == EGL_FALSE || found < 1)
+    egl().bind_api(EGL_OPENGL_API);
+    if (egl().choose_config(display_, kConfig.data(), &config, 1, &found) == EGL_FALSE || found < 1)
       fail("it has no configuration for OpenGL");
-    EGLContext context = egl().CreateContext(display_, config, EGL_NO_CONTEXT, kContext.data());
+    EGLContext context = egl().create_context(display_, config, EGL_NO_CONTEXT, kContext.data());
     if (context == EGL_NO_CONTEXT) fail("it cannot make an OpenGL 3.3 core context");
     return context;
   }
 
   /// The display is shared by all contexts of the process and stays.
   void destroy() const {
-    egl().MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    if (context_ != EGL_NO_CONTEXT) egl().DestroyContext(display_, context_);
+    egl().set_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_ != EGL_NO_CONTEXT) egl().destroy_context(display_, context_);
   }
 
   EGLDisplay display_ = EGL_NO_DISPLAY;
