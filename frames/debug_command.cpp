@@ -61,6 +61,10 @@ void show_window(const Session& session, const std::vector<ScriptLine>& lines) {
   GlfwWindow window("kerf debug " + session.file.string(), session.size.width, session.size.height);
   Debugger debugger(window, open_run(session.file));
   debugger.model().work_folder = session.work_folder;
+  debugger.model().on_long_work = [&](std::uint32_t step) {
+    const bool goes_on = window.goes_on("step " + std::to_string(step) + " (Escape ends this)");
+    return goes_on && !interrupt.requested();
+  };
   const auto present = [&] {
     debugger.show_in_window(window.width(), window.height());
     window.swap();

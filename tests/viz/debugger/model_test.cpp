@@ -100,6 +100,20 @@ TYPED_TEST(DebuggerModelTest, TheNearestOfSeveralBreakpointsStops) {
   EXPECT_EQ(model.breakpoints.size(), 3U);
 }
 
+TYPED_TEST(DebuggerModelTest, LongWorkIsToldAndCanBeEnded) {
+  DebuggerModel& model = this->model();
+  std::uint32_t told = 0;
+  model.on_long_work = [&](std::uint32_t /*step*/) { return ++told < 10; };
+  model.add_breakpoint("height>99");
+  model.run_to_breakpoint(true);
+  EXPECT_EQ(told, 10U);
+  EXPECT_EQ(model.run().position(), Position());
+  EXPECT_THAT(model.message, HasSubstr("ended before"));
+  model.on_long_work = {};
+  model.run_to_breakpoint(true);
+  EXPECT_THAT(model.message, HasSubstr("no breakpoint holds"));
+}
+
 TYPED_TEST(DebuggerModelTest, ABreakpointHereIsRemovedByTheSameKey) {
   DebuggerModel& model = this->model();
   model.go(this->first("op==split && kind==acted"));

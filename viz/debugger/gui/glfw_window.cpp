@@ -98,7 +98,7 @@ GLFWwindow* GlfwWindow::make_window(const std::string& title, int width, int hei
 }
 
 GlfwWindow::GlfwWindow(const std::string& title, int width, int height)
-    : window_(make_window(title, width, height)) {
+    : window_(make_window(title, width, height)), title_(title) {
   make_current();
   functions_ = load_gl_functions(&find_function);
   glfwSwapInterval(1);
@@ -140,6 +140,17 @@ bool GlfwWindow::should_close() const { return glfwWindowShouldClose(window_.get
 
 void GlfwWindow::swap() { glfwSwapBuffers(window_.get()); }
 
+bool GlfwWindow::goes_on(const std::string& progress) {
+  glfwSetWindowTitle(window_.get(), progress.c_str());
+  is_busy_ = true;
+  glfwPollEvents();
+  const auto escape =
+      std::ranges::find(input_.keys, Key::escape, [](const auto& press) { return press.key; });
+  if (escape == input_.keys.end()) return !should_close();
+  input_.keys.erase(escape);
+  return false;
+}
+
 DebuggerInput GlfwWindow::take_input(bool idle) {
   constexpr double kWait = 0.05;  // seconds: panels move on slowly even if nothing happens
   if (idle) {
@@ -147,6 +158,7 @@ DebuggerInput GlfwWindow::take_input(bool idle) {
   } else {
     glfwPollEvents();
   }
+  if (std::exchange(is_busy_, false)) glfwSetWindowTitle(window_.get(), title_.c_str());
   DebuggerInput taken = std::exchange(input_, {});
   double x = 0;
   double y = 0;

@@ -27,6 +27,9 @@ class GlfwWindow final : public GlContext {
   [[nodiscard]] bool should_close() const;
   /// Shows what was drawn into the window's framebuffer, and waits for the display.
   void swap();
+  /// To be called now and then in long work: shows `progress` as title, answers the display, and is false
+  /// once the user has pressed Escape or closes the window.
+  [[nodiscard]] bool goes_on(const std::string& progress);
   /// What happened since the last call; `idle`: waits a little for something to happen.
   [[nodiscard]] DebuggerInput take_input(bool idle);
 
@@ -46,6 +49,8 @@ class GlfwWindow final : public GlContext {
 
   Library library_;
   std::unique_ptr<GLFWwindow, Close> window_;
+  std::string title_;
+  bool is_busy_ = false;  ///< another title is shown
   GlFunctions functions_;
   DebuggerInput input_;  ///< gathered by the callbacks
   double last_ = 0;      ///< time of the last frame in seconds

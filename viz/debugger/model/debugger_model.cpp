@@ -60,15 +60,25 @@ void DebuggerModel::step(Granularity wanted, bool forwards) {
   hovered_candidate = run_->candidate();
 }
 
-void DebuggerModel::run_to_breakpoint(bool forwards, const Run::Progress& progress) {
+void DebuggerModel::run_to_breakpoint(bool forwards) {
   if (std::ranges::none_of(breakpoints, &Breakpoint::enabled))
     return say("there is no breakpoint to run to: add one on the left, or press F9 at an event");
-  const auto stop = next_stop(*run_, breakpoints, forwards, progress);
+  bool ended = false;
+  const auto stop = next_stop(*run_, breakpoints, forwards, noticing(ended));
+  if (ended) return say("ended before a breakpoint was found");
   if (!stop) return say(forwards ? "no breakpoint holds further on" : "no breakpoint holds further back");
   Breakpoint& breakpoint = breakpoints[stop->breakpoint];
   ++breakpoint.hits;
   go(stop->position);
   say("stopped at " + to_string(stop->position) + ": " + breakpoint.condition.text());
+}
+
+/// `on_long_work`, with a note of whether it has ended the work.
+Run::Progress DebuggerModel::noticing(bool& ended) const {
+  return [this, &ended](std::uint32_t step) {
+    if (!ended && on_long_work) ended = !on_long_work(step);
+    return !ended;
+  };
 }
 
 void DebuggerModel::pass_time(double seconds) {
@@ -180,9 +190,10 @@ void DebuggerModel::compare_with(std::unique_ptr<Run> other) {
 
 void DebuggerModel::what_if(const WhatIfQuestion& question) {
   const auto out = work_folder / ("what-if-" + std::to_string(++reruns_) + ".kerf");
-  run_->rerun(question, out);
+  bool ended = false;
+  run_->rerun(question, out, noticing(ended));
   compare_with(open_run(out));
-  say("compared with " + out.filename().string());
+  say("compared with " + out.filename().string() + (ended ? ", which was ended early" : ""));
 }
 
 void DebuggerModel::change_over() {

@@ -43,7 +43,7 @@ class DebuggerModel {
   void go_to_event(std::uint64_t event);
   void step(Granularity wanted, bool forwards);
   /// To the next moment, either way, at which a breakpoint holds; says so if there is none.
-  void run_to_breakpoint(bool forwards, const Run::Progress& progress = {});
+  void run_to_breakpoint(bool forwards);
   /// Plays on by so many seconds, if it plays.
   void pass_time(double seconds);
 
@@ -94,6 +94,8 @@ class DebuggerModel {
   // Comparing: another run goes where this one goes.
   void compare_with(std::unique_ptr<Run> other);
   void stop_comparing();
+  /// Is told each step of a search or a rerun; when it returns false, that ends there.
+  Run::Progress on_long_work;
   /// Runs it again with something else decided, into `work_folder`, and compares with that. Throws as
   /// Run::rerun.
   void what_if(const WhatIfQuestion& question);
@@ -112,6 +114,7 @@ class DebuggerModel {
   bool message_is_error = false;
 
  private:
+  [[nodiscard]] Run::Progress noticing(bool& ended) const;
   void moved();
   void say(std::string text, bool is_error = false);
 

@@ -111,7 +111,8 @@ class Run {
   [[nodiscard]] virtual std::vector<Thrash> lint(std::uint32_t within) = 0;
   /// Runs the same requests again, with something else decided, and records that. Throws
   /// std::invalid_argument, saying why, for what cannot be decided.
-  virtual void rerun(const WhatIfQuestion& question, const std::filesystem::path& out) = 0;
+  virtual void rerun(const WhatIfQuestion& question, const std::filesystem::path& out,
+                     const Progress& progress) = 0;
   /// Throws std::runtime_error unless both have the same dimension.
   [[nodiscard]] virtual RecordingComparison compare(Run& other) = 0;
   /// Step in which an operator last acted on the node, up to now; 0: none has.

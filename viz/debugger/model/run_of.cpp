@@ -209,7 +209,8 @@ std::vector<Thrash> RunOf<D>::lint(std::uint32_t within) {
 }
 
 template <int D>
-void RunOf<D>::rerun(const WhatIfQuestion& question, const std::filesystem::path& out) {
+void RunOf<D>::rerun(const WhatIfQuestion& question, const std::filesystem::path& out,
+                     const Progress& progress) {
   RecordingInfo changed = recording_->info();
   if (question.event) decide(changed, cursor_.replayer(), *question.event, question.candidate);
   if (!question.assignments.empty()) {
@@ -217,7 +218,8 @@ void RunOf<D>::rerun(const WhatIfQuestion& question, const std::filesystem::path
     kerf::apply(wanted, question.assignments);
     change_config(changed, *recording_, question.from, wanted);
   }
-  (void)kerf::rerun(*recording_, changed, out);
+  std::uint32_t step = 0;
+  (void)kerf::rerun(*recording_, changed, out, [&] { return progress && !progress(step++); });
 }
 
 template <int D>

@@ -45,7 +45,8 @@ class RunOf final : public Run {
   [[nodiscard]] std::vector<Event> history(NodeId node) override;
   [[nodiscard]] std::vector<PairChange> history(const Pair& pair) override;
   [[nodiscard]] std::vector<Thrash> lint(std::uint32_t within) override;
-  void rerun(const WhatIfQuestion& question, const std::filesystem::path& out) override;
+  void rerun(const WhatIfQuestion& question, const std::filesystem::path& out,
+             const Progress& progress) override;
   [[nodiscard]] RecordingComparison compare(Run& other) override;
   [[nodiscard]] std::uint32_t last_change(NodeId node) override;
   [[nodiscard]] const PairJudgement& judgement() override;
