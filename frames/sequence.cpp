@@ -48,10 +48,12 @@ class Sequence {
   void run(const InterruptGuard& interrupt) {
     try {
       make_frames(interrupt);
+      folder_.remove_parts();
       manifest_.complete = manifest_.frames.size() == manifest_.wanted_frames();
       save(manifest_, folder_.path());
     } catch (...) {
       crew_.reset();  // what is on its way is finished first
+      folder_.remove_parts();
       manifest_.complete = false;
       save_what_is_there();
       throw;

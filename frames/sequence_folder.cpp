@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "frames/atomic_file.h"
@@ -79,6 +80,16 @@ void SequenceFolder::make() const { make_writable_folder(path_); }
 
 void SequenceFolder::clear() const {
   for (const std::filesystem::path& file : files_of_sequence()) std::filesystem::remove(file);
+}
+
+void SequenceFolder::remove_parts() const noexcept {
+  std::error_code ignored;
+  std::vector<std::filesystem::path> parts;
+  for (const auto& entry : std::filesystem::directory_iterator(path_, ignored)) {
+    const std::string file = entry.path().filename().string();
+    if (file.starts_with(name_ + "_") && file.ends_with(".part")) parts.push_back(entry.path());
+  }
+  for (const std::filesystem::path& part : parts) std::filesystem::remove(part, ignored);
 }
 
 }  // namespace kerf

@@ -30,6 +30,8 @@ class SequenceFolder {
   void make() const;
   /// Removes the manifest and the frames of an earlier sequence, the manifest first, and nothing else.
   void clear() const;
+  /// Removes what a process that died was writing. Nobody else may write at that time.
+  void remove_parts() const noexcept;
 
  private:
   [[nodiscard]] std::vector<std::filesystem::path> files_of_sequence() const;
