@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <stdexcept>
 #include <type_traits>
 #include <variant>
@@ -92,10 +93,7 @@ class SceneFilm final : public Film {
     std::vector<Event> events = tree_->trace().take();
     events_since_record_ += events.size();
     const std::uint32_t now = tree_->steps();
-    std::erase_if(recent_, [&](const Event& event) { return event.step + kHighlightSteps < now; });
-    std::ranges::copy_if(events, std::back_inserter(recent_), [](const Event& event) {
-      return std::holds_alternative<OperatorActed>(event.body);
-    });
+    keep_recent_operators(events, now, recent_);
   }
 
   [[nodiscard]] Caption caption() const {
@@ -123,6 +121,12 @@ class SceneFilm final : public Film {
 };
 
 }  // namespace
+
+void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std::vector<Event>& recent) {
+  std::erase_if(recent, [&](const Event& event) { return event.step + kHighlightSteps < now; });
+  std::ranges::copy_if(events, std::back_inserter(recent),
+                       [](const Event& event) { return std::holds_alternative<OperatorActed>(event.body); });
+}
 
 std::unique_ptr<Film> make_film(const RenderRequest& request) {
   if (request.recording) return make_recording_film(request);

@@ -44,6 +44,9 @@ inline int samples_of_renderer(const RenderRequest& request) {
   return request.samples == kSupersampled ? 1 : request.samples;
 }
 
+/// Adds the operators of step `now` to those of the steps before that a frame still shows.
+void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std::vector<Event>& recent);
+
 /// Objects of `bodies` that move.
 template <int D>
 std::uint32_t count_moving(std::span<const Body<D>> bodies) {

@@ -9,7 +9,7 @@
 #include "core/tree/criteria.h"
 #include "frames/farm/frame_parcel.h"
 #include "frames/film.h"
-#include "frames/recorded_bodies.h"
+#include "viz/draw/recorded_bodies.h"
 
 namespace kerf {
 namespace {
@@ -25,19 +25,6 @@ struct Setting {
   int samples = 4;
 };
 
-template <int D>
-void ask(const StepRequests<D>& requests, ObjectTable<D>& objects) {
-  for_each_request(requests, objects.kind(), [&](const ObjectRequest<D>& request) {
-    if (request.kind == RequestKind::remove) {
-      (void)objects.remove(request.object);
-    } else if (is_insert(request.kind)) {
-      (void)objects.insert(request.object, request.volume, request.mobility);
-    } else {
-      (void)objects.move(request.object, request.volume);
-    }
-  });
-}
-
 /// The view holds what every frame of the whole sequence shows.
 template <int D>
 Setting<D> find_setting(RecordingReader<D>& recording, const StepRange& steps) {
@@ -46,10 +33,11 @@ Setting<D> find_setting(RecordingReader<D>& recording, const StepRange& steps) {
   ObjectTable<D> table(recording.info().volume);
   std::uint32_t objects = 0;
   for (std::uint32_t step = 1; step <= steps.last; ++step) {
-    ask(recording.step(step).requests, table);
+    for_each_request(recording.step(step).requests, table.kind(),
+                     [&](const ObjectRequest<D>& request) { apply(request, table); });
     objects = std::max(objects, recording.row(step).statistics.objects);
     if (step >= steps.first && (step - steps.first) % steps.stride == 0)
-      view.update(std::span<const Body<D>>(bodies_of(table)));
+      view.update(std::span<const Body<D>>(recorded_bodies(table)));
   }
   setting.view = view.box();
   setting.largest_population =
@@ -86,14 +74,14 @@ class RecordingFilm final : public Film {
   }
 
   std::vector<std::uint8_t> parcel() override {
-    const std::vector<Body<D>> bodies = bodies_of(replayer_.tree().objects());
+    const std::vector<Body<D>> bodies = recorded_bodies(replayer_.tree().objects());
     // A replay from a keyframe finds the pairs in another order.
     std::vector<Pair> pairs(replayer_.tree().pairs().begin(), replayer_.tree().pairs().end());
     std::ranges::sort(pairs);
     FrameInput<D> input = moment();
     input.bodies = bodies;
     input.pairs = pairs;
-    input.caption = caption(bodies);
+    input.caption = caption();
     return pack(input, planner_.plan(input));
   }
 
@@ -129,10 +117,7 @@ class RecordingFilm final : public Film {
 
   void take_events() {
     const std::uint32_t now = replayer_.step();
-    std::erase_if(recent_, [&](const Event& event) { return event.step + kHighlightSteps < now; });
-    std::ranges::copy_if(recording_->step(now).events, std::back_inserter(recent_), [](const Event& event) {
-      return std::holds_alternative<OperatorActed>(event.body);
-    });
+    keep_recent_operators(recording_->step(now).events, now, recent_);
   }
 
   /// What a planner must know of any step.
@@ -144,13 +129,13 @@ class RecordingFilm final : public Film {
     return input;
   }
 
-  [[nodiscard]] Caption caption(std::span<const Body<D>> bodies) const {
+  [[nodiscard]] Caption caption() const {
     const StepRow& row = recording_->row(replayer_.step());
     return {.scene = recording_->info().scene,
             .broad_phase = "kerf",
             .step = replayer_.step(),
             .objects = row.statistics.objects,
-            .moving = count_moving(bodies),
+            .moving = count_moving(replayer_.tree().objects()),
             .pairs = row.pairs,
             .contacts = 0,
             .statistics = row.statistics,

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "frames/recorded_bodies.h"
 #include "viz/draw/frame_renderer.h"
+#include "viz/draw/recorded_bodies.h"
 #include "viz/image/png.h"
 
 namespace kerf {
@@ -32,8 +32,7 @@ Caption caption_of(const Cursor<D>& cursor) {
   caption.broad_phase = "kerf";
   caption.step = cursor.position().step;
   caption.objects = objects.size();
-  for (std::uint32_t id = 0; id < objects.bound(); ++id)
-    caption.moving += objects.state({id}) != ObjectState::absent && !objects.is_fixed({id}) ? 1 : 0;
+  caption.moving = count_moving(objects);
   caption.pairs = cursor.state().pairs.size();
   if (caption.step > 0) caption.statistics = recording.row(caption.step).statistics;
   if (const auto event = cursor.event()) caption.note = describe(*event);
@@ -44,7 +43,7 @@ Caption caption_of(const Cursor<D>& cursor) {
 
 template <int D>
 void draw_moment(Cursor<D>& cursor, const PictureSize& size, const std::filesystem::path& path) {
-  const std::vector<Body<D>> bodies = bodies_of(cursor.state().latest);
+  const std::vector<Body<D>> bodies = recorded_bodies(cursor.state().latest);
   const std::vector<Event> events = recent_operators(cursor);
   FrameRenderer<D> renderer({size.width, size.height, LayerSet::all(), ""});
   const FrameInput<D> input{.bodies = bodies,

@@ -10,13 +10,7 @@ bool follow(const StepRequests<D>& requests, const Pair& pair, ObjectTable<D>& t
   for_each_request(requests, table.kind(), [&](const ObjectRequest<D>& request) {
     if (request.object != pair.a && request.object != pair.b) return;
     changed = true;
-    if (request.kind == RequestKind::remove) {
-      (void)table.remove(request.object);
-    } else if (is_insert(request.kind)) {
-      (void)table.insert(request.object, request.volume, request.mobility);
-    } else {
-      (void)table.move(request.object, request.volume);
-    }
+    apply(request, table);
   });
   return changed;
 }

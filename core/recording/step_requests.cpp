@@ -110,11 +110,24 @@ void apply(const StepRequests<D>& requests, BroadPhase<D>& broad_phase) {
   }
 }
 
+template <int D>
+void apply(const ObjectRequest<D>& request, ObjectTable<D>& objects) {
+  if (request.kind == RequestKind::remove) {
+    (void)objects.remove(request.object);
+  } else if (is_insert(request.kind)) {
+    (void)objects.insert(request.object, request.volume, request.mobility);
+  } else {
+    (void)objects.move(request.object, request.volume);
+  }
+}
+
 template Volume<2> volume_from<2>(VolumeKind, const Box<2>&, const Scalar*);
 template Volume<3> volume_from<3>(VolumeKind, const Box<3>&, const Scalar*);
 template struct StepRequests<2>;
 template struct StepRequests<3>;
 template void apply<2>(const StepRequests<2>&, BroadPhase<2>&);
 template void apply<3>(const StepRequests<3>&, BroadPhase<3>&);
+template void apply<2>(const ObjectRequest<2>&, ObjectTable<2>&);
+template void apply<3>(const ObjectRequest<3>&, ObjectTable<3>&);
 
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/broad_phase/broad_phase.h"
+#include "core/broad_phase/object_table.h"
 
 namespace kerf {
 
@@ -88,6 +89,9 @@ void for_each_request(const StepRequests<D>& requests, VolumeKind kind, Visit vi
 /// Makes the same calls again.
 template <int D>
 void apply(const StepRequests<D>& requests, BroadPhase<D>& broad_phase);
+/// What a table of objects becomes by it.
+template <int D>
+void apply(const ObjectRequest<D>& request, ObjectTable<D>& objects);
 
 extern template struct StepRequests<2>;
 extern template struct StepRequests<3>;

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "viz/debugger/scene/ray.h"
-#include "viz/debugger/scene/recorded_bodies.h"
 #include "viz/draw/palette.h"
+#include "viz/draw/recorded_bodies.h"
 #include "viz/draw/strokes.h"
 #include "viz/draw/view_box.h"
 

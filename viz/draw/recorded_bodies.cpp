@@ -1,4 +1,4 @@
-#include "viz/debugger/scene/recorded_bodies.h"
+#include "viz/draw/recorded_bodies.h"
 
 #include <limits>
 
@@ -32,6 +32,16 @@ std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects) {
   return bodies;
 }
 
+template <int D>
+std::uint32_t count_moving(const ObjectTable<D>& objects) {
+  std::uint32_t count = 0;
+  for (std::uint32_t id = 0; id < objects.bound(); ++id)
+    count += objects.state({id}) != ObjectState::absent && !objects.is_fixed({id}) ? 1 : 0;
+  return count;
+}
+
+template std::uint32_t count_moving<2>(const ObjectTable<2>&);
+template std::uint32_t count_moving<3>(const ObjectTable<3>&);
 template std::vector<Body<2>> recorded_bodies<2>(const ObjectTable<2>&);
 template std::vector<Body<3>> recorded_bodies<3>(const ObjectTable<3>&);
 template Body<2> absent_body<2>();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/broad_phase/object_table.h"
@@ -11,6 +12,10 @@ namespace kerf {
 /// place, since bodies are numbered as objects are.
 template <int D>
 std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects);
+
+/// How many of them are there and not fixed.
+template <int D>
+std::uint32_t count_moving(const ObjectTable<D>& objects);
 
 /// A body that no layer draws.
 template <int D>
