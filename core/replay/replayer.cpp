@@ -56,7 +56,7 @@ template <int D>
 void Replayer<D>::advance(const OnEvent& on_event) {
   const RecordedStep<D>& next = recording_->step(step() + 1);
   apply(next.requests, tree_);
-  tree_.set_config(config_of(recording_->info(), step() + 1));
+  if (!recording_->info().changes.empty()) tree_.set_config(config_of(recording_->info(), step() + 1));
   tree_.trace().on_event = on_event;
   tree_.step();
   tree_.trace().on_event = {};
