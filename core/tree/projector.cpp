@@ -1,6 +1,9 @@
 #include "core/tree/projector.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 namespace kerf {
@@ -62,6 +65,31 @@ Interval project_slabs(const SlabSum<D>& sum, const Box<D>& box, const Scalar* e
   return result;
 }
 
+/// The projectors made last. Repulsion takes some ten milliseconds, and who compares runs makes many trees of
+/// one configuration.
+template <int D>
+class MadeProjectors {
+ public:
+  std::shared_ptr<const Projector<D>> get(std::uint32_t size, std::uint64_t seed, VolumeKind kind) {
+    const std::scoped_lock lock(mutex_);
+    for (const Made& made : made_)
+      if (made.size == size && made.seed == seed && made.projector->kind() == kind) return made.projector;
+    Made& oldest = made_[next_++ % made_.size()];
+    oldest = {size, seed, std::make_shared<const Projector<D>>(DirectionSet<D>(size, seed), kind)};
+    return oldest.projector;
+  }
+
+ private:
+  struct Made {
+    std::uint32_t size = 0;
+    std::uint64_t seed = 0;
+    std::shared_ptr<const Projector<D>> projector;
+  };
+  std::mutex mutex_;
+  std::array<Made, 8> made_;
+  std::size_t next_ = 0;
+};
+
 }  // namespace
 
 template <int D>
@@ -92,7 +120,8 @@ template <int D>
 std::shared_ptr<const Projector<D>> make_projector(const Config& config, VolumeKind kind) {
   check(config);
   const std::uint32_t size = D == 3 ? config.directions : std::max<std::uint32_t>(D, config.directions / 4);
-  return std::make_shared<const Projector<D>>(DirectionSet<D>(size, config.seed), kind);
+  static MadeProjectors<D> made;
+  return made.get(size, config.seed, kind);
 }
 
 template class Projector<2>;

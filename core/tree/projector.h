@@ -38,8 +38,8 @@ class Projector {
   std::vector<SlabSum<D>> sums_;  ///< of the directions, for DOPs
 };
 
-/// The projector of a configuration: its direction set has a quarter of the size in 2D. Throws
-/// std::invalid_argument when the configuration cannot work.
+/// The projector of a configuration: its direction set has a quarter of the size in 2D. The last few
+/// are kept and shared. Throws std::invalid_argument when the configuration cannot work.
 template <int D>
 std::shared_ptr<const Projector<D>> make_projector(const Config& config, VolumeKind kind);
 
