@@ -36,6 +36,7 @@ Json as_json(const BenchRow& row) {
                {"p90_ns", row.p90_ns},
                {"p99_ns", row.p99_ns},
                {"max_ns", row.max_ns},
+               {"native_ns", row.native_ns},
                {"build_ns", row.build_ns},
                {"pairs", row.pairs},
                {"missed", row.missed},
@@ -50,18 +51,18 @@ Json as_json(const BenchRow& row) {
 }  // namespace
 
 std::string bench_heading() {
-  return "SCENE          DIM OBJECTS TH ALGORITHM                 MEDIAN      P90      P99  ns an object and "
-         "step\n" +
-         std::string(57, ' ') + "                            FLOORS      PAIRS   MISSED    EXTRA  B/OBJECT";
+  return "SCENE          DIM OBJECTS TH ALGORITHM                 MEDIAN      P90      P99   NATIVE  "
+         "ns an object and step\n" +
+         std::string(66, ' ') + "                            FLOORS      PAIRS   MISSED    EXTRA  B/OBJECT";
 }
 
 std::string as_text(const BenchRow& row) {
-  return as_text(row.cell) + format(" %-24s %8.1f %8.1f %8.1f  %7.1f %10llu %8llu %8llu %9.0f",
-                                    row.algorithm.c_str(), row.median_ns, row.p90_ns, row.p99_ns,
-                                    row.times_floor, static_cast<unsigned long long>(row.pairs),
-                                    static_cast<unsigned long long>(row.missed),
-                                    static_cast<unsigned long long>(row.extra),
-                                    static_cast<double>(row.rss_bytes) / row.cell.objects);
+  return as_text(row.cell) +
+         format(" %-24s %8.1f %8.1f %8.1f %8.1f  %7.1f %10llu %8llu %8llu %9.0f", row.algorithm.c_str(),
+                row.median_ns, row.p90_ns, row.p99_ns, row.native_ns, row.times_floor,
+                static_cast<unsigned long long>(row.pairs), static_cast<unsigned long long>(row.missed),
+                static_cast<unsigned long long>(row.extra),
+                static_cast<double>(row.rss_bytes) / row.cell.objects);
 }
 
 std::string as_text(const BenchGap& gap) {

@@ -23,6 +23,7 @@ struct BenchRow {
   double p90_ns = 0;
   double p99_ns = 0;
   double max_ns = 0;
+  double native_ns = 0;      ///< the median of what a library costs without what it lacks (AddedWork)
   double build_ns = 0;       ///< to insert an object, and the first step
   std::uint64_t pairs = 0;   ///< a step, in the mean
   std::uint64_t missed = 0;  ///< in all measured steps

@@ -14,7 +14,11 @@ std::string in_seconds(double seconds) { return std::to_string(static_cast<int>(
 }  // namespace
 
 Participant::Participant(std::string name, std::uint32_t block, const CellPlan& plan)
-    : plan_(plan), name_(std::move(name)), answers_(block), nanoseconds_(plan.steps, kNever) {}
+    : plan_(plan),
+      name_(std::move(name)),
+      answers_(block),
+      nanoseconds_(plan.steps, kNever),
+      native_(plan.steps, kNever) {}
 
 void Participant::start(const Life& life) {
   spent_ = 0;
@@ -56,8 +60,9 @@ void Participant::run(std::int64_t first, std::uint32_t count, const CellWatch& 
 
 void Participant::keep(std::int64_t step, const StepResult& result) {
   if (step < 0) return;
-  auto& least = nanoseconds_[static_cast<std::size_t>(step)];
-  least = std::min(least, result.nanoseconds);
+  const auto k = static_cast<std::size_t>(step);
+  nanoseconds_[k] = std::min(nanoseconds_[k], result.nanoseconds);
+  native_[k] = std::min(native_[k], result.nanoseconds - result.added);
   pairs_ += result.pairs;
   missed_ += result.missed;
   extra_ += result.extra;
@@ -70,9 +75,13 @@ void Participant::finish(const CellWatch& watch) {
 }
 
 std::optional<BenchRow> Participant::row(const CellName& cell, bool trace) const {
-  std::vector<double> each;
-  for (const std::uint64_t time : nanoseconds_)
-    if (time != kNever) each.push_back(static_cast<double>(time) / cell.objects);
+  const auto per_object = [&cell](const std::vector<std::uint64_t>& times) {
+    std::vector<double> each;
+    for (const std::uint64_t time : times)
+      if (time != kNever) each.push_back(static_cast<double>(time) / cell.objects);
+    return each;
+  };
+  std::vector<double> each = per_object(nanoseconds_);
   if (each.empty()) return std::nullopt;
   BenchRow row;
   row.cell = cell;
@@ -83,6 +92,9 @@ std::optional<BenchRow> Participant::row(const CellName& cell, bool trace) const
   row.p90_ns = percentile(each, 0.9);
   row.p99_ns = percentile(each, 0.99);
   row.max_ns = each.back();
+  std::vector<double> native = per_object(native_);
+  std::sort(native.begin(), native.end());
+  row.native_ns = percentile(native, 0.5);
   row.build_ns = build_ == kNever ? 0 : static_cast<double>(build_) / cell.objects;
   row.pairs = pairs_ / steps_;
   row.missed = missed_;

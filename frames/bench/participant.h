@@ -43,6 +43,7 @@ class Participant {
   Answers answers_;
   std::unique_ptr<ChildProcess> process_;
   std::vector<std::uint64_t> nanoseconds_;  ///< per step the least of all rounds
+  std::vector<std::uint64_t> native_;       ///< the same without added work
   std::uint64_t build_ = kNever;
   std::uint64_t pairs_ = 0;
   std::uint64_t steps_ = 0;  ///< in all rounds

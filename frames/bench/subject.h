@@ -13,6 +13,7 @@ namespace kerf {
 /// What a subject tells of one step.
 struct StepResult {
   std::uint64_t nanoseconds = 0;
+  std::uint64_t added = 0;  ///< of them: what a library leaves to its caller (AddedWork)
   std::uint64_t pairs = 0;
   std::uint64_t missed = 0;
   std::uint64_t extra = 0;  ///< invented, or told twice

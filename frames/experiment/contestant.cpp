@@ -5,7 +5,7 @@
 #include "core/broad_phase/bsp.h"
 #include "core/broad_phase/loose_octree.h"
 #include "core/broad_phase/sweep_and_prune.h"
-#include "frames/bench/step_timer.h"
+#include "frames/rivals/step_timer.h"
 #include "sims3d/rivals/ode_space.h"
 
 namespace kerf {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "frames/bench/step_timer.h"
+#include "frames/rivals/step_timer.h"
 #include "frames/bench/truth.h"
 #include "frames/report/figures.h"
 #include "frames/report/meetings.h"

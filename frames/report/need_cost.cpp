@@ -5,7 +5,7 @@
 
 #include "core/broad_phase/bsp.h"
 #include "core/scene/bounding.h"
-#include "frames/bench/step_timer.h"
+#include "frames/rivals/step_timer.h"
 #include "frames/report/contact_probe.h"
 #include "frames/report/figures.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/broad_phase/broad_phase.h"
-#include "frames/bench/step_timer.h"
+#include "frames/rivals/step_timer.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/broad_phase/all_pairs.h"
-#include "frames/bench/step_timer.h"
+#include "frames/rivals/step_timer.h"
 #include "frames/bench/truth.h"
 #include "frames/report/figures.h"
 

@@ -7,7 +7,7 @@
 #include "core/broad_phase/bsp.h"
 #include "core/random.h"
 #include "core/scene/bounding.h"
-#include "frames/bench/step_timer.h"
+#include "frames/rivals/step_timer.h"
 #include "frames/report/figures.h"
 #include "sims3d/geoms.h"
 

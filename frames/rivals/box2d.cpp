@@ -96,8 +96,8 @@ class BroadPhaseRival final : public Box2dRival<b2BroadPhase> {
     partners_[object.index()].clear();
     Box2dRival::drop(object);
   }
-  void find_pairs() override {
-    holder_.UpdatePairs(this);
+  void find_pairs() override { holder_.UpdatePairs(this); }
+  void collect_pairs() override {
     for (std::uint32_t id = 0; id < partners_.size(); ++id) tell_partners({id});
   }
   /// Tells the overlaps with later objects and forgets the partners that have gone far enough.

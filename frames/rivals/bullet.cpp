@@ -43,8 +43,8 @@ class BulletRival final : public RivalBase<3> {
     broad_phase_->destroyProxy(proxies_[object.index()], nullptr);
     proxies_[object.index()] = nullptr;
   }
-  void find_pairs() override {
-    broad_phase_->calculateOverlappingPairs(nullptr);
+  void find_pairs() override { broad_phase_->calculateOverlappingPairs(nullptr); }
+  void collect_pairs() override {
     const btBroadphasePairArray& found = broad_phase_->getOverlappingPairCache()->getOverlappingPairArray();
     for (int i = 0; i < found.size(); ++i)
       tell_candidate(object_of(*found[i].m_pProxy0), object_of(*found[i].m_pProxy1));

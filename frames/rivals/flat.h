@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "frames/rivals/added_work.h"
 #include "frames/rivals/rival.h"
 
 namespace kerf {
@@ -13,7 +14,7 @@ inline Box<3> flat_box(const Box<2>& box) {
 }
 
 /// A 3D broad phase that is shown 2D boxes as slabs of unit thickness: two slabs overlap iff the boxes do.
-class Flat final : public BroadPhase<2> {
+class Flat final : public BroadPhase<2>, public AddedWork {
  public:
   explicit Flat(std::unique_ptr<BroadPhase<3>> inner) : inner_(std::move(inner)) {}
   [[nodiscard]] std::string_view name() const override { return inner_->name(); }
@@ -24,6 +25,10 @@ class Flat final : public BroadPhase<2> {
   Status remove(ObjectId object) override { return inner_->remove(object); }
   void step() override { inner_->step(); }
   [[nodiscard]] std::span<const Pair> pairs() const override { return inner_->pairs(); }
+  [[nodiscard]] std::uint64_t added_nanoseconds() const override {
+    const auto* added = dynamic_cast<const AddedWork*>(inner_.get());
+    return added == nullptr ? 0 : added->added_nanoseconds();
+  }
 
  private:
   std::unique_ptr<BroadPhase<3>> inner_;

@@ -1,5 +1,7 @@
 #include "frames/rivals/rival_base.h"
 
+#include "frames/rivals/step_timer.h"
+
 namespace kerf {
 
 template <int D>
@@ -61,7 +63,13 @@ Status RivalBase<D>::remove(ObjectId object) {
 template <int D>
 void RivalBase<D>::step() {
   pairs_.clear();
+  candidates_.clear();
   find_pairs();
+  const StepTimer timer(true);
+  collect_pairs();
+  for (const auto& [a, b] : candidates_)
+    if (overlaps(shown(a), shown(b))) tell(a, b);
+  added_ = timer.nanoseconds();
 }
 
 template class RivalBase<2>;

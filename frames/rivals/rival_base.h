@@ -5,6 +5,7 @@
 
 #include "core/broad_phase/broad_phase.h"
 #include "core/broad_phase/object_table.h"
+#include "frames/rivals/added_work.h"
 #include "frames/rivals/rival.h"
 
 namespace kerf {
@@ -12,7 +13,7 @@ namespace kerf {
 /// What all rivals share: statuses, which objects the library holds now, and the list of pairs. A rival says
 /// how an object enters the library, changes and leaves it, and how pairs are found.
 template <int D>
-class RivalBase : public BroadPhase<D> {
+class RivalBase : public BroadPhase<D>, public AddedWork {
  public:
   explicit RivalBase(const RivalHints<D>& hints, Intake intake);
 
@@ -21,13 +22,16 @@ class RivalBase : public BroadPhase<D> {
   Status remove(ObjectId object) final;
   void step() final;
   [[nodiscard]] std::span<const Pair> pairs() const final { return pairs_; }
+  [[nodiscard]] std::uint64_t added_nanoseconds() const final { return added_; }
 
  protected:
   virtual void add(ObjectId object, const Box<D>& box, bool fixed) = 0;
   virtual void change(ObjectId object, const Box<D>& box) = 0;
   virtual void drop(ObjectId object) = 0;
-  /// Calls `tell` or `tell_candidate` for each pair.
+  /// What the library does to find pairs. Calls `tell` or `tell_candidate` for each that it tells.
   virtual void find_pairs() = 0;
+  /// Calls them for pairs that the library keeps, and that its caller has to go through.
+  virtual void collect_pairs() {}
 
   /// The box that the library was shown last.
   [[nodiscard]] const Box<D>& shown(ObjectId object) const { return shown_[object.index()]; }
@@ -38,9 +42,7 @@ class RivalBase : public BroadPhase<D> {
     if ((fixed_[a.index()] & fixed_[b.index()]) == 0) pairs_.push_back(make_pair(a, b));
   }
   /// A pair that the caller of the library is expected to test.
-  void tell_candidate(ObjectId a, ObjectId b) {
-    if (overlaps(shown(a), shown(b))) tell(a, b);
-  }
+  void tell_candidate(ObjectId a, ObjectId b) { candidates_.push_back({a, b}); }
 
  private:
   void show(ObjectId object, const Box<D>& given);
@@ -50,7 +52,9 @@ class RivalBase : public BroadPhase<D> {
   std::vector<Box<D>> shown_;
   std::vector<std::uint8_t> fixed_;
   std::vector<std::uint8_t> held_;  ///< per object: the library knows it
+  std::vector<Pair> candidates_;
   std::vector<Pair> pairs_;
+  std::uint64_t added_ = 0;
 };
 
 extern template class RivalBase<2>;

@@ -35,7 +35,7 @@ TEST(BenchProgram, PrintsRowsAndWritesJson) {
   ASSERT_EQ(json["results"].size(), 10U);
   for (const auto& row : json["results"]) {
     for (const char* key : {"scene", "dim", "objects", "algorithm", "threads", "median_ns", "p90_ns",
-                            "p99_ns", "pairs", "missed", "extra", "times_floor", "rss_bytes"})
+                            "p99_ns", "native_ns", "pairs", "missed", "extra", "times_floor", "rss_bytes"})
       EXPECT_TRUE(row.contains(key)) << key;
     EXPECT_EQ(row["missed"], 0);
     EXPECT_EQ(row["extra"], 0);

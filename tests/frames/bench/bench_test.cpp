@@ -193,7 +193,30 @@ TEST(BenchCell, MeasuresEveryAlgorithmAndTheFloor) {
     EXPECT_GE(row.times_floor, row.algorithm == "floor" ? 1 : 1.5) << row.algorithm;
     EXPECT_LE(row.median_ns, row.p90_ns);
     EXPECT_LE(row.p90_ns, row.p99_ns);
+    EXPECT_EQ(row.native_ns, row.median_ns) << "our own leave nothing to others";
     EXPECT_GE(row.rss_bytes, row.algorithm == "floor" ? 0U : 300 * sizeof(Box<3>)) << row.algorithm;
+  }
+}
+
+TEST(BenchCell, TellsWhatALibraryCostsWithoutWhatItLacks) {
+  CellPlan plan;
+  plan.scene = &find_bench_scene("uniform");
+  plan.objects = 2000;
+  plan.algorithms = {"bullet-dbvt", "fcl-dynamic-tree", "cgal-box-intersection"};
+  plan.warm_up = 2;
+  plan.steps = 4;
+  const CellWatch watch{[](const std::string&) {}, [] { return false; }};
+  const CellResult result = measure_cell<3>(plan, watch);
+  ASSERT_EQ(result.rows.size(), 4U);
+  for (const BenchRow& row : result.rows) {
+    EXPECT_EQ(row.missed + row.extra, 0U) << row.algorithm;
+    EXPECT_GT(row.native_ns, row.median_ns / 3) << row.algorithm;
+    EXPECT_LE(row.native_ns, row.median_ns) << row.algorithm;
+    // 7 fat candidates an object are gone through for Bullet, and tested for both.
+    const bool has_candidates = row.algorithm.starts_with("bullet") || row.algorithm.starts_with("fcl");
+    if (has_candidates) {
+      EXPECT_LT(row.native_ns, row.median_ns - 2) << row.algorithm;
+    }
   }
 }
 

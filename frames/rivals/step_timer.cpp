@@ -1,4 +1,4 @@
-#include "frames/bench/step_timer.h"
+#include "frames/rivals/step_timer.h"
 
 #include <algorithm>
 #include <ctime>
