@@ -5,6 +5,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "core/kernels/compress-inl.h"
+
 #ifndef KERF_CORE_BROAD_PHASE_LANES_ONCE
 #define KERF_CORE_BROAD_PHASE_LANES_ONCE
 namespace kerf {
@@ -17,22 +19,6 @@ struct LaneView {
   const std::uint32_t* apart;
   std::size_t size;
 };
-
-/// For each set of 8 lanes: the numbers of its lanes, then of the others, 4 bits each.
-struct CompressTable {
-  std::uint32_t order[256];
-};
-constexpr CompressTable make_compress_table() {
-  CompressTable table{};
-  for (std::uint32_t set = 0; set < 256; ++set) {
-    unsigned place = 0;
-    for (const bool chosen : {true, false})
-      for (std::uint32_t lane = 0; lane < 8; ++lane)
-        if (((set >> lane & 1U) != 0) == chosen) table.order[set] |= lane << 4 * place++;
-  }
-  return table;
-}
-inline constexpr CompressTable kCompressTable = make_compress_table();
 
 /// Where pairs go. A kernel stops when `limit` may not suffice for the next box.
 struct PairRange {
@@ -76,19 +62,10 @@ HWY_INLINE Probe<D> probe_at(const LaneView& lanes, std::size_t i) {
 /// Writes the pairs of `object` with those of `others` that are told; returns the new end.
 HWY_INLINE Pair* write_pairs(hn::Vec<Words> object, hn::Vec<Words> others, hn::Mask<Words> told, Pair* out) {
   const Words w;
-#if HWY_TARGET == HWY_AVX2
-  // Not Highway's Compress: version 1.0.3 with GCC copies its table onto the stack for each vector.
-  const std::uint64_t bits = hn::detail::BitsFromMask(told);
-  const auto order = hn::Shr(hn::Set(w, kCompressTable.order[bits]), hn::ShiftLeft<2>(hn::Iota(w, 0)));
-  const auto first = hn::TableLookupLanes(others, hn::Indices256<std::uint32_t>{order.raw});
-  const std::size_t count = hwy::PopCount(bits);
-#else
-  const auto first = hn::Compress(others, told);
-  const std::size_t count = hn::CountTrue(w, told);
-#endif
+  const auto first = compress_words(others, told);
   hn::StoreInterleaved2(hn::Min(first, object), hn::Max(first, object), w,
                         reinterpret_cast<std::uint32_t*>(out));
-  return out + count;
+  return out + hn::CountTrue(w, told);
 }
 
 /// Writes the pairs with the boxes from `j` on; returns the new end. On axis 0 the caller may know that every

@@ -13,21 +13,38 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
+/// The keys of all boxes; returns the sums of their lengths in bytes. In 2D one vector has both ends: the map
+/// of what is turned is the turned map, to the last bit.
+template <int D>
+HWY_INLINE Floats fill_keys(const LeafView<D>& leaf, const ByteMap& map, ByteSweep<D>& sweep) {
+  const Four four;
+  Floats sums = hn::Zero(four);
+  if constexpr (D == 2) {
+    const ByteMap both{hn::ConcatLowerLower(four, hn::Neg(map.origin), map.origin),
+                       hn::ConcatLowerLower(four, hn::Neg(map.scale), map.scale)};
+    for (std::size_t i = 0; i < leaf.size(); ++i) {
+      const Floats ends = both(hn::Load(four, leaf.boxes[i].lane.data()));
+      sums = hn::Add(sums, ends);
+      sweep.keys[i] = four_bytes(ends);
+    }
+    return hn::Sub(hn::Shuffle1032(sums), sums);
+  } else {
+    for (std::size_t i = 0; i < leaf.size(); ++i) {
+      const Ends ends = load_ends(leaf.boxes[i]);
+      const Floats min = map(ends.min);
+      const Floats max = map(hn::Neg(ends.minus_max));
+      sums = hn::Add(sums, hn::Sub(max, min));
+      sweep.keys[i] = byte_key<D>(min, max);
+    }
+    return sums;
+  }
+}
+
 /// Fills `keys` and chooses the axis along which the boxes are shortest.
 template <int D>
 HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
-  const Four four;
-  const ByteMap map = make_byte_map(leaf);
-  Floats lengths = hn::Zero(four);
-  for (std::size_t i = 0; i < leaf.size(); ++i) {
-    const Ends ends = load_ends(leaf.boxes[i]);
-    const Floats min = map(ends.min);
-    const Floats max = map(hn::Neg(ends.minus_max));
-    lengths = hn::Add(lengths, hn::Sub(max, min));
-    sweep.keys[i] = byte_key<D>(min, max);
-  }
   alignas(16) float length[4];
-  hn::Store(lengths, four, length);
+  hn::Store(fill_keys(leaf, make_byte_map(leaf), sweep), Four(), length);
   sweep.axis = 0;
   for (int axis = 1; axis < D; ++axis)
     if (length[axis] < length[sweep.axis]) sweep.axis = axis;
@@ -64,6 +81,13 @@ HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   }
 }
 
+/// The pair in canonical order, in a way of which no compiler makes a branch: nothing predicts whose id is
+/// less.
+HWY_INLINE Pair ordered_pair(std::uint32_t a, std::uint32_t b) {
+  const std::uint32_t swapped = (a ^ b) & (0U - static_cast<std::uint32_t>(a > b));
+  return {ObjectId{a ^ swapped}, ObjectId{b ^ swapped}};
+}
+
 /// Confirms on the floats what the bytes have found. No branch depends on the outcome.
 template <int D>
 HWY_INLINE void confirm(const ByteSweep<D>& sweep, std::size_t count, PairBuffer& pairs) {
@@ -77,22 +101,35 @@ HWY_INLINE void confirm(const ByteSweep<D>& sweep, std::size_t count, PairBuffer
     const auto [i, j] = found[k];
     const bool overlap = ends_overlap<D>(load_ends(boxes[i]), load_ends(boxes[j]));
     const bool here = (apart[i] & apart[j]) == 0;
-    const std::uint32_t first = objects[i].value;
-    const std::uint32_t second = objects[j].value;
-    out[written] = {ObjectId{std::min(first, second)}, ObjectId{std::max(first, second)}};
+    out[written] = ordered_pair(objects[i].value, objects[j].value);
     written += static_cast<std::size_t>(overlap & here);
   }
   pairs.commit(written);
+}
+
+/// As many of the lowest bits, or all.
+HWY_INLINE std::uint64_t first_bits(std::uint32_t count) {
+  return count < 64 ? (std::uint64_t{1} << count) - 1 : UINT64_MAX;
+}
+
+/// The number of the lowest bit; anything if there is none. To the compiler there is always one, or it would
+/// make a branch for the other case, which nothing predicts.
+HWY_INLINE std::uint64_t lowest_bit(std::uint64_t bits) {
+  return static_cast<std::uint64_t>(std::countr_zero(bits | (std::uint64_t{1} << 63U)));
 }
 
 /// Writes (i, j + k) for each bit k and gives their number. Four are written whether they are there or not:
 /// few rows have more, and the branch that tells is seldom mispredicted.
 HWY_INLINE std::size_t list_bits(std::uint64_t bits, std::uint32_t i, std::uint32_t j, FoundAt* found) {
   const auto count = static_cast<std::size_t>(std::popcount(bits));
-  for (int k = 0; k < 4; ++k, bits &= bits - 1)
-    found[k] = {i, j + static_cast<std::uint32_t>(std::countr_zero(bits))};
-  for (std::size_t k = 4; k < count; ++k, bits &= bits - 1)
-    found[k] = {i, j + static_cast<std::uint32_t>(std::countr_zero(bits))};
+  const std::uint64_t first = i | std::uint64_t{j} << 32U;
+  const auto write = [&](std::size_t k) {
+    const std::uint64_t both = first + (lowest_bit(bits) << 32U);
+    found[k] = {static_cast<std::uint32_t>(both), static_cast<std::uint32_t>(both >> 32U)};
+    bits &= bits - 1;
+  };
+  for (std::size_t k = 0; k < 4; ++k) write(k);
+  for (std::size_t k = 4; k < count; ++k) write(k);
   return count;
 }
 
@@ -119,9 +156,7 @@ HWY_INLINE void compare_all(ByteSweep<D>& sweep, PairBuffer& pairs) {
     }
     const std::uint32_t end = ends[own_max[i]];
     for (std::uint32_t j = i + 1; j < end; j += 64) {
-      std::uint64_t bits = overlap_bits(probe, j);
-      if (end - j < 64) bits &= (std::uint64_t{1} << (end - j)) - 1;
-      count += list_bits(bits, i, j, found + count);
+      count += list_bits(overlap_bits(probe, j) & first_bits(end - j), i, j, found + count);
       if (count < ByteSweep<D>::kConfirmAt) continue;
       confirm(sweep, count, pairs);
       count = 0;

@@ -80,19 +80,22 @@ HWY_INLINE ByteMap make_byte_map(const LeafView<D>& leaf) {
   return {least_max, hn::Min(hn::Max(scale, hn::Set(four, FLT_MIN)), hn::Set(four, 1e30F))};
 }
 
+/// Four mapped coordinates as bytes, the first one lowest.
+HWY_INLINE std::uint32_t four_bytes(Floats mapped) {
+  const hn::FixedTag<std::int32_t, 4> ints;
+  const hn::FixedTag<std::uint8_t, 4> bytes;
+  alignas(16) std::uint32_t word[4];
+  hn::Store(hn::DemoteTo(bytes, hn::ConvertTo(ints, mapped)), bytes, reinterpret_cast<std::uint8_t*>(word));
+  return word[0];
+}
+
 /// The bytes of mapped ends: min of each axis in the low half, max in the high one.
 template <int D>
 HWY_INLINE ByteKey<D> byte_key(Floats min, Floats max) {
-  const hn::FixedTag<std::int32_t, 4> ints;
-  const hn::FixedTag<std::uint8_t, 4> bytes;
-  alignas(16) std::uint32_t low[4];
-  alignas(16) std::uint32_t high[4];
-  hn::Store(hn::DemoteTo(bytes, hn::ConvertTo(ints, min)), bytes, reinterpret_cast<std::uint8_t*>(low));
-  hn::Store(hn::DemoteTo(bytes, hn::ConvertTo(ints, max)), bytes, reinterpret_cast<std::uint8_t*>(high));
   if constexpr (D == 2) {
-    return (low[0] & 0xffffU) | (high[0] << 16U);
+    return (four_bytes(min) & 0xffffU) | (four_bytes(max) << 16U);
   } else {
-    return low[0] | (ByteKey<D>{high[0]} << 32U);
+    return four_bytes(min) | (ByteKey<D>{four_bytes(max)} << 32U);
   }
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/kernels/prefetch.h"
+#include "core/kernels/divide_list.h"
 
 namespace kerf {
 namespace {
@@ -15,11 +15,17 @@ struct Range {
   std::size_t end = 0;
 };
 
+/// Whether the packed boxes tell an object's interval along a direction.
+template <int D>
+bool lies_along_axis(const Tree<D>& tree, std::uint32_t direction) {
+  return direction < D && tree.table.kind() == VolumeKind::box;
+}
+
 /// Calls `work` with the function that gives an object's interval along a direction: a look into the packed
 /// boxes where the direction is an axis of them.
 template <int D, class Work>
 void with_intervals(const Tree<D>& tree, std::uint32_t direction, Work work) {
-  if (direction >= D || tree.table.kind() != VolumeKind::box) {
+  if (!lies_along_axis(tree, direction)) {
     work([&](std::uint32_t object) { return tree.project(direction, ObjectId{object}); });
     return;
   }
@@ -83,29 +89,36 @@ class Streamer {
   /// Keeps what lies left at the list's place and writes what lies right behind its end. The right child is
   /// done first: nothing but dead lists lies behind the left one then. No branch depends on the sides.
   void divide(const Node<D>& node, const Range& range, std::vector<Range>& todo) {
-    make_room(range.end + (range.end - range.begin));
+    make_room(range.end + (range.end - range.begin) + kDividePad);
     std::uint32_t* const objects = buffer_.objects.data();
     DepthMask* const straddle = buffer_.straddle.data();
-    const unsigned depth = node.depth;
     const Scalar offset = node.plane.offset;
-    std::size_t left = range.begin;
-    std::size_t right = range.end;
+    Divided at = divide_vectors(node, range);
     with_intervals(tree_, node.direction, [&](auto interval_of) {
-      for (std::size_t k = range.begin; k < range.end; ++k) {
-        prefetch(&tree_.table.packed({objects[std::min(k + kPrefetchAhead, range.end - 1)]}));
-        const std::uint32_t object = objects[k];
+      for (; at.done < range.end; ++at.done) {
+        const std::uint32_t object = objects[at.done];
         const Sides sides = classify(interval_of(object), offset);
-        const DepthMask mask = straddle[k] | (static_cast<DepthMask>(sides.left & sides.right) << depth);
-        objects[left] = object;
-        straddle[left] = mask;
-        left += sides.left ? 1 : 0;
-        objects[right] = object;
-        straddle[right] = mask;
-        right += sides.right ? 1 : 0;
+        const DepthMask mask = straddle[at.done] | (sides.straddle() ? depth_bit(node.depth) : 0);
+        objects[at.left] = object;
+        straddle[at.left] = mask;
+        at.left += sides.left ? 1 : 0;
+        objects[at.right] = object;
+        straddle[at.right] = mask;
+        at.right += sides.right ? 1 : 0;
       }
     });
-    todo.push_back({node.left, range.begin, left});
-    todo.push_back({node.right, range.end, right});
+    todo.push_back({node.left, range.begin, at.left});
+    todo.push_back({node.right, range.end, at.right});
+  }
+
+  /// What vectors can do of it: nothing unless the partitioner lies along an axis of the packed boxes.
+  Divided divide_vectors(const Node<D>& node, const Range& range) {
+    if (range.begin == range.end || !lies_along_axis(tree_, node.direction))
+      return {range.begin, range.begin, range.end};
+    const auto& first = tree_.table.packed().data()->lane;
+    return divide_list<D>({&first[node.direction], &first[PackedBox<D>::kHalf + node.direction],
+                           node.plane.offset, depth_bit(node.depth), buffer_.objects.data(),
+                           buffer_.straddle.data(), range.begin, range.end});
   }
 
   const Tree<D>& tree_;

@@ -7,10 +7,10 @@
 
 #include "core/broad_phase/object_table.h"
 #include "frames/bench/step_block.h"
-#include "frames/rivals/step_timer.h"
 #include "frames/bench/truth.h"
 #include "frames/broad_phase_choice.h"
 #include "frames/experiment/contestant.h"
+#include "frames/rivals/step_timer.h"
 #include "frames/scene_catalog.h"
 
 namespace kerf {

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 #include <vector>
 
 #include "core/kernels/byte_sweep.h"
+#include "core/kernels/divide_list.h"
 #include "core/kernels/kept_leaf.h"
 #include "core/kernels/machine.h"
 #include "core/kernels/move_boxes.h"
@@ -210,6 +212,85 @@ TYPED_TEST(Kernels, MovesTellWhoLeftAndLeaveTheOddToTheCaller) {
         {objects, given, latest, attention, nullptr, changed.data(), nullptr, left_over.data()});
     EXPECT_EQ(again.changed, 1U) << name << ": object 1 has been noted; without fat boxes object 0 asks";
     EXPECT_EQ(changed[0], ObjectId{0}) << name;
+  }
+}
+
+/// A list of objects, and what they straddle, with room for its parts.
+struct List {
+  std::vector<std::uint32_t> objects;
+  std::vector<DepthMask> straddle;
+
+  List(std::size_t begin, std::size_t end)
+      : objects(2 * end - begin + kDividePad), straddle(2 * end - begin + kDividePad) {}
+  void copy(std::size_t from, std::size_t to) {
+    objects[to] = objects[from];
+    straddle[to] = straddle[from];
+  }
+  [[nodiscard]] bool same(const List& other, std::size_t from, std::size_t to) const {
+    bool all = true;
+    for (std::size_t k = from; k < to; ++k)
+      all &= objects[k] == other.objects[k] && straddle[k] == other.straddle[k];
+    return all;
+  }
+};
+
+/// Objects in any order that straddle anything.
+List draw_list(std::size_t begin, std::size_t end, std::size_t objects, Random& random) {
+  List list(begin, end);
+  for (std::size_t k = begin; k < end; ++k) {
+    list.objects[k] = static_cast<std::uint32_t>(random.bits() % objects);
+    list.straddle[k] = random.bits();
+  }
+  return list;
+}
+
+/// The same by the definition, one by one.
+template <int D>
+Divided divide_one_by_one(List& list, std::size_t begin, std::size_t end,
+                          const std::vector<PackedBox<D>>& boxes, int axis, Scalar offset,
+                          std::uint32_t depth) {
+  Divided at{end, begin, end};
+  for (std::size_t k = begin; k < end; ++k) {
+    const Box<D> box = boxes[list.objects[k]].unpack();
+    const Sides sides = classify({box.min[axis], box.max[axis]}, offset);
+    if (sides.straddle()) list.straddle[k] |= depth_bit(depth);
+    if (sides.right) list.copy(k, at.right++);
+    if (sides.left) list.copy(k, at.left++);
+  }
+  return at;
+}
+
+TYPED_TEST(Kernels, ListsAreDividedAsTheDefinitionSays) {
+  constexpr int kD = TypeParam::value;
+  constexpr std::size_t kBegin = 5;
+  constexpr std::uint32_t kDepth = 40;
+  Random random(11);
+  std::vector<PackedBox<kD>> boxes;
+  for (int k = 0; k < 200; ++k) boxes.emplace_back(draw_box<kD>(Spread::grid, random));
+  for (std::size_t round = 0; round < 12; ++round) {
+    const std::size_t end = kBegin + std::array{0U, 1U, 7U, 16U, 65U, 150U}[round % 6];
+    const auto axis = round % kD;
+    const Scalar offset = std::round(static_cast<Scalar>(random.uniform(-3, 3)));  // many ends lie on it
+    const List given = draw_list(kBegin, end, boxes.size(), random);
+    List expected = given;
+    divide_one_by_one<kD>(expected, kBegin, end, boxes, static_cast<int>(axis), offset, kDepth);
+    for (const std::string& name : kernels()) {
+      SCOPED_TRACE(testing::Message() << name << ", round " << round);
+      use_kernel(name);
+      List list = given;
+      const auto& first = boxes.front().lane;
+      const Divided at =
+          divide_list<kD>({&first[axis], &first[axis + PackedBox<kD>::kHalf], offset, depth_bit(kDepth),
+                           list.objects.data(), list.straddle.data(), kBegin, end});
+      EXPECT_GT(at.done + 16, end) << "less than a vector is left";
+      List vectors = given;
+      const Divided part =
+          divide_one_by_one<kD>(vectors, kBegin, at.done, boxes, static_cast<int>(axis), offset, kDepth);
+      EXPECT_EQ(at.left, part.left);
+      EXPECT_EQ(at.right - end, part.right - at.done) << "they lie behind the whole list";
+      EXPECT_TRUE(list.same(expected, kBegin, at.left));
+      EXPECT_TRUE(list.same(expected, end, at.right));
+    }
   }
 }
 

@@ -1,0 +1,89 @@
+// Chosen lanes first, for each of the machine's kinds of vectors: included once for each by the kernels
+// (Highway's foreach_target), so there is no `#pragma once`.
+#ifndef KERF_COMPRESS_TABLES
+#define KERF_COMPRESS_TABLES
+#include <cstdint>
+
+namespace kerf {
+
+/// For each set of 8 lanes: the numbers of its lanes, then of the others, 4 bits each.
+struct CompressTable {
+  std::uint32_t order[256];
+};
+constexpr CompressTable make_compress_table() {
+  CompressTable table{};
+  for (std::uint32_t set = 0; set < 256; ++set) {
+    unsigned place = 0;
+    for (const bool chosen : {true, false})
+      for (std::uint32_t lane = 0; lane < 8; ++lane)
+        if (((set >> lane & 1U) != 0) == chosen) table.order[set] |= lane << 4 * place++;
+  }
+  return table;
+}
+inline constexpr CompressTable kCompressTable = make_compress_table();
+
+/// The same for each set of 4 lanes of twice the width, as numbers of single ones.
+constexpr CompressTable make_wide_compress_table() {
+  CompressTable table{};
+  for (std::uint32_t set = 0; set < 16; ++set) {
+    std::uint32_t singles = 0;
+    for (std::uint32_t lane = 0; lane < 4; ++lane)
+      if ((set >> lane & 1U) != 0) singles |= 3U << 2 * lane;
+    table.order[set] = kCompressTable.order[singles];
+  }
+  return table;
+}
+inline constexpr CompressTable kWideCompressTable = make_wide_compress_table();
+
+}  // namespace kerf
+#endif
+
+#if defined(KERF_COMPRESS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KERF_COMPRESS_INL_H
+#undef KERF_COMPRESS_INL_H
+#else
+#define KERF_COMPRESS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace kerf::HWY_NAMESPACE {
+
+// Not Highway's Compress on AVX2: version 1.0.3 with GCC copies its table onto the stack for each vector.
+
+/// The chosen lanes in order, then anything.
+HWY_INLINE auto compress_words(
+    hwy::HWY_NAMESPACE::Vec<hwy::HWY_NAMESPACE::ScalableTag<std::uint32_t>> lanes,
+    hwy::HWY_NAMESPACE::Mask<hwy::HWY_NAMESPACE::ScalableTag<std::uint32_t>> chosen) {
+  namespace hn = hwy::HWY_NAMESPACE;
+#if HWY_TARGET == HWY_AVX2
+  const hn::ScalableTag<std::uint32_t> words;
+  const auto packed = hn::Set(words, kCompressTable.order[hn::detail::BitsFromMask(chosen)]);
+  const auto order = hn::Shr(packed, hn::ShiftLeft<2>(hn::Iota(words, 0)));
+  return hn::TableLookupLanes(lanes, hn::Indices256<std::uint32_t>{order.raw});
+#else
+  return hn::Compress(lanes, chosen);
+#endif
+}
+
+/// The same for lanes of twice the width.
+HWY_INLINE auto compress_doubles(
+    hwy::HWY_NAMESPACE::Vec<hwy::HWY_NAMESPACE::ScalableTag<std::uint64_t>> lanes,
+    hwy::HWY_NAMESPACE::Mask<hwy::HWY_NAMESPACE::ScalableTag<std::uint64_t>> chosen) {
+  namespace hn = hwy::HWY_NAMESPACE;
+#if HWY_TARGET == HWY_AVX2
+  const hn::ScalableTag<std::uint32_t> words;
+  const hn::ScalableTag<std::uint64_t> doubles;
+  const auto packed = hn::Set(words, kWideCompressTable.order[hn::detail::BitsFromMask(chosen)]);
+  const auto order = hn::Shr(packed, hn::ShiftLeft<2>(hn::Iota(words, 0)));
+  const auto singles = hn::BitCast(words, lanes);
+  return hn::BitCast(doubles, hn::TableLookupLanes(singles, hn::Indices256<std::uint32_t>{order.raw}));
+#else
+  return hn::Compress(lanes, chosen);
+#endif
+}
+
+}  // namespace kerf::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
