@@ -7,10 +7,10 @@
 namespace kerf {
 
 /// Decides, step by step, whether the pairs of fat boxes are kept or leaves are swept. Keeping pays while few
-/// objects leave their fat boxes: a look-up costs some ten times what sweeping costs for an object.
+/// objects leave their fat boxes: a look-up costs some thirty times what sweeping costs for an object.
 class KeepOrSweep {
  public:
-  static constexpr float kHot = 0.10F;  ///< share of objects that leave in a step, above which sweeping pays
+  static constexpr float kHot = 0.03F;  ///< share of objects that leave in a step, above which sweeping pays
 
   [[nodiscard]] bool keeps() const { return keeps_; }
 
@@ -31,7 +31,7 @@ class KeepOrSweep {
   /// After a step in which leaves were swept. `speed`: what share of the thickest skin all objects would use
   /// up in a step, in the mean.
   void swept(float speed) {
-    constexpr float kCool = 0.015F;
+    constexpr float kCool = 0.006F;
     ++steps_;
     against_ = speed < kCool ? against_ + 1 : 0;
     if (against_ >= patience_) change();

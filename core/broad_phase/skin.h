@@ -11,8 +11,10 @@ namespace kerf {
 /// How thick the skin of an object is and since when. It learns: who leaves soon gets a thicker one.
 struct Skin {
   static constexpr std::uint8_t kThickest = 6;
+  /// The thickest, over the object's size. Thicker ones cost more in candidates than they save in look-ups.
+  static constexpr float kMost = 1.0F / 8;
   static constexpr std::uint32_t kRest = 1024;  ///< steps: two look-ups in so many are not noticed
-  std::uint8_t level = 4;   ///< a sixteenth of the object's size, until it is known better
+  std::uint8_t level = 5;   ///< a sixteenth of the object's size, until it is known better
   bool wrapped = false;     ///< it was wrapped since it left last
   std::uint8_t wraps = 0;   ///< how often it left soon after it had been wrapped
   std::uint16_t since = 0;  ///< the step, modulo 2^16: a wrong age costs time, never a pair
@@ -39,8 +41,7 @@ struct Skin {
     wrapped = true;
     since = static_cast<std::uint16_t>(step);
   }
-  /// A quarter of the object's size at most.
-  [[nodiscard]] float thickness(float size) const { return std::ldexp(size, level - kThickest - 2); }
+  [[nodiscard]] float thickness(float size) const { return std::ldexp(kMost * size, level - kThickest); }
 };
 
 /// The largest extent of a box, and the fastest of its ends since `before`.
@@ -71,12 +72,12 @@ inline float fat_share(std::uint32_t object) {
 /// The fat box of an object: it holds `box` and where it will be for some steps if it goes on like from
 /// `before`. It grows ahead of the motion by `steps` of it, though never by more than the object's own size,
 /// and by the skin on every side, for what shakes or turns; of the way ahead it gets a share. What stands
-/// still gets no fat, nor does what jumped: where it goes next is not known, and if it stays, it is fat for
-/// nothing. Box and motion are finite; so is the result.
+/// still gets no fat, nor does what moves by more than a skin in a step: it would leave any fat box soon, and
+/// have many candidates until then. Box and motion are finite; so is the result.
 template <int D>
 Box<D> fatten(const Box<D>& box, const Box<D>& before, const Skin& skin, float steps, float share) {
   const auto [size, speed] = size_and_speed(box, before);
-  if (speed == 0 || speed >= size) return box;
+  if (speed == 0 || speed >= Skin::kMost * size) return box;
   const float around = std::max(skin.thickness(size), speed);
   Box<D> fat;
   for (int i = 0; i < D; ++i) {
@@ -104,7 +105,7 @@ Box<D> wrap(const Box<D>& box, const Skin& skin) {
 template <int D>
 bool is_for_flight(const Box<D>& fat, const Box<D>& box) {
   const auto [size, margin] = size_and_speed(box, fat);
-  return margin > 0.26F * size;  // the thickest is a quarter
+  return margin > 1.05F * Skin::kMost * size;
 }
 
 /// The share of the largest skin that one step like that from `before` uses up: 1 leaves it at once.

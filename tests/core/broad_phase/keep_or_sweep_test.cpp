@@ -20,7 +20,7 @@ int steps_until_change(KeepOrSweep& choice, Step step, int most = 2000) {
 TEST(KeepOrSweep, KeepsAsLongAsFewLeave) {
   KeepOrSweep choice;
   EXPECT_TRUE(choice.keeps());
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept(0.09F, 1); }), 2000);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept(0.029F, 1); }), 2000);
 }
 
 TEST(KeepOrSweep, BeginnersMayLoseMoreWhileSkinsLearnButNotForLong) {
