@@ -31,10 +31,8 @@ struct PairRange {
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
 using Floats = hn::ScalableTag<Scalar>;
-using Words = hn::ScalableTag<std::uint32_t>;
 
 /// A box in every lane.
 template <int D>

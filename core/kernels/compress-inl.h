@@ -50,39 +50,38 @@ inline constexpr CompressTable kWideCompressTable = make_wide_compress_table();
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-// Not Highway's Compress on AVX2: version 1.0.3 with GCC copies its table onto the stack for each vector.
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Words = hn::ScalableTag<std::uint32_t>;
+using Doubles = hn::ScalableTag<std::uint64_t>;
+
+#if HWY_TARGET == HWY_AVX2
+// Not Highway's Compress: version 1.0.3 with GCC copies its table onto the stack for each vector.
+
+/// The lanes whose numbers `order` has, 4 bits each.
+HWY_INLINE hn::Vec<Words> lanes_in_order(hn::Vec<Words> lanes, std::uint32_t order) {
+  const Words words;
+  const auto numbers = hn::Shr(hn::Set(words, order), hn::ShiftLeft<2>(hn::Iota(words, 0)));
+  return hn::TableLookupLanes(lanes, hn::Indices256<std::uint32_t>{numbers.raw});
+}
 
 /// The chosen lanes in order, then anything.
-HWY_INLINE auto compress_words(
-    hwy::HWY_NAMESPACE::Vec<hwy::HWY_NAMESPACE::ScalableTag<std::uint32_t>> lanes,
-    hwy::HWY_NAMESPACE::Mask<hwy::HWY_NAMESPACE::ScalableTag<std::uint32_t>> chosen) {
-  namespace hn = hwy::HWY_NAMESPACE;
-#if HWY_TARGET == HWY_AVX2
-  const hn::ScalableTag<std::uint32_t> words;
-  const auto packed = hn::Set(words, kCompressTable.order[hn::detail::BitsFromMask(chosen)]);
-  const auto order = hn::Shr(packed, hn::ShiftLeft<2>(hn::Iota(words, 0)));
-  return hn::TableLookupLanes(lanes, hn::Indices256<std::uint32_t>{order.raw});
-#else
-  return hn::Compress(lanes, chosen);
-#endif
+HWY_INLINE hn::Vec<Words> compress_words(hn::Vec<Words> lanes, hn::Mask<Words> chosen) {
+  return lanes_in_order(lanes, kCompressTable.order[hn::detail::BitsFromMask(chosen)]);
 }
-
 /// The same for lanes of twice the width.
-HWY_INLINE auto compress_doubles(
-    hwy::HWY_NAMESPACE::Vec<hwy::HWY_NAMESPACE::ScalableTag<std::uint64_t>> lanes,
-    hwy::HWY_NAMESPACE::Mask<hwy::HWY_NAMESPACE::ScalableTag<std::uint64_t>> chosen) {
-  namespace hn = hwy::HWY_NAMESPACE;
-#if HWY_TARGET == HWY_AVX2
-  const hn::ScalableTag<std::uint32_t> words;
-  const hn::ScalableTag<std::uint64_t> doubles;
-  const auto packed = hn::Set(words, kWideCompressTable.order[hn::detail::BitsFromMask(chosen)]);
-  const auto order = hn::Shr(packed, hn::ShiftLeft<2>(hn::Iota(words, 0)));
-  const auto singles = hn::BitCast(words, lanes);
-  return hn::BitCast(doubles, hn::TableLookupLanes(singles, hn::Indices256<std::uint32_t>{order.raw}));
-#else
-  return hn::Compress(lanes, chosen);
-#endif
+HWY_INLINE hn::Vec<Doubles> compress_doubles(hn::Vec<Doubles> lanes, hn::Mask<Doubles> chosen) {
+  const std::uint32_t order = kWideCompressTable.order[hn::detail::BitsFromMask(chosen)];
+  return hn::BitCast(Doubles(), lanes_in_order(hn::BitCast(Words(), lanes), order));
 }
+#else
+HWY_INLINE hn::Vec<Words> compress_words(hn::Vec<Words> lanes, hn::Mask<Words> chosen) {
+  return hn::Compress(lanes, chosen);
+}
+HWY_INLINE hn::Vec<Doubles> compress_doubles(hn::Vec<Doubles> lanes, hn::Mask<Doubles> chosen) {
+  return hn::Compress(lanes, chosen);
+}
+#endif
 
 }  // namespace kerf::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

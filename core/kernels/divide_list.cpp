@@ -11,59 +11,56 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
-using Numbers = hn::ScalableTag<std::uint32_t>;
 using Signed = hn::ScalableTag<std::int32_t>;
-using Masks = hn::ScalableTag<DepthMask>;
 
 /// What a vector of objects straddles: the objects of the lower lanes, and those of the upper.
 struct Straddle {
-  hn::Vec<Masks> low;
-  hn::Vec<Masks> high;
+  hn::Vec<Doubles> low;
+  hn::Vec<Doubles> high;
 };
 
 /// Of lanes that are all ones or nothing, the same of twice the width.
 HWY_INLINE Straddle widen(hn::Vec<Signed> chosen) {
   const hn::Half<Signed> half;
-  const hn::RebindToSigned<Masks> wide;
-  const Masks masks;
-  return {hn::BitCast(masks, hn::PromoteTo(wide, hn::LowerHalf(half, chosen))),
-          hn::BitCast(masks, hn::PromoteTo(wide, hn::UpperHalf(half, chosen)))};
+  const hn::RebindToSigned<Doubles> wide;
+  const Doubles doubles;
+  return {hn::BitCast(doubles, hn::PromoteTo(wide, hn::LowerHalf(half, chosen))),
+          hn::BitCast(doubles, hn::PromoteTo(wide, hn::UpperHalf(half, chosen)))};
 }
 
 /// Writes the chosen objects and what they straddle; gives their number. Whole vectors are written.
-HWY_INLINE std::size_t write_chosen(hn::Vec<Numbers> objects, const Straddle& straddle,
-                                    hn::Mask<Signed> chosen, std::uint32_t* to, DepthMask* to_straddle) {
-  const Numbers numbers;
+HWY_INLINE std::size_t write_chosen(hn::Vec<Words> objects, const Straddle& straddle, hn::Mask<Signed> chosen,
+                                    std::uint32_t* to, DepthMask* to_straddle) {
+  const Words words;
   const Signed ints;
-  const Masks masks;
+  const Doubles doubles;
   const Straddle wide = widen(hn::VecFromMask(ints, chosen));
   const auto low = hn::MaskFromVec(wide.low);
   const auto high = hn::MaskFromVec(wide.high);
-  hn::StoreU(compress_words(objects, hn::RebindMask(numbers, chosen)), numbers, to);
-  const std::size_t in_low = hn::CountTrue(masks, low);
-  hn::StoreU(compress_doubles(straddle.low, low), masks, to_straddle);
-  hn::StoreU(compress_doubles(straddle.high, high), masks, to_straddle + in_low);
-  return in_low + hn::CountTrue(masks, high);
+  hn::StoreU(compress_words(objects, hn::RebindMask(words, chosen)), words, to);
+  const std::size_t in_low = hn::CountTrue(doubles, low);
+  hn::StoreU(compress_doubles(straddle.low, low), doubles, to_straddle);
+  hn::StoreU(compress_doubles(straddle.high, high), doubles, to_straddle + in_low);
+  return in_low + hn::CountTrue(doubles, high);
 }
 
 /// What is read is read before its place may be written: the left part never overtakes the list.
 template <int D>
 HWY_INLINE Divided divide(const DivideJob& job) {
-  const Numbers numbers;
+  const Words words;
   const Signed ints;
-  const Masks masks;
+  const Doubles doubles;
   const hn::ScalableTag<Scalar> floats;
   constexpr int kShift = D == 2 ? 2 : 3;  // floats in a packed box
-  const std::size_t lanes = hn::Lanes(numbers);
+  const std::size_t lanes = hn::Lanes(words);
   const auto offset = hn::Set(floats, job.offset);
-  const auto bit = hn::Set(masks, job.bit);
+  const auto bit = hn::Set(doubles, job.bit);
   Divided at{job.begin, job.begin, job.end};
   for (; at.done + lanes <= job.end; at.done += lanes) {
-    const auto objects = hn::LoadU(numbers, job.objects + at.done);
-    Straddle straddle{hn::LoadU(masks, job.straddle + at.done),
-                      hn::LoadU(masks, job.straddle + at.done + lanes / 2)};
+    const auto objects = hn::LoadU(words, job.objects + at.done);
+    Straddle straddle{hn::LoadU(doubles, job.straddle + at.done),
+                      hn::LoadU(doubles, job.straddle + at.done + lanes / 2)};
     const auto place = hn::BitCast(ints, hn::ShiftLeft<kShift>(objects));
     const auto lo = hn::GatherIndex(floats, job.lo, place);
     const auto minus_hi = hn::GatherIndex(floats, job.minus_hi, place);

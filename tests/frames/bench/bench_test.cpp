@@ -171,11 +171,16 @@ TEST(BenchSubject, IsHeldAgainstTheTruth) {
   }
 }
 
-TEST(BenchCell, MeasuresEveryAlgorithmAndTheFloor) {
+CellPlan plan_for(std::string_view scene, std::uint32_t objects, std::vector<std::string> algorithms) {
   CellPlan plan;
-  plan.scene = &find_bench_scene("mostly-static");
-  plan.objects = 300;
-  plan.algorithms = {"kerf", "columns", "all-pairs"};
+  plan.scene = &find_bench_scene(scene);
+  plan.objects = objects;
+  plan.algorithms = std::move(algorithms);
+  return plan;
+}
+
+TEST(BenchCell, MeasuresEveryAlgorithmAndTheFloor) {
+  CellPlan plan = plan_for("mostly-static", 300, {"kerf", "columns", "all-pairs"});
   plan.rounds = 2;
   plan.warm_up = 5;
   plan.steps = 20;
@@ -199,10 +204,7 @@ TEST(BenchCell, MeasuresEveryAlgorithmAndTheFloor) {
 }
 
 TEST(BenchCell, TellsWhatALibraryCostsWithoutWhatItLacks) {
-  CellPlan plan;
-  plan.scene = &find_bench_scene("uniform");
-  plan.objects = 2000;
-  plan.algorithms = {"bullet-dbvt", "fcl-dynamic-tree", "cgal-box-intersection"};
+  CellPlan plan = plan_for("uniform", 2000, {"bullet-dbvt", "fcl-dynamic-tree", "cgal-box-intersection"});
   plan.warm_up = 2;
   plan.steps = 4;
   const CellWatch watch{[](const std::string&) {}, [] { return false; }};
@@ -221,10 +223,7 @@ TEST(BenchCell, TellsWhatALibraryCostsWithoutWhatItLacks) {
 }
 
 TEST(BenchCell, LeavesOutWhatHasTooFewThreadsOrNoSuchDimension) {
-  CellPlan plan;
-  plan.scene = &find_bench_scene("uniform");
-  plan.objects = 50;
-  plan.algorithms = {"box2d-tree"};
+  CellPlan plan = plan_for("uniform", 50, {"box2d-tree"});
   const CellWatch watch{[](const std::string&) {}, [] { return false; }};
   EXPECT_TRUE(measure_cell<3>(plan, watch).rows.empty());
   plan.threads = 64;
