@@ -101,6 +101,29 @@ TEST_F(DebugProgram, AWindowShowsWhatIsDrawnWithoutOne) {
   EXPECT_GT(different_pixels(read_png(path("with/a.png")), read_png(path("with/b.png")), 0), 1000U);
 }
 
+/// Three boxes in a row, of which neighbours overlap: in step 2 one pair is missed, in step 3 one is told
+/// that is none, in step 4 one is told again.
+TEST_F(DebugProgram, AnImportStopsWhereTheirPairsAreWrong) {
+  std::string boxes = "step,object,min_x,max_x,min_y,max_y\n";
+  for (const std::string step : {"1", "2", "3", "4", "5"})
+    boxes += step + ",0,0,1,0,1\n" + step + ",1,0.5,1.5,0,1\n" + step + ",2,1.2,2.2,0,1\n";
+  write("boxes.csv", boxes);
+  write("pairs.csv",
+        "step,a,b\n1,0,1\n1,1,2\n2,0,1\n3,0,1\n3,1,2\n3,0,2\n4,0,1\n4,2,1\n4,1,2\n5,0,1\n5,1,2\n");
+  const Outcome imported =
+      run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", path("run.kerf")});
+  ASSERT_EQ(imported.exit, 0) << imported.err;
+  write("s",
+        "click condition\ntype missed>0\nkey Enter\nclick condition\ntype extra>0\nkey Enter\n"
+        "click condition\ntype twice>0\nkey Enter\nkey Escape\n"
+        "key F5\nexpect step == 2\nexpect hits0 == 1\nkey F5\nexpect step == 3\nexpect hits1 == 1\n"
+        "key F5\nexpect step == 4\nexpect hits2 == 1\nkey F5\nexpect message ~ \"no breakpoint\"\n"
+        "key End\nkey shift+F5\nexpect step == 4\nkey shift+F5\nexpect step == 3\n"
+        "key shift+F5\nexpect step == 2\nexpect hits0 == 2\n");
+  const Outcome debugged = run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s")});
+  EXPECT_EQ(debugged.exit, 0) << debugged.err;
+}
+
 TEST_F(DebugProgram, LintFindsWhatWaits) {
   const Outcome recorded = run_kerf({"record", "pile", "-o", path("run.kerf"), "--steps", "100", "--objects",
                                      "200", "--grow", "60", "--config", "min_threshold=8,max_threshold=16"});

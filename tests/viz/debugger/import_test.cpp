@@ -1,0 +1,114 @@
+#include <gmock/gmock.h>
+
+#include <map>
+
+#include "core/replay/oracle.h"
+#include "tests/support/dimensions.h"
+#include "tests/support/recorded_crowd.h"
+#include "viz/debugger/model/debugger_model.h"
+
+namespace kerf {
+namespace {
+
+using Steps = std::vector<std::uint32_t>;
+
+constexpr std::uint32_t kSteps = 48;
+const Steps kMissing{7, 30};
+const Steps kAdding{12, 30, 41};
+const Steps kRepeating{20, 41, kSteps};
+
+bool has(const Steps& steps, std::uint32_t step) { return std::ranges::find(steps, step) != steps.end(); }
+
+/// Two objects that do not overlap.
+Pair no_pair(const std::vector<Pair>& truth) {
+  for (std::uint32_t b = 1;; ++b)
+    if (const Pair pair{{0}, {b}}; !std::ranges::binary_search(truth, pair)) return pair;
+}
+
+/// What an engine tells that is wrong in a few steps: it misses the first pair, tells one that is none, or
+/// the last one again.
+std::vector<Pair> told(const std::vector<Pair>& truth, std::uint32_t step) {
+  std::vector<Pair> pairs = truth;
+  if (has(kRepeating, step)) pairs.push_back(pairs.back());
+  if (has(kAdding, step)) pairs.push_back(no_pair(truth));
+  if (has(kMissing, step)) pairs.erase(pairs.begin());
+  return pairs;
+}
+
+/// Somebody else's run, as `kerf import` writes it, and a model of it.
+template <class T>
+class ImportedRun : public testing::Test {
+ protected:
+  static constexpr int kD = T::value;
+
+  ImportedRun() {
+    Bsp<kD, EventLog> tree(test::busy_config());
+    RecordingInfo info = test::info_of<kD>(test::busy_config());
+    info.imported = true;
+    Recorder<kD> recorder(tree, file_.path(), info);
+    test::play_crowd<kD>(recorder, kSteps, 3, [&](std::uint32_t step) {
+      const std::vector<Pair> truth = oracle_pairs(tree.objects());
+      const std::vector<Pair> theirs = told(truth, step);
+      const PairJudgement judgement = judge_pairs(theirs, truth);
+      recorder.add_theirs(
+          theirs, {theirs.size(), judgement.missed.size(), judgement.extra.size(), judgement.twice.size()});
+    });
+    recorder.finish();
+    model_ = std::make_unique<DebuggerModel>(open_run(file_.path()));
+  }
+  [[nodiscard]] DebuggerModel& model() { return *model_; }
+
+  /// The steps at which a run from one end to the other stops.
+  Steps stops(const std::string& condition, bool forwards) {
+    model_->breakpoints.clear();
+    model_->add_breakpoint(condition);
+    model_->step(Granularity::run, !forwards);
+    Steps stops;
+    for (std::uint32_t hits = 0;; hits = model_->breakpoints[0].hits) {
+      model_->run_to_breakpoint(forwards);
+      if (model_->breakpoints[0].hits == hits) return stops;
+      EXPECT_TRUE(model_->run().position().is_end());
+      EXPECT_EQ(model_->run().value(Expression::parse(condition)), 1);
+      stops.push_back(model_->run().position().step);
+    }
+  }
+
+ private:
+  test::TemporaryRecording file_;
+  std::unique_ptr<DebuggerModel> model_;
+};
+TYPED_TEST_SUITE(ImportedRun, test::Dimensions, test::DimensionNames);
+
+TYPED_TEST(ImportedRun, BreakpointsStopWhereTheirPairsAreWrongBothWays) {
+  const std::map<std::string, Steps> expected{
+      {"missed>0", kMissing},        {"extra>0", kAdding},
+      {"twice>0", kRepeating},       {"missed>0 && extra>0", {30}},
+      {"extra>0 && twice==1", {41}}, {"missed>0 || extra>0 || twice>0", {7, 12, 20, 30, 41, kSteps}},
+  };
+  for (const auto& [condition, steps] : expected) {
+    SCOPED_TRACE(condition);
+    EXPECT_EQ(this->stops(condition, true), steps);
+    Steps reverse(steps.rbegin(), steps.rend());
+    std::erase(reverse, kSteps);  // there it stands already
+    EXPECT_EQ(this->stops(condition, false), reverse);
+  }
+}
+
+TYPED_TEST(ImportedRun, TheOracleMarksWhatIsWrongAndNothingElse) {
+  DebuggerModel& model = this->model();
+  for (std::uint32_t step = 1; step <= kSteps; ++step) {
+    model.go(Position::end_of(step));
+    ASSERT_TRUE(model.alarms()[step].has_value());
+    const Alarm& alarm = *model.alarms()[step];
+    EXPECT_EQ(alarm.missed, has(kMissing, step) ? 1U : 0U) << step;
+    EXPECT_EQ(alarm.extra, has(kAdding, step) ? 1U : 0U) << step;
+    EXPECT_EQ(alarm.twice, has(kRepeating, step) ? 1U : 0U) << step;
+  }
+  model.go(Position::end_of(30));
+  const PairJudgement judgement = model.run().judgement();
+  EXPECT_THAT(model.run().explain(judgement.missed.at(0)), testing::HasSubstr("other engine missed it"));
+  EXPECT_THAT(model.run().explain(judgement.extra.at(0)), testing::HasSubstr("told it, though it is none"));
+}
+
+}  // namespace
+}  // namespace kerf
