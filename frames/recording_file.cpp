@@ -27,11 +27,8 @@ void clear_recording_path(const std::filesystem::path& path, bool overwrite) {
   if (!std::filesystem::exists(path)) return;
   if (!overwrite)
     throw UsageError(path.string() + " exists already; choose another name, or replace it with --overwrite");
-  try {
-    (void)read_recording_info(path);
-  } catch (const std::runtime_error&) {
+  if (!is_recording(path))
     throw UsageError(path.string() + " is no recording and is not replaced; choose another name");
-  }
   remove_recording(path);
 }
 

@@ -107,6 +107,14 @@ std::vector<Decision> read_decisions(const Database& database) {
   return decisions;
 }
 
+bool has_recording_id(const Database& database) {
+  try {
+    return database.ask("PRAGMA application_id") == kRecordingId;
+  } catch (const std::runtime_error&) {
+    return false;  // no SQLite file at all
+  }
+}
+
 }  // namespace
 
 void set_meta(Database& database, std::string_view key, std::string_view value) {
@@ -137,15 +145,13 @@ void remove_recording(const std::filesystem::path& path) noexcept {
     std::filesystem::remove(path.string() + ending, ignored);
 }
 
+bool is_recording(const std::filesystem::path& path) {
+  return std::filesystem::is_regular_file(path) && has_recording_id(Database::open(path));
+}
+
 Database open_recording(const std::filesystem::path& path) {
   Database database = Database::open(path);
-  std::int64_t id = 0;
-  try {
-    id = database.ask("PRAGMA application_id");
-  } catch (const std::runtime_error&) {
-    id = 0;  // no SQLite file at all
-  }
-  if (id != kRecordingId)
+  if (!has_recording_id(database))
     throw std::runtime_error(path.string() + " is no recording of Kerf; `kerf record` makes one");
   const std::int64_t version = database.ask("PRAGMA user_version");
   if (version != kRecordingVersion)

@@ -21,6 +21,8 @@ void set_meta(Database& database, std::string_view key, std::string_view value);
 /// Removes a recording with its log, whatever of it is there.
 void remove_recording(const std::filesystem::path& path) noexcept;
 
+/// Whether a file is a recording, of whatever version and state: what may be replaced by another one.
+bool is_recording(const std::filesystem::path& path);
 /// Opens a recording. Throws std::runtime_error, saying what to do, for a file that is none or of another
 /// version.
 Database open_recording(const std::filesystem::path& path);

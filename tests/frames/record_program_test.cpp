@@ -68,6 +68,10 @@ TEST(RecordProgram, ReplacesRecordingsOnlyWhenAskedAndNothingElseEver) {
   EXPECT_EQ(refused.exit, 2);
   EXPECT_THAT(refused.err, HasSubstr("replace it with --overwrite"));
   EXPECT_EQ(run_kerf(forced).exit, 0);
+  constexpr int kVersionPlace = 63;  // last byte of SQLite's user version
+  std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(kVersionPlace).put(1);
+  EXPECT_THAT(run_kerf({"verify", file}).err, HasSubstr("version 1"));
+  EXPECT_EQ(run_kerf(forced).exit, 0) << "what an older Kerf has recorded";
   std::ofstream(file) << "a letter";
   const Outcome protected_file = run_kerf(forced);
   EXPECT_EQ(protected_file.exit, 2);

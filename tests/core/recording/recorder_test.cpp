@@ -11,6 +11,7 @@
 
 #include "core/recording/keyframe_codec.h"
 #include "core/recording/recording_reader.h"
+#include "core/recording/schema.h"
 #include "core/replay/verify.h"
 #include "tests/support/config_of.h"
 #include "tests/support/dimensions.h"
@@ -153,6 +154,22 @@ TEST(RecordingFile, WhatCannotBeReadIsRefusedClearly) {
   EXPECT_THROW(RecordingReader<3>{file.path()}, std::runtime_error);
   file.change("PRAGMA user_version = 99");
   EXPECT_THAT(refusal(file.path()), HasSubstr("version 99, and this Kerf reads version 2"));
+}
+
+TEST(RecordingFile, OneOfAnotherVersionIsStillARecording) {
+  const TemporaryRecording file;
+  EXPECT_FALSE(is_recording(file.path()));
+  EXPECT_FALSE(is_recording(file.path().parent_path()));
+  std::ofstream(file.path()) << "a text, long enough to be looked at as if it were a database of some kind";
+  EXPECT_FALSE(is_recording(file.path()));
+  std::filesystem::remove(file.path());
+  file.change("CREATE TABLE something(x)");
+  EXPECT_FALSE(is_recording(file.path()));
+  std::filesystem::remove(file.path());
+  test::record_crowd<2>(file.path(), 3, test::busy_config());
+  EXPECT_TRUE(is_recording(file.path()));
+  file.change("PRAGMA user_version = 1; DROP TABLE meta");
+  EXPECT_TRUE(is_recording(file.path()));
 }
 
 TEST(RecordingFile, AMissingStepOrBlockIsNamed) {
