@@ -30,15 +30,28 @@ Json as_json(const RecordingSummary& summary) {
 
 Json step_or_null(const std::optional<std::uint32_t>& step) { return step ? Json(*step) : Json(nullptr); }
 
+std::optional<std::uint32_t> step_of(const std::optional<EventDifference>& difference) {
+  return difference ? std::optional(difference->step) : std::nullopt;
+}
+
+/// Of one of the two runs; empty if nothing differs, or it has nothing more.
+std::string text_of(const std::optional<EventDifference>& difference,
+                    std::optional<Event> EventDifference::*run) {
+  return difference && *difference.*run ? describe(*(*difference.*run)) : "";
+}
+
 Json as_json(const RecordingComparison& comparison) {
   return {{"same", comparison.same()},
           {"first_different",
            {{"requests", step_or_null(comparison.requests)},
             {"state", step_or_null(comparison.state)},
             {"pairs", step_or_null(comparison.pairs)},
-            {"events", step_or_null(comparison.events)},
-            {"a_event", comparison.a_event},
-            {"b_event", comparison.b_event}}},
+            {"events", step_or_null(step_of(comparison.events))},
+            {"a_event", text_of(comparison.events, &EventDifference::a)},
+            {"b_event", text_of(comparison.events, &EventDifference::b)},
+            {"operators", step_or_null(step_of(comparison.operators))},
+            {"a_operator", text_of(comparison.operators, &EventDifference::a)},
+            {"b_operator", text_of(comparison.operators, &EventDifference::b)}}},
           {"a", as_json(comparison.a)},
           {"b", as_json(comparison.b)}};
 }
@@ -49,6 +62,15 @@ void print_first(const char* what, const std::optional<std::uint32_t>& step) {
   } else {
     std::printf("%-10s are the same\n", what);
   }
+}
+
+void print_first(const char* what, const std::optional<EventDifference>& difference) {
+  print_first(what, step_of(difference));
+  if (!difference) return;
+  const auto text = [](const std::optional<Event>& event) {
+    return event ? describe(*event) : "nothing more";
+  };
+  std::printf("  A: %s\n  B: %s\n", text(difference->a).c_str(), text(difference->b).c_str());
 }
 
 void print_figures(const RecordingSummary& a, const RecordingSummary& b) {
@@ -73,10 +95,7 @@ void print_figures(const RecordingSummary& a, const RecordingSummary& b) {
 void print(const RecordingComparison& comparison) {
   print_first("requests", comparison.requests);
   print_first("events", comparison.events);
-  if (comparison.events) {
-    const auto text = [](const std::string& event) { return event.empty() ? "nothing more" : event.c_str(); };
-    std::printf("  A: %s\n  B: %s\n", text(comparison.a_event), text(comparison.b_event));
-  }
+  print_first("operators", comparison.operators);
   print_first("trees", comparison.state);
   print_first("pairs", comparison.pairs);
   print_figures(comparison.a, comparison.b);

@@ -43,28 +43,45 @@ bool same_requests(const StepRequests<D>& a, const StepRequests<D>& b) {
   return a.calls == b.calls && a.objects == b.objects && same_boxes(a.boxes, b.boxes) && a.extra == b.extra;
 }
 
-void compare_events(const std::vector<Event>& a, const std::vector<Event>& b, std::uint32_t step,
-                    RecordingComparison& result) {
-  const auto [in_a, in_b] =
-      std::ranges::mismatch(a, b, [](const Event& x, const Event& y) { return x.body == y.body; });
-  if (in_a == a.end() && in_b == b.end()) return;
-  result.events = step;
-  if (in_a != a.end()) result.a_event = describe(*in_a);
-  if (in_b != b.end()) result.b_event = describe(*in_b);
+std::optional<EventDifference> first_difference(const std::vector<Event>& a, const std::vector<Event>& b,
+                                                bool (*counts)(const Event&)) {
+  auto in_a = a.begin();
+  auto in_b = b.begin();
+  for (;; ++in_a, ++in_b) {
+    in_a = std::find_if(in_a, a.end(), counts);
+    in_b = std::find_if(in_b, b.end(), counts);
+    if (in_a == a.end() || in_b == b.end() || in_a->body != in_b->body) break;
+  }
+  if (in_a == a.end() && in_b == b.end()) return std::nullopt;
+  EventDifference difference;
+  if (in_a != a.end()) difference.a = *in_a;
+  if (in_b != b.end()) difference.b = *in_b;
+  difference.step = difference.a ? difference.a->step : difference.b->step;
+  return difference;
+}
+
+bool is_event(const Event& /*any*/) { return true; }
+bool is_operator(const Event& event) {
+  return std::holds_alternative<OperatorActed>(event.body) ||
+         std::holds_alternative<OperatorRefused>(event.body);
 }
 
 }  // namespace
 
 template <int D>
 RecordingComparison compare(RecordingReader<D>& a, RecordingReader<D>& b) {
-  RecordingComparison result{summary(a.rows()), summary(b.rows()), {}, {}, {}, {}, {}, {}};
+  RecordingComparison result{summary(a.rows()), summary(b.rows()), {}, {}, {}, {}, {}};
   for (std::uint32_t step = 1; step <= std::min(a.steps(), b.steps()); ++step) {
     if (!result.state && a.row(step).state_hash != b.row(step).state_hash) result.state = step;
     if (!result.pairs && a.row(step).pairs_hash != b.row(step).pairs_hash) result.pairs = step;
     if (!result.requests && !same_requests(a.step(step).requests, b.step(step).requests))
       result.requests = step;
-    if (!result.events) compare_events(a.step(step).events, b.step(step).events, step, result);
-    if (result.state && result.pairs && result.requests && result.events) break;
+    const auto differs = [&](bool (*counts)(const Event&)) {
+      return first_difference(a.step(step).events, b.step(step).events, counts);
+    };
+    if (!result.events) result.events = differs(is_event);
+    if (result.events && !result.operators) result.operators = differs(is_operator);
+    if (result.state && result.pairs && result.requests && result.operators) break;
   }
   return result;
 }

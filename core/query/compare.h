@@ -21,16 +21,22 @@ struct RecordingSummary {
   double most_milliseconds = 0;
 };
 
+/// What happened first that did not happen in the other run; none: nothing more in that step.
+struct EventDifference {
+  std::uint32_t step = 0;
+  std::optional<Event> a;
+  std::optional<Event> b;
+};
+
 /// Where two recordings first differ. Steps that only one of them has do not count; `steps` tells of them.
 struct RecordingComparison {
   RecordingSummary a;
   RecordingSummary b;
-  std::optional<std::uint32_t> requests;  ///< first step before which something else was asked
-  std::optional<std::uint32_t> state;     ///< first step with another tree
-  std::optional<std::uint32_t> pairs;     ///< first step with another set of pairs
-  std::optional<std::uint32_t> events;    ///< first step in which something else happened ...
-  std::string a_event;                    ///< ... and what first, in each; empty: nothing more
-  std::string b_event;
+  std::optional<std::uint32_t> requests;     ///< first step before which something else was asked
+  std::optional<std::uint32_t> state;        ///< first step with another tree
+  std::optional<std::uint32_t> pairs;        ///< first step with another set of pairs
+  std::optional<EventDifference> events;     ///< whatever it is
+  std::optional<EventDifference> operators;  ///< the first operator that acted or was refused otherwise
 
   [[nodiscard]] bool same() const { return !requests && !state && !pairs && !events && a.steps == b.steps; }
 };

@@ -221,10 +221,12 @@ void Debugger::draw_view(PanelContext& context, const PanelLayout& layout) {
         PanelArea part = area;
         if (other_view_) part.width *= 0.5F;
         const std::string name = model_.run().info().scene;
-        draw_view_overlay(context, *view_, part, other_view_ ? "this run" : name);
+        draw_view_overlay(context, *view_, part,
+                          other_view_ ? "this run, " + to_string(model_.run().position()) : name);
         if (!other_view_) return;
         part.x += part.width;
-        draw_view_overlay(context, *other_view_, part, "the other run");
+        draw_view_overlay(context, *other_view_, part,
+                          "the other run, " + to_string(model_.other()->position()));
       },
       ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();

@@ -20,6 +20,20 @@ void add_moment(Facts& facts, const Run& run) {
   facts["objects"] = std::to_string(run.objects());
 }
 
+std::string_view match_word(Counterpart::Match match) {
+  if (match == Counterpart::Match::none) return "none";
+  return match == Counterpart::Match::same ? "same" : "different";
+}
+
+void add_other(Facts& facts, DebuggerModel& model) {
+  const Run* const other = model.other();
+  facts["comparing"] = other == nullptr ? "no" : "yes";
+  facts["other"] = other == nullptr ? "none" : to_string(other->position());
+  const auto event = other == nullptr ? std::nullopt : other->event();
+  facts["other_deed"] = event ? describe(*event) : "none";
+  facts["match"] = other == nullptr ? "none" : match_word(model.match());
+}
+
 void add_view(Facts& facts, const SceneView& view) {
   const ShownCounts& counts = view.counts();
   facts["drawn_objects"] = std::to_string(counts.objects);
@@ -49,6 +63,7 @@ std::map<std::string, std::string> Debugger::facts() {
   add_moment(facts, model_.run());
   add_view(facts, *view_);
   add_stops(facts, model_);
+  add_other(facts, model_);
   facts["selection"] = to_string(model_.selection());
   facts["playing"] = model_.playing ? "yes" : "no";
   facts["bookmarks"] = std::to_string(model_.bookmarks().size());
@@ -62,7 +77,6 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["message"] = model_.message;
   facts["candidate"] = model_.hovered_candidate ? std::to_string(*model_.hovered_candidate) : "none";
   facts["candidates"] = std::to_string(model_.run().ballot().size());
-  facts["comparing"] = model_.other() == nullptr ? "no" : "yes";
   facts["panel_ms"] = number_text(1e3 * panel_seconds_);
   return facts;
 }

@@ -159,6 +159,18 @@ TYPED_TEST(Explain, WhatTriggeredAnOperator) {
   EXPECT_THROW((void)explain_event(this->replayer(), 99999999), std::runtime_error);
 }
 
+/// Those that acted or were refused in the whole run.
+template <int D>
+std::vector<Event> operators_of(RecordingReader<D>& recording) {
+  std::vector<Event> operators;
+  for (std::uint32_t step = 1; step <= recording.steps(); ++step)
+    for (const Event& event : recording.step(step).events)
+      if (std::holds_alternative<OperatorActed>(event.body) ||
+          std::holds_alternative<OperatorRefused>(event.body))
+        operators.push_back(event);
+  return operators;
+}
+
 TYPED_TEST(Explain, WhereTwoRecordingsDiffer) {
   constexpr int kD = TypeParam::value;
   const test::TemporaryRecording same;
@@ -175,8 +187,16 @@ TYPED_TEST(Explain, WhereTwoRecordingsDiffer) {
   EXPECT_EQ(comparison.requests, std::nullopt);
   EXPECT_EQ(comparison.pairs, std::nullopt);  // both are exact
   ASSERT_TRUE(comparison.events);
-  EXPECT_LE(*comparison.events, *comparison.state);
-  EXPECT_NE(comparison.a_event, comparison.b_event);
+  EXPECT_LE(comparison.events->step, *comparison.state);
+  EXPECT_NE(comparison.events->a, comparison.events->b);
+  ASSERT_TRUE(comparison.operators);
+  EXPECT_GE(comparison.operators->step, comparison.events->step);
+  const auto first = operators_of(*this->recording_);
+  const auto second = operators_of(c);
+  const auto [x, y] = std::ranges::mismatch(first, second, {}, &Event::body, &Event::body);
+  ASSERT_TRUE(x != first.end() && x->step == y->step);
+  EXPECT_EQ(comparison.operators->a, *x);
+  EXPECT_EQ(comparison.operators->b, *y);
   EXPECT_NE(comparison.a.operators, comparison.b.operators);
 }
 

@@ -29,12 +29,18 @@ void DebuggerModel::say(std::string text, bool is_error) {
 
 void DebuggerModel::moved() {
   hovered_candidate.reset();
-  if (other_) {
-    const std::uint32_t step = std::min(run_->position().step, other_->steps());
-    other_->go(Position::end_of(step));
-  }
+  if (other_) follow();
   for (WatchedValue& watch : watches_) watch.value = run_->value(watch.expression);
   if (asks_oracle && run_->objects() <= kMostForOracle) (void)ask_oracle();
+}
+
+/// The other run goes where this one stands.
+void DebuggerModel::follow() {
+  const Position& here = run_->position();
+  const Counterpart counterpart =
+      find_counterpart(here, run_->events_of_step(), other_->events_of(here.step), other_->steps());
+  other_->go(counterpart.position);
+  match_ = counterpart.match;
 }
 
 void DebuggerModel::go(const Position& position) {
@@ -198,20 +204,32 @@ void DebuggerModel::what_if(const WhatIfQuestion& question) {
 
 void DebuggerModel::change_over() {
   if (!other_) return;
-  const Position here = Position::end_of(std::min(run_->position().step, other_->steps()));
   std::swap(run_, other_);
   std::swap(lanes_, other_lanes_);
   comparison_.reset();
   findings_.reset();
   alarms_.assign(run_->steps() + 1, std::nullopt);
   select({});
-  run_->go(here);
   moved();
 }
 
 void DebuggerModel::stop_comparing() {
   other_.reset();
   comparison_.reset();
+}
+
+void DebuggerModel::go_to_first_different_operator() {
+  if (!other_) return;
+  const auto& difference = comparison().operators;
+  if (!difference) return say("no operator acted or was refused otherwise");
+  const auto moment = [&](const std::optional<Event>& event) {
+    return event ? Position{event->step, event->id} : Position::end_of(difference->step);
+  };
+  go(moment(difference->a));
+  other_->go(moment(difference->b));
+  const bool both = difference->a && difference->b;
+  if (match_ != Counterpart::Match::different || !both) match_ = Counterpart::Match::none;
+  say("the first different operator");
 }
 
 const RecordingComparison& DebuggerModel::comparison() {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/query/counterpart.h"
 #include "viz/debugger/model/breakpoint.h"
 #include "viz/debugger/model/lanes.h"
 #include "viz/debugger/model/run.h"
@@ -91,7 +92,7 @@ class DebuggerModel {
   /// The oracle is asked wherever the cursor stands; off where brute force would take too long.
   bool asks_oracle = true;
 
-  // Comparing: another run goes where this one goes.
+  // Comparing: another run goes where this one goes, also within a step as far as it does the same.
   void compare_with(std::unique_ptr<Run> other);
   void stop_comparing();
   /// Is told each step of a search or a rerun; when it returns false, that ends there.
@@ -104,7 +105,11 @@ class DebuggerModel {
   void change_over();
   /// Only while comparing.
   [[nodiscard]] const RecordingComparison& comparison();
+  /// Both to the first operator that acted or was refused otherwise; says so if there is none.
+  void go_to_first_different_operator();
   [[nodiscard]] Run* other() { return other_.get(); }
+  /// How the moment of the other run belongs to the one of this.
+  [[nodiscard]] Counterpart::Match match() const { return match_; }
   [[nodiscard]] const std::vector<Lane>& other_lanes() const { return other_lanes_; }
 
   /// Where operators undo each other or wait.
@@ -116,12 +121,14 @@ class DebuggerModel {
  private:
   [[nodiscard]] Run::Progress noticing(bool& ended) const;
   void moved();
+  void follow();
   void say(std::string text, bool is_error = false);
 
   std::unique_ptr<Run> run_;
   std::vector<Lane> lanes_;
   std::unique_ptr<Run> other_;
   std::vector<Lane> other_lanes_;
+  Counterpart::Match match_ = Counterpart::Match::none;
   std::optional<RecordingComparison> comparison_;
   std::optional<std::vector<Thrash>> findings_;
   std::uint32_t findings_within_ = 0;

@@ -83,6 +83,8 @@ class Run {
   [[nodiscard]] virtual std::optional<std::uint32_t> step_of(std::uint64_t event) const = 0;
   /// Those of the step at which it stands; none before the first. Valid until it moves.
   [[nodiscard]] virtual std::span<const Event> events_of_step() const = 0;
+  /// Those of a step of the run. Valid until it moves or is asked of another step.
+  [[nodiscard]] virtual std::span<const Event> events_of(std::uint32_t step) const = 0;
   [[nodiscard]] virtual std::uint64_t state_hash() const = 0;
   /// That of the tree at this moment.
   [[nodiscard]] virtual const Config& config() const = 0;

@@ -69,9 +69,9 @@ bool RunOf<D>::step(Granularity granularity, bool forwards) {
 }
 
 template <int D>
-std::span<const Event> RunOf<D>::events_of_step() const {
-  if (position().step == 0) return {};
-  return recording_->step(position().step).events;
+std::span<const Event> RunOf<D>::events_of(std::uint32_t step) const {
+  if (step == 0 || step > steps()) return {};
+  return recording_->step(step).events;
 }
 
 template <int D>

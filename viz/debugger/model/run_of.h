@@ -27,7 +27,8 @@ class RunOf final : public Run {
   [[nodiscard]] std::optional<std::uint32_t> step_of(std::uint64_t event) const override {
     return recording_->step_of(event);
   }
-  [[nodiscard]] std::span<const Event> events_of_step() const override;
+  [[nodiscard]] std::span<const Event> events_of_step() const override { return events_of(position().step); }
+  [[nodiscard]] std::span<const Event> events_of(std::uint32_t step) const override;
   [[nodiscard]] std::uint64_t state_hash() const override;
   [[nodiscard]] const Config& config() const override { return state().config; }
   [[nodiscard]] NodeId root() const override { return state().tree.root(); }

@@ -58,6 +58,39 @@ void draw_difference(PanelContext& context, const char* what, const std::optiona
   if (pressed) context.model.go(Position::end_of(*step));
 }
 
+std::string text_of(const std::optional<Event>& event) { return event ? describe(*event) : "nothing more"; }
+
+void draw_difference(PanelContext& context, const char* what,
+                     const std::optional<EventDifference>& difference) {
+  draw_difference(context, what, difference ? std::optional(difference->step) : std::nullopt);
+  if (!difference) return;
+  ImGui::TextWrapped("  this: %s", text_of(difference->a).c_str());
+  ImGui::TextWrapped("  other: %s", text_of(difference->b).c_str());
+}
+
+void draw_operators(PanelContext& context, const std::optional<EventDifference>& difference) {
+  draw_difference(context, "operators", difference);
+  if (!difference) return;
+  if (widgets::button(context.gui, "show both", "this run goes to its operator, the other one to its own",
+                      "first different operator"))
+    context.model.go_to_first_different_operator();
+}
+
+/// Where the other run stands, and whether it has done the same.
+void draw_other_moment(DebuggerModel& model) {
+  const Run& other = *model.other();
+  const auto event = other.event();
+  const std::string moment =
+      event ? describe(*event) : "end of step " + std::to_string(other.position().step);
+  const bool same = model.match() == Counterpart::Match::same;
+  const char* const match = same                                             ? "the same"
+                            : model.match() == Counterpart::Match::different ? "the same with another outcome"
+                                                                             : "nothing like it";
+  ImGui::PushStyleColor(ImGuiCol_Text, widgets::to_vector(same ? palette::kInk : palette::kCandidate));
+  ImGui::TextWrapped("the other: %s, %s", match, moment.c_str());
+  ImGui::PopStyleColor();
+}
+
 }  // namespace
 
 void draw_compare(PanelContext& context) {
@@ -77,15 +110,11 @@ void draw_compare(PanelContext& context) {
   if (widgets::button(context.gui, "change over", "go on in the other run")) return model.change_over();
   ImGui::SameLine();
   ImGui::TextDisabled("with %s", model.other()->path().filename().c_str());
+  draw_other_moment(model);
   const RecordingComparison& comparison = model.comparison();
   draw_difference(context, "requests", comparison.requests);
   draw_difference(context, "events", comparison.events);
-  if (comparison.events) {
-    ImGui::TextWrapped("  this: %s",
-                       comparison.a_event.empty() ? "nothing more" : comparison.a_event.c_str());
-    ImGui::TextWrapped("  other: %s",
-                       comparison.b_event.empty() ? "nothing more" : comparison.b_event.c_str());
-  }
+  draw_operators(context, comparison.operators);
   draw_difference(context, "trees", comparison.state);
   draw_difference(context, "pairs", comparison.pairs);
   draw_figures(comparison.a, comparison.b);
