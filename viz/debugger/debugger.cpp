@@ -173,7 +173,7 @@ void Debugger::take_key(const KeyPress& press) {
   }
 }
 
-/// The run that is compared is seen beside this one, from the same place.
+/// The run that is compared is seen beside this one, from the same place and in the same colours.
 void Debugger::update_views(const PanelLayout& layout) {
   Run* const other = model_.other();
   if (&model_.run() != run_) view_ = make_scene_view(context_.functions(), model_.run());
@@ -184,10 +184,13 @@ void Debugger::update_views(const PanelLayout& layout) {
   }
   const int width = static_cast<int>(layout.view.width) / (other == nullptr ? 1 : 2);
   const int height = static_cast<int>(layout.view.height);
-  view_->update(model_, width, height);
+  const Tint tint = model_.view.tint;
+  double tint_end = view_->own_tint_end(tint);
+  if (other_view_) tint_end = std::max(tint_end, other_view_->own_tint_end(tint));
+  view_->update(model_, width, height, tint_end);
   if (!other_view_) return;
   other_view_->look_like(*view_);
-  other_view_->update(model_, width, height);
+  other_view_->update(model_, width, height, tint_end);
 }
 
 void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
@@ -223,7 +226,7 @@ void Debugger::draw_view(PanelContext& context, const PanelLayout& layout) {
         const std::string name = model_.run().info().scene;
         draw_view_overlay(context, *view_, part,
                           other_view_ ? "this run, " + to_string(model_.run().position()) : name);
-        if (!other_view_) return;
+        if (!other_view_ || model_.other() == nullptr) return;  // it may have ended in this frame
         part.x += part.width;
         draw_view_overlay(context, *other_view_, part,
                           "the other run, " + to_string(model_.other()->position()));

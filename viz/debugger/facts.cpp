@@ -40,6 +40,7 @@ void add_view(Facts& facts, const SceneView& view) {
   facts["all_objects"] = std::to_string(counts.all_objects);
   facts["drawn_partitioners"] = std::to_string(counts.partitioners);
   facts["drawn_pairs"] = std::to_string(counts.pairs);
+  facts["tint_end"] = number_text(counts.tint_end);
   facts["pictures"] = std::to_string(view.drawn());
 }
 
@@ -62,6 +63,7 @@ std::map<std::string, std::string> Debugger::facts() {
   Facts facts;
   add_moment(facts, model_.run());
   add_view(facts, *view_);
+  facts["other_tint_end"] = other_view_ ? number_text(other_view_->counts().tint_end) : "none";
   add_stops(facts, model_);
   add_other(facts, model_);
   facts["selection"] = to_string(model_.selection());

@@ -212,6 +212,35 @@ expect help == no
             "");
 }
 
+TEST_F(ScriptedDebugger, TheOtherRunFollowsAndHasTheSameColours) {
+  EXPECT_EQ(play(R"(
+click colour
+click "colour cost"
+click "tab What if"
+wait 2
+click assignments
+type "min_threshold=20,max_threshold=40"
+key Enter
+wait 2
+expect comparing == yes
+key End
+wait 1
+remember shared tint_end
+expect other_tint_end == $shared
+screenshot compared
+click "first different operator"
+wait 1
+expect deed != none
+expect other != "step 60"
+expect other_deed != none
+click "stop comparing"
+key End
+wait 1
+expect tint_end < $shared
+)"),
+            "");
+}
+
 TEST_F(ScriptedDebugger, AFailedExpectationNamesItsLineAndWhatWasFound) {
   EXPECT_THAT(play("key End\nexpect step == 3"), HasSubstr("line 2, 'expect step == 3': step is '60'"));
   EXPECT_THAT(play("press End"), HasSubstr("'press' is none of key, click"));

@@ -88,10 +88,13 @@ TEST(DebuggerVisibility, TintsGoFromNothingToOne) {
   for (const Tint tint : {Tint::population, Tint::balance, Tint::redundancy, Tint::cost, Tint::age}) {
     const NodeTints tints = find_tints(run, tint);
     float most = 0;
-    for (const float value : tints.values) {
-      EXPECT_GE(value, 0);
-      EXPECT_LE(value, 1);
-      most = std::max(most, value);
+    for (std::uint32_t id = 0; id < tints.values.size(); ++id) {
+      const float share = tints.share(NodeId{id}, tints.end);
+      EXPECT_GE(share, 0);
+      EXPECT_LE(share, 1);
+      EXPECT_NEAR(tints.share(NodeId{id}, 2 * tints.end), 0.5F * std::min(1.0F, share),
+                  share == 1 ? 0.5 : 1e-6);
+      most = std::max(most, share);
     }
     EXPECT_GT(most, 0) << static_cast<int>(tint);
   }

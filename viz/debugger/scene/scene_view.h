@@ -37,8 +37,10 @@ class SceneView {
   SceneView& operator=(const SceneView&) = delete;
   virtual ~SceneView() = default;
 
-  /// Draws it anew if anything that is seen has changed.
-  virtual void update(const DebuggerModel& model, int width, int height) = 0;
+  /// Draws it anew if anything that is seen has changed. The colours end at `tint_end`.
+  virtual void update(const DebuggerModel& model, int width, int height, double tint_end) = 0;
+  /// Where the colours would end if this run were alone.
+  [[nodiscard]] virtual double own_tint_end(Tint tint) = 0;
   /// Copies what was drawn, its top left corner to (x, y).
   virtual void copy_to(const Framebuffer& target, int x, int y) const = 0;
   [[nodiscard]] virtual const ShownCounts& counts() const = 0;

@@ -56,12 +56,30 @@ void SceneViewOf<D>::find_box() {
 }
 
 template <int D>
-void SceneViewOf<D>::update(const DebuggerModel& model, int width, int height) {
+double SceneViewOf<D>::own_tint_end(Tint tint) {
+  const std::pair wanted{run_.position(), tint};
+  if (tinted_ != wanted) tints_ = find_tints(run_, tint);
+  tinted_ = wanted;
+  return tints_.end;
+}
+
+template <int D>
+Color SceneViewOf<D>::color_of_leaf(NodeId leaf) const {
+  return tint_color(tints_.share(leaf, seen_->tint_end));
+}
+
+template <int D>
+void SceneViewOf<D>::update(const DebuggerModel& model, int width, int height, double tint_end) {
   width_ = std::max(width, 16);
   height_ = std::max(height, 16);
-  const Seen seen{
-      run_.position(), model.view, model.selection(), model.hovered_candidate, orbit_.view(width_, height_),
-      width_,          height_};
+  const Seen seen{run_.position(),
+                  model.view,
+                  model.selection(),
+                  model.hovered_candidate,
+                  orbit_.view(width_, height_),
+                  tint_end,
+                  width_,
+                  height_};
   if (seen_ && *seen_ == seen) return;
   if (!moment_ || *moment_ != seen.position) take_moment();
   const bool resized = !seen_ || seen_->width != width_ || seen_->height != height_;
@@ -110,8 +128,8 @@ void SceneViewOf<D>::choose_bodies() {
 
 template <int D>
 void SceneViewOf<D>::choose_colors() {
-  tints_ = find_tints(run_, seen_->settings.tint);
-  counts_.tint_end = tints_.end;
+  (void)own_tint_end(seen_->settings.tint);
+  counts_.tint_end = seen_->tint_end;
   colors_.assign(bodies_.size(), palette::kMoving);
   const bool tinted = seen_->settings.layers.has(Layer::leaves);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -121,7 +139,7 @@ void SceneViewOf<D>::choose_colors() {
     } else if (tinted && visible_.in_several[k] != 0) {
       colors_[k] = palette::kStraddler;
     } else if (D == 3 && tinted && !leaf.is_none()) {
-      colors_[k] = tint_color(tints_.values[leaf.index()]);
+      colors_[k] = color_of_leaf(leaf);
     }
   }
 }
@@ -177,7 +195,7 @@ void SceneViewOf<D>::draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch
       counts_.partitioners += seen && wanted ? 1 : 0;
     } else if (D == 2 && seen && settings.layers.has(Layer::leaves)) {
       for (const Polygon& cell : cell_faces(skeleton_, id, box_))
-        add_polygon(cells, frame.view, cell, with_alpha(tint_color(tints_.values[id.index()]), kCellAlpha));
+        add_polygon(cells, frame.view, cell, with_alpha(color_of_leaf(id), kCellAlpha));
     }
   }
 }

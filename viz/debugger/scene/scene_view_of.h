@@ -20,7 +20,8 @@ class SceneViewOf final : public SceneView {
  public:
   SceneViewOf(const GlFunctions& gl, RunOf<D>& run);
 
-  void update(const DebuggerModel& model, int width, int height) override;
+  void update(const DebuggerModel& model, int width, int height, double tint_end) override;
+  [[nodiscard]] double own_tint_end(Tint tint) override;
   void copy_to(const Framebuffer& target, int x, int y) const override;
   [[nodiscard]] const ShownCounts& counts() const override { return counts_; }
   [[nodiscard]] const std::vector<SceneLabel>& labels() const override { return labels_; }
@@ -41,17 +42,19 @@ class SceneViewOf final : public SceneView {
     Selection selection;
     std::optional<std::size_t> candidate;
     View view;
+    double tint_end = 1;
     int width = 0;
     int height = 0;
     friend bool operator==(const Seen& a, const Seen& b) {
       return a.position == b.position && a.settings == b.settings && a.selection == b.selection &&
-             a.candidate == b.candidate && a.view.clip_from_world == b.view.clip_from_world &&
-             a.width == b.width && a.height == b.height;
+             a.candidate == b.candidate && a.tint_end == b.tint_end &&
+             a.view.clip_from_world == b.view.clip_from_world && a.width == b.width && a.height == b.height;
     }
   };
 
   void find_box();
   void take_moment();
+  [[nodiscard]] Color color_of_leaf(NodeId leaf) const;
   void choose_bodies();
   void choose_colors();
   void draw(const DebuggerModel& model);
@@ -87,6 +90,7 @@ class SceneViewOf final : public SceneView {
   Skeleton<D> skeleton_;
   Visibility visible_;
   NodeTints tints_;
+  std::optional<std::pair<Position, Tint>> tinted_;  ///< of which `tints_` are
   std::vector<Color> colors_;
   std::vector<Pair> pairs_;
   std::vector<Pair> scratch_;

@@ -64,6 +64,10 @@ Visibility find_visible(const Tree<D>& tree, std::size_t objects, const ViewSett
   return visible;
 }
 
+float NodeTints::share(NodeId node, double colors_end) const {
+  return static_cast<float>(std::clamp(double{values[node.index()]} / colors_end, 0.0, 1.0));
+}
+
 NodeTints find_tints(Run& run, Tint tint) {
   const std::span<const TreeRow> tree = run.tree();
   NodeTints tints{std::vector<float>(tree.size()), 1};
@@ -77,8 +81,6 @@ NodeTints find_tints(Run& run, Tint tint) {
   if (tint == Tint::cost) tints.end = largest;
   if (tint == Tint::redundancy) tints.end = kMostStraddlers;
   if (tint == Tint::age) tints.end = kOldest;
-  for (float& value : tints.values)
-    value = static_cast<float>(std::clamp(double{value} / tints.end, 0.0, 1.0));
   return tints;
 }
 

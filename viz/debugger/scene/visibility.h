@@ -21,10 +21,12 @@ struct Visibility {
 template <int D>
 Visibility find_visible(const Tree<D>& tree, std::size_t objects, const ViewSettings& settings);
 
-/// A value from 0 to 1 for each living node by what the tint tells, and what 1 stands for.
+/// A value for each living node by what the tint tells, and the one at which the colours should end.
 struct NodeTints {
   std::vector<float> values;
   double end = 1;
+  /// From 0 to 1, if the colours end there.
+  [[nodiscard]] float share(NodeId node, double colors_end) const;
 };
 NodeTints find_tints(Run& run, Tint tint);
 
