@@ -19,23 +19,29 @@ OperatorRow::Kind kind_called(const std::string& name) {
   return name == "refused" ? OperatorRow::Kind::refused : OperatorRow::Kind::acted;
 }
 
+std::uint32_t natural(const Statement& row, int column) {
+  return static_cast<std::uint32_t>(row.integer(column));
+}
+
 }  // namespace
 
 std::vector<OperatorRow> read_operators(const std::filesystem::path& recording) {
   const Database database = open_recording(recording);
   std::vector<OperatorRow> operators;
   Statement rows = database.prepare(
-      "SELECT id, step, kind, op, node, generation, coalesce(new_offset - old_offset, 0) FROM events "
+      "SELECT id, step, kind, op, node, generation, coalesce(new_offset - old_offset, 0), "
+      "coalesce(population, 0), coalesce(left_before, 0), coalesce(right_before, 0) FROM events "
       "WHERE kind IN ('scheduled', 'acted', 'refused') ORDER BY id");
   while (rows.step()) {
     OperatorRow row;
     row.event = static_cast<std::uint64_t>(rows.integer(0));
-    row.step = static_cast<std::uint32_t>(rows.integer(1));
+    row.step = natural(rows, 1);
     row.kind = kind_called(rows.text(2));
     row.op = operator_called(rows.text(3));
-    row.node.node = NodeId{static_cast<std::uint32_t>(rows.integer(4))};
-    row.node.generation = static_cast<std::uint32_t>(rows.integer(5));
+    row.node.node = NodeId{natural(rows, 4)};
+    row.node.generation = natural(rows, 5);
     row.shift = rows.real(6);
+    row.before = {natural(rows, 7), natural(rows, 8), natural(rows, 9)};
     operators.push_back(row);
   }
   return operators;

@@ -16,7 +16,8 @@ struct OperatorRow {
   Kind kind = Kind::acted;
   Operator op = Operator::split;
   NodeRef node;
-  double shift = 0;  ///< of those that acted: by how much the offset grew
+  double shift = 0;  ///< of those that acted: by how much the offset grew ...
+  Quality before;    ///< ... and the quality of the partitioner before
 };
 
 /// Everything that was scheduled, refused or done in a run, in order: without its steps, which would have to

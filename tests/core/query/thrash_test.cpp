@@ -14,7 +14,7 @@ using ::testing::IsEmpty;
 
 OperatorRow row(std::uint64_t event, std::uint32_t step, Kind kind, Operator op, std::uint32_t node,
                 double shift = 0) {
-  return {event, step, kind, op, {NodeId{node}, 0}, shift};
+  return {event, step, kind, op, {NodeId{node}, 0}, shift, {}};
 }
 
 TEST(Thrash, ANodeSplitMergedAndSplitAgainIsFound) {

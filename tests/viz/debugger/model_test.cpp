@@ -156,8 +156,20 @@ TYPED_TEST(DebuggerModelTest, OneSelectionAndWhatIsHidden) {
 TYPED_TEST(DebuggerModelTest, RibbonsAreTheHistoryOfWhatIsSelected) {
   DebuggerModel& model = this->model();
   EXPECT_TRUE(model.ribbons().empty());
-  model.select(NodeId{0});
-  EXPECT_EQ(model.ribbons().size(), model.run().history(NodeId{0}).size());
+  const Position split = this->first("op==split && kind==acted");
+  model.go(split);
+  const NodeId node = model.run().tree()[model.run().event_node()->index()].left;
+  model.select(node);
+  const auto count = [&](auto... kinds) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        model.ribbons(), [&](const Ribbon& ribbon) { return ((ribbon.kind == kinds) || ...); }));
+  };
+  using Kind = Ribbon::Kind;
+  EXPECT_EQ(count(Kind::listed, Kind::refused, Kind::acted), model.run().history(node).size());
+  EXPECT_EQ(count(Kind::life), model.run().lives(node).size());
+  ASSERT_FALSE(model.ribbons().empty());
+  EXPECT_EQ(model.ribbons().front().kind, Kind::life);
+  EXPECT_EQ(model.ribbons().front().first_step, split.step) << "the split of its parent has made it";
   model.go(Position::end_of(40));
   const Pair pair = make_pair(model.run().pairs()[0].a, model.run().pairs()[0].b);
   model.select(pair);

@@ -15,6 +15,11 @@ void toggle(std::set<T>& set, const T& item) {
   if (!set.erase(item)) set.insert(item);
 }
 
+Ribbon::Kind kind_of(const Event& event) {
+  if (std::holds_alternative<OperatorActed>(event.body)) return Ribbon::Kind::acted;
+  return std::holds_alternative<OperatorRefused>(event.body) ? Ribbon::Kind::refused : Ribbon::Kind::listed;
+}
+
 }  // namespace
 
 DebuggerModel::DebuggerModel(std::unique_ptr<Run> run)
@@ -98,15 +103,26 @@ void DebuggerModel::select(const Selection& selection) {
   selection_ = selection;
 }
 
+void DebuggerModel::add_life_ribbons(NodeId node) {
+  const auto add = [&](const LifeSpan& span, Ribbon::Kind kind) {
+    ribbons_->push_back({span.first_step, span.last_step.value_or(run_->steps()), kind});
+  };
+  for (const NodeLife& life : run_->lives(node)) {
+    add(life.span, Ribbon::Kind::life);
+    for (const LifeSpan& span : life.divided) add(span, Ribbon::Kind::divided);
+  }
+}
+
 const std::vector<Ribbon>& DebuggerModel::ribbons() {
   if (ribbons_) return *ribbons_;
   ribbons_.emplace();
   if (const auto* node = std::get_if<NodeId>(&selection_)) {
+    add_life_ribbons(*node);
     for (const Event& event : run_->history(*node))
-      ribbons_->push_back({event.step, event.step, std::holds_alternative<OperatorRefused>(event.body)});
+      ribbons_->push_back({event.step, event.step, kind_of(event)});
   } else if (const auto* pair = std::get_if<Pair>(&selection_)) {
     for (const PairChange& change : run_->history(*pair)) {
-      if (change.is_pair) ribbons_->push_back({change.step, run_->steps(), false});
+      if (change.is_pair) ribbons_->push_back({change.step, run_->steps(), Ribbon::Kind::pair});
       if (!change.is_pair && !ribbons_->empty()) ribbons_->back().last_step = change.step - 1;
     }
   }

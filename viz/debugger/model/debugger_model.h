@@ -23,11 +23,19 @@ struct Alarm {
   [[nodiscard]] bool is_wrong() const { return missed + extra + twice > 0; }
 };
 
-/// A span of the selected thing's history: an operator at a node, or two objects being a pair.
+/// A span of the selected thing's history.
 struct Ribbon {
-  std::uint32_t first_step = 0;
+  enum class Kind : std::uint8_t {
+    life,     ///< a node, from the split that made it to the merge or swap that ended it
+    divided,  ///< within its life: it had children
+    listed,   ///< Algorithm 1 wanted an operator at the node ...
+    refused,  ///< ... that did not act
+    acted,
+    pair,  ///< two objects were one
+  };
+  std::uint32_t first_step = 0;  ///< 0: from the beginning
   std::uint32_t last_step = 0;
-  bool is_refusal = false;
+  Kind kind = Kind::pair;
 };
 
 /// Everything that the debugger knows and does, without a window: panels and scripts only call it.
@@ -58,7 +66,8 @@ class DebuggerModel {
   void select_object(ObjectId object, bool makes_pair);
   [[nodiscard]] const Selection& selection() const { return selection_; }
   [[nodiscard]] bool is_selected(NodeId node) const;
-  /// What happened to the selected node in the whole run, or when the selected pair was one.
+  /// When the selected node lived and what happened to it, or when the selected pair was one: in the whole
+  /// run, what lies below first.
   [[nodiscard]] const std::vector<Ribbon>& ribbons();
 
   // Seeing.
@@ -121,6 +130,7 @@ class DebuggerModel {
  private:
   [[nodiscard]] Run::Progress noticing(bool& ended) const;
   void moved();
+  void add_life_ribbons(NodeId node);
   void follow();
   void say(std::string text, bool is_error = false);
 

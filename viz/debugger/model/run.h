@@ -11,6 +11,7 @@
 #include "core/query/compare.h"
 #include "core/query/expression.h"
 #include "core/query/history.h"
+#include "core/query/node_lives.h"
 #include "core/query/thrash.h"
 #include "core/recording/recording_info.h"
 #include "core/replay/oracle.h"
@@ -108,6 +109,8 @@ class Run {
   [[nodiscard]] virtual std::string wish(NodeId node) const = 0;
   [[nodiscard]] virtual std::vector<NodeId> leaves_of(ObjectId object) const = 0;
   [[nodiscard]] virtual std::vector<Event> history(NodeId node) = 0;
+  /// Of a slot of nodes in the whole run, in order; none if it was never used.
+  [[nodiscard]] virtual std::span<const NodeLife> lives(NodeId node) = 0;
   [[nodiscard]] virtual std::vector<PairChange> history(const Pair& pair) = 0;
   /// Where operators undo each other or wait, in the whole run.
   [[nodiscard]] virtual std::vector<Thrash> lint(std::uint32_t within) = 0;

@@ -193,6 +193,13 @@ std::vector<Event> RunOf<D>::history(NodeId node) {
 }
 
 template <int D>
+std::span<const NodeLife> RunOf<D>::lives(NodeId node) {
+  if (!lives_) lives_ = find_node_lives(operators());
+  return node.index() < lives_->size() ? std::span<const NodeLife>((*lives_)[node.index()])
+                                       : std::span<const NodeLife>();
+}
+
+template <int D>
 std::vector<PairChange> RunOf<D>::history(const Pair& pair) {
   return pair_history(*recording_, pair, recording_->steps());
 }

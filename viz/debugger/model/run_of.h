@@ -44,6 +44,7 @@ class RunOf final : public Run {
   [[nodiscard]] std::string wish(NodeId node) const override;
   [[nodiscard]] std::vector<NodeId> leaves_of(ObjectId object) const override;
   [[nodiscard]] std::vector<Event> history(NodeId node) override;
+  [[nodiscard]] std::span<const NodeLife> lives(NodeId node) override;
   [[nodiscard]] std::vector<PairChange> history(const Pair& pair) override;
   [[nodiscard]] std::vector<Thrash> lint(std::uint32_t within) override;
   void rerun(const WhatIfQuestion& question, const std::filesystem::path& out,
@@ -81,6 +82,7 @@ class RunOf final : public Run {
   std::optional<std::size_t> strip_of_;
   ProjectionStrip strip_;
   std::optional<std::vector<OperatorRow>> operators_;  ///< of the whole run
+  std::optional<std::vector<std::vector<NodeLife>>> lives_;
 };
 
 extern template class RunOf<2>;

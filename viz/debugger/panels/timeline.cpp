@@ -106,7 +106,32 @@ void draw_marks(PanelContext& context, const TimeAxis& axis, float top) {
                widgets::to_imgui(wrong == 0 ? palette::kFaintInk : palette::kCandidate), text.c_str());
 }
 
-/// When operators were at the selected node, or the selected objects were a pair.
+/// How a ribbon is drawn: the share of the row that it leaves free above and below, and its colour.
+struct RibbonLook {
+  float margin;
+  Color color;
+  double alpha;
+};
+RibbonLook look_of(Ribbon::Kind kind) {
+  switch (kind) {
+    case Ribbon::Kind::life:
+      return {0.3F, palette::kSeries[4], 0.5};
+    case Ribbon::Kind::divided:
+      return {0.1F, palette::kSeries[4], 0.7};
+    case Ribbon::Kind::listed:
+      return {0.3F, palette::kFaintInk, 1};
+    case Ribbon::Kind::acted:
+      return {0, palette::kInk, 1};
+    case Ribbon::Kind::refused:
+      return {0, palette::kCandidate, 1};
+    case Ribbon::Kind::pair:
+      return {0, palette::kSeries[4], 1};
+  }
+  return {0, palette::kInk, 1};
+}
+
+/// When the selected node lived, thin as a leaf and thick with children, and operators were at it; or when
+/// the selected objects were a pair.
 void draw_ribbons(PanelContext& context, const TimeAxis& axis, float top) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool nothing = std::holds_alternative<std::monostate>(context.model.selection());
@@ -116,10 +141,12 @@ void draw_ribbons(PanelContext& context, const TimeAxis& axis, float top) {
   list.AddRectFilled({axis.left, top}, {axis.left + axis.width, top + kMarks - 2},
                      IM_COL32(255, 255, 255, 255));
   for (const Ribbon& ribbon : context.model.ribbons()) {
-    const float left = axis.x_of(ribbon.first_step - 1.0);
+    const RibbonLook look = look_of(ribbon.kind);
+    const float left = axis.x_of(std::max(0.0, ribbon.first_step - 1.0));
     const float right = std::max(left + 2, axis.x_of(ribbon.last_step));
-    list.AddRectFilled({left, top + 1}, {right, top + kMarks - 3},
-                       widgets::to_imgui(ribbon.is_refusal ? palette::kCandidate : palette::kSeries[4]));
+    const float margin = 1 + std::round(look.margin * (kMarks - 4));
+    list.AddRectFilled({left, top + margin}, {right, top + kMarks - 2 - margin},
+                       widgets::to_imgui(look.color, look.alpha));
   }
 }
 
