@@ -252,11 +252,11 @@ void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
   const double y = double{io.MousePos.y - area.y};
   if (hovered && io.MouseWheel != 0) view_->zoom(double{io.MouseWheel}, x, y);
   if (!hovered || !ImGui::IsMouseDoubleClicked(0)) return;
-  const auto object = view_->pick(x, y);
-  if (object) {
+  const Selection picked = view_->pick(x, y, io.KeyCtrl);
+  if (const auto* object = std::get_if<ObjectId>(&picked)) {
     context.model.select_object(*object, io.KeyShift);
   } else {
-    context.model.select({});
+    context.model.select(picked);
   }
 }
 

@@ -71,6 +71,17 @@ const std::map<std::string, Key>& key_names() {
   return kNames;
 }
 
+/// "object:5" or "node:5".
+std::optional<Selection> named_thing(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return std::nullopt;
+  const auto number = number_of(std::string_view(text).substr(colon + 1));
+  if (!number || *number < 0) return std::nullopt;
+  const auto id = static_cast<std::uint32_t>(*number);
+  if (text.starts_with("object:")) return ObjectId{id};
+  return text.starts_with("node:") ? std::optional<Selection>(NodeId{id}) : std::nullopt;
+}
+
 bool compare(const std::string& a, const std::string& op, const std::string& b, const ScriptLine& line) {
   if (op == "~") return a.find(b) != std::string::npos;
   if (op == "!~") return a.find(b) == std::string::npos;
@@ -140,8 +151,9 @@ void ScriptPlayer::play(const ScriptLine& line) {
   if (verb == "click") return click(place(line, word(1)), 0, 1);
   if (verb == "double") {
     input_.shift = line.words.size() > 2 && line.words[2] == "shift";
+    input_.control = line.words.size() > 2 && line.words[2] == "ctrl";
     click(place(line, word(1)), 0, 2);
-    input_.shift = false;
+    input_.shift = input_.control = false;
     return frames(1);
   }
   if (verb == "hover") {
@@ -253,7 +265,7 @@ void ScriptPlayer::expect(const ScriptLine& line) {
 }
 
 /// "320,200" is a pixel, "play" a part of a panel, "view@0.5,0.25" a place within it by its share, "object:5"
-/// where that object is seen.
+/// or "node:5" where that object or node is seen.
 ScriptPlayer::Point ScriptPlayer::place(const ScriptLine& line, const std::string& word) {
   if (const auto pixel = two_numbers(word))
     return {static_cast<float>(pixel->first), static_cast<float>(pixel->second)};
@@ -265,11 +277,10 @@ ScriptPlayer::Point ScriptPlayer::place(const ScriptLine& line, const std::strin
     if (!given) fail(line, "after the @ stand two shares such as 0.5,0.25");
     share = *given;
   }
-  if (name.starts_with("object:")) {
-    const auto id = number_of(std::string_view(name).substr(7));
-    const auto seen = id ? debugger_.view().place_of({static_cast<std::uint32_t>(*id)}) : std::nullopt;
+  if (const auto thing = named_thing(name)) {
+    const auto seen = debugger_.view().place_of(*thing);
     const auto view = debugger_.gui().find("view");
-    if (!seen || !view) fail(line, "that object is not seen");
+    if (!seen || !view) fail(line, to_string(*thing) + " is not seen");
     return {view->x + seen->x, view->y + seen->y};
   }
   const auto area = debugger_.gui().find(name);

@@ -178,6 +178,33 @@ expect drawn_objects == $all
             "");
 }
 
+TEST_F(ScriptedDebugger, PartitionersAndLeavesArePickedInTheView) {
+  EXPECT_EQ(play(R"(
+key End
+double node:0 ctrl
+expect selection == n0
+double node:1 ctrl
+expect selection == n1
+wait 2
+expect explanation ~ "n1 (life"
+click leaves
+click objects
+double node:2
+expect selection == n2
+click objects
+double object:3
+expect selection ~ object
+hover 5,5
+wait 30   # else it is a third click
+double object:3 ctrl
+expect selection ~ n
+expect selection !~ object
+double view@0.01,0.01
+expect selection == nothing
+)"),
+            "");
+}
+
 TEST_F(ScriptedDebugger, PanelsOpenAndCompare) {
   EXPECT_EQ(play(R"(
 click condition

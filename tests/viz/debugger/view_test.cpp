@@ -2,12 +2,16 @@
 
 #include <cmath>
 
+#include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 #include "viz/debugger/model/run_of.h"
 #include "viz/debugger/scene/orbit.h"
+#include "viz/debugger/scene/pick.h"
 #include "viz/debugger/scene/ray.h"
 #include "viz/debugger/scene/visibility.h"
 #include "viz/draw/clip.h"
+#include "viz/draw/recorded_bodies.h"
+#include "viz/draw/view_box.h"
 
 namespace kerf {
 namespace {
@@ -57,6 +61,98 @@ TEST(DebuggerOrbit, LooksAtWhatItIsTold) {
   ASSERT_TRUE(pixel.has_value());
   EXPECT_NEAR(pixel->x(), 320, 0.5);
   EXPECT_NEAR(pixel->y(), 240, 0.5);
+}
+
+TEST(DebuggerRay, EntersWhatHalfSpacesLeave) {
+  const Ray ray{{-5, 0.5, 0.5}, {2, 0, 0}};
+  const Box<3> box{{{1, 0, 0}}, {{2, 1, 1}}};
+  const auto sides = half_spaces(box);
+  EXPECT_EQ(distance_to(ray, sides), 3);
+  EXPECT_EQ(distance_to({{1.5, 0.5, 0.5}, ray.way}, sides), 0);
+  EXPECT_EQ(distance_to({{3, 0.5, 0.5}, ray.way}, sides), std::nullopt);
+  EXPECT_EQ(distance_to({{-5, 2, 0.5}, ray.way}, sides), std::nullopt);
+}
+
+template <class T>
+class DebuggerPick : public testing::Test {
+ protected:
+  static constexpr int kD = T::value;
+
+  DebuggerPick() {
+    test::record_crowd<kD>(file_.path(), 60, test::busy_config());
+    run_ = std::make_unique<RunOf<kD>>(file_.path());
+    run_->go(Position::end_of(60));
+    bodies_ = recorded_bodies(run_->state().latest);
+    ViewBox<kD> box;
+    box.update(bodies_);
+    bounds_ = box.box();
+    orbit_.set_box(bounds_);
+    view_ = orbit_.view(kWidth, kHeight);
+    skeleton_.assign(&run_->state().tree);
+    for_each_node(run_->state().tree, run_->state().tree.root(), [&](NodeId id) {
+      seen_.resize(std::max(seen_.size(), id.index() + 1));
+      seen_[id.index()] = 1;
+      if (!skeleton_[id].is_leaf()) inner_.push_back(id);
+    });
+  }
+  [[nodiscard]] std::optional<NodeId> pick(const Eigen::Vector3d& point) const {
+    const auto pixel = view_.project(point);
+    return pick_node<kD>({skeleton_, inner_, seen_, bounds_}, view_, pixel->x(), pixel->y());
+  }
+  /// Whether the node's cell, or what of the partitioner lies in it, is seen at that point of the picture.
+  [[nodiscard]] bool reaches(NodeId id, const Eigen::Vector3d& point) const {
+    const auto pixel = view_.project(point);
+    std::vector<HalfSpace> sides = half_spaces(bounds_);
+    for (const HalfSpace& side : skeleton_.cell_sides(id)) sides.push_back(side);
+    return distance_to(ray_through(view_, pixel->x(), pixel->y()), sides).has_value();
+  }
+
+  static constexpr int kWidth = 800;
+  static constexpr int kHeight = 600;
+  test::TemporaryRecording file_;
+  std::unique_ptr<RunOf<kD>> run_;
+  std::vector<Body<kD>> bodies_;
+  Box<kD> bounds_;
+  Orbit<kD> orbit_;
+  View view_;
+  Skeleton<kD> skeleton_;
+  std::vector<std::uint8_t> seen_;
+  std::vector<NodeId> inner_;
+};
+TYPED_TEST_SUITE(DebuggerPick, test::Dimensions, test::DimensionNames);
+
+TYPED_TEST(DebuggerPick, APartitionerByItsLine) {
+  std::size_t seen = 0;
+  std::size_t exact = 0;
+  for (const NodeId id : this->inner_) {
+    const Polygon line = partitioner_in_cell(this->skeleton_, id, this->skeleton_[id].plane, this->bounds_);
+    if (line.size() < 2) continue;  // beyond all objects
+    ++seen;
+    const auto found = this->pick(0.5 * (line[0] + line[1]));
+    ASSERT_TRUE(found.has_value());
+    EXPECT_FALSE(this->skeleton_[*found].is_leaf()) << "n" << id.value;
+    exact += *found == id ? 1 : 0;  // others may have a line in the same place
+  }
+  EXPECT_GT(seen, 5U);
+  EXPECT_GT(4 * exact, 3 * seen);
+}
+
+TYPED_TEST(DebuggerPick, ALeafWhereThereIsNoLine) {
+  std::size_t leaves = 0;
+  for (double x = 0.05; x < 1; x += 0.1)
+    for (double y = 0.05; y < 1; y += 0.1) {
+      Eigen::Vector3d point = to_point(this->bounds_.center());
+      point.x() = double{this->bounds_.min[0]} + x * double{this->bounds_.extent()[0]};
+      point.y() = double{this->bounds_.min[1]} + y * double{this->bounds_.extent()[1]};
+      const auto found = this->pick(point);
+      ASSERT_TRUE(found.has_value());
+      EXPECT_TRUE(this->reaches(*found, point));
+      leaves += this->skeleton_[*found].is_leaf() ? 1 : 0;
+    }
+  EXPECT_GT(leaves, 5U);
+  const auto beside = pick_node<TypeParam::value>({this->skeleton_, this->inner_, this->seen_, this->bounds_},
+                                                  this->view_, 1, 1);
+  EXPECT_EQ(beside, std::nullopt);
 }
 
 TEST(DebuggerVisibility, IsolatedAndHiddenNodesDecideWhatIsSeen) {

@@ -28,7 +28,8 @@ constexpr std::array kKeys{
     KeyHelp{"Left drag", "turn the view (2D: move it)"},
     KeyHelp{"Right drag", "move the view"},
     KeyHelp{"Wheel", "nearer and farther"},
-    KeyHelp{"Double click", "select an object; with Shift a second one: a pair"},
+    KeyHelp{"Double click", "select an object; with Shift a second one: a pair; beside objects a node"},
+    KeyHelp{"Ctrl+double", "select a node: the partitioner with a line there, or the leaf"},
     KeyHelp{"Drag below", "scrub through the run"},
 };
 

@@ -40,6 +40,24 @@ std::optional<double> distance_to(const Ray& ray, const Box<D>& box) {
   return enter <= leave ? std::optional(enter) : std::nullopt;
 }
 
+std::optional<double> distance_to(const Ray& ray, std::span<const HalfSpace> sides) {
+  double enter = 0;
+  double leave = std::numeric_limits<double>::max();
+  for (const HalfSpace& side : sides) {
+    const double speed = side.normal.dot(ray.way);
+    const double room = side.offset - side.normal.dot(ray.start);
+    if (std::abs(speed) < 1e-300) {
+      constexpr double kTouch = 1e-6;  // corners are worked out in numbers that are rounded
+      if (room < -kTouch) return std::nullopt;
+    } else if (speed > 0) {
+      leave = std::min(leave, room / speed);
+    } else {
+      enter = std::max(enter, room / speed);
+    }
+  }
+  return enter <= leave ? std::optional(enter) : std::nullopt;
+}
+
 template std::optional<double> distance_to<2>(const Ray&, const Box<2>&);
 template std::optional<double> distance_to<3>(const Ray&, const Box<3>&);
 

@@ -48,11 +48,10 @@ class SceneView {
   /// Pictures drawn so far; one that nothing has changed is not drawn again.
   [[nodiscard]] virtual std::uint64_t drawn() const = 0;
 
-  /// The object under a pixel of the view: in 3D the nearest, in 2D the smallest; one that moves if there is
-  /// any.
-  [[nodiscard]] virtual std::optional<ObjectId> pick(double x, double y) const = 0;
-  /// Where an object's middle is seen.
-  [[nodiscard]] virtual std::optional<SceneLabel> place_of(ObjectId object) const = 0;
+  /// What is under a pixel of the view: an object if there is one and it is not `node_wanted`, else a node.
+  [[nodiscard]] virtual Selection pick(double x, double y, bool node_wanted) const = 0;
+  /// Where the middle of an object or leaf is seen, or that of an edge of a partitioner.
+  [[nodiscard]] virtual std::optional<SceneLabel> place_of(const Selection& selection) const = 0;
 
   virtual void turn(double dx, double dy) = 0;
   virtual void move(double dx, double dy) = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viz/debugger/scene/pick.h"
 #include "viz/debugger/scene/ray.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/recorded_bodies.h"
@@ -19,7 +20,6 @@ constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
 constexpr std::uint32_t kDeepestPane = 6;
 constexpr double kCellAlpha = 0.5;
-constexpr double kBehindAll = 1e30;
 
 /// Whether an object is among the `share` that is drawn: spread evenly, and the same in every picture.
 bool is_sampled(std::size_t object, double share) {
@@ -183,6 +183,7 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
 template <int D>
 void SceneViewOf<D>::draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch& planes) {
   const ViewSettings& settings = seen_->settings;
+  partitioners_.clear();
   for (const NodeId id : skeleton_.back_to_front(seen_->view.eye)) {
     const auto& joint = skeleton_[id];
     const bool seen = visible_.nodes[id.index()] != 0;
@@ -191,8 +192,10 @@ void SceneViewOf<D>::draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch
       const auto depth = static_cast<int>(joint.depth);
       const bool wanted = settings.layers.has(Layer::partitioners) && depth >= settings.least_depth &&
                           depth <= settings.greatest_depth && counts_.partitioners < kMostPartitioners;
-      if (seen && wanted) draw_plane(frame, id, planes);
-      counts_.partitioners += seen && wanted ? 1 : 0;
+      if (!seen || !wanted) continue;
+      draw_plane(frame, id, planes);
+      partitioners_.push_back(id);
+      ++counts_.partitioners;
     } else if (D == 2 && seen && settings.layers.has(Layer::leaves)) {
       for (const Polygon& cell : cell_faces(skeleton_, id, box_))
         add_polygon(cells, frame.view, cell, with_alpha(color_of_leaf(id), kCellAlpha));
@@ -335,32 +338,34 @@ void SceneViewOf<D>::look_like(const SceneView& other) {
 }
 
 template <int D>
-std::optional<ObjectId> SceneViewOf<D>::pick(double x, double y) const {
-  if (!seen_) return std::nullopt;
-  const Ray ray = ray_through(seen_->view, x, y);
-  std::optional<ObjectId> best;
-  double nearest = std::numeric_limits<double>::max();
-  for (std::uint32_t id = 0; id < bodies_.size(); ++id) {
-    if (!is_drawable(bodies_[id])) continue;
-    const Box<D>& box = bodies_[id].box;
-    const auto hit = distance_to(ray, box);
-    if (!hit) continue;
-    double rank = D == 3 ? *hit : double{box.extent()[0]} * double{box.extent()[1]};
-    if (bodies_[id].mobility == Mobility::fixed) rank += kBehindAll;  // ground and walls are seen through
-    if (rank >= nearest) continue;
-    nearest = rank;
-    best = ObjectId{id};
+Selection SceneViewOf<D>::pick(double x, double y, bool node_wanted) const {
+  if (!seen_) return {};
+  const bool objects = !node_wanted && seen_->settings.layers.has(Layer::objects);
+  if (objects)
+    if (const auto object = pick_object<D>(ray_through(seen_->view, x, y), bodies_)) return *object;
+  const auto node = pick_node<D>({skeleton_, partitioners_, visible_.nodes, box_}, seen_->view, x, y);
+  return node ? Selection(*node) : Selection();
+}
+
+/// Of a partitioner the middle of an edge, since a point within may be hidden.
+template <int D>
+Eigen::Vector3d SceneViewOf<D>::middle_of(NodeId node) const {
+  const auto& joint = skeleton_[node];
+  if (!joint.is_leaf()) {
+    const Polygon plane = partitioner_in_cell(skeleton_, node, joint.plane, box_);
+    if (plane.size() >= 2) return 0.5 * (plane[0] + plane[1]);
   }
-  return best;
+  return to_point(box_of(node)->center());
 }
 
 template <int D>
-std::optional<SceneLabel> SceneViewOf<D>::place_of(ObjectId object) const {
-  const auto box = box_of(object);
+std::optional<SceneLabel> SceneViewOf<D>::place_of(const Selection& selection) const {
+  const auto box = box_of(selection);
   if (!seen_ || !box) return std::nullopt;
-  const auto at = seen_->view.project(to_point(box->center()));
+  const auto* const node = std::get_if<NodeId>(&selection);
+  const auto at = seen_->view.project(node == nullptr ? to_point(box->center()) : middle_of(*node));
   if (!at) return std::nullopt;
-  return SceneLabel{static_cast<float>(at->x()), static_cast<float>(at->y()), std::to_string(object.value)};
+  return SceneLabel{static_cast<float>(at->x()), static_cast<float>(at->y()), to_string(selection)};
 }
 
 template <int D>

@@ -26,8 +26,8 @@ class SceneViewOf final : public SceneView {
   [[nodiscard]] const ShownCounts& counts() const override { return counts_; }
   [[nodiscard]] const std::vector<SceneLabel>& labels() const override { return labels_; }
   [[nodiscard]] std::uint64_t drawn() const override { return drawn_; }
-  [[nodiscard]] std::optional<ObjectId> pick(double x, double y) const override;
-  [[nodiscard]] std::optional<SceneLabel> place_of(ObjectId object) const override;
+  [[nodiscard]] Selection pick(double x, double y, bool node_wanted) const override;
+  [[nodiscard]] std::optional<SceneLabel> place_of(const Selection& selection) const override;
   void turn(double dx, double dy) override { orbit_.turn(dx, dy, width_, height_); }
   void move(double dx, double dy) override { orbit_.move(dx, dy, width_, height_); }
   void zoom(double clicks, double x, double y) override { orbit_.zoom(clicks, x, y, width_, height_); }
@@ -67,6 +67,7 @@ class SceneViewOf final : public SceneView {
   void draw_candidate(const DrawContext<D>& frame, std::size_t candidate, Batch& batch);
   void add_label(const Eigen::Vector3d& point, std::string text);
   [[nodiscard]] std::optional<Box<D>> box_of(const Selection& selection) const;
+  [[nodiscard]] Eigen::Vector3d middle_of(NodeId node) const;
 
   const GlFunctions& gl_;
   RunOf<D>& run_;
@@ -89,6 +90,7 @@ class SceneViewOf final : public SceneView {
   std::vector<Body<D>> bodies_;  ///< those that are not shown are absent
   Skeleton<D> skeleton_;
   Visibility visible_;
+  std::vector<NodeId> partitioners_;  ///< those that were drawn
   NodeTints tints_;
   std::optional<std::pair<Position, Tint>> tinted_;  ///< of which `tints_` are
   std::vector<Color> colors_;

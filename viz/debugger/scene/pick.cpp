@@ -1,0 +1,118 @@
+#include "viz/debugger/scene/pick.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "viz/draw/draw_context.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kNearLine = 5;  // pixels
+constexpr double kBehindAll = 1e30;
+constexpr double kFar = std::numeric_limits<double>::max();
+
+double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  const Eigen::Vector2d way = b - a;
+  const double length = way.squaredNorm();
+  const double share = length > 0 ? std::clamp((p - a).dot(way) / length, 0.0, 1.0) : 0.0;
+  return (p - a - share * way).norm();
+}
+
+/// Pixels from a point of the picture to the outline of a polygon, or to a segment.
+double distance_to_outline(const View& view, const Polygon& polygon, const Eigen::Vector2d& pixel) {
+  double nearest = kFar;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const auto a = view.project(polygon[k]);
+    const auto b = view.project(polygon[(k + 1) % polygon.size()]);
+    if (a && b) nearest = std::min(nearest, distance_to_segment(pixel, *a, *b));
+  }
+  return nearest;
+}
+
+/// The partitioner with a line there; of those that are equally near the higher one, which is drawn thicker.
+template <int D>
+std::optional<NodeId> line_at(const PickableTree<D>& tree, const View& view, const Eigen::Vector2d& pixel) {
+  std::optional<NodeId> best;
+  double nearest = kNearLine;
+  for (const NodeId id : tree.partitioners) {
+    const auto& joint = tree.skeleton[id];
+    const Polygon polygon = partitioner_in_cell(tree.skeleton, id, joint.plane, tree.bounds);
+    const double distance = distance_to_outline(view, polygon, pixel);
+    constexpr double kSame = 0.5;  // of two lines in one place
+    const bool higher = best && joint.depth < tree.skeleton[*best].depth;
+    if (distance >= nearest + (higher ? kSame : best ? -kSame : 0)) continue;
+    nearest = distance;
+    best = id;
+  }
+  return best;
+}
+
+template <int D>
+std::vector<HalfSpace> sides_of(const PickableTree<D>& tree, NodeId id) {
+  std::vector<HalfSpace> sides = half_spaces(tree.bounds);
+  const auto cell = tree.skeleton.cell_sides(id);
+  sides.insert(sides.end(), cell.begin(), cell.end());
+  return sides;
+}
+
+/// How many times `way` it is to the partitioner within its cell.
+template <int D>
+std::optional<double> distance_to_pane(const PickableTree<D>& tree, NodeId id, const Ray& ray) {
+  const HalfSpace plane = half_space(tree.skeleton[id].plane, false);
+  const double speed = plane.normal.dot(ray.way);
+  if (std::abs(speed) < 1e-300) return std::nullopt;
+  const double there = (plane.offset - plane.normal.dot(ray.start)) / speed;
+  const Ray point{ray.start + there * ray.way, Eigen::Vector3d::Zero()};
+  return there > 0 && distance_to(point, sides_of(tree, id)) ? std::optional(there) : std::nullopt;
+}
+
+}  // namespace
+
+template <int D>
+std::optional<ObjectId> pick_object(const Ray& ray, std::span<const Body<D>> bodies) {
+  std::optional<ObjectId> best;
+  double nearest = kFar;
+  for (std::uint32_t id = 0; id < bodies.size(); ++id) {
+    if (!is_drawable(bodies[id])) continue;
+    const Box<D>& box = bodies[id].box;
+    const auto hit = distance_to(ray, box);
+    if (!hit) continue;
+    double rank = D == 3 ? *hit : double{box.extent()[0]} * double{box.extent()[1]};
+    if (bodies[id].mobility == Mobility::fixed) rank += kBehindAll;  // ground and walls are seen through
+    if (rank >= nearest) continue;
+    nearest = rank;
+    best = ObjectId{id};
+  }
+  return best;
+}
+
+template <int D>
+std::optional<NodeId> pick_node(const PickableTree<D>& tree, const View& view, double x, double y) {
+  if (const auto line = line_at(tree, view, {x, y})) return line;
+  const Ray ray = ray_through(view, x, y);
+  std::optional<NodeId> best;
+  double nearest = kFar;
+  const auto take = [&](NodeId id, const std::optional<double>& distance) {
+    if (!distance || *distance >= nearest) return;
+    nearest = *distance;
+    best = id;
+  };
+  if constexpr (D == 3)
+    for (const NodeId id : tree.partitioners) take(id, distance_to_pane(tree, id, ray));
+  for (std::uint32_t k = 0; k < tree.is_seen.size(); ++k) {
+    const NodeId id{k};
+    const auto& joint = tree.skeleton[id];
+    if (tree.is_seen[k] == 0 || !joint.is_leaf() || (D == 3 && joint.population == 0)) continue;
+    take(id, distance_to(ray, sides_of(tree, id)));
+  }
+  return best;
+}
+
+template std::optional<ObjectId> pick_object<2>(const Ray&, std::span<const Body<2>>);
+template std::optional<ObjectId> pick_object<3>(const Ray&, std::span<const Body<3>>);
+template std::optional<NodeId> pick_node<2>(const PickableTree<2>&, const View&, double, double);
+template std::optional<NodeId> pick_node<3>(const PickableTree<3>&, const View&, double, double);
+
+}  // namespace kerf
