@@ -1,6 +1,7 @@
 #include "core/query/search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -14,6 +15,11 @@ std::vector<Pair> sorted(std::span<const Pair> pairs) {
   for (const Pair& pair : pairs) result.push_back(make_pair(pair.a, pair.b));
   std::ranges::sort(result);
   return result;
+}
+
+bool is_change(std::optional<double> before, double now, Change change) {
+  if (change == Change::becomes_true) return now != 0 && (!before || *before == 0);
+  return before && *before != now;
 }
 
 }  // namespace
@@ -39,6 +45,72 @@ std::optional<Position> Search<D>::backward(const Expression& expression, const 
   for (std::uint32_t step = std::min(from.step, recording_->steps()); step > 0; --step) {
     if (progress && !progress(step)) return std::nullopt;
     if (const auto found = in_step(expression, step, range)) return found;
+  }
+  return std::nullopt;
+}
+
+template <int D>
+std::optional<Position> Search<D>::forward_change(const Expression& expression, const Position& from,
+                                                  Change change, const Progress& progress) {
+  std::optional<double> before = last_value(expression, from);
+  for (std::uint32_t step = std::max(from.step, 1U); step <= recording_->steps(); ++step) {
+    if (progress && !progress(step)) return std::nullopt;
+    for (const ValueAt& now : values_in(expression, step)) {
+      if (now.position <= from) continue;
+      if (is_change(before, now.value, change)) return now.position;
+      before = now.value;
+    }
+  }
+  return std::nullopt;
+}
+
+template <int D>
+std::optional<Position> Search<D>::backward_change(const Expression& expression, const Position& from,
+                                                   Change change, const Progress& progress) {
+  std::optional<ValueAt> later;  // whether it is a change is known when what comes before it is
+  for (std::uint32_t step = std::min(from.step, recording_->steps()); step > 0; --step) {
+    if (progress && !progress(step)) return std::nullopt;
+    const std::vector<ValueAt> values = values_in(expression, step);
+    for (auto now = values.rbegin(); now != values.rend(); ++now) {
+      if (later && is_change(now->value, later->value, change)) return later->position;
+      if (now->position < from) later = *now;
+    }
+  }
+  return later && is_change(std::nullopt, later->value, change) ? std::optional(later->position)
+                                                                : std::nullopt;
+}
+
+/// Those of a step's moments at which there is a value.
+template <int D>
+auto Search<D>::values_in(const Expression& expression, std::uint32_t step) -> std::vector<ValueAt> {
+  std::vector<ValueAt> values;
+  const auto add = [&](const Position& at, double x) {
+    if (!std::isnan(x)) values.push_back({at, x});
+  };
+  if (!expression.asks_events()) {
+    add(Position::end_of(step), value(expression, Position::end_of(step)));
+    return values;
+  }
+  const auto ask = [&](const Event& event, const Bsp<D, Watch>* tree) {
+    const RecordedMoment<D> moment(*recording_, step, &event, tree, nullptr, medians_);
+    add({step, event.id}, kerf::value(expression, moment));
+  };
+  if (!needs_replay(expression)) {
+    for (const Event& event : recording_->step(step).events) ask(event, nullptr);
+    return values;
+  }
+  if (!replayer_) replayer_ = std::make_unique<Replayer<D>>(recording_);
+  replayer_->seek(step - 1);
+  replayer_->advance([&](const Event& event) { ask(event, &replayer_->tree()); });
+  return values;
+}
+
+template <int D>
+std::optional<double> Search<D>::last_value(const Expression& expression, const Position& up_to) {
+  for (std::uint32_t step = std::min(up_to.step, recording_->steps()); step > 0; --step) {
+    const std::vector<ValueAt> values = values_in(expression, step);
+    for (auto now = values.rbegin(); now != values.rend(); ++now)
+      if (now->position <= up_to) return now->value;
   }
   return std::nullopt;
 }

@@ -10,6 +10,10 @@
 
 namespace kerf {
 
+/// What of a value's change is looked for. What does not exist at a moment, such as the depth of no node, is
+/// no change; nor is the first value of all, unless it is true.
+enum class Change : std::uint8_t { any, becomes_true };
+
 /// Finds the moments of a recorded run at which an expression holds: after events if it speaks of events,
 /// else at the ends of steps. What was recorded is asked first; the run is replayed only where that is not
 /// enough.
@@ -30,6 +34,12 @@ class Search {
   std::optional<Position> backward(const Expression& expression, const Position& from,
                                    const Progress& progress = {});
 
+  /// The same for moments at which the value is another one than at the moment before.
+  std::optional<Position> forward_change(const Expression& expression, const Position& from, Change change,
+                                         const Progress& progress = {});
+  std::optional<Position> backward_change(const Expression& expression, const Position& from, Change change,
+                                          const Progress& progress = {});
+
   /// The value of an expression right after an event or at the end of a step; NaN for what does not exist
   /// there, and for everything before the first step.
   double value(const Expression& expression, const Position& at);
@@ -41,6 +51,13 @@ class Search {
     Position before;
     bool wants_last = false;
   };
+
+  struct ValueAt {
+    Position position;
+    double value = 0;
+  };
+  std::vector<ValueAt> values_in(const Expression& expression, std::uint32_t step);
+  std::optional<double> last_value(const Expression& expression, const Position& up_to);
 
   [[nodiscard]] bool needs_replay(const Expression& expression) const;
   std::optional<Position> in_step(const Expression& expression, std::uint32_t step, const Range& range);

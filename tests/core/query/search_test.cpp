@@ -143,6 +143,38 @@ TYPED_TEST(SearchTest, ObjectsThatMoveAndPhasesThatBegin) {
   EXPECT_FALSE(this->find_all("kind==refused || kind==deferred").empty());
 }
 
+/// By the definition: from the values at all moments.
+TYPED_TEST(SearchTest, ValuesThatChangeAreFoundAtTheSameMomentsBothWays) {
+  constexpr int kD = TypeParam::value;
+  for (const char* const text : {"height", "deferred>1", "depth", "population", "pair(1,2)", "missed"}) {
+    for (const Change change : {Change::any, Change::becomes_true}) {
+      SCOPED_TRACE(text);
+      const Expression expression = Expression::parse_value(text);
+      Search<kD> search(this->recording_);
+      std::vector<Position> expected;
+      std::optional<double> before;
+      (void)this->walk(
+          expression.asks_events() ? Granularity::event : Granularity::step, [&](const Cursor<kD>& at) {
+            const double now = search.value(expression, at.position());
+            if (std::isnan(now) || (expression.asks_events() && at.position().is_end())) return false;
+            const bool was = before && *before != 0;
+            const bool changes = change == Change::any ? before && *before != now : now != 0 && !was;
+            if (changes) expected.push_back(at.position());
+            before = now;
+            return false;
+          });
+      std::vector<Position> found;
+      Position at;
+      while (const auto next = search.forward_change(expression, at, change)) found.push_back(at = *next);
+      EXPECT_EQ(found, expected);
+      found.clear();
+      at = Position::end_of(61);
+      while (const auto next = search.backward_change(expression, at, change)) found.push_back(at = *next);
+      EXPECT_EQ(found, std::vector<Position>(expected.rbegin(), expected.rend()));
+    }
+  }
+}
+
 TYPED_TEST(SearchTest, CanBeStopped) {
   Search<TypeParam::value> search(this->recording_);
   std::uint32_t asked = 0;

@@ -136,6 +136,33 @@ TYPED_TEST(DebuggerModelTest, WatchesFollowTheMoment) {
   }
 }
 
+TYPED_TEST(DebuggerModelTest, AWatchStopsTheRunWhereItsValueChangesBothWays) {
+  DebuggerModel& model = this->model();
+  model.add_watch("height");
+  model.add_breakpoint("step==59");
+  model.stop_at_watch(0, Change::any);
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t step = 2; step < 59; ++step)
+    if (model.run().rows()[step - 1].statistics.height != model.run().rows()[step - 2].statistics.height)
+      expected.push_back(step);
+  ASSERT_GT(expected.size(), 2U);
+  for (const std::uint32_t step : expected) {
+    model.run_to_breakpoint(true);
+    ASSERT_EQ(model.run().position(), Position::end_of(step)) << model.message;
+    EXPECT_EQ(model.message, "stopped at step " + std::to_string(step) + ": height has changed");
+  }
+  EXPECT_EQ(model.watches()[0].hits, expected.size());
+  model.run_to_breakpoint(true);
+  EXPECT_EQ(model.run().position(), Position::end_of(59)) << "the breakpoint is nearer";
+  for (; !expected.empty(); expected.pop_back()) {
+    model.run_to_breakpoint(false);
+    ASSERT_EQ(model.run().position(), Position::end_of(expected.back())) << model.message;
+  }
+  model.stop_at_watch(0, std::nullopt);
+  model.run_to_breakpoint(true);
+  EXPECT_EQ(model.run().position(), Position::end_of(59)) << "it is only watched again";
+}
+
 TYPED_TEST(DebuggerModelTest, OneSelectionAndWhatIsHidden) {
   DebuggerModel& model = this->model();
   model.select_object(ObjectId{5}, false);

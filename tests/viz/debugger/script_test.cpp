@@ -148,6 +148,16 @@ click watch
 type "100*2/8"
 key Enter
 expect watch0 == 25
+click "remove watch 0"
+click watch
+type height
+key Enter
+key Escape
+key Home
+click "watch stop 0"
+key F5
+expect watch_hits0 == 1
+expect message ~ "height has changed"
 )"),
             "");
 }

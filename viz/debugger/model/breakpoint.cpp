@@ -1,25 +1,61 @@
 #include "viz/debugger/model/breakpoint.h"
 
 namespace kerf {
+namespace {
 
-std::optional<Stop> next_stop(Run& run, const std::vector<Breakpoint>& breakpoints, bool forwards,
-                              const Run::Progress& progress) {
-  std::optional<Stop> nearest;
-  for (std::size_t k = 0; k < breakpoints.size(); ++k) {
-    if (!breakpoints[k].enabled) continue;
-    bool stopped = false;
+/// Keeps the nearest of several moments.
+class Nearest {
+ public:
+  Nearest(const Position& from, bool forwards, const Run::Progress& progress)
+      : from_(from), forwards_(forwards), progress_(progress) {}
+
+  /// `search(from, progress)` finds a moment that is `stop`.
+  template <class Search>
+  void add(Stop stop, Search search) {
+    if (ended_) return;
     // What lies beyond the nearest so far is of no interest.
     const auto in_reach = [&](std::uint32_t step) {
-      if (nearest && (forwards ? step > nearest->position.step : step < nearest->position.step)) return false;
-      stopped = progress && !progress(step);
-      return !stopped;
+      if (nearest_ && (forwards_ ? step > nearest_->position.step : step < nearest_->position.step))
+        return false;
+      ended_ = progress_ && !progress_(step);
+      return !ended_;
     };
-    const auto found = run.search(breakpoints[k].condition, run.position(), forwards, in_reach);
-    if (stopped) return std::nullopt;
-    if (found && (!nearest || (forwards ? *found < nearest->position : nearest->position < *found)))
-      nearest = Stop{*found, k};
+    const std::optional<Position> found = search(from_, in_reach);
+    if (!found || (nearest_ && (forwards_ ? *found >= nearest_->position : *found <= nearest_->position)))
+      return;
+    stop.position = *found;
+    nearest_ = stop;
   }
-  return nearest;
+  /// None if the search was ended.
+  [[nodiscard]] std::optional<Stop> result() const { return ended_ ? std::nullopt : nearest_; }
+
+ private:
+  Position from_;
+  bool forwards_;
+  const Run::Progress& progress_;
+  std::optional<Stop> nearest_;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+std::optional<Stop> next_stop(Run& run, const std::vector<Breakpoint>& breakpoints,
+                              const std::vector<WatchedValue>& watches, bool forwards,
+                              const Run::Progress& progress) {
+  Nearest nearest(run.position(), forwards, progress);
+  for (std::size_t k = 0; k < breakpoints.size(); ++k) {
+    if (!breakpoints[k].enabled) continue;
+    nearest.add({{}, k, std::nullopt}, [&](const Position& from, const Run::Progress& in_reach) {
+      return run.search(breakpoints[k].condition, from, forwards, in_reach);
+    });
+  }
+  for (std::size_t k = 0; k < watches.size(); ++k) {
+    if (!watches[k].stop) continue;
+    nearest.add({{}, std::nullopt, k}, [&](const Position& from, const Run::Progress& in_reach) {
+      return run.search_change(watches[k].expression, from, *watches[k].stop, forwards, in_reach);
+    });
+  }
+  return nearest.result();
 }
 
 }  // namespace kerf

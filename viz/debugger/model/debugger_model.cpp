@@ -72,16 +72,28 @@ void DebuggerModel::step(Granularity wanted, bool forwards) {
 }
 
 void DebuggerModel::run_to_breakpoint(bool forwards) {
-  if (std::ranges::none_of(breakpoints, &Breakpoint::enabled))
+  const auto stops = [](const WatchedValue& watch) { return watch.stop.has_value(); };
+  if (std::ranges::none_of(breakpoints, &Breakpoint::enabled) && std::ranges::none_of(watches_, stops))
     return say("there is no breakpoint to run to: add one on the left, or press F9 at an event");
   bool ended = false;
-  const auto stop = next_stop(*run_, breakpoints, forwards, noticing(ended));
+  const auto stop = next_stop(*run_, breakpoints, watches_, forwards, noticing(ended));
   if (ended) return say("ended before a breakpoint was found");
   if (!stop) return say(forwards ? "no breakpoint holds further on" : "no breakpoint holds further back");
-  Breakpoint& breakpoint = breakpoints[stop->breakpoint];
-  ++breakpoint.hits;
   go(stop->position);
-  say("stopped at " + to_string(stop->position) + ": " + breakpoint.condition.text());
+  say("stopped at " + to_string(stop->position) + ": " + count_hit(*stop));
+}
+
+/// Says what has stopped the run.
+std::string DebuggerModel::count_hit(const Stop& stop) {
+  if (stop.breakpoint) {
+    Breakpoint& breakpoint = breakpoints[*stop.breakpoint];
+    ++breakpoint.hits;
+    return breakpoint.condition.text();
+  }
+  WatchedValue& watch = watches_[*stop.watch];
+  ++watch.hits;
+  const bool becomes_true = watch.stop == Change::becomes_true;
+  return watch.expression.text() + (becomes_true ? " is true now" : " has changed");
 }
 
 /// `on_long_work`, with a note of whether it has ended the work.
@@ -172,6 +184,8 @@ void DebuggerModel::add_watch(const std::string& expression) {
   watch.value = run_->value(watch.expression);
   watches_.push_back(std::move(watch));
 }
+
+void DebuggerModel::stop_at_watch(std::size_t k, std::optional<Change> change) { watches_[k].stop = change; }
 
 void DebuggerModel::remove_breakpoint(std::size_t k) {
   breakpoints.erase(breakpoints.begin() + static_cast<std::ptrdiff_t>(k));

@@ -51,7 +51,8 @@ class DebuggerModel {
   void go(const Position& position);
   void go_to_event(std::uint64_t event);
   void step(Granularity wanted, bool forwards);
-  /// To the next moment, either way, at which a breakpoint holds; says so if there is none.
+  /// To the next moment, either way, at which a breakpoint holds or a watched value changes as it should;
+  /// says so if there is none.
   void run_to_breakpoint(bool forwards);
   /// Plays on by so many seconds, if it plays.
   void pass_time(double seconds);
@@ -85,6 +86,8 @@ class DebuggerModel {
   void add_watch(const std::string& expression);
   void remove_breakpoint(std::size_t k);
   void remove_watch(std::size_t k);
+  /// The run stops when the watched value changes so; none: it does not.
+  void stop_at_watch(std::size_t k, std::optional<Change> change);
   /// One at the event that has just happened, or none if there is one.
   void toggle_breakpoint_here();
   std::vector<Breakpoint> breakpoints;
@@ -128,6 +131,7 @@ class DebuggerModel {
   bool message_is_error = false;
 
  private:
+  std::string count_hit(const Stop& stop);
   [[nodiscard]] Run::Progress noticing(bool& ended) const;
   void moved();
   void add_life_ribbons(NodeId node);

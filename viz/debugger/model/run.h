@@ -12,6 +12,7 @@
 #include "core/query/expression.h"
 #include "core/query/history.h"
 #include "core/query/node_lives.h"
+#include "core/query/search.h"
 #include "core/query/thrash.h"
 #include "core/recording/recording_info.h"
 #include "core/replay/oracle.h"
@@ -131,6 +132,10 @@ class Run {
   /// each step, has returned false.
   [[nodiscard]] virtual std::optional<Position> search(const Expression& condition, const Position& from,
                                                        bool forwards, const Progress& progress) = 0;
+  /// The same for moments at which its value changes.
+  [[nodiscard]] virtual std::optional<Position> search_change(const Expression& expression,
+                                                              const Position& from, Change change,
+                                                              bool forwards, const Progress& progress) = 0;
   /// The value of an expression at this moment; NaN for what does not exist.
   [[nodiscard]] virtual double value(const Expression& expression) = 0;
 };

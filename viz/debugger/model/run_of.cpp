@@ -272,6 +272,13 @@ std::optional<Position> RunOf<D>::search(const Expression& condition, const Posi
 }
 
 template <int D>
+std::optional<Position> RunOf<D>::search_change(const Expression& expression, const Position& from,
+                                                Change change, bool forwards, const Progress& progress) {
+  return forwards ? search_.forward_change(expression, from, change, progress)
+                  : search_.backward_change(expression, from, change, progress);
+}
+
+template <int D>
 double RunOf<D>::value(const Expression& expression) {
   return search_.value(expression, position());
 }

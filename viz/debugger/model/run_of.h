@@ -55,6 +55,9 @@ class RunOf final : public Run {
   [[nodiscard]] std::uint64_t judged_pairs() override;
   [[nodiscard]] std::optional<Position> search(const Expression& condition, const Position& from,
                                                bool forwards, const Progress& progress) override;
+  [[nodiscard]] std::optional<Position> search_change(const Expression& expression, const Position& from,
+                                                      Change change, bool forwards,
+                                                      const Progress& progress) override;
   [[nodiscard]] double value(const Expression& expression) override;
 
   /// The tree and all that belongs to it, for the view.

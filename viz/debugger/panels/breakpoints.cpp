@@ -44,16 +44,35 @@ void draw_breakpoint(PanelContext& context, std::size_t k) {
   if (removed) context.model.remove_breakpoint(k);
 }
 
+const char* stop_word(const std::optional<Change>& stop) {
+  if (!stop) return "go on";
+  return stop == Change::any ? "stop at change" : "stop if true";
+}
+
+std::optional<Change> next_choice(const std::optional<Change>& stop) {
+  if (!stop) return Change::any;
+  return stop == Change::any ? std::optional(Change::becomes_true) : std::nullopt;
+}
+
 void draw_watch(PanelContext& context, std::size_t k) {
   const WatchedValue& watch = context.model.watches()[k];
   ImGui::PushID(1000 + static_cast<int>(k));
   const bool removed = ImGui::SmallButton("x");
   context.gui.name_last_item("remove watch " + std::to_string(k));
   ImGui::SameLine();
+  const bool pressed = ImGui::SmallButton(stop_word(watch.stop));
+  context.gui.name_last_item("watch stop " + std::to_string(k));
+  widgets::hint("press: stop when it changes, when it becomes true, or not at all");
+  if (pressed) context.model.stop_at_watch(k, next_choice(watch.stop));
+  ImGui::SameLine();
   ImGui::Text("%s =", watch.expression.text().c_str());
   ImGui::SameLine();
   const std::string text = std::isnan(watch.value) ? "-" : number_text(watch.value);
   ImGui::TextColored(widgets::to_vector(palette::kPartitioner), "%s", text.c_str());
+  if (watch.hits > 0) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("%ux", watch.hits);
+  }
   ImGui::PopID();
   if (removed) context.model.remove_watch(k);
 }
@@ -72,7 +91,7 @@ void draw_breakpoints(PanelContext& context) {
   ImGui::TextUnformatted("Watch");
   if (widgets::text_field(context.gui, "watch", memory.watch, "redundancy", -1))
     try_adding(context, memory.watch, [&](const std::string& text) { model.add_watch(text); });
-  widgets::hint("any expression: its value at each moment");
+  widgets::hint("any expression: its value at each moment; the run can stop when it changes");
   for (std::size_t k = 0; k < model.watches().size(); ++k) draw_watch(context, k);
   if (memory.problem.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, widgets::to_vector(palette::kCandidate));
