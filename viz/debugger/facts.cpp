@@ -35,11 +35,13 @@ void add_other(Facts& facts, DebuggerModel& model) {
 }
 
 void add_view(Facts& facts, const SceneView& view) {
+  facts["labels"] = "";
   const ShownCounts& counts = view.counts();
   facts["drawn_objects"] = std::to_string(counts.objects);
   facts["all_objects"] = std::to_string(counts.all_objects);
   facts["drawn_partitioners"] = std::to_string(counts.partitioners);
   facts["drawn_pairs"] = std::to_string(counts.pairs);
+  for (const SceneLabel& label : view.labels()) facts["labels"] += label.text + "; ";
   facts["tint_end"] = number_text(counts.tint_end);
   facts["pictures"] = std::to_string(view.drawn());
 }
@@ -79,6 +81,9 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["problem"] = memory_.problem;
   facts["message"] = model_.message;
   facts["candidate"] = model_.hovered_candidate ? std::to_string(*model_.hovered_candidate) : "none";
+  const auto& ballot = model_.run().ballot();
+  const std::size_t shown = model_.hovered_candidate.value_or(ballot.size());
+  facts["candidate_plane"] = shown < ballot.size() ? ballot[shown].plane : "none";
   facts["candidates"] = std::to_string(model_.run().ballot().size());
   facts["panel_ms"] = number_text(1e3 * panel_seconds_);
   return facts;

@@ -175,6 +175,16 @@ expect explanation ~ "pair:"
 key Escape
 expect selection == nothing
 remember all drawn_objects
+double object:3
+key H
+wait 2
+expect hidden == 1
+expect drawn_objects < $all
+remember others drawn_objects
+key H
+wait 2
+expect drawn_objects == $all
+expect drawn_objects > $others
 click n0
 expect selection == n0
 key H
@@ -227,6 +237,14 @@ wait 2
 expect candidates > 1
 hover "candidate 1"
 expect candidate == 1
+wait 1
+remember plane candidate_plane
+expect labels ~ $plane
+hover "candidate 0"
+wait 1
+expect labels !~ $plane
+hover "candidate 1"
+wait 1
 screenshot ballot
 click "tab Algorithm"
 click "tab Oracle"

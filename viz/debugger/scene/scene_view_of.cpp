@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/query/text.h"
 #include "viz/debugger/scene/pick.h"
 #include "viz/debugger/scene/ray.h"
 #include "viz/draw/palette.h"
@@ -286,9 +287,11 @@ void SceneViewOf<D>::draw_candidate(const DrawContext<D>& frame, std::size_t can
   const auto node = run_.event_node();
   if (!node || candidate >= run_.ballot().size()) return;
   if (node->index() >= run_.state().tree.slots() || !run_.state().tree[*node].alive) return;
-  const Polygon plane = partitioner_in_cell(skeleton_, *node, run_.plane(candidate), box_);
-  add_polygon(batch, frame.view, plane, with_alpha(palette::kCandidate, 0.3));
-  add_outline(batch, frame.view, plane, {palette::kCandidate, 4 * frame.line_scale});
+  const Plane<D> plane = run_.plane(candidate);
+  const Polygon polygon = partitioner_in_cell(skeleton_, *node, plane, box_);
+  add_polygon(batch, frame.view, polygon, with_alpha(palette::kCandidate, 0.3));
+  add_outline(batch, frame.view, polygon, {palette::kCandidate, 4 * frame.line_scale});
+  if (!polygon.empty()) add_label(polygon[0], plane_text(plane));
 }
 
 template <int D>
