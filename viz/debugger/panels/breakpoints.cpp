@@ -44,9 +44,10 @@ void draw_breakpoint(PanelContext& context, std::size_t k) {
   if (removed) context.model.remove_breakpoint(k);
 }
 
+/// As short as can be: value and hits stand beside it.
 const char* stop_word(const std::optional<Change>& stop) {
-  if (!stop) return "go on";
-  return stop == Change::any ? "stop at change" : "stop if true";
+  if (!stop) return " - ";
+  return stop == Change::any ? "change" : "true";
 }
 
 std::optional<Change> next_choice(const std::optional<Change>& stop) {
@@ -62,7 +63,7 @@ void draw_watch(PanelContext& context, std::size_t k) {
   ImGui::SameLine();
   const bool pressed = ImGui::SmallButton(stop_word(watch.stop));
   context.gui.name_last_item("watch stop " + std::to_string(k));
-  widgets::hint("press: stop when it changes, when it becomes true, or not at all");
+  widgets::hint("press: stop when it changes, when it becomes true, or not at all (-)");
   if (pressed) context.model.stop_at_watch(k, next_choice(watch.stop));
   ImGui::SameLine();
   ImGui::Text("%s =", watch.expression.text().c_str());
