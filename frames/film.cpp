@@ -147,7 +147,7 @@ void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std
 
 std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config) {
   constexpr std::uint32_t kLeast = 16;
-  return std::bit_ceil(std::max(kLeast, 2 * split_threshold(objects, config)));
+  return std::bit_ceil(std::max(kLeast, 4 * split_threshold(objects, config)));
 }
 
 std::unique_ptr<Film> make_film(const RenderRequest& request) {
