@@ -7,6 +7,7 @@
 #include "core/replay/replayer.h"
 #include "frames/farm/frame_parcel.h"
 #include "frames/film.h"
+#include "frames/recording_file.h"
 #include "viz/draw/recorded_bodies.h"
 
 namespace kerf {
@@ -129,7 +130,7 @@ class RecordingFilm final : public Film {
   [[nodiscard]] Caption caption() const {
     const StepRow& row = recording_->row(replayer_.step());
     return {.scene = recording_->info().scene,
-            .broad_phase = "kerf",
+            .broad_phase = broad_phase_of(recording_->info()),
             .step = replayer_.step(),
             .objects = row.statistics.objects,
             .moving = count_moving(replayer_.tree().objects()),

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ranges>
 
 #include "viz/draw/overlay.h"
 #include "viz/draw/palette.h"
@@ -49,7 +48,8 @@ void draw_highlight_labels(const View& view, const Font& font, const Layout& lay
   const int pad = std::max(4, 3 * font.advance() / 4);
   std::vector<Viewport> taken;
   // The oldest chooses first, so that no label of a film makes way for a newer one.
-  for (const Highlight& highlight : std::views::reverse(highlights)) {
+  for (auto h = highlights.rbegin(); h != highlights.rend(); ++h) {
+    const Highlight& highlight = *h;
     if (!highlight.anchor) continue;
     const auto point = view.project(*highlight.anchor);
     if (!point) continue;
