@@ -1,6 +1,7 @@
 #include "frames/film.h"
 
 #include <algorithm>
+#include <bit>
 #include <exception>
 #include <iterator>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 
 #include "core/broad_phase/bsp.h"
 #include "core/recording/recorder.h"
+#include "core/tree/criteria.h"
 #include "frames/errors.h"
 #include "frames/farm/frame_parcel.h"
 #include "frames/recording_file.h"
@@ -37,8 +39,14 @@ class SceneFilm final : public Film {
         broad_phase_(watched_broad_phase(entry, request)),
         tree_(dynamic_cast<WatchedTree<D>*>(broad_phase_.get())),
         recorder_(make_recorder(tree_, request)),
-        scene_(entry.make(recorder_ ? static_cast<BroadPhase<D>&>(*recorder_) : *broad_phase_,
-                          request.options)) {}
+        scene_(
+            entry.make(recorder_ ? static_cast<BroadPhase<D>&>(*recorder_) : *broad_phase_, request.options)),
+        highlight_steps_(highlight_steps(request.steps.stride)) {
+    const auto fixed = static_cast<std::uint32_t>(scene_->bodies().size()) - count_moving(scene_->bodies());
+    const std::uint32_t moving =
+        request.options.objects == 0 ? entry.default_objects : request.options.objects;
+    planner_.fix_largest_population(end_of_ramp(fixed + moving, request.broad_phase.config));
+  }
 
   bool advance_to(std::uint32_t step, const GoOn& go_on) override {
     while (scene_->step() < step) {
@@ -49,12 +57,16 @@ class SceneFilm final : public Film {
   }
 
   std::vector<std::uint8_t> parcel() override {
+    // In the order of a tree lines that cross would change places whenever the tree does.
+    std::vector<Pair> pairs(scene_->pairs().begin(), scene_->pairs().end());
+    std::ranges::sort(pairs);
     const FrameInput<D> input{.bodies = scene_->bodies(),
                               .tree = tree_ == nullptr ? nullptr : &tree_->tree(),
-                              .pairs = scene_->pairs(),
+                              .pairs = pairs,
                               .contacts = scene_->contacts(),
                               .events = recent_,
-                              .caption = caption()};
+                              .caption = caption(),
+                              .highlight_steps = highlight_steps_};
     return pack(input, planner_.plan(input));
   }
 
@@ -92,8 +104,7 @@ class SceneFilm final : public Film {
     if (tree_ == nullptr) return;
     std::vector<Event> events = tree_->trace().take();
     events_since_record_ += events.size();
-    const std::uint32_t now = tree_->steps();
-    keep_recent_operators(events, now, recent_);
+    keep_recent_operators(events, tree_->steps(), highlight_steps_, recent_);
   }
 
   [[nodiscard]] Caption caption() const {
@@ -116,16 +127,27 @@ class SceneFilm final : public Film {
   WatchedTree<D>* tree_;                   ///< the same; null: it is no tree
   std::unique_ptr<Recorder<D>> recorder_;  ///< none unless asked for
   std::unique_ptr<Scene<D>> scene_;        ///< after the broad phase, which it uses to its end
-  std::vector<Event> recent_;              ///< operators of the last kHighlightSteps steps
+  std::uint32_t highlight_steps_;
+  std::vector<Event> recent_;  ///< operators of the last `highlight_steps_` steps
   std::uint64_t events_since_record_ = 0;
 };
 
 }  // namespace
 
-void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std::vector<Event>& recent) {
-  std::erase_if(recent, [&](const Event& event) { return event.step + kHighlightSteps < now; });
+std::uint32_t highlight_steps(std::uint32_t stride) {
+  return std::clamp<std::uint32_t>(stride, 1, 10) * kHighlightSteps;
+}
+
+void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std::uint32_t steps,
+                           std::vector<Event>& recent) {
+  std::erase_if(recent, [&](const Event& event) { return event.step + steps < now; });
   std::ranges::copy_if(events, std::back_inserter(recent),
                        [](const Event& event) { return std::holds_alternative<OperatorActed>(event.body); });
+}
+
+std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config) {
+  constexpr std::uint32_t kLeast = 16;
+  return std::bit_ceil(std::max(kLeast, 4 * split_threshold(objects, config)));
 }
 
 std::unique_ptr<Film> make_film(const RenderRequest& request) {

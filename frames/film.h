@@ -44,8 +44,18 @@ inline int samples_of_renderer(const RenderRequest& request) {
   return request.samples == kSupersampled ? 1 : request.samples;
 }
 
-/// Adds the operators of step `now` to those of the steps before that a frame still shows.
-void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std::vector<Event>& recent);
+/// For how many steps the frames of a film highlight an operator: for ten frames, or nobody could read what
+/// it is called, but at most a hundred steps.
+std::uint32_t highlight_steps(std::uint32_t stride);
+
+/// Adds the operators of step `now` to those of the last `steps` steps.
+void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std::uint32_t steps,
+                           std::vector<Event>& recent);
+
+/// Where the ramp of populations ends if there are so many objects at most: at four times the split
+/// threshold, for the paper's tree often leaves a crowded leaf as it is. So the colours of a film never
+/// change their scale.
+std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config);
 
 /// Objects of `bodies` that move.
 template <int D>

@@ -65,8 +65,10 @@ FilmDiffCommand::FilmDiffCommand(CLI::App& program)
       ->type_name("FILE");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier film and contact sheet");
   command_->footer(
-      "A is left, B in the middle; right of them A is shown pale, with what differs in red. Frames of equal\n"
-      "steps are compared. EXIT 0 the film is made, whether anything differs or not; 1, 2 failed, 130\n"
+      "A is left, B in the middle; right of them A is shown pale, with what differs in red: the more, the "
+      "redder.\n"
+      "Frames of equal steps are compared. EXIT 0 the film is made, whether anything differs or not; 1, 2 "
+      "failed, 130\n"
       "interrupted. `kerf diff` judges pictures.");
 }
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 
+#include "frames/progress_line.h"
 #include "frames/step_range.h"
 
 namespace kerf {
@@ -12,9 +13,6 @@ namespace kerf {
 class Progress {
  public:
   explicit Progress(const StepRange& steps);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
 
   /// `frames` are done and the simulation stands after `step`.
   void update(std::uint32_t frames, std::uint32_t step);
@@ -23,7 +21,7 @@ class Progress {
   using Clock = std::chrono::steady_clock;
 
   StepRange steps_;
-  bool shown_;
+  ProgressLine line_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_{};
 };

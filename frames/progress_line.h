@@ -16,9 +16,12 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const std::string& text) const {
-    if (shown_) std::fprintf(stderr, "\r\033[K%s", text.c_str());
+    if (!shown_) return;
+    std::fprintf(stderr, "\r\033[K%s", text.c_str());
+    std::fflush(stderr);
   }
   void clear() const { show(""); }
+  [[nodiscard]] bool is_shown() const { return shown_; }
 
  private:
   bool shown_ = isatty(STDERR_FILENO) == 1;

@@ -23,6 +23,10 @@ RecordingInfo recording_info(const RenderRequest& request) {
   return info;
 }
 
+std::string broad_phase_of(const RecordingInfo& info) {
+  return info.imported ? "kerf, of imported boxes" : "kerf";
+}
+
 void clear_recording_path(const std::filesystem::path& path, bool overwrite) {
   if (!std::filesystem::exists(path)) return;
   if (!overwrite)

@@ -13,6 +13,9 @@ namespace kerf {
 /// What a recording of this run is of.
 RecordingInfo recording_info(const RenderRequest& request);
 
+/// How captions call what found the pairs of a recording: our tree, in whatever engine the boxes moved.
+std::string broad_phase_of(const RecordingInfo& info);
+
 /// Makes room for a new recording. Throws UsageError if the name is taken, unless `overwrite` is given and a
 /// recording has it, which is then removed.
 void clear_recording_path(const std::filesystem::path& path, bool overwrite);

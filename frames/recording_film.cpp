@@ -1,27 +1,24 @@
 #include <algorithm>
-#include <bit>
 #include <iterator>
 #include <stdexcept>
 #include <string>
 #include <variant>
 
 #include "core/replay/replayer.h"
-#include "core/tree/criteria.h"
 #include "frames/farm/frame_parcel.h"
 #include "frames/film.h"
+#include "frames/recording_file.h"
 #include "viz/draw/recorded_bodies.h"
 
 namespace kerf {
 namespace {
-
-constexpr std::uint32_t kLeastRamp = 16;
 
 /// What all frames of a recording have in common, found without running its tree: so a frame looks the same
 /// whichever others are drawn before it, and nothing jumps in the film.
 template <int D>
 struct Setting {
   Box<D> view;
-  std::uint32_t largest_population = kLeastRamp;
+  std::uint32_t largest_population = 0;
   int samples = 4;
 };
 
@@ -40,8 +37,7 @@ Setting<D> find_setting(RecordingReader<D>& recording, const StepRange& steps) {
       view.update(std::span<const Body<D>>(recorded_bodies(table)));
   }
   setting.view = view.box();
-  setting.largest_population =
-      std::bit_ceil(std::max(kLeastRamp, 2 * split_threshold(objects, recording.info().config)));
+  setting.largest_population = end_of_ramp(objects, recording.info().config);
   if (objects >= kManyBodies) setting.samples = 1;
   return setting;
 }
@@ -54,7 +50,8 @@ class RecordingFilm final : public Film {
         replayer_(recording_, 0),
         setting_(find_setting(*recording_, request.steps)),
         planner_(request.layers, request.samples == 0 ? setting_.samples : samples_of_renderer(request)),
-        stride_(request.steps.stride) {
+        stride_(request.steps.stride),
+        highlight_steps_(highlight_steps(stride_)) {
     planner_.fix_view_box(setting_.view);
     planner_.fix_largest_population(setting_.largest_population);
   }
@@ -62,7 +59,7 @@ class RecordingFilm final : public Film {
   /// All steps are looked at of which a frame may still show operators, and at least those: so a frame looks
   /// the same wherever the replay came from.
   bool advance_to(std::uint32_t step, const GoOn& go_on) override {
-    const std::uint32_t first = step > kHighlightSteps ? step - kHighlightSteps : 1;
+    const std::uint32_t first = step > highlight_steps_ ? step - highlight_steps_ : 1;
     if (replayer_.step() + 1 < first) jump_to(first - 1);
     while (replayer_.step() < step) {
       replayer_.advance();
@@ -117,7 +114,7 @@ class RecordingFilm final : public Film {
 
   void take_events() {
     const std::uint32_t now = replayer_.step();
-    keep_recent_operators(recording_->step(now).events, now, recent_);
+    keep_recent_operators(recording_->step(now).events, now, highlight_steps_, recent_);
   }
 
   /// What a planner must know of any step.
@@ -125,6 +122,7 @@ class RecordingFilm final : public Film {
     FrameInput<D> input;
     input.tree = &replayer_.tree().tree();
     input.events = recent_;
+    input.highlight_steps = highlight_steps_;
     input.caption.step = replayer_.step();
     return input;
   }
@@ -132,7 +130,7 @@ class RecordingFilm final : public Film {
   [[nodiscard]] Caption caption() const {
     const StepRow& row = recording_->row(replayer_.step());
     return {.scene = recording_->info().scene,
-            .broad_phase = "kerf",
+            .broad_phase = broad_phase_of(recording_->info()),
             .step = replayer_.step(),
             .objects = row.statistics.objects,
             .moving = count_moving(replayer_.tree().objects()),
@@ -148,7 +146,8 @@ class RecordingFilm final : public Film {
   Setting<D> setting_;
   FramePlanner<D> planner_;
   std::uint32_t stride_;
-  std::vector<Event> recent_;  ///< operators of the last kHighlightSteps steps
+  std::uint32_t highlight_steps_;
+  std::vector<Event> recent_;  ///< operators of the last `highlight_steps_` steps
 };
 
 }  // namespace

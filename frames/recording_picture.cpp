@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "frames/recording_file.h"
 #include "viz/draw/frame_renderer.h"
 #include "viz/draw/recorded_bodies.h"
 #include "viz/image/png.h"
@@ -29,7 +30,7 @@ Caption caption_of(const Cursor<D>& cursor) {
   const ObjectTable<D>& objects = cursor.state().latest;
   Caption caption;
   caption.scene = recording.info().scene;
-  caption.broad_phase = "kerf";
+  caption.broad_phase = broad_phase_of(recording.info());
   caption.step = cursor.position().step;
   caption.objects = objects.size();
   caption.moving = count_moving(objects);

@@ -11,6 +11,7 @@
 #include "frames/errors.h"
 #include "frames/parse_config.h"
 #include "frames/parse_number.h"
+#include "frames/parse_whole.h"
 #include "frames/recording_file.h"
 #include "frames/suggest.h"
 #include "viz/draw/camera.h"
@@ -19,16 +20,6 @@
 
 namespace kerf {
 namespace {
-
-template <class Number>
-Number number_in(std::string_view option, const std::string& text, Number least, Number most) {
-  const auto number = parse_number<Number>(text);
-  if (!number || *number < least || *number > most) {
-    throw UsageError(std::string(option) + " '" + text + "' is not a whole number from " +
-                     std::to_string(least) + " to " + std::to_string(most));
-  }
-  return *number;
-}
 
 /// Runs a parser of another room, whose std::invalid_argument becomes an error of usage.
 template <class Parse>
@@ -133,7 +124,7 @@ void parse_pictures(const RenderTexts& texts, RenderRequest& request) {
       texts.out.empty() ? std::filesystem::path("out") / request.name : std::filesystem::path(texts.out);
   request.film = parse_film_request(texts.video, texts.fps, texts.contact_sheet, texts.overwrite);
   request.workers = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  if (!texts.workers.empty()) request.workers = number_in("--workers", texts.workers, 0, kMaxWorkers);
+  if (!texts.workers.empty()) request.workers = parse_whole("--workers", texts.workers, 0, kMaxWorkers);
   request.ids = texts.ids;
   if (texts.ids && request.samples == kSupersampled)
     throw UsageError(
@@ -196,13 +187,13 @@ RenderRequest parse_request(const RenderTexts& texts) {
   request.name = request.scene.name;
   if (!texts.steps.empty()) request.steps = parse_steps(texts.steps);
   if (!texts.objects.empty()) {
-    request.options.objects = number_in("--objects", texts.objects, 1U, kMaxRequestedObjects);
+    request.options.objects = parse_whole("--objects", texts.objects, 1U, kMaxRequestedObjects);
   }
-  if (!texts.grow.empty()) request.options.steps = number_in("--grow", texts.grow, 1U, kMaxStep);
+  if (!texts.grow.empty()) request.options.steps = parse_whole("--grow", texts.grow, 1U, kMaxStep);
   check_growth(request.scene, texts);
-  if (!texts.recycle.empty()) request.options.recycle = number_in("--recycle", texts.recycle, 1U, kMaxStep);
+  if (!texts.recycle.empty()) request.options.recycle = parse_whole("--recycle", texts.recycle, 1U, kMaxStep);
   if (!texts.seed.empty()) {
-    request.options.seed = number_in<std::uint64_t>("--seed", texts.seed, 0, UINT64_MAX);
+    request.options.seed = parse_whole<std::uint64_t>("--seed", texts.seed, 0, UINT64_MAX);
   }
   parse_pictures(texts, request);
   request.broad_phase = parse_broad_phase(request.scene, texts);

@@ -16,7 +16,7 @@
 #include "frames/bench_frames/timed_process.h"
 #include "frames/errors.h"
 #include "frames/interrupt.h"
-#include "frames/parse_number.h"
+#include "frames/parse_whole.h"
 #include "frames/progress_line.h"
 
 namespace kerf {
@@ -26,15 +26,6 @@ using Json = nlohmann::ordered_json;
 
 /// The first frames pay for starting up; they are measured alone and taken off.
 constexpr std::uint32_t kWarmUp = 4;
-
-template <class Number>
-Number parse_in(const char* option, const std::string& text, Number least, Number most) {
-  const auto number = parse_number<Number>(text);
-  if (!number || *number < least || *number > most)
-    throw UsageError(std::string(option) + " '" + text + "' is not a whole number from " +
-                     std::to_string(least) + " to " + std::to_string(most));
-  return *number;
-}
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts;
@@ -124,10 +115,11 @@ void BenchFramesCommand::run() const {
   std::vector<PictureSize> sizes;
   for (const std::string& size : split(sizes_)) sizes.push_back(parse_picture_size(size));
   std::vector<std::uint32_t> boxes;
-  for (const std::string& count : split(boxes_)) boxes.push_back(parse_in("--boxes", count, 1U, 1'000'000U));
+  for (const std::string& count : split(boxes_))
+    boxes.push_back(parse_whole("--boxes", count, 1U, 1'000'000U));
   FrameLoop loop;
   loop.workers = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  if (!workers_.empty()) loop.workers = parse_in("--workers", workers_, 1, 256);
+  if (!workers_.empty()) loop.workers = parse_whole("--workers", workers_, 1, 256);
   const InterruptGuard interrupt;
   const std::filesystem::path parent =
       out_.empty() ? std::filesystem::temp_directory_path() : std::filesystem::path(out_);
@@ -143,7 +135,7 @@ void BenchFramesCommand::run() const {
         if (interrupt.requested()) throw Interrupted("interrupted");
         loop.size = size;
         loop.boxes = count;
-        loop.frames = frames_.empty() ? frames_for(count) : parse_in("--frames", frames_, 1U, 100'000U);
+        loop.frames = frames_.empty() ? frames_for(count) : parse_whole("--frames", frames_, 1U, 100'000U);
         const Row row = measure(loop);
         progress.clear();
         print(row);

@@ -12,21 +12,13 @@
 #include "frames/experiment/experiment_page.h"
 #include "frames/experiment/experiment_plots.h"
 #include "frames/interrupt.h"
-#include "frames/parse_number.h"
+#include "frames/parse_whole.h"
 #include "frames/progress_line.h"
 
 namespace kerf {
 namespace {
 
 constexpr ExperimentSize kFullSize{.steps = 6000, .objects = 4250};
-
-std::uint32_t number_from(const char* option, const std::string& text, std::uint32_t least,
-                          std::uint32_t most) {
-  const auto number = parse_number<std::uint32_t>(text);
-  if (number && *number >= least && *number <= most) return *number;
-  throw UsageError(std::string(option) + " '" + text + "' is not a whole number from " +
-                   std::to_string(least) + " to " + std::to_string(most));
-}
 
 /// Runs the simulations of which there is no file yet.
 class Experiment {
@@ -117,9 +109,9 @@ void ExperimentCommand::run() const {
   if (full_ && !(steps_.empty() && objects_.empty()))
     throw UsageError("--full says the steps and objects already; leave out --steps and --objects");
   ExperimentSize size = full_ ? kFullSize : ExperimentSize{};
-  if (!steps_.empty()) size.steps = number_from("--steps", steps_, 50, 1'000'000);
-  if (!objects_.empty()) size.objects = number_from("--objects", objects_, 50, 100'000);
-  if (!seed_.empty()) size.seed = number_from("--seed", seed_, 0, UINT32_MAX);
+  if (!steps_.empty()) size.steps = parse_whole<std::uint32_t>("--steps", steps_, 50, 1'000'000);
+  if (!objects_.empty()) size.objects = parse_whole<std::uint32_t>("--objects", objects_, 50, 100'000);
+  if (!seed_.empty()) size.seed = parse_whole<std::uint32_t>("--seed", seed_, 0, UINT32_MAX);
   const std::filesystem::path folder = out_.empty() ? "out/experiment" : out_;
   Experiment experiment(folder, size);
   experiment.run();

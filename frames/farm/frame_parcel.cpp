@@ -141,10 +141,12 @@ void write(RawWriter& out, const Highlight& highlight) {
   out.put(highlight.event);
   out.put(highlight.acted);
   out.put(highlight.age);
+  out.put(highlight.lifetime);
   out.put(highlight.faces.size());
   for (const Polygon& face : highlight.faces) write(out, face);
   write(out, highlight.partitioner);
   write(out, highlight.old_partitioner);
+  write(out, highlight.anchor ? Polygon{*highlight.anchor} : Polygon());
 }
 
 Highlight read_highlight(RawReader& in) {
@@ -152,10 +154,12 @@ Highlight read_highlight(RawReader& in) {
   highlight.event = in.get<std::uint64_t>();
   highlight.acted = in.get<OperatorActed>();
   highlight.age = in.get<std::uint32_t>();
+  highlight.lifetime = in.get<std::uint32_t>();
   highlight.faces.resize(in.get<std::size_t>());
   for (Polygon& face : highlight.faces) face = read_polygon(in);
   highlight.partitioner = read_polygon(in);
   highlight.old_partitioner = read_polygon(in);
+  for (const Eigen::Vector3d& p : read_polygon(in)) highlight.anchor = p;
   return highlight;
 }
 
@@ -169,6 +173,7 @@ void write(RawWriter& out, const FramePlan<D>& plan) {
   out.put(plan.highlights.size());
   for (const Highlight& highlight : plan.highlights) write(out, highlight);
   out.put(plan.largest_population);
+  out.put(plan.ramp_is_fixed);
   out.put(plan.samples);
 }
 
@@ -183,6 +188,7 @@ FramePlan<D> read_plan(RawReader& in) {
   plan.highlights.resize(in.get<std::size_t>());
   for (Highlight& highlight : plan.highlights) highlight = read_highlight(in);
   plan.largest_population = in.get<std::uint32_t>();
+  plan.ramp_is_fixed = in.get<bool>();
   plan.samples = in.get<int>();
   return plan;
 }

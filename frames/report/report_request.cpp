@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "frames/errors.h"
-#include "frames/parse_number.h"
+#include "frames/parse_whole.h"
 #include "frames/suggest.h"
 
 namespace kerf {
@@ -17,15 +17,6 @@ constexpr ReportSizes kFull{.objects = 4250,
                             .loop_objects = 1000,
                             .loop_steps = 1500,
                             .seeds = 32};
-
-std::uint32_t number(const std::string& option, const std::string& text, std::uint32_t least,
-                     std::uint32_t most) {
-  const auto value = parse_number<std::uint32_t>(text);
-  if (!value || *value < least || *value > most)
-    throw UsageError(option + " '" + text + "' is no whole number from " + std::to_string(least) + " to " +
-                     std::to_string(most));
-  return *value;
-}
 
 /// Those that were named, each once, in the order of the page; all if none was.
 std::vector<std::string> chosen(const std::vector<std::string>& named,
@@ -46,7 +37,7 @@ class Overrides {
   void apply(const char* option, const std::string& text, std::uint32_t least, std::uint32_t most,
              std::initializer_list<std::uint32_t*> sizes) {
     if (text.empty()) return;
-    for (std::uint32_t* size : sizes) *size = number(option, text, least, most);
+    for (std::uint32_t* size : sizes) *size = parse_whole<std::uint32_t>(option, text, least, most);
     request_.options += std::string(" ") + option + " " + text;
   }
 

@@ -10,6 +10,9 @@
 #include "tests/images/scene_still.h"
 #include "tests/support/dimensions.h"
 #include "tests/viz/temporary_folder.h"
+#include "viz/draw/compare_drawn.h"
+#include "viz/image/compare.h"
+#include "viz/image/flip.h"
 #include "viz/image/png.h"
 
 namespace kerf {
@@ -19,6 +22,7 @@ using test::Plant;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 constexpr int kWidth = 480;
 constexpr int kHeight = 270;
@@ -54,6 +58,20 @@ class PlantedBugs : public ::testing::Test {
     return diff_frame({name, path("right"), path(name)}, {gate});
   }
 
+  /// What finds the bug by itself: 'p'ixels, 'd'raw list, 'i'd image, 'F'LIP's maximum.
+  std::string found_by(Plant plant) {
+    draw("planted", test::tamper(plant, test::victim(plant, right_), kWidth, kHeight));
+    const FrameIds planted = read_ids(path("planted"))->ids;
+    const Image right = read_png(path("right"));
+    const Image wrong = read_png(path("planted"));
+    std::string found;
+    if (!compare_pixels(right, wrong).same()) found += 'p';
+    if (!compare_drawn(right_, {planted.list, right_.image}).empty()) found += 'd';
+    if (!compare_drawn(right_, {right_.list, planted.image}).empty()) found += 'i';
+    if (summarize_flip(flip_errors(right, wrong)).max > kFlipLimit) found += 'F';
+    return found;
+  }
+
   /// Plants the bug and expects each gate to object, the message to name what is wrong.
   void expect_found(Plant plant, const std::string& verb) {
     const Drawn victim = test::victim(plant, right_);
@@ -82,6 +100,19 @@ TYPED_TEST(PlantedBugs, LeafTintedByFourPercent) {
   this->expect_found(Plant::leaf_tint, TestFixture::kD == 2 ? "tinted from" : "recoloured from");
 }
 TYPED_TEST(PlantedBugs, MissingBox) { this->expect_found(Plant::missing_box, "missing"); }
+
+// Each part of the gates is proved without the others. Pixels and the draw list find everything; the id image
+// has no colours and forgives a pixel, FLIP's maximum does not mind what is thin or faint
+// (docs/IMAGE_DIFF.md).
+TYPED_TEST(PlantedBugs, EachPartOfTheGatesFindsThemAlone) {
+  const std::string missing = TestFixture::kD == 2 ? "pdiF" : "pdi";
+  EXPECT_THAT(this->found_by(Plant::missing_plane), StartsWith(missing));
+  EXPECT_THAT(this->found_by(Plant::missing_box), StartsWith(missing));
+  EXPECT_THAT(this->found_by(Plant::moved_plane), StartsWith("pd"));
+  EXPECT_THAT(this->found_by(Plant::missing_pair), StartsWith("pd"));
+  EXPECT_THAT(this->found_by(Plant::recolored_pair), StartsWith("pd"));
+  EXPECT_THAT(this->found_by(Plant::leaf_tint), StartsWith("pd"));
+}
 
 TYPED_TEST(PlantedBugs, DrawnAgainNothingIsFound) {
   this->draw("again", {});

@@ -58,13 +58,13 @@ void FramePlanner<D>::forget() {
 template <int D>
 void FramePlanner<D>::fix_largest_population(std::uint32_t population) {
   plan_.largest_population = population;
-  largest_is_fixed_ = true;
+  plan_.ramp_is_fixed = true;
 }
 
 /// Powers of two, and a gap between growing and shrinking: the ramp changes rarely.
 template <int D>
 void FramePlanner<D>::choose_largest_population() {
-  if (largest_is_fixed_) return;
+  if (plan_.ramp_is_fixed) return;
   const std::uint64_t present = plan_.skeleton.largest_leaf();
   const std::uint32_t wanted = std::bit_ceil(std::max(kLeastRamp, plan_.skeleton.largest_leaf()));
   if (wanted > plan_.largest_population || 5 * present < 2 * std::uint64_t{plan_.largest_population})

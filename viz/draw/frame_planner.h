@@ -13,13 +13,14 @@ namespace kerf {
 /// any renderer, in any process, draws the frame alike.
 template <int D>
 struct FramePlan {
-  Box<D> bounds;                      ///< that is framed
-  bool has_tree = false;              ///< caption and legend speak of it
-  Skeleton<D> skeleton;               ///< of the tree
-  std::vector<Placement> placements;  ///< by object; empty: objects are not tinted
-  std::vector<Highlight> highlights;  ///< newest first
-  std::uint32_t largest_population = 0;
-  int samples = 0;  ///< of a pixel; 0: not chosen yet
+  Box<D> bounds;                         ///< that is framed
+  bool has_tree = false;                 ///< caption and legend speak of it
+  Skeleton<D> skeleton;                  ///< of the tree
+  std::vector<Placement> placements;     ///< by object; empty: objects are not tinted
+  std::vector<Highlight> highlights;     ///< newest first
+  std::uint32_t largest_population = 0;  ///< end of the ramp
+  bool ramp_is_fixed = false;            ///< a leaf may have more objects
+  int samples = 0;                       ///< of a pixel; 0: not chosen yet
 };
 
 /// Carries on from frame to frame what must not jump: the view, the ramp of populations, smooth or jagged
@@ -53,7 +54,6 @@ class FramePlanner {
   ViewBox<D> view_box_;
   Skeleton<D> before_;
   Highlights<D> highlights_;
-  bool largest_is_fixed_ = false;
   FramePlan<D> plan_;
 };
 

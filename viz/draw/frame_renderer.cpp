@@ -38,6 +38,11 @@ std::string log_line(const std::string& note, const std::vector<Highlight>& high
   return note.empty() || acted.empty() ? note + acted : note + "   " + acted;
 }
 
+template <int D>
+std::string ramp_text(const FramePlan<D>& plan) {
+  return std::to_string(plan.largest_population) + (plan.ramp_is_fixed ? "+" : "");
+}
+
 }  // namespace
 
 template <int D>
@@ -126,7 +131,7 @@ struct FrameRenderer<D>::State {
     std::vector<CaptionItem> caption;
     if (has(Layer::caption)) caption = caption_items(input.caption, plan.has_tree);
     std::vector<LegendItem> legend;
-    if (has(Layer::legend)) legend = legend_items(options.layers, D, plan.has_tree, plan.largest_population);
+    if (has(Layer::legend)) legend = legend_items(options.layers, D, plan.has_tree, ramp_text(plan));
     const bool has_log = !caption.empty() && (has(Layer::operators) || !input.caption.note.empty());
     const Layout layout = make_layout(font, options.width, options.height, caption, has_log, legend);
     const CameraChoice<D> now = camera_path.at(input.caption.step, camera);

@@ -34,6 +34,9 @@ struct Caption {
   bool knows_contacts = true;
 };
 
+/// An operator stays highlighted for so many steps, unless a frame says otherwise.
+inline constexpr std::uint32_t kHighlightSteps = 10;
+
 /// One moment of a scene. Nothing is kept: it need not outlive the call.
 template <int D>
 struct FrameInput {
@@ -42,13 +45,11 @@ struct FrameInput {
   std::span<const Pair> pairs;
   std::span<const Pair> contacts;  ///< those of `pairs` that touch
   /// What happened lately. Operators fade with their age in steps against `caption.step`, so that a caller
-  /// who makes a film may give those of the last kHighlightSteps steps.
+  /// who makes a film may give those of the last `highlight_steps` steps.
   std::span<const Event> events;
   Caption caption;
+  std::uint32_t highlight_steps = kHighlightSteps;
 };
-
-/// An operator stays highlighted for so many steps.
-inline constexpr std::uint32_t kHighlightSteps = 10;
 
 /// From so many bodies on, edges are drawn jagged unless the options say otherwise.
 inline constexpr std::size_t kManyBodies = 2000;

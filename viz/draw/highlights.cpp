@@ -28,11 +28,25 @@ void find_cell(Highlight& highlight, const Skeleton<D>& skeleton, const Directio
   if (has_old) highlight.old_partitioner = in_cell(acted.old_offset);
 }
 
+std::optional<Eigen::Vector3d> find_anchor(const Highlight& highlight) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0;
+  const auto add = [&](const Polygon& polygon) {
+    for (const Eigen::Vector3d& p : polygon) sum += p;
+    count += static_cast<double>(polygon.size());
+  };
+  add(highlight.partitioner);
+  if (count == 0) add(highlight.old_partitioner);
+  if (count == 0) std::ranges::for_each(highlight.faces, add);
+  if (count == 0) return std::nullopt;
+  return sum / count;
+}
+
 bool same_node(const Highlight& a, const Highlight& b) { return a.acted.node == b.acted.node; }
 
 }  // namespace
 
-double Highlight::strength() const { return 1.0 - 0.75 * std::min(age, kHighlightSteps) / kHighlightSteps; }
+double Highlight::strength() const { return 1.0 - 0.75 * std::min(age, lifetime) / lifetime; }
 
 std::string Highlight::label() const {
   return std::string(to_string(acted.op)) + " n" + std::to_string(acted.node.node.value);
@@ -47,8 +61,8 @@ void Highlights<D>::update(const FrameInput<D>& input, const Skeleton<D>& now, c
     const auto* acted = std::get_if<OperatorActed>(&event->body);
     if (acted == nullptr || input.tree == nullptr || highlights_.size() == kMostHighlights) continue;
     const std::uint32_t age = input.caption.step > event->step ? input.caption.step - event->step : 0;
-    if (age > kHighlightSteps) continue;
-    Highlight highlight{event->id, *acted, age, {}, {}, {}};
+    if (age > input.highlight_steps) continue;
+    Highlight highlight{event->id, *acted, age, input.highlight_steps, {}, {}, {}, {}};
     const auto known = remembered_.find(event->id);
     if (now.is_alive(acted->node)) {
       find_cell(highlight, now, input.tree->directions(), bounds);
@@ -58,6 +72,8 @@ void Highlights<D>::update(const FrameInput<D>& input, const Skeleton<D>& now, c
     } else if (before.is_alive(acted->node)) {
       find_cell(highlight, before, input.tree->directions(), bounds);
     }
+    if (known != remembered_.end()) highlight.anchor = known->second.anchor;
+    if (!highlight.anchor) highlight.anchor = find_anchor(highlight);
     still_remembered.emplace(event->id, highlight);
     const auto same = [&](const Highlight& other) { return same_node(highlight, other); };
     if (std::ranges::none_of(highlights_, same)) highlights_.push_back(std::move(highlight));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,14 @@ namespace kerf {
 struct Highlight {
   std::uint64_t event = 0;
   OperatorActed acted;
-  std::uint32_t age = 0;                    ///< steps since
-  std::vector<Polygon> faces;               ///< of the node's cell; empty if nothing is known of it
-  Polygon partitioner;                      ///< the new plane within the cell; empty if there is none
-  Polygon old_partitioner;                  ///< balance: where it was; merge, swap: the one that is gone
+  std::uint32_t age = 0;                     ///< steps since
+  std::uint32_t lifetime = kHighlightSteps;  ///< steps until it has faded
+  std::vector<Polygon> faces;                ///< of the node's cell; empty if nothing is known of it
+  Polygon partitioner;                       ///< the new plane within the cell; empty if there is none
+  Polygon old_partitioner;                   ///< balance: where it was; merge, swap: the one that is gone
+  /// Where the eye looks for it: the middle of its partitioner, or else of its cell, when it was seen first.
+  /// It stays there, or the label would wander with every plane nearby.
+  std::optional<Eigen::Vector3d> anchor;
   [[nodiscard]] double strength() const;    ///< 1 when new, fading with age
   [[nodiscard]] std::string label() const;  ///< "split n5"
 };
@@ -33,7 +38,7 @@ class Highlights {
 
  private:
   std::vector<Highlight> highlights_;
-  std::map<std::uint64_t, Highlight> remembered_;  ///< by event: those whose node is gone
+  std::map<std::uint64_t, Highlight> remembered_;  ///< by event, as they were last
 };
 
 /// Outlines the cells that operators acted on, above everything else in the scene.

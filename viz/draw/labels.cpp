@@ -14,21 +14,6 @@ bool overlap(const Viewport& a, const Viewport& b) {
          b.top < a.top + a.height;
 }
 
-/// Where the eye looks for the operator: the middle of its partitioner, or else of its cell.
-std::optional<Eigen::Vector2d> anchor(const View& view, const Highlight& highlight) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double count = 0;
-  const auto add = [&](const Polygon& polygon) {
-    for (const Eigen::Vector3d& p : polygon) sum += p;
-    count += static_cast<double>(polygon.size());
-  };
-  add(highlight.partitioner);
-  if (count == 0) add(highlight.old_partitioner);
-  if (count == 0) std::ranges::for_each(highlight.faces, add);
-  if (count == 0) return std::nullopt;
-  return view.project(sum / count);
-}
-
 /// A place for a label at the edge of the scene nearer to `point`, as high as it, and clear of the others:
 /// there it hides nothing.
 std::optional<Viewport> find_place(const Eigen::Vector2d& point, double width, double height,
@@ -62,13 +47,15 @@ void draw_highlight_labels(const View& view, const Font& font, const Layout& lay
                            const std::vector<Highlight>& highlights, Overlay& overlay) {
   const int pad = std::max(4, 3 * font.advance() / 4);
   std::vector<Viewport> taken;
-  for (const Highlight& highlight : highlights) {
-    const auto point = anchor(view, highlight);
+  // The oldest chooses first, so that no label of a film makes way for a newer one.
+  for (auto h = highlights.rbegin(); h != highlights.rend(); ++h) {
+    const Highlight& highlight = *h;
+    if (!highlight.anchor) continue;
+    const auto point = view.project(*highlight.anchor);
     if (!point) continue;
     const std::string label = highlight.label();
     const double width = font.width(label) + 2 * pad;
-    const double height = font.line_height() + pad;
-    const auto place = find_place(*point, width, height, layout.scene, taken);
+    const auto place = find_place(*point, width, font.line_height() + pad, layout.scene, taken);
     if (!place) continue;
     taken.push_back(*place);
     const Color color = mix(palette::kGround, palette::kOperator, highlight.strength());
@@ -76,11 +63,12 @@ void draw_highlight_labels(const View& view, const Font& font, const Layout& lay
     // Dark letters on light, framed in the operators' colour: legible over any scene.
     add_rectangle_on_picture(overlay.shapes, view, *place, color);
     const double rim = 2;
-    add_rectangle_on_picture(overlay.shapes, view,
-                             {place->left + rim, place->top + rim, width - 2 * rim, height - 2 * rim},
-                             palette::kGround);
-    overlay.text.add(font, static_cast<int>(place->left) + pad, static_cast<int>(place->top) + pad, label,
-                     palette::kInk);
+    add_rectangle_on_picture(
+        overlay.shapes, view,
+        {place->left + rim, place->top + rim, place->width - 2 * rim, place->height - 2 * rim},
+        palette::kGround);
+    overlay.text.add(font, static_cast<int>(place->left) + pad, static_cast<int>(place->top) + pad,
+                     highlight.label(), palette::kInk);
   }
 }
 

@@ -86,7 +86,7 @@ class SwatchPainter {
 }  // namespace
 
 std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tree,
-                                     std::uint32_t largest_population) {
+                                     const std::string& largest_population) {
   const bool tinted = layers.has(Layer::leaves) && has_tree;
   std::vector<LegendItem> items;
   if (layers.has(Layer::objects)) {
@@ -96,7 +96,7 @@ std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tr
   }
   if (tinted && (dimension == 2 || layers.has(Layer::objects))) {
     const std::string what = dimension == 2 ? "leaf of 0-" : "moving, leaf of 0-";
-    items.push_back({Swatch::population, what + std::to_string(largest_population)});
+    items.push_back({Swatch::population, what + largest_population});
   }
   if (layers.has(Layer::partitioners) && has_tree) items.push_back({Swatch::partitioner, "partitioner"});
   if (layers.has(Layer::pairs)) {

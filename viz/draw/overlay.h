@@ -45,9 +45,9 @@ struct LegendItem {
 
 /// The caption's items in order. Numbers have room to grow, so that they stand still in a film.
 std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree);
-/// The items that the layers shown call for.
+/// The items that the layers shown call for. `largest_population`: "64", where the ramp ends.
 std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tree,
-                                     std::uint32_t largest_population);
+                                     const std::string& largest_population);
 
 Layout make_layout(const Font& font, int width, int height, const std::vector<CaptionItem>& caption,
                    bool has_log, const std::vector<LegendItem>& legend);

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "viz/gl/shader.h"
+
 namespace kerf {
 namespace {
 
@@ -48,18 +50,6 @@ GLsizeiptr size_of(const std::vector<T>& values) {
   return static_cast<GLsizeiptr>(values.size() * sizeof(T));
 }
 
-GLuint compile(const GlFunctions& gl, GLenum type, const char* source) {
-  const GLuint shader = gl.CreateShader(type);
-  gl.ShaderSource(shader, 1, &source, nullptr);
-  gl.CompileShader(shader);
-  GLint good = 0;
-  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &good);
-  if (good != 0) return shader;
-  std::string log(1024, '\0');
-  gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  throw std::runtime_error("a shader does not compile: " + std::string(log.c_str()));
-}
-
 }  // namespace
 
 void TextBatch::add(const Font& font, int x, int y, std::string_view text, Color color) {
@@ -102,8 +92,8 @@ Painter::~Painter() {
 }
 
 GLuint Painter::make_program(const char* vertex_source, const char* fragment_source) const {
-  const GLuint vertex = compile(gl_, GL_VERTEX_SHADER, vertex_source);
-  const GLuint fragment = compile(gl_, GL_FRAGMENT_SHADER, fragment_source);
+  const GLuint vertex = compile_shader(gl_, GL_VERTEX_SHADER, vertex_source);
+  const GLuint fragment = compile_shader(gl_, GL_FRAGMENT_SHADER, fragment_source);
   const GLuint program = gl_.CreateProgram();
   gl_.AttachShader(program, vertex);
   gl_.AttachShader(program, fragment);

@@ -76,6 +76,27 @@ TYPED_TEST(HighlightsTest, OldEventsGoAndTheNewestOfANodeCounts) {
   EXPECT_TRUE(f.highlights.all().empty());
 }
 
+TYPED_TEST(HighlightsTest, AFilmMayKeepThemLongerAndTheirAnchorsStandStill) {
+  constexpr int kD = TypeParam::value;
+  Fixture<kD> f;
+  const NodeRef root = f.scene.tree().ref(f.scene.tree().root());
+  const std::vector<Event> events{f.event(1, 20, Operator::balance, root)};
+  FrameInput<kD> input = f.input(events, 20);
+  input.highlight_steps = 40;
+  f.highlights.update(input, f.skeleton, f.nothing, f.bounds);
+  const auto anchor = f.highlights.all().at(0).anchor;
+  ASSERT_TRUE(anchor.has_value());
+  input.caption.step = 40;
+  Box<kD> wider = f.bounds;
+  wider.max[0] += 10;
+  f.highlights.update(input, f.skeleton, f.nothing, wider);
+  EXPECT_EQ(f.highlights.all().at(0).anchor, anchor);
+  EXPECT_NEAR(f.highlights.all().at(0).strength(), 0.625, 1e-9);
+  input.caption.step = 61;
+  f.highlights.update(input, f.skeleton, f.nothing, f.bounds);
+  EXPECT_TRUE(f.highlights.all().empty());
+}
+
 TYPED_TEST(HighlightsTest, NodeNeverSeenHasALabelOnly) {
   constexpr int kD = TypeParam::value;
   Fixture<kD> f;

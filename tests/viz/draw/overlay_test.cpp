@@ -24,7 +24,7 @@ TEST(Layout, LeavesTheSceneRoomAtEverySize) {
     for (const int width : {64, 120, height, height * 16 / 9}) {
       const Font font(font_pixels(height));
       const auto caption = caption_items(large_caption(), true);
-      const auto legend = legend_items(LayerSet::all(), 3, true, 1024);
+      const auto legend = legend_items(LayerSet::all(), 3, true, "1024");
       const Layout layout = make_layout(font, width, height, caption, true, legend);
       EXPECT_GE(layout.scene.height, 0.3 * height) << width << "x" << height;
       EXPECT_EQ(layout.caption_height + layout.scene.height + layout.legend_height, height);
@@ -36,7 +36,7 @@ TEST(Layout, EverythingFitsAtTheUsualSizes) {
   for (const auto& [width, height] : {std::pair{640, 360}, {1280, 720}, {1920, 1080}}) {
     const Font font(font_pixels(height));
     const auto caption = caption_items(large_caption(), true);
-    const auto legend = legend_items(LayerSet::all(), 2, true, 1024);
+    const auto legend = legend_items(LayerSet::all(), 2, true, "1024");
     const Layout layout = make_layout(font, width, height, caption, true, legend);
     const int rows = flow::lines(flow::arrange_caption(font, width, caption)) + 1;
     EXPECT_GE(layout.caption_height, rows * font.line_height());
@@ -67,7 +67,7 @@ TEST(Labels, LieInTheSceneAndApart) {
   const Layout layout{40, 30, {0, 40, 640, 290}};
   const View view = frame_all(Box<2>{{{0, 0}}, {{4, 2}}}, {}, layout.scene, 640, 360);
   Highlight highlight;
-  highlight.faces = {{{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0, 0.1, 0}}};  // in a corner
+  highlight.anchor = {0.05, 0.05, 0};  // in a corner
   Overlay overlay;
   draw_highlight_labels(view, font, layout, std::vector<Highlight>(6, highlight), overlay);
   // Each label is a line, a diamond, a frame and a ground of four corners each.
@@ -88,9 +88,9 @@ TEST(Labels, LieInTheSceneAndApart) {
 }
 
 TEST(Legend, NamesOnlyWhatIsDrawn) {
-  EXPECT_TRUE(legend_items(LayerSet::none(), 3, true, 16).empty());
-  EXPECT_EQ(legend_items(LayerSet::parse("partitioners"), 3, true, 16).size(), 1U);
-  EXPECT_TRUE(legend_items(LayerSet::parse("partitioners,leaves,operators"), 3, false, 16).empty());
+  EXPECT_TRUE(legend_items(LayerSet::none(), 3, true, "16").empty());
+  EXPECT_EQ(legend_items(LayerSet::parse("partitioners"), 3, true, "16").size(), 1U);
+  EXPECT_TRUE(legend_items(LayerSet::parse("partitioners,leaves,operators"), 3, false, "16").empty());
 }
 
 TEST(Font, KnowsLatin1AndSurvivesAnyBytes) {

@@ -4,7 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
+
+#include "viz/gl/shader.h"
 
 namespace kerf {
 namespace {
@@ -31,16 +32,6 @@ void main() { result = corner_color * texture(picture, corner_texel); })";
 
 const void* bytes_in(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
-GLuint compile_stage(const GlFunctions& gl, GLenum type, const char* source) {
-  const GLuint shader = gl.CreateShader(type);
-  gl.ShaderSource(shader, 1, &source, nullptr);
-  gl.CompileShader(shader);
-  GLint good = 0;
-  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &good);
-  if (good == 0) throw std::runtime_error("the shader of the panels does not compile");
-  return shader;
-}
-
 }  // namespace
 
 PanelPainter::PanelPainter(const GlFunctions& gl) : gl_(gl) {
@@ -58,8 +49,8 @@ PanelPainter::~PanelPainter() {
 }
 
 void PanelPainter::make_program() {
-  const GLuint vertex = compile_stage(gl_, GL_VERTEX_SHADER, kVertex);
-  const GLuint fragment = compile_stage(gl_, GL_FRAGMENT_SHADER, kFragment);
+  const GLuint vertex = compile_shader(gl_, GL_VERTEX_SHADER, kVertex);
+  const GLuint fragment = compile_shader(gl_, GL_FRAGMENT_SHADER, kFragment);
   program_ = gl_.CreateProgram();
   gl_.AttachShader(program_, vertex);
   gl_.AttachShader(program_, fragment);

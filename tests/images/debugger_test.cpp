@@ -1,0 +1,120 @@
+#include "viz/debugger/debugger.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "tests/images/reference_frames.h"
+#include "tests/support/recorded_crowd.h"
+#include "viz/debugger/script.h"
+#include "viz/image/image.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kWidth = 1280;
+constexpr int kHeight = 720;
+
+GlBackend backend() {
+  const char* chosen = std::getenv("KERF_BACKEND");
+  return chosen == nullptr ? GlBackend::osmesa : parse_gl_backend(chosen);
+}
+
+/// The part of the debugger's picture in an area that lies within it.
+Image cut_out(const Image& image, const PanelArea& area) {
+  Image part = make_image(static_cast<int>(area.width), static_cast<int>(area.height));
+  for (int y = 0; y < part.height; ++y)
+    std::copy_n(image.pixel(static_cast<int>(area.x), static_cast<int>(area.y) + y), part.stride(),
+                part.rgba.begin() + static_cast<std::ptrdiff_t>(part.stride()) * y);
+  return part;
+}
+
+/// The debugger on a run that took no time, for a clock shows something else each time. Each panel is a
+/// reference of its own: whoever changes one approves one.
+template <int D>
+class DebuggerStill {
+ public:
+  DebuggerStill() {
+    test::record_crowd<D>(file_.path(), 60, test::busy_config());
+    file_.change(
+        "UPDATE steps SET place_seconds = 0, sort_seconds = 0, schedule_seconds = 0, operate_seconds = 0, "
+        "sweep_seconds = 0");
+    debugger_.emplace(*context_, open_run(file_.path()));
+  }
+
+  void play(const std::string& script) {
+    ScriptPlayer(*debugger_, kWidth, kHeight, {}).play(parse_script(script));
+  }
+
+  [[nodiscard]] Debugger& debugger() { return *debugger_; }
+
+  /// What has changed of a part of the debugger. Instead of texts its draw list has the names of what can be
+  /// pressed.
+  std::string compare(const std::string& name, const PanelArea& area) {
+    const Image image = cut_out(debugger_->picture(), area);
+    StoredIds stored{{{}, make_image(image.width, image.height, 0x000000ff)}, context_->rasterizer()};
+    for (const auto& [part, place] : debugger_->gui().named()) {
+      const auto x = static_cast<int>(place.x - area.x);
+      const auto y = static_cast<int>(place.y - area.y);
+      if (x >= 0 && y >= 0 && x < image.width && y < image.height)
+        stored.ids.list.texts.push_back({x, y, part});
+    }
+    return test::compare_with_reference("debugger-" + name, image, stored);
+  }
+
+ private:
+  test::TemporaryRecording file_;
+  std::unique_ptr<GlContext> context_ = make_offscreen_context(backend());
+  std::optional<Debugger> debugger_;
+};
+
+const PanelLayout kLayout = layout_panels(kWidth, kHeight);
+
+// At a split, whose ballot can be seen.
+constexpr const char* kGoToSplit = R"(
+click condition
+type "op==split && kind==acted && step>20"
+key Enter
+key Escape
+key F5
+expect deed ~ split
+)";
+
+TEST(ReferencePanels, PanelsOfTheDebugger) {
+  DebuggerStill<3> still;
+  still.play(kGoToSplit);
+  EXPECT_EQ(still.compare("transport", kLayout.transport), "");
+  EXPECT_EQ(still.compare("tree", kLayout.left_above), "");
+  EXPECT_EQ(still.compare("breakpoints", kLayout.left_below), "");
+  EXPECT_EQ(still.compare("events", kLayout.right_above), "");
+  EXPECT_EQ(still.compare("view-3d", kLayout.view), "");
+  EXPECT_EQ(still.compare("tools", kLayout.tools), "");
+  EXPECT_EQ(still.compare("lanes", kLayout.timeline), "");
+}
+
+TEST(ReferencePanels, TabsOfTheDebugger) {
+  DebuggerStill<2> still;
+  still.play(kGoToSplit);
+  const auto compare_tab = [&](const std::string& name) {
+    return still.compare("tab-" + name, kLayout.right_below);
+  };
+  EXPECT_EQ(compare_tab("why-event"), "");
+  still.play("click \"tab Ballot\"\nhover \"candidate 1\"\nwait 2");
+  EXPECT_EQ(compare_tab("ballot"), "");
+  EXPECT_EQ(still.compare("view-2d", kLayout.view), "");  // with the candidate
+  still.play("click \"tab Algorithm\"\nhover 5,300\nwait 2");
+  EXPECT_EQ(compare_tab("algorithm"), "");
+  still.play("click \"tab Oracle\"\nkey O\nhover 5,300\nwait 2");
+  EXPECT_EQ(compare_tab("oracle"), "");
+  still.play("click \"tab Lint\"\nhover 5,300\nwait 2");
+  EXPECT_EQ(compare_tab("lint"), "");
+  still.play("double object:3\ndouble object:7 shift\nclick \"tab Why\"\nhover 5,300\nwait 2");
+  EXPECT_EQ(compare_tab("why-pair"), "");
+}
+
+}  // namespace
+}  // namespace kerf

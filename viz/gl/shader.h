@@ -1,0 +1,11 @@
+#pragma once
+
+#include "viz/gl/functions.h"
+
+namespace kerf {
+
+/// Compiles a stage of a shader program: the caller owns it. Throws std::runtime_error with what the driver
+/// says.
+GLuint compile_shader(const GlFunctions& gl, GLenum type, const char* source);
+
+}  // namespace kerf
