@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/kernels/divide_list.h"
+#include "core/kernels/prefetch.h"
 
 namespace kerf {
 namespace {
@@ -92,28 +93,37 @@ class Streamer {
     make_room(range.end + (range.end - range.begin) + kDividePad);
     std::uint32_t* const objects = buffer_.objects.data();
     DepthMask* const straddle = buffer_.straddle.data();
+    const unsigned depth = node.depth;
     const Scalar offset = node.plane.offset;
-    Divided at = divide_vectors(node, range);
+    const Divided done = divide_vectors(node, range);
+    std::size_t left = done.left;
+    std::size_t right = done.right;
     with_intervals(tree_, node.direction, [&](auto interval_of) {
-      for (; at.done < range.end; ++at.done) {
-        const std::uint32_t object = objects[at.done];
+      for (std::size_t k = done.done; k < range.end; ++k) {
+        prefetch(&tree_.table.packed({objects[std::min(k + kPrefetchAhead, range.end - 1)]}));
+        const std::uint32_t object = objects[k];
         const Sides sides = classify(interval_of(object), offset);
-        const DepthMask mask = straddle[at.done] | (sides.straddle() ? depth_bit(node.depth) : 0);
-        objects[at.left] = object;
-        straddle[at.left] = mask;
-        at.left += sides.left ? 1 : 0;
-        objects[at.right] = object;
-        straddle[at.right] = mask;
-        at.right += sides.right ? 1 : 0;
+        const DepthMask mask = straddle[k] | (static_cast<DepthMask>(sides.left & sides.right) << depth);
+        objects[left] = object;
+        straddle[left] = mask;
+        left += sides.left ? 1 : 0;
+        objects[right] = object;
+        straddle[right] = mask;
+        right += sides.right ? 1 : 0;
       }
     });
-    todo.push_back({node.left, range.begin, at.left});
-    todo.push_back({node.right, range.end, at.right});
+    todo.push_back({node.left, range.begin, left});
+    todo.push_back({node.right, range.end, right});
   }
+
+  /// Boxes on more pages than processors keep at hand (about 1,500 of 4 KB): gathers wait for each page, one
+  /// by one the next ones are asked for ahead. With 1,000,000 objects in 2D vectors took half as long again.
+  static constexpr std::size_t kAtHand = std::size_t{6} << 20U;
 
   /// What vectors can do of it: nothing unless the partitioner lies along an axis of the packed boxes.
   Divided divide_vectors(const Node<D>& node, const Range& range) {
-    if (range.begin == range.end || !lies_along_axis(tree_, node.direction))
+    const bool at_hand = tree_.table.bound() * sizeof(PackedBox<D>) <= kAtHand;
+    if (!at_hand || range.begin == range.end || !lies_along_axis(tree_, node.direction))
       return {range.begin, range.begin, range.end};
     const auto& first = tree_.table.packed().data()->lane;
     return divide_list<D>({&first[node.direction], &first[PackedBox<D>::kHalf + node.direction],
