@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "frames/rivals/step_timer.h"
 #include "frames/bench/truth.h"
 #include "frames/report/figures.h"
 #include "frames/report/meetings.h"
+#include "frames/rivals/step_timer.h"
 
 namespace kerf {
 namespace {
