@@ -5,9 +5,9 @@
 
 #include "core/broad_phase/bsp.h"
 #include "core/scene/bounding.h"
-#include "frames/rivals/step_timer.h"
 #include "frames/report/contact_probe.h"
 #include "frames/report/figures.h"
+#include "frames/rivals/step_timer.h"
 
 namespace kerf {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/broad_phase/all_pairs.h"
-#include "frames/rivals/step_timer.h"
 #include "frames/bench/truth.h"
 #include "frames/report/figures.h"
+#include "frames/rivals/step_timer.h"
 
 namespace kerf {
 

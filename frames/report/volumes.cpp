@@ -7,8 +7,8 @@
 #include "core/broad_phase/bsp.h"
 #include "core/random.h"
 #include "core/scene/bounding.h"
-#include "frames/rivals/step_timer.h"
 #include "frames/report/figures.h"
+#include "frames/rivals/step_timer.h"
 #include "sims3d/geoms.h"
 
 namespace kerf {
