@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
 #include <string>
-#include <variant>
 
 #include "core/replay/replayer.h"
 #include "frames/farm/frame_parcel.h"

@@ -67,8 +67,8 @@ void draw_highlight_labels(const View& view, const Font& font, const Layout& lay
         overlay.shapes, view,
         {place->left + rim, place->top + rim, place->width - 2 * rim, place->height - 2 * rim},
         palette::kGround);
-    overlay.text.add(font, static_cast<int>(place->left) + pad, static_cast<int>(place->top) + pad,
-                     highlight.label(), palette::kInk);
+    overlay.text.add(font, static_cast<int>(place->left) + pad, static_cast<int>(place->top) + pad, label,
+                     palette::kInk);
   }
 }
 
