@@ -7,7 +7,8 @@
 namespace kerf {
 namespace {
 
-constexpr double kLongestRequest = 2;  ///< over the patience
+constexpr double kLongestBuild = 10;   // over the patience
+constexpr double kLongestRequest = 2;  // likewise
 
 std::string in_seconds(double seconds) { return std::to_string(static_cast<int>(seconds + 0.5)) + " s"; }
 
@@ -25,12 +26,10 @@ void Participant::start(const Life& life) {
   if (trouble_.empty()) process_ = std::make_unique<ChildProcess>(life);
 }
 
-bool Participant::ask(Request request, const CellWatch& watch) {
+bool Participant::ask(Request request, double limit, const CellWatch& watch) {
   if (!process_) return false;
-  const auto start = std::chrono::steady_clock::now();
-  const std::chrono::duration<double> limit(kLongestRequest * plan_.patience);
-  const bool done = process_->ask(static_cast<char>(request), limit, watch.stop);
-  spent_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const bool done =
+      process_->ask(static_cast<char>(request), std::chrono::duration<double>(limit), watch.stop);
   if (done) return true;
   trouble_ = process_->trouble();
   process_.reset();
@@ -38,22 +37,20 @@ bool Participant::ask(Request request, const CellWatch& watch) {
 }
 
 void Participant::build(const CellWatch& watch) {
-  if (!ask(Request::build, watch)) return;
-  build_ = std::min(build_, answers_.step(0).nanoseconds);
-  if (spent_ > plan_.patience) {
-    trouble_ = "took " + in_seconds(spent_) + " to begin";
-    process_.reset();
-  }
+  if (ask(Request::build, kLongestBuild * plan_.patience, watch))
+    build_ = std::min(build_, answers_.step(0).nanoseconds);
 }
 
 void Participant::run(std::int64_t first, std::uint32_t count, const CellWatch& watch) {
-  if (!ask(Request::run, watch)) return;
+  const auto start = std::chrono::steady_clock::now();
+  if (!ask(Request::run, kLongestRequest * plan_.patience, watch)) return;
+  spent_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (std::uint32_t k = 0; k < count; ++k) keep(first + k, answers_.step(k));
   const bool last = first + count >= plan_.steps;
   if (spent_ <= plan_.patience || last) return;
   trouble_ = "left out after " + in_seconds(spent_) + " and " +
              std::to_string(first + static_cast<std::int64_t>(count + plan_.warm_up)) + " steps";
-  ask(Request::account, watch);
+  ask(Request::account, kLongestRequest * plan_.patience, watch);
   bytes_ = answers_.bytes();
   process_.reset();
 }
@@ -70,7 +67,7 @@ void Participant::keep(std::int64_t step, const StepResult& result) {
 }
 
 void Participant::finish(const CellWatch& watch) {
-  if (ask(Request::account, watch)) bytes_ = answers_.bytes();
+  if (ask(Request::account, kLongestRequest * plan_.patience, watch)) bytes_ = answers_.bytes();
   process_.reset();
 }
 

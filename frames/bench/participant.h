@@ -21,7 +21,8 @@ class Participant {
 
   /// A new round in a new process; an algorithm that failed before is left in peace.
   void start(const Life& life);
-  /// The objects of the block's first step.
+  /// The objects of the block's first step. It may take ten times the patience: some libraries are slow to
+  /// begin and fast then, and time to begin is no part of a step's.
   void build(const CellWatch& watch);
   /// Does `count` steps, the first of which is number `first` of those that count, or before them if
   /// negative.
@@ -35,7 +36,8 @@ class Participant {
 
  private:
   static constexpr std::uint64_t kNever = UINT64_MAX;
-  bool ask(Request request, const CellWatch& watch);
+  /// `limit` in seconds.
+  bool ask(Request request, double limit, const CellWatch& watch);
   void keep(std::int64_t step, const StepResult& result);
 
   const CellPlan& plan_;
@@ -50,7 +52,7 @@ class Participant {
   std::uint64_t missed_ = 0;
   std::uint64_t extra_ = 0;
   std::uint64_t bytes_ = 0;
-  double spent_ = 0;  ///< seconds in this round
+  double spent_ = 0;  ///< seconds of steps in this round
   std::string trouble_;
 };
 
