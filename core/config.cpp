@@ -144,7 +144,7 @@ Config tuned_config() {
   config.budget_divisor = 4;
   config.byte_sweep = true;
   config.skin = 8;
-  config.stream_share = 0.25F;
+  config.stream_share = 0.06F;
   config.bulk_factor = 2;
   return config;
 }

@@ -49,10 +49,11 @@ struct Config {
   // Beyond the paper: policies beside it, all off. `tuned_config` switches them on.
   bool byte_sweep = false;  ///< leaves are swept by vectors of bytes instead of along ordered lists
   float skin = 0;           ///< with byte_sweep: steps of its own motion that an object's fat box allows for
-  float stream_share = 1;   ///< with byte_sweep: when more objects than this share leave their fat boxes in a
-                            ///< step, all are placed anew in one pass
-  float bulk_factor = 0;    ///< a leaf above so many times the threshold is divided at once, whatever the
-                            ///< budget; 0: never
+  float stream_share = 1;   ///< with byte_sweep: when more objects than this share move in a step, all are
+                           ///< placed anew in one pass; while pairs of fat boxes are kept, when four times as
+                           ///< many leave theirs
+  float bulk_factor = 0;  ///< a leaf above so many times the threshold is divided at once, whatever the
+                          ///< budget; 0: never
   friend bool operator==(const Config&, const Config&) = default;
 };
 

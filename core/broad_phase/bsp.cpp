@@ -153,15 +153,14 @@ void Bsp<D, Trace>::choose_mode() {
   if (mode_ == Mode::ordered) {
     keep_or_sweep_ = {};
   } else if (mode_ == Mode::kept) {
-    const float leaving = static_cast<float>(changed_.size()) / static_cast<float>(latest_.size() + 1);
-    keep_or_sweep_.kept(leaving, leaving > KeepOrSweep::kHot ? speed_of_leaving() : 0);
+    keep_or_sweep_.kept(who_leaves());
   } else {
     keep_or_sweep_.swept(speed_of_sample());
   }
   enter(keep_or_sweep_.keeps() ? Mode::kept : Mode::swept);
 }
 
-/// What share of the thickest skin an object uses up in a step, in the mean of a sample.
+/// The mean speed of a sample over the objects' sizes, none counted above KeepOrSweep::kDearest.
 template <int D, class Trace>
 float Bsp<D, Trace>::speed_of_sample() const {
   float sum = 0;
@@ -169,23 +168,28 @@ float Bsp<D, Trace>::speed_of_sample() const {
   for (std::uint32_t k = 0; k < std::min<std::size_t>(kSample, tree_.table.bound()); ++k) {
     const ObjectId object{static_cast<std::uint32_t>(sample_place(k, tree_.table.bound()))};
     if (!tree_.table.is_placed(object) || !latest_.is_placed(object)) continue;
-    sum += share_of_skin(latest_.box(object), tree_.table.box(object));
+    sum += std::min(relative_speed(latest_.box(object), tree_.table.box(object)), KeepOrSweep::kDearest);
     ++count;
   }
   return count == 0 ? 0 : sum / count;
 }
 
-/// The same of those that left their fat boxes.
+/// How fast they are is looked at, in a sample of them, only if there are many.
 template <int D, class Trace>
-float Bsp<D, Trace>::speed_of_leaving() const {
-  float sum = 0;
+Leaving Bsp<D, Trace>::who_leaves() const {
+  Leaving leaving;
+  leaving.share = static_cast<float>(changed_.size()) / static_cast<float>(latest_.size() + 1);
+  if (leaving.share <= KeepOrSweep::kHot) return leaving;
   const auto count = static_cast<std::uint32_t>(std::min(kSample, changed_.size()));
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::size_t at = sample_place(k, changed_.size());
-    if (latest_.is_placed(changed_.all()[at]))
-      sum += share_of_skin(latest_.box(changed_.all()[at]), before_.all()[at].unpack());
+    const ObjectId object = changed_.all()[at];
+    if (!latest_.is_placed(object)) continue;
+    const Box<D> before = before_.all()[at].unpack();
+    leaving.speed += relative_speed(latest_.box(object), before) / static_cast<float>(count);
+    leaving.restless += is_fast(latest_.box(object), before) ? 1 / static_cast<float>(count) : 0;
   }
-  return sum / static_cast<float>(std::max(count, 1U));
+  return leaving;
 }
 
 template <int D, class Trace>
@@ -201,20 +205,24 @@ template <int D, class Trace>
 void Bsp<D, Trace>::place() {
   const Mode before = mode_;
   choose_mode();
-  if (mode_ == Mode::kept && before == Mode::kept) slim_some();
-  const bool many =
-      static_cast<float>(changed_.size()) > config_.stream_share * static_cast<float>(latest_.size());
+  if (mode_ == Mode::kept && before == Mode::kept) {
+    slim_some();
+    calm_some();
+  }
+  const auto more_than = [this](float share) {
+    return static_cast<float>(changed_.size()) > share * static_cast<float>(latest_.size());
+  };
   if (mode_ == Mode::kept) {
     if (before != Mode::kept) {
       fatten_all();
-    } else if (many) {
+    } else if (more_than(4 * config_.stream_share)) {  // all leaves are swept anew, too
       make_fat_boxes();
       take_fat_boxes();
       place_all();
     } else {
       place_fat();
     }
-  } else if (before == Mode::kept || (many && mode_ == Mode::swept)) {
+  } else if (before == Mode::kept || (mode_ == Mode::swept && more_than(config_.stream_share))) {
     tree_.table.copy_all(latest_, *pool_);
     place_all();
   } else {
@@ -267,7 +275,7 @@ void Bsp<D, Trace>::place_entering(const std::vector<ObjectId>& entering) {
 template <int D, class Trace>
 void Bsp<D, Trace>::sweep() {
   pairs_.clear();
-  if (mode_ == Mode::kept) return kept_.find(tree_, latest_, leaf_pass_, *pool_, pairs_);
+  if (mode_ == Mode::kept) return kept_.find(tree_, latest_, skins_, leaf_pass_, *pool_, pairs_);
   leaf_pass_.run(
       tree_, *pool_,
       [this](NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) { sweep(leaf, scratch, pairs); },
@@ -283,7 +291,7 @@ void Bsp<D, Trace>::sweep(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pair
   if (mode_ == Mode::ordered && tree_[leaf].entries.size() <= kLongList)
     return sweep_leaf(tree_.table, tree_[leaf], scratch.ordered, pairs);
   const std::size_t begin = pairs.size();
-  view_leaf(tree_, leaf, scratch.view);
+  view_leaf(tree_, tree_.table, leaf, scratch.view);
   scratch.byte_sweep.find(scratch.view, pairs);
   if (latest_.kind() != VolumeKind::box) drop_separated(tree_.table, begin, pairs);
 }

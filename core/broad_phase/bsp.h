@@ -85,6 +85,7 @@ class Bsp final : public BroadPhase<D> {
     std::vector<EntryChange> entries;
     std::vector<ObjectId> leaving;
     std::vector<ObjectId> entering;
+    std::vector<NodeId> touched;  ///< leaves of restless objects that stay where they are
     std::vector<Reached> old_places;
     std::vector<Reached> new_places;
 
@@ -92,6 +93,7 @@ class Bsp final : public BroadPhase<D> {
       entries.clear();
       leaving.clear();
       entering.clear();
+      touched.clear();
     }
   };
 
@@ -99,7 +101,7 @@ class Bsp final : public BroadPhase<D> {
   void choose_mode();
   static constexpr std::size_t kSample = 256;  ///< objects that are asked how fast they are
   [[nodiscard]] float speed_of_sample() const;
-  [[nodiscard]] float speed_of_leaving() const;
+  [[nodiscard]] Leaving who_leaves() const;
   void enter(Mode mode);
   void place();
   void place_changes();
@@ -107,7 +109,10 @@ class Bsp final : public BroadPhase<D> {
   void place_entering(const std::vector<ObjectId>& entering);
   Box<D> fat_box(ObjectId object, const Box<D>& before);
   void fatten_all();
+  void list_restless();
   void slim_some();
+  void note_still(ObjectId object, std::uint8_t attention);
+  void calm_some();
   void make_fat_boxes();
   void take_fat_boxes();
   void place_fat();
@@ -125,11 +130,13 @@ class Bsp final : public BroadPhase<D> {
   AppendBuffer<ObjectId> changed_;     ///< objects of which the two tables may differ
   AppendBuffer<PackedBox<D>> before_;  ///< kept: the boxes from which those of changed_ moved
   AppendBuffer<std::uint32_t> left_over_;
-  static constexpr std::uint8_t kChanging = 1;  ///< the object is in changed_
-  static constexpr std::uint8_t kUnplaced = 2;  ///< it is absent or in quarantine
-  static constexpr std::uint8_t kSlimmed = 4;   ///< it is in changed_ though nobody moved it
-  std::vector<std::uint8_t> attention_;         ///< per object: what must be looked at before it moves
-  std::vector<Skin> skins_;                     ///< per object
+  static constexpr std::uint8_t kChanging = 1;     ///< the object is in changed_
+  static constexpr std::uint8_t kUnplaced = 2;     ///< it is absent or in quarantine
+  static constexpr std::uint8_t kSlimmed = 4;      ///< it is in changed_ though nobody moved it
+  static constexpr std::uint8_t kWasRestless = 8;  ///< it is in changed_ and was restless before this step
+  std::vector<std::uint8_t> attention_;            ///< per object: what must be looked at before it moves
+  std::vector<Skin> skins_;                        ///< per object
+  std::vector<ObjectId> restless_;                 ///< all that are, and some that no longer are
   Mode mode_ = Mode::ordered;
   KeepOrSweep keep_or_sweep_;
   std::unique_ptr<TaskPool> pool_ = std::make_unique<TaskPool>();

@@ -16,6 +16,8 @@ Box<D> Bsp<D, Trace>::fat_box(ObjectId object, const Box<D>& before) {
     return wrap(latest_.box(object), skin);
   }
   skin.left(step_);
+  skin.moved(is_fast(latest_.box(object), before));
+  if (skin.is_restless()) return latest_.box(object);
   return fatten(latest_.box(object), before, skin, config_.skin, fat_share(object.value));
 }
 
@@ -37,7 +39,15 @@ void Bsp<D, Trace>::fatten_all() {
   });
   tree_.table.copy_all(latest_, *pool_);
   for_placed([this](ObjectId object) { tree_.table.widen(object, fat_[object.index()]); });
+  list_restless();
   place_all();
+}
+
+template <int D, class Trace>
+void Bsp<D, Trace>::list_restless() {
+  restless_.clear();
+  for (std::uint32_t id = 0; id < skins_.size(); ++id)
+    if (skins_[id].is_restless() && latest_.is_placed({id})) restless_.push_back({id});
 }
 
 /// Looks at some objects in each step, at all of them in 1,024: who stays in the fat box of a flight is
@@ -50,10 +60,32 @@ void Bsp<D, Trace>::slim_some() {
     const ObjectId object{static_cast<std::uint32_t>(id)};
     if (attention_[id] != 0 || !skins_[id].is_at_rest(step_)) continue;
     if (!is_for_flight(tree_.table.box(object), latest_.box(object))) continue;
-    attention_[id] = kChanging | kSlimmed;
-    changed_.push_back(object);
-    before_.push_back(latest_.packed(object));
+    note_still(object, kChanging | kSlimmed);
   }
+}
+
+/// Has an object placed anew that nobody moved.
+template <int D, class Trace>
+void Bsp<D, Trace>::note_still(ObjectId object, std::uint8_t attention) {
+  attention_[object.index()] = attention;
+  changed_.push_back(object);
+  before_.push_back(latest_.packed(object));
+}
+
+/// Who was restless and stands still gets its pairs kept again: it is treated as if it had left its fat box.
+template <int D, class Trace>
+void Bsp<D, Trace>::calm_some() {
+  std::vector<ObjectId> calmed;
+  std::erase_if(restless_, [this, &calmed](ObjectId object) {
+    Skin& skin = skins_[object.index()];
+    if (!skin.is_restless()) return true;
+    if (attention_[object.index()] != 0 || !skin.has_calmed(step_)) return false;
+    skin.restless = 1;
+    calmed.push_back(object);
+    return false;
+  });
+  std::ranges::sort(calmed);  // the order of restless_ depends on what it went through
+  for (const ObjectId object : calmed) note_still(object, kChanging);
 }
 
 /// The new fat boxes of those that left theirs, into fat_.
@@ -62,9 +94,17 @@ void Bsp<D, Trace>::make_fat_boxes() {
   skins_.resize(latest_.bound());
   fat_.resize(changed_.size());
   pool_->for_slices(changed_.size(), [this](const Slice& slice, std::size_t) {
-    for (std::size_t k = slice.begin; k < slice.end; ++k)
-      if (latest_.is_placed(changed_.all()[k]))
-        fat_[k] = fat_box(changed_.all()[k], before_.all()[k].unpack());
+    for (std::size_t k = slice.begin; k < slice.end; ++k) {
+      const ObjectId object = changed_.all()[k];
+      Skin& skin = skins_[object.index()];
+      if (!tree_.table.is_placed(object)) skin.restless = 0;  // what it was in an earlier life
+      if (skin.is_restless()) attention_[object.index()] |= kWasRestless;
+      if (latest_.is_placed(object)) {
+        fat_[k] = fat_box(object, before_.all()[k].unpack());
+      } else {
+        skin.restless = 0;
+      }
+    }
   });
 }
 
@@ -74,6 +114,8 @@ void Bsp<D, Trace>::take_fat_boxes() {
     const ObjectId object = changed_.all()[k];
     tree_.table.copy(latest_, object);
     if (latest_.is_placed(object)) tree_.table.widen(object, fat_[k]);
+    if (skins_[object.index()].is_restless() && (attention_[object.index()] & kWasRestless) == 0)
+      restless_.push_back(object);
   }
 }
 
@@ -88,9 +130,10 @@ void Bsp<D, Trace>::place_fat() {
   });
   for (const FatPiece& piece : fat_pieces_) {
     for (const EntryChange& change : piece.entries) {
-      if (change.present) tree_[change.leaf].unsorted = true;
+      if (change.comes) tree_[change.leaf].unsorted = true;
       kept_.note(change);
     }
+    for (const NodeId leaf : piece.touched) tree_[leaf].unsorted = true;
     for (const ObjectId object : piece.leaving)
       if (!latest_.is_placed(object)) reporter_.report([&] { return ObjectPlaced{object, 0}; });
   }
@@ -101,20 +144,28 @@ void Bsp<D, Trace>::place_fat() {
   kept_.placed(tree_);
 }
 
-/// Where the k-th of the changed objects was, and where it goes.
+/// Where the k-th of the changed objects was, and where it goes. Nothing is kept of one that is restless, so
+/// nothing must be renewed if it stays in its leaves.
 template <int D, class Trace>
 void Bsp<D, Trace>::find_fat_places(std::size_t k, FatPiece& piece) const {
   const ObjectId object = changed_.all()[k];
   const bool was_placed = tree_.table.is_placed(object);
   const bool is_placed = latest_.is_placed(object);
+  const bool was_restless = (attention_[object.index()] & kWasRestless) != 0;
+  const bool is_restless = skins_[object.index()].is_restless();
+  if (was_restless && is_restless && is_placed &&
+      reach_alike(tree_, tree_.table.box(object), fat_[k], piece.touched))
+    return;
   piece.old_places.clear();
   piece.new_places.clear();
   if (was_placed) reach(tree_, tree_.table.box(object), piece.old_places);
   if (is_placed) reach(tree_, fat_[k], piece.new_places);
-  for (const Reached& place : piece.old_places) piece.entries.push_back({place.leaf, object, 0, false});
+  for (const Reached& place : piece.old_places)
+    piece.entries.push_back({place.leaf, object, 0, false, was_restless});
   for (const Reached& place : piece.new_places)
-    piece.entries.push_back(
-        {place.leaf, object, apart_bits(tree_[place.leaf], place.straddle, latest_.is_fixed(object)), true});
+    piece.entries.push_back({place.leaf, object,
+                             apart_bits(tree_[place.leaf], place.straddle, latest_.is_fixed(object)), true,
+                             is_restless});
   if (piece.old_places == piece.new_places) return;
   if (was_placed) piece.leaving.push_back(object);
   if (is_placed) piece.entering.push_back(object);
@@ -123,7 +174,10 @@ void Bsp<D, Trace>::find_fat_places(std::size_t k, FatPiece& piece) const {
 #define KERF_INSTANTIATE(D, TRACE)                                 \
   template Box<D> Bsp<D, TRACE>::fat_box(ObjectId, const Box<D>&); \
   template void Bsp<D, TRACE>::fatten_all();                       \
+  template void Bsp<D, TRACE>::list_restless();                    \
   template void Bsp<D, TRACE>::slim_some();                        \
+  template void Bsp<D, TRACE>::note_still(ObjectId, std::uint8_t); \
+  template void Bsp<D, TRACE>::calm_some();                        \
   template void Bsp<D, TRACE>::make_fat_boxes();                   \
   template void Bsp<D, TRACE>::take_fat_boxes();                   \
   template void Bsp<D, TRACE>::place_fat();                        \

@@ -39,6 +39,7 @@ void Bsp<D, Trace>::restore(const BspState<D>& state) {
   attention_.assign(latest_.bound(), kUnplaced);
   for (std::uint32_t id = 0; id < latest_.bound(); ++id)
     if (latest_.is_placed({id})) attention_[id] = 0;
+  list_restless();
   pairs_.clear();
   std::ranges::copy(state.pairs, pairs_.reserve(state.pairs.size()));
   pairs_.commit(state.pairs.size());

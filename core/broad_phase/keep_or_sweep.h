@@ -6,30 +6,42 @@
 
 namespace kerf {
 
+/// Those of the objects that left their fat boxes in a step.
+struct Leaving {
+  float share = 0;     ///< of all objects
+  float speed = 0;     ///< their mean speed over their sizes
+  float restless = 0;  ///< how many of them are too fast for any fat box: as a share of them
+};
+
 /// Decides, step by step, whether the pairs of fat boxes are kept or leaves are swept. Keeping pays while few
-/// objects leave their fat boxes: a look-up costs some thirty times what sweeping costs for an object.
+/// objects leave their fat boxes: to look one up again costs some thirty times what sweeping costs for an
+/// object.
 class KeepOrSweep {
  public:
   static constexpr float kHot = 0.03F;  ///< share of objects that leave in a step, above which sweeping pays
+  /// What a restless object costs, over one that leaves its fat box and gets another one.
+  static constexpr float kRestlessCost = 0.4F;
+  /// The speed, over its size, above which an object is no dearer: it would be restless.
+  static constexpr float kDearest = 0.09F;
 
   [[nodiscard]] bool keeps() const { return keeps_; }
 
-  /// After a step with kept pairs. `leaving`: the share of objects that left their fat boxes; `speed`: what
-  /// share of the thickest skin they use up in a step, only looked at if more than kHot left. A few steps
-  /// must speak for sweeping, and in the beginning many more, while skins learn how thick they must be; but
-  /// where objects are fast, one is enough: fat boxes of their size would overlap without end.
-  void kept(float leaving, float speed) {
+  /// After a step with kept pairs. A few steps must speak for sweeping, and in the beginning many more, while
+  /// skins learn how thick they must be; but where objects are fast, one is enough: fat boxes of their size
+  /// would overlap without end.
+  void kept(const Leaving& leaving) {
     constexpr float kFast = 0.25F;
     constexpr float kHopeless = 0.2F;
     constexpr std::uint32_t kLearning = 24;
     constexpr std::uint32_t kEnough = 3;
     ++steps_;
-    against_ = leaving > (steps_ < kLearning ? kHopeless : kHot) ? against_ + 1 : 0;
-    if (against_ >= kEnough || (leaving > kHot && speed > kFast)) change();
+    const float cost = leaving.share * (1 - (1 - kRestlessCost) * leaving.restless);
+    against_ = cost > (steps_ < kLearning ? kHopeless : kHot) ? against_ + 1 : 0;
+    if (against_ >= kEnough || (cost > kHot && leaving.speed > kFast)) change();
   }
 
-  /// After a step in which leaves were swept. `speed`: what share of the thickest skin all objects would use
-  /// up in a step, in the mean.
+  /// After a step in which leaves were swept. `speed`: the mean of all objects' speeds over their sizes, none
+  /// above kDearest.
   void swept(float speed) {
     constexpr float kCool = 0.006F;
     ++steps_;

@@ -1,36 +1,118 @@
 #include "core/broad_phase/kept_pairs.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/kernels/prefetch.h"
 
 namespace kerf {
 namespace {
 
+/// Takes the marked objects out of the pairs. No branch depends on who is marked.
+void drop_marked(std::vector<Pair>& pairs, const std::vector<std::uint8_t>& marks) {
+  Pair* const out = pairs.data();
+  std::size_t written = 0;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const Pair pair = out[k];
+    out[written] = pair;
+    written += (marks[pair.a.index()] | marks[pair.b.index()]) == 0 ? 1 : 0;
+  }
+  pairs.resize(written);
+}
+
 /// Takes the marked objects out of the entries and out of all pairs.
 template <int D>
 void drop_marked(KeptLeaf<D>& leaf, const std::vector<std::uint8_t>& marks) {
   for (std::size_t k = leaf.objects.size(); k > 0; --k)
     if (marks[leaf.objects[k - 1]] != 0) drop_entry(leaf, k - 1);
+  drop_marked(leaf.sure, marks);
+  drop_marked(leaf.candidates, marks);
+}
+
+void drop_restless(std::vector<RestlessEntry>& entries, ObjectId object) {
+  const auto it = std::ranges::find(entries, object.value, &RestlessEntry::object);
+  if (it == entries.end()) return;
+  *it = entries.back();
+  entries.pop_back();
+}
+
+template <int D>
+void push_back(LeafView<D>& view, const PackedBox<D>& box, ObjectId object, DepthMask apart) {
+  view.boxes.push_back(box);
+  view.objects.push_back(object);
+  view.apart.push_back(apart);
+}
+
+/// Moves the restless entries of a view into the leaf's list of them.
+template <int D>
+void take_restless(const KeptObjects<D>& objects, LeafView<D>& view, KeptLeaf<D>& leaf) {
+  leaf.restless.clear();
   std::size_t written = 0;
-  for (const Pair& pair : leaf.pairs) {
-    leaf.pairs[written] = pair;
-    written += (marks[pair.a.index()] | marks[pair.b.index()]) == 0 ? 1 : 0;
+  for (std::size_t i = 0; i < view.size(); ++i) {
+    if (objects.is_restless(view.objects[i])) {
+      leaf.restless.push_back({view.objects[i].value, view.apart[i]});
+      continue;
+    }
+    view.boxes[written] = view.boxes[i];
+    view.objects[written] = view.objects[i];
+    view.apart[written] = view.apart[i];
+    ++written;
   }
-  leaf.pairs.resize(written);
+  view.resize(written);
+}
+
+template <int D>
+void view_restless(const KeptLeaf<D>& leaf, const ObjectTable<D>& table, LeafView<D>& view) {
+  view.resize(0);
+  for (const auto& [object, apart] : leaf.restless) push_back(view, table.packed({object}), {object}, apart);
+}
+
+/// Of the entries that come, those that are kept; the others go into the leaf's list of restless ones.
+template <int D>
+void view_coming(std::span<const EntryChange> changes, const ObjectTable<D>& fat, KeptLeaf<D>& leaf,
+                 LeafView<D>& view) {
+  view.resize(0);
+  for (const EntryChange& change : changes) {
+    if (!change.comes) continue;
+    if (change.restless) {
+      leaf.restless.push_back({change.object.value, change.apart});
+    } else {
+      push_back(view, fat.packed(change.object), change.object, change.apart);
+    }
+  }
+}
+
+/// The pairs of the view's entries with those of the leaf and with each other.
+template <int D>
+void find_beside(KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes, LeafScratch<D>& scratch,
+                 PairBuffer& pairs) {
+  probe_entries(leaf, scratch.view, boxes, scratch.byte_sweep.found, pairs);
+  if (scratch.view.size() > 1) scratch.byte_sweep.find(scratch.view, pairs);
+}
+
+/// Takes pairs of fat boxes.
+template <int D>
+void keep_pairs(std::span<const Pair> pairs, const KeptObjects<D>& objects, KeptLeaf<D>& leaf) {
+  for (const Pair& pair : pairs)
+    (objects.has_fat(pair.a) || objects.has_fat(pair.b) ? leaf.candidates : leaf.sure).push_back(pair);
+}
+
+void append(std::span<const Pair> pairs, PairBuffer& all) {
+  std::ranges::copy(pairs, all.reserve(pairs.size()));
+  all.commit(pairs.size());
 }
 
 }  // namespace
 
 template <int D>
-void view_leaf(const Tree<D>& tree, NodeId leaf, LeafView<D>& view) {
+void view_leaf(const Tree<D>& tree, const ObjectTable<D>& table, NodeId leaf, LeafView<D>& view) {
   const std::vector<Entry>& entries = tree[leaf].entries;
   view.resize(entries.size());
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    prefetch(&tree.table.packed(entries[std::min(i + kPrefetchAhead, entries.size() - 1)].object));
-    view.boxes[i] = tree.table.packed(entries[i].object);
+    prefetch(&table.packed(entries[std::min(i + kPrefetchAhead, entries.size() - 1)].object));
+    view.boxes[i] = table.packed(entries[i].object);
     view.objects[i] = entries[i].object;
-    view.apart[i] = apart_bits(tree[leaf], entries[i].straddle, tree.table.is_fixed(entries[i].object));
+    view.apart[i] = apart_bits(tree[leaf], entries[i].straddle, table.is_fixed(entries[i].object));
   }
 }
 
@@ -46,19 +128,37 @@ void KeptPairs<D>::placed(Tree<D>& tree) {
 }
 
 template <int D>
-void KeptPairs<D>::find(Tree<D>& tree, const ObjectTable<D>& table, LeafPass<D>& pass, TaskPool& pool,
-                        PairBuffer& pairs) {
+void KeptPairs<D>::find(Tree<D>& tree, const ObjectTable<D>& latest, const std::vector<Skin>& skins,
+                        LeafPass<D>& pass, TaskPool& pool, PairBuffer& pairs) {
   leaves_.resize(std::max<std::size_t>(leaves_.size(), tree.slots()));
   std::stable_sort(changes_.begin(), changes_.end(),
                    [](const EntryChange& a, const EntryChange& b) { return a.leaf < b.leaf; });
+  const Objects objects{tree.table, latest, skins};
   pass.run(
       tree, pool,
       [&](NodeId leaf, LeafScratch<D>& scratch, PairBuffer& found) {
-        renew(tree, leaf, scratch);
-        filter_pairs<D>(leaves_[leaf.index()].pairs, table.packed(), found);
+        renew(tree, objects, leaf, scratch);
+        find_in(tree, objects, leaf, scratch, found);
       },
       pairs);
   changes_.clear();
+}
+
+/// The pairs of a leaf that is up to date.
+template <int D>
+void KeptPairs<D>::find_in(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch,
+                           PairBuffer& pairs) {
+  constexpr std::size_t kSweepBelow = 4;  // entries a restless one
+  KeptLeaf<D>& leaf = leaves_[id.index()];
+  if (leaf.restless.size() * kSweepBelow > tree[id].entries.size()) {
+    view_leaf(tree, objects.latest, id, scratch.view);
+    return scratch.byte_sweep.find(scratch.view, pairs);
+  }
+  append(leaf.sure, pairs);
+  filter_pairs<D>(leaf.candidates, objects.latest.packed(), pairs);
+  if (leaf.restless.empty()) return;
+  view_restless(leaf, objects.latest, scratch.view);
+  find_beside(leaf, objects.latest.packed(), scratch, pairs);
 }
 
 template <int D>
@@ -73,49 +173,61 @@ typename KeptPairs<D>::Changes KeptPairs<D>::changes_of(NodeId leaf) const {
 
 /// Patches the leaf, unless an operator changed it or so many objects are touched that sweeping is cheaper.
 template <int D>
-void KeptPairs<D>::renew(Tree<D>& tree, NodeId id, LeafScratch<D>& scratch) {
+void KeptPairs<D>::renew(Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch) {
   constexpr std::size_t kSweepBelow = 4;  // entries a touch
   Node<D>& node = tree[id];
   const Changes changes = changes_of(id);
   const bool known = leaves_[id.index()].generation == node.generation + 1;
   if (node.changed || !known || changes.size() * kSweepBelow > node.entries.size()) {
-    sweep(tree, id, scratch);
+    sweep(tree, objects, id, scratch);
     node.changed = false;
   } else if (!changes.empty()) {
-    patch(tree, changes, scratch);
+    patch(objects, changes, scratch);
   }
 }
 
 /// A few objects are looked for one by one; for many, one pass over all pairs is cheaper.
 template <int D>
-void KeptPairs<D>::patch(const Tree<D>& tree, Changes changes, LeafScratch<D>& scratch) {
-  constexpr std::size_t kFew = 16;
+void KeptPairs<D>::patch(const Objects& objects, Changes changes, LeafScratch<D>& scratch) {
+  constexpr std::ptrdiff_t kFew = 16;
   KeptLeaf<D>& leaf = leaves_[changes.front().leaf.index()];
-  if (changes.size() <= kFew) {
-    for (const EntryChange& change : changes) drop_object(leaf, change.object.value);
+  const auto goes = [](const EntryChange& change) { return !change.comes && !change.restless; };
+  if (std::ranges::count_if(changes, goes) <= kFew) {
+    for (const EntryChange& change : changes)
+      if (goes(change)) drop_object(leaf, change.object.value);
   } else {
-    scratch.marks.resize(std::max(scratch.marks.size(), tree.table.bound()), 0);
-    for (const EntryChange& change : changes) scratch.marks[change.object.index()] = 1;
+    scratch.marks.resize(std::max(scratch.marks.size(), objects.fat.bound()), 0);
+    for (const EntryChange& change : changes)
+      if (goes(change)) scratch.marks[change.object.index()] = 1;
     drop_marked(leaf, scratch.marks);
     for (const EntryChange& change : changes) scratch.marks[change.object.index()] = 0;
   }
   for (const EntryChange& change : changes)
-    if (change.present) add_entry(leaf, change.object.value, change.apart, tree.table.packed());
+    if (change.restless && !change.comes) drop_restless(leaf.restless, change.object);
+  view_coming(changes, objects.fat, leaf, scratch.view);
+  if (scratch.view.size() == 0) return;
+  scratch.pairs.clear();
+  find_beside(leaf, objects.fat.packed(), scratch, scratch.pairs);
+  keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
+  append_entries(scratch.view, leaf);
 }
 
 template <int D>
-void KeptPairs<D>::sweep(const Tree<D>& tree, NodeId id, LeafScratch<D>& scratch) {
+void KeptPairs<D>::sweep(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch) {
   KeptLeaf<D>& leaf = leaves_[id.index()];
   leaf.generation = tree[id].generation + 1;
-  view_leaf(tree, id, scratch.view);
+  view_leaf(tree, tree.table, id, scratch.view);
+  take_restless(objects, scratch.view, leaf);
   keep_entries(scratch.view, leaf);
-  scratch.found.clear();
-  scratch.byte_sweep.find(scratch.view, scratch.found);
-  leaf.pairs.assign(scratch.found.all().begin(), scratch.found.all().end());
+  scratch.pairs.clear();
+  scratch.byte_sweep.find(scratch.view, scratch.pairs);
+  leaf.sure.clear();
+  leaf.candidates.clear();
+  keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
 }
 
-#define KERF_INSTANTIATE(D)                                         \
-  template void view_leaf<D>(const Tree<D>&, NodeId, LeafView<D>&); \
+#define KERF_INSTANTIATE(D)                                                                \
+  template void view_leaf<D>(const Tree<D>&, const ObjectTable<D>&, NodeId, LeafView<D>&); \
   template class KeptPairs<D>;
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

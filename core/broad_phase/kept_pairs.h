@@ -6,31 +6,48 @@
 
 #include "core/broad_phase/leaf_pass.h"
 #include "core/broad_phase/pair_buffer.h"
+#include "core/broad_phase/skin.h"
 #include "core/kernels/kept_leaf.h"
 #include "core/tree/tree.h"
 
 namespace kerf {
 
-/// What the sweep of `leaf` reads, as the tree has it now.
+/// What the sweep of `leaf` reads, as the tree has it now, with boxes from `table`.
 template <int D>
-void view_leaf(const Tree<D>& tree, NodeId leaf, LeafView<D>& view);
+void view_leaf(const Tree<D>& tree, const ObjectTable<D>& table, NodeId leaf, LeafView<D>& view);
 /// The `apart` bits (see LeafView) of an entry of `leaf`.
 template <int D>
 DepthMask apart_bits(const Node<D>& leaf, DepthMask straddle, bool fixed) {
   return (straddle & leaf.right_of) | (fixed ? LeafView<D>::kFixedBit : 0);
 }
 
-/// An object whose fat box changed, or which came or went, in one leaf.
+/// An object's entry that comes or goes in one leaf, or is of another fat box: then it goes and comes.
 struct EntryChange {
   NodeId leaf;
   ObjectId object;
   DepthMask apart = 0;
-  bool present = false;  ///< it has an entry in the leaf now
+  bool comes = false;
+  bool restless = false;  ///< it was, if it goes, or is now, if it comes
+};
+
+/// What is known of all objects in a step.
+template <int D>
+struct KeptObjects {
+  const ObjectTable<D>& fat;
+  const ObjectTable<D>& latest;
+  const std::vector<Skin>& skins;
+
+  [[nodiscard]] bool is_restless(ObjectId object) const { return skins[object.index()].is_restless(); }
+  /// See KeptLeaf.
+  [[nodiscard]] bool has_fat(ObjectId object) const {
+    return fat.packed(object).lane != latest.packed(object).lane;
+  }
 };
 
 /// The pairs of fat boxes, leaf by leaf. As long as the boxes stay in their fat ones, the pairs of a step are
 /// among them (DESIGN.md, "Fast"): a step only filters them. A leaf that an operator changed is swept anew;
-/// an object that got another fat box is taken out of its leaves' lists and looked up again.
+/// an object that got another fat box is taken out of its leaves' lists and looked up again. Restless objects
+/// have no kept pairs: they are looked up in each step, and a leaf that has many of them is swept as a whole.
 template <int D>
 class KeptPairs {
  public:
@@ -41,15 +58,19 @@ class KeptPairs {
   /// Forgets everything: all leaves are swept in the next `find`.
   void clear();
   /// Brings the candidates up to date with the tree, whose table has the fat boxes, and appends those whose
-  /// boxes overlap in `table`.
-  void find(Tree<D>& tree, const ObjectTable<D>& table, LeafPass<D>& pass, TaskPool& pool, PairBuffer& pairs);
+  /// latest boxes overlap.
+  void find(Tree<D>& tree, const ObjectTable<D>& latest, const std::vector<Skin>& skins, LeafPass<D>& pass,
+            TaskPool& pool, PairBuffer& pairs);
 
  private:
   using Changes = std::span<const EntryChange>;
+  using Objects = KeptObjects<D>;
   [[nodiscard]] Changes changes_of(NodeId leaf) const;
-  void renew(Tree<D>& tree, NodeId id, LeafScratch<D>& scratch);
-  void patch(const Tree<D>& tree, Changes changes, LeafScratch<D>& scratch);
-  void sweep(const Tree<D>& tree, NodeId id, LeafScratch<D>& scratch);
+  void renew(Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch);
+  void patch(const Objects& objects, Changes changes, LeafScratch<D>& scratch);
+  void sweep(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch);
+  void find_in(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch,
+               PairBuffer& pairs);
 
   std::vector<KeptLeaf<D>> leaves_;  ///< by node
   std::vector<EntryChange> changes_;

@@ -18,7 +18,7 @@ struct LeafScratch {
   SweepBuffer<D> ordered;
   LeafView<D> view;
   ByteSweep<D> byte_sweep;
-  PairBuffer found;
+  PairBuffer pairs;
   std::vector<std::uint8_t> marks;  ///< by object; all are 0 between leaves
 };
 

@@ -8,16 +8,20 @@
 
 namespace kerf {
 
-/// How thick the skin of an object is and since when. It learns: who leaves soon gets a thicker one.
+/// How thick the skin of an object is and since when. It learns: who leaves soon gets a thicker one. Who
+/// moves by more than the thickest skin in a step is *restless*, and has none until it was slow for some
+/// steps.
 struct Skin {
   static constexpr std::uint8_t kThickest = 6;
   /// The thickest, over the object's size. Thicker ones cost more in candidates than they save in look-ups.
   static constexpr float kMost = 1.0F / 8;
   static constexpr std::uint32_t kRest = 1024;  ///< steps: two look-ups in so many are not noticed
-  std::uint8_t level = 5;   ///< a sixteenth of the object's size, until it is known better
-  bool wrapped = false;     ///< it was wrapped since it left last
-  std::uint8_t wraps = 0;   ///< how often it left soon after it had been wrapped
-  std::uint16_t since = 0;  ///< the step, modulo 2^16: a wrong age costs time, never a pair
+  static constexpr std::uint8_t kRestless = 8;  ///< steps until a restless object is no longer one
+  std::uint8_t level = 5;     ///< a sixteenth of the object's size, until it is known better
+  bool wrapped = false;       ///< it was wrapped since it left last
+  std::uint8_t wraps = 0;     ///< how often it left soon after it had been wrapped
+  std::uint16_t since = 0;    ///< the step, modulo 2^16: a wrong age costs time, never a pair
+  std::uint8_t restless = 0;  ///< slow steps for which it still counts as restless
 
   [[nodiscard]] std::uint16_t age(std::uint32_t step) const {
     return static_cast<std::uint16_t>(step - since);
@@ -33,6 +37,13 @@ struct Skin {
     wrapped = false;
     since = static_cast<std::uint16_t>(step);
   }
+  /// To be told of the same steps, whether the object was fast in it.
+  void moved(bool fast) {
+    restless = fast ? kRestless : static_cast<std::uint8_t>(std::max(restless - 1, 0));
+  }
+  [[nodiscard]] bool is_restless() const { return restless > 0; }
+  /// Whether a restless object has stood still for so long that it need not be one.
+  [[nodiscard]] bool has_calmed(std::uint32_t step) const { return age(step) >= kRestless; }
   /// Whether the object stayed so long that it should be wrapped in its skin, whatever fat it has. Who left
   /// again soon waits twice as long each time.
   [[nodiscard]] bool is_at_rest(std::uint32_t step) const { return age(step) >= kRest << wraps; }
@@ -60,6 +71,14 @@ SizeAndSpeed size_and_speed(const Box<D>& box, const Box<D>& before) {
   return result;
 }
 
+/// Whether an object moved by more than any skin since `before`: it would leave any fat box soon, and have
+/// many candidates until then.
+template <int D>
+bool is_fast(const Box<D>& box, const Box<D>& before) {
+  const auto [size, speed] = size_and_speed(box, before);
+  return speed > 0 && speed >= Skin::kMost * size;
+}
+
 /// The share of the way ahead that an object really gets, from a third to all of it. Objects that move alike
 /// would otherwise all leave their fat boxes in the same step, and that step would take ten times the
 /// others'.
@@ -72,12 +91,11 @@ inline float fat_share(std::uint32_t object) {
 /// The fat box of an object: it holds `box` and where it will be for some steps if it goes on like from
 /// `before`. It grows ahead of the motion by `steps` of it, though never by more than the object's own size,
 /// and by the skin on every side, for what shakes or turns; of the way ahead it gets a share. What stands
-/// still gets no fat, nor does what moves by more than a skin in a step: it would leave any fat box soon, and
-/// have many candidates until then. Box and motion are finite; so is the result.
+/// still gets no fat, nor does what is fast. Box and motion are finite; so is the result.
 template <int D>
 Box<D> fatten(const Box<D>& box, const Box<D>& before, const Skin& skin, float steps, float share) {
   const auto [size, speed] = size_and_speed(box, before);
-  if (speed == 0 || speed >= Skin::kMost * size) return box;
+  if (speed == 0 || is_fast(box, before)) return box;
   const float around = std::max(skin.thickness(size), speed);
   Box<D> fat;
   for (int i = 0; i < D; ++i) {
@@ -108,9 +126,9 @@ bool is_for_flight(const Box<D>& fat, const Box<D>& box) {
   return margin > 1.05F * Skin::kMost * size;
 }
 
-/// The share of the largest skin that one step like that from `before` uses up: 1 leaves it at once.
+/// The speed since `before` over the object's size, 1 at most.
 template <int D>
-float share_of_skin(const Box<D>& box, const Box<D>& before) {
+float relative_speed(const Box<D>& box, const Box<D>& before) {
   const auto [size, speed] = size_and_speed(box, before);
   return speed < size ? speed / size : (speed > 0 ? 1.0F : 0.0F);
 }

@@ -8,7 +8,7 @@
 #define HWY_TARGET_INCLUDE "core/kernels/byte_sweep.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/kernels/bytes-inl.h"
+#include "core/kernels/findings-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
@@ -81,58 +81,6 @@ HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   }
 }
 
-/// The pair in canonical order, in a way of which no compiler makes a branch: nothing predicts whose id is
-/// less.
-HWY_INLINE Pair ordered_pair(std::uint32_t a, std::uint32_t b) {
-  const std::uint32_t swapped = (a ^ b) & (0U - static_cast<std::uint32_t>(a > b));
-  return {ObjectId{a ^ swapped}, ObjectId{b ^ swapped}};
-}
-
-/// Confirms on the floats what the bytes have found. No branch depends on the outcome.
-template <int D>
-HWY_INLINE void confirm(const ByteSweep<D>& sweep, std::size_t count, PairBuffer& pairs) {
-  Pair* const HWY_RESTRICT out = pairs.reserve(count);
-  const auto* const found = sweep.found.data();
-  const PackedBox<D>* const boxes = sweep.sorted.boxes.data();
-  const DepthMask* const apart = sweep.sorted.apart.data();
-  const ObjectId* const objects = sweep.sorted.objects.data();
-  std::size_t written = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto [i, j] = found[k];
-    const bool overlap = ends_overlap<D>(load_ends(boxes[i]), load_ends(boxes[j]));
-    const bool here = (apart[i] & apart[j]) == 0;
-    out[written] = ordered_pair(objects[i].value, objects[j].value);
-    written += static_cast<std::size_t>(overlap & here);
-  }
-  pairs.commit(written);
-}
-
-/// As many of the lowest bits, or all.
-HWY_INLINE std::uint64_t first_bits(std::uint32_t count) {
-  return count < 64 ? (std::uint64_t{1} << count) - 1 : UINT64_MAX;
-}
-
-/// The number of the lowest bit; anything if there is none. To the compiler there is always one, or it would
-/// make a branch for the other case, which nothing predicts.
-HWY_INLINE std::uint64_t lowest_bit(std::uint64_t bits) {
-  return static_cast<std::uint64_t>(std::countr_zero(bits | (std::uint64_t{1} << 63U)));
-}
-
-/// Writes (i, j + k) for each bit k and gives their number. Four are written whether they are there or not:
-/// few rows have more, and the branch that tells is seldom mispredicted.
-HWY_INLINE std::size_t list_bits(std::uint64_t bits, std::uint32_t i, std::uint32_t j, FoundAt* found) {
-  const auto count = static_cast<std::size_t>(std::popcount(bits));
-  const std::uint64_t first = i | std::uint64_t{j} << 32U;
-  const auto write = [&](std::size_t k) {
-    const std::uint64_t both = first + (lowest_bit(bits) << 32U);
-    found[k] = {static_cast<std::uint32_t>(both), static_cast<std::uint32_t>(both >> 32U)};
-    bits &= bits - 1;
-  };
-  for (std::size_t k = 0; k < 4; ++k) write(k);
-  for (std::size_t k = 4; k < count; ++k) write(k);
-  return count;
-}
-
 /// Compares each entry with those behind it that begin before it ends, on the axes that the order leaves
 /// open.
 template <int D>
@@ -147,6 +95,10 @@ HWY_INLINE void compare_all(ByteSweep<D>& sweep, PairBuffer& pairs) {
   }
   const std::uint8_t* const own_max = sweep.plane(static_cast<std::size_t>(D + sweep.axis));
   const std::uint32_t* const ends = sweep.ends.data() + 1;
+  const auto entries = [boxes = sweep.sorted.boxes.data(), objects = sweep.sorted.objects.data(),
+                        apart = sweep.sorted.apart.data()](std::uint32_t k) {
+    return EntryRef<D>{boxes[k], objects[k].value, apart[k]};
+  };
   auto* const HWY_RESTRICT found = sweep.found.data();
   std::size_t count = 0;
   for (std::uint32_t i = 0; i + 1 < n; ++i) {
@@ -157,12 +109,12 @@ HWY_INLINE void compare_all(ByteSweep<D>& sweep, PairBuffer& pairs) {
     const std::uint32_t end = ends[own_max[i]];
     for (std::uint32_t j = i + 1; j < end; j += 64) {
       count += list_bits(overlap_bits(probe, j) & first_bits(end - j), i, j, found + count);
-      if (count < ByteSweep<D>::kConfirmAt) continue;
-      confirm(sweep, count, pairs);
+      if (count < kConfirmAt) continue;
+      confirm<D>(found, count, entries, entries, pairs);
       count = 0;
     }
   }
-  confirm(sweep, count, pairs);
+  confirm<D>(found, count, entries, entries, pairs);
 }
 
 template <int D>
@@ -191,10 +143,8 @@ HWY_EXPORT(find_3);
 
 template <int D>
 void ByteSweep<D>::make_room(std::size_t n) {
-  constexpr std::size_t kRow = 64;
   stride = n + kPad;
   if (planes.size() < stride * 2 * D) planes.resize(stride * 2 * D);
-  found.resize(kConfirmAt + kRow + 4);
   keys.resize(n);
   sorted_keys.resize(n);
   sorted.resize(n);

@@ -6,15 +6,10 @@
 #include <vector>
 
 #include "core/broad_phase/pair_buffer.h"
+#include "core/kernels/found_at.h"
 #include "core/kernels/leaf_view.h"
 
 namespace kerf {
-
-/// Two places in the order of a sweep.
-struct FoundAt {
-  std::uint32_t i;
-  std::uint32_t j;
-};
 
 /// The sweep of one leaf by vectors of bytes.
 ///
@@ -31,14 +26,13 @@ class ByteSweep {
   void find(const LeafView<D>& leaf, PairBuffer& pairs);
 
   // The kernels' memory, kept between leaves.
-  static constexpr std::size_t kPad = 64;          ///< bytes that may be read beyond the end of a plane
-  static constexpr std::size_t kConfirmAt = 2048;  ///< findings that are confirmed in one go
+  static constexpr std::size_t kPad = 64;  ///< bytes that may be read beyond the end of a plane
   LeafView<D> sorted;
   std::vector<ByteKey<D>> keys;           ///< of the entries as they came
   std::vector<ByteKey<D>> sorted_keys;    ///< in order
   std::vector<std::uint8_t> planes;       ///< bytes in order: min of each axis, then max
   std::array<std::uint32_t, 257> ends{};  ///< [q + 1]: entries that begin at or before q
-  std::vector<FoundAt> found;
+  Findings found;
   std::size_t stride = 0;
   int axis = 0;  ///< along which the entries are ordered
 

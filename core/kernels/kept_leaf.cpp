@@ -7,7 +7,7 @@
 #define HWY_TARGET_INCLUDE "core/kernels/kept_leaf.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/kernels/bytes-inl.h"
+#include "core/kernels/findings-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
@@ -36,12 +36,18 @@ HWY_INLINE void store_key(KeptLeaf<D>& leaf, std::size_t place, ByteKey<D> key) 
 }
 
 template <int D>
-HWY_INLINE void keep(const LeafView<D>& view, KeptLeaf<D>& leaf) {
+HWY_INLINE void set_map(const LeafView<D>& view, KeptLeaf<D>& leaf) {
   const Four four;
   const ByteMap map = make_byte_map(view);
   hn::StoreU(map.origin, four, leaf.origin.data());
   hn::StoreU(map.scale, four, leaf.scale.data());
-  for (std::size_t i = 0; i < view.size(); ++i) store_key(leaf, i, key_of(map, view.boxes[i]));
+}
+
+template <int D>
+HWY_INLINE void append(const LeafView<D>& view, KeptLeaf<D>& leaf) {
+  const ByteMap map = map_of(leaf);
+  for (std::size_t i = 0; i < view.size(); ++i)
+    store_key(leaf, leaf.objects.size() + i, key_of(map, view.boxes[i]));
 }
 
 template <int D>
@@ -57,25 +63,53 @@ HWY_INLINE Probe<D> make_probe(KeptLeaf<D>& leaf, ByteKey<D> key) {
   return probe;
 }
 
-template <int D>
-HWY_INLINE void add(KeptLeaf<D>& leaf, std::uint32_t object, DepthMask apart, const PackedBox<D>* boxes) {
-  const auto key = key_of(map_of(leaf), boxes[object]);
-  const Probe<D> probe = make_probe<D>(leaf, key);
-  const Ends own = load_ends(boxes[object]);
-  const std::size_t n = leaf.objects.size();
-  for (std::size_t j = 0; j < n; j += 64) {
-    std::uint64_t bits = overlap_bits(probe, j);
-    if (n - j < 64) bits &= (std::uint64_t{1} << (n - j)) - 1;
-    for (; bits != 0; bits &= bits - 1) {
-      const std::size_t at = j + static_cast<std::size_t>(std::countr_zero(bits));
-      const std::uint32_t other = leaf.objects[at];
-      if ((leaf.apart[at] & apart) == 0 && ends_overlap<D>(own, load_ends(boxes[other])))
-        leaf.pairs.push_back(make_pair({object}, {other}));
+/// 64 entries of a leaf, of which bit k says that entry j + k was found.
+struct Row {
+  std::uint64_t bits;
+  std::uint32_t j;
+};
+
+/// Writes (i, j) for each entry j that overlaps the probe as far as bytes tell, and calls `full` with their
+/// number when there is no room for more of them. Rows without a finding are dropped first, so that no branch
+/// depends on where the others are.
+template <int D, class Full>
+HWY_INLINE std::size_t find_all(const Probe<D>& probe, std::uint32_t n, std::uint32_t i, std::size_t count,
+                                Findings& found, Full full) {
+  constexpr std::uint32_t kRows = 64;
+  Row rows[kRows];
+  for (std::uint32_t begin = 0; begin < n; begin += 64 * kRows) {
+    std::size_t filled = 0;
+    for (std::uint32_t j = begin; j < std::min(n, begin + 64 * kRows); j += 64) {
+      rows[filled] = {overlap_bits(probe, j) & first_bits(n - j), j};
+      filled += rows[filled].bits != 0 ? 1 : 0;
+    }
+    for (std::size_t row = 0; row < filled; ++row) {
+      count += list_bits(rows[row].bits, i, rows[row].j, found.data() + count);
+      if (count < kConfirmAt) continue;
+      full(count);
+      count = 0;
     }
   }
-  store_key(leaf, n, key);
-  leaf.objects.push_back(object);
-  leaf.apart.push_back(apart);
+  return count;
+}
+
+/// Appends the overlaps of the view's boxes with those of the leaf, `boxes` by object.
+template <int D>
+HWY_INLINE void probe_all(KeptLeaf<D>& leaf, const LeafView<D>& view, const PackedBox<D>* boxes,
+                          Findings& found, PairBuffer& pairs) {
+  const ByteMap map = map_of(leaf);
+  const auto probing = [&view](std::uint32_t i) {
+    return EntryRef<D>{view.boxes[i], view.objects[i].value, view.apart[i]};
+  };
+  const auto kept = [objects = leaf.objects.data(), apart = leaf.apart.data(), boxes](std::uint32_t j) {
+    return EntryRef<D>{boxes[objects[j]], objects[j], apart[j]};
+  };
+  const auto confirm_some = [&](std::size_t count) { confirm<D>(found.data(), count, probing, kept, pairs); };
+  const auto n = static_cast<std::uint32_t>(leaf.objects.size());
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < view.size(); ++i)
+    count = find_all(make_probe<D>(leaf, key_of(map, view.boxes[i])), n, i, count, found, confirm_some);
+  confirm_some(count);
 }
 
 /// The first of `n` numbers from `k` on that is `wanted`, or n.
@@ -119,13 +153,17 @@ HWY_INLINE void filter(std::span<const Pair> candidates, const PackedBox<D>* box
   pairs.commit(written);
 }
 
-void keep_2(const LeafView<2>& view, KeptLeaf<2>& leaf) { keep(view, leaf); }
-void keep_3(const LeafView<3>& view, KeptLeaf<3>& leaf) { keep(view, leaf); }
-void add_2(KeptLeaf<2>& leaf, std::uint32_t object, DepthMask apart, const PackedBox<2>* boxes) {
-  add(leaf, object, apart, boxes);
+void set_map_2(const LeafView<2>& view, KeptLeaf<2>& leaf) { set_map(view, leaf); }
+void set_map_3(const LeafView<3>& view, KeptLeaf<3>& leaf) { set_map(view, leaf); }
+void append_2(const LeafView<2>& view, KeptLeaf<2>& leaf) { append(view, leaf); }
+void append_3(const LeafView<3>& view, KeptLeaf<3>& leaf) { append(view, leaf); }
+void probe_2(KeptLeaf<2>& leaf, const LeafView<2>& view, const PackedBox<2>* boxes, Findings& found,
+             PairBuffer& pairs) {
+  probe_all(leaf, view, boxes, found, pairs);
 }
-void add_3(KeptLeaf<3>& leaf, std::uint32_t object, DepthMask apart, const PackedBox<3>* boxes) {
-  add(leaf, object, apart, boxes);
+void probe_3(KeptLeaf<3>& leaf, const LeafView<3>& view, const PackedBox<3>* boxes, Findings& found,
+             PairBuffer& pairs) {
+  probe_all(leaf, view, boxes, found, pairs);
 }
 void filter_2(std::span<const Pair> candidates, const PackedBox<2>* boxes, PairBuffer& pairs) {
   filter(candidates, boxes, pairs);
@@ -145,23 +183,23 @@ constexpr std::size_t kPad = 64;  // bytes that may be read beyond the end of a 
 
 HWY_EXPORT(drop_pairs);
 HWY_EXPORT(find_object);
-HWY_EXPORT(keep_2);
-HWY_EXPORT(keep_3);
-HWY_EXPORT(add_2);
-HWY_EXPORT(add_3);
+HWY_EXPORT(set_map_2);
+HWY_EXPORT(set_map_3);
+HWY_EXPORT(append_2);
+HWY_EXPORT(append_3);
+HWY_EXPORT(probe_2);
+HWY_EXPORT(probe_3);
 HWY_EXPORT(filter_2);
 HWY_EXPORT(filter_3);
 
-/// Makes the planes long enough for `n` entries and a whole vector behind them; what they held is lost if
-/// they must grow, unless `keep_bytes`.
+/// Makes the planes long enough for `n` entries and a whole vector behind them.
 template <int D>
-void make_room(KeptLeaf<D>& leaf, std::size_t n, bool keep_bytes) {
+void make_room(KeptLeaf<D>& leaf, std::size_t n) {
   if (n + kPad <= leaf.stride) return;
   const std::size_t stride = n + n / 4 + kPad;
   std::vector<std::uint8_t> planes(stride * 2 * D);
-  if (keep_bytes)
-    for (std::size_t k = 0; k < std::size_t{2} * D; ++k)
-      std::copy_n(leaf.plane(k), leaf.objects.size(), planes.data() + k * stride);
+  for (std::size_t k = 0; k < std::size_t{2} * D; ++k)
+    std::copy_n(leaf.plane(k), leaf.objects.size(), planes.data() + k * stride);
   leaf.planes = std::move(planes);
   leaf.stride = stride;
 }
@@ -170,15 +208,26 @@ void make_room(KeptLeaf<D>& leaf, std::size_t n, bool keep_bytes) {
 
 template <int D>
 void keep_entries(const LeafView<D>& view, KeptLeaf<D>& leaf) {
-  make_room(leaf, view.size(), false);
   leaf.objects.clear();
-  for (const ObjectId object : view.objects) leaf.objects.push_back(object.value);
-  leaf.apart = view.apart;
+  leaf.apart.clear();
   if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(keep_2)(view, leaf);
+    HWY_DYNAMIC_DISPATCH(set_map_2)(view, leaf);
   } else {
-    HWY_DYNAMIC_DISPATCH(keep_3)(view, leaf);
+    HWY_DYNAMIC_DISPATCH(set_map_3)(view, leaf);
   }
+  append_entries(view, leaf);
+}
+
+template <int D>
+void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf) {
+  make_room(leaf, leaf.objects.size() + view.size());
+  if constexpr (D == 2) {
+    HWY_DYNAMIC_DISPATCH(append_2)(view, leaf);
+  } else {
+    HWY_DYNAMIC_DISPATCH(append_3)(view, leaf);
+  }
+  for (const ObjectId object : view.objects) leaf.objects.push_back(object.value);
+  leaf.apart.insert(leaf.apart.end(), view.apart.begin(), view.apart.end());
 }
 
 template <int D>
@@ -196,17 +245,18 @@ void drop_object(KeptLeaf<D>& leaf, std::uint32_t object) {
   const std::size_t k = HWY_DYNAMIC_DISPATCH(find_object)(leaf.objects, object);
   if (k == leaf.objects.size()) return;
   drop_entry(leaf, k);
-  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.pairs, object);
+  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.sure, object);
+  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, object);
 }
 
 template <int D>
-void add_entry(KeptLeaf<D>& leaf, std::uint32_t object, DepthMask apart,
-               std::span<const PackedBox<D>> boxes) {
-  make_room(leaf, leaf.objects.size() + 1, true);
+void probe_entries(KeptLeaf<D>& leaf, const LeafView<D>& view, std::span<const PackedBox<D>> boxes,
+                   Findings& found, PairBuffer& pairs) {
+  if (leaf.objects.empty()) return;
   if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(add_2)(leaf, object, apart, boxes.data());
+    HWY_DYNAMIC_DISPATCH(probe_2)(leaf, view, boxes.data(), found, pairs);
   } else {
-    HWY_DYNAMIC_DISPATCH(add_3)(leaf, object, apart, boxes.data());
+    HWY_DYNAMIC_DISPATCH(probe_3)(leaf, view, boxes.data(), found, pairs);
   }
 }
 
@@ -219,11 +269,13 @@ void filter_pairs(std::span<const Pair> candidates, std::span<const PackedBox<D>
   }
 }
 
-#define KERF_INSTANTIATE(D)                                                                          \
-  template void keep_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                   \
-  template void drop_object<D>(KeptLeaf<D>&, std::uint32_t);                                         \
-  template void drop_entry<D>(KeptLeaf<D>&, std::size_t);                                            \
-  template void add_entry<D>(KeptLeaf<D>&, std::uint32_t, DepthMask, std::span<const PackedBox<D>>); \
+#define KERF_INSTANTIATE(D)                                                                                  \
+  template void keep_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                           \
+  template void append_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                         \
+  template void drop_object<D>(KeptLeaf<D>&, std::uint32_t);                                                 \
+  template void drop_entry<D>(KeptLeaf<D>&, std::size_t);                                                    \
+  template void probe_entries<D>(KeptLeaf<D>&, const LeafView<D>&, std::span<const PackedBox<D>>, Findings&, \
+                                 PairBuffer&);                                                               \
   template void filter_pairs<D>(std::span<const Pair>, std::span<const PackedBox<D>>, PairBuffer&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

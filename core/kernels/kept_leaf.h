@@ -7,13 +7,22 @@
 #include <vector>
 
 #include "core/broad_phase/pair_buffer.h"
+#include "core/kernels/found_at.h"
 #include "core/kernels/leaf_view.h"
 
 namespace kerf {
 
+/// An entry of which no pairs are kept.
+struct RestlessEntry {
+  std::uint32_t object = 0;
+  DepthMask apart = 0;
+};
+
 /// The fat boxes of a leaf in bytes, in no order, so that one object can come, go or be looked up at the cost
 /// of a scan of bytes; and the pairs of fat boxes found among them, which stay candidates for as long as the
-/// boxes stay in their fat ones.
+/// boxes stay in their fat ones. Restless objects are listed beside them.
+///
+/// An object has no fat while its box equals its fat box.
 template <int D>
 struct KeptLeaf {
   std::uint32_t generation = 0;  ///< one more than that of the node whose leaf this is; 0: nothing is kept
@@ -23,7 +32,9 @@ struct KeptLeaf {
   std::vector<DepthMask> apart;
   std::vector<std::uint8_t> planes;  ///< min of each axis, then max, `stride` bytes each
   std::size_t stride = 0;
-  std::vector<Pair> pairs;  ///< whose fat boxes overlap
+  std::vector<Pair> sure;        ///< pairs of objects without fat: overlap until one of them moves
+  std::vector<Pair> candidates;  ///< other pairs of fat boxes
+  std::vector<RestlessEntry> restless;
 
   [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }
 };
@@ -31,15 +42,20 @@ struct KeptLeaf {
 /// Takes the entries of a view into an empty or outdated leaf; the pairs stay as they are.
 template <int D>
 void keep_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);
+/// Takes those of a view beside those that the leaf has.
+template <int D>
+void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);
 /// Takes out entry `k`; the last one takes its place. The pairs stay.
 template <int D>
 void drop_entry(KeptLeaf<D>& leaf, std::size_t k);
 /// Takes an object's entry, if it has one, and its pairs out.
 template <int D>
 void drop_object(KeptLeaf<D>& leaf, std::uint32_t object);
-/// Adds an entry and its pairs with all those that its fat box overlaps. `boxes` has the fat boxes by object.
+/// Appends the pairs of the view's entries, which are none of the leaf's, with those of the leaf, whose boxes
+/// `boxes` gives by object: each its fat box, or any inside of it.
 template <int D>
-void add_entry(KeptLeaf<D>& leaf, std::uint32_t object, DepthMask apart, std::span<const PackedBox<D>> boxes);
+void probe_entries(KeptLeaf<D>& leaf, const LeafView<D>& view, std::span<const PackedBox<D>> boxes,
+                   Findings& found, PairBuffer& pairs);
 /// Appends those of the candidates whose boxes overlap. `boxes` by object.
 template <int D>
 void filter_pairs(std::span<const Pair> candidates, std::span<const PackedBox<D>> boxes, PairBuffer& pairs);

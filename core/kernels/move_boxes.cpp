@@ -57,6 +57,15 @@ HWY_INLINE bool holds(const PackedBox<D>& outer, const Ends& ends) {
   return hn::AllTrue(four, inside);
 }
 
+template <int D>
+HWY_INLINE bool equals(const PackedBox<D>& box, const Ends& ends) {
+  const Four four;
+  const Ends own = load_ends(box);
+  auto same = hn::And(hn::Eq(own.min, ends.min), hn::Eq(own.minus_max, ends.minus_max));
+  if constexpr (D == 2) same = hn::Or(same, hn::Not(hn::FirstN(four, 2)));
+  return hn::AllTrue(four, same);
+}
+
 template <bool Fat, int D>
 HWY_INLINE MoveAnswer move_all(const MoveRequest<D>& request) {
   MoveAnswer answer;
@@ -74,7 +83,9 @@ HWY_INLINE MoveAnswer move_all(const MoveRequest<D>& request) {
     }
     bool asks = true;
     if constexpr (Fat) {
-      asks = !holds(request.fat[id], ends);
+      const PackedBox<D>& fat = request.fat[id];
+      const bool shrinks = equals(fat, load_ends(latest[id])) & !equals(fat, ends);
+      asks = !holds(fat, ends) | shrinks;
       request.before[answer.changed] = latest[id];
     }
     request.changed[answer.changed] = objects[k];

@@ -23,7 +23,9 @@ struct MoveRequest {
 
   std::span<PackedBox<D>> latest;     ///< takes the new boxes
   std::span<std::uint8_t> attention;  ///< not 0: the object is left to the caller
-  const PackedBox<D>* fat = nullptr;  ///< an object that stays inside of it asks for nothing; none: all ask
+  /// An object that stays inside of it asks for nothing, but if it filled it so far, it must fill it still.
+  /// None: all ask.
+  const PackedBox<D>* fat = nullptr;
 
   ObjectId* changed = nullptr;         ///< answer: objects that ask; their `attention` is 1 now
   PackedBox<D>* before = nullptr;      ///< answer, only with `fat`: where they were

@@ -163,6 +163,7 @@ Skin get_skin(ByteReader& in) {
   skin.wrapped = in.u8() != 0;
   skin.wraps = std::min(in.u8(), kMostWraps);
   skin.since = static_cast<std::uint16_t>(in.varint());
+  skin.restless = std::min(in.u8(), Skin::kRestless);
   return skin;
 }
 
@@ -181,6 +182,7 @@ Bytes encode_keyframe(const BspState<D>& state) {
     out.u8(skin.wrapped ? 1 : 0);
     out.u8(skin.wraps);
     out.varint(skin.since);
+    out.u8(skin.restless);
   }
   out.u8(state.mode);
   for (const std::uint32_t x : state.keep_or_sweep.memory()) out.varint(x);

@@ -117,6 +117,26 @@ void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached
 }
 
 template <int D>
+bool reach_alike(const Tree<D>& tree, const Box<D>& first, const Box<D>& second,
+                 std::vector<NodeId>& leaves) {
+  WalkStack<NodeId> todo;
+  todo.push(tree.root());
+  while (!todo.empty()) {
+    const NodeId id = todo.pop();
+    const Node<D>& node = tree[id];
+    if (node.is_leaf()) {
+      leaves.push_back(id);
+      continue;
+    }
+    const Sides sides = classify(node.plane, first);
+    if (sides != classify(node.plane, second)) return false;
+    if (sides.right) todo.push(node.right);
+    if (sides.left) todo.push(node.left);
+  }
+  return true;
+}
+
+template <int D>
 std::vector<Stored> collect(const Tree<D>& tree, NodeId from) {
   const DepthMask above = bits_above(tree[from].depth);
   std::vector<Stored> stored;
@@ -130,11 +150,12 @@ std::vector<Stored> collect(const Tree<D>& tree, NodeId from) {
   return stored;
 }
 
-#define KERF_INSTANTIATE(D)                                                     \
-  template std::uint32_t place<D>(Tree<D>&, NodeId, ObjectId, DepthMask);       \
-  template void displace<D>(Tree<D>&, NodeId, std::span<const ObjectId>);       \
-  template bool stays<D>(Tree<D>&, ObjectId, const Volume<D>&);                 \
-  template void reach<D>(const Tree<D>&, const Box<D>&, std::vector<Reached>&); \
+#define KERF_INSTANTIATE(D)                                                                         \
+  template std::uint32_t place<D>(Tree<D>&, NodeId, ObjectId, DepthMask);                           \
+  template void displace<D>(Tree<D>&, NodeId, std::span<const ObjectId>);                           \
+  template bool stays<D>(Tree<D>&, ObjectId, const Volume<D>&);                                     \
+  template void reach<D>(const Tree<D>&, const Box<D>&, std::vector<Reached>&);                     \
+  template bool reach_alike<D>(const Tree<D>&, const Box<D>&, const Box<D>&, std::vector<NodeId>&); \
   template std::vector<Stored> collect<D>(const Tree<D>&, NodeId);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

@@ -35,6 +35,11 @@ struct Reached {
 template <int D>
 void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached);
 
+/// Whether two boxes reach the same leaves, on the same sides. Appends these leaves; if not, some of them.
+/// For trees of boxes.
+template <int D>
+bool reach_alike(const Tree<D>& tree, const Box<D>& first, const Box<D>& second, std::vector<NodeId>& leaves);
+
 /// True if a placed object's new volume reaches the same leaves, on the same sides, as the one in the tree's
 /// table; those leaves are then marked for the sort. The entries and the table are as they were.
 template <int D>

@@ -15,7 +15,7 @@ inline constexpr std::string_view kEagerConfig =
 /// The same with every policy beyond the paper.
 inline constexpr std::string_view kFastConfig =
     "max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=4,max_threshold=8,"
-    "free_directions=0,byte_sweep=1,skin=8,stream_share=0.25,bulk_factor=2";
+    "free_directions=0,byte_sweep=1,skin=8,stream_share=0.06,bulk_factor=2";
 
 /// The ways in which each case is tried on a kind of volume: the paper's configuration, the eager one, the
 /// fast one, and the case's own, with boxes and with turned volumes.

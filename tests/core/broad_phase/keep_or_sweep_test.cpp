@@ -20,21 +20,21 @@ int steps_until_change(KeepOrSweep& choice, Step step, int most = 2000) {
 TEST(KeepOrSweep, KeepsAsLongAsFewLeave) {
   KeepOrSweep choice;
   EXPECT_TRUE(choice.keeps());
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept(0.029F, 1); }), 2000);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.029F, 1, 0}); }), 2000);
 }
 
 TEST(KeepOrSweep, BeginnersMayLoseMoreWhileSkinsLearnButNotForLong) {
   KeepOrSweep choice;
-  choice.kept(1, 0.01F);  // nobody has a fat box yet
+  choice.kept({1, 0.01F, 0});  // nobody has a fat box yet
   EXPECT_TRUE(choice.keeps());
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept(0.15F, 0.01F); }), 25);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.15F, 0.01F, 0}); }), 25);
   KeepOrSweep hopeless;
-  EXPECT_EQ(steps_until_change(hopeless, [&] { hopeless.kept(0.5F, 0.01F); }), 3);
+  EXPECT_EQ(steps_until_change(hopeless, [&] { hopeless.kept({0.5F, 0.01F, 0}); }), 3);
 }
 
 TEST(KeepOrSweep, OneStepOfFastObjectsIsEnough) {
   KeepOrSweep choice;
-  choice.kept(1, 0.5F);
+  choice.kept({1, 0.5F, 0});
   EXPECT_FALSE(choice.keeps());
 }
 
@@ -42,7 +42,7 @@ TEST(KeepOrSweep, WhoRegretsWaitsTwiceAsLongEachTime) {
   KeepOrSweep choice;
   int waited = 0;
   for (int turn = 0; turn < 5; ++turn) {
-    steps_until_change(choice, [&] { choice.kept(0.5F, 0.01F); });
+    steps_until_change(choice, [&] { choice.kept({0.5F, 0.01F, 0}); });
     const int wait = steps_until_change(choice, [&] { choice.swept(0.001F); });
     if (turn > 0) {
       EXPECT_EQ(wait, 2 * waited);
@@ -50,14 +50,24 @@ TEST(KeepOrSweep, WhoRegretsWaitsTwiceAsLongEachTime) {
     waited = wait;
   }
   steps_until_change(
-      choice, [&] { choice.kept(0.01F, 0); }, 500);
-  steps_until_change(choice, [&] { choice.kept(0.5F, 0.01F); });
+      choice,
+      [&] {
+        choice.kept({0.01F, 0, 0});
+      },
+      500);
+  steps_until_change(choice, [&] { choice.kept({0.5F, 0.01F, 0}); });
   EXPECT_EQ(steps_until_change(choice, [&] { choice.swept(0.001F); }), 8) << "it paid for long";
+}
+
+TEST(KeepOrSweep, RestlessObjectsAreCheaperThanThoseThatGetAnotherFatBox) {
+  KeepOrSweep choice;
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.07F, 0.5F, 1}); }), 2000);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.08F, 0.5F, 1}); }), 1);
 }
 
 TEST(KeepOrSweep, SweepsOnWhileObjectsAreFast) {
   KeepOrSweep choice;
-  choice.kept(1, 0.5F);
+  choice.kept({1, 0.5F, 0});
   EXPECT_EQ(steps_until_change(choice, [&] { choice.swept(0.02F); }), 2000);
 }
 

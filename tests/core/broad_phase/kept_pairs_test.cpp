@@ -37,7 +37,7 @@ class Kept : public testing::Test {
     LeafPass<T::value> pass;
     TaskPool pool(2);
     PairBuffer pairs;
-    kept.find(tree, table, pass, pool, pairs);
+    kept.find(tree, table, std::vector<Skin>(kCount), pass, pool, pairs);
     return {pairs.all().begin(), pairs.all().end()};
   }
   static std::vector<Pair> pairs_of(KeptPairs<T::value>& kept, kerf::Tree<T::value>& tree) {

@@ -61,6 +61,14 @@ TYPED_TEST(Skins, WhatMovesByMoreThanASkinGetsNoFat) {
   }
 }
 
+TYPED_TEST(Skins, FastIsWhatMovesByMoreThanTheThickestSkin) {
+  constexpr int kD = TypeParam::value;
+  EXPECT_TRUE(is_fast(moved(cube<kD>(0, 1), kD - 1, 0.126F), cube<kD>(0, 1)));
+  EXPECT_FALSE(is_fast(moved(cube<kD>(0, 1), kD - 1, 0.124F), cube<kD>(0, 1)));
+  EXPECT_TRUE(is_fast(cube<kD>(1, 1), cube<kD>(0, 0))) << "a point";
+  EXPECT_FALSE(is_fast(cube<kD>(1, 1), cube<kD>(1, 1))) << "a point at rest";
+}
+
 TYPED_TEST(Skins, AShareOfTheWayAheadIsGivenAndTheNextStepAlways) {
   constexpr int kD = TypeParam::value;
   const Box<kD> before = cube<kD>(0, 1);
@@ -103,6 +111,22 @@ TEST(Skin, WhoLeavesSoonAfterBeingWrappedIsLeftInPeaceTwiceAsLong) {
   skin.wrap(5000);
   skin.left(5300);
   EXPECT_TRUE(skin.is_at_rest(5300 + kRest)) << "it rested for long";
+}
+
+TEST(Skin, WhoWasFastIsRestlessUntilItWasSlowForSomeSteps) {
+  Skin skin;
+  EXPECT_FALSE(skin.is_restless());
+  skin.moved(true);
+  for (int slow = 1; slow < Skin::kRestless; ++slow) skin.moved(false);
+  EXPECT_TRUE(skin.is_restless());
+  skin.moved(true);
+  for (int slow = 1; slow <= Skin::kRestless; ++slow) skin.moved(false);
+  EXPECT_FALSE(skin.is_restless());
+  skin.moved(false);
+  EXPECT_FALSE(skin.is_restless());
+  skin.left(20);
+  EXPECT_FALSE(skin.has_calmed(20 + Skin::kRestless - 1));
+  EXPECT_TRUE(skin.has_calmed(20 + Skin::kRestless));
 }
 
 TEST(Skin, SharesLieBetweenAThirdAndOneAndDifferBetweenNeighbours) {
