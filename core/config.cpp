@@ -55,8 +55,10 @@ const std::array kParameters{
     Parameter{{"byte_sweep", "1: leaves are swept by vectors of bytes", 0, 1}, &Config::byte_sweep},
     Parameter{{"skin", "steps of its motion that an object's fat box allows for; 0: none", 0, 1000},
               &Config::skin},
-    Parameter{{"stream_share", "share of leaving objects above which all are placed in one pass", 0, 1},
-              &Config::stream_share},
+    Parameter{
+        {"stream_share",
+         "share of moving objects above which all are placed in one pass (if pairs are kept: 4 times)", 0, 1},
+        &Config::stream_share},
     Parameter{{"bulk_factor", "leaves above so many thresholds are divided at once; 0: never", 0, 1e6},
               &Config::bulk_factor},
 };

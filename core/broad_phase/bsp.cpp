@@ -187,7 +187,8 @@ Leaving Bsp<D, Trace>::who_leaves() const {
     if (!latest_.is_placed(object)) continue;
     const Box<D> before = before_.all()[at].unpack();
     leaving.speed += relative_speed(latest_.box(object), before) / static_cast<float>(count);
-    leaving.restless += is_fast(latest_.box(object), before) ? 1 / static_cast<float>(count) : 0;
+    const bool restless = object.index() < skins_.size() && skins_[object.index()].is_restless();
+    if (restless || is_fast(latest_.box(object), before)) leaving.restless += 1 / static_cast<float>(count);
   }
   return leaving;
 }
@@ -215,7 +216,8 @@ void Bsp<D, Trace>::place() {
   if (mode_ == Mode::kept) {
     if (before != Mode::kept) {
       fatten_all();
-    } else if (more_than(4 * config_.stream_share)) {  // all leaves are swept anew, too
+    } else if (more_than(4 * config_.stream_share)) {  // then all leaves are swept anew, too: a patch must
+                                                       // cost more than that
       make_fat_boxes();
       take_fat_boxes();
       place_all();

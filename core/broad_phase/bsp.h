@@ -85,7 +85,7 @@ class Bsp final : public BroadPhase<D> {
     std::vector<EntryChange> entries;
     std::vector<ObjectId> leaving;
     std::vector<ObjectId> entering;
-    std::vector<NodeId> touched;  ///< leaves of restless objects that stay where they are
+    std::vector<NodeId> touched;  ///< leaves in which a restless object stays, and some others
     std::vector<Reached> old_places;
     std::vector<Reached> new_places;
 
@@ -116,6 +116,10 @@ class Bsp final : public BroadPhase<D> {
   void make_fat_boxes();
   void take_fat_boxes();
   void place_fat();
+  [[nodiscard]] bool was_restless(ObjectId object) const {
+    return (attention_[object.index()] & kWasRestless) != 0;
+  }
+  bool stays_restless(std::size_t k, std::vector<NodeId>& leaves) const;
   void find_fat_places(std::size_t k, FatPiece& piece) const;
   void sweep();
   void sweep(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) const;

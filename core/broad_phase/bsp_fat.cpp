@@ -80,7 +80,7 @@ void Bsp<D, Trace>::calm_some() {
     Skin& skin = skins_[object.index()];
     if (!skin.is_restless()) return true;
     if (attention_[object.index()] != 0 || !skin.has_calmed(step_)) return false;
-    skin.restless = 1;
+    skin.calm();
     calmed.push_back(object);
     return false;
   });
@@ -114,8 +114,7 @@ void Bsp<D, Trace>::take_fat_boxes() {
     const ObjectId object = changed_.all()[k];
     tree_.table.copy(latest_, object);
     if (latest_.is_placed(object)) tree_.table.widen(object, fat_[k]);
-    if (skins_[object.index()].is_restless() && (attention_[object.index()] & kWasRestless) == 0)
-      restless_.push_back(object);
+    if (skins_[object.index()].is_restless() && !was_restless(object)) restless_.push_back(object);
   }
 }
 
@@ -144,43 +143,49 @@ void Bsp<D, Trace>::place_fat() {
   kept_.placed(tree_);
 }
 
-/// Where the k-th of the changed objects was, and where it goes. Nothing is kept of one that is restless, so
-/// nothing must be renewed if it stays in its leaves.
+/// Whether the k-th of the changed objects was restless, is it still and stays what and in the leaves where
+/// it was: nothing is kept of it, so nothing must be renewed. If so, notes the leaves.
+template <int D, class Trace>
+bool Bsp<D, Trace>::stays_restless(std::size_t k, std::vector<NodeId>& leaves) const {
+  const ObjectId object = changed_.all()[k];
+  return was_restless(object) && skins_[object.index()].is_restless() && latest_.is_placed(object) &&
+         tree_.table.is_fixed(object) == latest_.is_fixed(object) &&
+         reach_alike(tree_, tree_.table.box(object), fat_[k], leaves);
+}
+
+/// Where the k-th of the changed objects was, and where it goes.
 template <int D, class Trace>
 void Bsp<D, Trace>::find_fat_places(std::size_t k, FatPiece& piece) const {
   const ObjectId object = changed_.all()[k];
   const bool was_placed = tree_.table.is_placed(object);
   const bool is_placed = latest_.is_placed(object);
-  const bool was_restless = (attention_[object.index()] & kWasRestless) != 0;
-  const bool is_restless = skins_[object.index()].is_restless();
-  if (was_restless && is_restless && is_placed &&
-      reach_alike(tree_, tree_.table.box(object), fat_[k], piece.touched))
-    return;
+  if (stays_restless(k, piece.touched)) return;
   piece.old_places.clear();
   piece.new_places.clear();
   if (was_placed) reach(tree_, tree_.table.box(object), piece.old_places);
   if (is_placed) reach(tree_, fat_[k], piece.new_places);
   for (const Reached& place : piece.old_places)
-    piece.entries.push_back({place.leaf, object, 0, false, was_restless});
+    piece.entries.push_back({place.leaf, object, 0, false, was_restless(object)});
   for (const Reached& place : piece.new_places)
     piece.entries.push_back({place.leaf, object,
                              apart_bits(tree_[place.leaf], place.straddle, latest_.is_fixed(object)), true,
-                             is_restless});
+                             skins_[object.index()].is_restless()});
   if (piece.old_places == piece.new_places) return;
   if (was_placed) piece.leaving.push_back(object);
   if (is_placed) piece.entering.push_back(object);
 }
 
-#define KERF_INSTANTIATE(D, TRACE)                                 \
-  template Box<D> Bsp<D, TRACE>::fat_box(ObjectId, const Box<D>&); \
-  template void Bsp<D, TRACE>::fatten_all();                       \
-  template void Bsp<D, TRACE>::list_restless();                    \
-  template void Bsp<D, TRACE>::slim_some();                        \
-  template void Bsp<D, TRACE>::note_still(ObjectId, std::uint8_t); \
-  template void Bsp<D, TRACE>::calm_some();                        \
-  template void Bsp<D, TRACE>::make_fat_boxes();                   \
-  template void Bsp<D, TRACE>::take_fat_boxes();                   \
-  template void Bsp<D, TRACE>::place_fat();                        \
+#define KERF_INSTANTIATE(D, TRACE)                                                      \
+  template Box<D> Bsp<D, TRACE>::fat_box(ObjectId, const Box<D>&);                      \
+  template void Bsp<D, TRACE>::fatten_all();                                            \
+  template void Bsp<D, TRACE>::list_restless();                                         \
+  template void Bsp<D, TRACE>::slim_some();                                             \
+  template void Bsp<D, TRACE>::note_still(ObjectId, std::uint8_t);                      \
+  template void Bsp<D, TRACE>::calm_some();                                             \
+  template void Bsp<D, TRACE>::make_fat_boxes();                                        \
+  template void Bsp<D, TRACE>::take_fat_boxes();                                        \
+  template void Bsp<D, TRACE>::place_fat();                                             \
+  template bool Bsp<D, TRACE>::stays_restless(std::size_t, std::vector<NodeId>&) const; \
   template void Bsp<D, TRACE>::find_fat_places(std::size_t, Bsp<D, TRACE>::FatPiece&) const;
 KERF_INSTANTIATE(2, NoTrace)
 KERF_INSTANTIATE(3, NoTrace)

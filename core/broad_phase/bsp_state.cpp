@@ -1,7 +1,5 @@
 #include "core/broad_phase/bsp_state.h"
 
-#include <algorithm>
-
 #include "core/broad_phase/bsp.h"
 
 namespace kerf {
@@ -41,8 +39,7 @@ void Bsp<D, Trace>::restore(const BspState<D>& state) {
     if (latest_.is_placed({id})) attention_[id] = 0;
   list_restless();
   pairs_.clear();
-  std::ranges::copy(state.pairs, pairs_.reserve(state.pairs.size()));
-  pairs_.commit(state.pairs.size());
+  pairs_.append(state.pairs);
 }
 
 #define KERF_INSTANTIATE(D, TRACE)                   \

@@ -18,10 +18,12 @@ struct Leaving {
 /// object.
 class KeepOrSweep {
  public:
-  static constexpr float kHot = 0.03F;  ///< share of objects that leave in a step, above which sweeping pays
+  /// The share of objects that leave in a step, restless ones by their cost, above which sweeping pays.
+  static constexpr float kHot = 0.03F;
   /// What a restless object costs, over one that leaves its fat box and gets another one.
   static constexpr float kRestlessCost = 0.4F;
-  /// The speed, over its size, above which an object is no dearer: it would be restless.
+  /// The speed, over its size, above which an object counts as no faster: what is restless costs the same
+  /// however fast it is.
   static constexpr float kDearest = 0.09F;
 
   [[nodiscard]] bool keeps() const { return keeps_; }

@@ -46,7 +46,6 @@ void push_back(LeafView<D>& view, const PackedBox<D>& box, ObjectId object, Dept
 /// Moves the restless entries of a view into the leaf's list of them.
 template <int D>
 void take_restless(const KeptObjects<D>& objects, LeafView<D>& view, KeptLeaf<D>& leaf) {
-  leaf.restless.clear();
   std::size_t written = 0;
   for (std::size_t i = 0; i < view.size(); ++i) {
     if (objects.is_restless(view.objects[i])) {
@@ -90,16 +89,16 @@ void find_beside(KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes, LeafScr
   if (scratch.view.size() > 1) scratch.byte_sweep.find(scratch.view, pairs);
 }
 
-/// Takes pairs of fat boxes.
+/// Takes pairs of fat boxes. What is the first to come gets no room for more: most leaves get no more.
 template <int D>
 void keep_pairs(std::span<const Pair> pairs, const KeptObjects<D>& objects, KeptLeaf<D>& leaf) {
-  for (const Pair& pair : pairs)
-    (objects.has_fat(pair.a) || objects.has_fat(pair.b) ? leaf.candidates : leaf.sure).push_back(pair);
-}
-
-void append(std::span<const Pair> pairs, PairBuffer& all) {
-  std::ranges::copy(pairs, all.reserve(pairs.size()));
-  all.commit(pairs.size());
+  const auto is_sure = [&](const Pair& pair) { return !objects.has_fat(pair.a) && !objects.has_fat(pair.b); };
+  if (leaf.sure.empty() && leaf.candidates.empty()) {
+    const auto sure = static_cast<std::size_t>(std::ranges::count_if(pairs, is_sure));
+    leaf.sure.reserve(sure);
+    leaf.candidates.reserve(pairs.size() - sure);
+  }
+  for (const Pair& pair : pairs) (is_sure(pair) ? leaf.sure : leaf.candidates).push_back(pair);
 }
 
 }  // namespace
@@ -154,7 +153,7 @@ void KeptPairs<D>::find_in(const Tree<D>& tree, const Objects& objects, NodeId i
     view_leaf(tree, objects.latest, id, scratch.view);
     return scratch.byte_sweep.find(scratch.view, pairs);
   }
-  append(leaf.sure, pairs);
+  pairs.append(leaf.sure);
   filter_pairs<D>(leaf.candidates, objects.latest.packed(), pairs);
   if (leaf.restless.empty()) return;
   view_restless(leaf, objects.latest, scratch.view);
@@ -186,24 +185,10 @@ void KeptPairs<D>::renew(Tree<D>& tree, const Objects& objects, NodeId id, LeafS
   }
 }
 
-/// A few objects are looked for one by one; for many, one pass over all pairs is cheaper.
 template <int D>
 void KeptPairs<D>::patch(const Objects& objects, Changes changes, LeafScratch<D>& scratch) {
-  constexpr std::ptrdiff_t kFew = 16;
   KeptLeaf<D>& leaf = leaves_[changes.front().leaf.index()];
-  const auto goes = [](const EntryChange& change) { return !change.comes && !change.restless; };
-  if (std::ranges::count_if(changes, goes) <= kFew) {
-    for (const EntryChange& change : changes)
-      if (goes(change)) drop_object(leaf, change.object.value);
-  } else {
-    scratch.marks.resize(std::max(scratch.marks.size(), objects.fat.bound()), 0);
-    for (const EntryChange& change : changes)
-      if (goes(change)) scratch.marks[change.object.index()] = 1;
-    drop_marked(leaf, scratch.marks);
-    for (const EntryChange& change : changes) scratch.marks[change.object.index()] = 0;
-  }
-  for (const EntryChange& change : changes)
-    if (change.restless && !change.comes) drop_restless(leaf.restless, change.object);
+  drop_going(changes, objects.fat.bound(), scratch);
   view_coming(changes, objects.fat, leaf, scratch.view);
   if (scratch.view.size() == 0) return;
   scratch.pairs.clear();
@@ -212,17 +197,37 @@ void KeptPairs<D>::patch(const Objects& objects, Changes changes, LeafScratch<D>
   append_entries(scratch.view, leaf);
 }
 
+/// A few objects are looked for one by one; for many, one pass over all pairs is cheaper. `objects`: the room
+/// for marks.
+template <int D>
+void KeptPairs<D>::drop_going(Changes changes, std::size_t objects, LeafScratch<D>& scratch) {
+  constexpr std::ptrdiff_t kFew = 16;
+  KeptLeaf<D>& leaf = leaves_[changes.front().leaf.index()];
+  const auto goes = [](const EntryChange& change) { return !change.comes && !change.restless; };
+  if (std::ranges::count_if(changes, goes) <= kFew) {
+    for (const EntryChange& change : changes)
+      if (goes(change)) drop_object(leaf, change.object.value);
+  } else {
+    scratch.marks.resize(std::max(scratch.marks.size(), objects), 0);
+    for (const EntryChange& change : changes)
+      if (goes(change)) scratch.marks[change.object.index()] = 1;
+    drop_marked(leaf, scratch.marks);
+    for (const EntryChange& change : changes) scratch.marks[change.object.index()] = 0;
+  }
+  for (const EntryChange& change : changes)
+    if (change.restless && !change.comes) drop_restless(leaf.restless, change.object);
+}
+
 template <int D>
 void KeptPairs<D>::sweep(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch) {
   KeptLeaf<D>& leaf = leaves_[id.index()];
   leaf.generation = tree[id].generation + 1;
   view_leaf(tree, tree.table, id, scratch.view);
+  empty_leaf(scratch.view, leaf);
   take_restless(objects, scratch.view, leaf);
-  keep_entries(scratch.view, leaf);
+  append_entries(scratch.view, leaf);
   scratch.pairs.clear();
   scratch.byte_sweep.find(scratch.view, scratch.pairs);
-  leaf.sure.clear();
-  leaf.candidates.clear();
   keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
 }
 

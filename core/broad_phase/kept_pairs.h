@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-/// What the sweep of `leaf` reads, as the tree has it now, with boxes from `table`.
+/// What the sweep of `leaf` reads, as the tree has it now, with boxes and mobility from `table`.
 template <int D>
 void view_leaf(const Tree<D>& tree, const ObjectTable<D>& table, NodeId leaf, LeafView<D>& view);
 /// The `apart` bits (see LeafView) of an entry of `leaf`.
@@ -45,9 +45,10 @@ struct KeptObjects {
 };
 
 /// The pairs of fat boxes, leaf by leaf. As long as the boxes stay in their fat ones, the pairs of a step are
-/// among them (DESIGN.md, "Fast"): a step only filters them. A leaf that an operator changed is swept anew;
-/// an object that got another fat box is taken out of its leaves' lists and looked up again. Restless objects
-/// have no kept pairs: they are looked up in each step, and a leaf that has many of them is swept as a whole.
+/// among them (DESIGN.md, "Fast"): a step filters those that need it. A leaf that an operator changed is
+/// swept anew; an object that got another fat box is taken out of its leaves' lists and looked up again.
+/// Restless objects have no kept pairs: they are looked up in each step, and a leaf that has many of them is
+/// swept as a whole.
 template <int D>
 class KeptPairs {
  public:
@@ -57,8 +58,8 @@ class KeptPairs {
   void placed(Tree<D>& tree);
   /// Forgets everything: all leaves are swept in the next `find`.
   void clear();
-  /// Brings the candidates up to date with the tree, whose table has the fat boxes, and appends those whose
-  /// latest boxes overlap.
+  /// Brings what is kept up to date with the tree, whose table has the fat boxes, and appends all pairs of
+  /// the latest boxes.
   void find(Tree<D>& tree, const ObjectTable<D>& latest, const std::vector<Skin>& skins, LeafPass<D>& pass,
             TaskPool& pool, PairBuffer& pairs);
 
@@ -68,6 +69,7 @@ class KeptPairs {
   [[nodiscard]] Changes changes_of(NodeId leaf) const;
   void renew(Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch);
   void patch(const Objects& objects, Changes changes, LeafScratch<D>& scratch);
+  void drop_going(Changes changes, std::size_t objects, LeafScratch<D>& scratch);
   void sweep(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch);
   void find_in(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch,
                PairBuffer& pairs);

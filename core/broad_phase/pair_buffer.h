@@ -30,6 +30,10 @@ class AppendBuffer {
     *reserve(1) = value;
     ++size_;
   }
+  void append(std::span<const T> values) {
+    std::copy(values.begin(), values.end(), reserve(values.size()));
+    commit(values.size());
+  }
   /// Forgets all but the first `size`.
   void truncate(std::size_t size) { size_ = size; }
 

@@ -26,7 +26,7 @@ struct Skin {
   [[nodiscard]] std::uint16_t age(std::uint32_t step) const {
     return static_cast<std::uint16_t>(step - since);
   }
-  /// To be told of each step in which the object left its fat box.
+  /// To be told of each step in which the object gets another fat box.
   void left(std::uint32_t step) {
     constexpr std::uint16_t kSoon = 12;
     constexpr std::uint16_t kLate = 200;
@@ -42,6 +42,8 @@ struct Skin {
     restless = fast ? kRestless : static_cast<std::uint8_t>(std::max(restless - 1, 0));
   }
   [[nodiscard]] bool is_restless() const { return restless > 0; }
+  /// The next slow step is the last for which it counts as restless.
+  void calm() { restless = 1; }
   /// Whether a restless object has stood still for so long that it need not be one.
   [[nodiscard]] bool has_calmed(std::uint32_t step) const { return age(step) >= kRestless; }
   /// Whether the object stayed so long that it should be wrapped in its skin, whatever fat it has. Who left
@@ -95,7 +97,7 @@ inline float fat_share(std::uint32_t object) {
 template <int D>
 Box<D> fatten(const Box<D>& box, const Box<D>& before, const Skin& skin, float steps, float share) {
   const auto [size, speed] = size_and_speed(box, before);
-  if (speed == 0 || is_fast(box, before)) return box;
+  if (speed == 0 || speed >= Skin::kMost * size) return box;
   const float around = std::max(skin.thickness(size), speed);
   Box<D> fat;
   for (int i = 0; i < D; ++i) {

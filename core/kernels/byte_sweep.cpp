@@ -1,7 +1,6 @@
 #include "core/kernels/byte_sweep.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE

@@ -1,7 +1,6 @@
 #include "core/kernels/kept_leaf.h"
 
 #include <algorithm>
-#include <bit>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/kept_leaf.cpp"
@@ -207,15 +206,17 @@ void make_room(KeptLeaf<D>& leaf, std::size_t n) {
 }  // namespace
 
 template <int D>
-void keep_entries(const LeafView<D>& view, KeptLeaf<D>& leaf) {
+void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf) {
   leaf.objects.clear();
   leaf.apart.clear();
+  leaf.sure.clear();
+  leaf.candidates.clear();
+  leaf.restless.clear();
   if constexpr (D == 2) {
     HWY_DYNAMIC_DISPATCH(set_map_2)(view, leaf);
   } else {
     HWY_DYNAMIC_DISPATCH(set_map_3)(view, leaf);
   }
-  append_entries(view, leaf);
 }
 
 template <int D>
@@ -270,7 +271,7 @@ void filter_pairs(std::span<const Pair> candidates, std::span<const PackedBox<D>
 }
 
 #define KERF_INSTANTIATE(D)                                                                                  \
-  template void keep_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                           \
+  template void empty_leaf<D>(const LeafView<D>&, KeptLeaf<D>&);                                             \
   template void append_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                         \
   template void drop_object<D>(KeptLeaf<D>&, std::uint32_t);                                                 \
   template void drop_entry<D>(KeptLeaf<D>&, std::size_t);                                                    \

@@ -39,10 +39,10 @@ struct KeptLeaf {
   [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }
 };
 
-/// Takes the entries of a view into an empty or outdated leaf; the pairs stay as they are.
+/// Forgets all entries and pairs. From now on the leaf's bytes tell boxes like those of the view well apart.
 template <int D>
-void keep_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);
-/// Takes those of a view beside those that the leaf has.
+void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf);
+/// Takes the entries of a view beside those that the leaf has; the pairs stay as they are.
 template <int D>
 void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);
 /// Takes out entry `k`; the last one takes its place. The pairs stay.

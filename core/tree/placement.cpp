@@ -43,6 +43,27 @@ void count_out(Tree<D>& tree, NodeId from, ObjectId object, std::vector<NodeId>&
   }
 }
 
+/// Whether two things reach the same leaves, on the same sides, by the sides that each has of a node. Calls
+/// `visit` with the leaves; if not, with some of them.
+template <int D, class First, class Second, class Visit>
+bool walk_alike(const Tree<D>& tree, First first, Second second, Visit visit) {
+  WalkStack<NodeId> todo;
+  todo.push(tree.root());
+  while (!todo.empty()) {
+    const NodeId id = todo.pop();
+    const Node<D>& node = tree[id];
+    if (node.is_leaf()) {
+      visit(id);
+      continue;
+    }
+    const Sides sides = first(node);
+    if (sides != second(node)) return false;
+    if (sides.right) todo.push(node.right);
+    if (sides.left) todo.push(node.left);
+  }
+  return true;
+}
+
 }  // namespace
 
 template <int D>
@@ -82,20 +103,12 @@ void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving) {
 
 template <int D>
 bool stays(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume) {
-  WalkStack<NodeId> todo;
-  todo.push(tree.root());
-  while (!todo.empty()) {
-    Node<D>& node = tree[todo.pop()];
-    if (node.is_leaf()) {
-      node.unsorted = true;
-      continue;
-    }
-    const Sides sides = classify(tree.project(node.direction, object), node.plane.offset);
-    if (sides != classify(tree.project(node.direction, new_volume), node.plane.offset)) return false;
-    if (sides.right) todo.push(node.right);
-    if (sides.left) todo.push(node.left);
-  }
-  return true;
+  const auto sides_of = [&tree](const auto& what) {
+    return
+        [&](const Node<D>& node) { return classify(tree.project(node.direction, what), node.plane.offset); };
+  };
+  return walk_alike(tree, sides_of(object), sides_of(new_volume),
+                    [&tree](NodeId leaf) { tree[leaf].unsorted = true; });
 }
 
 template <int D>
@@ -119,21 +132,10 @@ void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached
 template <int D>
 bool reach_alike(const Tree<D>& tree, const Box<D>& first, const Box<D>& second,
                  std::vector<NodeId>& leaves) {
-  WalkStack<NodeId> todo;
-  todo.push(tree.root());
-  while (!todo.empty()) {
-    const NodeId id = todo.pop();
-    const Node<D>& node = tree[id];
-    if (node.is_leaf()) {
-      leaves.push_back(id);
-      continue;
-    }
-    const Sides sides = classify(node.plane, first);
-    if (sides != classify(node.plane, second)) return false;
-    if (sides.right) todo.push(node.right);
-    if (sides.left) todo.push(node.left);
-  }
-  return true;
+  const auto sides_of = [](const Box<D>& box) {
+    return [&box](const Node<D>& node) { return classify(node.plane, box); };
+  };
+  return walk_alike(tree, sides_of(first), sides_of(second), [&](NodeId leaf) { leaves.push_back(leaf); });
 }
 
 template <int D>

@@ -32,7 +32,7 @@ constexpr std::array kConfigs{
     "max_threshold=4,max_height=6,max_entries=1.5",
     "budget_divisor=0",
     // Beyond the paper: kept pairs, sweeps by bytes, and both with everything placed anew in each step.
-    KERF_FAST "skin=8,stream_share=0.25", KERF_FAST "skin=8,stream_share=1",
+    KERF_FAST "skin=8,stream_share=0.06", KERF_FAST "skin=8,stream_share=1",
     KERF_FAST "skin=8,stream_share=0", KERF_FAST "skin=0,stream_share=1",
     KERF_FAST "skin=0,stream_share=0,free_directions=1"};
 #undef KERF_FAST

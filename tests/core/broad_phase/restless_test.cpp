@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,28 +26,29 @@ Config small_leaves() {
 }
 
 /// A crowd at rest of which a few jump about, fall asleep and are relieved by others; objects shrink where
-/// they are, come and go. All trees of `trees` are told the same.
+/// they are, come and go, are fixed and are not. All trees of `trees` are told the same.
 template <int D>
 class Crowd {
  public:
-  Crowd(std::uint32_t count, std::vector<kerf::Bsp<D>*> trees) : trees_(std::move(trees)) {
+  Crowd(std::uint32_t count, std::vector<BroadPhase<D>*> trees, std::uint32_t awake = 40)
+      : trees_(std::move(trees)), side_(1.2 * std::pow(count, 1.0 / D)), fixed_(count), awake_(awake, 0) {
     for (std::uint32_t id = 0; id < count; ++id) {
       boxes_.push_back(somewhere());
+      fixed_[id] = id % 16 == 0;
       insert(id);
     }
+    for (std::uint32_t& id : awake_) id = any();
   }
   void advance() {
     for (int k = 0; k < 3; ++k) {
-      std::swap(awake_[random_.below(kAwake)], awake_[kAwake - 1]);
-      awake_[kAwake - 1] = any();
+      awake_[random_.below(static_cast<std::uint32_t>(awake_.size()))] = any();
       shrink(any());
     }
     for (const std::uint32_t id : awake_) {
       const Vector<D> by = random_point<D>(random_, -0.5, 0.5);
       move(id, {boxes_[id].min + by, boxes_[id].max + by});
     }
-    replace(awake_.front());
-    replace(any());
+    for (const std::uint32_t id : {awake_.front(), awake_.back(), any()}) replace(id);
   }
   /// Everybody jumps, not far.
   void shake(Scalar most) {
@@ -56,46 +59,51 @@ class Crowd {
   }
 
  private:
-  static constexpr std::uint32_t kAwake = 40;
-
   Box<D> somewhere() {
-    const Vector<D> low = random_point<D>(random_, 0, D == 2 ? 24 : 9);
+    const Vector<D> low = random_point<D>(random_, 0, side_);
     return {low, low + random_point<D>(random_, 0.5, 1.5)};
   }
   std::uint32_t any() { return random_.below(static_cast<std::uint32_t>(boxes_.size())); }
-  static Mobility mobility(std::uint32_t id) { return id % 16 == 0 ? Mobility::fixed : Mobility::moving; }
   void insert(std::uint32_t id) {
-    for (kerf::Bsp<D>* tree : trees_) EXPECT_EQ(tree->insert({id}, boxes_[id], mobility(id)), Status::ok);
+    for (BroadPhase<D>* tree : trees_)
+      EXPECT_EQ(tree->insert({id}, boxes_[id], fixed_[id] ? Mobility::fixed : Mobility::moving), Status::ok);
   }
   void move(std::uint32_t id, const Box<D>& box) {
     boxes_[id] = box;
-    for (kerf::Bsp<D>* tree : trees_) EXPECT_EQ(tree->move({id}, box), Status::ok);
+    for (BroadPhase<D>* tree : trees_) EXPECT_EQ(tree->move({id}, box), Status::ok);
   }
   void shrink(std::uint32_t id) {
     const Vector<D> by = (boxes_[id].max - boxes_[id].min) * 0.1F;
     move(id, {boxes_[id].min + by, boxes_[id].max - by});
   }
+  /// In one step: it is another one, or the same one but fixed, or no longer so.
   void replace(std::uint32_t id) {
-    for (kerf::Bsp<D>* tree : trees_) EXPECT_EQ(tree->remove({id}), Status::ok);
-    boxes_[id] = somewhere();
+    for (BroadPhase<D>* tree : trees_) EXPECT_EQ(tree->remove({id}), Status::ok);
+    if (random_.below(2) == 0) {
+      fixed_[id] = !fixed_[id];
+    } else {
+      boxes_[id] = somewhere();
+    }
     insert(id);
   }
 
-  std::vector<kerf::Bsp<D>*> trees_;
+  std::vector<BroadPhase<D>*> trees_;
+  double side_;
   Random random_{77};
   std::vector<Box<D>> boxes_;
-  std::vector<std::uint32_t> awake_ = std::vector<std::uint32_t>(kAwake, 0);
+  std::vector<bool> fixed_;
+  std::vector<std::uint32_t> awake_;
 };
 
-template <int D>
-std::uint32_t count_restless(const kerf::Bsp<D>& tree) {
+template <int D, class Trace>
+std::uint32_t count_restless(const kerf::Bsp<D, Trace>& tree) {
   std::uint32_t count = 0;
   for (const Skin& skin : tree.state().skins) count += skin.is_restless() ? 1 : 0;
   return count;
 }
 
-template <int D>
-bool keeps(const kerf::Bsp<D>& tree) {
+template <int D, class Trace>
+bool keeps(const kerf::Bsp<D, Trace>& tree) {
   return tree.state().keep_or_sweep.keeps();
 }
 
@@ -122,7 +130,7 @@ TYPED_TEST(Restless, PairsAreTheOraclesWhoeverWakesSleepsShrinksComesOrGoes) {
 TYPED_TEST(Restless, ACalmCrowdHasNone) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD> tree(small_leaves());
-  Crowd<kD> crowd(600, {&tree});
+  Crowd<kD> crowd(1200, {&tree});
   for (int step = 0; step < 20; ++step, crowd.advance()) tree.step();
   EXPECT_GT(count_restless(tree), 0U);
   for (int step = 0; step < 2 * Skin::kRestless; ++step) tree.step();
@@ -130,24 +138,38 @@ TYPED_TEST(Restless, ACalmCrowdHasNone) {
   EXPECT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "");
 }
 
+/// The events of a step, as text.
+template <int D>
+std::vector<std::string> events_of(kerf::Bsp<D, EventLog>& tree) {
+  std::vector<std::string> events;
+  for (const Event& event : tree.trace().take()) events.push_back(describe(event));
+  return events;
+}
+
+/// So many are awake that threads share the work of placing them.
 TYPED_TEST(Restless, ThreadsAndStatesGiveTheSameRun) {
   constexpr int kD = TypeParam::value;
-  kerf::Bsp<kD> alone(small_leaves());
-  kerf::Bsp<kD> shared(small_leaves());
-  kerf::Bsp<kD> restored(small_leaves());
+  kerf::Bsp<kD, EventLog> alone(tuned_config());
+  kerf::Bsp<kD, EventLog> shared(tuned_config());
+  kerf::Bsp<kD, EventLog> restored(tuned_config());
   shared.set_threads(3);
-  Crowd<kD> crowd(1200, {&alone, &shared, &restored});
-  for (int step = 0; step < 90; ++step) {
+  Crowd<kD> crowd(20000, {&alone, &shared, &restored}, 1200);
+  for (int step = 0; step < 24; ++step) {
     alone.step();
     shared.step();
     restored.step();
+    EXPECT_TRUE(keeps(alone)) << "step " << step;
     ASSERT_TRUE(std::ranges::equal(alone.pairs(), shared.pairs())) << "step " << step;
     ASSERT_EQ(difference(restored.pairs(), alone.pairs()), "") << "step " << step;
     ASSERT_EQ(alone.state_hash(), shared.state_hash()) << "step " << step;
     ASSERT_EQ(alone.state_hash(), restored.state_hash()) << "step " << step;
-    if (step % 7 == 3) restored.restore(restored.state());
+    const std::vector<std::string> events = events_of(alone);
+    ASSERT_EQ(events_of(shared), events) << "step " << step;
+    ASSERT_EQ(events_of(restored), events) << "step " << step;
+    if (step % 5 == 3) restored.restore(restored.state());
     crowd.advance();
   }
+  EXPECT_GT(count_restless(alone), 1024U);
 }
 
 TYPED_TEST(Restless, WhereManyAreTheLeavesAreSwept) {

@@ -132,7 +132,8 @@ template <int D>
 std::vector<Pair> pairs_of_coming(const LeafView<D>& leaf, std::size_t kept,
                                   std::span<const PackedBox<D>> boxes) {
   KeptLeaf<D> half;
-  keep_entries(part_of(leaf, 0, kept / 2), half);
+  empty_leaf(part_of(leaf, 0, kept / 2), half);
+  append_entries(part_of(leaf, 0, kept / 2), half);
   append_entries(part_of(leaf, kept / 2, kept), half);
   const LeafView<D> coming = part_of(leaf, kept, leaf.size());
   ByteSweep<D> sweep;

@@ -43,6 +43,29 @@ TYPED_TEST(Placement, PlacesAnObjectInEveryLeafThatItReaches) {
   EXPECT_TRUE(is_sound(tree));
 }
 
+TYPED_TEST(Placement, BoxesReachAlikeIfTheyReachTheSameLeavesOnTheSameSides) {
+  constexpr int kD = TypeParam::value;
+  Random random(4);
+  int alike = 0;
+  for (int round = 0; round < 400; ++round) {
+    const auto tree = this->random_tree(random, 5);
+    const Box<kD> first = random_box<kD>(random, 20, 3);
+    const auto by = static_cast<Scalar>(random.uniform(-4, 4));
+    const Box<kD> second{first.min + all<kD>(by), first.max + all<kD>(by)};
+    std::vector<Reached> of_first;
+    std::vector<Reached> of_second;
+    reach(tree, first, of_first);
+    reach(tree, second, of_second);
+    std::vector<NodeId> leaves;
+    ASSERT_EQ(reach_alike(tree, first, second, leaves), of_first == of_second) << round;
+    if (of_first != of_second) continue;
+    ++alike;
+    ASSERT_TRUE(std::ranges::equal(leaves, of_first, {}, {}, &Reached::leaf)) << round;
+  }
+  EXPECT_GT(alike, 50);
+  EXPECT_LT(alike, 350);
+}
+
 TYPED_TEST(Placement, DisplacedObjectsLeaveEveryLeafAndReturn) {
   Random random(1);
   for (int round = 0; round < 30; ++round) {
