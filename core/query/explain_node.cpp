@@ -1,6 +1,7 @@
 #include "core/query/explain_node.h"
 
 #include <algorithm>
+#include <span>
 
 #include "core/query/criteria_text.h"
 #include "core/query/text.h"
@@ -18,6 +19,25 @@ std::vector<PathSide<D>> path_to(const Tree<D>& tree, NodeId id) {
   return path;
 }
 
+/// The lives of a node's slot as far as they are known in a step.
+std::vector<NodeLife> lives_until(std::span<const OperatorRow> operators, NodeId id, std::uint32_t step) {
+  const auto by_slot = find_node_lives(operators.first(static_cast<std::size_t>(
+      std::ranges::upper_bound(operators, step, {}, &OperatorRow::step) - operators.begin())));
+  return id.index() < by_slot.size() ? by_slot[id.index()] : std::vector<NodeLife>{};
+}
+
+std::string moment_text(std::uint32_t step, std::uint64_t event) {
+  return "step " + std::to_string(step) + " (e" + std::to_string(event) + ")";
+}
+
+std::string life_text(const NodeLife& life) {
+  const LifeSpan& span = life.span;
+  std::string text = "life " + std::to_string(life.generation) + ": from ";
+  text += span.first_step == 0 ? "the beginning" : moment_text(span.first_step, span.first_event);
+  if (span.last_step) text += " to " + moment_text(*span.last_step, span.last_event);
+  return text + (life.divided.empty() ? ", never divided" : "");
+}
+
 template <int D>
 std::string kind_text(const NodeExplanation<D>& e) {
   if (!e.quality) return "leaf with " + std::to_string(e.node.population) + " objects";
@@ -32,6 +52,7 @@ NodeExplanation<D> explain_node(Replayer<D>& replayer, std::uint32_t step, NodeI
   result.step = step;
   result.id = id;
   replayer.seek(step);
+  result.lives = lives_until(replayer.recording().operators(), id, step);
   result.history = node_history(replayer.recording(), id, step);
   const Tree<D>& tree = replayer.tree().tree();
   result.alive = id.index() < tree.slots() && tree[id].alive;
@@ -47,7 +68,7 @@ template <int D>
 std::string to_text(const NodeExplanation<D>& e) {
   std::string text = "after step " + std::to_string(e.step) + ", " + node_text(e.id);
   if (!e.alive) {
-    text += e.history.empty() ? " has never been used\n" : " is not alive\n";
+    text += e.lives.empty() ? " has never been used\n" : " is not alive\n";
   } else {
     text += " (life " + std::to_string(e.node.generation) + ") is at depth " + std::to_string(e.node.depth) +
             ": " + kind_text(e) + "\n" + e.wish + "\n";
@@ -55,6 +76,7 @@ std::string to_text(const NodeExplanation<D>& e) {
       text += "  " + std::string(side.right ? "right" : "left") + " of " + node_text(side.node) + ", " +
               plane_text(side.plane) + "\n";
   }
+  for (const NodeLife& life : e.lives) text += life_text(life) + "\n";
   if (!e.history.empty()) text += "what happened to it:\n";
   for (const Event& event : e.history) text += "  " + describe(event) + "\n";
   return text;

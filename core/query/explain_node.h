@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/query/history.h"
+#include "core/query/node_lives.h"
 #include "core/replay/replayer.h"
 
 namespace kerf {
@@ -27,7 +28,8 @@ struct NodeExplanation {
   std::vector<PathSide<D>> path;   ///< from the root down to its parent
   std::optional<Quality> quality;  ///< of its partitioner; none for a leaf
   std::string wish;                ///< what the criteria ask for, with the figures
-  std::vector<Event> history;      ///< up to this step, over all its lives
+  std::vector<NodeLife> lives;     ///< that began up to this step, ended if they ended by then
+  std::vector<Event> history;      ///< likewise, over all its lives
 };
 
 /// Throws std::runtime_error for a step that the recording does not have.

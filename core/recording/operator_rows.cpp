@@ -26,9 +26,12 @@ std::uint32_t natural(const Statement& row, int column) {
 }  // namespace
 
 std::vector<OperatorRow> read_operators(const std::filesystem::path& recording) {
-  const Database database = open_recording(recording);
+  return read_operators(open_recording(recording));
+}
+
+std::vector<OperatorRow> read_operators(const Database& recording) {
   std::vector<OperatorRow> operators;
-  Statement rows = database.prepare(
+  Statement rows = recording.prepare(
       "SELECT id, step, kind, op, node, generation, coalesce(new_offset - old_offset, 0), "
       "coalesce(population, 0), coalesce(left_before, 0), coalesce(right_before, 0) FROM events "
       "WHERE kind IN ('scheduled', 'acted', 'refused') ORDER BY id");

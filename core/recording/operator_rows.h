@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/recording/database.h"
 #include "core/trace/event.h"
 
 namespace kerf {
@@ -23,5 +24,7 @@ struct OperatorRow {
 /// Everything that was scheduled, refused or done in a run, in order: without its steps, which would have to
 /// be unpacked. Throws std::runtime_error as `open_recording` does.
 std::vector<OperatorRow> read_operators(const std::filesystem::path& recording);
+/// The same of a recording that is open.
+std::vector<OperatorRow> read_operators(const Database& recording);
 
 }  // namespace kerf

@@ -10,6 +10,7 @@
 #include "core/broad_phase/bsp_state.h"
 #include "core/recording/block_codec.h"
 #include "core/recording/database.h"
+#include "core/recording/operator_rows.h"
 #include "core/recording/recording_info.h"
 #include "core/tree/projector.h"
 
@@ -47,6 +48,8 @@ class RecordingReader {
   Event event(std::uint64_t id);
   /// The ids of what was scheduled, refused or done at a node, over all its lives.
   [[nodiscard]] std::vector<std::uint64_t> events_of_node(NodeId node) const;
+  /// See `read_operators`.
+  [[nodiscard]] std::vector<OperatorRow> operators() const { return read_operators(database_); }
   /// Steps that have a keyframe, in order; step 0, which needs none, is not among them.
   [[nodiscard]] std::span<const std::uint32_t> keyframes() const { return keyframes_; }
   /// The last step up to `step` that has a keyframe; 0 if none has.

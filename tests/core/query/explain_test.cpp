@@ -125,7 +125,10 @@ TYPED_TEST(Explain, NodesAndTheirHistory) {
     const auto node = explain_node(this->replayer(), 60, id);
     EXPECT_EQ(node.path.size(), tree[id].depth);
     EXPECT_EQ(node.quality.has_value(), !tree[id].is_leaf());
+    ASSERT_EQ(node.lives.size(), tree[id].generation + 1);
+    EXPECT_FALSE(node.lives.back().span.last_step);
   });
+  EXPECT_THAT(to_text(root), HasSubstr("from "));
   EXPECT_FALSE(explain_node(this->replayer(), 60, {tree.slots() + 5}).alive);
   EXPECT_THAT(to_text(explain_node(this->replayer(), 60, {tree.slots() + 5})),
               HasSubstr("has never been used"));
