@@ -25,17 +25,27 @@ TEST(TaskPool, DoesEachPieceOnceWhateverTheNumberOfThreads) {
   }
 }
 
-TEST(TaskPool, PiecesAreDoneAtTheSameTime) {
-  TaskPool pool(2);
+/// Whether both of two pieces meet the other within a second: in one thread the first would wait in vain.
+bool two_meet(TaskPool& pool) {
   std::mutex mutex;
   std::condition_variable both;
   int here = 0;
-  pool.for_each(2, [&](std::size_t, std::size_t) {  // one thread alone would wait for ever
+  int met = 0;
+  pool.for_each(2, [&](std::size_t, std::size_t) {
     std::unique_lock lock(mutex);
     ++here;
     both.notify_all();
-    EXPECT_TRUE(both.wait_for(lock, std::chrono::seconds(60), [&] { return here == 2; }));
+    met += both.wait_for(lock, std::chrono::seconds(1), [&] { return here == 2; }) ? 1 : 0;
   });
+  return met == 2;
+}
+
+/// On a busy machine the second thread may come too late for once: no library promises more.
+TEST(TaskPool, PiecesAreDoneAtTheSameTime) {
+  TaskPool pool(2);
+  bool met = false;
+  for (int tries = 0; tries < 60 && !met; ++tries) met = two_meet(pool);
+  EXPECT_TRUE(met);
 }
 
 TEST(TaskPool, SlicesCoverAListWithoutGapOrOverlap) {
