@@ -216,8 +216,8 @@ void Bsp<D, Trace>::place() {
   if (mode_ == Mode::kept) {
     if (before != Mode::kept) {
       fatten_all();
-    } else if (more_than(4 * config_.stream_share)) {  // then all leaves are swept anew, too: a patch must
-                                                       // cost more than that
+    } else if (more_than(4 * config_.stream_share)) {
+      // Four times, since kept leaves must then be swept anew, which they need not be for a patch.
       make_fat_boxes();
       take_fat_boxes();
       place_all();
