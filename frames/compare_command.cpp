@@ -95,7 +95,11 @@ void print_figures(const RecordingSummary& a, const RecordingSummary& b) {
 void print(const RecordingComparison& comparison) {
   print_first("requests", comparison.requests);
   print_first("events", comparison.events);
-  print_first("operators", comparison.operators);
+  if (comparison.operators && comparison.operators == comparison.events) {
+    std::printf("%-10s differ first there, too\n", "operators");
+  } else {
+    print_first("operators", comparison.operators);
+  }
   print_first("trees", comparison.state);
   print_first("pairs", comparison.pairs);
   print_figures(comparison.a, comparison.b);

@@ -26,6 +26,7 @@ struct EventDifference {
   std::uint32_t step = 0;
   std::optional<Event> a;
   std::optional<Event> b;
+  friend bool operator==(const EventDifference&, const EventDifference&) = default;
 };
 
 /// Where two recordings first differ. Steps that only one of them has do not count; `steps` tells of them.

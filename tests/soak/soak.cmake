@@ -15,6 +15,10 @@ endfunction()
 kerf_soak(property kerf_property_parts)
 kerf_soak(operator kerf_fuzz_tree_parts)
 
+# A scene in endless motion: tests/soak/run_scene_soaks goes through all of them.
+add_executable(kerf_scene_soak soak/scene_soak.cpp soak/endless_run.cpp)
+target_link_libraries(kerf_scene_soak PRIVATE kerf_frames)
+
 # kerf_fuzz(TARGET PARTS) is the libFuzzer program of TARGET_case. They need clang: the preset `fuzz`.
 option(KERF_FUZZ "Build the libFuzzer programs" OFF)
 function(kerf_fuzz target parts)

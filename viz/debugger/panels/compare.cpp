@@ -68,9 +68,11 @@ void draw_difference(PanelContext& context, const char* what,
   ImGui::TextWrapped("  other: %s", text_of(difference->b).c_str());
 }
 
-void draw_operators(PanelContext& context, const std::optional<EventDifference>& difference) {
-  draw_difference(context, "operators", difference);
-  if (!difference) return;
+/// An operator that is the first different event, too, is not told twice.
+void draw_operators(PanelContext& context, const RecordingComparison& comparison) {
+  if (!comparison.operators || comparison.operators != comparison.events)
+    draw_difference(context, "operators", comparison.operators);
+  if (!comparison.operators) return;
   if (widgets::button(context.gui, "show both", "this run goes to its operator, the other one to its own",
                       "first different operator"))
     context.model.go_to_first_different_operator();
@@ -114,7 +116,7 @@ void draw_compare(PanelContext& context) {
   const RecordingComparison& comparison = model.comparison();
   draw_difference(context, "requests", comparison.requests);
   draw_difference(context, "events", comparison.events);
-  draw_operators(context, comparison.operators);
+  draw_operators(context, comparison);
   draw_difference(context, "trees", comparison.state);
   draw_difference(context, "pairs", comparison.pairs);
   draw_figures(comparison.a, comparison.b);
