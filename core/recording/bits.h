@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -16,20 +17,28 @@ class BitWriter {
   void put(std::uint32_t x, unsigned bits) {
     pending_ |= std::uint64_t{x} << held_;
     held_ += bits;
-    for (; held_ >= 8; held_ -= 8, pending_ >>= 8U) bytes_.push_back(static_cast<std::uint8_t>(pending_));
+    if (held_ >= 32) write(4);
   }
   /// All bytes; the last one is filled up with zeros. Begins anew.
   Bytes take() {
-    if (held_ > 0) bytes_.push_back(static_cast<std::uint8_t>(pending_));
+    write((held_ + 7) / 8);
     pending_ = 0;
     held_ = 0;
     return std::exchange(bytes_, {});
   }
 
  private:
+  /// The lowest bytes of what is pending, several at a time: how many are due after each number is a branch
+  /// that nothing predicts.
+  void write(unsigned count) {
+    for (unsigned k = 0; k < count; ++k) bytes_.push_back(static_cast<std::uint8_t>(pending_ >> 8 * k));
+    pending_ >>= 8 * count;
+    held_ -= std::min(held_, 8 * count);
+  }
+
   Bytes bytes_;
   std::uint64_t pending_ = 0;
-  unsigned held_ = 0;  ///< bits in pending_, less than 8 between calls
+  unsigned held_ = 0;  ///< bits in pending_, less than 32 between calls
 };
 
 /// Reads what BitWriter wrote. Throws std::runtime_error where the bytes end too soon.

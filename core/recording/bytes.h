@@ -45,8 +45,10 @@ class ByteWriter {
   void clear() { bytes_.clear(); }
 
  private:
-  void fixed(std::uint64_t x, int size) {
-    for (int i = 0; i < size; ++i) u8(static_cast<std::uint8_t>(x >> static_cast<unsigned>(8 * i)));
+  void fixed(std::uint64_t x, std::size_t size) {
+    const std::size_t at = bytes_.size();
+    bytes_.resize(at + size);
+    for (std::size_t i = 0; i < size; ++i) bytes_[at + i] = static_cast<std::uint8_t>(x >> 8 * i);
   }
 
   Bytes bytes_;

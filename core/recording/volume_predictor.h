@@ -37,6 +37,7 @@ class VolumePredictor {
  private:
   static constexpr std::size_t kRules = 4;
   using Foretold = std::array<std::int32_t, kRules>;
+  using Errors = std::array<std::uint32_t, kRules>;
 
   /// One number of one volume: its last values, latest first, and how far each rule erred lately, in bits.
   struct Track {
@@ -47,7 +48,9 @@ class VolumePredictor {
   Track* tracks_of(ObjectId object);
   static Foretold foretell(const Track& track, const Track* partner);
   static std::size_t best_rule(const Track& track);
-  static void learn(Track& track, const Foretold& foretold, Scalar value);
+  /// How far each rule was from the value.
+  static Errors errors_of(const Foretold& foretold, Scalar value);
+  static void learn(Track& track, const Errors& errors, Scalar value);
   [[nodiscard]] static const Track* partner_of(const Track* tracks, std::size_t channel) {
     return channel < 2 * D && channel % 2 == 1 ? tracks + channel - 1 : nullptr;
   }
