@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/kernels/sort_scalars.h"
+
 namespace kerf {
 namespace {
 
@@ -88,8 +90,8 @@ std::optional<ReferencePoint> best_reference_point(std::span<const Interval> int
     los.push_back(interval.lo);
     his.push_back(interval.hi);
   }
-  if (!std::is_sorted(los.begin(), los.end())) std::sort(los.begin(), los.end());
-  std::sort(his.begin(), his.end());
+  sort_scalars(los);
+  sort_scalars(his);
 
   // Between two neighbouring ends of objects nothing changes, so each end stands for the gap above it.
   std::optional<ReferencePoint> best;

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+
+#include "core/geometry/vector.h"
+
+namespace kerf {
+
+/// Sorts finite numbers, ascending. Zeros become positive: which of two signs came first would depend on the
+/// machine's vectors.
+void sort_scalars(std::span<Scalar> scalars);
+
+}  // namespace kerf
