@@ -105,6 +105,8 @@ void check_chunks(const std::filesystem::path& path, Bytes bytes) {
       if (type != "IHDR" || length != 13) fail(path, "it does not begin with a PNG header");
       header = chunk + 8;
     }
+    // Allowed, but no program writes it, and stb_image copies it to nowhere.
+    if (type == "IDAT" && length == 0) fail(path, "a chunk of its picture data is empty");
     if (type == "IDAT") compressed += length;
     end = type == "IEND";
     at += kFrame + length;

@@ -140,6 +140,19 @@ TEST(Png, EveryDamagedByteIsNoticed) {
   }
 }
 
+/// stb_image would hand a null pointer to memcpy: found by fuzzing.
+TEST(Png, AnEmptyChunkOfPictureDataIsRefused) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "a.png";
+  write_png(path, noise(5, 4, true));
+  std::vector<std::uint8_t> bytes = bytes_of(path);
+  constexpr std::ptrdiff_t kBehindHeader = 33;
+  const std::vector<std::uint8_t> empty{0, 0, 0, 0, 'I', 'D', 'A', 'T', 0x35, 0xAF, 0x06, 0x1E};
+  bytes.insert(bytes.begin() + kBehindHeader, empty.begin(), empty.end());
+  write_bytes(path, bytes);
+  EXPECT_THAT(read_error(path), HasSubstr("picture data is empty"));
+}
+
 TEST(Png, SaysWhatIsWrong) {
   const test::TemporaryFolder folder;
   EXPECT_THAT(read_error(folder.path() / "none.png"), HasSubstr("No such file"));
