@@ -33,16 +33,21 @@ Image cut_out(const Image& image, const PanelArea& area) {
   return part;
 }
 
-/// The debugger on a run that took no time, for a clock shows something else each time. Each panel is a
-/// reference of its own: whoever changes one approves one.
+/// A run that took no time, for a clock shows something else each time.
+template <int D>
+void record_timeless(const test::TemporaryRecording& file, const Config& config) {
+  test::record_crowd<D>(file.path(), 60, config);
+  file.change(
+      "UPDATE steps SET place_seconds = 0, sort_seconds = 0, schedule_seconds = 0, operate_seconds = 0, "
+      "sweep_seconds = 0");
+}
+
+/// The debugger on a timeless run. Each panel is a reference of its own: whoever changes one approves one.
 template <int D>
 class DebuggerStill {
  public:
   DebuggerStill() {
-    test::record_crowd<D>(file_.path(), 60, test::busy_config());
-    file_.change(
-        "UPDATE steps SET place_seconds = 0, sort_seconds = 0, schedule_seconds = 0, operate_seconds = 0, "
-        "sweep_seconds = 0");
+    record_timeless<D>(file_, test::busy_config());
     debugger_.emplace(*context_, open_run(file_.path()));
   }
 
@@ -114,6 +119,23 @@ TEST(ReferencePanels, TabsOfTheDebugger) {
   EXPECT_EQ(compare_tab("lint"), "");
   still.play("double object:3\ndouble object:7 shift\nclick \"tab Why\"\nhover 5,300\nwait 2");
   EXPECT_EQ(compare_tab("why-pair"), "");
+}
+
+TEST(ReferencePanels, TabsOfComparing) {
+  DebuggerStill<2> still;
+  still.play(kGoToSplit);
+  still.play("click \"tab What if\"\nhover 5,300\nwait 2");
+  EXPECT_EQ(still.compare("tab-what-if", kLayout.right_below), "");
+  const test::TemporaryRecording other;
+  Config config = test::busy_config();
+  config.balance = false;
+  record_timeless<2>(other, config);
+  still.play("click \"tab Compare\"\nclick \"other file\"\ntype \"" + other.path().string() +
+             "\"\nkey Enter\nkey Escape\nwait 2\nclick \"first different operator\"\nhover 5,300\nwait 2\n"
+             "expect comparing == yes");
+  EXPECT_EQ(still.compare("tab-compare", kLayout.right_below), "");
+  EXPECT_EQ(still.compare("view-compared", kLayout.view), "");
+  EXPECT_EQ(still.compare("lanes-compared", kLayout.timeline), "");
 }
 
 }  // namespace
