@@ -83,7 +83,7 @@ void change_parameter(Config& config, ByteReader& bytes) {
       config.skin = static_cast<float>(bytes.below(3)) * 4;
       break;
     case 15:
-      config.stream_share = share();
+      config.stream_share = share() / 4;  // or nothing would ever be placed in one pass while pairs are kept
       break;
     case 16:
       config.bulk_factor = static_cast<float>(bytes.below(3));
