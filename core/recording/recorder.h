@@ -45,6 +45,7 @@ class Recorder final : public BroadPhase<D> {
   }
   void record();
   [[nodiscard]] std::span<const Event> events_of_step() const;
+  [[nodiscard]] bool rested(std::span<const Event> events) const;
 
   Bsp<D, EventLog>& tree_;
   RecordingInfo info_;
@@ -52,6 +53,8 @@ class Recorder final : public BroadPhase<D> {
   StepRequests<D> requests_;
   std::vector<bool> known_;  ///< by object: it is there
   std::uint64_t next_event_ = 0;
+  std::uint64_t state_hash_ = 0;  ///< of the last step
+  std::uint64_t pairs_hash_ = 0;
   double seconds_ = 0;
 };
 

@@ -8,9 +8,11 @@ namespace {
 
 constexpr std::uint32_t kBlockSteps = 10;
 constexpr auto kFlushInterval = std::chrono::seconds(1);
-/// A keyframe every 16 to 256 steps: a seek replays from the last one, so the more objects, the nearer it
-/// must be.
-constexpr std::uint64_t kObjectSteps = 150'000;
+/// A keyframe every 16 to 256 steps: a seek replays from the last one, so the more a step costs, the nearer
+/// it must be. To replay a step takes some 150 ns for each object and four times as long for each that
+/// changes; 45 ms in all.
+constexpr std::uint64_t kMostReplayed = 300'000;
+constexpr std::uint64_t kCostOfChange = 4;
 constexpr std::uint32_t kLeastSteps = 16;
 constexpr std::uint32_t kMostSteps = 256;
 
@@ -42,7 +44,7 @@ void RecordingWriter<D>::add(const StepRequests<D>& requests, std::span<const Ev
   step_ = row.step;
   row.changed = encoder_.add(requests, events);
   changed_ += row.changed;
-  since_keyframe_ += row.statistics.objects;
+  since_keyframe_ += row.statistics.objects + kCostOfChange * row.changed;
   put(row);
   for (const Event& event : events) put(event);
   const bool due = std::chrono::steady_clock::now() - last_flush_ >= kFlushInterval;
@@ -52,7 +54,7 @@ void RecordingWriter<D>::add(const StepRequests<D>& requests, std::span<const Ev
 template <int D>
 bool RecordingWriter<D>::wants_keyframe() const {
   const std::uint32_t steps = step_ - last_keyframe_;
-  return steps >= kMostSteps || (steps >= kLeastSteps && since_keyframe_ >= kObjectSteps);
+  return steps >= kMostSteps || (steps >= kLeastSteps && since_keyframe_ >= kMostReplayed);
 }
 
 template <int D>

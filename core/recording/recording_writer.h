@@ -42,7 +42,7 @@ class RecordingWriter {
   BlockEncoder<D> encoder_;
   std::uint32_t step_ = 0;
   std::uint64_t changed_ = 0;         ///< since the last block
-  std::uint64_t since_keyframe_ = 0;  ///< objects, summed over the steps
+  std::uint64_t since_keyframe_ = 0;  ///< what it costs to replay the steps, in objects that rest
   std::uint32_t last_keyframe_ = 0;
   std::chrono::steady_clock::time_point last_flush_;
 };

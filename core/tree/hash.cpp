@@ -2,37 +2,48 @@
 
 #include <xxhash.h>
 
+#include <array>
 #include <bit>
 #include <memory>
+#include <new>
 
 namespace kerf {
 namespace {
 
-/// Numbers one after another, no more than were announced; structs are never hashed whole, since their
-/// padding says nothing.
+/// Numbers one after another; structs are never hashed whole, since their padding says nothing.
 class Words {
  public:
-  explicit Words(std::size_t most) : words_(std::make_unique_for_overwrite<std::uint64_t[]>(most)) {}
-  void add(std::uint64_t word) { words_[size_++] = word; }
+  Words() : state_(XXH3_createState()) {
+    if (state_ == nullptr) throw std::bad_alloc();
+    XXH3_64bits_reset(state_.get());
+  }
+  void add(std::uint64_t word) {
+    if (size_ == words_.size()) digest_words();
+    words_[size_++] = word;
+  }
   void add(Scalar x, Scalar y) {
     add((std::uint64_t{std::bit_cast<std::uint32_t>(x)} << 32U) | std::bit_cast<std::uint32_t>(y));
   }
   void add(std::uint32_t x, std::uint32_t y) { add((std::uint64_t{x} << 32U) | y); }
-  [[nodiscard]] std::uint64_t hash() const { return XXH3_64bits(words_.get(), size_ * sizeof(words_[0])); }
+  [[nodiscard]] std::uint64_t hash() {
+    digest_words();
+    return XXH3_64bits_digest(state_.get());
+  }
 
  private:
-  std::unique_ptr<std::uint64_t[]> words_;
+  struct Free {
+    void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
+  };
+
+  void digest_words() {
+    XXH3_64bits_update(state_.get(), words_.data(), size_ * sizeof(words_[0]));
+    size_ = 0;
+  }
+
+  std::unique_ptr<XXH3_state_t, Free> state_;
+  std::array<std::uint64_t, 512> words_;
   std::size_t size_ = 0;
 };
-
-/// As many words as a tree can give: see `add_node` and `hash`.
-template <int D>
-std::size_t most_words(const Tree<D>& tree) {
-  const auto extra = static_cast<std::size_t>(extra_size<D>(tree.table.kind()));
-  std::size_t most = (1 + D + extra) * tree.table.bound();
-  for_each_node(tree, tree.root(), [&](NodeId id) { most += 4 + 3 * tree[id].entries.size(); });
-  return most;
-}
 
 template <int D>
 void add_node(Words& words, const Tree<D>& tree, NodeId id) {
@@ -56,7 +67,7 @@ void add_node(Words& words, const Tree<D>& tree, NodeId id) {
 
 template <int D>
 std::uint64_t hash(const Tree<D>& tree) {
-  Words words(most_words(tree));
+  Words words;
   for_each_node(tree, tree.root(), [&](NodeId id) { add_node(words, tree, id); });
   for (std::uint32_t id = 0; id < tree.table.bound(); ++id) {
     const ObjectId object{id};
