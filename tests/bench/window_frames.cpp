@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/random.h"
 #include "viz/debugger/debugger.h"
 #include "viz/debugger/gui/glfw_window.h"
 
@@ -35,9 +36,9 @@ class WindowFrames {
     std::vector<double> times;
     DebuggerInput input;
     for (int k = 0; k < kFrames + kUncounted; ++k) {
-      act(k, input);
       (void)window_.take_input(false);
       const auto start = Clock::now();
+      act(k, input);
       debugger_.frame(input, window_.width(), window_.height());
       debugger_.show_in_window(window_.width(), window_.height());
       window_.swap();
@@ -69,6 +70,10 @@ class WindowFrames {
       input.mouse_y = 300;
     });
     measure("a step forward", [](int, DebuggerInput& input) { input.keys = {{Key::period, true, false}}; });
+    Random random(1);
+    measure("a random place, where the oracle is asked", [&](int, DebuggerInput&) {
+      debugger_.model().go(Position::end_of(1 + random.below(run.steps())));
+    });
   }
 
  private:
