@@ -93,7 +93,11 @@ TEST_F(ForkedCrewTest, ErrorComesOutAndWhatWasFinishedIsDelivered) {
   ForkedCrew crew = this->crew(2);
   crew.add(order(0, "a"));
   crew.add(order(1, "fail"));
-  crew.add(order(2, "b"));
+  try {  // whoever is still adding may hear of it, too
+    crew.add(order(2, "b"));
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no luck with frame1"));
+  }
   try {
     crew.finish();
     FAIL() << "no error";
