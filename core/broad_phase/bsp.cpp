@@ -130,6 +130,23 @@ Status Bsp<D, Trace>::remove(ObjectId object) {
 
 template <int D, class Trace>
 void Bsp<D, Trace>::step() {
+  adapt();
+  sweep();
+  end_phase();
+}
+
+/// Without its pairs nothing of a leaf can be kept.
+template <int D, class Trace>
+void Bsp<D, Trace>::step_unswept() {
+  adapt();
+  pairs_.clear();
+  kept_.clear();
+  end_phase();
+}
+
+/// All of a step up to the sweep.
+template <int D, class Trace>
+void Bsp<D, Trace>::adapt() {
   ++step_;
   reporter_.begin_step(step_);
   begin(Phase::place);
@@ -142,8 +159,6 @@ void Bsp<D, Trace>::step() {
   scheduler_.process(tree_, config_, step_, reporter_);
   if (mode_ == Mode::ordered) sort_leaves(tree_);
   begin(Phase::sweep);
-  sweep();
-  end_phase();
 }
 
 template <int D, class Trace>

@@ -42,6 +42,8 @@ class Bsp final : public BroadPhase<D> {
   Status remove(ObjectId object) override;
   Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) override;
   void step() override;
+  /// A step of whose pairs nobody asks: events and state are the same, `pairs()` is empty.
+  void step_unswept();
   [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_.all(); }
 
   [[nodiscard]] const Config& config() const { return config_; }
@@ -98,6 +100,7 @@ class Bsp final : public BroadPhase<D> {
   };
 
   Status note(ObjectId object, Status status);
+  void adapt();
   void choose_mode();
   static constexpr std::size_t kSample = 256;  ///< objects that are asked how fast they are
   [[nodiscard]] float speed_of_sample() const;

@@ -96,7 +96,19 @@ void Recorder<D>::step() {
   tree_.step();
   const auto start = std::chrono::steady_clock::now();
   record();
-  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  count_seconds(start);
+}
+
+template <int D>
+void Recorder<D>::finish() {
+  const auto start = std::chrono::steady_clock::now();
+  writer_.finish();
+  count_seconds(start);
+}
+
+template <int D>
+void Recorder<D>::count_seconds(std::chrono::steady_clock::time_point since) {
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
 }
 
 /// The log may hold those of earlier steps, if nobody took them.
@@ -108,7 +120,7 @@ std::span<const Event> Recorder<D>::events_of_step() const {
 }
 
 /// Whether nobody asked for anything and nothing happened: then tree and pairs are as they were. Fat boxes
-/// change without being asked.
+/// change without being asked, and with other parameters anything may.
 template <int D>
 bool Recorder<D>::rested(std::span<const Event> events) const {
   const auto is_phase = [](const Event& event) { return std::holds_alternative<PhaseBegan>(event.body); };

@@ -34,7 +34,7 @@ class Recorder final : public BroadPhase<D> {
   /// Also keeps somebody else's pairs of the last step.
   void add_theirs(std::span<const Pair> pairs, const TheirStep& judgement) { writer_.add(pairs, judgement); }
   /// Ends the recording in order. Nothing may be asked of the recorder afterwards.
-  void finish() { writer_.finish(); }
+  void finish();
   /// What recording has cost so far.
   [[nodiscard]] double seconds() const { return seconds_; }
 
@@ -44,6 +44,7 @@ class Recorder final : public BroadPhase<D> {
     return object.index() < known_.size() && known_[object.index()];
   }
   void record();
+  void count_seconds(std::chrono::steady_clock::time_point since);
   [[nodiscard]] std::span<const Event> events_of_step() const;
   [[nodiscard]] bool rested(std::span<const Event> events) const;
 

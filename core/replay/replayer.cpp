@@ -22,50 +22,67 @@ Replayer<D>::Replayer(std::shared_ptr<RecordingReader<D>> recording, std::size_t
       memory_(memory),
       tree_(recording_->info().config, recording_->info().volume) {
   tree_.decide(recording_->info().decisions);
-  keep();  // step 0
+  keep();  // step 0, which has no pairs to find
 }
 
 template <int D>
 void Replayer<D>::seek(std::uint32_t step) {
   if (step > recording_->steps()) (void)recording_->step(step);  // throws, saying which there are
-  if (step != this->step()) start_before(step);
+  if (step != this->step() || !swept_) start_before(step);
   while (this->step() < step) {
-    advance();
+    run_next(this->step() + 1 == step);
     keep();
   }
 }
 
-/// Takes the latest of what leads to the step: the present state, a kept one, a keyframe. A keyframe lacks
-/// the pairs of its own step.
+/// Takes the latest of what leads to the step: the present state, a kept one, a keyframe. What lacks the
+/// pairs of its own step, as a keyframe does, leads to the steps behind it only.
 template <int D>
 void Replayer<D>::start_before(std::uint32_t step) {
   const std::uint32_t keyframe = step == 0 ? 0 : recording_->keyframe_before(step - 1);
-  const auto after = kept_.upper_bound(step);
-  const auto kept = after == kept_.begin() ? kept_.end() : std::prev(after);
-  const bool has_kept = kept != kept_.end() && kept->first >= keyframe;
+  auto kept = std::prev(kept_.upper_bound(step));  // step 0 is always there
+  if (kept->first == step && !kept->second.swept) --kept;
+  const bool has_kept = kept->first >= keyframe;
   const std::uint32_t best = has_kept ? kept->first : keyframe;
-  if (this->step() <= step && this->step() >= best) return;
+  const bool is_on_the_way = this->step() < step || (this->step() == step && swept_);
+  if (is_on_the_way && this->step() >= best) return;
   if (has_kept) {
     tree_.restore(kept->second.state);
   } else {
     tree_.restore(recording_->keyframe(keyframe, tree_.tree().projector()));
   }
+  swept_ = has_kept && kept->second.swept;
 }
 
 template <int D>
 void Replayer<D>::advance(const OnEvent& on_event) {
-  const RecordedStep<D>& next = recording_->step(step() + 1);
-  apply(next.requests, tree_);
-  if (!recording_->info().changes.empty()) tree_.set_config(config_of(recording_->info(), step() + 1));
   tree_.trace().on_event = on_event;
-  tree_.step();
+  run_next(true);
   tree_.trace().on_event = {};
 }
 
 template <int D>
+void Replayer<D>::run_next(bool swept) {
+  const RecordedStep<D>& next = recording_->step(step() + 1);
+  apply(next.requests, tree_);
+  if (!recording_->info().changes.empty()) tree_.set_config(config_of(recording_->info(), step() + 1));
+  swept_ = swept;
+  if (swept) {
+    tree_.step();
+  } else {
+    tree_.step_unswept();
+  }
+}
+
+template <int D>
 void Replayer<D>::keep() {
-  if (kept_.contains(step())) return;
-  Kept kept{tree_.state(), 0};
+  const auto known = kept_.find(step());
+  if (known != kept_.end()) {
+    if (known->second.swept || !swept_) return;
+    kept_bytes_ -= known->second.bytes;
+    kept_.erase(known);
+  }
+  Kept kept{tree_.state(), 0, swept_};
   kept.bytes = size_of(kept.state);
   kept_bytes_ += kept.bytes;
   kept_.emplace(step(), std::move(kept));

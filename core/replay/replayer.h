@@ -11,7 +11,8 @@
 namespace kerf {
 
 /// Runs a recording's tree again: from the beginning, or from the keyframe before any step. States on the way
-/// are kept in memory, so that one step back is a copy.
+/// are kept in memory, so that one step back is a copy, or a copy and one step: the pairs are found only where
+/// somebody stops.
 ///
 /// Throws std::runtime_error for a step that the recording does not have, or if it is damaged.
 template <int D>
@@ -38,15 +39,18 @@ class Replayer {
   struct Kept {
     BspState<D> state;
     std::size_t bytes = 0;
+    bool swept = false;  ///< the state has the pairs of its step
   };
 
   void start_before(std::uint32_t step);
+  void run_next(bool swept);
   void keep();
   void forget_farthest(std::uint32_t from);
 
   std::shared_ptr<RecordingReader<D>> recording_;
   std::size_t memory_;
   Bsp<D, Watch> tree_;
+  bool swept_ = true;  ///< the tree has the pairs of its step
   std::map<std::uint32_t, Kept> kept_;  ///< by step
   std::size_t kept_bytes_ = 0;
 };

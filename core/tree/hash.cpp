@@ -1,6 +1,10 @@
 #include "core/tree/hash.h"
 
+#if defined(__x86_64__)
+#include <xxh_x86dispatch.h>  // the same functions for the vectors that the processor has
+#else
 #include <xxhash.h>
+#endif
 
 #include <array>
 #include <bit>
@@ -17,14 +21,14 @@ class Words {
     if (state_ == nullptr) throw std::bad_alloc();
     XXH3_64bits_reset(state_.get());
   }
-  void add(std::uint64_t word) {
-    if (size_ == words_.size()) digest_words();
-    words_[size_++] = word;
+  /// As many as belong together: there is room for all of them or for none.
+  template <class... Word>
+  void add(Word... words) {
+    if (size_ + sizeof...(words) > words_.size()) digest_words();
+    std::uint64_t* end = words_.data() + size_;
+    ((*end++ = words), ...);
+    size_ += sizeof...(words);
   }
-  void add(Scalar x, Scalar y) {
-    add((std::uint64_t{std::bit_cast<std::uint32_t>(x)} << 32U) | std::bit_cast<std::uint32_t>(y));
-  }
-  void add(std::uint32_t x, std::uint32_t y) { add((std::uint64_t{x} << 32U) | y); }
   [[nodiscard]] std::uint64_t hash() {
     digest_words();
     return XXH3_64bits_digest(state_.get());
@@ -45,22 +49,32 @@ class Words {
   std::size_t size_ = 0;
 };
 
+std::uint64_t word(std::uint32_t x, std::uint32_t y) { return (std::uint64_t{x} << 32U) | y; }
+std::uint64_t word(Scalar x, Scalar y) {
+  return word(std::bit_cast<std::uint32_t>(x), std::bit_cast<std::uint32_t>(y));
+}
+
+/// Minimum and maximum of each axis. As bits of the packed box: through floats they would wait for one another.
+template <int D>
+void add_box(Words& words, const PackedBox<D>& box) {
+  constexpr std::uint32_t kSign = 1U << 31U;
+  const auto bits = [&box](std::size_t lane) { return std::bit_cast<std::uint32_t>(box.lane[lane]); };
+  for (std::size_t axis = 0; axis < D; ++axis)
+    words.add(word(bits(axis), bits(PackedBox<D>::kHalf + axis) ^ kSign));
+}
+
 template <int D>
 void add_node(Words& words, const Tree<D>& tree, NodeId id) {
   const Node<D>& node = tree[id];
-  words.add(id.value, node.generation);
-  words.add(node.direction, node.population);
-  words.add(node.retry_step, node.refusals);
+  words.add(word(id.value, node.generation), word(node.direction, node.population),
+            word(node.retry_step, node.refusals));
   if (!node.is_leaf()) {
-    words.add(node.plane.offset, Scalar{0});
+    words.add(word(node.plane.offset, Scalar{0}));
     return;
   }
   words.add(node.entries.size());
-  for (const Entry& entry : node.entries) {
-    words.add(entry.key.lo, entry.key.hi);
-    words.add(entry.straddle);
-    words.add(entry.object.value);
-  }
+  for (const Entry& entry : node.entries)
+    words.add(word(entry.key.lo, entry.key.hi), entry.straddle, entry.object.value);
 }
 
 }  // namespace
@@ -72,12 +86,11 @@ std::uint64_t hash(const Tree<D>& tree) {
   for (std::uint32_t id = 0; id < tree.table.bound(); ++id) {
     const ObjectId object{id};
     const auto state = static_cast<std::uint32_t>(tree.table.state(object));
-    words.add(state, tree.table.is_fixed(object) ? 1U : 0U);
+    words.add(word(state, tree.table.is_fixed(object) ? 1U : 0U));
     if (!tree.table.is_placed(object)) continue;
-    for (int axis = 0; axis < D; ++axis)
-      words.add(tree.table.box(object).min[axis], tree.table.box(object).max[axis]);
+    add_box(words, tree.table.packed(object));
     for (int k = 0; k < extra_size<D>(tree.table.kind()); ++k)
-      words.add(tree.table.extra(object)[k], Scalar{0});
+      words.add(word(tree.table.extra(object)[k], Scalar{0}));
   }
   return words.hash();
 }

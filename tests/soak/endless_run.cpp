@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
-#include <stdexcept>
 #include <string_view>
 #include <variant>
 
 #include "core/replay/oracle.h"
 #include "frames/bench/bench_scene.h"
+#include "frames/errors.h"
 #include "frames/scene_catalog.h"
 
 namespace kerf::test {
 namespace {
 
+constexpr std::string_view kBench = "bench:";
 constexpr std::uint32_t kRecycle = 5;  ///< steps between two objects that fall anew
 constexpr std::uint64_t kSeed = 1;
 
@@ -74,7 +75,7 @@ class TreeRun : public EndlessRun {
   void ask_oracle() const final {
     const PairJudgement judgement = judge_pairs(timed_.pairs(), oracle_pairs(timed_.tree().objects()));
     if (judgement.is_exact()) return;
-    throw std::logic_error("the pairs are not exact: " + std::to_string(judgement.missed.size()) +
+    throw NotExact("the pairs are not exact: " + std::to_string(judgement.missed.size()) +
                            " missed, " + std::to_string(judgement.extra.size()) + " extra, " +
                            std::to_string(judgement.twice.size()) + " told twice");
   }
@@ -130,13 +131,21 @@ class MotionRun final : public TreeRun<D> {
 
 }  // namespace
 
+std::vector<std::string> endless_run_names() {
+  std::vector<std::string> names;
+  for (const BenchScene& scene : bench_scenes())
+    for (const char* dimension : {"-2d", "-3d"})
+      names.push_back(std::string(kBench).append(scene.name).append(dimension));
+  for (const CatalogScene& scene : scene_catalog()) names.push_back(scene.name);
+  return names;
+}
+
 std::unique_ptr<EndlessRun> make_endless_run(const std::string& name, const Config& config,
                                              std::uint32_t objects, std::uint32_t growth) {
-  constexpr std::string_view kBench = "bench:";
   if (name.starts_with(kBench)) {
     const bool flat = name.ends_with("-2d");
     if (!flat && !name.ends_with("-3d"))
-      throw std::invalid_argument("'" + name + "' lacks its dimension: -2d or -3d");
+      throw UsageError("'" + name + "' lacks its dimension: -2d or -3d");
     const std::size_t length = name.size() - kBench.size() - std::string_view("-2d").size();
     const BenchScene& scene = find_bench_scene(name.substr(kBench.size(), length));
     if (flat) return std::make_unique<MotionRun<2>>(scene, config, objects);

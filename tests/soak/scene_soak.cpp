@@ -2,7 +2,7 @@
 // entries and the 99th percentile of the step time of the last quarter stand beside those of the second, and
 // the oracle is asked every thousand steps.
 // usage: kerf_scene_soak SCENE OBJECTS STEPS tuned|paper CSV-FILE
-// SCENE is one of `kerf scenes` or, as bench:NAME-2d and bench:NAME-3d, one of `kerf bench`.
+//        kerf_scene_soak --list      the scenes: those of `kerf bench`, and those of `kerf scenes`
 //
 // The CSV has a row for each thousandth of the run, written as it passes: tests/soak/scene_soak.gp draws it.
 // Exit code 1: it has degraded, or was not exact.
@@ -14,8 +14,10 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "frames/errors.h"
 #include "frames/interrupt.h"
 #include "frames/parse_whole.h"
 #include "frames/progress_line.h"
@@ -78,7 +80,7 @@ std::vector<Stretch> run_slices(EndlessRun& run, std::uint32_t steps, const std:
   std::vector<Stretch> slices;
   const std::uint32_t slices_unasked = std::max(1U, kOracleInterval / (steps / kSlices));
   for (std::uint32_t i = 0; i < kSlices; ++i) {
-    if (interrupt.requested()) throw std::runtime_error("interrupted; what was run is in " + path);
+    if (interrupt.requested()) throw Interrupted("interrupted; what was run is in " + path);
     line.show(std::to_string(i * 100 / kSlices) + " %");
     slices.push_back(run_slice(run, steps / kSlices));
     if ((i + 1) % slices_unasked == 0) run.ask_oracle();
@@ -109,7 +111,7 @@ bool compare(const char* what, double second, double last) {
 Config preset(const std::string& name) {
   if (name == "tuned") return tuned_config();
   if (name == "paper") return Config{};
-  throw std::invalid_argument("'" + name + "' is no preset: tuned or paper");
+  throw UsageError("'" + name + "' is no preset: tuned or paper");
 }
 
 int soak(char** argv) {
@@ -132,12 +134,16 @@ int soak(char** argv) {
 }  // namespace kerf::test
 
 int main(int argc, char** argv) try {
+  if (argc == 2 && std::string_view(argv[1]) == "--list") {
+    for (const std::string& name : kerf::test::endless_run_names()) std::puts(name.c_str());
+    return 0;
+  }
   if (argc != 6)
-    throw std::invalid_argument("usage: kerf_scene_soak SCENE OBJECTS STEPS tuned|paper CSV-FILE");
+    throw kerf::UsageError("usage: kerf_scene_soak --list | SCENE OBJECTS STEPS tuned|paper CSV-FILE");
   return kerf::test::soak(argv);
-} catch (const std::logic_error& error) {
+} catch (const kerf::test::NotExact& error) {
   std::fprintf(stderr, "kerf_scene_soak: %s\n", error.what());
-  return dynamic_cast<const std::invalid_argument*>(&error) == nullptr ? 1 : 2;
+  return 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "kerf_scene_soak: %s\n", error.what());
   return 2;
