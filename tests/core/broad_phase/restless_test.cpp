@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -170,6 +171,24 @@ TYPED_TEST(Restless, ThreadsAndStatesGiveTheSameRun) {
     crowd.advance();
   }
   EXPECT_GT(count_restless(alone), 1024U);
+}
+
+TYPED_TEST(Restless, StepsOfWhichNobodyAsksThePairsChangeNothingElse) {
+  constexpr int kD = TypeParam::value;
+  kerf::Bsp<kD, EventLog> always(small_leaves());
+  kerf::Bsp<kD, EventLog> seldom(small_leaves());
+  Crowd<kD> crowd(1200, {&always, &seldom});
+  for (int step = 0; step < 120; ++step) {
+    const bool asked = step % 4 == 0;
+    always.step();
+    asked ? seldom.step() : seldom.step_unswept();
+    EXPECT_TRUE(keeps(always)) << "step " << step;
+    ASSERT_EQ(difference(seldom.pairs(), asked ? always.pairs() : std::span<const Pair>()), "")
+        << "step " << step;
+    ASSERT_EQ(seldom.state_hash(), always.state_hash()) << "step " << step;
+    ASSERT_EQ(events_of(seldom), events_of(always)) << "step " << step;
+    crowd.advance();
+  }
 }
 
 TYPED_TEST(Restless, WhereManyAreTheLeavesAreSwept) {
