@@ -74,6 +74,14 @@ HWY_INLINE hn::Vec<Doubles> compress_doubles(hn::Vec<Doubles> lanes, hn::Mask<Do
   const std::uint32_t order = kWideCompressTable.order[hn::detail::BitsFromMask(chosen)];
   return hn::BitCast(Doubles(), lanes_in_order(hn::BitCast(Words(), lanes), order));
 }
+#elif HWY_TARGET <= HWY_AVX3
+// As above, for lanes of 64 bits.
+HWY_INLINE hn::Vec<Words> compress_words(hn::Vec<Words> lanes, hn::Mask<Words> chosen) {
+  return {_mm512_maskz_compress_epi32(chosen.raw, lanes.raw)};
+}
+HWY_INLINE hn::Vec<Doubles> compress_doubles(hn::Vec<Doubles> lanes, hn::Mask<Doubles> chosen) {
+  return {_mm512_maskz_compress_epi64(chosen.raw, lanes.raw)};
+}
 #else
 HWY_INLINE hn::Vec<Words> compress_words(hn::Vec<Words> lanes, hn::Mask<Words> chosen) {
   return hn::Compress(lanes, chosen);
