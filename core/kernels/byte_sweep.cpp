@@ -62,15 +62,14 @@ HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   for (std::size_t q = 1; q < 257; ++q) ends[q] += ends[q - 1];
   std::uint32_t next[256];
   std::copy_n(ends, 256, next);
-  PackedBox<D>* const HWY_RESTRICT boxes = sweep.sorted.boxes.data();
-  ObjectId* const HWY_RESTRICT objects = sweep.sorted.objects.data();
-  DepthMask* const HWY_RESTRICT apart = sweep.sorted.apart.data();
+  SweptEntry<D>* const HWY_RESTRICT sorted = sweep.sorted.data();
   ByteKey<D>* const HWY_RESTRICT sorted_keys = sweep.sorted_keys.data();
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t place = next[(keys[i] >> shift) & 255U]++;
-    boxes[place] = leaf.boxes[i];
-    objects[place] = leaf.objects[i];
-    apart[place] = leaf.apart[i];
+    SweptEntry<D>& entry = sorted[place];  // one by one: an entry made beforehand goes through the stack
+    entry.box = leaf.boxes[i];
+    entry.apart = leaf.apart[i];
+    entry.object = leaf.objects[i];
     sorted_keys[place] = keys[i];
   }
   for (unsigned k = 0; k < 2U * D; ++k) {
@@ -94,12 +93,10 @@ HWY_INLINE void compare_all(ByteSweep<D>& sweep, PairBuffer& pairs) {
   }
   const std::uint8_t* const own_max = sweep.plane(static_cast<std::size_t>(D + sweep.axis));
   const std::uint32_t* const ends = sweep.ends.data() + 1;
-  const auto entries = [boxes = sweep.sorted.boxes.data(), objects = sweep.sorted.objects.data(),
-                        apart = sweep.sorted.apart.data()](std::uint32_t k) {
-    return EntryRef<D>{boxes[k], objects[k].value, apart[k]};
+  const auto entries = [sorted = sweep.sorted.data()](std::uint32_t k) {
+    return EntryRef<D>{sorted[k].box, sorted[k].object.value, sorted[k].apart};
   };
-  auto* const HWY_RESTRICT found = sweep.found.data();
-  std::size_t count = 0;
+  Found found(sweep.found);
   for (std::uint32_t i = 0; i + 1 < n; ++i) {
     for (int k = 0; k < D - 1; ++k) {
       probe.min[k] = hn::Set(bytes, probe.other_min[k][i]);
@@ -107,13 +104,11 @@ HWY_INLINE void compare_all(ByteSweep<D>& sweep, PairBuffer& pairs) {
     }
     const std::uint32_t end = ends[own_max[i]];
     for (std::uint32_t j = i + 1; j < end; j += 64) {
-      count += list_bits(overlap_bits(probe, j) & first_bits(end - j), i, j, found + count);
-      if (count < kConfirmAt) continue;
-      confirm<D>(found, count, entries, entries, pairs);
-      count = 0;
+      found.add(overlap_bits(probe, j) & first_bits(end - j), i, j);
+      if (found.is_full()) found.confirm<D>(entries, entries, pairs);
     }
   }
-  confirm<D>(found, count, entries, entries, pairs);
+  found.confirm<D>(entries, entries, pairs);
 }
 
 template <int D>

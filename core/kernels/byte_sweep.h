@@ -6,10 +6,18 @@
 #include <vector>
 
 #include "core/broad_phase/pair_buffer.h"
-#include "core/kernels/found_at.h"
+#include "core/kernels/found_rows.h"
 #include "core/kernels/leaf_view.h"
 
 namespace kerf {
+
+/// What the sweep wants to know of an entry, in one place.
+template <int D>
+struct SweptEntry {
+  PackedBox<D> box;
+  DepthMask apart;
+  ObjectId object;
+};
 
 /// The sweep of one leaf by vectors of bytes.
 ///
@@ -27,7 +35,7 @@ class ByteSweep {
 
   // The kernels' memory, kept between leaves.
   static constexpr std::size_t kPad = 64;  ///< bytes that may be read beyond the end of a plane
-  LeafView<D> sorted;
+  std::vector<SweptEntry<D>> sorted;
   std::vector<ByteKey<D>> keys;           ///< of the entries as they came
   std::vector<ByteKey<D>> sorted_keys;    ///< in order
   std::vector<std::uint8_t> planes;       ///< bytes in order: min of each axis, then max

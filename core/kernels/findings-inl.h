@@ -13,7 +13,7 @@
 
 #include "core/broad_phase/pair_buffer.h"
 #include "core/kernels/bytes-inl.h"
-#include "core/kernels/found_at.h"
+#include "core/kernels/found_rows.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
@@ -21,8 +21,9 @@ namespace kerf::HWY_NAMESPACE {
 /// The pair in canonical order, in a way of which no compiler makes a branch: nothing predicts whose id is
 /// less.
 HWY_INLINE Pair ordered_pair(std::uint32_t a, std::uint32_t b) {
-  const std::uint32_t swapped = (a ^ b) & (0U - static_cast<std::uint32_t>(a > b));
-  return {ObjectId{a ^ swapped}, ObjectId{b ^ swapped}};
+  constexpr unsigned kFirst = std::endian::native == std::endian::little ? 0 : 32;
+  const std::uint64_t ids = std::uint64_t{a} << kFirst | std::uint64_t{b} << (32 - kFirst);
+  return std::bit_cast<Pair>(std::rotl(ids, static_cast<int>(a > b) * 32));
 }
 
 /// One of two entries that may be a pair.
@@ -33,48 +34,72 @@ struct EntryRef {
   DepthMask apart;
 };
 
-/// Confirms on the floats what the bytes have found; `first` and `second` give the entry at a place. No
-/// branch depends on the outcome.
-template <int D, class First, class Second>
-HWY_INLINE void confirm(const FoundAt* found, std::size_t count, First first, Second second,
-                        PairBuffer& pairs) {
-  Pair* const HWY_RESTRICT out = pairs.reserve(count);
-  std::size_t written = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const EntryRef<D> a = first(found[k].i);
-    const EntryRef<D> b = second(found[k].j);
-    const bool overlap = ends_overlap<D>(load_ends(a.box), load_ends(b.box));
-    const bool here = (a.apart & b.apart) == 0;
-    out[written] = ordered_pair(a.object, b.object);
-    written += static_cast<std::size_t>(overlap & here);
+/// Goes through all findings of rows that have some, without a branch: nothing predicts how many a row has.
+class FindingWalk {
+ public:
+  HWY_INLINE explicit FindingWalk(const FoundRow* first)
+      : row_(first), bits_(first->bits), next_(first[1].bits) {}
+
+  [[nodiscard]] HWY_INLINE const FoundRow* row() const { return row_; }
+  [[nodiscard]] HWY_INLINE std::uint32_t i() const { return row_->i; }
+  [[nodiscard]] HWY_INLINE std::uint32_t j() const {
+    return row_->j + static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits_));
   }
-  pairs.commit(written);
-}
+  HWY_INLINE void advance() {
+    bits_ &= bits_ - 1;
+    const auto done = static_cast<std::uint64_t>(bits_ == 0);
+    bits_ |= next_ & (0 - done);
+    row_ += done;
+    next_ = row_[1].bits;
+  }
+
+ private:
+  const FoundRow* row_;
+  std::uint64_t bits_;
+  std::uint64_t next_;  ///< of the row behind: it is there before it is known whether it is wanted
+};
+
+/// What was found and not confirmed yet.
+class Found {
+ public:
+  HWY_INLINE explicit Found(Findings& rows) : first_(rows.data()), end_(first_) {}
+
+  /// Rows without a finding are written over by the next one.
+  HWY_INLINE void add(std::uint64_t bits, std::uint32_t i, std::uint32_t j) {
+    *end_ = {bits, i, j};
+    end_ += bits != 0 ? 1 : 0;
+    count_ += static_cast<std::size_t>(std::popcount(bits));
+  }
+  [[nodiscard]] HWY_INLINE bool is_full() const { return end_ == first_ + kConfirmAt; }
+
+  /// Confirms on the floats what the bytes have found, and begins anew; `first` and `second` give the entry
+  /// at a place. No branch depends on the outcome.
+  template <int D, class First, class Second>
+  HWY_INLINE void confirm(First first, Second second, PairBuffer& pairs) {
+    Pair* const begin = pairs.reserve(count_);
+    Pair* HWY_RESTRICT out = begin;
+    for (FindingWalk walk(first_); walk.row() != end_; walk.advance()) {
+      const EntryRef<D> a = first(walk.i());
+      const EntryRef<D> b = second(walk.j());
+      const bool overlap = ends_overlap<D>(load_ends(a.box), load_ends(b.box));
+      const bool here = (a.apart & b.apart) == 0;
+      *out = ordered_pair(a.object, b.object);
+      out += static_cast<std::ptrdiff_t>(overlap & here);
+    }
+    pairs.commit(static_cast<std::size_t>(out - begin));
+    end_ = first_;
+    count_ = 0;
+  }
+
+ private:
+  FoundRow* const first_;
+  FoundRow* end_;
+  std::size_t count_ = 0;
+};
 
 /// As many of the lowest bits, or all.
 HWY_INLINE std::uint64_t first_bits(std::uint32_t count) {
   return count < 64 ? (std::uint64_t{1} << count) - 1 : UINT64_MAX;
-}
-
-/// The number of the lowest bit; anything if there is none. To the compiler there is always one, or it would
-/// make a branch for the other case, which nothing predicts.
-HWY_INLINE std::uint64_t lowest_bit(std::uint64_t bits) {
-  return static_cast<std::uint64_t>(std::countr_zero(bits | (std::uint64_t{1} << 63U)));
-}
-
-/// Writes (i, j + k) for each bit k and gives their number. Four are written whether they are there or not:
-/// few rows have more, and the branch that tells is seldom mispredicted.
-HWY_INLINE std::size_t list_bits(std::uint64_t bits, std::uint32_t i, std::uint32_t j, FoundAt* found) {
-  const auto count = static_cast<std::size_t>(std::popcount(bits));
-  const std::uint64_t first = i | std::uint64_t{j} << 32U;
-  const auto write = [&](std::size_t k) {
-    const std::uint64_t both = first + (lowest_bit(bits) << 32U);
-    found[k] = {static_cast<std::uint32_t>(both), static_cast<std::uint32_t>(both >> 32U)};
-    bits &= bits - 1;
-  };
-  for (std::size_t k = 0; k < 4; ++k) write(k);
-  for (std::size_t k = 4; k < count; ++k) write(k);
-  return count;
 }
 
 }  // namespace kerf::HWY_NAMESPACE

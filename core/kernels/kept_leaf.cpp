@@ -62,36 +62,6 @@ HWY_INLINE Probe<D> make_probe(KeptLeaf<D>& leaf, ByteKey<D> key) {
   return probe;
 }
 
-/// 64 entries of a leaf, of which bit k says that entry j + k was found.
-struct Row {
-  std::uint64_t bits;
-  std::uint32_t j;
-};
-
-/// Writes (i, j) for each entry j that overlaps the probe as far as bytes tell, and calls `full` with their
-/// number when there is no room for more of them. Rows without a finding are dropped first, so that no branch
-/// depends on where the others are.
-template <int D, class Full>
-HWY_INLINE std::size_t find_all(const Probe<D>& probe, std::uint32_t n, std::uint32_t i, std::size_t count,
-                                Findings& found, Full full) {
-  constexpr std::uint32_t kRows = 64;
-  Row rows[kRows];
-  for (std::uint32_t begin = 0; begin < n; begin += 64 * kRows) {
-    std::size_t filled = 0;
-    for (std::uint32_t j = begin; j < std::min(n, begin + 64 * kRows); j += 64) {
-      rows[filled] = {overlap_bits(probe, j) & first_bits(n - j), j};
-      filled += rows[filled].bits != 0 ? 1 : 0;
-    }
-    for (std::size_t row = 0; row < filled; ++row) {
-      count += list_bits(rows[row].bits, i, rows[row].j, found.data() + count);
-      if (count < kConfirmAt) continue;
-      full(count);
-      count = 0;
-    }
-  }
-  return count;
-}
-
 /// Appends the overlaps of the view's boxes with those of the leaf, `boxes` by object.
 template <int D>
 HWY_INLINE void probe_all(KeptLeaf<D>& leaf, const LeafView<D>& view, const PackedBox<D>* boxes,
@@ -103,12 +73,16 @@ HWY_INLINE void probe_all(KeptLeaf<D>& leaf, const LeafView<D>& view, const Pack
   const auto kept = [objects = leaf.objects.data(), apart = leaf.apart.data(), boxes](std::uint32_t j) {
     return EntryRef<D>{boxes[objects[j]], objects[j], apart[j]};
   };
-  const auto confirm_some = [&](std::size_t count) { confirm<D>(found.data(), count, probing, kept, pairs); };
   const auto n = static_cast<std::uint32_t>(leaf.objects.size());
-  std::size_t count = 0;
-  for (std::uint32_t i = 0; i < view.size(); ++i)
-    count = find_all(make_probe<D>(leaf, key_of(map, view.boxes[i])), n, i, count, found, confirm_some);
-  confirm_some(count);
+  Found rows(found);
+  for (std::uint32_t i = 0; i < view.size(); ++i) {
+    const Probe<D> probe = make_probe<D>(leaf, key_of(map, view.boxes[i]));
+    for (std::uint32_t j = 0; j < n; j += 64) {
+      rows.add(overlap_bits(probe, j) & first_bits(n - j), i, j);
+      if (rows.is_full()) rows.confirm<D>(probing, kept, pairs);
+    }
+  }
+  rows.confirm<D>(probing, kept, pairs);
 }
 
 /// The first of `n` numbers from `k` on that is `wanted`, or n.

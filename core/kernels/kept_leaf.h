@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/broad_phase/pair_buffer.h"
-#include "core/kernels/found_at.h"
+#include "core/kernels/found_rows.h"
 #include "core/kernels/leaf_view.h"
 
 namespace kerf {
