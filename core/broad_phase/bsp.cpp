@@ -64,6 +64,7 @@ void Bsp<D, Trace>::decide(std::vector<Decision> decisions) {
 template <int D, class Trace>
 Status Bsp<D, Trace>::note(ObjectId object, Status status) {
   if (status == Status::unknown_id || status == Status::duplicate_id) return status;
+  all_have_moved_ = false;
   attention_.resize(latest_.bound(), kUnplaced);
   std::uint8_t& attention = attention_[object.index()];
   if ((attention & kChanging) != 0) return status;
@@ -189,6 +190,23 @@ float Bsp<D, Trace>::speed_of_sample() const {
   return count == 0 ? 0 : sum / count;
 }
 
+/// Whether most objects of a sample are so far from where they were that few of them stay in their leaves.
+template <int D, class Trace>
+bool Bsp<D, Trace>::most_jump() const {
+  constexpr std::uint32_t kFew = 64;
+  constexpr float kSizes = 6;
+  std::uint32_t jumped = 0;
+  std::uint32_t count = 0;
+  for (std::uint32_t k = 0; k < std::min<std::size_t>(kFew, tree_.table.bound()); ++k) {
+    const ObjectId object{static_cast<std::uint32_t>(sample_place(k, tree_.table.bound()))};
+    if (!tree_.table.is_placed(object)) continue;
+    const auto [size, speed] = size_and_speed(latest_.box(object), tree_.table.box(object));
+    jumped += speed > kSizes * size ? 1 : 0;
+    ++count;
+  }
+  return 2 * jumped > count;
+}
+
 /// How fast they are is looked at, in a sample of them, only if there are many.
 template <int D, class Trace>
 Leaving Bsp<D, Trace>::who_leaves() const {
@@ -240,8 +258,13 @@ void Bsp<D, Trace>::place() {
       place_fat();
     }
   } else if (before == Mode::kept || (mode_ == Mode::swept && more_than(config_.stream_share))) {
+    const bool many_stay = all_have_moved_ && !most_jump();
     tree_.table.copy_all(latest_, *pool_);
-    place_all();
+    if (many_stay) {
+      place_leavers();
+    } else {
+      place_all();
+    }
   } else {
     place_changes();
   }
@@ -251,12 +274,22 @@ void Bsp<D, Trace>::place() {
   });
   changed_.clear();
   before_.clear();
+  all_have_moved_ = true;
 }
 
 template <int D, class Trace>
 void Bsp<D, Trace>::place_all() {
   placed_ = changed_.size();
   stream(tree_, stream_memory_, *pool_);
+  reporter_.report([&] { return AllPlaced{tree_.objects()}; });
+}
+
+/// The same, when nobody came or went: who still lies wholly in its leaf's cell stays there.
+template <int D, class Trace>
+void Bsp<D, Trace>::place_leavers() {
+  placed_ = changed_.size();
+  leave_pass_.run(tree_, *pool_);
+  stream(tree_, leave_pass_, stream_memory_, *pool_);
   reporter_.report([&] { return AllPlaced{tree_.objects()}; });
 }
 

@@ -104,11 +104,13 @@ class Bsp final : public BroadPhase<D> {
   void choose_mode();
   static constexpr std::size_t kSample = 256;  ///< objects that are asked how fast they are
   [[nodiscard]] float speed_of_sample() const;
+  [[nodiscard]] bool most_jump() const;
   [[nodiscard]] Leaving who_leaves() const;
   void enter(Mode mode);
   void place();
   void place_changes();
   void place_all();
+  void place_leavers();
   void place_entering(const std::vector<ObjectId>& entering);
   Box<D> fat_box(ObjectId object, const Box<D>& before);
   void fatten_all();
@@ -152,6 +154,8 @@ class Bsp final : public BroadPhase<D> {
   std::vector<Box<D>> fat_;  ///< by changed_, but while all objects get one: by id
   std::vector<FatPiece> fat_pieces_;
   StreamMemory stream_memory_;
+  LeavePass<D> leave_pass_;
+  bool all_have_moved_ = true;  ///< no request of this step but moves of placed objects to valid boxes
   PairBuffer pairs_;
   Phase phase_ = Phase::sweep;
   std::chrono::steady_clock::time_point phase_start_;

@@ -1,6 +1,7 @@
 #include "core/tree/stream.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "core/kernels/divide_list.h"
@@ -36,29 +37,57 @@ void with_intervals(const Tree<D>& tree, std::uint32_t direction, Work work) {
   });
 }
 
+void make_room(StreamBuffer& buffer, std::size_t size) {
+  if (size <= buffer.objects.size()) return;
+  buffer.objects.resize(size + size / 4);
+  buffer.straddle.resize(size + size / 4);
+}
+
+/// All placed objects of a table, to be sent down.
+template <int D>
+struct Everybody {
+  const ObjectTable<D>& table;
+
+  [[nodiscard]] std::size_t size() const { return table.bound(); }
+  /// Makes the list of those with an id in the slice; gives their number.
+  std::size_t list(const Slice& ids, StreamBuffer& buffer) const {
+    make_room(buffer, ids.end - ids.begin);
+    std::size_t count = 0;
+    for (std::size_t id = ids.begin; id < ids.end; ++id) {
+      buffer.objects[count] = static_cast<std::uint32_t>(id);
+      buffer.straddle[count] = 0;
+      count += table.is_placed({static_cast<std::uint32_t>(id)}) ? 1 : 0;
+    }
+    return count;
+  }
+};
+
+/// Some objects, to be sent down.
+struct Some {
+  std::span<const std::uint32_t> objects;
+
+  [[nodiscard]] std::size_t size() const { return objects.size(); }
+  std::size_t list(const Slice& slice, StreamBuffer& buffer) const {
+    const std::size_t count = slice.end - slice.begin;
+    make_room(buffer, count);
+    std::copy_n(objects.begin() + static_cast<std::ptrdiff_t>(slice.begin), count, buffer.objects.begin());
+    std::fill_n(buffer.straddle.begin(), count, 0);
+    return count;
+  }
+};
+
 /// Sends one list down, in its own buffer.
 template <int D>
 class Streamer {
  public:
   Streamer(const Tree<D>& tree, StreamBuffer& buffer) : tree_(tree), buffer_(buffer) {}
 
-  /// Makes the list of all placed objects with an id in the slice.
-  std::size_t list(const Slice& ids) {
-    make_room(ids.end - ids.begin);
-    std::size_t count = 0;
-    for (std::size_t id = ids.begin; id < ids.end; ++id) {
-      buffer_.objects[count] = static_cast<std::uint32_t>(id);
-      buffer_.straddle[count] = 0;
-      count += tree_.table.is_placed({static_cast<std::uint32_t>(id)}) ? 1 : 0;
-    }
-    return count;
-  }
   /// Puts what parts left for their k-th end behind one another.
   std::size_t gather(const std::vector<StreamPart>& parts, std::size_t k) {
     std::size_t count = 0;
     for (const StreamPart& part : parts) {
       const StreamPart::Stretch& from = part.ends[k];
-      make_room(count + from.end - from.begin);
+      make_room(buffer_, count + from.end - from.begin);
       std::copy(part.arrived.objects.begin() + at(from.begin), part.arrived.objects.begin() + at(from.end),
                 buffer_.objects.begin() + at(count));
       std::copy(part.arrived.straddle.begin() + at(from.begin), part.arrived.straddle.begin() + at(from.end),
@@ -81,16 +110,10 @@ class Streamer {
  private:
   static std::ptrdiff_t at(std::size_t k) { return static_cast<std::ptrdiff_t>(k); }
 
-  void make_room(std::size_t size) {
-    if (size <= buffer_.objects.size()) return;
-    buffer_.objects.resize(size + size / 4);
-    buffer_.straddle.resize(size + size / 4);
-  }
-
   /// Keeps what lies left at the list's place and writes what lies right behind its end. The right child is
   /// done first: nothing but dead lists lies behind the left one then. No branch depends on the sides.
   void divide(const Node<D>& node, const Range& range, std::vector<Range>& todo) {
-    make_room(range.end + (range.end - range.begin) + kDividePad);
+    make_room(buffer_, range.end + (range.end - range.begin) + kDividePad);
     std::uint32_t* const objects = buffer_.objects.data();
     DepthMask* const straddle = buffer_.straddle.data();
     const unsigned depth = node.depth;
@@ -135,25 +158,28 @@ class Streamer {
   StreamBuffer& buffer_;
 };
 
-/// Writes the entries of a leaf.
+/// Writes the entries of those that came into a leaf, behind those that stayed there.
 template <int D>
-void fill(Tree<D>& tree, const Range& range, const StreamBuffer& buffer) {
-  std::vector<Entry>& entries = tree.refill(range.node, range.end - range.begin);
+void fill(Tree<D>& tree, const Range& range, std::size_t stayed, const StreamBuffer& buffer) {
+  const std::size_t came = range.end - range.begin;
+  Entry* const entries = tree.refill(range.node, stayed + came).data() + stayed;
   with_intervals(tree, tree[range.node].direction, [&](auto interval_of) {
-    for (std::size_t k = 0; k < entries.size(); ++k) {
+    for (std::size_t k = 0; k < came; ++k) {
       const std::uint32_t object = buffer.objects[range.begin + k];
       entries[k] = {interval_of(object), ObjectId{object}, buffer.straddle[range.begin + k]};
     }
   });
 }
 
-/// Sends the first `count` of the streamer's list down to the leaves.
+/// Sends the first `count` of the streamer's list down to the leaves. `stayed`: who is below each node
+/// already.
 template <int D>
-void finish(Tree<D>& tree, NodeId from, std::size_t count, Streamer<D>& streamer,
-            const StreamBuffer& buffer) {
+void finish(Tree<D>& tree, NodeId from, std::size_t count, const std::vector<std::uint32_t>& stayed,
+            Streamer<D>& streamer, const StreamBuffer& buffer) {
   streamer.run(from, count, [&](const Range& range) {
-    tree[range.node].population = static_cast<std::uint32_t>(range.end - range.begin);
-    if (tree[range.node].is_leaf()) fill(tree, range, buffer);
+    const std::uint32_t before = stayed[range.node.index()];
+    tree[range.node].population = before + static_cast<std::uint32_t>(range.end - range.begin);
+    if (tree[range.node].is_leaf()) fill(tree, range, before, buffer);
     return !tree[range.node].is_leaf();
   });
 }
@@ -177,16 +203,16 @@ std::uint32_t depth_of_parts(const Tree<D>& tree, std::size_t least) {
   return depth;
 }
 
-/// Sends a piece of the objects down to the given depth.
+/// Sends a piece of the objects down to the given depth: the first `count` of the buffer.
 template <int D>
-void stream_part(const Tree<D>& tree, const Slice& ids, std::uint32_t depth, StreamBuffer& buffer,
+void stream_part(const Tree<D>& tree, std::size_t count, std::uint32_t depth, StreamBuffer& buffer,
                  StreamPart& part) {
   part.ends.clear();
   part.passed.clear();
   part.arrived.objects.clear();
   part.arrived.straddle.clear();
   Streamer<D> streamer(tree, buffer);
-  streamer.run(tree.root(), streamer.list(ids), [&](const Range& range) {
+  streamer.run(tree.root(), count, [&](const Range& range) {
     const Node<D>& node = tree[range.node];
     if (!node.is_leaf() && node.depth < depth) {
       part.passed.emplace_back(range.node, range.end - range.begin);
@@ -204,39 +230,60 @@ void stream_part(const Tree<D>& tree, const Slice& ids, std::uint32_t depth, Str
   });
 }
 
-template <int D>
-void stream_in_parts(Tree<D>& tree, StreamMemory& memory, TaskPool& pool) {
+template <int D, class Objects>
+void stream_in_parts(Tree<D>& tree, const Objects& objects, const std::vector<std::uint32_t>& stayed,
+                     StreamMemory& memory, TaskPool& pool) {
   memory.parts.resize(pool.pieces());
   const std::uint32_t depth = depth_of_parts(tree, pool.pieces());
   pool.for_each(memory.parts.size(), [&](std::size_t piece, std::size_t thread) {
-    stream_part(tree, slice(tree.table.bound(), memory.parts.size(), piece), depth, memory.by_thread[thread],
-                memory.parts[piece]);
+    StreamBuffer& buffer = memory.by_thread[thread];
+    const std::size_t count = objects.list(slice(objects.size(), memory.parts.size(), piece), buffer);
+    stream_part(tree, count, depth, buffer, memory.parts[piece]);
   });
-  for (const auto& [node, count] : memory.parts.front().passed) tree[node].population = 0;
+  for (const auto& [node, count] : memory.parts.front().passed) tree[node].population = stayed[node.index()];
   for (const StreamPart& part : memory.parts)
     for (const auto& [node, count] : part.passed) tree[node].population += count;
   const std::vector<StreamPart::Stretch>& ends = memory.parts.front().ends;
   pool.for_each(ends.size(), [&](std::size_t k, std::size_t thread) {
-    Streamer<D> streamer(tree, memory.by_thread[thread]);
-    finish(tree, ends[k].node, streamer.gather(memory.parts, k), streamer, memory.by_thread[thread]);
+    StreamBuffer& buffer = memory.by_thread[thread];
+    Streamer<D> streamer(tree, buffer);
+    finish(tree, ends[k].node, streamer.gather(memory.parts, k), stayed, streamer, buffer);
   });
+}
+
+template <int D, class Objects>
+void send_down(Tree<D>& tree, const Objects& objects, const std::vector<std::uint32_t>& stayed,
+               StreamMemory& memory, TaskPool& pool) {
+  memory.by_thread.resize(pool.threads());
+  if (pool.threads() == 1) {
+    StreamBuffer& buffer = memory.by_thread.front();
+    const std::size_t count = objects.list({0, objects.size()}, buffer);
+    Streamer<D> streamer(tree, buffer);
+    finish(tree, tree.root(), count, stayed, streamer, buffer);
+  } else {
+    stream_in_parts(tree, objects, stayed, memory, pool);
+  }
+  tree.count_entries();
 }
 
 }  // namespace
 
 template <int D>
 void stream(Tree<D>& tree, StreamMemory& memory, TaskPool& pool) {
-  memory.by_thread.resize(pool.threads());
-  if (pool.threads() == 1) {
-    Streamer<D> streamer(tree, memory.by_thread.front());
-    finish(tree, tree.root(), streamer.list({0, tree.table.bound()}), streamer, memory.by_thread.front());
-  } else {
-    stream_in_parts(tree, memory, pool);
-  }
-  tree.count_entries();
+  const std::vector<std::uint32_t> nobody(tree.slots(), 0);
+  send_down(tree, Everybody<D>{tree.table}, nobody, memory, pool);
 }
 
-template void stream<2>(Tree<2>&, StreamMemory&, TaskPool&);
-template void stream<3>(Tree<3>&, StreamMemory&, TaskPool&);
+template <int D>
+void stream(Tree<D>& tree, const LeavePass<D>& pass, StreamMemory& memory, TaskPool& pool) {
+  send_down(tree, Some{pass.leavers()}, pass.stayed(), memory, pool);
+}
+
+#define KERF_INSTANTIATE(D)                                    \
+  template void stream<D>(Tree<D>&, StreamMemory&, TaskPool&); \
+  template void stream<D>(Tree<D>&, const LeavePass<D>&, StreamMemory&, TaskPool&);
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
 
 }  // namespace kerf

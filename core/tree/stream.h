@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/parallel/task_pool.h"
+#include "core/tree/leave.h"
 #include "core/tree/tree.h"
 
 namespace kerf {
@@ -42,5 +43,8 @@ struct StreamMemory {
 /// Pre: the tree's table has the volumes by which all are to be placed; the entries may be of any others.
 template <int D>
 void stream(Tree<D>& tree, StreamMemory& memory, TaskPool& pool);
+/// The same for those who left their leaves in the pass; the others stay.
+template <int D>
+void stream(Tree<D>& tree, const LeavePass<D>& pass, StreamMemory& memory, TaskPool& pool);
 
 }  // namespace kerf

@@ -345,5 +345,54 @@ TYPED_TEST(Kernels, ListsAreDividedAsTheDefinitionSays) {
   }
 }
 
+TYPED_TEST(Kernels, WhoLiesInTheCellAndStraddlesNothingStays) {
+  constexpr int kD = TypeParam::value;
+  constexpr DepthMask kRightOf = 0b0101;
+  Random random(12);
+  for (std::uint32_t round = 0; round < 30; ++round) {
+    const std::uint32_t count = std::array{0U, 1U, 15U, 64U, 200U}[round % 5];
+    std::vector<PackedBox<kD>> boxes;
+    std::vector<Entry> given;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      boxes.emplace_back(draw_box<kD>(Spread::grid, random));
+      const DepthMask straddle = random.below(3) == 0 ? random.bits() & 7U : 0;
+      given.push_back({{}, {count - 1 - k}, straddle});
+    }
+    Box<kD> cell;
+    for (int i = 0; i < kD; ++i) {
+      cell.min[i] = std::round(static_cast<Scalar>(random.uniform(-4, 1)));  // many ends lie on it
+      cell.max[i] = std::round(static_cast<Scalar>(random.uniform(0, 4)));
+    }
+    const std::uint32_t axis = round % kD;
+    std::vector<std::uint32_t> stayers;
+    std::vector<std::uint32_t> leavers;
+    for (const Entry& entry : given) {
+      const bool inside = contains(PackedBox<kD>(cell), boxes[entry.object.index()]);
+      if (inside && entry.straddle == 0)
+        stayers.push_back(entry.object.value);
+      else if ((entry.straddle & kRightOf) == 0)
+        leavers.push_back(entry.object.value);
+    }
+    for (const std::string& name : kernels()) {
+      SCOPED_TRACE(testing::Message() << name << ", round " << round);
+      use_kernel(name);
+      std::vector<Entry> entries = given;
+      std::vector<std::uint32_t> left(count + 1);
+      const Stayed done = stay_in_cell<kD>(
+          {boxes.data(), PackedBox<kD>(cell), kRightOf, axis, entries.data(), count, left.data()});
+      ASSERT_EQ(done.stayed, stayers.size());
+      for (std::size_t k = 0; k < done.stayed; ++k) {
+        const Box<kD> box = boxes[stayers[k]].unpack();
+        EXPECT_EQ(entries[k].object.value, stayers[k]);
+        EXPECT_EQ(entries[k].straddle, 0U);
+        EXPECT_EQ(entries[k].key.lo, box.min[static_cast<int>(axis)]);
+        EXPECT_EQ(entries[k].key.hi, box.max[static_cast<int>(axis)]);
+      }
+      left.resize(done.left);
+      EXPECT_EQ(left, leavers);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test

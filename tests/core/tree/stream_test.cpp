@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "core/broad_phase/bsp.h"
 #include "core/tree/hash.h"
+#include "tests/support/boxes.h"
 #include "tests/support/config_of.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/moving_boxes.h"
@@ -23,6 +29,32 @@ class Stream : public testing::Test {
       crowd.walk(0.3);
       tree.step();
     }
+  }
+  static Tree<T::value> grown(std::uint32_t count, const std::string& free_directions) {
+    Bsp<T::value> tree(
+        config_of("max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=8,max_threshold=8,"
+                  "free_directions=" +
+                  free_directions));
+    grow(tree, count);
+    return tree.tree();
+  }
+  /// Moves every second box by up to `distance` along each axis.
+  static void walk(Tree<T::value>& tree, double distance) {
+    Random random(3);
+    for (std::uint32_t id = 0; id < tree.table.bound(); id += 2) {
+      const Vector<T::value> by = random_point<T::value>(random, -distance, distance);
+      const Box<T::value> box = tree.table.box({id});
+      tree.table.widen({id}, {box.min + by, box.max + by});
+    }
+  }
+  /// Returns how many left.
+  static std::size_t stream_leavers_by(unsigned threads, Tree<T::value>& tree) {
+    StreamMemory memory;
+    LeavePass<T::value> pass;
+    TaskPool pool(threads);
+    pass.run(tree, pool);
+    stream(tree, pass, memory, pool);
+    return pass.leavers().size();
   }
   static void stream_by(unsigned threads, Tree<T::value>& tree) {
     StreamMemory memory;
@@ -72,6 +104,81 @@ TYPED_TEST(Stream, ListsAreTheSameForAnyNumberOfThreads) {
     EXPECT_TRUE(is_sound(tree));
     EXPECT_EQ(tree.entries(), expected.entries());
     EXPECT_EQ(hash(tree), hash(expected)) << threads << " threads";
+  }
+}
+
+/// The objects of each leaf, in order.
+template <int D>
+std::vector<std::vector<std::uint32_t>> objects_of_leaves(const Tree<D>& tree) {
+  std::vector<std::vector<std::uint32_t>> leaves;
+  for_each_node(tree, tree.root(), [&](NodeId id) {
+    std::vector<std::uint32_t>& objects = leaves.emplace_back();
+    for (const Entry& entry : tree[id].entries) objects.push_back(entry.object.value);
+    std::ranges::sort(objects);
+  });
+  return leaves;
+}
+
+TYPED_TEST(Stream, WhoLeavesItsCellGoesWhereAllWouldGo) {
+  for (const char* const free_directions : {"0", "1"}) {
+    auto tree = TestFixture::grown(300, free_directions);
+    std::size_t most = 0;
+    std::size_t least = 300;
+    for (int step = 0; step < 20; ++step) {
+      TestFixture::walk(tree, step % 5 == 0 ? 30 : 0.4);
+      auto expected = tree;
+      TestFixture::stream_by(1, expected);
+      const std::size_t left = TestFixture::stream_leavers_by(1, tree);
+      most = std::max(most, left);
+      least = std::min(least, left);
+      ASSERT_TRUE(is_sound(tree)) << "step " << step;
+      ASSERT_EQ(tree.entries(), expected.entries()) << "step " << step;
+      ASSERT_EQ(objects_of_leaves(tree), objects_of_leaves(expected)) << "step " << step;
+    }
+    EXPECT_LT(least, most);
+    if (*free_directions == '1') continue;
+    EXPECT_LT(least, 250U) << "who stays is not sent down again";
+  }
+}
+
+TYPED_TEST(Stream, LeaversAreTheSameForAnyNumberOfThreads) {
+  auto expected = TestFixture::grown(300, "0");
+  TestFixture::walk(expected, 2);
+  const auto moved = expected;
+  const std::size_t left = TestFixture::stream_leavers_by(1, expected);
+  for (const unsigned threads : {2U, 3U, 8U}) {
+    auto tree = moved;
+    EXPECT_EQ(TestFixture::stream_leavers_by(threads, tree), left);
+    EXPECT_TRUE(is_sound(tree));
+    EXPECT_EQ(hash(tree), hash(expected)) << threads << " threads";
+  }
+}
+
+/// What ends on a partitioner lies left of it, what begins there lies on both sides.
+TYPED_TEST(Stream, WhoTouchesItsCellStaysOnlyIfItEndsThere) {
+  constexpr int kD = TypeParam::value;
+  for (const bool ends : {true, false}) {
+    auto tree = TestFixture::grown(300, "0");
+    std::size_t touching = 0;
+    for_each_node(tree, tree.root(), [&](NodeId id) {
+      if (!tree[id].is_leaf()) return;
+      const Node<kD>& parent = tree[tree[id].parent];
+      if ((parent.left == id) != ends) return;
+      for (const Entry& entry : tree[id].entries) {
+        if (entry.straddle != 0) continue;
+        Box<kD> box = tree.table.box(entry.object);
+        (ends ? box.max : box.min)[static_cast<int>(parent.direction)] = parent.plane.offset;
+        tree.table.widen(entry.object, box);
+        ++touching;
+      }
+    });
+    EXPECT_GT(touching, 10U);
+    const std::size_t left = TestFixture::stream_leavers_by(1, tree);
+    EXPECT_TRUE(is_sound(tree));
+    if (ends)
+      EXPECT_LE(left, tree.objects() - touching);
+    else
+      EXPECT_GE(left, touching);
   }
 }
 

@@ -1,0 +1,72 @@
+#include "core/kernels/stay_in_cell.h"
+
+#include <algorithm>
+
+#include "core/kernels/prefetch.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/kernels/stay_in_cell.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace kerf::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <int D>
+HWY_INLINE bool lies_in(const PackedBox<D>& cell, const PackedBox<D>& box) {
+  const hn::FixedTag<Scalar, 4> four;
+  auto inside = hn::Le(hn::Load(four, cell.lane.data()), hn::Load(four, box.lane.data()));
+  if constexpr (D == 3)
+    inside =
+        hn::And(inside, hn::Le(hn::Load(four, cell.lane.data() + 4), hn::Load(four, box.lane.data() + 4)));
+  return hn::AllTrue(four, inside);
+}
+
+/// No branch depends on who stays.
+template <int D>
+HWY_INLINE Stayed stay(const StayJob<D>& job) {
+  Stayed at;
+  for (std::size_t k = 0; k < job.count; ++k) {
+    prefetch(job.boxes + job.entries[std::min(k + kPrefetchAhead, job.count - 1)].object.index());
+    const Entry& entry = job.entries[k];
+    const ObjectId object = entry.object;
+    const DepthMask straddle = entry.straddle;
+    const PackedBox<D>& box = job.boxes[object.index()];
+    const bool stays =
+        static_cast<bool>(static_cast<int>(straddle == 0) & static_cast<int>(lies_in(job.cell, box)));
+    const bool is_leftmost = (straddle & job.right_of) == 0;
+    Entry& kept = job.entries[at.stayed];
+    kept.key = {box.lane[job.axis], -box.lane[PackedBox<D>::kHalf + job.axis]};
+    kept.object = object;
+    kept.straddle = 0;
+    job.leavers[at.left] = object.value;
+    at.stayed += static_cast<std::size_t>(stays);
+    at.left += static_cast<std::size_t>(static_cast<int>(is_leftmost) & static_cast<int>(!stays));
+  }
+  return at;
+}
+
+Stayed stay_2(const StayJob<2>& job) { return stay(job); }
+Stayed stay_3(const StayJob<3>& job) { return stay(job); }
+
+}  // namespace kerf::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace kerf {
+
+HWY_EXPORT(stay_2);
+HWY_EXPORT(stay_3);
+
+template <>
+Stayed stay_in_cell<2>(const StayJob<2>& job) {
+  return HWY_DYNAMIC_DISPATCH(stay_2)(job);
+}
+template <>
+Stayed stay_in_cell<3>(const StayJob<3>& job) {
+  return HWY_DYNAMIC_DISPATCH(stay_3)(job);
+}
+
+}  // namespace kerf
+#endif

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/parallel/task_pool.h"
+#include "core/tree/tree.h"
+
+namespace kerf {
+
+/// Who stays in its leaf and who leaves it, when boxes have moved. Its memory is kept between steps.
+template <int D>
+class LeavePass {
+ public:
+  /// Takes all entries out of the leaves but those of objects that straddle nothing and still lie wholly in
+  /// their leaf's cell, by the boxes of the tree's table. The tree is complete again when the leavers are
+  /// placed; populations and the number of entries count nobody meanwhile.
+  ///
+  /// Pre: the table has boxes; all placed objects have entries, and no others do.
+  void run(Tree<D>& tree, TaskPool& pool);
+
+  /// Each object that left, once, in an order that does not depend on the number of threads.
+  [[nodiscard]] std::span<const std::uint32_t> leavers() const { return {objects_.data(), count_}; }
+  /// How many objects stayed below each node.
+  [[nodiscard]] const std::vector<std::uint32_t>& stayed() const { return stayed_; }
+
+ private:
+  struct Leaf {
+    NodeId id;
+    std::size_t begin = 0;  ///< in `objects_`
+    std::size_t left = 0;
+  };
+
+  std::vector<Leaf> leaves_;
+  std::vector<NodeId> nodes_;
+  std::vector<std::uint32_t> objects_;
+  std::vector<std::uint32_t> stayed_;
+  std::size_t count_ = 0;
+};
+
+extern template class LeavePass<2>;
+extern template class LeavePass<3>;
+
+}  // namespace kerf
