@@ -13,6 +13,7 @@
 #include "core/kernels/kept_leaf.h"
 #include "core/kernels/machine.h"
 #include "core/kernels/move_boxes.h"
+#include "core/kernels/stay_in_cell.h"
 #include "core/random.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/pairs.h"
