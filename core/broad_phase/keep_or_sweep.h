@@ -15,7 +15,7 @@ struct Leaving {
 
 /// Decides, step by step, whether the pairs of fat boxes are kept or leaves are swept. Keeping pays while few
 /// objects leave their fat boxes: to look one up again costs some thirty times what sweeping costs for an
-/// object.
+/// object. In the first step nobody's speed is known: leaves are swept, which takes less time and memory.
 class KeepOrSweep {
  public:
   /// The share of objects that leave in a step, restless ones by their cost, above which sweeping pays.
@@ -45,10 +45,14 @@ class KeepOrSweep {
   /// After a step in which leaves were swept. `speed`: the mean of all objects' speeds over their sizes, none
   /// above kDearest.
   void swept(float speed) {
-    constexpr float kCool = 0.006F;
+    constexpr float kCool = 0.01F;
+    constexpr float kMild = 0.015F;
+    constexpr std::uint32_t kFirst = 4;
     ++steps_;
+    const bool is_first = patience_ == 0;
+    if (is_first) patience_ = kFirst;
     against_ = speed < kCool ? against_ + 1 : 0;
-    if (against_ >= patience_) change();
+    if (against_ >= patience_ || (is_first && speed < kMild)) change();
   }
 
   /// What it remembers, as numbers for a keyframe.
@@ -73,10 +77,10 @@ class KeepOrSweep {
     against_ = 0;
   }
 
-  bool keeps_ = true;
+  bool keeps_ = false;
   std::uint32_t steps_ = 0;    ///< since the last change
   std::uint32_t against_ = 0;  ///< steps in a row that speak for a change
-  std::uint32_t patience_ = 4;
+  std::uint32_t patience_ = 0;  ///< how many of them it takes to keep pairs; 0: no speed was known yet
 };
 
 }  // namespace kerf

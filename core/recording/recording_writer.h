@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// Writes a recording (docs/RECORDING.md). What was committed, at least once a second and every ten steps, is
+/// Writes a recording (docs/RECORDING.md). What was committed, at least once a second and every 25 steps, is
 /// there whatever happens to the program. Throws std::runtime_error with the file and the reason, a full disk
 /// for example.
 template <int D>

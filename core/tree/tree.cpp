@@ -74,6 +74,7 @@ void Tree<D>::clear_entries(NodeId leaf) {
 template <int D>
 std::vector<Entry>& Tree<D>::refill(NodeId leaf, std::size_t count) {
   Node<D>& node = nodes_[leaf.index()];
+  if (count > node.entries.capacity()) node.entries.reserve(count + count / 8);  // by itself it would double
   node.entries.resize(count);
   node.unsorted = true;
   node.changed = true;
