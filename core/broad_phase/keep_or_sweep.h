@@ -78,8 +78,8 @@ class KeepOrSweep {
   }
 
   bool keeps_ = false;
-  std::uint32_t steps_ = 0;    ///< since the last change
-  std::uint32_t against_ = 0;  ///< steps in a row that speak for a change
+  std::uint32_t steps_ = 0;     ///< since the last change
+  std::uint32_t against_ = 0;   ///< steps in a row that speak for a change
   std::uint32_t patience_ = 0;  ///< how many of them it takes to keep pairs; 0: no speed was known yet
 };
 

@@ -9,8 +9,8 @@ namespace {
 constexpr std::uint32_t kBlockSteps = 25;
 constexpr auto kFlushInterval = std::chrono::seconds(1);
 /// A keyframe every 16 to 256 steps: a seek replays from the last one, so the more a step costs, the nearer
-/// it must be. To replay a step whose pairs nobody asks for takes some 40 ns for each object and four times as
-/// long for each that changes; 30 ms in all.
+/// it must be. To replay a step whose pairs nobody asks for takes some 40 ns for each object and four times
+/// as long for each that changes; 30 ms in all.
 constexpr std::uint64_t kMostReplayed = 700'000;
 constexpr std::uint64_t kCostOfChange = 4;
 constexpr std::uint32_t kLeastSteps = 16;

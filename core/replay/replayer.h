@@ -11,8 +11,8 @@
 namespace kerf {
 
 /// Runs a recording's tree again: from the beginning, or from the keyframe before any step. States on the way
-/// are kept in memory, so that one step back is a copy, or a copy and one step: the pairs are found only where
-/// somebody stops.
+/// are kept in memory, so that one step back is a copy, or a copy and one step: the pairs are found only
+/// where somebody stops.
 ///
 /// Throws std::runtime_error for a step that the recording does not have, or if it is damaged.
 template <int D>
@@ -50,7 +50,7 @@ class Replayer {
   std::shared_ptr<RecordingReader<D>> recording_;
   std::size_t memory_;
   Bsp<D, Watch> tree_;
-  bool swept_ = true;  ///< the tree has the pairs of its step
+  bool swept_ = true;                   ///< the tree has the pairs of its step
   std::map<std::uint32_t, Kept> kept_;  ///< by step
   std::size_t kept_bytes_ = 0;
 };

@@ -54,7 +54,8 @@ std::uint64_t word(Scalar x, Scalar y) {
   return word(std::bit_cast<std::uint32_t>(x), std::bit_cast<std::uint32_t>(y));
 }
 
-/// Minimum and maximum of each axis. As bits of the packed box: through floats they would wait for one another.
+/// Minimum and maximum of each axis. As bits of the packed box: through floats they would wait for one
+/// another.
 template <int D>
 void add_box(Words& words, const PackedBox<D>& box) {
   constexpr std::uint32_t kSign = 1U << 31U;
