@@ -75,9 +75,9 @@ class TreeRun : public EndlessRun {
   void ask_oracle() const final {
     const PairJudgement judgement = judge_pairs(timed_.pairs(), oracle_pairs(timed_.tree().objects()));
     if (judgement.is_exact()) return;
-    throw NotExact("the pairs are not exact: " + std::to_string(judgement.missed.size()) +
-                           " missed, " + std::to_string(judgement.extra.size()) + " extra, " +
-                           std::to_string(judgement.twice.size()) + " told twice");
+    throw NotExact("the pairs are not exact: " + std::to_string(judgement.missed.size()) + " missed, " +
+                   std::to_string(judgement.extra.size()) + " extra, " +
+                   std::to_string(judgement.twice.size()) + " told twice");
   }
 
  protected:
@@ -144,8 +144,7 @@ std::unique_ptr<EndlessRun> make_endless_run(const std::string& name, const Conf
                                              std::uint32_t objects, std::uint32_t growth) {
   if (name.starts_with(kBench)) {
     const bool flat = name.ends_with("-2d");
-    if (!flat && !name.ends_with("-3d"))
-      throw UsageError("'" + name + "' lacks its dimension: -2d or -3d");
+    if (!flat && !name.ends_with("-3d")) throw UsageError("'" + name + "' lacks its dimension: -2d or -3d");
     const std::size_t length = name.size() - kBench.size() - std::string_view("-2d").size();
     const BenchScene& scene = find_bench_scene(name.substr(kBench.size(), length));
     if (flat) return std::make_unique<MotionRun<2>>(scene, config, objects);
