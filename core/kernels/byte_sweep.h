@@ -40,7 +40,7 @@ class ByteSweep {
   std::vector<ByteKey<D>> sorted_keys;    ///< in order
   std::vector<std::uint8_t> planes;       ///< bytes in order: min of each axis, then max
   std::array<std::uint32_t, 257> ends{};  ///< [q + 1]: entries that begin at or before q
-  Findings found;
+  Findings found{};
   std::size_t stride = 0;
   int axis = 0;  ///< along which the entries are ordered
 
