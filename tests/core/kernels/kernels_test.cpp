@@ -147,14 +147,15 @@ std::vector<Pair> pairs_of_coming(const LeafView<D>& leaf, std::size_t kept,
 
 TYPED_TEST(Kernels, EntriesThatComeFindTheirPartners) {
   constexpr int kD = TypeParam::value;
-  constexpr std::size_t kMoreThanOneGo = 4200;  // entries that are probed before any is confirmed: 4,096
+  constexpr std::size_t kMoreThanOneGo =
+      4200;  // probed by 100, these are more rows of 64 than one go confirms
   Random random(5);
   for (const auto& [spread, count, kept] : {std::tuple{Spread::even, 150, 80},
                                             {Spread::grid, 150, 80},
                                             {Spread::huge, 150, 80},
                                             {Spread::outlier, 150, 0},
                                             {Spread::one_point, 150, 75},
-                                            {Spread::even, kMoreThanOneGo + 3, kMoreThanOneGo}}) {
+                                            {Spread::even, kMoreThanOneGo + 100, kMoreThanOneGo}}) {
     const LeafView<kD> leaf = draw_leaf<kD>(spread, static_cast<std::size_t>(count), random);
     std::vector<PackedBox<kD>> boxes(100003);
     for (std::size_t i = 0; i < leaf.size(); ++i) boxes[leaf.objects[i].index()] = leaf.boxes[i];
