@@ -15,7 +15,7 @@ struct FoundRow {
 
 /// Rows that are confirmed in one go.
 inline constexpr std::size_t kConfirmAt = 512;
-/// Room for them and for the one that is read beyond the last.
+/// Room for them and for two that are read beyond the last.
 using Findings = std::array<FoundRow, kConfirmAt + 2>;
 
 }  // namespace kerf
