@@ -64,7 +64,7 @@ void Bsp<D, Trace>::decide(std::vector<Decision> decisions) {
 template <int D, class Trace>
 Status Bsp<D, Trace>::note(ObjectId object, Status status) {
   if (status == Status::unknown_id || status == Status::duplicate_id) return status;
-  all_have_moved_ = false;
+  only_moves_ = false;
   attention_.resize(latest_.bound(), kUnplaced);
   std::uint8_t& attention = attention_[object.index()];
   if ((attention & kChanging) != 0) return status;
@@ -258,13 +258,9 @@ void Bsp<D, Trace>::place() {
       place_fat();
     }
   } else if (before == Mode::kept || (mode_ == Mode::swept && more_than(config_.stream_share))) {
-    const bool many_stay = all_have_moved_ && !most_jump();
+    const bool many_stay = only_moves_ && !most_jump();
     tree_.table.copy_all(latest_, *pool_);
-    if (many_stay) {
-      place_leavers();
-    } else {
-      place_all();
-    }
+    place_all(many_stay);
   } else {
     place_changes();
   }
@@ -274,22 +270,19 @@ void Bsp<D, Trace>::place() {
   });
   changed_.clear();
   before_.clear();
-  all_have_moved_ = true;
+  only_moves_ = true;
 }
 
+/// `many_stay`: nobody came or went, and it pays to see first who still lies wholly in its leaf's cell.
 template <int D, class Trace>
-void Bsp<D, Trace>::place_all() {
+void Bsp<D, Trace>::place_all(bool many_stay) {
   placed_ = changed_.size();
-  stream(tree_, stream_memory_, *pool_);
-  reporter_.report([&] { return AllPlaced{tree_.objects()}; });
-}
-
-/// The same, when nobody came or went: who still lies wholly in its leaf's cell stays there.
-template <int D, class Trace>
-void Bsp<D, Trace>::place_leavers() {
-  placed_ = changed_.size();
-  leave_pass_.run(tree_, *pool_);
-  stream(tree_, leave_pass_, stream_memory_, *pool_);
+  if (many_stay) {
+    leave_pass_.run(tree_, *pool_);
+    stream(tree_, leave_pass_, stream_memory_, *pool_);
+  } else {
+    stream(tree_, stream_memory_, *pool_);
+  }
   reporter_.report([&] { return AllPlaced{tree_.objects()}; });
 }
 

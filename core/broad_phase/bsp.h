@@ -42,7 +42,8 @@ class Bsp final : public BroadPhase<D> {
   Status remove(ObjectId object) override;
   Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) override;
   void step() override;
-  /// A step of whose pairs nobody asks: events and state are the same, `pairs()` is empty.
+  /// A step of whose pairs nobody asks: events and state are the same, `pairs()` is empty. Kept pairs are
+  /// forgotten: the next `step()` finds all anew.
   void step_unswept();
   [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_.all(); }
 
@@ -109,8 +110,7 @@ class Bsp final : public BroadPhase<D> {
   void enter(Mode mode);
   void place();
   void place_changes();
-  void place_all();
-  void place_leavers();
+  void place_all(bool many_stay = false);
   void place_entering(const std::vector<ObjectId>& entering);
   Box<D> fat_box(ObjectId object, const Box<D>& before);
   void fatten_all();
@@ -155,7 +155,8 @@ class Bsp final : public BroadPhase<D> {
   std::vector<FatPiece> fat_pieces_;
   StreamMemory stream_memory_;
   LeavePass<D> leave_pass_;
-  bool all_have_moved_ = true;  ///< no request of this step but moves of placed objects to valid boxes
+  bool only_moves_ =
+      true;  ///< nothing was asked since the last step but that placed objects go to valid boxes
   PairBuffer pairs_;
   Phase phase_ = Phase::sweep;
   std::chrono::steady_clock::time_point phase_start_;

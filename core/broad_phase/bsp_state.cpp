@@ -34,7 +34,7 @@ void Bsp<D, Trace>::restore(const BspState<D>& state) {
   kept_.clear();
   changed_.clear();
   before_.clear();
-  all_have_moved_ = true;
+  only_moves_ = true;
   attention_.assign(latest_.bound(), kUnplaced);
   for (std::uint32_t id = 0; id < latest_.bound(); ++id)
     if (latest_.is_placed({id})) attention_[id] = 0;

@@ -43,7 +43,7 @@ class KeepOrSweep {
   }
 
   /// After a step in which leaves were swept. `speed`: the mean of all objects' speeds over their sizes, none
-  /// above kDearest.
+  /// above kDearest. The first that is known decides at once.
   void swept(float speed) {
     constexpr float kCool = 0.01F;
     constexpr float kMild = 0.015F;

@@ -13,6 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// As `contains`, which compilers test lane by lane: in 3D a step took 7 % longer by it.
 template <int D>
 HWY_INLINE bool lies_in(const PackedBox<D>& cell, const PackedBox<D>& box) {
   const hn::FixedTag<Scalar, 4> four;

@@ -58,8 +58,9 @@ void LeavePass<D>::run(Tree<D>& tree, TaskPool& pool) {
   });
   count_ = 0;
   for (const Leaf& leaf : leaves_) {
-    std::copy_n(objects_.begin() + static_cast<std::ptrdiff_t>(leaf.begin), leaf.left,
-                objects_.begin() + static_cast<std::ptrdiff_t>(count_));
+    if (count_ < leaf.begin)
+      std::copy_n(objects_.begin() + static_cast<std::ptrdiff_t>(leaf.begin), leaf.left,
+                  objects_.begin() + static_cast<std::ptrdiff_t>(count_));
     count_ += leaf.left;
   }
   for (auto id = nodes_.rbegin(); id != nodes_.rend(); ++id)

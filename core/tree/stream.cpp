@@ -270,8 +270,8 @@ void send_down(Tree<D>& tree, const Objects& objects, const std::vector<std::uin
 
 template <int D>
 void stream(Tree<D>& tree, StreamMemory& memory, TaskPool& pool) {
-  const std::vector<std::uint32_t> nobody(tree.slots(), 0);
-  send_down(tree, Everybody<D>{tree.table}, nobody, memory, pool);
+  memory.nobody.assign(tree.slots(), 0);
+  send_down(tree, Everybody<D>{tree.table}, memory.nobody, memory, pool);
 }
 
 template <int D>

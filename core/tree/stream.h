@@ -32,6 +32,7 @@ struct StreamPart {
 struct StreamMemory {
   std::vector<StreamBuffer> by_thread;
   std::vector<StreamPart> parts;
+  std::vector<std::uint32_t> nobody;  ///< stays, below any node
 };
 
 /// Places all objects of the table anew in one pass down the tree: each node divides the list of its objects

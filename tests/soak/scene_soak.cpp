@@ -144,6 +144,9 @@ int main(int argc, char** argv) try {
 } catch (const kerf::test::NotExact& error) {
   std::fprintf(stderr, "kerf_scene_soak: %s\n", error.what());
   return 1;
+} catch (const kerf::Interrupted& error) {
+  std::fprintf(stderr, "kerf_scene_soak: %s\n", error.what());
+  return kerf::kExitInterrupted;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "kerf_scene_soak: %s\n", error.what());
   return 2;
