@@ -1,6 +1,9 @@
 #include "core/kernels/divide_list.h"
 
+#include <algorithm>
+
 #include "core/geometry/packed_box.h"
+#include "core/kernels/prefetch.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/divide_list.cpp"
@@ -45,6 +48,16 @@ HWY_INLINE std::size_t write_chosen(hn::Vec<Words> objects, const Straddle& stra
   return in_low + hn::CountTrue(doubles, high);
 }
 
+/// Asks for the boxes that will be read two vectors later.
+template <int D>
+HWY_INLINE void ask_ahead(const DivideJob& job, std::size_t k) {
+  const std::size_t lanes = hn::Lanes(Words());
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const std::uint32_t object = job.objects[std::min(k + 2 * lanes + lane, job.end - 1)];
+    prefetch(job.lo + std::size_t{object} * PackedBox<D>().lane.size());
+  }
+}
+
 /// What is read is read before its place may be written: the left part never overtakes the list.
 template <int D>
 HWY_INLINE Divided divide(const DivideJob& job) {
@@ -58,6 +71,7 @@ HWY_INLINE Divided divide(const DivideJob& job) {
   const auto bit = hn::Set(doubles, job.bit);
   Divided at{job.begin, job.begin, job.end};
   for (; at.done + lanes <= job.end; at.done += lanes) {
+    if (job.far) ask_ahead<D>(job, at.done);
     const auto objects = hn::LoadU(words, job.objects + at.done);
     Straddle straddle{hn::LoadU(doubles, job.straddle + at.done),
                       hn::LoadU(doubles, job.straddle + at.done + lanes / 2)};

@@ -20,6 +20,7 @@ struct DivideJob {
   DepthMask* straddle = nullptr;
   std::size_t begin = 0;
   std::size_t end = 0;
+  bool far = false;  ///< boxes are asked for ahead
 };
 
 inline constexpr std::size_t kDividePad = 64;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/kernels/prefetch.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/kept_leaf.cpp"
 #include <hwy/foreach_target.h>
@@ -114,10 +116,18 @@ std::size_t find_object(const std::vector<std::uint32_t>& objects, std::uint32_t
 
 /// No branch depends on the outcome.
 template <int D>
-HWY_INLINE void filter(std::span<const Pair> candidates, const PackedBox<D>* boxes, PairBuffer& pairs) {
+HWY_INLINE void filter(std::span<const Pair> candidates, std::span<const PackedBox<D>> boxes,
+                       PairBuffer& pairs) {
   Pair* const HWY_RESTRICT out = pairs.reserve(candidates.size());
   std::size_t written = 0;
-  for (const Pair& pair : candidates) {
+  const bool far = exceeds(boxes, kOwnPages);
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    if (far) {
+      const Pair& ahead = candidates[std::min(k + kPrefetchAhead, candidates.size() - 1)];
+      prefetch(&boxes[ahead.a.index()]);
+      prefetch(&boxes[ahead.b.index()]);
+    }
+    const Pair& pair = candidates[k];
     const Ends a = load_ends(boxes[pair.a.index()]);
     const Ends b = load_ends(boxes[pair.b.index()]);
     out[written] = pair;
@@ -138,10 +148,10 @@ void probe_3(KeptLeaf<3>& leaf, const LeafView<3>& view, const PackedBox<3>* box
              PairBuffer& pairs) {
   probe_all(leaf, view, boxes, found, pairs);
 }
-void filter_2(std::span<const Pair> candidates, const PackedBox<2>* boxes, PairBuffer& pairs) {
+void filter_2(std::span<const Pair> candidates, std::span<const PackedBox<2>> boxes, PairBuffer& pairs) {
   filter(candidates, boxes, pairs);
 }
-void filter_3(std::span<const Pair> candidates, const PackedBox<3>* boxes, PairBuffer& pairs) {
+void filter_3(std::span<const Pair> candidates, std::span<const PackedBox<3>> boxes, PairBuffer& pairs) {
   filter(candidates, boxes, pairs);
 }
 
@@ -238,9 +248,9 @@ void probe_entries(KeptLeaf<D>& leaf, const LeafView<D>& view, std::span<const P
 template <int D>
 void filter_pairs(std::span<const Pair> candidates, std::span<const PackedBox<D>> boxes, PairBuffer& pairs) {
   if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(filter_2)(candidates, boxes.data(), pairs);
+    HWY_DYNAMIC_DISPATCH(filter_2)(candidates, boxes, pairs);
   } else {
-    HWY_DYNAMIC_DISPATCH(filter_3)(candidates, boxes.data(), pairs);
+    HWY_DYNAMIC_DISPATCH(filter_3)(candidates, boxes, pairs);
   }
 }
 

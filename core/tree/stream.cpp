@@ -39,8 +39,18 @@ void with_intervals(const Tree<D>& tree, std::uint32_t direction, Work work) {
 
 void make_room(StreamBuffer& buffer, std::size_t size) {
   if (size <= buffer.objects.size()) return;
-  buffer.objects.resize(size + size / 4);
-  buffer.straddle.resize(size + size / 4);
+  const std::size_t room = size + size / 8;
+  buffer.objects.reserve(room);  // no more than that
+  buffer.straddle.reserve(room);
+  buffer.objects.resize(room);
+  buffer.straddle.resize(room);
+}
+
+/// Gives back what a list of everybody needed, when lists are short.
+void give_back(StreamMemory& memory, std::size_t listed) {
+  constexpr std::size_t kManyTimes = 8;
+  for (StreamBuffer& buffer : memory.by_thread)
+    if (buffer.objects.size() > kManyTimes * (listed + kDividePad)) buffer = {};
 }
 
 /// All placed objects of a table, to be sent down.
@@ -139,19 +149,15 @@ class Streamer {
     todo.push_back({node.right, range.end, right});
   }
 
-  /// Boxes on more pages than processors keep at hand (about 1,500 of 4 KB): gathers wait for each page, one
-  /// by one the next ones are asked for ahead. With 1,000,000 objects in 2D vectors took half as long again.
-  static constexpr std::size_t kAtHand = std::size_t{6} << 20U;
-
   /// What vectors can do of it: nothing unless the partitioner lies along an axis of the packed boxes.
   Divided divide_vectors(const Node<D>& node, const Range& range) {
-    const bool at_hand = tree_.table.bound() * sizeof(PackedBox<D>) <= kAtHand;
-    if (!at_hand || range.begin == range.end || !lies_along_axis(tree_, node.direction))
+    if (range.begin == range.end || !lies_along_axis(tree_, node.direction))
       return {range.begin, range.begin, range.end};
     const auto& first = tree_.table.packed().data()->lane;
     return divide_list<D>({&first[node.direction], &first[PackedBox<D>::kHalf + node.direction],
                            node.plane.offset, depth_bit(node.depth), buffer_.objects.data(),
-                           buffer_.straddle.data(), range.begin, range.end});
+                           buffer_.straddle.data(), range.begin, range.end,
+                           exceeds(tree_.table.packed(), kOwnCache)});
   }
 
   const Tree<D>& tree_;
@@ -276,6 +282,7 @@ void stream(Tree<D>& tree, StreamMemory& memory, TaskPool& pool) {
 
 template <int D>
 void stream(Tree<D>& tree, const LeavePass<D>& pass, StreamMemory& memory, TaskPool& pool) {
+  give_back(memory, pass.leavers().size());
   send_down(tree, Some{pass.leavers()}, pass.stayed(), memory, pool);
 }
 

@@ -12,7 +12,6 @@
 #include "core/kernels/divide_list.h"
 #include "core/kernels/kept_leaf.h"
 #include "core/kernels/machine.h"
-#include "core/kernels/move_boxes.h"
 #include "core/kernels/stay_in_cell.h"
 #include "core/random.h"
 #include "tests/support/dimensions.h"
@@ -180,90 +179,15 @@ TYPED_TEST(Kernels, FilterKeepsTouchingBoxesAndDropsSeparatedOnes) {
     box.max[kD - 1] = at + 1;
     boxes.emplace_back(box);
   }
-  for (const std::string& name : kernels()) {
-    use_kernel(name);
-    PairBuffer pairs;
-    filter_pairs<kD>(std::vector<Pair>{{{0}, {2}}, {{1}, {2}}, {{0}, {1}}}, boxes, pairs);
-    EXPECT_EQ(std::vector<Pair>(pairs.all().begin(), pairs.all().end()),
-              (std::vector<Pair>{{{1}, {2}}, {{0}, {1}}}))
-        << name;
-  }
-}
-
-TYPED_TEST(Kernels, MovesTellWhoLeftAndLeaveTheOddToTheCaller) {
-  constexpr int kD = TypeParam::value;
-  const auto cube = [](Scalar low, Scalar high) {
-    Box<kD> box;
-    for (int i = 0; i < kD; ++i) {
-      box.min[i] = low;
-      box.max[i] = high;
-    }
-    return box;
-  };
-  const Scalar nan = std::numeric_limits<Scalar>::quiet_NaN();
-  const Scalar infinity = std::numeric_limits<Scalar>::infinity();
-  std::vector<Box<kD>> given{cube(0, 1), cube(0, 1.5F),     cube(nan, 1),
-                             cube(1, 0), cube(0, infinity), cube(0, 1)};
-  for (int axis = 0; axis < kD; ++axis) {  // one bad end each is enough
-    given.push_back(cube(0, 1));
-    given.back().min[axis] = nan;
-    given.push_back(cube(0, 1));
-    given.back().max[axis] = -infinity;
-  }
-  std::vector<ObjectId> objects;
-  for (std::uint32_t id = 0; id < given.size(); ++id) objects.push_back({id});
-  objects.push_back({1000});
-  given.push_back(cube(0, 1));
-  for (const std::string& name : kernels()) {
-    use_kernel(name);
-    std::vector<PackedBox<kD>> latest(given.size() - 1, PackedBox<kD>(cube(-1, 1)));
-    const std::vector<PackedBox<kD>> fat(latest.size(), PackedBox<kD>(cube(-1, 1.25F)));
-    std::vector<std::uint8_t> attention(latest.size(), 0);
-    attention[5] = 2;
-    std::vector<ObjectId> changed(given.size());
-    std::vector<PackedBox<kD>> before(given.size());
-    std::vector<std::uint32_t> left_over(given.size());
-    const MoveAnswer answer = move_boxes<kD>(
-        {objects, given, latest, attention, fat.data(), changed.data(), before.data(), left_over.data()});
-    EXPECT_EQ(answer.changed, 1U) << name;
-    EXPECT_EQ(changed[0], ObjectId{1}) << name;
-    EXPECT_EQ(before[0].unpack(), cube(-1, 1)) << name;
-    EXPECT_EQ(latest[0].unpack(), cube(0, 1)) << name;
-    EXPECT_EQ(latest[1].unpack(), cube(0, 1.5F)) << name;
-    EXPECT_EQ(latest[2].unpack(), cube(-1, 1)) << name << ": what is left to the caller is not touched";
-    EXPECT_EQ(attention[1], 1) << name;
-    EXPECT_EQ(answer.left_over, given.size() - 2) << name;
-    const MoveAnswer again = move_boxes<kD>(
-        {objects, given, latest, attention, nullptr, changed.data(), nullptr, left_over.data()});
-    EXPECT_EQ(again.changed, 1U) << name << ": object 1 has been noted; without fat boxes object 0 asks";
-    EXPECT_EQ(changed[0], ObjectId{0}) << name;
-  }
-}
-
-TYPED_TEST(Kernels, WhoFillsItsFatBoxAndShrinksHasLeftIt) {
-  constexpr int kD = TypeParam::value;
-  Box<kD> whole;
-  for (int i = 0; i < kD; ++i) whole.max[i] = 4;
-  const std::vector<PackedBox<kD>> fat(2, PackedBox<kD>(whole));
-  for (int axis = 0; axis < kD; ++axis) {
-    Box<kD> less = whole;
-    less.max[axis] = 3;
-    Box<kD> least = less;
-    least.min[axis] = 1;
+  for (const std::size_t count : {3U, 300000U}) {  // of many boxes those that come next are asked for ahead
+    boxes.resize(count);
     for (const std::string& name : kernels()) {
       use_kernel(name);
-      std::vector<PackedBox<kD>> latest{PackedBox<kD>(whole), PackedBox<kD>(less)};
-      std::vector<std::uint8_t> attention(2, 0);
-      std::vector<ObjectId> changed(2);
-      std::vector<PackedBox<kD>> before(2);
-      std::vector<std::uint32_t> left_over(2);
-      const std::vector<ObjectId> both{{0}, {1}};
-      const auto move = [&](const Box<kD>& box) {
-        return move_boxes<kD>({both, std::vector{box, box}, latest, attention, fat.data(), changed.data(),
-                               before.data(), left_over.data()});
-      };
-      EXPECT_EQ(move(least).changed, 1U) << name << ", axis " << axis;
-      EXPECT_EQ(changed[0], ObjectId{0}) << name << ", axis " << axis;
+      PairBuffer pairs;
+      filter_pairs<kD>(std::vector<Pair>{{{0}, {2}}, {{1}, {2}}, {{0}, {1}}}, boxes, pairs);
+      EXPECT_EQ(std::vector<Pair>(pairs.all().begin(), pairs.all().end()),
+                (std::vector<Pair>{{{1}, {2}}, {{0}, {1}}}))
+          << name << ", " << count << " boxes";
     }
   }
 }
@@ -334,7 +258,7 @@ TYPED_TEST(Kernels, ListsAreDividedAsTheDefinitionSays) {
       const auto& first = boxes.front().lane;
       const Divided at =
           divide_list<kD>({&first[axis], &first[axis + PackedBox<kD>::kHalf], offset, depth_bit(kDepth),
-                           list.objects.data(), list.straddle.data(), kBegin, end});
+                           list.objects.data(), list.straddle.data(), kBegin, end, round >= 6});
       EXPECT_GT(at.done + 16, end) << "less than a vector is left";
       List vectors = given;
       const Divided part =
