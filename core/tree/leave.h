@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/broad_phase/pair_buffer.h"
 #include "core/parallel/task_pool.h"
 #include "core/tree/tree.h"
 
@@ -21,22 +22,18 @@ class LeavePass {
   void run(Tree<D>& tree, TaskPool& pool);
 
   /// Each object that left, once, in an order that does not depend on the number of threads.
-  [[nodiscard]] std::span<const std::uint32_t> leavers() const { return {objects_.data(), count_}; }
+  [[nodiscard]] std::span<const std::uint32_t> leavers() const { return leavers_.front().all(); }
   /// How many objects stayed below each node.
   [[nodiscard]] const std::vector<std::uint32_t>& stayed() const { return stayed_; }
 
  private:
-  struct Leaf {
-    NodeId id;
-    std::size_t begin = 0;  ///< in `objects_`
-    std::size_t left = 0;
-  };
+  std::size_t take_leavers(Tree<D>& tree, NodeId leaf, AppendBuffer<std::uint32_t>& leavers) const;
 
-  std::vector<Leaf> leaves_;
   std::vector<NodeId> nodes_;
-  std::vector<std::uint32_t> objects_;
+  std::vector<NodeId> leaves_;
+  std::vector<AppendBuffer<std::uint32_t>> leavers_ =
+      std::vector<AppendBuffer<std::uint32_t>>(1);  ///< by piece
   std::vector<std::uint32_t> stayed_;
-  std::size_t count_ = 0;
 };
 
 extern template class LeavePass<2>;

@@ -6,12 +6,25 @@
 namespace kerf {
 namespace {
 
-/// A copy with room for an eighth more: what comes and goes needs no new memory, and little is wasted.
-std::vector<Entry> with_headroom(const std::vector<Entry>& entries) {
-  std::vector<Entry> copy;
-  copy.reserve(entries.size() + entries.size() / 8);
-  copy.assign(entries.begin(), entries.end());
-  return copy;
+/// Memory for so many entries and an eighth more: what comes and goes needs no new memory, and little is
+/// wasted.
+std::vector<Entry> room_for(std::uint32_t count) {
+  std::vector<Entry> entries;
+  entries.reserve(count + count / 8);
+  return entries;
+}
+
+/// Projects the entries of a leaf on a direction, and counts those on each side.
+template <int D>
+Quality project(Tree<D>& tree, NodeId leaf, std::uint32_t direction, bool project_anew, Scalar offset) {
+  Quality quality{tree[leaf].population, 0, 0};
+  for (Entry& entry : tree[leaf].entries) {
+    if (project_anew) entry.key = tree.project(direction, entry.object);
+    const Sides sides = classify(entry.key, offset);
+    quality.left += sides.left ? 1U : 0U;
+    quality.right += sides.right ? 1U : 0U;
+  }
+  return quality;
 }
 
 /// The partitioner as a candidate; none if it divides nothing.
@@ -42,10 +55,10 @@ Quality divide(Tree<D>& tree, NodeId leaf, std::uint32_t direction, Scalar offse
   const bool sorted = same_list && !tree[leaf].unsorted;
   const Plane<D> plane{tree.directions()[direction], offset};
   const DepthMask bit = depth_bit(tree[leaf].depth);
-  std::vector<Entry> left;
-  std::vector<Entry> right;
+  const Quality after = project(tree, leaf, direction, !sorted, offset);
+  std::vector<Entry> left = room_for(after.left);
+  std::vector<Entry> right = room_for(after.right);
   for (Entry entry : tree[leaf].entries) {
-    if (!sorted) entry.key = tree.project(direction, entry.object);
     const Sides sides = classify(entry.key, offset);
     if (sides.straddle()) entry.straddle |= bit;
     if (sides.left) left.push_back(entry);
@@ -53,13 +66,13 @@ Quality divide(Tree<D>& tree, NodeId leaf, std::uint32_t direction, Scalar offse
   }
   const NodeId left_id = tree.make_leaf(leaf, false, direction);
   const NodeId right_id = tree.make_leaf(leaf, true, direction);
-  const auto fill = [&](NodeId child, const std::vector<Entry>& entries) {
+  const auto fill = [&](NodeId child, std::vector<Entry> entries) {
     tree[child].population = static_cast<std::uint32_t>(entries.size());
     tree[child].unsorted = !sorted;
-    tree.set_entries(child, with_headroom(entries));
+    tree.set_entries(child, std::move(entries));
   };
-  fill(left_id, left);
-  fill(right_id, right);
+  fill(left_id, std::move(left));
+  fill(right_id, std::move(right));
   tree.set_entries(leaf, {});  // an inner node keeps no memory for entries
   Node<D>& node = tree[leaf];
   node.plane = plane;
@@ -69,7 +82,7 @@ Quality divide(Tree<D>& tree, NodeId leaf, std::uint32_t direction, Scalar offse
   node.unsorted = false;
   node.refusals = 0;
   node.retry_step = 0;
-  return {node.population, tree[left_id].population, tree[right_id].population};
+  return after;
 }
 
 template <int D>

@@ -22,20 +22,17 @@ template <class T>
 class Stream : public testing::Test {
  protected:
   /// A tree of a few levels over a crowd.
-  static void grow(Bsp<T::value>& tree, std::uint32_t count) {
+  static Tree<T::value> grown(std::uint32_t count, const std::string& free_directions) {
+    Bsp<T::value> tree(
+        config_of("max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=8,max_threshold=8,"
+                  "free_directions=" +
+                  free_directions));
     MovingBoxes<T::value> crowd(tree, 30, 1.5, 5);
     crowd.add(count, 4);
     for (int step = 0; step < 40; ++step) {
       crowd.walk(0.3);
       tree.step();
     }
-  }
-  static Tree<T::value> grown(std::uint32_t count, const std::string& free_directions) {
-    Bsp<T::value> tree(
-        config_of("max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=8,max_threshold=8,"
-                  "free_directions=" +
-                  free_directions));
-    grow(tree, count);
     return tree.tree();
   }
   /// Moves every second box by up to `distance` along each axis.
@@ -65,36 +62,26 @@ class Stream : public testing::Test {
 TYPED_TEST_SUITE(Stream, Dimensions, DimensionNames);
 
 TYPED_TEST(Stream, FindsThePlacesThatAreThereAlready) {
-  for (const std::string_view directions : {"0", "1"}) {
-    Bsp<TypeParam::value> grown(
-        config_of("max_redundancy=0.4,schedule_interval=1,budget_divisor=1,"
-                  "min_threshold=8,max_threshold=8,free_directions=" +
-                  std::string(directions)));
-    TestFixture::grow(grown, 200);
-    auto tree = grown.tree();
+  for (const char* const free_directions : {"0", "1"}) {
+    const auto grown = TestFixture::grown(200, free_directions);
+    auto tree = grown;
     TestFixture::stream_by(1, tree);
     EXPECT_TRUE(is_sound(tree));
-    EXPECT_EQ(tree.entries(), grown.tree().entries());
+    EXPECT_EQ(tree.entries(), grown.entries());
     EXPECT_EQ(tree.objects(), 200U);
     EXPECT_GT(tree.slots(), 10U);
   }
 }
 
 TYPED_TEST(Stream, PlacesByTheNewBoxesOfTheTable) {
-  Bsp<TypeParam::value> grown(
-      config_of("max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=8,max_threshold=8"));
-  TestFixture::grow(grown, 200);
-  auto tree = grown.tree();
+  auto tree = TestFixture::grown(200, "1");
   for (std::uint32_t id = 0; id < 200; id += 2) tree.table.widen({id}, tree.table.box({199 - id}));
   TestFixture::stream_by(1, tree);
   EXPECT_TRUE(is_sound(tree));
 }
 
 TYPED_TEST(Stream, ListsAreTheSameForAnyNumberOfThreads) {
-  Bsp<TypeParam::value> grown(
-      config_of("max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=8,max_threshold=8"));
-  TestFixture::grow(grown, 300);
-  auto expected = grown.tree();
+  auto expected = TestFixture::grown(300, "1");
   for (std::uint32_t id = 0; id < 300; id += 3) expected.table.widen({id}, expected.table.box({299 - id}));
   auto moved = expected;
   TestFixture::stream_by(1, expected);
@@ -154,6 +141,26 @@ TYPED_TEST(Stream, LeaversAreTheSameForAnyNumberOfThreads) {
   }
 }
 
+TYPED_TEST(Stream, WhatEverybodyNeededIsGivenBackWhenFewLeave) {
+  auto tree = TestFixture::grown(300, "0");
+  StreamMemory memory;
+  LeavePass<TypeParam::value> pass;
+  TaskPool pool(1);
+  stream(tree, memory, pool);
+  const std::size_t needed_by_all = memory.by_thread.front().objects.size();
+  EXPECT_GE(needed_by_all, 600U);
+  pass.run(tree, pool);
+  stream(tree, pass, memory, pool);
+  EXPECT_EQ(memory.by_thread.front().objects.size(), needed_by_all) << "as many as straddle something leave";
+
+  for (std::uint32_t id = 20; id < 300; ++id) EXPECT_EQ(tree.table.remove({id}), Status::ok);
+  stream(tree, memory, pool);
+  pass.run(tree, pool);
+  stream(tree, pass, memory, pool);
+  EXPECT_LT(memory.by_thread.front().objects.size(), needed_by_all);
+  EXPECT_TRUE(is_sound(tree));
+}
+
 /// What ends on a partitioner lies left of it, what begins there lies on both sides.
 TYPED_TEST(Stream, WhoTouchesItsCellStaysOnlyIfItEndsThere) {
   constexpr int kD = TypeParam::value;
@@ -183,10 +190,7 @@ TYPED_TEST(Stream, WhoTouchesItsCellStaysOnlyIfItEndsThere) {
 }
 
 TYPED_TEST(Stream, AnEmptyTableEmptiesEveryLeaf) {
-  Bsp<TypeParam::value> grown(
-      config_of("max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=8,max_threshold=8"));
-  TestFixture::grow(grown, 60);
-  auto tree = grown.tree();
+  auto tree = TestFixture::grown(60, "1");
   for (std::uint32_t id = 0; id < 60; ++id) EXPECT_EQ(tree.table.remove({id}), Status::ok);
   TestFixture::stream_by(1, tree);
   EXPECT_TRUE(is_sound(tree));

@@ -1,0 +1,100 @@
+#include "core/kernels/move_boxes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "core/kernels/machine.h"
+#include "tests/support/dimensions.h"
+
+namespace kerf::test {
+namespace {
+
+template <class T>
+class MoveBoxes : public testing::Test {
+ protected:
+  void TearDown() override { use_kernel(""); }
+};
+TYPED_TEST_SUITE(MoveBoxes, Dimensions, DimensionNames);
+
+TYPED_TEST(MoveBoxes, TellsWhoLeftAndLeavesTheOddToTheCaller) {
+  constexpr int kD = TypeParam::value;
+  const auto cube = [](Scalar low, Scalar high) {
+    Box<kD> box;
+    for (int i = 0; i < kD; ++i) {
+      box.min[i] = low;
+      box.max[i] = high;
+    }
+    return box;
+  };
+  const Scalar nan = std::numeric_limits<Scalar>::quiet_NaN();
+  const Scalar infinity = std::numeric_limits<Scalar>::infinity();
+  std::vector<Box<kD>> given{cube(0, 1), cube(0, 1.5F),     cube(nan, 1),
+                             cube(1, 0), cube(0, infinity), cube(0, 1)};
+  for (int axis = 0; axis < kD; ++axis) {  // one bad end each is enough
+    given.push_back(cube(0, 1));
+    given.back().min[axis] = nan;
+    given.push_back(cube(0, 1));
+    given.back().max[axis] = -infinity;
+  }
+  std::vector<ObjectId> objects;
+  for (std::uint32_t id = 0; id < given.size(); ++id) objects.push_back({id});
+  objects.push_back({1000});
+  given.push_back(cube(0, 1));
+  for (const std::string& name : kernels()) {
+    use_kernel(name);
+    std::vector<PackedBox<kD>> latest(given.size() - 1, PackedBox<kD>(cube(-1, 1)));
+    const std::vector<PackedBox<kD>> fat(latest.size(), PackedBox<kD>(cube(-1, 1.25F)));
+    std::vector<std::uint8_t> attention(latest.size(), 0);
+    attention[5] = 2;
+    std::vector<ObjectId> changed(given.size());
+    std::vector<PackedBox<kD>> before(given.size());
+    std::vector<std::uint32_t> left_over(given.size());
+    const MoveAnswer answer = move_boxes<kD>(
+        {objects, given, latest, attention, fat.data(), changed.data(), before.data(), left_over.data()});
+    EXPECT_EQ(answer.changed, 1U) << name;
+    EXPECT_EQ(changed[0], ObjectId{1}) << name;
+    EXPECT_EQ(before[0].unpack(), cube(-1, 1)) << name;
+    EXPECT_EQ(latest[0].unpack(), cube(0, 1)) << name;
+    EXPECT_EQ(latest[1].unpack(), cube(0, 1.5F)) << name;
+    EXPECT_EQ(latest[2].unpack(), cube(-1, 1)) << name << ": what is left to the caller is not touched";
+    EXPECT_EQ(attention[1], 1) << name;
+    EXPECT_EQ(answer.left_over, given.size() - 2) << name;
+    const MoveAnswer again = move_boxes<kD>(
+        {objects, given, latest, attention, nullptr, changed.data(), nullptr, left_over.data()});
+    EXPECT_EQ(again.changed, 1U) << name << ": object 1 has been noted; without fat boxes object 0 asks";
+    EXPECT_EQ(changed[0], ObjectId{0}) << name;
+  }
+}
+
+TYPED_TEST(MoveBoxes, WhoFillsItsFatBoxAndShrinksHasLeftIt) {
+  constexpr int kD = TypeParam::value;
+  Box<kD> whole;
+  for (int i = 0; i < kD; ++i) whole.max[i] = 4;
+  const std::vector<PackedBox<kD>> fat(2, PackedBox<kD>(whole));
+  for (int axis = 0; axis < kD; ++axis) {
+    Box<kD> less = whole;
+    less.max[axis] = 3;
+    Box<kD> least = less;
+    least.min[axis] = 1;
+    for (const std::string& name : kernels()) {
+      use_kernel(name);
+      std::vector<PackedBox<kD>> latest{PackedBox<kD>(whole), PackedBox<kD>(less)};
+      std::vector<std::uint8_t> attention(2, 0);
+      std::vector<ObjectId> changed(2);
+      std::vector<PackedBox<kD>> before(2);
+      std::vector<std::uint32_t> left_over(2);
+      const std::vector<ObjectId> both{{0}, {1}};
+      const auto move = [&](const Box<kD>& box) {
+        return move_boxes<kD>({both, std::vector{box, box}, latest, attention, fat.data(), changed.data(),
+                               before.data(), left_over.data()});
+      };
+      EXPECT_EQ(move(least).changed, 1U) << name << ", axis " << axis;
+      EXPECT_EQ(changed[0], ObjectId{0}) << name << ", axis " << axis;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test
