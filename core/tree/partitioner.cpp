@@ -74,11 +74,7 @@ float score(const Quality& q) {
 
 Quality measure(std::span<const Interval> intervals, Scalar offset) {
   Quality q{static_cast<std::uint32_t>(intervals.size()), 0, 0};
-  for (const Interval& interval : intervals) {
-    const Sides sides = classify(interval, offset);
-    q.left += sides.left ? 1U : 0U;
-    q.right += sides.right ? 1U : 0U;
-  }
+  for (const Interval& interval : intervals) count(classify(interval, offset), q);
   return q;
 }
 

@@ -41,6 +41,11 @@ struct Candidate {
   bool exact = false;
 };
 
+/// Counts one object of the population on the sides on which it lies.
+constexpr void count(Sides sides, Quality& q) {
+  q.left += sides.left ? 1U : 0U;
+  q.right += sides.right ? 1U : 0U;
+}
 /// Quality of the plane that divides the intervals at `offset`.
 Quality measure(std::span<const Interval> intervals, Scalar offset);
 

@@ -14,15 +14,13 @@ std::vector<Entry> room_for(std::uint32_t count) {
   return entries;
 }
 
-/// Projects the entries of a leaf on a direction, and counts those on each side.
+/// Counts a leaf's entries on each side of a partitioner; their keys lie along its direction afterwards.
 template <int D>
-Quality project(Tree<D>& tree, NodeId leaf, std::uint32_t direction, bool project_anew, Scalar offset) {
+Quality measure_along(Tree<D>& tree, NodeId leaf, std::uint32_t direction, bool project_anew, Scalar offset) {
   Quality quality{tree[leaf].population, 0, 0};
   for (Entry& entry : tree[leaf].entries) {
     if (project_anew) entry.key = tree.project(direction, entry.object);
-    const Sides sides = classify(entry.key, offset);
-    quality.left += sides.left ? 1U : 0U;
-    quality.right += sides.right ? 1U : 0U;
+    count(classify(entry.key, offset), quality);
   }
   return quality;
 }
@@ -55,7 +53,7 @@ Quality divide(Tree<D>& tree, NodeId leaf, std::uint32_t direction, Scalar offse
   const bool sorted = same_list && !tree[leaf].unsorted;
   const Plane<D> plane{tree.directions()[direction], offset};
   const DepthMask bit = depth_bit(tree[leaf].depth);
-  const Quality after = project(tree, leaf, direction, !sorted, offset);
+  const Quality after = measure_along(tree, leaf, direction, !sorted, offset);
   std::vector<Entry> left = room_for(after.left);
   std::vector<Entry> right = room_for(after.right);
   for (Entry entry : tree[leaf].entries) {

@@ -15,6 +15,7 @@
 #include "core/kernels/stay_in_cell.h"
 #include "core/random.h"
 #include "tests/support/dimensions.h"
+#include "tests/support/every_kernel.h"
 #include "tests/support/pairs.h"
 
 namespace kerf::test {
@@ -82,10 +83,7 @@ std::vector<Pair> expected_pairs(const LeafView<D>& leaf) {
 }
 
 template <class T>
-class Kernels : public testing::Test {
- protected:
-  void TearDown() override { use_kernel(""); }
-};
+class Kernels : public EveryKernel<T> {};
 TYPED_TEST_SUITE(Kernels, Dimensions, DimensionNames);
 
 TYPED_TEST(Kernels, TheMachineHasTheBaselineAndRefusesOthers) {

@@ -7,15 +7,13 @@
 
 #include "core/kernels/machine.h"
 #include "tests/support/dimensions.h"
+#include "tests/support/every_kernel.h"
 
 namespace kerf::test {
 namespace {
 
 template <class T>
-class MoveBoxes : public testing::Test {
- protected:
-  void TearDown() override { use_kernel(""); }
-};
+class MoveBoxes : public EveryKernel<T> {};
 TYPED_TEST_SUITE(MoveBoxes, Dimensions, DimensionNames);
 
 TYPED_TEST(MoveBoxes, TellsWhoLeftAndLeavesTheOddToTheCaller) {
