@@ -52,8 +52,8 @@ struct Config {
   float stream_share = 1;   ///< with byte_sweep: when more objects than this share move in a step, all are
                            ///< placed anew in one pass; while pairs of fat boxes are kept, when four times as
                            ///< many leave theirs
-  float bulk_factor = 0;  ///< a leaf above so many times the threshold is divided at once, whatever the
-                          ///< budget; 0: never
+  float bulk_factor = 0;  ///< a leaf above so many times the threshold is divided at once, until none of its
+                          ///< parts is above the threshold, whatever the budget; 0: never
   friend bool operator==(const Config&, const Config&) = default;
 };
 

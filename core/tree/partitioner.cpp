@@ -21,6 +21,60 @@ Scalar middle(Scalar low, Scalar high) {
   return mid >= low && mid < high ? mid : low;
 }
 
+/// The places where a partitioner may lie along its normal: between two neighbouring ends of objects nothing
+/// changes, so each end stands for the gap above it.
+class Gaps {
+ public:
+  explicit Gaps(std::span<const Interval> intervals)
+      : count_(static_cast<std::uint32_t>(intervals.size())), los_(count_), his_(count_) {
+    std::ranges::transform(intervals, los_.begin(), &Interval::lo);
+    std::ranges::transform(intervals, his_.begin(), &Interval::hi);
+    sort_scalars(los_);
+    sort_scalars(his_);
+  }
+
+  /// Below the first gap of which the predicate holds; it must hold of all gaps above that one, too.
+  template <class Predicate>
+  void go_before(const Predicate& holds) {
+    const auto is_before = [&](Scalar end) {
+      return !holds({count_, ends_up_to(los_, end), count_ - ends_up_to(his_, end)});
+    };
+    begun_ = static_cast<std::uint32_t>(std::ranges::partition_point(los_, is_before) - los_.begin());
+    ended_ = static_cast<std::uint32_t>(std::ranges::partition_point(his_, is_before) - his_.begin());
+  }
+  [[nodiscard]] bool at_end() const { return ended_ == count_; }
+  /// Into the next gap. Pre: not at the end.
+  void advance() {
+    low_ = next_end();
+    while (begun_ < count_ && los_[begun_] <= low_) ++begun_;
+    while (ended_ < count_ && his_[ended_] <= low_) ++ended_;
+  }
+  /// Of a plane in this gap.
+  [[nodiscard]] Quality quality() const { return {count_, begun_, count_ - ended_}; }
+  /// None if a plane in this gap is not good.
+  [[nodiscard]] std::optional<ReferencePoint> point(const Config& config) const {
+    if (!is_good(quality(), config)) return std::nullopt;
+    const Scalar offset = middle(low_, next_end());
+    if (!std::isfinite(offset)) return std::nullopt;
+    return ReferencePoint{offset, quality()};
+  }
+
+ private:
+  static std::uint32_t ends_up_to(const std::vector<Scalar>& ends, Scalar end) {
+    return static_cast<std::uint32_t>(std::ranges::upper_bound(ends, end) - ends.begin());
+  }
+  [[nodiscard]] Scalar next_end() const {
+    return begun_ < count_ ? std::min(los_[begun_], his_[ended_]) : his_[ended_];
+  }
+
+  std::uint32_t count_;
+  std::vector<Scalar> los_;
+  std::vector<Scalar> his_;
+  std::uint32_t begun_ = 0;
+  std::uint32_t ended_ = 0;
+  Scalar low_ = 0;
+};
+
 /// Every k-th entry, at most `sample` of them: the leaf's list is ordered, so the sample is spread like the
 /// objects.
 std::vector<ObjectId> sample_objects(const std::vector<Entry>& entries, std::size_t sample) {
@@ -80,29 +134,24 @@ Quality measure(std::span<const Interval> intervals, Scalar offset) {
 
 std::optional<ReferencePoint> best_reference_point(std::span<const Interval> intervals,
                                                    const Config& config) {
-  std::vector<Scalar> los;
-  std::vector<Scalar> his;
-  for (const Interval& interval : intervals) {
-    los.push_back(interval.lo);
-    his.push_back(interval.hi);
-  }
-  sort_scalars(los);
-  sort_scalars(his);
+  if (intervals.empty()) return std::nullopt;
+  Gaps gaps(intervals);
+  const auto is_high = [](const Quality& q) { return q.left >= q.right; };
+  gaps.go_before(is_high);
+  gaps.advance();
+  // No score exceeds its balance, and balance falls to both sides of the middle. So what the middle scores
+  // leaves only the gaps near it.
+  const std::optional<ReferencePoint> fair = gaps.point(config);
+  const float least = std::max(config.min_balance, fair ? score(fair->quality) : 0);
+  const auto is_near = [least](const Quality& q) { return balance(q) >= least; };
+  gaps.go_before([&](const Quality& q) { return is_high(q) || is_near(q); });
 
-  // Between two neighbouring ends of objects nothing changes, so each end stands for the gap above it.
   std::optional<ReferencePoint> best;
-  const auto count = static_cast<std::uint32_t>(intervals.size());
-  std::uint32_t begun = 0;
-  std::uint32_t ended = 0;
-  while (ended < count) {
-    const Scalar low = begun < count ? std::min(los[begun], his[ended]) : his[ended];
-    while (begun < count && los[begun] <= low) ++begun;
-    while (ended < count && his[ended] <= low) ++ended;
-    const Quality quality{count, begun, count - ended};
-    if (!is_good(quality, config) || (best && score(quality) <= score(best->quality))) continue;
-    const Scalar high = begun < count ? std::min(los[begun], his[ended]) : his[ended];
-    const Scalar offset = middle(low, high);
-    if (std::isfinite(offset)) best = ReferencePoint{offset, quality};
+  while (!gaps.at_end()) {
+    gaps.advance();
+    if (is_high(gaps.quality()) && !is_near(gaps.quality())) break;
+    const std::optional<ReferencePoint> point = gaps.point(config);
+    if (point && (!best || score(point->quality) > score(best->quality))) best = point;
   }
   return best;
 }

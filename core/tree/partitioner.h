@@ -49,8 +49,8 @@ constexpr void count(Sides sides, Quality& q) {
 /// Quality of the plane that divides the intervals at `offset`.
 Quality measure(std::span<const Interval> intervals, Scalar offset);
 
-/// The good reference point with the best score among the gaps of the projected objects (paper figure 4), or
-/// none if no point is good. The intervals may come in any order. O(n log n), O(n) if already ordered by lo.
+/// The good reference point with the best score among the gaps of the projected objects (paper figure 4), the
+/// lowest of equals, or none if no point is good. The intervals may come in any order. O(n log n).
 std::optional<ReferencePoint> best_reference_point(std::span<const Interval> intervals, const Config& config);
 
 /// Candidates that a split of `objects` objects tries: candidate_factor * sqrt(objects), within the set's

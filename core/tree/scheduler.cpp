@@ -85,23 +85,27 @@ void Scheduler<D>::traverse(Tree<D>& tree, const Config& config, std::uint32_t s
   }
 }
 
-/// Splits leaves that are many times too large, and their children, at once: thousands of objects that came
-/// together would otherwise be swept in few leaves for hundreds of steps.
+/// Splits leaves that are many times too large, and their children until none is too large: thousands of
+/// objects that came together would otherwise be swept in few leaves, and divided in each of many steps.
 template <int D>
 template <class Trace>
 void Scheduler<D>::divide_bulk(Tree<D>& tree, const Config& config, std::uint32_t step,
                                Reporter<Trace>& reporter) {
-  const auto limit = config.bulk_factor * static_cast<float>(split_threshold(tree.objects(), config));
-  std::vector<NodeId> todo{tree.root()};
+  struct Due {
+    NodeId node;
+    float most;  ///< objects of a leaf that stays
+  };
+  const auto threshold = static_cast<float>(split_threshold(tree.objects(), config));
+  std::vector<Due> todo{{tree.root(), config.bulk_factor * threshold}};
   while (!todo.empty()) {
-    const NodeId id = todo.back();
+    const auto [id, most] = todo.back();
     todo.pop_back();
-    const bool is_bulk = tree[id].is_leaf() && static_cast<float>(tree[id].population) > limit;
+    const bool is_bulk = tree[id].is_leaf() && static_cast<float>(tree[id].population) > most;
     if (is_bulk && tree[id].retry_step <= step)
       divide_leaf(tree, Operator::split, tree.ref(id), config, step, reporter);
     if (tree[id].is_leaf()) continue;
-    todo.push_back(tree[id].right);
-    todo.push_back(tree[id].left);
+    todo.push_back({tree[id].right, is_bulk ? threshold : most});
+    todo.push_back({tree[id].left, is_bulk ? threshold : most});
   }
 }
 

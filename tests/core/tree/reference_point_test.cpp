@@ -36,6 +36,17 @@ std::string text_of(const std::vector<Interval>& intervals) {
   return text;
 }
 
+/// Whether no gap below the point's scores as much.
+bool is_lowest(const ReferencePoint& point, const std::vector<Interval>& intervals, const Config& config) {
+  const auto is_as_good = [&](Scalar offset) {
+    const Quality quality = measure(intervals, offset);
+    return std::isfinite(offset) && offset < point.offset && quality != point.quality &&
+           is_good(quality, config) && score(quality) == score(point.quality);
+  };
+  return std::ranges::none_of(intervals, is_as_good, &Interval::lo) &&
+         std::ranges::none_of(intervals, is_as_good, &Interval::hi);
+}
+
 void expect_best(const std::vector<Interval>& intervals, const Config& config) {
   const auto point = best_reference_point(intervals, config);
   const float expected = best_score(intervals, config);
@@ -45,6 +56,7 @@ void expect_best(const std::vector<Interval>& intervals, const Config& config) {
   ASSERT_EQ(point->quality, measure(intervals, point->offset)) << text_of(intervals) << point->offset;
   ASSERT_TRUE(is_good(point->quality, config)) << text_of(intervals);
   ASSERT_EQ(score(point->quality), expected) << text_of(intervals) << point->offset;
+  ASSERT_TRUE(is_lowest(*point, intervals, config)) << text_of(intervals) << point->offset;
 }
 
 constexpr const char* kCriteria[] = {"", "max_redundancy=0.4", "min_balance=0,max_redundancy=1",
