@@ -13,14 +13,12 @@
 #include <cstdint>
 
 #include "core/kernels/leaf_view.h"
+#include "core/kernels/packed-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Four floats on every machine: sums, and with them every choice, are the same everywhere.
-using Four = hn::FixedTag<float, 4>;
-using Floats = hn::Vec<Four>;
 using Bytes = hn::CappedTag<std::uint8_t, 64>;
 
 /// The two ends of a box, each in the first D lanes.
@@ -38,26 +36,6 @@ HWY_INLINE Ends load_ends(const PackedBox<D>& box) {
   } else {
     return {first, hn::Load(four, box.lane.data() + 4)};
   }
-}
-
-#if HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86
-// With AVX-512 Highway compares into a register for masks, from where an answer takes four instructions more.
-
-/// All ones in the lanes where a lies above b.
-HWY_INLINE Floats above(Floats a, Floats b) { return {_mm_cmp_ps(a.raw, b.raw, _CMP_GT_OQ)}; }
-HWY_INLINE bool nowhere(Floats lanes) { return _mm_testz_ps(lanes.raw, lanes.raw) != 0; }
-#else
-HWY_INLINE Floats above(Floats a, Floats b) { return hn::VecFromMask(Four(), hn::Gt(a, b)); }
-HWY_INLINE bool nowhere(Floats lanes) { return hn::AllFalse(Four(), hn::MaskFromVec(lanes)); }
-#endif
-
-/// Closed overlap of two boxes.
-template <int D>
-HWY_INLINE bool ends_overlap(const Ends& a, const Ends& b) {
-  auto beyond = above(a.min, hn::Neg(b.minus_max));
-  if constexpr (D == 3)  // in 2D lanes 2 and 3 have the other ends
-    beyond = hn::Or(beyond, above(b.min, hn::Neg(a.minus_max)));
-  return nowhere(beyond);
 }
 
 /// The monotone map of a leaf onto bytes: what lies below the least end of a box, or above the greatest

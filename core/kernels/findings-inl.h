@@ -15,6 +15,7 @@
 #include "core/broad_phase/pair_buffer.h"
 #include "core/kernels/bytes-inl.h"
 #include "core/kernels/found_rows.h"
+#include "core/kernels/packed-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
@@ -90,7 +91,7 @@ class Found {
     for (FindingWalk walk(first_); walk.row() != end_; walk.advance()) {
       const EntryRef<D> a = first(walk.i());
       const EntryRef<D> b = second(walk.j());
-      const bool overlap = ends_overlap<D>(load_ends(a.box), load_ends(b.box));
+      const bool overlap = boxes_overlap<D>(a.box, b.box);
       const bool here = (a.apart & b.apart) == 0;
       *out = {ObjectId{a.object}, ObjectId{b.object}};
       out += static_cast<std::ptrdiff_t>(overlap & here);

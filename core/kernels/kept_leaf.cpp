@@ -115,25 +115,38 @@ std::size_t find_object(const std::vector<std::uint32_t>& objects, std::uint32_t
 }
 
 /// No branch depends on the outcome.
-template <int D>
-HWY_INLINE void filter(std::span<const Pair> candidates, std::span<const PackedBox<D>> boxes,
-                       PairBuffer& pairs) {
-  Pair* const HWY_RESTRICT out = pairs.reserve(candidates.size());
+template <bool Far, int D>
+HWY_INLINE std::size_t filter_to(Pair* HWY_RESTRICT out, std::span<const Pair> candidates,
+                                 std::span<const PackedBox<D>> boxes) {
   std::size_t written = 0;
-  const bool far = exceeds(boxes, kOwnPages);
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
-    if (far) {
+  const auto keep_if_true = [&](std::size_t k) HWY_ATTR {
+    if constexpr (Far) {
       const Pair& ahead = candidates[std::min(k + kPrefetchAhead, candidates.size() - 1)];
       prefetch(&boxes[ahead.a.index()]);
       prefetch(&boxes[ahead.b.index()]);
     }
     const Pair& pair = candidates[k];
-    const Ends a = load_ends(boxes[pair.a.index()]);
-    const Ends b = load_ends(boxes[pair.b.index()]);
+    const bool overlap = boxes_overlap<D>(boxes[pair.a.index()], boxes[pair.b.index()]);
     out[written] = pair;
-    written += static_cast<std::size_t>(ends_overlap<D>(a, b));
+    written += static_cast<std::size_t>(overlap);
+  };
+  std::size_t k = 0;
+  for (; k + 4 <= candidates.size(); k += 4) {
+    keep_if_true(k);
+    keep_if_true(k + 1);
+    keep_if_true(k + 2);
+    keep_if_true(k + 3);
   }
-  pairs.commit(written);
+  for (; k < candidates.size(); ++k) keep_if_true(k);
+  return written;
+}
+
+template <int D>
+HWY_INLINE void filter(std::span<const Pair> candidates, std::span<const PackedBox<D>> boxes,
+                       PairBuffer& pairs) {
+  Pair* const out = pairs.reserve(candidates.size());
+  pairs.commit(exceeds(boxes, kOwnPages) ? filter_to<true, D>(out, candidates, boxes)
+                                         : filter_to<false, D>(out, candidates, boxes));
 }
 
 void set_map_2(const LeafView<2>& view, KeptLeaf<2>& leaf) { set_map(view, leaf); }

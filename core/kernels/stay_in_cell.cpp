@@ -7,22 +7,11 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/stay_in_cell.cpp"
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "core/kernels/packed-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-/// As `contains`, which compilers test lane by lane: in 3D a step took 7 % longer by it.
-template <int D>
-HWY_INLINE bool lies_in(const PackedBox<D>& cell, const PackedBox<D>& box) {
-  const hn::FixedTag<Scalar, 4> four;
-  auto inside = hn::Le(hn::Load(four, cell.lane.data()), hn::Load(four, box.lane.data()));
-  if constexpr (D == 3)
-    inside =
-        hn::And(inside, hn::Le(hn::Load(four, cell.lane.data() + 4), hn::Load(four, box.lane.data() + 4)));
-  return hn::AllTrue(four, inside);
-}
 
 /// No branch depends on who stays.
 template <int D>
@@ -34,8 +23,8 @@ HWY_INLINE Stayed stay(const StayJob<D>& job) {
     const ObjectId object = entry.object;
     const DepthMask straddle = entry.straddle;
     const PackedBox<D>& box = job.boxes[object.index()];
-    const bool stays =
-        static_cast<bool>(static_cast<int>(straddle == 0) & static_cast<int>(lies_in(job.cell, box)));
+    const bool stays = static_cast<bool>(static_cast<int>(straddle == 0) &
+                                         static_cast<int>(at_most<D>(load(job.cell), load(box))));
     const bool is_leftmost = (straddle & job.right_of) == 0;
     Entry& kept = job.entries[at.stayed];
     kept.key = {box.lane[job.axis], -box.lane[PackedBox<D>::kHalf + job.axis]};

@@ -1,0 +1,132 @@
+// Packed boxes in vectors, for each of the machine's kinds of vectors: included once for each by the kernels
+// (Highway's foreach_target), so there is no `#pragma once`.
+#if defined(KERF_PACKED_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KERF_PACKED_INL_H
+#undef KERF_PACKED_INL_H
+#else
+#define KERF_PACKED_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cfloat>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/geometry/packed_box.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace kerf::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Four floats on every machine: sums, and with them every choice, are the same everywhere.
+using Four = hn::FixedTag<float, 4>;
+using Floats = hn::Vec<Four>;
+
+/// All lanes of a packed box: in one vector, but in 3D on machines whose vectors have four floats in two.
+template <int D>
+struct Packed {
+  static constexpr std::size_t kAll = std::size_t{2} * PackedBox<D>::kHalf;
+#if HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86
+  static constexpr std::size_t kLanes = kAll;
+#else
+  static constexpr std::size_t kLanes = 4;
+#endif
+  static constexpr std::size_t kParts = kAll / kLanes;
+  using Lanes = hn::FixedTag<float, kLanes>;
+  hn::Vec<Lanes> part[kParts];
+};
+
+template <int D>
+HWY_INLINE Packed<D> load(const PackedBox<D>& box) {
+  Packed<D> packed;
+  for (std::size_t k = 0; k < Packed<D>::kParts; ++k)
+    packed.part[k] = hn::Load(typename Packed<D>::Lanes(), box.lane.data() + k * Packed<D>::kLanes);
+  return packed;
+}
+
+template <int D>
+HWY_INLINE void store(const Packed<D>& packed, PackedBox<D>& box) {
+  for (std::size_t k = 0; k < Packed<D>::kParts; ++k)
+    hn::Store(packed.part[k], typename Packed<D>::Lanes(), box.lane.data() + k * Packed<D>::kLanes);
+}
+
+/// (max, -min) of (min, -max): the other ends, as large as this box's own ends may become.
+template <int D>
+HWY_INLINE Packed<D> turned(const Packed<D>& packed) {
+  if constexpr (D == 2) {
+    return {{hn::Neg(hn::Shuffle1032(packed.part[0]))}};
+  } else if constexpr (Packed<D>::kParts == 1) {
+    const typename Packed<D>::Lanes lanes;
+    return {{hn::Neg(hn::ConcatLowerUpper(lanes, packed.part[0], packed.part[0]))}};
+  } else {
+    return {{hn::Neg(packed.part[1]), hn::Neg(packed.part[0])}};
+  }
+}
+
+// `beyond`: all ones in the lanes where a is not at most b, so where one of them is NaN, too. `nowhere`: no
+// lane is all ones.
+
+#if HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86
+// With AVX-512 Highway compares into a register for masks, from where an answer takes four instructions more.
+using EightFloats = hn::Vec<hn::FixedTag<float, 8>>;
+HWY_INLINE Floats beyond(Floats a, Floats b) { return {_mm_cmp_ps(a.raw, b.raw, _CMP_NLE_UQ)}; }
+HWY_INLINE EightFloats beyond(EightFloats a, EightFloats b) {
+  return {_mm256_cmp_ps(a.raw, b.raw, _CMP_NLE_UQ)};
+}
+HWY_INLINE bool nowhere(Floats lanes) { return _mm_testz_ps(lanes.raw, lanes.raw) != 0; }
+HWY_INLINE bool nowhere(EightFloats lanes) { return _mm256_testz_ps(lanes.raw, lanes.raw) != 0; }
+#else
+HWY_INLINE Floats beyond(Floats a, Floats b) { return hn::VecFromMask(Four(), hn::Not(hn::Le(a, b))); }
+HWY_INLINE bool nowhere(Floats lanes) { return hn::AllFalse(Four(), hn::MaskFromVec(lanes)); }
+#endif
+
+/// Whether no lane of a exceeds that of b, so that the box a holds the box b; NaN exceeds. Compilers would
+/// test lane by lane.
+template <int D>
+HWY_INLINE bool at_most(const Packed<D>& a, const Packed<D>& b) {
+  auto exceeding = beyond(a.part[0], b.part[0]);
+  for (std::size_t k = 1; k < Packed<D>::kParts; ++k)
+    exceeding = hn::Or(exceeding, beyond(a.part[k], b.part[k]));
+  return nowhere(exceeding);
+}
+
+/// Closed overlap.
+template <int D>
+HWY_INLINE bool boxes_overlap(const PackedBox<D>& a, const PackedBox<D>& b) {
+  return at_most<D>(load(a), turned<D>(load(b)));
+}
+
+/// Ordered and finite: false for NaN.
+template <int D>
+HWY_INLINE bool is_valid(const Packed<D>& packed) {
+  Packed<D> least;
+  for (auto& part : least.part) part = hn::Set(typename Packed<D>::Lanes(), -FLT_MAX);
+  return static_cast<bool>(static_cast<int>(at_most<D>(packed, turned<D>(packed))) &
+                           static_cast<int>(at_most<D>(least, packed)));
+}
+
+/// From a box as callers give it.
+template <int D>
+HWY_INLINE Packed<D> pack(const Box<D>& box) {
+  const Four four;
+  const float* const first = box.min.value.data();
+  if constexpr (D == 2) {
+    const auto min_and_max = hn::LoadU(four, first);
+    return {{hn::ConcatUpperLower(four, hn::Neg(min_and_max), min_and_max)}};
+  } else {
+    const auto three = hn::FirstN(four, 3);
+    const auto min = hn::IfThenElseZero(three, hn::LoadU(four, first));
+    const auto max = hn::Shuffle0321(hn::LoadU(four, first + 2));  // z of min goes last
+    const auto minus_max = hn::IfThenElseZero(three, hn::Neg(max));
+    if constexpr (Packed<D>::kParts == 1) {
+      return {{hn::Combine(typename Packed<D>::Lanes(), minus_max, min)}};
+    } else {
+      return {{min, minus_max}};
+    }
+  }
+}
+
+}  // namespace kerf::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
