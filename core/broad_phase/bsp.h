@@ -103,7 +103,7 @@ class Bsp final : public BroadPhase<D> {
   Status note(ObjectId object, Status status);
   void adapt();
   void choose_mode();
-  static constexpr std::size_t kSample = 256;  ///< objects that are asked how fast they are
+  static constexpr std::size_t kSample = 64;  ///< objects that are asked how fast they are
   [[nodiscard]] float speed_of_sample() const;
   [[nodiscard]] bool most_jump() const;
   [[nodiscard]] Leaving who_leaves() const;

@@ -81,14 +81,6 @@ void view_coming(std::span<const EntryChange> changes, const ObjectTable<D>& fat
   }
 }
 
-/// The pairs of the view's entries with those of the leaf and with each other.
-template <int D>
-void find_beside(KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes, LeafScratch<D>& scratch,
-                 PairBuffer& pairs) {
-  probe_entries(leaf, scratch.view, boxes, scratch.byte_sweep.found, pairs);
-  if (scratch.view.size() > 1) scratch.byte_sweep.find(scratch.view, pairs);
-}
-
 /// Takes pairs of fat boxes. What is the first to come gets no room for more: most leaves get no more.
 template <int D>
 void keep_pairs(std::span<const Pair> pairs, const KeptObjects<D>& objects, KeptLeaf<D>& leaf) {
@@ -157,7 +149,9 @@ void KeptPairs<D>::find_in(const Tree<D>& tree, const Objects& objects, NodeId i
   filter_pairs<D>(leaf.candidates, objects.latest.packed(), pairs);
   if (leaf.restless.empty()) return;
   view_restless(leaf, objects.latest, scratch.view);
-  find_beside(leaf, objects.latest.packed(), scratch, pairs);
+  append_entries(scratch.view, leaf);
+  probe_last(leaf, scratch.view.size(), objects.latest.packed(), scratch.byte_sweep.found, pairs);
+  drop_last(leaf, scratch.view.size());
 }
 
 template <int D>
@@ -191,10 +185,10 @@ void KeptPairs<D>::patch(const Objects& objects, Changes changes, LeafScratch<D>
   drop_going(changes, objects.fat.bound(), scratch);
   view_coming(changes, objects.fat, leaf, scratch.view);
   if (scratch.view.size() == 0) return;
-  scratch.pairs.clear();
-  find_beside(leaf, objects.fat.packed(), scratch, scratch.pairs);
-  keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
   append_entries(scratch.view, leaf);
+  scratch.pairs.clear();
+  probe_last(leaf, scratch.view.size(), objects.fat.packed(), scratch.byte_sweep.found, scratch.pairs);
+  keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
 }
 
 /// A few objects are looked for one by one; for many, one pass over all pairs is cheaper. `objects`: the room

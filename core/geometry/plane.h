@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "core/geometry/box.h"
 #include "core/geometry/vector.h"
 
@@ -42,6 +44,14 @@ constexpr Interval project(const Vector<D>& normal, const Box<D>& box) {
     }
   }
   return {dot(normal, low), dot(normal, high)};
+}
+
+/// The same for a normal that is number `direction` of a set: the first D are the axes, where the ends of the
+/// box are the shadow's.
+template <int D>
+constexpr Interval project(std::uint32_t direction, const Vector<D>& normal, const Box<D>& box) {
+  const int axis = static_cast<int>(direction);
+  return direction < D ? Interval{box.min[axis], box.max[axis]} : project(normal, box);
 }
 
 /// Left iff lo <= d, right iff hi > d: two objects with overlapping intervals share a side.

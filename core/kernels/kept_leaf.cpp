@@ -52,39 +52,35 @@ HWY_INLINE void append(const LeafView<D>& view, KeptLeaf<D>& leaf) {
 }
 
 template <int D>
-HWY_INLINE Probe<D> make_probe(KeptLeaf<D>& leaf, ByteKey<D> key) {
+HWY_INLINE Probe<D> make_probe(KeptLeaf<D>& leaf, std::size_t place) {
   const Bytes bytes;
   Probe<D> probe;
   for (std::size_t k = 0; k < D; ++k) {
     probe.other_min[k] = leaf.plane(k);
     probe.other_max[k] = leaf.plane(D + k);
-    probe.min[k] = hn::Set(bytes, byte_of<D>(key, k));
-    probe.max[k] = hn::Set(bytes, byte_of<D>(key, D + k));
+    probe.min[k] = hn::Set(bytes, leaf.plane(k)[place]);
+    probe.max[k] = hn::Set(bytes, leaf.plane(D + k)[place]);
   }
   return probe;
 }
 
-/// Appends the overlaps of the view's boxes with those of the leaf, `boxes` by object.
+/// Looks the last entries up among those before each.
 template <int D>
-HWY_INLINE void probe_all(KeptLeaf<D>& leaf, const LeafView<D>& view, const PackedBox<D>* boxes,
-                          Findings& found, PairBuffer& pairs) {
-  const ByteMap map = map_of(leaf);
-  const auto probing = [&view](std::uint32_t i) {
-    return EntryRef<D>{view.boxes[i], view.objects[i].value, view.apart[i]};
-  };
-  const auto kept = [objects = leaf.objects.data(), apart = leaf.apart.data(), boxes](std::uint32_t j) {
-    return EntryRef<D>{boxes[objects[j]], objects[j], apart[j]};
+HWY_INLINE void probe_all(KeptLeaf<D>& leaf, std::size_t count, const PackedBox<D>* boxes, Findings& found,
+                          PairBuffer& pairs) {
+  const auto entries = [objects = leaf.objects.data(), apart = leaf.apart.data(), boxes](std::uint32_t k) {
+    return EntryRef<D>{boxes[objects[k]], objects[k], apart[k]};
   };
   const auto n = static_cast<std::uint32_t>(leaf.objects.size());
   Found rows(found);
-  for (std::uint32_t i = 0; i < view.size(); ++i) {
-    const Probe<D> probe = make_probe<D>(leaf, key_of(map, view.boxes[i]));
-    for (std::uint32_t j = 0; j < n; j += 64) {
-      rows.add(overlap_bits(probe, j) & first_bits(n - j), i, j);
-      if (rows.is_full()) rows.confirm<D>(probing, kept, pairs);
+  for (auto i = static_cast<std::uint32_t>(n - count); i < n; ++i) {
+    const Probe<D> probe = make_probe<D>(leaf, i);
+    for (std::uint32_t j = 0; j < i; j += 64) {
+      rows.add(overlap_bits(probe, j) & first_bits(i - j), i, j);
+      if (rows.is_full()) rows.confirm<D>(entries, entries, pairs);
     }
   }
-  rows.confirm<D>(probing, kept, pairs);
+  rows.confirm<D>(entries, entries, pairs);
 }
 
 /// The first of `n` numbers from `k` on that is `wanted`, or n.
@@ -153,13 +149,13 @@ void set_map_2(const LeafView<2>& view, KeptLeaf<2>& leaf) { set_map(view, leaf)
 void set_map_3(const LeafView<3>& view, KeptLeaf<3>& leaf) { set_map(view, leaf); }
 void append_2(const LeafView<2>& view, KeptLeaf<2>& leaf) { append(view, leaf); }
 void append_3(const LeafView<3>& view, KeptLeaf<3>& leaf) { append(view, leaf); }
-void probe_2(KeptLeaf<2>& leaf, const LeafView<2>& view, const PackedBox<2>* boxes, Findings& found,
+void probe_2(KeptLeaf<2>& leaf, std::size_t count, const PackedBox<2>* boxes, Findings& found,
              PairBuffer& pairs) {
-  probe_all(leaf, view, boxes, found, pairs);
+  probe_all(leaf, count, boxes, found, pairs);
 }
-void probe_3(KeptLeaf<3>& leaf, const LeafView<3>& view, const PackedBox<3>* boxes, Findings& found,
+void probe_3(KeptLeaf<3>& leaf, std::size_t count, const PackedBox<3>* boxes, Findings& found,
              PairBuffer& pairs) {
-  probe_all(leaf, view, boxes, found, pairs);
+  probe_all(leaf, count, boxes, found, pairs);
 }
 void filter_2(std::span<const Pair> candidates, std::span<const PackedBox<2>> boxes, PairBuffer& pairs) {
   filter(candidates, boxes, pairs);
@@ -248,13 +244,18 @@ void drop_object(KeptLeaf<D>& leaf, std::uint32_t object) {
 }
 
 template <int D>
-void probe_entries(KeptLeaf<D>& leaf, const LeafView<D>& view, std::span<const PackedBox<D>> boxes,
-                   Findings& found, PairBuffer& pairs) {
-  if (leaf.objects.empty()) return;
+void drop_last(KeptLeaf<D>& leaf, std::size_t count) {
+  leaf.objects.resize(leaf.objects.size() - count);
+  leaf.apart.resize(leaf.objects.size());
+}
+
+template <int D>
+void probe_last(KeptLeaf<D>& leaf, std::size_t count, std::span<const PackedBox<D>> boxes, Findings& found,
+                PairBuffer& pairs) {
   if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(probe_2)(leaf, view, boxes.data(), found, pairs);
+    HWY_DYNAMIC_DISPATCH(probe_2)(leaf, count, boxes.data(), found, pairs);
   } else {
-    HWY_DYNAMIC_DISPATCH(probe_3)(leaf, view, boxes.data(), found, pairs);
+    HWY_DYNAMIC_DISPATCH(probe_3)(leaf, count, boxes.data(), found, pairs);
   }
 }
 
@@ -267,13 +268,14 @@ void filter_pairs(std::span<const Pair> candidates, std::span<const PackedBox<D>
   }
 }
 
-#define KERF_INSTANTIATE(D)                                                                                  \
-  template void empty_leaf<D>(const LeafView<D>&, KeptLeaf<D>&);                                             \
-  template void append_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                         \
-  template void drop_object<D>(KeptLeaf<D>&, std::uint32_t);                                                 \
-  template void drop_entry<D>(KeptLeaf<D>&, std::size_t);                                                    \
-  template void probe_entries<D>(KeptLeaf<D>&, const LeafView<D>&, std::span<const PackedBox<D>>, Findings&, \
-                                 PairBuffer&);                                                               \
+#define KERF_INSTANTIATE(D)                                                                        \
+  template void empty_leaf<D>(const LeafView<D>&, KeptLeaf<D>&);                                   \
+  template void append_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                               \
+  template void drop_object<D>(KeptLeaf<D>&, std::uint32_t);                                       \
+  template void drop_entry<D>(KeptLeaf<D>&, std::size_t);                                          \
+  template void drop_last<D>(KeptLeaf<D>&, std::size_t);                                           \
+  template void probe_last<D>(KeptLeaf<D>&, std::size_t, std::span<const PackedBox<D>>, Findings&, \
+                              PairBuffer&);                                                        \
   template void filter_pairs<D>(std::span<const Pair>, std::span<const PackedBox<D>>, PairBuffer&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

@@ -51,11 +51,14 @@ void drop_entry(KeptLeaf<D>& leaf, std::size_t k);
 /// Takes an object's entry, if it has one, and its pairs out.
 template <int D>
 void drop_object(KeptLeaf<D>& leaf, std::uint32_t object);
-/// Appends the pairs of the view's entries, which are none of the leaf's, with those of the leaf, whose boxes
-/// `boxes` gives by object: each its fat box, or any inside of it.
+/// Takes the last entries out again. The pairs stay.
 template <int D>
-void probe_entries(KeptLeaf<D>& leaf, const LeafView<D>& view, std::span<const PackedBox<D>> boxes,
-                   Findings& found, PairBuffer& pairs);
+void drop_last(KeptLeaf<D>& leaf, std::size_t count);
+/// Appends the pairs of each of the last entries with all entries before it, whose boxes `boxes` gives by
+/// object: each the box by which it was appended, or any inside of it.
+template <int D>
+void probe_last(KeptLeaf<D>& leaf, std::size_t count, std::span<const PackedBox<D>> boxes, Findings& found,
+                PairBuffer& pairs);
 /// Appends those of the candidates whose boxes overlap. `boxes` by object.
 template <int D>
 void filter_pairs(std::span<const Pair> candidates, std::span<const PackedBox<D>> boxes, PairBuffer& pairs);

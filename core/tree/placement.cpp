@@ -24,6 +24,12 @@ struct Visit {
   DepthMask straddle;
 };
 
+/// Where a box lies relative to the partitioner of an inner node, in a tree of boxes.
+template <int D>
+Sides sides_of(const Node<D>& node, const Box<D>& box) {
+  return classify(project(node.direction, node.plane.normal, box), node.plane.offset);
+}
+
 /// Counts the object out of every node below `from` that it reaches, and notes the leaves.
 template <int D>
 void count_out(Tree<D>& tree, NodeId from, ObjectId object, std::vector<NodeId>& stale) {
@@ -122,7 +128,7 @@ void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached
       reached.push_back({visit.node, visit.straddle});
       continue;
     }
-    const Sides sides = classify(node.plane, box);
+    const Sides sides = sides_of(node, box);
     const DepthMask straddle = visit.straddle | (sides.straddle() ? depth_bit(node.depth) : 0);
     if (sides.right) todo.push({node.right, straddle});
     if (sides.left) todo.push({node.left, straddle});
@@ -132,10 +138,10 @@ void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached
 template <int D>
 bool reach_alike(const Tree<D>& tree, const Box<D>& first, const Box<D>& second,
                  std::vector<NodeId>& leaves) {
-  const auto sides_of = [](const Box<D>& box) {
-    return [&box](const Node<D>& node) { return classify(node.plane, box); };
+  const auto by_node = [](const Box<D>& box) {
+    return [&box](const Node<D>& node) { return sides_of(node, box); };
   };
-  return walk_alike(tree, sides_of(first), sides_of(second), [&](NodeId leaf) { leaves.push_back(leaf); });
+  return walk_alike(tree, by_node(first), by_node(second), [&](NodeId leaf) { leaves.push_back(leaf); });
 }
 
 template <int D>

@@ -25,7 +25,7 @@ class Projector {
 
   /// `extra` points to the numbers that the kind keeps beside the box.
   [[nodiscard]] Interval operator()(std::uint32_t direction, const Box<D>& box, const Scalar* extra) const {
-    if (kind_ == VolumeKind::box) return project(directions_[direction], box);
+    if (kind_ == VolumeKind::box) return project(direction, directions_[direction], box);
     return project_extra(direction, box, extra);
   }
 

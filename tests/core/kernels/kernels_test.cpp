@@ -125,7 +125,7 @@ LeafView<D> part_of(const LeafView<D>& leaf, std::size_t begin, std::size_t end)
   return part;
 }
 
-/// The pairs of a leaf of `kept` entries to which come others.
+/// The pairs of a leaf of `kept` entries to which come others, who go and come again.
 template <int D>
 std::vector<Pair> pairs_of_coming(const LeafView<D>& leaf, std::size_t kept,
                                   std::span<const PackedBox<D>> boxes) {
@@ -134,11 +134,15 @@ std::vector<Pair> pairs_of_coming(const LeafView<D>& leaf, std::size_t kept,
   append_entries(part_of(leaf, 0, kept / 2), half);
   append_entries(part_of(leaf, kept / 2, kept), half);
   const LeafView<D> coming = part_of(leaf, kept, leaf.size());
+  append_entries(coming, half);
+  drop_last(half, coming.size());
+  EXPECT_EQ(half.objects.size(), kept);
+  EXPECT_EQ(half.apart.size(), kept);
+  append_entries(coming, half);
   ByteSweep<D> sweep;
   PairBuffer pairs;
   sweep.find(part_of(leaf, 0, kept), pairs);
-  sweep.find(coming, pairs);
-  probe_entries(half, coming, boxes, sweep.found, pairs);
+  probe_last(half, coming.size(), boxes, sweep.found, pairs);
   return {pairs.all().begin(), pairs.all().end()};
 }
 
