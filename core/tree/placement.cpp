@@ -1,27 +1,34 @@
 #include "core/tree/placement.h"
 
 #include <algorithm>
-#include <array>
 
 namespace kerf {
 namespace {
 
+struct Visit {
+  NodeId node;
+  DepthMask straddle = 0;
+};
+
 /// The nodes still to visit on a walk down: at most one sibling for each level.
-template <class Item>
 class WalkStack {
  public:
-  void push(Item item) { items_[size_++] = item; }
-  Item pop() { return items_[--size_]; }
+  explicit WalkStack(NodeId from, DepthMask straddle = 0) { push({from, straddle}); }
+  void push(Visit visit) {
+    nodes_[size_] = visit.node.value;
+    straddles_[size_++] = visit.straddle;
+  }
+  Visit pop() {
+    --size_;
+    return {{nodes_[size_]}, straddles_[size_]};
+  }
   [[nodiscard]] bool empty() const { return size_ == 0; }
 
  private:
-  std::array<Item, kMaxHeight + 2> items_;
+  static constexpr std::size_t kRoom = kMaxHeight + 2;
   std::size_t size_ = 0;
-};
-
-struct Visit {
-  NodeId node;
-  DepthMask straddle;
+  std::uint32_t nodes_[kRoom];  // what is not in use has no value: most walks are short
+  DepthMask straddles_[kRoom];
 };
 
 /// Where a box lies relative to the partitioner of an inner node, in a tree of boxes.
@@ -33,10 +40,9 @@ Sides sides_of(const Node<D>& node, const Box<D>& box) {
 /// Counts the object out of every node below `from` that it reaches, and notes the leaves.
 template <int D>
 void count_out(Tree<D>& tree, NodeId from, ObjectId object, std::vector<NodeId>& stale) {
-  WalkStack<NodeId> todo;
-  todo.push(from);
+  WalkStack todo(from);
   while (!todo.empty()) {
-    const NodeId id = todo.pop();
+    const NodeId id = todo.pop().node;
     Node<D>& node = tree[id];
     --node.population;
     if (node.is_leaf()) {
@@ -44,8 +50,8 @@ void count_out(Tree<D>& tree, NodeId from, ObjectId object, std::vector<NodeId>&
       continue;
     }
     const Sides sides = classify(tree.project(node.direction, object), node.plane.offset);
-    if (sides.right) todo.push(node.right);
-    if (sides.left) todo.push(node.left);
+    if (sides.right) todo.push({node.right});
+    if (sides.left) todo.push({node.left});
   }
 }
 
@@ -53,10 +59,9 @@ void count_out(Tree<D>& tree, NodeId from, ObjectId object, std::vector<NodeId>&
 /// `visit` with the leaves; if not, with some of them.
 template <int D, class First, class Second, class Visit>
 bool walk_alike(const Tree<D>& tree, First first, Second second, Visit visit) {
-  WalkStack<NodeId> todo;
-  todo.push(tree.root());
+  WalkStack todo(tree.root());
   while (!todo.empty()) {
-    const NodeId id = todo.pop();
+    const NodeId id = todo.pop().node;
     const Node<D>& node = tree[id];
     if (node.is_leaf()) {
       visit(id);
@@ -64,8 +69,8 @@ bool walk_alike(const Tree<D>& tree, First first, Second second, Visit visit) {
     }
     const Sides sides = first(node);
     if (sides != second(node)) return false;
-    if (sides.right) todo.push(node.right);
-    if (sides.left) todo.push(node.left);
+    if (sides.right) todo.push({node.right});
+    if (sides.left) todo.push({node.left});
   }
   return true;
 }
@@ -75,8 +80,7 @@ bool walk_alike(const Tree<D>& tree, First first, Second second, Visit visit) {
 template <int D>
 std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above) {
   std::uint32_t leaves = 0;
-  WalkStack<Visit> todo;
-  todo.push({from, above});
+  WalkStack todo(from, above);
   while (!todo.empty()) {
     const Visit visit = todo.pop();
     Node<D>& node = tree[visit.node];
@@ -119,8 +123,7 @@ bool stays(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume) {
 
 template <int D>
 void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached) {
-  WalkStack<Visit> todo;
-  todo.push({tree.root(), 0});
+  WalkStack todo(tree.root());
   while (!todo.empty()) {
     const Visit visit = todo.pop();
     const Node<D>& node = tree[visit.node];
