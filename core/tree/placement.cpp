@@ -13,10 +13,10 @@ struct Visit {
 /// The nodes still to visit on a walk down: at most one sibling for each level.
 class WalkStack {
  public:
-  explicit WalkStack(NodeId from, DepthMask straddle = 0) { push({from, straddle}); }
-  void push(Visit visit) {
-    nodes_[size_] = visit.node.value;
-    straddles_[size_++] = visit.straddle;
+  explicit WalkStack(NodeId from, DepthMask straddle = 0) { push(from, straddle); }
+  void push(NodeId node, DepthMask straddle = 0) {
+    nodes_[size_] = node.value;
+    straddles_[size_++] = straddle;
   }
   Visit pop() {
     --size_;
@@ -50,8 +50,8 @@ void count_out(Tree<D>& tree, NodeId from, ObjectId object, std::vector<NodeId>&
       continue;
     }
     const Sides sides = classify(tree.project(node.direction, object), node.plane.offset);
-    if (sides.right) todo.push({node.right});
-    if (sides.left) todo.push({node.left});
+    if (sides.right) todo.push(node.right);
+    if (sides.left) todo.push(node.left);
   }
 }
 
@@ -69,8 +69,8 @@ bool walk_alike(const Tree<D>& tree, First first, Second second, Visit visit) {
     }
     const Sides sides = first(node);
     if (sides != second(node)) return false;
-    if (sides.right) todo.push({node.right});
-    if (sides.left) todo.push({node.left});
+    if (sides.right) todo.push(node.right);
+    if (sides.left) todo.push(node.left);
   }
   return true;
 }
@@ -92,8 +92,8 @@ std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above
     }
     const Sides sides = classify(tree.project(node.direction, object), node.plane.offset);
     const DepthMask straddle = visit.straddle | (sides.straddle() ? depth_bit(node.depth) : 0);
-    if (sides.right) todo.push({node.right, straddle});
-    if (sides.left) todo.push({node.left, straddle});
+    if (sides.right) todo.push(node.right, straddle);
+    if (sides.left) todo.push(node.left, straddle);
   }
   return leaves;
 }
@@ -133,8 +133,8 @@ void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached
     }
     const Sides sides = sides_of(node, box);
     const DepthMask straddle = visit.straddle | (sides.straddle() ? depth_bit(node.depth) : 0);
-    if (sides.right) todo.push({node.right, straddle});
-    if (sides.left) todo.push({node.left, straddle});
+    if (sides.right) todo.push(node.right, straddle);
+    if (sides.left) todo.push(node.left, straddle);
   }
 }
 
