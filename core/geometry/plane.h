@@ -59,9 +59,4 @@ constexpr Sides classify(const Interval& interval, Scalar offset) {
   return {interval.lo <= offset, interval.hi > offset};
 }
 
-template <int D>
-constexpr Sides classify(const Plane<D>& plane, const Box<D>& box) {
-  return classify(project(plane.normal, box), plane.offset);
-}
-
 }  // namespace kerf

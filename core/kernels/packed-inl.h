@@ -102,8 +102,7 @@ template <int D>
 HWY_INLINE bool is_valid(const Packed<D>& packed) {
   Packed<D> least;
   for (auto& part : least.part) part = hn::Set(typename Packed<D>::Lanes(), -FLT_MAX);
-  return static_cast<bool>(static_cast<int>(at_most<D>(packed, turned<D>(packed))) &
-                           static_cast<int>(at_most<D>(least, packed)));
+  return at_most<D>(packed, turned<D>(packed)) && at_most<D>(least, packed);
 }
 
 /// From a box as callers give it.

@@ -17,14 +17,15 @@ namespace kerf::HWY_NAMESPACE {
 template <int D>
 HWY_INLINE Stayed stay(const StayJob<D>& job) {
   Stayed at;
+  const Packed<D> cell = load(job.cell);
   for (std::size_t k = 0; k < job.count; ++k) {
     prefetch(job.boxes + job.entries[std::min(k + kPrefetchAhead, job.count - 1)].object.index());
     const Entry& entry = job.entries[k];
     const ObjectId object = entry.object;
     const DepthMask straddle = entry.straddle;
     const PackedBox<D>& box = job.boxes[object.index()];
-    const bool stays = static_cast<bool>(static_cast<int>(straddle == 0) &
-                                         static_cast<int>(at_most<D>(load(job.cell), load(box))));
+    const bool stays =
+        static_cast<bool>(static_cast<int>(straddle == 0) & static_cast<int>(at_most<D>(cell, load(box))));
     const bool is_leftmost = (straddle & job.right_of) == 0;
     Entry& kept = job.entries[at.stayed];
     kept.key = {box.lane[job.axis], -box.lane[PackedBox<D>::kHalf + job.axis]};

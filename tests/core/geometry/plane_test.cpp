@@ -14,6 +14,11 @@ namespace {
 
 constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
 
+template <int D>
+Sides sides_of_box(const Plane<D>& plane, const Box<D>& box) {
+  return classify(project(plane.normal, box), plane.offset);
+}
+
 template <class T>
 class PlaneSides : public testing::Test {};
 TYPED_TEST_SUITE(PlaneSides, Dimensions, DimensionNames);
@@ -24,6 +29,20 @@ TYPED_TEST(PlaneSides, AxisProjectionIsTheBoxItself) {
     const Box<kD> box = slab<kD>(0.1F, 0.7F, axis);
     EXPECT_EQ(project(axis_vector<kD>(axis), box), (Interval{0.1F, 0.7F}));
     EXPECT_EQ(project(axis_vector<kD>(axis) * -1, box), (Interval{-0.7F, -0.1F}));
+  }
+}
+
+TYPED_TEST(PlaneSides, OnlyTheFirstDirectionsAreTakenForAxes) {
+  constexpr int kD = TypeParam::value;
+  Random random(7);
+  for (int round = 0; round < 1000; ++round) {
+    const Box<kD> box = random_box<kD>(random, 100, 5);
+    for (int axis = 0; axis < kD; ++axis) {
+      const Vector<kD> normal = axis_vector<kD>(axis);
+      EXPECT_EQ(project(static_cast<std::uint32_t>(axis), normal, box), project(normal, box));
+    }
+    const Vector<kD> normal = random_point<kD>(random, -1, 1);
+    EXPECT_EQ(project(std::uint32_t{kD}, normal, box), project(normal, box));
   }
 }
 
@@ -39,7 +58,7 @@ TYPED_TEST(PlaneSides, ProjectionTakesTheExtremeCorners) {
 TYPED_TEST(PlaneSides, LeftIsClosedAndRightIsOpen) {
   constexpr int kD = TypeParam::value;
   const auto sides_of = [](Scalar lo, Scalar hi, Scalar offset) {
-    return classify(Plane<kD>{axis_vector<kD>(0), offset}, slab<kD>(lo, hi));
+    return sides_of_box(Plane<kD>{axis_vector<kD>(0), offset}, slab<kD>(lo, hi));
   };
   EXPECT_EQ(sides_of(1, 2, 3), (Sides{true, false}));
   EXPECT_EQ(sides_of(1, 2, 0), (Sides{false, true}));
@@ -53,10 +72,13 @@ TYPED_TEST(PlaneSides, LeftIsClosedAndRightIsOpen) {
 TYPED_TEST(PlaneSides, OverflowingProjectionsKeepTheirSide) {
   constexpr int kD = TypeParam::value;
   const Vector<kD> diagonal = all<kD>(1);
-  EXPECT_EQ(classify(Plane<kD>{diagonal, 0}, Box<kD>{all<kD>(kMax), all<kD>(kMax)}), (Sides{false, true}));
-  EXPECT_EQ(classify(Plane<kD>{diagonal, 0}, Box<kD>{all<kD>(-kMax), all<kD>(-kMax)}), (Sides{true, false}));
-  EXPECT_EQ(classify(Plane<kD>{diagonal, kMax}, Box<kD>{all<kD>(kMax), all<kD>(kMax)}), (Sides{false, true}));
-  EXPECT_TRUE(classify(Plane<kD>{diagonal, kMax}, Box<kD>{all<kD>(-kMax), all<kD>(kMax)}).straddle());
+  EXPECT_EQ(sides_of_box(Plane<kD>{diagonal, 0}, Box<kD>{all<kD>(kMax), all<kD>(kMax)}),
+            (Sides{false, true}));
+  EXPECT_EQ(sides_of_box(Plane<kD>{diagonal, 0}, Box<kD>{all<kD>(-kMax), all<kD>(-kMax)}),
+            (Sides{true, false}));
+  EXPECT_EQ(sides_of_box(Plane<kD>{diagonal, kMax}, Box<kD>{all<kD>(kMax), all<kD>(kMax)}),
+            (Sides{false, true}));
+  EXPECT_TRUE(sides_of_box(Plane<kD>{diagonal, kMax}, Box<kD>{all<kD>(-kMax), all<kD>(kMax)}).straddle());
 }
 
 /// Scenes in which a projection with an epsilon, or by centre and extent, goes wrong.
