@@ -6,7 +6,7 @@ namespace kerf {
 
 template <int D>
 void LeafPass<D>::run(const Tree<D>& tree, TaskPool& pool, const Work& work, PairBuffer& pairs) {
-  list_leaves(tree);
+  list_leaves(tree, leaves_);
   scratch_.resize(pool.threads());
   if (pool.threads() == 1) {
     for (const NodeId leaf : leaves_) work(leaf, scratch_.front(), pairs);
@@ -19,14 +19,6 @@ void LeafPass<D>::run(const Tree<D>& tree, TaskPool& pool, const Work& work, Pai
       work(leaves_[k], scratch_[thread], found_[piece]);
   });
   join(pool, pairs);
-}
-
-template <int D>
-void LeafPass<D>::list_leaves(const Tree<D>& tree) {
-  leaves_.clear();
-  for_each_node(tree, tree.root(), [&](NodeId id) {
-    if (tree[id].is_leaf()) leaves_.push_back(id);
-  });
 }
 
 /// Runs of about as many entries each.

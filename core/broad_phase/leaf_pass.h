@@ -19,6 +19,7 @@ struct LeafScratch {
   LeafView<D> view;
   ByteSweep<D> byte_sweep;
   PairBuffer pairs;
+  std::vector<PackedBox<D>> gathered;
   std::vector<std::uint8_t> marks;  ///< by object; all are 0 between leaves
 };
 
@@ -34,7 +35,6 @@ class LeafPass {
   void run(const Tree<D>& tree, TaskPool& pool, const Work& work, PairBuffer& pairs);
 
  private:
-  void list_leaves(const Tree<D>& tree);
   void cut(const Tree<D>& tree, std::size_t pieces);
   void join(TaskPool& pool, PairBuffer& pairs);
 

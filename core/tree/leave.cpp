@@ -1,37 +1,11 @@
 #include "core/tree/leave.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "core/kernels/stay_in_cell.h"
+#include "core/tree/cell.h"
 
 namespace kerf {
-namespace {
-
-constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
-
-/// The boxes that `classify` sends to this leaf and to no other, as a packed box around them. What lies
-/// beside a partitioner along no axis is not told apart: such a cell holds nothing.
-template <int D>
-PackedBox<D> cell_of(const Tree<D>& tree, NodeId leaf) {
-  PackedBox<D> cell;
-  cell.lane.fill(-kInfinity);
-  for (NodeId id = tree[leaf].parent; !id.is_none(); id = tree[id].parent) {
-    const Node<D>& node = tree[id];
-    if (node.direction >= D) {
-      cell.lane.fill(kInfinity);
-      break;
-    }
-    const bool right = (tree[leaf].right_of & depth_bit(node.depth)) != 0;
-    const std::size_t lane = right ? node.direction : PackedBox<D>::kHalf + node.direction;
-    const Scalar bound = right ? std::nextafter(node.plane.offset, kInfinity) : -node.plane.offset;
-    cell.lane[lane] = std::max(cell.lane[lane], bound);
-  }
-  return cell;
-}
-
-}  // namespace
 
 /// Gives the number of those that stay.
 template <int D>

@@ -37,18 +37,15 @@ Sides sides_of(const Node<D>& node, const Box<D>& box) {
   return classify(project(node.direction, node.plane.normal, box), node.plane.offset);
 }
 
-/// Counts the object out of every node below `from` that it reaches, and notes the leaves.
+/// Appends every node below `from` that the object reaches.
 template <int D>
-void count_out(Tree<D>& tree, NodeId from, ObjectId object, std::vector<NodeId>& stale) {
+void reach_nodes(const Tree<D>& tree, NodeId from, ObjectId object, std::vector<NodeId>& passed) {
   WalkStack todo(from);
   while (!todo.empty()) {
     const NodeId id = todo.pop().node;
-    Node<D>& node = tree[id];
-    --node.population;
-    if (node.is_leaf()) {
-      stale.push_back(id);
-      continue;
-    }
+    const Node<D>& node = tree[id];
+    passed.push_back(id);
+    if (node.is_leaf()) continue;
     const Sides sides = classify(tree.project(node.direction, object), node.plane.offset);
     if (sides.right) todo.push(node.right);
     if (sides.left) todo.push(node.left);
@@ -100,14 +97,21 @@ std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above
 
 template <int D>
 void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving) {
-  std::vector<NodeId> stale;
-  for (const ObjectId object : leaving) {
-    tree.set_mark(object, true);
-    count_out(tree, from, object, stale);
+  std::vector<NodeId> passed;
+  for (const ObjectId object : leaving) reach_nodes(tree, from, object, passed);
+  displace<D>(tree, leaving, passed);
+}
+
+template <int D>
+void displace(Tree<D>& tree, std::span<const ObjectId> leaving, std::span<const NodeId> passed) {
+  for (const ObjectId object : leaving) tree.set_mark(object, true);
+  std::vector<std::uint8_t> is_done(tree.slots());
+  for (const NodeId id : passed) {
+    --tree[id].population;
+    if (!tree[id].is_leaf() || is_done[id.index()] != 0) continue;
+    tree.drop_marked_entries(id);
+    is_done[id.index()] = 1;
   }
-  std::sort(stale.begin(), stale.end());
-  stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
-  for (const NodeId leaf : stale) tree.drop_marked_entries(leaf);
   for (const ObjectId object : leaving) tree.set_mark(object, false);
 }
 
@@ -122,11 +126,13 @@ bool stays(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume) {
 }
 
 template <int D>
-void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached) {
+void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached,
+           std::vector<NodeId>& passed) {
   WalkStack todo(tree.root());
   while (!todo.empty()) {
     const Visit visit = todo.pop();
     const Node<D>& node = tree[visit.node];
+    passed.push_back(visit.node);
     if (node.is_leaf()) {
       reached.push_back({visit.node, visit.straddle});
       continue;
@@ -161,12 +167,13 @@ std::vector<Stored> collect(const Tree<D>& tree, NodeId from) {
   return stored;
 }
 
-#define KERF_INSTANTIATE(D)                                                                         \
-  template std::uint32_t place<D>(Tree<D>&, NodeId, ObjectId, DepthMask);                           \
-  template void displace<D>(Tree<D>&, NodeId, std::span<const ObjectId>);                           \
-  template bool stays<D>(Tree<D>&, ObjectId, const Volume<D>&);                                     \
-  template void reach<D>(const Tree<D>&, const Box<D>&, std::vector<Reached>&);                     \
-  template bool reach_alike<D>(const Tree<D>&, const Box<D>&, const Box<D>&, std::vector<NodeId>&); \
+#define KERF_INSTANTIATE(D)                                                                           \
+  template std::uint32_t place<D>(Tree<D>&, NodeId, ObjectId, DepthMask);                             \
+  template void displace<D>(Tree<D>&, NodeId, std::span<const ObjectId>);                             \
+  template void displace<D>(Tree<D>&, std::span<const ObjectId>, std::span<const NodeId>);            \
+  template bool stays<D>(Tree<D>&, ObjectId, const Volume<D>&);                                       \
+  template void reach<D>(const Tree<D>&, const Box<D>&, std::vector<Reached>&, std::vector<NodeId>&); \
+  template bool reach_alike<D>(const Tree<D>&, const Box<D>&, const Box<D>&, std::vector<NodeId>&);   \
   template std::vector<Stored> collect<D>(const Tree<D>&, NodeId);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

@@ -24,6 +24,11 @@ std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above
 template <int D>
 void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving);
 
+/// The same if it is known by which nodes the objects go: `passed` has each of those that an object reaches,
+/// leaves too, once for that object.
+template <int D>
+void displace(Tree<D>& tree, std::span<const ObjectId> leaving, std::span<const NodeId> passed);
+
 /// A leaf that a volume reaches, and the ancestors of the leaf that it straddles on the way.
 struct Reached {
   NodeId leaf;
@@ -31,9 +36,11 @@ struct Reached {
   friend constexpr bool operator==(const Reached&, const Reached&) = default;
 };
 
-/// Appends every leaf that a box reaches, left before right. For trees of boxes.
+/// Appends every leaf that a box reaches, left before right, and every node on the way, the leaves too. For
+/// trees of boxes.
 template <int D>
-void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached);
+void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached,
+           std::vector<NodeId>& passed);
 
 /// Whether two boxes reach the same leaves, on the same sides. Appends these leaves; if not, some of them.
 /// For trees of boxes.

@@ -93,6 +93,15 @@ void for_each_node(const Tree<D>& tree, NodeId from, Visit visit) {
   }
 }
 
+/// The leaves of a tree, left before right.
+template <int D>
+void list_leaves(const Tree<D>& tree, std::vector<NodeId>& leaves) {
+  leaves.clear();
+  for_each_node(tree, tree.root(), [&](NodeId id) {
+    if (tree[id].is_leaf()) leaves.push_back(id);
+  });
+}
+
 extern template class Tree<2>;
 extern template class Tree<3>;
 

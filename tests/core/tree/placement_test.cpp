@@ -54,12 +54,16 @@ TYPED_TEST(Placement, BoxesReachAlikeIfTheyReachTheSameLeavesOnTheSameSides) {
     const Box<kD> second{first.min + all<kD>(by), first.max + all<kD>(by)};
     std::vector<Reached> of_first;
     std::vector<Reached> of_second;
-    reach(tree, first, of_first);
-    reach(tree, second, of_second);
+    std::vector<NodeId> passed;
+    reach(tree, first, of_first, passed);
+    const std::size_t passed_by_first = passed.size();
+    reach(tree, second, of_second, passed);
     std::vector<NodeId> leaves;
     ASSERT_EQ(reach_alike(tree, first, second, leaves), of_first == of_second) << round;
     if (of_first != of_second) continue;
     ++alike;
+    const auto half = passed.begin() + static_cast<std::ptrdiff_t>(passed_by_first);
+    ASSERT_TRUE(std::equal(passed.begin(), half, half, passed.end())) << round;
     ASSERT_TRUE(std::ranges::equal(leaves, of_first, {}, {}, &Reached::leaf)) << round;
   }
   EXPECT_GT(alike, 50);

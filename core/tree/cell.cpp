@@ -1,0 +1,31 @@
+#include "core/tree/cell.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kerf {
+
+template <int D>
+PackedBox<D> cell_of(const Tree<D>& tree, NodeId leaf) {
+  constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
+  PackedBox<D> cell;
+  cell.lane.fill(-kInfinity);
+  for (NodeId id = tree[leaf].parent; !id.is_none(); id = tree[id].parent) {
+    const Node<D>& node = tree[id];
+    if (node.direction >= D) {
+      cell.lane.fill(kInfinity);
+      break;
+    }
+    const bool right = (tree[leaf].right_of & depth_bit(node.depth)) != 0;
+    const std::size_t lane = right ? node.direction : PackedBox<D>::kHalf + node.direction;
+    const Scalar bound = right ? std::nextafter(node.plane.offset, kInfinity) : -node.plane.offset;
+    cell.lane[lane] = std::max(cell.lane[lane], bound);
+  }
+  return cell;
+}
+
+template PackedBox<2> cell_of<2>(const Tree<2>&, NodeId);
+template PackedBox<3> cell_of<3>(const Tree<3>&, NodeId);
+
+}  // namespace kerf

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/geometry/packed_box.h"
+#include "core/tree/tree.h"
+
+namespace kerf {
+
+/// The boxes that `classify` sends to this leaf and to no other, as a packed box around them. What lies
+/// beside a partitioner along no axis is not told apart: such a cell holds nothing.
+template <int D>
+PackedBox<D> cell_of(const Tree<D>& tree, NodeId leaf);
+
+}  // namespace kerf
