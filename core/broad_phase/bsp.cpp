@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/broad_phase/skin.h"
-#include "core/kernels/move_boxes.h"
 #include "core/kernels/sweep.h"
 #include "core/tree/hash.h"
 #include "core/tree/placement.h"
@@ -169,25 +168,30 @@ void Bsp<D, Trace>::choose_mode() {
   if (mode_ == Mode::ordered) {
     keep_or_sweep_ = {};
   } else if (mode_ == Mode::kept) {
-    keep_or_sweep_.kept(who_leaves());
+    if (keep_or_sweep_.keeps()) keep_or_sweep_.kept(who_leaves());  // else too much was swept all the same
   } else {
-    keep_or_sweep_.swept(speed_of_sample());
+    keep_or_sweep_.swept(motions_of_sample(), D);
   }
   enter(keep_or_sweep_.keeps() ? Mode::kept : Mode::swept);
 }
 
-/// The mean speed of a sample over the objects' sizes, none counted above KeepOrSweep::kDearest.
 template <int D, class Trace>
-float Bsp<D, Trace>::speed_of_sample() const {
-  float sum = 0;
+Motions Bsp<D, Trace>::motions_of_sample() const {
+  Motions motions;
   float count = 0;
   for (std::uint32_t k = 0; k < std::min<std::size_t>(kSample, tree_.table.bound()); ++k) {
     const ObjectId object{static_cast<std::uint32_t>(sample_place(k, tree_.table.bound()))};
     if (!tree_.table.is_placed(object) || !latest_.is_placed(object)) continue;
-    sum += std::min(relative_speed(latest_.box(object), tree_.table.box(object)), KeepOrSweep::kDearest);
+    const Box<D> box = latest_.box(object);
+    const Box<D> before = tree_.table.box(object);
+    if (is_fast(box, before)) {
+      ++motions.fast;
+    } else {
+      motions.speed += relative_speed(box, before);
+    }
     ++count;
   }
-  return count == 0 ? 0 : sum / count;
+  return count == 0 ? motions : Motions{motions.speed / count, motions.fast / count};
 }
 
 /// Whether most objects of a sample are so far from where they were that few of them stay in their leaves.
@@ -219,9 +223,7 @@ Leaving Bsp<D, Trace>::who_leaves() const {
     const ObjectId object = changed_.all()[at];
     if (!latest_.is_placed(object)) continue;
     const Box<D> before = before_.all()[at].unpack();
-    leaving.speed += relative_speed(latest_.box(object), before) / static_cast<float>(count);
-    const bool restless = object.index() < skins_.size() && skins_[object.index()].is_restless();
-    if (restless || is_fast(latest_.box(object), before)) leaving.restless += 1 / static_cast<float>(count);
+    if (is_fast(latest_.box(object), before)) leaving.fast += 1 / static_cast<float>(count);
   }
   return leaving;
 }
@@ -231,6 +233,7 @@ void Bsp<D, Trace>::enter(Mode mode) {
   if (mode == mode_) return;
   mode_ = mode;
   kept_.clear();
+  for (std::uint8_t& attention : attention_) attention &= static_cast<std::uint8_t>(~kSilent);
 }
 
 /// Brings the entries up to date with the objects. Placement is never deferred: it is what makes the pairs
@@ -241,7 +244,7 @@ void Bsp<D, Trace>::place() {
   choose_mode();
   if (mode_ == Mode::kept && before == Mode::kept) {
     slim_some();
-    calm_some();
+    follow_restless();
   }
   const auto more_than = [this](float share) {
     return static_cast<float>(changed_.size()) > share * static_cast<float>(latest_.size());
@@ -266,7 +269,7 @@ void Bsp<D, Trace>::place() {
   }
   pool_->for_slices(changed_.size(), [this](const Slice& slice, std::size_t) {
     for (const ObjectId object : changed_.all().subspan(slice.begin, slice.end - slice.begin))
-      attention_[object.index()] = latest_.is_placed(object) ? 0 : kUnplaced;
+      attention_[object.index()] = attention_at_rest(object);
   });
   changed_.clear();
   before_.clear();

@@ -10,8 +10,10 @@
 #include "core/broad_phase/kept_pairs.h"
 #include "core/broad_phase/leaf_pass.h"
 #include "core/broad_phase/pair_buffer.h"
+#include "core/broad_phase/restless_pass.h"
 #include "core/broad_phase/skin.h"
 #include "core/config.h"
+#include "core/kernels/move_boxes.h"
 #include "core/parallel/task_pool.h"
 #include "core/trace/reporter.h"
 #include "core/tree/placement.h"
@@ -83,20 +85,32 @@ class Bsp final : public BroadPhase<D> {
     kept,     ///< pairs of fat boxes are kept and filtered: the tree's table has the fat boxes
   };
 
+  /// An object that gets entries anew, and in how many leaves.
+  struct Arrival {
+    ObjectId object;
+    std::uint32_t leaves = 0;
+  };
+
   /// What one piece of the objects that left their fat boxes does to the tree.
   struct FatPiece {
-    std::vector<EntryChange> entries;
+    std::vector<EntryChange> entries;  ///< of leaves that keep pairs
+    std::vector<NodeId> touched;       ///< leaves in which an object stays
     std::vector<ObjectId> leaving;
-    std::vector<ObjectId> entering;
-    std::vector<NodeId> touched;  ///< leaves in which a restless object stays, and some others
+    std::vector<NodeId> left;  ///< the nodes that they passed, each once for each of them
+    std::vector<Arrival> entering;
+    std::vector<Reached> places;  ///< of those, one after another
+    std::vector<NodeId> entered;  ///< as `left`
     std::vector<Reached> old_places;
     std::vector<Reached> new_places;
 
     void clear() {
       entries.clear();
-      leaving.clear();
-      entering.clear();
       touched.clear();
+      leaving.clear();
+      left.clear();
+      entering.clear();
+      places.clear();
+      entered.clear();
     }
   };
 
@@ -104,7 +118,7 @@ class Bsp final : public BroadPhase<D> {
   void adapt();
   void choose_mode();
   static constexpr std::size_t kSample = 64;  ///< objects that are asked how fast they are
-  [[nodiscard]] float speed_of_sample() const;
+  [[nodiscard]] Motions motions_of_sample() const;
   [[nodiscard]] bool most_jump() const;
   [[nodiscard]] Leaving who_leaves() const;
   void enter(Mode mode);
@@ -114,17 +128,23 @@ class Bsp final : public BroadPhase<D> {
   void place_entering(const std::vector<ObjectId>& entering);
   Box<D> fat_box(ObjectId object, const Box<D>& before);
   void fatten_all();
-  void list_restless();
   void slim_some();
   void note_still(ObjectId object, std::uint8_t attention);
-  void calm_some();
+  void follow_restless();
   void make_fat_boxes();
   void take_fat_boxes();
   void place_fat();
   [[nodiscard]] bool was_restless(ObjectId object) const {
     return (attention_[object.index()] & kWasRestless) != 0;
   }
-  bool stays_restless(std::size_t k, std::vector<NodeId>& leaves) const;
+  /// Of an object of which nobody has asked anything.
+  [[nodiscard]] std::uint8_t attention_at_rest(ObjectId object) const {
+    if (!latest_.is_placed(object)) return kUnplaced;
+    return mode_ == Mode::kept && skins_[object.index()].is_restless() ? kSilent : 0;
+  }
+  void take_out(const FatPiece& piece);
+  void put_in(const FatPiece& piece);
+  void note_entries(ObjectId object, FatPiece& piece) const;
   void find_fat_places(std::size_t k, FatPiece& piece) const;
   void sweep();
   void sweep(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) const;
@@ -145,13 +165,13 @@ class Bsp final : public BroadPhase<D> {
   static constexpr std::uint8_t kWasRestless = 8;  ///< it is in changed_ and was restless before this step
   std::vector<std::uint8_t> attention_;            ///< per object: what must be looked at before it moves
   std::vector<Skin> skins_;                        ///< per object
-  std::vector<ObjectId> restless_;                 ///< all that are, and some that no longer are
   Mode mode_ = Mode::ordered;
   KeepOrSweep keep_or_sweep_;
   std::unique_ptr<TaskPool> pool_ = std::make_unique<TaskPool>();
   LeafPass<D> leaf_pass_;
+  RestlessPass<D> restless_pass_;
   KeptPairs<D> kept_;
-  std::vector<Box<D>> fat_;  ///< by changed_, but while all objects get one: by id
+  std::vector<Box<D>> fat_;  ///< by changed_
   std::vector<FatPiece> fat_pieces_;
   StreamMemory stream_memory_;
   LeavePass<D> leave_pass_;

@@ -25,29 +25,19 @@ Box<D> Bsp<D, Trace>::fat_box(ObjectId object, const Box<D>& before) {
 template <int D, class Trace>
 void Bsp<D, Trace>::fatten_all() {
   skins_.resize(latest_.bound());
-  fat_.resize(latest_.bound());
-  const auto for_placed = [this](auto work) {
-    pool_->for_slices(latest_.bound(), [&](const Slice& slice, std::size_t) {
-      for (std::size_t id = slice.begin; id < slice.end; ++id)
-        if (latest_.is_placed({static_cast<std::uint32_t>(id)}))
-          work(ObjectId{static_cast<std::uint32_t>(id)});
-    });
-  };
-  for_placed([this](ObjectId object) {
-    const bool known = tree_.table.is_placed(object);
-    fat_[object.index()] = fat_box(object, known ? tree_.table.box(object) : latest_.box(object));
+  attention_.resize(latest_.bound(), kUnplaced);
+  pool_->for_slices(latest_.bound(), [this](const Slice& slice, std::size_t) {
+    for (std::size_t id = slice.begin; id < slice.end; ++id) {
+      const ObjectId object{static_cast<std::uint32_t>(id)};
+      if (!latest_.is_placed(object)) continue;
+      const bool known = tree_.table.is_placed(object);
+      const Box<D> fat = fat_box(object, known ? tree_.table.box(object) : latest_.box(object));
+      if (id < tree_.table.bound()) tree_.table.widen(object, fat);
+      attention_[id] = attention_at_rest(object);
+    }
   });
-  tree_.table.copy_all(latest_, *pool_);
-  for_placed([this](ObjectId object) { tree_.table.widen(object, fat_[object.index()]); });
-  list_restless();
+  tree_.table.copy_but_boxes(latest_, *pool_);
   place_all();
-}
-
-template <int D, class Trace>
-void Bsp<D, Trace>::list_restless() {
-  restless_.clear();
-  for (std::uint32_t id = 0; id < skins_.size(); ++id)
-    if (skins_[id].is_restless() && latest_.is_placed({id})) restless_.push_back({id});
 }
 
 /// Looks at some objects in each step, at all of them in 1,024: who stays in the fat box of a flight is
@@ -72,20 +62,17 @@ void Bsp<D, Trace>::note_still(ObjectId object, std::uint8_t attention) {
   before_.push_back(latest_.packed(object));
 }
 
-/// Who was restless and stands still gets its pairs kept again: it is treated as if it had left its fat box.
+/// Restless objects are followed; who calmed or went into other leaves is treated as if it had left its fat
+/// box.
 template <int D, class Trace>
-void Bsp<D, Trace>::calm_some() {
-  std::vector<ObjectId> calmed;
-  std::erase_if(restless_, [this, &calmed](ObjectId object) {
-    Skin& skin = skins_[object.index()];
-    if (!skin.is_restless()) return true;
-    if (attention_[object.index()] != 0 || !skin.has_calmed(step_)) return false;
-    skin.calm();
-    calmed.push_back(object);
-    return false;
-  });
-  std::ranges::sort(calmed);  // the order of restless_ depends on what it went through
-  for (const ObjectId object : calmed) note_still(object, kChanging);
+void Bsp<D, Trace>::follow_restless() {
+  restless_pass_.run(tree_, {latest_, skins_, attention_, kSilent}, kept_, *pool_);
+  for (const ObjectId object : restless_pass_.others()) {
+    attention_[object.index()] |= kChanging;
+    changed_.push_back(object);
+    before_.push_back(tree_.table.packed(object));
+  }
+  keep_or_sweep_.kept_at(restless_pass_.cost());
 }
 
 /// The new fat boxes of those that left theirs, into fat_.
@@ -114,7 +101,6 @@ void Bsp<D, Trace>::take_fat_boxes() {
     const ObjectId object = changed_.all()[k];
     tree_.table.copy(latest_, object);
     if (latest_.is_placed(object)) tree_.table.widen(object, fat_[k]);
-    if (skins_[object.index()].is_restless() && !was_restless(object)) restless_.push_back(object);
   }
 }
 
@@ -127,30 +113,44 @@ void Bsp<D, Trace>::place_fat() {
     fat_pieces_[k].clear();
     for (std::size_t at = slice.begin; at < slice.end; ++at) find_fat_places(at, fat_pieces_[k]);
   });
-  for (const FatPiece& piece : fat_pieces_) {
-    for (const EntryChange& change : piece.entries) {
-      if (change.comes) tree_[change.leaf].unsorted = true;
-      kept_.note(change);
-    }
-    for (const NodeId leaf : piece.touched) tree_[leaf].unsorted = true;
-    for (const ObjectId object : piece.leaving)
-      if (!latest_.is_placed(object)) reporter_.report([&] { return ObjectPlaced{object, 0}; });
-  }
-  for (const FatPiece& piece : fat_pieces_) displace<D>(tree_, tree_.root(), piece.leaving);
+  for (const FatPiece& piece : fat_pieces_) take_out(piece);
   take_fat_boxes();
   placed_ = 0;
-  for (const FatPiece& piece : fat_pieces_) place_entering(piece.entering);
+  for (const FatPiece& piece : fat_pieces_) put_in(piece);
   kept_.placed(tree_);
 }
 
-/// Whether the k-th of the changed objects was restless, is it still and stays what and in the leaves where
-/// it was: nothing is kept of it, so nothing must be renewed. If so, notes the leaves.
 template <int D, class Trace>
-bool Bsp<D, Trace>::stays_restless(std::size_t k, std::vector<NodeId>& leaves) const {
-  const ObjectId object = changed_.all()[k];
-  return was_restless(object) && skins_[object.index()].is_restless() && latest_.is_placed(object) &&
-         tree_.table.is_fixed(object) == latest_.is_fixed(object) &&
-         reach_alike(tree_, tree_.table.box(object), fat_[k], leaves);
+void Bsp<D, Trace>::take_out(const FatPiece& piece) {
+  for (const EntryChange& change : piece.entries) kept_.note(change);
+  for (const NodeId leaf : piece.touched) tree_[leaf].unsorted = true;
+  for (const ObjectId object : piece.leaving)
+    if (!latest_.is_placed(object)) reporter_.report([&] { return ObjectPlaced{object, 0}; });
+  displace<D>(tree_, piece.leaving, piece.left);
+}
+
+template <int D, class Trace>
+void Bsp<D, Trace>::put_in(const FatPiece& piece) {
+  for (const NodeId node : piece.entered) ++tree_[node].population;
+  std::size_t next = 0;
+  for (const Arrival& arrival : piece.entering) {
+    for (const std::size_t end = next + arrival.leaves; next < end; ++next)
+      tree_.add_entry(piece.places[next].leaf, arrival.object, piece.places[next].straddle);
+    reporter_.report([&] { return ObjectPlaced{arrival.object, arrival.leaves}; });
+  }
+  placed_ += piece.entering.size();
+}
+
+/// The entries that an object loses and gets, in leaves that keep pairs.
+template <int D, class Trace>
+void Bsp<D, Trace>::note_entries(ObjectId object, FatPiece& piece) const {
+  for (const auto& [leaf, straddle] : piece.old_places)
+    if (kept_.keeps(tree_, leaf)) piece.entries.push_back({leaf, object, 0, false, was_restless(object)});
+  const bool is_restless = skins_[object.index()].is_restless();
+  for (const auto& [leaf, straddle] : piece.new_places)
+    if (kept_.keeps(tree_, leaf))
+      piece.entries.push_back(
+          {leaf, object, apart_bits(tree_[leaf], straddle, latest_.is_fixed(object)), true, is_restless});
 }
 
 /// Where the k-th of the changed objects was, and where it goes.
@@ -159,33 +159,37 @@ void Bsp<D, Trace>::find_fat_places(std::size_t k, FatPiece& piece) const {
   const ObjectId object = changed_.all()[k];
   const bool was_placed = tree_.table.is_placed(object);
   const bool is_placed = latest_.is_placed(object);
-  if (stays_restless(k, piece.touched)) return;
+  const std::size_t left = piece.left.size();
+  const std::size_t entered = piece.entered.size();
   piece.old_places.clear();
   piece.new_places.clear();
-  if (was_placed) reach(tree_, tree_.table.box(object), piece.old_places);
-  if (is_placed) reach(tree_, fat_[k], piece.new_places);
-  for (const Reached& place : piece.old_places)
-    piece.entries.push_back({place.leaf, object, 0, false, was_restless(object)});
-  for (const Reached& place : piece.new_places)
-    piece.entries.push_back({place.leaf, object,
-                             apart_bits(tree_[place.leaf], place.straddle, latest_.is_fixed(object)), true,
-                             skins_[object.index()].is_restless()});
-  if (piece.old_places == piece.new_places) return;
+  if (was_placed) reach(tree_, tree_.table.box(object), piece.old_places, piece.left);
+  if (is_placed) reach(tree_, fat_[k], piece.new_places, piece.entered);
+  note_entries(object, piece);
+  if (piece.old_places == piece.new_places) {
+    for (const Reached& place : piece.new_places) piece.touched.push_back(place.leaf);
+    piece.left.resize(left);
+    piece.entered.resize(entered);
+    return;
+  }
   if (was_placed) piece.leaving.push_back(object);
-  if (is_placed) piece.entering.push_back(object);
+  if (!is_placed) return;
+  piece.entering.push_back({object, static_cast<std::uint32_t>(piece.new_places.size())});
+  piece.places.insert(piece.places.end(), piece.new_places.begin(), piece.new_places.end());
 }
 
-#define KERF_INSTANTIATE(D, TRACE)                                                      \
-  template Box<D> Bsp<D, TRACE>::fat_box(ObjectId, const Box<D>&);                      \
-  template void Bsp<D, TRACE>::fatten_all();                                            \
-  template void Bsp<D, TRACE>::list_restless();                                         \
-  template void Bsp<D, TRACE>::slim_some();                                             \
-  template void Bsp<D, TRACE>::note_still(ObjectId, std::uint8_t);                      \
-  template void Bsp<D, TRACE>::calm_some();                                             \
-  template void Bsp<D, TRACE>::make_fat_boxes();                                        \
-  template void Bsp<D, TRACE>::take_fat_boxes();                                        \
-  template void Bsp<D, TRACE>::place_fat();                                             \
-  template bool Bsp<D, TRACE>::stays_restless(std::size_t, std::vector<NodeId>&) const; \
+#define KERF_INSTANTIATE(D, TRACE)                                                     \
+  template Box<D> Bsp<D, TRACE>::fat_box(ObjectId, const Box<D>&);                     \
+  template void Bsp<D, TRACE>::fatten_all();                                           \
+  template void Bsp<D, TRACE>::slim_some();                                            \
+  template void Bsp<D, TRACE>::note_still(ObjectId, std::uint8_t);                     \
+  template void Bsp<D, TRACE>::follow_restless();                                      \
+  template void Bsp<D, TRACE>::make_fat_boxes();                                       \
+  template void Bsp<D, TRACE>::take_fat_boxes();                                       \
+  template void Bsp<D, TRACE>::place_fat();                                            \
+  template void Bsp<D, TRACE>::take_out(const Bsp<D, TRACE>::FatPiece&);               \
+  template void Bsp<D, TRACE>::put_in(const Bsp<D, TRACE>::FatPiece&);                 \
+  template void Bsp<D, TRACE>::note_entries(ObjectId, Bsp<D, TRACE>::FatPiece&) const; \
   template void Bsp<D, TRACE>::find_fat_places(std::size_t, Bsp<D, TRACE>::FatPiece&) const;
 KERF_INSTANTIATE(2, NoTrace)
 KERF_INSTANTIATE(3, NoTrace)

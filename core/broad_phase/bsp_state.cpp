@@ -1,5 +1,7 @@
 #include "core/broad_phase/bsp_state.h"
 
+#include <algorithm>
+
 #include "core/broad_phase/bsp.h"
 
 namespace kerf {
@@ -27,6 +29,8 @@ void Bsp<D, Trace>::restore(const BspState<D>& state) {
   latest_ = state.latest;
   skins_ = state.skins;
   mode_ = static_cast<Mode>(state.mode);
+  if (mode_ == Mode::kept)  // a damaged recording may have too few skins
+    skins_.resize(std::max(skins_.size(), latest_.bound()));
   keep_or_sweep_ = state.keep_or_sweep;
   placed_ = state.placed;
   step_ = state.step;
@@ -35,10 +39,8 @@ void Bsp<D, Trace>::restore(const BspState<D>& state) {
   changed_.clear();
   before_.clear();
   only_moves_ = true;
-  attention_.assign(latest_.bound(), kUnplaced);
-  for (std::uint32_t id = 0; id < latest_.bound(); ++id)
-    if (latest_.is_placed({id})) attention_[id] = 0;
-  list_restless();
+  attention_.resize(latest_.bound());
+  for (std::uint32_t id = 0; id < latest_.bound(); ++id) attention_[id] = attention_at_rest({id});
   pairs_.clear();
   pairs_.append(state.pairs);
 }

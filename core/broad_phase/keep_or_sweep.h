@@ -8,58 +8,78 @@ namespace kerf {
 
 /// Those of the objects that left their fat boxes in a step.
 struct Leaving {
-  float share = 0;     ///< of all objects
-  float speed = 0;     ///< their mean speed over their sizes
-  float restless = 0;  ///< how many of them are too fast for any fat box: as a share of them
+  float share = 0;  ///< of all objects
+  float fast = 0;   ///< how many of them are too fast for any skin: as a share of them
+};
+
+/// How objects move, by a sample of them.
+struct Motions {
+  float speed = 0;  ///< mean over all, over their sizes; those too fast for any skin count as if they stood
+  float fast = 0;   ///< the share of those
 };
 
 /// Decides, step by step, whether the pairs of fat boxes are kept or leaves are swept. Keeping pays while few
 /// objects leave their fat boxes: to look one up again costs some thirty times what sweeping costs for an
-/// object. In the first step nobody's speed is known: leaves are swept, which takes less time and memory.
+/// object. Who becomes too fast for a skin leaves once and is followed then, and where there are many like it
+/// leaves are swept all the same: whether keeping pays shows in how they lie. In the first step nobody's
+/// speed is known: leaves are swept, which takes less time and memory.
 class KeepOrSweep {
  public:
-  /// The share of objects that leave in a step, restless ones by their cost, above which sweeping pays.
+  /// The share of objects that leave in a step above which sweeping pays.
   static constexpr float kHot = 0.03F;
-  /// What a restless object costs, over one that leaves its fat box and gets another one.
-  static constexpr float kRestlessCost = 0.4F;
-  /// The speed, over its size, above which an object counts as no faster: what is restless costs the same
-  /// however fast it is.
-  static constexpr float kDearest = 0.09F;
+  /// What an object costs that becomes too fast for a skin, over one that gets another one.
+  static constexpr float kFastCost = 0.25F;
+  /// The share of fast objects below which keeping pays however they lie, and above which it does not. In 3D
+  /// more of them lie in several leaves.
+  static constexpr float kFewFast = 0.08F;
+  static constexpr float many_fast(int dimension) { return dimension == 2 ? 0.4F : 0.15F; }
 
   [[nodiscard]] bool keeps() const { return keeps_; }
 
   /// After a step with kept pairs. A few steps must speak for sweeping, and in the beginning many more, while
-  /// skins learn how thick they must be; but where objects are fast, one is enough: fat boxes of their size
-  /// would overlap without end.
+  /// skins learn how thick they must be.
   void kept(const Leaving& leaving) {
-    constexpr float kFast = 0.25F;
     constexpr float kHopeless = 0.2F;
     constexpr std::uint32_t kLearning = 24;
     constexpr std::uint32_t kEnough = 3;
     ++steps_;
-    const float cost = leaving.share * (1 - (1 - kRestlessCost) * leaving.restless);
+    const float cost = leaving.share * (1 - (1 - kFastCost) * leaving.fast);
     against_ = cost > (steps_ < kLearning ? kHopeless : kHot) ? against_ + 1 : 0;
-    if (against_ >= kEnough || (cost > kHot && leaving.speed > kFast)) change();
+    if (against_ >= kEnough) change();
   }
 
-  /// After a step in which leaves were swept. `speed`: the mean of all objects' speeds over their sizes, none
-  /// above kDearest. The first that is known decides at once.
-  void swept(float speed) {
+  /// In such a step, too: what it costs over what it would cost if leaves were swept. Where too many are
+  /// restless, the next try is far away, until they are few.
+  void kept_at(float cost) {
+    constexpr float kDear = 0.85F;
+    if (cost < kDear) return;
+    change();
+    crowded_ = true;
+  }
+
+  /// After a step in which leaves were swept. The first motions that are known decide at once.
+  void swept(const Motions& motions, int dimension) {
     constexpr float kCool = 0.01F;
     constexpr float kMild = 0.015F;
     constexpr std::uint32_t kFirst = 4;
     ++steps_;
     const bool is_first = patience_ == 0;
     if (is_first) patience_ = kFirst;
-    against_ = speed < kCool ? against_ + 1 : 0;
-    if (against_ >= patience_ || (is_first && speed < kMild)) change();
+    if (motions.fast < kFewFast) crowded_ = false;
+    const bool some_rest = motions.fast < many_fast(dimension);
+    against_ = some_rest && motions.speed < kCool ? against_ + 1 : 0;
+    if (against_ >= (crowded_ ? kLongest : patience_) || (is_first && some_rest && motions.speed < kMild))
+      change();
   }
 
   /// What it remembers, as numbers for a keyframe.
   using Memory = std::array<std::uint32_t, 4>;
-  [[nodiscard]] Memory memory() const { return {keeps_ ? 1U : 0U, steps_, against_, patience_}; }
+  [[nodiscard]] Memory memory() const {
+    return {(keeps_ ? 1U : 0U) | (crowded_ ? 2U : 0U), steps_, against_, patience_};
+  }
   void resume(const Memory& memory) {
-    keeps_ = memory[0] != 0;
+    keeps_ = (memory[0] & 1U) != 0;
+    crowded_ = (memory[0] & 2U) != 0;
     steps_ = memory[1];
     against_ = memory[2];
     patience_ = memory[3];
@@ -70,14 +90,16 @@ class KeepOrSweep {
   void change() {
     constexpr std::uint32_t kSoon = 100;
     constexpr std::uint32_t kShortest = 8;
-    constexpr std::uint32_t kLongest = 512;
     if (keeps_) patience_ = steps_ < kSoon ? std::min(2 * patience_, kLongest) : kShortest;
     keeps_ = !keeps_;
     steps_ = 0;
     against_ = 0;
   }
 
+  static constexpr std::uint32_t kLongest = 512;
+
   bool keeps_ = false;
+  bool crowded_ = false;        ///< the last regret was for restless objects
   std::uint32_t steps_ = 0;     ///< since the last change
   std::uint32_t against_ = 0;   ///< steps in a row that speak for a change
   std::uint32_t patience_ = 0;  ///< how many of them it takes to keep pairs; 0: no speed was known yet

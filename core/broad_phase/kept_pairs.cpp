@@ -8,27 +8,6 @@
 namespace kerf {
 namespace {
 
-/// Takes the marked objects out of the pairs. No branch depends on who is marked.
-void drop_marked(std::vector<Pair>& pairs, const std::vector<std::uint8_t>& marks) {
-  Pair* const out = pairs.data();
-  std::size_t written = 0;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const Pair pair = out[k];
-    out[written] = pair;
-    written += (marks[pair.a.index()] | marks[pair.b.index()]) == 0 ? 1 : 0;
-  }
-  pairs.resize(written);
-}
-
-/// Takes the marked objects out of the entries and out of all pairs.
-template <int D>
-void drop_marked(KeptLeaf<D>& leaf, const std::vector<std::uint8_t>& marks) {
-  for (std::size_t k = leaf.objects.size(); k > 0; --k)
-    if (marks[leaf.objects[k - 1]] != 0) drop_entry(leaf, k - 1);
-  drop_marked(leaf.sure, marks);
-  drop_marked(leaf.candidates, marks);
-}
-
 void drop_restless(std::vector<RestlessEntry>& entries, ObjectId object) {
   const auto it = std::ranges::find(entries, object.value, &RestlessEntry::object);
   if (it == entries.end()) return;
@@ -81,16 +60,55 @@ void view_coming(std::span<const EntryChange> changes, const ObjectTable<D>& fat
   }
 }
 
-/// Takes pairs of fat boxes. What is the first to come gets no room for more: most leaves get no more.
+/// Takes pairs of fat boxes, named as the leaf's candidates are. What is the first to come gets no room for
+/// more: most leaves get no more.
 template <int D>
 void keep_pairs(std::span<const Pair> pairs, const KeptObjects<D>& objects, KeptLeaf<D>& leaf) {
-  const auto is_sure = [&](const Pair& pair) { return !objects.has_fat(pair.a) && !objects.has_fat(pair.b); };
+  const auto objects_of = [&leaf](const Pair& pair) {
+    return leaf.names == Names::objects
+               ? pair
+               : Pair{{leaf.objects[pair.a.index()]}, {leaf.objects[pair.b.index()]}};
+  };
+  const auto is_sure = [&](const Pair& pair) {
+    const Pair two = objects_of(pair);
+    return !objects.has_fat(two.a) && !objects.has_fat(two.b);
+  };
   if (leaf.sure.empty() && leaf.candidates.empty()) {
     const auto sure = static_cast<std::size_t>(std::ranges::count_if(pairs, is_sure));
     leaf.sure.reserve(sure);
     leaf.candidates.reserve(pairs.size() - sure);
   }
-  for (const Pair& pair : pairs) (is_sure(pair) ? leaf.sure : leaf.candidates).push_back(pair);
+  for (const Pair& pair : pairs) {
+    const Pair two = objects_of(pair);
+    if (is_sure(pair)) {
+      leaf.sure.push_back(make_pair(two.a, two.b));
+    } else {
+      leaf.candidates.push_back(two.a < two.b ? pair : Pair{pair.b, pair.a});
+    }
+  }
+}
+
+/// From now on an entry's object is its place.
+template <int D>
+void name_by_places(LeafView<D>& view) {
+  for (std::uint32_t k = 0; k < view.size(); ++k) view.objects[k] = {k};
+}
+
+/// Whether of a leaf with so many restless entries nothing is kept; one that is swept goes on with fewer.
+bool are_many(std::size_t restless, std::size_t entries, bool swept) {
+  constexpr std::size_t kEntries = 4;
+  constexpr std::size_t kSweptEntries = 6;
+  return restless * (swept ? kSweptEntries : kEntries) > entries;
+}
+
+/// Forgets all that is known of the leaf but how many restless entries it has.
+template <int D>
+void begin_sweeping(KeptLeaf<D>& leaf, std::size_t restless_entries) {
+  const std::uint32_t generation = leaf.generation;
+  leaf = {};
+  leaf.generation = generation;
+  leaf.swept = true;
+  leaf.restless_entries = restless_entries;
 }
 
 }  // namespace
@@ -111,6 +129,12 @@ template <int D>
 void KeptPairs<D>::clear() {
   changes_.clear();
   leaves_.clear();
+}
+
+template <int D>
+bool KeptPairs<D>::note_restless(const Tree<D>& tree, NodeId leaf, std::size_t count) {
+  if (is_known(tree, leaf)) leaves_[leaf.index()].restless_entries = count;
+  return are_many(count, tree[leaf].entries.size(), false);
 }
 
 template <int D>
@@ -139,18 +163,18 @@ void KeptPairs<D>::find(Tree<D>& tree, const ObjectTable<D>& latest, const std::
 template <int D>
 void KeptPairs<D>::find_in(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch,
                            PairBuffer& pairs) {
-  constexpr std::size_t kSweepBelow = 4;  // entries a restless one
   KeptLeaf<D>& leaf = leaves_[id.index()];
-  if (leaf.restless.size() * kSweepBelow > tree[id].entries.size()) {
+  if (leaf.swept) {
     view_leaf(tree, objects.latest, id, scratch.view);
     return scratch.byte_sweep.find(scratch.view, pairs);
   }
   pairs.append(leaf.sure);
-  filter_pairs<D>(leaf.candidates, objects.latest.packed(), pairs);
+  filter_candidates<D>(leaf, objects.latest.packed(), scratch.gathered, pairs);
   if (leaf.restless.empty()) return;
   view_restless(leaf, objects.latest, scratch.view);
   append_entries(scratch.view, leaf);
-  probe_last(leaf, scratch.view.size(), objects.latest.packed(), scratch.byte_sweep.found, pairs);
+  probe_last(leaf, scratch.view.size(), objects.latest.packed(), Names::objects, scratch.byte_sweep.found,
+             pairs);
   drop_last(leaf, scratch.view.size());
 }
 
@@ -165,18 +189,22 @@ typename KeptPairs<D>::Changes KeptPairs<D>::changes_of(NodeId leaf) const {
 }
 
 /// Patches the leaf, unless an operator changed it or so many objects are touched that sweeping is cheaper.
+/// Of one that is swept anyway nothing is to be renewed.
 template <int D>
 void KeptPairs<D>::renew(Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch) {
   constexpr std::size_t kSweepBelow = 4;  // entries a touch
   Node<D>& node = tree[id];
   const Changes changes = changes_of(id);
-  const bool known = leaves_[id.index()].generation == node.generation + 1;
-  if (node.changed || !known || changes.size() * kSweepBelow > node.entries.size()) {
+  KeptLeaf<D>& leaf = leaves_[id.index()];
+  const bool known = is_known(tree, id);
+  if (known && leaf.swept && are_many(leaf.restless_entries, node.entries.size(), true)) return;
+  if (!known || leaf.swept || node.changed || changes.size() * kSweepBelow > node.entries.size()) {
     sweep(tree, objects, id, scratch);
     node.changed = false;
   } else if (!changes.empty()) {
     patch(objects, changes, scratch);
   }
+  if (are_many(leaf.restless.size(), node.entries.size(), false)) begin_sweeping(leaf, leaf.restless.size());
 }
 
 template <int D>
@@ -187,7 +215,8 @@ void KeptPairs<D>::patch(const Objects& objects, Changes changes, LeafScratch<D>
   if (scratch.view.size() == 0) return;
   append_entries(scratch.view, leaf);
   scratch.pairs.clear();
-  probe_last(leaf, scratch.view.size(), objects.fat.packed(), scratch.byte_sweep.found, scratch.pairs);
+  probe_last(leaf, scratch.view.size(), objects.fat.packed(), leaf.names, scratch.byte_sweep.found,
+             scratch.pairs);
   keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
 }
 
@@ -205,7 +234,7 @@ void KeptPairs<D>::drop_going(Changes changes, std::size_t objects, LeafScratch<
     scratch.marks.resize(std::max(scratch.marks.size(), objects), 0);
     for (const EntryChange& change : changes)
       if (goes(change)) scratch.marks[change.object.index()] = 1;
-    drop_marked(leaf, scratch.marks);
+    drop_marked<D>(leaf, scratch.marks);
     for (const EntryChange& change : changes) scratch.marks[change.object.index()] = 0;
   }
   for (const EntryChange& change : changes)
@@ -216,11 +245,15 @@ template <int D>
 void KeptPairs<D>::sweep(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch) {
   KeptLeaf<D>& leaf = leaves_[id.index()];
   leaf.generation = tree[id].generation + 1;
+  leaf.swept = false;
   view_leaf(tree, tree.table, id, scratch.view);
   empty_leaf(scratch.view, leaf);
   take_restless(objects, scratch.view, leaf);
+  if (are_many(leaf.restless.size(), tree[id].entries.size(), false)) return;
   append_entries(scratch.view, leaf);
   scratch.pairs.clear();
+  leaf.names = exceeds(objects.latest.packed(), kOwnPages) ? Names::places : Names::objects;
+  if (leaf.names == Names::places) name_by_places(scratch.view);
   scratch.byte_sweep.find(scratch.view, scratch.pairs);
   keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
 }

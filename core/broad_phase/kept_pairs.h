@@ -47,15 +47,26 @@ struct KeptObjects {
 /// The pairs of fat boxes, leaf by leaf. As long as the boxes stay in their fat ones, the pairs of a step are
 /// among them (DESIGN.md, "Fast"): a step filters those that need it. A leaf that an operator changed is
 /// swept anew; an object that got another fat box is taken out of its leaves' lists and looked up again.
-/// Restless objects have no kept pairs: they are looked up in each step, and a leaf that has many of them is
-/// swept as a whole.
+/// Restless objects have no kept pairs: they are looked up in each step. Of a leaf that has many of them
+/// nothing is kept, it is swept as a whole.
 template <int D>
 class KeptPairs {
  public:
-  /// To be told of every entry that placement changes, old places before new ones.
+  /// To be told of every entry that placement changes in a leaf that keeps pairs, old places before new ones.
   void note(const EntryChange& change) { changes_.push_back(change); }
   /// To be told when placement is done: leaves that change from now on are swept anew.
   void placed(Tree<D>& tree);
+  /// Whether pairs of the leaf are kept: only then it must be told of changes.
+  [[nodiscard]] bool keeps(const Tree<D>& tree, NodeId leaf) const {
+    return is_known(tree, leaf) && !leaves_[leaf.index()].swept;
+  }
+  /// The restless entries of a leaf that keeps pairs.
+  [[nodiscard]] std::span<const RestlessEntry> restless_of(NodeId leaf) const {
+    return leaves_[leaf.index()].restless;
+  }
+  /// To be told before placement how many restless entries a leaf has. Gives whether that is too many to keep
+  /// pairs.
+  bool note_restless(const Tree<D>& tree, NodeId leaf, std::size_t count);
   /// Forgets everything: all leaves are swept in the next `find`.
   void clear();
   /// Brings what is kept up to date with the tree, whose table has the fat boxes, and appends all pairs of
@@ -66,6 +77,9 @@ class KeptPairs {
  private:
   using Changes = std::span<const EntryChange>;
   using Objects = KeptObjects<D>;
+  [[nodiscard]] bool is_known(const Tree<D>& tree, NodeId leaf) const {
+    return leaf.index() < leaves_.size() && leaves_[leaf.index()].generation == tree[leaf].generation + 1;
+  }
   [[nodiscard]] Changes changes_of(NodeId leaf) const;
   void renew(Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch);
   void patch(const Objects& objects, Changes changes, LeafScratch<D>& scratch);

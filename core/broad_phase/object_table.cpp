@@ -3,6 +3,18 @@
 #include <algorithm>
 
 namespace kerf {
+namespace {
+
+template <class T>
+void copy_vector(const std::vector<T>& from, std::vector<T>& to, TaskPool& pool) {
+  to.resize(from.size());
+  pool.for_slices(from.size(), [&](const Slice& slice, std::size_t) {
+    std::copy_n(from.data() + slice.begin, slice.end - slice.begin, to.data() + slice.begin);
+  });
+}
+
+}  // namespace
+
 template <int D>
 Status ObjectTable<D>::accept(ObjectId object, const Box<D>& box) {
   if (kind_ != VolumeKind::box || !is_valid(box)) return accept(object, make_box_volume(box));
@@ -68,18 +80,20 @@ void ObjectTable<D>::copy(const ObjectTable& from, ObjectId object) {
 }
 
 template <int D>
-void ObjectTable<D>::copy_all(const ObjectTable& from, TaskPool& pool) {
-  const auto copy = [&pool](const auto& source, auto& target) {
-    target.resize(source.size());
-    pool.for_slices(source.size(), [&](const Slice& slice, std::size_t) {
-      std::copy_n(source.data() + slice.begin, slice.end - slice.begin, target.data() + slice.begin);
-    });
-  };
-  copy(from.boxes_, boxes_);
-  copy(from.extra_, extra_);
-  copy(from.states_, states_);
-  copy(from.fixed_, fixed_);
+void ObjectTable<D>::copy_but_boxes(const ObjectTable& from, TaskPool& pool) {
+  // Tables never shrink, so the other one is at least as long.
+  boxes_.insert(boxes_.end(), from.boxes_.begin() + static_cast<std::ptrdiff_t>(boxes_.size()),
+                from.boxes_.end());
+  copy_vector(from.extra_, extra_, pool);
+  copy_vector(from.states_, states_, pool);
+  copy_vector(from.fixed_, fixed_, pool);
   size_ = from.size_;
+}
+
+template <int D>
+void ObjectTable<D>::copy_all(const ObjectTable& from, TaskPool& pool) {
+  copy_vector(from.boxes_, boxes_, pool);
+  copy_but_boxes(from, pool);
 }
 
 template <int D>

@@ -40,6 +40,8 @@ class ObjectTable {
 
   /// Takes over all that another table of the same kind says of an object.
   void copy(const ObjectTable& from, ObjectId object);
+  /// Takes over everything but the boxes of objects that this table knows, whatever it knows of them.
+  void copy_but_boxes(const ObjectTable& from, TaskPool& pool);
   /// Takes over everything.
   void copy_all(const ObjectTable& from, TaskPool& pool);
 

@@ -42,10 +42,6 @@ struct Skin {
     restless = fast ? kRestless : static_cast<std::uint8_t>(std::max(restless - 1, 0));
   }
   [[nodiscard]] bool is_restless() const { return restless > 0; }
-  /// The next slow step is the last for which it counts as restless.
-  void calm() { restless = 1; }
-  /// Whether a restless object has stood still for so long that it need not be one.
-  [[nodiscard]] bool has_calmed(std::uint32_t step) const { return age(step) >= kRestless; }
   /// Whether the object stayed so long that it should be wrapped in its skin, whatever fat it has. Who left
   /// again soon waits twice as long each time.
   [[nodiscard]] bool is_at_rest(std::uint32_t step) const { return age(step) >= kRest << wraps; }

@@ -65,11 +65,11 @@ HWY_INLINE Probe<D> make_probe(KeptLeaf<D>& leaf, std::size_t place) {
 }
 
 /// Looks the last entries up among those before each.
-template <int D>
+template <bool Places, int D>
 HWY_INLINE void probe_all(KeptLeaf<D>& leaf, std::size_t count, const PackedBox<D>* boxes, Findings& found,
                           PairBuffer& pairs) {
   const auto entries = [objects = leaf.objects.data(), apart = leaf.apart.data(), boxes](std::uint32_t k) {
-    return EntryRef<D>{boxes[objects[k]], objects[k], apart[k]};
+    return EntryRef<D>{boxes[objects[k]], Places ? k : objects[k], apart[k]};
   };
   const auto n = static_cast<std::uint32_t>(leaf.objects.size());
   Found rows(found);
@@ -94,74 +94,104 @@ HWY_INLINE std::size_t find_number(const std::uint32_t* numbers, std::size_t k, 
   return k;
 }
 
-/// What the last pair replaces is looked at again, so that the order of the pairs left does not depend on the
-/// width of the vectors.
-void drop_pairs(std::vector<Pair>& pairs, std::uint32_t object) {
+/// Drops the pairs of a name. What the last pair replaces is looked at again, so that the order of the pairs
+/// left does not depend on the width of the vectors.
+void drop_pairs(std::vector<Pair>& pairs, std::uint32_t name) {
   static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
   const auto* const numbers = reinterpret_cast<const std::uint32_t*>(pairs.data());
   std::size_t n = pairs.size();
-  for (std::size_t at = find_number(numbers, 0, 2 * n, object); at < 2 * n;
-       at = find_number(numbers, at & ~std::size_t{1}, 2 * n, object))
+  for (std::size_t at = find_number(numbers, 0, 2 * n, name); at < 2 * n;
+       at = find_number(numbers, at & ~std::size_t{1}, 2 * n, name))
     pairs[at / 2] = pairs[--n];
   pairs.resize(n);
+}
+
+void rename(std::vector<Pair>& pairs, std::uint32_t from, std::uint32_t to) {
+  auto* const numbers = reinterpret_cast<std::uint32_t*>(pairs.data());
+  const std::size_t n = 2 * pairs.size();
+  for (std::size_t at = find_number(numbers, 0, n, from); at < n; at = find_number(numbers, at + 1, n, from))
+    numbers[at] = to;
 }
 
 std::size_t find_object(const std::vector<std::uint32_t>& objects, std::uint32_t object) {
   return find_number(objects.data(), 0, objects.size(), object);
 }
 
-/// No branch depends on the outcome.
-template <bool Far, int D>
+/// Writes those of the candidates whose boxes, given by their names, overlap, as `pair_of` gives them. Four
+/// in each turn of the loop: so it matters least where in memory it lies. No branch depends on the outcome.
+template <int D, class PairOf>
 HWY_INLINE std::size_t filter_to(Pair* HWY_RESTRICT out, std::span<const Pair> candidates,
-                                 std::span<const PackedBox<D>> boxes) {
+                                 const PackedBox<D>* boxes, PairOf pair_of) {
   std::size_t written = 0;
-  const auto keep_if_true = [&](std::size_t k) HWY_ATTR {
-    if constexpr (Far) {
-      const Pair& ahead = candidates[std::min(k + kPrefetchAhead, candidates.size() - 1)];
-      prefetch(&boxes[ahead.a.index()]);
-      prefetch(&boxes[ahead.b.index()]);
-    }
-    const Pair& pair = candidates[k];
+  const auto keep_if_true = [&](const Pair& pair) HWY_ATTR {
     const bool overlap = boxes_overlap<D>(boxes[pair.a.index()], boxes[pair.b.index()]);
-    out[written] = pair;
+    out[written] = pair_of(pair);
     written += static_cast<std::size_t>(overlap);
   };
   std::size_t k = 0;
   for (; k + 4 <= candidates.size(); k += 4) {
-    keep_if_true(k);
-    keep_if_true(k + 1);
-    keep_if_true(k + 2);
-    keep_if_true(k + 3);
+    keep_if_true(candidates[k]);
+    keep_if_true(candidates[k + 1]);
+    keep_if_true(candidates[k + 2]);
+    keep_if_true(candidates[k + 3]);
   }
-  for (; k < candidates.size(); ++k) keep_if_true(k);
+  for (; k < candidates.size(); ++k) keep_if_true(candidates[k]);
   return written;
 }
 
 template <int D>
-HWY_INLINE void filter(std::span<const Pair> candidates, std::span<const PackedBox<D>> boxes,
-                       PairBuffer& pairs) {
-  Pair* const out = pairs.reserve(candidates.size());
-  pairs.commit(exceeds(boxes, kOwnPages) ? filter_to<true, D>(out, candidates, boxes)
-                                         : filter_to<false, D>(out, candidates, boxes));
+HWY_INLINE const PackedBox<D>* gather(const std::vector<std::uint32_t>& objects, const PackedBox<D>* boxes,
+                                      std::vector<PackedBox<D>>& gathered) {
+  const std::size_t n = objects.size();
+  gathered.resize(std::max(gathered.size(), n));
+  for (std::size_t k = 0; k < n; ++k) {
+    prefetch(boxes + objects[std::min(k + kPrefetchAhead, n - 1)]);
+    gathered[k] = boxes[objects[k]];
+  }
+  return gathered.data();
+}
+
+template <int D>
+HWY_INLINE void filter(const KeptLeaf<D>& leaf, const PackedBox<D>* boxes,
+                       std::vector<PackedBox<D>>& gathered, PairBuffer& pairs) {
+  if (leaf.candidates.empty()) return;
+  Pair* const out = pairs.reserve(leaf.candidates.size());
+  if (leaf.names == Names::objects) {
+    pairs.commit(filter_to(out, leaf.candidates, boxes, [](const Pair& pair) HWY_ATTR { return pair; }));
+  } else {
+    const std::uint32_t* const objects = leaf.objects.data();
+    pairs.commit(filter_to(out, leaf.candidates, gather(leaf.objects, boxes, gathered),
+                           [objects](const Pair& pair) HWY_ATTR {
+                             return Pair{{objects[pair.a.index()]}, {objects[pair.b.index()]}};
+                           }));
+  }
 }
 
 void set_map_2(const LeafView<2>& view, KeptLeaf<2>& leaf) { set_map(view, leaf); }
 void set_map_3(const LeafView<3>& view, KeptLeaf<3>& leaf) { set_map(view, leaf); }
 void append_2(const LeafView<2>& view, KeptLeaf<2>& leaf) { append(view, leaf); }
 void append_3(const LeafView<3>& view, KeptLeaf<3>& leaf) { append(view, leaf); }
-void probe_2(KeptLeaf<2>& leaf, std::size_t count, const PackedBox<2>* boxes, Findings& found,
+template <int D>
+HWY_INLINE void probe(KeptLeaf<D>& leaf, std::size_t count, const PackedBox<D>* boxes, Names names,
+                      Findings& found, PairBuffer& pairs) {
+  names == Names::places ? probe_all<true>(leaf, count, boxes, found, pairs)
+                         : probe_all<false>(leaf, count, boxes, found, pairs);
+}
+void probe_2(KeptLeaf<2>& leaf, std::size_t count, const PackedBox<2>* boxes, Names names, Findings& found,
              PairBuffer& pairs) {
-  probe_all(leaf, count, boxes, found, pairs);
+  probe(leaf, count, boxes, names, found, pairs);
 }
-void probe_3(KeptLeaf<3>& leaf, std::size_t count, const PackedBox<3>* boxes, Findings& found,
+void probe_3(KeptLeaf<3>& leaf, std::size_t count, const PackedBox<3>* boxes, Names names, Findings& found,
              PairBuffer& pairs) {
-  probe_all(leaf, count, boxes, found, pairs);
+  probe(leaf, count, boxes, names, found, pairs);
 }
-void filter_2(std::span<const Pair> candidates, std::span<const PackedBox<2>> boxes, PairBuffer& pairs) {
-  filter(candidates, boxes, pairs);
+void filter_2(const KeptLeaf<2>& leaf, const PackedBox<2>* boxes, std::vector<PackedBox<2>>& gathered,
+              PairBuffer& pairs) {
+  filter(leaf, boxes, gathered, pairs);
 }
-void filter_3(std::span<const Pair> candidates, std::span<const PackedBox<3>> boxes, PairBuffer& pairs) {
-  filter(candidates, boxes, pairs);
+void filter_3(const KeptLeaf<3>& leaf, const PackedBox<3>* boxes, std::vector<PackedBox<3>>& gathered,
+              PairBuffer& pairs) {
+  filter(leaf, boxes, gathered, pairs);
 }
 
 }  // namespace kerf::HWY_NAMESPACE
@@ -174,6 +204,7 @@ namespace {
 constexpr std::size_t kPad = 64;  // bytes that may be read beyond the end of a plane
 
 HWY_EXPORT(drop_pairs);
+HWY_EXPORT(rename);
 HWY_EXPORT(find_object);
 HWY_EXPORT(set_map_2);
 HWY_EXPORT(set_map_3);
@@ -194,6 +225,25 @@ void make_room(KeptLeaf<D>& leaf, std::size_t n) {
     std::copy_n(leaf.plane(k), leaf.objects.size(), planes.data() + k * stride);
   leaf.planes = std::move(planes);
   leaf.stride = stride;
+}
+
+/// No branch depends on which.
+template <class Goes>
+void drop_pairs_if(std::vector<Pair>& pairs, Goes goes) {
+  std::size_t written = 0;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const Pair pair = pairs[k];
+    pairs[written] = pair;
+    written += goes(pair) == 0 ? 1 : 0;
+  }
+  pairs.resize(written);
+}
+
+template <int D>
+void move_entry(KeptLeaf<D>& leaf, std::size_t from, std::size_t to) {
+  leaf.objects[to] = leaf.objects[from];
+  leaf.apart[to] = leaf.apart[from];
+  for (std::size_t p = 0; p < std::size_t{2} * D; ++p) leaf.plane(p)[to] = leaf.plane(p)[from];
 }
 
 }  // namespace
@@ -220,27 +270,45 @@ void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf) {
   } else {
     HWY_DYNAMIC_DISPATCH(append_3)(view, leaf);
   }
+  if (leaf.objects.empty()) leaf.objects.reserve(view.size());  // most leaves get no more
   for (const ObjectId object : view.objects) leaf.objects.push_back(object.value);
   leaf.apart.insert(leaf.apart.end(), view.apart.begin(), view.apart.end());
-}
-
-template <int D>
-void drop_entry(KeptLeaf<D>& leaf, std::size_t k) {
-  const std::size_t last = leaf.objects.size() - 1;
-  leaf.objects[k] = leaf.objects[last];
-  leaf.apart[k] = leaf.apart[last];
-  for (std::size_t p = 0; p < std::size_t{2} * D; ++p) leaf.plane(p)[k] = leaf.plane(p)[last];
-  leaf.objects.pop_back();
-  leaf.apart.pop_back();
 }
 
 template <int D>
 void drop_object(KeptLeaf<D>& leaf, std::uint32_t object) {
   const std::size_t k = HWY_DYNAMIC_DISPATCH(find_object)(leaf.objects, object);
   if (k == leaf.objects.size()) return;
-  drop_entry(leaf, k);
+  const std::size_t last = leaf.objects.size() - 1;
+  move_entry(leaf, last, k);
   HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.sure, object);
-  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, object);
+  if (leaf.names == Names::objects) {
+    HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, object);
+  } else {
+    HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, static_cast<std::uint32_t>(k));
+    HWY_DYNAMIC_DISPATCH(rename)
+    (leaf.candidates, static_cast<std::uint32_t>(last), static_cast<std::uint32_t>(k));
+  }
+  drop_last(leaf, 1);
+}
+
+template <int D>
+void drop_marked(KeptLeaf<D>& leaf, std::span<const std::uint8_t> marks) {
+  const auto mark_of = [&](ObjectId name) {
+    return marks[leaf.names == Names::places ? leaf.objects[name.index()] : name.value];
+  };
+  const std::size_t before = leaf.objects.size();
+  drop_pairs_if(leaf.candidates, [&](const Pair& pair) { return mark_of(pair.a) | mark_of(pair.b); });
+  drop_pairs_if(leaf.sure, [&](const Pair& pair) { return marks[pair.a.index()] | marks[pair.b.index()]; });
+  std::vector<std::uint32_t> place(before);
+  std::uint32_t left = 0;
+  for (std::size_t k = 0; k < before; ++k) {
+    place[k] = left;
+    if (marks[leaf.objects[k]] == 0) move_entry(leaf, k, left++);
+  }
+  drop_last(leaf, before - left);
+  if (leaf.names == Names::objects) return;
+  for (Pair& pair : leaf.candidates) pair = {{place[pair.a.index()]}, {place[pair.b.index()]}};
 }
 
 template <int D>
@@ -250,33 +318,35 @@ void drop_last(KeptLeaf<D>& leaf, std::size_t count) {
 }
 
 template <int D>
-void probe_last(KeptLeaf<D>& leaf, std::size_t count, std::span<const PackedBox<D>> boxes, Findings& found,
-                PairBuffer& pairs) {
+void probe_last(KeptLeaf<D>& leaf, std::size_t count, std::span<const PackedBox<D>> boxes, Names names,
+                Findings& found, PairBuffer& pairs) {
   if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(probe_2)(leaf, count, boxes.data(), found, pairs);
+    HWY_DYNAMIC_DISPATCH(probe_2)(leaf, count, boxes.data(), names, found, pairs);
   } else {
-    HWY_DYNAMIC_DISPATCH(probe_3)(leaf, count, boxes.data(), found, pairs);
+    HWY_DYNAMIC_DISPATCH(probe_3)(leaf, count, boxes.data(), names, found, pairs);
   }
 }
 
 template <int D>
-void filter_pairs(std::span<const Pair> candidates, std::span<const PackedBox<D>> boxes, PairBuffer& pairs) {
+void filter_candidates(const KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes,
+                       std::vector<PackedBox<D>>& gathered, PairBuffer& pairs) {
   if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(filter_2)(candidates, boxes, pairs);
+    HWY_DYNAMIC_DISPATCH(filter_2)(leaf, boxes.data(), gathered, pairs);
   } else {
-    HWY_DYNAMIC_DISPATCH(filter_3)(candidates, boxes, pairs);
+    HWY_DYNAMIC_DISPATCH(filter_3)(leaf, boxes.data(), gathered, pairs);
   }
 }
 
-#define KERF_INSTANTIATE(D)                                                                        \
-  template void empty_leaf<D>(const LeafView<D>&, KeptLeaf<D>&);                                   \
-  template void append_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                               \
-  template void drop_object<D>(KeptLeaf<D>&, std::uint32_t);                                       \
-  template void drop_entry<D>(KeptLeaf<D>&, std::size_t);                                          \
-  template void drop_last<D>(KeptLeaf<D>&, std::size_t);                                           \
-  template void probe_last<D>(KeptLeaf<D>&, std::size_t, std::span<const PackedBox<D>>, Findings&, \
-                              PairBuffer&);                                                        \
-  template void filter_pairs<D>(std::span<const Pair>, std::span<const PackedBox<D>>, PairBuffer&);
+#define KERF_INSTANTIATE(D)                                                                               \
+  template void empty_leaf<D>(const LeafView<D>&, KeptLeaf<D>&);                                          \
+  template void append_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                      \
+  template void drop_object<D>(KeptLeaf<D>&, std::uint32_t);                                              \
+  template void drop_marked<D>(KeptLeaf<D>&, std::span<const std::uint8_t>);                              \
+  template void drop_last<D>(KeptLeaf<D>&, std::size_t);                                                  \
+  template void probe_last<D>(KeptLeaf<D>&, std::size_t, std::span<const PackedBox<D>>, Names, Findings&, \
+                              PairBuffer&);                                                               \
+  template void filter_candidates<D>(const KeptLeaf<D>&, std::span<const PackedBox<D>>,                   \
+                                     std::vector<PackedBox<D>>&, PairBuffer&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

@@ -18,6 +18,12 @@ struct RestlessEntry {
   DepthMask apart = 0;
 };
 
+/// How the two of a pair are named.
+enum class Names : std::uint8_t {
+  objects,
+  places,  ///< in the leaf
+};
+
 /// The fat boxes of a leaf in bytes, in no order, so that one object can come, go or be looked up at the cost
 /// of a scan of bytes; and the pairs of fat boxes found among them, which stay candidates for as long as the
 /// boxes stay in their fat ones. Restless objects are listed beside them.
@@ -33,8 +39,11 @@ struct KeptLeaf {
   std::vector<std::uint8_t> planes;  ///< min of each axis, then max, `stride` bytes each
   std::size_t stride = 0;
   std::vector<Pair> sure;        ///< pairs of objects without fat: overlap until one of them moves
-  std::vector<Pair> candidates;  ///< other pairs of fat boxes
+  std::vector<Pair> candidates;  ///< other pairs of fat boxes; the first is of the lower object
+  Names names = Names::objects;  ///< of the candidates
   std::vector<RestlessEntry> restless;
+  bool swept = false;  ///< nothing is kept, for too many are restless: the leaf is swept in each step
+  std::size_t restless_entries = 0;  ///< swept: how many of its entries are
 
   [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }
 };
@@ -45,22 +54,25 @@ void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf);
 /// Takes the entries of a view beside those that the leaf has; the pairs stay as they are.
 template <int D>
 void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);
-/// Takes out entry `k`; the last one takes its place. The pairs stay.
-template <int D>
-void drop_entry(KeptLeaf<D>& leaf, std::size_t k);
-/// Takes an object's entry, if it has one, and its pairs out.
+/// Takes an object's entry, if it has one, and its pairs out; the last entry takes its place.
 template <int D>
 void drop_object(KeptLeaf<D>& leaf, std::uint32_t object);
+/// Takes the entries and the pairs of all marked objects out. `marks` by object.
+template <int D>
+void drop_marked(KeptLeaf<D>& leaf, std::span<const std::uint8_t> marks);
 /// Takes the last entries out again. The pairs stay.
 template <int D>
 void drop_last(KeptLeaf<D>& leaf, std::size_t count);
+
 /// Appends the pairs of each of the last entries with all entries before it, whose boxes `boxes` gives by
 /// object: each the box by which it was appended, or any inside of it.
 template <int D>
-void probe_last(KeptLeaf<D>& leaf, std::size_t count, std::span<const PackedBox<D>> boxes, Findings& found,
-                PairBuffer& pairs);
-/// Appends those of the candidates whose boxes overlap. `boxes` by object.
+void probe_last(KeptLeaf<D>& leaf, std::size_t count, std::span<const PackedBox<D>> boxes, Names names,
+                Findings& found, PairBuffer& pairs);
+/// Appends those of the candidates whose boxes overlap. `boxes` by object; `gathered` is room for those of
+/// the leaf. If candidates are named by places, each box is read from where it is but once.
 template <int D>
-void filter_pairs(std::span<const Pair> candidates, std::span<const PackedBox<D>> boxes, PairBuffer& pairs);
+void filter_candidates(const KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes,
+                       std::vector<PackedBox<D>>& gathered, PairBuffer& pairs);
 
 }  // namespace kerf

@@ -19,7 +19,7 @@ HWY_INLINE MoveAnswer move_all(const MoveRequest<D>& request) {
   for (std::size_t k = 0; k < request.objects.size(); ++k) {
     const std::size_t id = objects[k].index();
     const Packed<D> box = pack(boxes[k]);
-    if (id >= request.attention.size() || attention[id] != 0 || !is_valid<D>(box)) {
+    if (id >= request.attention.size() || (attention[id] & ~kSilent) != 0 || !is_valid<D>(box)) {
       if (id < request.attention.size()) attention[id] |= kWaiting;
       request.left_over[answer.left_over++] = static_cast<std::uint32_t>(k);
       continue;
@@ -29,12 +29,12 @@ HWY_INLINE MoveAnswer move_all(const MoveRequest<D>& request) {
       const Packed<D> fat = load(request.fat[id]);
       const bool filled = at_most<D>(load(latest[id]), fat);  // held by the fat box, it is as large
       const bool fills = at_most<D>(box, fat);
-      asks = !at_most<D>(fat, box) || (filled && !fills);
+      asks = attention[id] == 0 && (!at_most<D>(fat, box) || (filled && !fills));
       request.before[answer.changed] = latest[id];
     }
     request.changed[answer.changed] = objects[k];
     answer.changed += asks ? 1 : 0;
-    attention[id] = asks ? 1 : 0;
+    attention[id] |= asks ? 1 : 0;
     store<D>(box, latest[id]);
   }
   return answer;

@@ -14,6 +14,9 @@ namespace kerf {
 /// The caller takes it back.
 inline constexpr std::uint8_t kWaiting = 0x80;
 
+/// The bit of an object's `attention` that says: its box is taken, and it asks for nothing wherever it goes.
+inline constexpr std::uint8_t kSilent = 0x40;
+
 /// A request to move many objects, and what the kernel may touch. All arrays are by object but those of the
 /// request and of the answer, which have room for as many as are asked to move.
 template <int D>
@@ -22,7 +25,7 @@ struct MoveRequest {
   std::span<const Box<D>> boxes;
 
   std::span<PackedBox<D>> latest;     ///< takes the new boxes
-  std::span<std::uint8_t> attention;  ///< not 0: the object is left to the caller
+  std::span<std::uint8_t> attention;  ///< not 0, nor kSilent: the object is left to the caller
   /// An object that stays inside of it asks for nothing, but if it filled it so far, it must fill it still.
   /// None: all ask.
   const PackedBox<D>* fat = nullptr;

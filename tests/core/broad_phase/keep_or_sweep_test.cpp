@@ -20,49 +20,48 @@ int steps_until_change(KeepOrSweep& choice, Step step, int most = 2000) {
 /// It has seen a first step of objects that were slow.
 KeepOrSweep keeping() {
   KeepOrSweep choice;
-  choice.swept(0);
+  choice.swept({}, 3);
   return choice;
 }
 
 TEST(KeepOrSweep, TheFirstSpeedsDecideAtOnce) {
   KeepOrSweep mild;
   EXPECT_FALSE(mild.keeps()) << "nobody's speed is known";
-  mild.swept(0.014F);
+  mild.swept({0.014F, 0}, 3);
   EXPECT_TRUE(mild.keeps());
   KeepOrSweep fast;
-  fast.swept(0.016F);
+  fast.swept({0.016F, 0}, 3);
   EXPECT_FALSE(fast.keeps());
-  EXPECT_EQ(steps_until_change(fast, [&] { fast.swept(0.014F); }), 2000) << "later they must be slower";
-  EXPECT_EQ(steps_until_change(fast, [&] { fast.swept(0.009F); }), 4);
+  EXPECT_EQ(steps_until_change(fast,
+                               [&] {
+                                 fast.swept({0.014F, 0}, 3);
+                               }),
+            2000)
+      << "later they must be slower";
+  EXPECT_EQ(steps_until_change(fast, [&] { fast.swept({0.009F, 0}, 3); }), 4);
 }
 
 TEST(KeepOrSweep, KeepsAsLongAsFewLeave) {
   KeepOrSweep choice = keeping();
   EXPECT_TRUE(choice.keeps());
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.029F, 1, 0}); }), 2000);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.029F, 0}); }), 2000);
 }
 
 TEST(KeepOrSweep, BeginnersMayLoseMoreWhileSkinsLearnButNotForLong) {
   KeepOrSweep choice = keeping();
-  choice.kept({1, 0.01F, 0});  // nobody has a fat box yet
+  choice.kept({1, 0});  // nobody has a fat box yet
   EXPECT_TRUE(choice.keeps());
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.15F, 0.01F, 0}); }), 25);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.15F, 0}); }), 25);
   KeepOrSweep hopeless = keeping();
-  EXPECT_EQ(steps_until_change(hopeless, [&] { hopeless.kept({0.5F, 0.01F, 0}); }), 3);
-}
-
-TEST(KeepOrSweep, OneStepOfFastObjectsIsEnough) {
-  KeepOrSweep choice = keeping();
-  choice.kept({1, 0.5F, 0});
-  EXPECT_FALSE(choice.keeps());
+  EXPECT_EQ(steps_until_change(hopeless, [&] { hopeless.kept({0.5F, 0}); }), 3);
 }
 
 TEST(KeepOrSweep, WhoRegretsWaitsTwiceAsLongEachTime) {
   KeepOrSweep choice = keeping();
   int waited = 0;
   for (int turn = 0; turn < 5; ++turn) {
-    steps_until_change(choice, [&] { choice.kept({0.5F, 0.01F, 0}); });
-    const int wait = steps_until_change(choice, [&] { choice.swept(0.001F); });
+    steps_until_change(choice, [&] { choice.kept({0.5F, 0}); });
+    const int wait = steps_until_change(choice, [&] { choice.swept({0.001F, 0}, 3); });
     if (turn > 0) {
       EXPECT_EQ(wait, 2 * waited);
     }
@@ -71,23 +70,48 @@ TEST(KeepOrSweep, WhoRegretsWaitsTwiceAsLongEachTime) {
   steps_until_change(
       choice,
       [&] {
-        choice.kept({0.01F, 0, 0});
+        choice.kept({0.01F, 0});
       },
       500);
-  steps_until_change(choice, [&] { choice.kept({0.5F, 0.01F, 0}); });
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.swept(0.001F); }), 8) << "it paid for long";
+  steps_until_change(choice, [&] { choice.kept({0.5F, 0}); });
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.swept({0.001F, 0}, 3); }), 8) << "it paid for long";
 }
 
-TEST(KeepOrSweep, RestlessObjectsAreCheaperThanThoseThatGetAnotherFatBox) {
+TEST(KeepOrSweep, WhoBecomesTooFastIsCheaperThanWhoGetsAnotherFatBox) {
   KeepOrSweep choice = keeping();
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.07F, 0.5F, 1}); }), 2000);
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.08F, 0.5F, 1}); }), 1);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.11F, 1}); }), 2000);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.13F, 1}); }), 3);
 }
 
-TEST(KeepOrSweep, SweepsOnWhileObjectsAreFast) {
+TEST(KeepOrSweep, SweepsOnWhileObjectsDrift) {
   KeepOrSweep choice = keeping();
-  choice.kept({1, 0.5F, 0});
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.swept(0.02F); }), 2000);
+  steps_until_change(choice, [&] { choice.kept({0.5F, 0}); });
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.swept({0.02F, 0}, 3); }), 2000);
+}
+
+TEST(KeepOrSweep, KeepsBesideSomeFastObjectsAndBesideMoreOfThemIn2D) {
+  for (const int dimension : {2, 3}) {
+    KeepOrSweep some;
+    some.swept({0.001F, 0.1F}, dimension);
+    EXPECT_TRUE(some.keeps()) << dimension;
+    KeepOrSweep more;
+    more.swept({0.001F, 0.3F}, dimension);
+    EXPECT_EQ(more.keeps(), dimension == 2);
+    KeepOrSweep most;
+    EXPECT_EQ(steps_until_change(most, [&] { most.swept({0.001F, 0.5F}, dimension); }), 2000) << dimension;
+  }
+}
+
+TEST(KeepOrSweep, WhatIsDearIsNotTriedSoonAgainUntilFewAreFast) {
+  KeepOrSweep choice = keeping();
+  choice.kept_at(0.8F);
+  EXPECT_TRUE(choice.keeps());
+  choice.kept_at(0.9F);
+  EXPECT_FALSE(choice.keeps());
+  KeepOrSweep resumed;
+  resumed.resume(choice.memory());
+  EXPECT_EQ(steps_until_change(resumed, [&] { resumed.swept({0.001F, 0.1F}, 3); }), 512);
+  EXPECT_LE(steps_until_change(choice, [&] { choice.swept({0.001F, 0.05F}, 3); }), 8);
 }
 
 }  // namespace

@@ -31,8 +31,14 @@ Config small_leaves() {
 template <int D>
 class Crowd {
  public:
-  Crowd(std::uint32_t count, std::vector<BroadPhase<D>*> trees, std::uint32_t awake = 40)
-      : trees_(std::move(trees)), side_(1.2 * std::pow(count, 1.0 / D)), fixed_(count), awake_(awake, 0) {
+  /// Object k has the id `stride` * k.
+  Crowd(std::uint32_t count, std::vector<BroadPhase<D>*> trees, std::uint32_t awake = 40,
+        std::uint32_t stride = 1)
+      : trees_(std::move(trees)),
+        side_(1.2 * std::pow(count, 1.0 / D)),
+        stride_(stride),
+        fixed_(count),
+        awake_(awake, 0) {
     for (std::uint32_t id = 0; id < count; ++id) {
       boxes_.push_back(somewhere());
       fixed_[id] = id % 16 == 0;
@@ -45,18 +51,25 @@ class Crowd {
       awake_[random_.below(static_cast<std::uint32_t>(awake_.size()))] = any();
       shrink(any());
     }
-    for (const std::uint32_t id : awake_) {
-      const Vector<D> by = random_point<D>(random_, -0.5, 0.5);
-      move(id, {boxes_[id].min + by, boxes_[id].max + by});
-    }
+    for (const std::uint32_t id : awake_) jump(id, 0.5F);
     for (const std::uint32_t id : {awake_.front(), awake_.back(), any()}) replace(id);
   }
   /// Everybody jumps, not far.
   void shake(Scalar most) {
-    for (std::uint32_t id = 0; id < boxes_.size(); ++id) {
-      const Vector<D> by = random_point<D>(random_, -most, most);
-      move(id, {boxes_[id].min + by, boxes_[id].max + by});
-    }
+    for (std::uint32_t id = 0; id < boxes_.size(); ++id) jump(id, most);
+  }
+  /// Everybody jumps who lies in a corner that takes a share of each side: the low one, or the next ones.
+  void shake_corner(int corner, double share, Scalar most) {
+    const auto lies_there = [&](const Box<D>& box) {
+      bool all = true;
+      for (int i = 0; i < D; ++i) {
+        const bool high = ((corner >> i) & 1) != 0;
+        all &= high ? box.max[i] > (1 - share) * side_ : box.min[i] < share * side_;
+      }
+      return all;
+    };
+    for (std::uint32_t id = 0; id < boxes_.size(); ++id)
+      if (lies_there(boxes_[id])) jump(id, most);
   }
 
  private:
@@ -67,11 +80,16 @@ class Crowd {
   std::uint32_t any() { return random_.below(static_cast<std::uint32_t>(boxes_.size())); }
   void insert(std::uint32_t id) {
     for (BroadPhase<D>* tree : trees_)
-      EXPECT_EQ(tree->insert({id}, boxes_[id], fixed_[id] ? Mobility::fixed : Mobility::moving), Status::ok);
+      EXPECT_EQ(tree->insert({stride_ * id}, boxes_[id], fixed_[id] ? Mobility::fixed : Mobility::moving),
+                Status::ok);
   }
   void move(std::uint32_t id, const Box<D>& box) {
     boxes_[id] = box;
-    for (BroadPhase<D>* tree : trees_) EXPECT_EQ(tree->move({id}, box), Status::ok);
+    for (BroadPhase<D>* tree : trees_) EXPECT_EQ(tree->move({stride_ * id}, box), Status::ok);
+  }
+  void jump(std::uint32_t id, Scalar most) {
+    const Vector<D> by = random_point<D>(random_, -most, most);
+    move(id, {boxes_[id].min + by, boxes_[id].max + by});
   }
   void shrink(std::uint32_t id) {
     const Vector<D> by = (boxes_[id].max - boxes_[id].min) * 0.1F;
@@ -79,7 +97,7 @@ class Crowd {
   }
   /// In one step: it is another one, or the same one but fixed, or no longer so.
   void replace(std::uint32_t id) {
-    for (BroadPhase<D>* tree : trees_) EXPECT_EQ(tree->remove({id}), Status::ok);
+    for (BroadPhase<D>* tree : trees_) EXPECT_EQ(tree->remove({stride_ * id}), Status::ok);
     if (random_.below(2) == 0) {
       fixed_[id] = !fixed_[id];
     } else {
@@ -90,6 +108,7 @@ class Crowd {
 
   std::vector<BroadPhase<D>*> trees_;
   double side_;
+  std::uint32_t stride_;
   Random random_{77};
   std::vector<Box<D>> boxes_;
   std::vector<bool> fixed_;
@@ -126,6 +145,41 @@ TYPED_TEST(Restless, PairsAreTheOraclesWhoeverWakesSleepsShrinksComesOrGoes) {
   }
   EXPECT_GT(most, 30U);
   EXPECT_LT(most, 150U) << "who sleeps is no longer restless";
+}
+
+/// So far apart are the ids that the boxes leave the caches: then candidates are named by places in their
+/// leaf.
+TYPED_TEST(Restless, PairsAreTheOraclesHoweverFarApartIdsAre) {
+  constexpr int kD = TypeParam::value;
+  constexpr std::uint32_t kStride = 401;
+  kerf::Bsp<kD> tree(small_leaves());
+  Crowd<kD> crowd(600, {&tree}, 20, kStride);
+  for (int step = 0; step < 60; ++step) {
+    tree.step();
+    EXPECT_TRUE(step == 0 || keeps(tree)) << step;
+    ASSERT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "") << "step " << step;
+    crowd.advance();
+    if (step % 3 == 0) crowd.shake(0.01F);
+  }
+}
+
+/// In one corner of the crowd all fly, then those in another one: their leaves are swept, the others' pairs
+/// kept.
+TYPED_TEST(Restless, PairsAreTheOraclesWhereSomeLeavesAreSweptAndOthersKept) {
+  constexpr int kD = TypeParam::value;
+  kerf::Bsp<kD> tree(small_leaves());
+  Crowd<kD> crowd(1500, {&tree}, 4);
+  std::uint32_t most = 0;
+  for (int step = 0; step < 150; ++step) {
+    tree.step();
+    EXPECT_TRUE(step == 0 || keeps(tree)) << step;
+    most = std::max(most, count_restless(tree));
+    ASSERT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "") << "step " << step;
+    crowd.advance();
+    crowd.shake(0.005F);
+    if (step % 50 > 10) crowd.shake_corner(step / 50, kD == 2 ? 0.3 : 0.45, 0.3F);
+  }
+  EXPECT_GT(most, 100U);
 }
 
 TYPED_TEST(Restless, ACalmCrowdHasNone) {

@@ -124,9 +124,6 @@ TEST(Skin, WhoWasFastIsRestlessUntilItWasSlowForSomeSteps) {
   EXPECT_FALSE(skin.is_restless());
   skin.moved(false);
   EXPECT_FALSE(skin.is_restless());
-  skin.left(20);
-  EXPECT_FALSE(skin.has_calmed(20 + Skin::kRestless - 1));
-  EXPECT_TRUE(skin.has_calmed(20 + Skin::kRestless));
 }
 
 TEST(Skin, SharesLieBetweenAThirdAndOneAndDifferBetweenNeighbours) {

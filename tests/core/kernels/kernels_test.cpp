@@ -10,77 +10,16 @@
 
 #include "core/kernels/byte_sweep.h"
 #include "core/kernels/divide_list.h"
-#include "core/kernels/kept_leaf.h"
 #include "core/kernels/machine.h"
 #include "core/kernels/stay_in_cell.h"
 #include "core/random.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/every_kernel.h"
+#include "tests/support/leaf_views.h"
 #include "tests/support/pairs.h"
 
 namespace kerf::test {
 namespace {
-
-constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
-
-/// Where the boxes of a leaf may lie: each draws its ends in its own way.
-enum class Spread { even, grid, tiny, huge, outlier, one_point };
-
-Scalar draw(Spread spread, Random& random) {
-  const auto x = static_cast<Scalar>(random.uniform(-1, 1));
-  switch (spread) {
-    case Spread::even:
-      return 10 * x;
-    case Spread::grid:
-      return std::round(4 * x);
-    case Spread::tiny:
-      return x * std::numeric_limits<Scalar>::denorm_min() * 50;
-    case Spread::huge:
-      return x * kMax;
-    case Spread::outlier:
-      return random.uniform(0, 1) < 0.02 ? x * 1e30F : x;
-    case Spread::one_point:
-      return 7;
-  }
-  return x;
-}
-
-template <int D>
-Box<D> draw_box(Spread spread, Random& random) {
-  Box<D> box;
-  for (int i = 0; i < D; ++i) {
-    const Scalar a = draw(spread, random);
-    const Scalar b =
-        spread == Spread::even ? a + static_cast<Scalar>(random.uniform(0, 2)) : draw(spread, random);
-    box.min[i] = std::min(a, b);
-    box.max[i] = std::max(a, b);
-  }
-  return box;
-}
-
-/// A leaf of `count` boxes with ids in no order; some entries lie apart, some are fixed.
-template <int D>
-LeafView<D> draw_leaf(Spread spread, std::size_t count, Random& random) {
-  LeafView<D> leaf;
-  leaf.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    leaf.boxes[i] = PackedBox<D>(draw_box<D>(spread, random));
-    leaf.objects[i] = {static_cast<std::uint32_t>((i * 7919 + 13) % 100003)};
-    leaf.apart[i] = random.bits() & random.bits() & 7U;
-    if (random.uniform(0, 1) < 0.1) leaf.apart[i] |= LeafView<D>::kFixedBit;
-  }
-  return leaf;
-}
-
-template <int D>
-std::vector<Pair> expected_pairs(const LeafView<D>& leaf) {
-  std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < leaf.size(); ++i)
-    for (std::size_t j = i + 1; j < leaf.size(); ++j)
-      if ((leaf.apart[i] & leaf.apart[j]) == 0 && overlaps(leaf.boxes[i].unpack(), leaf.boxes[j].unpack()))
-        pairs.push_back(make_pair(leaf.objects[i], leaf.objects[j]));
-  return pairs;
-}
 
 template <class T>
 class Kernels : public EveryKernel<T> {};
@@ -112,84 +51,6 @@ TYPED_TEST(Kernels, SweepFindsWhatTheDefinitionGivesInOneOrder) {
         if (name == kernels().front()) first = pairs;
         EXPECT_EQ(pairs, first) << name << " gives another order";
       }
-    }
-  }
-}
-
-template <int D>
-LeafView<D> part_of(const LeafView<D>& leaf, std::size_t begin, std::size_t end) {
-  LeafView<D> part;
-  part.boxes.assign(leaf.boxes.data() + begin, leaf.boxes.data() + end);
-  part.objects.assign(leaf.objects.data() + begin, leaf.objects.data() + end);
-  part.apart.assign(leaf.apart.data() + begin, leaf.apart.data() + end);
-  return part;
-}
-
-/// The pairs of a leaf of `kept` entries to which come others, who go and come again.
-template <int D>
-std::vector<Pair> pairs_of_coming(const LeafView<D>& leaf, std::size_t kept,
-                                  std::span<const PackedBox<D>> boxes) {
-  KeptLeaf<D> half;
-  empty_leaf(part_of(leaf, 0, kept / 2), half);
-  append_entries(part_of(leaf, 0, kept / 2), half);
-  append_entries(part_of(leaf, kept / 2, kept), half);
-  const LeafView<D> coming = part_of(leaf, kept, leaf.size());
-  append_entries(coming, half);
-  drop_last(half, coming.size());
-  EXPECT_EQ(half.objects.size(), kept);
-  EXPECT_EQ(half.apart.size(), kept);
-  append_entries(coming, half);
-  ByteSweep<D> sweep;
-  PairBuffer pairs;
-  sweep.find(part_of(leaf, 0, kept), pairs);
-  probe_last(half, coming.size(), boxes, sweep.found, pairs);
-  return {pairs.all().begin(), pairs.all().end()};
-}
-
-TYPED_TEST(Kernels, EntriesThatComeFindTheirPartners) {
-  constexpr int kD = TypeParam::value;
-  constexpr std::size_t kMoreThanOneGo =
-      4200;  // probed by 100, these are more rows of 64 than one go confirms
-  Random random(5);
-  for (const auto& [spread, count, kept] : {std::tuple{Spread::even, 150, 80},
-                                            {Spread::grid, 150, 80},
-                                            {Spread::huge, 150, 80},
-                                            {Spread::outlier, 150, 0},
-                                            {Spread::one_point, 150, 75},
-                                            {Spread::even, kMoreThanOneGo + 100, kMoreThanOneGo}}) {
-    const LeafView<kD> leaf = draw_leaf<kD>(spread, static_cast<std::size_t>(count), random);
-    std::vector<PackedBox<kD>> boxes(100003);
-    for (std::size_t i = 0; i < leaf.size(); ++i) boxes[leaf.objects[i].index()] = leaf.boxes[i];
-    std::vector<Pair> first;
-    for (const std::string& name : kernels()) {
-      use_kernel(name);
-      const std::vector<Pair> pairs = pairs_of_coming<kD>(leaf, static_cast<std::size_t>(kept), boxes);
-      EXPECT_EQ(difference(pairs, expected_pairs(leaf)), "") << name;
-      if (name == kernels().front()) first = pairs;
-      EXPECT_EQ(pairs, first) << name << " gives another order";
-    }
-  }
-}
-
-TYPED_TEST(Kernels, FilterKeepsTouchingBoxesAndDropsSeparatedOnes) {
-  constexpr int kD = TypeParam::value;
-  std::vector<PackedBox<kD>> boxes;
-  for (const Scalar at : {Scalar{0}, Scalar{1}, std::nextafter(Scalar{1}, Scalar{2})}) {
-    Box<kD> box;
-    for (int i = 0; i < kD; ++i) box.max[i] = 1;
-    box.min[kD - 1] = at;
-    box.max[kD - 1] = at + 1;
-    boxes.emplace_back(box);
-  }
-  for (const std::size_t count : {3U, 300000U}) {  // of many boxes those that come next are asked for ahead
-    boxes.resize(count);
-    for (const std::string& name : kernels()) {
-      use_kernel(name);
-      PairBuffer pairs;
-      filter_pairs<kD>(std::vector<Pair>{{{0}, {2}}, {{1}, {2}}, {{0}, {1}}}, boxes, pairs);
-      EXPECT_EQ(std::vector<Pair>(pairs.all().begin(), pairs.all().end()),
-                (std::vector<Pair>{{{1}, {2}}, {{0}, {1}}}))
-          << name << ", " << count << " boxes";
     }
   }
 }

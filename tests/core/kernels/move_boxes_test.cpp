@@ -94,5 +94,38 @@ TYPED_TEST(MoveBoxes, WhoFillsItsFatBoxAndShrinksHasLeftIt) {
   }
 }
 
+/// Who is silent asks for nothing, but what is odd is left to the caller all the same.
+TYPED_TEST(MoveBoxes, TheSilentAreMovedAndNotNoted) {
+  constexpr int kD = TypeParam::value;
+  Box<kD> near;
+  Box<kD> far;
+  for (int i = 0; i < kD; ++i) {
+    near.max[i] = 1;
+    far.min[i] = 8;
+    far.max[i] = 9;
+  }
+  Box<kD> bad = near;
+  bad.min[0] = std::numeric_limits<Scalar>::quiet_NaN();
+  const std::vector<PackedBox<kD>> fat(4, PackedBox<kD>(near));
+  const std::vector<ObjectId> objects{{0}, {1}, {2}, {3}};
+  for (const std::string& name : kernels()) {
+    use_kernel(name);
+    std::vector<PackedBox<kD>> latest = fat;
+    std::vector<std::uint8_t> attention{kSilent, 0, kSilent, kSilent | 1};
+    std::vector<ObjectId> changed(4);
+    std::vector<PackedBox<kD>> before(4);
+    std::vector<std::uint32_t> left_over(4);
+    const MoveAnswer answer = move_boxes<kD>({objects, std::vector{far, far, bad, far}, latest, attention,
+                                              fat.data(), changed.data(), before.data(), left_over.data()});
+    EXPECT_EQ(latest[0].unpack(), far) << name;
+    EXPECT_EQ(attention[0], kSilent) << name;
+    ASSERT_EQ(answer.changed, 1U) << name;
+    EXPECT_EQ(changed[0], ObjectId{1}) << name;
+    ASSERT_EQ(answer.left_over, 2U) << name;
+    EXPECT_EQ(left_over[0], 2U) << name << ": no box";
+    EXPECT_EQ(left_over[1], 3U) << name << ": something else was asked";
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test
