@@ -175,12 +175,14 @@ void Bsp<D, Trace>::choose_mode() {
   enter(keep_or_sweep_.keeps() ? Mode::kept : Mode::swept);
 }
 
+/// Others in each step: a sample that does not show how many are fast must not be believed twice.
 template <int D, class Trace>
 Motions Bsp<D, Trace>::motions_of_sample() const {
   Motions motions;
   float count = 0;
+  const auto first = static_cast<std::uint32_t>(kSample) * step_;
   for (std::uint32_t k = 0; k < std::min<std::size_t>(kSample, tree_.table.bound()); ++k) {
-    const ObjectId object{static_cast<std::uint32_t>(sample_place(k, tree_.table.bound()))};
+    const ObjectId object{static_cast<std::uint32_t>(sample_place(first + k, tree_.table.bound()))};
     if (!tree_.table.is_placed(object) || !latest_.is_placed(object)) continue;
     const Box<D> box = latest_.box(object);
     const Box<D> before = tree_.table.box(object);
