@@ -129,7 +129,7 @@ class Bsp final : public BroadPhase<D> {
   Box<D> fat_box(ObjectId object, const Box<D>& before);
   void fatten_all();
   void slim_some();
-  void note_still(ObjectId object, std::uint8_t attention);
+  void note_unasked(ObjectId object, std::uint8_t attention, const PackedBox<D>& before);
   void follow_restless();
   void make_fat_boxes();
   void take_fat_boxes();

@@ -50,16 +50,16 @@ void Bsp<D, Trace>::slim_some() {
     const ObjectId object{static_cast<std::uint32_t>(id)};
     if (attention_[id] != 0 || !skins_[id].is_at_rest(step_)) continue;
     if (!is_for_flight(tree_.table.box(object), latest_.box(object))) continue;
-    note_still(object, kChanging | kSlimmed);
+    note_unasked(object, kChanging | kSlimmed, latest_.packed(object));
   }
 }
 
-/// Has an object placed anew that nobody moved.
+/// Has an object placed anew of which nobody asked that.
 template <int D, class Trace>
-void Bsp<D, Trace>::note_still(ObjectId object, std::uint8_t attention) {
+void Bsp<D, Trace>::note_unasked(ObjectId object, std::uint8_t attention, const PackedBox<D>& before) {
   attention_[object.index()] = attention;
   changed_.push_back(object);
-  before_.push_back(latest_.packed(object));
+  before_.push_back(before);
 }
 
 /// Restless objects are followed; who calmed or went into other leaves is treated as if it had left its fat
@@ -67,11 +67,8 @@ void Bsp<D, Trace>::note_still(ObjectId object, std::uint8_t attention) {
 template <int D, class Trace>
 void Bsp<D, Trace>::follow_restless() {
   restless_pass_.run(tree_, {latest_, skins_, attention_, kSilent}, kept_, *pool_);
-  for (const ObjectId object : restless_pass_.others()) {
-    attention_[object.index()] |= kChanging;
-    changed_.push_back(object);
-    before_.push_back(tree_.table.packed(object));
-  }
+  for (const ObjectId object : restless_pass_.others())
+    note_unasked(object, kChanging | kSilent, tree_.table.packed(object));
   keep_or_sweep_.kept_at(restless_pass_.cost());
 }
 
@@ -178,18 +175,18 @@ void Bsp<D, Trace>::find_fat_places(std::size_t k, FatPiece& piece) const {
   piece.places.insert(piece.places.end(), piece.new_places.begin(), piece.new_places.end());
 }
 
-#define KERF_INSTANTIATE(D, TRACE)                                                     \
-  template Box<D> Bsp<D, TRACE>::fat_box(ObjectId, const Box<D>&);                     \
-  template void Bsp<D, TRACE>::fatten_all();                                           \
-  template void Bsp<D, TRACE>::slim_some();                                            \
-  template void Bsp<D, TRACE>::note_still(ObjectId, std::uint8_t);                     \
-  template void Bsp<D, TRACE>::follow_restless();                                      \
-  template void Bsp<D, TRACE>::make_fat_boxes();                                       \
-  template void Bsp<D, TRACE>::take_fat_boxes();                                       \
-  template void Bsp<D, TRACE>::place_fat();                                            \
-  template void Bsp<D, TRACE>::take_out(const Bsp<D, TRACE>::FatPiece&);               \
-  template void Bsp<D, TRACE>::put_in(const Bsp<D, TRACE>::FatPiece&);                 \
-  template void Bsp<D, TRACE>::note_entries(ObjectId, Bsp<D, TRACE>::FatPiece&) const; \
+#define KERF_INSTANTIATE(D, TRACE)                                                        \
+  template Box<D> Bsp<D, TRACE>::fat_box(ObjectId, const Box<D>&);                        \
+  template void Bsp<D, TRACE>::fatten_all();                                              \
+  template void Bsp<D, TRACE>::slim_some();                                               \
+  template void Bsp<D, TRACE>::note_unasked(ObjectId, std::uint8_t, const PackedBox<D>&); \
+  template void Bsp<D, TRACE>::follow_restless();                                         \
+  template void Bsp<D, TRACE>::make_fat_boxes();                                          \
+  template void Bsp<D, TRACE>::take_fat_boxes();                                          \
+  template void Bsp<D, TRACE>::place_fat();                                               \
+  template void Bsp<D, TRACE>::take_out(const Bsp<D, TRACE>::FatPiece&);                  \
+  template void Bsp<D, TRACE>::put_in(const Bsp<D, TRACE>::FatPiece&);                    \
+  template void Bsp<D, TRACE>::note_entries(ObjectId, Bsp<D, TRACE>::FatPiece&) const;    \
   template void Bsp<D, TRACE>::find_fat_places(std::size_t, Bsp<D, TRACE>::FatPiece&) const;
 KERF_INSTANTIATE(2, NoTrace)
 KERF_INSTANTIATE(3, NoTrace)

@@ -37,7 +37,7 @@ struct Skin {
     wrapped = false;
     since = static_cast<std::uint16_t>(step);
   }
-  /// To be told of the same steps, whether the object was fast in it.
+  /// To be told of the same steps, and of every step of a restless object, whether it was fast in it.
   void moved(bool fast) {
     restless = fast ? kRestless : static_cast<std::uint8_t>(std::max(restless - 1, 0));
   }

@@ -15,26 +15,11 @@
 #include "core/broad_phase/pair_buffer.h"
 #include "core/kernels/bytes-inl.h"
 #include "core/kernels/found_rows.h"
+#include "core/kernels/four_pairs-inl.h"
 #include "core/kernels/packed-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
-
-/// Puts pairs in canonical order, a vector of them at a time: nothing predicts whose id is less.
-HWY_INLINE void order_ids(Pair* pairs, std::size_t count) {
-  static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
-  const hn::ScalableTag<std::uint32_t> lanes;
-  const std::size_t step = hn::Lanes(lanes) / 2;
-  std::size_t k = 0;
-  for (; k + step <= count; k += step) {
-    auto* const at = reinterpret_cast<std::uint32_t*>(pairs + k);
-    const auto ids = hn::LoadU(lanes, at);
-    const auto turned = hn::Shuffle2301(ids);
-    hn::StoreU(hn::OddEven(hn::Max(ids, turned), hn::Min(ids, turned)), lanes, at);
-  }
-  for (; k < count; ++k)
-    if (pairs[k].b < pairs[k].a) std::swap(pairs[k].a, pairs[k].b);
-}
 
 /// One of two entries that may be a pair.
 template <int D>
@@ -69,6 +54,23 @@ class FindingWalk {
   std::uint64_t next_;  ///< of the row behind: it is there before it is known whether it is wanted
 };
 
+#if KERF_HAS_FOUR_PAIRS
+/// Confirms the next four findings. Returns how many of them are pairs.
+template <int D, class First, class Second>
+HWY_INLINE std::size_t confirm_four(FindingWalk& walk, First first, Second second, Pair* out) {
+  Packed<D> lanes[4];
+  OnePair pairs[4];
+  for (std::size_t k = 0; k < 4; ++k, walk.advance()) {
+    const EntryRef<D> a = first(walk.i());
+    const EntryRef<D> b = second(walk.j());
+    pairs[k] = one_pair(a.object, b.object);
+    lanes[k] = apart<D>(a.box, b.box);
+    mark(a.apart & b.apart, lanes[k]);
+  }
+  return write_chosen(in_canonical_order(four_pairs(pairs)), nowhere_of_four<D>(lanes), out);
+}
+#endif
+
 /// What was found and not confirmed yet.
 class Found {
  public:
@@ -87,19 +89,21 @@ class Found {
   template <int D, class First, class Second>
   HWY_INLINE void confirm(First first, Second second, PairBuffer& pairs) {
     Pair* const begin = pairs.reserve(count_);
-    Pair* HWY_RESTRICT out = begin;
-    for (FindingWalk walk(first_); walk.row() != end_; walk.advance()) {
+    Pair* out = begin;
+    FindingWalk walk(first_);
+#if KERF_HAS_FOUR_PAIRS
+    for (; count_ >= 4; count_ -= 4) out += confirm_four<D>(walk, first, second, out);
+#endif
+    for (; count_ > 0; --count_, walk.advance()) {
       const EntryRef<D> a = first(walk.i());
       const EntryRef<D> b = second(walk.j());
       const bool overlap = boxes_overlap<D>(a.box, b.box);
       const bool here = (a.apart & b.apart) == 0;
-      *out = {ObjectId{a.object}, ObjectId{b.object}};
+      *out = make_pair({a.object}, {b.object});
       out += static_cast<std::ptrdiff_t>(overlap & here);
     }
-    order_ids(begin, static_cast<std::size_t>(out - begin));
     pairs.commit(static_cast<std::size_t>(out - begin));
     end_ = first_;
-    count_ = 0;
   }
 
  private:

@@ -68,9 +68,10 @@ HWY_INLINE Probe<D> make_probe(KeptLeaf<D>& leaf, std::size_t place) {
 template <bool Places, int D>
 HWY_INLINE void probe_all(KeptLeaf<D>& leaf, std::size_t count, const PackedBox<D>* boxes, Findings& found,
                           PairBuffer& pairs) {
-  const auto entries = [objects = leaf.objects.data(), apart = leaf.apart.data(), boxes](std::uint32_t k) {
-    return EntryRef<D>{boxes[objects[k]], Places ? k : objects[k], apart[k]};
-  };
+  const auto entries = [objects = leaf.objects.data(), apart = leaf.apart.data(), boxes](std::uint32_t k)
+                           HWY_ATTR {
+                             return EntryRef<D>{boxes[objects[k]], Places ? k : objects[k], apart[k]};
+                           };
   const auto n = static_cast<std::uint32_t>(leaf.objects.size());
   Found rows(found);
   for (auto i = static_cast<std::uint32_t>(n - count); i < n; ++i) {
@@ -117,25 +118,27 @@ std::size_t find_object(const std::vector<std::uint32_t>& objects, std::uint32_t
   return find_number(objects.data(), 0, objects.size(), object);
 }
 
-/// Writes those of the candidates whose boxes, given by their names, overlap, as `pair_of` gives them. Four
-/// in each turn of the loop: so it matters least where in memory it lies. No branch depends on the outcome.
-template <int D, class PairOf>
+/// Writes those of the candidates whose boxes, given by their names, overlap. No branch depends on the
+/// outcome.
+template <int D>
 HWY_INLINE std::size_t filter_to(Pair* HWY_RESTRICT out, std::span<const Pair> candidates,
-                                 const PackedBox<D>* boxes, PairOf pair_of) {
+                                 const PackedBox<D>* boxes) {
   std::size_t written = 0;
-  const auto keep_if_true = [&](const Pair& pair) HWY_ATTR {
-    const bool overlap = boxes_overlap<D>(boxes[pair.a.index()], boxes[pair.b.index()]);
-    out[written] = pair_of(pair);
-    written += static_cast<std::size_t>(overlap);
-  };
   std::size_t k = 0;
+#if KERF_HAS_FOUR_PAIRS
+  const auto apart_of = [&](const Pair& pair)
+                            HWY_ATTR { return apart<D>(boxes[pair.a.index()], boxes[pair.b.index()]); };
   for (; k + 4 <= candidates.size(); k += 4) {
-    keep_if_true(candidates[k]);
-    keep_if_true(candidates[k + 1]);
-    keep_if_true(candidates[k + 2]);
-    keep_if_true(candidates[k + 3]);
+    const Pair* const four = candidates.data() + k;
+    const Packed<D> lanes[4] = {apart_of(four[0]), apart_of(four[1]), apart_of(four[2]), apart_of(four[3])};
+    written += write_chosen(load_pairs(four), nowhere_of_four<D>(lanes), out + written);
   }
-  for (; k < candidates.size(); ++k) keep_if_true(candidates[k]);
+#endif
+  for (; k < candidates.size(); ++k) {
+    const Pair& pair = candidates[k];
+    out[written] = pair;
+    written += boxes_overlap<D>(boxes[pair.a.index()], boxes[pair.b.index()]) ? 1 : 0;
+  }
   return written;
 }
 
@@ -157,13 +160,12 @@ HWY_INLINE void filter(const KeptLeaf<D>& leaf, const PackedBox<D>* boxes,
   if (leaf.candidates.empty()) return;
   Pair* const out = pairs.reserve(leaf.candidates.size());
   if (leaf.names == Names::objects) {
-    pairs.commit(filter_to(out, leaf.candidates, boxes, [](const Pair& pair) HWY_ATTR { return pair; }));
+    pairs.commit(filter_to(out, leaf.candidates, boxes));
   } else {
-    const std::uint32_t* const objects = leaf.objects.data();
-    pairs.commit(filter_to(out, leaf.candidates, gather(leaf.objects, boxes, gathered),
-                           [objects](const Pair& pair) HWY_ATTR {
-                             return Pair{{objects[pair.a.index()]}, {objects[pair.b.index()]}};
-                           }));
+    const std::size_t written = filter_to(out, leaf.candidates, gather(leaf.objects, boxes, gathered));
+    for (std::size_t k = 0; k < written; ++k)
+      out[k] = {{leaf.objects[out[k].a.index()]}, {leaf.objects[out[k].b.index()]}};
+    pairs.commit(written);
   }
 }
 

@@ -43,7 +43,7 @@ struct KeptLeaf {
   Names names = Names::objects;  ///< of the candidates
   std::vector<RestlessEntry> restless;
   bool swept = false;  ///< nothing is kept, for too many are restless: the leaf is swept in each step
-  std::size_t restless_entries = 0;  ///< swept: how many of its entries are
+  std::size_t restless_entries = 0;  ///< how many of its entries were in the last pass over them
 
   [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }
 };

@@ -91,6 +91,16 @@ HWY_INLINE bool at_most(const Packed<D>& a, const Packed<D>& b) {
   return nowhere(exceeding);
 }
 
+/// The lanes in which the boxes are apart: none, if they overlap (closed).
+template <int D>
+HWY_INLINE Packed<D> apart(const PackedBox<D>& a, const PackedBox<D>& b) {
+  const Packed<D> one = load(a);
+  const Packed<D> other = turned<D>(load(b));
+  Packed<D> lanes;
+  for (std::size_t k = 0; k < Packed<D>::kParts; ++k) lanes.part[k] = beyond(one.part[k], other.part[k]);
+  return lanes;
+}
+
 /// Closed overlap.
 template <int D>
 HWY_INLINE bool boxes_overlap(const PackedBox<D>& a, const PackedBox<D>& b) {

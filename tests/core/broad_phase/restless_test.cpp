@@ -227,6 +227,27 @@ TYPED_TEST(Restless, ThreadsAndStatesGiveTheSameRun) {
   EXPECT_GT(count_restless(alone), 1024U);
 }
 
+/// A recording may be damaged: what it does not say of the skins is learnt anew.
+TYPED_TEST(Restless, AStateWithTooFewSkinsGoesOn) {
+  constexpr int kD = TypeParam::value;
+  kerf::Bsp<kD> tree(small_leaves());
+  Crowd<kD> crowd(1200, {&tree});
+  for (int step = 0; step < 20; ++step) {
+    crowd.advance();
+    tree.step();
+  }
+  ASSERT_TRUE(keeps(tree));
+  BspState<kD> state = tree.state();
+  state.skins.resize(10);
+  state.skins.shrink_to_fit();
+  tree.restore(state);
+  for (int step = 0; step < 20; ++step) {
+    crowd.advance();
+    tree.step();
+    ASSERT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "") << "step " << step;
+  }
+}
+
 TYPED_TEST(Restless, StepsOfWhichNobodyAsksThePairsChangeNothingElse) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD, EventLog> always(small_leaves());

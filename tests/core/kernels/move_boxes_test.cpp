@@ -2,10 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "core/kernels/machine.h"
+#include "core/random.h"
+#include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/every_kernel.h"
 
@@ -92,6 +98,93 @@ TYPED_TEST(MoveBoxes, WhoFillsItsFatBoxAndShrinksHasLeftIt) {
       EXPECT_EQ(changed[0], ObjectId{0}) << name << ", axis " << axis;
     }
   }
+}
+
+/// What the kernel reads and writes, and what it answered so far.
+template <int D>
+struct Moved {
+  std::vector<PackedBox<D>> latest;
+  std::vector<std::uint8_t> attention;
+  std::vector<ObjectId> changed;
+  std::vector<PackedBox<D>> before;
+  std::vector<std::uint32_t> left_over;
+
+  void move(std::span<const ObjectId> objects, std::span<const Box<D>> boxes,
+            const std::vector<PackedBox<D>>& fat) {
+    std::vector<ObjectId> asking(objects.size());
+    std::vector<PackedBox<D>> were(objects.size());
+    std::vector<std::uint32_t> odd(objects.size());
+    const MoveAnswer answer = move_boxes<D>(
+        {objects, boxes, latest, attention, fat.data(), asking.data(), were.data(), odd.data()});
+    changed.insert(changed.end(), asking.begin(),
+                   asking.begin() + static_cast<std::ptrdiff_t>(answer.changed));
+    before.insert(before.end(), were.begin(), were.begin() + static_cast<std::ptrdiff_t>(answer.changed));
+    left_over.insert(left_over.end(), odd.begin(),
+                     odd.begin() + static_cast<std::ptrdiff_t>(answer.left_over));
+  }
+};
+
+template <int D>
+bool are_equal(const std::vector<PackedBox<D>>& a, const std::vector<PackedBox<D>>& b) {
+  return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return x.lane == y.lane; });
+}
+
+/// Whatever lies side by side in a block: who stays, leaves, shrinks, is silent, waits, is given twice, is
+/// unknown, or has no box.
+TYPED_TEST(MoveBoxes, ManyAtOnceAreMovedAsOneByOne) {
+  constexpr int kD = TypeParam::value;
+  constexpr std::uint32_t kObjects = 400;
+  Random random(7);
+  std::size_t asked = 0;
+  for (int round = 0; round < 40; ++round) {
+    const double odd = round % 4 == 0 ? 0.3 : 0.02;  // else most blocks have nothing odd
+    Moved<kD> one_by_one;
+    std::vector<PackedBox<kD>> fat;
+    for (std::uint32_t id = 0; id < kObjects; ++id) {
+      const Box<kD> box = random_box<kD>(random, 10, 1);
+      one_by_one.latest.emplace_back(box);
+      const bool fills = random.uniform(0, 1) < 0.3;
+      fat.emplace_back(fills ? box : Box<kD>{box.min - all<kD>(0.5F), box.max + all<kD>(0.5F)});
+      const bool attended = random.uniform(0, 1) < odd;
+      one_by_one.attention.push_back(attended ? std::array<std::uint8_t, 3>{kSilent, 2, kSilent | 1}[id % 3]
+                                              : 0);
+    }
+    std::vector<ObjectId> objects;
+    std::vector<Box<kD>> boxes;
+    for (std::uint32_t id = 0; id < kObjects + 10; id += random.uniform(0, 1) < odd ? 0 : 1) {
+      Box<kD> box = id < kObjects ? one_by_one.latest[id].unpack() : Box<kD>{};
+      const int axis = static_cast<int>(random.below(kD));
+      const double what = random.uniform(0, 1) / odd;
+      if (what < 0.25)
+        box.max[axis] += 2;
+      else if (what < 0.5)
+        box.min[axis] = box.max[axis];
+      else if (what < 0.75)
+        box.min[axis] = box.max[axis] + 1;
+      else if (what < 1)
+        box.max[axis] = std::numeric_limits<Scalar>::quiet_NaN();
+      objects.push_back({id});
+      boxes.push_back(box);
+    }
+    for (const std::string& name : kernels()) {
+      use_kernel(name);
+      Moved<kD> at_once = one_by_one;
+      Moved<kD> expected = one_by_one;
+      at_once.move(objects, boxes, fat);
+      for (std::uint32_t k = 0; k < objects.size(); ++k) {
+        const std::size_t left_over = expected.left_over.size();
+        expected.move({&objects[k], 1}, {&boxes[k], 1}, fat);
+        if (expected.left_over.size() > left_over) expected.left_over.back() = k;
+      }
+      ASSERT_TRUE(are_equal<kD>(at_once.latest, expected.latest)) << name << ", round " << round;
+      ASSERT_EQ(at_once.attention, expected.attention) << name << ", round " << round;
+      ASSERT_EQ(at_once.changed, expected.changed) << name << ", round " << round;
+      ASSERT_TRUE(are_equal<kD>(at_once.before, expected.before)) << name << ", round " << round;
+      ASSERT_EQ(at_once.left_over, expected.left_over) << name << ", round " << round;
+      asked += expected.changed.size();
+    }
+  }
+  EXPECT_GT(asked, 1000U);
 }
 
 /// Who is silent asks for nothing, but what is odd is left to the caller all the same.
