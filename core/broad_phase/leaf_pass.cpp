@@ -1,6 +1,7 @@
 #include "core/broad_phase/leaf_pass.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace kerf {
 
@@ -13,12 +14,16 @@ void LeafPass<D>::run(const Tree<D>& tree, TaskPool& pool, const Work& work, Pai
     return;
   }
   cut(tree, pool.pieces());
+  std::atomic<std::size_t> joined = 0;  // pieces whose pairs stand behind those of all before them
   pool.for_each(runs_.size(), [&](std::size_t piece, std::size_t thread) {
+    const bool is_next = joined.load(std::memory_order_acquire) == piece;
+    PairBuffer& found = is_next ? pairs : found_[piece];
     found_[piece].clear();
     for (std::size_t k = runs_[piece].begin; k < runs_[piece].end; ++k)
-      work(leaves_[k], scratch_[thread], found_[piece]);
+      work(leaves_[k], scratch_[thread], found);
+    if (is_next) joined.store(piece + 1, std::memory_order_release);
   });
-  join(pool, pairs);
+  join(joined, pool, pairs);
 }
 
 /// Runs of about as many entries each.
@@ -37,16 +42,18 @@ void LeafPass<D>::cut(const Tree<D>& tree, std::size_t pieces) {
   }
 }
 
+/// Appends what the pieces from `first` on have found.
 template <int D>
-void LeafPass<D>::join(TaskPool& pool, PairBuffer& pairs) {
-  std::vector<std::size_t> begins;
+void LeafPass<D>::join(std::size_t first, TaskPool& pool, PairBuffer& pairs) {
+  std::vector<std::size_t> begins(runs_.size());
   std::size_t total = 0;
-  for (std::size_t piece = 0; piece < runs_.size(); ++piece) {
-    begins.push_back(total);
+  for (std::size_t piece = first; piece < runs_.size(); ++piece) {
+    begins[piece] = total;
     total += found_[piece].size();
   }
   Pair* const out = pairs.reserve(total);
-  pool.for_each(runs_.size(), [&](std::size_t piece, std::size_t) {
+  pool.for_each(runs_.size() - first, [&](std::size_t k, std::size_t) {
+    const std::size_t piece = first + k;
     std::copy_n(found_[piece].all().data(), found_[piece].size(), out + begins[piece]);
   });
   pairs.commit(total);

@@ -36,11 +36,11 @@ class LeafPass {
 
  private:
   void cut(const Tree<D>& tree, std::size_t pieces);
-  void join(TaskPool& pool, PairBuffer& pairs);
+  void join(std::size_t first, TaskPool& pool, PairBuffer& pairs);
 
   std::vector<NodeId> leaves_;
   std::vector<Slice> runs_;        ///< of leaves, by piece
-  std::vector<PairBuffer> found_;  ///< by piece
+  std::vector<PairBuffer> found_;  ///< by piece, of those that could not tell yet where theirs belong
   std::vector<LeafScratch<D>> scratch_;
 };
 

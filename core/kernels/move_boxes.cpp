@@ -11,7 +11,7 @@ namespace kerf::HWY_NAMESPACE {
 
 constexpr std::size_t kBlock = 8;
 
-/// Whether the objects of a block ascend, so that none of them is asked for twice in it.
+/// Whether the objects of a block ascend: then the last one tells whether all are known.
 HWY_INLINE bool ascend(const ObjectId* block) {
   const hn::FixedTag<std::uint32_t, 4> four;
   const auto* const numbers = &block->value;
@@ -51,9 +51,8 @@ template <int D>
 HWY_INLINE bool take_quietly(const MoveRequest<D>& request, std::size_t k) {
   const ObjectId* const objects = request.objects.data() + k;
   if (!ascend(objects) || objects[kBlock - 1].index() >= request.attention.size()) return false;
-  PackedBox<D> everywhere;
+  PackedBox<D> everywhere;  // holds every finite box, as fat boxes hold no others
   everywhere.lane.fill(-FLT_MAX);
-  const Packed<D> least = load(everywhere);
   unsigned attention = 0;
   Packed<D> boxes[kBlock];
   Packed<D> marked{};
@@ -65,7 +64,6 @@ HWY_INLINE bool take_quietly(const MoveRequest<D>& request, std::size_t k) {
     boxes[i] = pack(request.boxes[k + i]);
     const Packed<D> fat = load(of_object == 0 ? request.fat[id] : everywhere);
     mark_beyond<D>(boxes[i], turned<D>(boxes[i]), marked);
-    mark_beyond<D>(least, boxes[i], marked);
     mark_beyond<D>(fat, boxes[i], marked);
     mark_shrinking<D>(load(request.latest[id]), boxes[i], fat, marked);
   }

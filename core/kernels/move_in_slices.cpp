@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <functional>
+#include <atomic>
+#include <span>
 #include <vector>
 
 #include "core/kernels/move_boxes.h"
@@ -30,15 +31,30 @@ void join(const MoveRequest<D>& request, std::size_t begin, const MoveAnswer& pa
   all.left_over += part.left_over;
 }
 
+/// Whether each is greater than the one before. No branch for each: so vectors compare them.
+bool ascend(std::span<const ObjectId> objects) {
+  unsigned falls = 0;
+  for (std::size_t k = 0; k + 1 < objects.size(); ++k)
+    falls |= static_cast<unsigned>(objects[k].value >= objects[k + 1].value);
+  return falls == 0;
+}
+
+bool ascend(std::span<const ObjectId> objects, TaskPool& pool) {
+  std::atomic<bool> all = true;
+  pool.for_slices(objects.size(), [&](const Slice& slice, std::size_t) {
+    const std::size_t end = std::min(slice.end + 1, objects.size());  // with the first of the next slice
+    if (!ascend(objects.subspan(slice.begin, end - slice.begin))) all = false;
+  });
+  return all;
+}
+
 }  // namespace
 
 template <int D>
 MoveAnswer move_boxes(const MoveRequest<D>& request, TaskPool& pool) {
   const auto objects = request.objects;
   const std::size_t slices = pool.slices_of(objects.size());
-  const bool ascend = slices > 1 && std::adjacent_find(objects.begin(), objects.end(),
-                                                       std::greater_equal<>()) == objects.end();
-  if (!ascend) return move_boxes(request);
+  if (slices == 1 || !ascend(objects, pool)) return move_boxes(request);
   std::vector<MoveAnswer> answers(slices);
   pool.for_slices(objects.size(), [&](const Slice& slice, std::size_t k) {
     answers[k] = move_boxes(part_of(request, slice));

@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/kernels/machine.h"
@@ -110,12 +111,12 @@ struct Moved {
   std::vector<std::uint32_t> left_over;
 
   void move(std::span<const ObjectId> objects, std::span<const Box<D>> boxes,
-            const std::vector<PackedBox<D>>& fat) {
+            const std::vector<PackedBox<D>>& fat, TaskPool& pool) {
     std::vector<ObjectId> asking(objects.size());
     std::vector<PackedBox<D>> were(objects.size());
     std::vector<std::uint32_t> odd(objects.size());
     const MoveAnswer answer = move_boxes<D>(
-        {objects, boxes, latest, attention, fat.data(), asking.data(), were.data(), odd.data()});
+        {objects, boxes, latest, attention, fat.data(), asking.data(), were.data(), odd.data()}, pool);
     changed.insert(changed.end(), asking.begin(),
                    asking.begin() + static_cast<std::ptrdiff_t>(answer.changed));
     before.insert(before.end(), were.begin(), were.begin() + static_cast<std::ptrdiff_t>(answer.changed));
@@ -135,6 +136,7 @@ TYPED_TEST(MoveBoxes, ManyAtOnceAreMovedAsOneByOne) {
   constexpr int kD = TypeParam::value;
   constexpr std::uint32_t kObjects = 400;
   Random random(7);
+  TaskPool alone;
   std::size_t asked = 0;
   for (int round = 0; round < 40; ++round) {
     const double odd = round % 4 == 0 ? 0.3 : 0.02;  // else most blocks have nothing odd
@@ -162,18 +164,25 @@ TYPED_TEST(MoveBoxes, ManyAtOnceAreMovedAsOneByOne) {
       else if (what < 0.75)
         box.min[axis] = box.max[axis] + 1;
       else if (what < 1)
-        box.max[axis] = std::numeric_limits<Scalar>::quiet_NaN();
+        box.max[axis] = std::array{std::numeric_limits<Scalar>::quiet_NaN(),
+                                   std::numeric_limits<Scalar>::infinity()}[id % 2];
       objects.push_back({id});
       boxes.push_back(box);
     }
+    if (round % 3 == 0)
+      for (std::uint32_t k = 1; k < objects.size(); ++k) {
+        const std::uint32_t other = random.below(k + 1);
+        std::swap(objects[k], objects[other]);
+        std::swap(boxes[k], boxes[other]);
+      }
     for (const std::string& name : kernels()) {
       use_kernel(name);
       Moved<kD> at_once = one_by_one;
       Moved<kD> expected = one_by_one;
-      at_once.move(objects, boxes, fat);
+      at_once.move(objects, boxes, fat, alone);
       for (std::uint32_t k = 0; k < objects.size(); ++k) {
         const std::size_t left_over = expected.left_over.size();
-        expected.move({&objects[k], 1}, {&boxes[k], 1}, fat);
+        expected.move({&objects[k], 1}, {&boxes[k], 1}, fat, alone);
         if (expected.left_over.size() > left_over) expected.left_over.back() = k;
       }
       ASSERT_TRUE(are_equal<kD>(at_once.latest, expected.latest)) << name << ", round " << round;
@@ -185,6 +194,38 @@ TYPED_TEST(MoveBoxes, ManyAtOnceAreMovedAsOneByOne) {
     }
   }
   EXPECT_GT(asked, 1000U);
+}
+
+/// An object that is given twice, the second time where another thread would begin, waits once it has asked.
+TYPED_TEST(MoveBoxes, ThreadsMoveAsOneDoes) {
+  constexpr int kD = TypeParam::value;
+  constexpr std::uint32_t kObjects = 10000;
+  TaskPool alone;
+  TaskPool shared(3);
+  const std::size_t second = slice(kObjects, shared.slices_of(kObjects), 1).begin;
+  for (const bool twice : {false, true}) {
+    std::vector<ObjectId> objects;
+    std::vector<Box<kD>> boxes;
+    for (std::uint32_t k = 0; k < kObjects; ++k) {
+      objects.push_back({twice && k == second ? k - 1 : k});
+      boxes.push_back(box_at<kD>({}, k % 7 == 0 || k == second - 1 ? 3.0F : 1.0F));
+    }
+    Moved<kD> one{std::vector(kObjects, PackedBox<kD>(box_at<kD>({}, 1))),
+                  std::vector<std::uint8_t>(kObjects),
+                  {},
+                  {},
+                  {}};
+    const std::vector<PackedBox<kD>> fat(kObjects, PackedBox<kD>(box_at<kD>({}, 2)));
+    Moved<kD> many = one;
+    one.move(objects, boxes, fat, alone);
+    many.move(objects, boxes, fat, shared);
+    EXPECT_TRUE(are_equal<kD>(one.latest, many.latest));
+    EXPECT_TRUE(are_equal<kD>(one.before, many.before));
+    EXPECT_EQ(one.attention, many.attention);
+    EXPECT_EQ(one.changed, many.changed);
+    EXPECT_EQ(one.left_over, many.left_over);
+    EXPECT_EQ(one.left_over.size(), twice ? 1U : 0U);
+  }
 }
 
 /// Who is silent asks for nothing, but what is odd is left to the caller all the same.
