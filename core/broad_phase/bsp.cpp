@@ -10,7 +10,6 @@
 #include "core/broad_phase/skin.h"
 #include "core/kernels/sweep.h"
 #include "core/tree/hash.h"
-#include "core/tree/placement.h"
 #include "core/tree/subtree.h"
 
 namespace kerf {
@@ -236,88 +235,6 @@ void Bsp<D, Trace>::enter(Mode mode) {
   mode_ = mode;
   kept_.clear();
   for (std::uint8_t& attention : attention_) attention &= static_cast<std::uint8_t>(~kSilent);
-}
-
-/// Brings the entries up to date with the objects. Placement is never deferred: it is what makes the pairs
-/// complete.
-template <int D, class Trace>
-void Bsp<D, Trace>::place() {
-  const Mode before = mode_;
-  choose_mode();
-  if (mode_ == Mode::kept && before == Mode::kept) {
-    slim_some();
-    follow_restless();
-  }
-  const auto more_than = [this](float share) {
-    return static_cast<float>(changed_.size()) > share * static_cast<float>(latest_.size());
-  };
-  if (mode_ == Mode::kept) {
-    if (before != Mode::kept) {
-      fatten_all();
-    } else if (more_than(4 * config_.stream_share)) {
-      // Four times, since kept leaves must then be swept anew, which they need not be for a patch.
-      make_fat_boxes();
-      take_fat_boxes();
-      place_all();
-    } else {
-      place_fat();
-    }
-  } else if (before == Mode::kept || (mode_ == Mode::swept && more_than(config_.stream_share))) {
-    const bool many_stay = only_moves_ && !most_jump();
-    tree_.table.copy_all(latest_, *pool_);
-    place_all(many_stay);
-  } else {
-    place_changes();
-  }
-  pool_->for_slices(changed_.size(), [this](const Slice& slice, std::size_t) {
-    for (const ObjectId object : changed_.all().subspan(slice.begin, slice.end - slice.begin))
-      attention_[object.index()] = attention_at_rest(object);
-  });
-  changed_.clear();
-  before_.clear();
-  only_moves_ = true;
-}
-
-/// `many_stay`: nobody came or went, and it pays to see first who still lies wholly in its leaf's cell.
-template <int D, class Trace>
-void Bsp<D, Trace>::place_all(bool many_stay) {
-  placed_ = changed_.size();
-  if (many_stay) {
-    leave_pass_.run(tree_, *pool_);
-    stream(tree_, leave_pass_, stream_memory_, *pool_);
-  } else {
-    stream(tree_, stream_memory_, *pool_);
-  }
-  reporter_.report([&] { return AllPlaced{tree_.objects()}; });
-}
-
-/// Each object for itself, by the boxes as they are.
-template <int D, class Trace>
-void Bsp<D, Trace>::place_changes() {
-  std::vector<ObjectId> leaving;
-  std::vector<ObjectId> entering;
-  for (const ObjectId object : changed_.all()) {
-    const bool was_placed = tree_.table.is_placed(object);
-    const bool is_placed = latest_.is_placed(object);
-    if (was_placed && is_placed && stays(tree_, object, latest_.volume(object))) continue;
-    if (was_placed) leaving.push_back(object);
-    if (is_placed) entering.push_back(object);
-  }
-  for (const ObjectId object : leaving)
-    if (!latest_.is_placed(object)) reporter_.report([&] { return ObjectPlaced{object, 0}; });
-  displace<D>(tree_, tree_.root(), leaving);
-  for (const ObjectId object : changed_.all()) tree_.table.copy(latest_, object);
-  placed_ = 0;
-  place_entering(entering);
-}
-
-template <int D, class Trace>
-void Bsp<D, Trace>::place_entering(const std::vector<ObjectId>& entering) {
-  for (const ObjectId object : entering) {
-    const std::uint32_t leaves = kerf::place(tree_, tree_.root(), object, 0);
-    reporter_.report([&] { return ObjectPlaced{object, leaves}; });
-  }
-  placed_ += entering.size();
 }
 
 template <int D, class Trace>

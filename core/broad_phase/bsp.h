@@ -125,6 +125,7 @@ class Bsp final : public BroadPhase<D> {
   void place();
   void place_changes();
   void place_all(bool many_stay = false);
+  void put_at_rest();
   void place_entering(const std::vector<ObjectId>& entering);
   Box<D> fat_box(ObjectId object, const Box<D>& before);
   void fatten_all();

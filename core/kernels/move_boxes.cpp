@@ -1,5 +1,8 @@
 #include "core/kernels/move_boxes.h"
 
+#include <algorithm>
+#include <cstring>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/move_boxes.cpp"
 #include <hwy/foreach_target.h>
@@ -11,64 +14,82 @@ namespace kerf::HWY_NAMESPACE {
 
 constexpr std::size_t kBlock = 8;
 
-/// Whether the objects of a block ascend: then the last one tells whether all are known.
-HWY_INLINE bool ascend(const ObjectId* block) {
+/// Whether the ids of a block are consecutive.
+HWY_INLINE bool are_consecutive(const ObjectId* block) {
   const hn::FixedTag<std::uint32_t, 4> four;
-  const auto* const numbers = &block->value;
-  const auto ascend_from = [&](std::size_t k) HWY_ATTR {
-    return hn::Lt(hn::LoadU(four, numbers + k), hn::LoadU(four, numbers + k + 1));
-  };
-  return hn::AllTrue(four, hn::And(ascend_from(0), ascend_from(kBlock - 5)));
+  const std::uint32_t* const numbers = &block->value;
+  const auto expected = hn::Add(hn::Set(four, *numbers), hn::Iota(four, 0));
+  const auto differ = hn::Or(hn::Xor(hn::LoadU(four, numbers), expected),
+                             hn::Xor(hn::LoadU(four, numbers + 4), hn::Add(expected, hn::Set(four, 4))));
+  return hn::AllTrue(four, hn::Eq(differ, hn::Zero(four)));
+}
+
+HWY_INLINE bool are_quiet(const std::uint8_t* attention) {
+  std::uint64_t of_all = 0;
+  static_assert(sizeof(of_all) == kBlock);
+  std::memcpy(&of_all, attention, kBlock);
+  return of_all == 0;
 }
 
 /// Marks the lanes in which a is not at most b.
-template <int D>
-HWY_INLINE void mark_beyond(const Packed<D>& a, const Packed<D>& b, Packed<D>& marked) {
-  for (std::size_t k = 0; k < Packed<D>::kParts; ++k)
+template <int D, int Boxes>
+HWY_INLINE void mark_beyond(const Packed<D, Boxes>& a, const Packed<D, Boxes>& b, Packed<D, Boxes>& marked) {
+  for (std::size_t k = 0; k < marked.kParts; ++k)
     marked.part[k] = hn::Or(marked.part[k], beyond(a.part[k], b.part[k]));
 }
 
 /// Marks the lanes in which a box that filled its fat box no longer does.
-template <int D>
-HWY_INLINE void mark_shrinking(const Packed<D>& before, const Packed<D>& now, const Packed<D>& fat,
-                               Packed<D>& marked) {
-  for (std::size_t k = 0; k < Packed<D>::kParts; ++k) {
+template <int D, int Boxes>
+HWY_INLINE void mark_shrinking(const Packed<D, Boxes>& before, const Packed<D, Boxes>& now,
+                               const Packed<D, Boxes>& fat, Packed<D, Boxes>& marked) {
+  for (std::size_t k = 0; k < marked.kParts; ++k) {
     const auto shrinks = hn::AndNot(beyond(before.part[k], fat.part[k]), beyond(now.part[k], fat.part[k]));
     marked.part[k] = hn::Or(marked.part[k], shrinks);
   }
 }
 
-template <int D>
-HWY_INLINE bool none(const Packed<D>& marked) {
+template <int D, int Boxes>
+HWY_INLINE bool none(const Packed<D, Boxes>& marked) {
   auto any = marked.part[0];
-  for (std::size_t k = 1; k < Packed<D>::kParts; ++k) any = hn::Or(any, marked.part[k]);
+  for (std::size_t k = 1; k < marked.kParts; ++k) any = hn::Or(any, marked.part[k]);
   return nowhere(any);
 }
 
-/// Takes the boxes of the block that begins at the k-th request, if nobody in it asks for more: most blocks
-/// are like that, and one branch for eight objects tells.
-template <int D>
-HWY_INLINE bool take_quietly(const MoveRequest<D>& request, std::size_t k) {
-  const ObjectId* const objects = request.objects.data() + k;
-  if (!ascend(objects) || objects[kBlock - 1].index() >= request.attention.size()) return false;
-  PackedBox<D> everywhere;  // holds every finite box, as fat boxes hold no others
-  everywhere.lane.fill(-FLT_MAX);
-  unsigned attention = 0;
-  Packed<D> boxes[kBlock];
-  Packed<D> marked{};
-  for (auto& part : marked.part) part = hn::Zero(typename Packed<D>::Lanes());
-  for (std::size_t i = 0; i < kBlock; ++i) {
-    const std::size_t id = objects[i].index();
-    const unsigned of_object = request.attention[id];
-    attention |= of_object;
-    boxes[i] = pack(request.boxes[k + i]);
-    const Packed<D> fat = load(of_object == 0 ? request.fat[id] : everywhere);
-    mark_beyond<D>(boxes[i], turned<D>(boxes[i]), marked);
-    mark_beyond<D>(fat, boxes[i], marked);
-    mark_shrinking<D>(load(request.latest[id]), boxes[i], fat, marked);
+/// Takes the boxes of the block that begins at the k-th request, if its objects are neighbours whose answers
+/// are alike: with fat boxes nobody asks, without them all do. Most blocks are like that, and one branch
+/// tells.
+template <bool Fat, int D>
+HWY_INLINE bool take_block(const MoveRequest<D>& request, std::size_t k, MoveAnswer& answer) {
+  constexpr int kBoxes = D == 2 ? 2 : 1;
+  using Some = Packed<D, kBoxes>;
+  const std::size_t first = request.objects[k].index();
+  if (!are_consecutive(request.objects.data() + k) || first + kBlock > request.attention.size() ||
+      !are_quiet(request.attention.data() + first))
+    return false;
+  Some boxes[kBlock / kBoxes];
+  Some marked;
+  Some least;
+  for (auto& part : marked.part) part = hn::Zero(typename Some::Lanes());
+  for (auto& part : least.part) part = hn::Set(typename Some::Lanes(), -FLT_MAX);
+  for (std::size_t i = 0; i < kBlock; i += kBoxes) {
+    Some& now = boxes[i / kBoxes];
+    now = pack<kBoxes>(request.boxes[k + i]);
+    mark_beyond(now, turned(now), marked);
+    if constexpr (Fat) {
+      const Some fat = load<kBoxes>(request.fat[first + i]);  // finite, so that it holds nothing that is not
+      mark_beyond(fat, now, marked);
+      mark_shrinking(load<kBoxes>(request.latest[first + i]), now, fat, marked);
+    } else {
+      mark_beyond(least, now, marked);
+    }
   }
-  if ((attention & ~unsigned{kSilent}) != 0 || !none<D>(marked)) return false;
-  for (std::size_t i = 0; i < kBlock; ++i) store<D>(boxes[i], request.latest[objects[i].index()]);
+  if (!none(marked)) return false;
+  for (std::size_t i = 0; i < kBlock; i += kBoxes) store(boxes[i / kBoxes], request.latest[first + i]);
+  if constexpr (!Fat) {
+    std::copy_n(request.objects.data() + k, kBlock, request.changed + answer.changed);
+    std::memset(request.attention.data() + first, 1, kBlock);
+    answer.changed += kBlock;
+  }
   return true;
 }
 
@@ -95,7 +116,7 @@ HWY_INLINE void take(const MoveRequest<D>& request, std::size_t k, MoveAnswer& a
   request.changed[answer.changed] = object;
   answer.changed += asks ? 1 : 0;
   attention[id] |= asks ? 1 : 0;
-  store<D>(box, request.latest[id]);
+  store(box, request.latest[id]);
 }
 
 /// By value: nothing that is written through its pointers can be the request itself.
@@ -103,10 +124,9 @@ template <bool Fat, int D>
 HWY_INLINE MoveAnswer move_all(const MoveRequest<D> request) {
   MoveAnswer answer;
   std::size_t k = 0;
-  if constexpr (Fat)
-    for (; k + kBlock <= request.objects.size(); k += kBlock)
-      if (!take_quietly(request, k))
-        for (std::size_t i = 0; i < kBlock; ++i) take<Fat>(request, k + i, answer);
+  for (; k + kBlock <= request.objects.size(); k += kBlock)
+    if (!take_block<Fat>(request, k, answer))
+      for (std::size_t i = 0; i < kBlock; ++i) take<Fat>(request, k + i, answer);
   for (; k < request.objects.size(); ++k) take<Fat>(request, k, answer);
   return answer;
 }

@@ -23,10 +23,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Four = hn::FixedTag<float, 4>;
 using Floats = hn::Vec<Four>;
 
-/// All lanes of a packed box: in one vector, but in 3D on machines whose vectors have four floats in two.
-template <int D>
+/// All lanes of a packed box, or of several side by side: in one vector if the machine has them as long, else
+/// in more.
+template <int D, int Boxes = 1>
 struct Packed {
-  static constexpr std::size_t kAll = std::size_t{2} * PackedBox<D>::kHalf;
+  static constexpr std::size_t kAll = std::size_t{2} * PackedBox<D>::kHalf * Boxes;
 #if HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86
   static constexpr std::size_t kLanes = kAll;
 #else
@@ -37,25 +38,28 @@ struct Packed {
   hn::Vec<Lanes> part[kParts];
 };
 
-template <int D>
-HWY_INLINE Packed<D> load(const PackedBox<D>& box) {
-  Packed<D> packed;
-  for (std::size_t k = 0; k < Packed<D>::kParts; ++k)
-    packed.part[k] = hn::Load(typename Packed<D>::Lanes(), box.lane.data() + k * Packed<D>::kLanes);
+/// From the first of the boxes on.
+template <int Boxes = 1, int D>
+HWY_INLINE Packed<D, Boxes> load(const PackedBox<D>& first) {
+  Packed<D, Boxes> packed;
+  for (std::size_t k = 0; k < packed.kParts; ++k)
+    packed.part[k] = hn::LoadU(typename Packed<D, Boxes>::Lanes(), first.lane.data() + k * packed.kLanes);
   return packed;
 }
 
-template <int D>
-HWY_INLINE void store(const Packed<D>& packed, PackedBox<D>& box) {
-  for (std::size_t k = 0; k < Packed<D>::kParts; ++k)
-    hn::Store(packed.part[k], typename Packed<D>::Lanes(), box.lane.data() + k * Packed<D>::kLanes);
+template <int D, int Boxes>
+HWY_INLINE void store(const Packed<D, Boxes>& packed, PackedBox<D>& first) {
+  for (std::size_t k = 0; k < packed.kParts; ++k)
+    hn::StoreU(packed.part[k], typename Packed<D, Boxes>::Lanes(), first.lane.data() + k * packed.kLanes);
 }
 
 /// (max, -min) of (min, -max): the other ends, as large as this box's own ends may become.
-template <int D>
-HWY_INLINE Packed<D> turned(const Packed<D>& packed) {
+template <int D, int Boxes>
+HWY_INLINE Packed<D, Boxes> turned(const Packed<D, Boxes>& packed) {
   if constexpr (D == 2) {
-    return {{hn::Neg(hn::Shuffle1032(packed.part[0]))}};
+    Packed<D, Boxes> result;
+    for (std::size_t k = 0; k < packed.kParts; ++k) result.part[k] = hn::Neg(hn::Shuffle1032(packed.part[k]));
+    return result;
   } else if constexpr (Packed<D>::kParts == 1) {
     const typename Packed<D>::Lanes lanes;
     return {{hn::Neg(hn::ConcatLowerUpper(lanes, packed.part[0], packed.part[0]))}};
@@ -116,24 +120,33 @@ HWY_INLINE bool is_valid(const Packed<D>& packed) {
 }
 
 /// From a box as callers give it.
-template <int D>
-HWY_INLINE Packed<D> pack(const Box<D>& box) {
+template <int Boxes = 1>
+HWY_INLINE Packed<3, Boxes> pack(const Box<3>& box) {
+  static_assert(Boxes == 1);
   const Four four;
+  const auto three = hn::FirstN(four, 3);
   const float* const first = box.min.value.data();
-  if constexpr (D == 2) {
-    const auto min_and_max = hn::LoadU(four, first);
-    return {{hn::ConcatUpperLower(four, hn::Neg(min_and_max), min_and_max)}};
+  const auto min = hn::IfThenElseZero(three, hn::LoadU(four, first));
+  const auto max = hn::Shuffle0321(hn::LoadU(four, first + 2));  // z of min goes last
+  const auto minus_max = hn::IfThenElseZero(three, hn::Neg(max));
+  if constexpr (Packed<3, Boxes>::kParts == 1) {
+    return {{hn::Combine(typename Packed<3, Boxes>::Lanes(), minus_max, min)}};
   } else {
-    const auto three = hn::FirstN(four, 3);
-    const auto min = hn::IfThenElseZero(three, hn::LoadU(four, first));
-    const auto max = hn::Shuffle0321(hn::LoadU(four, first + 2));  // z of min goes last
-    const auto minus_max = hn::IfThenElseZero(three, hn::Neg(max));
-    if constexpr (Packed<D>::kParts == 1) {
-      return {{hn::Combine(typename Packed<D>::Lanes(), minus_max, min)}};
-    } else {
-      return {{min, minus_max}};
-    }
+    return {{min, minus_max}};
   }
+}
+
+/// From the first of the boxes on, as callers give them.
+template <int Boxes = 1>
+HWY_INLINE Packed<2, Boxes> pack(const Box<2>& first) {
+  const typename Packed<2, Boxes>::Lanes lanes;
+  const hn::RebindToUnsigned<typename Packed<2, Boxes>::Lanes> words;
+  const auto sign_of_max = hn::ShiftLeft<30>(hn::And(hn::Iota(words, 0), hn::Set(words, 2)));
+  Packed<2, Boxes> packed;
+  for (std::size_t k = 0; k < packed.kParts; ++k)
+    packed.part[k] = hn::Xor(hn::LoadU(lanes, first.min.value.data() + k * packed.kLanes),
+                             hn::BitCast(lanes, sign_of_max));
+  return packed;
 }
 
 }  // namespace kerf::HWY_NAMESPACE
