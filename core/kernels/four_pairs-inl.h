@@ -9,7 +9,7 @@
 namespace kerf {
 
 /// For each set of four pairs: the words of those in it, then of the others.
-struct alignas(32) PairOrder {
+struct PairOrder {
   std::uint32_t word[8];
 };
 constexpr std::array<PairOrder, 16> make_pair_orders() {
@@ -25,7 +25,7 @@ constexpr std::array<PairOrder, 16> make_pair_orders() {
   }
   return orders;
 }
-inline constexpr std::array<PairOrder, 16> kPairOrders = make_pair_orders();
+alignas(32) inline constexpr std::array<PairOrder, 16> kPairOrders = make_pair_orders();
 
 }  // namespace kerf
 #endif

@@ -18,7 +18,7 @@ using Definitions = std::map<std::string, std::set<std::string>>;  // files by t
 void note_types(const std::string& file, const std::vector<std::string>& lines, Definitions& definitions) {
   static const std::regex kNamespace(R"(^namespace ([\w: ]+) \{)");
   static const std::regex kType(
-      R"(^(?:template <.*> )?(?:struct|class|enum class) (?:\[\[\w+\]\] ?)?(\w+)[^;]*$)");
+      R"(^(?:template <.*> )?(?:struct|class|enum class) (?:\[\[\w+\]\] ?|alignas\(.*\) )?(\w+)[^;]*$)");
   std::string space;
   std::smatch match;
   for (const std::string& line : lines) {
@@ -51,7 +51,8 @@ TEST(TypeNames, EachTypeIsDefinedInOneHeader) {
 
 TEST(TypeNames, PlantedTwinsAreSeen) {
   Definitions definitions;
-  note_types("a.h", {"namespace kerf {", "struct Forward;", "struct Twin {", "enum class Own : int {"},
+  note_types("a.h",
+             {"namespace kerf {", "struct Forward;", "struct alignas(8) Twin {", "enum class Own : int {"},
              definitions);
   note_types(
       "b.h",
