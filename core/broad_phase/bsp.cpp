@@ -300,11 +300,8 @@ std::uint64_t Bsp<D, Trace>::state_hash() const {
   return scheduler_.mix_into(hash(tree_));
 }
 
-template class Bsp<2, NoTrace>;
-template class Bsp<3, NoTrace>;
-template class Bsp<2, EventLog>;
-template class Bsp<3, EventLog>;
-template class Bsp<2, Watch>;
-template class Bsp<3, Watch>;
+#define KERF_INSTANTIATE(D, TRACE) template class Bsp<D, TRACE>;
+KERF_FOR_EACH_TRACE(KERF_INSTANTIATE)
+#undef KERF_INSTANTIATE
 
 }  // namespace kerf

@@ -186,11 +186,8 @@ class Bsp final : public BroadPhase<D> {
   std::uint32_t step_ = 0;
 };
 
-extern template class Bsp<2, NoTrace>;
-extern template class Bsp<3, NoTrace>;
-extern template class Bsp<2, EventLog>;
-extern template class Bsp<3, EventLog>;
-extern template class Bsp<2, Watch>;
-extern template class Bsp<3, Watch>;
+#define KERF_DECLARE(D, TRACE) extern template class Bsp<D, TRACE>;
+KERF_FOR_EACH_TRACE(KERF_DECLARE)
+#undef KERF_DECLARE
 
 }  // namespace kerf

@@ -188,12 +188,7 @@ void Bsp<D, Trace>::find_fat_places(std::size_t k, FatPiece& piece) const {
   template void Bsp<D, TRACE>::put_in(const Bsp<D, TRACE>::FatPiece&);                    \
   template void Bsp<D, TRACE>::note_entries(ObjectId, Bsp<D, TRACE>::FatPiece&) const;    \
   template void Bsp<D, TRACE>::find_fat_places(std::size_t, Bsp<D, TRACE>::FatPiece&) const;
-KERF_INSTANTIATE(2, NoTrace)
-KERF_INSTANTIATE(3, NoTrace)
-KERF_INSTANTIATE(2, EventLog)
-KERF_INSTANTIATE(3, EventLog)
-KERF_INSTANTIATE(2, Watch)
-KERF_INSTANTIATE(3, Watch)
+KERF_FOR_EACH_TRACE(KERF_INSTANTIATE)
 #undef KERF_INSTANTIATE
 
 }  // namespace kerf

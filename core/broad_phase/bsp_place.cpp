@@ -107,12 +107,7 @@ void Bsp<D, Trace>::place_entering(const std::vector<ObjectId>& entering) {
   template void Bsp<D, TRACE>::place_all(bool); \
   template void Bsp<D, TRACE>::place_changes(); \
   template void Bsp<D, TRACE>::place_entering(const std::vector<ObjectId>&);
-KERF_INSTANTIATE(2, NoTrace)
-KERF_INSTANTIATE(3, NoTrace)
-KERF_INSTANTIATE(2, EventLog)
-KERF_INSTANTIATE(3, EventLog)
-KERF_INSTANTIATE(2, Watch)
-KERF_INSTANTIATE(3, Watch)
+KERF_FOR_EACH_TRACE(KERF_INSTANTIATE)
 #undef KERF_INSTANTIATE
 
 }  // namespace kerf

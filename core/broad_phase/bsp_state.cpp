@@ -48,12 +48,7 @@ void Bsp<D, Trace>::restore(const BspState<D>& state) {
 #define KERF_INSTANTIATE(D, TRACE)                   \
   template BspState<D> Bsp<D, TRACE>::state() const; \
   template void Bsp<D, TRACE>::restore(const BspState<D>&);
-KERF_INSTANTIATE(2, NoTrace)
-KERF_INSTANTIATE(3, NoTrace)
-KERF_INSTANTIATE(2, EventLog)
-KERF_INSTANTIATE(3, EventLog)
-KERF_INSTANTIATE(2, Watch)
-KERF_INSTANTIATE(3, Watch)
+KERF_FOR_EACH_TRACE(KERF_INSTANTIATE)
 #undef KERF_INSTANTIATE
 
 }  // namespace kerf

@@ -21,6 +21,19 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
+/// Puts pairs in canonical order, a vector of them at a time.
+HWY_INLINE void order_ids(Pair* pairs, std::size_t count) {
+  static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
+  const hn::ScalableTag<std::uint32_t> lanes;
+  const std::size_t step = hn::Lanes(lanes) / 2;
+  std::size_t k = 0;
+  for (; k + step <= count; k += step) {
+    auto* const at = reinterpret_cast<std::uint32_t*>(pairs + k);
+    hn::StoreU(in_canonical_order(hn::LoadU(lanes, at)), lanes, at);
+  }
+  for (; k < count; ++k) pairs[k] = make_pair(pairs[k].a, pairs[k].b);
+}
+
 /// One of two entries that may be a pair.
 template <int D>
 struct EntryRef {
@@ -89,19 +102,21 @@ class Found {
   template <int D, class First, class Second>
   HWY_INLINE void confirm(First first, Second second, PairBuffer& pairs) {
     Pair* const begin = pairs.reserve(count_);
-    Pair* out = begin;
+    Pair* HWY_RESTRICT out = begin;
     FindingWalk walk(first_);
 #if KERF_HAS_FOUR_PAIRS
     for (; count_ >= 4; count_ -= 4) out += confirm_four<D>(walk, first, second, out);
 #endif
+    Pair* const rest = out;
     for (; count_ > 0; --count_, walk.advance()) {
       const EntryRef<D> a = first(walk.i());
       const EntryRef<D> b = second(walk.j());
       const bool overlap = boxes_overlap<D>(a.box, b.box);
       const bool here = (a.apart & b.apart) == 0;
-      *out = make_pair({a.object}, {b.object});
+      *out = {ObjectId{a.object}, ObjectId{b.object}};
       out += static_cast<std::ptrdiff_t>(overlap & here);
     }
+    order_ids(rest, static_cast<std::size_t>(out - rest));
     pairs.commit(static_cast<std::size_t>(out - begin));
     end_ = first_;
   }

@@ -43,13 +43,20 @@ alignas(32) inline constexpr std::array<PairOrder, 16> kPairOrders = make_pair_o
 #include "core/kernels/packed-inl.h"
 
 #undef KERF_HAS_FOUR_PAIRS
-#define KERF_HAS_FOUR_PAIRS (HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86)
+#define KERF_HAS_FOUR_PAIRS (HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86_64)
 
-#if KERF_HAS_FOUR_PAIRS
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Pairs of words, each with the lower id first: nothing predicts whose id is less.
+template <class Words>
+HWY_INLINE Words in_canonical_order(Words pairs) {
+  const auto turned = hn::Shuffle2301(pairs);
+  return hn::OddEven(hn::Max(pairs, turned), hn::Min(pairs, turned));
+}
+
+#if KERF_HAS_FOUR_PAIRS
 using PairWords = hn::FixedTag<std::uint32_t, 8>;
 using FourPairs = hn::Vec<PairWords>;
 
@@ -66,12 +73,6 @@ HWY_INLINE OnePair one_pair(std::uint32_t a, std::uint32_t b) {
 HWY_INLINE FourPairs four_pairs(const OnePair (&pairs)[4]) {
   const auto two = [&](std::size_t k) HWY_ATTR { return _mm_unpacklo_epi64(pairs[k].raw, pairs[k + 1].raw); };
   return {_mm256_set_m128i(two(2), two(0))};
-}
-
-/// Each with the lower id first.
-HWY_INLINE FourPairs in_canonical_order(FourPairs pairs) {
-  const auto turned = hn::Shuffle2301(pairs);
-  return hn::OddEven(hn::Max(pairs, turned), hn::Min(pairs, turned));
 }
 
 /// Writes those whose bits are set, one behind the other, and anything up to four. Returns how many.
@@ -113,7 +114,8 @@ HWY_INLINE unsigned nowhere_of_four(const Packed<D> (&lanes)[4]) {
   }
 }
 
+#endif
+
 }  // namespace kerf::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif
 #endif

@@ -26,8 +26,8 @@ struct MoveRequest {
 
   std::span<PackedBox<D>> latest;     ///< takes the new boxes
   std::span<std::uint8_t> attention;  ///< not 0, nor kSilent: the object is left to the caller
-  /// An object that stays inside of it asks for nothing, but if it filled it so far, it must fill it still.
-  /// None: all ask.
+  /// Finite boxes. An object that stays inside of its own asks for nothing, but if it filled it so far, it
+  /// must fill it still. None: all ask.
   const PackedBox<D>* fat = nullptr;
 
   ObjectId* changed = nullptr;         ///< answer: objects that ask; their `attention` is 1 now

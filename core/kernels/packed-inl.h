@@ -38,12 +38,15 @@ struct Packed {
   hn::Vec<Lanes> part[kParts];
 };
 
-/// From the first of the boxes on.
+/// From the first of the boxes on. One is aligned: without AVX only then its load is part of what uses it.
 template <int Boxes = 1, int D>
 HWY_INLINE Packed<D, Boxes> load(const PackedBox<D>& first) {
+  const typename Packed<D, Boxes>::Lanes lanes;
   Packed<D, Boxes> packed;
-  for (std::size_t k = 0; k < packed.kParts; ++k)
-    packed.part[k] = hn::LoadU(typename Packed<D, Boxes>::Lanes(), first.lane.data() + k * packed.kLanes);
+  for (std::size_t k = 0; k < packed.kParts; ++k) {
+    const float* const from = first.lane.data() + k * packed.kLanes;
+    packed.part[k] = Boxes == 1 ? hn::Load(lanes, from) : hn::LoadU(lanes, from);
+  }
   return packed;
 }
 

@@ -37,4 +37,13 @@ class Watch {
   std::function<void(const Event&)> on_event;
 };
 
+/// INSTANTIATE(D, TRACE) for both dimensions and each of the above.
+#define KERF_FOR_EACH_TRACE(INSTANTIATE) \
+  INSTANTIATE(2, NoTrace)                \
+  INSTANTIATE(3, NoTrace)                \
+  INSTANTIATE(2, EventLog)               \
+  INSTANTIATE(3, EventLog)               \
+  INSTANTIATE(2, Watch)                  \
+  INSTANTIATE(3, Watch)
+
 }  // namespace kerf

@@ -244,12 +244,7 @@ template class Scheduler<3>;
 #define KERF_INSTANTIATE(D, TRACE)                                                                       \
   template void Scheduler<D>::traverse<TRACE>(Tree<D>&, const Config&, std::uint32_t, Reporter<TRACE>&); \
   template void Scheduler<D>::process<TRACE>(Tree<D>&, const Config&, std::uint32_t, Reporter<TRACE>&);
-KERF_INSTANTIATE(2, NoTrace)
-KERF_INSTANTIATE(3, NoTrace)
-KERF_INSTANTIATE(2, EventLog)
-KERF_INSTANTIATE(3, EventLog)
-KERF_INSTANTIATE(2, Watch)
-KERF_INSTANTIATE(3, Watch)
+KERF_FOR_EACH_TRACE(KERF_INSTANTIATE)
 #undef KERF_INSTANTIATE
 
 }  // namespace kerf
