@@ -143,7 +143,7 @@ class Bsp final : public BroadPhase<D> {
     if (!latest_.is_placed(object)) return kUnplaced;
     return mode_ == Mode::kept && skins_[object.index()].is_restless() ? kSilent : 0;
   }
-  void take_out(const FatPiece& piece);
+  void take_out();
   void put_in(const FatPiece& piece);
   void note_entries(ObjectId object, FatPiece& piece) const;
   void find_fat_places(std::size_t k, FatPiece& piece) const;

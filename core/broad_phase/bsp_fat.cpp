@@ -105,12 +105,13 @@ void Bsp<D, Trace>::take_fat_boxes() {
 template <int D, class Trace>
 void Bsp<D, Trace>::place_fat() {
   make_fat_boxes();
-  fat_pieces_.resize(pool_->slices_of(changed_.size()));
-  pool_->for_slices(changed_.size(), [this](const Slice& slice, std::size_t k) {
+  const auto find_places = [this](const Slice& slice, std::size_t k) {
     fat_pieces_[k].clear();
     for (std::size_t at = slice.begin; at < slice.end; ++at) find_fat_places(at, fat_pieces_[k]);
-  });
-  for (const FatPiece& piece : fat_pieces_) take_out(piece);
+  };
+  fat_pieces_.resize(pool_->slices_of(changed_.size(), TaskPool::kFewWalks));
+  pool_->for_slices(changed_.size(), find_places, TaskPool::kFewWalks);
+  take_out();
   take_fat_boxes();
   placed_ = 0;
   for (const FatPiece& piece : fat_pieces_) put_in(piece);
@@ -118,12 +119,16 @@ void Bsp<D, Trace>::place_fat() {
 }
 
 template <int D, class Trace>
-void Bsp<D, Trace>::take_out(const FatPiece& piece) {
-  for (const EntryChange& change : piece.entries) kept_.note(change);
-  for (const NodeId leaf : piece.touched) tree_[leaf].unsorted = true;
-  for (const ObjectId object : piece.leaving)
-    if (!latest_.is_placed(object)) reporter_.report([&] { return ObjectPlaced{object, 0}; });
-  displace<D>(tree_, piece.leaving, piece.left);
+void Bsp<D, Trace>::take_out() {
+  std::vector<Departure> departures;
+  for (const FatPiece& piece : fat_pieces_) {
+    for (const EntryChange& change : piece.entries) kept_.note(change);
+    for (const NodeId leaf : piece.touched) tree_[leaf].unsorted = true;
+    for (const ObjectId object : piece.leaving)
+      if (!latest_.is_placed(object)) reporter_.report([&] { return ObjectPlaced{object, 0}; });
+    departures.push_back({piece.leaving, piece.left});
+  }
+  displace<D>(tree_, departures, *pool_);
 }
 
 template <int D, class Trace>
@@ -184,7 +189,7 @@ void Bsp<D, Trace>::find_fat_places(std::size_t k, FatPiece& piece) const {
   template void Bsp<D, TRACE>::make_fat_boxes();                                          \
   template void Bsp<D, TRACE>::take_fat_boxes();                                          \
   template void Bsp<D, TRACE>::place_fat();                                               \
-  template void Bsp<D, TRACE>::take_out(const Bsp<D, TRACE>::FatPiece&);                  \
+  template void Bsp<D, TRACE>::take_out();                                                \
   template void Bsp<D, TRACE>::put_in(const Bsp<D, TRACE>::FatPiece&);                    \
   template void Bsp<D, TRACE>::note_entries(ObjectId, Bsp<D, TRACE>::FatPiece&) const;    \
   template void Bsp<D, TRACE>::find_fat_places(std::size_t, Bsp<D, TRACE>::FatPiece&) const;

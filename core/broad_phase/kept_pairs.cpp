@@ -101,6 +101,14 @@ bool are_many(std::size_t restless, std::size_t entries, bool swept) {
   return restless * (swept ? kSweptEntries : kEntries) > entries;
 }
 
+/// For the boxes that the filter will read in any order, unless it needs but a few, or gathers them itself.
+/// Always inlined, for the reason why `prefetch` is.
+template <int D>
+HWY_INLINE void ask_for_boxes(const KeptLeaf<D>& leaf, const ObjectTable<D>& latest) {
+  if (leaf.names == Names::places || leaf.candidates.size() < leaf.objects.size()) return;
+  for (const std::uint32_t object : leaf.objects) prefetch(&latest.packed({object}));
+}
+
 /// Forgets all that is known of the leaf but how many restless entries it has.
 template <int D>
 void begin_sweeping(KeptLeaf<D>& leaf, std::size_t restless_entries) {
@@ -148,7 +156,8 @@ void KeptPairs<D>::find(Tree<D>& tree, const ObjectTable<D>& latest, const std::
   leaves_.resize(std::max<std::size_t>(leaves_.size(), tree.slots()));
   std::stable_sort(changes_.begin(), changes_.end(),
                    [](const EntryChange& a, const EntryChange& b) { return a.leaf < b.leaf; });
-  const Objects objects{tree.table, latest, skins};
+  const bool far = pool.threads() > 1 || exceeds(latest.packed(), kOwnCache);
+  const Objects objects{tree.table, latest, skins, far};
   pass.run(
       tree, pool,
       [&](NodeId leaf, LeafScratch<D>& scratch, PairBuffer& found) {
@@ -169,6 +178,7 @@ void KeptPairs<D>::find_in(const Tree<D>& tree, const Objects& objects, NodeId i
     return scratch.byte_sweep.find(scratch.view, pairs);
   }
   pairs.append(leaf.sure);
+  if (objects.far) ask_for_boxes(leaf, objects.latest);
   filter_candidates<D>(leaf, objects.latest.packed(), scratch.gathered, pairs);
   if (leaf.restless.empty()) return;
   view_restless(leaf, objects.latest, scratch.view);

@@ -36,6 +36,7 @@ struct KeptObjects {
   const ObjectTable<D>& fat;
   const ObjectTable<D>& latest;
   const std::vector<Skin>& skins;
+  bool far;  ///< most of the latest boxes are not in a core's own cache
 
   [[nodiscard]] bool is_restless(ObjectId object) const { return skins[object.index()].is_restless(); }
   /// See KeptLeaf.

@@ -44,7 +44,8 @@ HWY_INLINE std::size_t follow(const FollowJob<D>& job) {
     if (job.attention[object] == job.awaited && at_most<D>(cell, now) && at_most<D>(cell, before) &&
         outruns_skins<D>(now, before)) {
       store<D>(now, job.followed[object]);
-      job.skins[object].restless = Skin::kRestless;
+      std::uint8_t& restless = job.skins[object].restless;  // if written, it leaves other cores' caches
+      if (restless != Skin::kRestless) restless = Skin::kRestless;
     } else {
       job.left_over[left_over++] = object;
     }

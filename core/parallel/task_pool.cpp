@@ -26,13 +26,12 @@ TaskPool::TaskPool(unsigned threads)
 TaskPool::~TaskPool() = default;
 
 std::size_t TaskPool::pieces() const {
-  constexpr std::size_t kEach = 4;
+  constexpr std::size_t kEach = 8;
   return threads_ == 1 ? 1 : kEach * threads_;
 }
 
-std::size_t TaskPool::slices_of(std::size_t count) const {
-  constexpr std::size_t kLeast = 512;
-  return std::clamp<std::size_t>(count / kLeast, 1, pieces());
+std::size_t TaskPool::slices_of(std::size_t count, std::size_t few) const {
+  return std::clamp<std::size_t>(count / few, 1, pieces());
 }
 
 void TaskPool::for_each(std::size_t pieces, const Work& work) {

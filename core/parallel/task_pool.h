@@ -36,15 +36,18 @@ class TaskPool {
   [[nodiscard]] std::size_t pieces() const;
   /// Does each piece once, several at a time and in no order; returns when all are done.
   void for_each(std::size_t pieces, const Work& work);
-  /// The same for the slices of a list of `count` small things; `work(slice, piece)`. Gives their number.
+  static constexpr std::size_t kFewThings = 512;  ///< a copy or a comparison each
+  static constexpr std::size_t kFewWalks = 64;    ///< walks down a tree
+  /// The same for the slices of a list of `count` small things, of at least `few` each; `work(slice, piece)`.
+  /// Gives their number.
   template <class SliceWork>
-  std::size_t for_slices(std::size_t count, SliceWork work) {
-    const std::size_t number = slices_of(count);
+  std::size_t for_slices(std::size_t count, SliceWork work, std::size_t few = kFewThings) {
+    const std::size_t number = slices_of(count, few);
     for_each(number, [&](std::size_t piece, std::size_t) { work(slice(count, number, piece), piece); });
     return number;
   }
   /// The number of slices of such a list: 1 where sharing costs more than it gives.
-  [[nodiscard]] std::size_t slices_of(std::size_t count) const;
+  [[nodiscard]] std::size_t slices_of(std::size_t count, std::size_t few = kFewThings) const;
 
  private:
   struct Arena;

@@ -99,20 +99,27 @@ template <int D>
 void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving) {
   std::vector<NodeId> passed;
   for (const ObjectId object : leaving) reach_nodes(tree, from, object, passed);
-  displace<D>(tree, leaving, passed);
+  const Departure departure{leaving, passed};
+  TaskPool alone;
+  displace<D>(tree, {&departure, 1}, alone);
 }
 
 template <int D>
-void displace(Tree<D>& tree, std::span<const ObjectId> leaving, std::span<const NodeId> passed) {
-  for (const ObjectId object : leaving) tree.set_mark(object, true);
-  std::vector<std::uint8_t> is_done(tree.slots());
-  for (const NodeId id : passed) {
-    --tree[id].population;
-    if (!tree[id].is_leaf() || is_done[id.index()] != 0) continue;
-    tree.drop_marked_entries(id);
-    is_done[id.index()] = 1;
+void displace(Tree<D>& tree, std::span<const Departure> departures, TaskPool& pool) {
+  std::vector<NodeId> leaves;
+  std::vector<std::uint8_t> is_listed(tree.slots());
+  for (const Departure& departure : departures) {
+    for (const ObjectId object : departure.objects) tree.set_mark(object, true);
+    for (const NodeId id : departure.passed) {
+      --tree[id].population;
+      if (!tree[id].is_leaf() || is_listed[id.index()] != 0) continue;
+      leaves.push_back(id);
+      is_listed[id.index()] = 1;
+    }
   }
-  for (const ObjectId object : leaving) tree.set_mark(object, false);
+  tree.drop_marked_entries(leaves, pool);
+  for (const Departure& departure : departures)
+    for (const ObjectId object : departure.objects) tree.set_mark(object, false);
 }
 
 template <int D>
@@ -170,7 +177,7 @@ std::vector<Stored> collect(const Tree<D>& tree, NodeId from) {
 #define KERF_INSTANTIATE(D)                                                                           \
   template std::uint32_t place<D>(Tree<D>&, NodeId, ObjectId, DepthMask);                             \
   template void displace<D>(Tree<D>&, NodeId, std::span<const ObjectId>);                             \
-  template void displace<D>(Tree<D>&, std::span<const ObjectId>, std::span<const NodeId>);            \
+  template void displace<D>(Tree<D>&, std::span<const Departure>, TaskPool&);                         \
   template bool stays<D>(Tree<D>&, ObjectId, const Volume<D>&);                                       \
   template void reach<D>(const Tree<D>&, const Box<D>&, std::vector<Reached>&, std::vector<NodeId>&); \
   template bool reach_alike<D>(const Tree<D>&, const Box<D>&, const Box<D>&, std::vector<NodeId>&);   \

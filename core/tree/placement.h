@@ -24,10 +24,16 @@ std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above
 template <int D>
 void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving);
 
-/// The same if it is known by which nodes the objects go: `passed` has each of those that an object reaches,
-/// leaves too, once for that object.
+/// Objects that leave the tree, and by which nodes they go: each node that an object reaches, leaves too,
+/// once for that object.
+struct Departure {
+  std::span<const ObjectId> objects;
+  std::span<const NodeId> passed;
+};
+
+/// The same if that is known; an object is in one of the departures at most.
 template <int D>
-void displace(Tree<D>& tree, std::span<const ObjectId> leaving, std::span<const NodeId> passed);
+void displace(Tree<D>& tree, std::span<const Departure> departures, TaskPool& pool);
 
 /// A leaf that a volume reaches, and the ancestors of the leaf that it straddles on the way.
 struct Reached {

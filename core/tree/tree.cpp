@@ -1,5 +1,6 @@
 #include "core/tree/tree.h"
 
+#include <atomic>
 #include <stdexcept>
 #include <utility>
 
@@ -88,11 +89,15 @@ void Tree<D>::count_entries() {
 }
 
 template <int D>
-void Tree<D>::drop_marked_entries(NodeId leaf) {
-  std::vector<Entry>& entries = nodes_[leaf.index()].entries;
-  nodes_[leaf.index()].changed = true;
-  entries_ -=
-      std::erase_if(entries, [this](const Entry& entry) { return marks_[entry.object.index()] != 0; });
+void Tree<D>::drop_marked_entries(std::span<const NodeId> leaves, TaskPool& pool) {
+  std::atomic<std::uint64_t> dropped = 0;
+  pool.for_each(leaves.size(), [&](std::size_t k, std::size_t) {
+    Node<D>& leaf = nodes_[leaves[k].index()];
+    leaf.changed = true;
+    dropped +=
+        std::erase_if(leaf.entries, [this](const Entry& entry) { return marks_[entry.object.index()] != 0; });
+  });
+  entries_ -= dropped;
 }
 
 template <int D>

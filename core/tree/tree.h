@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/broad_phase/object_table.h"
 #include "core/geometry/direction_set.h"
 #include "core/ids.h"
+#include "core/parallel/task_pool.h"
 #include "core/tree/node.h"
 #include "core/tree/projector.h"
 
@@ -65,8 +67,9 @@ class Tree {
   /// the same time; `count_entries` must follow.
   std::vector<Entry>& refill(NodeId leaf, std::size_t count);
   void count_entries();
-  /// Takes the entries of all marked objects out of the leaf. The order of the others is kept.
-  void drop_marked_entries(NodeId leaf);
+  /// Takes the entries of all marked objects out of the leaves, each given once. The order of the others is
+  /// kept.
+  void drop_marked_entries(std::span<const NodeId> leaves, TaskPool& pool);
   /// A mark per object; all are off between operations.
   void set_mark(ObjectId object, bool on);
 

@@ -62,7 +62,8 @@ TYPED_TEST(Tree, CountsEntriesThroughEveryChange) {
   EXPECT_EQ(tree.entries(), 4U);
   const NodeId left = tree[tree.root()].left;
   tree.set_mark({1}, true);
-  tree.drop_marked_entries(left);
+  TaskPool alone;
+  tree.drop_marked_entries({&left, 1}, alone);
   tree.set_mark({1}, false);
   EXPECT_EQ(tree.entries(), 3U);
   EXPECT_EQ(objects_below(tree, left), (std::vector<ObjectId>{{0}}));
