@@ -67,10 +67,7 @@ HWY_INLINE bool take_block(const MoveRequest<D>& request, std::size_t k, MoveAns
       !are_quiet(request.attention.data() + first))
     return false;
   Some boxes[kBlock / kBoxes];
-  Some marked;
-  Some least;
-  for (auto& part : marked.part) part = hn::Zero(typename Some::Lanes());
-  for (auto& part : least.part) part = hn::Set(typename Some::Lanes(), -FLT_MAX);
+  Some marked = all_lanes<D, kBoxes>(0);
   for (std::size_t i = 0; i < kBlock; i += kBoxes) {
     Some& now = boxes[i / kBoxes];
     now = pack<kBoxes>(request.boxes[k + i]);
@@ -80,7 +77,7 @@ HWY_INLINE bool take_block(const MoveRequest<D>& request, std::size_t k, MoveAns
       mark_beyond(fat, now, marked);
       mark_shrinking(load<kBoxes>(request.latest[first + i]), now, fat, marked);
     } else {
-      mark_beyond(least, now, marked);
+      mark_beyond(all_lanes<D, kBoxes>(-FLT_MAX), now, marked);
     }
   }
   if (!none(marked)) return false;

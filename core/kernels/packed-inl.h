@@ -50,6 +50,14 @@ HWY_INLINE Packed<D, Boxes> load(const PackedBox<D>& first) {
   return packed;
 }
 
+/// The same value in all lanes.
+template <int D, int Boxes = 1>
+HWY_INLINE Packed<D, Boxes> all_lanes(float value) {
+  Packed<D, Boxes> packed;
+  for (auto& part : packed.part) part = hn::Set(typename Packed<D, Boxes>::Lanes(), value);
+  return packed;
+}
+
 template <int D, int Boxes>
 HWY_INLINE void store(const Packed<D, Boxes>& packed, PackedBox<D>& first) {
   for (std::size_t k = 0; k < packed.kParts; ++k)
@@ -117,9 +125,7 @@ HWY_INLINE bool boxes_overlap(const PackedBox<D>& a, const PackedBox<D>& b) {
 /// Ordered and finite: false for NaN.
 template <int D>
 HWY_INLINE bool is_valid(const Packed<D>& packed) {
-  Packed<D> least;
-  for (auto& part : least.part) part = hn::Set(typename Packed<D>::Lanes(), -FLT_MAX);
-  return at_most<D>(packed, turned<D>(packed)) && at_most<D>(least, packed);
+  return at_most<D>(packed, turned<D>(packed)) && at_most<D>(all_lanes<D>(-FLT_MAX), packed);
 }
 
 /// From a box as callers give it.
