@@ -12,41 +12,28 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// The keys of all boxes; returns the sums of their lengths in bytes. In 2D one vector has both ends: the map
-/// of what is turned is the turned map, to the last bit.
-template <int D>
-HWY_INLINE Floats fill_keys(const LeafView<D>& leaf, const ByteMap& map, ByteSweep<D>& sweep) {
-  const Four four;
-  Floats sums = hn::Zero(four);
-  if constexpr (D == 2) {
-    const ByteMap both{hn::ConcatLowerLower(four, hn::Neg(map.origin), map.origin),
-                       hn::ConcatLowerLower(four, hn::Neg(map.scale), map.scale)};
-    for (std::size_t i = 0; i < leaf.size(); ++i) {
-      const Floats ends = both(hn::Load(four, leaf.boxes[i].lane.data()));
-      sums = hn::Add(sums, ends);
-      sweep.keys[i] = four_bytes(ends);
-    }
-    return hn::Sub(hn::Shuffle1032(sums), sums);
-  } else {
-    for (std::size_t i = 0; i < leaf.size(); ++i) {
-      const Ends ends = load_ends(leaf.boxes[i]);
-      const Floats min = map(ends.min);
-      const Floats max = map(hn::Neg(ends.minus_max));
-      sums = hn::Add(sums, hn::Sub(max, min));
-      sweep.keys[i] = byte_key<D>(min, max);
-    }
-    return sums;
-  }
-}
-
 /// Fills `keys` and chooses the axis along which the boxes are shortest.
 template <int D>
 HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
-  alignas(16) float length[4];
-  hn::Store(fill_keys(leaf, make_byte_map(leaf), sweep), Four(), length);
+  const ByteMap<D> map(make_byte_scale(leaf));
+  ByteKey<D>* const HWY_RESTRICT keys = sweep.keys.data();
+  Packed<D> sums[kChains];
+  for (Packed<D>& chain : sums) chain = all_lanes<D>(0);
+  const auto add = [](const Packed<D>& from, Packed<D>& to) HWY_ATTR {
+    for (std::size_t k = 0; k < Packed<D>::kParts; ++k) to.part[k] = hn::Add(to.part[k], from.part[k]);
+  };
+  in_chains(leaf.size(), [&](std::size_t i, std::size_t chain) HWY_ATTR {
+    const Packed<D> ends = map(leaf.boxes[i]);
+    add(ends, sums[chain]);
+    keys[i] = byte_key<D>(ends);
+  });
+  for (std::size_t chain = 1; chain < kChains; ++chain) add(sums[chain], sums[0]);
+  PackedBox<D> sum;
+  store(sums[0], sum);
+  const auto length = [&sum](int axis) { return sum.lane[PackedBox<D>::kHalf + axis] - sum.lane[axis]; };
   sweep.axis = 0;
   for (int axis = 1; axis < D; ++axis)
-    if (length[axis] < length[sweep.axis]) sweep.axis = axis;
+    if (length(axis) < length(sweep.axis)) sweep.axis = axis;
 }
 
 /// Counts the entries that begin at each byte of the axis, and writes them in that order; equal ones stay in

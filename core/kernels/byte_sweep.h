@@ -21,11 +21,11 @@ struct SweptEntry {
 
 /// The sweep of one leaf by vectors of bytes.
 ///
-/// Each axis is mapped onto 0 .. 255 by a monotone function, so that every overlap stays one and a few are
-/// invented: `floor(clamp((x - origin) * scale))`, each operation of which is monotone in floats, too. Bytes
-/// are ordered along the axis that separates best by counting, compared 64 at a time with all that begin
-/// before the entry ends, and what is found is confirmed on the floats. So the pairs are exact, and the same
-/// in the same order whatever the width of the machine's vectors.
+/// Each axis is mapped onto bytes by a function each operation of which is monotone, in floats, too
+/// (ByteScale): every overlap stays one and a few are invented. Bytes are ordered along the axis that
+/// separates best by counting, compared 64 at a time with all that begin before the entry ends, and what is
+/// found is confirmed on the floats. So the pairs are exact, and the same in the same order whatever the
+/// width of the machine's vectors.
 template <int D>
 class ByteSweep {
  public:

@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cfloat>
 #include <cstdint>
 
@@ -21,68 +22,87 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Bytes = hn::CappedTag<std::uint8_t, 64>;
 
-/// The two ends of a box, each in the first D lanes.
-struct Ends {
-  Floats min;
-  Floats minus_max;
-};
-
+/// A scale in vectors.
 template <int D>
-HWY_INLINE Ends load_ends(const PackedBox<D>& box) {
-  const Four four;
-  const Floats first = hn::Load(four, box.lane.data());
-  if constexpr (D == 2) {
-    return {first, hn::Shuffle1032(first)};
-  } else {
-    return {first, hn::Load(four, box.lane.data() + 4)};
-  }
-}
-
-/// The monotone map of a leaf onto bytes: what lies below the least end of a box, or above the greatest
-/// beginning, overlaps in any case, so that only the stretch between is worth telling apart.
 struct ByteMap {
-  Floats origin;
-  Floats scale;
+  Packed<D> origin;
+  Packed<D> scale;
 
-  [[nodiscard]] HWY_INLINE Floats operator()(Floats x) const {
-    const Four four;
-    const Floats scaled = hn::Mul(hn::Sub(x, origin), scale);
-    return hn::Min(hn::Max(scaled, hn::Zero(four)), hn::Set(four, 255.0F));
+  HWY_INLINE explicit ByteMap(const ByteScale<D>& bytes)
+      : origin(load(bytes.origin)), scale(load(bytes.scale)) {}
+
+  /// Each end on 0 .. 255.
+  [[nodiscard]] HWY_INLINE Packed<D> operator()(const PackedBox<D>& box) const {
+    const typename Packed<D>::Lanes lanes;
+    Packed<D> ends = load(box);
+    for (std::size_t k = 0; k < Packed<D>::kParts; ++k) {
+      const auto scaled = hn::Mul(hn::Sub(ends.part[k], origin.part[k]), scale.part[k]);
+      ends.part[k] = hn::Min(hn::Max(scaled, hn::Zero(lanes)), hn::Set(lanes, 255.0F));
+    }
+    return ends;
   }
 };
 
-template <int D>
-HWY_INLINE ByteMap make_byte_map(const LeafView<D>& leaf) {
-  const Four four;
-  Floats greatest_min = hn::Set(four, -FLT_MAX);
-  Floats least_max = hn::Set(four, FLT_MAX);
-  for (const PackedBox<D>& box : leaf.boxes) {
-    const Ends ends = load_ends(box);
-    greatest_min = hn::Max(greatest_min, ends.min);
-    least_max = hn::Min(least_max, hn::Neg(ends.minus_max));
-  }
-  const Floats scale = hn::Div(hn::Set(four, 255.0F), hn::Sub(greatest_min, least_max));
-  // A stretch of no length gives infinity or less than nothing, an endless one nothing; 0 * inf never arises.
-  return {least_max, hn::Min(hn::Max(scale, hn::Set(four, FLT_MIN)), hn::Set(four, 1e30F))};
+/// So many sums or maxima are made side by side: each waits for the one before it.
+inline constexpr std::size_t kChains = 4;
+
+/// Calls `work(i, chain)` for each i below n, in order.
+template <class Work>
+HWY_INLINE void in_chains(std::size_t n, Work work) {
+  std::size_t i = 0;
+  for (; i + kChains <= n; i += kChains)
+    for (std::size_t chain = 0; chain < kChains; ++chain) work(i + chain, chain);
+  for (; i < n; ++i) work(i, 0);
 }
 
-/// Four mapped coordinates as bytes, the first one lowest.
-HWY_INLINE std::uint32_t four_bytes(Floats mapped) {
-  const hn::FixedTag<std::int32_t, 4> ints;
-  const hn::FixedTag<std::uint8_t, 4> bytes;
-  alignas(16) std::uint32_t word[4];
-  hn::Store(hn::DemoteTo(bytes, hn::ConvertTo(ints, mapped)), bytes, reinterpret_cast<std::uint8_t*>(word));
-  return word[0];
+/// The greatest beginning along each axis, and the least end.
+template <int D>
+HWY_INLINE PackedBox<D> greatest_of_lanes(const std::vector<PackedBox<D>>& boxes) {
+  Packed<D> greatest[kChains];
+  for (Packed<D>& chain : greatest) chain = all_lanes<D>(-FLT_MAX);
+  const auto take = [](const Packed<D>& from, Packed<D>& to) HWY_ATTR {
+    for (std::size_t k = 0; k < Packed<D>::kParts; ++k) to.part[k] = hn::Max(to.part[k], from.part[k]);
+  };
+  in_chains(boxes.size(),
+            [&](std::size_t i, std::size_t chain) HWY_ATTR { take(load(boxes[i]), greatest[chain]); });
+  for (std::size_t chain = 1; chain < kChains; ++chain) take(greatest[chain], greatest[0]);
+  PackedBox<D> result;
+  store(greatest[0], result);
+  return result;
 }
 
-/// The bytes of mapped ends: min of each axis in the low half, max in the high one.
 template <int D>
-HWY_INLINE ByteKey<D> byte_key(Floats min, Floats max) {
-  if constexpr (D == 2) {
-    return (four_bytes(min) & 0xffffU) | (four_bytes(max) << 16U);
-  } else {
-    return four_bytes(min) | (ByteKey<D>{four_bytes(max)} << 32U);
+HWY_INLINE ByteScale<D> make_byte_scale(const LeafView<D>& leaf) {
+  constexpr std::size_t kHalf = PackedBox<D>::kHalf;
+  const PackedBox<D> greatest = greatest_of_lanes<D>(leaf.boxes);
+  ByteScale<D> bytes;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const float least_max = -greatest.lane[kHalf + axis];
+    const float scale = 255.0F / (greatest.lane[axis] - least_max);
+    bytes.origin.lane[axis] = least_max;
+    // A stretch of no length gives infinity or less than nothing, an endless one nothing; 0 * inf never
+    // arises.
+    bytes.scale.lane[axis] = std::clamp(scale, FLT_MIN, 1e30F);
+    bytes.origin.lane[kHalf + axis] = -bytes.origin.lane[axis];
+    bytes.scale.lane[kHalf + axis] = -bytes.scale.lane[axis];
   }
+  return bytes;
+}
+
+/// Mapped ends to the nearest bytes: those of min in the low half, those of max in the high one.
+template <int D>
+HWY_INLINE ByteKey<D> byte_key(const Packed<D>& mapped) {
+  using Lanes = typename Packed<D>::Lanes;
+  const hn::RebindToUnsigned<Lanes> ints;
+  const hn::Rebind<std::uint8_t, Lanes> bytes;
+  alignas(16) ByteKey<D> key[2];  // a vector of bytes may be longer than its bytes are many
+  auto* const out = reinterpret_cast<std::uint8_t*>(key);
+  for (std::size_t k = 0; k < Packed<D>::kParts; ++k) {
+    // Added to 2^23, a number rounds to a whole one, which then is the low bits of the sum.
+    const auto sum = hn::BitCast(ints, hn::Add(mapped.part[k], hn::Set(Lanes(), 8388608.0F)));
+    hn::StoreU(hn::TruncateTo(bytes, sum), bytes, out + k * Packed<D>::kLanes);
+  }
+  return key[0];
 }
 
 /// One entry, spread over whole vectors, and the planes with which it is compared: A axes of both.

@@ -13,18 +13,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-template <int D>
-HWY_INLINE ByteMap map_of(const KeptLeaf<D>& leaf) {
-  const Four four;
-  return {hn::LoadU(four, leaf.origin.data()), hn::LoadU(four, leaf.scale.data())};
-}
-
-template <int D>
-HWY_INLINE ByteKey<D> key_of(const ByteMap& map, const PackedBox<D>& box) {
-  const Ends ends = load_ends(box);
-  return byte_key<D>(map(ends.min), map(hn::Neg(ends.minus_max)));
-}
-
 /// Byte k of a key: min of each axis, then max.
 template <int D>
 HWY_INLINE std::uint8_t byte_of(ByteKey<D> key, std::size_t k) {
@@ -37,18 +25,10 @@ HWY_INLINE void store_key(KeptLeaf<D>& leaf, std::size_t place, ByteKey<D> key) 
 }
 
 template <int D>
-HWY_INLINE void set_map(const LeafView<D>& view, KeptLeaf<D>& leaf) {
-  const Four four;
-  const ByteMap map = make_byte_map(view);
-  hn::StoreU(map.origin, four, leaf.origin.data());
-  hn::StoreU(map.scale, four, leaf.scale.data());
-}
-
-template <int D>
 HWY_INLINE void append(const LeafView<D>& view, KeptLeaf<D>& leaf) {
-  const ByteMap map = map_of(leaf);
+  const ByteMap<D> map(leaf.bytes);
   for (std::size_t i = 0; i < view.size(); ++i)
-    store_key(leaf, leaf.objects.size() + i, key_of(map, view.boxes[i]));
+    store_key(leaf, leaf.objects.size() + i, byte_key<D>(map(view.boxes[i])));
 }
 
 template <int D>
@@ -175,8 +155,8 @@ HWY_INLINE void filter(const KeptLeaf<D>& leaf, const PackedBox<D>* boxes,
   }
 }
 
-void set_map_2(const LeafView<2>& view, KeptLeaf<2>& leaf) { set_map(view, leaf); }
-void set_map_3(const LeafView<3>& view, KeptLeaf<3>& leaf) { set_map(view, leaf); }
+ByteScale<2> scale_2(const LeafView<2>& view) { return make_byte_scale(view); }
+ByteScale<3> scale_3(const LeafView<3>& view) { return make_byte_scale(view); }
 void append_2(const LeafView<2>& view, KeptLeaf<2>& leaf) { append(view, leaf); }
 void append_3(const LeafView<3>& view, KeptLeaf<3>& leaf) { append(view, leaf); }
 template <int D>
@@ -214,8 +194,8 @@ constexpr std::size_t kPad = 64;  // bytes that may be read beyond the end of a 
 HWY_EXPORT(drop_pairs);
 HWY_EXPORT(rename);
 HWY_EXPORT(find_object);
-HWY_EXPORT(set_map_2);
-HWY_EXPORT(set_map_3);
+HWY_EXPORT(scale_2);
+HWY_EXPORT(scale_3);
 HWY_EXPORT(append_2);
 HWY_EXPORT(append_3);
 HWY_EXPORT(probe_2);
@@ -264,9 +244,9 @@ void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf) {
   leaf.candidates.clear();
   leaf.restless.clear();
   if constexpr (D == 2) {
-    HWY_DYNAMIC_DISPATCH(set_map_2)(view, leaf);
+    leaf.bytes = HWY_DYNAMIC_DISPATCH(scale_2)(view);
   } else {
-    HWY_DYNAMIC_DISPATCH(set_map_3)(view, leaf);
+    leaf.bytes = HWY_DYNAMIC_DISPATCH(scale_3)(view);
   }
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -32,8 +31,7 @@ enum class Names : std::uint8_t {
 template <int D>
 struct KeptLeaf {
   std::uint32_t generation = 0;  ///< one more than that of the node whose leaf this is; 0: nothing is kept
-  std::array<float, 4> origin{};
-  std::array<float, 4> scale{};
+  ByteScale<D> bytes;
   std::vector<std::uint32_t> objects;
   std::vector<DepthMask> apart;
   std::vector<std::uint8_t> planes;  ///< min of each axis, then max, `stride` bytes each

@@ -14,6 +14,16 @@ namespace kerf {
 template <int D>
 using ByteKey = std::conditional_t<D == 2, std::uint32_t, std::uint64_t>;
 
+/// The monotone map of a leaf's axes onto bytes: `round(clamp((x - origin) * scale, 0, 255))`. What lies
+/// below the least end of a box, or above the greatest beginning, overlaps in any case, so that only the
+/// stretch between is worth telling apart. For each axis a number for min, and its negative for -max: the map
+/// of what is turned is the turned map, to the last bit.
+template <int D>
+struct ByteScale {
+  PackedBox<D> origin;
+  PackedBox<D> scale;
+};
+
 /// What the sweep of a leaf reads, one array for each thing, entry by entry.
 ///
 /// `apart` holds the bits of the planes that an entry straddles and that the leaf lies right of, and
