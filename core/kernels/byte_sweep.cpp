@@ -92,10 +92,10 @@ HWY_INLINE void compare_all(ByteSweep<D>& sweep, PairBuffer& pairs) {
     const std::uint32_t end = ends[own_max[i]];
     for (std::uint32_t j = i + 1; j < end; j += 64) {
       found.add(overlap_bits(probe, j) & first_bits(end - j), i, j);
-      if (found.is_full()) found.confirm<D>(entries, entries, pairs);
+      if (found.is_full()) confirm<D>(found, entries, entries, pairs);
     }
   }
-  found.confirm<D>(entries, entries, pairs);
+  confirm<D>(found, entries, entries, pairs);
 }
 
 template <int D>

@@ -13,9 +13,17 @@ struct FoundRow {
   std::uint32_t j;
 };
 
-/// Rows that are confirmed in one go.
-inline constexpr std::size_t kConfirmAt = 512;
-/// Room for them and for two that are read beyond the last.
-using Findings = std::array<FoundRow, kConfirmAt + 2>;
+/// Rows that are confirmed in one go, where they are walked through.
+inline constexpr std::size_t kConfirmRows = 512;
+/// Findings that are confirmed in one go, where each row is spread over a list at once.
+inline constexpr std::size_t kConfirmListed = 1024;
+
+/// Room for what is found and not confirmed yet.
+struct Findings {
+  std::array<FoundRow, kConfirmRows + 2> rows;  ///< two are read beyond the last
+  // A row is 64 findings at most, written 16 at a time.
+  std::array<std::uint32_t, kConfirmListed + 80> first;
+  std::array<std::uint32_t, kConfirmListed + 80> second;
+};
 
 }  // namespace kerf

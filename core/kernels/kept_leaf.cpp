@@ -58,10 +58,10 @@ HWY_INLINE void probe_all(KeptLeaf<D>& leaf, std::size_t count, const PackedBox<
     const Probe<D> probe = make_probe<D>(leaf, i);
     for (std::uint32_t j = 0; j < i; j += 64) {
       rows.add(overlap_bits(probe, j) & first_bits(i - j), i, j);
-      if (rows.is_full()) rows.confirm<D>(entries, entries, pairs);
+      if (rows.is_full()) confirm<D>(rows, entries, entries, pairs);
     }
   }
-  rows.confirm<D>(entries, entries, pairs);
+  confirm<D>(rows, entries, entries, pairs);
 }
 
 /// The first of `n` numbers from `k` on that is `wanted`, or n.
