@@ -30,7 +30,9 @@ HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   for (std::size_t chain = 1; chain < kChains; ++chain) add(sums[chain], sums[0]);
   PackedBox<D> sum;
   store(sums[0], sum);
-  const auto length = [&sum](int axis) { return sum.lane[PackedBox<D>::kHalf + axis] - sum.lane[axis]; };
+  const auto length = [lane = sum.lane.data()](int axis) {
+    return lane[PackedBox<D>::kHalf + axis] - lane[axis];
+  };
   sweep.axis = 0;
   for (int axis = 1; axis < D; ++axis)
     if (length(axis) < length(sweep.axis)) sweep.axis = axis;
