@@ -20,10 +20,9 @@ inline constexpr std::size_t kConfirmListed = 1024;
 
 /// Room for what is found and not confirmed yet.
 struct Findings {
-  std::array<FoundRow, kConfirmRows + 2> rows;  ///< two are read beyond the last
-  // A row is 64 findings at most, written 16 at a time.
-  std::array<std::uint32_t, kConfirmListed + 80> first;
-  std::array<std::uint32_t, kConfirmListed + 80> second;
+  std::array<FoundRow, kConfirmRows + 2> rows;           ///< two are read beyond the last
+  std::array<std::uint32_t, kConfirmListed + 80> first;  ///< or listed: entry i of each, written 16 at a time
+  std::array<std::uint32_t, kConfirmListed + 80> second;  ///< and the entry that it overlaps
 };
 
 }  // namespace kerf

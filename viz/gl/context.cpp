@@ -10,8 +10,9 @@
 
 namespace kerf {
 
-/// With vectors of 256 bits, llvmpipe's colours differ by one in a few pixels between processors of Intel and
-/// AMD; with 128 they do not. It reads the variable when a process makes its first context.
+/// With vectors of 256 bits llvmpipe drew a pixel of the references by one otherwise on a processor of Intel
+/// than on one of AMD; with 128 it draws them all. It reads the variable when a process makes its first
+/// context.
 std::unique_ptr<GlContext> make_offscreen_context(GlBackend backend) {
   setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0);
   if (backend == GlBackend::egl) return make_egl_context();
