@@ -95,15 +95,15 @@ HWY_INLINE ByteKey<D> byte_key(const Packed<D>& mapped) {
   using Lanes = typename Packed<D>::Lanes;
   const hn::RebindToSigned<Lanes> ints;
   const hn::Rebind<std::uint8_t, Lanes> bytes;
-  alignas(16) ByteKey<D> key[2];  // a vector of bytes may be longer than its bytes are many
-  auto* const out = reinterpret_cast<std::uint8_t*>(key);
+  ByteKey<D> key = 0;
+  auto* const out = reinterpret_cast<std::uint8_t*>(&key);
   for (std::size_t k = 0; k < Packed<D>::kParts; ++k) {
     // Added to 2^23, a number rounds to a whole one, which then is the low bits of the sum. (Highway's
     // TruncateTo from eight lanes is wrong on AVX3_DL in version 1.0.3.)
     const auto sum = hn::BitCast(ints, hn::Add(mapped.part[k], hn::Set(Lanes(), 8388608.0F)));
     hn::StoreU(hn::DemoteTo(bytes, hn::And(sum, hn::Set(ints, 255))), bytes, out + k * Packed<D>::kLanes);
   }
-  return key[0];
+  return key;
 }
 
 /// One entry, spread over whole vectors, and the planes with which it is compared: A axes of both.
