@@ -135,8 +135,9 @@ void view_leaf(const Tree<D>& tree, const ObjectTable<D>& table, NodeId leaf, Le
 
 template <int D>
 void KeptPairs<D>::clear() {
-  changes_.clear();
   leaves_.clear();
+  changes_.clear();
+  touched_.clear();
 }
 
 template <int D>
@@ -147,15 +148,14 @@ bool KeptPairs<D>::note_restless(const Tree<D>& tree, NodeId leaf, std::size_t c
 
 template <int D>
 void KeptPairs<D>::placed(Tree<D>& tree) {
-  for (const EntryChange& change : changes_) tree[change.leaf].changed = false;
+  for (const NodeId leaf : touched_) tree[leaf].changed = false;
 }
 
 template <int D>
 void KeptPairs<D>::find(Tree<D>& tree, const ObjectTable<D>& latest, const std::vector<Skin>& skins,
                         LeafPass<D>& pass, TaskPool& pool, PairBuffer& pairs) {
   leaves_.resize(std::max<std::size_t>(leaves_.size(), tree.slots()));
-  std::stable_sort(changes_.begin(), changes_.end(),
-                   [](const EntryChange& a, const EntryChange& b) { return a.leaf < b.leaf; });
+  changes_.resize(leaves_.size());
   const bool far = pool.threads() > 1 || exceeds(latest.packed(), kOwnCache);
   const Objects objects{tree.table, latest, skins, far};
   pass.run(
@@ -165,7 +165,8 @@ void KeptPairs<D>::find(Tree<D>& tree, const ObjectTable<D>& latest, const std::
         find_in(tree, objects, leaf, scratch, found);
       },
       pairs);
-  changes_.clear();
+  for (const NodeId leaf : touched_) changes_[leaf.index()].clear();
+  touched_.clear();
 }
 
 /// The pairs of a leaf that is up to date.
@@ -188,23 +189,13 @@ void KeptPairs<D>::find_in(const Tree<D>& tree, const Objects& objects, NodeId i
   drop_last(leaf, scratch.view.size());
 }
 
-template <int D>
-typename KeptPairs<D>::Changes KeptPairs<D>::changes_of(NodeId leaf) const {
-  struct ByLeaf {
-    bool operator()(const EntryChange& change, NodeId id) const { return change.leaf < id; }
-    bool operator()(NodeId id, const EntryChange& change) const { return id < change.leaf; }
-  };
-  const auto [begin, end] = std::equal_range(changes_.begin(), changes_.end(), leaf, ByLeaf());
-  return {begin, end};
-}
-
 /// Patches the leaf, unless an operator changed it or so many objects are touched that sweeping is cheaper.
 /// Of one that is swept anyway nothing is to be renewed.
 template <int D>
 void KeptPairs<D>::renew(Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch) {
   constexpr std::size_t kSweepBelow = 4;  // entries a touch
   Node<D>& node = tree[id];
-  const Changes changes = changes_of(id);
+  const Changes changes = changes_[id.index()];
   KeptLeaf<D>& leaf = leaves_[id.index()];
   const bool known = is_known(tree, id);
   if (known && leaf.swept && are_many(leaf.restless_entries, node.entries.size(), true)) return;

@@ -54,7 +54,11 @@ template <int D>
 class KeptPairs {
  public:
   /// To be told of every entry that placement changes in a leaf that keeps pairs, old places before new ones.
-  void note(const EntryChange& change) { changes_.push_back(change); }
+  void note(const EntryChange& change) {
+    std::vector<EntryChange>& changes = changes_[change.leaf.index()];
+    if (changes.empty()) touched_.push_back(change.leaf);
+    changes.push_back(change);
+  }
   /// To be told when placement is done: leaves that change from now on are swept anew.
   void placed(Tree<D>& tree);
   /// Whether pairs of the leaf are kept: only then it must be told of changes.
@@ -81,7 +85,6 @@ class KeptPairs {
   [[nodiscard]] bool is_known(const Tree<D>& tree, NodeId leaf) const {
     return leaf.index() < leaves_.size() && leaves_[leaf.index()].generation == tree[leaf].generation + 1;
   }
-  [[nodiscard]] Changes changes_of(NodeId leaf) const;
   void renew(Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch);
   void patch(const Objects& objects, Changes changes, LeafScratch<D>& scratch);
   void drop_going(Changes changes, std::size_t objects, LeafScratch<D>& scratch);
@@ -89,8 +92,9 @@ class KeptPairs {
   void find_in(const Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch,
                PairBuffer& pairs);
 
-  std::vector<KeptLeaf<D>> leaves_;  ///< by node
-  std::vector<EntryChange> changes_;
+  std::vector<KeptLeaf<D>> leaves_;                ///< by node
+  std::vector<std::vector<EntryChange>> changes_;  ///< by node
+  std::vector<NodeId> touched_;                    ///< leaves that have changes
 };
 
 extern template class KeptPairs<2>;

@@ -106,18 +106,21 @@ void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving) {
 
 template <int D>
 void displace(Tree<D>& tree, std::span<const Departure> departures, TaskPool& pool) {
-  std::vector<NodeId> leaves;
-  std::vector<std::uint8_t> is_listed(tree.slots());
+  std::vector<EntryCount> marked;
+  std::vector<std::uint32_t> nth(tree.slots());  // a leaf's place in `marked`, from 1 on
   for (const Departure& departure : departures) {
     for (const ObjectId object : departure.objects) tree.set_mark(object, true);
     for (const NodeId id : departure.passed) {
       --tree[id].population;
-      if (!tree[id].is_leaf() || is_listed[id.index()] != 0) continue;
-      leaves.push_back(id);
-      is_listed[id.index()] = 1;
+      if (!tree[id].is_leaf()) continue;
+      if (nth[id.index()] == 0) {
+        marked.push_back({id, 0});
+        nth[id.index()] = static_cast<std::uint32_t>(marked.size());
+      }
+      ++marked[nth[id.index()] - 1].entries;
     }
   }
-  tree.drop_marked_entries(leaves, pool);
+  tree.drop_marked_entries(marked, pool);
   for (const Departure& departure : departures)
     for (const ObjectId object : departure.objects) tree.set_mark(object, false);
 }

@@ -1,5 +1,6 @@
 #include "core/tree/tree.h"
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <utility>
@@ -88,14 +89,22 @@ void Tree<D>::count_entries() {
   for_each_node(*this, root_, [this](NodeId id) { entries_ += nodes_[id.index()].entries.size(); });
 }
 
+/// From the back, where those are that came last: who leaves often lies there, and what is before it is not
+/// even looked at.
 template <int D>
-void Tree<D>::drop_marked_entries(std::span<const NodeId> leaves, TaskPool& pool) {
+void Tree<D>::drop_marked_entries(std::span<const EntryCount> marked, TaskPool& pool) {
+  const auto is_marked = [this](const Entry& entry) { return marks_[entry.object.index()] != 0; };
   std::atomic<std::uint64_t> dropped = 0;
-  pool.for_each(leaves.size(), [&](std::size_t k, std::size_t) {
-    Node<D>& leaf = nodes_[leaves[k].index()];
+  pool.for_each(marked.size(), [&](std::size_t k, std::size_t) {
+    Node<D>& leaf = nodes_[marked[k].leaf.index()];
     leaf.changed = true;
-    dropped +=
-        std::erase_if(leaf.entries, [this](const Entry& entry) { return marks_[entry.object.index()] != 0; });
+    std::size_t first = leaf.entries.size();
+    for (std::uint32_t left = marked[k].entries; left > 0 && first > 0;)
+      left -= is_marked(leaf.entries[--first]) ? 1U : 0U;
+    const auto from = leaf.entries.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto kept_end = std::remove_if(from, leaf.entries.end(), is_marked);
+    dropped += static_cast<std::uint64_t>(leaf.entries.end() - kept_end);
+    leaf.entries.erase(kept_end, leaf.entries.end());
   });
   entries_ -= dropped;
 }

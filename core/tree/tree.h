@@ -14,6 +14,12 @@
 
 namespace kerf {
 
+/// So many entries of a leaf.
+struct EntryCount {
+  NodeId leaf;
+  std::uint32_t entries = 0;
+};
+
 /// The tree as a value: nodes and boxes in arrays, links as indices. A copy is a keyframe.
 ///
 /// Invariant (checked by `validate`): every placed object has one entry in every leaf that its box reaches by
@@ -67,9 +73,9 @@ class Tree {
   /// the same time; `count_entries` must follow.
   std::vector<Entry>& refill(NodeId leaf, std::size_t count);
   void count_entries();
-  /// Takes the entries of all marked objects out of the leaves, each given once. The order of the others is
-  /// kept.
-  void drop_marked_entries(std::span<const NodeId> leaves, TaskPool& pool);
+  /// Takes the entries of all marked objects out of the leaves, each given once with how many it has of them.
+  /// The order of the others is kept.
+  void drop_marked_entries(std::span<const EntryCount> marked, TaskPool& pool);
   /// A mark per object; all are off between operations.
   void set_mark(ObjectId object, bool on);
 

@@ -63,7 +63,8 @@ TYPED_TEST(Tree, CountsEntriesThroughEveryChange) {
   const NodeId left = tree[tree.root()].left;
   tree.set_mark({1}, true);
   TaskPool alone;
-  tree.drop_marked_entries({&left, 1}, alone);
+  const EntryCount one{left, 1};
+  tree.drop_marked_entries({&one, 1}, alone);
   tree.set_mark({1}, false);
   EXPECT_EQ(tree.entries(), 3U);
   EXPECT_EQ(objects_below(tree, left), (std::vector<ObjectId>{{0}}));
@@ -71,6 +72,23 @@ TYPED_TEST(Tree, CountsEntriesThroughEveryChange) {
   EXPECT_EQ(tree.entries(), 2U);
   tree.clear_entries(tree[tree.root()].right);
   EXPECT_EQ(tree.entries(), 0U);
+}
+
+TYPED_TEST(Tree, DropsMarkedEntriesWhereverTheyLie) {
+  constexpr int kD = TypeParam::value;
+  auto tree = tree_of<kD>(std::vector(6, slab<kD>(0, 1)));
+  for (const std::uint32_t object : {0U, 3U, 5U}) tree.set_mark({object}, true);
+  const EntryCount three{tree.root(), 3};
+  TaskPool alone;
+  tree.drop_marked_entries({&three, 1}, alone);
+  EXPECT_EQ(objects_below(tree, tree.root()), (std::vector<ObjectId>{{1}, {2}, {4}})) << "in their order";
+  EXPECT_EQ(tree.entries(), 3U);
+
+  tree.set_mark({2}, true);
+  const EntryCount too_many{tree.root(), 7};
+  tree.drop_marked_entries({&too_many, 1}, alone);
+  EXPECT_EQ(objects_below(tree, tree.root()), (std::vector<ObjectId>{{1}, {4}}));
+  EXPECT_EQ(tree.entries(), 2U) << "counted by what went, whatever was said";
 }
 
 TYPED_TEST(Tree, WalkVisitsEachNodeOnceParentsAndLeftFirst) {
