@@ -38,8 +38,9 @@ HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
     if (length(axis) < length(sweep.axis)) sweep.axis = axis;
 }
 
-/// Counts the entries that begin at each byte of the axis, and writes them in that order; equal ones stay in
-/// the order in which they came.
+/// Counts the entries that begin at each byte of the axis, and writes their places and bytes in that order;
+/// equal ones stay in the order in which they came. The entries themselves stay where they are: to copy them
+/// costs more than to find them by their places.
 template <int D>
 HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   const std::size_t n = leaf.size();
@@ -51,14 +52,11 @@ HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   for (std::size_t q = 1; q < 257; ++q) ends[q] += ends[q - 1];
   std::uint32_t next[256];
   std::copy_n(ends, 256, next);
-  SweptEntry<D>* const HWY_RESTRICT sorted = sweep.sorted.data();
+  std::uint32_t* const HWY_RESTRICT order = sweep.order.data();
   ByteKey<D>* const HWY_RESTRICT sorted_keys = sweep.sorted_keys.data();
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t place = next[(keys[i] >> shift) & 255U]++;
-    SweptEntry<D>& entry = sorted[place];  // one by one: an entry made beforehand goes through the stack
-    entry.box = leaf.boxes[i];
-    entry.apart = leaf.apart[i];
-    entry.object = leaf.objects[i];
+    order[place] = static_cast<std::uint32_t>(i);
     sorted_keys[place] = keys[i];
   }
   for (unsigned k = 0; k < 2U * D; ++k) {
@@ -71,9 +69,9 @@ HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
 /// Compares each entry with those behind it that begin before it ends, on the axes that the order leaves
 /// open.
 template <int D>
-HWY_INLINE void compare_all(ByteSweep<D>& sweep, PairBuffer& pairs) {
+HWY_INLINE void compare_all(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuffer& pairs) {
   const Bytes bytes;
-  const auto n = static_cast<std::uint32_t>(sweep.sorted.size());
+  const auto n = static_cast<std::uint32_t>(leaf.size());
   Probe<D - 1> probe;
   for (int k = 0; k < D - 1; ++k) {
     const auto other = static_cast<std::size_t>((sweep.axis + 1 + k) % D);
@@ -82,9 +80,12 @@ HWY_INLINE void compare_all(ByteSweep<D>& sweep, PairBuffer& pairs) {
   }
   const std::uint8_t* const own_max = sweep.plane(static_cast<std::size_t>(D + sweep.axis));
   const std::uint32_t* const ends = sweep.ends.data() + 1;
-  const auto entries = [sorted = sweep.sorted.data()](std::uint32_t k) {
-    return EntryRef<D>{sorted[k].box, sorted[k].object.value, sorted[k].apart};
+  const std::uint32_t* const order = sweep.order.data();
+  const auto entry = [boxes = leaf.boxes.data(), objects = leaf.objects.data(),
+                      apart = leaf.apart.data()](std::uint32_t place) {
+    return EntryRef<D>{boxes[place], objects[place].value, apart[place]};
   };
+  const auto nth = [order, entry](std::uint32_t k) { return entry(order[k]); };
   Found found(sweep.found);
   for (std::uint32_t i = 0; i + 1 < n; ++i) {
     for (int k = 0; k < D - 1; ++k) {
@@ -93,11 +94,11 @@ HWY_INLINE void compare_all(ByteSweep<D>& sweep, PairBuffer& pairs) {
     }
     const std::uint32_t end = ends[own_max[i]];
     for (std::uint32_t j = i + 1; j < end; j += 64) {
-      found.add(overlap_bits(probe, j) & first_bits(end - j), i, j);
-      if (found.is_full()) confirm<D>(found, entries, entries, pairs);
+      found.add(overlap_bits(probe, j) & first_bits(end - j), order[i], j);
+      if (found.is_full()) confirm<D>(found, entry, nth, pairs);
     }
   }
-  confirm<D>(found, entries, entries, pairs);
+  confirm<D>(found, entry, nth, pairs);
 }
 
 template <int D>
@@ -105,7 +106,7 @@ HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuf
   sweep.make_room(leaf.size());
   make_keys(leaf, sweep);
   order_entries(leaf, sweep);
-  compare_all(sweep, pairs);
+  compare_all(leaf, sweep, pairs);
 }
 
 void find_2(const LeafView<2>& leaf, ByteSweep<2>& sweep, PairBuffer& pairs) {
@@ -130,7 +131,7 @@ void ByteSweep<D>::make_room(std::size_t n) {
   if (planes.size() < stride * 2 * D) planes.resize(stride * 2 * D);
   keys.resize(n);
   sorted_keys.resize(n);
-  sorted.resize(n);
+  order.resize(n);
 }
 
 template <int D>

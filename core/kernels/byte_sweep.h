@@ -11,14 +11,6 @@
 
 namespace kerf {
 
-/// What the sweep wants to know of an entry, in one place.
-template <int D>
-struct SweptEntry {
-  PackedBox<D> box;
-  DepthMask apart;
-  ObjectId object;
-};
-
 /// The sweep of one leaf by vectors of bytes.
 ///
 /// Each axis is mapped onto bytes by a function each operation of which is monotone, in floats, too
@@ -35,11 +27,11 @@ class ByteSweep {
 
   // The kernels' memory, kept between leaves.
   static constexpr std::size_t kPad = 64;  ///< bytes that may be read beyond the end of a plane
-  std::vector<SweptEntry<D>> sorted;
-  std::vector<ByteKey<D>> keys;           ///< of the entries as they came
-  std::vector<ByteKey<D>> sorted_keys;    ///< in order
-  std::vector<std::uint8_t> planes;       ///< bytes in order: min of each axis, then max
-  std::array<std::uint32_t, 257> ends{};  ///< [q + 1]: entries that begin at or before q
+  std::vector<ByteKey<D>> keys;            ///< of the entries as they came
+  std::vector<std::uint32_t> order;        ///< the places of the entries in the view, in order
+  std::vector<ByteKey<D>> sorted_keys;     ///< likewise
+  std::vector<std::uint8_t> planes;        ///< bytes in order: min of each axis, then max
+  std::array<std::uint32_t, 257> ends{};   ///< [q + 1]: entries that begin at or before q
   Findings found{};
   std::size_t stride = 0;
   int axis = 0;  ///< along which the entries are ordered
