@@ -29,7 +29,7 @@ class ByteSweep {
   static constexpr std::size_t kPad = 64;  ///< bytes that may be read beyond the end of a plane
   std::vector<ByteKey<D>> keys;            ///< of the entries as they came
   std::vector<std::uint32_t> order;        ///< the places of the entries in the view, in order
-  std::vector<ByteKey<D>> sorted_keys;     ///< likewise
+  std::vector<ByteKey<D>> sorted_keys;     ///< of the entries in order
   std::vector<std::uint8_t> planes;        ///< bytes in order: min of each axis, then max
   std::array<std::uint32_t, 257> ends{};   ///< [q + 1]: entries that begin at or before q
   Findings found{};

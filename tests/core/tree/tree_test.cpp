@@ -83,10 +83,12 @@ TYPED_TEST(Tree, DropsMarkedEntriesWhereverTheyLie) {
   tree.drop_marked_entries({&three, 1}, alone);
   EXPECT_EQ(objects_below(tree, tree.root()), (std::vector<ObjectId>{{1}, {2}, {4}})) << "in their order";
   EXPECT_EQ(tree.entries(), 3U);
+  for (const std::uint32_t object : {0U, 3U, 5U}) tree.set_mark({object}, false);
 
   tree.set_mark({2}, true);
   const EntryCount too_many{tree.root(), 7};
   tree.drop_marked_entries({&too_many, 1}, alone);
+  tree.set_mark({2}, false);
   EXPECT_EQ(objects_below(tree, tree.root()), (std::vector<ObjectId>{{1}, {4}}));
   EXPECT_EQ(tree.entries(), 2U) << "counted by what went, whatever was said";
 }
