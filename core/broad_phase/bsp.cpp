@@ -251,14 +251,25 @@ void Bsp<D, Trace>::sweep() {
 /// that may be an axis on which all boxes coincide (HARD_CASES.md, S6): such a leaf is swept by bytes along
 /// the best axis, whatever the policy.
 template <int D, class Trace>
-void Bsp<D, Trace>::sweep(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) const {
+void Bsp<D, Trace>::sweep(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) {
   constexpr std::size_t kLongList = 512;
   if (mode_ == Mode::ordered && tree_[leaf].entries.size() <= kLongList)
     return sweep_leaf(tree_.table, tree_[leaf], scratch.ordered, pairs);
   const std::size_t begin = pairs.size();
-  view_leaf(tree_, tree_.table, leaf, scratch.view);
-  scratch.byte_sweep.find(scratch.view, pairs);
+  sweep_bytes(leaf, scratch, pairs);
   if (latest_.kind() != VolumeKind::box) drop_separated(tree_.table, begin, pairs);
+}
+
+template <int D, class Trace>
+void Bsp<D, Trace>::sweep_bytes(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) {
+  if (!leaf_boxes_.has(tree_, leaf)) {
+    view_leaf(tree_, tree_.table, leaf, scratch.view);
+    return scratch.byte_sweep.find(scratch.view, pairs);
+  }
+  view_all_but_boxes(tree_, tree_.table, leaf, scratch.view);
+  leaf_boxes_.swap(leaf, scratch.view.boxes);
+  scratch.byte_sweep.find(scratch.view, pairs);
+  leaf_boxes_.swap(leaf, scratch.view.boxes);
 }
 
 template <int D, class Trace>

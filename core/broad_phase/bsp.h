@@ -16,6 +16,8 @@
 #include "core/kernels/move_boxes.h"
 #include "core/parallel/task_pool.h"
 #include "core/trace/reporter.h"
+#include "core/tree/leaf_boxes.h"
+#include "core/tree/leave.h"
 #include "core/tree/placement.h"
 #include "core/tree/scheduler.h"
 #include "core/tree/statistics.h"
@@ -148,7 +150,8 @@ class Bsp final : public BroadPhase<D> {
   void note_entries(ObjectId object, FatPiece& piece) const;
   void find_fat_places(std::size_t k, FatPiece& piece) const;
   void sweep();
-  void sweep(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) const;
+  void sweep(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs);
+  void sweep_bytes(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs);
   void begin(Phase phase);
   void end_phase();
 
@@ -176,6 +179,7 @@ class Bsp final : public BroadPhase<D> {
   std::vector<FatPiece> fat_pieces_;
   StreamMemory stream_memory_;
   LeavePass<D> leave_pass_;
+  LeafBoxes<D> leaf_boxes_;  ///< swept: of all leaves, where the table exceeds what is read fast
   bool only_moves_ =
       true;  ///< nothing was asked since the last step but that placed objects go to valid boxes
   PairBuffer pairs_;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/broad_phase/bsp.h"
+#include "core/kernels/prefetch.h"
 #include "core/tree/placement.h"
 
 namespace kerf {
@@ -13,6 +14,7 @@ template <int D, class Trace>
 void Bsp<D, Trace>::place() {
   const Mode before = mode_;
   choose_mode();
+  leaf_boxes_.begin(tree_, false);
   if (mode_ == Mode::kept && before == Mode::kept) {
     slim_some();
     follow_restless();
@@ -63,11 +65,12 @@ void Bsp<D, Trace>::put_at_rest() {
 template <int D, class Trace>
 void Bsp<D, Trace>::place_all(bool many_stay) {
   placed_ = changed_.size();
+  leaf_boxes_.begin(tree_, mode_ == Mode::swept && exceeds(std::as_const(tree_.table).packed(), kOwnPages));
   if (many_stay) {
-    leave_pass_.run(tree_, *pool_);
-    stream(tree_, leave_pass_, stream_memory_, *pool_);
+    leave_pass_.run(tree_, *pool_, leaf_boxes_);
+    stream(tree_, leave_pass_, leaf_boxes_, stream_memory_, *pool_);
   } else {
-    stream(tree_, stream_memory_, *pool_);
+    stream(tree_, leaf_boxes_, stream_memory_, *pool_);
   }
   reporter_.report([&] { return AllPlaced{tree_.objects()}; });
 }

@@ -109,6 +109,25 @@ HWY_INLINE void ask_for_boxes(const KeptLeaf<D>& leaf, const ObjectTable<D>& lat
   for (const std::uint32_t object : leaf.objects) prefetch(&latest.packed({object}));
 }
 
+/// Where the table is long, boxes are read from anywhere: they are asked for ahead.
+template <bool Boxes, int D>
+void view_leaf(const Tree<D>& tree, const ObjectTable<D>& table, NodeId leaf, LeafView<D>& view) {
+  const std::vector<Entry>& entries = tree[leaf].entries;
+  const bool some_fixed = table.has_fixed();
+  view.objects.resize(entries.size());
+  view.apart.resize(entries.size());
+  if constexpr (Boxes) view.boxes.resize(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const ObjectId object = entries[i].object;
+    if constexpr (Boxes) {
+      prefetch(&table.packed(entries[std::min(i + kPrefetchAhead, entries.size() - 1)].object));
+      view.boxes[i] = table.packed(object);
+    }
+    view.objects[i] = object;
+    view.apart[i] = apart_bits(tree[leaf], entries[i].straddle, some_fixed && table.is_fixed(object));
+  }
+}
+
 /// Forgets all that is known of the leaf but how many restless entries it has.
 template <int D>
 void begin_sweeping(KeptLeaf<D>& leaf, std::size_t restless_entries) {
@@ -123,14 +142,12 @@ void begin_sweeping(KeptLeaf<D>& leaf, std::size_t restless_entries) {
 
 template <int D>
 void view_leaf(const Tree<D>& tree, const ObjectTable<D>& table, NodeId leaf, LeafView<D>& view) {
-  const std::vector<Entry>& entries = tree[leaf].entries;
-  view.resize(entries.size());
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    prefetch(&table.packed(entries[std::min(i + kPrefetchAhead, entries.size() - 1)].object));
-    view.boxes[i] = table.packed(entries[i].object);
-    view.objects[i] = entries[i].object;
-    view.apart[i] = apart_bits(tree[leaf], entries[i].straddle, table.is_fixed(entries[i].object));
-  }
+  view_leaf<true>(tree, table, leaf, view);
+}
+
+template <int D>
+void view_all_but_boxes(const Tree<D>& tree, const ObjectTable<D>& table, NodeId leaf, LeafView<D>& view) {
+  view_leaf<false>(tree, table, leaf, view);
 }
 
 template <int D>
@@ -259,8 +276,9 @@ void KeptPairs<D>::sweep(const Tree<D>& tree, const Objects& objects, NodeId id,
   keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
 }
 
-#define KERF_INSTANTIATE(D)                                                                \
-  template void view_leaf<D>(const Tree<D>&, const ObjectTable<D>&, NodeId, LeafView<D>&); \
+#define KERF_INSTANTIATE(D)                                                                         \
+  template void view_leaf<D>(const Tree<D>&, const ObjectTable<D>&, NodeId, LeafView<D>&);          \
+  template void view_all_but_boxes<D>(const Tree<D>&, const ObjectTable<D>&, NodeId, LeafView<D>&); \
   template class KeptPairs<D>;
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

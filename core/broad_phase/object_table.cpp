@@ -55,6 +55,7 @@ Status ObjectTable<D>::admit(ObjectId object, Mobility mobility) {
   make_room(object);
   ++size_;
   fixed_[object.index()] = mobility == Mobility::fixed ? 1 : 0;
+  has_fixed_ |= mobility == Mobility::fixed;
   return Status::ok;
 }
 
@@ -75,6 +76,7 @@ void ObjectTable<D>::copy(const ObjectTable& from, ObjectId object) {
   if (from.states_[i] != ObjectState::absent) ++size_;
   states_[i] = from.states_[i];
   fixed_[i] = from.fixed_[i];
+  has_fixed_ |= from.has_fixed_;
   boxes_[i] = from.boxes_[i];
   std::copy_n(from.extra(object), size, extra_.data() + i * size);
 }
@@ -87,6 +89,7 @@ void ObjectTable<D>::copy_but_boxes(const ObjectTable& from, TaskPool& pool) {
   copy_vector(from.extra_, extra_, pool);
   copy_vector(from.states_, states_, pool);
   copy_vector(from.fixed_, fixed_, pool);
+  has_fixed_ |= from.has_fixed_;
   size_ = from.size_;
 }
 

@@ -54,6 +54,8 @@ class ObjectTable {
   }
   [[nodiscard]] bool is_placed(ObjectId object) const { return state(object) == ObjectState::placed; }
   [[nodiscard]] bool is_fixed(ObjectId object) const { return fixed_[object.index()] != 0; }
+  /// Whether any object ever was.
+  [[nodiscard]] bool has_fixed() const { return has_fixed_; }
   [[nodiscard]] VolumeKind kind() const { return kind_; }
   /// The box as it was accepted. Valid for placed objects only.
   [[nodiscard]] Box<D> box(ObjectId object) const { return boxes_[object.index()].unpack(); }
@@ -85,6 +87,7 @@ class ObjectTable {
   std::vector<Scalar> extra_;
   std::vector<ObjectState> states_;
   std::vector<std::uint8_t> fixed_;
+  bool has_fixed_ = false;
   std::uint32_t size_ = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace kerf {
 
 /// How many turns of a loop before its use a value that lies anywhere is asked for.
-inline constexpr std::size_t kPrefetchAhead = 16;
+inline constexpr std::size_t kPrefetchAhead = 32;
 
 /// What a core's own cache holds beside other things, in bytes.
 inline constexpr std::size_t kOwnCache = std::size_t{3} << 18U;

@@ -13,9 +13,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// No branch depends on who stays.
-template <int D>
-HWY_INLINE Stayed stay(const StayJob<D>& job) {
+/// No branch depends on who stays. By value: what is written through the job's pointers can't be the job.
+template <bool Stayers, int D>
+HWY_INLINE Stayed stay(const StayJob<D> job) {
   Stayed at;
   const Packed<D> cell = load(job.cell);
   for (std::size_t k = 0; k < job.count; ++k) {
@@ -24,22 +24,30 @@ HWY_INLINE Stayed stay(const StayJob<D>& job) {
     const ObjectId object = entry.object;
     const DepthMask straddle = entry.straddle;
     const PackedBox<D>& box = job.boxes[object.index()];
+    const Packed<D> lanes = load(box);
     const bool stays =
-        static_cast<bool>(static_cast<int>(straddle == 0) & static_cast<int>(at_most<D>(cell, load(box))));
+        static_cast<bool>(static_cast<int>(straddle == 0) & static_cast<int>(at_most<D>(cell, lanes)));
     const bool is_leftmost = (straddle & job.right_of) == 0;
     Entry& kept = job.entries[at.stayed];
     kept.key = {box.lane[job.axis], -box.lane[PackedBox<D>::kHalf + job.axis]};
     kept.object = object;
     kept.straddle = 0;
+    if constexpr (Stayers) store<D>(lanes, job.stayer_boxes[at.stayed]);
     job.leavers[at.left] = object.value;
+    store<D>(lanes, job.leaver_boxes[at.left]);
     at.stayed += static_cast<std::size_t>(stays);
     at.left += static_cast<std::size_t>(static_cast<int>(is_leftmost) & static_cast<int>(!stays));
   }
   return at;
 }
 
-Stayed stay_2(const StayJob<2>& job) { return stay(job); }
-Stayed stay_3(const StayJob<3>& job) { return stay(job); }
+template <int D>
+HWY_INLINE Stayed stay_any(const StayJob<D>& job) {
+  return job.stayer_boxes == nullptr ? stay<false>(job) : stay<true>(job);
+}
+
+Stayed stay_2(const StayJob<2>& job) { return stay_any(job); }
+Stayed stay_3(const StayJob<3>& job) { return stay_any(job); }
 
 }  // namespace kerf::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

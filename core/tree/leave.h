@@ -6,9 +6,22 @@
 
 #include "core/broad_phase/pair_buffer.h"
 #include "core/parallel/task_pool.h"
+#include "core/tree/leaf_boxes.h"
 #include "core/tree/tree.h"
 
 namespace kerf {
+
+/// Objects and their boxes, one behind the other: who goes through them by place reads memory in order.
+template <int D>
+struct LeaverList {
+  AppendBuffer<std::uint32_t> objects;
+  AppendBuffer<PackedBox<D>> boxes;
+
+  void clear() {
+    objects.clear();
+    boxes.clear();
+  }
+};
 
 /// Who stays in its leaf and who leaves it, when boxes have moved. Its memory is kept between steps.
 template <int D>
@@ -16,23 +29,29 @@ class LeavePass {
  public:
   /// Takes all entries out of the leaves but those of objects that straddle nothing and still lie wholly in
   /// their leaf's cell, by the boxes of the tree's table. The tree is complete again when the leavers are
-  /// placed; populations and the number of entries count nobody meanwhile.
+  /// placed; populations and the number of entries count nobody meanwhile. Boxes of those who stay are
+  /// copied if they are wanted; those of the leavers are to follow.
   ///
   /// Pre: the table has boxes; all placed objects have entries, and no others do.
-  void run(Tree<D>& tree, TaskPool& pool);
+  void run(Tree<D>& tree, TaskPool& pool, LeafBoxes<D>& boxes);
 
   /// Each object that left, once, in an order that does not depend on the number of threads.
-  [[nodiscard]] std::span<const std::uint32_t> leavers() const { return leavers_.front().all(); }
+  [[nodiscard]] std::span<const std::uint32_t> leavers() const { return leavers_.front().objects.all(); }
+  /// Their boxes, in the same order.
+  [[nodiscard]] std::span<const PackedBox<D>> leaver_boxes() const { return leavers_.front().boxes.all(); }
   /// How many objects stayed below each node.
   [[nodiscard]] const std::vector<std::uint32_t>& stayed() const { return stayed_; }
 
  private:
-  std::size_t take_leavers(Tree<D>& tree, NodeId leaf, AppendBuffer<std::uint32_t>& leavers) const;
+  struct Leavers {
+    AppendBuffer<std::uint32_t> objects;
+    AppendBuffer<PackedBox<D>> boxes;
+  };
+  std::size_t take_leavers(Tree<D>& tree, NodeId leaf, LeafBoxes<D>& boxes, Leavers& leavers) const;
 
   std::vector<NodeId> nodes_;
   std::vector<NodeId> leaves_;
-  std::vector<AppendBuffer<std::uint32_t>> leavers_ =
-      std::vector<AppendBuffer<std::uint32_t>>(1);  ///< by piece
+  std::vector<Leavers> leavers_ = std::vector<Leavers>(1);  ///< by piece
   std::vector<std::uint32_t> stayed_;
 };
 

@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "core/parallel/task_pool.h"
+#include "core/tree/leaf_boxes.h"
 #include "core/tree/leave.h"
 #include "core/tree/tree.h"
 
 namespace kerf {
 
-/// The objects of a list and what they straddle so far.
+/// A list of objects, by their places among those that are sent down, and what they straddle so far.
 struct StreamBuffer {
-  std::vector<std::uint32_t> objects;
+  std::vector<std::uint32_t> places;
   std::vector<DepthMask> straddle;
 };
 
@@ -41,11 +42,14 @@ struct StreamMemory {
 /// and its partitioners stay. Threads take pieces of the objects through the upper part of the tree, then
 /// whole subtrees; the lists are the same for any number of them.
 ///
+/// If boxes are wanted, all leaves have theirs then.
+///
 /// Pre: the tree's table has the volumes by which all are to be placed; the entries may be of any others.
 template <int D>
-void stream(Tree<D>& tree, StreamMemory& memory, TaskPool& pool);
+void stream(Tree<D>& tree, LeafBoxes<D>& boxes, StreamMemory& memory, TaskPool& pool);
 /// The same for those who left their leaves in the pass; the others stay.
 template <int D>
-void stream(Tree<D>& tree, const LeavePass<D>& pass, StreamMemory& memory, TaskPool& pool);
+void stream(Tree<D>& tree, const LeavePass<D>& pass, LeafBoxes<D>& boxes, StreamMemory& memory,
+            TaskPool& pool);
 
 }  // namespace kerf
