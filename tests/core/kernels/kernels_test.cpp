@@ -167,8 +167,12 @@ TYPED_TEST(Kernels, WhoLiesInTheCellAndStraddlesNothingStays) {
       use_kernel(name);
       std::vector<Entry> entries = given;
       std::vector<std::uint32_t> left(count + 1);
-      const Stayed done = stay_in_cell<kD>(
-          {boxes.data(), PackedBox<kD>(cell), kRightOf, axis, entries.data(), count, left.data()});
+      std::vector<PackedBox<kD>> left_boxes(count + 1);
+      std::vector<PackedBox<kD>> kept_boxes(count + 1);
+      const bool wanted = round % 2 == 0;
+      const Stayed done =
+          stay_in_cell<kD>({boxes.data(), PackedBox<kD>(cell), kRightOf, axis, entries.data(), count,
+                            left.data(), left_boxes.data(), wanted ? kept_boxes.data() : nullptr});
       ASSERT_EQ(done.stayed, stayers.size());
       for (std::size_t k = 0; k < done.stayed; ++k) {
         const Box<kD> box = boxes[stayers[k]].unpack();
@@ -176,9 +180,11 @@ TYPED_TEST(Kernels, WhoLiesInTheCellAndStraddlesNothingStays) {
         EXPECT_EQ(entries[k].straddle, 0U);
         EXPECT_EQ(entries[k].key.lo, box.min[static_cast<int>(axis)]);
         EXPECT_EQ(entries[k].key.hi, box.max[static_cast<int>(axis)]);
+        EXPECT_EQ(kept_boxes[k].lane, wanted ? boxes[stayers[k]].lane : PackedBox<kD>().lane);
       }
       left.resize(done.left);
       EXPECT_EQ(left, leavers);
+      for (std::size_t k = 0; k < leavers.size(); ++k) EXPECT_EQ(left_boxes[k].lane, boxes[leavers[k]].lane);
     }
   }
 }

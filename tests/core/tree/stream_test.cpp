@@ -48,15 +48,17 @@ class Stream : public testing::Test {
   static std::size_t stream_leavers_by(unsigned threads, Tree<T::value>& tree) {
     StreamMemory memory;
     LeavePass<T::value> pass;
+    LeafBoxes<T::value> boxes;
     TaskPool pool(threads);
-    pass.run(tree, pool);
-    stream(tree, pass, memory, pool);
+    pass.run(tree, pool, boxes);
+    stream(tree, pass, boxes, memory, pool);
     return pass.leavers().size();
   }
   static void stream_by(unsigned threads, Tree<T::value>& tree) {
     StreamMemory memory;
+    LeafBoxes<T::value> boxes;
     TaskPool pool(threads);
-    stream(tree, memory, pool);
+    stream(tree, boxes, memory, pool);
   }
 };
 TYPED_TEST_SUITE(Stream, Dimensions, DimensionNames);
@@ -145,19 +147,20 @@ TYPED_TEST(Stream, WhatEverybodyNeededIsGivenBackWhenFewLeave) {
   auto tree = TestFixture::grown(300, "0");
   StreamMemory memory;
   LeavePass<TypeParam::value> pass;
+  LeafBoxes<TypeParam::value> boxes;
   TaskPool pool(1);
-  stream(tree, memory, pool);
-  const std::size_t needed_by_all = memory.by_thread.front().objects.size();
+  stream(tree, boxes, memory, pool);
+  const std::size_t needed_by_all = memory.by_thread.front().places.size();
   EXPECT_GE(needed_by_all, 600U);
-  pass.run(tree, pool);
-  stream(tree, pass, memory, pool);
-  EXPECT_EQ(memory.by_thread.front().objects.size(), needed_by_all) << "as many as straddle something leave";
+  pass.run(tree, pool, boxes);
+  stream(tree, pass, boxes, memory, pool);
+  EXPECT_EQ(memory.by_thread.front().places.size(), needed_by_all) << "as many as straddle something leave";
 
   for (std::uint32_t id = 20; id < 300; ++id) EXPECT_EQ(tree.table.remove({id}), Status::ok);
-  stream(tree, memory, pool);
-  pass.run(tree, pool);
-  stream(tree, pass, memory, pool);
-  EXPECT_LT(memory.by_thread.front().objects.size(), needed_by_all);
+  stream(tree, boxes, memory, pool);
+  pass.run(tree, pool, boxes);
+  stream(tree, pass, boxes, memory, pool);
+  EXPECT_LT(memory.by_thread.front().places.size(), needed_by_all);
   EXPECT_TRUE(is_sound(tree));
 }
 
