@@ -66,6 +66,19 @@ HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   }
 }
 
+/// Not inlined, and told what was found by value: so the loop that calls it, once in hundreds of findings,
+/// keeps all in registers.
+template <int D>
+HWY_NOINLINE void confirm_in(const LeafView<D>& leaf, const std::uint32_t* order, Found found,
+                             PairBuffer& pairs) {
+  const auto entry = [boxes = leaf.boxes.data(), objects = leaf.objects.data(),
+                      apart = leaf.apart.data()](std::uint32_t place) {
+    return EntryRef<D>{boxes[place], objects[place].value, apart[place]};
+  };
+  const auto nth = [order, entry](std::uint32_t k) { return entry(order[k]); };
+  confirm<D>(found, entry, nth, pairs);
+}
+
 /// Compares each entry with those behind it that begin before it ends, on the axes that the order leaves
 /// open.
 template <int D>
@@ -81,11 +94,6 @@ HWY_INLINE void compare_all(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBu
   const std::uint8_t* const own_max = sweep.plane(static_cast<std::size_t>(D + sweep.axis));
   const std::uint32_t* const ends = sweep.ends.data() + 1;
   const std::uint32_t* const order = sweep.order.data();
-  const auto entry = [boxes = leaf.boxes.data(), objects = leaf.objects.data(),
-                      apart = leaf.apart.data()](std::uint32_t place) {
-    return EntryRef<D>{boxes[place], objects[place].value, apart[place]};
-  };
-  const auto nth = [order, entry](std::uint32_t k) { return entry(order[k]); };
   Found found(sweep.found);
   for (std::uint32_t i = 0; i + 1 < n; ++i) {
     for (int k = 0; k < D - 1; ++k) {
@@ -95,10 +103,12 @@ HWY_INLINE void compare_all(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBu
     const std::uint32_t end = ends[own_max[i]];
     for (std::uint32_t j = i + 1; j < end; j += 64) {
       found.add(overlap_bits(probe, j) & first_bits(end - j), order[i], j);
-      if (found.is_full()) confirm<D>(found, entry, nth, pairs);
+      if (!found.is_full()) continue;
+      confirm_in<D>(leaf, order, found, pairs);
+      found.clear();
     }
   }
-  confirm<D>(found, entry, nth, pairs);
+  confirm_in<D>(leaf, order, found, pairs);
 }
 
 template <int D>
