@@ -24,11 +24,12 @@ HWY_INLINE bool are_consecutive(const ObjectId* block) {
   return hn::AllTrue(four, hn::Eq(differ, hn::Zero(four)));
 }
 
-HWY_INLINE bool are_quiet(const std::uint8_t* attention) {
+/// What is noted of the objects of a block, a byte for each.
+HWY_INLINE std::uint64_t attention_of_block(const std::uint8_t* attention) {
   std::uint64_t of_all = 0;
   static_assert(sizeof(of_all) == kBlock);
   std::memcpy(&of_all, attention, kBlock);
-  return of_all == 0;
+  return of_all;
 }
 
 /// Marks the lanes in which a is not at most b.
@@ -55,6 +56,32 @@ HWY_INLINE bool none(const Packed<D, Boxes>& marked) {
   return nowhere(any);
 }
 
+/// The same for a block of fat boxes in which some objects are silent: they ask for nothing wherever they go.
+template <int D>
+HWY_INLINE bool take_half_silent_block(const MoveRequest<D>& request, std::size_t k, std::size_t first) {
+  Packed<D> boxes[kBlock];
+  Packed<D> marked = all_lanes<D>(0);
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const typename Packed<D>::Lanes lanes;
+    const Packed<D>& now = boxes[i] = pack(request.boxes[k + i]);
+    mark_beyond(now, turned(now), marked);
+    mark_beyond(all_lanes<D>(-FLT_MAX), now, marked);
+    Packed<D> asks = all_lanes<D>(0);
+    const Packed<D> fat = load(request.fat[first + i]);
+    mark_beyond(fat, now, asks);
+    mark_shrinking(load(request.latest[first + i]), now, fat, asks);
+    const hn::RebindToSigned<decltype(lanes)> words;
+    const int heard =
+        static_cast<int>(request.attention[first + i] != 0) - 1;  // all ones unless it is silent
+    for (std::size_t part = 0; part < asks.kParts; ++part)
+      marked.part[part] =
+          hn::Or(marked.part[part], hn::And(asks.part[part], hn::BitCast(lanes, hn::Set(words, heard))));
+  }
+  if (!none(marked)) return false;
+  for (std::size_t i = 0; i < kBlock; ++i) store(boxes[i], request.latest[first + i]);
+  return true;
+}
+
 /// Takes the boxes of the block that begins at the k-th request, if its objects are neighbours whose answers
 /// are alike: with fat boxes nobody asks, without them all do. Most blocks are like that, and one branch
 /// tells.
@@ -63,9 +90,12 @@ HWY_INLINE bool take_block(const MoveRequest<D>& request, std::size_t k, MoveAns
   constexpr int kBoxes = D == 2 ? 2 : 1;
   using Some = Packed<D, kBoxes>;
   const std::size_t first = request.objects[k].index();
-  if (!are_consecutive(request.objects.data() + k) || first + kBlock > request.attention.size() ||
-      !are_quiet(request.attention.data() + first))
-    return false;
+  if (!are_consecutive(request.objects.data() + k) || first + kBlock > request.attention.size()) return false;
+  const std::uint64_t attention = attention_of_block(request.attention.data() + first);
+  if (attention != 0) {
+    constexpr std::uint64_t kAllSilent = kSilent * 0x0101010101010101U;
+    return Fat && (attention & ~kAllSilent) == 0 && take_half_silent_block(request, k, first);
+  }
   Some boxes[kBlock / kBoxes];
   Some marked = all_lanes<D, kBoxes>(0);
   for (std::size_t i = 0; i < kBlock; i += kBoxes) {
