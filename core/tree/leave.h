@@ -11,18 +11,6 @@
 
 namespace kerf {
 
-/// Objects and their boxes, one behind the other: who goes through them by place reads memory in order.
-template <int D>
-struct LeaverList {
-  AppendBuffer<std::uint32_t> objects;
-  AppendBuffer<PackedBox<D>> boxes;
-
-  void clear() {
-    objects.clear();
-    boxes.clear();
-  }
-};
-
 /// Who stays in its leaf and who leaves it, when boxes have moved. Its memory is kept between steps.
 template <int D>
 class LeavePass {
