@@ -56,59 +56,38 @@ HWY_INLINE bool none(const Packed<D, Boxes>& marked) {
   return nowhere(any);
 }
 
-/// The same for a block of fat boxes in which some objects are silent: they ask for nothing wherever they go.
+/// Forgets what a silent object asks for.
 template <int D>
-HWY_INLINE bool take_half_silent_block(const MoveRequest<D>& request, std::size_t k, std::size_t first) {
-  Packed<D> boxes[kBlock];
-  Packed<D> marked = all_lanes<D>(0);
-  for (std::size_t i = 0; i < kBlock; ++i) {
-    const typename Packed<D>::Lanes lanes;
-    const Packed<D>& now = boxes[i] = pack(request.boxes[k + i]);
-    mark_beyond(now, turned(now), marked);
-    mark_beyond(all_lanes<D>(-FLT_MAX), now, marked);
-    Packed<D> asks = all_lanes<D>(0);
-    const Packed<D> fat = load(request.fat[first + i]);
-    mark_beyond(fat, now, asks);
-    mark_shrinking(load(request.latest[first + i]), now, fat, asks);
-    const hn::RebindToSigned<decltype(lanes)> words;
-    const int heard =
-        static_cast<int>(request.attention[first + i] != 0) - 1;  // all ones unless it is silent
-    for (std::size_t part = 0; part < asks.kParts; ++part)
-      marked.part[part] =
-          hn::Or(marked.part[part], hn::And(asks.part[part], hn::BitCast(lanes, hn::Set(words, heard))));
-  }
-  if (!none(marked)) return false;
-  for (std::size_t i = 0; i < kBlock; ++i) store(boxes[i], request.latest[first + i]);
-  return true;
+HWY_INLINE void mute(std::uint8_t attention, Packed<D>& asks) {
+  const typename Packed<D>::Lanes lanes;
+  const hn::RebindToSigned<decltype(lanes)> words;
+  const auto heard = hn::BitCast(lanes, hn::Set(words, attention == 0 ? -1 : 0));
+  for (auto& part : asks.part) part = hn::And(part, heard);
 }
 
-/// Takes the boxes of the block that begins at the k-th request, if its objects are neighbours whose answers
-/// are alike: with fat boxes nobody asks, without them all do. Most blocks are like that, and one branch
-/// tells.
-template <bool Fat, int D>
-HWY_INLINE bool take_block(const MoveRequest<D>& request, std::size_t k, MoveAnswer& answer) {
-  constexpr int kBoxes = D == 2 ? 2 : 1;
+/// Takes the boxes of the block of neighbours that begins at the k-th request, if their answers are alike:
+/// with fat boxes nobody asks, without them all do. One branch tells. `Silent`: some objects may be.
+template <bool Fat, bool Silent, int D>
+HWY_INLINE bool take_alike(const MoveRequest<D>& request, std::size_t k, MoveAnswer& answer) {
+  constexpr int kBoxes = D == 2 && !Silent ? 2 : 1;
   using Some = Packed<D, kBoxes>;
   const std::size_t first = request.objects[k].index();
-  if (!are_consecutive(request.objects.data() + k) || first + kBlock > request.attention.size()) return false;
-  const std::uint64_t attention = attention_of_block(request.attention.data() + first);
-  if (attention != 0) {
-    constexpr std::uint64_t kAllSilent = kSilent * 0x0101010101010101U;
-    return Fat && (attention & ~kAllSilent) == 0 && take_half_silent_block(request, k, first);
-  }
   Some boxes[kBlock / kBoxes];
   Some marked = all_lanes<D, kBoxes>(0);
   for (std::size_t i = 0; i < kBlock; i += kBoxes) {
     Some& now = boxes[i / kBoxes];
     now = pack<kBoxes>(request.boxes[k + i]);
-    mark_beyond(now, turned(now), marked);
     if constexpr (Fat) {
+      Some asks = all_lanes<D, kBoxes>(0);
       const Some fat = load<kBoxes>(request.fat[first + i]);  // finite, so that it holds nothing that is not
-      mark_beyond(fat, now, marked);
-      mark_shrinking(load<kBoxes>(request.latest[first + i]), now, fat, marked);
-    } else {
-      mark_beyond(all_lanes<D, kBoxes>(-FLT_MAX), now, marked);
+      mark_beyond(fat, now, asks);
+      mark_shrinking(load<kBoxes>(request.latest[first + i]), now, fat, asks);
+      if constexpr (Silent) mute<D>(request.attention[first + i], asks);
+      for (std::size_t part = 0; part < marked.kParts; ++part)
+        marked.part[part] = hn::Or(marked.part[part], asks.part[part]);
     }
+    if constexpr (!Fat || Silent) mark_beyond(all_lanes<D, kBoxes>(-FLT_MAX), now, marked);
+    mark_beyond(now, turned(now), marked);
   }
   if (!none(marked)) return false;
   for (std::size_t i = 0; i < kBlock; i += kBoxes) store(boxes[i / kBoxes], request.latest[first + i]);
@@ -118,6 +97,20 @@ HWY_INLINE bool take_block(const MoveRequest<D>& request, std::size_t k, MoveAns
     answer.changed += kBlock;
   }
   return true;
+}
+
+/// The same for any block. Most can be taken.
+template <bool Fat, int D>
+HWY_INLINE bool take_block(const MoveRequest<D>& request, std::size_t k, MoveAnswer& answer) {
+  constexpr std::uint64_t kAllSilent = kSilent * 0x0101010101010101U;
+  const std::size_t first = request.objects[k].index();
+  if (!are_consecutive(request.objects.data() + k) || first + kBlock > request.attention.size()) return false;
+  const std::uint64_t attention = attention_of_block(request.attention.data() + first);
+  if (attention == 0) return take_alike<Fat, false>(request, k, answer);
+  if constexpr (Fat) {
+    if ((attention & ~kAllSilent) == 0) return take_alike<Fat, true>(request, k, answer);
+  }
+  return false;
 }
 
 /// One request.

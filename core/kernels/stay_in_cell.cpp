@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
 /// No branch depends on who stays. By value: what is written through the job's pointers can't be the job.
-template <bool Stayers, int D>
+template <bool Boxes, int D>
 HWY_INLINE Stayed stay(const StayJob<D> job) {
   Stayed at;
   const Packed<D> cell = load(job.cell);
@@ -32,9 +32,11 @@ HWY_INLINE Stayed stay(const StayJob<D> job) {
     kept.key = {box.lane[job.axis], -box.lane[PackedBox<D>::kHalf + job.axis]};
     kept.object = object;
     kept.straddle = 0;
-    if constexpr (Stayers) store<D>(lanes, job.stayer_boxes[at.stayed]);
     job.leavers[at.left] = object.value;
-    store<D>(lanes, job.leaver_boxes[at.left]);
+    if constexpr (Boxes) {
+      store<D>(lanes, job.stayer_boxes[at.stayed]);
+      store<D>(lanes, job.leaver_boxes[at.left]);
+    }
     at.stayed += static_cast<std::size_t>(stays);
     at.left += static_cast<std::size_t>(static_cast<int>(is_leftmost) & static_cast<int>(!stays));
   }
@@ -43,7 +45,7 @@ HWY_INLINE Stayed stay(const StayJob<D> job) {
 
 template <int D>
 HWY_INLINE Stayed stay_any(const StayJob<D>& job) {
-  return job.stayer_boxes == nullptr ? stay<false>(job) : stay<true>(job);
+  return job.leaver_boxes == nullptr ? stay<false>(job) : stay<true>(job);
 }
 
 Stayed stay_2(const StayJob<2>& job) { return stay_any(job); }

@@ -18,8 +18,8 @@ struct StayJob {
   Entry* entries = nullptr;
   std::size_t count = 0;
   std::uint32_t* leavers = nullptr;      ///< room for `count`
-  PackedBox<D>* leaver_boxes = nullptr;  ///< room for `count`
-  PackedBox<D>* stayer_boxes = nullptr;  ///< room for `count`; none: they are not wanted
+  PackedBox<D>* leaver_boxes = nullptr;  ///< room for `count`; none: no boxes are wanted
+  PackedBox<D>* stayer_boxes = nullptr;  ///< likewise
 };
 
 struct Stayed {
@@ -27,9 +27,9 @@ struct Stayed {
   std::size_t left = 0;
 };
 
-/// Keeps the entries of objects that straddle nothing and lie in the cell, in order and with new keys; their
-/// boxes too, if they are wanted. Lists the other objects and their boxes. One that straddles is listed only
-/// by the leftmost of its leaves.
+/// Keeps the entries of objects that straddle nothing and lie in the cell, in order and with new keys, and
+/// lists the other objects. One that straddles is listed only by the leftmost of its leaves. Boxes of both
+/// are copied if they are wanted.
 template <int D>
 Stayed stay_in_cell(const StayJob<D>& job);
 

@@ -22,11 +22,11 @@ std::size_t LeavePass<D>::take_leavers(Tree<D>& tree, NodeId leaf, LeafBoxes<D>&
       .entries = node.entries.data(),
       .count = count,
       .leavers = leavers.objects.reserve(count),
-      .leaver_boxes = leavers.boxes.reserve(count),
+      .leaver_boxes = boxes.wanted() ? leavers.boxes.reserve(count) : nullptr,
       .stayer_boxes = boxes.wanted() ? boxes.refill(leaf, count).data() : nullptr,
   });
   leavers.objects.commit(done.left);
-  leavers.boxes.commit(done.left);
+  if (boxes.wanted()) leavers.boxes.commit(done.left);
   return done.stayed;
 }
 

@@ -17,15 +17,15 @@ class LeavePass {
  public:
   /// Takes all entries out of the leaves but those of objects that straddle nothing and still lie wholly in
   /// their leaf's cell, by the boxes of the tree's table. The tree is complete again when the leavers are
-  /// placed; populations and the number of entries count nobody meanwhile. Boxes of those who stay are
-  /// copied if they are wanted; those of the leavers are to follow.
+  /// placed; populations and the number of entries count nobody meanwhile. If boxes are wanted, those of all
+  /// are copied: of the leavers for who places them, of the others into `boxes`.
   ///
   /// Pre: the table has boxes; all placed objects have entries, and no others do.
   void run(Tree<D>& tree, TaskPool& pool, LeafBoxes<D>& boxes);
 
   /// Each object that left, once, in an order that does not depend on the number of threads.
   [[nodiscard]] std::span<const std::uint32_t> leavers() const { return leavers_.front().objects.all(); }
-  /// Their boxes, in the same order.
+  /// Their boxes, in the same order; none, unless they were wanted.
   [[nodiscard]] std::span<const PackedBox<D>> leaver_boxes() const { return leavers_.front().boxes.all(); }
   /// How many objects stayed below each node.
   [[nodiscard]] const std::vector<std::uint32_t>& stayed() const { return stayed_; }

@@ -54,14 +54,21 @@ void give_back(StreamMemory& memory, std::size_t listed) {
     if (buffer.places.size() > kManyTimes * (listed + kDividePad)) buffer = {};
 }
 
-/// All placed objects of a table, to be sent down. An object's place is its id.
+/// Objects whose places are their ids.
 template <int D>
-struct Everybody {
+struct ById {
   const ObjectTable<D>& table;
 
-  [[nodiscard]] std::size_t size() const { return table.bound(); }
   [[nodiscard]] ObjectId at(std::uint32_t place) const { return {place}; }
   [[nodiscard]] std::span<const PackedBox<D>> boxes() const { return table.packed(); }
+};
+
+/// All placed objects of a table, to be sent down.
+template <int D>
+struct Everybody : ById<D> {
+  using ById<D>::table;
+
+  [[nodiscard]] std::size_t size() const { return table.bound(); }
   /// Makes the list of those with an id in the slice; gives their number.
   std::size_t list(const Slice& ids, StreamBuffer& buffer) const {
     make_room(buffer, ids.end - ids.begin);
@@ -71,6 +78,21 @@ struct Everybody {
       buffer.straddle[count] = 0;
       count += table.is_placed({static_cast<std::uint32_t>(id)}) ? 1 : 0;
     }
+    return count;
+  }
+};
+
+/// Some objects of a table, to be sent down.
+template <int D>
+struct Some : ById<D> {
+  std::span<const std::uint32_t> ids;
+
+  [[nodiscard]] std::size_t size() const { return ids.size(); }
+  std::size_t list(const Slice& slice, StreamBuffer& buffer) const {
+    const std::size_t count = slice.end - slice.begin;
+    make_room(buffer, count);
+    std::copy_n(ids.begin() + static_cast<std::ptrdiff_t>(slice.begin), count, buffer.places.begin());
+    std::fill_n(buffer.straddle.begin(), count, 0);
     return count;
   }
 };
@@ -300,7 +322,7 @@ void send_down(const Placing<D, Objects>& to, StreamMemory& memory, TaskPool& po
 template <int D>
 void stream(Tree<D>& tree, LeafBoxes<D>& boxes, StreamMemory& memory, TaskPool& pool) {
   memory.nobody.assign(tree.slots(), 0);
-  const Everybody<D> everybody{tree.table};
+  const Everybody<D> everybody{{tree.table}};
   send_down(Placing<D, Everybody<D>>{tree, everybody, memory.nobody, boxes}, memory, pool);
 }
 
@@ -308,8 +330,13 @@ template <int D>
 void stream(Tree<D>& tree, const LeavePass<D>& pass, LeafBoxes<D>& boxes, StreamMemory& memory,
             TaskPool& pool) {
   give_back(memory, pass.leavers().size());
-  const Leavers<D> leavers{pass};
-  send_down(Placing<D, Leavers<D>>{tree, leavers, pass.stayed(), boxes}, memory, pool);
+  const Some<D> by_id{{tree.table}, pass.leavers()};
+  const Leavers<D> by_place{pass};
+  if (boxes.wanted()) {
+    send_down(Placing<D, Leavers<D>>{tree, by_place, pass.stayed(), boxes}, memory, pool);
+  } else {
+    send_down(Placing<D, Some<D>>{tree, by_id, pass.stayed(), boxes}, memory, pool);
+  }
 }
 
 #define KERF_INSTANTIATE(D)                                                   \
