@@ -78,11 +78,11 @@ HWY_INLINE ByteScale<D> make_byte_scale(const LeafView<D>& leaf) {
   ByteScale<D> bytes;
   for (std::size_t axis = 0; axis < D; ++axis) {
     const float least_max = -greatest.lane[kHalf + axis];
-    const float scale = 255.0F / (greatest.lane[axis] - least_max);
-    bytes.origin.lane[axis] = least_max;
-    // A stretch of no length gives infinity or less than nothing, an endless one nothing; 0 * inf never
-    // arises.
-    bytes.scale.lane[axis] = std::clamp(scale, FLT_MIN, 1e30F);
+    const float stretch = greatest.lane[axis] - least_max;
+    // Where all boxes share a point, it lies between all beginnings and all ends: such an axis tells nothing
+    // apart, and no box may look short on it. An endless stretch gives 0; 0 * inf never arises.
+    bytes.origin.lane[axis] = stretch > 0 ? least_max : 0.5F * greatest.lane[axis] + 0.5F * least_max;
+    bytes.scale.lane[axis] = stretch > 0 ? std::clamp(255.0F / stretch, FLT_MIN, 1e30F) : 1e30F;
     bytes.origin.lane[kHalf + axis] = -bytes.origin.lane[axis];
     bytes.scale.lane[kHalf + axis] = -bytes.scale.lane[axis];
   }
