@@ -53,7 +53,8 @@ struct Skin {
   [[nodiscard]] float thickness(float size) const { return std::ldexp(kMost * size, level - kThickest); }
 };
 
-/// The largest extent of a box, and the fastest of its ends since `before`.
+/// The second largest extent of a box, and the fastest of its ends since `before`. A skin as thick as a long
+/// rod allows would make the rod many times as wide, and so its candidates many times as many.
 struct SizeAndSpeed {
   float size = 0;
   float speed = 0;
@@ -61,8 +62,11 @@ struct SizeAndSpeed {
 template <int D>
 SizeAndSpeed size_and_speed(const Box<D>& box, const Box<D>& before) {
   SizeAndSpeed result;
+  float largest = 0;
   for (int i = 0; i < D; ++i) {
-    result.size = std::max(result.size, box.max[i] - box.min[i]);
+    const float extent = box.max[i] - box.min[i];
+    result.size = std::max(result.size, std::min(largest, extent));
+    largest = std::max(largest, extent);
     result.speed =
         std::max({result.speed, std::abs(box.min[i] - before.min[i]), std::abs(box.max[i] - before.max[i])});
   }

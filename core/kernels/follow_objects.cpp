@@ -13,6 +13,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
+/// Of the extents in each four lanes: x, y, x, y or x, y, z, 0.
+template <int D, class Lanes>
+HWY_INLINE Lanes second_largest(Lanes extents) {
+  const auto next = hn::Shuffle2301(extents);
+  const auto less = hn::Min(extents, next);
+  if constexpr (D == 2) return less;
+  const auto more = hn::Max(extents, next);
+  return hn::Max(hn::Min(more, hn::Shuffle1032(more)), hn::Max(less, hn::Shuffle1032(less)));
+}
+
 /// Whether an end moved by more than the thickest skin: the same floats as in `is_fast`.
 template <int D>
 HWY_INLINE bool outruns_skins(const Packed<D>& now, const Packed<D>& before) {
@@ -20,9 +30,8 @@ HWY_INLINE bool outruns_skins(const Packed<D>& now, const Packed<D>& before) {
   const Packed<D> other_ends = turned<D>(now);
   bool outruns = false;
   for (std::size_t k = 0; k < Packed<D>::kParts; ++k) {
-    auto size = hn::Sub(other_ends.part[k], now.part[k]);  // along each axis, in each four lanes
-    size = hn::Max(size, hn::Shuffle2301(size));
-    size = hn::Max(size, hn::Shuffle1032(size));
+    const auto extent = hn::Sub(other_ends.part[k], now.part[k]);  // along each axis, in each four lanes
+    const auto size = second_largest<D>(extent);
     const auto way = hn::Abs(hn::Sub(now.part[k], before.part[k]));
     outruns |= !nowhere(beyond(way, hn::Mul(size, hn::Set(lanes, Skin::kMost))));
   }

@@ -177,7 +177,7 @@ TYPED_TEST(Restless, PairsAreTheOraclesWhereSomeLeavesAreSweptAndOthersKept) {
     ASSERT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "") << "step " << step;
     crowd.advance();
     crowd.shake(0.005F);
-    if (step % 50 > 10) crowd.shake_corner(step / 50, kD == 2 ? 0.3 : 0.45, 0.3F);
+    if (step % 50 > 10) crowd.shake_corner(step / 50, kD == 2 ? 0.24 : 0.45, 0.3F);
   }
   EXPECT_GT(most, 100U);
 }

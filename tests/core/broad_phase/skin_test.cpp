@@ -53,6 +53,18 @@ TYPED_TEST(Skins, NoFatIsThickerThanTheObjectAheadOrAround) {
   EXPECT_GE(fat.min[0], -0.01F);
 }
 
+TYPED_TEST(Skins, ARodGetsASkinForItsThickness) {
+  constexpr int kD = TypeParam::value;
+  for (int axis = 0; axis < kD; ++axis) {
+    Box<kD> rod = cube<kD>(0, 1);
+    rod.max[axis] = 100;
+    const Box<kD> fat = wrap(rod, Skin{});
+    for (int i = 0; i < kD; ++i) EXPECT_EQ(fat.max[i] - rod.max[i], Skin{}.thickness(1)) << axis;
+    EXPECT_TRUE(is_fast(moved(rod, axis, 0.13F), rod)) << axis;
+    EXPECT_FALSE(is_fast(moved(rod, axis, 0.12F), rod)) << axis;
+  }
+}
+
 TYPED_TEST(Skins, WhatMovesByMoreThanASkinGetsNoFat) {
   constexpr int kD = TypeParam::value;
   for (const Scalar by : {0.13F, 100.0F}) {
