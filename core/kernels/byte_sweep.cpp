@@ -1,18 +1,32 @@
 #include "core/kernels/byte_sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/byte_sweep.cpp"
 #include <hwy/foreach_target.h>
 
-#include "core/kernels/findings-inl.h"
+#include "core/kernels/compare-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// Fills `keys` and chooses the axis along which the boxes are shortest.
+/// Whether so much is found that it pays to tell apart what bytes alone make sure of: if boxes of such a mean
+/// length along each axis, in bytes, lay anywhere, more than nine in a row of 64.
+template <int D>
+HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, int axis) {
+  const auto n = static_cast<float>(count);
+  float sure = n * (length[static_cast<std::size_t>(axis)] - 1) / 255;
+  for (int other = 0; other < D; ++other)
+    if (other != axis)
+      sure *= std::clamp(2 * (length[static_cast<std::size_t>(other)] - 1) / 255, 0.0F, 1.0F);
+  const float rows = n * length[static_cast<std::size_t>(axis)] / 255 / 64 + 0.5F;
+  return sure > 9 * rows;
+}
+
+/// Fills `keys`, chooses the axis along which the boxes are shortest, and tells whether they lie dense.
 template <int D>
 HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   const ByteMap<D> map(make_byte_scale(leaf));
@@ -30,12 +44,12 @@ HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   for (std::size_t chain = 1; chain < kChains; ++chain) add(sums[chain], sums[0]);
   PackedBox<D> sum;
   store(sums[0], sum);
-  const auto length = [lane = sum.lane.data()](int axis) {
-    return lane[PackedBox<D>::kHalf + axis] - lane[axis];
-  };
-  sweep.axis = 0;
-  for (int axis = 1; axis < D; ++axis)
-    if (length(axis) < length(sweep.axis)) sweep.axis = axis;
+  std::array<float, D> length;  // in the mean
+  for (std::size_t axis = 0; axis < D; ++axis)
+    length[axis] = (sum.lane[PackedBox<D>::kHalf + axis] - sum.lane[axis]) / static_cast<float>(leaf.size());
+  const auto shortest = std::ranges::min_element(length);
+  sweep.axis = static_cast<int>(shortest - length.begin());
+  sweep.is_dense = is_dense<D>(leaf.size(), length, sweep.axis);
 }
 
 /// Counts the entries that begin at each byte of the axis, and writes their places and bytes in that order;
@@ -66,57 +80,12 @@ HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   }
 }
 
-/// Not inlined, and told what was found by value: so the loop that calls it, once in hundreds of findings,
-/// keeps all in registers.
-template <int D>
-HWY_NOINLINE void confirm_in(const LeafView<D>& leaf, const std::uint32_t* order, Found found,
-                             PairBuffer& pairs) {
-  const auto entry = [boxes = leaf.boxes.data(), objects = leaf.objects.data(),
-                      apart = leaf.apart.data()](std::uint32_t place) {
-    return EntryRef<D>{boxes[place], objects[place].value, apart[place]};
-  };
-  const auto nth = [order, entry](std::uint32_t k) { return entry(order[k]); };
-  confirm<D>(found, entry, nth, pairs);
-}
-
-/// Compares each entry with those behind it that begin before it ends, on the axes that the order leaves
-/// open.
-template <int D>
-HWY_INLINE void compare_all(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuffer& pairs) {
-  const Bytes bytes;
-  const auto n = static_cast<std::uint32_t>(leaf.size());
-  Probe<D - 1> probe;
-  for (int k = 0; k < D - 1; ++k) {
-    const auto other = static_cast<std::size_t>((sweep.axis + 1 + k) % D);
-    probe.other_min[k] = sweep.plane(other);
-    probe.other_max[k] = sweep.plane(D + other);
-  }
-  const std::uint8_t* const own_max = sweep.plane(static_cast<std::size_t>(D + sweep.axis));
-  const std::uint32_t* const ends = sweep.ends.data() + 1;
-  const std::uint32_t* const order = sweep.order.data();
-  Found found(sweep.found);
-  for (std::uint32_t i = 0; i + 1 < n; ++i) {
-    for (int k = 0; k < D - 1; ++k) {
-      probe.min[k] = hn::Set(bytes, probe.other_min[k][i]);
-      probe.max[k] = hn::Set(bytes, probe.other_max[k][i]);
-    }
-    const std::uint32_t end = ends[own_max[i]];
-    for (std::uint32_t j = i + 1; j < end; j += 64) {
-      found.add(overlap_bits(probe, j) & first_bits(end - j), order[i], j);
-      if (!found.is_full()) continue;
-      confirm_in<D>(leaf, order, found, pairs);
-      found.clear();
-    }
-  }
-  confirm_in<D>(leaf, order, found, pairs);
-}
-
 template <int D>
 HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuffer& pairs) {
   sweep.make_room(leaf.size());
   make_keys(leaf, sweep);
   order_entries(leaf, sweep);
-  compare_all(leaf, sweep, pairs);
+  sweep.is_dense ? compare_dense(leaf, sweep, pairs) : compare_all(leaf, sweep, pairs);
 }
 
 void find_2(const LeafView<2>& leaf, ByteSweep<2>& sweep, PairBuffer& pairs) {

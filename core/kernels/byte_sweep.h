@@ -16,8 +16,8 @@ namespace kerf {
 /// Each axis is mapped onto bytes by a function each operation of which is monotone, in floats, too
 /// (ByteScale): every overlap stays one and a few are invented. Bytes are ordered along the axis that
 /// separates best by counting, compared 64 at a time with all that begin before the entry ends, and what is
-/// found is confirmed on the floats. So the pairs are exact, and the same in the same order whatever the
-/// width of the machine's vectors.
+/// found is confirmed on the floats; where boxes lie dense, only that of which bytes alone do not make sure.
+/// So the pairs are exact, and the same in the same order whatever the width of the machine's vectors.
 template <int D>
 class ByteSweep {
  public:
@@ -34,7 +34,11 @@ class ByteSweep {
   std::array<std::uint32_t, 257> ends{};   ///< [q + 1]: entries that begin at or before q
   Findings found{};
   std::size_t stride = 0;
-  int axis = 0;  ///< along which the entries are ordered
+  int axis = 0;           ///< along which the entries are ordered
+  bool is_dense = false;  ///< most pairs are told by bytes alone; only then is what follows in use
+  std::vector<std::uint32_t> objects;  ///< of the entries in order
+  std::vector<std::uint8_t> apart;     ///< what keeps them apart, in order, in a byte
+  PairBuffer unsure;                   ///< the pairs of which floats had to tell
 
   [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }
   void make_room(std::size_t n);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/kernels/leaf_view.h"
@@ -11,7 +12,17 @@
 namespace kerf::test {
 
 /// Where the boxes of a leaf may lie: each draws its ends in its own way.
-enum class Spread { even, grid, tiny, huge, outlier, one_point };
+enum class Spread {
+  even,
+  grid,
+  tiny,
+  huge,
+  outlier,
+  one_point,
+  flat,      ///< all share a point of the last axis
+  touching,  ///< all that share is a point: some begin where others end
+  dense,     ///< each overlaps many
+};
 
 inline Scalar draw(Spread spread, Random& random) {
   const auto x = static_cast<Scalar>(random.uniform(-1, 1));
@@ -28,32 +39,57 @@ inline Scalar draw(Spread spread, Random& random) {
       return random.uniform(0, 1) < 0.02 ? x * 1e30F : x;
     case Spread::one_point:
       return 7;
+    case Spread::flat:
+    case Spread::touching:
+    case Spread::dense:
+      return 10 * x;
   }
   return x;
 }
 
+/// How far a box reaches along an axis, where its ends are not drawn one by one.
+inline std::optional<double> most_extent(Spread spread) {
+  switch (spread) {
+    case Spread::even:
+    case Spread::flat:
+    case Spread::touching:
+      return 2;
+    case Spread::dense:
+      return 10;
+    default:
+      return std::nullopt;
+  }
+}
+
 template <int D>
 Box<D> draw_box(Spread spread, Random& random) {
+  const std::optional<double> most = most_extent(spread);
   Box<D> box;
   for (int i = 0; i < D; ++i) {
     const Scalar a = draw(spread, random);
-    const Scalar b =
-        spread == Spread::even ? a + static_cast<Scalar>(random.uniform(0, 2)) : draw(spread, random);
+    const Scalar b = most ? a + static_cast<Scalar>(random.uniform(0, *most)) : draw(spread, random);
     box.min[i] = std::min(a, b);
     box.max[i] = std::max(a, b);
+  }
+  const auto share = static_cast<Scalar>(random.uniform(0, 2));
+  if (spread == Spread::flat) box.min[D - 1] = -share, box.max[D - 1] = 1;
+  if (spread == Spread::touching) {
+    box.min[D - 1] = share < 1 ? 3 : 2;
+    box.max[D - 1] = share < 1 ? 4 : 3;
   }
   return box;
 }
 
-/// A leaf of `count` boxes with ids in no order; some entries lie apart, some are fixed.
+/// A leaf of `count` boxes with ids in no order; some entries lie apart, by some of three planes, and some
+/// are fixed.
 template <int D>
-LeafView<D> draw_leaf(Spread spread, std::size_t count, Random& random) {
+LeafView<D> draw_leaf(Spread spread, std::size_t count, Random& random, DepthMask planes = 7U) {
   LeafView<D> leaf;
   leaf.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     leaf.boxes[i] = PackedBox<D>(draw_box<D>(spread, random));
     leaf.objects[i] = {static_cast<std::uint32_t>((i * 7919 + 13) % 100003)};
-    leaf.apart[i] = random.bits() & random.bits() & 7U;
+    leaf.apart[i] = random.bits() & random.bits() & planes;
     if (random.uniform(0, 1) < 0.1) leaf.apart[i] |= LeafView<D>::kFixedBit;
   }
   return leaf;

@@ -32,27 +32,53 @@ TYPED_TEST(Kernels, TheMachineHasTheBaselineAndRefusesOthers) {
   EXPECT_EQ(kernel(), "EMU128");
 }
 
+/// By every kernel, in one order. Returns the last one's sweep.
+template <int D>
+ByteSweep<D> expect_swept_alike(const LeafView<D>& leaf) {
+  ByteSweep<D> sweep;
+  std::vector<Pair> first;
+  for (const std::string& name : kernels()) {
+    use_kernel(name);
+    PairBuffer found;
+    sweep.find(leaf, found);
+    const std::vector<Pair> pairs(found.all().begin(), found.all().end());
+    EXPECT_EQ(difference(pairs, expected_pairs(leaf)), "") << name;
+    if (name == kernels().front()) first = pairs;
+    EXPECT_EQ(pairs, first) << name << " gives another order";
+  }
+  return sweep;
+}
+
 TYPED_TEST(Kernels, SweepFindsWhatTheDefinitionGivesInOneOrder) {
   constexpr int kD = TypeParam::value;
   Random random(3);
-  for (const Spread spread :
-       {Spread::even, Spread::grid, Spread::tiny, Spread::huge, Spread::outlier, Spread::one_point}) {
+  for (const Spread spread : {Spread::even, Spread::grid, Spread::tiny, Spread::huge, Spread::outlier,
+                              Spread::one_point, Spread::flat, Spread::touching, Spread::dense}) {
     for (const std::size_t count : {0U, 1U, 2U, 63U, 64U, 65U, 129U, 400U}) {
       SCOPED_TRACE(testing::Message() << "spread " << static_cast<int>(spread) << ", entries " << count);
-      const LeafView<kD> leaf = draw_leaf<kD>(spread, count, random);
-      std::vector<Pair> first;
-      for (const std::string& name : kernels()) {
-        use_kernel(name);
-        ByteSweep<kD> sweep;
-        PairBuffer found;
-        sweep.find(leaf, found);
-        const std::vector<Pair> pairs(found.all().begin(), found.all().end());
-        EXPECT_EQ(difference(pairs, expected_pairs(leaf)), "") << name;
-        if (name == kernels().front()) first = pairs;
-        EXPECT_EQ(pairs, first) << name << " gives another order";
-      }
+      expect_swept_alike(draw_leaf<kD>(spread, count, random));
     }
   }
+}
+
+/// The planes in one byte, in two that do not meet, and in two that do.
+TYPED_TEST(Kernels, DenseLeavesAreSweptAlikeWhateverKeepsTheirEntriesApart) {
+  constexpr int kD = TypeParam::value;
+  Random random(4);
+  for (const DepthMask planes : {DepthMask{0}, DepthMask{7}, DepthMask{0x102040000000}, DepthMask{0x10101}}) {
+    for (const Spread spread : {Spread::dense, Spread::even}) {
+      SCOPED_TRACE(testing::Message() << "planes " << planes << ", spread " << static_cast<int>(spread));
+      const auto sweep = expect_swept_alike(draw_leaf<kD>(spread, 1000, random, planes));
+      EXPECT_EQ(sweep.is_dense, spread == Spread::dense);
+    }
+  }
+}
+
+TYPED_TEST(Kernels, AnAxisOnWhichAllShareAPointIsNotSweptAlong) {
+  constexpr int kD = TypeParam::value;
+  Random random(5);
+  for (const Spread spread : {Spread::flat, Spread::touching})
+    EXPECT_NE(expect_swept_alike(draw_leaf<kD>(spread, 300, random)).axis, kD - 1);
 }
 
 /// A list of objects, and what they straddle, with room for its parts.

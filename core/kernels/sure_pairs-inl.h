@@ -1,0 +1,85 @@
+// Writing the pairs of one object with others that need no confirmation, for each of the machine's kinds of
+// vectors: included once for each by the kernels (Highway's foreach_target), so there is no `#pragma once`.
+#if defined(KERF_SURE_PAIRS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KERF_SURE_PAIRS_INL_H
+#undef KERF_SURE_PAIRS_INL_H
+#else
+#define KERF_SURE_PAIRS_INL_H
+#endif
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/ids.h"
+#include "core/kernels/compress-inl.h"
+#include "core/kernels/findings-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace kerf::HWY_NAMESPACE {
+
+/// Behind the end of what `write_row` returns it may have written anything, up to so many pairs.
+inline constexpr std::size_t kRowRoom = 64;
+
+#if HWY_TARGET <= HWY_AVX3_DL && HWY_ARCH_X86_64
+/// Sixteen words of 64, by their numbers.
+HWY_INLINE __m512i look_up(const __m512i (&words)[4], __m512i numbers) {
+  const __mmask16 is_high = _mm512_test_epi32_mask(numbers, _mm512_set1_epi32(32));
+  return _mm512_mask_blend_epi32(is_high, _mm512_permutex2var_epi32(words[0], numbers, words[1]),
+                                 _mm512_permutex2var_epi32(words[2], numbers, words[3]));
+}
+
+/// Writes the canonical pairs of `object` with those of 64 others whose bits are set; returns their end.
+HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, std::uint64_t bits, Pair* out) {
+  const Words w;
+  const auto own = hn::Set(w, object);
+  const auto count = static_cast<std::size_t>(std::popcount(bits));
+  const hn::CappedTag<std::uint8_t, 64> bytes;
+  const __m512i numbers = _mm512_maskz_compress_epi8(bits, hn::Iota(bytes, 0).raw);
+  __m512i ids[4];
+  for (std::size_t k = 0; k < 4; ++k) ids[k] = hn::LoadU(w, others + 16 * k).raw;
+  const auto write = [&](__m128i which, std::size_t place) HWY_ATTR {
+    const hn::Vec<Words> other{look_up(ids, _mm512_cvtepu8_epi32(which))};
+    const __m512i low = hn::Min(other, own).raw;
+    const __m512i high = hn::Max(other, own).raw;
+    const __m512i first = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+    const __m512i second = _mm512_add_epi32(first, _mm512_set1_epi32(8));
+    _mm512_storeu_si512(out + place, _mm512_permutex2var_epi32(low, first, high));
+    _mm512_storeu_si512(out + place + 8, _mm512_permutex2var_epi32(low, second, high));
+  };
+  write(_mm512_castsi512_si128(numbers), 0);
+  if (count > 16) {
+    write(_mm512_extracti32x4_epi32(numbers, 1), 16);
+    write(_mm512_extracti32x4_epi32(numbers, 2), 32);
+    write(_mm512_extracti32x4_epi32(numbers, 3), 48);
+  }
+  return out + count;
+}
+#elif HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86_64
+HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, std::uint64_t bits, Pair* out) {
+  const Words w;
+  const auto own = hn::Set(w, object);
+  const std::size_t lanes = hn::Lanes(w);
+  for (std::size_t k = 0; k < 64; k += lanes, bits >>= lanes) {
+    const auto told = hn::LoadMaskBits(w, reinterpret_cast<const std::uint8_t*>(&bits));
+    const auto other = compress_words(hn::LoadU(w, others + k), told);
+    hn::StoreInterleaved2(hn::Min(other, own), hn::Max(other, own), w, reinterpret_cast<std::uint32_t*>(out));
+    out += hn::CountTrue(w, told);
+  }
+  return out;
+}
+#else
+HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, std::uint64_t bits, Pair* out) {
+  const auto count = static_cast<std::size_t>(std::popcount(bits));
+  constexpr std::uint64_t kLast = std::uint64_t{1} << 63U;
+  for (std::size_t k = 0; k < count; k += 8)  // so it is easier to guess where the row ends
+    for (std::size_t m = k; m < k + 8; ++m, bits &= bits - 1)
+      out[m] = {{object}, {others[hwy::Num0BitsBelowLS1Bit_Nonzero64(bits | kLast)]}};
+  order_ids(out, count);
+  return out + count;
+}
+#endif
+
+}  // namespace kerf::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
