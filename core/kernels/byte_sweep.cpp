@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 
 #include "core/kernels/compare-inl.h"
+#include "core/kernels/compare_dense-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
