@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
 /// Whether so much is found that it pays to tell apart what bytes alone make sure of: if boxes of such a mean
-/// length along each axis, in bytes, lay anywhere, more than nine in a row of 64.
+/// length along each axis, in bytes, lay anywhere, more than seven in a row of 64.
 template <int D>
 HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, int axis) {
   const auto n = static_cast<float>(count);
@@ -24,7 +24,7 @@ HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, 
     if (other != axis)
       sure *= std::clamp(2 * (length[static_cast<std::size_t>(other)] - 1) / 255, 0.0F, 1.0F);
   const float rows = n * length[static_cast<std::size_t>(axis)] / 255 / 64 + 0.5F;
-  return sure > 9 * rows;
+  return sure > 7 * rows;
 }
 
 /// Fills `keys`, chooses the axis along which the boxes are shortest, and tells whether they lie dense.

@@ -125,7 +125,6 @@ HWY_INLINE void compare_dense(const LeafView<D>& leaf, ByteSweep<D>& sweep, Pair
       const std::uint64_t sure = row.sure & first_bits(sure_end > j ? sure_end - j : 0);
       const std::uint64_t others = row.maybe & ~sure & (row.here | unknown) & first_bits(end - j);
       out = write_row(objects[i], objects + j, sure, out);
-      if (others == 0) continue;
       found.add(others, order[i], j);
       if (!found.is_full()) continue;
       confirm_in<D>(leaf, order, found, sweep.unsure);

@@ -48,8 +48,8 @@ HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, st
     _mm512_storeu_si512(out + place + 8, _mm512_permutex2var_epi32(low, second, high));
   };
   write(_mm512_castsi512_si128(numbers), 0);
-  if (count > 16) {
-    write(_mm512_extracti32x4_epi32(numbers, 1), 16);
+  write(_mm512_extracti32x4_epi32(numbers, 1), 16);
+  if (count > 32) {
     write(_mm512_extracti32x4_epi32(numbers, 2), 32);
     write(_mm512_extracti32x4_epi32(numbers, 3), 48);
   }

@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-constexpr std::array<BenchScene, 9> kScenes{
+constexpr std::array<BenchScene, 12> kScenes{
     {{"falling", "a third falls onto heaps", make_falling<2>, make_falling<3>},
      {"settled", "a pile that still stirs", make_settled<2>, make_settled<3>},
      {"brownian", "random walk by most of a size a step", make_brownian<2>, make_brownian<3>},
@@ -20,7 +20,10 @@ constexpr std::array<BenchScene, 9> kScenes{
      {"buckets", "falling into buckets with fixed walls", make_buckets<2>, make_buckets<3>},
      {"mostly-static", "one in twenty walks, the others rest", make_mostly_static<2>, make_mostly_static<3>},
      {"needles", "nearly diagonal, of length 1 to 8", make_needles<2>, make_needles<3>},
-     {"teleport", "everything jumps in each step", make_teleport<2>, make_teleport<3>}}};
+     {"teleport", "everything jumps in each step", make_teleport<2>, make_teleport<3>},
+     {"flat", "a crowd on a plane of the world, in 2D along a line", make_flat<2>, make_flat<3>},
+     {"dense", "fifty pairs an object", make_dense<2>, make_dense<3>},
+     {"rods", "sixty times as long as thick, along the axes", make_rods<2>, make_rods<3>}}};
 
 }  // namespace
 

@@ -2,48 +2,15 @@
 #include <vector>
 
 #include "frames/bench/motions/motions.h"
+#include "frames/bench/motions/scattered.h"
 
 namespace kerf {
 namespace {
 
-constexpr double kStride = 0.75;  ///< of a usual extent
-
-/// Boxes scattered evenly in a cube.
-template <int D>
-class Scattered : public Motion<D> {
- public:
-  Scattered(std::uint32_t count, std::uint64_t seed) : Motion<D>(seed), side_(side_for(count, D)) {
-    this->moving_ = count;
-    this->bounds_ = this->cube(side_);
-    for (std::uint32_t k = 0; k < count; ++k) {
-      centers_.push_back(this->vector_within(0, side_));
-      halves_.push_back(this->usual_half());
-      this->boxes_.push_back(this->around(centers_[k], halves_[k]));
-    }
-  }
-
- protected:
-  void put(std::size_t k, const Vector<D>& center) {
-    centers_[k] = center;
-    this->boxes_[k] = this->around(center, halves_[k]);
-  }
-  /// Whether `x` had to be folded back into the world.
-  [[nodiscard]] bool reflect(Scalar& x) const {
-    const auto side = static_cast<Scalar>(side_);
-    if (x >= 0 && x <= side) return false;
-    x = x < 0 ? -x : 2 * side - x;
-    return true;
-  }
-
-  double side_;
-  std::vector<Vector<D>> centers_;
-  std::vector<Vector<D>> halves_;
-};
-
 template <int D>
 class Brownian final : public Scattered<D> {
  public:
-  using Scattered<D>::Scattered;
+  Brownian(std::uint32_t count, std::uint64_t seed) : Scattered<D>(count, seed, side_for(count, D)) {}
   void advance() override {
     for (std::size_t k = 0; k < this->boxes_.size(); ++k) {
       Vector<D> center = this->centers_[k] + this->vector_within(-kStride, kStride);
@@ -54,29 +21,9 @@ class Brownian final : public Scattered<D> {
 };
 
 template <int D>
-class Uniform final : public Scattered<D> {
- public:
-  Uniform(std::uint32_t count, std::uint64_t seed) : Scattered<D>(count, seed) {
-    for (std::uint32_t k = 0; k < count; ++k)
-      velocities_.push_back(this->direction() * static_cast<Scalar>(kStride));
-  }
-  void advance() override {
-    for (std::size_t k = 0; k < this->boxes_.size(); ++k) {
-      Vector<D> center = this->centers_[k] + velocities_[k];
-      for (int i = 0; i < D; ++i)
-        if (this->reflect(center[i])) velocities_[k][i] = -velocities_[k][i];
-      this->put(k, center);
-    }
-  }
-
- private:
-  std::vector<Vector<D>> velocities_;
-};
-
-template <int D>
 class Teleport final : public Scattered<D> {
  public:
-  using Scattered<D>::Scattered;
+  Teleport(std::uint32_t count, std::uint64_t seed) : Scattered<D>(count, seed, side_for(count, D)) {}
   void advance() override {
     for (std::size_t k = 0; k < this->boxes_.size(); ++k) this->put(k, this->vector_within(0, this->side_));
   }
@@ -85,7 +32,7 @@ class Teleport final : public Scattered<D> {
 template <int D>
 class MostlyStatic final : public Scattered<D> {
  public:
-  MostlyStatic(std::uint32_t count, std::uint64_t seed) : Scattered<D>(count, seed) {
+  MostlyStatic(std::uint32_t count, std::uint64_t seed) : Scattered<D>(count, seed, side_for(count, D)) {
     this->all_move_ = false;
     order_.resize(count);
     for (std::uint32_t k = 0; k < count; ++k) order_[k] = {k};
@@ -129,7 +76,7 @@ std::unique_ptr<Motion<D>> make_brownian(std::uint32_t count, std::uint64_t seed
 
 template <int D>
 std::unique_ptr<Motion<D>> make_uniform(std::uint32_t count, std::uint64_t seed) {
-  return std::make_unique<Uniform<D>>(count, seed);
+  return std::make_unique<Flight<D>>(count, seed, side_for(count, D));
 }
 
 template <int D>

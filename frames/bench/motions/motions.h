@@ -46,4 +46,15 @@ std::unique_ptr<Motion<D>> make_mostly_static(std::uint32_t count, std::uint64_t
 template <int D>
 std::unique_ptr<Motion<D>> make_needles(std::uint32_t count, std::uint64_t seed);
 
+/// Straight flight on a plane of the world (in 2D along a line), on which all stand: nothing is told apart
+/// along the last axis.
+template <int D>
+std::unique_ptr<Motion<D>> make_flat(std::uint32_t count, std::uint64_t seed);
+/// Straight flight where an object has some fifty pairs.
+template <int D>
+std::unique_ptr<Motion<D>> make_dense(std::uint32_t count, std::uint64_t seed);
+/// Rods sixty times as long as thick, each along an axis, that fly by most of their thickness in each step.
+template <int D>
+std::unique_ptr<Motion<D>> make_rods(std::uint32_t count, std::uint64_t seed);
+
 }  // namespace kerf

@@ -1,0 +1,74 @@
+// Worlds and boxes of other shapes than cubes, and other densities.
+
+#include <cmath>
+
+#include "frames/bench/motions/motions.h"
+#include "frames/bench/motions/scattered.h"
+
+namespace kerf {
+namespace {
+
+template <int D>
+class Flat final : public Flight<D> {
+ public:
+  Flat(std::uint32_t count, std::uint64_t seed) : Flight<D>(count, seed, side_for(count, D - 1)) {
+    constexpr double kUneven = 0.2;
+    for (std::size_t k = 0; k < count; ++k) {
+      this->velocities_[k][D - 1] = 0;
+      this->centers_[k][D - 1] = static_cast<Scalar>(this->uniform(0, kUneven));
+      this->put(k, this->centers_[k]);
+    }
+  }
+};
+
+template <int D>
+class Rods final : public Flight<D> {
+ public:
+  Rods(std::uint32_t count, std::uint64_t seed)
+      : Flight<D>(count, seed, side_for(count, D, like_cubes()), kStride * kThickness) {
+    for (std::size_t k = 0; k < count; ++k) {
+      Vector<D> half = this->along_all(kThickness / 2);
+      half[static_cast<int>(k % D)] = static_cast<Scalar>(kLength / 2);
+      this->halves_[k] = half;
+      this->put(k, this->centers_[k]);
+    }
+  }
+
+ private:
+  /// The extent of cubes that would meet as often: two rods are parallel, or cross.
+  static double like_cubes() {
+    const double parallel = 2 * kLength * std::pow(2 * kThickness, D - 1);
+    const double crossed = std::pow(kLength + kThickness, 2) * std::pow(2 * kThickness, D - 2);
+    return std::pow(parallel / D + crossed * (D - 1) / D, 1.0 / D) / 2;
+  }
+
+  static constexpr double kLength = 12;
+  static constexpr double kThickness = 0.2;
+};
+
+}  // namespace
+
+template <int D>
+std::unique_ptr<Motion<D>> make_flat(std::uint32_t count, std::uint64_t seed) {
+  return std::make_unique<Flat<D>>(count, seed);
+}
+
+template <int D>
+std::unique_ptr<Motion<D>> make_dense(std::uint32_t count, std::uint64_t seed) {
+  constexpr double kPairs = 50;
+  return std::make_unique<Flight<D>>(count, seed, side_for(count, D, 1, kPairs));
+}
+
+template <int D>
+std::unique_ptr<Motion<D>> make_rods(std::uint32_t count, std::uint64_t seed) {
+  return std::make_unique<Rods<D>>(count, seed);
+}
+
+template std::unique_ptr<Motion<2>> make_flat<2>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<3>> make_flat<3>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<2>> make_dense<2>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<3>> make_dense<3>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<2>> make_rods<2>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<3>> make_rods<3>(std::uint32_t, std::uint64_t);
+
+}  // namespace kerf
