@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "core/kernels/compress-inl.h"
+#include "core/kernels/write_pairs-inl.h"
 
 #ifndef KERF_CORE_BROAD_PHASE_LANES_ONCE
 #define KERF_CORE_BROAD_PHASE_LANES_ONCE
@@ -55,15 +55,6 @@ HWY_INLINE Probe<D> probe_at(const LaneView& lanes, std::size_t i) {
   probe.object = hn::Set(w, lanes.object[i]);
   probe.apart = hn::Set(w, lanes.apart[i]);
   return probe;
-}
-
-/// Writes the pairs of `object` with those of `others` that are told; returns the new end.
-HWY_INLINE Pair* write_pairs(hn::Vec<Words> object, hn::Vec<Words> others, hn::Mask<Words> told, Pair* out) {
-  const Words w;
-  const auto first = compress_words(others, told);
-  hn::StoreInterleaved2(hn::Min(first, object), hn::Max(first, object), w,
-                        reinterpret_cast<std::uint32_t*>(out));
-  return out + hn::CountTrue(w, told);
 }
 
 /// Writes the pairs with the boxes from `j` on; returns the new end. On axis 0 the caller may know that every

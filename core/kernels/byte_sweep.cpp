@@ -16,14 +16,13 @@ namespace kerf::HWY_NAMESPACE {
 
 /// Whether so much is found that it pays to tell apart what bytes alone make sure of: if boxes of such a mean
 /// length along each axis, in bytes, lay anywhere, more than seven in a row of 64.
-template <int D>
-HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, int axis) {
+template <std::size_t D>
+HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, std::size_t axis) {
   const auto n = static_cast<float>(count);
-  float sure = n * (length[static_cast<std::size_t>(axis)] - 1) / 255;
-  for (int other = 0; other < D; ++other)
-    if (other != axis)
-      sure *= std::clamp(2 * (length[static_cast<std::size_t>(other)] - 1) / 255, 0.0F, 1.0F);
-  const float rows = n * length[static_cast<std::size_t>(axis)] / 255 / 64 + 0.5F;
+  float sure = n * (length[axis] - 1) / 255;
+  for (std::size_t other = 0; other < D; ++other)
+    if (other != axis) sure *= std::clamp(2 * (length[other] - 1) / 255, 0.0F, 1.0F);
+  const float rows = n * length[axis] / 255 / 64 + 0.5F;
   return sure > 7 * rows;
 }
 
@@ -48,9 +47,9 @@ HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   std::array<float, D> length;  // in the mean
   for (std::size_t axis = 0; axis < D; ++axis)
     length[axis] = (sum.lane[PackedBox<D>::kHalf + axis] - sum.lane[axis]) / static_cast<float>(leaf.size());
-  const auto shortest = std::ranges::min_element(length);
-  sweep.axis = static_cast<int>(shortest - length.begin());
-  sweep.is_dense = is_dense<D>(leaf.size(), length, sweep.axis);
+  const auto axis = static_cast<std::size_t>(std::ranges::min_element(length) - length.begin());
+  sweep.axis = static_cast<int>(axis);
+  sweep.is_dense = is_dense(leaf.size(), length, axis);
 }
 
 /// Counts the entries that begin at each byte of the axis, and writes their places and bytes in that order;

@@ -115,24 +115,33 @@ struct Probe {
   hn::Vec<Bytes> max[A];
 };
 
+/// Zero in the lanes of those entries from `at` on that the probe overlaps on its axes.
+template <int A>
+HWY_INLINE hn::Vec<Bytes> lanes_beyond(const Probe<A>& probe, std::size_t at) {
+  const Bytes bytes;
+  auto beyond = hn::Zero(bytes);
+  for (int k = 0; k < A; ++k) {
+    const auto other_max = hn::LoadU(bytes, probe.other_max[k] + at);
+    const auto other_min = hn::LoadU(bytes, probe.other_min[k] + at);
+    beyond = hn::Or(beyond, hn::SaturatedSub(probe.min[k], other_max));
+    beyond = hn::Or(beyond, hn::SaturatedSub(other_min, probe.max[k]));
+  }
+  return beyond;
+}
+
+/// Bit k: lane k is zero.
+HWY_INLINE std::uint64_t bits_of_zeros(hn::Vec<Bytes> lanes) {
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(Bytes(), hn::Eq(lanes, hn::Zero(Bytes())), reinterpret_cast<std::uint8_t*>(&bits));
+  return bits;
+}
+
 /// Bit k: the probe overlaps entry j + k on the probe's axes.
 template <int A>
 HWY_INLINE std::uint64_t overlap_bits(const Probe<A>& probe, std::size_t j) {
-  const Bytes bytes;
-  const std::size_t lanes = hn::Lanes(bytes);
   std::uint64_t result = 0;
-  for (std::size_t lane = 0; lane < 64; lane += lanes) {
-    auto beyond = hn::Zero(bytes);
-    for (int k = 0; k < A; ++k) {
-      const auto other_max = hn::LoadU(bytes, probe.other_max[k] + j + lane);
-      const auto other_min = hn::LoadU(bytes, probe.other_min[k] + j + lane);
-      beyond = hn::Or(beyond, hn::SaturatedSub(probe.min[k], other_max));
-      beyond = hn::Or(beyond, hn::SaturatedSub(other_min, probe.max[k]));
-    }
-    std::uint64_t part = 0;
-    hn::StoreMaskBits(bytes, hn::Eq(beyond, hn::Zero(bytes)), reinterpret_cast<std::uint8_t*>(&part));
-    result |= part << lane;
-  }
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(Bytes()))
+    result |= bits_of_zeros(lanes_beyond(probe, j + lane)) << lane;
   return result;
 }
 

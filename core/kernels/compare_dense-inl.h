@@ -44,8 +44,8 @@ HWY_INLINE bool copy_in_order(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
 
 /// What bytes tell of 64 entries that begin before another one ends.
 struct RowBits {
-  std::uint64_t sure = 0;   ///< they are pairs
   std::uint64_t maybe = 0;  ///< they may overlap
+  std::uint64_t sure = 0;   ///< they are pairs
   std::uint64_t here = 0;   ///< nothing in the bytes keeps them apart
 };
 
@@ -69,37 +69,31 @@ struct Dense : Ordered<D> {
     apart = hn::Set(Bytes(), others_apart[i]);
   }
   [[nodiscard]] HWY_INLINE RowBits row(std::uint32_t j) const {
+    const Bytes bytes;
     RowBits row;
-    for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(Bytes())) {
-      const RowBits part = vector(j + lane);
-      row.sure |= part.sure << lane;
-      row.maybe |= part.maybe << lane;
-      row.here |= part.here << lane;
+    std::uint64_t unsure = 0;
+    for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(bytes)) {
+      const auto common = hn::And(apart, hn::LoadU(bytes, others_apart + j + lane));
+      row.maybe |= bits_of_zeros(lanes_beyond(this->probe, j + lane)) << lane;
+      row.here |= bits_of_zeros(common) << lane;
+      unsure |= bits_of_zeros(lanes_within(j + lane)) << lane;
     }
+    row.sure = row.here & ~unsure;
     return row;
   }
 
  private:
-  HWY_INLINE RowBits vector(std::size_t j) const {
+  /// More than zero in the lanes of those that bytes alone make sure of.
+  [[nodiscard]] HWY_INLINE hn::Vec<Bytes> lanes_within(std::size_t at) const {
     const Bytes bytes;
-    auto beyond = hn::Zero(bytes);
-    auto within = hn::SaturatedSub(hn::LoadU(bytes, this->own_max + j), begin);
+    auto within = hn::SaturatedSub(hn::LoadU(bytes, this->own_max + at), begin);
     for (int k = 0; k < D - 1; ++k) {
-      const auto other_max = hn::LoadU(bytes, this->probe.other_max[k] + j);
-      const auto other_min = hn::LoadU(bytes, this->probe.other_min[k] + j);
-      beyond = hn::Or(beyond, hn::Or(hn::SaturatedSub(this->probe.min[k], other_max),
-                                     hn::SaturatedSub(other_min, this->probe.max[k])));
-      within = hn::Min(within, hn::Min(hn::SaturatedSub(other_max, this->probe.min[k]),
-                                       hn::SaturatedSub(this->probe.max[k], other_min)));
+      const auto other_max = hn::LoadU(bytes, this->probe.other_max[k] + at);
+      const auto other_min = hn::LoadU(bytes, this->probe.other_min[k] + at);
+      within = hn::Min(within, hn::SaturatedSub(other_max, this->probe.min[k]));
+      within = hn::Min(within, hn::SaturatedSub(this->probe.max[k], other_min));
     }
-    const auto here = hn::Eq(hn::And(apart, hn::LoadU(bytes, others_apart + j)), hn::Zero(bytes));
-    const auto sure = hn::And(here, hn::Ne(within, hn::Zero(bytes)));
-    return {bits_of(sure), bits_of(hn::Eq(beyond, hn::Zero(bytes))), bits_of(here)};
-  }
-  static HWY_INLINE std::uint64_t bits_of(hn::Mask<Bytes> mask) {
-    std::uint64_t bits = 0;
-    hn::StoreMaskBits(Bytes(), mask, reinterpret_cast<std::uint8_t*>(&bits));
-    return bits;
+    return within;
   }
 };
 

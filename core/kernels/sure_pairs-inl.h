@@ -12,14 +12,17 @@
 #include <cstdint>
 
 #include "core/ids.h"
-#include "core/kernels/compress-inl.h"
 #include "core/kernels/findings-inl.h"
+#include "core/kernels/write_pairs-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
 /// Behind the end of what `write_row` returns it may have written anything, up to so many pairs.
 inline constexpr std::size_t kRowRoom = 64;
+
+// `write_row` writes the canonical pairs of `object` with those of 64 others whose bits are set, in their
+// order, and returns their end.
 
 #if HWY_TARGET <= HWY_AVX3_DL && HWY_ARCH_X86_64
 /// Sixteen words of 64, by their numbers.
@@ -29,13 +32,11 @@ HWY_INLINE __m512i look_up(const __m512i (&words)[4], __m512i numbers) {
                                  _mm512_permutex2var_epi32(words[2], numbers, words[3]));
 }
 
-/// Writes the canonical pairs of `object` with those of 64 others whose bits are set; returns their end.
 HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, std::uint64_t bits, Pair* out) {
   const Words w;
   const auto own = hn::Set(w, object);
   const auto count = static_cast<std::size_t>(std::popcount(bits));
-  const hn::CappedTag<std::uint8_t, 64> bytes;
-  const __m512i numbers = _mm512_maskz_compress_epi8(bits, hn::Iota(bytes, 0).raw);
+  const __m512i numbers = _mm512_maskz_compress_epi8(bits, hn::Iota(Bytes(), 0).raw);
   __m512i ids[4];
   for (std::size_t k = 0; k < 4; ++k) ids[k] = hn::LoadU(w, others + 16 * k).raw;
   const auto write = [&](__m128i which, std::size_t place) HWY_ATTR {
@@ -62,9 +63,7 @@ HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, st
   const std::size_t lanes = hn::Lanes(w);
   for (std::size_t k = 0; k < 64; k += lanes, bits >>= lanes) {
     const auto told = hn::LoadMaskBits(w, reinterpret_cast<const std::uint8_t*>(&bits));
-    const auto other = compress_words(hn::LoadU(w, others + k), told);
-    hn::StoreInterleaved2(hn::Min(other, own), hn::Max(other, own), w, reinterpret_cast<std::uint32_t*>(out));
-    out += hn::CountTrue(w, told);
+    out = write_pairs(own, hn::LoadU(w, others + k), told, out);
   }
   return out;
 }

@@ -72,7 +72,10 @@ Box<D> draw_box(Spread spread, Random& random) {
     box.max[i] = std::max(a, b);
   }
   const auto share = static_cast<Scalar>(random.uniform(0, 2));
-  if (spread == Spread::flat) box.min[D - 1] = -share, box.max[D - 1] = 1;
+  if (spread == Spread::flat) {
+    box.min[D - 1] = -share;
+    box.max[D - 1] = 1;
+  }
   if (spread == Spread::touching) {
     box.min[D - 1] = share < 1 ? 3 : 2;
     box.max[D - 1] = share < 1 ? 4 : 3;

@@ -61,7 +61,8 @@ TYPED_TEST(Kernels, SweepFindsWhatTheDefinitionGivesInOneOrder) {
   }
 }
 
-/// The planes in one byte, in two that do not meet, and in two that do.
+/// No planes, planes in one byte of the mask, in several that do not meet where it is folded, and in several
+/// that do.
 TYPED_TEST(Kernels, DenseLeavesAreSweptAlikeWhateverKeepsTheirEntriesApart) {
   constexpr int kD = TypeParam::value;
   Random random(4);
