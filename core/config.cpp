@@ -138,6 +138,7 @@ Config tuned_config() {
   Config config;
   config.free_directions = false;
   config.sample = 256;
+  config.min_balance = 0.33F;
   config.max_redundancy = 0.35F;
   config.repair_redundancy = 0.6F;
   config.min_threshold = 1024;

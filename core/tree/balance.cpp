@@ -1,7 +1,9 @@
 #include "core/tree/balance.h"
 
+#include <algorithm>
 #include <vector>
 
+#include "core/kernels/prefetch.h"
 #include "core/tree/criteria.h"
 #include "core/tree/placement.h"
 
@@ -13,7 +15,10 @@ std::vector<Interval> project_all(const Tree<D>& tree, std::uint32_t direction,
                                   const std::vector<Stored>& stored) {
   std::vector<Interval> intervals;
   intervals.reserve(stored.size());
-  for (const Stored& item : stored) intervals.push_back(tree.project(direction, item.object));
+  for (std::size_t k = 0; k < stored.size(); ++k) {
+    prefetch(&tree.table.packed(stored[std::min(k + kPrefetchAhead, stored.size() - 1)].object));
+    intervals.push_back(tree.project(direction, stored[k].object));
+  }
   return intervals;
 }
 
@@ -44,7 +49,7 @@ std::optional<OperatorActed> balance(Tree<D>& tree, NodeId inner, const Config& 
   const Scalar old_offset = tree[inner].plane.offset;
   const std::vector<Stored> stored = collect(tree, inner);
   const std::vector<Interval> intervals = project_all(tree, tree[inner].direction, stored);
-  const std::optional<ReferencePoint> point = best_reference_point(intervals, config);
+  const std::optional<ReferencePoint> point = good_reference_point(intervals, config);
   if (!point) {
     refusal = Refusal::no_partitioner;
     return std::nullopt;

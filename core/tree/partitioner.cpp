@@ -156,6 +156,21 @@ std::optional<ReferencePoint> best_reference_point(std::span<const Interval> int
   return best;
 }
 
+std::optional<ReferencePoint> good_reference_point(std::span<const Interval> intervals,
+                                                   const Config& config) {
+  if (intervals.size() > kManySamples * config.sample) {
+    std::vector<Interval> some;
+    some.reserve(config.sample);
+    for (std::size_t k = 0; k < config.sample; ++k)
+      some.push_back(intervals[k * intervals.size() / config.sample]);
+    if (const std::optional<ReferencePoint> point = best_reference_point(some, config)) {
+      const Quality quality = measure(intervals, point->offset);
+      if (is_good(quality, config)) return ReferencePoint{point->offset, quality};
+    }
+  }
+  return best_reference_point(intervals, config);
+}
+
 std::uint32_t candidate_count(std::uint32_t objects, std::uint32_t directions, const Config& config) {
   const float wanted = std::ceil(config.candidate_factor * std::sqrt(static_cast<float>(objects)));
   return std::clamp(static_cast<std::uint32_t>(wanted), 1U, directions);

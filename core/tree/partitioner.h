@@ -53,6 +53,10 @@ Quality measure(std::span<const Interval> intervals, Scalar offset);
 /// lowest of equals, or none if no point is good. The intervals may come in any order. O(n log n).
 std::optional<ReferencePoint> best_reference_point(std::span<const Interval> intervals, const Config& config);
 
+/// The same point, or, of many objects, that of `config.sample` of them if it is good for all (paper section
+/// 4.1: a subset is projected and sorted).
+std::optional<ReferencePoint> good_reference_point(std::span<const Interval> intervals, const Config& config);
+
 /// Candidates that a split of `objects` objects tries: candidate_factor * sqrt(objects), within the set's
 /// size.
 std::uint32_t candidate_count(std::uint32_t objects, std::uint32_t directions, const Config& config);

@@ -1,6 +1,8 @@
 #include "core/tree/placement.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 namespace kerf {
 namespace {
@@ -30,6 +32,23 @@ class WalkStack {
   std::uint32_t nodes_[kRoom];  // what is not in use has no value: most walks are short
   DepthMask straddles_[kRoom];
 };
+
+/// Takes the marked objects out of a leaf below `from`, and counts them off each node up to there in which
+/// they have no copy further left.
+template <int D>
+void take_out_marked(Tree<D>& tree, NodeId from, NodeId leaf) {
+  std::array<std::uint32_t, kMaxHeight + 1> going{};  // by the depth from which on their copy is the leftmost
+  std::uint32_t leftmost = 0;
+  tree.drop_marked_entries(leaf, [&](const Entry& entry) {
+    ++going[static_cast<std::size_t>(std::bit_width(entry.straddle & tree[leaf].right_of))];
+    ++leftmost;
+  });
+  for (NodeId id = leaf; leftmost > 0; id = tree[id].parent) {
+    tree[id].population -= leftmost;
+    if (id == from) return;
+    leftmost -= going[tree[id].depth];
+  }
+}
 
 /// Where a box lies relative to the partitioner of an inner node, in a tree of boxes.
 template <int D>
@@ -97,11 +116,19 @@ std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above
 
 template <int D>
 void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving) {
-  std::vector<NodeId> passed;
-  for (const ObjectId object : leaving) reach_nodes(tree, from, object, passed);
-  const Departure departure{leaving, passed};
-  TaskPool alone;
-  displace<D>(tree, {&departure, 1}, alone);
+  constexpr std::size_t kFew = 32;  // of so many objects below one that leaves is looked for by its box
+  if (leaving.size() * kFew < tree[from].population) {
+    std::vector<NodeId> passed;
+    for (const ObjectId object : leaving) reach_nodes(tree, from, object, passed);
+    const Departure departure{leaving, passed};
+    TaskPool alone;
+    return displace<D>(tree, {&departure, 1}, alone);
+  }
+  for (const ObjectId object : leaving) tree.set_mark(object, true);
+  for_each_node(tree, from, [&](NodeId id) {
+    if (tree[id].is_leaf()) take_out_marked(tree, from, id);
+  });
+  for (const ObjectId object : leaving) tree.set_mark(object, false);
 }
 
 template <int D>

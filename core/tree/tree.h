@@ -76,6 +76,10 @@ class Tree {
   /// Takes the entries of all marked objects out of the leaves, each given once with how many it has of them.
   /// The order of the others is kept.
   void drop_marked_entries(std::span<const EntryCount> marked, TaskPool& pool);
+  /// Takes the entries of all marked objects out of the leaf and calls `visit` with each of them before. The
+  /// order of the others is kept.
+  template <class Visit>
+  void drop_marked_entries(NodeId leaf, Visit visit);
   /// A mark per object; all are off between operations.
   void set_mark(ObjectId object, bool on);
 
@@ -87,6 +91,20 @@ class Tree {
   NodeId root_;
   std::uint64_t entries_ = 0;
 };
+
+template <int D>
+template <class Visit>
+void Tree<D>::drop_marked_entries(NodeId leaf, Visit visit) {
+  Node<D>& node = nodes_[leaf.index()];
+  const auto goes = [&](const Entry& entry) {
+    const bool is_marked = marks_[entry.object.index()] != 0;
+    if (is_marked) visit(entry);
+    return is_marked;
+  };
+  const std::size_t dropped = std::erase_if(node.entries, goes);
+  node.changed |= dropped > 0;
+  entries_ -= dropped;
+}
 
 /// Calls `visit(id)` for each node below `from`, itself included, left before right, parents first.
 template <int D, class Visit>

@@ -87,6 +87,31 @@ TYPED_TEST(Placement, DisplacedObjectsLeaveEveryLeafAndReturn) {
   }
 }
 
+TYPED_TEST(Placement, ManyDisplacedAtOnceLeaveTheTreeThatEachForItselfLeaves) {
+  constexpr int kD = TypeParam::value;
+  Random random(5);
+  for (int round = 0; round < 30; ++round) {
+    auto tree = this->random_tree(random, 5);
+    const std::vector<NodeId> inner = inner_nodes(tree);
+    const NodeId from = inner[random.below(static_cast<std::uint32_t>(inner.size()))];
+    auto one_by_one = tree;
+    std::vector<ObjectId> some = objects_below(tree, from);
+    some.resize(some.size() / 2);  // too many to walk for each
+    displace<kD>(tree, from, some);
+    for (const ObjectId object : some) {
+      std::vector<NodeId> passed;
+      for_each_node(one_by_one, from, [&](NodeId id) {
+        const std::vector<ObjectId> below = objects_below(one_by_one, id);
+        if (std::ranges::find(below, object) != below.end()) passed.push_back(id);
+      });
+      const Departure departure{{&object, 1}, passed};
+      TaskPool alone;
+      displace<kD>(one_by_one, {&departure, 1}, alone);
+    }
+    ASSERT_EQ(hash(tree), hash(one_by_one)) << round;
+  }
+}
+
 TYPED_TEST(Placement, DisplacingOneObjectLeavesThoseDisplacedBeforeAlone) {
   constexpr int kD = TypeParam::value;
   auto tree = tree_of<kD>(std::vector{slab<kD>(0, 1), slab<kD>(0, 1)});

@@ -193,5 +193,42 @@ TEST(ReferencePoint, NothingIsGoodAmongNoneOneOrEqualIntervals) {
   EXPECT_FALSE(best_reference_point(std::vector<Interval>(9, {0, 1}), lax));
 }
 
+/// More than 32 times the sample of 4; the k-th four of them at `of_sample`, all others at `others`.
+std::vector<Interval> crowd(const std::vector<Scalar>& of_sample, Scalar others) {
+  std::vector<Interval> intervals;
+  for (std::size_t k = 0; k < 400; ++k) {
+    const Scalar low = k % 100 == 0 ? of_sample[k / 100] : others + 0.01F * static_cast<Scalar>(k);
+    intervals.push_back({low, low + 0.001F});
+  }
+  return intervals;
+}
+
+TEST(GoodReferencePoint, OfManyObjectsIsThatOfASampleJudgedOnAll) {
+  const std::vector<Interval> intervals = crowd({1, 1.5F, 3, 3.5F}, 0.1F);
+  const auto point = good_reference_point(intervals, config_of("sample=4,min_balance=0.3"));
+  ASSERT_TRUE(point);
+  EXPECT_GT(point->offset, 1.5F);
+  EXPECT_LT(point->offset, 3.0F);
+  EXPECT_EQ(point->quality, measure(intervals, point->offset));
+  EXPECT_EQ(point->quality.population, 400U);
+}
+
+TEST(GoodReferencePoint, IsThatOfAllIfTheSamplesIsNotGood) {
+  const std::vector<Interval> intervals = crowd({1, 2, 3, 4}, 10);
+  const Config config = config_of("sample=4,min_balance=0.5");
+  const auto point = good_reference_point(intervals, config);
+  ASSERT_TRUE(point);
+  EXPECT_EQ(point->offset, best_reference_point(intervals, config)->offset);
+}
+
+TEST(GoodReferencePoint, OfFewObjectsIsThatOfAll) {
+  std::vector<Interval> intervals = crowd({1, 1.5F, 3, 3.5F}, 0.1F);
+  intervals.resize(128);
+  const Config config = config_of("sample=4,min_balance=0.3");
+  const auto point = good_reference_point(intervals, config);
+  ASSERT_TRUE(point);
+  EXPECT_EQ(point->offset, best_reference_point(intervals, config)->offset);
+}
+
 }  // namespace
 }  // namespace kerf::test
