@@ -239,8 +239,8 @@ void Bsp<D, Trace>::enter(Mode mode) {
 
 template <int D, class Trace>
 void Bsp<D, Trace>::sweep() {
-  pairs_.clear();
   if (mode_ == Mode::kept) return kept_.find(tree_, latest_, skins_, leaf_pass_, *pool_, pairs_);
+  pairs_.clear();
   leaf_pass_.run(
       tree_, *pool_,
       [this](NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) { sweep(leaf, scratch, pairs); },

@@ -69,19 +69,19 @@ void keep_pairs(std::span<const Pair> pairs, const KeptObjects<D>& objects, Kept
                ? pair
                : Pair{{leaf.objects[pair.a.index()]}, {leaf.objects[pair.b.index()]}};
   };
-  const auto is_sure = [&](const Pair& pair) {
+  const auto stands = [&](const Pair& pair) {
     const Pair two = objects_of(pair);
     return !objects.has_fat(two.a) && !objects.has_fat(two.b);
   };
-  if (leaf.sure.empty() && leaf.candidates.empty()) {
-    const auto sure = static_cast<std::size_t>(std::ranges::count_if(pairs, is_sure));
-    leaf.sure.reserve(sure);
-    leaf.candidates.reserve(pairs.size() - sure);
+  if (leaf.standing.pairs.empty() && leaf.candidates.empty()) {
+    const auto standing = static_cast<std::size_t>(std::ranges::count_if(pairs, stands));
+    leaf.standing.pairs.reserve(standing);
+    leaf.candidates.reserve(pairs.size() - standing);
   }
   for (const Pair& pair : pairs) {
     const Pair two = objects_of(pair);
-    if (is_sure(pair)) {
-      leaf.sure.push_back(make_pair(two.a, two.b));
+    if (stands(pair)) {
+      leaf.standing.push_back(make_pair(two.a, two.b));
     } else {
       leaf.candidates.push_back(two.a < two.b ? pair : Pair{pair.b, pair.a});
     }
@@ -131,9 +131,11 @@ void view_leaf(const Tree<D>& tree, const ObjectTable<D>& table, NodeId leaf, Le
 /// Forgets all that is known of the leaf but how many restless entries it has.
 template <int D>
 void begin_sweeping(KeptLeaf<D>& leaf, std::size_t restless_entries) {
-  const std::uint32_t generation = leaf.generation;
-  leaf = {};
-  leaf.generation = generation;
+  KeptLeaf<D> swept;
+  swept.generation = leaf.generation;
+  swept.standing.place = leaf.standing.place;
+  swept.standing.room = leaf.standing.room;
+  leaf = std::move(swept);
   leaf.swept = true;
   leaf.restless_entries = restless_entries;
 }
@@ -155,11 +157,12 @@ void KeptPairs<D>::clear() {
   leaves_.clear();
   changes_.clear();
   touched_.clear();
+  standing_.clear();
 }
 
 template <int D>
 bool KeptPairs<D>::note_restless(const Tree<D>& tree, NodeId leaf, std::size_t count) {
-  if (is_known(tree, leaf)) leaves_[leaf.index()].restless_entries = count;
+  if (is_known(tree, leaves_, leaf)) leaves_[leaf.index()].restless_entries = count;
   return are_many(count, tree[leaf].entries.size(), false);
 }
 
@@ -175,6 +178,7 @@ void KeptPairs<D>::find(Tree<D>& tree, const ObjectTable<D>& latest, const std::
   changes_.resize(leaves_.size());
   const bool far = pool.threads() > 1 || exceeds(latest.packed(), kOwnCache);
   const Objects objects{tree.table, latest, skins, far};
+  standing_.begin_step(tree, leaves_, pairs);
   pass.run(
       tree, pool,
       [&](NodeId leaf, LeafScratch<D>& scratch, PairBuffer& found) {
@@ -182,6 +186,7 @@ void KeptPairs<D>::find(Tree<D>& tree, const ObjectTable<D>& latest, const std::
         find_in(tree, objects, leaf, scratch, found);
       },
       pairs);
+  standing_.end_step(tree, leaves_, pairs);
   for (const NodeId leaf : touched_) changes_[leaf.index()].clear();
   touched_.clear();
 }
@@ -195,7 +200,7 @@ void KeptPairs<D>::find_in(const Tree<D>& tree, const Objects& objects, NodeId i
     view_leaf(tree, objects.latest, id, scratch.view);
     return scratch.byte_sweep.find(scratch.view, pairs);
   }
-  pairs.append(leaf.sure);
+  pairs.append(leaf.standing.others());
   if (objects.far) ask_for_boxes(leaf, objects.latest);
   filter_candidates<D>(leaf, objects.latest.packed(), scratch.gathered, pairs);
   if (leaf.restless.empty()) return;
@@ -214,7 +219,7 @@ void KeptPairs<D>::renew(Tree<D>& tree, const Objects& objects, NodeId id, LeafS
   Node<D>& node = tree[id];
   const Changes changes = changes_[id.index()];
   KeptLeaf<D>& leaf = leaves_[id.index()];
-  const bool known = is_known(tree, id);
+  const bool known = is_known(tree, leaves_, id);
   if (known && leaf.swept && are_many(leaf.restless_entries, node.entries.size(), true)) return;
   if (!known || leaf.swept || node.changed || changes.size() * kSweepBelow > node.entries.size()) {
     sweep(tree, objects, id, scratch);

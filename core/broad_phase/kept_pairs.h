@@ -7,6 +7,7 @@
 #include "core/broad_phase/leaf_pass.h"
 #include "core/broad_phase/pair_buffer.h"
 #include "core/broad_phase/skin.h"
+#include "core/broad_phase/standing_pairs.h"
 #include "core/kernels/kept_leaf.h"
 #include "core/tree/tree.h"
 
@@ -66,7 +67,7 @@ class KeptPairs {
   void placed(Tree<D>& tree);
   /// Whether pairs of the leaf are kept: only then it must be told of changes.
   [[nodiscard]] bool keeps(const Tree<D>& tree, NodeId leaf) const {
-    return is_known(tree, leaf) && !leaves_[leaf.index()].swept;
+    return is_known(tree, leaves_, leaf) && !leaves_[leaf.index()].swept;
   }
   /// The restless entries of a leaf that keeps pairs.
   [[nodiscard]] std::span<const RestlessEntry> restless_of(NodeId leaf) const {
@@ -77,17 +78,14 @@ class KeptPairs {
   bool note_restless(const Tree<D>& tree, NodeId leaf, std::size_t count);
   /// Forgets everything: all leaves are swept in the next `find`.
   void clear();
-  /// Brings what is kept up to date with the tree, whose table has the fat boxes, and appends all pairs of
-  /// the latest boxes.
+  /// Brings what is kept up to date with the tree, whose table has the fat boxes, and makes of the pairs that
+  /// it gave last, or of none, all pairs of the latest boxes.
   void find(Tree<D>& tree, const ObjectTable<D>& latest, const std::vector<Skin>& skins, LeafPass<D>& pass,
             TaskPool& pool, PairBuffer& pairs);
 
  private:
   using Changes = std::span<const EntryChange>;
   using Objects = KeptObjects<D>;
-  [[nodiscard]] bool is_known(const Tree<D>& tree, NodeId leaf) const {
-    return leaf.index() < leaves_.size() && leaves_[leaf.index()].generation == tree[leaf].generation + 1;
-  }
   void renew(Tree<D>& tree, const Objects& objects, NodeId id, LeafScratch<D>& scratch);
   void patch(const Objects& objects, Changes changes, LeafScratch<D>& scratch);
   void drop_going(Changes changes, std::size_t objects, LeafScratch<D>& scratch);
@@ -98,6 +96,7 @@ class KeptPairs {
   std::vector<KeptLeaf<D>> leaves_;                ///< by node
   std::vector<std::vector<EntryChange>> changes_;  ///< by node
   std::vector<NodeId> touched_;                    ///< leaves that have changes
+  StandingPairs<D> standing_;
 };
 
 extern template class KeptPairs<2>;

@@ -1,6 +1,7 @@
 #include "core/kernels/kept_leaf.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/kernels/prefetch.h"
 
@@ -44,24 +45,33 @@ HWY_INLINE Probe<D> make_probe(KeptLeaf<D>& leaf, std::size_t place) {
   return probe;
 }
 
+/// Not inlined, and told what was found by value: so the loop that calls it keeps all in registers.
+template <bool Places, int D>
+HWY_NOINLINE void confirm_in(const KeptLeaf<D>& leaf, const PackedBox<D>* boxes, Found found,
+                             PairBuffer& pairs) {
+  const auto entry = [objects = leaf.objects.data(), apart = leaf.apart.data(), boxes](std::uint32_t k)
+                         HWY_ATTR {
+                           return EntryRef<D>{boxes[objects[k]], Places ? k : objects[k], apart[k]};
+                         };
+  confirm<D>(found, entry, entry, pairs);
+}
+
 /// Looks the last entries up among those before each.
 template <bool Places, int D>
-HWY_INLINE void probe_all(KeptLeaf<D>& leaf, std::size_t count, const PackedBox<D>* boxes, Findings& found,
+HWY_INLINE void probe_all(KeptLeaf<D>& leaf, std::size_t count, const PackedBox<D>* boxes, Findings& room,
                           PairBuffer& pairs) {
-  const auto entries = [objects = leaf.objects.data(), apart = leaf.apart.data(), boxes](std::uint32_t k)
-                           HWY_ATTR {
-                             return EntryRef<D>{boxes[objects[k]], Places ? k : objects[k], apart[k]};
-                           };
   const auto n = static_cast<std::uint32_t>(leaf.objects.size());
-  Found rows(found);
+  Found found(room);
   for (auto i = static_cast<std::uint32_t>(n - count); i < n; ++i) {
     const Probe<D> probe = make_probe<D>(leaf, i);
     for (std::uint32_t j = 0; j < i; j += 64) {
-      rows.add(overlap_bits(probe, j) & first_bits(i - j), i, j);
-      if (rows.is_full()) confirm<D>(rows, entries, entries, pairs);
+      found.add(overlap_bits(probe, j) & first_bits(i - j), i, j);
+      if (!found.is_full()) continue;
+      confirm_in<Places>(leaf, boxes, found, pairs);
+      found.clear();
     }
   }
-  confirm<D>(rows, entries, entries, pairs);
+  confirm_in<Places>(leaf, boxes, found, pairs);
 }
 
 /// The first of `n` numbers from `k` on that is `wanted`, or n.
@@ -75,15 +85,17 @@ HWY_INLINE std::size_t find_number(const std::uint32_t* numbers, std::size_t k, 
   return k;
 }
 
-/// Drops the pairs of a name. What the last pair replaces is looked at again, so that the order of the pairs
-/// left does not depend on the width of the vectors.
-void drop_pairs(std::vector<Pair>& pairs, std::uint32_t name) {
+/// Drops the pairs of a name, and tells where others are now. What the last pair replaces is looked at again,
+/// so that the order of the pairs left does not depend on the width of the vectors.
+void drop_pairs(std::vector<Pair>& pairs, std::uint32_t name, std::vector<std::uint32_t>* changed) {
   static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
   const auto* const numbers = reinterpret_cast<const std::uint32_t*>(pairs.data());
   std::size_t n = pairs.size();
   for (std::size_t at = find_number(numbers, 0, 2 * n, name); at < 2 * n;
-       at = find_number(numbers, at & ~std::size_t{1}, 2 * n, name))
+       at = find_number(numbers, at & ~std::size_t{1}, 2 * n, name)) {
     pairs[at / 2] = pairs[--n];
+    if (changed != nullptr) changed->push_back(static_cast<std::uint32_t>(at / 2));
+  }
   pairs.resize(n);
 }
 
@@ -240,7 +252,7 @@ template <int D>
 void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf) {
   leaf.objects.clear();
   leaf.apart.clear();
-  leaf.sure.clear();
+  leaf.standing.pairs.clear();
   leaf.candidates.clear();
   leaf.restless.clear();
   if constexpr (D == 2) {
@@ -269,11 +281,11 @@ void drop_object(KeptLeaf<D>& leaf, std::uint32_t object) {
   if (k == leaf.objects.size()) return;
   const std::size_t last = leaf.objects.size() - 1;
   move_entry(leaf, last, k);
-  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.sure, object);
+  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.standing.pairs, object, &leaf.standing.changed);
   if (leaf.names == Names::objects) {
-    HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, object);
+    HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, object, nullptr);
   } else {
-    HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, static_cast<std::uint32_t>(k));
+    HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, static_cast<std::uint32_t>(k), nullptr);
     HWY_DYNAMIC_DISPATCH(rename)
     (leaf.candidates, static_cast<std::uint32_t>(last), static_cast<std::uint32_t>(k));
   }
@@ -287,7 +299,10 @@ void drop_marked(KeptLeaf<D>& leaf, std::span<const std::uint8_t> marks) {
   };
   const std::size_t before = leaf.objects.size();
   drop_pairs_if(leaf.candidates, [&](const Pair& pair) { return mark_of(pair.a) | mark_of(pair.b); });
-  drop_pairs_if(leaf.sure, [&](const Pair& pair) { return marks[pair.a.index()] | marks[pair.b.index()]; });
+  drop_pairs_if(leaf.standing.pairs,
+                [&](const Pair& pair) { return marks[pair.a.index()] | marks[pair.b.index()]; });
+  leaf.standing.changed.resize(std::min(leaf.standing.room, leaf.standing.pairs.size()));
+  std::iota(leaf.standing.changed.begin(), leaf.standing.changed.end(), 0U);  // nearly all
   std::vector<std::uint32_t> place(before);
   std::uint32_t left = 0;
   for (std::size_t k = 0; k < before; ++k) {

@@ -8,6 +8,7 @@
 #include "core/broad_phase/pair_buffer.h"
 #include "core/kernels/found_rows.h"
 #include "core/kernels/leaf_view.h"
+#include "core/kernels/standing_list.h"
 
 namespace kerf {
 
@@ -36,7 +37,7 @@ struct KeptLeaf {
   std::vector<DepthMask> apart;
   std::vector<std::uint8_t> planes;  ///< min of each axis, then max, `stride` bytes each
   std::size_t stride = 0;
-  std::vector<Pair> sure;        ///< pairs of objects without fat: overlap until one of them moves
+  StandingList standing;         ///< pairs of objects without fat
   std::vector<Pair> candidates;  ///< other pairs of fat boxes; the first is of the lower object
   Names names = Names::objects;  ///< of the candidates
   std::vector<RestlessEntry> restless;
