@@ -32,6 +32,27 @@ std::size_t sample_place(std::uint32_t k, std::size_t count) {
   return (std::uint64_t{k * kGolden} * count) >> 32U;
 }
 
+/// The motions of some objects, one by one.
+class MotionSample {
+ public:
+  template <int D>
+  void add(const Box<D>& box, const Box<D>& before) {
+    if (is_fast(box, before)) {
+      ++sum_.fast;
+    } else {
+      sum_.speed += relative_speed(box, before);
+    }
+    ++count_;
+  }
+  [[nodiscard]] Motions motions() const {
+    return count_ == 0 ? Motions{} : Motions{sum_.speed / count_, sum_.fast / count_};
+  }
+
+ private:
+  Motions sum_;
+  float count_ = 0;
+};
+
 }  // namespace
 
 template <int D, class Trace>
@@ -167,7 +188,7 @@ void Bsp<D, Trace>::choose_mode() {
   if (mode_ == Mode::ordered) {
     keep_or_sweep_ = {};
   } else if (mode_ == Mode::kept) {
-    if (keep_or_sweep_.keeps()) keep_or_sweep_.kept(who_leaves());  // else too much was swept all the same
+    if (keep_or_sweep_.keeps()) keep_or_sweep_.kept(who_leaves(), D);  // else too much was swept all the same
   } else {
     keep_or_sweep_.swept(motions_of_sample(), D);
   }
@@ -177,22 +198,14 @@ void Bsp<D, Trace>::choose_mode() {
 /// Others in each step: a sample that does not show how many are fast must not be believed twice.
 template <int D, class Trace>
 Motions Bsp<D, Trace>::motions_of_sample() const {
-  Motions motions;
-  float count = 0;
+  MotionSample sample;
   const auto first = static_cast<std::uint32_t>(kSample) * step_;
   for (std::uint32_t k = 0; k < std::min<std::size_t>(kSample, tree_.table.bound()); ++k) {
     const ObjectId object{static_cast<std::uint32_t>(sample_place(first + k, tree_.table.bound()))};
-    if (!tree_.table.is_placed(object) || !latest_.is_placed(object)) continue;
-    const Box<D> box = latest_.box(object);
-    const Box<D> before = tree_.table.box(object);
-    if (is_fast(box, before)) {
-      ++motions.fast;
-    } else {
-      motions.speed += relative_speed(box, before);
-    }
-    ++count;
+    if (tree_.table.is_placed(object) && latest_.is_placed(object))
+      sample.add(latest_.box(object), tree_.table.box(object));
   }
-  return count == 0 ? motions : Motions{motions.speed / count, motions.fast / count};
+  return sample.motions();
 }
 
 /// Whether most objects of a sample are so far from where they were that few of them stay in their leaves.
@@ -219,13 +232,13 @@ Leaving Bsp<D, Trace>::who_leaves() const {
   leaving.share = static_cast<float>(changed_.size()) / static_cast<float>(latest_.size() + 1);
   if (leaving.share <= KeepOrSweep::kHot) return leaving;
   const auto count = static_cast<std::uint32_t>(std::min(kSample, changed_.size()));
+  MotionSample sample;
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::size_t at = sample_place(k, changed_.size());
     const ObjectId object = changed_.all()[at];
-    if (!latest_.is_placed(object)) continue;
-    const Box<D> before = before_.all()[at].unpack();
-    if (is_fast(latest_.box(object), before)) leaving.fast += 1 / static_cast<float>(count);
+    if (latest_.is_placed(object)) sample.add(latest_.box(object), before_.all()[at].unpack());
   }
+  leaving.motions = sample.motions();
   return leaving;
 }
 

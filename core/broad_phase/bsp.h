@@ -129,7 +129,7 @@ class Bsp final : public BroadPhase<D> {
   void place_all(bool many_stay = false);
   void put_at_rest();
   void place_entering(const std::vector<ObjectId>& entering);
-  Box<D> fat_box(ObjectId object, const Box<D>& before);
+  Box<D> fat_box(ObjectId object, const Box<D>& before, bool had_fat);
   void fatten_all();
   void slim_some();
   void note_unasked(ObjectId object, std::uint8_t attention, const PackedBox<D>& before);
@@ -166,6 +166,7 @@ class Bsp final : public BroadPhase<D> {
   static constexpr std::uint8_t kChanging = 1;     ///< the object is in changed_
   static constexpr std::uint8_t kUnplaced = 2;     ///< it is absent or in quarantine
   static constexpr std::uint8_t kSlimmed = 4;      ///< it is in changed_ though nobody moved it
+  static constexpr std::uint8_t kAtRest = 16;      ///< it is in changed_ for it did not move for long
   static constexpr std::uint8_t kWasRestless = 8;  ///< it is in changed_ and was restless before this step
   std::vector<std::uint8_t> attention_;            ///< per object: what must be looked at before it moves
   std::vector<Skin> skins_;                        ///< per object

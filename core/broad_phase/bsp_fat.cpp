@@ -9,13 +9,14 @@
 namespace kerf {
 
 template <int D, class Trace>
-Box<D> Bsp<D, Trace>::fat_box(ObjectId object, const Box<D>& before) {
+Box<D> Bsp<D, Trace>::fat_box(ObjectId object, const Box<D>& before, bool had_fat) {
   Skin& skin = skins_[object.index()];
+  if ((attention_[object.index()] & kAtRest) != 0) return latest_.box(object);
   if ((attention_[object.index()] & kSlimmed) != 0) {
     skin.wrap(step_);
     return wrap(latest_.box(object), skin);
   }
-  skin.left(step_);
+  skin.left(step_, had_fat);
   skin.moved(is_fast(latest_.box(object), before));
   if (skin.is_restless()) return latest_.box(object);
   return fatten(latest_.box(object), before, skin, config_.skin, fat_share(object.value));
@@ -30,8 +31,9 @@ void Bsp<D, Trace>::fatten_all() {
     for (std::size_t id = slice.begin; id < slice.end; ++id) {
       const ObjectId object{static_cast<std::uint32_t>(id)};
       if (!latest_.is_placed(object)) continue;
+      skins_[id].restless = 0;  // what it was before leaves were swept
       const bool known = tree_.table.is_placed(object);
-      const Box<D> fat = fat_box(object, known ? tree_.table.box(object) : latest_.box(object));
+      const Box<D> fat = fat_box(object, known ? tree_.table.box(object) : latest_.box(object), false);
       if (id < tree_.table.bound()) tree_.table.widen(object, fat);
       attention_[id] = attention_at_rest(object);
     }
@@ -40,17 +42,22 @@ void Bsp<D, Trace>::fatten_all() {
   place_all();
 }
 
-/// Looks at some objects in each step, at all of them in 1,024: who stays in the fat box of a flight is
-/// wrapped in its skin instead, since its candidates are filtered in each step.
+/// Looks at some objects in each step, at all of them in 64: who did not move since the last look loses its
+/// fat, so that its pairs with others at rest stand; who stays in the fat box of a flight is wrapped in its
+/// skin instead. The candidates of both are filtered in each step.
 template <int D, class Trace>
 void Bsp<D, Trace>::slim_some() {
   const auto bound = static_cast<std::uint32_t>(std::min(skins_.size(), attention_.size()));
-  const Slice some = slice(bound, Skin::kRest, step_ % Skin::kRest);
+  const Slice some = slice(bound, Skin::kLook, step_ % Skin::kLook);
   for (std::size_t id = some.begin; id < some.end; ++id) {
     const ObjectId object{static_cast<std::uint32_t>(id)};
-    if (attention_[id] != 0 || !skins_[id].is_at_rest(step_)) continue;
-    if (!is_for_flight(tree_.table.box(object), latest_.box(object))) continue;
-    note_unasked(object, kChanging | kSlimmed, latest_.packed(object));
+    const PackedBox<D>& box = latest_.packed(object);
+    if (attention_[id] != 0 || tree_.table.packed(object).lane == box.lane) continue;
+    if (skins_[id].is_unmoved(fingerprint(box))) {
+      note_unasked(object, kChanging | kAtRest, box);
+    } else if (skins_[id].is_at_rest(step_) && is_for_flight(tree_.table.box(object), latest_.box(object))) {
+      note_unasked(object, kChanging | kSlimmed, box);
+    }
   }
 }
 
@@ -84,7 +91,9 @@ void Bsp<D, Trace>::make_fat_boxes() {
       if (!tree_.table.is_placed(object)) skin.restless = 0;  // what it was in an earlier life
       if (skin.is_restless()) attention_[object.index()] |= kWasRestless;
       if (latest_.is_placed(object)) {
-        fat_[k] = fat_box(object, before_.all()[k].unpack());
+        const PackedBox<D>& before = before_.all()[k];
+        const bool had_fat = tree_.table.is_placed(object) && tree_.table.packed(object).lane != before.lane;
+        fat_[k] = fat_box(object, before.unpack(), had_fat);
       } else {
         skin.restless = 0;
       }
@@ -181,7 +190,7 @@ void Bsp<D, Trace>::find_fat_places(std::size_t k, FatPiece& piece) const {
 }
 
 #define KERF_INSTANTIATE(D, TRACE)                                                        \
-  template Box<D> Bsp<D, TRACE>::fat_box(ObjectId, const Box<D>&);                        \
+  template Box<D> Bsp<D, TRACE>::fat_box(ObjectId, const Box<D>&, bool);                  \
   template void Bsp<D, TRACE>::fatten_all();                                              \
   template void Bsp<D, TRACE>::slim_some();                                               \
   template void Bsp<D, TRACE>::note_unasked(ObjectId, std::uint8_t, const PackedBox<D>&); \

@@ -6,16 +6,16 @@
 
 namespace kerf {
 
-/// Those of the objects that left their fat boxes in a step.
-struct Leaving {
-  float share = 0;  ///< of all objects
-  float fast = 0;   ///< how many of them are too fast for any skin: as a share of them
-};
-
 /// How objects move, by a sample of them.
 struct Motions {
   float speed = 0;  ///< mean over all, over their sizes; those too fast for any skin count as if they stood
   float fast = 0;   ///< the share of those
+};
+
+/// Those of the objects that left their fat boxes in a step.
+struct Leaving {
+  float share = 0;  ///< of all objects
+  Motions motions;  ///< of those who left, looked at only where they are many
 };
 
 /// Decides, step by step, whether the pairs of fat boxes are kept or leaves are swept. Keeping pays while few
@@ -37,15 +37,18 @@ class KeepOrSweep {
   [[nodiscard]] bool keeps() const { return keeps_; }
 
   /// After a step with kept pairs. A few steps must speak for sweeping, and in the beginning many more, while
-  /// skins learn how thick they must be.
-  void kept(const Leaving& leaving) {
+  /// skins learn how thick they must be; but if many leave at once whose motions would not begin it, one is
+  /// enough: as many fat boxes cost more than sweeping for some time.
+  void kept(const Leaving& leaving, int dimension) {
     constexpr float kHopeless = 0.2F;
     constexpr std::uint32_t kLearning = 24;
     constexpr std::uint32_t kEnough = 3;
     ++steps_;
-    const float cost = leaving.share * (1 - (1 - kFastCost) * leaving.fast);
+    const float cost = leaving.share * (1 - (1 - kFastCost) * leaving.motions.fast);
     against_ = cost > (steps_ < kLearning ? kHopeless : kHot) ? against_ + 1 : 0;
-    if (against_ >= kEnough) change();
+    const bool is_uproar =
+        steps_ >= kLearning && leaving.share > kHopeless && !are_mild(leaving.motions, dimension);
+    if (against_ >= kEnough || is_uproar) change();
   }
 
   /// In such a step, too: what it costs over what it would cost if leaves were swept. Where too many are
@@ -60,7 +63,6 @@ class KeepOrSweep {
   /// After a step in which leaves were swept. The first motions that are known decide at once.
   void swept(const Motions& motions, int dimension) {
     constexpr float kCool = 0.01F;
-    constexpr float kMild = 0.015F;
     constexpr std::uint32_t kFirst = 4;
     ++steps_;
     const bool is_first = patience_ == 0;
@@ -68,8 +70,7 @@ class KeepOrSweep {
     if (motions.fast < kFewFast) crowded_ = false;
     const bool some_rest = motions.fast < many_fast(dimension);
     against_ = some_rest && motions.speed < kCool ? against_ + 1 : 0;
-    if (against_ >= (crowded_ ? kLongest : patience_) || (is_first && some_rest && motions.speed < kMild))
-      change();
+    if (against_ >= (crowded_ ? kLongest : patience_) || (is_first && are_mild(motions, dimension))) change();
   }
 
   /// What it remembers, as numbers for a keyframe.
@@ -86,11 +87,20 @@ class KeepOrSweep {
   }
 
  private:
-  /// Who soon regrets to have kept waits twice as long before the next time.
+  /// Whether skins would last, by all that one step can tell.
+  static bool are_mild(const Motions& motions, int dimension) {
+    constexpr float kMild = 0.015F;
+    return motions.fast < many_fast(dimension) && motions.speed < kMild;
+  }
+
+  /// Who regrets to have kept before it has paid waits twice as long before the next time. To make all fat
+  /// boxes and to sweep leaves with them costs what some five steps cost that sweep.
   void change() {
-    constexpr std::uint32_t kSoon = 100;
+    constexpr std::uint32_t kPaid = 24;
+    constexpr std::uint32_t kPaidWell = 100;
     constexpr std::uint32_t kShortest = 8;
-    if (keeps_) patience_ = steps_ < kSoon ? std::min(2 * patience_, kLongest) : kShortest;
+    if (keeps_ && steps_ < kPaid) patience_ = std::min(2 * patience_, kLongest);
+    if (keeps_ && steps_ >= kPaidWell) patience_ = kShortest;
     keeps_ = !keeps_;
     steps_ = 0;
     against_ = 0;

@@ -60,10 +60,23 @@ void view_coming(std::span<const EntryChange> changes, const ObjectTable<D>& fat
   }
 }
 
+void make_room(std::vector<std::uint8_t>& marks, std::size_t objects) {
+  marks.resize(std::max(marks.size(), objects), 0);
+}
+
+/// Marks the leaf's objects that have fat: each has many pairs, and is looked at but once.
+template <int D>
+std::span<const std::uint8_t> mark_fat(const KeptObjects<D>& objects, const KeptLeaf<D>& leaf,
+                                       std::vector<std::uint8_t>& marks) {
+  make_room(marks, objects.fat.bound());
+  for (const std::uint32_t object : leaf.objects) marks[object] = objects.has_fat({object}) ? 1 : 0;
+  return marks;
+}
+
 /// Takes pairs of fat boxes, named as the leaf's candidates are. What is the first to come gets no room for
 /// more: most leaves get no more.
-template <int D>
-void keep_pairs(std::span<const Pair> pairs, const KeptObjects<D>& objects, KeptLeaf<D>& leaf) {
+template <int D, class HasFat>
+void keep_pairs(std::span<const Pair> pairs, HasFat has_fat, KeptLeaf<D>& leaf) {
   const auto objects_of = [&leaf](const Pair& pair) {
     return leaf.names == Names::objects
                ? pair
@@ -71,7 +84,7 @@ void keep_pairs(std::span<const Pair> pairs, const KeptObjects<D>& objects, Kept
   };
   const auto stands = [&](const Pair& pair) {
     const Pair two = objects_of(pair);
-    return !objects.has_fat(two.a) && !objects.has_fat(two.b);
+    return !has_fat(two.a) && !has_fat(two.b);
   };
   if (leaf.standing.pairs.empty() && leaf.candidates.empty()) {
     const auto standing = static_cast<std::size_t>(std::ranges::count_if(pairs, stands));
@@ -240,7 +253,8 @@ void KeptPairs<D>::patch(const Objects& objects, Changes changes, LeafScratch<D>
   scratch.pairs.clear();
   probe_last(leaf, scratch.view.size(), objects.fat.packed(), leaf.names, scratch.byte_sweep.found,
              scratch.pairs);
-  keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
+  keep_pairs(
+      std::as_const(scratch.pairs).all(), [&](ObjectId object) { return objects.has_fat(object); }, leaf);
 }
 
 /// A few objects are looked for one by one; for many, one pass over all pairs is cheaper. `objects`: the room
@@ -254,7 +268,7 @@ void KeptPairs<D>::drop_going(Changes changes, std::size_t objects, LeafScratch<
     for (const EntryChange& change : changes)
       if (goes(change)) drop_object(leaf, change.object.value);
   } else {
-    scratch.marks.resize(std::max(scratch.marks.size(), objects), 0);
+    make_room(scratch.marks, objects);
     for (const EntryChange& change : changes)
       if (goes(change)) scratch.marks[change.object.index()] = 1;
     drop_marked<D>(leaf, scratch.marks);
@@ -278,7 +292,11 @@ void KeptPairs<D>::sweep(const Tree<D>& tree, const Objects& objects, NodeId id,
   leaf.names = exceeds(objects.latest.packed(), kOwnPages) ? Names::places : Names::objects;
   if (leaf.names == Names::places) name_by_places(scratch.view);
   scratch.byte_sweep.find(scratch.view, scratch.pairs);
-  keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
+  const std::span<const std::uint8_t> has_fat = mark_fat(objects, leaf, scratch.marks);
+  keep_pairs(
+      std::as_const(scratch.pairs).all(), [&](ObjectId object) { return has_fat[object.index()] != 0; },
+      leaf);
+  for (const std::uint32_t object : leaf.objects) scratch.marks[object] = 0;
 }
 
 #define KERF_INSTANTIATE(D)                                                                         \

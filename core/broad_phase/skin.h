@@ -1,10 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
 #include "core/geometry/box.h"
+#include "core/geometry/packed_box.h"
 
 namespace kerf {
 
@@ -16,23 +18,26 @@ struct Skin {
   /// The thickest, over the object's size. Thicker ones cost more in candidates than they save in look-ups.
   static constexpr float kMost = 1.0F / 8;
   static constexpr std::uint32_t kRest = 1024;  ///< steps: two look-ups in so many are not noticed
+  static constexpr std::uint32_t kLook = 64;  ///< steps from one look at an object that may rest to the next
   static constexpr std::uint8_t kRestless = 8;  ///< steps until a restless object is no longer one
-  std::uint8_t level = 5;     ///< a sixteenth of the object's size, until it is known better
-  bool wrapped = false;       ///< it was wrapped since it left last
-  std::uint8_t wraps = 0;     ///< how often it left soon after it had been wrapped
+  std::uint8_t level = kThickest;               ///< until it is known better
+  bool wrapped = false;                         ///< it was wrapped since it left last
+  std::uint8_t wraps = 0;                       ///< how often it left soon after it had been wrapped
   std::uint16_t since = 0;    ///< the step, modulo 2^16: a wrong age costs time, never a pair
   std::uint8_t restless = 0;  ///< slow steps for which it still counts as restless
+  std::uint16_t seen = 0;     ///< the fingerprint of its box at the last look
 
   [[nodiscard]] std::uint16_t age(std::uint32_t step) const {
     return static_cast<std::uint16_t>(step - since);
   }
-  /// To be told of each step in which the object gets another fat box.
-  void left(std::uint32_t step) {
+  /// To be told of each step in which the object gets another fat box; what it had tells how thick that must
+  /// be if it was larger than the box.
+  void left(std::uint32_t step, bool had_fat) {
     constexpr std::uint16_t kSoon = 12;
     constexpr std::uint16_t kLate = 200;
     constexpr std::uint8_t kMostWraps = 5;
-    if (age(step) < kSoon && level < kThickest) ++level;
-    if (age(step) > kLate && level > 0) --level;
+    if (had_fat && age(step) < kSoon && level < kThickest) ++level;
+    if (had_fat && age(step) > kLate && level > 0) --level;
     if (wrapped) wraps = age(step) < kSoon ? std::min<std::uint8_t>(wraps + 1, kMostWraps) : 0;
     wrapped = false;
     since = static_cast<std::uint16_t>(step);
@@ -40,6 +45,13 @@ struct Skin {
   /// To be told of the same steps, and of every step of a restless object, whether it was fast in it.
   void moved(bool fast) {
     restless = fast ? kRestless : static_cast<std::uint8_t>(std::max(restless - 1, 0));
+  }
+  /// Whether the box is the one that it was at the last look. Who is mistaken for one at rest loses time, no
+  /// pair.
+  bool is_unmoved(std::uint16_t fingerprint) {
+    const bool is_same = seen == fingerprint;
+    seen = fingerprint;
+    return is_same;
   }
   [[nodiscard]] bool is_restless() const { return restless > 0; }
   /// Whether the object stayed so long that it should be wrapped in its skin, whatever fat it has. Who left
@@ -52,6 +64,15 @@ struct Skin {
   }
   [[nodiscard]] float thickness(float size) const { return std::ldexp(kMost * size, level - kThickest); }
 };
+
+/// 16 bits of all bits of a box, the same on every machine.
+template <int D>
+std::uint16_t fingerprint(const PackedBox<D>& box) {
+  constexpr std::uint32_t kGolden = 0x9E3779B9U;
+  std::uint32_t mixed = 0;
+  for (const Scalar lane : box.lane) mixed = (mixed ^ std::bit_cast<std::uint32_t>(lane)) * kGolden;
+  return static_cast<std::uint16_t>(mixed >> 16U);
+}
 
 /// The second largest extent of a box, and the fastest of its ends since `before`. A skin as thick as a long
 /// rod allows would make the rod many times as wide, and so its candidates many times as many.

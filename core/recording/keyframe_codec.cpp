@@ -164,6 +164,7 @@ Skin get_skin(ByteReader& in) {
   skin.wraps = std::min(in.u8(), kMostWraps);
   skin.since = static_cast<std::uint16_t>(in.varint());
   skin.restless = std::min(in.u8(), Skin::kRestless);
+  skin.seen = static_cast<std::uint16_t>(in.varint());
   return skin;
 }
 
@@ -183,6 +184,7 @@ Bytes encode_keyframe(const BspState<D>& state) {
     out.u8(skin.wraps);
     out.varint(skin.since);
     out.u8(skin.restless);
+    out.varint(skin.seen);
   }
   out.u8(state.mode);
   for (const std::uint32_t x : state.keep_or_sweep.memory()) out.varint(x);

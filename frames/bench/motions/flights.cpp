@@ -8,7 +8,7 @@ namespace kerf {
 namespace {
 
 template <int D>
-class Brownian final : public Scattered<D> {
+class Brownian : public Scattered<D> {
  public:
   Brownian(std::uint32_t count, std::uint64_t seed) : Scattered<D>(count, seed, side_for(count, D)) {}
   void advance() override {
@@ -18,6 +18,27 @@ class Brownian final : public Scattered<D> {
       this->put(k, center);
     }
   }
+};
+
+template <int D>
+class Pauses final : public Brownian<D> {
+ public:
+  Pauses(std::uint32_t count, std::uint64_t seed) : Brownian<D>(count, seed) {
+    this->all_move_ = false;
+    for (std::uint32_t k = 0; k < count; ++k) all_.push_back({k});
+  }
+  void advance() override {
+    constexpr std::uint32_t kFlight = 20;
+    constexpr std::uint32_t kPause = 40;
+    this->moved_.clear();
+    if (step_++ % (kFlight + kPause) >= kFlight) return;
+    Brownian<D>::advance();
+    this->moved_ = all_;
+  }
+
+ private:
+  std::vector<ObjectId> all_;
+  std::uint32_t step_ = 0;
 };
 
 template <int D>
@@ -75,6 +96,11 @@ std::unique_ptr<Motion<D>> make_brownian(std::uint32_t count, std::uint64_t seed
 }
 
 template <int D>
+std::unique_ptr<Motion<D>> make_pauses(std::uint32_t count, std::uint64_t seed) {
+  return std::make_unique<Pauses<D>>(count, seed);
+}
+
+template <int D>
 std::unique_ptr<Motion<D>> make_uniform(std::uint32_t count, std::uint64_t seed) {
   return std::make_unique<Flight<D>>(count, seed, side_for(count, D));
 }
@@ -91,6 +117,8 @@ std::unique_ptr<Motion<D>> make_mostly_static(std::uint32_t count, std::uint64_t
 
 template std::unique_ptr<Motion<2>> make_brownian<2>(std::uint32_t, std::uint64_t);
 template std::unique_ptr<Motion<3>> make_brownian<3>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<2>> make_pauses<2>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<3>> make_pauses<3>(std::uint32_t, std::uint64_t);
 template std::unique_ptr<Motion<2>> make_uniform<2>(std::uint32_t, std::uint64_t);
 template std::unique_ptr<Motion<3>> make_uniform<3>(std::uint32_t, std::uint64_t);
 template std::unique_ptr<Motion<2>> make_teleport<2>(std::uint32_t, std::uint64_t);

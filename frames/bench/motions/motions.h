@@ -10,6 +10,9 @@ namespace kerf {
 /// Random walk by up to 0.75 of a usual extent along each axis and step: nothing of a step holds in the next.
 template <int D>
 std::unique_ptr<Motion<D>> make_brownian(std::uint32_t count, std::uint64_t seed);
+/// The same for 20 steps, then all rest for 40, in turns.
+template <int D>
+std::unique_ptr<Motion<D>> make_pauses(std::uint32_t count, std::uint64_t seed);
 /// Straight flight by 0.75 of a usual extent a step, bouncing off the walls of the world.
 template <int D>
 std::unique_ptr<Motion<D>> make_uniform(std::uint32_t count, std::uint64_t seed);

@@ -44,23 +44,23 @@ TEST(KeepOrSweep, TheFirstSpeedsDecideAtOnce) {
 TEST(KeepOrSweep, KeepsAsLongAsFewLeave) {
   KeepOrSweep choice = keeping();
   EXPECT_TRUE(choice.keeps());
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.029F, 0}); }), 2000);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.029F, {0, 0}}, 3); }), 2000);
 }
 
 TEST(KeepOrSweep, BeginnersMayLoseMoreWhileSkinsLearnButNotForLong) {
   KeepOrSweep choice = keeping();
-  choice.kept({1, 0});  // nobody has a fat box yet
+  choice.kept({1, {0, 0}}, 3);  // nobody has a fat box yet
   EXPECT_TRUE(choice.keeps());
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.15F, 0}); }), 25);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.15F, {0, 0}}, 3); }), 25);
   KeepOrSweep hopeless = keeping();
-  EXPECT_EQ(steps_until_change(hopeless, [&] { hopeless.kept({0.5F, 0}); }), 3);
+  EXPECT_EQ(steps_until_change(hopeless, [&] { hopeless.kept({0.5F, {0, 0}}, 3); }), 3);
 }
 
 TEST(KeepOrSweep, WhoRegretsWaitsTwiceAsLongEachTime) {
   KeepOrSweep choice = keeping();
   int waited = 0;
   for (int turn = 0; turn < 5; ++turn) {
-    steps_until_change(choice, [&] { choice.kept({0.5F, 0}); });
+    steps_until_change(choice, [&] { choice.kept({0.5F, {0, 0}}, 3); });
     const int wait = steps_until_change(choice, [&] { choice.swept({0.001F, 0}, 3); });
     if (turn > 0) {
       EXPECT_EQ(wait, 2 * waited);
@@ -70,22 +70,33 @@ TEST(KeepOrSweep, WhoRegretsWaitsTwiceAsLongEachTime) {
   steps_until_change(
       choice,
       [&] {
-        choice.kept({0.01F, 0});
+        choice.kept({0.01F, {0, 0}}, 3);
       },
       500);
-  steps_until_change(choice, [&] { choice.kept({0.5F, 0}); });
+  steps_until_change(choice, [&] { choice.kept({0.5F, {0, 0}}, 3); });
   EXPECT_EQ(steps_until_change(choice, [&] { choice.swept({0.001F, 0}, 3); }), 8) << "it paid for long";
+}
+
+TEST(KeepOrSweep, WhoKeptUntilItPaidDoesNotWaitLonger) {
+  KeepOrSweep choice = keeping();
+  for (int turn = 0; turn < 3; ++turn) {
+    EXPECT_EQ(steps_until_change(
+                  choice, [&] { choice.kept({}, 3); }, 30),
+              30);
+    steps_until_change(choice, [&] { choice.kept({0.5F, {}}, 3); });
+    EXPECT_EQ(steps_until_change(choice, [&] { choice.swept({0.001F, 0}, 3); }), 4) << turn;
+  }
 }
 
 TEST(KeepOrSweep, WhoBecomesTooFastIsCheaperThanWhoGetsAnotherFatBox) {
   KeepOrSweep choice = keeping();
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.11F, 1}); }), 2000);
-  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.13F, 1}); }), 3);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.11F, {0, 1}}, 3); }), 2000);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.13F, {0, 1}}, 3); }), 3);
 }
 
 TEST(KeepOrSweep, SweepsOnWhileObjectsDrift) {
   KeepOrSweep choice = keeping();
-  steps_until_change(choice, [&] { choice.kept({0.5F, 0}); });
+  steps_until_change(choice, [&] { choice.kept({0.5F, {0, 0}}, 3); });
   EXPECT_EQ(steps_until_change(choice, [&] { choice.swept({0.02F, 0}, 3); }), 2000);
 }
 
@@ -112,6 +123,26 @@ TEST(KeepOrSweep, WhatIsDearIsNotTriedSoonAgainUntilFewAreFast) {
   resumed.resume(choice.memory());
   EXPECT_EQ(steps_until_change(resumed, [&] { resumed.swept({0.001F, 0.1F}, 3); }), 512);
   EXPECT_LE(steps_until_change(choice, [&] { choice.swept({0.001F, 0.05F}, 3); }), 8);
+}
+
+TEST(KeepOrSweep, OneUproarIsEnoughUnlessItIsMild) {
+  for (const Motions& wild : {Motions{0.05F, 0}, Motions{0, 0.9F}}) {
+    KeepOrSweep choice = keeping();
+    steps_until_change(
+        choice,
+        [&] {
+          choice.kept({0.3F, wild}, 3);
+        },
+        1);
+    EXPECT_TRUE(choice.keeps()) << "skins learn";
+    steps_until_change(
+        choice, [&] { choice.kept({}, 3); }, 30);
+    EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.3F, wild}, 3); }), 1);
+  }
+  KeepOrSweep choice = keeping();
+  steps_until_change(
+      choice, [&] { choice.kept({}, 3); }, 30);
+  EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.3F, {0.01F, 0}}, 3); }), 3);
 }
 
 }  // namespace

@@ -284,5 +284,50 @@ TYPED_TEST(Restless, WhereManyAreTheLeavesAreSwept) {
   EXPECT_TRUE(swept);
 }
 
+/// How many objects have a fat box.
+template <int D>
+std::uint32_t count_fat(const kerf::Bsp<D>& tree) {
+  std::uint32_t count = 0;
+  for (std::uint32_t id = 0; id < tree.objects().bound(); ++id)
+    count += tree.tree().table.packed({id}).lane == tree.objects().packed({id}).lane ? 0 : 1;
+  return count;
+}
+
+/// Those who were restless when everybody began to fly are not when all have come to rest.
+TYPED_TEST(Restless, ACrowdThatLandsIsKeptSoon) {
+  constexpr int kD = TypeParam::value;
+  kerf::Bsp<kD> tree(small_leaves());
+  Crowd<kD> crowd(1200, {&tree});
+  for (int step = 0; step < 60; ++step, crowd.advance()) tree.step();
+  for (int step = 0; step < 30; ++step, crowd.shake(0.5)) tree.step();
+  ASSERT_FALSE(keeps(tree));
+  for (int step = 0; step < 14; ++step) {
+    tree.step();
+    ASSERT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "") << "step " << step;
+  }
+  EXPECT_TRUE(keeps(tree));
+  EXPECT_EQ(count_restless(tree), 0U);
+}
+
+TYPED_TEST(Restless, WhoLiesStillLosesItsFat) {
+  constexpr int kD = TypeParam::value;
+  kerf::Bsp<kD> tree(small_leaves());
+  Crowd<kD> crowd(1200, {&tree}, 2);
+  for (int step = 0; step < 40; ++step, crowd.shake(0.005F)) tree.step();
+  EXPECT_GT(count_fat(tree), 1000U);
+  for (std::uint32_t step = 0; step < 2 * Skin::kLook + 1; ++step) {
+    tree.step();
+    ASSERT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "") << "step " << step;
+    EXPECT_TRUE(keeps(tree)) << step;
+  }
+  EXPECT_EQ(count_fat(tree), 0U);
+  for (int step = 0; step < 200; ++step) {
+    crowd.shake(0.001F);
+    tree.step();
+  }
+  EXPECT_GT(count_fat(tree), 1100U) << "who moves, however little, has fat";
+  EXPECT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "");
+}
+
 }  // namespace
 }  // namespace kerf::test

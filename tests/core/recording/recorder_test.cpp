@@ -153,7 +153,8 @@ TEST(RecordingFile, WhatCannotBeReadIsRefusedClearly) {
   EXPECT_EQ(refusal(file.path()), "opened");
   EXPECT_THROW(RecordingReader<3>{file.path()}, std::runtime_error);
   file.change("PRAGMA user_version = 99");
-  EXPECT_THAT(refusal(file.path()), HasSubstr("version 99, and this Kerf reads version 3"));
+  EXPECT_THAT(refusal(file.path()),
+              HasSubstr("version 99, and this Kerf reads version " + std::to_string(kRecordingVersion)));
 }
 
 TEST(RecordingFile, OneOfAnotherVersionIsStillARecording) {
