@@ -63,6 +63,7 @@ struct Skin {
     since = static_cast<std::uint16_t>(step);
   }
   [[nodiscard]] float thickness(float size) const { return std::ldexp(kMost * size, level - kThickest); }
+  friend bool operator==(const Skin&, const Skin&) = default;
 };
 
 /// 16 bits of all bits of a box, the same on every machine.

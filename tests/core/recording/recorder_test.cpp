@@ -105,6 +105,18 @@ TYPED_TEST(Recording, KeyframesGoOnAsTheTreeDid) {
   }
 }
 
+TYPED_TEST(Recording, KeyframesHoldAllThatIsKnownOfSkins) {
+  constexpr int kD = TypeParam::value;
+  const Config config;
+  BspState<kD> state = Bsp<kD>(config).state();
+  state.skins = {
+      Skin{},
+      {.level = 2, .wrapped = true, .wraps = 3, .since = 60000, .restless = 4, .seen = 50000},
+  };
+  const Bytes bytes = encode_keyframe(state);
+  EXPECT_EQ(decode_keyframe<kD>(bytes, make_projector<kD>(config, VolumeKind::box)).skins, state.skins);
+}
+
 TYPED_TEST(Recording, ADifferentRunIsNamedByStepAndEvent) {
   constexpr int kD = TypeParam::value;
   const TemporaryRecording file;
