@@ -25,7 +25,8 @@ endif()
 target_include_directories(kerf_options INTERFACE ${PROJECT_SOURCE_DIR})
 
 # kerf_room(NAME [EXCLUDE REGEX...]) takes every .cpp and .h below the current folder that matches none of the
-# expressions, so that a new file needs no line here.
+# expressions, so that a new file needs no line here. A header that has a source is its first #include (tests/house sees
+# to it), so that each build shows that it compiles alone; only the others are verified by themselves.
 function(kerf_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "" "" EXCLUDE)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -34,6 +35,8 @@ function(kerf_room name)
     list(FILTER sources EXCLUDE REGEX "${pattern}")
     list(FILTER headers EXCLUDE REGEX "${pattern}")
   endforeach()
+  list(TRANSFORM sources REPLACE "\\.cpp$" ".h" OUTPUT_VARIABLE included_first)
+  list(REMOVE_ITEM headers ${included_first})
   add_library(${name} STATIC ${sources})
   target_sources(${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
   target_link_libraries(${name} PUBLIC kerf_options)

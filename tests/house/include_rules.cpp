@@ -135,9 +135,17 @@ std::string objection(const std::string& file, const std::string& header, bool q
   return room + " must not include " + std::string(*owner) + " (" + header + ")";
 }
 
+/// The header of a source's name, if there is one.
+std::string own_header(const std::filesystem::path& root, const std::string& file) {
+  if (!file.ends_with(".cpp")) return {};
+  std::string header = file.substr(0, file.size() - 3) + "h";
+  return std::filesystem::exists(root / header) ? header : "";
+}
+
 void check_file(const std::filesystem::path& root, const std::string& file, std::vector<Violation>& found) {
   std::ifstream text(root / file);
   if (!text) throw std::runtime_error("cannot read " + (root / file).string());
+  std::string first = own_header(root, file);
   static const std::regex kDirective(R"(^\s*#\s*(?:include|include_next|import)\b\s*(.*))");
   static const std::regex kNamed(R"re(^(?:<([^>]+)>|"([^"]+)").*)re");
   std::string line;
@@ -149,6 +157,9 @@ void check_file(const std::filesystem::path& root, const std::string& file, std:
     std::string reason = "an #include names its header";
     if (std::regex_match(target, header, kNamed))
       reason = objection(file, header[header[2].matched ? 2 : 1], header[2].matched);
+    if (reason.empty() && !first.empty() && header[2] != first)
+      reason = "the source of " + first + " must include it first";
+    first.clear();
     if (!reason.empty()) found.push_back({file, number, reason});
   }
 }

@@ -19,6 +19,7 @@ std::string to_string(const Violation& violation);
 
 /// Checks every #include of the given C++ files (paths relative to `root`) against the table of rooms in
 /// DESIGN.md. Needed because GL, Box2D and ODE share one system folder, so that linking cannot stop a leak.
+/// Where X.cpp has an X.h it must include it first: so each build sees that X.h compiles alone (`kerf_room`).
 /// Throws std::runtime_error for a file that cannot be read.
 std::vector<Violation> check_includes(const std::filesystem::path& root,
                                       std::span<const std::filesystem::path> files);

@@ -78,7 +78,7 @@ TEST_F(PlantedTree, CoreSeesNoOtherRoomAndNoEngine) {
 }
 
 TEST_F(PlantedTree, CoreKeepsXxHashAndIntrinsicsInTheirFiles) {
-  plant("core/tree/hash.cpp", "#include <xxhash.h>\n");
+  plant("core/tree/hash.cpp", "#include \"core/tree/hash.h\"\n#include <xxhash.h>\n");
   plant("core/kernels/sweep_avx2.cpp", "#include <immintrin.h>\n");
   plant("core/tree/hash.h", "#include <xxhash.h>\n");
   plant("core/tree/split.cpp", "#include <immintrin.h>\n");
@@ -119,6 +119,15 @@ TEST_F(PlantedTree, PathsBeginAtTheRoot) {
               ElementsAre("core/tree/a.h:1: \"node.h\" is no header of the project, written from its root",
                           "core/tree/a.h:2: \"../ids.h\" is no header of the project, written from its root",
                           "core/tree/a.h:3: <core/ids.h> is the project's own and takes quotes"));
+}
+
+TEST_F(PlantedTree, ASourceIncludesItsOwnHeaderFirst) {
+  plant("core/a.h", "#pragma once\n");
+  plant("core/a.cpp", "#include <vector>\n#include \"core/a.h\"\n");
+  plant("core/b.cpp", "#include <vector>\n#include \"core/a.h\"\n");
+  plant("core/c.h", "#include <vector>\n");
+  plant("core/c.cpp", "#include \"core/c.h\"\n#include \"core/a.h\"\n");
+  EXPECT_THAT(violations(), ElementsAre("core/a.cpp:1: the source of core/a.h must include it first"));
 }
 
 TEST_F(PlantedTree, UnknownLibrariesAndHiddenNamesAreReported) {
