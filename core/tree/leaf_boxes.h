@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/packed_box.h"
+#include "core/tree/list_room.h"
 #include "core/tree/tree.h"
 
 namespace kerf {
@@ -28,7 +29,7 @@ class LeafBoxes {
   /// same time.
   std::span<PackedBox<D>> refill(NodeId leaf, std::size_t count) {
     std::vector<PackedBox<D>>& boxes = leaves_[leaf.index()].boxes;
-    if (count > boxes.capacity()) boxes.reserve(count + count / 8);  // by itself it would double
+    make_list_room(boxes, count);
     boxes.resize(count);
     return boxes;
   }

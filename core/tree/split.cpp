@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/tree/list_room.h"
+
 namespace kerf {
 namespace {
-
-/// Memory for so many entries and an eighth more: what comes and goes needs no new memory, and little is
-/// wasted.
-std::vector<Entry> room_for(std::uint32_t count) {
-  std::vector<Entry> entries;
-  entries.reserve(count + count / 8);
-  return entries;
-}
 
 /// Counts a leaf's entries on each side of a partitioner; their keys lie along its direction afterwards.
 template <int D>
@@ -54,8 +48,10 @@ Quality divide(Tree<D>& tree, NodeId leaf, std::uint32_t direction, Scalar offse
   const Plane<D> plane{tree.directions()[direction], offset};
   const DepthMask bit = depth_bit(tree[leaf].depth);
   const Quality after = measure_along(tree, leaf, direction, !sorted, offset);
-  std::vector<Entry> left = room_for(after.left);
-  std::vector<Entry> right = room_for(after.right);
+  std::vector<Entry> left;
+  std::vector<Entry> right;
+  make_list_room(left, after.left);
+  make_list_room(right, after.right);
   for (Entry entry : tree[leaf].entries) {
     const Sides sides = classify(entry.key, offset);
     if (sides.straddle()) entry.straddle |= bit;

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/tree/list_room.h"
+
 namespace kerf {
 
 template <int D>
@@ -44,7 +46,6 @@ void Tree<D>::release(NodeId id) {
   clear_entries(id);
   Node<D> fresh;
   fresh.generation = nodes_[id.index()].generation + 1;
-  fresh.entries = std::move(nodes_[id.index()].entries);  // empty, but its memory serves the next life
   nodes_[id.index()] = std::move(fresh);
   free_.push_back(id);
 }
@@ -52,6 +53,8 @@ void Tree<D>::release(NodeId id) {
 template <int D>
 void Tree<D>::add_entry(NodeId leaf, ObjectId object, DepthMask straddle) {
   Node<D>& node = nodes_[leaf.index()];
+  const std::size_t count = node.entries.size() + 1;
+  if (count > node.entries.capacity()) make_list_room(node.entries, count + count / 8);
   node.entries.push_back({project(node.direction, object), object, straddle});
   node.unsorted = true;
   node.changed = true;
@@ -76,7 +79,7 @@ void Tree<D>::clear_entries(NodeId leaf) {
 template <int D>
 std::vector<Entry>& Tree<D>::refill(NodeId leaf, std::size_t count) {
   Node<D>& node = nodes_[leaf.index()];
-  if (count > node.entries.capacity()) node.entries.reserve(count + count / 8);  // by itself it would double
+  make_list_room(node.entries, count);
   node.entries.resize(count);
   node.unsorted = true;
   node.changed = true;
