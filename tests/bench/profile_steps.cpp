@@ -1,9 +1,14 @@
-// kerf_profile_steps SCENE 2|3 OBJECTS STEPS: some steps of a scene of `kerf bench` in this process, for a
-// profiler: `./run speed` runs it under callgrind, which counts what Bsp::step and Bsp::move_many do.
+// kerf_profile_steps SCENE 2|3 OBJECTS STEPS [THREADS]: steps of a scene of `kerf bench` in this process.
+// Prints as a line of JSON how long each phase takes; and `./run speed` runs it under callgrind, too, which
+// counts what Bsp::step and Bsp::move_many do.
 
+#include <algorithm>
+#include <array>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
@@ -17,36 +22,85 @@ namespace {
 
 constexpr std::uint32_t kMost = 1'000'000;
 
+struct Run {
+  std::string_view scene;
+  std::uint32_t objects;
+  std::uint32_t steps;
+  std::uint32_t threads;
+};
+
+/// Seconds for the requests, then for each phase of the step.
+using Times = std::array<double, 1 + kPhaseCount>;
+
+/// Of each phase, the median over the scheduler's intervals, the first half of them left out: what it does
+/// once in an interval counts as what it takes in the mean.
+Times typical(const std::vector<Times>& steps, std::size_t interval) {
+  Times result{};
+  for (std::size_t phase = 0; phase < result.size(); ++phase) {
+    std::vector<double> means;
+    for (std::size_t first = steps.size() / 2; first + interval <= steps.size(); first += interval) {
+      double sum = 0;
+      for (std::size_t k = first; k < first + interval; ++k) sum += steps[k][phase];
+      means.push_back(sum / static_cast<double>(interval));
+    }
+    if (means.empty()) continue;
+    std::ranges::nth_element(means, means.begin() + static_cast<std::ptrdiff_t>(means.size() / 2));
+    result[phase] = means[means.size() / 2];
+  }
+  return result;
+}
+
+/// What moved in the last step of the motion, as requests.
 template <int D>
-void run_steps(const BenchScene& scene, std::uint32_t objects, std::uint32_t steps) {
-  const auto motion = scene.make<D>(objects, 1);
+void collect(const Motion<D>& motion, std::vector<ObjectId>& moved, std::vector<Box<D>>& boxes) {
+  moved.assign(motion.moved().begin(), motion.moved().end());
+  if (motion.all_move())
+    for (std::uint32_t k = 0; k < motion.moving(); ++k) moved.push_back({k});
+  boxes.clear();
+  for (const ObjectId object : moved) boxes.push_back(motion.boxes()[object.index()]);
+}
+
+template <int D>
+nlohmann::json run_steps(const Run& run) {
+  const auto motion = find_bench_scene(run.scene).make<D>(run.objects, 1);
   Bsp<D> tree(tuned_config());
-  for (std::uint32_t k = 0; k < objects; ++k)
+  tree.set_threads(run.threads);
+  for (std::uint32_t k = 0; k < run.objects; ++k)
     (void)tree.insert({k}, motion->boxes()[k], k < motion->moving() ? Mobility::moving : Mobility::fixed);
   std::vector<ObjectId> moved;
   std::vector<Box<D>> boxes;
-  for (std::uint32_t step = 0; step < steps; ++step) {
+  std::vector<Times> steps;
+  for (std::uint32_t step = 0; step < run.steps; ++step) {
+    const auto start = std::chrono::steady_clock::now();
     (void)tree.move_many(moved, boxes);
+    Times times{std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
     tree.step();
+    std::ranges::copy(tree.statistics().phase_seconds, times.begin() + 1);
+    steps.push_back(times);
     motion->advance();
-    moved.assign(motion->moved().begin(), motion->moved().end());
-    if (motion->all_move())
-      for (std::uint32_t k = 0; k < motion->moving(); ++k) moved.push_back({k});
-    boxes.clear();
-    for (const ObjectId object : moved) boxes.push_back(motion->boxes()[object.index()]);
+    collect(*motion, moved, boxes);
   }
-  std::printf("%zu pairs in the last step\n", tree.pairs().size());
+  nlohmann::json line = {{"scene", run.scene},
+                         {"dim", D},
+                         {"objects", run.objects},
+                         {"threads", run.threads},
+                         {"pairs", tree.pairs().size()}};
+  const Times times = typical(steps, tree.config().schedule_interval);
+  const auto nanoseconds = [&](std::size_t at) { return times[at] * 1e9 / run.objects; };
+  line["requests_ns"] = nanoseconds(0);
+  for (int phase = 0; phase < kPhaseCount; ++phase) {
+    const auto at = static_cast<std::size_t>(phase);
+    line[std::string(to_string(static_cast<Phase>(phase))) + "_ns"] = nanoseconds(at + 1);
+  }
+  return line;
 }
 
-int profile_steps(char** argv) {
-  const BenchScene& scene = find_bench_scene(argv[1]);
-  const auto objects = parse_whole<std::uint32_t>("OBJECTS", argv[3], 1, kMost);
-  const auto steps = parse_whole<std::uint32_t>("STEPS", argv[4], 1, kMost);
-  if (parse_whole<int>("dimension", argv[2], 2, 3) == 2) {
-    run_steps<2>(scene, objects, steps);
-  } else {
-    run_steps<3>(scene, objects, steps);
-  }
+int profile_steps(int argc, char** argv) {
+  const Run run{argv[1], parse_whole<std::uint32_t>("OBJECTS", argv[3], 1, kMost),
+                parse_whole<std::uint32_t>("STEPS", argv[4], 1, kMost),
+                argc < 6 ? 1 : parse_whole<std::uint32_t>("THREADS", argv[5], 1, 64)};
+  const bool flat = parse_whole<int>("dimension", argv[2], 2, 3) == 2;
+  std::puts((flat ? run_steps<2>(run) : run_steps<3>(run)).dump().c_str());
   return kExitDone;
 }
 
@@ -54,8 +108,9 @@ int profile_steps(char** argv) {
 }  // namespace kerf
 
 int main(int argc, char** argv) try {
-  if (argc != 5) throw kerf::UsageError("usage: kerf_profile_steps SCENE 2|3 OBJECTS STEPS");
-  return kerf::profile_steps(argv);
+  if (argc != 5 && argc != 6)
+    throw kerf::UsageError("usage: kerf_profile_steps SCENE 2|3 OBJECTS STEPS [THREADS]");
+  return kerf::profile_steps(argc, argv);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "kerf_profile_steps: %s\n", error.what());
   return kerf::kExitUsage;
