@@ -95,12 +95,12 @@ Status Bsp<D, Trace>::note(ObjectId object, Status status) {
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::insert(ObjectId object, const Box<D>& box, Mobility mobility) {
-  return note(object, latest_.insert(object, box, mobility));
+  return note(object, latest().insert(object, box, mobility));
 }
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::insert(ObjectId object, const Volume<D>& volume, Mobility mobility) {
-  return note(object, latest_.insert(object, volume, mobility));
+  return note(object, latest().insert(object, volume, mobility));
 }
 
 template <int D, class Trace>
@@ -110,6 +110,7 @@ Status Bsp<D, Trace>::move(ObjectId object, const Box<D>& box) {
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) {
+  exchange_.end(latest_, tree_.table, objects, *pool_);
   Status first = Status::ok;
   const auto keep_first = [&first](Status status) {
     if (first == Status::ok) first = status;
@@ -140,12 +141,12 @@ Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<con
 template <int D, class Trace>
 Status Bsp<D, Trace>::move(ObjectId object, const Volume<D>& volume) {
   if (latest_.kind() == VolumeKind::box && volume.kind == VolumeKind::box) return move(object, volume.box);
-  return note(object, latest_.move(object, volume));
+  return note(object, latest().move(object, volume));
 }
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::remove(ObjectId object) {
-  return note(object, latest_.remove(object));
+  return note(object, latest().remove(object));
 }
 
 template <int D, class Trace>

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/broad_phase/box_exchange.h"
 #include "core/broad_phase/broad_phase.h"
 #include "core/broad_phase/keep_or_sweep.h"
 #include "core/broad_phase/kept_pairs.h"
@@ -63,8 +64,9 @@ class Bsp final : public BroadPhase<D> {
   /// are the same for any number. Throws std::invalid_argument for 0.
   void set_threads(unsigned threads) { pool_ = std::make_unique<TaskPool>(threads); }
   [[nodiscard]] const Tree<D>& tree() const { return tree_; }
-  /// The objects as the caller sees them; the tree's own table follows in `step()` and may have fat boxes.
-  [[nodiscard]] const ObjectTable<D>& objects() const { return latest_; }
+  /// The objects as the caller sees them, up to the next request; the tree's own table follows in `step()`
+  /// and may have fat boxes.
+  [[nodiscard]] const ObjectTable<D>& objects() const { return exchange_.is_open() ? tree_.table : latest_; }
   [[nodiscard]] Statistics statistics() const;
   /// Equal for equal trees with equal events pending, wherever they were built.
   [[nodiscard]] std::uint64_t state_hash() const;
@@ -116,6 +118,11 @@ class Bsp final : public BroadPhase<D> {
     }
   };
 
+  /// The latest boxes, for a request.
+  ObjectTable<D>& latest() {
+    exchange_.end(latest_, tree_.table, {}, *pool_);
+    return latest_;
+  }
   Status note(ObjectId object, Status status);
   void adapt();
   void choose_mode();
@@ -160,6 +167,7 @@ class Bsp final : public BroadPhase<D> {
   Scheduler<D> scheduler_;
   Reporter<Trace> reporter_;
   ObjectTable<D> latest_;              ///< as the caller sees the objects; the tree's table follows in step()
+  BoxExchange<D> exchange_;            ///< between these two
   AppendBuffer<ObjectId> changed_;     ///< objects of which the two tables may differ
   AppendBuffer<PackedBox<D>> before_;  ///< kept: the boxes from which those of changed_ moved
   AppendBuffer<std::uint32_t> left_over_;

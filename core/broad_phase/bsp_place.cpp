@@ -1,5 +1,6 @@
 // How the tree's entries follow the objects.
 
+#include <algorithm>
 #include <utility>
 
 #include "core/broad_phase/bsp.h"
@@ -12,6 +13,7 @@ namespace kerf {
 /// complete.
 template <int D, class Trace>
 void Bsp<D, Trace>::place() {
+  exchange_.end(latest_, tree_.table, {}, *pool_);
   const Mode before = mode_;
   choose_mode();
   leaf_boxes_.begin(tree_, false);
@@ -35,13 +37,17 @@ void Bsp<D, Trace>::place() {
     }
   } else if (before == Mode::kept || (mode_ == Mode::swept && more_than(config_.stream_share))) {
     const bool many_stay = only_moves_ && !most_jump();
-    tree_.table.copy_all(latest_, *pool_);
+    if (only_moves_ && before == Mode::swept) {
+      exchange_.begin(latest_, tree_.table);
+    } else {
+      tree_.table.copy_all(latest_, *pool_);
+    }
     place_all(many_stay);
   } else {
     place_changes();
   }
   put_at_rest();
-  changed_.clear();
+  exchange_.take(changed_);
   before_.clear();
   only_moves_ = true;
 }
@@ -50,6 +56,10 @@ void Bsp<D, Trace>::place() {
 template <int D, class Trace>
 void Bsp<D, Trace>::put_at_rest() {
   const bool all_alike = only_moves_ && mode_ != Mode::kept;
+  if (all_alike && changed_.size() == attention_.size()) {
+    std::ranges::fill(attention_, std::uint8_t{0});
+    return;
+  }
   pool_->for_slices(changed_.size(), [this, all_alike](const Slice& slice, std::size_t) {
     std::uint8_t* const attention = attention_.data();  // what is written through it could be this very tree
     const auto objects = std::as_const(changed_).all().subspan(slice.begin, slice.end - slice.begin);

@@ -11,7 +11,7 @@ BspState<D> Bsp<D, Trace>::state() const {
   return {config_,
           tree_,
           scheduler_,
-          latest_,
+          objects(),
           skins_,
           {pairs().begin(), pairs().end()},
           static_cast<std::uint8_t>(mode_),
@@ -27,6 +27,7 @@ void Bsp<D, Trace>::restore(const BspState<D>& state) {
   tree_ = state.tree;
   scheduler_ = state.scheduler;
   latest_ = state.latest;
+  exchange_.forget();
   skins_ = state.skins;
   mode_ = static_cast<Mode>(state.mode);
   if (mode_ == Mode::kept)  // a damaged recording may have too few skins

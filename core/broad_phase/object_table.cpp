@@ -95,8 +95,13 @@ void ObjectTable<D>::copy_but_boxes(const ObjectTable& from, TaskPool& pool) {
 
 template <int D>
 void ObjectTable<D>::copy_all(const ObjectTable& from, TaskPool& pool) {
-  copy_vector(from.boxes_, boxes_, pool);
+  copy_boxes(from, pool);
   copy_but_boxes(from, pool);
+}
+
+template <int D>
+void ObjectTable<D>::copy_boxes(const ObjectTable& from, TaskPool& pool) {
+  copy_vector(from.boxes_, boxes_, pool);
 }
 
 template <int D>

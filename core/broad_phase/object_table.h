@@ -44,6 +44,10 @@ class ObjectTable {
   void copy_but_boxes(const ObjectTable& from, TaskPool& pool);
   /// Takes over everything.
   void copy_all(const ObjectTable& from, TaskPool& pool);
+  /// Takes over the boxes of a table that knows the same objects.
+  void copy_boxes(const ObjectTable& from, TaskPool& pool);
+  /// Exchanges the boxes with such a table.
+  void swap_boxes(ObjectTable& other) { boxes_.swap(other.boxes_); }
 
   /// One more than the largest id ever used: the size for arrays kept per object.
   [[nodiscard]] std::size_t bound() const { return boxes_.size(); }
