@@ -52,6 +52,16 @@ class JumpingTest : public testing::Test {
     }
     (void)tree_.move_many(ids, std::span(truth_).subspan(first, end - first));
   }
+  /// All move, none of them far.
+  void drift() {
+    std::vector<ObjectId> ids;
+    for (std::uint32_t id = 0; id < kCount; ++id) {
+      const Vector<D> way = random_point<D>(random_, -0.001, 0.001);
+      truth_[id] = {truth_[id].min + way, truth_[id].max + way};
+      ids.push_back({id});
+    }
+    EXPECT_EQ(tree_.move_many(ids, truth_), Status::ok);
+  }
   void expect_truth() {
     for (std::uint32_t id = 0; id < truth_.size(); ++id)
       if (tree_.objects().is_placed({id})) {
@@ -151,16 +161,48 @@ TYPED_TEST(BoxExchange, AnEarlierStateComesBack) {
   this->step_and_expect_truth();
 }
 
+/// Pairs are kept from the first step on in which few are fast.
+Config keeping() {
+  Config config = swept();
+  config.skin = tuned_config().skin;
+  return config;
+}
+
 TYPED_TEST(BoxExchange, KeepingPairsBeginsWithTheLatestBoxes) {
-  Config keeping = swept();
-  keeping.skin = tuned_config().skin;
-  this->tree_.set_config(keeping);
-  for (int step = 0; step < 40; ++step) {
-    const auto id = static_cast<std::uint32_t>(step);
+  this->tree_.set_config(keeping());
+  for (std::uint32_t id = 0; id < 40; ++id) {
     this->truth_[id] = this->somewhere();
     EXPECT_EQ(this->tree_.move({id}, this->truth_[id]), Status::ok);
     this->step_and_expect_truth();
   }
+}
+
+TYPED_TEST(BoxExchange, KeepingPairsBeginsInAQuietStep) {
+  for (int step = 0; step < 3; ++step) {
+    this->drift();
+    this->step_and_expect_truth();
+  }
+  this->tree_.set_config(keeping());
+  for (int step = 0; step < 40; ++step) this->step_and_expect_truth();
+}
+
+TYPED_TEST(BoxExchange, AStateWithKeptPairsComesBack) {
+  this->tree_.set_config(keeping());
+  for (int step = 0; step < 40; ++step) {
+    this->drift();
+    this->step_and_expect_truth();
+  }
+  const auto state = this->tree_.state();
+  const auto boxes = this->truth_;
+  this->tree_.set_config(swept());
+  for (int step = 0; step < 3; ++step) {
+    this->drift();
+    this->step_and_expect_truth();
+  }
+  this->tree_.restore(state);
+  this->truth_ = boxes;
+  this->expect_truth();
+  this->step_and_expect_truth();
 }
 
 }  // namespace
