@@ -7,6 +7,7 @@
 
 #include "core/broad_phase/box_exchange.h"
 #include "core/broad_phase/broad_phase.h"
+#include "core/broad_phase/fat_piece.h"
 #include "core/broad_phase/keep_or_sweep.h"
 #include "core/broad_phase/kept_pairs.h"
 #include "core/broad_phase/leaf_pass.h"
@@ -87,35 +88,6 @@ class Bsp final : public BroadPhase<D> {
     ordered,  ///< the paper's: each leaf is swept along its ordered list
     swept,    ///< each leaf is swept by vectors of bytes
     kept,     ///< pairs of fat boxes are kept and filtered: the tree's table has the fat boxes
-  };
-
-  /// An object that gets entries anew, and in how many leaves.
-  struct Arrival {
-    ObjectId object;
-    std::uint32_t leaves = 0;
-  };
-
-  /// What one piece of the objects that left their fat boxes does to the tree.
-  struct FatPiece {
-    std::vector<EntryChange> entries;  ///< of leaves that keep pairs
-    std::vector<NodeId> touched;       ///< leaves in which an object stays
-    std::vector<ObjectId> leaving;
-    std::vector<NodeId> left;  ///< the nodes that they passed, each once for each of them
-    std::vector<Arrival> entering;
-    std::vector<Reached> places;  ///< of those, one after another
-    std::vector<NodeId> entered;  ///< as `left`
-    std::vector<Reached> old_places;
-    std::vector<Reached> new_places;
-
-    void clear() {
-      entries.clear();
-      touched.clear();
-      leaving.clear();
-      left.clear();
-      entering.clear();
-      places.clear();
-      entered.clear();
-    }
   };
 
   /// The latest boxes, for a request.

@@ -199,9 +199,9 @@ void Bsp<D, Trace>::find_fat_places(std::size_t k, FatPiece& piece) const {
   template void Bsp<D, TRACE>::take_fat_boxes();                                          \
   template void Bsp<D, TRACE>::place_fat();                                               \
   template void Bsp<D, TRACE>::take_out();                                                \
-  template void Bsp<D, TRACE>::put_in(const Bsp<D, TRACE>::FatPiece&);                    \
-  template void Bsp<D, TRACE>::note_entries(ObjectId, Bsp<D, TRACE>::FatPiece&) const;    \
-  template void Bsp<D, TRACE>::find_fat_places(std::size_t, Bsp<D, TRACE>::FatPiece&) const;
+  template void Bsp<D, TRACE>::put_in(const FatPiece&);                                   \
+  template void Bsp<D, TRACE>::note_entries(ObjectId, FatPiece&) const;                   \
+  template void Bsp<D, TRACE>::find_fat_places(std::size_t, FatPiece&) const;
 KERF_FOR_EACH_TRACE(KERF_INSTANTIATE)
 #undef KERF_INSTANTIATE
 
