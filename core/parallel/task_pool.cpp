@@ -4,6 +4,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -39,13 +40,17 @@ void TaskPool::for_each(std::size_t pieces, const Work& work) {
     for (std::size_t k = 0; k < pieces; ++k) work(k, 0);
     return;
   }
+  // All pieces round, and take denormals, as the caller does: other threads would else keep what was usual
+  // when they first worked, and tell other pairs.
+  tbb::task_group_context modes(tbb::task_group_context::isolated, tbb::task_group_context::default_traits |
+                                                                       tbb::task_group_context::fp_settings);
   arena_->tbb.execute([&] {
     tbb::parallel_for(
         std::size_t{0}, pieces,
         [&](std::size_t k) {
           work(k, static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
         },
-        tbb::simple_partitioner());
+        tbb::simple_partitioner(), modes);
   });
 }
 

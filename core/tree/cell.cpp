@@ -6,6 +6,18 @@
 
 namespace kerf {
 
+namespace {
+
+/// What begins here or later lies right of the offset, also for a processor that takes denormals for zero:
+/// none is a bound, since it would let in what begins at zero and is not beyond the offset.
+Scalar right_bound(Scalar offset) {
+  constexpr Scalar kLeast = std::numeric_limits<Scalar>::min();
+  if (-kLeast < offset && offset < kLeast) return kLeast;
+  return std::nextafter(offset, std::numeric_limits<Scalar>::infinity());
+}
+
+}  // namespace
+
 template <int D>
 PackedBox<D> cell_of(const Tree<D>& tree, NodeId leaf) {
   constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
@@ -19,7 +31,7 @@ PackedBox<D> cell_of(const Tree<D>& tree, NodeId leaf) {
     }
     const bool right = (tree[leaf].right_of & depth_bit(node.depth)) != 0;
     const std::size_t lane = right ? node.direction : PackedBox<D>::kHalf + node.direction;
-    const Scalar bound = right ? std::nextafter(node.plane.offset, kInfinity) : -node.plane.offset;
+    const Scalar bound = right ? right_bound(node.plane.offset) : -node.plane.offset;
     cell.lane[lane] = std::max(cell.lane[lane], bound);
   }
   return cell;

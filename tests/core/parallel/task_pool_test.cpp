@@ -4,9 +4,12 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <limits>
 #include <mutex>
 #include <stdexcept>
 #include <vector>
+
+#include "tests/hard/flush_to_zero.h"
 
 namespace kerf::test {
 namespace {
@@ -23,6 +26,22 @@ TEST(TaskPool, DoesEachPieceOnceWhateverTheNumberOfThreads) {
     for (const auto& times : done) EXPECT_EQ(times, 1);
     EXPECT_TRUE(known) << "a thread had a number beyond " << threads;
   }
+}
+
+TEST(TaskPool, PiecesTakeDenormalsAsTheirCallerDoes) {
+  TaskPool pool(2);
+  const auto are_kept = [&pool] {
+    std::atomic<int> kept = 0;
+    pool.for_each(64, [&](std::size_t, std::size_t) {
+      const volatile float denormal = std::numeric_limits<float>::denorm_min();
+      kept += denormal > 0 ? 1 : 0;
+    });
+    return kept.load();
+  };
+  EXPECT_EQ(are_kept(), 64);
+  const FlushToZero flush(true);
+  const volatile float denormal = std::numeric_limits<float>::denorm_min();
+  EXPECT_EQ(are_kept(), denormal > 0 ? 64 : 0) << "where the processor can take them for zero, all pieces do";
 }
 
 /// Whether both of two pieces meet the other within a second: in one thread the first would wait in vain.

@@ -59,6 +59,27 @@ Script<D> denormals(Size size) {
   });
 }
 
+/// Couples on both sides of zero, where a partitioner comes to lie, that all part and meet there together.
+template <int D>
+Script<D> touch_at_zero(Size size) {
+  const std::uint32_t n = pick(size, 64, 800);
+  const auto place = [](std::uint32_t k, Scalar gap) {
+    Vector<D> low{};
+    low[0] = k % 2 == 0 ? gap : -gap - 1;
+    low[1] = static_cast<Scalar>(4 * (k / 2));
+    Vector<D> high = low;
+    for (int axis = 0; axis < D; ++axis) high[axis] += 1;
+    return Box<D>{low, high};
+  };
+  ScriptWriter<D> script;
+  for (std::uint32_t k = 0; k < n; ++k) script.insert(k, place(k, 1));
+  for (std::uint32_t step = 0; step < 12; ++step) {
+    script.step();
+    for (std::uint32_t k = 0; k < n; ++k) script.move(k, place(k, step % 3 == 2 ? 0 : 1));
+  }
+  return script.take();
+}
+
 template <int D>
 Script<D> largest_floats(Size size) {
   Random random(7);
@@ -159,6 +180,7 @@ Script<D> tiny_box_far_out(Size size) {
 
 #define KERF_INSTANTIATE(D)                   \
   template Script<D> denormals<D>(Size);      \
+  template Script<D> touch_at_zero<D>(Size);  \
   template Script<D> largest_floats<D>(Size); \
   template Script<D> far_offsets<D>(Size);    \
   template Script<D> exact_touch<D>(Size);    \

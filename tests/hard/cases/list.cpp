@@ -33,6 +33,11 @@ constexpr std::array kCases{
              std::nullopt,
              false,
              true},
+    HardCase{"V6", "TouchAtZeroFlushedToZero", "couples meet at zero, so taken", touch_at_zero<2>,
+             touch_at_zero<3>,
+             "max_redundancy=0.4,schedule_interval=1,budget_divisor=1,min_threshold=16,max_threshold=16,"
+             "free_directions=0,byte_sweep=1,stream_share=0.06,bulk_factor=2",
+             std::nullopt, false, true},
     HardCase{"V7", "LargestFloats", "coordinates up to FLT_MAX", largest_floats<2>, largest_floats<3>},
     HardCase{"V8", "FarOffsets", "scene offset by 1e5 to 1e7", far_offsets<2>, far_offsets<3>},
     HardCase{"V9", "ExactTouch", "touch, and one ulp off", exact_touch<2>, exact_touch<3>},

@@ -19,6 +19,8 @@ Script<D> signed_zeros(Size size);
 template <int D>
 Script<D> denormals(Size size);
 template <int D>
+Script<D> touch_at_zero(Size size);
+template <int D>
 Script<D> largest_floats(Size size);
 template <int D>
 Script<D> far_offsets(Size size);
