@@ -43,27 +43,18 @@ void Columns<D>::lay_out(double size) {
     const double length = high_[axis] - low_[axis];
     const double cells = std::clamp(length / (size * extent_[axis]), 1.0, static_cast<double>(most));
     // A length of 0 gives no number; such a scene has one cell.
-    grid_.cells[k] = length > 0 ? static_cast<std::uint32_t>(cells) : 1;
-    const double scale = grid_.cells[k] > 1 ? grid_.cells[k] / length : 0;
-    grid_.scale[k] = static_cast<Scalar>(scale);
-    grid_.offset[k] = static_cast<Scalar>(low_[axis]) * grid_.scale[k];
+    const std::uint32_t count = length > 0 ? static_cast<std::uint32_t>(cells) : 1;
+    grid_.across[k] = AxisCells(static_cast<Scalar>(low_[axis]), static_cast<Scalar>(high_[axis]), count);
   }
 }
 
-/// Rounding is monotone, so boxes that overlap reach a common cell wherever they lie.
 template <int D>
 typename Columns<D>::Reach Columns<D>::reach_of(const Box<D>& box) const {
   Reach reach;
   for (std::size_t k = 0; k < kAcross; ++k) {
     const int axis = grid_.axes[k + 1];
-    const auto last = static_cast<Scalar>(grid_.cells[k] - 1);
-    const auto cell = [&](Scalar x) {
-      const Scalar place = x * grid_.scale[k] - grid_.offset[k];
-      return static_cast<std::uint16_t>(
-          static_cast<std::int32_t>(std::min(std::max(place, Scalar{0}), last)));
-    };
-    reach.first[k] = cell(box.min[axis]);
-    reach.last[k] = cell(box.max[axis]);
+    reach.first[k] = static_cast<std::uint16_t>(grid_.across[k].cell(box.min[axis]));
+    reach.last[k] = static_cast<std::uint16_t>(grid_.across[k].cell(box.max[axis]));
   }
   return reach;
 }
@@ -77,7 +68,7 @@ void Columns<D>::for_each_column(const Reach& reach, Visit visit) const {
     for (std::size_t y = reach.first[1]; y <= reach.last[1]; ++y) {
       const std::uint32_t later = y != reach.first[1] ? 4U : 0U;
       for (std::size_t x = reach.first[0]; x <= reach.last[0]; ++x)
-        visit(y * grid_.cells[0] + x, later | (x != reach.first[0] ? 2U : 0U));
+        visit(y * grid_.across[0].count() + x, later | (x != reach.first[0] ? 2U : 0U));
     }
   }
 }
@@ -86,7 +77,7 @@ void Columns<D>::for_each_column(const Reach& reach, Visit visit) const {
 template <int D>
 std::size_t Columns<D>::count_entries() {
   std::size_t columns = 1;
-  for (const std::uint32_t cells : grid_.cells) columns *= cells;
+  for (const AxisCells& across : grid_.across) columns *= across.count();
   ends_.assign(columns, 0);
   reaches_.resize(this->table().bound());
   std::size_t entries = 0;

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "core/broad_phase/axis_cells.h"
 #include "core/broad_phase/lanes.h"
 #include "core/broad_phase/radix_sort.h"
 #include "core/broad_phase/tabled.h"
@@ -36,9 +37,7 @@ class Columns final : public Tabled<D> {
   };
   struct Grid {
     std::array<int, D> axes{};  ///< of the world: the one along the columns, then those across
-    std::array<Scalar, kAcross> scale{};
-    std::array<Scalar, kAcross> offset{};
-    std::array<std::uint32_t, kAcross> cells{};
+    std::array<AxisCells, kAcross> across;
   };
 
   void find_pairs(PairList& pairs) override;

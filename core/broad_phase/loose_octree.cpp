@@ -21,20 +21,8 @@ void LooseOctree<D>::lay_out() {
       begins.max[i] = std::max(begins.max[i], box.min[i]);
     }
   }
-  for (std::size_t i = 0; i < D; ++i) {
-    const double low = begins.min[static_cast<int>(i)];
-    const double length = begins.max[static_cast<int>(i)] - low;
-    scale_[i] = length > 0 ? static_cast<Scalar>(static_cast<double>(1U << finest_) / length) : 0;
-    offset_[i] = static_cast<Scalar>(low) * scale_[i];
-    // A scene thinner than a float can scale has one layer.
-    if (!(scale_[i] <= std::numeric_limits<Scalar>::max())) scale_[i] = offset_[i] = 0;
-  }
-}
-
-template <int D>
-std::uint32_t LooseOctree<D>::coordinate(Scalar x, std::size_t axis) const {
-  const auto last = static_cast<Scalar>((1U << finest_) - 1);
-  return static_cast<std::uint32_t>(std::min(std::max(x * scale_[axis] - offset_[axis], Scalar{0}), last));
+  for (std::size_t i = 0; i < D; ++i)
+    axes_[i] = AxisCells(begins.min[static_cast<int>(i)], begins.max[static_cast<int>(i)], 1U << finest_);
 }
 
 template <int D>
@@ -42,8 +30,8 @@ typename LooseOctree<D>::Member LooseOctree<D>::member_of(ObjectId object) const
   Member member{this->table().box(object), object, this->table().is_fixed(object), 0, {}, {}};
   unsigned up = 0;
   for (std::size_t i = 0; i < D; ++i) {
-    member.first[i] = coordinate(member.box.min[static_cast<int>(i)], i);
-    member.last[i] = coordinate(member.box.max[static_cast<int>(i)], i);
+    member.first[i] = axes_[i].cell(member.box.min[static_cast<int>(i)]);
+    member.last[i] = axes_[i].cell(member.box.max[static_cast<int>(i)]);
     while ((member.last[i] >> up) - (member.first[i] >> up) > 1) ++up;
   }
   // What fits at one level fits at all coarser ones.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/broad_phase/axis_cells.h"
 #include "core/broad_phase/tabled.h"
 
 namespace kerf {
@@ -38,7 +39,6 @@ class LooseOctree final : public Tabled<D> {
   void find_pairs(PairList& pairs) override;
   void lay_out();
   [[nodiscard]] Member member_of(ObjectId object) const;
-  [[nodiscard]] std::uint32_t coordinate(Scalar x, std::size_t axis) const;
   /// The number of a cell; `place` is that of its level. Level 0 is one cell.
   [[nodiscard]] std::uint32_t cell_of(unsigned level, const Place& place) const;
   void sort_members();
@@ -47,8 +47,7 @@ class LooseOctree final : public Tabled<D> {
                 PairList& pairs);
 
   unsigned finest_ = 0;
-  std::array<Scalar, D> scale_{};
-  std::array<Scalar, D> offset_{};
+  std::array<AxisCells, D> axes_;             ///< of the finest level
   std::vector<std::uint32_t> level_begins_;   ///< by level: its first cell; one more at the end
   std::vector<std::uint32_t> level_members_;  ///< by level
   std::vector<std::uint32_t> ends_;           ///< by cell: one past its last member
