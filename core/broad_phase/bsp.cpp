@@ -110,6 +110,10 @@ Status Bsp<D, Trace>::move(ObjectId object, const Box<D>& box) {
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) {
+  const bool keeps = mode_ == Mode::kept;
+  ObjectId* const changed = changed_.reserve(objects.size());
+  PackedBox<D>* const before = keeps ? before_.reserve(objects.size()) : nullptr;
+  std::uint32_t* const left_over = left_over_.reserve(objects.size());
   exchange_.end(latest_, tree_.table, objects, *pool_);
   Status first = Status::ok;
   const auto keep_first = [&first](Status status) {
@@ -120,11 +124,9 @@ Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<con
       keep_first(note(objects[k], latest_.move(objects[k], boxes[k])));
     return first;
   }
-  const bool keeps = mode_ == Mode::kept;
   const MoveAnswer answer = move_boxes<D>(
       {objects, boxes, latest_.packed(), attention_,
-       keeps ? std::as_const(tree_.table).packed().data() : nullptr, changed_.reserve(objects.size()),
-       keeps ? before_.reserve(objects.size()) : nullptr, left_over_.reserve(objects.size())},
+       keeps ? std::as_const(tree_.table).packed().data() : nullptr, changed, before, left_over},
       *pool_);
   changed_.commit(answer.changed);
   if (keeps) before_.commit(answer.changed);
@@ -185,7 +187,10 @@ void Bsp<D, Trace>::adapt() {
 template <int D, class Trace>
 void Bsp<D, Trace>::choose_mode() {
   if (!config_.byte_sweep) return enter(Mode::ordered);
-  if (config_.skin == 0 || latest_.kind() != VolumeKind::box) return enter(Mode::swept);
+  if (config_.skin == 0 || latest_.kind() != VolumeKind::box) {
+    keep_or_sweep_ = {};
+    return enter(Mode::swept);
+  }
   if (mode_ == Mode::ordered) {
     keep_or_sweep_ = {};
   } else if (mode_ == Mode::kept) {
@@ -248,6 +253,7 @@ void Bsp<D, Trace>::enter(Mode mode) {
   if (mode == mode_) return;
   mode_ = mode;
   kept_.clear();
+  if (mode != Mode::swept) leaf_boxes_ = {};
   for (std::uint8_t& attention : attention_) attention &= static_cast<std::uint8_t>(~kSilent);
 }
 

@@ -186,6 +186,20 @@ TYPED_TEST(BoxExchange, KeepingPairsBeginsInAQuietStep) {
   for (int step = 0; step < 40; ++step) this->step_and_expect_truth();
 }
 
+TYPED_TEST(BoxExchange, WhereKeepingWasForbiddenItDoesNotBeginAmongWhoJumps) {
+  this->tree_.set_config(keeping());
+  for (int step = 0; step < 40; ++step) this->step_and_expect_truth();
+  ASSERT_TRUE(this->tree_.state().keep_or_sweep.keeps());
+  this->tree_.set_config(swept());
+  this->step_and_expect_truth();
+  this->tree_.set_config(keeping());
+  for (int step = 0; step < 3; ++step) {
+    this->jump(0, TestFixture::kCount);
+    this->step_and_expect_truth();
+    EXPECT_FALSE(this->tree_.state().keep_or_sweep.keeps());
+  }
+}
+
 TYPED_TEST(BoxExchange, AStateWithKeptPairsComesBack) {
   this->tree_.set_config(keeping());
   for (int step = 0; step < 40; ++step) {
