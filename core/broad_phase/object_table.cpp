@@ -42,10 +42,12 @@ Status ObjectTable<D>::accept(ObjectId object, const Volume<D>& given) {
 template <int D>
 void ObjectTable<D>::make_room(ObjectId object) {
   if (object.index() < states_.size()) return;
-  boxes_.resize(object.index() + 1);
-  extra_.resize((object.index() + 1) * static_cast<std::size_t>(extra_size<D>(kind_)));
-  states_.resize(object.index() + 1, ObjectState::absent);
-  fixed_.resize(object.index() + 1, 0);
+  // Boxes may be more already, if memory was short when they were made: they never become fewer.
+  const std::size_t count = std::max<std::size_t>(object.index() + 1, boxes_.size());
+  boxes_.resize(count);
+  extra_.resize(count * static_cast<std::size_t>(extra_size<D>(kind_)));
+  fixed_.resize(count, 0);
+  states_.resize(count, ObjectState::absent);
 }
 
 template <int D>

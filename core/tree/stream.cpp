@@ -181,9 +181,12 @@ class Streamer {
     todo.push_back({node.right, range.end, right});
   }
 
-  /// What vectors can do of it: nothing unless the partitioner lies along an axis of the packed boxes.
+  /// What vectors can do of it: nothing unless the partitioner lies along an axis of the packed boxes, and a
+  /// signed index of 32 bits finds each of their floats.
   Divided divide_vectors(const Node<D>& node, const Range& range) {
-    if (range.begin == range.end || !lies_along_axis(tree_, node.direction))
+    constexpr std::size_t kMostBoxes = (std::size_t{1} << 31U) / (2 * PackedBox<D>::kHalf);
+    if (range.begin == range.end || !lies_along_axis(tree_, node.direction) ||
+        objects_.boxes().size() > kMostBoxes)
       return {range.begin, range.begin, range.end};
     const auto& first = objects_.boxes().data()->lane;
     return divide_list<D>({&first[node.direction], &first[PackedBox<D>::kHalf + node.direction],
