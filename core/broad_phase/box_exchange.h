@@ -11,7 +11,8 @@ namespace kerf {
 
 /// A step in which everybody moved need not copy the latest boxes into the tree's table: the two tables
 /// exchange theirs. From then on, until the next requests, the latest boxes are the tree's; those that took
-/// their place are of the step before. Mostly the same objects move again and write over them.
+/// their place are of the step before. Mostly the same objects move again and write over them. Only boxes are
+/// exchanged: who is there, in quarantine or fixed may be asked of the latest table all the while.
 template <int D>
 class BoxExchange {
  public:
@@ -25,13 +26,15 @@ class BoxExchange {
     std::swap(moved_, moved);
     moved.clear();
   }
-  /// To be told before anyone else writes or reads the latest boxes, with those that are about to be moved.
+  /// To be told before anyone writes the latest boxes, or reads them there, with those that are about to be
+  /// moved and must be.
   void end(ObjectTable<D>& latest, const ObjectTable<D>& tree, std::span<const ObjectId> moving,
            TaskPool& pool) {
     if (!is_open_) return;
     is_open_ = false;
     if (!are_those_that_moved(moving)) latest.copy_boxes(tree, pool);
   }
+  /// The latest table was replaced.
   void forget() { is_open_ = false; }
   [[nodiscard]] bool is_open() const { return is_open_; }
 

@@ -65,8 +65,8 @@ class Bsp final : public BroadPhase<D> {
   /// are the same for any number. Throws std::invalid_argument for 0.
   void set_threads(unsigned threads) { pool_ = std::make_unique<TaskPool>(threads); }
   [[nodiscard]] const Tree<D>& tree() const { return tree_; }
-  /// The objects as the caller sees them, up to the next request; the tree's own table follows in `step()`
-  /// and may have fat boxes.
+  /// The objects as the caller sees them, up to the next request or step; the tree's own table follows in
+  /// `step()` and may have fat boxes.
   [[nodiscard]] const ObjectTable<D>& objects() const { return exchange_.is_open() ? tree_.table : latest_; }
   [[nodiscard]] Statistics statistics() const;
   /// Equal for equal trees with equal events pending, wherever they were built.

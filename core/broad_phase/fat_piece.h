@@ -22,10 +22,10 @@ struct FatPiece {
   std::vector<ObjectId> leaving;
   std::vector<NodeId> left;  ///< the nodes that they passed, each once for each of them
   std::vector<Arrival> entering;
-  std::vector<Reached> places;  ///< of those, one after another
-  std::vector<NodeId> entered;  ///< as `left`
-  std::vector<Reached> old_places;
-  std::vector<Reached> new_places;
+  std::vector<Reached> places;      ///< of those, one after another
+  std::vector<NodeId> entered;      ///< as `left`
+  std::vector<Reached> old_places;  ///< of the object at hand, before
+  std::vector<Reached> new_places;  ///< and after
 
   void clear() {
     entries.clear();

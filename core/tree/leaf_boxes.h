@@ -14,7 +14,7 @@ namespace kerf {
 
 /// The boxes of leaves' entries, copied while objects are placed, for who goes through a leaf afterwards:
 /// they lie side by side, not one here and one there in a long table. They hold until an operator changes the
-/// leaf or boxes move. Its memory is kept between steps.
+/// leaf or boxes move. Leaves keep their memory from step to step, and nodes that died theirs.
 template <int D>
 class LeafBoxes {
  public:

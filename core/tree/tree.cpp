@@ -54,6 +54,7 @@ template <int D>
 void Tree<D>::add_entry(NodeId leaf, ObjectId object, DepthMask straddle) {
   Node<D>& node = nodes_[leaf.index()];
   const std::size_t count = node.entries.size() + 1;
+  // Entries come one by one: the room grows by a quarter, or a leaf that fills were copied too often.
   if (count > node.entries.capacity()) make_list_room(node.entries, count + count / 8);
   node.entries.push_back({project(node.direction, object), object, straddle});
   node.unsorted = true;
