@@ -1,33 +1,59 @@
-# `kerf_lint` runs clang-tidy over each source of the rooms, `kerf_lint_tests` over those of tests/, which take as
-# long again and are left out of the default tests. A source is checked again when its object file is newer,
-# which is when it or a header that it includes has changed: the build knows that already.
+# `kerf_lint` runs clang-tidy over the sources of the rooms, `kerf_lint_tests` over those of tests/, which take as
+# long again and are left out of the default tests. Sources are checked a batch at a time (tidy_batch says how), and
+# again when an object file of the batch is newer, which is when a source or a header that it includes has changed:
+# the build knows that already.
 # `kerf_format_check` compares all C++ files with what clang-format makes of them. Both need version 14.
 
-# kerf_tidy(TARGET STAMPS) adds the sources of one target, and what says that they are clean to a global property.
-function(kerf_tidy target stamps)
-  get_target_property(sources ${target} SOURCES)
+# kerf_tidy_sources(TARGET NAME) sets NAME to the full paths of the target's own sources.
+function(kerf_tidy_sources target name)
+  get_target_property(listed ${target} SOURCES)
   get_target_property(folder ${target} SOURCE_DIR)
-  foreach(source IN LISTS sources)
+  set(sources)
+  foreach(source IN LISTS listed)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder} NORMALIZE)
     cmake_path(IS_PREFIX PROJECT_BINARY_DIR ${source} generated)
-    if(generated OR NOT source MATCHES "\\.cpp$")
-      continue()
+    if(source MATCHES "\\.cpp$" AND NOT generated)
+      list(APPEND sources ${source})
     endif()
-    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${folder} OUTPUT_VARIABLE object)
-    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE name)
-    set(stamp ${PROJECT_BINARY_DIR}/lint/${name}.stamp)
-    cmake_path(GET stamp PARENT_PATH stamp_folder)
-    file(MAKE_DIRECTORY ${stamp_folder})
-    string(REGEX REPLACE "([][+.*()^$?|\\])" "\\\\\\1" pattern "/${object}.o")
-    add_custom_command(OUTPUT ${stamp}
-      COMMAND ${KERF_CLANG_TIDY} --quiet -p ${PROJECT_BINARY_DIR} ${source}
-      COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
-      DEPENDS ${PROJECT_SOURCE_DIR}/.clang-tidy $<FILTER:$<TARGET_OBJECTS:${target}>,INCLUDE,${pattern}$>
-      COMMENT "clang-tidy ${name}" VERBATIM)
-    set_property(GLOBAL APPEND PROPERTY ${stamps} ${stamp})
   endforeach()
+  set(${name} ${sources} PARENT_SCOPE)
 endfunction()
 
+# kerf_tidy_batch(TARGET STAMP SOURCE...) adds a command that makes the stamp if all these sources are clean.
+function(kerf_tidy_batch target stamp)
+  get_target_property(folder ${target} SOURCE_DIR)
+  set(objects)
+  foreach(source IN LISTS ARGN)
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${folder} OUTPUT_VARIABLE object)
+    string(REGEX REPLACE "([][+.*()^$?|\\])" "\\\\\\1" object "/${object}.o")
+    list(APPEND objects ${object})
+  endforeach()
+  list(JOIN objects "|" objects)
+  cmake_path(GET stamp STEM name)
+  add_custom_command(OUTPUT ${stamp}
+    COMMAND ${tidy_batch} ${KERF_CLANG_TIDY} ${PROJECT_BINARY_DIR} ${ARGN}
+    COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+    DEPENDS ${tidy_batch} ${PROJECT_SOURCE_DIR}/.clang-tidy ${PROJECT_SOURCE_DIR}/tests/.clang-tidy
+      "$<FILTER:$<TARGET_OBJECTS:${target}>,INCLUDE,(${objects})$>"
+    COMMENT "clang-tidy ${name}" VERBATIM)
+endfunction()
+
+# kerf_tidy(TARGET STAMPS) adds the batches of a target, and their stamps to a global property.
+function(kerf_tidy target stamps)
+  kerf_tidy_sources(${target} sources)
+  list(LENGTH sources count)
+  set(first 0)
+  while(first LESS count)
+    list(SUBLIST sources ${first} 12 batch)
+    set(stamp ${PROJECT_BINARY_DIR}/lint/${target}-${first}.stamp)
+    kerf_tidy_batch(${target} ${stamp} ${batch})
+    set_property(GLOBAL APPEND PROPERTY ${stamps} ${stamp})
+    math(EXPR first "${first} + 12")
+  endwhile()
+endfunction()
+
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/lint)
+set(tidy_batch ${PROJECT_SOURCE_DIR}/cmake/tidy_batch)
 set(rooms core viz sims2d sims3d frames tests)
 find_program(KERF_CLANG_TIDY clang-tidy-14)
 foreach(room IN LISTS rooms)
