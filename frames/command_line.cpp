@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <string>
 #include <system_error>
@@ -86,12 +87,19 @@ std::string help_hint(const CLI::App& program) {
          " --help`.";
 }
 
+/// An exit code: what was printed may lie in memory still, and only when it leaves that a full disk shows.
+int finish_output() {
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return kExitDone;
+  return report("cannot write standard output: what was printed is not whole", kExitFailure);
+}
+
 /// Runs the chosen subcommand and turns what it throws into an exit code.
 template <class... Command>
 int run(const CLI::App& program, const Command&... commands) {
   try {
     ((commands.chosen() ? commands.run() : void()), ...);
-    return kExitDone;
+    return finish_output();
   } catch (const UsageError& error) {
     return report(error.what() + help_hint(program), kExitUsage);
   } catch (const UnusableInput& error) {
@@ -133,7 +141,8 @@ int run_command_line(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {
-    return program.exit(help);
+    program.exit(help);
+    return finish_output();
   } catch (const CLI::ExtrasError&) {
     return report(unexpected_argument(program) + help_hint(program), kExitUsage);
   } catch (const CLI::ParseError& error) {

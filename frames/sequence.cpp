@@ -59,6 +59,10 @@ class Sequence {
       throw;
     }
     if (!manifest_.complete) throw Interrupted(interruption());
+    if (!is_recorded_)
+      throw Interrupted("interrupted: all frames are in " + folder_.path().string() + ", but " +
+                        request_.record.string() +
+                        " ends before the last step; the same command with --overwrite makes it whole");
     files_.finish();
   }
 
@@ -107,7 +111,7 @@ class Sequence {
     }
     crew_->finish();
     // A recording goes on to the last step, also when that is no frame.
-    if (!request_.record.empty()) film_->advance_to(steps.last, go_on);
+    if (!request_.record.empty()) is_recorded_ = film_->advance_to(steps.last, go_on);
     film_->finish();
   }
 
@@ -181,6 +185,7 @@ class Sequence {
   std::unique_ptr<FrameCrew> crew_;  ///< before the film, which may have threads
   std::unique_ptr<Film> film_;
   FilmFiles files_;
+  bool is_recorded_ = true;  ///< to the last step, if that was asked for
   std::atomic<std::uint32_t> finished_ = 0;
   std::chrono::steady_clock::time_point next_save_{};
 };

@@ -14,6 +14,7 @@
 #include "frames/interrupt.h"
 #include "frames/parse_whole.h"
 #include "frames/progress_line.h"
+#include "frames/report/gnuplot.h"
 
 namespace kerf {
 namespace {
@@ -47,7 +48,15 @@ class Experiment {
   }
 
   void report() const {
-    plot_experiment(folder_, runs_);
+    const InterruptGuard interrupt;
+    try {
+      plot_experiment(folder_, runs_);
+    } catch (const std::runtime_error&) {
+      if (!interrupt.requested()) throw;  // who is interrupted so is gnuplot
+    }
+    if (interrupt.requested())
+      throw Interrupted("interrupted: the simulations are in " + folder_.string() +
+                        "; the same command draws the figures");
     write_experiment_page(folder_, size_, runs_);
   }
 
@@ -112,6 +121,7 @@ void ExperimentCommand::run() const {
   if (!steps_.empty()) size.steps = parse_whole<std::uint32_t>("--steps", steps_, 50, 1'000'000);
   if (!objects_.empty()) size.objects = parse_whole<std::uint32_t>("--objects", objects_, 50, 100'000);
   if (!seed_.empty()) size.seed = parse_whole<std::uint32_t>("--seed", seed_, 0, UINT32_MAX);
+  require_gnuplot();
   const std::filesystem::path folder = out_.empty() ? "out/experiment" : out_;
   Experiment experiment(folder, size);
   experiment.run();

@@ -1,13 +1,13 @@
 #include "frames/experiment/experiment_plots.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "frames/bench/algorithm.h"
+#include "frames/report/gnuplot.h"
 
 namespace kerf {
 namespace {
@@ -20,36 +20,37 @@ using Value = std::function<double(const ExperimentStep&, std::size_t contestant
 struct Panel {
   const char* title;
   bool trees_only;
-  const char* setting;
-  Value value;  ///< negative: none
+  bool logarithmic;
+  Value value;  ///< none if negative, or 0 where there is no logarithm
 };
 
 const std::vector<Panel>& panels() {
   static const std::vector<Panel> kPanels{
-      {"frames a second", false, "set logscale y", [](const auto& row, std::size_t k) { return row.fps(k); }},
-      {"pairs (black) and candidates", false, "set logscale y",
+      {"frames a second", false, true, [](const auto& row, std::size_t k) { return row.fps(k); }},
+      {"pairs (black) and candidates", false, true,
        [](const auto& row, std::size_t k) { return row.contestants[k].candidates; }},
-      {"collision time, ms a step", false, "set logscale y",
+      {"collision time, ms a step", false, true,
        [](const auto& row, std::size_t k) { return row.contestants[k].collision; }},
-      {"overhead (update) time, ms a step", false, "set logscale y",
+      {"overhead (update) time, ms a step", false, true,
        [](const auto& row, std::size_t k) { return row.contestants[k].update; }},
-      {"depth of the BSP-tree", true, "set yrange [0:1<*]",
+      {"depth of the BSP-tree", true, false,
        [](const auto& row, std::size_t k) { return row.contestants[k].height; }},
-      {"leaves of the BSP-tree", true, "set yrange [0:1<*]",
+      {"leaves of the BSP-tree", true, false,
        [](const auto& row, std::size_t k) { return row.contestants[k].leaves; }},
-      {"operators of the BSP-tree so far", true, "set yrange [0:1<*]",
+      {"operators of the BSP-tree so far", true, false,
        [](const auto& row, std::size_t k) { return static_cast<double>(row.contestants[k].operators); }}};
   return kPanels;
 }
 
 /// The medians of `value` over stretches of the run, as lines "step value".
-std::string points(const ExperimentRun& run, const std::function<double(const ExperimentStep&)>& value) {
+std::string points(const ExperimentRun& run, bool logarithmic,
+                   const std::function<double(const ExperimentStep&)>& value) {
   std::ostringstream text;
   const std::size_t stretch = std::max<std::size_t>(5, run.size() / kPoints);
   for (std::size_t begin = 0; begin < run.size(); begin += stretch) {
     std::vector<double> values;
     for (std::size_t k = begin; k < std::min(begin + stretch, run.size()); ++k)
-      if (value(run[k]) >= 0) values.push_back(value(run[k]));
+      if (const double y = value(run[k]); y > 0 || (y == 0 && !logarithmic)) values.push_back(y);
     if (values.empty()) continue;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
@@ -72,18 +73,23 @@ std::string panel_script(const Panel& panel, const Simulation& simulation, const
     const std::string name(contestants()[k]);
     if (panel.trees_only && name != kTunedTree && name != kPaperTree) continue;
     const bool tree = name == kPaperTree;
-    add(k, points(run, [&](const ExperimentStep& row) { return panel.value(row, k); }),
+    add(k, points(run, panel.logarithmic, [&](const ExperimentStep& row) { return panel.value(row, k); }),
         "lt " + std::to_string(k + 1) + " lw " + (tree ? "2.5" : "1.3") + " title '" + name + "'");
   }
   if (std::string(panel.title).starts_with("pairs"))
     add(contestants().size(),
-        points(run, [](const ExperimentStep& row) { return static_cast<double>(row.pairs); }),
+        points(run, panel.logarithmic,
+               [](const ExperimentStep& row) { return static_cast<double>(row.pairs); }),
         "lc rgb 'black' dt 2 lw 1.5 title 'pairs, all alike'");
+  // gnuplot takes no plot without a point.
+  const bool empty = plot.str().empty();
+  if (empty) plot << "plot [0:" << run.size() << "] 0 notitle";
+  const std::string axis = panel.logarithmic && !empty ? "set logscale y\n" : "set yrange [0:1<*]\n";
   return "set title \"" +
          (&panel == &panels().front() ? "Simulation " + std::to_string(simulation.number) + ": " +
                                             std::string(simulation.title) + "\\n" + panel.title
                                       : std::string(panel.title)) +
-         "\"\nunset logscale y\nset yrange [*:*]\n" + panel.setting + "\n" + data.str() + plot.str() + "\n";
+         "\"\nunset logscale y\nset yrange [*:*]\n" + axis + data.str() + plot.str() + "\n";
 }
 
 std::string figure_script(const std::string& terminal, const std::filesystem::path& path, int left,
@@ -104,27 +110,20 @@ std::string figure_script(const std::string& terminal, const std::filesystem::pa
   return text.str();
 }
 
-void run_gnuplot(const std::string& script) {
-  constexpr const char* kAdvice =
-      "gnuplot failed; install it (apt-get install gnuplot-nox) and run the same command again: the "
-      "simulations "
-      "are kept";
-  std::FILE* const gnuplot = popen("gnuplot", "w");
-  if (gnuplot == nullptr) throw std::runtime_error(kAdvice);
-  const bool written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
-  if (pclose(gnuplot) != 0 || !written) throw std::runtime_error(kAdvice);
-}
-
 }  // namespace
 
 void plot_experiment(const std::filesystem::path& folder, const ExperimentRuns& runs) {
+  const auto draw = [](const std::string& script) {
+    if (!feed_gnuplot(script))
+      throw std::runtime_error("gnuplot did not draw the figures; the simulations are kept");
+  };
   for (const int figure : {12, 13}) {
     const std::string name = "figure-" + std::to_string(figure);
     const int left = 2 * (figure - 12);
-    run_gnuplot(figure_script("svg size 1500,2300 dynamic background rgb 'white' font 'DejaVu Sans,13'",
-                              folder / (name + ".svg"), left, runs));
-    run_gnuplot(figure_script("pngcairo size 1500,2300 background rgb 'white' font 'DejaVu Sans,11'",
-                              folder / (name + ".png"), left, runs));
+    draw(figure_script("svg size 1500,2300 dynamic background rgb 'white' font 'DejaVu Sans,13'",
+                       folder / (name + ".svg"), left, runs));
+    draw(figure_script("pngcairo size 1500,2300 background rgb 'white' font 'DejaVu Sans,11'",
+                       folder / (name + ".png"), left, runs));
   }
 }
 

@@ -76,16 +76,21 @@ void require_gnuplot() {
     throw std::runtime_error("there is no gnuplot, which draws the plots: apt-get install gnuplot-nox");
 }
 
+bool feed_gnuplot(const std::string& script) {
+  std::FILE* const gnuplot = popen("gnuplot 2>/dev/null", "w");
+  if (gnuplot == nullptr) throw std::runtime_error("no process for gnuplot");
+  const bool written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
+  return pclose(gnuplot) == 0 && written;
+}
+
 std::string run_gnuplot(const std::string& script, int width, int height, std::string_view id) {
   const ScratchFile picture;
-  FILE* const gnuplot = popen("gnuplot 2>/dev/null", "w");
-  if (gnuplot == nullptr) throw std::runtime_error("no process for gnuplot");
   const std::string head = "set encoding utf8\nset terminal svg noenhanced size " + std::to_string(width) +
                            "," + std::to_string(height) +
                            " font 'sans-serif,13' background 'white'\nset output " +
                            in_quotes(picture.name()) + "\n";
-  std::fputs((head + script + "\nset output\n").c_str(), gnuplot);
-  if (pclose(gnuplot) != 0) throw std::runtime_error("gnuplot did not draw the plot " + std::string(id));
+  if (!feed_gnuplot(head + script + "\nset output\n"))
+    throw std::runtime_error("gnuplot did not draw the plot " + std::string(id));
   return as_element(picture.text(), std::string(id));
 }
 

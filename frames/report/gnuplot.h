@@ -14,6 +14,9 @@ std::string plot_number(double x);
 /// figures that nobody can draw.
 void require_gnuplot();
 
+/// Has gnuplot run the script; false if it does not take it. What it says on the way is not shown.
+bool feed_gnuplot(const std::string& script);
+
 /// The picture that a script draws, of so many pixels, as an SVG element for a page in which `id` is unlike
 /// all others. The script is told no terminal and no output. Throws std::runtime_error if gnuplot does not
 /// take the script.
