@@ -12,10 +12,6 @@
 namespace kerf {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  throw std::system_error(error, std::generic_category(), "cannot write " + path.string());
-}
-
 bool write_all(int file, std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -28,6 +24,10 @@ bool write_all(int file, std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
+void fail_to_write(const std::filesystem::path& path, int error) {
+  throw std::system_error(error, std::generic_category(), "cannot write " + path.string());
+}
+
 std::filesystem::path part_path(const std::filesystem::path& path) {
   return path.parent_path() / ("." + path.stem().string() + ".part" + path.extension().string());
 }
@@ -35,13 +35,13 @@ std::filesystem::path part_path(const std::filesystem::path& path) {
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
   const std::filesystem::path part = part_path(path);
   const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) fail(path, errno);
+  if (file < 0) fail_to_write(path, errno);
   int error = write_all(file, bytes) ? 0 : errno;
   if (::close(file) != 0 && error == 0) error = errno;
   if (error == 0 && ::rename(part.c_str(), path.c_str()) != 0) error = errno;
   if (error == 0) return;
   ::unlink(part.c_str());
-  fail(path, error);
+  fail_to_write(path, error);
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::string_view text) {

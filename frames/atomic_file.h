@@ -13,6 +13,9 @@ namespace kerf {
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
+/// Throws the std::system_error that says so; `error` is what errno was.
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error);
+
 /// The temporary name used for `path`: same folder, same extension, marked as a part.
 std::filesystem::path part_path(const std::filesystem::path& path);
 

@@ -1,5 +1,6 @@
 #include "frames/part_recording.h"
 
+#include <system_error>
 #include <utility>
 
 #include "core/recording/schema.h"
@@ -18,7 +19,9 @@ PartRecording::~PartRecording() { remove_recording(part_); }
 /// The earlier recording goes first, with its log: SQLite would apply that to whatever has the name.
 void PartRecording::keep() {
   remove_recording(final_path_);
-  std::filesystem::rename(part_, final_path_);
+  std::error_code error;
+  std::filesystem::rename(part_, final_path_, error);
+  if (error) fail_to_write(final_path_, error.value());
 }
 
 }  // namespace kerf

@@ -12,7 +12,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using testing::Outcome;
-using testing::Process;
 using testing::read_text;
 using testing::run_kerf;
 using testing::TemporaryFolder;
@@ -82,6 +81,33 @@ TEST_F(OutputProgram, RerunKeepsAnEarlierRecordingWhenADecisionCannotBe) {
   const std::string before = read_text(file("old"));
   refusal({"rerun", file("a"), "-o", file("old"), "--overwrite", "--refuse", "e0"});
   EXPECT_EQ(read_text(file("old")), before);
+}
+
+TEST_F(OutputProgram, ExportReplacesFilesOnlyWhenAskedAndRecordingsNever) {
+  std::ofstream(path("steps.csv")) << "mine";
+  refusal({"export", file("none"), "--csv", "-o", path("steps.csv"), "--overwrite"}, 1);
+  EXPECT_THAT(refusal({"export", file("a"), "--csv", "-o", path("steps.csv")}), HasSubstr("--overwrite"));
+  EXPECT_EQ(read_text(path("steps.csv")), "mine");
+  const std::string before = read_text(file("a"));
+  EXPECT_THAT(refusal({"export", file("a"), "--csv", "-o", file("a"), "--overwrite"}),
+              HasSubstr("is the recording itself"));
+  EXPECT_EQ(read_text(file("a")), before);
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  EXPECT_THAT(refusal({"export", file("a"), "--csv", "-o", path("pipe"), "--overwrite"}),
+              HasSubstr("is no regular file"));
+  EXPECT_TRUE(std::filesystem::is_fifo(path("pipe")));
+  ASSERT_EQ(run_kerf({"export", file("a"), "--csv", "-o", path("steps.csv"), "--overwrite"}).exit, 0);
+  EXPECT_EQ(read_text(path("steps.csv")), run_kerf({"export", file("a"), "--csv"}).out);
+}
+
+TEST_F(OutputProgram, ExportLeavesNoHalfFile) {
+  const auto before = files();
+  const Outcome outcome = run_kerf({"export", file("a"), "--boxes", "-o", path("boxes.csv")}, {1000, ""});
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("cannot write " + path("boxes.csv")));
+  EXPECT_EQ(files(), before);
+  EXPECT_THAT(refusal({"export", file("a"), "--csv", "-o", path("none/steps.csv")}, 1),
+              HasSubstr("none/steps.csv: No such file"));
 }
 
 }  // namespace
