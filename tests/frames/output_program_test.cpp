@@ -110,5 +110,18 @@ TEST_F(OutputProgram, ExportLeavesNoHalfFile) {
               HasSubstr("none/steps.csv: No such file"));
 }
 
+TEST_F(OutputProgram, ImportKeepsAnEarlierRecordingUntilThereIsANewOne) {
+  const std::string before = read_text(file("a"));
+  refusal({"import", path("none.csv"), "-o", file("a"), "--overwrite"}, 1);
+  std::ofstream(path("boxes.csv")) << "1,0,0,1,0,1\n1,1,0,1,0,one\n";
+  refusal({"import", path("boxes.csv"), "-o", file("a"), "--overwrite"});
+  std::ofstream(path("boxes.csv")) << "1,0,0,1,0,1\n1,1,0,1,0,1\n";
+  refusal({"import", path("boxes.csv"), "-o", file("a"), "--overwrite", "--pairs", path("none.csv")}, 1);
+  EXPECT_EQ(read_text(file("a")), before);
+  ASSERT_EQ(run_kerf({"import", path("boxes.csv"), "-o", file("a"), "--overwrite"}).exit, 0);
+  EXPECT_EQ(RecordingReader<2>(file("a")).steps(), 1U);
+  EXPECT_EQ(files(), (std::vector<std::string>{"a.kerf", "boxes.csv"}));
+}
+
 }  // namespace
 }  // namespace kerf

@@ -196,6 +196,24 @@ TEST_F(QueryProgram, TheirMissedExtraAndRepeatedPairsAreFound) {
   EXPECT_THAT(why.out, HasSubstr("the other engine missed it"));
 }
 
+/// Boxes without a line stay as they are, also when their pairs are told for longer.
+TEST_F(QueryProgram, TheirPairsAreJudgedToTheirLastStep) {
+  std::ofstream(path("boxes.csv")) << "10,0,0,1,0,1\n10,1,1,2,0,1\n";
+  std::ofstream(path("pairs.csv")) << "10,0,1\n13,0,1\n";
+  const Outcome imported =
+      run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("b")});
+  ASSERT_EQ(imported.exit, 0) << imported.err;
+  EXPECT_THAT(imported.out, HasSubstr("4 steps"));
+  EXPECT_THAT(imported.out, HasSubstr("2 told, 2 missed, 0 extra"));
+  EXPECT_THAT(imported.out, HasSubstr("first wrong in step 2"));
+  std::ofstream(path("pairs.csv")) << "10,0,1\n9,0,1\n";
+  const Outcome early =
+      run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("c")});
+  EXPECT_EQ(early.exit, 2);
+  EXPECT_THAT(early.err, HasSubstr("pairs.csv, line 2"));
+  EXPECT_THAT(early.err, HasSubstr("step 10"));
+}
+
 TEST_F(QueryProgram, MistakesInAnImportAreNamedByTheirLine) {
   const auto refusal = [&](const std::string& text) {
     std::ofstream(path("boxes.csv")) << text;
