@@ -256,6 +256,12 @@ TEST_F(QueryProgram, DrawsTheMomentThatItFinds) {
   const Outcome outcome = run_kerf({"step", file("a"), "--to", "step==40", "--picture", path("40.png")});
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
   EXPECT_GT(std::filesystem::file_size(path("40.png")), 1000U);
+  const Outcome fewer =
+      run_kerf({"step", file("a"), "--to", "step>=40", "--hits", "50", "--picture", path("last.png")});
+  EXPECT_EQ(fewer.exit, 0) << fewer.err;
+  ASSERT_TRUE(std::filesystem::exists(path("last.png")));
+  ASSERT_EQ(run_kerf({"step", file("a"), "--to", "step==60", "--picture", path("60.png")}).exit, 0);
+  EXPECT_TRUE(testing::read_text(path("last.png")) == testing::read_text(path("60.png")));
 }
 
 }  // namespace
