@@ -13,6 +13,15 @@ namespace kerf {
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
 
+/// Writes what `from` holds, in the same way. Throws std::runtime_error also if that cannot be read.
+void copy_file_atomically(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Proves that the file could be written now, for whoever has long work before that. Throws as writing would.
+void check_writable(const std::filesystem::path& path);
+
+/// Throws the std::system_error that says so; `error` is what errno was.
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error);
+
 /// The temporary name used for `path`: same folder, same extension, marked as a part.
 std::filesystem::path part_path(const std::filesystem::path& path);
 

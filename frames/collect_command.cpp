@@ -45,8 +45,10 @@ bool CollectCommand::chosen() const { return command_->parsed(); }
 
 void CollectCommand::run() const {
   const FilmRequest film = parse_film_request(video_, fps_, contact_sheet_, overwrite_);
+  const std::vector<std::filesystem::path> folders(folders_.begin(), folders_.end());
+  if (!out_.empty()) check_apart(out_, folders);
   const InterruptGuard interrupt;
-  const Collection collection = collect({folders_.begin(), folders_.end()});
+  const Collection collection = collect(folders);
   const std::string gaps = describe_gaps(collection);
   if (!gaps.empty()) throw std::runtime_error(gaps);
   const Manifest& manifest = collection.manifest;

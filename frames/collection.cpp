@@ -1,9 +1,13 @@
 #include "frames/collection.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 
+#include "frames/atomic_file.h"
+#include "frames/diff/sidecar.h"
 #include "frames/errors.h"
 #include "frames/folder_lock.h"
 #include "frames/sequence_folder.h"
@@ -45,7 +49,32 @@ std::string ranges_of(const std::vector<std::uint32_t>& numbers) {
   return text;
 }
 
+/// Whether `path` is `folder` or lies in it; both are resolved.
+bool is_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+/// As it is called without links, dots and a slash at the end, whether it is there or not.
+std::filesystem::path resolved(const std::filesystem::path& folder) {
+  const std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(folder));
+  return path.has_filename() ? path : path.parent_path();
+}
+
+/// A hard link, or a copy where that cannot be.
+void put(const std::filesystem::path& file, const std::filesystem::path& target) {
+  std::error_code cannot_link;
+  std::filesystem::create_hard_link(file, target, cannot_link);
+  if (cannot_link) copy_file_atomically(file, target);
+}
+
 }  // namespace
+
+void check_apart(const std::filesystem::path& out, const std::vector<std::filesystem::path>& sources) {
+  for (const std::filesystem::path& source : sources)
+    if (is_within(resolved(out), resolved(source)) || is_within(resolved(source), resolved(out)))
+      throw UsageError("--out " + out.string() + " is, holds or lies in " + source.string() +
+                       ", which is collected; choose a folder beside it");
+}
 
 Collection collect(const std::vector<std::filesystem::path>& folders) {
   Collection collection;
@@ -97,9 +126,10 @@ void gather(const Collection& collection, const std::filesystem::path& folder, b
   const FolderLock lock(folder);
   target.clear();
   for (const CollectedFrame& frame : collection.frames) {
-    std::error_code cannot_link;
-    std::filesystem::create_hard_link(frame.path(), folder / frame.record.file, cannot_link);
-    if (cannot_link) std::filesystem::copy_file(frame.path(), folder / frame.record.file);
+    const std::filesystem::path to = folder / frame.record.file;
+    put(frame.path(), to);
+    for (const auto beside : {ids_path, draw_list_path})
+      if (std::filesystem::exists(beside(frame.path()))) put(beside(frame.path()), beside(to));
   }
   Manifest whole = collection.manifest;
   whole.shard = {};

@@ -33,8 +33,13 @@ Collection collect(const std::vector<std::filesystem::path>& folders);
 /// Which frames are missing and what makes them, in a few words; empty if none are.
 std::string describe_gaps(const Collection& collection);
 
-/// Puts all frames (as hard links, or copies where that cannot be) and one manifest into a folder. Throws
-/// UsageError if the folder holds a sequence and `overwrite` is false.
+/// Throws UsageError if `out`, from which an earlier sequence may be removed, is one of the folders that are
+/// read, holds one or lies in one.
+void check_apart(const std::filesystem::path& out, const std::vector<std::filesystem::path>& sources);
+
+/// Puts all frames, what lies beside them (as hard links, or copies where that cannot be) and one manifest
+/// into a folder. Throws UsageError if the folder holds a sequence and `overwrite` is false,
+/// std::runtime_error with path and reason if a file cannot be written.
 void gather(const Collection& collection, const std::filesystem::path& folder, bool overwrite);
 
 }  // namespace kerf

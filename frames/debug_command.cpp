@@ -107,6 +107,19 @@ DebugCommand::DebugCommand(CLI::App& program)
 
 bool DebugCommand::chosen() const { return command_->parsed(); }
 
+std::filesystem::path DebugCommand::recording(const std::filesystem::path& scratch) const {
+  if (names_recording(texts_)) {
+    refuse_scene_options(texts_);
+    refuse_of_recording(texts_, "--steps", texts_.steps);
+    return texts_.scene;
+  }
+  RenderTexts texts = texts_;
+  if (texts.steps.empty()) texts.steps = "300";
+  if (texts.record.empty()) texts.record = scratch / "run.kerf";
+  record_scene(parse_request(texts));
+  return texts.record;
+}
+
 void DebugCommand::run() const {
   if (headless_ && script_.empty())
     throw UsageError("--headless has nobody to drive it; give a --script, or leave it out for a window");
@@ -121,14 +134,7 @@ void DebugCommand::run() const {
     throw UsageError("--size " + texts_.size + ": the panels need at least " +
                      std::to_string(kLeastDebuggerWidth) + "x" + std::to_string(kLeastDebuggerHeight));
   const ScratchFolder scratch;
-  std::filesystem::path file = texts_.scene;
-  if (!std::filesystem::exists(file)) {
-    RenderTexts texts = texts_;
-    if (texts.steps.empty()) texts.steps = "300";
-    if (texts.record.empty()) texts.record = scratch.path() / "run.kerf";
-    record_scene(parse_request(texts));
-    file = texts.record;
-  }
+  const std::filesystem::path file = recording(scratch.path());
   tune_allocator_for_rendering();
   const Session session{file, scratch.path(), out_.empty() ? "." : out_, size};
   try {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "frames/render_request.h"
@@ -20,6 +21,9 @@ class DebugCommand {
   void run() const;
 
  private:
+  /// The one that was given, or that is made of the scene, below `scratch` unless it is to be kept.
+  [[nodiscard]] std::filesystem::path recording(const std::filesystem::path& scratch) const;
+
   CLI::App* command_;
   RenderTexts texts_;
   std::string script_;

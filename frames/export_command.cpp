@@ -1,12 +1,14 @@
 #include "frames/export_command.h"
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
 #include "frames/errors.h"
 #include "frames/export_recording.h"
+#include "frames/interrupt.h"
+#include "frames/output_file.h"
+#include "frames/part_file.h"
 #include "frames/recording_file.h"
 
 namespace kerf {
@@ -21,23 +23,34 @@ ExportCommand::ExportCommand(CLI::App& program)
                    "A line for each box that came, went or changed: what `kerf import` reads");
   format->require_option(1);
   command_->add_option("-o,--out", out_, "Where to (default: standard output)")->type_name("FILE");
+  command_->add_flag("--overwrite", overwrite_, "Replace an earlier file");
   command_->footer("A timeline is shown by chrome://tracing and https://ui.perfetto.dev.");
 }
 
 bool ExportCommand::chosen() const { return command_->parsed(); }
 
 void ExportCommand::run() const {
-  std::ofstream file;
-  if (!out_.empty()) file.open(out_);
-  std::ostream& out = out_.empty() ? std::cout : file;
-  if (!out) throw std::runtime_error("cannot write " + out_);
+  const auto write = [this](auto& recording, std::ostream& out, const OnStep& on_step) {
+    if (chrome_trace_) export_chrome_trace(recording, out, on_step);
+    if (csv_) export_steps(recording, out, on_step);
+    if (boxes_) export_boxes(recording, out, on_step);
+  };
+  if (out_.empty()) {
+    with_recording(file_, [&](auto recording) { write(*recording, std::cout, [](std::uint32_t) {}); });
+    if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
+    return;
+  }
+  check_not_input(out_, file_);
+  check_free(out_, overwrite_);
   with_recording(file_, [&](auto recording) {
-    if (chrome_trace_) export_chrome_trace(*recording, out);
-    if (csv_) export_steps(*recording, out);
-    if (boxes_) export_boxes(*recording, out);
+    const InterruptGuard interrupt;
+    PartFile file(out_);
+    write(*recording, file.stream(), [&](std::uint32_t) {
+      file.check();
+      if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
+    });
+    file.keep();
   });
-  out.flush();
-  if (!out) throw std::runtime_error("cannot write " + (out_.empty() ? "to standard output" : out_));
 }
 
 }  // namespace kerf

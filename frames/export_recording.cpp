@@ -67,10 +67,11 @@ void put_box(std::uint32_t step, ObjectId object, const Box<D>* box, bool fixed,
 }  // namespace
 
 template <int D>
-void export_chrome_trace(RecordingReader<D>& recording, std::ostream& out) {
+void export_chrome_trace(RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step) {
   double time = 0;
   out << "{\"traceEvents\":[\n";
   for (const StepRow& row : recording.rows()) {
+    on_step(row.step);
     const double operators = put_slices(row, time, out);
     put_counters(row, time, out);
     for (const Event& event : recording.step(row.step).events)
@@ -85,13 +86,14 @@ void export_chrome_trace(RecordingReader<D>& recording, std::ostream& out) {
 }
 
 template <int D>
-void export_steps(const RecordingReader<D>& recording, std::ostream& out) {
+void export_steps(const RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step) {
   out << "step,objects,changed,pairs,height,leaves,entries,redundancy,balances,shift_splits,splits,swaps,"
          "merges,refused,"
          "deferred,placed,first_event,events,place_seconds,sort_seconds,schedule_seconds,operate_seconds,"
          "sweep_seconds,"
          "state_hash\n";
   for (const StepRow& row : recording.rows()) {
+    on_step(row.step);
     const Statistics& s = row.statistics;
     out << row.step << ',' << s.objects << ',' << row.changed << ',' << row.pairs << ',' << s.height << ','
         << s.leaves << ',' << s.entries << ',' << s.redundancy;
@@ -104,10 +106,11 @@ void export_steps(const RecordingReader<D>& recording, std::ostream& out) {
 }
 
 template <int D>
-void export_boxes(RecordingReader<D>& recording, std::ostream& out) {
+void export_boxes(RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step) {
   out << "step,object,min_x,max_x,min_y,max_y" << (D == 3 ? ",min_z,max_z" : "") << ",fixed\n";
   std::vector<bool> fixed;
   for (std::uint32_t step = 1; step <= recording.steps(); ++step) {
+    on_step(step);
     const StepRequests<D>& requests = recording.step(step).requests;
     std::size_t k = 0;
     for (const Call& call : requests.calls) {
@@ -122,10 +125,10 @@ void export_boxes(RecordingReader<D>& recording, std::ostream& out) {
   }
 }
 
-#define KERF_INSTANTIATE(D)                                                 \
-  template void export_chrome_trace<D>(RecordingReader<D>&, std::ostream&); \
-  template void export_steps<D>(const RecordingReader<D>&, std::ostream&);  \
-  template void export_boxes<D>(RecordingReader<D>&, std::ostream&);
+#define KERF_INSTANTIATE(D)                                                                \
+  template void export_chrome_trace<D>(RecordingReader<D>&, std::ostream&, const OnStep&); \
+  template void export_steps<D>(const RecordingReader<D>&, std::ostream&, const OnStep&);  \
+  template void export_boxes<D>(RecordingReader<D>&, std::ostream&, const OnStep&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

@@ -1,25 +1,30 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <iosfwd>
 
 #include "core/recording/recording_reader.h"
 
 namespace kerf {
 
+/// Told of each step before it is written; what it throws ends the export.
+using OnStep = std::function<void(std::uint32_t step)>;
+
 /// The broad phase's time as a timeline in the trace-event format: a slice for each step and phase, a mark
 /// for each operator, curves of pairs, entries, deferred events and redundancy. The steps follow one another
 /// without gaps.
 template <int D>
-void export_chrome_trace(RecordingReader<D>& recording, std::ostream& out);
+void export_chrome_trace(RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step);
 
 /// The table of steps as CSV, with a heading.
 template <int D>
-void export_steps(const RecordingReader<D>& recording, std::ostream& out);
+void export_steps(const RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step);
 
 /// Every change of a box as CSV, with a heading: step,object,min_x,max_x,min_y,max_y[,min_z,max_z],fixed.
 /// Bounds are empty where an object goes. Numbers have as many digits as it takes to read them back bit by
 /// bit.
 template <int D>
-void export_boxes(RecordingReader<D>& recording, std::ostream& out);
+void export_boxes(RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step);
 
 }  // namespace kerf

@@ -2,18 +2,10 @@
 
 #include "frames/atomic_file.h"
 #include "frames/errors.h"
+#include "frames/output_file.h"
 #include "frames/parse_number.h"
 
 namespace kerf {
-namespace {
-
-/// A film or contact sheet replaces an earlier file only if the user said so.
-void check_free(const std::filesystem::path& file, bool overwrite) {
-  if (file.empty() || overwrite || !std::filesystem::exists(file)) return;
-  throw UsageError(file.string() + " exists already; choose another name, or replace it with --overwrite");
-}
-
-}  // namespace
 
 FilmRequest parse_film_request(const std::string& video, const std::string& fps,
                                const std::string& contact_sheet, bool overwrite) {

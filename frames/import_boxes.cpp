@@ -18,13 +18,17 @@ constexpr std::uint32_t kMostObjects = 10'000'000;
 
 using PairsByStep = std::map<std::uint32_t, std::vector<Pair>>;
 
-PairsByStep read_pairs(const std::filesystem::path& path) {
+/// `first` is the first step of the boxes.
+PairsByStep read_pairs(const std::filesystem::path& path, std::uint32_t first) {
   PairsByStep pairs;
   if (path.empty()) return pairs;
   CsvLines lines(path);
   while (lines.next()) {
     if (lines.columns() != 3) lines.reject("a pair has three columns: step,a,b");
     const std::uint32_t step = lines.whole(0, kMostSteps);
+    if (step < first)
+      lines.reject("step " + std::to_string(step) + " is before the first one of the boxes, step " +
+                   std::to_string(first));
     const ObjectId a{lines.whole(1, kMostObjects)};
     const ObjectId b{lines.whole(2, kMostObjects)};
     if (a == b) lines.reject("an object makes no pair with itself");
@@ -52,7 +56,9 @@ class Import {
       while (*step_ < step) end_step();
       take(lines);
     } while (lines.next());
-    end_step();
+    const std::uint32_t last = pairs_.empty() ? 0 : pairs_.rbegin()->first;
+    do end_step();
+    while (*step_ <= last);
     recorder_.finish();
     print();
   }
@@ -130,7 +136,7 @@ class Import {
 void import_boxes(const ImportRequest& request) {
   CsvLines lines(request.boxes);
   if (!lines.next()) throw UsageError(request.boxes.string() + " has no boxes");
-  PairsByStep pairs = read_pairs(request.pairs);
+  PairsByStep pairs = read_pairs(request.pairs, lines.whole(0, kMostSteps));
   if (lines.columns() == 6 || lines.columns() == 7) {
     Import<2>(request, std::move(pairs)).run(lines);
   } else if (lines.columns() == 8 || lines.columns() == 9) {

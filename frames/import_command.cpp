@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/recording/schema.h"
 #include "frames/import_boxes.h"
 #include "frames/parse_config.h"
+#include "frames/part_recording.h"
 #include "frames/recording_file.h"
 
 namespace kerf {
@@ -24,8 +24,10 @@ ImportCommand::ImportCommand(CLI::App& program)
       "        Steps rise, objects are numbered from 0. A line adds an object or changes its box; where the\n"
       "        bounds are empty, the object goes. Objects without a line stay as they are. fixed is 0 or 1:\n"
       "        two fixed objects are no pair.\n"
-      "        The first step becomes step 1. What is wrong with their pairs is then found by\n"
-      "        `kerf step FILE --to 'missed>0'` and `kerf explain`.");
+      "        The first step becomes step 1.\n"
+      "PAIRS   step,a,b   of the boxes' first step or a later one, also one after their last\n"
+      "        What is wrong with them is then found by `kerf step FILE --to 'missed>0'` and `kerf "
+      "explain`.");
 }
 
 bool ImportCommand::chosen() const { return command_->parsed(); }
@@ -34,15 +36,12 @@ void ImportCommand::run() const {
   ImportRequest request;
   request.boxes = boxes_;
   request.pairs = pairs_;
-  request.out = out_;
   request.config = parse_config("--config", config_, {});
-  clear_recording_path(request.out, overwrite_);
-  try {
-    import_boxes(request);
-  } catch (...) {
-    remove_recording(request.out);
-    throw;
-  }
+  check_recording_path(out_, overwrite_);
+  PartRecording part(out_);
+  request.out = part.path();
+  import_boxes(request);
+  part.keep();
 }
 
 }  // namespace kerf

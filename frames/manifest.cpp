@@ -1,9 +1,11 @@
 #include "frames/manifest.h"
 
+#include <charconv>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "frames/atomic_file.h"
@@ -32,7 +34,30 @@ Json config_json(const Config& config) {
   return json;
 }
 
-std::uint64_t from_hex(const Json& text) { return std::stoull(text.get<std::string>(), nullptr, 16); }
+/// Hexadecimal, as `hex` writes it.
+std::uint64_t from_hex(const Json& json) {
+  const std::string text = json.get<std::string>();
+  std::uint64_t hash = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, hash, 16);
+  if (error != std::errc{} || stop != end) throw std::out_of_range("'" + text + "' is no hash");
+  return hash;
+}
+
+/// Puts a whole number into `number`; JSON's own conversion cuts off what does not fit.
+template <class Whole>
+void take(const Json& json, const char* key, Whole& number) {
+  const Json& value = json.at(key);
+  if (!value.is_number_unsigned() || !std::in_range<Whole>(value.get<std::uint64_t>()))
+    throw std::out_of_range(std::string(key) + " is no whole number in range");
+  number = value.get<Whole>();
+}
+
+/// A file of that name lies in the folder itself.
+void check_plain(const std::string& file) {
+  if (file.empty() || file == "." || file == ".." || file.find('/') != std::string::npos)
+    throw std::out_of_range("'" + file + "' is no name of a file in its folder");
+}
 
 Json frame_json(const FrameRecord& frame) {
   Json operators = Json::object();
@@ -57,20 +82,19 @@ Json frame_json(const FrameRecord& frame) {
 
 FrameRecord frame_of(const Json& json) {
   FrameRecord frame;
-  json.at("index").get_to(frame.index);
+  take(json, "index", frame.index);
   json.at("file").get_to(frame.file);
-  json.at("step").get_to(frame.step);
-  json.at("objects").get_to(frame.objects);
-  json.at("pairs").get_to(frame.pairs);
-  json.at("contacts").get_to(frame.contacts);
-  json.at("height").get_to(frame.height);
-  json.at("leaves").get_to(frame.leaves);
-  json.at("entries").get_to(frame.entries);
+  take(json, "step", frame.step);
+  take(json, "objects", frame.objects);
+  take(json, "pairs", frame.pairs);
+  take(json, "contacts", frame.contacts);
+  take(json, "height", frame.height);
+  take(json, "leaves", frame.leaves);
+  take(json, "entries", frame.entries);
   for (int i = 0; i < kOperatorCount; ++i)
-    json.at("operators")
-        .at(std::string(to_string(static_cast<Operator>(i))))
-        .get_to(frame.operators[static_cast<std::size_t>(i)]);
-  json.at("events").get_to(frame.events);
+    take(json.at("operators"), to_string(static_cast<Operator>(i)).data(),
+         frame.operators[static_cast<std::size_t>(i)]);
+  take(json, "events", frame.events);
   frame.state_hash = from_hex(json.at("state_hash"));
   frame.pixel_hash = from_hex(json.at("pixel_hash"));
   return frame;
@@ -112,15 +136,33 @@ Json to_object(const Manifest& manifest) {
   return json;
 }
 
+/// What others divide by, count to or open. Throws UsageError or std::out_of_range.
+void check(const Manifest& manifest) {
+  check(manifest.steps, "steps");
+  check(manifest.size, "size");
+  if (manifest.shard.index >= manifest.shard.count)
+    throw std::out_of_range("the shard's index is not below their count");
+  check_plain(frame_file_name(manifest.name, 0));
+  for (const FrameRecord& frame : manifest.frames) {
+    check_plain(frame.file);
+    if (frame.index >= manifest.steps.frames())
+      throw std::out_of_range("frame " + std::to_string(frame.index) + " comes after the last");
+  }
+}
+
 Manifest from_object(Json json) {
   Manifest manifest;
   json.at("name").get_to(manifest.name);
-  const Json& steps = json.at("steps");
-  manifest.steps = {steps.at("first"), steps.at("last"), steps.at("stride")};
-  manifest.size = {json.at("size").at("width"), json.at("size").at("height")};
-  manifest.shard = {json.at("shard").at("index"), json.at("shard").at("count")};
+  take(json.at("steps"), "first", manifest.steps.first);
+  take(json.at("steps"), "last", manifest.steps.last);
+  take(json.at("steps"), "stride", manifest.steps.stride);
+  take(json.at("size"), "width", manifest.size.width);
+  take(json.at("size"), "height", manifest.size.height);
+  take(json.at("shard"), "index", manifest.shard.index);
+  take(json.at("shard"), "count", manifest.shard.count);
   json.at("complete").get_to(manifest.complete);
   for (const Json& frame : json.at("frames")) manifest.frames.push_back(frame_of(frame));
+  check(manifest);
   for (const char* const rest : {"shard", "complete", "frames"}) json.erase(rest);
   manifest.header = dump(json, -1);
   return manifest;
@@ -158,14 +200,11 @@ Manifest read_manifest(const std::filesystem::path& folder) {
   if (!file) throw std::runtime_error("cannot read " + path.string());
   try {
     Json json = Json::parse(file);
-    if (json.at("format") != kFormat)
-      throw std::runtime_error(path.string() + " is of another version of kerf: render anew");
-    return from_object(std::move(json));
-  } catch (const std::logic_error& error) {
-    throw std::runtime_error(path.string() + " is damaged: " + error.what());
-  } catch (const Json::exception& error) {
-    throw std::runtime_error(path.string() + " is damaged: " + error.what());
+    if (json.at("format") == kFormat) return from_object(std::move(json));
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path.string() + " is damaged (" + error.what() + "): render anew");
   }
+  throw std::runtime_error(path.string() + " is of another version of kerf: render anew");
 }
 
 std::string first_difference(const std::string& header, const std::string& other) {

@@ -7,11 +7,12 @@
 
 #include "core/query/minimize.h"
 #include "core/query/search.h"
-#include "core/recording/schema.h"
 #include "frames/atomic_file.h"
 #include "frames/errors.h"
 #include "frames/interrupt.h"
+#include "frames/output_file.h"
 #include "frames/parse_expression.h"
+#include "frames/part_recording.h"
 #include "frames/recording_file.h"
 #include "frames/recording_picture.h"
 #include "frames/test_of_scenario.h"
@@ -22,19 +23,13 @@ namespace {
 struct MinimizeRequest {
   Expression when;
   std::filesystem::path out;
-};
 
-/// A recording for one trial; it goes away with the object.
-class Trial {
- public:
-  explicit Trial(const std::filesystem::path& beside) : path_(beside.string() + ".trial") {}
-  ~Trial() { remove_recording(path_); }
-  Trial(const Trial&) = delete;
-  Trial& operator=(const Trial&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
+  [[nodiscard]] std::filesystem::path picture() const {
+    return std::filesystem::path(out).replace_extension(".png");
+  }
+  [[nodiscard]] std::filesystem::path test() const {
+    return std::filesystem::path(out).replace_extension(".cpp");
+  }
 };
 
 template <int D>
@@ -43,27 +38,33 @@ std::optional<Position> first_hit(const std::filesystem::path& path, const Expre
   return search.forward(when, Position::end_of(0));
 }
 
+/// Returns where the condition holds in it.
+template <int D>
+Position write_recording(const Scenario<D>& scenario, const MinimizeRequest& request) {
+  PartRecording part(request.out);
+  record(scenario, part.path());
+  const auto hit = first_hit<D>(part.path(), request.when);
+  if (!hit) throw std::runtime_error("the small recording does not show the condition");
+  part.keep();
+  return *hit;
+}
+
 template <int D>
 void write_results(const Scenario<D>& scenario, const MinimizeRequest& request) {
-  record(scenario, request.out);
+  const Position hit = write_recording(scenario, request);
   const auto recording = std::make_shared<RecordingReader<D>>(request.out);
-  Search<D> search(recording);
-  const auto hit = search.forward(request.when, Position::end_of(0));
-  if (!hit) throw std::runtime_error("the small recording does not show the condition");
   Cursor<D> cursor(recording);
-  cursor.go(*hit);
-  std::filesystem::path picture = request.out;
-  draw_moment(cursor, {1280, 720}, picture.replace_extension(".png"));
-  std::filesystem::path test = request.out;
+  cursor.go(hit);
+  draw_moment(cursor, {1280, 720}, request.picture());
   const std::uint64_t hash = recording->rows().back().state_hash;
-  write_file_atomically(test.replace_extension(".cpp"),
-                        test_of_scenario(scenario, request.when.text(), hash));
+  write_file_atomically(request.test(), test_of_scenario(scenario, request.when.text(), hash));
   std::printf(
       "%s: %zu steps, %zu objects, %zu requests, %zu kinds of operators in them; it holds at %s\n%s: a "
       "picture of that moment\n%s: a C++ "
       "test\n",
       request.out.c_str(), scenario.steps.size(), objects_of(scenario).size(), scenario.requests(),
-      acting_operators(scenario).size(), to_string(*hit).c_str(), picture.c_str(), test.c_str());
+      acting_operators(scenario).size(), to_string(hit).c_str(), request.picture().c_str(),
+      request.test().c_str());
 }
 
 template <int D>
@@ -80,7 +81,7 @@ void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
     if (interrupt.requested())
       throw Interrupted("interrupted after " + std::to_string(trials) + " trials; nothing was written");
     ++trials;
-    const Trial trial(request.out);
+    const PartRecording trial(request.out);
     record(scenario, trial.path());
     return first_hit<D>(trial.path(), request.when).has_value();
   };
@@ -106,6 +107,18 @@ void check(const Expression& when) {
     throw UsageError("--when: times differ from run to run; give a condition that does not speak of them");
 }
 
+/// Three files are written, of which none may be what is read or, unless the user said so, be there already.
+void check_files(const MinimizeRequest& request, const std::filesystem::path& recording, bool overwrite) {
+  if (request.out == request.picture() || request.out == request.test())
+    throw UsageError("--out '" + request.out.string() +
+                     "': the picture and the test get the names with .png and .cpp; choose another ending");
+  for (const std::filesystem::path& file : {request.out, request.picture(), request.test()})
+    check_not_input(file, recording);
+  check_recording_path(request.out, overwrite);
+  check_free(request.picture(), overwrite);
+  check_free(request.test(), overwrite);
+}
+
 }  // namespace
 
 MinimizeCommand::MinimizeCommand(CLI::App& program)
@@ -129,10 +142,7 @@ bool MinimizeCommand::chosen() const { return command_->parsed(); }
 void MinimizeCommand::run() const {
   const MinimizeRequest request{parse_expression("--when", when_), out_};
   check(request.when);
-  if (request.out.extension() == ".png" || request.out.extension() == ".cpp")
-    throw UsageError("--out '" + out_ +
-                     "': the picture and the test get the names with .png and .cpp; choose another ending");
-  clear_recording_path(request.out, overwrite_);
+  check_files(request, file_, overwrite_);
   with_recording(file_, [&](auto recording) { minimize_recording(recording, request); });
 }
 

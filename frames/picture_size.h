@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace kerf {
@@ -11,8 +12,11 @@ struct PictureSize {
   friend bool operator==(const PictureSize&, const PictureSize&) = default;
 };
 
-/// Reads "1280x720". Throws UsageError for anything else, and for sides that no frame can have
-/// (kMinFrameSide to kMaxFrameSide).
+/// Throws UsageError, beginning with `given`, for sides that no frame can have (kMinFrameSide to
+/// kMaxFrameSide).
+void check(const PictureSize& size, const std::string& given);
+
+/// Reads "1280x720". Throws UsageError for anything else, and as `check` does.
 PictureSize parse_picture_size(std::string_view text);
 
 }  // namespace kerf

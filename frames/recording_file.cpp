@@ -2,6 +2,7 @@
 
 #include "core/recording/schema.h"
 #include "frames/errors.h"
+#include "frames/output_file.h"
 #include "frames/parse_number.h"
 
 namespace kerf {
@@ -27,13 +28,15 @@ std::string broad_phase_of(const RecordingInfo& info) {
   return info.imported ? "kerf, of imported boxes" : "kerf";
 }
 
-void clear_recording_path(const std::filesystem::path& path, bool overwrite) {
-  if (!std::filesystem::exists(path)) return;
-  if (!overwrite)
-    throw UsageError(path.string() + " exists already; choose another name, or replace it with --overwrite");
-  if (!is_recording(path))
+void check_recording_path(const std::filesystem::path& path, bool overwrite) {
+  check_free(path, overwrite);
+  if (std::filesystem::exists(path) && !is_recording(path))
     throw UsageError(path.string() + " is no recording and is not replaced; choose another name");
-  remove_recording(path);
+}
+
+void clear_recording_path(const std::filesystem::path& path, bool overwrite) {
+  check_recording_path(path, overwrite);
+  if (std::filesystem::exists(path)) remove_recording(path);
 }
 
 template <int D>

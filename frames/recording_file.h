@@ -16,8 +16,11 @@ RecordingInfo recording_info(const RenderRequest& request);
 /// How captions call what found the pairs of a recording: our tree, in whatever engine the boxes moved.
 std::string broad_phase_of(const RecordingInfo& info);
 
-/// Makes room for a new recording. Throws UsageError if the name is taken, unless `overwrite` is given and a
-/// recording has it, which is then removed.
+/// Throws UsageError if the name of a new recording is taken, unless `overwrite` is given and a recording has
+/// it.
+void check_recording_path(const std::filesystem::path& path, bool overwrite);
+/// Makes room for a new recording: checks the same and removes the one that has the name. For whoever has
+/// read all that he needs; PartRecording keeps the old one until the new one is complete.
 void clear_recording_path(const std::filesystem::path& path, bool overwrite);
 
 /// Opens a recording of either dimension and calls `work` with its reader. Throws std::runtime_error as

@@ -159,19 +159,6 @@ void parse_shard_of_recording(const RenderTexts& texts, RenderRequest& request) 
         "." + std::to_string(request.shard.index + 1) + "-of-" + std::to_string(request.shard.count);
 }
 
-/// Options that say how a scene is to run.
-void refuse_scene_options(const RenderTexts& texts) {
-  const std::pair<const char*, const std::string*> options[] = {
-      {"--objects", &texts.objects}, {"--grow", &texts.grow},
-      {"--recycle", &texts.recycle}, {"--broad-phase", &texts.broad_phase},
-      {"--volume", &texts.volume},   {"--config", &texts.config},
-      {"--seed", &texts.seed},       {"--record", &texts.record}};
-  for (const auto& [name, text] : options)
-    if (!text->empty())
-      throw UsageError(std::string(name) + ": " + texts.scene +
-                       " is a recording, of which that is settled; leave the option out");
-}
-
 RecordingSource open_source(const std::filesystem::path& path) {
   return with_recording(path, [&](const auto& reader) {
     if (reader->steps() == 0) throw UsageError(path.string() + " has no steps, so there is nothing to draw");
@@ -214,6 +201,21 @@ bool names_recording(const RenderTexts& texts) {
   } catch (const UsageError&) {
     return std::filesystem::is_regular_file(texts.scene);
   }
+}
+
+void refuse_of_recording(const RenderTexts& texts, const char* option, const std::string& text) {
+  if (!text.empty())
+    throw UsageError(std::string(option) + ": " + texts.scene +
+                     " is a recording, of which that is settled; leave the option out");
+}
+
+void refuse_scene_options(const RenderTexts& texts) {
+  const std::pair<const char*, const std::string*> options[] = {
+      {"--objects", &texts.objects}, {"--grow", &texts.grow},
+      {"--recycle", &texts.recycle}, {"--broad-phase", &texts.broad_phase},
+      {"--volume", &texts.volume},   {"--config", &texts.config},
+      {"--seed", &texts.seed},       {"--record", &texts.record}};
+  for (const auto& [option, text] : options) refuse_of_recording(texts, option, *text);
 }
 
 RenderRequest parse_recording_request(const RenderTexts& texts) {

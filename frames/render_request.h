@@ -97,8 +97,12 @@ inline constexpr int kMaxWorkers = 256;
 /// Throws UsageError that says what to do. Touches no file but that of the camera path, which is read.
 RenderRequest parse_request(const RenderTexts& texts);
 
-/// Whether `kerf render` is given a recording: the name of no scene, but of a file.
+/// Whether a recording is given: the name of no scene, but of a file.
 bool names_recording(const RenderTexts& texts);
+/// Throws UsageError if a recording is given with an option that is settled there.
+void refuse_of_recording(const RenderTexts& texts, const char* option, const std::string& text);
+/// The same for all options that say how a scene is to run, but for its steps, of which some can be drawn.
+void refuse_scene_options(const RenderTexts& texts);
 /// The same for a recording, which is opened to see what it is of. Throws std::runtime_error if it cannot be
 /// read.
 RenderRequest parse_recording_request(const RenderTexts& texts);

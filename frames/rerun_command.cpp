@@ -10,6 +10,7 @@
 #include "core/replay/what_if.h"
 #include "frames/errors.h"
 #include "frames/interrupt.h"
+#include "frames/output_file.h"
 #include "frames/parse_config.h"
 #include "frames/parse_number.h"
 #include "frames/recording_file.h"
@@ -42,6 +43,8 @@ struct WhatIf {
   std::string config;
   std::uint32_t from = 1;
   std::optional<EventChoice> decision;
+  std::filesystem::path out;
+  bool overwrite = false;
 };
 
 template <int D>
@@ -59,13 +62,13 @@ RecordingInfo what_if(const std::shared_ptr<RecordingReader<D>>& recording, cons
 }
 
 template <int D>
-void rerun_recording(const std::shared_ptr<RecordingReader<D>>& recording, const WhatIf& asked,
-                     const std::filesystem::path& out) {
+void rerun_recording(const std::shared_ptr<RecordingReader<D>>& recording, const WhatIf& asked) {
   const RecordingInfo info = what_if(recording, asked);
+  clear_recording_path(asked.out, asked.overwrite);
   const InterruptGuard interrupt;
-  const bool whole = rerun(*recording, info, out, [&] { return interrupt.requested(); });
-  std::printf("%s: %u steps\n", out.c_str(), RecordingReader<D>(out).steps());
-  if (!whole) throw Interrupted("interrupted: what was done is in " + out.string());
+  const bool whole = rerun(*recording, info, asked.out, [&] { return interrupt.requested(); });
+  std::printf("%s: %u steps\n", asked.out.c_str(), RecordingReader<D>(asked.out).steps());
+  if (!whole) throw Interrupted("interrupted: what was done is in " + asked.out.string());
 }
 
 }  // namespace
@@ -96,16 +99,14 @@ RerunCommand::RerunCommand(CLI::App& program)
 bool RerunCommand::chosen() const { return command_->parsed(); }
 
 void RerunCommand::run() const {
-  WhatIf asked{config_, from_, std::nullopt};
+  WhatIf asked{config_, from_, std::nullopt, out_, overwrite_};
   if (!refuse_.empty()) asked.decision = parse_choice("--refuse", refuse_, false);
   if (!take_.empty()) asked.decision = parse_choice("--take", take_, true);
   if (config_.empty() && from_ != 1) throw UsageError("--from says where --config begins: give that, too");
   (void)parse_config("--config", config_, read_recording_info(file_).config);
-  std::error_code ignored;
-  if (std::filesystem::equivalent(file_, out_, ignored))
-    throw UsageError("--out is the recording itself; choose another name");
-  clear_recording_path(out_, overwrite_);
-  with_recording(file_, [&](auto recording) { rerun_recording(recording, asked, out_); });
+  check_not_input(out_, file_);
+  check_recording_path(out_, overwrite_);
+  with_recording(file_, [&](auto recording) { rerun_recording(recording, asked); });
 }
 
 }  // namespace kerf

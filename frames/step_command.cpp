@@ -75,7 +75,7 @@ void step(const std::shared_ptr<RecordingReader<D>>& recording, const StepReques
     const auto found = request.reverse ? search.backward(request.expression, at, progress)
                                        : search.forward(request.expression, at, progress);
     if (interrupt.requested()) throw Interrupted("interrupted");
-    if (!found && hit > 0) return;
+    if (!found && hit > 0) break;
     if (!found)
       throw std::runtime_error("there is no such moment " +
                                std::string(request.reverse ? "before" : "after") + " " + to_string(at));

@@ -1,7 +1,6 @@
 #include "frames/step_range.h"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 #include "frames/errors.h"
@@ -22,6 +21,8 @@ std::vector<std::uint32_t> numbers_between_colons(std::string_view text) {
   }
 }
 
+}  // namespace
+
 void check(const StepRange& range, const std::string& given) {
   if (range.first == 0) throw UsageError(given + ": steps count from 1");
   if (range.stride == 0)
@@ -37,8 +38,6 @@ void check(const StepRange& range, const std::string& given) {
                      std::to_string(kMaxFrames) + " can be numbered; give a larger N");
   }
 }
-
-}  // namespace
 
 StepRange parse_steps(std::string_view text) {
   const std::string given = "--steps '" + std::string(text) + "'";

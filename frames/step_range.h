@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace kerf {
@@ -20,8 +21,12 @@ inline constexpr std::uint32_t kMaxStep = 10'000'000;
 /// Frame numbers have six digits.
 inline constexpr std::uint32_t kMaxFrames = 1'000'000;
 
+/// Throws UsageError, beginning with `given`, if the first step is 0 or above the last, if the stride is 0,
+/// or for absurdly many.
+void check(const StepRange& range, const std::string& given);
+
 /// Reads "A:B:N" (steps A to B, a frame every N), "A:B" (every step) or "B" (1 to B, every step).
-/// Throws UsageError if it is none of these, if A is 0 or above B, if N is 0, or for absurdly many.
+/// Throws UsageError if it is none of these, and as `check` does.
 StepRange parse_steps(std::string_view text);
 
 }  // namespace kerf

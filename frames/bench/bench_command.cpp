@@ -78,6 +78,7 @@ class Bench {
   explicit Bench(const BenchRequest& request) : request_(request) {}
 
   void run() {
+    if (!request_.json.empty()) check_writable(request_.json);
     print(bench_heading());
     const std::vector<CellPlan> plans = plans_of(request_);
     const std::size_t cells = plans.size() * request_.dimensions.size();

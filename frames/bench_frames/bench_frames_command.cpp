@@ -90,6 +90,30 @@ Json to_json(const Row& row) {
           {"encoding_ms", row.encoding},  {"encoding_share", row.encoding_share}};
 }
 
+/// What was measured, as JSON after each row; no file: nowhere.
+class Results {
+ public:
+  explicit Results(std::filesystem::path file) : file_(std::move(file)) {
+    if (!file_.empty()) check_writable(file_);
+  }
+
+  void add(const Row& row) {
+    rows_.push_back(to_json(row));
+    save(false);
+  }
+  void finish() const { save(true); }
+
+ private:
+  void save(bool complete) const {
+    if (file_.empty()) return;
+    const Json json{{"machine", describe_machine()}, {"rows", rows_}, {"complete", complete}};
+    write_file_atomically(file_, json.dump(1) + "\n");
+  }
+
+  std::filesystem::path file_;
+  Json rows_ = Json::array();
+};
+
 }  // namespace
 
 BenchFramesCommand::BenchFramesCommand(CLI::App& program)
@@ -102,7 +126,7 @@ BenchFramesCommand::BenchFramesCommand(CLI::App& program)
   option("--frames", frames_, "Frames of each (default by the number of boxes)", "N");
   option("--workers", workers_, "Processes that draw (default: one a core)", "N");
   option("--out", out_, "Where the frames go, and are removed again (default: a temporary folder)", "DIR");
-  option("--json", json_, "Also the results and the machine", "FILE");
+  option("--json", json_, "Also the results and the machine, after each row", "FILE");
   command_->footer(
       "Milliseconds a frame: 'naive' simulates, draws, reads and encodes by stb in one loop; 'pipeline' is\n"
       "what `kerf render` does; 'floor' is its processor time by the cores, which nothing can beat;\n"
@@ -124,22 +148,22 @@ void BenchFramesCommand::run() const {
   const std::filesystem::path parent =
       out_.empty() ? std::filesystem::temp_directory_path() : std::filesystem::path(out_);
   loop.folder = parent / ("kerf-bench-frames-" + std::to_string(::getpid()));
+  Results results(json_);
   make_writable_folder(loop.folder);
-  Json rows = Json::array();
   std::printf("%9s  %6s  %8s  %8s  %8s  %8s  %8s  %8s  %9s\n", "size", "boxes", "naive", "pipeline", "floor",
               "of floor", "faster", "encode", "share");
   const ProgressLine progress;
   try {
     for (const PictureSize& size : sizes) {
       for (const std::uint32_t count : boxes) {
-        if (interrupt.requested()) throw Interrupted("interrupted");
+        if (interrupt.requested()) throw Interrupted("interrupted; what was measured is kept");
         loop.size = size;
         loop.boxes = count;
         loop.frames = frames_.empty() ? frames_for(count) : parse_whole("--frames", frames_, 1U, 100'000U);
         const Row row = measure(loop);
         progress.clear();
         print(row);
-        rows.push_back(to_json(row));
+        results.add(row);
       }
     }
   } catch (...) {
@@ -147,8 +171,7 @@ void BenchFramesCommand::run() const {
     throw;
   }
   std::filesystem::remove_all(loop.folder);
-  if (json_.empty()) return;
-  write_file_atomically(json_, Json{{"machine", describe_machine()}, {"rows", rows}}.dump(1) + "\n");
+  results.finish();
 }
 
 }  // namespace kerf

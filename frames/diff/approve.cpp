@@ -1,8 +1,5 @@
 #include "frames/diff/approve.h"
 
-#include <fstream>
-#include <iterator>
-
 #include "frames/atomic_file.h"
 #include "frames/diff/draw_list_file.h"
 #include "frames/diff/sidecar.h"
@@ -14,17 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void copy_whole(const fs::path& from, const fs::path& to) {
-  std::ifstream file(from, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw std::runtime_error("cannot read " + from.string());
-  write_file_atomically(to, bytes);
-}
-
 /// Ids that no longer belong to the picture must not stay beside it.
 void copy_or_remove(const fs::path& from, const fs::path& to) {
   if (fs::exists(from)) {
-    copy_whole(from, to);
+    copy_file_atomically(from, to);
   } else {
     fs::remove(to);
   }
@@ -56,7 +46,7 @@ std::vector<std::string> approve_frames(const DiffResult& result) {
     // The picture last: whoever stops in between still finds a difference.
     copy_or_remove(ids_path(diff.frame.test), ids_path(to));
     copy_or_remove(draw_list_path(diff.frame.test), draw_list_path(to));
-    copy_whole(diff.frame.test, to);
+    copy_file_atomically(diff.frame.test, to);
     approved.push_back(diff.frame.name);
   }
   return approved;

@@ -5,6 +5,7 @@
 
 #include "frames/atomic_file.h"
 #include "frames/bench/machine.h"
+#include "frames/errors.h"
 
 namespace kerf {
 namespace {
@@ -15,13 +16,23 @@ std::string owner() {
   return describe_machine().value("processor", "") + ", kerf " KERF_VERSION ", " + std::to_string(built);
 }
 
+/// Whether `put` has written it, on whatever machine.
+bool is_ours(const Json& json) {
+  return json.is_object() && json.size() == 2 && json.contains("owner") && json["owner"].is_string() &&
+         json.contains("cells") && json["cells"].is_object();
+}
+
 }  // namespace
 
 CellStore::CellStore(std::filesystem::path file) : file_(std::move(file)) {
+  if (!std::filesystem::exists(file_)) return;
   std::ifstream stream(file_);
   const Json kept = Json::parse(stream, nullptr, false);
-  if (!kept.is_object() || kept.value("owner", "") != owner()) return;
-  if (kept.contains("cells") && kept["cells"].is_object()) results_ = kept["cells"];
+  if (!is_ours(kept))
+    throw UsageError(file_.string() +
+                     " would keep the figures, and holds something else; choose another name with --out, or "
+                     "move that file away");
+  if (kept["owner"] == owner()) results_ = kept["cells"];
 }
 
 void CellStore::put(const std::string& key, Json result) {

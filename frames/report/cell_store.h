@@ -11,7 +11,7 @@ namespace kerf {
 /// taken over.
 class CellStore {
  public:
-  /// Reads the file if there is one; a file that cannot be used counts as empty.
+  /// Reads the file if there is one. Throws UsageError if it is somebody else's, which `put` would destroy.
   explicit CellStore(std::filesystem::path file);
 
   [[nodiscard]] bool has(const std::string& key) const { return results_.contains(key); }

@@ -57,6 +57,34 @@ TEST_F(DebugProgram, SaysWhatItNeeds) {
   EXPECT_THAT(run_kerf({"debug", "pile", "--size", "300x200"}).err, HasSubstr("at least 960x600"));
 }
 
+/// As `kerf render` has it: what lies in the folder of that name does not hide a scene.
+TEST_F(DebugProgram, AFileOrFolderNamedLikeASceneDoesNotHideIt) {
+  write("s", "expect steps == 2\n");
+  write("pile", "no recording");
+  std::filesystem::create_directory(path("pyramid"));
+  for (const char* const scene : {"pile", "pyramid"}) {
+    std::string line = "cd " + path("") + " && exec";
+    for (const std::string& word :
+         testing::kerf_command({"debug", scene, "--steps", "2", "--headless", "--script", "s"}))
+      line += " " + word;
+    const Outcome outcome = Process({"/bin/sh", "-c", line}).wait();
+    EXPECT_EQ(outcome.exit, 0) << scene << ": " << outcome.err;
+  }
+}
+
+TEST_F(DebugProgram, OptionsOfASceneAreRefusedForARecording) {
+  record();
+  write("s", "expect steps == 40\n");
+  for (const char* const option :
+       {"--steps", "--objects", "--grow", "--broad-phase", "--config", "--seed", "--record"}) {
+    const Outcome outcome =
+        run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s"), option, "30"});
+    EXPECT_EQ(outcome.exit, 2) << option;
+    EXPECT_THAT(outcome.err, HasSubstr(std::string(option) + ": "));
+    EXPECT_THAT(outcome.err, HasSubstr("is a recording"));
+  }
+}
+
 TEST_F(DebugProgram, WithoutADisplayItSaysWhatToDo) {
   record();
   const std::string command = "unset DISPLAY WAYLAND_DISPLAY; exec \"$0\" debug \"$1\"";

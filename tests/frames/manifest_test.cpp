@@ -1,5 +1,6 @@
 #include "frames/manifest.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -83,6 +84,38 @@ TEST(Manifest, ThatIsDamagedIsAnError) {
     std::ofstream(folder.path() / kManifestName) << text;
     EXPECT_THROW((void)read_manifest(folder.path()), std::runtime_error) << text;
   }
+}
+
+/// What follows from a number out of its range is a division by zero, or memory without end.
+TEST(Manifest, ThatLiesIsDamaged) {
+  const testing::TemporaryFolder folder;
+  const json truth = json::parse(to_json(example()));
+  const auto lie = [&](const char* where, const json& what) {
+    json manifest = truth;
+    manifest[json::json_pointer(where)] = what;
+    std::ofstream(folder.path() / kManifestName) << manifest;
+    try {
+      (void)read_manifest(folder.path());
+    } catch (const std::runtime_error& error) {
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("frames.json is damaged")) << where;
+      return;
+    }
+    ADD_FAILURE() << where << " may be " << what;
+  };
+  for (const json& first : {json(0), json(1001), json(-1), json("1")}) lie("/steps/first", first);
+  for (const json& last : {json(0), json(UINT32_MAX), json(UINT64_C(1) << 32 | 100), json(99.5), json(1e99)})
+    lie("/steps/last", last);
+  for (const json& stride : {json(0), json(-4), json(UINT32_MAX)}) lie("/steps/stride", stride);
+  for (const json& side : {json(0), json(-1), json(1'000'000)}) lie("/size/width", side);
+  for (const json& count : {json(0), json(-1), json(UINT64_C(1) << 32)}) lie("/shard/count", count);
+  lie("/shard/index", 1);
+  for (const json& name : {json("a/b"), json("../pile")}) lie("/name", name);
+  for (const json& index : {json(250), json(-1), json(UINT64_C(1) << 32)}) lie("/frames/0/index", index);
+  for (const json& file : {json("../pile_000042.png"), json("/etc/passwd"), json(".."), json("."), json("")})
+    lie("/frames/0/file", file);
+  for (const json& hash : {json("xyz"), json(""), json("1 and more"), json("-1")})
+    lie("/frames/0/pixel_hash", hash);
+  lie("/frames/0/pairs", -1);
 }
 
 TEST(Manifest, ShardsShareTheFrames) {

@@ -196,6 +196,24 @@ TEST_F(QueryProgram, TheirMissedExtraAndRepeatedPairsAreFound) {
   EXPECT_THAT(why.out, HasSubstr("the other engine missed it"));
 }
 
+/// Boxes without a line stay as they are, also when their pairs are told for longer.
+TEST_F(QueryProgram, TheirPairsAreJudgedToTheirLastStep) {
+  std::ofstream(path("boxes.csv")) << "10,0,0,1,0,1\n10,1,1,2,0,1\n";
+  std::ofstream(path("pairs.csv")) << "10,0,1\n13,0,1\n";
+  const Outcome imported =
+      run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("b")});
+  ASSERT_EQ(imported.exit, 0) << imported.err;
+  EXPECT_THAT(imported.out, HasSubstr("4 steps"));
+  EXPECT_THAT(imported.out, HasSubstr("2 told, 2 missed, 0 extra"));
+  EXPECT_THAT(imported.out, HasSubstr("first wrong in step 2"));
+  std::ofstream(path("pairs.csv")) << "10,0,1\n9,0,1\n";
+  const Outcome early =
+      run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("c")});
+  EXPECT_EQ(early.exit, 2);
+  EXPECT_THAT(early.err, HasSubstr("pairs.csv, line 2"));
+  EXPECT_THAT(early.err, HasSubstr("step 10"));
+}
+
 TEST_F(QueryProgram, MistakesInAnImportAreNamedByTheirLine) {
   const auto refusal = [&](const std::string& text) {
     std::ofstream(path("boxes.csv")) << text;
@@ -238,6 +256,12 @@ TEST_F(QueryProgram, DrawsTheMomentThatItFinds) {
   const Outcome outcome = run_kerf({"step", file("a"), "--to", "step==40", "--picture", path("40.png")});
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
   EXPECT_GT(std::filesystem::file_size(path("40.png")), 1000U);
+  const Outcome fewer =
+      run_kerf({"step", file("a"), "--to", "step>=40", "--hits", "50", "--picture", path("last.png")});
+  EXPECT_EQ(fewer.exit, 0) << fewer.err;
+  ASSERT_TRUE(std::filesystem::exists(path("last.png")));
+  ASSERT_EQ(run_kerf({"step", file("a"), "--to", "step==60", "--picture", path("60.png")}).exit, 0);
+  EXPECT_TRUE(testing::read_text(path("last.png")) == testing::read_text(path("60.png")));
 }
 
 }  // namespace

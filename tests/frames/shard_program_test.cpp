@@ -78,6 +78,47 @@ TEST_P(ShardProgram, WhatIsMissingOrDamagedIsNamed) {
   EXPECT_EQ(run_kerf({"collect", path("s1"), path("s2")}).exit, kExitDone);
 }
 
+TEST_P(ShardProgram, CollectRefusesToWriteWhereItReads) {
+  ASSERT_EQ(render("s/1", {"--shard", "1/2"}).exit, kExitDone);
+  ASSERT_EQ(render("s/2", {"--shard", "2/2"}).exit, kExitDone);
+  const auto before = testing::files_in(path("s/1"));
+  for (const char* const out : {"s/1", "s/2/", "s/1/below/it", "s", "s/../s/./1"}) {
+    const Outcome outcome =
+        run_kerf({"collect", path("s/1"), path("s/2"), "--out", path(out), "--overwrite"});
+    EXPECT_EQ(outcome.exit, kExitUsage) << out;
+    EXPECT_THAT(outcome.err, HasSubstr("--out")) << out;
+  }
+  EXPECT_EQ(testing::files_in(path("s/1")), before);
+  EXPECT_EQ(run_kerf({"collect", path("s/1"), path("s/2"), "--out", path("s/12")}).exit, kExitDone);
+}
+
+TEST_P(ShardProgram, WhatLiesBesideFramesIsCollectedToo) {
+  ASSERT_EQ(render("all", {"--ids"}).exit, kExitDone);
+  ASSERT_EQ(render("s1", {"--ids", "--shard", "1/2"}).exit, kExitDone);
+  ASSERT_EQ(render("s2", {"--ids", "--shard", "2/2"}).exit, kExitDone);
+  ASSERT_EQ(run_kerf({"collect", path("s1"), path("s2"), "--out", path("together")}).exit, kExitDone);
+  expect_same_files("all", "together");
+}
+
+/// Where frames cannot be linked: a file system of 20 kB in a mount namespace of its own.
+TEST_P(ShardProgram, AFullDiskLeavesNoHalfFrame) {
+  ASSERT_EQ(render("all").exit, kExitDone);
+  std::filesystem::create_directory(path("disk"));
+  if (testing::Process({"unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", path("disk")}).wait().exit != 0)
+    GTEST_SKIP() << "this user may not mount";
+  std::string line = "mount -t tmpfs -o size=20k tmpfs " + path("disk") + " && ";
+  for (const std::string& word : testing::kerf_command({"collect", path("all"), "--out", path("disk")}))
+    line += word + " ";
+  line += "; code=$?; cp -r " + path("disk") + " " + path("copy") + "; exit $code";
+  const Outcome outcome = testing::Process({"unshare", "-m", "sh", "-c", line}).wait();
+  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_THAT(outcome.err, HasSubstr("No space left"));
+  for (const std::string& file : testing::files_in(path("copy")))
+    EXPECT_EQ(std::filesystem::file_size(path("copy/" + file)),
+              std::filesystem::file_size(path("all/" + file)))
+        << file;
+}
+
 INSTANTIATE_TEST_SUITE_P(Both, ShardProgram, ::testing::Values("buckets", "pile"));
 
 TEST(ShardUsage, IsToldWhatItNeeds) {

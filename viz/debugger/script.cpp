@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -16,19 +17,31 @@ namespace {
   throw ScriptError("line " + std::to_string(line.number) + ", '" + text + "': " + what);
 }
 
-std::optional<double> number_of(std::string_view text) {
-  double value = 0;
+template <class Number = double>
+std::optional<Number> number_of(std::string_view text) {
+  Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return value;
 }
 
+/// Beyond any window, and small enough to be cut to a whole number of pixels.
+constexpr float kMostPixels = 1e6F;
+/// Hours of playing.
+constexpr int kMostFrames = 1'000'000;
+
+/// A place along a window, a share of it or turns of a wheel.
+std::optional<float> extent_of(std::string_view text) {
+  const auto value = number_of<float>(text);
+  return value && std::abs(*value) <= kMostPixels ? value : std::nullopt;
+}
+
 /// "a,b" as two numbers.
-std::optional<std::pair<double, double>> two_numbers(std::string_view text) {
+std::optional<std::pair<float, float>> two_numbers(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos) return std::nullopt;
-  const auto a = number_of(text.substr(0, comma));
-  const auto b = number_of(text.substr(comma + 1));
+  const auto a = extent_of(text.substr(0, comma));
+  const auto b = extent_of(text.substr(comma + 1));
   if (!a || !b) return std::nullopt;
   return std::pair(*a, *b);
 }
@@ -71,15 +84,22 @@ const std::map<std::string, Key>& key_names() {
   return kNames;
 }
 
+/// Of what can be named, each after a space.
+template <class Value>
+std::string names_of(const std::map<std::string, Value>& known) {
+  std::string names;
+  for (const auto& [name, value] : known) names += " " + name;
+  return names;
+}
+
 /// "object:5" or "node:5".
 std::optional<Selection> named_thing(const std::string& text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return std::nullopt;
-  const auto number = number_of(std::string_view(text).substr(colon + 1));
-  if (!number || *number < 0) return std::nullopt;
-  const auto id = static_cast<std::uint32_t>(*number);
-  if (text.starts_with("object:")) return ObjectId{id};
-  return text.starts_with("node:") ? std::optional<Selection>(NodeId{id}) : std::nullopt;
+  const auto id = number_of<std::uint32_t>(std::string_view(text).substr(colon + 1));
+  if (!id) return std::nullopt;
+  if (text.starts_with("object:")) return ObjectId{*id};
+  return text.starts_with("node:") ? std::optional<Selection>(NodeId{*id}) : std::nullopt;
 }
 
 bool compare(const std::string& a, const std::string& op, const std::string& b, const ScriptLine& line) {
@@ -142,12 +162,7 @@ void ScriptPlayer::play(const ScriptLine& line) {
     if (k >= line.words.size()) fail(line, "something is missing after '" + line.words.back() + "'");
     return line.words[k];
   };
-  const auto number = [&](std::size_t k) {
-    const auto value = number_of(word(k));
-    if (!value) fail(line, "'" + word(k) + "' is no number");
-    return *value;
-  };
-  if (verb == "key") return press(word(1));
+  if (verb == "key") return press(line, word(1));
   if (verb == "click") return click(place(line, word(1)), 0, 1);
   if (verb == "double") {
     input_.shift = line.words.size() > 2 && line.words[2] == "shift";
@@ -167,14 +182,21 @@ void ScriptPlayer::play(const ScriptLine& line) {
     return drag(place(line, word(1)), place(line, word(2)), right ? 1 : 0);
   }
   if (verb == "wheel") {
-    input_.wheel = static_cast<float>(number(1));
+    const auto turns = extent_of(word(1));
+    if (!turns) fail(line, "'" + word(1) + "' is no number of turns such as 2 or -0.5");
+    input_.wheel = *turns;
     return frames(2);
   }
   if (verb == "type") {
     input_.text = word(1);
     return frames(2);
   }
-  if (verb == "wait") return frames(static_cast<int>(number(1)));
+  if (verb == "wait") {
+    const auto count = number_of<int>(word(1));
+    if (!count || *count < 0 || *count > kMostFrames)
+      fail(line, "'" + word(1) + "' is no whole number of frames from 0 to " + std::to_string(kMostFrames));
+    return frames(*count);
+  }
   if (verb == "screenshot") return take_picture(word(1));
   if (verb == "expect") return expect(line);
   if (verb == "remember") {
@@ -217,7 +239,7 @@ void ScriptPlayer::drag(const Point& from, const Point& to, int button) {
   frames(2);
 }
 
-void ScriptPlayer::press(const std::string& text) {
+void ScriptPlayer::press(const ScriptLine& line, const std::string& text) {
   std::string name = text;
   std::ranges::transform(name, name.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -227,7 +249,8 @@ void ScriptPlayer::press(const std::string& text) {
     name.erase(0, 6);
   }
   const auto found = key_names().find(name);
-  if (found == key_names().end()) throw ScriptError("there is no key '" + text + "'");
+  if (found == key_names().end())
+    fail(line, "there is no key '" + text + "'; there are" + names_of(key_names()));
   key.key = found->second;
   input_.shift = key.shift;
   input_.keys = {key};
@@ -247,9 +270,7 @@ std::string ScriptPlayer::fact(const ScriptLine& line, const std::string& name) 
   const auto facts = debugger_.facts();
   const auto found = facts.find(name);
   if (found != facts.end()) return found->second;
-  std::string names;
-  for (const auto& [known, value] : facts) names += " " + known;
-  fail(line, "there is nothing called '" + name + "'; there are" + names);
+  fail(line, "there is nothing called '" + name + "'; there are" + names_of(facts));
 }
 
 void ScriptPlayer::expect(const ScriptLine& line) {
@@ -267,11 +288,10 @@ void ScriptPlayer::expect(const ScriptLine& line) {
 /// "320,200" is a pixel, "play" a part of a panel, "view@0.5,0.25" a place within it by its share, "object:5"
 /// or "node:5" where that object or node is seen.
 ScriptPlayer::Point ScriptPlayer::place(const ScriptLine& line, const std::string& word) {
-  if (const auto pixel = two_numbers(word))
-    return {static_cast<float>(pixel->first), static_cast<float>(pixel->second)};
+  if (const auto pixel = two_numbers(word)) return {pixel->first, pixel->second};
   const std::size_t at = word.find('@');
   const std::string name = word.substr(0, at);
-  std::pair<double, double> share{0.5, 0.5};
+  std::pair<float, float> share{0.5F, 0.5F};
   if (at != std::string::npos) {
     const auto given = two_numbers(std::string_view(word).substr(at + 1));
     if (!given) fail(line, "after the @ stand two shares such as 0.5,0.25");
@@ -289,8 +309,7 @@ ScriptPlayer::Point ScriptPlayer::place(const ScriptLine& line, const std::strin
     for (const auto& [known, rectangle] : debugger_.gui().named()) names += " '" + known + "'";
     fail(line, "there is no '" + name + "' to be seen; there are" + names);
   }
-  return {area->x + area->width * static_cast<float>(share.first),
-          area->y + area->height * static_cast<float>(share.second)};
+  return {area->x + area->width * share.first, area->y + area->height * share.second};
 }
 
 }  // namespace kerf

@@ -48,7 +48,7 @@ class ScriptPlayer {
   void frames(int count);
   void click(const Point& point, int button, int times);
   void drag(const Point& from, const Point& to, int button);
-  void press(const std::string& text);
+  void press(const ScriptLine& line, const std::string& text);
   void take_picture(const std::string& name);
   void expect(const ScriptLine& line);
   [[nodiscard]] std::string fact(const ScriptLine& line, const std::string& name);

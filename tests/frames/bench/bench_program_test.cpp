@@ -82,6 +82,7 @@ TEST(BenchProgram, SaysWhyAFileCannotBeWritten) {
                 "--rounds", "1", "--steps", "2", "--json", "/nowhere/bench.json"});
   EXPECT_EQ(outcome.exit, kExitFailure);
   EXPECT_THAT(outcome.err, HasSubstr("/nowhere/bench.json"));
+  EXPECT_EQ(outcome.out, "") << "it is said before anything is measured";
 }
 
 struct Mistake {

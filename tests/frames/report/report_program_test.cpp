@@ -111,6 +111,21 @@ TEST(ReportProgram, TakesNothingOverFromAnotherMachine) {
   EXPECT_FALSE(read_json(folder.path() / "page.json")["cells"].contains("a"));
 }
 
+TEST(ReportProgram, DoesNotReplaceSomebodyElsesFile) {
+  const TemporaryFolder folder;
+  const std::string page = (folder.path() / "speed.html").string();
+  for (const char* const text : {R"({"machine": {}, "results": []})", R"({"owner": 3, "cells": {}})",
+                                 R"({"owner": "me", "cells": [)", "[]", "a letter"}) {
+    std::ofstream(folder.path() / "speed.json") << text;
+    for (const char* const option : {"volumes", "--fresh"}) {
+      const Outcome outcome = run_small_report(page, {"volumes", option});
+      EXPECT_EQ(outcome.exit, kExitUsage) << text;
+      EXPECT_THAT(outcome.err, HasSubstr("speed.json"));
+    }
+    EXPECT_EQ(read_text(folder.path() / "speed.json"), text);
+  }
+}
+
 TEST(ReportProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const TemporaryFolder folder;
   const std::filesystem::path kept = folder.path() / "page.json";

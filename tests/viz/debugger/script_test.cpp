@@ -47,6 +47,14 @@ class ScriptedDebugger : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(ScriptedDebugger, MistakesAreNamedByTheirLine) {
+  for (const char* const line : {"key Pgup", "click node:nan", "click node:-1", "click node:1e99",
+                                 "click object:4294967296", "click object:1.5", "click nan,5", "click 5,inf",
+                                 "click 1e30,5", "click view@nan,0", "click view@0,1e30", "wait 1e99",
+                                 "wait nan", "wait -1", "wait 2.5", "wheel nan", "wheel 1e99", "wheel up"})
+    EXPECT_THAT(play("key Home\n" + std::string(line)), HasSubstr("line 2, '" + std::string(line) + "': "));
+}
+
 TEST_F(ScriptedDebugger, KeysButtonsAndScrubberGoThroughTheRun) {
   EXPECT_EQ(play(R"(
 expect position == "step 0"

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+
+namespace kerf {
+
+/// A recording under a temporary name beside its final one. It goes away with the object unless it was kept,
+/// so that an earlier recording of that name stays until the new one is complete.
+class PartRecording {
+ public:
+  explicit PartRecording(std::filesystem::path final_path);
+  ~PartRecording();
+  PartRecording(const PartRecording&) = delete;
+  PartRecording& operator=(const PartRecording&) = delete;
+
+  /// Where it is written.
+  [[nodiscard]] const std::filesystem::path& path() const { return part_; }
+  /// Gives it its final name, in place of an earlier recording. Throws std::system_error with path and
+  /// reason.
+  ///
+  /// Pre: nobody has it open any more.
+  void keep();
+
+ private:
+  std::filesystem::path final_path_;
+  std::filesystem::path part_;
+};
+
+}  // namespace kerf
