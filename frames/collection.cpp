@@ -71,8 +71,8 @@ void put(const std::filesystem::path& file, const std::filesystem::path& target)
 
 void check_apart(const std::filesystem::path& out, const std::vector<std::filesystem::path>& sources) {
   for (const std::filesystem::path& source : sources)
-    if (is_within(resolved(out), resolved(source)) || is_within(resolved(source), resolved(out)))
-      throw UsageError("--out " + out.string() + " is, holds or lies in " + source.string() +
+    if (is_within(resolved(source), resolved(out)))
+      throw UsageError("--out " + out.string() + " is or holds " + source.string() +
                        ", which is collected; choose a folder beside it");
 }
 

@@ -112,7 +112,9 @@ CompareCommand::CompareCommand(CLI::App& program)
   command_->add_option("A", a_, "A recording")->type_name("")->required();
   command_->add_option("B", b_, "Another, of the same dimension")->type_name("")->required();
   command_->add_flag("--json", json_, "As JSON");
-  command_->footer("EXIT    0 they are the same run (times do not count), 1 they differ, 2 wrong usage");
+  command_->footer(
+      "EXIT    0 they are the same run (times do not count), 1 they differ, 2 wrong usage, or not\n        "
+      "two recordings");
 }
 
 bool CompareCommand::chosen() const { return command_->parsed(); }
@@ -120,6 +122,8 @@ bool CompareCommand::chosen() const { return command_->parsed(); }
 void CompareCommand::run() const {
   const RecordingComparison comparison =
       with_recording(a_, [&]<int D>(std::shared_ptr<RecordingReader<D>> a) {
+        if (usable_recording_info(b_).dimension != D)
+          throw UnusableInput(a_ + " and " + b_ + " are not of the same dimension");
         RecordingReader<D> b(b_);
         return compare(*a, b);
       });

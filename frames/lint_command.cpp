@@ -19,7 +19,7 @@ LintCommand::LintCommand(CLI::App& program)
   command_->footer(
       "FINDS   a node that was split, merged and split again; a partitioner that was balanced one way, back\n"
       "        and again; an operator that was listed and waited for longer\n"
-      "EXIT    0 there is none, 1 there is, 2 wrong usage");
+      "EXIT    0 there is none, 1 there is, 2 wrong usage, or no recording");
 }
 
 bool LintCommand::chosen() const { return command_->parsed(); }

@@ -94,10 +94,7 @@ bool ScenesCommand::chosen() const { return command_->parsed(); }
 
 void ScenesCommand::run() const {
   const std::vector<CatalogScene> catalog = scene_catalog();
-  const std::string text = json_ ? as_json(catalog) : as_text(catalog, verbose_);
-  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
-    throw std::runtime_error("cannot write the list to standard output");
-  }
+  std::fputs((json_ ? as_json(catalog) : as_text(catalog, verbose_)).c_str(), stdout);
 }
 
 }  // namespace kerf

@@ -26,7 +26,8 @@ std::string footer() {
       "all\n"
       "        else at the end of a step; what an event does not have is never true of it.\n"
       "THINGS  pair(i,j), pair(i,j) enters, pair(i,j) leaves, plane(nK) moves, node(nK), object(i) moves\n"
-      "EXIT    0 found, 1 there is no such moment, 2 wrong usage, 130 interrupted\n\nWORDS\n";
+      "EXIT    0 found, 1 there is no such moment, 2 wrong usage, or no recording, 130 "
+      "interrupted\n\nWORDS\n";
   for (const VariableWord& word : variable_words()) {
     std::string line = "  " + std::string(word.name);
     line.resize(16, ' ');

@@ -53,7 +53,9 @@ VerifyCommand::VerifyCommand(CLI::App& program)
   command_->add_option("--oracle-every", oracle_every_, "Ask brute force every N steps (default 1; 0: never)")
       ->type_name("N");
   command_->add_flag("--timings", timings_, "Also measure how fast steps are reached");
-  command_->footer("EXIT    0 the replay is the run that was recorded and its pairs are exact, 1 it is not");
+  command_->footer(
+      "EXIT    0 the replay is the run that was recorded and its pairs are exact, 1 it is not,\n"
+      "        2 wrong usage, 130 interrupted");
 }
 
 bool VerifyCommand::chosen() const { return command_->parsed(); }

@@ -231,11 +231,48 @@ TEST(FailureProgram, FullDiskLeavesAValidPart) {
   expect_valid_part(folder.path() / "copy");
 }
 
-TEST(FailureProgram, ListIntoAFullDeviceIsAnError) {
-  const std::string line = std::string(KERF_PROGRAM) + " scenes > /dev/full";
-  const Outcome outcome = Process({"sh", "-c", line}).wait();
-  EXPECT_EQ(outcome.exit, kExitFailure);
-  EXPECT_THAT(outcome.err, HasSubstr("standard output"));
+/// What each command prints fits into memory until it ends.
+TEST(FailureProgram, WhatIsPrintedIntoAFullDeviceIsAnError) {
+  const TemporaryFolder folder;
+  const std::string recording = folder.path() / "a.kerf";
+  ASSERT_EQ(run_kerf({"record", "pile", "--objects", "30", "--steps", "20", "-o", recording}).exit,
+            kExitDone);
+  ASSERT_EQ(
+      run_kerf({"render", recording, "--steps", "1:2:1", "--size", "320x240", "--out", folder.path() / "x"})
+          .exit,
+      kExitDone);
+  const std::string frames = folder.path() / "x";
+  for (const std::string& arguments : std::vector<std::string>{
+           "scenes", "--help", "--version", "step --help", "verify " + recording,
+           "step " + recording + " --to step==9", "step " + recording + " --to step==9 --hits 2",
+           "explain " + recording + " --step 9 --pair 1,2", "compare " + recording + " " + recording,
+           "lint " + recording, "export " + recording + " --csv", "diff " + frames + " " + frames}) {
+    const Outcome outcome =
+        Process({"sh", "-c", std::string(KERF_PROGRAM) + " " + arguments + " > /dev/full"}).wait();
+    EXPECT_EQ(outcome.exit, kExitFailure) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr("standard output")) << arguments;
+  }
+}
+
+/// 1 is an answer of these commands.
+TEST(FailureProgram, WhatIsNoRecordingHasAnExitCodeOfItsOwn) {
+  const TemporaryFolder folder;
+  const std::string recording = folder.path() / "a.kerf";
+  ASSERT_EQ(run_kerf({"record", "terrain", "--objects", "30", "--steps", "3", "-o", recording}).exit,
+            kExitDone);
+  const std::string flat = folder.path() / "flat.kerf";
+  ASSERT_EQ(run_kerf({"record", "terrain-2d", "--objects", "30", "--steps", "3", "-o", flat}).exit,
+            kExitDone);
+  const std::string none = folder.path() / "none.kerf";
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"compare", recording, none},
+                                             {"compare", none, recording},
+                                             {"compare", recording, flat},
+                                             {"lint", none},
+                                             {"step", none, "--to", "step==1"}}) {
+    const Outcome outcome = run_kerf(command);
+    EXPECT_EQ(outcome.exit, kExitUsage) << command.front() << outcome.err;
+  }
 }
 
 }  // namespace

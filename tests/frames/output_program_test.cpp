@@ -56,7 +56,7 @@ TEST_F(OutputProgram, MinimizeNeverReplacesWhatItReads) {
 TEST_F(OutputProgram, MinimizeKeepsAnEarlierResultUntilThereIsANewOne) {
   record("old");
   const std::string before = read_text(file("old"));
-  refusal({"minimize", file("none"), "--when", kSplit, "-o", file("old"), "--overwrite"}, 1);
+  refusal({"minimize", file("none"), "--when", kSplit, "-o", file("old"), "--overwrite"});
   refusal({"minimize", file("a"), "--when", "missed>0", "-o", file("old"), "--overwrite"}, 1);
   EXPECT_EQ(read_text(file("old")), before);
   EXPECT_EQ(files(), (std::vector<std::string>{"a.kerf", "old.kerf"}));
@@ -85,7 +85,7 @@ TEST_F(OutputProgram, RerunKeepsAnEarlierRecordingWhenADecisionCannotBe) {
 
 TEST_F(OutputProgram, ExportReplacesFilesOnlyWhenAskedAndRecordingsNever) {
   std::ofstream(path("steps.csv")) << "mine";
-  refusal({"export", file("none"), "--csv", "-o", path("steps.csv"), "--overwrite"}, 1);
+  refusal({"export", file("none"), "--csv", "-o", path("steps.csv"), "--overwrite"});
   EXPECT_THAT(refusal({"export", file("a"), "--csv", "-o", path("steps.csv")}), HasSubstr("--overwrite"));
   EXPECT_EQ(read_text(path("steps.csv")), "mine");
   const std::string before = read_text(file("a"));

@@ -56,7 +56,7 @@ TEST_F(QueryProgram, SaysWhenThereIsNoSuchMomentAndWhatIsWrongWithACondition) {
   EXPECT_THAT(wrong.err, HasSubstr("'redundncy' is not known"));
   EXPECT_EQ(run_kerf({"step", file("a"), "--to", "step>3", "--from", "61"}).exit, 2);
   EXPECT_EQ(run_kerf({"step", file("a"), "--to", "step>3", "--hits", "0"}).exit, 2);
-  EXPECT_EQ(run_kerf({"step", file("b"), "--to", "step>3"}).exit, 1);
+  EXPECT_EQ(run_kerf({"step", file("b"), "--to", "step>3"}).exit, 2);
 }
 
 TEST_F(QueryProgram, ExplainsPairsNodesAndEvents) {
