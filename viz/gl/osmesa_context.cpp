@@ -1,6 +1,7 @@
 #include "viz/gl/osmesa_context.h"
 
 #include <GL/osmesa.h>  // after glcorearb.h, which would leave out half of its types
+#include <dlfcn.h>
 
 #include <array>
 #include <cstdint>
@@ -10,23 +11,59 @@
 namespace kerf {
 namespace {
 
+[[noreturn]] void fail(const std::string& what) {
+  throw std::runtime_error(
+      "OSMesa: " + what + "; draw with --backend egl, or install it (on Debian: apt-get install libosmesa6)");
+}
+
+/// libOSMesa, loaded by who draws first and for the rest of the process. It is not linked, for it brings a
+/// compiler that takes longer to load than most commands of the program take, and a GL of its own.
+struct OsmesaLibrary {
+  decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
+  decltype(&OSMesaDestroyContext) destroy_context = nullptr;
+  decltype(&OSMesaMakeCurrent) set_current = nullptr;
+  decltype(&OSMesaGetProcAddress) get_proc_address = nullptr;
+
+  OsmesaLibrary() : library_(dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL)) {
+    if (library_ == nullptr) fail("libOSMesa.so.8 cannot be loaded");
+    load(create_context, "OSMesaCreateContextAttribs");
+    load(destroy_context, "OSMesaDestroyContext");
+    load(set_current, "OSMesaMakeCurrent");
+    load(get_proc_address, "OSMesaGetProcAddress");
+  }
+
+ private:
+  template <class Function>
+  void load(Function& function, const char* name) {
+    function = reinterpret_cast<Function>(dlsym(library_, name));
+    if (function == nullptr) fail(std::string("it has no ") + name);
+  }
+
+  void* library_;
+};
+
+const OsmesaLibrary& osmesa() {
+  static const OsmesaLibrary library;
+  return library;
+}
+
 class OsmesaContext final : public GlContext {
  public:
-  OsmesaContext() : context_(OSMesaCreateContextAttribs(kAttributes.data(), nullptr)) {
-    if (context_ == nullptr) throw std::runtime_error("OSMesa cannot make an OpenGL 3.3 core context");
+  OsmesaContext() : context_(osmesa().create_context(kAttributes.data(), nullptr)) {
+    if (context_ == nullptr) fail("it cannot make an OpenGL 3.3 core context");
     try {
       make_current();
-      functions_ = load_gl_functions(&OSMesaGetProcAddress);
+      functions_ = load_gl_functions(osmesa().get_proc_address);
     } catch (...) {
-      OSMesaDestroyContext(context_);
+      osmesa().destroy_context(context_);
       throw;
     }
   }
-  ~OsmesaContext() override { OSMesaDestroyContext(context_); }
+  ~OsmesaContext() override { osmesa().destroy_context(context_); }
 
   void make_current() override {
-    if (OSMesaMakeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide) == GL_FALSE)
-      throw std::runtime_error("OSMesa refuses its context");
+    if (osmesa().set_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide) == GL_FALSE)
+      fail("it refuses its context");
   }
 
   [[nodiscard]] const GlFunctions& functions() const override { return functions_; }
