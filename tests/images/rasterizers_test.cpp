@@ -29,6 +29,8 @@ TEST(Rasterizers, EveryNumberOfThreadsAndBackendDrawsTheReferences) {
     const testing::Outcome outcome =
         draw_elsewhere(how, "ReferenceFrames*EachOperatorBeforeAndAfter:ReferencePanels.*", folder.path());
     EXPECT_EQ(outcome.exit, 0) << how << outcome.out;
+    for (const char* const suite : {"OK ] ReferenceFrames", "OK ] ReferencePanels"})
+      EXPECT_THAT(outcome.out, ::testing::HasSubstr(suite)) << how;
   }
 }
 
