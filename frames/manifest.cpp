@@ -94,7 +94,6 @@ Json origin_json(const RenderRequest& request) {
                {"volume", to_string(request.broad_phase.volume)},
                {"config", request.broad_phase.is_tree() ? config_json(request.broad_phase.config) : Json()}};
   if (request.recording) {
-    json["broad_phase"] = "kerf";
     json["recording"] = {{"steps", request.recording->steps},
                          {"last_state_hash", hex(request.recording->last_state_hash)}};
   } else {

@@ -1,10 +1,21 @@
 #include "frames/recording_file.h"
 
+#include <algorithm>
+
 #include "core/recording/schema.h"
 #include "frames/errors.h"
 #include "frames/parse_number.h"
 
 namespace kerf {
+namespace {
+
+std::size_t changed_parameters(const Config& config, const Config& other) {
+  return static_cast<std::size_t>(std::ranges::count_if(config_fields(), [&](const ConfigField& field) {
+    return get(config, field.name) != get(other, field.name);
+  }));
+}
+
+}  // namespace
 
 RecordingInfo recording_info(const RenderRequest& request) {
   if (!request.broad_phase.is_tree())
@@ -23,8 +34,14 @@ RecordingInfo recording_info(const RenderRequest& request) {
   return info;
 }
 
+std::string_view tree_of(const RecordingInfo& info) {
+  const bool is_tuned =
+      changed_parameters(info.config, tuned_config()) < changed_parameters(info.config, Config{});
+  return is_tuned ? kTunedTree : kPaperTree;
+}
+
 std::string broad_phase_of(const RecordingInfo& info) {
-  return info.imported ? "kerf, of imported boxes" : "kerf";
+  return std::string(tree_of(info)) + (info.imported ? ", of imported boxes" : "");
 }
 
 void clear_recording_path(const std::filesystem::path& path, bool overwrite) {

@@ -226,6 +226,7 @@ RenderRequest parse_recording_request(const RenderTexts& texts) {
   if (!texts.steps.empty()) request.steps = parse_steps(texts.steps);
   if (request.steps.last > steps)
     throw UsageError("--steps " + texts.steps + ": the recording ends with step " + std::to_string(steps));
+  request.broad_phase.name = tree_of(request.recording->info);
   request.broad_phase.config = request.recording->info.config;
   request.broad_phase.volume = request.recording->info.volume;
   request.options = {request.recording->info.objects, request.recording->info.grow,
