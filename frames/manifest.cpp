@@ -34,25 +34,27 @@ Json config_json(const Config& config) {
 
 std::uint64_t from_hex(const Json& text) { return std::stoull(text.get<std::string>(), nullptr, 16); }
 
-Json frame_json(const FrameRecord& frame) {
+/// `knows_contacts`: a recording holds none, and says nothing of them.
+Json frame_json(const FrameRecord& frame, bool knows_contacts) {
   Json operators = Json::object();
   for (int i = 0; i < kOperatorCount; ++i) {
     operators[std::string(to_string(static_cast<Operator>(i)))] =
         frame.operators[static_cast<std::size_t>(i)];
   }
-  return {{"index", frame.index},
-          {"file", frame.file},
-          {"step", frame.step},
-          {"objects", frame.objects},
-          {"pairs", frame.pairs},
-          {"contacts", frame.contacts},
-          {"height", frame.height},
-          {"leaves", frame.leaves},
-          {"entries", frame.entries},
-          {"operators", operators},
-          {"events", frame.events},
-          {"state_hash", hex(frame.state_hash)},
-          {"pixel_hash", hex(frame.pixel_hash)}};
+  Json json = {{"index", frame.index},
+               {"file", frame.file},
+               {"step", frame.step},
+               {"objects", frame.objects},
+               {"pairs", frame.pairs}};
+  if (knows_contacts) json["contacts"] = frame.contacts;
+  json.update(Json{{"height", frame.height},
+                   {"leaves", frame.leaves},
+                   {"entries", frame.entries},
+                   {"operators", operators},
+                   {"events", frame.events},
+                   {"state_hash", hex(frame.state_hash)},
+                   {"pixel_hash", hex(frame.pixel_hash)}});
+  return json;
 }
 
 FrameRecord frame_of(const Json& json) {
@@ -62,7 +64,7 @@ FrameRecord frame_of(const Json& json) {
   json.at("step").get_to(frame.step);
   json.at("objects").get_to(frame.objects);
   json.at("pairs").get_to(frame.pairs);
-  json.at("contacts").get_to(frame.contacts);
+  frame.contacts = json.value("contacts", std::uint64_t{0});
   json.at("height").get_to(frame.height);
   json.at("leaves").get_to(frame.leaves);
   json.at("entries").get_to(frame.entries);
@@ -107,7 +109,9 @@ Json to_object(const Manifest& manifest) {
   json["shard"] = {{"index", manifest.shard.index}, {"count", manifest.shard.count}};
   json["complete"] = manifest.complete;
   json["frames"] = Json::array();
-  for (const FrameRecord& frame : manifest.frames) json["frames"].push_back(frame_json(frame));
+  const bool knows_contacts = !json.contains("recording");
+  for (const FrameRecord& frame : manifest.frames)
+    json["frames"].push_back(frame_json(frame, knows_contacts));
   return json;
 }
 

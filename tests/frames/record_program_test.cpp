@@ -73,6 +73,7 @@ TEST(RecordProgram, TheBroadPhaseIsTheRecordedOne) {
     const auto manifest = testing::read_json(folder.path() / "frames/frames.json");
     EXPECT_EQ(manifest["broad_phase"], name);
     EXPECT_NEAR(manifest["config"]["max_redundancy"].get<double>(), 0.1, 1e-6);
+    EXPECT_FALSE(manifest["frames"][0].contains("contacts")) << "a recording holds none";
   }
 }
 
