@@ -3,6 +3,8 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
 namespace kerf::widgets {
 
 void hint(const char* text) {
@@ -38,6 +40,16 @@ bool row(Gui& gui, const std::string& label, const std::string& name, bool selec
   const bool pressed = ImGui::Selectable((label + "##" + name).c_str(), selected);
   gui.name_last_item(name);
   return pressed;
+}
+
+void beside_or_below(float width) {
+  ImGui::SameLine();
+  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+std::string elided(const std::string& text, float width) {
+  const auto letters = static_cast<std::size_t>(std::max(3.0F, width / ImGui::CalcTextSize("m").x));
+  return text.size() <= letters ? text : text.substr(0, letters - 3) + "...";
 }
 
 ImU32 to_imgui(Color color, double alpha) {
