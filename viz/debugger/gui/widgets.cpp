@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "viz/debugger/gui/wrap.h"
+
 namespace kerf::widgets {
 
 void hint(const char* text) {
@@ -45,6 +47,11 @@ bool row(Gui& gui, const std::string& label, const std::string& name, bool selec
 void beside_or_below(float width) {
   ImGui::SameLine();
   if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+void wrapped_text(const std::string& text) {
+  const float columns = ImGui::GetContentRegionAvail().x / ImGui::CalcTextSize("m").x;
+  ImGui::TextUnformatted(wrap_at_spaces(text, static_cast<std::size_t>(std::max(1.0F, columns))).c_str());
 }
 
 std::string elided(const std::string& text, float width) {

@@ -19,6 +19,8 @@ bool text_field(Gui& gui, const char* name, std::string& text, const char* insid
 bool row(Gui& gui, const std::string& label, const std::string& name, bool selected);
 /// What comes next stands beside the last item if there is room for so much, else below it.
 void beside_or_below(float width);
+/// In as many lines as it needs, see `wrap_at_spaces`.
+void wrapped_text(const std::string& text);
 /// Ends with "..." if it is wider than that.
 std::string elided(const std::string& text, float width);
 /// Shown when the mouse has rested on the last item for a while.

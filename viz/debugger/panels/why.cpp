@@ -69,9 +69,7 @@ void draw_why(PanelContext& context) {
         "makes a pair), or go to an event: here stands why it is so.");
     return;
   }
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  widgets::wrapped_text(text);
   draw_links(context, text);
 }
 
