@@ -80,6 +80,21 @@ void show_window(const Session& session, const std::vector<ScriptLine>& lines) {
   }
 }
 
+/// Records the scene, by whatever name, and gives the name back.
+std::filesystem::path record_for_now(RenderTexts texts, const std::filesystem::path& scratch) {
+  const bool is_kept = !texts.record.empty();
+  if (texts.steps.empty()) texts.steps = "300";
+  if (!is_kept) texts.record = scratch / "run.kerf";
+  try {
+    record_scene(parse_request(texts));
+  } catch (const Interrupted&) {
+    if (is_kept) throw;
+    throw Interrupted("interrupted while recording " + texts.scene +
+                      "; what there was of it is gone: keep it by --record FILE, or ask for fewer --steps");
+  }
+  return texts.record;
+}
+
 }  // namespace
 
 DebugCommand::DebugCommand(CLI::App& program)
@@ -123,11 +138,7 @@ void DebugCommand::run() const {
   const ScratchFolder scratch;
   std::filesystem::path file = texts_.scene;
   if (!std::filesystem::exists(file)) {
-    RenderTexts texts = texts_;
-    if (texts.steps.empty()) texts.steps = "300";
-    if (texts.record.empty()) texts.record = scratch.path() / "run.kerf";
-    record_scene(parse_request(texts));
-    file = texts.record;
+    file = record_for_now(texts_, scratch.path());
   }
   tune_allocator_for_rendering();
   const Session session{file, scratch.path(), out_.empty() ? "." : out_, size};

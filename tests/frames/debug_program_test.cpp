@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <csignal>
 #include <fstream>
+#include <thread>
 
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
@@ -55,6 +58,24 @@ TEST_F(DebugProgram, SaysWhatItNeeds) {
               HasSubstr("cannot be read"));
   EXPECT_THAT(run_kerf({"debug", "pil"}).err, HasSubstr("pile"));
   EXPECT_THAT(run_kerf({"debug", "pile", "--size", "300x200"}).err, HasSubstr("at least 960x600"));
+}
+
+/// What was recorded until then goes away with the temporary folder, unless it has a name.
+TEST_F(DebugProgram, InterruptedWhileItRecordsItNamesOnlyWhatIsKept) {
+  for (const bool kept : {false, true}) {
+    std::vector<std::string> arguments{"debug", "pile", "--steps", "900000", "--objects", "30"};
+    if (kept) arguments.insert(arguments.end(), {"--record", path("kept.kerf")});
+    Process process(testing::kerf_command(arguments));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    process.signal(SIGINT);
+    const Outcome outcome = process.wait();
+    EXPECT_EQ(outcome.exit, 130);
+    EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
+    EXPECT_EQ(outcome.err.find("steps are in " + path("kept.kerf")) != std::string::npos, kept);
+    EXPECT_EQ(outcome.err.find("run.kerf"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("keep it by --record") != std::string::npos, !kept) << outcome.err;
+    EXPECT_EQ(std::filesystem::exists(path("kept.kerf")), kept);
+  }
 }
 
 TEST_F(DebugProgram, WithoutADisplayItSaysWhatToDo) {
