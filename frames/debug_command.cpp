@@ -136,10 +136,8 @@ void DebugCommand::run() const {
     throw UsageError("--size " + texts_.size + ": the panels need at least " +
                      std::to_string(kLeastDebuggerWidth) + "x" + std::to_string(kLeastDebuggerHeight));
   const ScratchFolder scratch;
-  std::filesystem::path file = texts_.scene;
-  if (!std::filesystem::exists(file)) {
-    file = record_for_now(texts_, scratch.path());
-  }
+  const std::filesystem::path file =
+      names_recording(texts_) ? std::filesystem::path(texts_.scene) : record_for_now(texts_, scratch.path());
   tune_allocator_for_rendering();
   const Session session{file, scratch.path(), out_.empty() ? "." : out_, size};
   try {

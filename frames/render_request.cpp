@@ -212,7 +212,12 @@ bool names_recording(const RenderTexts& texts) {
     (void)find_scene(texts.scene);
     return false;
   } catch (const UsageError&) {
-    return std::filesystem::is_regular_file(texts.scene);
+    if (std::filesystem::is_regular_file(texts.scene)) return true;
+    // No scene is called so: a file was meant.
+    if (texts.scene.ends_with(".kerf") || texts.scene.find('/') != std::string::npos)
+      throw std::runtime_error("there is no recording " + texts.scene +
+                               "; `kerf record SCENE -o FILE` makes one, `kerf scenes` lists the scenes");
+    return false;
   }
 }
 

@@ -97,7 +97,7 @@ inline constexpr int kMaxWorkers = 256;
 /// Throws UsageError that says what to do. Touches no file but that of the camera path, which is read.
 RenderRequest parse_request(const RenderTexts& texts);
 
-/// Whether `kerf render` is given a recording: the name of no scene, but of a file.
+/// Whether it is a recording, not a scene. Throws std::runtime_error for one that is not there.
 bool names_recording(const RenderTexts& texts);
 /// The same for a recording, which is opened to see what it is of. Throws std::runtime_error if it cannot be
 /// read.

@@ -78,6 +78,17 @@ TEST_F(DebugProgram, InterruptedWhileItRecordsItNamesOnlyWhatIsKept) {
   }
 }
 
+TEST_F(DebugProgram, AFileThatIsNotThereIsNoScene) {
+  for (const char* const command : {"debug", "render"}) {
+    for (const std::string& name : {std::string("nope.kerf"), path("nope")}) {
+      const Outcome outcome = run_kerf({command, name});
+      EXPECT_EQ(outcome.exit, 1);
+      EXPECT_THAT(outcome.err, HasSubstr("there is no recording " + name)) << command;
+      EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("scene '"))) << command;
+    }
+  }
+}
+
 TEST_F(DebugProgram, WithoutADisplayItSaysWhatToDo) {
   record();
   const std::string command = "unset DISPLAY WAYLAND_DISPLAY; exec \"$0\" debug \"$1\"";
