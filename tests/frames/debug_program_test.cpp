@@ -153,7 +153,7 @@ TEST_F(DebugProgram, AnImportStopsWhereTheirPairsAreWrong) {
         "key End\nkey shift+F5\nexpect step == 4\nkey shift+F5\nexpect step == 3\n"
         "key shift+F5\nexpect step == 2\nexpect hits0 == 2\n"
         "click \"tab Oracle\"\nwait 2\nclick \"missed 0\"\nexpect selection == \"pair 1,2\"\n"
-        "key F5\nwait 2\nclick \"false 0\"\nexpect selection == \"pair 0,2\"\n"
+        "key F5\nwait 2\nclick \"pair 0,2\"\nexpect selection == \"pair 0,2\"\n"
         "key F5\nwait 2\nclick \"twice 0\"\nexpect selection == \"pair 1,2\"\n");
   const Outcome debugged = run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s")});
   EXPECT_EQ(debugged.exit, 0) << debugged.err;

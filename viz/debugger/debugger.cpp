@@ -31,7 +31,7 @@ void in_window(const char* name, const PanelArea& area, Draw draw, int flags = 0
 void draw_tab(PanelContext& context, const char* name, void (*draw)(PanelContext&)) {
   const bool wanted = context.memory.open_tab == name;
   const bool open = ImGui::BeginTabItem(name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
-  context.gui.name_last_item(std::string("tab ") + name);
+  context.gui.name_last_item(std::string("tab ") + name, name);
   if (!open) return;
   ImGui::BeginChild(name, {0, 0}, false);
   draw(context);

@@ -17,7 +17,7 @@ void hint(const char* text) {
 
 bool button(Gui& gui, const char* label, const char* text, const std::string& name) {
   const bool pressed = ImGui::Button(label);
-  gui.name_last_item(name.empty() ? label : name);
+  gui.name_last_item(name.empty() ? label : name, label);
   hint(text);
   return pressed;
 }
@@ -40,7 +40,7 @@ bool text_field(Gui& gui, const char* name, std::string& text, const char* insid
 
 bool row(Gui& gui, const std::string& label, const std::string& name, bool selected) {
   const bool pressed = ImGui::Selectable((label + "##" + name).c_str(), selected);
-  gui.name_last_item(name);
+  gui.name_last_item(name, label);
   return pressed;
 }
 

@@ -54,7 +54,7 @@ void draw_difference(PanelContext& context, const char* what, const std::optiona
   ImGui::SameLine();
   const std::string label = "step " + std::to_string(*step) + "##" + what;
   const bool pressed = ImGui::SmallButton(label.c_str());
-  context.gui.name_last_item(std::string("first different ") + what);
+  context.gui.name_last_item(std::string("first different ") + what, label);
   if (pressed) context.model.go(Position::end_of(*step));
 }
 

@@ -40,7 +40,7 @@ void draw_links(PanelContext& context, const std::string& text) {
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x < 60) ImGui::NewLine();
     const bool pressed = ImGui::SmallButton(name.c_str());
-    context.gui.name_last_item("link " + name);
+    context.gui.name_last_item("link " + name, name);
     if (!pressed) continue;
     const auto number = std::stoull(name.substr(1));
     if (name.front() == 'e') {
