@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "frames/atomic_file.h"
 #include "frames/errors.h"
 #include "frames/interrupt.h"
 #include "frames/record_scene.h"
@@ -135,6 +136,7 @@ void DebugCommand::run() const {
   if (size.width < kLeastDebuggerWidth || size.height < kLeastDebuggerHeight)
     throw UsageError("--size " + texts_.size + ": the panels need at least " +
                      std::to_string(kLeastDebuggerWidth) + "x" + std::to_string(kLeastDebuggerHeight));
+  if (!out_.empty()) make_writable_folder(out_);
   const ScratchFolder scratch;
   const std::filesystem::path file =
       names_recording(texts_) ? std::filesystem::path(texts_.scene) : record_for_now(texts_, scratch.path());

@@ -1,15 +1,24 @@
 #include "frames/export_command.h"
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <fstream>
 #include <iostream>
-#include <stdexcept>
+#include <system_error>
 
 #include "frames/errors.h"
 #include "frames/export_recording.h"
 #include "frames/recording_file.h"
 
 namespace kerf {
+namespace {
+
+/// Of what was tried last.
+[[noreturn]] void fail_to_write(const std::string& file) {
+  throw std::system_error(errno, std::generic_category(), "cannot write " + file);
+}
+
+}  // namespace
 
 ExportCommand::ExportCommand(CLI::App& program)
     : command_(program.add_subcommand("export", "Write a recording for other programs")) {
@@ -30,14 +39,14 @@ void ExportCommand::run() const {
   std::ofstream file;
   if (!out_.empty()) file.open(out_);
   std::ostream& out = out_.empty() ? std::cout : file;
-  if (!out) throw std::runtime_error("cannot write " + out_);
+  if (!out) fail_to_write(out_);
   with_recording(file_, [&](auto recording) {
     if (chrome_trace_) export_chrome_trace(*recording, out);
     if (csv_) export_steps(*recording, out);
     if (boxes_) export_boxes(*recording, out);
   });
   out.flush();
-  if (!out) throw std::runtime_error("cannot write " + (out_.empty() ? "to standard output" : out_));
+  if (!out) fail_to_write(out_.empty() ? "to standard output" : out_);
 }
 
 }  // namespace kerf

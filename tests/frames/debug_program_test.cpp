@@ -89,6 +89,16 @@ TEST_F(DebugProgram, AFileThatIsNotThereIsNoScene) {
   }
 }
 
+TEST_F(DebugProgram, AFolderThatCannotBeIsNamedBeforeTheWork) {
+  write("s", "screenshot a\n");
+  const Outcome outcome =
+      run_kerf({"debug", "pile", "--steps", "5", "--headless", "--script", path("s"), "-o", "/proc/no"});
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("cannot make the folder /proc/no: "));
+  EXPECT_THAT(outcome.err, HasSubstr("--out"));
+  EXPECT_EQ(outcome.out, "");
+}
+
 TEST_F(DebugProgram, WithoutADisplayItSaysWhatToDo) {
   record();
   const std::string command = "unset DISPLAY WAYLAND_DISPLAY; exec \"$0\" debug \"$1\"";
