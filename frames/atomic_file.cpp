@@ -69,18 +69,18 @@ void check_writable(const std::filesystem::path& path) {
   ::unlink(part_path(path).c_str());
 }
 
-void make_writable_folder(const std::filesystem::path& folder) {
+void make_writable_folder(const std::filesystem::path& folder, const std::string& option) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
     throw std::runtime_error("cannot make the folder " + folder.string() + ": " + error.message() +
-                             "; choose another with --out");
+                             "; choose another with " + option);
   }
   const std::filesystem::path trial = folder / ".kerf.trial";
   const int file = ::open(trial.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0) {
     throw std::runtime_error("cannot write into the folder " + folder.string() + ": " + std::strerror(errno) +
-                             "; choose another with --out");
+                             "; choose another with " + option);
   }
   ::close(file);
   ::unlink(trial.c_str());

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace kerf {
@@ -26,7 +27,7 @@ void check_writable(const std::filesystem::path& path);
 std::filesystem::path part_path(const std::filesystem::path& path);
 
 /// Creates `folder` with its parents and proves by a trial file that it can be written.
-/// Throws std::runtime_error with path and reason.
-void make_writable_folder(const std::filesystem::path& folder);
+/// Throws std::runtime_error with path, reason and the option by which another is chosen.
+void make_writable_folder(const std::filesystem::path& folder, const std::string& option = "--out");
 
 }  // namespace kerf

@@ -44,7 +44,7 @@ int report(const std::string& message, int exit_code) {
 /// A full disk is reported by several rooms, each with the system's words; what to do is known here.
 std::string with_advice(std::string message) {
   const bool full = message.find(std::generic_category().message(ENOSPC)) != std::string::npos;
-  if (full) message += "; free some space or choose another folder with --out";
+  if (full) message += "; free some space or choose another place";
   return message;
 }
 

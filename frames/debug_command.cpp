@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "frames/atomic_file.h"
 #include "frames/errors.h"
 #include "frames/interrupt.h"
 #include "frames/record_scene.h"
@@ -114,9 +115,16 @@ std::filesystem::path DebugCommand::recording(const std::filesystem::path& scrat
     return texts_.scene;
   }
   RenderTexts texts = texts_;
+  const bool is_kept = !texts.record.empty();
   if (texts.steps.empty()) texts.steps = "300";
-  if (texts.record.empty()) texts.record = scratch / "run.kerf";
-  record_scene(parse_request(texts));
+  if (!is_kept) texts.record = scratch / "run.kerf";
+  try {
+    record_scene(parse_request(texts));
+  } catch (const Interrupted&) {
+    if (is_kept) throw;
+    throw Interrupted("interrupted while recording " + texts.scene +
+                      "; what there was of it is gone: keep it by --record FILE, or ask for fewer --steps");
+  }
   return texts.record;
 }
 
@@ -133,6 +141,7 @@ void DebugCommand::run() const {
   if (size.width < kLeastDebuggerWidth || size.height < kLeastDebuggerHeight)
     throw UsageError("--size " + texts_.size + ": the panels need at least " +
                      std::to_string(kLeastDebuggerWidth) + "x" + std::to_string(kLeastDebuggerHeight));
+  if (!out_.empty()) make_writable_folder(out_);
   const ScratchFolder scratch;
   const std::filesystem::path file = recording(scratch.path());
   tune_allocator_for_rendering();

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <stdexcept>
 
 #include "frames/errors.h"
 #include "frames/export_recording.h"
@@ -37,7 +36,6 @@ void ExportCommand::run() const {
   };
   if (out_.empty()) {
     with_recording(file_, [&](auto recording) { write(*recording, std::cout, [](std::uint32_t) {}); });
-    if (!std::cout.flush()) throw std::runtime_error("cannot write to standard output");
     return;
   }
   check_not_input(out_, file_);

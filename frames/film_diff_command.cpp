@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "frames/atomic_file.h"
 #include "frames/difference_panels.h"
 #include "frames/errors.h"
 #include "frames/film_files.h"
@@ -77,6 +78,7 @@ bool FilmDiffCommand::chosen() const { return command_->parsed(); }
 void FilmDiffCommand::run() const {
   const FilmRequest film = parse_film_request(out_, fps_, contact_sheet_, overwrite_);
   check_free(film);
+  make_writable_folder(std::filesystem::absolute(film.video).parent_path());
   const InterruptGuard interrupt;
   const auto frames = common_frames(frames_of(a_), frames_of(b_));
   if (frames.empty()) throw UsageError(a_ + " and " + b_ + " have no frames of equal steps");

@@ -31,7 +31,8 @@ FilmFiles::FilmFiles(const FilmRequest& request, PictureSize size, std::uint32_t
     : request_(request), strip_(frames) {
   check_free(request);
   if (!request.video.empty()) video_.emplace(request.video, size, request.fps);
-  if (request.contact_sheet.has_parent_path()) make_writable_folder(request.contact_sheet.parent_path());
+  if (request.contact_sheet.has_parent_path())
+    make_writable_folder(request.contact_sheet.parent_path(), "--contact-sheet");
 }
 
 void FilmFiles::add(std::uint32_t index, const Image& image) {

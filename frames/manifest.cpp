@@ -59,25 +59,27 @@ void check_plain(const std::string& file) {
     throw std::out_of_range("'" + file + "' is no name of a file in its folder");
 }
 
-Json frame_json(const FrameRecord& frame) {
+/// `knows_contacts`: a recording holds none, and says nothing of them.
+Json frame_json(const FrameRecord& frame, bool knows_contacts) {
   Json operators = Json::object();
   for (int i = 0; i < kOperatorCount; ++i) {
     operators[std::string(to_string(static_cast<Operator>(i)))] =
         frame.operators[static_cast<std::size_t>(i)];
   }
-  return {{"index", frame.index},
-          {"file", frame.file},
-          {"step", frame.step},
-          {"objects", frame.objects},
-          {"pairs", frame.pairs},
-          {"contacts", frame.contacts},
-          {"height", frame.height},
-          {"leaves", frame.leaves},
-          {"entries", frame.entries},
-          {"operators", operators},
-          {"events", frame.events},
-          {"state_hash", hex(frame.state_hash)},
-          {"pixel_hash", hex(frame.pixel_hash)}};
+  Json json = {{"index", frame.index},
+               {"file", frame.file},
+               {"step", frame.step},
+               {"objects", frame.objects},
+               {"pairs", frame.pairs}};
+  if (knows_contacts) json["contacts"] = frame.contacts;
+  json.update(Json{{"height", frame.height},
+                   {"leaves", frame.leaves},
+                   {"entries", frame.entries},
+                   {"operators", operators},
+                   {"events", frame.events},
+                   {"state_hash", hex(frame.state_hash)},
+                   {"pixel_hash", hex(frame.pixel_hash)}});
+  return json;
 }
 
 FrameRecord frame_of(const Json& json) {
@@ -87,7 +89,7 @@ FrameRecord frame_of(const Json& json) {
   take(json, "step", frame.step);
   take(json, "objects", frame.objects);
   take(json, "pairs", frame.pairs);
-  take(json, "contacts", frame.contacts);
+  if (json.contains("contacts")) take(json, "contacts", frame.contacts);
   take(json, "height", frame.height);
   take(json, "leaves", frame.leaves);
   take(json, "entries", frame.entries);
@@ -118,7 +120,6 @@ Json origin_json(const RenderRequest& request) {
                {"volume", to_string(request.broad_phase.volume)},
                {"config", request.broad_phase.is_tree() ? config_json(request.broad_phase.config) : Json()}};
   if (request.recording) {
-    json["broad_phase"] = "kerf";
     json["recording"] = {{"steps", request.recording->steps},
                          {"last_state_hash", hex(request.recording->last_state_hash)}};
   } else {
@@ -132,7 +133,9 @@ Json to_object(const Manifest& manifest) {
   json["shard"] = {{"index", manifest.shard.index}, {"count", manifest.shard.count}};
   json["complete"] = manifest.complete;
   json["frames"] = Json::array();
-  for (const FrameRecord& frame : manifest.frames) json["frames"].push_back(frame_json(frame));
+  const bool knows_contacts = !json.contains("recording");
+  for (const FrameRecord& frame : manifest.frames)
+    json["frames"].push_back(frame_json(frame, knows_contacts));
   return json;
 }
 

@@ -1,11 +1,22 @@
 #include "frames/recording_file.h"
 
+#include <algorithm>
+
 #include "core/recording/schema.h"
 #include "frames/errors.h"
 #include "frames/output_file.h"
 #include "frames/parse_number.h"
 
 namespace kerf {
+namespace {
+
+std::size_t changed_parameters(const Config& config, const Config& other) {
+  return static_cast<std::size_t>(std::ranges::count_if(config_fields(), [&](const ConfigField& field) {
+    return get(config, field.name) != get(other, field.name);
+  }));
+}
+
+}  // namespace
 
 RecordingInfo recording_info(const RenderRequest& request) {
   if (!request.broad_phase.is_tree())
@@ -24,8 +35,14 @@ RecordingInfo recording_info(const RenderRequest& request) {
   return info;
 }
 
+std::string_view tree_of(const RecordingInfo& info) {
+  const bool is_tuned =
+      changed_parameters(info.config, tuned_config()) < changed_parameters(info.config, Config{});
+  return is_tuned ? kTunedTree : kPaperTree;
+}
+
 std::string broad_phase_of(const RecordingInfo& info) {
-  return info.imported ? "kerf, of imported boxes" : "kerf";
+  return std::string(tree_of(info)) + (info.imported ? ", of imported boxes" : "");
 }
 
 RecordingInfo usable_recording_info(const std::filesystem::path& path) {

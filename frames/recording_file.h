@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/recording/recording_reader.h"
 #include "core/replay/position.h"
@@ -12,6 +13,10 @@ namespace kerf {
 
 /// What a recording of this run is of.
 RecordingInfo recording_info(const RenderRequest& request);
+
+/// Which of our trees was recorded, "kerf" or "kerf-paper": a recording has its parameters, and its tree is
+/// the one of which fewer of them were changed.
+std::string_view tree_of(const RecordingInfo& info);
 
 /// How captions call what found the pairs of a recording: our tree, in whatever engine the boxes moved.
 std::string broad_phase_of(const RecordingInfo& info);

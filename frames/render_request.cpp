@@ -199,7 +199,12 @@ bool names_recording(const RenderTexts& texts) {
     (void)find_scene(texts.scene);
     return false;
   } catch (const UsageError&) {
-    return std::filesystem::is_regular_file(texts.scene);
+    if (std::filesystem::is_regular_file(texts.scene)) return true;
+    // No scene is called so: a file was meant.
+    if (texts.scene.ends_with(".kerf") || texts.scene.find('/') != std::string::npos)
+      throw std::runtime_error("there is no recording " + texts.scene +
+                               "; `kerf record SCENE -o FILE` makes one, `kerf scenes` lists the scenes");
+    return false;
   }
 }
 
@@ -228,6 +233,7 @@ RenderRequest parse_recording_request(const RenderTexts& texts) {
   if (!texts.steps.empty()) request.steps = parse_steps(texts.steps);
   if (request.steps.last > steps)
     throw UsageError("--steps " + texts.steps + ": the recording ends with step " + std::to_string(steps));
+  request.broad_phase.name = tree_of(request.recording->info);
   request.broad_phase.config = request.recording->info.config;
   request.broad_phase.volume = request.recording->info.volume;
   request.options = {request.recording->info.objects, request.recording->info.grow,

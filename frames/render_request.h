@@ -97,7 +97,8 @@ inline constexpr int kMaxWorkers = 256;
 /// Throws UsageError that says what to do. Touches no file but that of the camera path, which is read.
 RenderRequest parse_request(const RenderTexts& texts);
 
-/// Whether a recording is given: the name of no scene, but of a file.
+/// Whether a recording is given: the name of no scene, but of a file. Throws std::runtime_error for one that
+/// is not there.
 bool names_recording(const RenderTexts& texts);
 /// Throws UsageError if a recording is given with an option that is settled there.
 void refuse_of_recording(const RenderTexts& texts, const char* option, const std::string& text);

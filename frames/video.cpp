@@ -94,7 +94,7 @@ int spawn_ffmpeg(std::vector<std::string> arguments, int input, int log, pid_t& 
 
 Video::Video(std::filesystem::path path, PictureSize size, int frames_per_second)
     : path_(std::move(path)), part_(part_path(path_)) {
-  make_writable_folder(path_.has_parent_path() ? path_.parent_path() : ".");
+  make_writable_folder(path_.has_parent_path() ? path_.parent_path() : ".", "--video");
   start(size, frames_per_second);
 }
 
@@ -112,7 +112,7 @@ void Video::start(PictureSize size, int frames_per_second) {
   if (error == 0) return;
   ::close(pipe_);
   ::close(log_);
-  throw std::runtime_error(std::string("--video needs the program ffmpeg, which could not be started: ") +
+  throw std::runtime_error(std::string("a film needs the program ffmpeg, which could not be started: ") +
                            std::strerror(error) + "; install it (on Debian: apt-get install ffmpeg)");
 }
 
@@ -168,7 +168,7 @@ std::string Video::last_words() const {
 
 void Video::check_extension(const std::filesystem::path& path) {
   if (format_of(path) != nullptr) return;
-  throw UsageError("--video '" + path.string() +
+  throw UsageError("the film '" + path.string() +
                    "': give the file the extension .mp4, .mkv, .mov, .webm, .gif or .apng");
 }
 

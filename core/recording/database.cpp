@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <stdexcept>
+#include <system_error>
 
 namespace kerf {
 namespace {
@@ -11,6 +12,14 @@ namespace {
   const char* file = sqlite3_db_filename(database, "main");
   throw std::runtime_error(std::string(file == nullptr ? "the recording" : file) + ": " +
                            sqlite3_errmsg(database));
+}
+
+/// SQLite's words, and the system's where it has some.
+std::string reason(sqlite3* database) {
+  if (database == nullptr) return "not enough memory";
+  const int error = sqlite3_system_errno(database);
+  const std::string words = sqlite3_errmsg(database);
+  return error == 0 ? words : words + " (" + std::generic_category().message(error) + ")";
 }
 
 }  // namespace
@@ -86,9 +95,7 @@ Database::Database(const std::filesystem::path& path, int flags) {
   sqlite3* database = nullptr;
   const int result = sqlite3_open_v2(path.c_str(), &database, flags, nullptr);
   database_.reset(database);
-  if (result != SQLITE_OK)
-    throw std::runtime_error("cannot open " + path.string() + ": " +
-                             (database == nullptr ? "not enough memory" : sqlite3_errmsg(database)));
+  if (result != SQLITE_OK) throw std::runtime_error("cannot open " + path.string() + ": " + reason(database));
 }
 
 Database Database::create(const std::filesystem::path& path) {

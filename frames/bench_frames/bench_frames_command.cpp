@@ -26,6 +26,8 @@ using Json = nlohmann::ordered_json;
 
 /// The first frames pay for starting up; they are measured alone and taken off.
 constexpr std::uint32_t kWarmUp = 4;
+/// Two starts of a process differ by up to 20 ms: what is left of less than this is chance, or below zero.
+constexpr double kLeastSeconds = 0.05;
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts;
@@ -46,14 +48,30 @@ struct Row {
 
 std::uint32_t frames_for(std::uint32_t boxes) { return boxes > 50'000 ? 12 : boxes > 5'000 ? 40 : 60; }
 
+[[noreturn]] void refuse(const FrameLoop& loop) {
+  throw std::runtime_error(std::to_string(loop.frames) + " frames of " + std::to_string(loop.size.width) +
+                           "x" + std::to_string(loop.size.height) + " with " + std::to_string(loop.boxes) +
+                           " boxes are too few to measure: they take less than starting up varies by; give "
+                           "more --frames, or larger --sizes");
+}
+
+/// The better of two, for other programs only ever add to a time.
+ProcessTimes run_twice(const FrameLoop& loop, void (*run)(const FrameLoop&)) {
+  const ProcessTimes first = run_timed([&] { run(loop); });
+  const ProcessTimes second = run_timed([&] { run(loop); });
+  return {std::min(first.wall, second.wall), std::min(first.cpu, second.cpu)};
+}
+
 /// Of one frame, without what starting up takes.
-ProcessTimes per_frame(FrameLoop loop, void (*run)(const FrameLoop&)) {
-  const std::uint32_t frames = loop.frames;
-  loop.frames = kWarmUp;
-  const ProcessTimes start = run_timed([&] { run(loop); });
-  loop.frames = kWarmUp + frames;
-  const ProcessTimes all = run_timed([&] { run(loop); });
-  return {(all.wall - start.wall) / frames, (all.cpu - start.cpu) / frames};
+ProcessTimes per_frame(const FrameLoop& loop, void (*run)(const FrameLoop&)) {
+  FrameLoop some = loop;
+  some.frames = kWarmUp;
+  const ProcessTimes start = run_twice(some, run);
+  some.frames = kWarmUp + loop.frames;
+  const ProcessTimes all = run_twice(some, run);
+  const ProcessTimes spent{all.wall - start.wall, all.cpu - start.cpu};
+  if (std::min(spent.wall, spent.cpu) < kLeastSeconds) refuse(loop);
+  return {spent.wall / loop.frames, spent.cpu / loop.frames};
 }
 
 Row measure(const FrameLoop& loop) {

@@ -64,7 +64,7 @@ DiffResult compare(const std::string& reference, const std::string& test, const 
 /// Before the work, so that it is not done for nothing.
 void make_report_folder(const std::string& folder) {
   try {
-    make_writable_folder(folder);
+    make_writable_folder(folder, "--report");
   } catch (const std::runtime_error& error) {
     throw UnusableInput(error.what());
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <set>
 
 #include "tests/frames/program.h"
@@ -34,32 +33,29 @@ TEST(ContactStrip, LongSequencesGiveTwentyPictures) {
     EXPECT_EQ(sheet_of(frames, 48, 24), many) << frames;
 }
 
-/// The colours of a sheet in which frame n has the colour n.
+/// The colours of a sheet in which frame n has the colour n, which is its green and blue; no others have no
+/// red.
 std::set<std::uint32_t> colours_of(std::uint32_t frames) {
   const testing::TemporaryFolder folder;
   ContactStrip strip(frames);
   for (std::uint32_t frame = 0; frame < frames; ++frame)
-    strip.offer(frame, make_image(48, 24, 0xff000000U + frame));
+    strip.offer(frame, make_image(48, 24, frame << 8U | 0xffU));
   strip.save(folder.path() / "sheet.png");
   const Image sheet = read_png(folder.path() / "sheet.png");
   std::set<std::uint32_t> colours;
   for (int y = 0; y < sheet.height; ++y)
-    for (int x = 0; x < sheet.width; ++x) {
-      std::uint32_t colour = 0;
-      std::memcpy(&colour, sheet.pixel(x, y), sizeof colour);
-      colours.insert(colour);
-    }
+    for (int x = 0; x < sheet.width; ++x)
+      if (const std::uint8_t* const pixel = sheet.pixel(x, y); pixel[0] == 0)
+        colours.insert(std::uint32_t{pixel[1]} << 8U | pixel[2]);
   return colours;
 }
 
 TEST(ContactStrip, BeginsWithTheFirstFrameAndEndsWithTheLast) {
   for (const std::uint32_t frames : {1U, 5U, 20U, 251U, 1000U}) {
     const std::set<std::uint32_t> colours = colours_of(frames);
-    EXPECT_TRUE(colours.contains(0xff000000U)) << frames;
-    EXPECT_TRUE(colours.contains(0xff000000U + frames - 1)) << frames;
-    const auto shown =
-        std::ranges::count_if(colours, [&](std::uint32_t c) { return c - 0xff000000U < frames; });
-    EXPECT_EQ(shown, std::min(frames, 20U));
+    EXPECT_EQ(colours.size(), std::min(frames, 20U));
+    EXPECT_EQ(*colours.begin(), 0U);
+    EXPECT_EQ(*colours.rbegin(), frames - 1);
   }
 }
 

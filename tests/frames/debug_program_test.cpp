@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <csignal>
 #include <fstream>
+#include <thread>
 
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
@@ -85,6 +88,45 @@ TEST_F(DebugProgram, OptionsOfASceneAreRefusedForARecording) {
   }
 }
 
+/// What was recorded until then goes away with the temporary folder, unless it has a name.
+TEST_F(DebugProgram, InterruptedWhileItRecordsItNamesOnlyWhatIsKept) {
+  for (const bool kept : {false, true}) {
+    std::vector<std::string> arguments{"debug", "pile", "--steps", "900000", "--objects", "30"};
+    if (kept) arguments.insert(arguments.end(), {"--record", path("kept.kerf")});
+    Process process(testing::kerf_command(arguments));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    process.signal(SIGINT);
+    const Outcome outcome = process.wait();
+    EXPECT_EQ(outcome.exit, 130);
+    EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
+    EXPECT_EQ(outcome.err.find("steps are in " + path("kept.kerf")) != std::string::npos, kept);
+    EXPECT_EQ(outcome.err.find("run.kerf"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("keep it by --record") != std::string::npos, !kept) << outcome.err;
+    EXPECT_EQ(std::filesystem::exists(path("kept.kerf")), kept);
+  }
+}
+
+TEST_F(DebugProgram, AFileThatIsNotThereIsNoScene) {
+  for (const char* const command : {"debug", "render"}) {
+    for (const std::string& name : {std::string("nope.kerf"), path("nope")}) {
+      const Outcome outcome = run_kerf({command, name});
+      EXPECT_NE(outcome.exit, 0);
+      EXPECT_THAT(outcome.err, HasSubstr("there is no recording " + name)) << command;
+      EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("scene '"))) << command;
+    }
+  }
+}
+
+TEST_F(DebugProgram, AFolderThatCannotBeIsNamedBeforeTheWork) {
+  write("s", "screenshot a\n");
+  const Outcome outcome =
+      run_kerf({"debug", "pile", "--steps", "5", "--headless", "--script", path("s"), "-o", "/proc/no"});
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("cannot make the folder /proc/no: "));
+  EXPECT_THAT(outcome.err, HasSubstr("--out"));
+  EXPECT_EQ(outcome.out, "");
+}
+
 TEST_F(DebugProgram, WithoutADisplayItSaysWhatToDo) {
   record();
   const std::string command = "unset DISPLAY WAYLAND_DISPLAY; exec \"$0\" debug \"$1\"";
@@ -149,7 +191,7 @@ TEST_F(DebugProgram, AnImportStopsWhereTheirPairsAreWrong) {
         "key End\nkey shift+F5\nexpect step == 4\nkey shift+F5\nexpect step == 3\n"
         "key shift+F5\nexpect step == 2\nexpect hits0 == 2\n"
         "click \"tab Oracle\"\nwait 2\nclick \"missed 0\"\nexpect selection == \"pair 1,2\"\n"
-        "key F5\nwait 2\nclick \"false 0\"\nexpect selection == \"pair 0,2\"\n"
+        "key F5\nwait 2\nclick \"pair 0,2\"\nexpect selection == \"pair 0,2\"\n"
         "key F5\nwait 2\nclick \"twice 0\"\nexpect selection == \"pair 1,2\"\n");
   const Outcome debugged = run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s")});
   EXPECT_EQ(debugged.exit, 0) << debugged.err;

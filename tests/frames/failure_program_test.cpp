@@ -275,5 +275,68 @@ TEST(FailureProgram, WhatIsNoRecordingHasAnExitCodeOfItsOwn) {
   }
 }
 
+struct Unwritable {
+  const char* name;
+  std::vector<std::string> arguments;  ///< after them the file that cannot be
+  std::string option;                  ///< that the advice names; empty: none
+};
+
+class UnwritablePlace : public ::testing::TestWithParam<Unwritable> {};
+
+/// Nobody can make anything in /proc. What is said has the path, the reason and the option that the command
+/// has.
+TEST_P(UnwritablePlace, IsNamedWithItsReasonAndItsOption) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "a.kerf";
+  const std::string frames = folder.path() / "frames";
+  const std::string film = folder.path() / "film.gif";
+  ASSERT_EQ(run_kerf({"record", "pile", "--steps", "5", "--objects", "20", "-o", file}).exit, 0);
+  ASSERT_EQ(run_kerf({"render", file, "--size", "64x64", "--out", frames}).exit, 0);
+  std::vector<std::string> arguments;
+  for (const std::string& word : GetParam().arguments)
+    arguments.push_back(word == "FILE" ? file : word == "FRAMES" ? frames : word == "FILM" ? film : word);
+  const Outcome outcome = run_kerf(arguments);
+  EXPECT_NE(outcome.exit, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("/proc/no"));
+  EXPECT_THAT(outcome.err, HasSubstr("No such file or directory"));
+  const std::size_t advice = outcome.err.find("with --");
+  const bool advises = advice != std::string::npos;
+  EXPECT_EQ(advises ? outcome.err.substr(advice + 5) : "\n", GetParam().option + "\n");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    FailureProgram, UnwritablePlace,
+    ::testing::Values(
+        Unwritable{"Diff", {"diff", "FRAMES", "FRAMES", "--report", "/proc/no"}, "--report"},
+        Unwritable{"FilmDiff", {"film-diff", "FRAMES", "FRAMES", "-o", "/proc/no/a.mp4"}, "--out"},
+        Unwritable{"FilmDiffSheet",
+                   {"film-diff", "FRAMES", "FRAMES", "-o", "FILM", "--contact-sheet", "/proc/no/a.png"},
+                   "--contact-sheet"},
+        Unwritable{"Collect", {"collect", "FRAMES", "--video", "/proc/no/a.mp4"}, "--video"},
+        Unwritable{
+            "CollectSheet", {"collect", "FRAMES", "--contact-sheet", "/proc/no/a.png"}, "--contact-sheet"},
+        Unwritable{"Render", {"render", "FILE", "--out", "/proc/no"}, "--out"},
+        Unwritable{"Step", {"step", "FILE", "--to", "step==3", "--picture", "/proc/no/a.png"}, ""},
+        Unwritable{"Export", {"export", "FILE", "--csv", "-o", "/proc/no/a.csv"}, ""},
+        Unwritable{"Record", {"record", "pile", "--steps", "3", "-o", "/proc/no.kerf"}, ""}),
+    [](const ::testing::TestParamInfo<Unwritable>& place) { return std::string(place.param.name); });
+
+/// The advice names no option that the command may not have.
+TEST(FailureProgram, APictureOnAFullDiskIsAnError) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "a.kerf";
+  const std::string disk = folder.path() / "disk";
+  std::filesystem::create_directory(disk);
+  ASSERT_EQ(run_kerf({"record", "pile", "--steps", "5", "--objects", "20", "-o", file}).exit, 0);
+  if (Process({"unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", disk}).wait().exit != 0)
+    GTEST_SKIP() << "this user may not mount";
+  const std::string line = "mount -t tmpfs -o size=4k tmpfs " + disk + " && " + KERF_PROGRAM + " step " +
+                           file + " --to step==3 --picture " + disk + "/a.png";
+  const Outcome outcome = Process({"unshare", "-m", "sh", "-c", line}).wait();
+  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_THAT(outcome.err, HasSubstr("free some space"));
+  EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("--out")));
+}
+
 }  // namespace
 }  // namespace kerf

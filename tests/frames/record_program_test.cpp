@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/recording/recording_reader.h"
+#include "frames/recording_file.h"
 #include "tests/frames/program.h"
 
 namespace kerf {
@@ -55,6 +56,25 @@ TEST(RecordProgram, RenderingRecordsTheSameRun) {
   EXPECT_TRUE(other.info().complete);
   for (std::uint32_t step = 1; step <= 30; ++step)
     EXPECT_EQ(one.row(step).state_hash, other.row(step).state_hash) << "in step " << step;
+}
+
+/// Pictures and manifests of a recording say which tree was recorded.
+TEST(RecordProgram, TheBroadPhaseIsTheRecordedOne) {
+  for (const std::string name : {"kerf-paper", "kerf"}) {
+    const TemporaryFolder folder;
+    const std::string file = folder.path() / "a.kerf";
+    const Outcome recorded = run_kerf({"record", "pile", "-o", file, "--steps", "3", "--objects", "20",
+                                       "--broad-phase", name, "--config", "max_redundancy=0.1"});
+    ASSERT_EQ(recorded.exit, 0) << recorded.err;
+    EXPECT_EQ(broad_phase_of(RecordingReader<2>(file).info()), name);
+    const Outcome rendered =
+        run_kerf({"render", file, "--steps", "3", "--size", "160x120", "--out", folder.path() / "frames"});
+    ASSERT_EQ(rendered.exit, 0) << rendered.err;
+    const auto manifest = testing::read_json(folder.path() / "frames/frames.json");
+    EXPECT_EQ(manifest["broad_phase"], name);
+    EXPECT_NEAR(manifest["config"]["max_redundancy"].get<double>(), 0.1, 1e-6);
+    EXPECT_FALSE(manifest["frames"][0].contains("contacts")) << "a recording holds none";
+  }
 }
 
 TEST(RecordProgram, ReplacesRecordingsOnlyWhenAskedAndNothingElseEver) {

@@ -152,7 +152,9 @@ TEST(HardFiles, F3_AKilledSequenceHoldsOnlyWholeFrames) {
         EXPECT_EQ(pixel_hash(read_png(folder.path() / frame.file)), frame.pixel_hash) << frame.file;
     }
     for (const std::string& name : folder.files())
-      if (is_frame(name)) EXPECT_EQ(read_png(folder.path() / name).width, 320) << name;
+      if (is_frame(name)) {
+        EXPECT_EQ(read_png(folder.path() / name).width, 320) << name;
+      }
   }
 }
 

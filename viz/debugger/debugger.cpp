@@ -16,6 +16,9 @@ constexpr auto kFixedWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoR
                               ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+constexpr float kTabs = 368;            // what all tabs need side by side
+constexpr float kToolsInTwoRows = 580;  // what the tools of the view need; else they take three
+
 /// A window that fills an area exactly.
 template <class Draw>
 void in_window(const char* name, const PanelArea& area, Draw draw, int flags = 0) {
@@ -28,7 +31,7 @@ void in_window(const char* name, const PanelArea& area, Draw draw, int flags = 0
 void draw_tab(PanelContext& context, const char* name, void (*draw)(PanelContext&)) {
   const bool wanted = context.memory.open_tab == name;
   const bool open = ImGui::BeginTabItem(name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
-  context.gui.name_last_item(std::string("tab ") + name);
+  context.gui.name_last_item(std::string("tab ") + name, name);
   if (!open) return;
   ImGui::BeginChild(name, {0, 0}, false);
   draw(context);
@@ -58,10 +61,10 @@ PanelLayout layout_panels(int width, int height) {
   const auto w = static_cast<float>(width);
   const auto h = static_cast<float>(height);
   const float left = std::floor(std::clamp(0.19F * w, 210.0F, 330.0F));
-  const float right = std::floor(std::clamp(0.335F * w, 330.0F, 560.0F));
+  const float right = std::floor(std::clamp(0.335F * w, kTabs, 560.0F));
   const float below = std::floor(std::clamp(0.22F * h, 140.0F, 230.0F));
   constexpr float kTop = 58;
-  constexpr float kTools = 58;
+  const float tools = w - left - right < kToolsInTwoRows ? 82 : 58;
   const float middle = h - kTop - below;
   const float half_left = std::floor(0.62F * middle);
   const float half_right = std::floor(0.36F * middle);
@@ -71,8 +74,8 @@ PanelLayout layout_panels(int width, int height) {
   layout.left_below = {0, kTop + half_left, left, middle - half_left};
   layout.right_above = {w - right, kTop, right, half_right};
   layout.right_below = {w - right, kTop + half_right, right, middle - half_right};
-  layout.tools = {left, kTop, w - left - right, kTools};
-  layout.view = {left, kTop + kTools, w - left - right, middle - kTools};
+  layout.tools = {left, kTop, w - left - right, tools};
+  layout.view = {left, kTop + tools, w - left - right, middle - tools};
   layout.timeline = {0, h - below, w, below};
   return layout;
 }

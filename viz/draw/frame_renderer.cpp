@@ -31,13 +31,6 @@ const FrameOptions& checked(const FrameOptions& options) {
   return options;
 }
 
-std::string log_line(const std::string& note, const std::vector<Highlight>& highlights) {
-  std::string acted;
-  for (const Highlight& highlight : highlights)
-    acted += (acted.empty() ? "acted: " : ", ") + highlight.label();
-  return note.empty() || acted.empty() ? note + acted : note + "   " + acted;
-}
-
 template <int D>
 std::string ramp_text(const FramePlan<D>& plan) {
   return std::to_string(plan.largest_population) + (plan.ramp_is_fixed ? "+" : "");
@@ -118,8 +111,8 @@ struct FrameRenderer<D>::State {
                     const std::vector<Highlight>& newest) {
     overlay.clear();
     if (has(Layer::operators)) draw_highlight_labels(frame.view, font, layout, newest, overlay);
-    const std::string log =
-        log_line(frame.input.caption.note, has(Layer::operators) ? newest : std::vector<Highlight>{});
+    const std::string log = log_line(font, options.width, frame.input.caption.note,
+                                     has(Layer::operators) ? newest : std::vector<Highlight>{});
     draw_caption(frame.view, font, layout, caption, log, overlay);
     draw_legend(frame.view, font, layout, legend, frame.line_scale, overlay);
     painter.draw(overlay.shapes, Depth::ignore);

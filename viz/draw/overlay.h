@@ -52,7 +52,12 @@ std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tr
 Layout make_layout(const Font& font, int width, int height, const std::vector<CaptionItem>& caption,
                    bool has_log, const std::vector<LegendItem>& legend);
 
-/// `log`: one line below the caption's numbers: the note and what acted lately.
+/// The note and what acted lately, newest first, in one line. Operators for which it has no room are counted
+/// ("and 3 more"); a note that is too long itself ends with "...".
+std::string log_line(const Font& font, int picture_width, const std::string& note,
+                     const std::vector<Highlight>& highlights);
+
+/// `log`: one line below the caption's numbers.
 void draw_caption(const View& view, const Font& font, const Layout& layout,
                   const std::vector<CaptionItem>& items, const std::string& log, Overlay& overlay);
 void draw_legend(const View& view, const Font& font, const Layout& layout,

@@ -275,6 +275,28 @@ expect help == no
             "");
 }
 
+/// A part of a panel is found by what is written on it, too.
+TEST_F(ScriptedDebugger, PartsHaveTheNamesThatTheyShow) {
+  EXPECT_EQ(play(R"(
+click ">>"
+expect step == 1
+click "<<"
+expect step == 0
+click "|<"
+click mark
+expect bookmarks == 1
+)"),
+            "");
+  const std::string go_to_split =
+      "click condition\ntype \"op==split && kind==acted\"\nkey Enter\nkey Escape\nclick \"run >\"\n";
+  const std::string found = play(go_to_split + "expect event == none");
+  const std::string split = found.substr(found.rfind(" '") + 2, found.size() - found.rfind(" '") - 3);
+  EXPECT_EQ(play(go_to_split + "click \"What if\"\nwait 2\nclick \"refuse " + split +
+                 "\"\nwait 2\nexpect comparing == yes\nclick \"show both\"\nclick Why\n"),
+            "");
+  EXPECT_THAT(play("click \"tab Wy\""), HasSubstr("'tab Why'"));
+}
+
 TEST_F(ScriptedDebugger, TheOtherRunFollowsAndHasTheSameColours) {
   EXPECT_EQ(play(R"(
 click colour

@@ -13,6 +13,7 @@
 #include "tests/support/dimensions.h"
 #include "tests/viz/small_scene.h"
 #include "viz/draw/camera.h"
+#include "viz/draw/overlay.h"
 #include "viz/image/png.h"
 
 namespace kerf {
@@ -149,6 +150,35 @@ TYPED_TEST(FrameRendererTest, OperatorsAreNamedInTheScene) {
   };
   // The same cell and the same plane: only the label differs.
   EXPECT_NE(image_with(Operator::split), image_with(Operator::shift_split));
+}
+
+/// However many have acted and however long their names, what is said of them ends within the picture.
+TYPED_TEST(FrameRendererTest, WhatActedIsShortenedToThePicture) {
+  constexpr int kD = TypeParam::value;
+  const test::SmallScene<kD> scene(60);
+  std::vector<Event> events;
+  for (std::uint32_t k = 0; k < 8; ++k)
+    events.push_back({k, 5, OperatorActed{Operator::shift_split, {{1000 + k}, 0}, {}, {}, 0, 3, 6}});
+  FrameInput<kD> input = scene.input();
+  input.events = events;
+  input.caption.step = 5;
+  for (const std::string note : {"", "e774 step 46 swap n3: 110 (34 | 77) -> 110"}) {
+    input.caption.note = note;
+    FrameOptions how;
+    how.width = 640;
+    how.height = 360;
+    how.ids = true;
+    FrameRenderer<kD> renderer(how);
+    (void)renderer.render(input);
+    const Font font(font_pixels(360));
+    std::string log;
+    for (const DrawnText& text : renderer.ids().list.texts) {
+      EXPECT_LE(text.x + font.width(text.text), 640) << text.text;
+      if (text.text.find("acted: ") != std::string::npos) log = text.text;
+    }
+    EXPECT_TRUE(log.starts_with(note + (note.empty() ? "" : "   ") + "acted: shift-split n1007")) << log;
+    EXPECT_TRUE(log.ends_with(" more")) << log;
+  }
 }
 
 TYPED_TEST(FrameRendererTest, BrokenInputIsDrawnWithoutHarm) {

@@ -15,6 +15,12 @@ ImVec4 color_of(Color color, double alpha = 1) {
           static_cast<float>(color.b) / 255, static_cast<float>(alpha)};
 }
 
+PanelArea last_item() {
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const ImVec2 size = ImGui::GetItemRectSize();
+  return {least.x, least.y, size.x, size.y};
+}
+
 void set_colors(ImGuiStyle& style) {
   ImGui::StyleColorsLight(&style);
   const auto set = [&](int what, ImVec4 color) { style.Colors[what] = color; };
@@ -112,6 +118,7 @@ void Gui::begin(const DebuggerInput& input, int width, int height) {
   for (const KeyPress& press : input.keys) io.KeysDown[static_cast<int>(press.key)] = true;
   io.AddInputCharactersUTF8(input.text.c_str());
   named_.clear();
+  shown_.clear();
   ImGui::NewFrame();
 }
 
@@ -122,16 +129,21 @@ void Gui::draw() const {
   painter_->draw(*ImGui::GetDrawData());
 }
 
-void Gui::name_last_item(const std::string& name) {
+void Gui::name_last_item(const std::string& name, const std::string& shown) {
   if (!ImGui::IsItemVisible()) return;  // scrolled away: nobody could click it
-  const ImVec2 least = ImGui::GetItemRectMin();
-  const ImVec2 size = ImGui::GetItemRectSize();
-  named_[name] = {least.x, least.y, size.x, size.y};
+  named_[name] = last_item();
+  note_last_item(shown);
+}
+
+void Gui::note_last_item(const std::string& shown) {
+  const std::string text = shown.substr(0, shown.find("##"));  // what follows is never shown
+  if (ImGui::IsItemVisible()) shown_.try_emplace(text.substr(0, text.find_last_not_of(' ') + 1), last_item());
 }
 
 std::optional<PanelArea> Gui::find(const std::string& name) const {
-  const auto found = named_.find(name);
-  return found == named_.end() ? std::nullopt : std::optional(found->second);
+  for (const auto* areas : {&named_, &shown_})
+    if (const auto found = areas->find(name); found != areas->end()) return found->second;
+  return std::nullopt;
 }
 
 }  // namespace kerf

@@ -34,8 +34,11 @@ class Gui {
   void end();
   void draw() const;
 
-  /// Remembers where the last item is under a name by which scripts find it, if it can be seen.
-  void name_last_item(const std::string& name);
+  /// Remembers where the last item is under a name by which scripts find it, if it can be seen. What is
+  /// written on it, `shown`, is a name of it, too, unless something else has that name.
+  void name_last_item(const std::string& name, const std::string& shown = "");
+  /// Of something that is only shown: it is found, but is not among the names of what can be pressed.
+  void note_last_item(const std::string& shown);
   void name_area(const std::string& name, const PanelArea& area) { named_[name] = area; }
   /// Of the last frame.
   [[nodiscard]] std::optional<PanelArea> find(const std::string& name) const;
@@ -48,6 +51,7 @@ class Gui {
   std::unique_ptr<ImGuiContext, Forget> context_;
   std::unique_ptr<PanelPainter> painter_;
   std::map<std::string, PanelArea> named_;
+  std::map<std::string, PanelArea> shown_;  ///< by what is written there; the first of equal ones
 };
 
 }  // namespace kerf

@@ -3,6 +3,10 @@
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
+#include "viz/debugger/gui/wrap.h"
+
 namespace kerf::widgets {
 
 void hint(const char* text) {
@@ -13,7 +17,7 @@ void hint(const char* text) {
 
 bool button(Gui& gui, const char* label, const char* text, const std::string& name) {
   const bool pressed = ImGui::Button(label);
-  gui.name_last_item(name.empty() ? label : name);
+  gui.name_last_item(name.empty() ? label : name, label);
   hint(text);
   return pressed;
 }
@@ -36,8 +40,23 @@ bool text_field(Gui& gui, const char* name, std::string& text, const char* insid
 
 bool row(Gui& gui, const std::string& label, const std::string& name, bool selected) {
   const bool pressed = ImGui::Selectable((label + "##" + name).c_str(), selected);
-  gui.name_last_item(name);
+  gui.name_last_item(name, label);
   return pressed;
+}
+
+void beside_or_below(float width) {
+  ImGui::SameLine();
+  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+void wrapped_text(const std::string& text) {
+  const float columns = ImGui::GetContentRegionAvail().x / ImGui::CalcTextSize("m").x;
+  ImGui::TextUnformatted(wrap_at_spaces(text, static_cast<std::size_t>(std::max(1.0F, columns))).c_str());
+}
+
+std::string elided(const std::string& text, float width) {
+  const auto letters = static_cast<std::size_t>(std::max(3.0F, width / ImGui::CalcTextSize("m").x));
+  return text.size() <= letters ? text : text.substr(0, letters - 3) + "...";
 }
 
 ImU32 to_imgui(Color color, double alpha) {

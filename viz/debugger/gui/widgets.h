@@ -17,6 +17,12 @@ bool checkbox(Gui& gui, const char* label, bool& value, const char* text = "");
 bool text_field(Gui& gui, const char* name, std::string& text, const char* inside, float width);
 /// A row of a list that can be chosen.
 bool row(Gui& gui, const std::string& label, const std::string& name, bool selected);
+/// What comes next stands beside the last item if there is room for so much, else below it.
+void beside_or_below(float width);
+/// In as many lines as it needs, see `wrap_at_spaces`.
+void wrapped_text(const std::string& text);
+/// Ends with "..." if it is wider than that.
+std::string elided(const std::string& text, float width);
 /// Shown when the mouse has rested on the last item for a while.
 void hint(const char* text);
 ImU32 to_imgui(Color color, double alpha = 1);

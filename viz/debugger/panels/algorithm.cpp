@@ -22,7 +22,7 @@ void draw_algorithm(PanelContext& context) {
     ImGui::PushStyleColor(ImGuiCol_Text,
                           widgets::to_vector(lit ? palette::kOperator : palette::kPartitioner));
     ImGui::Indent(40);
-    ImGui::TextWrapped("%s", trace.decided[k].c_str());
+    widgets::wrapped_text(trace.decided[k]);
     ImGui::Unindent(40);
     ImGui::PopStyleColor();
   }
@@ -31,7 +31,7 @@ void draw_algorithm(PanelContext& context) {
   const auto tree = model.run().tree();
   if (!node || node->index() >= tree.size() || !tree[node->index()].alive) return;
   ImGui::Separator();
-  ImGui::TextWrapped("n%u now: %s", node->value, model.run().wish(*node).c_str());
+  widgets::wrapped_text("n" + std::to_string(node->value) + " now: " + model.run().wish(*node));
 }
 
 }  // namespace kerf

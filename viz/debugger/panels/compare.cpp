@@ -54,7 +54,7 @@ void draw_difference(PanelContext& context, const char* what, const std::optiona
   ImGui::SameLine();
   const std::string label = "step " + std::to_string(*step) + "##" + what;
   const bool pressed = ImGui::SmallButton(label.c_str());
-  context.gui.name_last_item(std::string("first different ") + what);
+  context.gui.name_last_item(std::string("first different ") + what, label);
   if (pressed) context.model.go(Position::end_of(*step));
 }
 
@@ -64,8 +64,8 @@ void draw_difference(PanelContext& context, const char* what,
                      const std::optional<EventDifference>& difference) {
   draw_difference(context, what, difference ? std::optional(difference->step) : std::nullopt);
   if (!difference) return;
-  ImGui::TextWrapped("  this: %s", text_of(difference->a).c_str());
-  ImGui::TextWrapped("  other: %s", text_of(difference->b).c_str());
+  widgets::wrapped_text("  this: " + text_of(difference->a));
+  widgets::wrapped_text("  other: " + text_of(difference->b));
 }
 
 /// An operator that is the first different event, too, is not told twice.
@@ -89,7 +89,7 @@ void draw_other_moment(DebuggerModel& model) {
                             : model.match() == Counterpart::Match::different ? "the same with another outcome"
                                                                              : "nothing like it";
   ImGui::PushStyleColor(ImGuiCol_Text, widgets::to_vector(same ? palette::kInk : palette::kCandidate));
-  ImGui::TextWrapped("the other: %s, %s", match, moment.c_str());
+  widgets::wrapped_text(std::string("the other: ") + match + ", " + moment);
   ImGui::PopStyleColor();
 }
 

@@ -54,15 +54,29 @@ void follow(PanelContext& context, const std::vector<const Event*>& events, floa
   ImGui::SetScrollY(std::max(0.0F, row * row_height - 0.4F * ImGui::GetWindowHeight()));
 }
 
+/// Which events these are, in as many words as there is room for left of `end`.
+void draw_heading(PanelContext& context, std::size_t listed, float end) {
+  const Run& run = context.model.run();
+  const std::string step = std::to_string(run.position().step);
+  std::string title = "Events of step " + step;
+  std::string count = std::to_string(listed) + " of " + std::to_string(run.events_of_step().size());
+  const float room = end - ImGui::GetCursorPosX() - 2 * ImGui::GetStyle().ItemSpacing.x;
+  const auto is_too_long = [&] { return ImGui::CalcTextSize((title + count).c_str()).x > room; };
+  if (is_too_long()) title = "Step " + step;
+  if (is_too_long()) count = std::to_string(listed);
+  ImGui::TextUnformatted(title.c_str());
+  ImGui::SameLine();
+  ImGui::TextDisabled("%s", count.c_str());
+  context.gui.note_last_item("events shown");
+}
+
 }  // namespace
 
 void draw_events(PanelContext& context) {
   const auto events = listed_events(context);
-  const Position& now = context.model.run().position();
-  ImGui::Text("Events of step %u", now.step);
-  ImGui::SameLine();
-  ImGui::TextDisabled("%zu of %zu", events.size(), context.model.run().events_of_step().size());
-  ImGui::SameLine(ImGui::GetWindowWidth() - 172);
+  const float box = ImGui::GetWindowWidth() - 172;
+  draw_heading(context, events.size(), box);
+  ImGui::SameLine(box);
   widgets::checkbox(context.gui, "without objects", context.memory.operators_only,
                     "leave out the objects that were placed in other leaves");
   ImGui::BeginChild("list of events", {0, 0}, true);

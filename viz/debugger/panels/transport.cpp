@@ -86,6 +86,16 @@ void draw_runs(PanelContext& context) {
   }
 }
 
+/// As much of it as there is room for; the mouse has the rest.
+void draw_message(PanelContext& context, const std::string& message) {
+  ImGui::SameLine();
+  const Color color = context.model.message_is_error ? palette::kCandidate : palette::kFaintInk;
+  const std::string shown = widgets::elided(message, ImGui::GetContentRegionAvail().x);
+  ImGui::TextColored(widgets::to_vector(color), "%s", shown.c_str());
+  context.gui.note_last_item("message");
+  if (shown != message) widgets::hint(message.c_str());
+}
+
 /// Where it stands, in words: the same id as in lists, on the command line and in file names.
 void draw_moment_line(PanelContext& context) {
   const DebuggerModel& model = context.model;
@@ -95,11 +105,13 @@ void draw_moment_line(PanelContext& context) {
   if (run.position().step == 0) text = "before the first step";
   ImGui::TextColored(widgets::to_vector(palette::kPartitioner), "%s", text.c_str());
   ImGui::SameLine();
-  ImGui::TextDisabled("of %u steps   state %s", run.steps(), to_hex(run.state_hash()).c_str());
-  if (model.message.empty()) return;
-  ImGui::SameLine();
-  const Color color = model.message_is_error ? palette::kCandidate : palette::kFaintInk;
-  ImGui::TextColored(widgets::to_vector(color), "  %s", model.message.c_str());
+  const std::string message = model.message.empty() ? "" : "  " + model.message;
+  const std::string steps = "of " + std::to_string(run.steps()) + " steps";
+  const std::string with_state = steps + "   state " + to_hex(run.state_hash());
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x;
+  const bool has_room = ImGui::CalcTextSize((with_state + message).c_str()).x <= room;
+  ImGui::TextDisabled("%s", has_room ? with_state.c_str() : steps.c_str());
+  if (!message.empty()) draw_message(context, message);
 }
 
 }  // namespace

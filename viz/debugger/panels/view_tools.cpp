@@ -12,20 +12,27 @@ namespace {
 constexpr std::array kLayers{Layer::objects, Layer::partitioners, Layer::leaves, Layer::pairs,
                              Layer::operators};
 
+constexpr float kTintChoice = 105;
+
+float text_width(const char* text) { return ImGui::CalcTextSize(text).x; }
+
 void draw_layers(PanelContext& context) {
   for (const Layer layer : kLayers) {
     bool shown = context.model.view.layers.has(layer);
     const std::string name(to_string(layer));
+    const float width =
+        ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + text_width(name.c_str());
+    if (layer != kLayers.front()) widgets::beside_or_below(width);
     if (widgets::checkbox(context.gui, name.c_str(), shown)) context.model.view.layers.set(layer, shown);
-    ImGui::SameLine();
   }
 }
 
 void draw_tint(PanelContext& context) {
   ViewSettings& settings = context.model.view;
+  widgets::beside_or_below(text_width("colour") + ImGui::GetStyle().ItemSpacing.x + kTintChoice);
   ImGui::TextDisabled("colour");
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(105);
+  ImGui::SetNextItemWidth(kTintChoice);
   const bool open = ImGui::BeginCombo("##colour", kTintNames[static_cast<std::size_t>(settings.tint)].data());
   context.gui.name_last_item("colour");
   if (!open) return;
@@ -124,7 +131,9 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
       list.AddRectFilled({area.x + 8 + static_cast<float>(k), top + 2},
                          {area.x + 9 + static_cast<float>(k), top + 13},
                          widgets::to_imgui(palette::population_color(static_cast<std::uint32_t>(k), 60)));
-    draw_text_on(list, {area.x + 74, top}, tint_scale(settings.tint, counts.tint_end), palette::kFaintInk);
+    std::string scale = tint_scale(settings.tint, counts.tint_end);
+    if (text_width(scale.c_str()) > area.width - 82) scale.erase(0, scale.find(':') + 2);  // its numbers
+    draw_text_on(list, {area.x + 74, top}, scale, palette::kFaintInk);
   }
   list.PopClipRect();
 }

@@ -40,7 +40,7 @@ void draw_links(PanelContext& context, const std::string& text) {
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x < 60) ImGui::NewLine();
     const bool pressed = ImGui::SmallButton(name.c_str());
-    context.gui.name_last_item("link " + name);
+    context.gui.name_last_item("link " + name, name);
     if (!pressed) continue;
     const auto number = std::stoull(name.substr(1));
     if (name.front() == 'e') {
@@ -69,9 +69,7 @@ void draw_why(PanelContext& context) {
         "makes a pair), or go to an event: here stands why it is so.");
     return;
   }
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  widgets::wrapped_text(text);
   draw_links(context, text);
 }
 

@@ -1,0 +1,23 @@
+#include "viz/debugger/gui/wrap.h"
+
+#include <gtest/gtest.h>
+
+namespace kerf {
+namespace {
+
+TEST(Wrap, NumbersStayWhole) {
+  EXPECT_EQ(wrap_at_spaces("direction 2, z = -16.3868, balance 0.881579", 16),
+            "direction 2, z =\n-16.3868,\nbalance 0.881579");
+  EXPECT_EQ(wrap_at_spaces("z [-16.3868, 2]", 8), "z\n[-16.386\n8, 2]") << "cut only where it must be";
+}
+
+TEST(Wrap, LinesAndIndentsAreKept) {
+  EXPECT_EQ(wrap_at_spaces("one\n\n  two three\n", 8), "one\n\n  two\nthree\n");
+  EXPECT_EQ(wrap_at_spaces("", 8), "");
+  EXPECT_EQ(wrap_at_spaces("ab   cd", 3), "ab \ncd");
+  EXPECT_EQ(wrap_at_spaces("  abcdef", 4), "  ab\ncdef");
+  EXPECT_EQ(wrap_at_spaces("abc", 0), "a\nb\nc");
+}
+
+}  // namespace
+}  // namespace kerf

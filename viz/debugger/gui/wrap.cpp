@@ -1,0 +1,39 @@
+#include "viz/debugger/gui/wrap.h"
+
+#include <algorithm>
+
+namespace kerf {
+namespace {
+
+/// Where a line that is too long ends: at the last space that leaves something before it.
+std::size_t end_of_line(std::string_view line, std::size_t columns) {
+  const std::size_t space = line.rfind(' ', columns);
+  const bool is_indent = space == std::string_view::npos || line.find_first_not_of(' ') > space;
+  return is_indent ? columns : space;
+}
+
+void wrap_line(std::string_view line, std::size_t columns, std::string& out) {
+  while (line.size() > columns) {
+    const std::size_t end = end_of_line(line, columns);
+    out += std::string(line.substr(0, end)) + "\n";
+    line.remove_prefix(end);
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+  }
+  out += line;
+}
+
+}  // namespace
+
+std::string wrap_at_spaces(std::string_view text, std::size_t columns) {
+  columns = std::max<std::size_t>(1, columns);
+  std::string out;
+  while (true) {
+    const std::size_t end = text.find('\n');
+    wrap_line(text.substr(0, end), columns, out);
+    if (end == std::string_view::npos) return out;
+    out += '\n';
+    text.remove_prefix(end + 1);
+  }
+}
+
+}  // namespace kerf

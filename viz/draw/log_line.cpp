@@ -1,0 +1,37 @@
+#include <algorithm>
+
+#include "viz/draw/flow.h"
+#include "viz/draw/overlay.h"
+
+namespace kerf {
+namespace {
+
+/// The names of the first `shown` operators, and how many more there are.
+std::string acted_text(const std::vector<Highlight>& highlights, std::size_t shown) {
+  std::string text;
+  for (std::size_t k = 0; k < shown; ++k) text += (k == 0 ? "acted: " : ", ") + highlights[k].label();
+  const std::size_t more = highlights.size() - shown;
+  if (more == 0) return text;
+  return shown == 0 ? "acted: " + std::to_string(more) + " operators"
+                    : text + " and " + std::to_string(more) + " more";
+}
+
+std::string cut_to(const Font& font, int width, std::string text) {
+  if (font.width(text) <= width) return text;
+  while (!text.empty() && font.width(text + "...") > width) text.pop_back();
+  return text + "...";
+}
+
+}  // namespace
+
+std::string log_line(const Font& font, int picture_width, const std::string& note,
+                     const std::vector<Highlight>& highlights) {
+  const int width = picture_width - 2 * flow::padding(font);
+  const std::string begin = note.empty() || highlights.empty() ? note : note + "   ";
+  for (std::size_t shown = highlights.size(); shown > 0; --shown)
+    if (const std::string text = begin + acted_text(highlights, shown); font.width(text) <= width)
+      return text;
+  return cut_to(font, width, highlights.empty() ? begin : begin + acted_text(highlights, 0));
+}
+
+}  // namespace kerf
