@@ -9,6 +9,7 @@
 #include "frames/farm/forked_crew.h"
 #include "frames/farm/frame_parcel.h"
 #include "frames/farm/picture_maker.h"
+#include "viz/gl/context.h"
 #include "viz/image/png.h"
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -75,6 +76,7 @@ void run_pipeline(const FrameLoop& loop) {
 
 double measure_encoding(const FrameLoop& loop) {
   constexpr int kTimes = 5;
+  tune_allocator_for_rendering();  // as who draws frames does, or half of the time would go into new pages
   Crowd crowd(loop.boxes);
   crowd.advance();
   FrameRenderer<3> renderer(options_of(loop));

@@ -19,9 +19,9 @@ using testing::read_json;
 using testing::run_kerf;
 using testing::TemporaryFolder;
 
-/// Measures few boxes first, in a moment, and then many.
+/// Measures few boxes first, in a moment, and then more.
 std::vector<std::string> bench_frames(const std::string& json, const std::string& boxes) {
-  return {"bench-frames", "--sizes", "64x64", "--boxes", boxes, "--frames", "2", "--json", json};
+  return {"bench-frames", "--sizes", "640x360", "--boxes", boxes, "--frames", "80", "--json", json};
 }
 
 TEST(BenchFramesProgram, PrintsRowsAndWritesJson) {
@@ -40,7 +40,7 @@ TEST(BenchFramesProgram, PrintsRowsAndWritesJson) {
 TEST(BenchFramesProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "frames.json";
-  Process process(kerf_command(bench_frames(file, "10,20000,20000,20000")));
+  Process process(kerf_command(bench_frames(file, "10,2000,2000")));
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!std::filesystem::exists(file) && std::chrono::steady_clock::now() < give_up)
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -50,7 +50,7 @@ TEST(BenchFramesProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const auto json = read_json(file);
   EXPECT_FALSE(json["complete"]);
   EXPECT_GE(json["rows"].size(), 1U);
-  EXPECT_LT(json["rows"].size(), 4U);
+  EXPECT_LT(json["rows"].size(), 3U);
 }
 
 TEST(BenchFramesProgram, SaysWhyAFileCannotBeWrittenBeforeItMeasures) {
