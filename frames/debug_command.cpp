@@ -23,7 +23,8 @@ namespace {
 constexpr const char* kFooter =
     "SCENE is recorded first, into a temporary file; FILE is what `kerf record` or `kerf import` wrote.\n"
     "In the window, F1 shows the keys. docs/DEBUGGING.md is a guide, and has the commands of scripts.\n"
-    "EXIT    0 done, 1 a script's expectation does not hold or nothing can be shown, 2 wrong usage";
+    "EXIT    0 done, 1 a script's expectation does not hold or nothing can be shown, 2 wrong usage,\n"
+    "        130 interrupted";
 
 std::string read_script(const std::string& path) {
   std::ifstream file(path);

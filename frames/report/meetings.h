@@ -18,7 +18,7 @@ class Meetings {
   /// The pairs of the next step, both sorted.
   void add(std::span<const Pair> truth, std::span<const Pair> told);
 
-  /// {"meetings", "never" (share that ended undetected), "lag_mean", "lag_p99", "lag_max" (steps)}.
+  /// {"meetings", "never_share" (that ended undetected), "lag_mean", "lag_p99", "lag_max" (steps)}.
   [[nodiscard]] Json figures() const;
 
  private:

@@ -44,9 +44,6 @@ class ScriptWriter {
               Mobility mobility = Mobility::moving) {
     write({Request<D>::Kind::insert, {object}, box, mobility, expected, margin_});
   }
-  void insert_fixed(std::uint32_t object, const Box<D>& box, Status expected = Status::ok) {
-    insert(object, box, expected, Mobility::fixed);
-  }
   void move(std::uint32_t object, const Box<D>& box, Status expected = Status::ok) {
     write({Request<D>::Kind::move, {object}, box, Mobility::moving, expected, margin_});
   }
