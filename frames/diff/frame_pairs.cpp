@@ -13,7 +13,7 @@ namespace kerf {
 namespace {
 
 namespace fs = std::filesystem;
-using Names = std::map<std::string, fs::path>;
+using FilesByName = std::map<std::string, fs::path>;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
   throw UnusableInput("cannot compare " + path.string() + ": " + reason);
@@ -32,8 +32,8 @@ bool is_frame(const fs::path& path) {
   return path.extension() == ".png" && !name.starts_with(".") && !is_sidecar(path);
 }
 
-Names find_frames(const fs::path& folder) {
-  Names names;
+FilesByName find_frames(const fs::path& folder) {
+  FilesByName names;
   std::error_code error;
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
@@ -44,14 +44,14 @@ Names find_frames(const fs::path& folder) {
   return names;
 }
 
-Names find_some_frames(const fs::path& folder) {
-  Names names = find_frames(folder);
+FilesByName find_some_frames(const fs::path& folder) {
+  FilesByName names = find_frames(folder);
   if (names.empty()) refuse(folder, "it holds no PNG file");
   return names;
 }
 
 /// A manifest tells of frames that should be there.
-void check_manifest(const fs::path& folder, const Names& names, PairedFrames& result) {
+void check_manifest(const fs::path& folder, const FilesByName& names, PairedFrames& result) {
   std::ifstream file(folder / kManifestName);
   if (!file) return;
   const auto json = nlohmann::json::parse(file, nullptr, false);
@@ -84,8 +84,10 @@ PairedFrames pair_frames(const fs::path& reference, const fs::path& test, Withou
     result.frames.push_back({test.filename().string(), begins ? fs::path() : reference, test});
     return result;
   }
-  const Names references = begins ? Names() : accepts ? find_frames(reference) : find_some_frames(reference);
-  const Names tests = find_some_frames(test);
+  const FilesByName references = begins    ? FilesByName()
+                                 : accepts ? find_frames(reference)
+                                           : find_some_frames(reference);
+  const FilesByName tests = find_some_frames(test);
   std::map<std::string, FramePair> pairs;
   for (const auto& [name, path] : references) pairs[name] = {name, path, {}};
   for (const auto& [name, path] : tests) {

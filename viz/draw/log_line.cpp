@@ -29,8 +29,7 @@ std::string log_line(const Font& font, int picture_width, const std::string& not
   const int width = picture_width - 2 * flow::padding(font);
   const std::string begin = note.empty() || highlights.empty() ? note : note + "   ";
   for (std::size_t shown = highlights.size(); shown > 0; --shown)
-    if (const std::string text = begin + acted_text(highlights, shown); font.width(text) <= width)
-      return text;
+    if (std::string text = begin + acted_text(highlights, shown); font.width(text) <= width) return text;
   return cut_to(font, width, highlights.empty() ? begin : begin + acted_text(highlights, 0));
 }
 
