@@ -19,9 +19,9 @@ using testing::read_json;
 using testing::run_kerf;
 using testing::TemporaryFolder;
 
-/// Measures few boxes first, in a moment, and then more.
+/// Enough frames to be measured also beside other tests.
 std::vector<std::string> bench_frames(const std::string& json, const std::string& boxes) {
-  return {"bench-frames", "--sizes", "640x360", "--boxes", boxes, "--frames", "80", "--json", json};
+  return {"bench-frames", "--sizes", "320x240", "--boxes", boxes, "--frames", "300", "--json", json};
 }
 
 TEST(BenchFramesProgram, PrintsRowsAndWritesJson) {
@@ -40,7 +40,7 @@ TEST(BenchFramesProgram, PrintsRowsAndWritesJson) {
 TEST(BenchFramesProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "frames.json";
-  Process process(kerf_command(bench_frames(file, "10,2000,2000")));
+  Process process(kerf_command(bench_frames(file, "10,20,20")));
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!std::filesystem::exists(file) && std::chrono::steady_clock::now() < give_up)
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
