@@ -34,7 +34,7 @@ Collection collect(const std::vector<std::filesystem::path>& folders);
 std::string describe_gaps(const Collection& collection);
 
 /// Throws UsageError if `out`, from which an earlier sequence may be removed, is one of the folders that are
-/// read, holds one or lies in one.
+/// read, or holds one.
 void check_apart(const std::filesystem::path& out, const std::vector<std::filesystem::path>& sources);
 
 /// Puts all frames, what lies beside them (as hard links, or copies where that cannot be) and one manifest
