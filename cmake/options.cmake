@@ -24,13 +24,19 @@ if(KERF_SANITIZE)
 endif()
 target_include_directories(kerf_options INTERFACE ${PROJECT_SOURCE_DIR})
 
-# kerf_room(NAME [EXCLUDE REGEX...]) takes every .cpp and .h below the current folder that matches none of the
-# expressions, so that a new file needs no line here. A header that has a source is its first #include (tests/house sees
+# kerf_room(NAME [FOLDERS FOLDER...] [EXCLUDE REGEX...]) takes every .cpp and .h below the given folders (the current one)
+# that matches none of the expressions, so that a new file needs no line here. A header that has a source is its first #include (tests/house sees
 # to it), so that each build shows that it compiles alone; only the others are verified by themselves.
 function(kerf_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "" EXCLUDE)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  cmake_parse_arguments(PARSE_ARGV 1 room "" "" "FOLDERS;EXCLUDE")
+  set(folders ${CMAKE_CURRENT_SOURCE_DIR})
+  if(room_FOLDERS)
+    list(TRANSFORM room_FOLDERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE folders)
+  endif()
+  list(TRANSFORM folders APPEND /*.cpp OUTPUT_VARIABLE source_patterns)
+  list(TRANSFORM folders APPEND /*.h OUTPUT_VARIABLE header_patterns)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${source_patterns})
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${header_patterns})
   foreach(pattern IN LISTS room_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX "${pattern}")
     list(FILTER headers EXCLUDE REGEX "${pattern}")

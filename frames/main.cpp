@@ -1,3 +1,3 @@
-#include "frames/command_line.h"
+#include "frames/commands/command_line.h"
 
 int main(int argc, char** argv) { return kerf::run_command_line(argc, argv); }

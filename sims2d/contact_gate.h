@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/ids.h"
+#include "core/base/ids.h"
 
 class b2Body;
 class b2Contact;

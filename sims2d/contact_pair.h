@@ -3,7 +3,7 @@
 #include <box2d/b2_body.h>
 #include <box2d/b2_contact.h>
 
-#include "core/ids.h"
+#include "core/base/ids.h"
 
 namespace kerf::inline sims2d {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/broad_phase/broad_phase.h"
-#include "core/ids.h"
+#include "core/base/ids.h"
+#include "core/objects/broad_phase.h"
 #include "core/scene/scene.h"
 #include "core/scene/shape.h"
 

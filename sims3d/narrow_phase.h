@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/ids.h"
+#include "core/base/ids.h"
 #include "sims3d/geoms.h"
 
 namespace kerf {

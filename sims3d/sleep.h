@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/ids.h"
+#include "core/base/ids.h"
 #include "sims3d/ode_library.h"
 
 namespace kerf {

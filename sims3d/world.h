@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/broad_phase/broad_phase.h"
+#include "core/objects/broad_phase.h"
 #include "core/scene/scene.h"
 #include "sims3d/narrow_phase.h"
 #include "sims3d/ode_library.h"

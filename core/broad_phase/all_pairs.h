@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/broad_phase/lanes.h"
 #include "core/broad_phase/tabled.h"
+#include "core/kernels/lanes.h"
 
 namespace kerf {
 

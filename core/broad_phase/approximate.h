@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/broad_phase/approximation.h"
-#include "core/broad_phase/broad_phase.h"
-#include "core/broad_phase/object_table.h"
+#include "core/objects/broad_phase.h"
+#include "core/objects/object_table.h"
 
 namespace kerf {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/ids.h"
 #include "core/broad_phase/radix_sort.h"
-#include "core/ids.h"
 
 namespace kerf {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/broad_phase/lanes.h"
 #include "core/broad_phase/radix_sort.h"
 #include "core/broad_phase/tabled.h"
+#include "core/kernels/lanes.h"
 
 namespace kerf {
 

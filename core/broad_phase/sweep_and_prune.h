@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/broad_phase/pair_set.h"
+#include "core/base/pair_set.h"
 #include "core/broad_phase/tabled.h"
 
 namespace kerf {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/random.h"
+#include "core/base/random.h"
 
 namespace kerf {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/broad_phase/pair_buffer.h"
+#include "core/base/append_buffer.h"
 #include "core/kernels/found_rows.h"
 #include "core/kernels/leaf_view.h"
 

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/broad_phase/pair_buffer.h"
+#include "core/base/append_buffer.h"
 #include "core/kernels/bytes-inl.h"
 #include "core/kernels/found_rows.h"
 #include "core/kernels/four_pairs-inl.h"

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/broad_phase/skin.h"
 #include "core/geometry/packed_box.h"
+#include "core/objects/skin.h"
 
 namespace kerf {
 

@@ -39,7 +39,7 @@ alignas(32) inline constexpr std::array<PairOrder, 16> kPairOrders = make_pair_o
 
 #include <bit>
 
-#include "core/ids.h"
+#include "core/base/ids.h"
 #include "core/kernels/packed-inl.h"
 
 #undef KERF_HAS_FOUR_PAIRS

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/broad_phase/pair_buffer.h"
+#include "core/base/append_buffer.h"
 #include "core/kernels/found_rows.h"
 #include "core/kernels/leaf_view.h"
 #include "core/kernels/standing_list.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/geometry/packed_box.h"
-#include "core/tree/node.h"
+#include "core/objects/entry.h"
 
 namespace kerf {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 
+#include "core/base/ids.h"
+#include "core/base/task_pool.h"
 #include "core/geometry/packed_box.h"
-#include "core/ids.h"
-#include "core/parallel/task_pool.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "core/geometry/packed_box.h"
-#include "core/tree/node.h"
+#include "core/objects/entry.h"
 
 namespace kerf {
 

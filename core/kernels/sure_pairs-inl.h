@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/ids.h"
+#include "core/base/ids.h"
 #include "core/kernels/findings-inl.h"
 #include "core/kernels/write_pairs-inl.h"
 

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "core/ids.h"
+#include "core/base/ids.h"
 #include "core/kernels/compress-inl.h"
 
 HWY_BEFORE_NAMESPACE();

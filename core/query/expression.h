@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/ids.h"
+#include "core/base/ids.h"
 
 namespace kerf {
 

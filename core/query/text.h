@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "core/base/ids.h"
 #include "core/geometry/box.h"
 #include "core/geometry/plane.h"
-#include "core/ids.h"
 
 namespace kerf {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "core/broad_phase/bsp_state.h"
+#include "core/bsp/bsp_state.h"
 #include "core/recording/bytes.h"
 
 namespace kerf {

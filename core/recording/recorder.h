@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "core/recording/recording_writer.h"
 
 namespace kerf {

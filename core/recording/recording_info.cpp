@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/random.h"
+#include "core/base/random.h"
 
 namespace kerf {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/broad_phase/broad_phase.h"
-#include "core/config.h"
+#include "core/base/config.h"
+#include "core/objects/broad_phase.h"
 #include "core/trace/decision.h"
-#include "core/tree/statistics.h"
+#include "core/trace/statistics.h"
 
 namespace kerf {
 

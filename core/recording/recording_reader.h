@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/broad_phase/bsp_state.h"
+#include "core/bsp/bsp_state.h"
 #include "core/recording/block_codec.h"
 #include "core/recording/database.h"
 #include "core/recording/operator_rows.h"

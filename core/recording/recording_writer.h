@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "core/broad_phase/bsp_state.h"
+#include "core/bsp/bsp_state.h"
 #include "core/recording/block_codec.h"
 #include "core/recording/database.h"
 #include "core/recording/recording_info.h"

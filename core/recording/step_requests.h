@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/broad_phase/broad_phase.h"
-#include "core/broad_phase/object_table.h"
+#include "core/objects/broad_phase.h"
+#include "core/objects/object_table.h"
 
 namespace kerf {
 

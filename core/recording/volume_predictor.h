@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/broad_phase/object_table.h"
+#include "core/objects/object_table.h"
 #include "core/recording/bits.h"
 
 namespace kerf {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/broad_phase/object_table.h"
+#include "core/objects/object_table.h"
 
 namespace kerf {
 

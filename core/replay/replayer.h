@@ -4,8 +4,8 @@
 #include <map>
 #include <memory>
 
-#include "core/broad_phase/bsp.h"
-#include "core/broad_phase/bsp_state.h"
+#include "core/bsp/bsp.h"
+#include "core/bsp/bsp_state.h"
 #include "core/recording/recording_reader.h"
 
 namespace kerf {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/random.h"
 #include "core/geometry/box.h"
 #include "core/geometry/vector.h"
-#include "core/random.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/config.h"
+#include "core/base/config.h"
 #include "core/geometry/volume.h"
 
 namespace kerf {

@@ -4,9 +4,9 @@
 #include <span>
 #include <string_view>
 
-#include "core/broad_phase/broad_phase.h"
+#include "core/base/ids.h"
 #include "core/geometry/box.h"
-#include "core/ids.h"
+#include "core/objects/broad_phase.h"
 #include "core/scene/needs.h"
 #include "core/scene/shape.h"
 

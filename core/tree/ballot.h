@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/config.h"
+#include "core/base/config.h"
 #include "core/trace/event.h"
 #include "core/tree/partitioner.h"
 #include "core/tree/tree.h"

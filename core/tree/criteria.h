@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/config.h"
+#include "core/base/config.h"
 #include "core/tree/partitioner.h"
 #include "core/tree/tree.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/config.h"
+#include "core/base/config.h"
 #include "core/trace/event.h"
 #include "core/tree/placement.h"
 #include "core/tree/tree.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/config.h"
+#include "core/base/config.h"
 #include "core/geometry/direction_set.h"
 #include "core/geometry/plane.h"
 #include "core/geometry/slabs.h"

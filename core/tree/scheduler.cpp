@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "core/tree/balance.h"
 #include "core/tree/criteria.h"
 #include "core/tree/merge.h"

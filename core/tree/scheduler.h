@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/config.h"
+#include "core/base/config.h"
 #include "core/trace/reporter.h"
 #include "core/tree/tree.h"
 

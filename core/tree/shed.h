@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/config.h"
+#include "core/base/config.h"
 #include "core/trace/event.h"
 #include "core/tree/tree.h"
 

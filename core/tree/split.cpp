@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/tree/list_room.h"
+#include "core/base/list_room.h"
 
 namespace kerf {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/config.h"
+#include "core/base/config.h"
 #include "core/trace/decision.h"
 #include "core/trace/event.h"
 #include "core/tree/partitioner.h"

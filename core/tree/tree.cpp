@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/tree/list_room.h"
+#include "core/base/list_room.h"
 
 namespace kerf {
 

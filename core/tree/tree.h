@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "core/broad_phase/object_table.h"
+#include "core/base/ids.h"
+#include "core/base/task_pool.h"
 #include "core/geometry/direction_set.h"
-#include "core/ids.h"
-#include "core/parallel/task_pool.h"
+#include "core/objects/object_table.h"
 #include "core/tree/node.h"
 #include "core/tree/projector.h"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "frames/bench/algorithm.h"
 #include "frames/bench/participant.h"
 #include "frames/bench/truth.h"
+#include "frames/catalog/algorithm.h"
 
 namespace kerf {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "frames/bench/machine.h"
+#include "frames/support/machine.h"
 
 namespace kerf {
 namespace {

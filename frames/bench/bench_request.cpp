@@ -4,9 +4,9 @@
 #include <set>
 #include <string_view>
 
-#include "frames/bench/algorithm.h"
-#include "frames/errors.h"
-#include "frames/parse_number.h"
+#include "frames/catalog/algorithm.h"
+#include "frames/support/errors.h"
+#include "frames/support/parse_number.h"
 
 namespace kerf {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "frames/bench/motions/motions.h"
-#include "frames/errors.h"
-#include "frames/suggest.h"
+#include "frames/support/errors.h"
+#include "frames/support/suggest.h"
 
 namespace kerf {
 namespace {

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "core/base/ids.h"
+#include "core/base/random.h"
 #include "core/geometry/box.h"
-#include "core/ids.h"
-#include "core/random.h"
 
 namespace kerf {
 

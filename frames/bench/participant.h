@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "frames/bench/bench_cell.h"
-#include "frames/bench/child_process.h"
 #include "frames/bench/subject.h"
+#include "frames/support/child_process.h"
 
 namespace kerf {
 

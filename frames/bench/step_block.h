@@ -4,7 +4,7 @@
 #include <span>
 
 #include "frames/bench/motion.h"
-#include "frames/bench/shared_memory.h"
+#include "frames/support/shared_memory.h"
 
 namespace kerf {
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "frames/bench/memory_use.h"
 #include "frames/bench/truth.h"
 #include "frames/rivals/added_work.h"
 #include "frames/rivals/step_timer.h"
+#include "frames/support/memory_use.h"
 
 namespace kerf {
 namespace {

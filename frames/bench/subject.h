@@ -4,9 +4,9 @@
 #include <memory>
 #include <span>
 
-#include "core/broad_phase/broad_phase.h"
-#include "frames/bench/shared_memory.h"
+#include "core/objects/broad_phase.h"
 #include "frames/bench/step_block.h"
+#include "frames/support/shared_memory.h"
 
 namespace kerf {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/broad_phase/broad_phase.h"
+#include "core/objects/broad_phase.h"
 #include "frames/bench/step_block.h"
 
 namespace kerf {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/broad_phase/bsp.h"
-#include "core/random.h"
+#include "core/base/random.h"
+#include "core/bsp/bsp.h"
 #include "viz/draw/frame_renderer.h"
 
 namespace kerf {

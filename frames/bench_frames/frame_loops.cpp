@@ -6,9 +6,9 @@
 #include <string>
 
 #include "frames/bench_frames/crowd.h"
-#include "frames/farm/forked_crew.h"
-#include "frames/farm/frame_parcel.h"
-#include "frames/farm/picture_maker.h"
+#include "frames/sequence/farm/forked_crew.h"
+#include "frames/sequence/farm/frame_parcel.h"
+#include "frames/sequence/farm/picture_maker.h"
 #include "viz/gl/context.h"
 #include "viz/image/png.h"
 

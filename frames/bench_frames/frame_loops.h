@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "frames/picture_size.h"
+#include "frames/support/picture_size.h"
 
 namespace kerf {
 

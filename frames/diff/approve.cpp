@@ -1,9 +1,9 @@
 #include "frames/diff/approve.h"
 
-#include "frames/atomic_file.h"
-#include "frames/diff/draw_list_file.h"
-#include "frames/diff/sidecar.h"
-#include "frames/errors.h"
+#include "frames/sequence/draw_list_file.h"
+#include "frames/sequence/sidecar.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
 #include "viz/image/png.h"
 
 namespace kerf {

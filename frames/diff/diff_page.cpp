@@ -3,10 +3,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "frames/diff/base64.h"
 #include "frames/diff/diff_page_parts.h"
-#include "frames/diff/draw_list_file.h"
-#include "frames/report/page.h"
+#include "frames/page/page.h"
+#include "frames/sequence/draw_list_file.h"
+#include "frames/support/base64.h"
 #include "viz/draw/compare_drawn.h"
 #include "viz/image/png.h"
 

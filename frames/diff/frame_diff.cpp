@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "frames/diff/draw_list_file.h"
+#include "frames/sequence/draw_list_file.h"
 #include "viz/draw/compare_drawn.h"
 #include "viz/image/png.h"
 

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "frames/diff/sidecar.h"
-#include "frames/errors.h"
-#include "frames/manifest.h"
+#include "frames/sequence/manifest.h"
+#include "frames/sequence/sidecar.h"
+#include "frames/support/errors.h"
 
 namespace kerf {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "frames/bench/algorithm.h"
+#include "frames/catalog/algorithm.h"
 
 namespace kerf {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <chrono>
 
-#include "core/broad_phase/bsp.h"
 #include "core/broad_phase/loose_octree.h"
 #include "core/broad_phase/sweep_and_prune.h"
+#include "core/bsp/bsp.h"
 #include "frames/rivals/step_timer.h"
 #include "sims3d/rivals/ode_space.h"
 

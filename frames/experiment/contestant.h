@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/broad_phase/broad_phase.h"
+#include "core/objects/broad_phase.h"
 #include "core/recording/step_requests.h"
 #include "frames/experiment/simulation.h"
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "frames/atomic_file.h"
-#include "frames/errors.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
 
 namespace kerf {
 namespace {

@@ -5,9 +5,9 @@
 #include <sstream>
 #include <string>
 
-#include "frames/atomic_file.h"
 #include "frames/experiment/claims.h"
 #include "frames/experiment/experiment_file.h"
+#include "frames/support/atomic_file.h"
 
 namespace kerf {
 namespace {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "frames/bench/algorithm.h"
-#include "frames/report/gnuplot.h"
+#include "frames/catalog/algorithm.h"
+#include "frames/page/gnuplot.h"
 
 namespace kerf {
 namespace {

@@ -5,13 +5,13 @@
 #include <memory>
 #include <stdexcept>
 
-#include "core/broad_phase/object_table.h"
+#include "core/objects/object_table.h"
 #include "frames/bench/step_block.h"
 #include "frames/bench/truth.h"
-#include "frames/broad_phase_choice.h"
+#include "frames/catalog/broad_phase_choice.h"
+#include "frames/catalog/scene_catalog.h"
 #include "frames/experiment/contestant.h"
 #include "frames/rivals/step_timer.h"
-#include "frames/scene_catalog.h"
 
 namespace kerf {
 namespace {

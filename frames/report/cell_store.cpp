@@ -3,9 +3,9 @@
 #include <fstream>
 #include <utility>
 
-#include "frames/atomic_file.h"
-#include "frames/bench/machine.h"
-#include "frames/errors.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/machine.h"
 
 namespace kerf {
 namespace {

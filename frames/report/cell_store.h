@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "frames/report/cell.h"
+#include "frames/page/cell.h"
 
 namespace kerf {
 

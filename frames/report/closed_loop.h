@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "frames/report/cell.h"
+#include "frames/page/cell.h"
 #include "frames/report/take.h"
 
 namespace kerf {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/ids.h"
 #include "core/geometry/volume.h"
-#include "core/ids.h"
 #include "core/scene/shape.h"
 
 namespace kerf {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/ids.h"
 #include "core/geometry/volume.h"
-#include "core/ids.h"
 #include "core/scene/shape.h"
 #include "sims3d/geoms.h"
 #include "sims3d/ode_library.h"

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "core/broad_phase/broad_phase.h"
+#include "core/objects/broad_phase.h"
 #include "frames/bench/motion.h"
-#include "frames/report/cell.h"
+#include "frames/page/cell.h"
 
 namespace kerf {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "frames/report/cell.h"
+#include "frames/page/cell.h"
 
 namespace kerf {
 

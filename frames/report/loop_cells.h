@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "frames/report/cell.h"
+#include "frames/page/cell.h"
 #include "frames/report/cell_store.h"
 #include "frames/report/report_request.h"
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/ids.h"
-#include "frames/report/cell.h"
+#include "core/base/ids.h"
+#include "frames/page/cell.h"
 
 namespace kerf {
 

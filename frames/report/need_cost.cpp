@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "core/scene/bounding.h"
 #include "frames/report/contact_probe.h"
 #include "frames/report/figures.h"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "frames/errors.h"
-#include "frames/parse_whole.h"
-#include "frames/suggest.h"
+#include "frames/support/errors.h"
+#include "frames/support/parse_whole.h"
+#include "frames/support/suggest.h"
 
 namespace kerf {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "frames/report/cell.h"
+#include "frames/page/cell.h"
+#include "frames/page/page.h"
 #include "frames/report/cell_store.h"
-#include "frames/report/page.h"
 #include "frames/report/report_request.h"
 
 namespace kerf {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/broad_phase/approximate.h"
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 
 namespace kerf {
 namespace {

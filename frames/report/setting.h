@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/config.h"
 #include "core/broad_phase/approximation.h"
-#include "core/broad_phase/broad_phase.h"
-#include "core/config.h"
+#include "core/objects/broad_phase.h"
 
 namespace kerf {
 

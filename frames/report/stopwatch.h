@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/broad_phase/broad_phase.h"
+#include "core/objects/broad_phase.h"
 #include "frames/rivals/step_timer.h"
 
 namespace kerf {

@@ -4,9 +4,9 @@
 #include <string>
 #include <variant>
 
-#include "core/broad_phase/bsp.h"
-#include "frames/errors.h"
-#include "frames/scene_catalog.h"
+#include "core/bsp/bsp.h"
+#include "frames/catalog/scene_catalog.h"
+#include "frames/support/errors.h"
 
 namespace kerf {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "frames/report/cell.h"
+#include "frames/page/cell.h"
 
 namespace kerf {
 

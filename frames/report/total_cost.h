@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/broad_phase/broad_phase.h"
+#include "core/objects/broad_phase.h"
 #include "frames/report/contact_probe.h"
 #include "frames/report/take.h"
 

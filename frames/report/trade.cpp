@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "frames/report/pareto.h"
+#include "frames/page/pareto.h"
 
 namespace kerf {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "frames/report/cell.h"
-#include "frames/report/plot.h"
+#include "frames/page/cell.h"
+#include "frames/page/plot.h"
 
 namespace kerf {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/broad_phase/bsp.h"
-#include "core/random.h"
+#include "core/base/random.h"
+#include "core/bsp/bsp.h"
 #include "core/scene/bounding.h"
 #include "frames/report/figures.h"
 #include "frames/rivals/step_timer.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/broad_phase/broad_phase.h"
+#include "core/objects/broad_phase.h"
 
 namespace kerf {
 

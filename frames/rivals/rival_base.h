@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/broad_phase/broad_phase.h"
-#include "core/broad_phase/object_table.h"
+#include "core/objects/broad_phase.h"
+#include "core/objects/object_table.h"
 #include "frames/rivals/added_work.h"
 #include "frames/rivals/rival.h"
 

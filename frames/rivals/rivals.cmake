@@ -11,5 +11,5 @@ file(GLOB rival_headers CONFIGURE_DEPENDS rivals/*.h)
 add_library(kerf_rivals STATIC ${rival_sources})
 target_sources(kerf_rivals PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${rival_headers})
 target_include_directories(kerf_rivals SYSTEM PRIVATE ${KERF_CGAL_INCLUDE})
-target_link_libraries(kerf_rivals PUBLIC kerf_core
+target_link_libraries(kerf_rivals PUBLIC kerf_bsp
   PRIVATE kerf_sims3d box2d::box2d embree PkgConfig::BULLET PkgConfig::FCL)

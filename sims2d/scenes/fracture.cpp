@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "core/scene/attractor.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/world_scene.h"

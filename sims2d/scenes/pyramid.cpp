@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "sims2d/scenes/fixed.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/world_scene.h"

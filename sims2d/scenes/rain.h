@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "core/scene/shape.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/world.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "sims2d/scenes/fixed.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/rain_scene.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/rain.h"
 #include "sims2d/scenes/world_scene.h"

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/broad_phase/broad_phase.h"
-#include "core/broad_phase/object_table.h"
+#include "core/objects/broad_phase.h"
+#include "core/objects/object_table.h"
 #include "sims3d/ode_library.h"
 
 namespace kerf {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/world_scene.h"
 #include "sims3d/scenes/yard.h"

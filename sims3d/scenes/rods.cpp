@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/random_body.h"
 #include "sims3d/scenes/world_scene.h"

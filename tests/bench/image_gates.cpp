@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "frames/diff/draw_list_file.h"
 #include "frames/diff/frame_diff.h"
+#include "frames/sequence/draw_list_file.h"
 #include "tests/images/plants.h"
 #include "tests/images/scene_still.h"
 #include "tests/viz/temporary_folder.h"

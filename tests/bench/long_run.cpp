@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/broad_phase/brute_force.h"
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "core/tree/validate.h"
 #include "sims3d/rivals/ode_space.h"
 #include "sims3d/scenes/scenes.h"

@@ -12,10 +12,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "frames/bench/bench_scene.h"
-#include "frames/errors.h"
-#include "frames/parse_whole.h"
+#include "frames/support/errors.h"
+#include "frames/support/parse_whole.h"
 
 namespace kerf {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "viz/debugger/debugger.h"
 #include "viz/debugger/gui/glfw_window.h"
 

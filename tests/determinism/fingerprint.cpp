@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "core/broad_phase/bsp.h"
+#include "core/base/random.h"
+#include "core/bsp/bsp.h"
 #include "core/kernels/machine.h"
-#include "core/random.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "frames/errors.h"
+#include "frames/support/errors.h"
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
 

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "core/recording/recording_reader.h"
-#include "frames/recording_file.h"
+#include "frames/sequence/recording_file.h"
 #include "tests/frames/program.h"
 
 namespace kerf {

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "frames/scene_catalog.h"
+#include "frames/catalog/scene_catalog.h"
 #include "tests/frames/program.h"
 
 namespace kerf {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "frames/errors.h"
+#include "frames/support/errors.h"
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "frames/errors.h"
+#include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
 namespace kerf {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "frames/errors.h"
+#include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
 namespace kerf {

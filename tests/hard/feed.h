@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/broad_phase/broad_phase.h"
+#include "core/objects/broad_phase.h"
 #include "tests/hard/script.h"
 
 namespace kerf::test {

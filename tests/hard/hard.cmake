@@ -3,9 +3,9 @@ file(GLOB hard_sources CONFIGURE_DEPENDS hard/*.cpp hard/cases/*.cpp)
 file(GLOB hard_headers CONFIGURE_DEPENDS hard/*.h hard/cases/*.h)
 add_library(kerf_hard_parts STATIC ${hard_sources})
 target_sources(kerf_hard_parts PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${hard_headers})
-target_link_libraries(kerf_hard_parts PUBLIC kerf_core)
+target_link_libraries(kerf_hard_parts PUBLIC kerf_recording)
 
-kerf_tests(hard kerf_core)
+kerf_tests(hard kerf_recording)
 
 find_package(nlohmann_json 3.11 REQUIRED)
 file(GLOB hard_report_sources CONFIGURE_DEPENDS hard/report/*.cpp)

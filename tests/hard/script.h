@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/broad_phase/broad_phase.h"
+#include "core/objects/broad_phase.h"
 
 namespace kerf::test {
 

@@ -13,8 +13,8 @@
 #include <thread>
 #include <vector>
 
-#include "frames/errors.h"
-#include "frames/manifest.h"
+#include "frames/sequence/manifest.h"
+#include "frames/support/errors.h"
 #include "tests/frames/program.h"
 #include "viz/image/png.h"
 

@@ -69,14 +69,52 @@ struct Permission {
   std::string_view owner;
 };
 
+/// A folder and how high it stands in its room. A file includes files of its own folder and of lower ones;
+/// two folders of one height do not see each other. `tests/house/layers_test.cpp` holds the drawing in
+/// docs/ARCHITECTURE.md against this table.
+constexpr auto kLayers = std::to_array<Layer>({
+    {"core/base/", 0},
+    {"core/geometry/", 1},
+    {"core/trace/", 2},
+    {"core/objects/", 3},
+    {"core/kernels/", 4},
+    {"core/tree/", 5},
+    {"core/bsp/", 6},
+    {"core/broad_phase/", 7},
+    {"core/scene/", 8},
+    {"core/recording/", 9},
+    {"core/replay/", 10},
+    {"core/query/", 11},
+
+    {"viz/image/", 0},
+    {"viz/gl/", 1},
+    {"viz/draw/", 2},
+    {"viz/debugger/gui/", 3},
+    {"viz/debugger/model/", 3},
+    {"viz/debugger/scene/", 4},
+    {"viz/debugger/panels/", 5},
+    {"viz/debugger/", 6},
+
+    {"frames/support/", 0},
+    {"frames/page/", 0},
+    {"frames/rivals/", 0},
+    {"frames/catalog/", 1},
+    {"frames/sequence/", 2},
+    {"frames/bench/", 3},
+    {"frames/diff/", 3},
+    {"frames/report/", 4},
+    {"frames/experiment/", 4},
+    {"frames/bench_frames/", 4},
+    {"frames/commands/", 5},
+    {"frames/main.cpp", 6},
+});
+
 constexpr auto kPermissions = std::to_array<Permission>({
     {"core/", "core"},
-    {"core/", "Eigen"},
     {"core/tree/hash.cpp", "xxHash"},
     {"core/kernels/", "x86 intrinsics"},
     {"core/kernels/", "Highway"},
-    {"core/broad_phase/lanes.cpp", "Highway"},
-    {"core/parallel/", "oneTBB"},
+    {"core/base/task_pool", "oneTBB"},
     {"core/recording/database.cpp", "SQLite"},
     {"core/recording/compression.cpp", "Zstandard"},
 
@@ -122,6 +160,33 @@ bool is_permitted(std::string_view file, std::string_view owner) {
   });
 }
 
+/// The layer of a file: the longest prefix of the table counts. Null where a room has no layers.
+const Layer* layer_of(std::string_view file) {
+  const Layer* found = nullptr;
+  for (const Layer& layer : kLayers)
+    if (file.starts_with(layer.folder) && (found == nullptr || layer.folder.size() > found->folder.size()))
+      found = &layer;
+  return found;
+}
+
+bool has_layers(std::string_view room) {
+  return std::ranges::any_of(kLayers, [&](const Layer& layer) {
+    return layer.folder.starts_with(room) && layer.folder[room.size()] == '/';
+  });
+}
+
+/// The reason why the layers of a room forbid it; empty when they do not.
+std::string layer_objection(const std::string& file, const std::string& header) {
+  const std::string_view room = std::string_view(file).substr(0, file.find('/'));
+  if (!has_layers(room) || !header.starts_with(std::string(room) + '/')) return {};
+  const Layer* const from = layer_of(file);
+  const Layer* const to = layer_of(header);
+  if (from == nullptr) return file + " lies in no layer of its room";
+  if (to == nullptr) return header + " lies in no layer of its room";
+  if (from == to || to->height < from->height) return {};
+  return std::string(from->folder) + " must not include " + std::string(to->folder) + " (" + header + ")";
+}
+
 /// The reason why `file` must not include `header`; empty when it may.
 std::string objection(const std::string& file, const std::string& header, bool quoted) {
   if (!quoted && is_standard(header)) return {};
@@ -130,7 +195,7 @@ std::string objection(const std::string& file, const std::string& header, bool q
   if (quoted && !in_house) return "\"" + header + "\" is no header of the project, written from its root";
   if (!quoted && in_house) return "<" + header + "> is the project's own and takes quotes";
   if (!owner) return "<" + header + "> belongs to no library that the house knows";
-  if (is_permitted(file, *owner)) return {};
+  if (is_permitted(file, *owner)) return layer_objection(file, header);
   const std::string room = file.substr(0, file.find('/'));
   return room + " must not include " + std::string(*owner) + " (" + header + ")";
 }
@@ -165,6 +230,8 @@ void check_file(const std::filesystem::path& root, const std::string& file, std:
 }
 
 }  // namespace
+
+std::span<const Layer> layers() { return kLayers; }
 
 std::string to_string(const Violation& violation) {
   return violation.file + ":" + std::to_string(violation.line) + ": " + violation.reason;

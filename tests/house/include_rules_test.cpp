@@ -51,30 +51,31 @@ TEST(IncludeRules, HoldInThisTree) {
 }
 
 TEST(IncludeRules, SeeThisTree) {
-  EXPECT_THAT(source_files(), testing::Contains(std::filesystem::path("core/ids.h")));
+  EXPECT_THAT(source_files(), testing::Contains(std::filesystem::path("core/base/ids.h")));
   EXPECT_THAT(source_files(), testing::Contains(std::filesystem::path("tests/house/include_rules.cpp")));
 }
 
 TEST_F(PlantedTree, AllowsWhatTheTableAllows) {
-  plant("core/tree/a.h", "#include <vector>\n#include <Eigen/Core>\n#include \"core/ids.h\"\n");
-  plant("viz/a.cpp",
-        "#include <GL/gl.h>\n#include <imgui.h>\n#include <stb/stb_image.h>\n#include \"core/a.h\"\n");
+  plant("core/tree/a.h", "#include <vector>\n#include \"core/base/ids.h\"\n");
+  plant("viz/draw/a.cpp",
+        "#include <GL/gl.h>\n#include <imgui.h>\n#include <stb/stb_image.h>\n#include \"core/tree/a.h\"\n");
   plant("sims2d/a.cpp", "#include <box2d/box2d.h>\n#include \"core/a.h\"\n#include \"sims2d/a.h\"\n");
   plant("sims3d/a.cpp", "#include <ode/ode.h>\n#include \"core/a.h\"\n");
-  plant("frames/a.cpp", "#include <CLI/CLI.hpp>\n#include \"viz/a.h\"\n#include \"sims2d/a.h\"\n");
+  plant("frames/commands/a.cpp", "#include <CLI/CLI.hpp>\n#include \"viz/a.h\"\n#include \"sims2d/a.h\"\n");
   plant("tests/a.cpp", "#include <gtest/gtest.h>\n#include <ode/ode.h>\n#include \"frames/a.h\"\n");
   EXPECT_THAT(violations(), IsEmpty());
 }
 
 TEST_F(PlantedTree, CoreSeesNoOtherRoomAndNoEngine) {
-  plant("core/a.h", "#pragma once\n\n#include \"viz/a.h\"\n#  include <box2d/box2d.h>\n");
-  plant("core/b.cpp", "#include <GL/gl.h>\n#include <ode/ode.h>\n#include <unistd.h>\n#include <imgui.h>\n");
-  EXPECT_THAT(violations(), ElementsAre("core/a.h:3: core must not include viz (viz/a.h)",
-                                        "core/a.h:4: core must not include Box2D (box2d/box2d.h)",
-                                        "core/b.cpp:1: core must not include GL (GL/gl.h)",
-                                        "core/b.cpp:2: core must not include ODE (ode/ode.h)",
-                                        "core/b.cpp:3: core must not include POSIX (unistd.h)",
-                                        "core/b.cpp:4: core must not include Dear ImGui (imgui.h)"));
+  plant("core/tree/a.h", "#pragma once\n\n#include \"viz/a.h\"\n#  include <box2d/box2d.h>\n");
+  plant("core/tree/b.cpp",
+        "#include <GL/gl.h>\n#include <ode/ode.h>\n#include <unistd.h>\n#include <imgui.h>\n");
+  EXPECT_THAT(violations(), ElementsAre("core/tree/a.h:3: core must not include viz (viz/a.h)",
+                                        "core/tree/a.h:4: core must not include Box2D (box2d/box2d.h)",
+                                        "core/tree/b.cpp:1: core must not include GL (GL/gl.h)",
+                                        "core/tree/b.cpp:2: core must not include ODE (ode/ode.h)",
+                                        "core/tree/b.cpp:3: core must not include POSIX (unistd.h)",
+                                        "core/tree/b.cpp:4: core must not include Dear ImGui (imgui.h)"));
 }
 
 TEST_F(PlantedTree, CoreKeepsXxHashAndIntrinsicsInTheirFiles) {
@@ -105,29 +106,56 @@ TEST_F(PlantedTree, SimulationsSeeNeitherVizNorEachOther) {
                                         "sims3d/a.h:3: sims3d must not include Box2D (box2d/box2d.h)"));
 }
 
+TEST_F(PlantedTree, LayersOfARoomIncludeDownwardsOnly) {
+  plant("core/kernels/a.h", "#pragma once\n#include \"core/base/ids.h\"\n#include \"core/tree/node.h\"\n");
+  plant("core/tree/a.h", "#pragma once\n#include \"core/tree/node.h\"\n#include \"core/bsp/bsp.h\"\n");
+  plant("viz/gl/a.h", "#pragma once\n#include \"viz/image/png.h\"\n#include \"viz/draw/color.h\"\n");
+  plant("viz/debugger/model/a.h", "#pragma once\n#include \"viz/debugger/panels/panel.h\"\n");
+  plant("viz/debugger/a.h", "#pragma once\n#include \"viz/debugger/panels/panel.h\"\n");
+  plant("frames/page/a.h", "#pragma once\n#include \"frames/support/errors.h\"\n");
+  plant("frames/bench/a.h", "#pragma once\n#include \"frames/report/trade.h\"\n");
+  EXPECT_THAT(violations(),
+              ElementsAre("core/kernels/a.h:3: core/kernels/ must not include core/tree/ (core/tree/node.h)",
+                          "core/tree/a.h:3: core/tree/ must not include core/bsp/ (core/bsp/bsp.h)",
+                          "viz/gl/a.h:3: viz/gl/ must not include viz/draw/ (viz/draw/color.h)",
+                          "viz/debugger/model/a.h:2: viz/debugger/model/ must not include "
+                          "viz/debugger/panels/ (viz/debugger/panels/panel.h)",
+                          "frames/page/a.h:2: frames/page/ must not include frames/support/ "
+                          "(frames/support/errors.h)",
+                          "frames/bench/a.h:2: frames/bench/ must not include frames/report/ "
+                          "(frames/report/trade.h)"));
+}
+
+TEST_F(PlantedTree, EachFileOfALayeredRoomLiesInALayer) {
+  plant("core/a.h", "#pragma once\n#include \"core/base/ids.h\"\n");
+  EXPECT_THAT(violations(), ElementsAre("core/a.h:2: core/a.h lies in no layer of its room"));
+}
+
 TEST_F(PlantedTree, NothingIncludesTests) {
-  plant("frames/a.cpp", "#include \"tests/support/a.h\"\n#include <gtest/gtest.h>\n");
-  plant("core/a.cpp", "#include \"tests/support/a.h\"\n");
-  EXPECT_THAT(violations(), ElementsAre("frames/a.cpp:1: frames must not include tests (tests/support/a.h)",
-                                        "frames/a.cpp:2: frames must not include GoogleTest (gtest/gtest.h)",
-                                        "core/a.cpp:1: core must not include tests (tests/support/a.h)"));
+  plant("frames/commands/a.cpp", "#include \"tests/support/a.h\"\n#include <gtest/gtest.h>\n");
+  plant("core/tree/a.cpp", "#include \"tests/support/a.h\"\n");
+  EXPECT_THAT(violations(),
+              ElementsAre("frames/commands/a.cpp:1: frames must not include tests (tests/support/a.h)",
+                          "frames/commands/a.cpp:2: frames must not include GoogleTest (gtest/gtest.h)",
+                          "core/tree/a.cpp:1: core must not include tests (tests/support/a.h)"));
 }
 
 TEST_F(PlantedTree, PathsBeginAtTheRoot) {
-  plant("core/tree/a.h", "#include \"node.h\"\n#include \"../ids.h\"\n#include <core/ids.h>\n");
+  plant("core/tree/a.h", "#include \"node.h\"\n#include \"../ids.h\"\n#include <core/base/ids.h>\n");
   EXPECT_THAT(violations(),
               ElementsAre("core/tree/a.h:1: \"node.h\" is no header of the project, written from its root",
                           "core/tree/a.h:2: \"../ids.h\" is no header of the project, written from its root",
-                          "core/tree/a.h:3: <core/ids.h> is the project's own and takes quotes"));
+                          "core/tree/a.h:3: <core/base/ids.h> is the project's own and takes quotes"));
 }
 
 TEST_F(PlantedTree, ASourceIncludesItsOwnHeaderFirst) {
-  plant("core/a.h", "#pragma once\n");
-  plant("core/a.cpp", "#include <vector>\n#include \"core/a.h\"\n");
-  plant("core/b.cpp", "#include <vector>\n#include \"core/a.h\"\n");
-  plant("core/c.h", "#include <vector>\n");
-  plant("core/c.cpp", "#include \"core/c.h\"\n#include \"core/a.h\"\n");
-  EXPECT_THAT(violations(), ElementsAre("core/a.cpp:1: the source of core/a.h must include it first"));
+  plant("core/tree/a.h", "#pragma once\n");
+  plant("core/tree/a.cpp", "#include <vector>\n#include \"core/tree/a.h\"\n");
+  plant("core/tree/b.cpp", "#include <vector>\n#include \"core/tree/a.h\"\n");
+  plant("core/tree/c.h", "#include <vector>\n");
+  plant("core/tree/c.cpp", "#include \"core/tree/c.h\"\n#include \"core/tree/a.h\"\n");
+  EXPECT_THAT(violations(),
+              ElementsAre("core/tree/a.cpp:1: the source of core/tree/a.h must include it first"));
 }
 
 TEST_F(PlantedTree, UnknownLibrariesAndHiddenNamesAreReported) {

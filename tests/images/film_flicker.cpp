@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "frames/diff/draw_list_file.h"
 #include "frames/diff/frame_pairs.h"
+#include "frames/sequence/draw_list_file.h"
 #include "viz/image/png.h"
 
 namespace kerf::test {

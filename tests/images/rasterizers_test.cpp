@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "frames/diff/draw_list_file.h"
 #include "frames/diff/frame_diff.h"
+#include "frames/sequence/draw_list_file.h"
 #include "tests/frames/program.h"
 #include "tests/images/reference_frames.h"
 #include "tests/images/scene_still.h"

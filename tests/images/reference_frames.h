@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "frames/diff/draw_list_file.h"
+#include "frames/sequence/draw_list_file.h"
 #include "viz/draw/frame_renderer.h"
 
 namespace kerf::test {

@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/broad_phase/bsp.h"
-#include "frames/scene_catalog.h"
+#include "core/bsp/bsp.h"
+#include "frames/catalog/scene_catalog.h"
 #include "tests/support/config_of.h"
 #include "viz/draw/frame_renderer.h"
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/geometry/slabs.h"
 #include "core/geometry/volume.h"
-#include "core/random.h"
 
 namespace kerf::test {
 

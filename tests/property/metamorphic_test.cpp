@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "core/scene/bounding.h"
 #include "tests/property/symmetry.h"
 #include "tests/property/turn.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/geometry/volume.h"
-#include "core/random.h"
 #include "core/tree/tree.h"
 
 namespace kerf::test {

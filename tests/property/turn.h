@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/base/random.h"
 #include "core/geometry/vector.h"
-#include "core/random.h"
 
 namespace kerf::test {
 

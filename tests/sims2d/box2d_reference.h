@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "core/ids.h"
+#include "core/base/ids.h"
 
 class b2World;
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "sims2d/scenes/rain.h"
 #include "tests/sims2d/shapes.h"
 

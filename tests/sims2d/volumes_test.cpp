@@ -1,7 +1,7 @@
 #include <box2d/b2_math.h>
 #include <gtest/gtest.h>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "core/geometry/volume.h"
 #include "sims2d/convert.h"
 #include "sims2d/scenes/scenes.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "core/random.h"
+#include "core/base/random.h"
 
 namespace kerf {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "core/scene/bounding.h"
 #include "sims3d/scenes/scenes.h"
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <thread>
 
+#include "core/base/random.h"
 #include "core/broad_phase/brute_force.h"
-#include "core/random.h"
 #include "tests/sims3d/test_broad_phases.h"
 
 namespace kerf {

@@ -8,8 +8,8 @@
 
 #include "core/replay/oracle.h"
 #include "frames/bench/bench_scene.h"
-#include "frames/errors.h"
-#include "frames/scene_catalog.h"
+#include "frames/catalog/scene_catalog.h"
+#include "frames/support/errors.h"
 
 namespace kerf::test {
 namespace {

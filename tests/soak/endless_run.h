@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/broad_phase/bsp.h"
-#include "core/tree/statistics.h"
+#include "core/bsp/bsp.h"
+#include "core/trace/statistics.h"
 
 namespace kerf::test {
 

@@ -17,10 +17,10 @@
 #include <string_view>
 #include <vector>
 
-#include "frames/errors.h"
-#include "frames/interrupt.h"
-#include "frames/parse_whole.h"
-#include "frames/progress_line.h"
+#include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/parse_whole.h"
+#include "frames/support/progress_line.h"
 #include "tests/soak/endless_run.h"
 
 namespace kerf::test {

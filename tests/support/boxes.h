@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/random.h"
 #include "core/geometry/box.h"
-#include "core/random.h"
 
 namespace kerf::test {
 

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "core/config.h"
+#include "core/base/config.h"
 
 namespace kerf::test {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/kernels/leaf_view.h"
-#include "core/random.h"
 
 namespace kerf::test {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/broad_phase/broad_phase.h"
-#include "core/random.h"
+#include "core/base/random.h"
+#include "core/objects/broad_phase.h"
 
 namespace kerf::test {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/ids.h"
+#include "core/base/ids.h"
 
 namespace kerf::test {
 

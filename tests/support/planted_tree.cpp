@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/kernels/sweep.h"
+#include "core/bsp/ordered_sweep.h"
 #include "core/tree/placement.h"
 #include "core/tree/split.h"
 #include "core/tree/subtree.h"

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "core/ids.h"
-#include "core/random.h"
+#include "core/base/ids.h"
+#include "core/base/random.h"
 #include "core/tree/tree.h"
 
 namespace kerf::test {

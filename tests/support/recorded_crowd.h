@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/config.h"
+#include "core/base/config.h"
 #include "core/recording/recorder.h"
 #include "tests/support/moving_boxes.h"
 

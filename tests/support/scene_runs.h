@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "core/scene/scene.h"
 #include "tests/support/checked.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "tests/support/boxes.h"
 #include "tests/support/config_of.h"
 #include "viz/draw/frame_renderer.h"

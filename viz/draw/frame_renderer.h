@@ -7,11 +7,11 @@
 #include <span>
 #include <string>
 
+#include "core/base/ids.h"
 #include "core/geometry/box.h"
-#include "core/ids.h"
 #include "core/scene/scene.h"
 #include "core/trace/event.h"
-#include "core/tree/statistics.h"
+#include "core/trace/statistics.h"
 #include "core/tree/tree.h"
 #include "viz/draw/draw_list.h"
 #include "viz/draw/layers.h"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/broad_phase/object_table.h"
+#include "core/objects/object_table.h"
 #include "core/scene/scene.h"
 
 namespace kerf {

@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "frames/page/plot.h"
 #include "frames/report/figures.h"
 #include "frames/report/loop_cells.h"
-#include "frames/report/plot.h"
 #include "frames/report/section.h"
 #include "frames/report/trade.h"
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <fstream>
 
-#include "frames/report/plot.h"
+#include "frames/page/plot.h"
 #include "frames/report/section.h"
 
 namespace kerf {

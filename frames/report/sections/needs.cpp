@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "frames/page/plot.h"
 #include "frames/report/need_cost.h"
-#include "frames/report/plot.h"
 #include "frames/report/section.h"
 
 namespace kerf {

@@ -1,4 +1,4 @@
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "frames/report/section.h"
 #include "frames/report/setting.h"
 #include "frames/report/total_cost.h"

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "core/broad_phase/brute_force.h"
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/moving_boxes.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "tests/support/checked.h"
 #include "tests/support/config_of.h"
 #include "tests/support/dimensions.h"

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/moving_boxes.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <limits>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
 

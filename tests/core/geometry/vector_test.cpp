@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
 

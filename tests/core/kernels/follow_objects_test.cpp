@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/kernels/machine.h"
-#include "core/random.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/every_kernel.h"

@@ -10,9 +10,9 @@
 #include <tuple>
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/kernels/byte_sweep.h"
 #include "core/kernels/machine.h"
-#include "core/random.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/every_kernel.h"
 #include "tests/support/leaf_views.h"

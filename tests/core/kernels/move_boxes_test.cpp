@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/kernels/machine.h"
-#include "core/random.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/every_kernel.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/random.h"
+#include "core/base/random.h"
 
 namespace kerf {
 namespace {

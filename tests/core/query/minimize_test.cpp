@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "core/query/delta_debug.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/pairs.h"

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "core/replay/cursor.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"

@@ -5,7 +5,7 @@
 #include <bit>
 #include <limits>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "core/recording/event_codec.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "core/replay/oracle.h"
 #include "tests/support/config_of.h"
 #include "tests/support/dimensions.h"

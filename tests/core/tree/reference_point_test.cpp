@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "core/tree/partitioner.h"
 #include "tests/support/config_of.h"
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-#include "frames/errors.h"
+#include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
 namespace kerf {

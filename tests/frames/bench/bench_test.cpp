@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "core/broad_phase/brute_force.h"
-#include "frames/bench/algorithm.h"
 #include "frames/bench/bench_cell.h"
 #include "frames/bench/bench_request.h"
 #include "frames/bench/subject.h"
 #include "frames/bench/truth.h"
-#include "frames/errors.h"
+#include "frames/catalog/algorithm.h"
+#include "frames/support/errors.h"
 
 namespace kerf {
 namespace {

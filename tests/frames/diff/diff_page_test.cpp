@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "frames/diff/draw_list_file.h"
+#include "frames/sequence/draw_list_file.h"
 #include "tests/frames/program.h"
 #include "tests/frames/report/browser.h"
 #include "viz/image/png.h"

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <thread>
 
-#include "frames/errors.h"
+#include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
 namespace kerf {

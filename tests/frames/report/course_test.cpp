@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/broad_phase/approximate.h"
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 
 namespace kerf {
 namespace {

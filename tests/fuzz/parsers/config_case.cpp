@@ -1,7 +1,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "core/config.h"
+#include "core/base/config.h"
 #include "tests/fuzz/parsers/parser_cases.h"
 
 namespace kerf::test {

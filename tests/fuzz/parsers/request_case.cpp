@@ -1,8 +1,8 @@
 #include <array>
 #include <sstream>
 
-#include "frames/errors.h"
-#include "frames/render_request.h"
+#include "frames/sequence/render_request.h"
+#include "frames/support/errors.h"
 #include "tests/fuzz/parsers/parser_cases.h"
 
 namespace kerf::test {

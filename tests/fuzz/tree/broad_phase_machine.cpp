@@ -1,7 +1,7 @@
 #include <string>
 
 #include "core/broad_phase/brute_force.h"
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "core/tree/validate.h"
 #include "tests/fuzz/tree/config_reader.h"
 #include "tests/fuzz/tree/machine_report.h"

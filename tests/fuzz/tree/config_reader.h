@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/config.h"
+#include "core/base/config.h"
 #include "tests/fuzz/tree/byte_reader.h"
 
 namespace kerf::test {

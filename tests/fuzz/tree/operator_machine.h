@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "core/broad_phase/object_table.h"
-#include "core/config.h"
+#include "core/base/config.h"
+#include "core/objects/object_table.h"
 #include "core/trace/reporter.h"
 #include "core/tree/scheduler.h"
 #include "core/tree/tree.h"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/random.h"
 #include "core/geometry/volume.h"
-#include "core/random.h"
 #include "tests/fuzz/tree/byte_reader.h"
 #include "tests/property/hard_volumes.h"
 

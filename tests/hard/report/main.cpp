@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "frames/atomic_file.h"
+#include "frames/support/atomic_file.h"
 #include "tests/hard/report/output.h"
 #include "tests/hard/report/picture.h"
 #include "viz/image/png.h"

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "frames/atomic_file.h"
+#include "frames/support/atomic_file.h"
 
 namespace kerf::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "tests/hard/cases.h"
 #include "tests/hard/settings.h"
 #include "tests/hard/trial.h"

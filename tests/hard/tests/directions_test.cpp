@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "core/geometry/direction_set.h"
 #include "core/tree/partitioner.h"
 #include "tests/support/boxes.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "tests/hard/cases.h"
 #include "tests/hard/feed.h"
 #include "tests/hard/settings.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "core/geometry/slabs.h"
 #include "core/scene/bounding.h"
 #include "tests/hard/feed.h"

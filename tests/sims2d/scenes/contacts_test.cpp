@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "core/broad_phase/brute_force.h"
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "tests/sims2d/box2d_reference.h"
 #include "tests/sims2d/broad_phase_doubles.h"
 #include "tests/sims2d/scenes/scene_fixture.h"

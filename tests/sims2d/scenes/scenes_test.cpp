@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "core/broad_phase/brute_force.h"
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "sims2d/convert.h"
 #include "sims2d/scenes/growth.h"
 #include "tests/sims2d/broad_phase_doubles.h"

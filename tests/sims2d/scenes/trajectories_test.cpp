@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "core/base/random.h"
 #include "core/broad_phase/brute_force.h"
-#include "core/broad_phase/bsp.h"
-#include "core/random.h"
+#include "core/bsp/bsp.h"
 #include "tests/sims2d/broad_phase_doubles.h"
 #include "tests/sims2d/scenes/scene_fixture.h"
 

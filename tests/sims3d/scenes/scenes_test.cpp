@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/broad_phase/brute_force.h"
-#include "core/broad_phase/bsp.h"
+#include "core/bsp/bsp.h"
 #include "sims3d/scenes/drop_scene.h"
 #include "tests/sims3d/test_broad_phases.h"
 

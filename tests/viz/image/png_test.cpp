@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/random.h"
+#include "core/base/random.h"
 #include "tests/viz/temporary_folder.h"
 
 namespace kerf {

@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "core/ids.h"
+#include "core/base/ids.h"
 
 namespace kerf {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <string_view>
 
-#include "core/ids.h"
+#include "core/base/ids.h"
 #include "core/tree/node.h"
 #include "viz/draw/layers.h"
 

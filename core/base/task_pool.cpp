@@ -1,0 +1,57 @@
+#include "core/base/task_pool.h"
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_group.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace kerf {
+
+/// More threads than processors are made only because the control allows it.
+struct TaskPool::Arena {
+  explicit Arena(unsigned threads)
+      : allowed(tbb::global_control::max_allowed_parallelism, threads), tbb(static_cast<int>(threads)) {}
+  tbb::global_control allowed;
+  tbb::task_arena tbb;
+};
+
+TaskPool::TaskPool(unsigned threads)
+    : threads_(threads), arena_(threads > 1 ? std::make_unique<Arena>(threads) : nullptr) {
+  if (threads == 0) throw std::invalid_argument("threads: at least one is needed");
+}
+
+TaskPool::~TaskPool() = default;
+
+std::size_t TaskPool::pieces() const {
+  constexpr std::size_t kEach = 8;
+  return threads_ == 1 ? 1 : kEach * threads_;
+}
+
+std::size_t TaskPool::slices_of(std::size_t count, std::size_t few) const {
+  return std::clamp<std::size_t>(count / few, 1, pieces());
+}
+
+void TaskPool::for_each(std::size_t pieces, const Work& work) {
+  if (!arena_ || pieces == 1) {
+    for (std::size_t k = 0; k < pieces; ++k) work(k, 0);
+    return;
+  }
+  // All pieces round, and take denormals, as the caller does: other threads would else keep what was usual
+  // when they first worked, and tell other pairs.
+  tbb::task_group_context modes(tbb::task_group_context::isolated, tbb::task_group_context::default_traits |
+                                                                       tbb::task_group_context::fp_settings);
+  arena_->tbb.execute([&] {
+    tbb::parallel_for(
+        std::size_t{0}, pieces,
+        [&](std::size_t k) {
+          work(k, static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()));
+        },
+        tbb::simple_partitioner(), modes);
+  });
+}
+
+}  // namespace kerf

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/bsp/kept_pairs.h"
+#include "core/tree/placement.h"
+
+namespace kerf {
+
+/// An object that gets entries anew, and in how many leaves.
+struct Arrival {
+  ObjectId object;
+  std::uint32_t leaves = 0;
+};
+
+/// What one piece of the objects that left their fat boxes does to the tree.
+struct FatPiece {
+  std::vector<EntryChange> entries;  ///< of leaves that keep pairs
+  std::vector<NodeId> touched;       ///< leaves in which an object stays
+  std::vector<ObjectId> leaving;
+  std::vector<NodeId> left;  ///< the nodes that they passed, each once for each of them
+  std::vector<Arrival> entering;
+  std::vector<Reached> places;      ///< of those, one after another
+  std::vector<NodeId> entered;      ///< as `left`
+  std::vector<Reached> old_places;  ///< of the object at hand, before
+  std::vector<Reached> new_places;  ///< and after
+
+  void clear() {
+    entries.clear();
+    touched.clear();
+    leaving.clear();
+    left.clear();
+    entering.clear();
+    places.clear();
+    entered.clear();
+  }
+};
+
+}  // namespace kerf

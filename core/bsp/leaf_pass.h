@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/base/append_buffer.h"
+#include "core/base/task_pool.h"
+#include "core/bsp/ordered_sweep.h"
+#include "core/kernels/byte_sweep.h"
+#include "core/tree/tree.h"
+
+namespace kerf {
+
+/// The memory of one thread that looks for the pairs of leaves, kept between steps.
+template <int D>
+struct LeafScratch {
+  SweepBuffer<D> ordered;
+  LeafView<D> view;
+  ByteSweep<D> byte_sweep;
+  PairBuffer pairs;
+  std::vector<PackedBox<D>> gathered;
+  std::vector<std::uint8_t> marks;  ///< by object; all are 0 between leaves
+};
+
+/// One visit to each leaf of a tree. Leaves are the unit of parallel work (DESIGN.md, "Fast"): threads take
+/// runs of them, and what they find is joined in the order of the leaves, so that the number of threads shows
+/// in nothing but the time.
+template <int D>
+class LeafPass {
+ public:
+  /// Appends to the buffer what it finds in the leaf. It may change the leaf, but nothing that others see.
+  using Work = std::function<void(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs)>;
+
+  void run(const Tree<D>& tree, TaskPool& pool, const Work& work, PairBuffer& pairs);
+
+ private:
+  void cut(const Tree<D>& tree, std::size_t pieces);
+  void join(std::size_t first, TaskPool& pool, PairBuffer& pairs);
+
+  std::vector<NodeId> leaves_;
+  std::vector<Slice> runs_;        ///< of leaves, by piece
+  std::vector<PairBuffer> found_;  ///< by piece, of those that could not tell yet where theirs belong
+  std::vector<LeafScratch<D>> scratch_;
+};
+
+extern template class LeafPass<2>;
+extern template class LeafPass<3>;
+
+}  // namespace kerf

@@ -1,0 +1,65 @@
+#include "core/bsp/leave.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/kernels/stay_in_cell.h"
+#include "core/tree/cell.h"
+
+namespace kerf {
+
+/// Gives the number of those that stay.
+template <int D>
+std::size_t LeavePass<D>::take_leavers(Tree<D>& tree, NodeId leaf, LeafBoxes<D>& boxes,
+                                       Leavers& leavers) const {
+  Node<D>& node = tree[leaf];
+  const std::size_t count = node.entries.size();
+  const Stayed done = stay_in_cell<D>({
+      .boxes = std::as_const(tree.table).packed().data(),
+      .cell = cell_of(tree, leaf),
+      .right_of = node.right_of,
+      .axis = node.direction < D ? node.direction : 0,  // if it is none, nobody stays
+      .entries = node.entries.data(),
+      .count = count,
+      .leavers = leavers.objects.reserve(count),
+      .leaver_boxes = boxes.wanted() ? leavers.boxes.reserve(count) : nullptr,
+      .stayer_boxes = boxes.wanted() ? boxes.refill(leaf, count).data() : nullptr,
+  });
+  leavers.objects.commit(done.left);
+  if (boxes.wanted()) leavers.boxes.commit(done.left);
+  return done.stayed;
+}
+
+template <int D>
+void LeavePass<D>::run(Tree<D>& tree, TaskPool& pool, LeafBoxes<D>& boxes) {
+  stayed_.assign(tree.slots(), 0);
+  leaves_.clear();
+  nodes_.clear();
+  for_each_node(tree, tree.root(), [&](NodeId id) {
+    nodes_.push_back(id);
+    if (tree[id].is_leaf()) leaves_.push_back(id);
+  });
+  leavers_.resize(std::max(leavers_.size(), pool.pieces()));
+  for (Leavers& leavers : leavers_) {
+    leavers.objects.clear();
+    leavers.boxes.clear();
+  }
+  pool.for_each(pool.pieces(), [&](std::size_t piece, std::size_t) {
+    const Slice leaves = slice(leaves_.size(), pool.pieces(), piece);
+    for (std::size_t k = leaves.begin; k < leaves.end; ++k)
+      stayed_[leaves_[k].index()] =
+          static_cast<std::uint32_t>(take_leavers(tree, leaves_[k], boxes, leavers_[piece]));
+  });
+  for (std::size_t piece = 1; piece < leavers_.size(); ++piece) {
+    leavers_.front().objects.append(std::as_const(leavers_[piece].objects).all());
+    leavers_.front().boxes.append(std::as_const(leavers_[piece].boxes).all());
+  }
+  for (auto id = nodes_.rbegin(); id != nodes_.rend(); ++id)
+    if (!tree[*id].is_leaf())
+      stayed_[id->index()] = stayed_[tree[*id].left.index()] + stayed_[tree[*id].right.index()];
+}
+
+template class LeavePass<2>;
+template class LeavePass<3>;
+
+}  // namespace kerf

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/append_buffer.h"
+#include "core/base/task_pool.h"
+#include "core/bsp/leaf_boxes.h"
+#include "core/tree/tree.h"
+
+namespace kerf {
+
+/// Who stays in its leaf and who leaves it, when boxes have moved. Its memory is kept between steps.
+template <int D>
+class LeavePass {
+ public:
+  /// Takes all entries out of the leaves but those of objects that straddle nothing and still lie wholly in
+  /// their leaf's cell, by the boxes of the tree's table. The tree is complete again when the leavers are
+  /// placed; populations and the number of entries count nobody meanwhile. If boxes are wanted, those of all
+  /// are copied: of the leavers for who places them, of the others into `boxes`.
+  ///
+  /// Pre: the table has boxes; all placed objects have entries, and no others do.
+  void run(Tree<D>& tree, TaskPool& pool, LeafBoxes<D>& boxes);
+
+  /// Each object that left, once, in an order that does not depend on the number of threads.
+  [[nodiscard]] std::span<const std::uint32_t> leavers() const { return leavers_.front().objects.all(); }
+  /// Their boxes, in the same order; none, unless they were wanted.
+  [[nodiscard]] std::span<const PackedBox<D>> leaver_boxes() const { return leavers_.front().boxes.all(); }
+  /// How many objects stayed below each node.
+  [[nodiscard]] const std::vector<std::uint32_t>& stayed() const { return stayed_; }
+
+ private:
+  struct Leavers {
+    AppendBuffer<std::uint32_t> objects;
+    AppendBuffer<PackedBox<D>> boxes;
+  };
+  std::size_t take_leavers(Tree<D>& tree, NodeId leaf, LeafBoxes<D>& boxes, Leavers& leavers) const;
+
+  std::vector<NodeId> nodes_;
+  std::vector<NodeId> leaves_;
+  std::vector<Leavers> leavers_ = std::vector<Leavers>(1);  ///< by piece
+  std::vector<std::uint32_t> stayed_;
+};
+
+extern template class LeavePass<2>;
+extern template class LeavePass<3>;
+
+}  // namespace kerf

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/task_pool.h"
+#include "core/bsp/leaf_boxes.h"
+#include "core/bsp/leave.h"
+#include "core/tree/tree.h"
+
+namespace kerf {
+
+/// A list of objects, by their places among those that are sent down, and what they straddle so far.
+struct StreamBuffer {
+  std::vector<std::uint32_t> places;
+  std::vector<DepthMask> straddle;
+};
+
+/// What one piece of the objects leaves where the upper part of the tree ends.
+struct StreamPart {
+  struct Stretch {
+    NodeId node;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+  StreamBuffer arrived;
+  std::vector<Stretch> ends;                             ///< where they lie in `arrived`
+  std::vector<std::pair<NodeId, std::uint32_t>> passed;  ///< how many passed each node above
+};
+
+/// Memory of `stream`, kept between steps.
+struct StreamMemory {
+  std::vector<StreamBuffer> by_thread;
+  std::vector<StreamPart> parts;
+  std::vector<std::uint32_t> nobody;  ///< stays, below any node
+};
+
+/// Places all objects of the table anew in one pass down the tree: each node divides the list of its objects
+/// for its children. What a walk for each object costs in mispredicted branches, costs nothing here, and the
+/// lists soon fit in the nearest cache. It pays when many have left their places. The structure of the tree
+/// and its partitioners stay. Threads take pieces of the objects through the upper part of the tree, then
+/// whole subtrees; the lists are the same for any number of them.
+///
+/// If boxes are wanted, all leaves have theirs then.
+///
+/// Pre: the tree's table has the volumes by which all are to be placed; the entries may be of any others.
+template <int D>
+void stream(Tree<D>& tree, LeafBoxes<D>& boxes, StreamMemory& memory, TaskPool& pool);
+/// The same for those who left their leaves in the pass; the others stay.
+template <int D>
+void stream(Tree<D>& tree, const LeavePass<D>& pass, LeafBoxes<D>& boxes, StreamMemory& memory,
+            TaskPool& pool);
+
+}  // namespace kerf

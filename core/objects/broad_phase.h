@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/base/ids.h"
+#include "core/geometry/box.h"
+#include "core/geometry/volume.h"
+#include "core/objects/status.h"
+
+namespace kerf {
+
+/// A broad phase: it holds boxes and tells which of them overlap.
+///
+/// Requests take effect at once or in the next `step()`; the pairs of `step()` always agree with the last
+/// box given for each object. The caller chooses the ids. There is no way to change a box behind its back.
+template <int D>
+class BroadPhase {
+ public:
+  BroadPhase() = default;
+  BroadPhase(const BroadPhase&) = delete;
+  BroadPhase& operator=(const BroadPhase&) = delete;
+  virtual ~BroadPhase() = default;
+
+  /// The name by which programs choose it, for example "kerf" or "brute-force".
+  [[nodiscard]] virtual std::string_view name() const = 0;
+
+  /// How it bounds objects: what callers should give. Boxes are always welcome; a broad phase that knows only
+  /// boxes takes the box of any volume.
+  [[nodiscard]] virtual VolumeKind volume_kind() const { return VolumeKind::box; }
+
+  virtual Status insert(ObjectId object, const Box<D>& box, Mobility mobility) = 0;
+  virtual Status insert(ObjectId object, const Volume<D>& volume, Mobility mobility) {
+    return insert(object, volume.box, mobility);
+  }
+  virtual Status move(ObjectId object, const Box<D>& box) = 0;
+  virtual Status move(ObjectId object, const Volume<D>& volume) { return move(object, volume.box); }
+  virtual Status remove(ObjectId object) = 0;
+  /// Moves objects[k] to boxes[k] for each k, as so many calls of `move` would: who moves thousands pays no
+  /// call for each. All are done whatever one says; the first status other than `ok` is returned.
+  virtual Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) {
+    Status first = Status::ok;
+    for (std::size_t k = 0; k < objects.size(); ++k) {
+      const Status status = move(objects[k], boxes[k]);
+      if (first == Status::ok) first = status;
+    }
+    return first;
+  }
+
+  /// Brings the structure up to date and finds all pairs.
+  virtual void step() = 0;
+  /// The pairs found by the last `step()`, each once, in an order that the implementation fixes.
+  [[nodiscard]] virtual std::span<const Pair> pairs() const = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,151 @@
+#include "frames/commands/bench_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+#include "frames/bench/bench_cell.h"
+#include "frames/bench/bench_report.h"
+#include "frames/catalog/algorithm.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/progress_line.h"
+
+namespace kerf {
+namespace {
+
+std::string footer() {
+  std::string text = "SCENES      ";
+  for (const BenchScene& scene : bench_scenes())
+    text += (&scene == bench_scenes().data() ? "" : ", ") + std::string(scene.name);
+  text += "\nALGORITHMS\n";
+  const auto line = [&text](const auto& algorithm) {
+    std::string name = "  " + algorithm.name;
+    name.resize(26, ' ');
+    text += name + algorithm.what + (algorithm.by_default ? "" : " (only if named, or with 'all')") + "\n";
+  };
+  for (const auto& algorithm : algorithms<3>()) line(algorithm);
+  for (const auto& algorithm : algorithms<2>())
+    if (!find_algorithm<3>(algorithm.name)) line(algorithm);
+  return text +
+         "  kerf:K=V:K=V...         with other parameters (see `kerf render --help`); also "
+         "kerf-paper:K=V...\n"
+         "  kerf:period=4:margin=0.2  approximate on purpose: placed every so many steps, boxes widened; "
+         "also\n"
+         "                         filter=1, grid=SIZE and shrink=1 (see "
+         "core/broad_phase/approximation.h)\n\n"
+         "Each algorithm is given the same boxes, in a process of its own, a block of steps at a time in "
+         "turn, "
+         "and\nhas to tell the complete set of pairs in each step, which is compared with the truth. Of each "
+         "step the\nleast of all rounds counts. FLOORS are multiples of the time that it takes to read all "
+         "boxes and write\nall pairs. Ctrl-C ends early and keeps what was measured.";
+}
+
+void print(const std::string& line) {
+  if (std::puts(line.c_str()) < 0 || std::fflush(stdout) != 0)
+    throw std::runtime_error("cannot write to standard output");
+}
+
+CellPlan plan_for(const BenchRequest& request, const BenchScene& scene, std::uint32_t objects,
+                  unsigned threads) {
+  CellPlan plan;
+  plan.scene = &scene;
+  plan.objects = objects;
+  plan.threads = threads;
+  plan.algorithms = request.algorithms;
+  plan.rounds = request.rounds;
+  plan.warm_up = request.warm_up_for(objects);
+  plan.steps = request.steps_for(objects);
+  plan.seed = request.seed;
+  plan.patience = request.patience;
+  plan.trace = request.trace;
+  return plan;
+}
+
+std::vector<CellPlan> plans_of(const BenchRequest& request) {
+  std::vector<CellPlan> plans;
+  for (const std::uint32_t objects : request.objects)
+    for (const unsigned threads : request.threads)
+      for (const BenchScene* scene : request.scenes)
+        plans.push_back(plan_for(request, *scene, objects, threads));
+  return plans;
+}
+
+class Bench {
+ public:
+  explicit Bench(const BenchRequest& request) : request_(request) {}
+
+  void run() {
+    if (!request_.json.empty()) check_writable(request_.json);
+    print(bench_heading());
+    const std::vector<CellPlan> plans = plans_of(request_);
+    const std::size_t cells = plans.size() * request_.dimensions.size();
+    std::size_t cell = 0;
+    const CellWatch watch{[&](const std::string& text) {
+                            line_.show(std::to_string(cell) + "/" + std::to_string(cells) + "  " + text);
+                          },
+                          [this] { return interrupt_.requested(); }};
+    for (const CellPlan& plan : plans)
+      for (const int dimension : request_.dimensions) {
+        if (interrupt_.requested()) break;
+        ++cell;
+        add(dimension == 2 ? measure_cell<2>(plan, watch) : measure_cell<3>(plan, watch));
+      }
+    const bool complete = !interrupt_.requested();
+    save(complete);
+    if (!complete) throw Interrupted("interrupted; what was measured is kept");
+  }
+
+ private:
+  void add(const CellResult& cell) {
+    line_.clear();
+    for (const BenchRow& row : cell.rows) print(as_text(row));
+    for (const BenchGap& gap : cell.gaps) print(as_text(gap));
+    all_.rows.insert(all_.rows.end(), cell.rows.begin(), cell.rows.end());
+    all_.gaps.insert(all_.gaps.end(), cell.gaps.begin(), cell.gaps.end());
+    save(false);
+  }
+  void save(bool complete) const {
+    if (!request_.json.empty()) write_file_atomically(request_.json, as_json(request_, all_, complete));
+  }
+
+  const BenchRequest& request_;
+  InterruptGuard interrupt_;
+  ProgressLine line_;
+  CellResult all_;
+};
+
+}  // namespace
+
+BenchCommand::BenchCommand(CLI::App& program)
+    : command_(program.add_subcommand("bench", "Measure broad phases, ours and others', on the same boxes")) {
+  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
+    command_->add_option(name, text, meaning)->type_name(type);
+  };
+  option("--scenes", texts_.scenes, "Which motions, see below (default all)", "A,B,...");
+  option("--objects", texts_.objects, "How many boxes (default 1000,4250,16000)", "N,N,...");
+  option("--dims", texts_.dimensions, "2, 3 or both (default 2,3)", "D,D");
+  option("--algorithms", texts_.algorithms, "Which broad phases, see below", "A,B,...");
+  option("--threads", texts_.threads, "Threads of an algorithm; one that has fewer is left out (default 1)",
+         "T,T,...");
+  option("--rounds", texts_.rounds, "How often all is repeated (default 3)", "R");
+  option("--steps", texts_.steps, "Measured steps (default 12 to 300, by the number of boxes)", "N");
+  option("--warm-up", texts_.warm_up, "Steps before them (default 8 to 48, by the number of boxes)", "N");
+  option("--seed", texts_.seed, "Of the motions (default 1)", "S");
+  option("--patience", texts_.patience,
+         "Seconds of a round after which an algorithm is left out (default 30)", "S");
+  option("--json", texts_.json, "Also all figures as JSON", "FILE");
+  command_->add_flag("--trace", texts_.trace, "The JSON tells the time of each step, too");
+  command_->footer(footer());
+}
+
+bool BenchCommand::chosen() const { return command_->parsed(); }
+
+void BenchCommand::run() const {
+  const BenchRequest request = parse_bench_request(texts_);
+  Bench(request).run();
+}
+
+}  // namespace kerf

@@ -1,0 +1,195 @@
+#include "frames/commands/bench_frames_command.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+#include <vector>
+
+#include "frames/bench_frames/frame_loops.h"
+#include "frames/bench_frames/timed_process.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/machine.h"
+#include "frames/support/parse_whole.h"
+#include "frames/support/progress_line.h"
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The first frames pay for starting up; they are measured alone and taken off.
+constexpr std::uint32_t kWarmUp = 4;
+/// Two starts of a process differ by up to 20 ms: what is left of less than this is chance, or below zero.
+constexpr double kLeastSeconds = 0.05;
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+/// Times of one frame, in milliseconds.
+struct Row {
+  FrameLoop loop;
+  double naive = 0;
+  double pipeline = 0;
+  double floor = 0;  ///< processor time by cores: no order of work could be faster
+  double encoding = 0;
+  double encoding_share = 0;  ///< of the processor time
+};
+
+std::uint32_t frames_for(std::uint32_t boxes) { return boxes > 50'000 ? 12 : boxes > 5'000 ? 40 : 60; }
+
+[[noreturn]] void refuse(const FrameLoop& loop) {
+  throw std::runtime_error(std::to_string(loop.frames) + " frames of " + std::to_string(loop.size.width) +
+                           "x" + std::to_string(loop.size.height) + " with " + std::to_string(loop.boxes) +
+                           " boxes are too few to measure: they take less than starting up varies by; give "
+                           "more --frames, or larger --sizes");
+}
+
+/// The better of two, for other programs only ever add to a time.
+ProcessTimes run_twice(const FrameLoop& loop, void (*run)(const FrameLoop&)) {
+  const ProcessTimes first = run_timed([&] { run(loop); });
+  const ProcessTimes second = run_timed([&] { run(loop); });
+  return {std::min(first.wall, second.wall), std::min(first.cpu, second.cpu)};
+}
+
+/// Of one frame, without what starting up takes.
+ProcessTimes per_frame(const FrameLoop& loop, void (*run)(const FrameLoop&)) {
+  FrameLoop some = loop;
+  some.frames = kWarmUp;
+  const ProcessTimes start = run_twice(some, run);
+  some.frames = kWarmUp + loop.frames;
+  const ProcessTimes all = run_twice(some, run);
+  const ProcessTimes spent{all.wall - start.wall, all.cpu - start.cpu};
+  if (std::min(spent.wall, spent.cpu) < kLeastSeconds) refuse(loop);
+  return {spent.wall / loop.frames, spent.cpu / loop.frames};
+}
+
+Row measure(const FrameLoop& loop) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  Row row{loop, 0, 0, 0, 0, 0};
+  row.naive = 1e3 * per_frame(loop, run_naive_loop).wall;
+  const ProcessTimes pipeline = per_frame(loop, run_pipeline);
+  row.pipeline = 1e3 * pipeline.wall;
+  row.floor = 1e3 * pipeline.cpu / cores;
+  double encoding = 0;
+  run_timed(
+      [&] { write_file_atomically(loop.folder / "encoding.txt", std::to_string(measure_encoding(loop))); });
+  std::FILE* const file = std::fopen((loop.folder / "encoding.txt").c_str(), "r");
+  if (file == nullptr || std::fscanf(file, "%lf", &encoding) != 1)
+    throw std::runtime_error("the time of encoding was not told");
+  std::fclose(file);
+  row.encoding = 1e3 * encoding;
+  row.encoding_share = encoding / pipeline.cpu;
+  return row;
+}
+
+void print(const Row& row) {
+  std::printf("%4dx%-4d  %6u  %8.1f  %8.1f  %8.1f  %8.2f  %8.2f  %8.2f  %7.1f %%\n", row.loop.size.width,
+              row.loop.size.height, row.loop.boxes, row.naive, row.pipeline, row.floor,
+              row.pipeline / row.floor, row.naive / row.pipeline, row.encoding, 100 * row.encoding_share);
+  std::fflush(stdout);
+}
+
+Json to_json(const Row& row) {
+  return {{"width", row.loop.size.width}, {"height", row.loop.size.height},
+          {"boxes", row.loop.boxes},      {"frames", row.loop.frames},
+          {"workers", row.loop.workers},  {"naive_ms", row.naive},
+          {"pipeline_ms", row.pipeline},  {"floor_ms", row.floor},
+          {"encoding_ms", row.encoding},  {"encoding_share", row.encoding_share}};
+}
+
+/// What was measured, as JSON after each row; no file: nowhere.
+class Results {
+ public:
+  explicit Results(std::filesystem::path file) : file_(std::move(file)) {
+    if (!file_.empty()) check_writable(file_);
+  }
+
+  void add(const Row& row) {
+    rows_.push_back(to_json(row));
+    save(false);
+  }
+  void finish() const { save(true); }
+
+ private:
+  void save(bool complete) const {
+    if (file_.empty()) return;
+    const Json json{{"machine", describe_machine()}, {"rows", rows_}, {"complete", complete}};
+    write_file_atomically(file_, json.dump(1) + "\n");
+  }
+
+  std::filesystem::path file_;
+  Json rows_ = Json::array();
+};
+
+}  // namespace
+
+BenchFramesCommand::BenchFramesCommand(CLI::App& program)
+    : command_(program.add_subcommand("bench-frames", "Measure how fast frames are made")) {
+  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
+    return command_->add_option(name, text, meaning)->type_name(type);
+  };
+  option("--sizes", sizes_, "Sizes of pictures (default 640x360,1280x720,1920x1080)", "WxH,...");
+  option("--boxes", boxes_, "Numbers of boxes (default 1000,10000,100000)", "N,...");
+  option("--frames", frames_, "Frames of each (default by the number of boxes)", "N");
+  option("--workers", workers_, "Processes that draw (default: one a core)", "N");
+  option("--out", out_, "Where the frames go, and are removed again (default: a temporary folder)", "DIR");
+  option("--json", json_, "Also the results and the machine, after each row", "FILE");
+  command_->footer(
+      "Milliseconds a frame: 'naive' simulates, draws, reads and encodes by stb in one loop; 'pipeline' is\n"
+      "what `kerf render` does; 'floor' is its processor time by the cores, which nothing can beat;\n"
+      "'encode' is the processor time of one PNG, and its share of a frame's. Meant for an idle machine.");
+}
+
+bool BenchFramesCommand::chosen() const { return command_->parsed(); }
+
+void BenchFramesCommand::run() const {
+  std::vector<PictureSize> sizes;
+  for (const std::string& size : split(sizes_)) sizes.push_back(parse_picture_size(size));
+  std::vector<std::uint32_t> boxes;
+  for (const std::string& count : split(boxes_))
+    boxes.push_back(parse_whole("--boxes", count, 1U, 1'000'000U));
+  FrameLoop loop;
+  loop.workers = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  if (!workers_.empty()) loop.workers = parse_whole("--workers", workers_, 1, 256);
+  const InterruptGuard interrupt;
+  const std::filesystem::path parent =
+      out_.empty() ? std::filesystem::temp_directory_path() : std::filesystem::path(out_);
+  loop.folder = parent / ("kerf-bench-frames-" + std::to_string(::getpid()));
+  Results results(json_);
+  make_writable_folder(loop.folder);
+  std::printf("%9s  %6s  %8s  %8s  %8s  %8s  %8s  %8s  %9s\n", "size", "boxes", "naive", "pipeline", "floor",
+              "of floor", "faster", "encode", "share");
+  const ProgressLine progress;
+  try {
+    for (const PictureSize& size : sizes) {
+      for (const std::uint32_t count : boxes) {
+        if (interrupt.requested()) throw Interrupted("interrupted; what was measured is kept");
+        loop.size = size;
+        loop.boxes = count;
+        loop.frames = frames_.empty() ? frames_for(count) : parse_whole("--frames", frames_, 1U, 100'000U);
+        const Row row = measure(loop);
+        progress.clear();
+        print(row);
+        results.add(row);
+      }
+    }
+  } catch (...) {
+    std::filesystem::remove_all(loop.folder);
+    throw;
+  }
+  std::filesystem::remove_all(loop.folder);
+  results.finish();
+}
+
+}  // namespace kerf

@@ -1,0 +1,70 @@
+#include "frames/commands/collect_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stdexcept>
+
+#include "frames/sequence/collection.h"
+#include "frames/sequence/film_files.h"
+#include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/progress_line.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+/// Looks at every picture, whether it has the pixels that its manifest says.
+Image read_checked(const CollectedFrame& frame) {
+  Image image = read_png(frame.path());
+  if (pixel_hash(image) != frame.record.pixel_hash)
+    throw std::runtime_error(frame.path().string() +
+                             " has not the pixels that were drawn; make it again by `kerf render` --resume");
+  return image;
+}
+
+}  // namespace
+
+CollectCommand::CollectCommand(CLI::App& program)
+    : command_(program.add_subcommand("collect", "Check the shards of a sequence and put them together")) {
+  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
+    return command_->add_option(name, text, meaning)->type_name(type);
+  };
+  command_->add_option("DIR", folders_, "The folders of all shards")->type_name("")->required();
+  option("--out", out_, "Put all frames and one manifest here", "DIR");
+  option("--video", video_, "Make a film (.mp4, .mkv, .mov, .webm, .gif, .apng), by ffmpeg", "FILE");
+  option("--fps", fps_, "Frames a second of the film (default 25)", "N");
+  option("--contact-sheet", contact_sheet_, "Put twenty of the frames into one .png", "FILE");
+  command_->add_flag("--overwrite", overwrite_, "Replace an earlier sequence, film and contact sheet");
+  command_->footer(
+      "Every picture is read and held against its manifest. EXIT 0 all is there, 1 something is missing or\n"
+      "damaged (what, and the command that makes it, is said), 2 wrong usage, 130 interrupted");
+}
+
+bool CollectCommand::chosen() const { return command_->parsed(); }
+
+void CollectCommand::run() const {
+  const FilmRequest film = parse_film_request(video_, fps_, contact_sheet_, overwrite_);
+  const std::vector<std::filesystem::path> folders(folders_.begin(), folders_.end());
+  if (!out_.empty()) check_apart(out_, folders);
+  const InterruptGuard interrupt;
+  const Collection collection = collect(folders);
+  const std::string gaps = describe_gaps(collection);
+  if (!gaps.empty()) throw std::runtime_error(gaps);
+  const Manifest& manifest = collection.manifest;
+  FilmFiles files(film, manifest.size, manifest.steps.frames());
+  const ProgressLine progress;
+  for (const CollectedFrame& frame : collection.frames) {
+    if (interrupt.requested()) throw Interrupted("interrupted");
+    progress.show("frame " + std::to_string(frame.record.index + 1) + "/" +
+                  std::to_string(manifest.steps.frames()));
+    files.add(frame.record.index, read_checked(frame));
+  }
+  progress.clear();
+  if (!out_.empty()) gather(collection, out_, overwrite_);
+  files.finish();
+  std::printf("%s: all %zu frames are there, from %u folders\n", manifest.name.c_str(),
+              collection.frames.size(), collection.folders);
+}
+
+}  // namespace kerf

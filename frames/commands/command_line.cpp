@@ -1,0 +1,159 @@
+#include "frames/commands/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "frames/commands/bench_command.h"
+#include "frames/commands/bench_frames_command.h"
+#include "frames/commands/collect_command.h"
+#include "frames/commands/compare_command.h"
+#include "frames/commands/debug_command.h"
+#include "frames/commands/diff_command.h"
+#include "frames/commands/experiment_command.h"
+#include "frames/commands/explain_command.h"
+#include "frames/commands/export_command.h"
+#include "frames/commands/film_diff_command.h"
+#include "frames/commands/import_command.h"
+#include "frames/commands/lint_command.h"
+#include "frames/commands/minimize_command.h"
+#include "frames/commands/record_command.h"
+#include "frames/commands/render_command.h"
+#include "frames/commands/report_command.h"
+#include "frames/commands/rerun_command.h"
+#include "frames/commands/scenes_command.h"
+#include "frames/commands/step_command.h"
+#include "frames/commands/verify_command.h"
+#include "frames/support/errors.h"
+#include "frames/support/suggest.h"
+
+namespace kerf {
+namespace {
+
+int report(const std::string& message, int exit_code) {
+  std::fprintf(stderr, "kerf: %s\n", message.c_str());
+  return exit_code;
+}
+
+/// A full disk is reported by several rooms, each with the system's words; what to do is known here.
+std::string with_advice(std::string message) {
+  const bool full = message.find(std::generic_category().message(ENOSPC)) != std::string::npos;
+  if (full) message += "; free some space or choose another place";
+  return message;
+}
+
+const CLI::App& chosen_command(const CLI::App& program) {
+  const auto chosen = program.get_subcommands();
+  return chosen.empty() ? program : *chosen.front();
+}
+
+/// The long names of a command's options, or the program's subcommands.
+std::vector<std::string> valid_names(const CLI::App& command, bool options) {
+  std::vector<std::string> names;
+  if (!options) {
+    for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) {
+      names.push_back(sub->get_name());
+    }
+    return names;
+  }
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->nonpositional()) continue;
+    names.push_back("--" + option->get_lnames().front());
+  }
+  return names;
+}
+
+/// CLI11 says only that something was not expected; we say what was probably meant.
+std::string unexpected_argument(const CLI::App& program) {
+  const CLI::App& command = chosen_command(program);
+  const std::vector<std::string> extras = program.remaining(true);
+  std::string given = extras.empty() ? "" : extras.front();
+  const bool is_option = given.starts_with("-");
+  given = given.substr(0, given.find('='));
+  if (is_option) return unknown_name_message("option", given, valid_names(command, true));
+  if (&command == &program) return unknown_name_message("command", given, valid_names(program, false));
+  return "'" + given + "' is one argument too many";
+}
+
+std::string help_hint(const CLI::App& program) {
+  const CLI::App& command = chosen_command(program);
+  return "\nTry `" + (&command == &program ? "" : program.get_name() + " ") + command.get_name() +
+         " --help`.";
+}
+
+/// An exit code: what was printed may lie in memory still, and only when it leaves that a full disk shows.
+int finish_output() {
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return kExitDone;
+  return report("cannot write standard output: what was printed is not whole", kExitFailure);
+}
+
+/// Runs the chosen subcommand and turns what it throws into an exit code.
+template <class... Command>
+int run(const CLI::App& program, const Command&... commands) {
+  try {
+    ((commands.chosen() ? commands.run() : void()), ...);
+    return finish_output();
+  } catch (const UsageError& error) {
+    return report(error.what() + help_hint(program), kExitUsage);
+  } catch (const UnusableInput& error) {
+    return report(with_advice(error.what()), kExitUsage);
+  } catch (const Interrupted& error) {
+    return report(error.what(), kExitInterrupted);
+  } catch (const std::bad_alloc&) {
+    return report("not enough memory; ask for smaller pictures or fewer objects", kExitFailure);
+  } catch (const std::exception& error) {
+    return report(with_advice(error.what()), kExitFailure);
+  }
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CLI::App program("See, step through and measure a broad phase", "kerf");
+  program.set_version_flag("--version", "kerf " KERF_VERSION);
+  const ScenesCommand scenes(program);
+  const RenderCommand render(program);
+  const CollectCommand collector(program);
+  const FilmDiffCommand film_diff(program);
+  const RecordCommand record(program);
+  const ImportCommand import(program);
+  const RerunCommand rerun(program);
+  const VerifyCommand verify(program);
+  const DebugCommand debug(program);
+  const StepCommand step(program);
+  const ExplainCommand explain(program);
+  const CompareCommand compare(program);
+  const LintCommand lint(program);
+  const MinimizeCommand minimize(program);
+  const ExportCommand exporter(program);
+  const DiffCommand diff(program);
+  const BenchCommand bench(program);
+  const BenchFramesCommand bench_frames(program);
+  const ExperimentCommand experiment(program);
+  const ReportCommand report_page(program);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    program.exit(help);
+    return finish_output();
+  } catch (const CLI::ExtrasError&) {
+    return report(unexpected_argument(program) + help_hint(program), kExitUsage);
+  } catch (const CLI::ParseError& error) {
+    return report(error.what() + help_hint(program), kExitUsage);
+  }
+  if (program.get_subcommands().empty()) {
+    std::fputs(program.help().c_str(), stderr);
+    return kExitUsage;
+  }
+  return run(program, scenes, render, collector, film_diff, record, import, rerun, verify, debug, step,
+             explain, compare, lint, minimize, exporter, diff, bench, bench_frames, experiment, report_page);
+}
+
+}  // namespace kerf

@@ -1,0 +1,138 @@
+#include "frames/commands/compare_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "core/query/compare.h"
+#include "frames/sequence/recording_file.h"
+#include "frames/support/errors.h"
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json as_json(const RecordingSummary& summary) {
+  Json json{{"steps", summary.steps}};
+  for (int op = 0; op < kOperatorCount; ++op)
+    json["operators"][std::string(to_string(static_cast<Operator>(op)))] =
+        summary.operators[static_cast<std::size_t>(op)];
+  json["refused"] = summary.refused;
+  json["pairs"] = summary.pairs;
+  json["height"] = summary.height;
+  json["redundancy"] = summary.redundancy;
+  json["median_ms"] = summary.milliseconds;
+  json["most_ms"] = summary.most_milliseconds;
+  return json;
+}
+
+Json step_or_null(const std::optional<std::uint32_t>& step) { return step ? Json(*step) : Json(nullptr); }
+
+std::optional<std::uint32_t> step_of(const std::optional<EventDifference>& difference) {
+  return difference ? std::optional(difference->step) : std::nullopt;
+}
+
+/// Of one of the two runs; empty if nothing differs, or it has nothing more.
+std::string text_of(const std::optional<EventDifference>& difference,
+                    std::optional<Event> EventDifference::*run) {
+  return difference && *difference.*run ? describe(*(*difference.*run)) : "";
+}
+
+Json as_json(const RecordingComparison& comparison) {
+  return {{"same", comparison.same()},
+          {"first_different",
+           {{"requests", step_or_null(comparison.requests)},
+            {"state", step_or_null(comparison.state)},
+            {"pairs", step_or_null(comparison.pairs)},
+            {"events", step_or_null(step_of(comparison.events))},
+            {"a_event", text_of(comparison.events, &EventDifference::a)},
+            {"b_event", text_of(comparison.events, &EventDifference::b)},
+            {"operators", step_or_null(step_of(comparison.operators))},
+            {"a_operator", text_of(comparison.operators, &EventDifference::a)},
+            {"b_operator", text_of(comparison.operators, &EventDifference::b)}}},
+          {"a", as_json(comparison.a)},
+          {"b", as_json(comparison.b)}};
+}
+
+void print_first(const char* what, const std::optional<std::uint32_t>& step) {
+  if (step) {
+    std::printf("%-10s differ first in step %u\n", what, *step);
+  } else {
+    std::printf("%-10s are the same\n", what);
+  }
+}
+
+void print_first(const char* what, const std::optional<EventDifference>& difference) {
+  print_first(what, step_of(difference));
+  if (!difference) return;
+  const auto text = [](const std::optional<Event>& event) {
+    return event ? describe(*event) : "nothing more";
+  };
+  std::printf("  A: %s\n  B: %s\n", text(difference->a).c_str(), text(difference->b).c_str());
+}
+
+void print_figures(const RecordingSummary& a, const RecordingSummary& b) {
+  const auto row = [](const char* name, double x, double y) {
+    std::printf("%-14s %14.6g %14.6g\n", name, x, y);
+  };
+  std::printf("%-14s %14s %14s\n", "", "A", "B");
+  row("steps", a.steps, b.steps);
+  for (int op = 0; op < kOperatorCount; ++op) {
+    const auto k = static_cast<std::size_t>(op);
+    row(std::string(to_string(static_cast<Operator>(op))).c_str(), static_cast<double>(a.operators[k]),
+        static_cast<double>(b.operators[k]));
+  }
+  row("refused", static_cast<double>(a.refused), static_cast<double>(b.refused));
+  row("pairs", static_cast<double>(a.pairs), static_cast<double>(b.pairs));
+  row("height", a.height, b.height);
+  row("redundancy", a.redundancy, b.redundancy);
+  row("ms, median", a.milliseconds, b.milliseconds);
+  row("ms, most", a.most_milliseconds, b.most_milliseconds);
+}
+
+void print(const RecordingComparison& comparison) {
+  print_first("requests", comparison.requests);
+  print_first("events", comparison.events);
+  if (comparison.operators && comparison.operators == comparison.events) {
+    std::printf("%-10s differ first there, too\n", "operators");
+  } else {
+    print_first("operators", comparison.operators);
+  }
+  print_first("trees", comparison.state);
+  print_first("pairs", comparison.pairs);
+  print_figures(comparison.a, comparison.b);
+}
+
+}  // namespace
+
+CompareCommand::CompareCommand(CLI::App& program)
+    : command_(program.add_subcommand("compare", "Find where two recordings first differ")) {
+  command_->add_option("A", a_, "A recording")->type_name("")->required();
+  command_->add_option("B", b_, "Another, of the same dimension")->type_name("")->required();
+  command_->add_flag("--json", json_, "As JSON");
+  command_->footer(
+      "EXIT    0 they are the same run (times do not count), 1 they differ, 2 wrong usage, or not\n        "
+      "two recordings");
+}
+
+bool CompareCommand::chosen() const { return command_->parsed(); }
+
+void CompareCommand::run() const {
+  const RecordingComparison comparison =
+      with_recording(a_, [&]<int D>(std::shared_ptr<RecordingReader<D>> a) {
+        if (usable_recording_info(b_).dimension != D)
+          throw UnusableInput(a_ + " and " + b_ + " are not of the same dimension");
+        RecordingReader<D> b(b_);
+        return compare(*a, b);
+      });
+  if (json_) {
+    std::printf("%s\n", as_json(comparison).dump(1).c_str());
+  } else {
+    print(comparison);
+  }
+  if (!comparison.same()) throw std::runtime_error("the recordings differ");
+}
+
+}  // namespace kerf

@@ -1,0 +1,161 @@
+#include "frames/commands/debug_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "frames/sequence/record_scene.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/scratch_folder.h"
+#include "viz/debugger/debugger.h"
+#include "viz/debugger/gui/glfw_window.h"
+#include "viz/debugger/script.h"
+#include "viz/gl/context.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+constexpr const char* kFooter =
+    "SCENE is recorded first, into a temporary file; FILE is what `kerf record` or `kerf import` wrote.\n"
+    "In the window, F1 shows the keys. docs/DEBUGGING.md is a guide, and has the commands of scripts.\n"
+    "EXIT    0 done, 1 a script's expectation does not hold or nothing can be shown, 2 wrong usage,\n"
+    "        130 interrupted";
+
+std::string read_script(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw UsageError("--script: " + path + " cannot be read");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What one sitting with the debugger needs.
+struct Session {
+  std::filesystem::path file;
+  std::filesystem::path work_folder;
+  std::filesystem::path pictures;
+  PictureSize size;
+};
+
+void play_headless(const Session& session, const std::vector<ScriptLine>& lines) {
+  const auto context = make_offscreen_context();
+  Debugger debugger(*context, open_run(session.file));
+  debugger.model().work_folder = session.work_folder;
+  ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures).play(lines);
+}
+
+void save_picture(Debugger& debugger, const std::filesystem::path& folder) {
+  const auto path = folder / (debugger.facts()["position"] + ".png");
+  try {
+    std::filesystem::create_directories(folder);
+    write_png(path, debugger.picture());
+    debugger.report("saved " + path.string(), false);
+  } catch (const std::exception& error) {
+    debugger.report(error.what(), true);
+  }
+}
+
+void show_window(const Session& session, const std::vector<ScriptLine>& lines) {
+  const InterruptGuard interrupt;
+  GlfwWindow window("kerf debug " + session.file.string(), session.size.width, session.size.height);
+  Debugger debugger(window, open_run(session.file));
+  debugger.model().work_folder = session.work_folder;
+  debugger.model().on_long_work = [&](std::uint32_t step) {
+    const bool goes_on = window.goes_on("step " + std::to_string(step) + " (Escape ends this)");
+    return goes_on && !interrupt.requested();
+  };
+  const auto present = [&] {
+    debugger.show_in_window(window.width(), window.height());
+    window.swap();
+  };
+  if (!lines.empty()) {
+    ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures, present).play(lines);
+    return;
+  }
+  while (!window.should_close() && !interrupt.requested()) {
+    debugger.frame(window.take_input(!debugger.model().playing), window.width(), window.height());
+    if (debugger.takes_screenshot()) save_picture(debugger, session.pictures);
+    present();
+  }
+}
+
+}  // namespace
+
+DebugCommand::DebugCommand(CLI::App& program)
+    : command_(program.add_subcommand("debug", "Step through a run, forwards and backwards, and ask why")) {
+  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
+    return command_->add_option(name, text, meaning)->type_name(type);
+  };
+  option("SCENE|FILE", texts_.scene, "A scene of `kerf scenes`, or a recording", "")->required();
+  option("--steps", texts_.steps, "Of a scene: how many are recorded (default 300)", "N");
+  option("--objects", texts_.objects, "Of a scene: moving objects (default: the scene's own)", "N");
+  option("--grow", texts_.grow, "Of a scene: steps until all objects are there", "STEPS");
+  option("--broad-phase", texts_.broad_phase, "Of a scene: kerf-paper (default) or kerf, the tuned tree",
+         "NAME");
+  option("--config", texts_.config, "Of a scene: parameters of the tree, see `kerf render --help`",
+         "K=V,...");
+  option("--seed", texts_.seed, "Of a scene: of every random choice (default 1)", "S");
+  option("--record", texts_.record, "Of a scene: keep the recording under this name", "FILE");
+  command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier recording");
+  option("--size", texts_.size, "Of the window or the pictures (default 1280x720)", "WxH");
+  command_->add_flag("--headless", headless_, "Without a window or display: needs --script");
+  option("--script", script_, "Do what this file says, and end", "FILE");
+  option("-o,--out", out_, "Folder for the pictures of F12 and of scripts (default: here)", "DIR");
+  command_->footer(kFooter);
+}
+
+bool DebugCommand::chosen() const { return command_->parsed(); }
+
+std::filesystem::path DebugCommand::recording(const std::filesystem::path& scratch) const {
+  if (names_recording(texts_)) {
+    refuse_scene_options(texts_);
+    refuse_of_recording(texts_, "--steps", texts_.steps);
+    return texts_.scene;
+  }
+  RenderTexts texts = texts_;
+  const bool is_kept = !texts.record.empty();
+  if (texts.steps.empty()) texts.steps = "300";
+  if (!is_kept) texts.record = scratch / "run.kerf";
+  try {
+    record_scene(parse_request(texts));
+  } catch (const Interrupted&) {
+    if (is_kept) throw;
+    throw Interrupted("interrupted while recording " + texts.scene +
+                      "; what there was of it is gone: keep it by --record FILE, or ask for fewer --steps");
+  }
+  return texts.record;
+}
+
+void DebugCommand::run() const {
+  if (headless_ && script_.empty())
+    throw UsageError("--headless has nobody to drive it; give a --script, or leave it out for a window");
+  std::vector<ScriptLine> lines;
+  try {
+    if (!script_.empty()) lines = parse_script(read_script(script_));
+  } catch (const ScriptError& error) {
+    throw UsageError(script_ + ", " + error.what());
+  }
+  const PictureSize size = texts_.size.empty() ? PictureSize{1280, 720} : parse_picture_size(texts_.size);
+  if (size.width < kLeastDebuggerWidth || size.height < kLeastDebuggerHeight)
+    throw UsageError("--size " + texts_.size + ": the panels need at least " +
+                     std::to_string(kLeastDebuggerWidth) + "x" + std::to_string(kLeastDebuggerHeight));
+  if (!out_.empty()) make_writable_folder(out_);
+  const ScratchFolder scratch;
+  const std::filesystem::path file = recording(scratch.path());
+  tune_allocator_for_rendering();
+  const Session session{file, scratch.path(), out_.empty() ? "." : out_, size};
+  try {
+    if (headless_) {
+      play_headless(session, lines);
+    } else {
+      show_window(session, lines);
+    }
+  } catch (const ScriptError& error) {
+    throw std::runtime_error(script_ + ", " + error.what());
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,129 @@
+#include "frames/commands/diff_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "frames/diff/approve.h"
+#include "frames/diff/diff_page.h"
+#include "frames/diff/diff_result.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/parse_number.h"
+#include "frames/support/progress_line.h"
+#include "frames/support/suggest.h"
+
+namespace kerf {
+namespace {
+
+constexpr const char* kFooter =
+    "REFERENCE and TEST are two PNG files or two folders, whose frames are matched by name. Beside frames "
+    "drawn\n"
+    "with --ids lie NAME.ids.png and NAME.draw.json: what differs is then told by name (plane n17 missing).\n"
+    "GATES   auto   exact, or flip where the draw lists name two rasterisers (the default)\n"
+    "        exact  every pixel is the same: for pictures of one rasteriser\n"
+    "        ids    the same things were drawn at the same place in the same colours\n"
+    "        flip   nobody would see a difference: FLIP's maximum is small and, where there are ids, they "
+    "agree\n"
+    "EXIT    0 the same, 1 different, 2 unusable: nothing was proved, or wrong usage, 130 interrupted";
+
+DiffRules parse_rules(const std::string& gate, const std::string& limit) {
+  DiffRules rules;
+  std::vector<std::string> names;
+  for (const DiffGate known : kDiffGates) {
+    names.emplace_back(to_string(known));
+    if (gate == names.back()) rules.gate = known;
+  }
+  if (!gate.empty() && gate != to_string(rules.gate))
+    throw UsageError("--gate: " + unknown_name_message("gate", gate, names));
+  if (limit.empty()) return rules;
+  const auto number = parse_number<double>(limit);
+  if (!number || !(*number >= 0 && *number <= 1))
+    throw UsageError("--flip-limit '" + limit + "' is not a number from 0 to 1");
+  rules.flip_limit = *number;
+  return rules;
+}
+
+DiffResult compare(const std::string& reference, const std::string& test, const DiffRules& rules,
+                   WithoutReferences without) {
+  const InterruptGuard interrupt;
+  const ProgressLine progress;
+  PairedFrames paired = pair_frames(reference, test, without);
+  DiffResult result{reference, test, rules, {}, std::move(paired.notes), std::move(paired.faults)};
+  for (const FramePair& frame : paired.frames) {
+    if (interrupt.requested())
+      throw Interrupted("interrupted after " + std::to_string(result.frames.size()) + " of " +
+                        std::to_string(paired.frames.size()) + " frames; nothing was proved");
+    progress.show("comparing frame " + std::to_string(result.frames.size() + 1) + " of " +
+                  std::to_string(paired.frames.size()));
+    result.frames.push_back(diff_frame(frame, rules));
+  }
+  return result;
+}
+
+/// Before the work, so that it is not done for nothing.
+void make_report_folder(const std::string& folder) {
+  try {
+    make_writable_folder(folder, "--report");
+  } catch (const std::runtime_error& error) {
+    throw UnusableInput(error.what());
+  }
+}
+
+void approve(const DiffResult& result) {
+  const std::vector<std::string> approved = approve_frames(result);
+  for (const std::string& name : approved) std::fprintf(stderr, "approved %s\n", name.c_str());
+  std::fprintf(stderr, approved.size() == 1 ? "1 frame approved\n" : "%zu frames approved\n",
+               approved.size());
+}
+
+}  // namespace
+
+DiffCommand::DiffCommand(CLI::App& program)
+    : command_(program.add_subcommand("diff", "Find what differs between pictures")) {
+  command_->add_option("REFERENCE", reference_, "What is right: a PNG or a folder")
+      ->type_name("")
+      ->required();
+  command_->add_option("TEST", test_, "What is in question")->type_name("")->required();
+  command_->add_option("--gate", gate_, "What counts as the same, see below")->type_name("NAME");
+  command_->add_option("--flip-limit", flip_limit_, "Largest FLIP that the gate flip allows, 0 to 1")
+      ->type_name("X");
+  command_->add_option("--report", report_, "Also a page that shows what differs: DIR/index.html")
+      ->type_name("DIR");
+  command_->add_flag("--json", json_, "As JSON");
+  command_->add_flag(
+      "--approve", approve_,
+      "Afterwards put the frames of TEST that differ, and only those, in place of their references");
+  command_->footer(kFooter);
+}
+
+bool DiffCommand::chosen() const { return command_->parsed(); }
+
+void DiffCommand::run() const {
+  const DiffRules rules = parse_rules(gate_, flip_limit_);
+  try {
+    run(rules);
+  } catch (const std::bad_alloc&) {
+    throw UnusableInput("not enough memory to compare pictures of this size; nothing was proved");
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw UnusableInput(error.what());
+  } catch (const std::system_error& error) {
+    throw UnusableInput(error.what());
+  }
+}
+
+void DiffCommand::run(const DiffRules& rules) const {
+  if (!report_.empty()) make_report_folder(report_);
+  const DiffResult result =
+      compare(reference_, test_, rules, approve_ ? WithoutReferences::accept : WithoutReferences::refuse);
+  std::fputs((json_ ? to_json(result) : to_text(result)).c_str(), stdout);
+  if (!report_.empty()) {
+    write_file_atomically(std::filesystem::path(report_) / "index.html", diff_page(result));
+    std::fprintf(stderr, "look at %s/index.html\n", report_.c_str());
+  }
+  if (approve_) return approve(result);
+  if (!result.is_usable()) throw UnusableInput(summary_line(result));
+  if (!result.is_same()) throw PicturesDiffer(summary_line(result));
+}
+
+}  // namespace kerf

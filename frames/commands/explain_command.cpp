@@ -1,0 +1,73 @@
+#include "frames/commands/explain_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <optional>
+
+#include "core/query/explain_event.h"
+#include "core/query/explain_node.h"
+#include "core/query/explain_pair.h"
+#include "frames/sequence/recording_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/parse_number.h"
+
+namespace kerf {
+namespace {
+
+std::uint32_t parse_id(const std::string& option, const std::string& text, const std::string& prefix) {
+  const std::size_t skip = text.starts_with(prefix) ? prefix.size() : 0;
+  const auto id = parse_number<std::uint32_t>(std::string_view(text).substr(skip));
+  if (!id)
+    throw UsageError(option + " '" + text + "' is no number such as 17" +
+                     (prefix.empty() ? "" : " or " + prefix + "17"));
+  return *id;
+}
+
+Pair parse_pair(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos)
+    throw UsageError("--pair '" + text + "' is not of the form I,J, for example 12,77");
+  const ObjectId a{parse_id("--pair", text.substr(0, comma), "")};
+  const ObjectId b{parse_id("--pair", text.substr(comma + 1), "")};
+  if (a == b) throw UsageError("--pair '" + text + "': an object makes no pair with itself");
+  return make_pair(a, b);
+}
+
+}  // namespace
+
+ExplainCommand::ExplainCommand(CLI::App& program)
+    : command_(
+          program.add_subcommand("explain", "Say why: a pair or none, a node, an event of a recording")) {
+  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
+    return command_->add_option(name, text, meaning)->type_name(type);
+  };
+  option("FILE", file_, "A recording", "")->required();
+  option("--step", step_, "After which step (default: the last)", "N");
+  auto* const subject = command_->add_option_group("subject");
+  subject->add_option("--pair", pair_, "Why two objects are a pair, or why not")->type_name("I,J");
+  subject->add_option("--node", node_, "What a node is and what happened to it")->type_name("K");
+  subject->add_option("--event", event_, "Why an event happened")->type_name("E");
+  subject->require_option(1);
+}
+
+bool ExplainCommand::chosen() const { return command_->parsed(); }
+
+void ExplainCommand::run() const {
+  const std::string text =
+      with_recording(file_, [&]<int D>(const std::shared_ptr<RecordingReader<D>>& recording) {
+        Replayer<D> replayer(recording);
+        if (!event_.empty()) {
+          const auto position =
+              parse_position("--event", event_.starts_with("e") ? event_ : "e" + event_, *recording);
+          return to_text(explain_event(replayer, position.event));
+        }
+        const auto position = step_.empty() ? Position::end_of(recording->steps())
+                                            : parse_position("--step", step_, *recording);
+        if (!position.is_end()) throw UsageError("--step '" + step_ + "' is no step");
+        if (!pair_.empty()) return to_text(explain_pair(replayer, position.step, parse_pair(pair_)));
+        return to_text(explain_node(replayer, position.step, NodeId{parse_id("--node", node_, "n")}));
+      });
+  std::fputs(text.c_str(), stdout);
+}
+
+}  // namespace kerf

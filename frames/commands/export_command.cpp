@@ -1,0 +1,54 @@
+#include "frames/commands/export_command.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "frames/commands/export_recording.h"
+#include "frames/sequence/recording_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/output_file.h"
+#include "frames/support/part_file.h"
+
+namespace kerf {
+
+ExportCommand::ExportCommand(CLI::App& program)
+    : command_(program.add_subcommand("export", "Write a recording for other programs")) {
+  command_->add_option("FILE", file_, "A recording")->type_name("")->required();
+  auto* const format = command_->add_option_group("format");
+  format->add_flag("--chrome-trace", chrome_trace_, "Phases, operators and counters as a timeline (JSON)");
+  format->add_flag("--csv", csv_, "A line for each step, with all its figures");
+  format->add_flag("--boxes", boxes_,
+                   "A line for each box that came, went or changed: what `kerf import` reads");
+  format->require_option(1);
+  command_->add_option("-o,--out", out_, "Where to (default: standard output)")->type_name("FILE");
+  command_->add_flag("--overwrite", overwrite_, "Replace an earlier file");
+  command_->footer("A timeline is shown by chrome://tracing and https://ui.perfetto.dev.");
+}
+
+bool ExportCommand::chosen() const { return command_->parsed(); }
+
+void ExportCommand::run() const {
+  const auto write = [this](auto& recording, std::ostream& out, const OnStep& on_step) {
+    if (chrome_trace_) export_chrome_trace(recording, out, on_step);
+    if (csv_) export_steps(recording, out, on_step);
+    if (boxes_) export_boxes(recording, out, on_step);
+  };
+  if (out_.empty()) {
+    with_recording(file_, [&](auto recording) { write(*recording, std::cout, [](std::uint32_t) {}); });
+    return;
+  }
+  check_not_input(out_, file_);
+  check_free(out_, overwrite_);
+  with_recording(file_, [&](auto recording) {
+    const InterruptGuard interrupt;
+    PartFile file(out_);
+    write(*recording, file.stream(), [&](std::uint32_t) {
+      file.check();
+      if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
+    });
+    file.keep();
+  });
+}
+
+}  // namespace kerf

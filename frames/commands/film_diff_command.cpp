@@ -1,0 +1,104 @@
+#include "frames/commands/film_diff_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "frames/sequence/difference_panels.h"
+#include "frames/sequence/film_files.h"
+#include "frames/sequence/manifest.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/progress_line.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kPanelWidth = 640;
+
+using FramesByStep = std::map<std::uint32_t, std::filesystem::path>;
+
+FramesByStep frames_of(const std::filesystem::path& folder) {
+  FramesByStep frames;
+  for (const FrameRecord& frame : read_manifest(folder).frames)
+    frames.emplace(frame.step, folder / frame.file);
+  return frames;
+}
+
+struct Couple {
+  std::filesystem::path a;
+  std::filesystem::path b;
+};
+
+/// The pictures of the steps that both have.
+std::vector<Couple> common_frames(const FramesByStep& a, const FramesByStep& b) {
+  std::vector<Couple> common;
+  for (const auto& [step, path] : a)
+    if (const auto other = b.find(step); other != b.end()) common.push_back({path, other->second});
+  return common;
+}
+
+Image panels_of(const std::filesystem::path& a, const std::filesystem::path& b, std::size_t& differing) {
+  try {
+    return difference_panels(read_png(a), read_png(b), kPanelWidth, differing);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(a.string() + " and " + b.string() + ": " + error.what() + "; render both in one --size");
+  }
+}
+
+}  // namespace
+
+FilmDiffCommand::FilmDiffCommand(CLI::App& program)
+    : command_(
+          program.add_subcommand("film-diff", "Two sequences side by side, with what differs, as a film")) {
+  command_->add_option("A", a_, "Folder of a sequence")->type_name("")->required();
+  command_->add_option("B", b_, "Folder of another one")->type_name("")->required();
+  command_->add_option("-o,--out", out_, "The film (.mp4, .mkv, .mov, .webm, .gif, .apng)")
+      ->type_name("FILE")
+      ->required();
+  command_->add_option("--fps", fps_, "Frames a second (default 25)")->type_name("N");
+  command_->add_option("--contact-sheet", contact_sheet_, "Also twenty of the pictures in one .png")
+      ->type_name("FILE");
+  command_->add_flag("--overwrite", overwrite_, "Replace an earlier film and contact sheet");
+  command_->footer(
+      "A is left, B in the middle; right of them A is shown pale, with what differs in red: the more, the "
+      "redder.\n"
+      "Frames of equal steps are compared. EXIT 0 the film is made, whether anything differs or not; 1, 2 "
+      "failed, 130\n"
+      "interrupted. `kerf diff` judges pictures.");
+}
+
+bool FilmDiffCommand::chosen() const { return command_->parsed(); }
+
+void FilmDiffCommand::run() const {
+  const FilmRequest film = parse_film_request(out_, fps_, contact_sheet_, overwrite_);
+  check_free(film);
+  make_writable_folder(std::filesystem::absolute(film.video).parent_path());
+  const InterruptGuard interrupt;
+  const auto frames = common_frames(frames_of(a_), frames_of(b_));
+  if (frames.empty()) throw UsageError(a_ + " and " + b_ + " have no frames of equal steps");
+  const ProgressLine progress;
+  std::optional<FilmFiles> files;
+  std::uint32_t index = 0;
+  std::uint32_t different = 0;
+  for (const Couple& couple : frames) {
+    if (interrupt.requested()) throw Interrupted("interrupted; no film was made");
+    progress.show("frame " + std::to_string(index + 1) + "/" + std::to_string(frames.size()));
+    std::size_t differing = 0;
+    const Image image = panels_of(couple.a, couple.b, differing);
+    if (!files)
+      files.emplace(film, PictureSize{image.width, image.height}, static_cast<std::uint32_t>(frames.size()));
+    files->add(index++, image);
+    if (differing > 0) ++different;
+  }
+  files->finish();
+  progress.clear();
+  std::printf("%s: %zu frames, %u of them different\n", out_.c_str(), frames.size(), different);
+}
+
+}  // namespace kerf

@@ -1,0 +1,149 @@
+#include "frames/commands/minimize_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "core/query/minimize.h"
+#include "core/query/search.h"
+#include "frames/commands/test_of_scenario.h"
+#include "frames/sequence/part_recording.h"
+#include "frames/sequence/recording_file.h"
+#include "frames/sequence/recording_picture.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/output_file.h"
+#include "frames/support/parse_expression.h"
+
+namespace kerf {
+namespace {
+
+struct MinimizeRequest {
+  Expression when;
+  std::filesystem::path out;
+
+  [[nodiscard]] std::filesystem::path picture() const {
+    return std::filesystem::path(out).replace_extension(".png");
+  }
+  [[nodiscard]] std::filesystem::path test() const {
+    return std::filesystem::path(out).replace_extension(".cpp");
+  }
+};
+
+template <int D>
+std::optional<Position> first_hit(const std::filesystem::path& path, const Expression& when) {
+  Search<D> search(std::make_shared<RecordingReader<D>>(path));
+  return search.forward(when, Position::end_of(0));
+}
+
+/// Returns where the condition holds in it.
+template <int D>
+Position write_recording(const Scenario<D>& scenario, const MinimizeRequest& request) {
+  PartRecording part(request.out);
+  record(scenario, part.path());
+  const auto hit = first_hit<D>(part.path(), request.when);
+  if (!hit) throw std::runtime_error("the small recording does not show the condition");
+  part.keep();
+  return *hit;
+}
+
+template <int D>
+void write_results(const Scenario<D>& scenario, const MinimizeRequest& request) {
+  const Position hit = write_recording(scenario, request);
+  const auto recording = std::make_shared<RecordingReader<D>>(request.out);
+  Cursor<D> cursor(recording);
+  cursor.go(hit);
+  draw_moment(cursor, {1280, 720}, request.picture());
+  const std::uint64_t hash = recording->rows().back().state_hash;
+  write_file_atomically(request.test(), test_of_scenario(scenario, request.when.text(), hash));
+  std::printf(
+      "%s: %zu steps, %zu objects, %zu requests, %zu kinds of operators in them; it holds at %s\n%s: a "
+      "picture of that moment\n%s: a C++ "
+      "test\n",
+      request.out.c_str(), scenario.steps.size(), objects_of(scenario).size(), scenario.requests(),
+      acting_operators(scenario).size(), to_string(hit).c_str(), request.picture().c_str(),
+      request.test().c_str());
+}
+
+template <int D>
+void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
+                        const MinimizeRequest& request) {
+  const InterruptGuard interrupt;
+  Search<D> search(recording);
+  const auto hit = search.forward(request.when, Position::end_of(0));
+  if (!hit)
+    throw std::runtime_error("the condition never holds in this recording, so there is nothing to minimize");
+  const StepRow& row = recording->row(hit->step);
+  std::size_t trials = 0;
+  const auto fails = [&](const Scenario<D>& scenario) {
+    if (interrupt.requested())
+      throw Interrupted("interrupted after " + std::to_string(trials) + " trials; nothing was written");
+    ++trials;
+    const PartRecording trial(request.out);
+    record(scenario, trial.path());
+    return first_hit<D>(trial.path(), request.when).has_value();
+  };
+  Replayer<D> replayer(recording);
+  if (!recording->info().decisions.empty() && !fails(scenario_of(replayer, 0, hit->step)))
+    throw std::runtime_error(
+        "the condition holds only because of a decision about one event (`kerf rerun`), and other objects or "
+        "steps make other events: there is nothing to minimize");
+  const Scenario<D> late = start_late<D>(replayer, hit->step, fails);
+  const Scenario<D> small = minimize<D>(late, fails);
+  std::printf("%zu trials: from %u steps and %u objects\n", trials, row.step, row.statistics.objects);
+  write_results(small, request);
+}
+
+/// What is not the same in every run cannot guide anything.
+void check(const Expression& when) {
+  const bool asks_time = std::ranges::any_of(when.parts(), [](const ExpressionPart& part) {
+    const bool names =
+        part.kind == ExpressionPart::Kind::variable || part.kind == ExpressionPart::Kind::median;
+    return names && part.variable >= Variable::step_time && part.variable <= Variable::sweep_time;
+  });
+  if (asks_time)
+    throw UsageError("--when: times differ from run to run; give a condition that does not speak of them");
+}
+
+/// Three files are written, of which none may be what is read or, unless the user said so, be there already.
+void check_files(const MinimizeRequest& request, const std::filesystem::path& recording, bool overwrite) {
+  if (request.out == request.picture() || request.out == request.test())
+    throw UsageError("--out '" + request.out.string() +
+                     "': the picture and the test get the names with .png and .cpp; choose another ending");
+  for (const std::filesystem::path& file : {request.out, request.picture(), request.test()})
+    check_not_input(file, recording);
+  check_recording_path(request.out, overwrite);
+  check_free(request.picture(), overwrite);
+  check_free(request.test(), overwrite);
+}
+
+}  // namespace
+
+MinimizeCommand::MinimizeCommand(CLI::App& program)
+    : command_(program.add_subcommand("minimize", "Find the smallest run in which a condition still holds")) {
+  command_->add_option("FILE", file_, "A recording")->type_name("")->required();
+  command_->add_option("--when", when_, "The condition, see `kerf step --help`")
+      ->type_name("EXPR")
+      ->required();
+  command_->add_option("-o,--out", out_, "The small recording, for example small.kerf")
+      ->type_name("FILE")
+      ->required();
+  command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording, picture and test");
+  command_->footer(
+      "Objects, steps and operators are left out as long as the condition still holds (delta debugging). "
+      "Beside the\n"
+      "recording a picture (.png) and a self-contained C++ test (.cpp) are written under its name.");
+}
+
+bool MinimizeCommand::chosen() const { return command_->parsed(); }
+
+void MinimizeCommand::run() const {
+  const MinimizeRequest request{parse_expression("--when", when_), out_};
+  check(request.when);
+  check_files(request, file_, overwrite_);
+  with_recording(file_, [&](auto recording) { minimize_recording(recording, request); });
+}
+
+}  // namespace kerf

@@ -1,0 +1,40 @@
+#include "frames/commands/record_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include "frames/sequence/record_scene.h"
+#include "frames/support/errors.h"
+
+namespace kerf {
+
+RecordCommand::RecordCommand(CLI::App& program)
+    : command_(program.add_subcommand("record", "Run a scene and record every step of its tree")) {
+  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
+    return command_->add_option(name, text, meaning)->type_name(type);
+  };
+  option("SCENE", texts_.scene, "A scene of `kerf scenes`", "")->required();
+  option("-o,--out", texts_.record, "The recording, for example pile.kerf", "FILE")->required();
+  option("--steps", texts_.steps, "How many (default 1000)", "N");
+  option("--objects", texts_.objects, "Moving objects at the end (default: the scene's own)", "N");
+  option("--grow", texts_.grow, "Steps until all objects are there (default: the scene's own)", "STEPS");
+  option("--recycle", texts_.recycle,
+         "Then let the oldest fall anew, one every so many steps (default never)", "STEPS");
+  option("--volume", texts_.volume, "How objects are bounded (default: what the scene needs)", "KIND");
+  option("--broad-phase", texts_.broad_phase, "kerf-paper (default) or kerf, the tuned tree", "NAME");
+  option("--config", texts_.config, "Parameters of the tree, see `kerf render --help`", "K=V,...");
+  option("--seed", texts_.seed, "Of every random choice of the scene (default 1)", "S");
+  command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier recording");
+  command_->footer(
+      "The file is an SQLite database (docs/RECORDING.md). Whenever the program is stopped, what was\n"
+      "recorded until a second before is there and can be read.");
+}
+
+bool RecordCommand::chosen() const { return command_->parsed(); }
+
+void RecordCommand::run() const {
+  if (texts_.steps.find(':') != std::string::npos)
+    throw UsageError("--steps '" + texts_.steps + "': a recording has every step; give how many");
+  record_scene(parse_request(texts_));
+}
+
+}  // namespace kerf

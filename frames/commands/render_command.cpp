@@ -1,0 +1,99 @@
+#include "frames/commands/render_command.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "frames/sequence/sequence.h"
+
+namespace kerf {
+namespace {
+
+std::string layer_names() { return to_string(LayerSet::all()); }
+
+template <int D>
+std::string names_of() {
+  std::string names;
+  for (const std::string& name : broad_phase_names<D>()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+/// What the options cannot say in a line each.
+std::string footer() {
+  std::string text =
+      "LAYERS  " + layer_names() +
+      "\n        a list of these, 'all' or 'none', or changes such as +leaves,-legend"
+      "\nCAMERA  3D: yaw=30,pitch=25,fov=35,distance=40,target=0:0:0   2D: center=0:5,width=40"
+      "\n        any part of it; what is left out is chosen so that everything is seen"
+      "\nPATH    a key frame a line: a step and what is said of the camera from then on, 120 yaw=90,pitch=20"
+      "\n        between them it moves smoothly; what follows a # is a remark"
+      "\nSAMPLES 1: jagged edges; 4: smooth ones, three times slower; 2x2: drawn at twice the size and "
+      "averaged"
+      "\nOUTPUT  DIR/SCENE_000000.png and so on, and DIR/frames.json, which says what each frame shows."
+      "\n        A folder that holds a sequence is refused unless --overwrite is given, which removes that"
+      "\n        sequence and nothing else. Ctrl-C keeps the finished frames and their manifest; the same"
+      "\n        command with --resume makes the rest."
+      "\nEXIT    0 done, 1 failed, 2 wrong usage, 130 interrupted"
+      "\n\nBROAD PHASES for --broad-phase: kerf is the tuned tree, kerf-paper the tree with the paper's "
+      "parameters\n  3D  " +
+      names_of<3>() + "\n  2D  " + names_of<2>() +
+      "\n\nVOLUMES for --volume: box, sphere, oriented-box; in 3D 14-dop, 26-dop; in 2D 8-dop, 16-dop"
+      "\n\nPARAMETERS of the tree for --config, with the paper's values. kerf-paper in a scene that "
+      "needs no free\n           directions starts with free_directions=0, kerf with its own; frames.json "
+      "says what was used:\n";
+  for (const ConfigField& field : config_fields()) {
+    std::string line = "  " + std::string(field.name) + "=" + get(Config{}, field.name);
+    line.resize(std::max<std::size_t>(line.size() + 1, 28), ' ');
+    text += line + std::string(field.meaning) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+RenderCommand::RenderCommand(CLI::App& program)
+    : command_(program.add_subcommand(
+          "render", "Run a scene, or a recording again, and draw it as a sequence of frames")) {
+  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
+    return command_->add_option(name, text, meaning)->type_name(type);
+  };
+  option("SCENE", texts_.scene, "A scene of `kerf scenes`, or the file of a recording", "")->required();
+  option("--steps", texts_.steps, "From step A to B a frame every N steps (default 1:1000:4)", "A:B:N");
+  option("--size", texts_.size, "Width and height in pixels (default 1280x720)", "WxH");
+  option("--objects", texts_.objects, "Moving objects at the end (default: the scene's own)", "N");
+  option("--grow", texts_.grow, "Steps until all objects are there (default: the scene's own)", "STEPS");
+  option("--recycle", texts_.recycle,
+         "Then let the oldest fall anew, one every so many steps (default never)", "STEPS");
+  option("--broad-phase", texts_.broad_phase, "What finds the pairs, see below (default kerf-paper)", "NAME");
+  option("--volume", texts_.volume, "How objects are bounded, see below (default: what the scene needs)",
+         "KIND");
+  option("--show", texts_.show, "What is drawn, see below (default all)", "LAYERS");
+  option("--camera", texts_.camera, "From where, see below (default: all in view)", "TEXT");
+  option("--camera-path", texts_.camera_path, "Camera that moves, from a file, see below", "FILE");
+  option("--samples", texts_.samples, "Of each pixel, see below (default: 4, of many objects 1)", "1|4|2x2");
+  option("--backend", texts_.backend, "What draws; both give the same pixels (default osmesa)", "osmesa|egl");
+  option("--config", texts_.config, "Parameters of the tree, see below (default: those of --broad-phase)",
+         "K=V,...");
+  option("--out", texts_.out, "Folder for frames and manifest (default out/SCENE)", "DIR");
+  option("--video", texts_.video, "Also a film (.mp4, .mkv, .mov, .webm, .gif, .apng), by ffmpeg", "FILE");
+  option("--fps", texts_.fps, "Frames a second of the film (default 25)", "N");
+  option("--contact-sheet", texts_.contact_sheet, "Also twenty of the frames in one .png", "FILE");
+  option("--seed", texts_.seed, "Of every random choice of the scene (default 1)", "S");
+  option("--record", texts_.record, "Also a recording for `kerf verify` and the like", "FILE");
+  option("--workers", texts_.workers, "Processes that draw; 0: this one alone (default: one a core)", "N");
+  option("--shard", texts_.shard, "Of a recording: only every N-th frame, the K-th first", "K/N");
+  command_->add_flag(
+      "--ids", texts_.ids,
+      "Also FRAME.ids.png and FRAME.draw.json: which plane, leaf or pair is where, for kerf diff");
+  command_->add_flag("--resume", texts_.resume, "Keep the frames that an interrupted render has left");
+  command_->add_flag("--overwrite", texts_.overwrite,
+                     "Replace an earlier sequence, film, contact sheet and recording");
+  command_->footer(footer());
+}
+
+bool RenderCommand::chosen() const { return command_->parsed(); }
+
+void RenderCommand::run() const {
+  render_sequence(names_recording(texts_) ? parse_recording_request(texts_) : parse_request(texts_));
+}
+
+}  // namespace kerf

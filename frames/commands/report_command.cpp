@@ -1,0 +1,186 @@
+#include "frames/commands/report_command.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+
+#include "frames/page/gnuplot.h"
+#include "frames/report/section.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/machine.h"
+
+namespace kerf {
+namespace {
+
+std::vector<std::string> section_names() {
+  std::vector<std::string> names;
+  for (const Section& section : report_sections()) names.push_back(section.name);
+  return names;
+}
+
+std::string footer() {
+  std::string text = "SECTIONS\n";
+  for (const Section& section : report_sections()) {
+    std::string name = "  " + section.name;
+    name.resize(14, ' ');
+    text += name + section.title + "\n";
+  }
+  return text +
+         "\nThe figures are kept beside the page, in a JSON file of its name. Ctrl-C keeps what was "
+         "measured, "
+         "and\nthe same command goes on from there. The page loads nothing from anywhere; its plots are "
+         "gnuplot's.";
+}
+
+/// A line on the terminal that is written over and over: what is measured, and the time that is left, as far
+/// as the time so far tells. Silent unless standard error is a terminal.
+class Countdown {
+ public:
+  explicit Countdown(const std::vector<Cell>& cells) : cells_(cells) {
+    for (const Cell& cell : cells) all_ += cell.work;
+  }
+  ~Countdown() {
+    if (shown_) std::fputs("\r\033[K", stderr);
+  }
+  Countdown(const Countdown&) = delete;
+  Countdown& operator=(const Countdown&) = delete;
+
+  /// The next of the cells begins.
+  void begin(const Cell& cell) {
+    ++begun_;
+    if (shown_)
+      std::fprintf(stderr, "\r\033[K%zu/%zu%s  %s", begun_, cells_.size(), time_left().c_str(),
+                   cell.key.c_str());
+    done_ += cell.work;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  [[nodiscard]] std::string time_left() const {
+    if (done_ == 0) return "";
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    const int left = static_cast<int>(seconds / done_ * (all_ - done_));
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "  about %d:%02d left", left / 60, left % 60);
+    return text.data();
+  }
+
+  const std::vector<Cell>& cells_;
+  double all_ = 0;
+  double done_ = 0;
+  std::size_t begun_ = 0;
+  bool shown_ = isatty(STDERR_FILENO) == 1;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// Measures and shows the sections that were asked for.
+class Report {
+ public:
+  explicit Report(const ReportRequest& request) : request_(request), store_(request.kept) {
+    if (request.fresh) store_.clear();
+    for (const Section& section : report_sections())
+      if (std::ranges::find(request.sections, section.name) != request.sections.end())
+        sections_.push_back(&section);
+  }
+
+  void run() {
+    require_gnuplot();
+    make_writable_folder(std::filesystem::absolute(request_.out).parent_path());
+    measure();
+    write_file_atomically(request_.out, page().html());
+    std::printf("%s\n", std::filesystem::absolute(request_.out).c_str());
+  }
+
+ private:
+  /// What is still to be measured, each once.
+  [[nodiscard]] std::vector<Cell> missing() const {
+    std::vector<Cell> cells;
+    for (const Section* section : sections_)
+      for (Cell& cell : section->cells(request_)) {
+        const auto same = [&](const Cell& other) { return other.key == cell.key; };
+        if (!store_.has(cell.key) && std::ranges::none_of(cells, same)) cells.push_back(std::move(cell));
+      }
+    return cells;
+  }
+  void measure() {
+    const std::vector<Cell> cells = missing();
+    Countdown countdown(cells);
+    const InterruptGuard interrupt;
+    std::size_t done = 0;
+    const Poll poll = [&] {
+      if (interrupt.requested())
+        throw Interrupted("interrupted; " + std::to_string(done) + " of " + std::to_string(cells.size()) +
+                          " measurements are kept in " + request_.kept.string() +
+                          ", and the same command goes on from there");
+    };
+    for (const Cell& cell : cells) {
+      countdown.begin(cell);
+      store_.put(cell.key, cell.measure(poll));
+      ++done;
+    }
+  }
+  [[nodiscard]] Page page() const {
+    const Json machine = describe_machine();
+    Page page("Kerf: speed against error",
+              "Measured on " + machine.value("processor", "an unknown processor") + ", " +
+                  std::to_string(machine.value("cores", 0)) + " cores, " + machine.value("vectors", "") +
+                  ", " + machine.value("system", "") + ", " + machine.value("compiler", "") +
+                  ", kerf " KERF_VERSION);
+    page.paragraph(
+        "What a broad phase that is wrong on purpose gains, and what that does to pairs, contacts and "
+        "motion. "
+        "Exact is the default; every approximate mode is an explicit setting, written as kerf bench takes "
+        "it: "
+        "period (placed every so many steps), margin (boxes widened by so much), filter (kept pairs are held "
+        "against the latest boxes), grid (ends of boxes rounded to cells of that size), shrink (rounded "
+        "inward).");
+    for (const Section* section : sections_) {
+      page.section(section->name, section->title);
+      section->write(request_, store_, page);
+    }
+    return page;
+  }
+
+  const ReportRequest& request_;
+  CellStore store_;
+  std::vector<const Section*> sections_;
+};
+
+}  // namespace
+
+ReportCommand::ReportCommand(CLI::App& program)
+    : command_(program.add_subcommand("report", "One page of speed against error, with plots and tables")) {
+  command_->add_option("sections", texts_.sections, "Which sections, see below (default all)");
+  command_->add_option("--out", texts_.out, "The page")->type_name("FILE.html")->capture_default_str();
+  command_->add_flag("--full", texts_.full,
+                     "The paper's 4,250 objects; 1,000 where pairs decide what moves (hours)");
+  const auto option = [this](const char* name, std::string& text, const char* meaning) {
+    command_->add_option(name, text, meaning)->type_name("N");
+  };
+  option("--objects", texts_.objects,
+         "Objects of every motion and scene (default 120 to 2000, by the section)");
+  option("--steps", texts_.steps, "Steps of every motion and scene (default 100 and 250)");
+  option("--rounds", texts_.rounds, "How often timed runs are repeated (default 3)");
+  option("--seeds", texts_.seeds, "Seeds of scenes in which pairs decide what moves (default 16)");
+  command_->add_option("--hardcases", texts_.hardcases, "Where ./run hardcases wrote its table")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  command_->add_flag("--fresh", texts_.fresh, "Measure anew what an earlier run has kept");
+  command_->footer(footer());
+}
+
+bool ReportCommand::chosen() const { return command_->parsed(); }
+
+void ReportCommand::run() const {
+  const ReportRequest request = parse_report_request(texts_, section_names());
+  Report(request).run();
+}
+
+}  // namespace kerf

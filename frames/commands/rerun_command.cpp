@@ -1,0 +1,112 @@
+#include "frames/commands/rerun_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "core/replay/what_if.h"
+#include "frames/sequence/recording_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/output_file.h"
+#include "frames/support/parse_config.h"
+#include "frames/support/parse_number.h"
+
+namespace kerf {
+namespace {
+
+/// An event, and which of its candidates; none: refuse it.
+struct EventChoice {
+  std::uint64_t event = 0;
+  std::optional<std::size_t> candidate;
+};
+
+/// "e123", and with candidate "e123:2".
+EventChoice parse_choice(const std::string& option, const std::string& text, bool with_candidate) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const auto event = text.starts_with("e")
+                         ? parse_number<std::uint64_t>(std::string_view(text).substr(1, colon - 1))
+                         : std::nullopt;
+  std::optional<std::size_t> candidate;
+  if (colon < text.size()) candidate = parse_number<std::size_t>(std::string_view(text).substr(colon + 1));
+  if (!event || candidate.has_value() != with_candidate || (colon < text.size()) != with_candidate)
+    throw UsageError(option + " '" + text + "' is not an event " +
+                     (with_candidate ? "with a candidate, for example e1234:2" : "such as e1234"));
+  return {*event, candidate};
+}
+
+/// What the command line asks for.
+struct WhatIf {
+  std::string config;
+  std::uint32_t from = 1;
+  std::optional<EventChoice> decision;
+  std::filesystem::path out;
+  bool overwrite = false;
+};
+
+template <int D>
+RecordingInfo what_if(const std::shared_ptr<RecordingReader<D>>& recording, const WhatIf& asked) {
+  RecordingInfo info = recording->info();
+  try {
+    Replayer<D> replayer(recording);
+    if (asked.decision) decide(info, replayer, asked.decision->event, asked.decision->candidate);
+    const Config config = parse_config("--config", asked.config, config_of(info, asked.from));
+    if (!asked.config.empty()) change_config(info, *recording, asked.from, config);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  return info;
+}
+
+template <int D>
+void rerun_recording(const std::shared_ptr<RecordingReader<D>>& recording, const WhatIf& asked) {
+  const RecordingInfo info = what_if(recording, asked);
+  clear_recording_path(asked.out, asked.overwrite);
+  const InterruptGuard interrupt;
+  const bool whole = rerun(*recording, info, asked.out, [&] { return interrupt.requested(); });
+  std::printf("%s: %u steps\n", asked.out.c_str(), RecordingReader<D>(asked.out).steps());
+  if (!whole) throw Interrupted("interrupted: what was done is in " + asked.out.string());
+}
+
+}  // namespace
+
+RerunCommand::RerunCommand(CLI::App& program)
+    : command_(program.add_subcommand(
+          "rerun",
+          "What if? Record the boxes of a recording again, with another configuration or decision")) {
+  command_->add_option("FILE", file_, "A recording")->type_name("")->required();
+  command_->add_option("-o,--out", out_, "The new recording")->type_name("FILE")->required();
+  command_->add_option("--config", config_, "Parameters that change, see `kerf render --help`")
+      ->type_name("K=V,...");
+  command_->add_option("--from", from_, "The first step in which --config holds (1)")->type_name("STEP");
+  auto* refuse = command_->add_option("--refuse", refuse_, "The operator of this event does not act")
+                     ->type_name("EVENT");
+  command_->add_option("--take", take_, "The split of this event divides by that candidate of its ballot")
+      ->type_name("EVENT:K")
+      ->excludes(refuse);
+  command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording");
+  command_->footer(
+      "`kerf compare` then shows the first operator that is another one, and the figures of both. What is "
+      "refused\n"
+      "is refused once: Algorithm 1 goes on with what it does where that operator fails. A rerun is a "
+      "recording\n"
+      "of its own, on which the next decision can be made.");
+}
+
+bool RerunCommand::chosen() const { return command_->parsed(); }
+
+void RerunCommand::run() const {
+  WhatIf asked{config_, from_, std::nullopt, out_, overwrite_};
+  if (!refuse_.empty()) asked.decision = parse_choice("--refuse", refuse_, false);
+  if (!take_.empty()) asked.decision = parse_choice("--take", take_, true);
+  if (config_.empty() && from_ != 1) throw UsageError("--from says where --config begins: give that, too");
+  (void)parse_config("--config", config_, read_recording_info(file_).config);
+  check_not_input(out_, file_);
+  check_recording_path(out_, overwrite_);
+  with_recording(file_, [&](auto recording) { rerun_recording(recording, asked); });
+}
+
+}  // namespace kerf

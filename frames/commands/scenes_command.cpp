@@ -1,0 +1,100 @@
+#include "frames/commands/scenes_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "frames/catalog/scene_catalog.h"
+
+namespace kerf {
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// What --objects, --grow and --recycle mean in a scene.
+template <int D>
+std::string parameters_of(const SceneEntry<D>& entry) {
+  if (!entry.parameters.empty()) return std::string(entry.parameters);
+  return "objects: those that fall; grow: steps in which they come; recycle: steps between two that fall "
+         "anew";
+}
+
+Row row_of(const CatalogScene& scene) {
+  return std::visit(
+      [&](const auto* entry) {
+        return Row{scene.name,
+                   std::to_string(scene.dimension()) + "D",
+                   std::to_string(entry->default_objects),
+                   std::string(entry->source),
+                   std::string(entry->summary),
+                   describe(entry->needs),
+                   parameters_of(*entry)};
+      },
+      scene.entry);
+}
+
+/// Columns as wide as their widest cell, the last one as it comes.
+std::string table(const std::vector<Row>& rows, std::size_t columns) {
+  std::string text;
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < columns; ++c) {
+      std::size_t width = 0;
+      for (const Row& other : rows) width = std::max(width, other[c].size());
+      text += row[c];
+      if (c + 1 < columns) text += std::string(width - row[c].size() + 2, ' ');
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string as_json(const std::vector<CatalogScene>& catalog) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const CatalogScene& scene : catalog) {
+    std::visit(
+        [&](const auto* entry) {
+          list.push_back({{"name", scene.name},
+                          {"dimension", scene.dimension()},
+                          {"default_objects", entry->default_objects},
+                          {"source", entry->source},
+                          {"summary", entry->summary},
+                          {"needs", describe(entry->needs)},
+                          {"grows", entry->grows},
+                          {"parameters", parameters_of(*entry)}});
+        },
+        scene.entry);
+  }
+  return list.dump(1) + "\n";
+}
+
+std::string as_text(const std::vector<CatalogScene>& catalog, bool verbose) {
+  std::vector<Row> rows{{"NAME", "DIM", "OBJECTS", "SOURCE", "SUMMARY", "NEEDS", "PARAMETERS"}};
+  for (const CatalogScene& scene : catalog) rows.push_back(row_of(scene));
+  return table(rows, verbose ? 7 : 5);
+}
+
+}  // namespace
+
+ScenesCommand::ScenesCommand(CLI::App& program)
+    : command_(program.add_subcommand("scenes", "List the scenes that can be rendered")) {
+  command_->add_flag("--verbose", verbose_,
+                     "Also what each scene needs of its broad phase, and what its parameters mean");
+  command_->add_flag("--json", json_, "Everything, as JSON");
+  command_->footer(
+      "OBJECTS counts the moving objects by default; `kerf render --objects N` changes it.\n"
+      "A name that exists in both dimensions is the 3D scene; NAME-2d is the 2D one.");
+}
+
+bool ScenesCommand::chosen() const { return command_->parsed(); }
+
+void ScenesCommand::run() const {
+  const std::vector<CatalogScene> catalog = scene_catalog();
+  std::fputs((json_ ? as_json(catalog) : as_text(catalog, verbose_)).c_str(), stdout);
+}
+
+}  // namespace kerf

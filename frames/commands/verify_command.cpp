@@ -1,0 +1,77 @@
+#include "frames/commands/verify_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stdexcept>
+
+#include "core/replay/verify.h"
+#include "frames/commands/replay_timings.h"
+#include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/parse_number.h"
+
+namespace kerf {
+namespace {
+
+unsigned long long wide(std::uint64_t x) { return x; }
+
+std::uint32_t parse_every(const std::string& text) {
+  if (text.empty()) return 1;
+  const auto every = parse_number<std::uint32_t>(text);
+  if (!every) throw UsageError("--oracle-every '" + text + "' is no whole number");
+  return *every;
+}
+
+void print(const Divergence& divergence) {
+  const std::string event = divergence.event ? ", event e" + std::to_string(*divergence.event) : "";
+  std::printf("diverges first in step %u%s\n  recorded: %s\n  replayed: %s\n", divergence.step, event.c_str(),
+              divergence.recorded.c_str(), divergence.replayed.c_str());
+}
+
+void print(const Verdict& verdict, bool oracle) {
+  std::printf("replayed %u steps, %llu events, %llu pairs, %llu keyframes\n", verdict.steps,
+              wide(verdict.events), wide(verdict.pairs), wide(verdict.keyframes));
+  if (verdict.divergence) {
+    print(*verdict.divergence);
+  } else {
+    std::printf("every event, state hash, keyframe and set of pairs is as recorded\n");
+  }
+  if (oracle)
+    std::printf("oracle: %llu missed, %llu extra, %llu twice\n", wide(verdict.missed), wide(verdict.extra),
+                wide(verdict.twice));
+  if (const TheirStep& theirs = verdict.theirs; theirs.pairs + theirs.missed > 0)
+    std::printf("theirs: %llu pairs, %llu missed, %llu extra, %llu twice\n", wide(theirs.pairs),
+                wide(theirs.missed), wide(theirs.extra), wide(theirs.twice));
+}
+
+}  // namespace
+
+VerifyCommand::VerifyCommand(CLI::App& program)
+    : command_(
+          program.add_subcommand("verify", "Replay a recording and compare it with itself and the oracle")) {
+  command_->add_option("FILE", file_, "A recording")->type_name("")->required();
+  command_->add_option("--oracle-every", oracle_every_, "Ask brute force every N steps (default 1; 0: never)")
+      ->type_name("N");
+  command_->add_flag("--timings", timings_, "Also measure how fast steps are reached");
+  command_->footer(
+      "EXIT    0 the replay is the run that was recorded and its pairs are exact, 1 it is not,\n"
+      "        2 wrong usage, 130 interrupted");
+}
+
+bool VerifyCommand::chosen() const { return command_->parsed(); }
+
+void VerifyCommand::run() const {
+  const std::uint32_t every = parse_every(oracle_every_);
+  const InterruptGuard interrupt;
+  const Verdict verdict =
+      verify(file_, every, [&](std::uint32_t /*step*/) { return !interrupt.requested(); });
+  print(verdict, every != 0);
+  if (timings_) print_replay_timings(file_);
+  if (interrupt.requested())
+    throw Interrupted("interrupted: the steps after " + std::to_string(verdict.steps) + " were not verified");
+  if (verdict.divergence) throw std::runtime_error("the replay is not the run that was recorded");
+  if (!verdict.holds())
+    throw std::runtime_error("pairs are wrong, first in step " + std::to_string(verdict.first_wrong_step));
+}
+
+}  // namespace kerf

@@ -1,0 +1,48 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "frames/page/gnuplot.h"
+#include "frames/page/plot.h"
+#include "frames/page/plot_parts.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kWidth = 940;
+constexpr int kRow = 26;
+constexpr int kAround = 110;
+
+/// Row, value, and the value as text.
+std::string data_block(const BarPlot& plot) {
+  std::string data = "$bars << EOD\n";
+  for (std::size_t k = 0; k < plot.bars.size(); ++k) {
+    std::array<char, 32> text{};
+    const double value = plot.bars[k].value;
+    std::snprintf(text.data(), text.size(), value < 100 ? "%.3g" : "%.0f", value);
+    data += std::to_string(k) + " " + plot_number(plot.bars[k].value) + " " + text.data() + "\n";
+  }
+  return data + "EOD\n";
+}
+
+}  // namespace
+
+std::string draw(const BarPlot& plot, std::string_view id) {
+  double most = 0;
+  std::vector<std::string> names;
+  for (const BarPlot::Bar& bar : plot.bars) {
+    most = std::max(most, bar.value);
+    names.push_back(bar.name);
+  }
+  const double end = most > 0 ? 1.12 * most : 1;
+  const std::string script =
+      frame_script(plot.title, plot.x_label) +
+      "unset key\nunset grid\nset lmargin at screen 0.27\nset rmargin at screen 0.97\nset yrange [" +
+      std::to_string(plot.bars.size()) + ":-1]\nset xrange [0:" + plot_number(end) +
+      "]\nset style fill solid 0.85 noborder\nset ytics scale 0 " + names_as_tics(names) + "\n" +
+      data_block(plot) + "plot $bars using ($2/2):1:(0):2:($1-0.36):($1+0.36) with boxxyerror lc rgb " +
+      series_color(0) + ", $bars using 2:1:3 with labels left offset 0.5,0";
+  return run_gnuplot(script, kWidth, kAround + kRow * static_cast<int>(plot.bars.size()), id);
+}
+
+}  // namespace kerf

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frames/page/cell.h"
+
+namespace kerf {
+
+/// Instead of a number of digits: three that count, as few characters as that takes.
+inline constexpr int kShortest = -1;
+
+/// How a figure of a row is shown.
+struct TableColumn {
+  std::string title;
+  std::string key;   ///< in the row; a row without it shows nothing
+  int digits = 0;    ///< behind the point
+  double scale = 1;  ///< the number is multiplied by it first
+};
+
+/// Text as it may stand in an HTML page.
+std::string escaped(std::string_view text);
+
+/// A self-contained HTML page: nothing is loaded from anywhere, no script runs.
+class Page {
+ public:
+  Page(std::string title, std::string subtitle);
+
+  void section(std::string_view id, std::string_view title);
+  void heading(std::string_view title);
+  void paragraph(std::string_view text);
+  /// An SVG element with a line below it.
+  void figure(const std::string& svg, std::string_view caption);
+  /// Rows are objects; those that are `marked` (all or none need be) stand out with a ring. Closed tables are
+  /// opened by a click on their summary.
+  void table(std::string_view summary, const std::vector<TableColumn>& columns, const Json& rows,
+             const std::vector<bool>& marked = {}, bool open = false);
+  /// How to make it again.
+  void command(std::string_view command);
+
+  [[nodiscard]] std::string html() const;
+
+ private:
+  void row(const std::vector<TableColumn>& columns, const Json& row, bool marked);
+
+  std::string title_;
+  std::string subtitle_;
+  std::string contents_;
+  std::string body_;
+};
+
+}  // namespace kerf

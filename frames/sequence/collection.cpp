@@ -1,0 +1,139 @@
+#include "frames/sequence/collection.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+
+#include "frames/sequence/sequence_folder.h"
+#include "frames/sequence/sidecar.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/folder_lock.h"
+
+namespace kerf {
+namespace {
+
+void check_same_sequence(const Manifest& first, const std::filesystem::path& first_folder,
+                         const Manifest& other, const std::filesystem::path& folder) {
+  std::string difference = first_difference(first.header, other.header);
+  if (difference.empty() && first.shard.count != other.shard.count)
+    difference = "shards: " + std::to_string(first.shard.count) + " and " + std::to_string(other.shard.count);
+  if (difference.empty()) return;
+  throw UsageError(first_folder.string() + " and " + folder.string() + " are not of one sequence (" +
+                   difference + ")");
+}
+
+void take(const FrameRecord& record, const std::filesystem::path& folder,
+          std::map<std::uint32_t, CollectedFrame>& frames) {
+  const auto [known, is_new] = frames.emplace(record.index, CollectedFrame{record, folder});
+  if (is_new || known->second.record.pixel_hash == record.pixel_hash) return;
+  throw std::runtime_error(known->second.path().string() + " and " + (folder / record.file).string() +
+                           " should be the same picture and are not; render one of the shards again");
+}
+
+/// "0-3, 7, 9-12", and no more than a few of them.
+std::string ranges_of(const std::vector<std::uint32_t>& numbers) {
+  constexpr int kMost = 8;
+  std::string text;
+  int ranges = 0;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t end = i + 1;
+    while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) ++end;
+    if (++ranges > kMost) return text + " and more";
+    text += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
+    if (end - i > 1) text += "-" + std::to_string(numbers[end - 1]);
+    i = end;
+  }
+  return text;
+}
+
+/// Whether `path` is `folder` or lies in it; both are resolved.
+bool is_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+/// As it is called without links, dots and a slash at the end, whether it is there or not.
+std::filesystem::path resolved(const std::filesystem::path& folder) {
+  const std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(folder));
+  return path.has_filename() ? path : path.parent_path();
+}
+
+/// A hard link, or a copy where that cannot be.
+void put(const std::filesystem::path& file, const std::filesystem::path& target) {
+  std::error_code cannot_link;
+  std::filesystem::create_hard_link(file, target, cannot_link);
+  if (cannot_link) copy_file_atomically(file, target);
+}
+
+}  // namespace
+
+void check_apart(const std::filesystem::path& out, const std::vector<std::filesystem::path>& sources) {
+  for (const std::filesystem::path& source : sources)
+    if (is_within(resolved(source), resolved(out)))
+      throw UsageError("--out " + out.string() + " is or holds " + source.string() +
+                       ", which is collected; choose a folder beside it");
+}
+
+Collection collect(const std::vector<std::filesystem::path>& folders) {
+  Collection collection;
+  std::map<std::uint32_t, CollectedFrame> frames;
+  for (const std::filesystem::path& folder : folders) {
+    const Manifest manifest = read_manifest(folder);
+    if (collection.folders++ == 0) {
+      collection.manifest = manifest;
+    } else {
+      check_same_sequence(collection.manifest, folders.front(), manifest, folder);
+    }
+    for (const FrameRecord& record : manifest.frames) take(record, folder, frames);
+  }
+  collection.manifest.frames.clear();
+  for (auto& [index, frame] : frames) {
+    collection.manifest.frames.push_back(frame.record);
+    collection.frames.push_back(std::move(frame));
+  }
+  collection.manifest.complete = collection.is_complete();
+  return collection;
+}
+
+std::string describe_gaps(const Collection& collection) {
+  std::set<std::uint32_t> there;
+  for (const CollectedFrame& frame : collection.frames) there.insert(frame.record.index);
+  const std::uint32_t count = collection.manifest.shard.count;
+  std::vector<std::uint32_t> missing;
+  std::set<std::uint32_t> shards;
+  for (std::uint32_t index = 0; index < collection.manifest.steps.frames(); ++index) {
+    if (there.contains(index)) continue;
+    missing.push_back(index);
+    shards.insert(index % count);
+  }
+  if (missing.empty()) return "";
+  std::string text = std::to_string(missing.size()) + " of " +
+                     std::to_string(collection.manifest.steps.frames()) +
+                     " frames are missing: " + ranges_of(missing);
+  if (count == 1) return text + "; the same `kerf render` with --resume makes them";
+  text += "; `kerf render` makes them with --resume and --shard";
+  for (const std::uint32_t shard : shards)
+    text += (shard == *shards.begin() ? " " : ", ") + std::to_string(shard + 1) + "/" + std::to_string(count);
+  return text;
+}
+
+void gather(const Collection& collection, const std::filesystem::path& folder, bool overwrite) {
+  const SequenceFolder target(folder, collection.manifest.name);
+  target.check_free(overwrite);
+  target.make();
+  const FolderLock lock(folder);
+  target.clear();
+  for (const CollectedFrame& frame : collection.frames) {
+    const std::filesystem::path to = folder / frame.record.file;
+    put(frame.path(), to);
+    for (const auto beside : {ids_path, draw_list_path})
+      if (std::filesystem::exists(beside(frame.path()))) put(beside(frame.path()), beside(to));
+  }
+  Manifest whole = collection.manifest;
+  whole.shard = {};
+  save(whole, folder);
+}
+
+}  // namespace kerf

@@ -1,0 +1,115 @@
+#include "frames/sequence/draw_list_file.h"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "frames/sequence/sidecar.h"
+#include "frames/support/atomic_file.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "kerf-draw-1";
+
+std::string hex(Color c) {
+  char text[16];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x%02x", c.r, c.g, c.b, c.a);
+  return text;
+}
+
+Color parse_hex(const std::string& text) {
+  unsigned value = 0;
+  if (std::sscanf(text.c_str(), "#%8x", &value) != 1) throw std::runtime_error("'" + text + "' is no colour");
+  const auto byte = [&](unsigned shift) { return static_cast<std::uint8_t>(value >> shift); };
+  return {byte(24), byte(16), byte(8), byte(0)};
+}
+
+double hundredths(float x) { return std::round(double{x} * 100) / 100; }
+
+Json item_json(const Drawn& drawn) {
+  return {to_string(drawn.kind),
+          drawn.a,
+          drawn.b,
+          hex(drawn.color),
+          hundredths(drawn.left),
+          hundredths(drawn.top),
+          hundredths(drawn.right),
+          hundredths(drawn.bottom),
+          drawn.pixels};
+}
+
+DrawnKind parse_kind(const std::string& text) {
+  for (int i = 0; i < kDrawnKindCount; ++i)
+    if (to_string(static_cast<DrawnKind>(i)) == text) return static_cast<DrawnKind>(i);
+  throw std::runtime_error("nothing is called '" + text + "'");
+}
+
+Drawn parse_item(const Json& json) {
+  return {parse_kind(json.at(0)),
+          json.at(1),
+          json.at(2),
+          parse_hex(json.at(3)),
+          json.at(8),
+          json.at(4),
+          json.at(5),
+          json.at(6),
+          json.at(7)};
+}
+
+/// One item a line, so that a difference can be read.
+std::string to_json(const StoredIds& stored) {
+  const DrawList& list = stored.ids.list;
+  std::string text = "{\"format\": \"" + std::string(kFormat) +
+                     "\",\n\"rasterizer\": " + Json(stored.rasterizer).dump() +
+                     ",\n\"item\": \"kind, a, b, colour, left, top, right, bottom, pixels\",\n\"items\": [";
+  for (std::size_t i = 0; i < list.items.size(); ++i)
+    text += (i == 0 ? "\n" : ",\n") + item_json(list.items[i]).dump();
+  text += "],\n\"texts\": [";
+  for (std::size_t i = 0; i < list.texts.size(); ++i) {
+    const DrawnText& line = list.texts[i];
+    text += (i == 0 ? "\n" : ",\n") +
+            Json({line.x, line.y, line.text}).dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+  return text + "]}\n";
+}
+
+StoredIds parse(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  try {
+    const Json json = Json::parse(file);
+    if (json.at("format") != kFormat) throw std::runtime_error("it is of another format");
+    StoredIds stored;
+    stored.rasterizer = json.at("rasterizer");
+    for (const Json& item : json.at("items")) stored.ids.list.items.push_back(parse_item(item));
+    for (const Json& text : json.at("texts"))
+      stored.ids.list.texts.push_back({text.at(0), text.at(1), text.at(2)});
+    return stored;
+  } catch (const std::exception& error) {
+    throw std::runtime_error("cannot read " + path.string() + ": it is no draw list (" + error.what() + ")");
+  }
+}
+
+}  // namespace
+
+void write_ids(const std::filesystem::path& frame, const StoredIds& stored) {
+  write_png(ids_path(frame), stored.ids.image);
+  write_file_atomically(draw_list_path(frame), to_json(stored));
+}
+
+std::optional<StoredIds> read_ids(const std::filesystem::path& frame) {
+  const bool has_image = std::filesystem::exists(ids_path(frame));
+  const bool has_list = std::filesystem::exists(draw_list_path(frame));
+  if (!has_image && !has_list) return std::nullopt;
+  StoredIds stored = parse(draw_list_path(frame));
+  stored.ids.image = read_png(ids_path(frame));
+  return stored;
+}
+
+}  // namespace kerf

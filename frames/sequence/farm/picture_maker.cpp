@@ -1,0 +1,84 @@
+#include "frames/sequence/farm/picture_maker.h"
+
+#include <stdexcept>
+
+#include "frames/sequence/draw_list_file.h"
+#include "frames/sequence/farm/frame_parcel.h"
+#include "frames/support/errors.h"
+#include "viz/image/contact_sheet.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+FrameOptions frame_options(const RenderRequest& request) {
+  const int scale = request.samples == kSupersampled ? 2 : 1;
+  FrameOptions options;
+  options.width = scale * request.size.width;
+  options.height = scale * request.size.height;
+  options.layers = request.layers;
+  options.camera = request.camera;
+  options.ids = request.ids;
+  options.camera_path = request.camera_path;
+  options.backend = request.backend;
+  return options;
+}
+
+template <int D>
+class PictureMaker final : public FrameMaker {
+ public:
+  explicit PictureMaker(const RenderRequest& request)
+      : folder_(request.out),
+        size_(request.size),
+        wants_ids_(request.ids),
+        renderer_(frame_options(request)) {}
+
+  Made make(const std::string& file, std::span<const std::uint8_t> parcel,
+            std::optional<std::uint64_t> kept) override {
+    const std::filesystem::path path = folder_ / file;
+    if (kept && is_kept(path, *kept)) return {*kept, &kept_};
+    const FrameParcel<D> frame = unpack<D>(parcel);
+    const Image& drawn = renderer_.render(frame.input(), frame.plan);
+    const Image& image = in_size(drawn);
+    write_png(path, image);
+    if (wants_ids_) write_ids(path, {renderer_.ids(), renderer_.rasterizer()});
+    return {pixel_hash(image), &image};
+  }
+
+ private:
+  /// A file that is missing or damaged is made again.
+  bool is_kept(const std::filesystem::path& path, std::uint64_t hash) {
+    try {
+      if (wants_ids_ && !read_ids(path)) return false;
+      kept_ = read_png(path);
+      return pixel_hash(kept_) == hash;
+    } catch (const std::runtime_error&) {
+      return false;
+    }
+  }
+
+  const Image& in_size(const Image& drawn) {
+    if (drawn.width == size_.width) return drawn;
+    return shrunk_ = downscale(drawn, size_.width, size_.height);
+  }
+
+  std::filesystem::path folder_;
+  PictureSize size_;
+  bool wants_ids_;
+  FrameRenderer<D> renderer_;
+  Image kept_;
+  Image shrunk_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameMaker> make_picture_maker(const RenderRequest& request) {
+  try {
+    if (request.dimension() == 2) return std::make_unique<PictureMaker<2>>(request);
+    return std::make_unique<PictureMaker<3>>(request);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace kerf

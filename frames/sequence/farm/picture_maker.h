@@ -1,0 +1,12 @@
+#pragma once
+
+#include "frames/sequence/farm/frame_order.h"
+#include "frames/sequence/render_request.h"
+
+namespace kerf {
+
+/// Draws the frames of a request into its folder. GL starts here. Throws UsageError for a camera or a size
+/// that cannot be, std::runtime_error if nothing can be drawn.
+std::unique_ptr<FrameMaker> make_picture_maker(const RenderRequest& request);
+
+}  // namespace kerf

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "frames/sequence/farm/worker.h"
+
+namespace kerf {
+
+/// Memory shared with the processes that will be forked, cut into slots of equal size. What is never used
+/// takes none.
+class SharedSlots {
+ public:
+  /// Each has at least `least_bytes`, and much more if the system lets it. Throws std::runtime_error.
+  SharedSlots(std::size_t count, std::size_t least_bytes);
+  ~SharedSlots();
+  SharedSlots(const SharedSlots&) = delete;
+  SharedSlots& operator=(const SharedSlots&) = delete;
+
+  [[nodiscard]] const std::vector<SlotMemory>& slots() const { return slots_; }
+
+ private:
+  void* memory_ = nullptr;
+  std::size_t size_ = 0;
+  std::vector<SlotMemory> slots_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,170 @@
+#include "frames/sequence/film.h"
+
+#include <algorithm>
+#include <bit>
+#include <exception>
+#include <iterator>
+#include <stdexcept>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "core/bsp/bsp.h"
+#include "core/recording/recorder.h"
+#include "core/tree/criteria.h"
+#include "frames/sequence/farm/frame_parcel.h"
+#include "frames/sequence/recording_file.h"
+#include "frames/support/errors.h"
+
+namespace kerf {
+namespace {
+
+template <int D>
+using WatchedTree = Bsp<D, EventLog>;
+
+template <int D>
+std::unique_ptr<BroadPhase<D>> watched_broad_phase(const SceneEntry<D>& entry, const RenderRequest& request) {
+  const BroadPhaseChoice& choice = request.broad_phase;
+  if (choice.is_tree()) return std::make_unique<WatchedTree<D>>(choice.config, choice.volume);
+  return make_broad_phase<D>(choice, entry, request.options);
+}
+
+template <int D>
+class SceneFilm final : public Film {
+ public:
+  SceneFilm(const SceneEntry<D>& entry, const RenderRequest& request)
+      : name_(request.name),
+        broad_phase_name_(request.broad_phase.name),
+        planner_(request.layers, samples_of_renderer(request)),
+        broad_phase_(watched_broad_phase(entry, request)),
+        tree_(dynamic_cast<WatchedTree<D>*>(broad_phase_.get())),
+        recorder_(make_recorder(tree_, request)),
+        scene_(
+            entry.make(recorder_ ? static_cast<BroadPhase<D>&>(*recorder_) : *broad_phase_, request.options)),
+        highlight_steps_(highlight_steps(request.steps.stride)) {
+    const auto fixed = static_cast<std::uint32_t>(scene_->bodies().size()) - count_moving(scene_->bodies());
+    const std::uint32_t moving =
+        request.options.objects == 0 ? entry.default_objects : request.options.objects;
+    planner_.fix_largest_population(end_of_ramp(fixed + moving, request.broad_phase.config));
+  }
+
+  bool advance_to(std::uint32_t step, const GoOn& go_on) override {
+    while (scene_->step() < step) {
+      advance();
+      if (!go_on(scene_->step())) return false;
+    }
+    return true;
+  }
+
+  std::vector<std::uint8_t> parcel() override {
+    // In the order of a tree lines that cross would change places whenever the tree does.
+    std::vector<Pair> pairs(scene_->pairs().begin(), scene_->pairs().end());
+    std::ranges::sort(pairs);
+    const FrameInput<D> input{.bodies = scene_->bodies(),
+                              .tree = tree_ == nullptr ? nullptr : &tree_->tree(),
+                              .pairs = pairs,
+                              .contacts = scene_->contacts(),
+                              .events = recent_,
+                              .caption = caption(),
+                              .highlight_steps = highlight_steps_};
+    return pack(input, planner_.plan(input));
+  }
+
+  FrameRecord record() override {
+    FrameRecord record;
+    record.step = scene_->step();
+    record.objects = static_cast<std::uint32_t>(scene_->bodies().size());
+    record.pairs = scene_->pairs().size();
+    record.contacts = scene_->contacts().size();
+    if (tree_ == nullptr) return record;
+    const Statistics statistics = tree_->statistics();
+    record.height = statistics.height;
+    record.leaves = statistics.leaves;
+    record.entries = statistics.entries;
+    record.operators = statistics.operators;
+    record.events = std::exchange(events_since_record_, 0);
+    record.state_hash = tree_->state_hash();
+    return record;
+  }
+
+  void finish() override {
+    if (recorder_) recorder_->finish();
+  }
+
+ private:
+  static std::unique_ptr<Recorder<D>> make_recorder(WatchedTree<D>* tree, const RenderRequest& request) {
+    if (request.record.empty()) return nullptr;
+    const RecordingInfo info = recording_info(request);
+    clear_recording_path(request.record, request.overwrite);
+    return std::make_unique<Recorder<D>>(*tree, request.record, info);
+  }
+
+  void advance() {
+    scene_->advance();
+    if (tree_ == nullptr) return;
+    std::vector<Event> events = tree_->trace().take();
+    events_since_record_ += events.size();
+    keep_recent_operators(events, tree_->steps(), highlight_steps_, recent_);
+  }
+
+  [[nodiscard]] Caption caption() const {
+    return {.scene = name_,
+            .broad_phase = broad_phase_name_,
+            .step = scene_->step(),
+            .objects = static_cast<std::uint32_t>(scene_->bodies().size()),
+            .moving = count_moving(scene_->bodies()),
+            .pairs = scene_->pairs().size(),
+            .contacts = scene_->contacts().size(),
+            .statistics = tree_ == nullptr ? Statistics{} : tree_->statistics(),
+            .note = {},
+            .knows_contacts = true};
+  }
+
+  std::string name_;
+  std::string broad_phase_name_;
+  FramePlanner<D> planner_;
+  std::unique_ptr<BroadPhase<D>> broad_phase_;
+  WatchedTree<D>* tree_;                   ///< the same; null: it is no tree
+  std::unique_ptr<Recorder<D>> recorder_;  ///< none unless asked for
+  std::unique_ptr<Scene<D>> scene_;        ///< after the broad phase, which it uses to its end
+  std::uint32_t highlight_steps_;
+  std::vector<Event> recent_;  ///< operators of the last `highlight_steps_` steps
+  std::uint64_t events_since_record_ = 0;
+};
+
+}  // namespace
+
+std::uint32_t highlight_steps(std::uint32_t stride) {
+  return std::clamp<std::uint32_t>(stride, 1, 10) * kHighlightSteps;
+}
+
+void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std::uint32_t steps,
+                           std::vector<Event>& recent) {
+  std::erase_if(recent, [&](const Event& event) { return event.step + steps < now; });
+  std::ranges::copy_if(events, std::back_inserter(recent),
+                       [](const Event& event) { return std::holds_alternative<OperatorActed>(event.body); });
+}
+
+std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config) {
+  constexpr std::uint32_t kLeast = 16;
+  return std::bit_ceil(std::max(kLeast, 4 * split_threshold(objects, config)));
+}
+
+std::unique_ptr<Film> make_film(const RenderRequest& request) {
+  if (request.recording) return make_recording_film(request);
+  try {
+    return std::visit(
+        [&](const auto* entry) -> std::unique_ptr<Film> {
+          if constexpr (std::is_same_v<decltype(entry), const SceneEntry<2>*>) {
+            return std::make_unique<SceneFilm<2>>(*entry, request);
+          } else {
+            return std::make_unique<SceneFilm<3>>(*entry, request);
+          }
+        },
+        request.scene.entry);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "frames/sequence/manifest.h"
+#include "frames/sequence/render_request.h"
+
+namespace kerf {
+
+/// A running simulation, or a recorded one, seen frame by frame. It draws nothing itself.
+class Film {
+ public:
+  Film() = default;
+  Film(const Film&) = delete;
+  Film& operator=(const Film&) = delete;
+  virtual ~Film() = default;
+
+  /// Told the step on the way; false stops there.
+  using GoOn = std::function<bool(std::uint32_t step)>;
+  /// Goes forward to the end of a step. False if it was stopped before.
+  virtual bool advance_to(std::uint32_t step, const GoOn& go_on) = 0;
+  /// What a FrameMaker draws of the present step; the film takes it that the frame is drawn, by whomever.
+  virtual std::vector<std::uint8_t> parcel() = 0;
+  /// What the present step's picture shows. `file`, `index` and `pixel_hash` are left to the caller. Events
+  /// are those since the frame before.
+  virtual FrameRecord record() = 0;
+  /// Ends the recording, if one was asked for. Nothing may be asked of the film afterwards.
+  virtual void finish() = 0;
+};
+
+/// Throws UsageError for a configuration that cannot work, std::runtime_error for a recording that cannot be
+/// read.
+std::unique_ptr<Film> make_film(const RenderRequest& request);
+/// The same for a request of a recording.
+std::unique_ptr<Film> make_recording_film(const RenderRequest& request);
+
+/// As in FrameOptions.
+inline int samples_of_renderer(const RenderRequest& request) {
+  return request.samples == kSupersampled ? 1 : request.samples;
+}
+
+/// For how many steps the frames of a film highlight an operator: for ten frames, or nobody could read what
+/// it is called, but at most a hundred steps.
+std::uint32_t highlight_steps(std::uint32_t stride);
+
+/// Adds the operators of step `now` to those of the last `steps` steps.
+void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std::uint32_t steps,
+                           std::vector<Event>& recent);
+
+/// Where the ramp of populations ends if there are so many objects at most: at four times the split
+/// threshold, for the paper's tree often leaves a crowded leaf as it is. So the colours of a film never
+/// change their scale.
+std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config);
+
+/// Objects of `bodies` that move.
+template <int D>
+std::uint32_t count_moving(std::span<const Body<D>> bodies) {
+  const auto moves = [](const Body<D>& body) { return body.mobility == Mobility::moving; };
+  return static_cast<std::uint32_t>(std::ranges::count_if(bodies, moves));
+}
+
+}  // namespace kerf

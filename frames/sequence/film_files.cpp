@@ -1,0 +1,48 @@
+#include "frames/sequence/film_files.h"
+
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/output_file.h"
+#include "frames/support/parse_number.h"
+
+namespace kerf {
+
+FilmRequest parse_film_request(const std::string& video, const std::string& fps,
+                               const std::string& contact_sheet, bool overwrite) {
+  constexpr int kMostFps = 240;
+  FilmRequest request{video, contact_sheet, 25, overwrite};
+  if (!video.empty()) Video::check_extension(video);
+  if (!contact_sheet.empty() && request.contact_sheet.extension() != ".png")
+    throw UsageError("--contact-sheet '" + contact_sheet + "': give the file the extension .png");
+  if (fps.empty()) return request;
+  const auto number = parse_number<int>(fps);
+  if (!number || *number < 1 || *number > kMostFps)
+    throw UsageError("--fps '" + fps + "' is not a whole number from 1 to " + std::to_string(kMostFps));
+  request.fps = *number;
+  return request;
+}
+
+void check_free(const FilmRequest& request) {
+  check_free(request.video, request.overwrite);
+  check_free(request.contact_sheet, request.overwrite);
+}
+
+FilmFiles::FilmFiles(const FilmRequest& request, PictureSize size, std::uint32_t frames)
+    : request_(request), strip_(frames) {
+  check_free(request);
+  if (!request.video.empty()) video_.emplace(request.video, size, request.fps);
+  if (request.contact_sheet.has_parent_path())
+    make_writable_folder(request.contact_sheet.parent_path(), "--contact-sheet");
+}
+
+void FilmFiles::add(std::uint32_t index, const Image& image) {
+  if (video_) video_->add(image.rgba);
+  if (!request_.contact_sheet.empty() && strip_.is_chosen(index)) strip_.offer(index, image);
+}
+
+void FilmFiles::finish() {
+  if (video_) video_->finish();
+  if (!request_.contact_sheet.empty()) strip_.save(request_.contact_sheet);
+}
+
+}  // namespace kerf

@@ -1,0 +1,230 @@
+#include "frames/sequence/manifest.h"
+
+#include <charconv>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "frames/support/atomic_file.h"
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "kerf-frames-2";
+
+std::string hex(std::uint64_t hash) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+/// Numbers and truth values as such, so that a reader need not parse text inside the JSON.
+Json config_json(const Config& config) {
+  Json json = Json::object();
+  for (const ConfigField& field : config_fields()) {
+    const std::string value = get(config, field.name);
+    Json parsed = Json::parse(value, nullptr, false);
+    json[std::string(field.name)] = parsed.is_discarded() ? Json(value) : parsed;
+  }
+  return json;
+}
+
+/// Hexadecimal, as `hex` writes it.
+std::uint64_t from_hex(const Json& json) {
+  const std::string text = json.get<std::string>();
+  std::uint64_t hash = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, hash, 16);
+  if (error != std::errc{} || stop != end) throw std::out_of_range("'" + text + "' is no hash");
+  return hash;
+}
+
+/// Puts a whole number into `number`; JSON's own conversion cuts off what does not fit.
+template <class Whole>
+void take(const Json& json, const char* key, Whole& number) {
+  const Json& value = json.at(key);
+  if (!value.is_number_unsigned() || !std::in_range<Whole>(value.get<std::uint64_t>()))
+    throw std::out_of_range(std::string(key) + " is no whole number in range");
+  number = value.get<Whole>();
+}
+
+/// A file of that name lies in the folder itself.
+void check_plain(const std::string& file) {
+  if (file.empty() || file == "." || file == ".." || file.find('/') != std::string::npos)
+    throw std::out_of_range("'" + file + "' is no name of a file in its folder");
+}
+
+/// `knows_contacts`: a recording holds none, and says nothing of them.
+Json frame_json(const FrameRecord& frame, bool knows_contacts) {
+  Json operators = Json::object();
+  for (int i = 0; i < kOperatorCount; ++i) {
+    operators[std::string(to_string(static_cast<Operator>(i)))] =
+        frame.operators[static_cast<std::size_t>(i)];
+  }
+  Json json = {{"index", frame.index},
+               {"file", frame.file},
+               {"step", frame.step},
+               {"objects", frame.objects},
+               {"pairs", frame.pairs}};
+  if (knows_contacts) json["contacts"] = frame.contacts;
+  json.update(Json{{"height", frame.height},
+                   {"leaves", frame.leaves},
+                   {"entries", frame.entries},
+                   {"operators", operators},
+                   {"events", frame.events},
+                   {"state_hash", hex(frame.state_hash)},
+                   {"pixel_hash", hex(frame.pixel_hash)}});
+  return json;
+}
+
+FrameRecord frame_of(const Json& json) {
+  FrameRecord frame;
+  take(json, "index", frame.index);
+  json.at("file").get_to(frame.file);
+  take(json, "step", frame.step);
+  take(json, "objects", frame.objects);
+  take(json, "pairs", frame.pairs);
+  if (json.contains("contacts")) take(json, "contacts", frame.contacts);
+  take(json, "height", frame.height);
+  take(json, "leaves", frame.leaves);
+  take(json, "entries", frame.entries);
+  for (int i = 0; i < kOperatorCount; ++i)
+    take(json.at("operators"), to_string(static_cast<Operator>(i)).data(),
+         frame.operators[static_cast<std::size_t>(i)]);
+  take(json, "events", frame.events);
+  frame.state_hash = from_hex(json.at("state_hash"));
+  frame.pixel_hash = from_hex(json.at("pixel_hash"));
+  return frame;
+}
+
+/// Paths need not be UTF-8; what cannot be said in JSON is replaced, never a reason to lose the manifest.
+std::string dump(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+/// What is drawn: a scene that runs or a recording.
+Json origin_json(const RenderRequest& request) {
+  const SceneOptions& options = request.options;
+  Json json = {{"scene", request.recording ? request.recording->info.scene : request.scene.name},
+               {"dimension", request.dimension()},
+               {"seed", options.seed},
+               {"requested_objects", options.objects},
+               {"grow", options.steps},
+               {"recycle", options.recycle},
+               {"broad_phase", request.broad_phase.name},
+               {"volume", to_string(request.broad_phase.volume)},
+               {"config", request.broad_phase.is_tree() ? config_json(request.broad_phase.config) : Json()}};
+  if (request.recording) {
+    json["recording"] = {{"steps", request.recording->steps},
+                         {"last_state_hash", hex(request.recording->last_state_hash)}};
+  } else {
+    json["needs"] = std::visit([](const auto* entry) { return describe(entry->needs); }, request.scene.entry);
+  }
+  return json;
+}
+
+Json to_object(const Manifest& manifest) {
+  Json json = Json::parse(manifest.header);
+  json["shard"] = {{"index", manifest.shard.index}, {"count", manifest.shard.count}};
+  json["complete"] = manifest.complete;
+  json["frames"] = Json::array();
+  const bool knows_contacts = !json.contains("recording");
+  for (const FrameRecord& frame : manifest.frames)
+    json["frames"].push_back(frame_json(frame, knows_contacts));
+  return json;
+}
+
+/// What others divide by, count to or open. Throws UsageError or std::out_of_range.
+void check(const Manifest& manifest) {
+  check(manifest.steps, "steps");
+  check(manifest.size, "size");
+  if (manifest.shard.index >= manifest.shard.count)
+    throw std::out_of_range("the shard's index is not below their count");
+  check_plain(frame_file_name(manifest.name, 0));
+  for (const FrameRecord& frame : manifest.frames) {
+    check_plain(frame.file);
+    if (frame.index >= manifest.steps.frames())
+      throw std::out_of_range("frame " + std::to_string(frame.index) + " comes after the last");
+  }
+}
+
+Manifest from_object(Json json) {
+  Manifest manifest;
+  json.at("name").get_to(manifest.name);
+  take(json.at("steps"), "first", manifest.steps.first);
+  take(json.at("steps"), "last", manifest.steps.last);
+  take(json.at("steps"), "stride", manifest.steps.stride);
+  take(json.at("size"), "width", manifest.size.width);
+  take(json.at("size"), "height", manifest.size.height);
+  take(json.at("shard"), "index", manifest.shard.index);
+  take(json.at("shard"), "count", manifest.shard.count);
+  json.at("complete").get_to(manifest.complete);
+  for (const Json& frame : json.at("frames")) manifest.frames.push_back(frame_of(frame));
+  check(manifest);
+  for (const char* const rest : {"shard", "complete", "frames"}) json.erase(rest);
+  manifest.header = dump(json, -1);
+  return manifest;
+}
+
+}  // namespace
+
+std::uint32_t Manifest::wanted_frames() const {
+  const std::uint32_t all = steps.frames();
+  return all / shard.count + (shard.index < all % shard.count ? 1 : 0);
+}
+
+Manifest begin_manifest(const RenderRequest& request) {
+  Json json = {{"format", kFormat}, {"name", request.name}};
+  json.update(origin_json(request));
+  const StepRange& steps = request.steps;
+  json["steps"] = {{"first", steps.first}, {"last", steps.last}, {"stride", steps.stride}};
+  json["size"] = {{"width", request.size.width}, {"height", request.size.height}};
+  json["layers"] = to_string(request.layers);
+  json["camera"] = request.camera;
+  json["camera_path"] = request.camera_path;
+  json["samples"] = request.samples;
+  return {dump(json, -1), request.name, steps, request.size, request.shard, false, {}};
+}
+
+std::string to_json(const Manifest& manifest) { return dump(to_object(manifest), 1) + "\n"; }
+
+void save(const Manifest& manifest, const std::filesystem::path& folder) {
+  write_file_atomically(folder / kManifestName, to_json(manifest));
+}
+
+Manifest read_manifest(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / kManifestName;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  try {
+    Json json = Json::parse(file);
+    if (json.at("format") == kFormat) return from_object(std::move(json));
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path.string() + " is damaged (" + error.what() + "): render anew");
+  }
+  throw std::runtime_error(path.string() + " is of another version of kerf: render anew");
+}
+
+std::string first_difference(const std::string& header, const std::string& other) {
+  const Json a = Json::parse(header);
+  const Json b = Json::parse(other);
+  for (const auto& [key, value] : a.items())
+    if (!b.contains(key) || b[key] != value)
+      return key + ": " + dump(value, -1) + " and " + (b.contains(key) ? dump(b[key], -1) : "nothing");
+  for (const auto& [key, value] : b.items())
+    if (!a.contains(key)) return key + ": nothing and " + dump(value, -1);
+  return "";
+}
+
+std::string frame_file_name(const std::string& name, std::uint32_t frame) {
+  char number[16];
+  std::snprintf(number, sizeof number, "_%06u.png", frame);
+  return name + number;
+}
+
+}  // namespace kerf

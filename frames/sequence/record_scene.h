@@ -1,0 +1,12 @@
+#pragma once
+
+#include "frames/sequence/render_request.h"
+
+namespace kerf {
+
+/// Runs the request's scene for its steps and records it into `request.record`; prints what that has cost.
+/// Throws UsageError, Interrupted (what was done is kept), or std::runtime_error if the file cannot be
+/// written.
+void record_scene(const RenderRequest& request);
+
+}  // namespace kerf

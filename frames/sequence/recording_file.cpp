@@ -1,0 +1,88 @@
+#include "frames/sequence/recording_file.h"
+
+#include <algorithm>
+
+#include "core/recording/schema.h"
+#include "frames/support/errors.h"
+#include "frames/support/output_file.h"
+#include "frames/support/parse_number.h"
+
+namespace kerf {
+namespace {
+
+std::size_t changed_parameters(const Config& config, const Config& other) {
+  return static_cast<std::size_t>(std::ranges::count_if(config_fields(), [&](const ConfigField& field) {
+    return get(config, field.name) != get(other, field.name);
+  }));
+}
+
+}  // namespace
+
+RecordingInfo recording_info(const RenderRequest& request) {
+  if (!request.broad_phase.is_tree())
+    throw UsageError(
+        "'" + request.broad_phase.name +
+        "' cannot be recorded: only a tree has events and a state; choose --broad-phase kerf or kerf-paper");
+  RecordingInfo info;
+  info.dimension = request.scene.dimension();
+  info.volume = request.broad_phase.volume;
+  info.config = request.broad_phase.config;
+  info.scene = request.scene.name;
+  info.seed = request.options.seed;
+  info.objects = request.options.objects;
+  info.grow = request.options.steps;
+  info.recycle = request.options.recycle;
+  return info;
+}
+
+std::string_view tree_of(const RecordingInfo& info) {
+  const bool is_tuned =
+      changed_parameters(info.config, tuned_config()) < changed_parameters(info.config, Config{});
+  return is_tuned ? kTunedTree : kPaperTree;
+}
+
+std::string broad_phase_of(const RecordingInfo& info) {
+  return std::string(tree_of(info)) + (info.imported ? ", of imported boxes" : "");
+}
+
+RecordingInfo usable_recording_info(const std::filesystem::path& path) {
+  try {
+    return read_recording_info(path);
+  } catch (const std::runtime_error& error) {
+    throw UnusableInput(error.what());
+  }
+}
+
+void check_recording_path(const std::filesystem::path& path, bool overwrite) {
+  check_free(path, overwrite);
+  if (std::filesystem::exists(path) && !is_recording(path))
+    throw UsageError(path.string() + " is no recording and is not replaced; choose another name");
+}
+
+void clear_recording_path(const std::filesystem::path& path, bool overwrite) {
+  check_recording_path(path, overwrite);
+  if (std::filesystem::exists(path)) remove_recording(path);
+}
+
+template <int D>
+Position parse_position(const std::string& option, const std::string& text,
+                        const RecordingReader<D>& recording) {
+  const bool is_event = text.starts_with("e");
+  const auto number = parse_number<std::uint64_t>(std::string_view(text).substr(is_event ? 1 : 0));
+  if (!number)
+    throw UsageError(option + " '" + text + "' is neither a step such as 17 nor an event such as e1234");
+  if (is_event) {
+    const auto step = recording.step_of(*number);
+    if (!step) throw UsageError(option + " " + text + ": the recording ends before that event");
+    return {*step, *number};
+  }
+  if (*number > recording.steps())
+    throw UsageError(option + " " + text + ": the recording ends with step " +
+                     std::to_string(recording.steps()));
+  return Position::end_of(static_cast<std::uint32_t>(*number));
+}
+
+template Position parse_position<2>(const std::string&, const std::string&, const RecordingReader<2>&);
+template Position parse_position<3>(const std::string&, const std::string&, const RecordingReader<3>&);
+
+}  // namespace kerf

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "core/replay/replayer.h"
+#include "frames/sequence/farm/frame_parcel.h"
+#include "frames/sequence/film.h"
+#include "frames/sequence/recording_file.h"
+#include "viz/draw/recorded_bodies.h"
+
+namespace kerf {
+namespace {
+
+/// What all frames of a recording have in common, found without running its tree: so a frame looks the same
+/// whichever others are drawn before it, and nothing jumps in the film.
+template <int D>
+struct Setting {
+  Box<D> view;
+  std::uint32_t largest_population = 0;
+  int samples = 4;
+};
+
+/// The view holds what every frame of the whole sequence shows.
+template <int D>
+Setting<D> find_setting(RecordingReader<D>& recording, const StepRange& steps) {
+  Setting<D> setting;
+  ViewBox<D> view;
+  ObjectTable<D> table(recording.info().volume);
+  std::uint32_t objects = 0;
+  for (std::uint32_t step = 1; step <= steps.last; ++step) {
+    for_each_request(recording.step(step).requests, table.kind(),
+                     [&](const ObjectRequest<D>& request) { apply(request, table); });
+    objects = std::max(objects, recording.row(step).statistics.objects);
+    if (step >= steps.first && (step - steps.first) % steps.stride == 0)
+      view.update(std::span<const Body<D>>(recorded_bodies(table)));
+  }
+  setting.view = view.box();
+  setting.largest_population = end_of_ramp(objects, recording.info().config);
+  if (objects >= kManyBodies) setting.samples = 1;
+  return setting;
+}
+
+template <int D>
+class RecordingFilm final : public Film {
+ public:
+  explicit RecordingFilm(const RenderRequest& request)
+      : recording_(std::make_shared<RecordingReader<D>>(request.recording->path)),
+        replayer_(recording_, 0),
+        setting_(find_setting(*recording_, request.steps)),
+        planner_(request.layers, request.samples == 0 ? setting_.samples : samples_of_renderer(request)),
+        stride_(request.steps.stride),
+        highlight_steps_(highlight_steps(stride_)) {
+    planner_.fix_view_box(setting_.view);
+    planner_.fix_largest_population(setting_.largest_population);
+  }
+
+  /// All steps are looked at of which a frame may still show operators, and at least those: so a frame looks
+  /// the same wherever the replay came from.
+  bool advance_to(std::uint32_t step, const GoOn& go_on) override {
+    const std::uint32_t first = step > highlight_steps_ ? step - highlight_steps_ : 1;
+    if (replayer_.step() + 1 < first) jump_to(first - 1);
+    while (replayer_.step() < step) {
+      replayer_.advance();
+      take_events();
+      if (replayer_.step() < step) planner_.observe(moment());
+      if (!go_on(replayer_.step())) return false;
+    }
+    return true;
+  }
+
+  std::vector<std::uint8_t> parcel() override {
+    const std::vector<Body<D>> bodies = recorded_bodies(replayer_.tree().objects());
+    // A replay from a keyframe finds the pairs in another order.
+    std::vector<Pair> pairs(replayer_.tree().pairs().begin(), replayer_.tree().pairs().end());
+    std::ranges::sort(pairs);
+    FrameInput<D> input = moment();
+    input.bodies = bodies;
+    input.pairs = pairs;
+    input.caption = caption();
+    return pack(input, planner_.plan(input));
+  }
+
+  FrameRecord record() override {
+    const std::uint32_t step = replayer_.step();
+    const StepRow& row = recording_->row(step);
+    FrameRecord record;
+    record.step = step;
+    record.objects = row.statistics.objects;
+    record.pairs = row.pairs;
+    record.height = row.statistics.height;
+    record.leaves = row.statistics.leaves;
+    record.entries = row.statistics.entries;
+    record.operators = row.statistics.operators;
+    for (std::uint32_t s = step > stride_ ? step - stride_ + 1 : 1; s <= step; ++s)
+      record.events += recording_->row(s).events;
+    record.state_hash = replayer_.tree().state_hash();
+    if (record.state_hash != row.state_hash)
+      throw std::runtime_error("the replay differs from the recording at step " + std::to_string(step) +
+                               ": `kerf verify` tells more");
+    return record;
+  }
+
+  void finish() override {}
+
+ private:
+  void jump_to(std::uint32_t step) {
+    replayer_.seek(step);
+    planner_.forget();
+    recent_.clear();
+    planner_.observe(moment());
+  }
+
+  void take_events() {
+    const std::uint32_t now = replayer_.step();
+    keep_recent_operators(recording_->step(now).events, now, highlight_steps_, recent_);
+  }
+
+  /// What a planner must know of any step.
+  [[nodiscard]] FrameInput<D> moment() const {
+    FrameInput<D> input;
+    input.tree = &replayer_.tree().tree();
+    input.events = recent_;
+    input.highlight_steps = highlight_steps_;
+    input.caption.step = replayer_.step();
+    return input;
+  }
+
+  [[nodiscard]] Caption caption() const {
+    const StepRow& row = recording_->row(replayer_.step());
+    return {.scene = recording_->info().scene,
+            .broad_phase = broad_phase_of(recording_->info()),
+            .step = replayer_.step(),
+            .objects = row.statistics.objects,
+            .moving = count_moving(replayer_.tree().objects()),
+            .pairs = row.pairs,
+            .contacts = 0,
+            .statistics = row.statistics,
+            .note = {},
+            .knows_contacts = false};
+  }
+
+  std::shared_ptr<RecordingReader<D>> recording_;
+  Replayer<D> replayer_;
+  Setting<D> setting_;
+  FramePlanner<D> planner_;
+  std::uint32_t stride_;
+  std::uint32_t highlight_steps_;
+  std::vector<Event> recent_;  ///< operators of the last `highlight_steps_` steps
+};
+
+}  // namespace
+
+std::unique_ptr<Film> make_recording_film(const RenderRequest& request) {
+  if (request.dimension() == 2) return std::make_unique<RecordingFilm<2>>(request);
+  return std::make_unique<RecordingFilm<3>>(request);
+}
+
+}  // namespace kerf

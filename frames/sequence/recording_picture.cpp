@@ -1,0 +1,100 @@
+#include "frames/sequence/recording_picture.h"
+
+#include <algorithm>
+
+#include "frames/sequence/recording_file.h"
+#include "viz/draw/frame_planner.h"
+#include "viz/draw/recorded_bodies.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+/// Operators of the last steps, as far as they had happened at that moment.
+template <int D>
+std::vector<Event> recent_operators(RecordingReader<D>& recording, const Position& now) {
+  std::vector<Event> recent;
+  for (std::uint32_t step = now.step > kHighlightSteps ? now.step - kHighlightSteps : 1; step <= now.step;
+       ++step)
+    std::ranges::copy_if(recording.step(step).events, std::back_inserter(recent), [&](const Event& event) {
+      return event.id <= now.event && std::holds_alternative<OperatorActed>(event.body);
+    });
+  return recent;
+}
+
+/// Nodes that an operator has removed are marked where they were: in the trees of the steps before, and in
+/// the one right before this moment.
+template <int D>
+void observe_moments_before(Cursor<D>& cursor, FramePlanner<D>& planner) {
+  const Position now = cursor.position();
+  const auto observe = [&](const Tree<D>& tree, const Position& at) {
+    const std::vector<Event> events = recent_operators(cursor.recording(), at);
+    FrameInput<D> input;
+    input.tree = &tree;
+    input.events = events;
+    input.caption.step = at.step;
+    planner.observe(input);
+  };
+  Replayer<D>& replayer = cursor.replayer();
+  for (std::uint32_t step = now.step - std::min(now.step, kHighlightSteps); step < now.step; ++step) {
+    replayer.seek(step);
+    observe(replayer.tree().tree(), Position::end_of(step));
+  }
+  if (now.is_end() || now.event == 0) return;
+  observe(state_before(replayer, now.event).tree, {now.step, now.event - 1});
+}
+
+/// What is written of an event. In the middle of a step the pairs are those of the step before.
+std::string note_of(const Event& event) {
+  return describe(event) + (event.step > 1 ? " (pairs: of step " + std::to_string(event.step - 1) + ")" : "");
+}
+
+template <int D>
+Caption caption_of(const Cursor<D>& cursor) {
+  const auto& recording = cursor.recording();
+  const ObjectTable<D>& objects = cursor.state().latest;
+  Caption caption;
+  caption.scene = recording.info().scene;
+  caption.broad_phase = broad_phase_of(recording.info());
+  caption.step = cursor.position().step;
+  caption.objects = objects.size();
+  caption.moving = count_moving(objects);
+  caption.pairs = cursor.state().pairs.size();
+  if (caption.step > 0) caption.statistics = recording.row(caption.step).statistics;
+  if (const auto event = cursor.event()) caption.note = note_of(*event);
+  caption.knows_contacts = false;
+  return caption;
+}
+
+}  // namespace
+
+template <int D>
+const Image& render_moment(Cursor<D>& cursor, FrameRenderer<D>& renderer) {
+  const std::vector<Body<D>> bodies = recorded_bodies(cursor.state().latest);
+  const std::vector<Event> events = recent_operators(cursor.recording(), cursor.position());
+  const FrameInput<D> input{.bodies = bodies,
+                            .tree = &cursor.state().tree,
+                            .pairs = cursor.state().pairs,
+                            .contacts = {},
+                            .events = events,
+                            .caption = caption_of(cursor)};
+  ViewBox<D> view;
+  view.update(bodies);
+  FramePlanner<D> planner(kRecordedLayers, 0);
+  planner.fix_view_box(view.box());
+  observe_moments_before(cursor, planner);
+  return renderer.render(input, planner.plan(input));
+}
+
+template <int D>
+void draw_moment(Cursor<D>& cursor, const PictureSize& size, const std::filesystem::path& path) {
+  FrameRenderer<D> renderer({size.width, size.height, kRecordedLayers, ""});
+  write_png(path, render_moment(cursor, renderer));
+}
+
+template const Image& render_moment<2>(Cursor<2>&, FrameRenderer<2>&);
+template const Image& render_moment<3>(Cursor<3>&, FrameRenderer<3>&);
+template void draw_moment<2>(Cursor<2>&, const PictureSize&, const std::filesystem::path&);
+template void draw_moment<3>(Cursor<3>&, const PictureSize&, const std::filesystem::path&);
+
+}  // namespace kerf

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/replay/cursor.h"
+#include "frames/support/picture_size.h"
+#include "viz/draw/frame_renderer.h"
+
+namespace kerf {
+
+/// What can be drawn of a recording: all but contacts, for it has no narrow phase.
+inline constexpr LayerSet kRecordedLayers = LayerSet::all().with(Layer::contacts, false);
+
+/// The picture of the moment at which a cursor stands, the boxes as boxes. Throws std::runtime_error if it
+/// cannot be drawn. It is valid until the renderer's next one.
+template <int D>
+const Image& render_moment(Cursor<D>& cursor, FrameRenderer<D>& renderer);
+
+/// Writes that picture as PNG. Throws std::runtime_error if it cannot be drawn or written.
+template <int D>
+void draw_moment(Cursor<D>& cursor, const PictureSize& size, const std::filesystem::path& path);
+
+}  // namespace kerf

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/recording/recording_info.h"
+#include "frames/catalog/broad_phase_choice.h"
+#include "frames/catalog/scene_catalog.h"
+#include "frames/sequence/film_files.h"
+#include "frames/support/picture_size.h"
+#include "frames/support/step_range.h"
+#include "viz/draw/layers.h"
+#include "viz/gl/backend.h"
+
+namespace kerf {
+
+/// The options of `kerf render` as the user typed them; empty: not given.
+struct RenderTexts {
+  std::string scene;
+  std::string steps;
+  std::string size;
+  std::string objects;
+  std::string grow;
+  std::string recycle;
+  std::string broad_phase;
+  std::string volume;
+  std::string show;
+  std::string camera;
+  std::string config;
+  std::string out;
+  std::string video;
+  std::string fps;
+  std::string contact_sheet;
+  std::string seed;
+  std::string record;
+  std::string workers;
+  std::string shard;
+  bool ids = false;
+  std::string backend;
+  std::string camera_path;
+  std::string samples;
+  bool overwrite = false;
+  bool resume = false;
+};
+
+/// Drawn at twice the size, with one sample a pixel, and averaged.
+inline constexpr int kSupersampled = 2;
+
+/// Every `count`-th frame of a sequence, from frame `index` on.
+struct Shard {
+  std::uint32_t index = 0;
+  std::uint32_t count = 1;
+  [[nodiscard]] bool has(std::uint32_t frame) const { return frame % count == index; }
+  friend bool operator==(const Shard&, const Shard&) = default;
+};
+
+/// A recording that is rendered.
+struct RecordingSource {
+  std::filesystem::path path;
+  RecordingInfo info;
+  std::uint32_t steps = 0;
+  std::uint64_t last_state_hash = 0;
+};
+
+/// What is to be rendered, every part of it checked.
+struct RenderRequest {
+  std::string name;    ///< of the scene, or what a recording's frames are called
+  CatalogScene scene;  ///< if there is no recording
+  std::optional<RecordingSource> recording;
+  StepRange steps;
+  PictureSize size;
+  SceneOptions options;
+  LayerSet layers = LayerSet::all();
+  std::string camera;
+  std::string camera_path;  ///< the file's text; empty: the camera stands still
+  int samples = 0;          ///< of each pixel, see kSupersampled; 0: a choice
+  GlBackend backend = GlBackend::osmesa;
+  BroadPhaseChoice broad_phase;
+  std::filesystem::path out;
+  FilmRequest film;
+  std::filesystem::path record;  ///< empty: none
+  int workers = 1;               ///< processes that draw; 0: this one
+  Shard shard;
+  bool ids = false;  ///< also what is in each picture, by name
+  bool overwrite = false;
+  bool resume = false;  ///< frames that are there already are kept
+
+  [[nodiscard]] int dimension() const { return recording ? recording->info.dimension : scene.dimension(); }
+};
+
+inline constexpr std::uint32_t kMaxRequestedObjects = 1'000'000;
+
+inline constexpr int kMaxWorkers = 256;
+
+/// Throws UsageError that says what to do. Touches no file but that of the camera path, which is read.
+RenderRequest parse_request(const RenderTexts& texts);
+
+/// Whether a recording is given: the name of no scene, but of a file. Throws std::runtime_error for one that
+/// is not there.
+bool names_recording(const RenderTexts& texts);
+/// Throws UsageError if a recording is given with an option that is settled there.
+void refuse_of_recording(const RenderTexts& texts, const char* option, const std::string& text);
+/// The same for all options that say how a scene is to run, but for its steps, of which some can be drawn.
+void refuse_scene_options(const RenderTexts& texts);
+/// The same for a recording, which is opened to see what it is of. Throws std::runtime_error if it cannot be
+/// read.
+RenderRequest parse_recording_request(const RenderTexts& texts);
+
+}  // namespace kerf

@@ -1,0 +1,95 @@
+#include "frames/sequence/sequence_folder.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "frames/catalog/scene_catalog.h"
+#include "frames/sequence/manifest.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
+
+namespace kerf {
+namespace {
+
+bool is_named_like(const std::string& file, const std::string& name) {
+  const std::string pattern = frame_file_name(name, 0);
+  return std::ranges::equal(file, pattern, [](unsigned char given, unsigned char wanted) {
+    return wanted == '0' ? std::isdigit(given) != 0 : given == wanted;
+  });
+}
+
+/// The frame beside which a file may lie.
+std::string frame_of(const std::string& file) {
+  for (const std::string ending : {".ids.png", ".draw.json"})
+    if (file.ends_with(ending)) return file.substr(0, file.size() - ending.size()) + ".png";
+  return file;
+}
+
+/// Whether `file` is named as `frame_file_name` names the frames of `name` or one of our scenes.
+bool is_frame(const std::string& file, const std::string& name) {
+  return is_named_like(file, name) || std::ranges::any_of(scene_catalog(), [&](const CatalogScene& scene) {
+           return is_named_like(file, scene.name);
+         });
+}
+
+}  // namespace
+
+SequenceFolder::SequenceFolder(std::filesystem::path path, std::string name)
+    : path_(std::move(path)), name_(std::move(name)) {
+  if (std::filesystem::exists(path_) && !std::filesystem::is_directory(path_))
+    throw UsageError(path_.string() + " is not a folder; choose another with --out");
+}
+
+/// Manifest first: while frames are going away nothing claims that they are there.
+std::vector<std::filesystem::path> SequenceFolder::files_of_sequence() const {
+  std::vector<std::filesystem::path> files;
+  if (!std::filesystem::exists(path_)) return files;
+  if (std::filesystem::exists(path_ / kManifestName)) files.push_back(path_ / kManifestName);
+  for (const auto& entry : std::filesystem::directory_iterator(path_))
+    if (is_frame(frame_of(entry.path().filename().string()), name_)) files.push_back(entry.path());
+  return files;
+}
+
+void SequenceFolder::check_free(bool overwrite) const {
+  if (overwrite || files_of_sequence().empty()) return;
+  throw UsageError(path_.string() +
+                   " holds a frame sequence already; choose another folder with --out, replace the " +
+                   "sequence with --overwrite, or make what it lacks with --resume");
+}
+
+KeptFrames SequenceFolder::frames_of(const Manifest& manifest) const {
+  if (files_of_sequence().empty()) return {};
+  if (!std::filesystem::exists(path_ / kManifestName))
+    throw UsageError(path_.string() + " has frames but no " + kManifestName +
+                     ", so nobody knows of what; choose another folder, or replace them with --overwrite");
+  const Manifest earlier = read_manifest(path_);
+  std::string difference = first_difference(earlier.header, manifest.header);
+  if (!(earlier.shard == manifest.shard)) difference = "another shard";
+  if (!difference.empty())
+    throw UsageError("--resume: " + path_.string() + " holds another sequence (" + difference +
+                     "); give the options with which it was begun, or choose another folder with --out");
+  KeptFrames kept;
+  for (const FrameRecord& frame : earlier.frames) kept.emplace(frame.index, frame.pixel_hash);
+  return kept;
+}
+
+void SequenceFolder::make() const { make_writable_folder(path_); }
+
+void SequenceFolder::clear() const {
+  for (const std::filesystem::path& file : files_of_sequence()) std::filesystem::remove(file);
+}
+
+void SequenceFolder::remove_parts() const noexcept {
+  std::error_code ignored;
+  std::vector<std::filesystem::path> parts;
+  for (const auto& entry : std::filesystem::directory_iterator(path_, ignored)) {
+    const std::string file = entry.path().filename().string();
+    if (file.starts_with(name_ + "_") && file.ends_with(".part")) parts.push_back(entry.path());
+  }
+  for (const std::filesystem::path& part : parts) std::filesystem::remove(part, ignored);
+}
+
+}  // namespace kerf

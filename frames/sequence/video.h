@@ -1,0 +1,51 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "frames/support/picture_size.h"
+
+namespace kerf {
+
+/// Encodes pictures to a film, of the kind that the extension says, by the program ffmpeg, fed through a
+/// pipe. The file gets its name only in `finish()`; without it nothing is left behind, and a film that had
+/// the name before is untouched.
+///
+/// Errors are std::runtime_error with what ffmpeg said. SIGPIPE must be ignored while one lives
+/// (InterruptGuard).
+class Video {
+ public:
+  /// Starts ffmpeg. Throws if it is not installed or the folder of `path` cannot be written.
+  Video(std::filesystem::path path, PictureSize size, int frames_per_second);
+  ~Video();
+  Video(const Video&) = delete;
+  Video& operator=(const Video&) = delete;
+
+  /// One picture: rows from the top, 4 bytes RGBA a pixel.
+  void add(std::span<const std::uint8_t> rgba);
+  /// Waits for ffmpeg and gives the film its name.
+  void finish();
+
+  /// Throws UsageError unless the extension is one of .mp4, .mkv, .mov (H.264), .webm (VP9), .gif and .apng.
+  static void check_extension(const std::filesystem::path& path);
+
+ private:
+  void start(PictureSize size, int frames_per_second);
+  /// Closes the pipe and waits; true if ffmpeg was content.
+  bool end();
+  [[noreturn]] void fail();
+  [[nodiscard]] std::string last_words() const;
+
+  std::filesystem::path path_;
+  std::filesystem::path part_;
+  pid_t process_ = -1;
+  int pipe_ = -1;
+  int log_ = -1;
+  bool named_ = false;
+};
+
+}  // namespace kerf

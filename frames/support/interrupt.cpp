@@ -1,0 +1,40 @@
+#include "frames/support/interrupt.h"
+
+#include <csignal>
+
+namespace kerf {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void note_interrupt(int) { interrupted = 1; }
+
+void handle(int signal, void (*handler)(int), int flags) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+InterruptGuard::InterruptGuard() {
+  interrupted = 0;
+  const int once = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  handle(SIGINT, note_interrupt, once);
+  handle(SIGTERM, note_interrupt, once);
+  handle(SIGPIPE, SIG_IGN, 0);
+  handle(SIGXFSZ, SIG_IGN, 0);
+}
+
+InterruptGuard::~InterruptGuard() {
+  handle(SIGINT, SIG_DFL, 0);
+  handle(SIGTERM, SIG_DFL, 0);
+  handle(SIGPIPE, SIG_DFL, 0);
+  handle(SIGXFSZ, SIG_DFL, 0);
+}
+
+bool InterruptGuard::requested() const { return interrupted != 0; }
+
+}  // namespace kerf

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "frames/support/progress_line.h"
+#include "frames/support/step_range.h"
+
+namespace kerf {
+
+/// One line on the terminal that is written over and over: frame, speed, time left. Silent unless standard
+/// error is a terminal.
+class Progress {
+ public:
+  explicit Progress(const StepRange& steps);
+
+  /// `frames` are done and the simulation stands after `step`.
+  void update(std::uint32_t frames, std::uint32_t step);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  StepRange steps_;
+  ProgressLine line_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_{};
+};
+
+}  // namespace kerf

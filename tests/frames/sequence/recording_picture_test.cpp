@@ -1,0 +1,86 @@
+#include "frames/sequence/recording_picture.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "core/query/search.h"
+#include "frames/support/parse_expression.h"
+#include "tests/frames/program.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::Contains;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A recording of terrain in which operators of all kinds act.
+class RecordingPicture : public ::testing::Test {
+ protected:
+  RecordingPicture() {
+    const testing::Outcome recorded = testing::run_kerf(
+        {"record", "terrain", "-o", file(), "--steps", "60", "--objects", "500", "--grow", "100"});
+    EXPECT_EQ(recorded.exit, 0) << recorded.err;
+    cursor_ = std::make_unique<Cursor<3>>(std::make_shared<RecordingReader<3>>(file()));
+  }
+
+  [[nodiscard]] std::string file() const { return folder_.path() / "a.kerf"; }
+  [[nodiscard]] Cursor<3>& cursor() { return *cursor_; }
+  void go_to(const std::string& condition) {
+    Search<3> search(std::make_shared<RecordingReader<3>>(file()));
+    const auto found = search.forward(parse_expression("--to", condition), Position::end_of(0));
+    ASSERT_TRUE(found);
+    cursor_->go(*found);
+  }
+  /// All that is written in the picture of the moment.
+  std::vector<std::string> texts() {
+    FrameOptions options;
+    options.layers = kRecordedLayers;
+    options.ids = true;
+    FrameRenderer<3> renderer(options);
+    (void)render_moment(*cursor_, renderer);
+    std::vector<std::string> texts;
+    for (const DrawnText& text : renderer.ids().list.texts) texts.push_back(text.text);
+    return texts;
+  }
+
+ private:
+  testing::TemporaryFolder folder_;
+  std::unique_ptr<Cursor<3>> cursor_;
+};
+
+/// A swap removes its node, whose place only the tree before it knows.
+TEST_F(RecordingPicture, ASwapIsMarkedWhereItsNodeWas) {
+  go_to("op==swap && kind==acted");
+  const Event event = cursor().event().value();
+  const std::string label = "swap n" + std::to_string(std::get<OperatorActed>(event.body).node.node.value);
+  EXPECT_THAT(texts(), Contains(label));
+  cursor().go_to_step(cursor().position().step + 3);
+  EXPECT_THAT(texts(), Contains(label)) << "it has not faded yet";
+}
+
+/// In the middle of a step the pairs are still those of the step before.
+TEST_F(RecordingPicture, TheCaptionSaysOfWhichStepItsPairsAre) {
+  go_to("op==swap && kind==acted");
+  const std::uint32_t step = cursor().position().step;
+  const auto found = [&](std::uint32_t swept) {
+    return std::to_string(cursor().recording().row(swept).pairs);
+  };
+  EXPECT_THAT(texts(), Contains(HasSubstr("(pairs: of step " + std::to_string(step - 1) + ")")));
+  EXPECT_THAT(texts(), Contains(EndsWith(found(step - 1))));
+  cursor().go_to_step(step);
+  EXPECT_THAT(texts(), Contains(EndsWith(found(step))));
+  EXPECT_THAT(texts(), Not(Contains(HasSubstr("of step "))));
+}
+
+TEST_F(RecordingPicture, NothingIsSaidOfContactsThatNoRecordingHolds) {
+  cursor().go_to_step(40);
+  EXPECT_THAT(texts(), Not(Contains(HasSubstr("contact"))));
+  EXPECT_THAT(texts(), Contains("pair"));
+}
+
+}  // namespace
+}  // namespace kerf
