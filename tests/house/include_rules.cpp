@@ -11,7 +11,7 @@
 namespace kerf::house {
 namespace {
 
-/// Who owns a header: a room of the house or a library outside of it.
+/// What a header belongs to: a room of the house or a library outside of it.
 struct Owner {
   std::string_view name;
   std::string_view prefix;  ///< what the included path begins with
@@ -70,43 +70,43 @@ struct Permission {
 };
 
 /// A folder and how high it stands in its room. A file includes files of its own folder and of lower ones;
-/// two folders of one height do not see each other. `tests/house/layers_test.cpp` holds the drawing in
-/// docs/ARCHITECTURE.md against this table.
+/// two folders of one height do not see each other. `kerf_architecture` draws the picture in
+/// docs/ARCHITECTURE.md from this table.
 constexpr auto kLayers = std::to_array<Layer>({
-    {"core/base/", 0},
-    {"core/geometry/", 1},
-    {"core/trace/", 2},
-    {"core/objects/", 3},
-    {"core/kernels/", 4},
-    {"core/tree/", 5},
-    {"core/bsp/", 6},
-    {"core/broad_phase/", 7},
-    {"core/scene/", 8},
-    {"core/recording/", 9},
-    {"core/replay/", 10},
-    {"core/query/", 11},
+    {"core/base/", 0, "ids, `Config`, random numbers, lists, thread pool"},
+    {"core/geometry/", 1, "vectors, boxes, planes, volumes, direction sets"},
+    {"core/trace/", 2, "events, decisions, statistics, reporter"},
+    {"core/objects/", 3, "the `BroadPhase` interface, object table, entries, skins"},
+    {"core/kernels/", 4, "vector code: byte sweep, list division, moves"},
+    {"core/tree/", 5, "tree, the five operators, scheduler, validator, hash"},
+    {"core/bsp/", 6, "the semi-adjusting BSP tree as a broad phase"},
+    {"core/broad_phase/", 7, "the oracle, other algorithms, approximate modes"},
+    {"core/scene/", 8, "what a scene is: shapes, poses, needs, bounding"},
+    {"core/recording/", 9, "recordings: writer, reader, codecs"},
+    {"core/replay/", 10, "replay, cursor, verification, what-if"},
+    {"core/query/", 11, "conditions, search, explanations, comparison"},
 
-    {"viz/image/", 0},
-    {"viz/gl/", 1},
-    {"viz/draw/", 2},
-    {"viz/debugger/gui/", 3},
-    {"viz/debugger/model/", 3},
-    {"viz/debugger/scene/", 4},
-    {"viz/debugger/panels/", 5},
-    {"viz/debugger/", 6},
+    {"viz/image/", 0, "pictures: PNG, contact sheets, comparison, FLIP"},
+    {"viz/gl/", 1, "OpenGL contexts, framebuffers, shaders"},
+    {"viz/draw/", 2, "camera, layers, palette, frame renderer, draw list"},
+    {"viz/debugger/gui/", 3, "Dear ImGui on our OpenGL layer, window"},
+    {"viz/debugger/model/", 3, "runs, breakpoints, lanes, selection"},
+    {"viz/debugger/scene/", 4, "the view of the scene: orbit, picking, visibility"},
+    {"viz/debugger/panels/", 5, "one panel a file"},
+    {"viz/debugger/", 6, "the debugger and its scripts"},
 
-    {"frames/support/", 0},
-    {"frames/page/", 0},
-    {"frames/rivals/", 0},
-    {"frames/catalog/", 1},
-    {"frames/sequence/", 2},
-    {"frames/bench/", 3},
-    {"frames/diff/", 3},
-    {"frames/report/", 4},
-    {"frames/experiment/", 4},
-    {"frames/bench_frames/", 4},
-    {"frames/commands/", 5},
-    {"frames/main.cpp", 6},
+    {"frames/support/", 0, "files, processes, numbers from text, progress"},
+    {"frames/page/", 0, "plots and pages that open offline"},
+    {"frames/rivals/", 0, "broad phases of other libraries"},
+    {"frames/catalog/", 1, "scenes and broad phases by name"},
+    {"frames/sequence/", 2, "frame sequences: workers, manifest, film, shards"},
+    {"frames/bench/", 3, "`kerf bench`: motions, cells, rows"},
+    {"frames/diff/", 3, "`kerf diff`: pages of differences, approval"},
+    {"frames/report/", 4, "`kerf report`: speed against error"},
+    {"frames/experiment/", 4, "`kerf experiment`: the paper's figures and claims"},
+    {"frames/bench_frames/", 4, "`kerf bench-frames`: milliseconds a frame"},
+    {"frames/commands/", 5, "one subcommand a file"},
+    {"frames/main.cpp", 6, "the program `kerf`"},
 });
 
 constexpr auto kPermissions = std::to_array<Permission>({
@@ -144,29 +144,12 @@ bool is_any_of(std::string_view name, std::span<const std::string_view> names) {
 /// Headers of the C++ library have neither a folder nor an ending.
 bool is_standard(std::string_view header) { return header.find_first_of("/.") == std::string_view::npos; }
 
-std::optional<std::string_view> owner_of(std::string_view header) {
-  const std::string_view folder = header.substr(0, std::min(header.find('/'), header.size()));
-  if (folder.size() < header.size() && is_any_of(folder, kRooms)) return folder;
-  for (const Owner& library : kLibraries)
-    if (header.starts_with(library.prefix)) return library.name;
-  return std::nullopt;
-}
-
 bool is_permitted(std::string_view file, std::string_view owner) {
   if (file.starts_with("tests/")) return true;
   if (file.starts_with("frames/")) return owner != "tests" && owner != "GoogleTest";
   return std::any_of(kPermissions.begin(), kPermissions.end(), [&](const Permission& permission) {
     return file.starts_with(permission.from) && permission.owner == owner;
   });
-}
-
-/// The layer of a file: the longest prefix of the table counts. Null where a room has no layers.
-const Layer* layer_of(std::string_view file) {
-  const Layer* found = nullptr;
-  for (const Layer& layer : kLayers)
-    if (file.starts_with(layer.folder) && (found == nullptr || layer.folder.size() > found->folder.size()))
-      found = &layer;
-  return found;
 }
 
 bool has_layers(std::string_view room) {
@@ -207,31 +190,64 @@ std::string own_header(const std::filesystem::path& root, const std::string& fil
   return std::filesystem::exists(root / header) ? header : "";
 }
 
+/// The reason why an #include line must not be there; empty when it may.
+std::string objection(const std::string& file, const Include& include) {
+  if (include.header.empty()) return "an #include names its header";
+  return objection(file, include.header, include.quoted);
+}
+
 void check_file(const std::filesystem::path& root, const std::string& file, std::vector<Violation>& found) {
-  std::ifstream text(root / file);
-  if (!text) throw std::runtime_error("cannot read " + (root / file).string());
   std::string first = own_header(root, file);
-  static const std::regex kDirective(R"(^\s*#\s*(?:include|include_next|import)\b\s*(.*))");
-  static const std::regex kNamed(R"re(^(?:<([^>]+)>|"([^"]+)").*)re");
-  std::string line;
-  for (int number = 1; std::getline(text, line); ++number) {
-    std::smatch include;
-    if (!std::regex_match(line, include, kDirective)) continue;
-    const std::string target = include[1];
-    std::smatch header;
-    std::string reason = "an #include names its header";
-    if (std::regex_match(target, header, kNamed))
-      reason = objection(file, header[header[2].matched ? 2 : 1], header[2].matched);
-    if (reason.empty() && !first.empty() && header[2] != first)
+  for (const Include& include : includes_of(root / file)) {
+    std::string reason = objection(file, include);
+    if (reason.empty() && !first.empty() && !(include.quoted && include.header == first))
       reason = "the source of " + first + " must include it first";
     first.clear();
-    if (!reason.empty()) found.push_back({file, number, reason});
+    if (!reason.empty()) found.push_back({file, include.line, reason});
   }
 }
 
 }  // namespace
 
+std::span<const std::string_view> rooms() { return kRooms; }
+
 std::span<const Layer> layers() { return kLayers; }
+
+const Layer* layer_of(std::string_view file) {
+  const Layer* found = nullptr;
+  for (const Layer& layer : kLayers)
+    if (file.starts_with(layer.folder) && (found == nullptr || layer.folder.size() > found->folder.size()))
+      found = &layer;
+  return found;
+}
+
+std::optional<std::string_view> owner_of(std::string_view header) {
+  const std::string_view folder = header.substr(0, std::min(header.find('/'), header.size()));
+  if (folder.size() < header.size() && is_any_of(folder, kRooms)) return folder;
+  for (const Owner& library : kLibraries)
+    if (header.starts_with(library.prefix)) return library.name;
+  return std::nullopt;
+}
+
+std::vector<Include> includes_of(const std::filesystem::path& file) {
+  std::ifstream text(file);
+  if (!text) throw std::runtime_error("cannot read " + file.string());
+  static const std::regex kDirective(R"(^\s*#\s*(?:include|include_next|import)\b\s*(.*))");
+  static const std::regex kNamed(R"re(^(?:<([^>]+)>|"([^"]+)").*)re");
+  std::vector<Include> found;
+  std::string line;
+  for (int number = 1; std::getline(text, line); ++number) {
+    std::smatch directive;
+    if (!std::regex_match(line, directive, kDirective)) continue;
+    const std::string target = directive[1];
+    std::smatch header;
+    if (std::regex_match(target, header, kNamed))
+      found.push_back({number, header[header[2].matched ? 2 : 1], header[2].matched});
+    else
+      found.push_back({number, {}, false});
+  }
+  return found;
+}
 
 std::string to_string(const Violation& violation) {
   return violation.file + ":" + std::to_string(violation.line) + ": " + violation.reason;

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/house/include_graph.h"
+
+namespace kerf::house {
+
+/// The drawing of rooms and layers with what includes what, as SVG. Arrows that a longer path implies are
+/// left out.
+std::string layers_svg(const IncludeGraph& graph);
+
+/// The drawing of how boxes and events flow through the program, as SVG.
+std::string data_flow_svg();
+
+/// The files that stand in the drawing of data flow.
+std::vector<std::string> data_flow_files();
+
+/// The tables of layers, in Markdown.
+std::string layer_tables(const IncludeGraph& graph);
+
+/// `text` with what stands between the lines `<!-- made: NAME -->` and `<!-- end -->` replaced by `content`.
+/// Throws std::runtime_error when there is no such part.
+std::string with_part(const std::string& text, const std::string& name, const std::string& content);
+
+/// The files that `kerf_architecture` makes (paths from the root), with what they should contain now.
+std::map<std::filesystem::path, std::string> architecture_files(const std::filesystem::path& root);
+
+}  // namespace kerf::house
