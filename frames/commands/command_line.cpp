@@ -32,6 +32,7 @@
 #include "frames/commands/verify_command.h"
 #include "frames/support/errors.h"
 #include "frames/support/suggest.h"
+#include "frames/support/version.h"
 
 namespace kerf {
 namespace {
@@ -117,7 +118,7 @@ int run(const CLI::App& program, const Command&... commands) {
 
 int run_command_line(int argc, char** argv) {
   CLI::App program("See, step through and measure a broad phase", "kerf");
-  program.set_version_flag("--version", "kerf " KERF_VERSION);
+  program.set_version_flag("--version", std::string("kerf ") + version());
   const ScenesCommand scenes(program);
   const RenderCommand render(program);
   const CollectCommand collector(program);

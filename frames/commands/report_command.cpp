@@ -14,6 +14,7 @@
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/machine.h"
+#include "frames/support/version.h"
 
 namespace kerf {
 namespace {
@@ -131,8 +132,8 @@ class Report {
     Page page("Kerf: speed against error",
               "Measured on " + machine.value("processor", "an unknown processor") + ", " +
                   std::to_string(machine.value("cores", 0)) + " cores, " + machine.value("vectors", "") +
-                  ", " + machine.value("system", "") + ", " + machine.value("compiler", "") +
-                  ", kerf " KERF_VERSION);
+                  ", " + machine.value("system", "") + ", " + machine.value("compiler", "") + ", kerf " +
+                  version());
     page.paragraph(
         "What a broad phase that is wrong on purpose gains, and what that does to pairs, contacts and "
         "motion. "

@@ -6,17 +6,18 @@
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/machine.h"
+#include "frames/support/version.h"
 
 namespace kerf {
 namespace {
 
-/// Whose figures these are: the processor's and this very program's.
+/// The owner of the figures: this processor and this very program.
 std::string owner() {
   const auto built = std::filesystem::last_write_time("/proc/self/exe").time_since_epoch().count();
-  return describe_machine().value("processor", "") + ", kerf " KERF_VERSION ", " + std::to_string(built);
+  return describe_machine().value("processor", "") + ", kerf " + version() + ", " + std::to_string(built);
 }
 
-/// Whether `put` has written it, on whatever machine.
+/// Whether `put` has written it, on any machine.
 bool is_ours(const Json& json) {
   return json.is_object() && json.size() == 2 && json.contains("owner") && json["owner"].is_string() &&
          json.contains("cells") && json["cells"].is_object();

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <string>
 
+#include "frames/support/version.h"
+
 namespace kerf {
 namespace {
 
@@ -45,7 +47,7 @@ nlohmann::ordered_json describe_machine() {
           {"memory_bytes", pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE))},
           {"system", std::string(system.sysname) + " " + system.release},
           {"compiler", "g++ " __VERSION__},
-          {"kerf", KERF_VERSION},
+          {"kerf", version()},
           {"load_average", load[0]}};
 }
 

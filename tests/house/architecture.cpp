@@ -166,6 +166,19 @@ std::string layer_tables(const IncludeGraph& graph) {
   return out + '\n';
 }
 
+std::string floor_lines() {
+  std::string out = "\n";
+  for (const Panel& panel : panels()) {
+    if (panel.layers.empty()) continue;
+    std::string names;
+    for (const Layer& layer : panel.layers)
+      names +=
+          (names.empty() ? "" : " · ") + ("[" + short_name(layer) + "](") + std::string(layer.folder) + ")";
+    out += "- **" + std::string(panel.room.substr(0, panel.room.size() - 1)) + "**: " + names + '\n';
+  }
+  return out + '\n';
+}
+
 std::string with_part(const std::string& text, const std::string& name, const std::string& content) {
   const std::string begin = "<!-- made: " + name + " -->\n";
   const std::size_t from = text.find(begin);
@@ -178,6 +191,7 @@ std::map<std::filesystem::path, std::string> architecture_files(const std::files
   const IncludeGraph graph = read_include_graph(root, source_files());
   return {{"docs/images/layers.svg", layers_svg(graph)},
           {"docs/images/data-flow.svg", data_flow_svg()},
+          {"README.md", with_part(text_of(root / "README.md"), "floors", floor_lines())},
           {"docs/ARCHITECTURE.md",
            with_part(text_of(root / "docs/ARCHITECTURE.md"), "layers", layer_tables(graph))}};
 }

@@ -22,6 +22,9 @@ std::vector<std::string> data_flow_files();
 /// The tables of layers, in Markdown.
 std::string layer_tables(const IncludeGraph& graph);
 
+/// The layers of each room in one line, in Markdown for README.md.
+std::string floor_lines();
+
 /// `text` with what stands between the lines `<!-- made: NAME -->` and `<!-- end -->` replaced by `content`.
 /// Throws std::runtime_error when there is no such part.
 std::string with_part(const std::string& text, const std::string& name, const std::string& content);
