@@ -131,7 +131,7 @@ void World::advance() {
   ++step_;
   update_boxes();
   ask();
-  gate_->admit(sorted_, handles_);
+  gate_->admit(pairs_, handles_);
   engine_->Step(kStepSeconds, kVelocityIterations, kPositionIterations);
   collect_contacts();
 }
@@ -151,19 +151,19 @@ void World::update_boxes() {
     const b2Shape& shape = *handles_[i]->GetFixtureList()->GetShape();
     const Volume<2> volume = padded_volume(broad_phase_.volume_kind(), body.shape, shape, transform);
     body.box = volume.box;
-    const Status status = broad_phase_.move(ObjectId{static_cast<std::uint32_t>(i)}, volume);
-    if (status != Status::ok)
-      throw std::runtime_error("the broad phase would not move " + name_of(i) + ": " +
-                               std::string(to_string(status)));
+    moves_.add(ObjectId{static_cast<std::uint32_t>(i)}, volume);
   }
+  if (const auto refusal = moves_.send(broad_phase_))
+    throw std::runtime_error("the broad phase would not move " + name_of(refusal->object.index()) + ": " +
+                             std::string(to_string(refusal->status)));
 }
 
 void World::ask() {
   broad_phase_.step();
   const std::span<const Pair> pairs = broad_phase_.pairs();
-  sorted_.assign(pairs.begin(), pairs.end());
-  std::sort(sorted_.begin(), sorted_.end());
-  for (const Pair& pair : sorted_)
+  pairs_.assign(pairs.begin(), pairs.end());
+  std::sort(pairs_.begin(), pairs_.end());
+  for (const Pair& pair : pairs_)
     if (pair.a >= pair.b || pair.b.index() >= bodies_.size())
       throw std::runtime_error("the broad phase reported the pair " + std::to_string(pair.a.value) + "-" +
                                std::to_string(pair.b.value) + ", which cannot be");

@@ -7,6 +7,7 @@
 
 #include "core/base/ids.h"
 #include "core/objects/broad_phase.h"
+#include "core/scene/move_batch.h"
 #include "core/scene/scene.h"
 #include "core/scene/shape.h"
 
@@ -80,7 +81,8 @@ class World {
 
   [[nodiscard]] std::uint32_t step() const { return step_; }
   [[nodiscard]] std::span<const Body<2>> bodies() const { return bodies_; }
-  [[nodiscard]] std::span<const Pair> pairs() const { return broad_phase_.pairs(); }
+  /// All that the broad phase reported, sorted.
+  [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
   [[nodiscard]] std::span<const Pair> contacts() const { return contacts_; }
   /// Box2D's world, to look at.
   [[nodiscard]] const b2World& engine() const { return *engine_; }
@@ -97,7 +99,8 @@ class World {
   std::vector<b2Body*> handles_;
   std::vector<Body<2>> bodies_;
   std::vector<std::uint8_t> reshaped_;  ///< since the last step
-  std::vector<Pair> sorted_;
+  MoveBatch<2> moves_;
+  std::vector<Pair> pairs_;  ///< sorted
   std::vector<Pair> contacts_;
   std::uint32_t step_ = 0;
 };

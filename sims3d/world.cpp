@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <new>
 #include <stdexcept>
 
@@ -174,6 +175,7 @@ void World::advance() {
     update_boxes();
   }
   broad_phase_.step();
+  sort_pairs();
   const auto lock = library_.enter();
   find_contacts();
   wake();
@@ -191,23 +193,30 @@ void World::update_boxes() {
     bodies_[i].pose = pose_of(geoms_[i].geom.get());
     // A body that turns may keep its box; any other volume has turned with it.
     if (kind == VolumeKind::box && volume.box == bodies_[i].box) continue;
-    accept(broad_phase_.move(object, volume), broad_phase_, object);
+    moves_.add(object, volume);
     bodies_[i].box = volume.box;
   }
+  if (const auto refusal = moves_.send(broad_phase_)) accept(refusal->status, broad_phase_, refusal->object);
 }
 
-void World::find_contacts() {
-  candidates_.clear();
+void World::sort_pairs() {
+  pairs_.clear();
   for (const Pair pair : broad_phase_.pairs()) {
     const Pair ordered = make_pair(pair.a, pair.b);
     if (ordered.b.index() >= bodies_.size() || ordered.a == ordered.b)
       throw std::runtime_error("the broad phase " + std::string(broad_phase_.name()) + " gives the pair " +
                                std::to_string(pair.a.value) + ", " + std::to_string(pair.b.value) +
                                ", which no objects have");
-    if (rigid_[ordered.a.index()] || rigid_[ordered.b.index()]) candidates_.push_back(ordered);
+    pairs_.push_back(ordered);
   }
-  std::sort(candidates_.begin(), candidates_.end());
-  candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+  std::sort(pairs_.begin(), pairs_.end());
+}
+
+void World::find_contacts() {
+  candidates_.clear();
+  std::unique_copy(pairs_.begin(), pairs_.end(), std::back_inserter(candidates_));
+  std::erase_if(candidates_,
+                [this](const Pair& pair) { return !rigid_[pair.a.index()] && !rigid_[pair.b.index()]; });
   narrow_phase_.run(candidates_, geoms_, moved_);
   std::fill(moved_.begin(), moved_.end(), std::uint8_t{0});
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/objects/broad_phase.h"
+#include "core/scene/move_batch.h"
 #include "core/scene/scene.h"
 #include "sims3d/narrow_phase.h"
 #include "sims3d/ode_library.h"
@@ -80,8 +81,8 @@ class World {
   /// Object k at the pose that the last broad phase and narrow phase saw; a new object at the pose it was
   /// given.
   [[nodiscard]] std::span<const Body<3>> bodies() const { return bodies_; }
-  /// As the broad phase gave them.
-  [[nodiscard]] std::span<const Pair> pairs() const { return broad_phase_.pairs(); }
+  /// All that the broad phase reported, sorted.
+  [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
   /// Candidates with at least one contact point, sorted.
   [[nodiscard]] std::span<const Pair> contacts() const { return narrow_phase_.contacts(); }
   /// Moving objects that are awake, that is, that the dynamics moved in the last step.
@@ -92,6 +93,7 @@ class World {
  private:
   ObjectId add(Geom geom, OdeHandle<dxBody> rigid, const Shape<3>& shape, Mobility mobility);
   void update_boxes();
+  void sort_pairs();
   void find_contacts();
   void wake();
   void wake_hit(const Touch& touch);
@@ -113,7 +115,9 @@ class World {
   std::vector<Geom> geoms_;
   std::vector<std::uint8_t> moved_;  // since the last narrow phase
   std::vector<double> max_speeds_;
-  std::vector<Pair> candidates_;
+  MoveBatch<3> moves_;
+  std::vector<Pair> pairs_;       // sorted
+  std::vector<Pair> candidates_;  // of them, each once, those with an object that can move
   NarrowPhase narrow_phase_;
   Sleep sleep_;
   unsigned long solver_seed_;

@@ -48,7 +48,7 @@ class Scene {
 
   /// Bodies at the poses that the last broad phase and narrow phase saw, together with their boxes.
   [[nodiscard]] virtual std::span<const Body<D>> bodies() const = 0;
-  /// Candidate pairs of the last step, as the broad phase gave them.
+  /// Candidate pairs of the last step, sorted.
   [[nodiscard]] virtual std::span<const Pair> pairs() const = 0;
   /// Those of them that touch by the narrow phase, sorted.
   [[nodiscard]] virtual std::span<const Pair> contacts() const = 0;

@@ -4,6 +4,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "frames/bench/ablation.h"
+#include "frames/bench/loop_report.h"
+#include "frames/catalog/algorithm.h"
 #include "frames/support/machine.h"
 
 namespace kerf {
@@ -43,7 +46,8 @@ Json as_json(const BenchRow& row) {
                {"extra", row.extra},
                {"times_floor", row.times_floor},
                {"rss_bytes", row.rss_bytes},
-               {"steps", row.steps}});
+               {"steps", row.steps},
+               {"round_ns", row.round_ns}});
   if (!row.step_ns.empty()) json["step_ns"] = row.step_ns;
   return json;
 }
@@ -69,18 +73,24 @@ std::string as_text(const BenchGap& gap) {
   return as_text(gap.cell) + format(" %-24s %s", gap.algorithm.c_str(), gap.reason.c_str());
 }
 
-std::string as_json(const BenchRequest& request, const CellResult& all, bool complete) {
+std::string as_json(const BenchRequest& request, const BenchResult& all, bool complete) {
   Json json;
   json["machine"] = describe_machine();
   json["settings"] = {{"rounds", request.rounds}, {"seed", request.seed}, {"patience_s", request.patience}};
   json["results"] = Json::array();
-  for (const BenchRow& row : all.rows) json["results"].push_back(as_json(row));
+  for (const BenchRow& row : all.cells.rows) json["results"].push_back(as_json(row));
   json["gaps"] = Json::array();
-  for (const BenchGap& gap : all.gaps) {
+  for (const BenchGap& gap : all.cells.gaps) {
     Json item = as_json(gap.cell, gap.algorithm);
     item["reason"] = gap.reason;
     json["gaps"].push_back(std::move(item));
   }
+  json["simulations"] = Json::array();
+  for (const LoopRow& row : all.loops) json["simulations"].push_back(as_json(row));
+  json["earnings"] = Json::array();
+  if (request.ablation)
+    for (const Earning& earning : earnings(all.cells.rows, std::string(kTunedTree)))
+      json["earnings"].push_back(as_json(earning));
   json["complete"] = complete;
   return json.dump(1) + "\n";
 }

@@ -5,6 +5,7 @@
 
 #include "frames/bench/bench_cell.h"
 #include "frames/bench/bench_request.h"
+#include "frames/bench/loop_cell.h"
 
 namespace kerf {
 
@@ -14,7 +15,15 @@ std::string bench_heading();
 std::string as_text(const BenchRow& row);
 std::string as_text(const BenchGap& gap);
 
-/// {"machine": {...}, "settings": {...}, "results": [rows], "gaps": [...], "complete": bool}
-std::string as_json(const BenchRequest& request, const CellResult& all, bool complete);
+/// All that a run has measured so far.
+struct BenchResult {
+  CellResult cells;
+  std::vector<LoopRow> loops;
+};
+
+/// {"machine": {...}, "settings": {...}, "results": [rows], "gaps": [...], "simulations": [rows],
+/// "earnings": [...], "complete":
+/// bool}
+std::string as_json(const BenchRequest& request, const BenchResult& all, bool complete);
 
 }  // namespace kerf

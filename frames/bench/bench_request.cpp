@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
+#include <utility>
+#include <variant>
 
+#include "frames/bench/ablation.h"
 #include "frames/catalog/algorithm.h"
+#include "frames/catalog/broad_phase_choice.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_number.h"
 
@@ -74,22 +78,43 @@ std::vector<std::string> parse_algorithms(const std::string& text) {
   return names;
 }
 
+/// What has no meaning for simulations is refused, and each broad phase must be one that a scene can have.
+void parse_simulations(const BenchTexts& texts, BenchRequest& request) {
+  for (const auto& [option, text] :
+       {std::pair{"--scenes", &texts.scenes}, {"--dims", &texts.dimensions}, {"--threads", &texts.threads}})
+    if (!text->empty())
+      throw UsageError(std::string(option) + ": --simulations names what is measured; leave one of them out");
+  for (const std::string& name : items("--simulations", texts.simulations))
+    request.simulations.push_back(find_scene(name));
+  request.algorithms = {std::string(kTunedTree), std::string(kPaperTree)};
+  if (!texts.algorithms.empty()) request.algorithms = items("--algorithms", texts.algorithms);
+  for (const CatalogScene& scene : request.simulations)
+    for (const std::string& name : request.algorithms)
+      std::visit([&](const auto* entry) { (void)choose_broad_phase(name, entry->needs); }, scene.entry);
+  request.scenes.clear();
+  request.objects = {0};
+}
+
 }  // namespace
 
 std::uint32_t BenchRequest::steps_for(std::uint32_t count) const {
   constexpr std::uint32_t kObjectSteps = 4'000'000;
-  return steps != 0 ? steps : std::clamp(kObjectSteps / count, 12U, 300U);
+  return steps != 0 ? steps : std::clamp(kObjectSteps / std::max(count, 1U), 12U, 300U);
 }
 
 std::uint32_t BenchRequest::warm_up_for(std::uint32_t count) const {
   constexpr std::uint32_t kObjectSteps = 4'000'000;
-  return warm_up != 0 ? warm_up : std::clamp(kObjectSteps / count, 8U, 48U);
+  return warm_up != 0 ? warm_up : std::clamp(kObjectSteps / std::max(count, 1U), 8U, 48U);
 }
 
 BenchRequest parse_bench_request(const BenchTexts& texts) {
   BenchRequest request;
-  request.scenes = parse_scenes(texts.scenes);
-  request.algorithms = parse_algorithms(texts.algorithms);
+  if (texts.simulations.empty()) {
+    request.scenes = parse_scenes(texts.scenes);
+    request.algorithms = parse_algorithms(texts.algorithms);
+  } else {
+    parse_simulations(texts, request);
+  }
   const auto many = [](auto& list, const char* option, const std::string& text, auto least, auto most) {
     using Number = typename std::remove_reference_t<decltype(list)>::value_type;
     if (!text.empty()) list = numbers<Number>(option, text, Number(least), Number(most));
@@ -108,6 +133,11 @@ BenchRequest parse_bench_request(const BenchTexts& texts) {
   one(request.patience, "--patience", texts.patience, 1, 3600);
   request.json = texts.json;
   request.trace = texts.trace;
+  request.ablation = texts.ablation;
+  if (!texts.ablation) return request;
+  if (!texts.algorithms.empty() || !texts.simulations.empty())
+    throw UsageError("--ablation chooses the algorithms; leave --algorithms and --simulations out");
+  request.algorithms = ablation_algorithms();
   return request;
 }
 

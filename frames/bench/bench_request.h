@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "frames/bench/bench_scene.h"
+#include "frames/catalog/scene_catalog.h"
 
 namespace kerf {
 
 /// The options of `kerf bench` as the user typed them; empty: not given.
 struct BenchTexts {
   std::string scenes;
+  std::string simulations;
   std::string objects;
   std::string dimensions;
   std::string algorithms;
@@ -23,11 +25,13 @@ struct BenchTexts {
   std::string patience;
   std::string json;
   bool trace = false;
+  bool ablation = false;
 };
 
 /// What is to be measured, every part of it checked.
 struct BenchRequest {
   std::vector<const BenchScene*> scenes;
+  std::vector<CatalogScene> simulations;  ///< instead of scenes: broad phases in the loop of these
   std::vector<std::uint32_t> objects{1000, 4250, 16000};
   std::vector<int> dimensions{2, 3};
   std::vector<std::string> algorithms;
@@ -39,6 +43,7 @@ struct BenchRequest {
   std::uint32_t patience = 30;
   std::filesystem::path json;  ///< empty: none
   bool trace = false;
+  bool ablation = false;  ///< the algorithms are the tuned tree and the tree without each of its policies
 
   [[nodiscard]] std::uint32_t steps_for(std::uint32_t count) const;
   [[nodiscard]] std::uint32_t warm_up_for(std::uint32_t count) const;

@@ -30,8 +30,9 @@ struct BenchRow {
   std::uint64_t extra = 0;   ///< in all measured steps
   double times_floor = 0;    ///< the median over that of the floor
   std::uint64_t rss_bytes = 0;
-  std::uint32_t steps = 0;     ///< measured
-  std::vector<float> step_ns;  ///< one by one, if that was asked for
+  std::uint32_t steps = 0;       ///< measured
+  std::vector<double> round_ns;  ///< of each complete round the median over its steps
+  std::vector<float> step_ns;    ///< one by one, if that was asked for
 };
 
 /// An algorithm of which there is no row, or one of fewer steps, and why.

@@ -23,6 +23,7 @@ Participant::Participant(std::string name, std::uint32_t block, const CellPlan& 
 
 void Participant::start(const Life& life) {
   spent_ = 0;
+  round_.clear();
   if (trouble_.empty()) process_ = std::make_unique<ChildProcess>(life);
 }
 
@@ -58,6 +59,7 @@ void Participant::run(std::int64_t first, std::uint32_t count, const CellWatch& 
 void Participant::keep(std::int64_t step, const StepResult& result) {
   if (step < 0) return;
   const auto k = static_cast<std::size_t>(step);
+  round_.push_back(result.nanoseconds);
   nanoseconds_[k] = std::min(nanoseconds_[k], result.nanoseconds);
   native_[k] = std::min(native_[k], result.nanoseconds - result.added);
   pairs_ += result.pairs;
@@ -69,6 +71,10 @@ void Participant::keep(std::int64_t step, const StepResult& result) {
 void Participant::finish(const CellWatch& watch) {
   if (ask(Request::account, kLongestRequest * plan_.patience, watch)) bytes_ = answers_.bytes();
   process_.reset();
+  if (round_.size() < plan_.steps) return;
+  const auto middle = round_.begin() + static_cast<std::ptrdiff_t>((round_.size() - 1) / 2);
+  std::ranges::nth_element(round_, middle);
+  round_medians_.push_back(*middle);
 }
 
 std::optional<BenchRow> Participant::row(const CellName& cell, bool trace) const {
@@ -78,9 +84,10 @@ std::optional<BenchRow> Participant::row(const CellName& cell, bool trace) const
       if (time != kNever) each.push_back(static_cast<double>(time) / cell.objects);
     return each;
   };
+  BenchRow row;
+  row.round_ns = per_object(round_medians_);
   std::vector<double> each = per_object(nanoseconds_);
   if (each.empty()) return std::nullopt;
-  BenchRow row;
   row.cell = cell;
   row.algorithm = name_;
   if (trace) row.step_ns.assign(each.begin(), each.end());

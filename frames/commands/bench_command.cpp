@@ -4,9 +4,12 @@
 #include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
+#include "frames/bench/ablation.h"
 #include "frames/bench/bench_cell.h"
 #include "frames/bench/bench_report.h"
+#include "frames/bench/loop_report.h"
 #include "frames/catalog/algorithm.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
@@ -64,6 +67,21 @@ CellPlan plan_for(const BenchRequest& request, const BenchScene& scene, std::uin
   return plan;
 }
 
+/// Growing scenes have all their objects when the warm-up ends.
+LoopPlan plan_for(const BenchRequest& request, const CatalogScene& scene, std::uint32_t objects) {
+  LoopPlan plan;
+  plan.scene = scene;
+  plan.broad_phases = request.algorithms;
+  plan.rounds = request.rounds;
+  plan.warm_up = request.warm_up_for(objects);
+  plan.steps = request.steps_for(objects);
+  plan.options.objects = objects;
+  plan.options.seed = request.seed;
+  const bool grows = std::visit([](const auto* entry) { return entry->grows; }, scene.entry);
+  if (grows) plan.options.steps = plan.warm_up;
+  return plan;
+}
+
 std::vector<CellPlan> plans_of(const BenchRequest& request) {
   std::vector<CellPlan> plans;
   for (const std::uint32_t objects : request.objects)
@@ -79,6 +97,19 @@ class Bench {
 
   void run() {
     if (!request_.json.empty()) check_writable(request_.json);
+    if (request_.simulations.empty()) {
+      measure_cells();
+    } else {
+      measure_simulations();
+    }
+    const bool complete = !interrupt_.requested();
+    save(complete);
+    if (request_.ablation) print(ablation_table(earnings(all_.cells.rows, std::string(kTunedTree))));
+    if (!complete) throw Interrupted("interrupted; what was measured is kept");
+  }
+
+ private:
+  void measure_cells() {
     print(bench_heading());
     const std::vector<CellPlan> plans = plans_of(request_);
     const std::size_t cells = plans.size() * request_.dimensions.size();
@@ -93,18 +124,26 @@ class Bench {
         ++cell;
         add(dimension == 2 ? measure_cell<2>(plan, watch) : measure_cell<3>(plan, watch));
       }
-    const bool complete = !interrupt_.requested();
-    save(complete);
-    if (!complete) throw Interrupted("interrupted; what was measured is kept");
   }
-
- private:
+  void measure_simulations() {
+    print(loop_heading());
+    const CellWatch watch{[this](const std::string& text) { line_.show(text); },
+                          [this] { return interrupt_.requested(); }};
+    for (const CatalogScene& scene : request_.simulations)
+      for (const std::uint32_t objects : request_.objects) {
+        const std::vector<LoopRow> rows = measure_loops(plan_for(request_, scene, objects), watch);
+        line_.clear();
+        for (const LoopRow& row : rows) print(as_text(row));
+        all_.loops.insert(all_.loops.end(), rows.begin(), rows.end());
+        save(false);
+      }
+  }
   void add(const CellResult& cell) {
     line_.clear();
     for (const BenchRow& row : cell.rows) print(as_text(row));
     for (const BenchGap& gap : cell.gaps) print(as_text(gap));
-    all_.rows.insert(all_.rows.end(), cell.rows.begin(), cell.rows.end());
-    all_.gaps.insert(all_.gaps.end(), cell.gaps.begin(), cell.gaps.end());
+    all_.cells.rows.insert(all_.cells.rows.end(), cell.rows.begin(), cell.rows.end());
+    all_.cells.gaps.insert(all_.cells.gaps.end(), cell.gaps.begin(), cell.gaps.end());
     save(false);
   }
   void save(bool complete) const {
@@ -114,7 +153,7 @@ class Bench {
   const BenchRequest& request_;
   InterruptGuard interrupt_;
   ProgressLine line_;
-  CellResult all_;
+  BenchResult all_;
 };
 
 }  // namespace
@@ -125,6 +164,9 @@ BenchCommand::BenchCommand(CLI::App& program)
     command_->add_option(name, text, meaning)->type_name(type);
   };
   option("--scenes", texts_.scenes, "Which motions, see below (default all)", "A,B,...");
+  option("--simulations", texts_.simulations,
+         "Instead: broad phases in the loop of these scenes of `kerf render`, beside the same boxes alone",
+         "A,B,...");
   option("--objects", texts_.objects, "How many boxes (default 1000,4250,16000)", "N,N,...");
   option("--dims", texts_.dimensions, "2, 3 or both (default 2,3)", "D,D");
   option("--algorithms", texts_.algorithms, "Which broad phases, see below", "A,B,...");
@@ -137,6 +179,8 @@ BenchCommand::BenchCommand(CLI::App& program)
   option("--patience", texts_.patience,
          "Seconds of a round after which an algorithm is left out (default 30)", "S");
   option("--json", texts_.json, "Also all figures as JSON", "FILE");
+  command_->add_flag("--ablation", texts_.ablation,
+                     "What each policy of the tuned tree earns: beside it, the tree without the policy");
   command_->add_flag("--trace", texts_.trace, "The JSON tells the time of each step, too");
   command_->footer(footer());
 }

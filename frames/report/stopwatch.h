@@ -21,6 +21,9 @@ class Stopwatch final : public BroadPhase<D> {
     return inner_->insert(object, box, mobility);
   }
   Status move(ObjectId object, const Box<D>& box) override { return inner_->move(object, box); }
+  Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) override {
+    return inner_->move_many(objects, boxes);
+  }
   Status remove(ObjectId object) override { return inner_->remove(object); }
   void step() override {
     const StepTimer timer(true);

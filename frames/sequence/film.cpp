@@ -57,12 +57,9 @@ class SceneFilm final : public Film {
   }
 
   std::vector<std::uint8_t> parcel() override {
-    // In the order of a tree lines that cross would change places whenever the tree does.
-    std::vector<Pair> pairs(scene_->pairs().begin(), scene_->pairs().end());
-    std::ranges::sort(pairs);
     const FrameInput<D> input{.bodies = scene_->bodies(),
                               .tree = tree_ == nullptr ? nullptr : &tree_->tree(),
-                              .pairs = pairs,
+                              .pairs = scene_->pairs(),
                               .contacts = scene_->contacts(),
                               .events = recent_,
                               .caption = caption(),

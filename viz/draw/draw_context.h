@@ -58,8 +58,8 @@ void draw_leaves(const DrawContext<2>& context, Batch& batch);
 template <int D>
 void draw_partitioners(const DrawContext<D>& context, Batch& batch);
 
-/// Candidate pairs and contacts; `scratch` is memory kept between frames.
+/// Candidate pairs and contacts.
 template <int D>
-void draw_pairs(const DrawContext<D>& context, Batch& batch, std::vector<Pair>& scratch);
+void draw_pairs(const DrawContext<D>& context, Batch& batch);
 
 }  // namespace kerf

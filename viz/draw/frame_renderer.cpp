@@ -78,7 +78,7 @@ struct FrameRenderer<D>::State {
       if (has(Layer::objects)) draw_objects(frame, back, glass);
     }
     if (has(Layer::partitioners)) draw_partitioners(frame, glass);
-    draw_pairs(frame, lines, pair_scratch);
+    draw_pairs(frame, lines);
     if (has(Layer::operators)) draw_highlights(frame.view, frame.line_scale, highlights, front, frame.list);
     if (tamper) tamper(batches, ids.list);
     paint(batches);
@@ -169,7 +169,6 @@ struct FrameRenderer<D>::State {
   FrameIds ids;
   Tamper tamper;
   Overlay overlay;
-  std::vector<Pair> pair_scratch;
   Image image;
 };
 

@@ -43,7 +43,7 @@ struct FrameInput {
   std::span<const Body<D>> bodies;  ///< body k is object k
   const Tree<D>* tree = nullptr;    ///< none: a broad phase without a tree
   std::span<const Pair> pairs;
-  std::span<const Pair> contacts;  ///< those of `pairs` that touch
+  std::span<const Pair> contacts;  ///< those of `pairs` that touch, sorted
   /// What happened lately. Operators fade with their age in steps against `caption.step`, so that a caller
   /// who makes a film may give those of the last `highlight_steps` steps.
   std::span<const Event> events;

@@ -93,19 +93,16 @@ void draw_pair(const DrawContext<D>& context, const Pair& pair, bool is_contact,
 }  // namespace
 
 template <int D>
-void draw_pairs(const DrawContext<D>& context, Batch& batch, std::vector<Pair>& scratch) {
-  scratch.clear();
-  if (context.has(Layer::contacts))
-    scratch.assign(context.input.contacts.begin(), context.input.contacts.end());
-  std::ranges::sort(scratch);
+void draw_pairs(const DrawContext<D>& context, Batch& batch) {
+  const auto contacts = context.has(Layer::contacts) ? context.input.contacts : std::span<const Pair>();
   if (context.has(Layer::pairs)) {
     for (const Pair& pair : context.input.pairs)
-      if (!std::ranges::binary_search(scratch, pair)) draw_pair(context, pair, false, batch);
+      if (!std::ranges::binary_search(contacts, pair)) draw_pair(context, pair, false, batch);
   }
-  for (const Pair& pair : scratch) draw_pair(context, pair, true, batch);
+  for (const Pair& pair : contacts) draw_pair(context, pair, true, batch);
 }
 
-template void draw_pairs<2>(const DrawContext<2>&, Batch&, std::vector<Pair>&);
-template void draw_pairs<3>(const DrawContext<3>&, Batch&, std::vector<Pair>&);
+template void draw_pairs<2>(const DrawContext<2>&, Batch&);
+template void draw_pairs<3>(const DrawContext<3>&, Batch&);
 
 }  // namespace kerf

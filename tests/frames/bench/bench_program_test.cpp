@@ -43,6 +43,30 @@ TEST(BenchProgram, PrintsRowsAndWritesJson) {
   }
 }
 
+TEST(BenchProgram, MeasuresBroadPhasesInTheLoopOfASimulation) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "bench.json").string();
+  const Outcome outcome = run_kerf({"bench", "--simulations", "terrain,pile-2d", "--objects", "60",
+                                    "--algorithms", "kerf,kerf-paper,sort-and-sweep", "--rounds", "2",
+                                    "--steps", "20", "--warm-up", "10", "--json", file});
+  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  EXPECT_EQ(outcome.err, "") << "no progress where there is no terminal";
+  const auto json = read_json(file);
+  EXPECT_TRUE(json["complete"]);
+  EXPECT_EQ(json["results"].size(), 0U);
+  ASSERT_EQ(json["simulations"].size(), 6U);
+  for (const auto& row : json["simulations"]) {
+    EXPECT_GE(row["objects"], 60) << "the scene has grown before it is measured";
+    EXPECT_EQ(row["steps"], 20);
+    EXPECT_GT(row["loop_ns"], 0);
+    EXPECT_GT(row["alone_ns"], 0);
+    EXPECT_GT(row["share"], 0);
+    EXPECT_LT(row["share"], 1) << "the narrow phase and the solver take the rest";
+  }
+  EXPECT_EQ(json["simulations"][5]["dim"], 2);
+  EXPECT_THAT(outcome.out, HasSubstr("sort-and-sweep"));
+}
+
 TEST(BenchProgram, MeasuresWhatAnApproximateTreeMissesAndInvents) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "bench.json").string();
@@ -107,17 +131,20 @@ TEST_P(BenchMistake, IsExplained) {
 
 INSTANTIATE_TEST_SUITE_P(
     BenchProgram, BenchMistake,
-    ::testing::Values(Mistake{"Scene", {"--scenes", "bronian"}, "did you mean 'brownian'?"},
-                      Mistake{"Algorithm", {"--algorithms", "colums"}, "did you mean 'columns'?"},
-                      Mistake{
-                          "Parameter", {"--algorithms", "kerf:max_hight=3"}, "did you mean 'max_height'?"},
-                      Mistake{"Period", {"--algorithms", "kerf:period=0"}, "from 1 to 1000000"},
-                      Mistake{"Shrink", {"--algorithms", "kerf:shrink=1"}, "it needs a grid"},
-                      Mistake{"Dimension", {"--dims", "4"}, "from 2 to 3"},
-                      Mistake{"Objects", {"--objects", "1"}, "whole number from"},
-                      Mistake{"EmptyName", {"--objects", "1000,,2000"}, "between commas"},
-                      Mistake{"Rounds", {"--rounds", "0"}, "whole number from 1"},
-                      Mistake{"Option", {"--scnes", "brownian"}, "did you mean '--scenes'?"}),
+    ::testing::Values(
+        Mistake{"Scene", {"--scenes", "bronian"}, "did you mean 'brownian'?"},
+        Mistake{"Algorithm", {"--algorithms", "colums"}, "did you mean 'columns'?"},
+        Mistake{"Parameter", {"--algorithms", "kerf:max_hight=3"}, "did you mean 'max_height'?"},
+        Mistake{"Period", {"--algorithms", "kerf:period=0"}, "from 1 to 1000000"},
+        Mistake{"Shrink", {"--algorithms", "kerf:shrink=1"}, "it needs a grid"},
+        Mistake{"Simulation", {"--simulations", "terain"}, "did you mean 'terrain'?"},
+        Mistake{"SimulationAndScene", {"--simulations", "pile", "--scenes", "flat"}, "leave one"},
+        Mistake{"InLoop", {"--simulations", "pile-2d", "--algorithms", "bullet-dbvt"}, "2D broad phase"},
+        Mistake{"Dimension", {"--dims", "4"}, "from 2 to 3"},
+        Mistake{"Objects", {"--objects", "1"}, "whole number from"},
+        Mistake{"EmptyName", {"--objects", "1000,,2000"}, "between commas"},
+        Mistake{"Rounds", {"--rounds", "0"}, "whole number from 1"},
+        Mistake{"Option", {"--scnes", "brownian"}, "did you mean '--scenes'?"}),
     [](const ::testing::TestParamInfo<Mistake>& mistake) { return std::string(mistake.param.name); });
 
 }  // namespace

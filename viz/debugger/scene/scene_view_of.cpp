@@ -167,7 +167,7 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
   } else {
     if (layers.has(Layer::objects)) draw_objects(frame, back, glass);
   }
-  draw_pairs(frame, lines, scratch_);
+  draw_pairs(frame, lines);
   if (layers.has(Layer::operators)) draw_event(frame, front);
   draw_selection(frame, front);
   if (model.hovered_candidate) draw_candidate(frame, *model.hovered_candidate, front);

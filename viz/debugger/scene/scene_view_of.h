@@ -95,7 +95,6 @@ class SceneViewOf final : public SceneView {
   std::optional<std::pair<Position, Tint>> tinted_;  ///< of which `tints_` are
   std::vector<Color> colors_;
   std::vector<Pair> pairs_;
-  std::vector<Pair> scratch_;
   std::array<Batch, 4> batches_;
 };
 
