@@ -2,7 +2,7 @@
 # long again and are left out of the default tests. Sources are checked a batch at a time (tidy_batch says how), and
 # again when an object file of the batch is newer, which is when a source or a header that it includes has changed:
 # the build knows that already.
-# `kerf_format_check` compares all C++ files with what clang-format makes of them. Both need version 14.
+# `kerf_format_check` compares all C++ files with what clang-format makes of them. tests/lint.cmake finds the tools.
 
 # kerf_tidy_sources(TARGET NAME) sets NAME to the full paths of the target's own sources.
 function(kerf_tidy_sources target name)
@@ -55,7 +55,6 @@ endfunction()
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/lint)
 set(tidy_batch ${PROJECT_SOURCE_DIR}/cmake/tidy_batch)
 set(rooms core viz sims2d sims3d frames tests)
-find_program(KERF_CLANG_TIDY clang-tidy-14)
 foreach(room IN LISTS rooms)
   set(property KERF_LINT_STAMPS)
   if(room STREQUAL "tests")
@@ -64,7 +63,7 @@ foreach(room IN LISTS rooms)
   get_property(targets DIRECTORY ${PROJECT_SOURCE_DIR}/${room} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
-    if(type MATCHES "STATIC_LIBRARY|EXECUTABLE")
+    if(type MATCHES "STATIC_LIBRARY|SHARED_LIBRARY|EXECUTABLE")
       kerf_tidy(${target} ${property})
     endif()
   endforeach()
@@ -74,7 +73,6 @@ add_custom_target(kerf_lint DEPENDS ${stamps})
 get_property(stamps GLOBAL PROPERTY KERF_LINT_TESTS_STAMPS)
 add_custom_target(kerf_lint_tests DEPENDS ${stamps})
 
-find_program(KERF_CLANG_FORMAT clang-format-14)
 list(TRANSFORM rooms REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.h;${PROJECT_SOURCE_DIR}/\\1/*.cpp"
   OUTPUT_VARIABLE patterns)
 file(GLOB_RECURSE formatted CONFIGURE_DEPENDS ${patterns})

@@ -9,11 +9,11 @@ namespace kerf {
 namespace {
 
 /// What an event is about, whatever came of it: its kind, operator and node, or its object.
-using Subject = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
+using SubjectKey = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
 
 constexpr std::uint32_t number(Operator op) { return static_cast<std::uint32_t>(op); }
 
-Subject subject_of(const Event& event) {
+SubjectKey subject_of(const Event& event) {
   constexpr std::size_t kOutcome = std::variant_size_v<EventBody>;
   if (const auto* acted = std::get_if<OperatorActed>(&event.body))
     return {kOutcome, number(acted->op), acted->node.node.value};
@@ -44,11 +44,11 @@ std::span<const Event> same_phase(std::span<const Event> phase, std::span<const 
 }
 
 /// Each subject with how often it has come up before.
-std::vector<std::pair<Subject, int>> numbered(std::span<const Event> events) {
-  std::map<Subject, int> seen;
-  std::vector<std::pair<Subject, int>> result;
+std::vector<std::pair<SubjectKey, int>> numbered(std::span<const Event> events) {
+  std::map<SubjectKey, int> seen;
+  std::vector<std::pair<SubjectKey, int>> result;
   for (const Event& event : events) {
-    const Subject subject = subject_of(event);
+    const SubjectKey subject = subject_of(event);
     result.emplace_back(subject, seen[subject]++);
   }
   return result;
@@ -68,7 +68,7 @@ Counterpart find_counterpart(const Position& here, std::span<const Event> these,
   const std::span<const Event> other = same_phase(past, those);
   const auto names = numbered(past);
   const auto other_names = numbered(other);
-  std::map<std::pair<Subject, int>, std::size_t> places;
+  std::map<std::pair<SubjectKey, int>, std::size_t> places;
   for (std::size_t k = 0; k < other_names.size(); ++k) places[other_names[k]] = k;
   for (std::size_t k = past.size(); k-- > 0;) {
     const auto found = places.find(names[k]);

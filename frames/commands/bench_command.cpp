@@ -19,7 +19,7 @@
 namespace kerf {
 namespace {
 
-std::string footer() {
+std::string bench_footer() {
   std::string text = "SCENES      ";
   for (const BenchScene& scene : bench_scenes())
     text += (&scene == bench_scenes().data() ? "" : ", ") + std::string(scene.name);
@@ -182,7 +182,7 @@ BenchCommand::BenchCommand(CLI::App& program)
   command_->add_flag("--ablation", texts_.ablation,
                      "What each policy of the tuned tree earns: beside it, the tree without the policy");
   command_->add_flag("--trace", texts_.trace, "The JSON tells the time of each step, too");
-  command_->footer(footer());
+  command_->footer(bench_footer());
 }
 
 bool BenchCommand::chosen() const { return command_->parsed(); }

@@ -20,7 +20,7 @@
 namespace kerf {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kDebugFooter =
     "SCENE is recorded first, into a temporary file; FILE is what `kerf record` or `kerf import` wrote.\n"
     "In the window, F1 shows the keys. docs/DEBUGGING.md is a guide, and has the commands of scripts.\n"
     "EXIT    0 done, 1 a script's expectation does not hold or nothing can be shown, 2 wrong usage,\n"
@@ -104,7 +104,7 @@ DebugCommand::DebugCommand(CLI::App& program)
   command_->add_flag("--headless", headless_, "Without a window or display: needs --script");
   option("--script", script_, "Do what this file says, and end", "FILE");
   option("-o,--out", out_, "Folder for the pictures of F12 and of scripts (default: here)", "DIR");
-  command_->footer(kFooter);
+  command_->footer(kDebugFooter);
 }
 
 bool DebugCommand::chosen() const { return command_->parsed(); }

@@ -16,7 +16,7 @@
 namespace kerf {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kDiffFooter =
     "REFERENCE and TEST are two PNG files or two folders, whose frames are matched by name. Beside frames "
     "drawn\n"
     "with --ids lie NAME.ids.png and NAME.draw.json: what differs is then told by name (plane n17 missing).\n"
@@ -94,7 +94,7 @@ DiffCommand::DiffCommand(CLI::App& program)
   command_->add_flag(
       "--approve", approve_,
       "Afterwards put the frames of TEST that differ, and only those, in place of their references");
-  command_->footer(kFooter);
+  command_->footer(kDiffFooter);
 }
 
 bool DiffCommand::chosen() const { return command_->parsed(); }

@@ -18,7 +18,7 @@ std::string names_of() {
 }
 
 /// What the options cannot say in a line each.
-std::string footer() {
+std::string render_footer() {
   std::string text =
       "LAYERS  " + layer_names() +
       "\n        a list of these, 'all' or 'none', or changes such as +leaves,-legend"
@@ -87,7 +87,7 @@ RenderCommand::RenderCommand(CLI::App& program)
   command_->add_flag("--resume", texts_.resume, "Keep the frames that an interrupted render has left");
   command_->add_flag("--overwrite", texts_.overwrite,
                      "Replace an earlier sequence, film, contact sheet and recording");
-  command_->footer(footer());
+  command_->footer(render_footer());
 }
 
 bool RenderCommand::chosen() const { return command_->parsed(); }

@@ -25,7 +25,7 @@ std::vector<std::string> section_names() {
   return names;
 }
 
-std::string footer() {
+std::string report_footer() {
   std::string text = "SECTIONS\n";
   for (const Section& section : report_sections()) {
     std::string name = "  " + section.name;
@@ -174,7 +174,7 @@ ReportCommand::ReportCommand(CLI::App& program)
       ->type_name("FOLDER")
       ->capture_default_str();
   command_->add_flag("--fresh", texts_.fresh, "Measure anew what an earlier run has kept");
-  command_->footer(footer());
+  command_->footer(report_footer());
 }
 
 bool ReportCommand::chosen() const { return command_->parsed(); }

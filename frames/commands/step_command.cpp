@@ -17,7 +17,7 @@
 namespace kerf {
 namespace {
 
-std::string footer() {
+std::string step_footer() {
   std::string text =
       "EXPR    conditions joined by && || ! ( ), for example\n"
       "          op==merge && depth>8      pair(12,77) enters     plane(n17) moves\n"
@@ -97,7 +97,7 @@ StepCommand::StepCommand(CLI::App& program)
   command_->add_option("--hits", hits_, "How many moments (default 1)")->type_name("N");
   command_->add_option("--picture", picture_, "Draw the last moment found")->type_name("FILE.png");
   command_->add_flag("--reverse", reverse_, "Backwards, from --from or the end");
-  command_->footer(footer());
+  command_->footer(step_footer());
 }
 
 bool StepCommand::chosen() const { return command_->parsed(); }

@@ -17,8 +17,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-double milliseconds(const StepTimer& timer) { return static_cast<double>(timer.nanoseconds()) * 1e-6; }
-
 /// Of the last step, the part that brought the structure up to date.
 double arranging_seconds(const BroadPhase<3>& subject) {
   if (const auto* tree = dynamic_cast<const Bsp<3>*>(&subject)) {
@@ -63,11 +61,11 @@ double candidates_of(const BroadPhase<3>& subject) {
 ContestantStep Contestant::step(const StepRequests<3>& requests, bool count) {
   const StepTimer handing_over(true);
   apply(requests, *subject_);
-  const double handed_over = milliseconds(handing_over);
+  const double handed_over = handing_over.milliseconds();
   const Clock::time_point start = Clock::now();
   const StepTimer stepping(true);
   subject_->step();
-  const double stepped = milliseconds(stepping);
+  const double stepped = stepping.milliseconds();
   // The subjects look at the clock on the wall, which also tells what other programs took of the processor.
   const double arranging = stepped * arranging_seconds(*subject_) / seconds_since(start);
   ContestantStep result;

@@ -24,8 +24,6 @@ constexpr std::array<Simulation, 4> kSimulations{{{1, "terrain", "objects fall i
 constexpr std::array<std::string_view, 7> kContestants{
     "kerf-paper", "ode-quadtree", "ode-hash", "loose-octree", "sweep-and-prune", "kerf", "ode-sap"};
 
-double milliseconds(const StepTimer& timer) { return static_cast<double>(timer.nanoseconds()) * 1e-6; }
-
 /// Stands in the world's loop and has all contestants do each step.
 class Chorus final : public BroadPhase<3> {
  public:
@@ -65,7 +63,7 @@ class Chorus final : public BroadPhase<3> {
     requests_.clear();
     moved_.clear();
     boxes_.clear();
-    milliseconds_ = milliseconds(timer);
+    milliseconds_ = timer.milliseconds();
   }
   [[nodiscard]] std::span<const Pair> pairs() const override { return contestants_[0].subject().pairs(); }
 
@@ -114,7 +112,7 @@ ExperimentRun run_simulation(const Simulation& simulation, const ExperimentSize&
     const StepTimer timer(true);
     scene->advance();
     ExperimentStep& row = run.emplace_back();
-    row.rest = milliseconds(timer) - chorus.step_milliseconds();
+    row.rest = timer.milliseconds() - chorus.step_milliseconds();
     row.step = step;
     row.moving =
         static_cast<std::uint32_t>(std::ranges::count(scene->bodies(), Mobility::moving, &Body<3>::mobility));

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-constexpr int kWidth = 940;
+constexpr int kBarPlotWidth = 940;
 constexpr int kRow = 26;
 constexpr int kAround = 110;
 
@@ -42,7 +42,7 @@ std::string draw(const BarPlot& plot, std::string_view id) {
       "]\nset style fill solid 0.85 noborder\nset ytics scale 0 " + names_as_tics(names) + "\n" +
       data_block(plot) + "plot $bars using ($2/2):1:(0):2:($1-0.36):($1+0.36) with boxxyerror lc rgb " +
       series_color(0) + ", $bars using 2:1:3 with labels left offset 0.5,0";
-  return run_gnuplot(script, kWidth, kAround + kRow * static_cast<int>(plot.bars.size()), id);
+  return run_gnuplot(script, kBarPlotWidth, kAround + kRow * static_cast<int>(plot.bars.size()), id);
 }
 
 }  // namespace kerf

@@ -26,7 +26,7 @@ std::string value_text(const Json& value, const TableColumn& column) {
   if (!value.is_number()) return "";
   std::array<char, 64> text{};
   const double number = value.get<double>() * column.scale;
-  if (column.digits == kShortest) {
+  if (column.digits == kShortestDigits) {
     std::snprintf(text.data(), text.size(), "%.3g", number);
   } else {
     std::snprintf(text.data(), text.size(), "%.*f", column.digits, number);

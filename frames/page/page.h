@@ -9,7 +9,7 @@
 namespace kerf {
 
 /// Instead of a number of digits: three that count, as few characters as that takes.
-inline constexpr int kShortest = -1;
+inline constexpr int kShortestDigits = -1;
 
 /// How a figure of a row is shown.
 struct TableColumn {

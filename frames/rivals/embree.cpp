@@ -1,6 +1,10 @@
 #include "frames/rivals/embree.h"
 
+#if KERF_EMBREE >= 4
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <stdexcept>
 #include <string>

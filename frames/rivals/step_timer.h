@@ -11,6 +11,7 @@ class StepTimer {
  public:
   explicit StepTimer(bool one_thread);
   [[nodiscard]] std::uint64_t nanoseconds() const;
+  [[nodiscard]] double milliseconds() const { return static_cast<double>(nanoseconds()) * 1e-6; }
 
  private:
   bool one_thread_;

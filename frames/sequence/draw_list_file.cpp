@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "kerf-draw-1";
+constexpr const char* kDrawListFormat = "kerf-draw-1";
 
 std::string hex(Color c) {
   char text[16];
@@ -65,7 +65,7 @@ Drawn parse_item(const Json& json) {
 /// One item a line, so that a difference can be read.
 std::string to_json(const StoredIds& stored) {
   const DrawList& list = stored.ids.list;
-  std::string text = "{\"format\": \"" + std::string(kFormat) +
+  std::string text = "{\"format\": \"" + std::string(kDrawListFormat) +
                      "\",\n\"rasterizer\": " + Json(stored.rasterizer).dump() +
                      ",\n\"item\": \"kind, a, b, colour, left, top, right, bottom, pixels\",\n\"items\": [";
   for (std::size_t i = 0; i < list.items.size(); ++i)
@@ -84,7 +84,7 @@ StoredIds parse(const std::filesystem::path& path) {
   if (!file) throw std::runtime_error("cannot read " + path.string());
   try {
     const Json json = Json::parse(file);
-    if (json.at("format") != kFormat) throw std::runtime_error("it is of another format");
+    if (json.at("format") != kDrawListFormat) throw std::runtime_error("it is of another format");
     StoredIds stored;
     stored.rasterizer = json.at("rasterizer");
     for (const Json& item : json.at("items")) stored.ids.list.items.push_back(parse_item(item));

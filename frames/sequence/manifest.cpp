@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "kerf-frames-2";
+constexpr const char* kManifestFormat = "kerf-frames-2";
 
 std::string hex(std::uint64_t hash) {
   char text[17];
@@ -179,7 +179,7 @@ std::uint32_t Manifest::wanted_frames() const {
 }
 
 Manifest begin_manifest(const RenderRequest& request) {
-  Json json = {{"format", kFormat}, {"name", request.name}};
+  Json json = {{"format", kManifestFormat}, {"name", request.name}};
   json.update(origin_json(request));
   const StepRange& steps = request.steps;
   json["steps"] = {{"first", steps.first}, {"last", steps.last}, {"stride", steps.stride}};
@@ -203,7 +203,7 @@ Manifest read_manifest(const std::filesystem::path& folder) {
   if (!file) throw std::runtime_error("cannot read " + path.string());
   try {
     Json json = Json::parse(file);
-    if (json.at("format") == kFormat) return from_object(std::move(json));
+    if (json.at("format") == kManifestFormat) return from_object(std::move(json));
   } catch (const std::exception& error) {
     throw std::runtime_error(path.string() + " is damaged (" + error.what() + "): render anew");
   }

@@ -8,7 +8,8 @@
 namespace kerf {
 namespace {
 
-constexpr std::array<std::string_view, kDrawnKindCount> kNames{"object", "leaf", "plane", "pair", "operator"};
+constexpr std::array<std::string_view, kDrawnKindCount> kKindNames{"object", "leaf", "plane", "pair",
+                                                                   "operator"};
 
 /// Glass is up to 0.18 opaque, outlines and cells from 0.25.
 constexpr std::uint8_t kLeastAlpha = 56;
@@ -45,7 +46,7 @@ Color mean_of(const Sum& sum) {
 
 }  // namespace
 
-std::string_view to_string(DrawnKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
+std::string_view to_string(DrawnKind kind) { return kKindNames[static_cast<std::size_t>(kind)]; }
 
 std::string name_of(const Drawn& drawn) {
   std::string kind(to_string(drawn.kind));

@@ -7,21 +7,21 @@
 namespace kerf {
 namespace {
 
-constexpr std::array<std::string_view, kLayerCount> kNames{"objects",  "partitioners", "leaves", "pairs",
-                                                           "contacts", "operators",    "legend", "caption"};
+constexpr std::array<std::string_view, kLayerCount> kLayerNames{
+    "objects", "partitioners", "leaves", "pairs", "contacts", "operators", "legend", "caption"};
 
 Layer layer_at(int index) { return static_cast<Layer>(index); }
 
 std::optional<Layer> find_layer(std::string_view name) {
   for (int i = 0; i < kLayerCount; ++i)
-    if (kNames[static_cast<std::size_t>(i)] == name) return layer_at(i);
+    if (kLayerNames[static_cast<std::size_t>(i)] == name) return layer_at(i);
   return std::nullopt;
 }
 
 [[noreturn]] void fail(std::string_view what) {
   std::string message(what);
   message += "; layers are";
-  for (const std::string_view name : kNames) message.append(" ").append(name);
+  for (const std::string_view name : kLayerNames) message.append(" ").append(name);
   message += ", or all, or none; +NAME and -NAME change what is shown";
   throw std::invalid_argument(message);
 }
@@ -51,7 +51,7 @@ void apply_item(LayerSet& layers, std::string_view item, bool first) {
 
 }  // namespace
 
-std::string_view to_string(Layer layer) { return kNames[static_cast<std::size_t>(layer)]; }
+std::string_view to_string(Layer layer) { return kLayerNames[static_cast<std::size_t>(layer)]; }
 
 LayerSet LayerSet::parse(std::string_view text, LayerSet base) {
   LayerSet layers = base;
@@ -70,7 +70,7 @@ std::string to_string(LayerSet layers) {
   for (int i = 0; i < kLayerCount; ++i) {
     if (!layers.has(layer_at(i))) continue;
     if (!text.empty()) text += ",";
-    text += kNames[static_cast<std::size_t>(i)];
+    text += kLayerNames[static_cast<std::size_t>(i)];
   }
   return text.empty() ? "none" : text;
 }

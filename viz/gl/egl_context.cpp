@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-[[noreturn]] void fail(const std::string& what) {
+[[noreturn]] void fail_egl(const std::string& what) {
   throw std::runtime_error("EGL: " + what +
                            "; draw with --backend osmesa, or install Mesa's EGL (on Debian: "
                            "apt-get install libegl1 libegl-mesa0)");
@@ -32,9 +32,9 @@ struct EglLibrary {
 
   EglLibrary() {
     void* const library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) fail("libEGL.so.1 cannot be loaded");
+    if (library == nullptr) fail_egl("libEGL.so.1 cannot be loaded");
     get_proc_address = reinterpret_cast<PFNEGLGETPROCADDRESSPROC>(dlsym(library, "eglGetProcAddress"));
-    if (get_proc_address == nullptr) fail("libEGL.so.1 has no eglGetProcAddress");
+    if (get_proc_address == nullptr) fail_egl("libEGL.so.1 has no eglGetProcAddress");
     load(get_platform_display, "eglGetPlatformDisplayEXT");
     load(initialize, "eglInitialize");
     load(bind_api, "eglBindAPI");
@@ -48,7 +48,7 @@ struct EglLibrary {
   template <class Function>
   void load(Function& function, const char* name) {
     function = reinterpret_cast<Function>(get_proc_address(name));
-    if (function == nullptr) fail(std::string("it has no ") + name);
+    if (function == nullptr) fail_egl(std::string("it has no ") + name);
   }
 };
 
@@ -66,7 +66,7 @@ class EglContext final : public GlContext {
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
     display_ = egl().get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY || egl().initialize(display_, nullptr, nullptr) == EGL_FALSE)
-      fail("it knows no display without a surface");
+      fail_egl("it knows no display without a surface");
     try {
       context_ = create();
       make_current();
@@ -82,7 +82,7 @@ class EglContext final : public GlContext {
   void make_current() override {
     egl().set_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (egl().set_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
-      fail("it refuses its context");
+      fail_egl("it refuses its context");
   }
 
   [[nodiscard]] const GlFunctions& functions() const override { return functions_; }
@@ -103,9 +103,9 @@ class EglContext final : public GlContext {
     EGLint found = 0;
     egl().bind_api(EGL_OPENGL_API);
     if (egl().choose_config(display_, kConfig.data(), &config, 1, &found) == EGL_FALSE || found < 1)
-      fail("it has no configuration for OpenGL");
+      fail_egl("it has no configuration for OpenGL");
     EGLContext context = egl().create_context(display_, config, EGL_NO_CONTEXT, kContext.data());
-    if (context == EGL_NO_CONTEXT) fail("it cannot make an OpenGL 3.3 core context");
+    if (context == EGL_NO_CONTEXT) fail_egl("it cannot make an OpenGL 3.3 core context");
     return context;
   }
 

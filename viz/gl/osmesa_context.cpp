@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-[[noreturn]] void fail(const std::string& what) {
+[[noreturn]] void fail_osmesa(const std::string& what) {
   throw std::runtime_error(
       "OSMesa: " + what + "; draw with --backend egl, or install it (on Debian: apt-get install libosmesa6)");
 }
@@ -25,7 +25,7 @@ struct OsmesaLibrary {
   decltype(&OSMesaGetProcAddress) get_proc_address = nullptr;
 
   OsmesaLibrary() : library_(dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL)) {
-    if (library_ == nullptr) fail("libOSMesa.so.8 cannot be loaded");
+    if (library_ == nullptr) fail_osmesa("libOSMesa.so.8 cannot be loaded");
     load(create_context, "OSMesaCreateContextAttribs");
     load(destroy_context, "OSMesaDestroyContext");
     load(set_current, "OSMesaMakeCurrent");
@@ -36,7 +36,7 @@ struct OsmesaLibrary {
   template <class Function>
   void load(Function& function, const char* name) {
     function = reinterpret_cast<Function>(dlsym(library_, name));
-    if (function == nullptr) fail(std::string("it has no ") + name);
+    if (function == nullptr) fail_osmesa(std::string("it has no ") + name);
   }
 
   void* library_;
@@ -50,7 +50,7 @@ const OsmesaLibrary& osmesa() {
 class OsmesaContext final : public GlContext {
  public:
   OsmesaContext() : context_(osmesa().create_context(kAttributes.data(), nullptr)) {
-    if (context_ == nullptr) fail("it cannot make an OpenGL 3.3 core context");
+    if (context_ == nullptr) fail_osmesa("it cannot make an OpenGL 3.3 core context");
     try {
       make_current();
       functions_ = load_gl_functions(osmesa().get_proc_address);
@@ -63,7 +63,7 @@ class OsmesaContext final : public GlContext {
 
   void make_current() override {
     if (osmesa().set_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide) == GL_FALSE)
-      fail("it refuses its context");
+      fail_osmesa("it refuses its context");
   }
 
   [[nodiscard]] const GlFunctions& functions() const override { return functions_; }

@@ -38,7 +38,7 @@ using Bytes = std::span<const std::uint8_t>;
 constexpr std::size_t kMaxBytes = std::size_t{1}
                                   << 30U;  // what stb_image can be given; a device may be endless
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
+[[noreturn]] void fail_reading(const std::filesystem::path& path, const std::string& reason) {
   throw std::runtime_error("cannot read " + path.string() + ": " + reason);
 }
 
@@ -53,17 +53,17 @@ std::vector<std::uint8_t> read_whole_file(const std::filesystem::path& path) {
     void operator()(std::FILE* f) const { std::fclose(f); }
   };
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) fail(path, "it is a folder");
+  if (std::filesystem::is_directory(path, error)) fail_reading(path, "it is a folder");
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-  if (file == nullptr) fail(path, std::generic_category().message(errno));
+  if (file == nullptr) fail_reading(path, std::generic_category().message(errno));
   std::vector<std::uint8_t> bytes;
   std::vector<std::uint8_t> block(1U << 16U);
   while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
     bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count));
-    if (!starts_like_png(bytes)) fail(path, "it is not a PNG");
+    if (!starts_like_png(bytes)) fail_reading(path, "it is not a PNG");
     if (bytes.size() > kMaxBytes) break;
   }
-  if (std::ferror(file.get()) != 0) fail(path, std::generic_category().message(errno));
+  if (std::ferror(file.get()) != 0) fail_reading(path, std::generic_category().message(errno));
   return bytes;
 }
 
@@ -75,19 +75,20 @@ void check_header(const std::filesystem::path& path, const std::uint8_t* header,
   const std::uint32_t width = read_u32(header);
   const std::uint32_t height = read_u32(header + 4);
   if (width == 0 || height == 0 || width > kMaxImageSide || height > kMaxImageSide) {
-    fail(path, "an image of " + std::to_string(width) + "x" + std::to_string(height) + " pixels; 1 to " +
-                   std::to_string(kMaxImageSide) + " a side can be read");
+    fail_reading(path, "an image of " + std::to_string(width) + "x" + std::to_string(height) +
+                           " pixels; 1 to " + std::to_string(kMaxImageSide) + " a side can be read");
   }
   // Deflate shrinks at most 1032 times: what promises more pixels than its data can hold is not believed.
   constexpr std::uint64_t kDeflateLimit = 1032;
   const std::uint64_t least_bytes = std::uint64_t{height} * (1 + width * std::uint64_t{header[8]} / 8);
-  if (least_bytes > kDeflateLimit * (compressed + 1)) fail(path, "it has fewer pixels than it claims");
+  if (least_bytes > kDeflateLimit * (compressed + 1))
+    fail_reading(path, "it has fewer pixels than it claims");
 }
 
 /// Walks the chunks: they must be whole, undamaged, begin with a header that can be true and end with IEND.
 void check_chunks(const std::filesystem::path& path, Bytes bytes) {
   const auto truncated = [&path, &bytes] {
-    fail(path, "the file is truncated (it ends after " + std::to_string(bytes.size()) + " bytes)");
+    fail_reading(path, "the file is truncated (it ends after " + std::to_string(bytes.size()) + " bytes)");
   };
   constexpr std::size_t kFrame = 12;  // length, type and checksum of a chunk
   std::size_t at = png::kSignature.size();
@@ -100,13 +101,13 @@ void check_chunks(const std::filesystem::path& path, Bytes bytes) {
     if (length > bytes.size() - at - kFrame) truncated();
     const std::string type(chunk + 4, chunk + 8);
     if (read_u32(chunk + 8 + length) != libdeflate_crc32(0, chunk + 4, length + 4))
-      fail(path, "it is damaged (checksum of chunk " + type + " at byte " + std::to_string(at) + ")");
+      fail_reading(path, "it is damaged (checksum of chunk " + type + " at byte " + std::to_string(at) + ")");
     if (header == nullptr) {
-      if (type != "IHDR" || length != 13) fail(path, "it does not begin with a PNG header");
+      if (type != "IHDR" || length != 13) fail_reading(path, "it does not begin with a PNG header");
       header = chunk + 8;
     }
     // Allowed, but no program writes it, and stb_image copies it to nowhere.
-    if (type == "IDAT" && length == 0) fail(path, "a chunk of its picture data is empty");
+    if (type == "IDAT" && length == 0) fail_reading(path, "a chunk of its picture data is empty");
     if (type == "IDAT") compressed += length;
     end = type == "IEND";
     at += kFrame + length;
@@ -119,9 +120,9 @@ void check_chunks(const std::filesystem::path& path, Bytes bytes) {
 Image read_png(const std::filesystem::path& path) { return read_png(read_whole_file(path), path); }
 
 Image read_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  if (bytes.empty()) fail(path, "the file is empty");
-  if (bytes.size() > kMaxBytes) fail(path, "the file is too long for a PNG");
-  if (!starts_like_png(bytes)) fail(path, "it is not a PNG");
+  if (bytes.empty()) fail_reading(path, "the file is empty");
+  if (bytes.size() > kMaxBytes) fail_reading(path, "the file is too long for a PNG");
+  if (!starts_like_png(bytes)) fail_reading(path, "it is not a PNG");
   check_chunks(path, bytes);
   Image image;
   struct Free {
@@ -130,7 +131,7 @@ Image read_png(std::span<const std::uint8_t> bytes, const std::filesystem::path&
   int channels = 0;
   const std::unique_ptr<stbi_uc, Free> pixels(stbi_load_from_memory(
       bytes.data(), static_cast<int>(bytes.size()), &image.width, &image.height, &channels, 4));
-  if (pixels == nullptr) fail(path, std::string("it is damaged (") + stbi_failure_reason() + ")");
+  if (pixels == nullptr) fail_reading(path, std::string("it is damaged (") + stbi_failure_reason() + ")");
   image.rgba.assign(pixels.get(), pixels.get() + image.stride() * static_cast<std::size_t>(image.height));
   return image;
 }

@@ -21,12 +21,12 @@
 namespace kerf {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
+[[noreturn]] void fail_writing(const std::filesystem::path& path, const std::string& reason) {
   throw std::runtime_error("cannot write " + path.string() + ": " + reason);
 }
 
 [[noreturn]] void fail_with_errno(const std::filesystem::path& path, int error) {
-  fail(path, std::generic_category().message(error));
+  fail_writing(path, std::generic_category().message(error));
 }
 
 bool is_opaque(const Image& image) {
@@ -138,12 +138,12 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 void write_png(const std::filesystem::path& path, const Image& image) {
   if (image.width < 1 || image.height < 1 || image.width > kMaxImageSide || image.height > kMaxImageSide ||
       image.rgba.size() != image.stride() * static_cast<std::size_t>(image.height)) {
-    fail(path, "an image of " + std::to_string(image.width) + "x" + std::to_string(image.height) +
-                   " pixels and " + std::to_string(image.rgba.size()) + " bytes is none");
+    fail_writing(path, "an image of " + std::to_string(image.width) + "x" + std::to_string(image.height) +
+                           " pixels and " + std::to_string(image.rgba.size()) + " bytes is none");
   }
   std::error_code ignored;
   if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
-    fail(path, "it exists and is not a file");
+    fail_writing(path, "it exists and is not a file");
   std::filesystem::path part = path;
   part += "." + std::to_string(getpid()) + ".part";
   int error = write_whole_file(part, encode_png(image));

@@ -73,9 +73,9 @@ void write_scene(const LoopScene& scene, const CellStore& store, Page& page) {
                   "while it stays near the control.");
   page.table("distances after the last step, units of the scene",
              {{"setting", "setting"},
-              {"lower quartile", "low", kShortest},
-              {"median", "median", kShortest},
-              {"upper quartile", "high", kShortest},
+              {"lower quartile", "low", kShortestDigits},
+              {"median", "median", kShortestDigits},
+              {"upper quartile", "high", kShortestDigits},
               {"step of 0.1 units", "parted"},
               {"seeds", "seeds"}},
              rows, {}, true);

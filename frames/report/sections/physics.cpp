@@ -18,8 +18,8 @@ const std::vector<TableColumn> kColumns{{"setting", "setting"},
                                         {"mean ns", "mean_ns", 1},
                                         {"deepest penetration", "depth", 3},
                                         {"of all seeds", "depth_max", 3},
-                                        {"energy drift", "drift", kShortest},
-                                        {"signed", "signed_drift", kShortest},
+                                        {"energy drift", "drift", kShortestDigits},
+                                        {"signed", "signed_drift", kShortestDigits},
                                         {"energy", "energy", 3}};
 
 /// The mean of a list of one run over its last quarter.

@@ -1,0 +1,57 @@
+# What users link, and how they find it once it is installed: kerf::bsp, kerf::scene and kerf::recording by
+# find_package(kerf), and one pkg-config file for each. A header is included as here: #include "core/bsp/bsp.h".
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+option(KERF_INSTALL "Install what is for users" ${PROJECT_IS_TOP_LEVEL})
+set(kerf_headers ${CMAKE_INSTALL_INCLUDEDIR}/kerf)
+set(kerf_package ${CMAKE_INSTALL_LIBDIR}/cmake/kerf)
+
+# kerf_for_users(TARGET) makes the library kerf_PART known as kerf::PART, here and where it is installed.
+function(kerf_for_users target)
+  string(REPLACE "kerf_" "" part ${target})
+  add_library(kerf::${part} ALIAS ${target})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${part} VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL "SHARED_LIBRARY")
+    # Only names that speak of ours are exported, none of the libraries that are compiled in.
+    target_link_options(${target} PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/exported_names)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/exported_names)
+  endif()
+  if(KERF_INSTALL)
+    install(TARGETS ${target} EXPORT kerf-targets
+      FILE_SET HEADERS DESTINATION ${kerf_headers}
+      FILE_SET with_source DESTINATION ${kerf_headers})
+  endif()
+endfunction()
+
+# kerf_pkg_config(TARGET DESCRIPTION [OURS TARGET...] [OTHERS MODULE...]) installs kerf-PART.pc. A static library asks for
+# the others openly, since whoever links it needs them, too.
+function(kerf_pkg_config target KERF_DESCRIPTION)
+  cmake_parse_arguments(PARSE_ARGV 2 needs "" "" "OURS;OTHERS")
+  string(REPLACE "_" "-" KERF_MODULE ${target})
+  set(KERF_LIBRARY ${target})
+  string(REPLACE "_" "-" KERF_REQUIRES "${needs_OURS}")
+  set(KERF_REQUIRES_PRIVATE ${needs_OTHERS})
+  get_target_property(type ${target} TYPE)
+  if(NOT type STREQUAL "SHARED_LIBRARY")
+    list(APPEND KERF_REQUIRES ${needs_OTHERS})
+    set(KERF_REQUIRES_PRIVATE)
+  endif()
+  list(JOIN KERF_REQUIRES " " KERF_REQUIRES)
+  list(JOIN KERF_REQUIRES_PRIVATE " " KERF_REQUIRES_PRIVATE)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/kerf.pc.in ${PROJECT_BINARY_DIR}/${KERF_MODULE}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${KERF_MODULE}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+# kerf_install_package() installs what find_package(kerf) reads.
+function(kerf_install_package)
+  install(EXPORT kerf-targets NAMESPACE kerf:: DESTINATION ${kerf_package})
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/kerf-config.cmake.in ${PROJECT_BINARY_DIR}/kerf-config.cmake
+    INSTALL_DESTINATION ${kerf_package})
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/kerf-config-version.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/kerf-config.cmake ${PROJECT_BINARY_DIR}/kerf-config-version.cmake
+    DESTINATION ${kerf_package})
+endfunction()

@@ -1,0 +1,47 @@
+# What `./run lint` checks: what compilers and tools say of the sources, not what the program does. These tests carry the
+# label lint, and belong into the build of the preset lint: none of the program is optimised in it.
+
+# kerf_lint_test(NAME COMMAND...) is such a test; `kerf_lint_test(NAME)` is one whose tool this system does not have.
+function(kerf_lint_test name)
+  if(ARGC EQUAL 1)
+    add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E false)
+    set_tests_properties(${name} PROPERTIES DISABLED ON)
+  else()
+    add_test(NAME ${name} COMMAND ${ARGN})
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT 2400 RUN_SERIAL ON LABELS lint)
+endfunction()
+
+# The targets come later in the configuration, so a test asks the build for them by name.
+function(kerf_lint_build name target)
+  kerf_lint_test(${name} ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target ${target} -- -k 0)
+endfunction()
+
+# The same runs give the same hashes. This build, which does not optimise, is compared with the other ends of what
+# compilers do; without variants the script compares them all.
+find_program(KERF_CLANG NAMES clang++-14 clang++-19)
+kerf_lint_test(Determinism.CompilersAndLevelsAgree
+  ${CMAKE_CURRENT_SOURCE_DIR}/determinism/compare_builds ${PROJECT_BINARY_DIR}/variants
+  $<TARGET_FILE:kerf_fingerprint> g++:-O3 ${KERF_CLANG}:-O3)
+
+# Kerf in another project, in each of the ways in which it gets there.
+kerf_lint_test(Embed.InstalledAndAsSources ${CMAKE_CURRENT_SOURCE_DIR}/embed/check_embed ${PROJECT_BINARY_DIR}/embed)
+
+kerf_lint_build(House.HeadersCompileAlone all_verify_interface_header_sets)
+
+# Releases of the tools disagree, so there is one of each.
+find_program(KERF_CLANG_TIDY clang-tidy-14)
+find_program(KERF_CLANG_FORMAT clang-format-14)
+if(KERF_CLANG_TIDY)
+  kerf_lint_build(House.ClangTidyIsContent kerf_lint)
+  kerf_lint_test(House.ClangTidyFindsWhatIsPlantedInABatch
+    ${CMAKE_CURRENT_SOURCE_DIR}/house/check_tidy_batch ${PROJECT_SOURCE_DIR}/cmake/tidy_batch ${KERF_CLANG_TIDY}
+    ${PROJECT_SOURCE_DIR}/.clang-tidy ${CMAKE_CURRENT_BINARY_DIR}/planted_batch)
+else()
+  kerf_lint_test(House.ClangTidyIsContent)
+endif()
+if(KERF_CLANG_FORMAT)
+  kerf_lint_build(House.ClangFormatIsContent kerf_format_check)
+else()
+  kerf_lint_test(House.ClangFormatIsContent)
+endif()
