@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/tuning.h"
 #include "core/kernels/divide_list.h"
 #include "core/kernels/prefetch.h"
 
@@ -49,9 +50,8 @@ void make_room(StreamBuffer& buffer, std::size_t size) {
 
 /// Gives back what a list of everybody needed, when lists are short.
 void give_back(StreamMemory& memory, std::size_t listed) {
-  constexpr std::size_t kManyTimes = 8;
   for (StreamBuffer& buffer : memory.by_thread)
-    if (buffer.places.size() > kManyTimes * (listed + kDividePad)) buffer = {};
+    if (buffer.places.size() > tuning::kListExcess * (listed + kDividePad)) buffer = {};
 }
 
 /// Objects whose places are their ids.
@@ -165,7 +165,7 @@ class Streamer {
     std::size_t right = done.right;
     with_intervals<D>(tree_, objects_, node.direction, [&](auto interval_of) {
       for (std::size_t k = done.done; k < range.end; ++k) {
-        prefetch(&objects_.boxes()[places[std::min(k + kPrefetchAhead, range.end - 1)]]);
+        prefetch(&objects_.boxes()[places[std::min(k + tuning::kPrefetchAhead, range.end - 1)]]);
         const std::uint32_t place = places[k];
         const Sides sides = classify(interval_of(place), offset);
         const DepthMask mask = straddle[k] | (static_cast<DepthMask>(sides.left & sides.right) << depth);
@@ -192,7 +192,7 @@ class Streamer {
     return divide_list<D>({&first[node.direction], &first[PackedBox<D>::kHalf + node.direction],
                            node.plane.offset, depth_bit(node.depth), buffer_.places.data(),
                            buffer_.straddle.data(), range.begin, range.end,
-                           exceeds(objects_.boxes(), kOwnCache)});
+                           exceeds(objects_.boxes(), tuning::kOwnCache)});
   }
 
   const Tree<D>& tree_;

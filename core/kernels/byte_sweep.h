@@ -25,6 +25,8 @@ class ByteSweep {
   /// pairs.
   void find(const LeafView<D>& leaf, PairBuffer& pairs);
 
+  bool may_be_dense = true;  ///< false: floats confirm all pairs, however dense the boxes lie
+
   // The kernels' memory, kept between leaves.
   static constexpr std::size_t kPad = 64;  ///< bytes that may be read beyond the end of a plane
   std::vector<ByteKey<D>> keys;            ///< of the entries as they came

@@ -8,7 +8,7 @@
 #include "core/base/append_buffer.h"
 #include "core/kernels/found_rows.h"
 #include "core/kernels/leaf_view.h"
-#include "core/kernels/standing_list.h"
+#include "core/kernels/resting_list.h"
 
 namespace kerf {
 
@@ -31,13 +31,12 @@ enum class Names : std::uint8_t {
 /// An object has no fat while its box equals its fat box.
 template <int D>
 struct KeptLeaf {
-  std::uint32_t generation = 0;  ///< one more than that of the node whose leaf this is; 0: nothing is kept
   ByteScale<D> bytes;
   std::vector<std::uint32_t> objects;
   std::vector<DepthMask> apart;
   std::vector<std::uint8_t> planes;  ///< min of each axis, then max, `stride` bytes each
   std::size_t stride = 0;
-  StandingList standing;         ///< pairs of objects without fat
+  RestingList resting;           ///< pairs of objects without fat
   std::vector<Pair> candidates;  ///< other pairs of fat boxes; the first is of the lower object
   Names names = Names::objects;  ///< of the candidates
   std::vector<RestlessEntry> restless;

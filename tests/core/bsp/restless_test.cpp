@@ -124,7 +124,7 @@ std::uint32_t count_restless(const kerf::Bsp<D, Trace>& tree) {
 
 template <int D, class Trace>
 bool keeps(const kerf::Bsp<D, Trace>& tree) {
-  return tree.state().keep_or_sweep.keeps();
+  return tree.mode() == Mode::kept;
 }
 
 template <class T>

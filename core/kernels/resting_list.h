@@ -10,8 +10,8 @@
 namespace kerf {
 
 /// The pairs of a leaf that stand until one of their objects moves, and where the first of them have their
-/// place among the pairs of every step (see StandingPairs).
-struct StandingList {
+/// place among the pairs of every step (see RestingPairs).
+struct RestingList {
   std::vector<Pair> pairs;
   std::size_t place = 0;               ///< of the first, among the pairs of a step
   std::size_t room = 0;                ///< so many have their place there
