@@ -25,12 +25,13 @@ namespace kerf {
 template <int D>
 struct BspState;
 
-/// The Semi-Adjusting BSP-tree as a broad phase (paper sections 3 to 5). `Trace` is told of every event; with
-/// NoTrace watching costs nothing.
+/// The Semi-Adjusting BSP-tree as a broad phase (paper sections 3 to 5). Every event is reported to `Trace`;
+/// with NoTrace that costs nothing.
 ///
 /// A step gathers the requests, chooses a mode, places the objects, lets the scheduler's operators adjust the
 /// tree, and finds the pairs. How objects are placed and pairs are found is the business of the mode's
-/// strategy: OrderedStep, SweptStep or KeptStep.
+/// strategy: OrderedStep, SweptStep or KeptStep. This class has thirteen fields, since it is where all parts
+/// of a step meet; what they do with each other is in `adapt`, `place` and `find_pairs`, and nowhere else.
 template <int D, class Trace = NoTrace>
 class Bsp final : public BroadPhase<D> {
  public:

@@ -47,7 +47,7 @@ void view_restless(const KeptLeaf<D>& leaf, const ObjectTable<D>& table, LeafVie
   for (const auto& [object, apart] : leaf.restless) push_back(view, table.packed({object}), {object}, apart);
 }
 
-/// Of the entries that come, those that are kept; the others go into the leaf's list of restless ones.
+/// The entries that come and are kept; the others go into the leaf's list of restless entries.
 template <int D>
 void view_coming(std::span<const EntryChange> changes, const ObjectTable<D>& fat, KeptLeaf<D>& leaf,
                  LeafView<D>& view) {
@@ -75,8 +75,8 @@ std::span<const std::uint8_t> mark_fat(const KeptObjects<D>& objects, const Kept
   return marks;
 }
 
-/// Takes pairs of fat boxes, named as the leaf's candidates are. What is the first to come gets no room for
-/// more: most leaves get no more.
+/// Takes pairs of fat boxes, named as the leaf's candidates are. The first pairs get no room for more, since
+/// most leaves get no more.
 template <int D, class HasFat>
 void keep_pairs(std::span<const Pair> pairs, HasFat has_fat, KeptLeaf<D>& leaf) {
   const auto objects_of = [&leaf](const Pair& pair) {
@@ -109,20 +109,20 @@ void name_by_places(LeafView<D>& view) {
   for (std::uint32_t k = 0; k < view.size(); ++k) view.objects[k] = {k};
 }
 
-/// Whether of a leaf with so many restless entries nothing is kept; one that is swept goes on with fewer.
+/// Whether a leaf with so many restless entries keeps nothing. A leaf that is swept goes on with fewer.
 bool are_many(std::size_t restless, std::size_t entries, bool swept) {
   return restless * (swept ? tuning::kEntriesPerRestlessIfSwept : tuning::kEntriesPerRestless) > entries;
 }
 
-/// For the boxes that the filter will read in any order, unless it needs but a few, or gathers them itself.
-/// Always inlined, for the reason why `prefetch` is.
+/// Prefetches the boxes that the filter will read in any order, unless it needs only a few, or gathers them
+/// itself. Always inlined, for the reason why `prefetch` is.
 template <int D>
 HWY_INLINE void ask_for_boxes(const KeptLeaf<D>& leaf, const ObjectTable<D>& latest) {
   if (leaf.names == Names::places || leaf.candidates.size() < leaf.objects.size()) return;
   for (const std::uint32_t object : leaf.objects) prefetch(&latest.packed({object}));
 }
 
-/// Forgets all that is known of the leaf but how many restless entries it has.
+/// Forgets all of the leaf but its number of restless entries.
 template <int D>
 void begin_sweeping(KeptLeaf<D>& leaf, std::size_t restless_entries) {
   KeptLeaf<D> swept;
@@ -227,8 +227,8 @@ void KeptPairs<D>::patch(const Objects& objects, Changes changes, LeafScratch<D>
       std::as_const(scratch.pairs).all(), [&](ObjectId object) { return objects.has_fat(object); }, leaf);
 }
 
-/// A few objects are looked for one by one; for many, one pass over all pairs is cheaper. `objects`: the room
-/// for marks.
+/// A few objects are looked for one by one; for many, one pass over all pairs is cheaper. `objects`: one more
+/// than the largest id.
 template <int D>
 void KeptPairs<D>::drop_going(Changes changes, std::size_t objects, LeafScratch<D>& scratch) {
   KeptLeaf<D>& leaf = leaves_[changes.front().leaf];

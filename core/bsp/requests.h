@@ -55,7 +55,7 @@ class Requests {
   [[nodiscard]] bool are_moves() const { return only_moves_; }
   [[nodiscard]] std::span<ObjectFlags> flags() { return flags_; }
   [[nodiscard]] std::span<const ObjectFlags> flags() const { return flags_; }
-  /// Lists an object that nobody requested to be placed anew.
+  /// Lists an object as changed though it was not requested.
   void add(ObjectId object, ObjectFlags flags, const PackedBox<D>& before);
   /// There are flags for all objects from now on.
   void make_room() { flags_.resize(latest_.bound(), flag::kUnplaced); }

@@ -21,7 +21,7 @@ template <int D>
 class RestingPairs {
  public:
   void clear() { size_ = wrong_ = 0; }
-  /// Leaves in `pairs`, which are those of the step before or none, nothing but the stretches.
+  /// `pairs` has those of the last step, or none. Afterwards it has nothing but the stretches.
   void begin_step(const Tree<D>& tree, KeptLeaves<D>& leaves, PairBuffer& pairs);
   /// Call it when the other pairs are appended and all leaves are up to date.
   void end_step(const Tree<D>& tree, KeptLeaves<D>& leaves, PairBuffer& pairs);

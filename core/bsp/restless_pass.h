@@ -32,14 +32,14 @@ class RestlessPass {
 
   /// The other restless objects, in ascending order: they left their leaves, or have calmed.
   [[nodiscard]] std::span<const ObjectId> others() const { return others_; }
-  /// What the step costs with kept pairs, over what it would cost if all leaves were swept: an estimate by
-  /// what was counted.
+  /// What the step costs with kept pairs, over what it would cost if all leaves were swept: an estimate from
+  /// the counts.
   [[nodiscard]] float cost() const { return cost_; }
 
  private:
   struct Counts {
     std::size_t followed = 0;   ///< objects
-    std::size_t walked = 0;     ///< those for which the tree was walked down
+    std::size_t walked = 0;     ///< objects for which the tree was walked down
     std::size_t looked_up = 0;  ///< restless entries in leaves that keep pairs
     std::size_t swept = 0;      ///< entries in the other leaves
   };

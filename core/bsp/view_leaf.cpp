@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-/// Where the table is long, boxes are read from anywhere: they are asked for ahead.
+/// In a long table the boxes lie anywhere: they are prefetched.
 template <bool Boxes, int D>
 void view_leaf(const Tree<D>& tree, const ObjectTable<D>& table, NodeId leaf, LeafView<D>& view) {
   const std::vector<Entry>& entries = tree[leaf].entries;

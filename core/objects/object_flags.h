@@ -15,11 +15,11 @@ namespace flag {
 inline constexpr ObjectFlags kChanged = 1;
 /// It is absent or in quarantine: the tree has no entries of it.
 inline constexpr ObjectFlags kUnplaced = 2;
-/// It is in the list of changed objects though nobody moved it: the fat box of its last flight is too large.
+/// It is in the list of changed objects though it was not moved: the fat box of its last flight is too large.
 inline constexpr ObjectFlags kWrapAnew = 4;
 /// It is in the list of changed objects, and was restless before this step.
 inline constexpr ObjectFlags kWasRestless = 8;
-/// It is in the list of changed objects though nobody moved it: it has not moved for long and loses its fat.
+/// It is in the list of changed objects though it was not moved: it rests, and loses its fat.
 inline constexpr ObjectFlags kAtRest = 16;
 /// Its moves request nothing: its box is taken, and the tree follows it by itself. Restless objects have this
 /// bit while pairs are kept.

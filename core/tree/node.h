@@ -9,8 +9,9 @@
 
 namespace kerf {
 
-/// A node of the tree: either inner (a partitioner and two children) or a leaf (entries).
-/// All nodes live in one array; links are indices.
+/// A node of the tree: either inner (a partitioner and two children) or a leaf (entries). All nodes live in one
+/// array; links are indices. It has many fields, since a node is a row of the tree's table: all that is known
+/// of it is here.
 template <int D>
 struct Node {
   Plane<D> plane;               ///< inner: objects with lo <= d are left, with hi > d right

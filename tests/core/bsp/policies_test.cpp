@@ -42,10 +42,8 @@ double side_for(std::uint32_t count) {
 template <class T>
 class Policies : public testing::Test {
  protected:
-  static constexpr int kD = T::value;
-
   /// The motions of a policy's scenes: rest, slow walks, flights, jumps and exchanges.
-  static void move(MovingBoxes<kD>& crowd, std::uint32_t step) {
+  static void move(MovingBoxes<T::value>& crowd, std::uint32_t step) {
     const std::uint32_t phase = step / 25 % 4;
     if (phase == 1) crowd.walk(0.03);
     if (phase == 2) crowd.bounce(1);
@@ -56,10 +54,10 @@ class Policies : public testing::Test {
   /// come in another order. `move(crowd, step)` is called for each of both.
   template <class MotionOfStep>
   static bool is_order_the_same(const Config& with, const Config& without, double side, MotionOfStep motion) {
-    Bsp<kD> one(with);
-    Bsp<kD> other(without);
-    MovingBoxes<kD> crowd_of_one(one, side, 0.7, 3);
-    MovingBoxes<kD> crowd_of_other(other, side, 0.7, 3);
+    Bsp<T::value> one(with);
+    Bsp<T::value> other(without);
+    MovingBoxes<T::value> crowd_of_one(one, side, 0.7, 3);
+    MovingBoxes<T::value> crowd_of_other(other, side, 0.7, 3);
     crowd_of_one.add(400, 6);
     crowd_of_other.add(400, 6);
     bool same = true;

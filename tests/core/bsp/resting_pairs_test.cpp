@@ -129,7 +129,8 @@ TYPED_TEST(Resting, PairsGetAPlaceOnceTheyAreManyAndKeepIt) {
     if (this->tree_[{static_cast<std::uint32_t>(k)}].is_leaf()) this->add(k, 30);
   this->step(7, true);
   this->step(7, true);
-  for (const KeptLeaf<TypeParam::value>& leaf : this->leaves_) EXPECT_TRUE(leaf.resting.others().empty());
+  for (std::size_t k = 0; k < this->leaves_.size(); ++k)
+    EXPECT_TRUE(this->leaves_[this->node(k)].resting.others().empty()) << k;
   const std::vector<Pair> before = this->pairs();
   this->step(7, true);
   EXPECT_EQ(this->pairs(), before);
