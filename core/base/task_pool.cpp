@@ -27,8 +27,7 @@ TaskPool::TaskPool(unsigned threads)
 TaskPool::~TaskPool() = default;
 
 std::size_t TaskPool::pieces() const {
-  constexpr std::size_t kEach = 8;
-  return threads_ == 1 ? 1 : kEach * threads_;
+  return threads_ == 1 ? 1 : tuning::kPiecesPerThread * threads_;
 }
 
 std::size_t TaskPool::slices_of(std::size_t count, std::size_t few) const {

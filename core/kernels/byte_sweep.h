@@ -25,7 +25,9 @@ class ByteSweep {
   /// pairs.
   void find(const LeafView<D>& leaf, PairBuffer& pairs);
 
-  // The kernels' memory, kept between leaves.
+  bool may_be_dense = true;  ///< false: floats confirm all pairs, however dense the boxes lie
+
+  // The kernels' memory, kept between leaves: an array for each thing, since vectors read them side by side.
   static constexpr std::size_t kPad = 64;  ///< bytes that may be read beyond the end of a plane
   std::vector<ByteKey<D>> keys;            ///< of the entries as they came
   std::vector<std::uint32_t> order;        ///< the places of the entries in the view, in order

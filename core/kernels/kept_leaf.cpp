@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/tuning.h"
 #include "core/kernels/prefetch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -146,7 +147,7 @@ HWY_INLINE const PackedBox<D>* gather(const std::vector<std::uint32_t>& objects,
   const std::size_t n = objects.size();
   gathered.resize(std::max(gathered.size(), n));
   for (std::size_t k = 0; k < n; ++k) {
-    prefetch(boxes + objects[std::min(k + kPrefetchAhead, n - 1)]);
+    prefetch(boxes + objects[std::min(k + tuning::kPrefetchAhead, n - 1)]);
     gathered[k] = boxes[objects[k]];
   }
   return gathered.data();
@@ -252,7 +253,7 @@ template <int D>
 void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf) {
   leaf.objects.clear();
   leaf.apart.clear();
-  leaf.standing.pairs.clear();
+  leaf.resting.pairs.clear();
   leaf.candidates.clear();
   leaf.restless.clear();
   if constexpr (D == 2) {
@@ -281,7 +282,7 @@ void drop_object(KeptLeaf<D>& leaf, std::uint32_t object) {
   if (k == leaf.objects.size()) return;
   const std::size_t last = leaf.objects.size() - 1;
   move_entry(leaf, last, k);
-  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.standing.pairs, object, &leaf.standing.changed);
+  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.resting.pairs, object, &leaf.resting.changed);
   if (leaf.names == Names::objects) {
     HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, object, nullptr);
   } else {
@@ -299,10 +300,10 @@ void drop_marked(KeptLeaf<D>& leaf, std::span<const std::uint8_t> marks) {
   };
   const std::size_t before = leaf.objects.size();
   drop_pairs_if(leaf.candidates, [&](const Pair& pair) { return mark_of(pair.a) | mark_of(pair.b); });
-  drop_pairs_if(leaf.standing.pairs,
+  drop_pairs_if(leaf.resting.pairs,
                 [&](const Pair& pair) { return marks[pair.a.index()] | marks[pair.b.index()]; });
-  leaf.standing.changed.resize(std::min(leaf.standing.room, leaf.standing.pairs.size()));
-  std::iota(leaf.standing.changed.begin(), leaf.standing.changed.end(), 0U);  // nearly all
+  leaf.resting.changed.resize(std::min(leaf.resting.room, leaf.resting.pairs.size()));
+  std::iota(leaf.resting.changed.begin(), leaf.resting.changed.end(), 0U);  // nearly all
   std::vector<std::uint32_t> place(before);
   std::uint32_t left = 0;
   for (std::size_t k = 0; k < before; ++k) {

@@ -8,11 +8,11 @@
 #include "core/base/append_buffer.h"
 #include "core/kernels/found_rows.h"
 #include "core/kernels/leaf_view.h"
-#include "core/kernels/standing_list.h"
+#include "core/kernels/resting_list.h"
 
 namespace kerf {
 
-/// An entry of which no pairs are kept.
+/// An entry whose pairs are not kept.
 struct RestlessEntry {
   std::uint32_t object = 0;
   DepthMask apart = 0;
@@ -25,24 +25,23 @@ enum class Names : std::uint8_t {
 };
 
 /// The fat boxes of a leaf in bytes, in no order, so that one object can come, go or be looked up at the cost
-/// of a scan of bytes; and the pairs of fat boxes found among them, which stay candidates for as long as the
-/// boxes stay in their fat ones. Restless objects are listed beside them.
+/// of a scan of bytes; and the pairs of fat boxes found among them, which stay candidates as long as the
+/// boxes stay in their fat boxes. Restless objects are listed beside them.
 ///
 /// An object has no fat while its box equals its fat box.
 template <int D>
 struct KeptLeaf {
-  std::uint32_t generation = 0;  ///< one more than that of the node whose leaf this is; 0: nothing is kept
   ByteScale<D> bytes;
   std::vector<std::uint32_t> objects;
   std::vector<DepthMask> apart;
   std::vector<std::uint8_t> planes;  ///< min of each axis, then max, `stride` bytes each
   std::size_t stride = 0;
-  StandingList standing;         ///< pairs of objects without fat
+  RestingList resting;           ///< pairs of objects without fat
   std::vector<Pair> candidates;  ///< other pairs of fat boxes; the first is of the lower object
   Names names = Names::objects;  ///< of the candidates
   std::vector<RestlessEntry> restless;
-  bool swept = false;  ///< nothing is kept, for too many are restless: the leaf is swept in each step
-  std::size_t restless_entries = 0;  ///< how many of its entries were in the last pass over them
+  bool swept = false;  ///< nothing is kept, since too many are restless: the leaf is swept in each step
+  std::size_t restless_entries = 0;  ///< number of them in the last pass over restless objects
 
   [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/tuning.h"
 #include "core/kernels/prefetch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -19,7 +20,7 @@ HWY_INLINE Stayed stay(const StayJob<D> job) {
   Stayed at;
   const Packed<D> cell = load(job.cell);
   for (std::size_t k = 0; k < job.count; ++k) {
-    prefetch(job.boxes + job.entries[std::min(k + kPrefetchAhead, job.count - 1)].object.index());
+    prefetch(job.boxes + job.entries[std::min(k + tuning::kPrefetchAhead, job.count - 1)].object.index());
     const Entry& entry = job.entries[k];
     const ObjectId object = entry.object;
     const DepthMask straddle = entry.straddle;

@@ -37,8 +37,8 @@ class BroadPhase {
   virtual Status move(ObjectId object, const Box<D>& box) = 0;
   virtual Status move(ObjectId object, const Volume<D>& volume) { return move(object, volume.box); }
   virtual Status remove(ObjectId object) = 0;
-  /// Moves objects[k] to boxes[k] for each k, as so many calls of `move` would: who moves thousands pays no
-  /// call for each. All are done whatever one says; the first status other than `ok` is returned.
+  /// Equivalent to move(objects[k], boxes[k]) for each k, without the cost per call. All are done, whatever
+  /// their statuses. Returns the first status other than `ok`.
   virtual Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) {
     Status first = Status::ok;
     for (std::size_t k = 0; k < objects.size(); ++k) {

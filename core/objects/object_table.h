@@ -66,7 +66,7 @@ class ObjectTable {
   [[nodiscard]] const PackedBox<D>& packed(ObjectId object) const { return boxes_[object.index()]; }
   /// By id, `bound()` of them; those of objects that are not placed mean nothing.
   [[nodiscard]] std::span<const PackedBox<D>> packed() const { return boxes_; }
-  /// For whoever replaces boxes of placed objects by valid ones, many at a time.
+  /// For code that replaces boxes of placed objects by valid ones, many at a time.
   [[nodiscard]] std::span<PackedBox<D>> packed() { return boxes_; }
   /// The numbers that the kind keeps beside the box, `extra_size<D>(kind())` of them.
   [[nodiscard]] const Scalar* extra(ObjectId object) const {

@@ -67,8 +67,7 @@ NodeRef get_ref(ByteReader& in) {
 template <int D>
 void put_node(const Node<D>& node, ByteWriter& out) {
   out.varint(node.generation);
-  out.u8(static_cast<std::uint8_t>((node.alive ? 1U : 0U) | (node.unsorted ? 2U : 0U) |
-                                   (node.changed ? 4U : 0U)));
+  out.u8(static_cast<std::uint8_t>((node.alive ? 1U : 0U) | (node.unsorted ? 2U : 0U)));
   if (!node.alive) return;
   out.varint(node.direction);
   for (const NodeId link : {node.parent, node.left, node.right}) out.u32(link.value);
@@ -91,7 +90,6 @@ Node<D> get_node(ByteReader& in, const DirectionSet<D>& directions, std::size_t 
   const std::uint8_t flags = in.u8();
   node.alive = (flags & 1U) != 0;
   node.unsorted = (flags & 2U) != 0;
-  node.changed = (flags & 4U) != 0;
   if (!node.alive) return node;
   node.direction = static_cast<std::uint32_t>(in.varint());
   for (NodeId* link : {&node.parent, &node.left, &node.right}) link->value = in.u32();
@@ -186,8 +184,8 @@ Bytes encode_keyframe(const BspState<D>& state) {
     out.u8(skin.restless);
     out.varint(skin.seen);
   }
-  out.u8(state.mode);
-  for (const std::uint32_t x : state.keep_or_sweep.memory()) out.varint(x);
+  out.u8(static_cast<std::uint8_t>(state.modes.mode()));
+  for (const std::uint32_t x : state.modes.memory()) out.varint(x);
   out.varint(state.placed);
   out.varint(state.next_event);
   out.varint(state.step);
@@ -208,11 +206,11 @@ BspState<D> decode_keyframe(std::span<const std::uint8_t> bytes,
   get_scheduler(in, state.scheduler);
   state.skins.resize(in.count());
   for (Skin& skin : state.skins) skin = get_skin(in);
-  state.mode = in.u8();
-  if (state.mode > 2) throw std::runtime_error("the recording is damaged: a keyframe has no known mode");
-  KeepOrSweep::Memory memory{};
+  const std::uint8_t mode = in.u8();
+  if (mode >= kModeCount) throw std::runtime_error("the recording is damaged: a keyframe has no known mode");
+  ModeChooser::Memory memory{};
   for (std::uint32_t& x : memory) x = static_cast<std::uint32_t>(in.varint());
-  state.keep_or_sweep.resume(memory);
+  state.modes.resume(static_cast<Mode>(mode), memory);
   state.placed = in.varint();
   state.next_event = in.varint();
   state.step = static_cast<std::uint32_t>(in.varint());

@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 
+#include "core/base/tuning.h"
+
 namespace kerf {
 namespace {
 
@@ -116,8 +118,7 @@ std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above
 
 template <int D>
 void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving) {
-  constexpr std::size_t kFew = 32;  // of so many objects below one that leaves is looked for by its box
-  if (leaving.size() * kFew < tree[from].population) {
+  if (leaving.size() * tuning::kObjectsPerLeaver < tree[from].population) {
     std::vector<NodeId> passed;
     for (const ObjectId object : leaving) reach_nodes(tree, from, object, passed);
     const Departure departure{leaving, passed};
@@ -153,7 +154,7 @@ void displace(Tree<D>& tree, std::span<const Departure> departures, TaskPool& po
 }
 
 template <int D>
-bool stays(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume) {
+bool try_keep_in_leaves(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume) {
   const auto sides_of = [&tree](const auto& what) {
     return
         [&](const Node<D>& node) { return classify(tree.project(node.direction, what), node.plane.offset); };
@@ -208,7 +209,7 @@ std::vector<Stored> collect(const Tree<D>& tree, NodeId from) {
   template std::uint32_t place<D>(Tree<D>&, NodeId, ObjectId, DepthMask);                             \
   template void displace<D>(Tree<D>&, NodeId, std::span<const ObjectId>);                             \
   template void displace<D>(Tree<D>&, std::span<const Departure>, TaskPool&);                         \
-  template bool stays<D>(Tree<D>&, ObjectId, const Volume<D>&);                                       \
+  template bool try_keep_in_leaves<D>(Tree<D>&, ObjectId, const Volume<D>&);                          \
   template void reach<D>(const Tree<D>&, const Box<D>&, std::vector<Reached>&, std::vector<NodeId>&); \
   template bool reach_alike<D>(const Tree<D>&, const Box<D>&, const Box<D>&, std::vector<NodeId>&);   \
   template std::vector<Stored> collect<D>(const Tree<D>&, NodeId);

@@ -53,10 +53,11 @@ void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached
 template <int D>
 bool reach_alike(const Tree<D>& tree, const Box<D>& first, const Box<D>& second, std::vector<NodeId>& leaves);
 
-/// True if a placed object's new volume reaches the same leaves, on the same sides, as the one in the tree's
-/// table; those leaves are then marked for the sort. The entries and the table are as they were.
+/// Keeps a placed object in its leaves if its new volume reaches the same ones, on the same sides, as the one
+/// in the tree's table: marks those leaves for the sort and returns true. Else some leaves may be marked in
+/// vain, and it returns false. The entries and the table stay as they are.
 template <int D>
-bool stays(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume);
+bool try_keep_in_leaves(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume);
 
 /// Every object below `from`, each once.
 template <int D>

@@ -102,7 +102,7 @@ void Tree<D>::drop_marked_entries(NodeId leaf, Visit visit) {
     return is_marked;
   };
   const std::size_t dropped = std::erase_if(node.entries, goes);
-  node.changed |= dropped > 0;
+  if (dropped > 0) ++node.version;
   entries_ -= dropped;
 }
 

@@ -124,7 +124,7 @@ std::uint32_t count_restless(const kerf::Bsp<D, Trace>& tree) {
 
 template <int D, class Trace>
 bool keeps(const kerf::Bsp<D, Trace>& tree) {
-  return tree.state().keep_or_sweep.keeps();
+  return tree.mode() == Mode::kept;
 }
 
 template <class T>
@@ -316,7 +316,7 @@ TYPED_TEST(Restless, WhoLiesStillLosesItsFat) {
   Crowd<kD> crowd(1200, {&tree}, 2);
   for (int step = 0; step < 40; ++step, crowd.shake(0.005F)) tree.step();
   EXPECT_GT(count_fat(tree), 1000U);
-  for (std::uint32_t step = 0; step < 2 * Skin::kLook + 1; ++step) {
+  for (std::uint32_t step = 0; step < 2 * tuning::kLookSteps + 1; ++step) {
     tree.step();
     ASSERT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "") << "step " << step;
     EXPECT_TRUE(keeps(tree)) << step;

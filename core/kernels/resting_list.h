@@ -9,19 +9,19 @@
 
 namespace kerf {
 
-/// The pairs of a leaf that stand until one of their objects moves, and where the first of them have their
-/// place among the pairs of every step (see StandingPairs).
-struct StandingList {
+/// The pairs of a leaf that hold until one of their objects moves, and where the first of them have their
+/// place among the pairs of every step (see RestingPairs).
+struct RestingList {
   std::vector<Pair> pairs;
   std::size_t place = 0;               ///< of the first, among the pairs of a step
-  std::size_t room = 0;                ///< so many have their place there
-  std::vector<std::uint32_t> changed;  ///< where others are now than those that were put there
+  std::size_t room = 0;                ///< number of pairs that have their place there
+  std::vector<std::uint32_t> changed;  ///< places of `pairs` that differ from what was put there
 
   void push_back(const Pair& pair) {
     if (pairs.size() < room) changed.push_back(static_cast<std::uint32_t>(pairs.size()));
     pairs.push_back(pair);
   }
-  /// Those that have no place yet.
+  /// The pairs that have no place yet.
   [[nodiscard]] std::span<const Pair> others() const {
     return std::span(pairs).subspan(room < pairs.size() ? room : pairs.size());
   }

@@ -1,6 +1,6 @@
 // What rests keeps its place among the pairs of a step, whatever comes and goes around it.
 
-#include "core/bsp/standing_pairs.h"
+#include "core/bsp/resting_pairs.h"
 
 #include <gtest/gtest.h>
 
@@ -19,28 +19,29 @@ namespace {
 
 /// The leaves of a tree, each with pairs of objects that only it has.
 template <class T>
-class Standing : public testing::Test {
+class Resting : public testing::Test {
  protected:
   static constexpr int kD = T::value;
   static constexpr std::uint32_t kObjects = 40;  ///< of a leaf
 
-  Standing() : tree_(tree_of<kD>(std::vector<Box<kD>>{box_at<kD>({}, 1)})) {
+  Resting() : tree_(tree_of<kD>(std::vector<Box<kD>>{box_at<kD>({}, 1)})) {
     plant_at_random(tree_, 6, 6, random_);
-    leaves_.resize(tree_.slots());
+    leaves_.make_room(tree_);
     std::vector<NodeId> ids;
     list_leaves(tree_, ids);
     for (const NodeId id : ids) give_life(id.index());
   }
 
+  static NodeId node(std::size_t k) { return {static_cast<std::uint32_t>(k)}; }
   void give_life(std::size_t k) {
     LeafView<kD> view;
     view.boxes.resize(kObjects);
     view.apart.resize(kObjects);
     for (std::uint32_t i = 0; i < kObjects; ++i)
       view.objects.push_back({static_cast<std::uint32_t>(k) * kObjects + i});
-    empty_leaf(view, leaves_[k]);
-    append_entries(view, leaves_[k]);
-    leaves_[k].generation = tree_[{static_cast<std::uint32_t>(k)}].generation + 1;
+    empty_leaf(view, leaves_[node(k)]);
+    append_entries(view, leaves_[node(k)]);
+    leaves_.renew(tree_, node(k));
   }
   [[nodiscard]] std::uint32_t any_object(std::size_t k) {
     return static_cast<std::uint32_t>(k) * kObjects + random_.below(kObjects);
@@ -50,25 +51,25 @@ class Standing : public testing::Test {
       const std::uint32_t a = any_object(k);
       const std::uint32_t b = any_object(k);
       const Pair pair = make_pair({a}, {b});
-      const auto& has = leaves_[k].standing.pairs;
-      if (a != b && std::ranges::find(has, pair) == has.end()) leaves_[k].standing.push_back(pair);
+      const auto& has = leaves_[node(k)].resting.pairs;
+      if (a != b && std::ranges::find(has, pair) == has.end()) leaves_[node(k)].resting.push_back(pair);
     }
   }
   /// What happens to one leaf in one step.
   void change(std::size_t k) {
     switch (random_.below(8)) {
       case 0:
-        drop_object(leaves_[k], any_object(k));
+        drop_object(leaves_[node(k)], any_object(k));
         break;
       case 1: {
         std::vector<std::uint8_t> marks(leaves_.size() * kObjects, 0);
         for (int i = 0; i < 20; ++i) marks[any_object(k)] = 1;
-        drop_marked<kD>(leaves_[k], marks);
+        drop_marked<kD>(leaves_[node(k)], marks);
         break;
       }
       case 2:
-        ++leaves_[k].generation;
-        break;  // of no node
+        ++tree_[node(k)].generation;  // what is kept is of no node
+        break;
       case 3:
         give_life(k);
         [[fallthrough]];
@@ -78,14 +79,14 @@ class Standing : public testing::Test {
   }
   /// One step, with so many other pairs. The leaves change between its begin and its end.
   void step(std::uint32_t others, bool quiet = false) {
-    standing_.begin_step(tree_, leaves_, pairs_);
+    resting_.begin_step(tree_, leaves_, pairs_);
     std::vector<Pair> expected;
     for (std::size_t k = 0; k < leaves_.size(); ++k) {
-      const NodeId id{static_cast<std::uint32_t>(k)};
+      const NodeId id = node(k);
       if (!tree_[id].is_leaf()) continue;
       if (!quiet) change(k);
-      if (!is_known(tree_, leaves_, id)) continue;
-      const StandingList& list = leaves_[k].standing;
+      if (!leaves_.has(tree_, id)) continue;
+      const RestingList& list = leaves_[node(k)].resting;
       expected.insert(expected.end(), list.pairs.begin(), list.pairs.end());
       pairs_.append(list.others());
     }
@@ -94,20 +95,20 @@ class Standing : public testing::Test {
       pairs_.push_back(pair);
       expected.push_back(pair);
     }
-    standing_.end_step(tree_, leaves_, pairs_);
+    resting_.end_step(tree_, leaves_, pairs_);
     ASSERT_TRUE(same_pairs(pairs_.all(), expected));
   }
   [[nodiscard]] std::vector<Pair> pairs() const { return {pairs_.all().begin(), pairs_.all().end()}; }
 
   Random random_{4};
   kerf::Tree<kD> tree_;
-  std::vector<KeptLeaf<kD>> leaves_;
-  StandingPairs<kD> standing_;
+  KeptLeaves<kD> leaves_;
+  RestingPairs<kD> resting_;
   PairBuffer pairs_;
 };
-TYPED_TEST_SUITE(Standing, Dimensions, DimensionNames);
+TYPED_TEST_SUITE(Resting, Dimensions, DimensionNames);
 
-TYPED_TEST(Standing, PairsAreAllToldOnceWhateverLeavesLoseAndGet) {
+TYPED_TEST(Resting, PairsAreAllToldOnceWhateverLeavesLoseAndGet) {
   for (int k = 0; k < 2000; ++k) {
     const bool many_others = this->random_.below(2) == 0;
     this->step(many_others ? 60 : this->random_.below(3));
@@ -115,7 +116,7 @@ TYPED_TEST(Standing, PairsAreAllToldOnceWhateverLeavesLoseAndGet) {
   }
 }
 
-TYPED_TEST(Standing, PairsAreLaidOutAnewForWhoForgetsThoseOfTheLastStep) {
+TYPED_TEST(Resting, PairsAreLaidOutAnewForWhoForgetsThoseOfTheLastStep) {
   for (int k = 0; k < 20; ++k) {
     this->step(5);
     this->pairs_.clear();
@@ -123,19 +124,20 @@ TYPED_TEST(Standing, PairsAreLaidOutAnewForWhoForgetsThoseOfTheLastStep) {
   this->step(0, true);
 }
 
-TYPED_TEST(Standing, PairsGetAPlaceOnceTheyAreManyAndKeepIt) {
+TYPED_TEST(Resting, PairsGetAPlaceOnceTheyAreManyAndKeepIt) {
   for (std::size_t k = 0; k < this->leaves_.size(); ++k)
     if (this->tree_[{static_cast<std::uint32_t>(k)}].is_leaf()) this->add(k, 30);
   this->step(7, true);
   this->step(7, true);
-  for (const KeptLeaf<TypeParam::value>& leaf : this->leaves_) EXPECT_TRUE(leaf.standing.others().empty());
+  for (std::size_t k = 0; k < this->leaves_.size(); ++k)
+    EXPECT_TRUE(this->leaves_[this->node(k)].resting.others().empty()) << k;
   const std::vector<Pair> before = this->pairs();
   this->step(7, true);
   EXPECT_EQ(this->pairs(), before);
 }
 
 /// A crowd at rest in which one object jumps: nearly all pairs stay where they are.
-TYPED_TEST(Standing, PairsOfACrowdAtRestStayWhereTheyAre) {
+TYPED_TEST(Resting, PairsOfACrowdAtRestStayWhereTheyAre) {
   constexpr int kDimension = TypeParam::value;
   constexpr std::uint32_t kCount = 4000;
   Random random(6);
