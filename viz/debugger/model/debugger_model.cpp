@@ -1,6 +1,7 @@
 #include "viz/debugger/model/debugger_model.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -105,9 +106,16 @@ Run::Progress DebuggerModel::noticing(bool& ended) const {
 }
 
 void DebuggerModel::pass_time(double seconds) {
-  if (!playing) return;
+  if (!playing) {
+    due_ = 0;
+    return;
+  }
   due_ += seconds * speed;
   for (; due_ >= 1 && playing; due_ -= 1) step(granularity, true);
+}
+
+double DebuggerModel::seconds_to_next() const {
+  return playing ? (1 - due_) / speed : std::numeric_limits<double>::infinity();
 }
 
 void DebuggerModel::select(const Selection& selection) {

@@ -56,6 +56,8 @@ class DebuggerModel {
   void run_to_breakpoint(bool forwards);
   /// Plays on by so many seconds, if it plays.
   void pass_time(double seconds);
+  /// After so many seconds more it goes on; infinity if it does not play.
+  [[nodiscard]] double seconds_to_next() const;
 
   bool playing = false;
   double speed = 10;                          ///< what is played a second, in steps or events
