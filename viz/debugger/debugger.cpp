@@ -262,7 +262,7 @@ void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
   if (hovered && io.MouseWheel != 0) view_->zoom(double{io.MouseWheel}, x, y);
   if (!hovered || !ImGui::IsMouseDoubleClicked(0)) return;
   const Selection picked = view_->pick(x, y, io.KeyCtrl);
-  if (const auto* object = std::get_if<ObjectId>(&picked)) {
+  if (const auto object = object_in(picked)) {
     context.model.select_object(*object, io.KeyShift);
   } else {
     context.model.select(picked);

@@ -6,9 +6,9 @@
 
 #include "viz/draw/batch.h"
 #include "viz/draw/camera.h"
+#include "viz/draw/cells.h"
 #include "viz/draw/draw_list.h"
 #include "viz/draw/frame_renderer.h"
-#include "viz/draw/skeleton.h"
 
 namespace kerf {
 
@@ -23,7 +23,7 @@ template <int D>
 struct DrawContext {
   const FrameInput<D>& input;
   const View& view;
-  const Skeleton<D>& skeleton;
+  const TreeSnapshotOf<D>& snapshot;
   const std::vector<Placement>& placements;  ///< by object; empty: objects are not tinted
   const Box<D>& bounds;                      ///< of the cells
   LayerSet layers;

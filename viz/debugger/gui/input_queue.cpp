@@ -10,9 +10,18 @@ namespace {
 
 constexpr double kLeastSeconds = 1e-4;  // Dear ImGui wants time to pass
 
+/// The tap of a key, if that is what the user did.
+std::optional<KeyTap> tap_of(const UserAction& action) {
+  using Answer = std::optional<KeyTap>;
+  return std::visit(
+      Overloaded{[](const KeyTap& tap) { return Answer(tap); },
+                 NothingFor<Answer, NothingElse, MouseMove, ButtonChange, WheelTurn, TypedText>()},
+      action.what);
+}
+
 bool is_tap(const UserAction& action, Key key) {
-  const auto* const tap = std::get_if<KeyTap>(&action.what);
-  return tap != nullptr && tap->key == key;
+  const auto tap = tap_of(action);
+  return tap && tap->key == key;
 }
 
 /// Two of them in a row are as good as one.
@@ -32,9 +41,9 @@ bool can_be_joined(const UserAction& action) {
 
 /// A keyboard repeats a held key whether or not frames keep up: repeats that would only pile up are dropped.
 void InputQueue::add(UserAction action) {
-  const auto* const tap = std::get_if<KeyTap>(&action.what);
+  const auto tap = tap_of(action);
   const auto is_same = [&](const UserAction& waiting) { return is_tap(waiting, tap->key); };
-  if (tap != nullptr && tap->repeated && std::ranges::any_of(actions_, is_same)) return;
+  if (tap && tap->repeated && std::ranges::any_of(actions_, is_same)) return;
   actions_.push_back(std::move(action));
 }
 

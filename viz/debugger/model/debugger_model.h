@@ -136,7 +136,8 @@ class DebuggerModel {
   std::string count_hit(const Stop& stop);
   [[nodiscard]] Run::Progress noticing(bool& ended) const;
   void moved();
-  void add_life_ribbons(NodeId node);
+  void add_node_ribbons(NodeId node);
+  void add_pair_ribbons(const Pair& pair);
   void follow();
   void say(std::string text, bool is_error = false);
 
