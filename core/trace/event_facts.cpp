@@ -3,22 +3,28 @@
 #include "core/base/overloaded.h"
 
 namespace kerf {
+namespace {
+
+/// The event as one kind; null if it is one of the others, which are all named.
+template <class Kind, class... Others>
+const Kind* only(const Event& event) {
+  using Answer = const Kind*;
+  return std::visit(Overloaded{[](const Kind& e) -> Answer { return &e; }, NothingFor<Answer, Others...>()},
+                    event.body);
+}
+
+}  // namespace
 
 std::optional<Deed> deed_of(const Event& event) {
-  using Answer = std::optional<Deed>;
-  return std::visit(Overloaded{
-                        [](const OperatorScheduled& e) {
-                          return Answer({e.op, e.node});
-                        },
-                        [](const OperatorActed& e) {
-                          return Answer({e.op, e.node});
-                        },
-                        [](const OperatorRefused& e) {
-                          return Answer({e.op, e.node});
-                        },
-                        NothingFor<Answer, PhaseBegan, ObjectPlaced, EventsDeferred, AllPlaced>(),
-                    },
-                    event.body);
+  const auto deed = [](const auto& e) { return std::optional(Deed{e.op, e.node}); };
+  return std::visit(
+      Overloaded{
+          [&](const OperatorScheduled& e) { return deed(e); },
+          [&](const OperatorActed& e) { return deed(e); },
+          [&](const OperatorRefused& e) { return deed(e); },
+          NothingFor<std::optional<Deed>, PhaseBegan, ObjectPlaced, EventsDeferred, AllPlaced>(),
+      },
+      event.body);
 }
 
 std::optional<NodeRef> node_of(const Event& event) {
@@ -32,58 +38,29 @@ std::optional<ObjectId> object_of(const Event& event) {
 }
 
 std::optional<Phase> phase_of(const Event& event) {
-  using Answer = std::optional<Phase>;
-  return std::visit(
-      Overloaded{
-          [](const PhaseBegan& e) { return Answer(e.phase); },
-          NothingFor<Answer, ObjectPlaced, OperatorScheduled, OperatorActed, OperatorRefused, EventsDeferred,
-                     AllPlaced>(),
-      },
-      event.body);
+  const auto* const began = only<PhaseBegan, ObjectPlaced, OperatorScheduled, OperatorActed, OperatorRefused,
+                                 EventsDeferred, AllPlaced>(event);
+  return began == nullptr ? std::nullopt : std::optional(began->phase);
 }
 
 const ObjectPlaced* placed_of(const Event& event) {
-  using Answer = const ObjectPlaced*;
-  return std::visit(
-      Overloaded{
-          [](const ObjectPlaced& e) -> Answer { return &e; },
-          NothingFor<Answer, PhaseBegan, OperatorScheduled, OperatorActed, OperatorRefused, EventsDeferred,
-                     AllPlaced>(),
-      },
-      event.body);
+  return only<ObjectPlaced, PhaseBegan, OperatorScheduled, OperatorActed, OperatorRefused, EventsDeferred,
+              AllPlaced>(event);
 }
 
 const OperatorActed* acted_of(const Event& event) {
-  using Answer = const OperatorActed*;
-  return std::visit(
-      Overloaded{
-          [](const OperatorActed& e) -> Answer { return &e; },
-          NothingFor<Answer, PhaseBegan, ObjectPlaced, OperatorScheduled, OperatorRefused, EventsDeferred,
-                     AllPlaced>(),
-      },
-      event.body);
+  return only<OperatorActed, PhaseBegan, ObjectPlaced, OperatorScheduled, OperatorRefused, EventsDeferred,
+              AllPlaced>(event);
 }
 
 const OperatorRefused* refused_of(const Event& event) {
-  using Answer = const OperatorRefused*;
-  return std::visit(
-      Overloaded{
-          [](const OperatorRefused& e) -> Answer { return &e; },
-          NothingFor<Answer, PhaseBegan, ObjectPlaced, OperatorScheduled, OperatorActed, EventsDeferred,
-                     AllPlaced>(),
-      },
-      event.body);
+  return only<OperatorRefused, PhaseBegan, ObjectPlaced, OperatorScheduled, OperatorActed, EventsDeferred,
+              AllPlaced>(event);
 }
 
 const OperatorScheduled* scheduled_of(const Event& event) {
-  using Answer = const OperatorScheduled*;
-  return std::visit(
-      Overloaded{
-          [](const OperatorScheduled& e) -> Answer { return &e; },
-          NothingFor<Answer, PhaseBegan, ObjectPlaced, OperatorActed, OperatorRefused, EventsDeferred,
-                     AllPlaced>(),
-      },
-      event.body);
+  return only<OperatorScheduled, PhaseBegan, ObjectPlaced, OperatorActed, OperatorRefused, EventsDeferred,
+              AllPlaced>(event);
 }
 
 }  // namespace kerf

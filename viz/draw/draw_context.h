@@ -54,7 +54,10 @@ void draw_objects(const DrawContext<3>& context, Batch& solid, Batch& glass);
 /// Cells filled by population.
 void draw_leaves(const DrawContext<2>& context, Batch& batch);
 
-/// Partitioners clipped to their cells; 3D: back to front.
+/// A partitioner clipped to its cell.
+template <int D>
+void draw_partitioner(const DrawContext<D>& context, NodeId id, Batch& batch);
+/// All of them; 3D: back to front.
 template <int D>
 void draw_partitioners(const DrawContext<D>& context, Batch& batch);
 

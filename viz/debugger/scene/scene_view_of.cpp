@@ -21,7 +21,6 @@ namespace {
 constexpr std::size_t kMostObjects = 10'000;
 constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
-constexpr std::uint32_t kDeepestPane = 6;
 constexpr double kCellAlpha = 0.5;
 
 /// Whether an object is among the `share` that is drawn: spread evenly, and the same in every picture.
@@ -196,28 +195,13 @@ void SceneViewOf<D>::draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch
       const bool wanted = settings.layers.has(Layer::partitioners) && depth >= settings.least_depth &&
                           depth <= settings.greatest_depth && counts_.partitioners < kMostPartitioners;
       if (!seen || !wanted) continue;
-      draw_plane(frame, id, planes);
+      draw_partitioner(frame, id, planes);
       partitioners_.push_back(id);
       ++counts_.partitioners;
     } else if (D == 2 && seen && settings.layers.has(Layer::leaves)) {
       for (const Polygon& cell : cell_faces(snapshot_, id, box_))
         add_polygon(cells, frame.view, cell, with_alpha(color_of_leaf(id), kCellAlpha));
     }
-  }
-}
-
-template <int D>
-void SceneViewOf<D>::draw_plane(const DrawContext<D>& frame, NodeId id, Batch& batch) const {
-  const TreeSnapshot::Node& node = snapshot_[id];
-  const Polygon polygon = partitioner_in_cell(snapshot_, id, box_);
-  const double width = std::max(1.1, 3.0 - 0.4 * node.depth) * frame.line_scale;
-  if constexpr (D == 2) {
-    if (!polygon.empty()) add_line(batch, frame.view, polygon[0], polygon[1], {palette::kPartitioner, width});
-  } else {
-    const double alpha = std::clamp(0.45 / std::sqrt(1.0 + snapshot_.leaves()), 0.025, 0.18);
-    if (node.depth <= kDeepestPane)
-      add_polygon(batch, frame.view, polygon, with_alpha(palette::kPartitioner, alpha));
-    add_outline(batch, frame.view, polygon, {with_alpha(palette::kPartitioner, 0.55), 0.7 * width});
   }
 }
 

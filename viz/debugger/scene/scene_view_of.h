@@ -60,7 +60,6 @@ class SceneViewOf final : public SceneView {
   void choose_colors();
   void draw(const DebuggerModel& model);
   void draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch& planes);
-  void draw_plane(const DrawContext<D>& frame, NodeId id, Batch& batch) const;
   void draw_event(const DrawContext<D>& frame, Batch& batch);
   void draw_selection(const DrawContext<D>& frame, Batch& batch);
   void draw_node(const DrawContext<D>& frame, NodeId id, Batch& batch);
