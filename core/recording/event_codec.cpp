@@ -51,24 +51,29 @@ void visit_fields(auto& quality, const auto& field) requires requires { quality.
 template <class Body>
 void visit_body(Body& body, const auto& field) {
   using Plain = std::remove_const_t<Body>;
-  if constexpr (std::is_same_v<Plain, PhaseBegan>) field(body.phase);
-  if constexpr (std::is_same_v<Plain, ObjectPlaced>) {
-    field(body.object.value);
-    field(body.leaves);
-  }
-  if constexpr (std::is_same_v<Plain, EventsDeferred>) field(body.count);
-  if constexpr (std::is_same_v<Plain, AllPlaced>) field(body.objects);
   if constexpr (requires { body.op; }) {
     field(body.op);
     visit_fields(body.node, field);
   }
-  if constexpr (std::is_same_v<Plain, OperatorRefused>) field(body.reason);
-  if constexpr (std::is_same_v<Plain, OperatorActed>) {
+  if constexpr (std::is_same_v<Plain, PhaseBegan>) {
+    field(body.phase);
+  } else if constexpr (std::is_same_v<Plain, ObjectPlaced>) {
+    field(body.object.value);
+    field(body.leaves);
+  } else if constexpr (std::is_same_v<Plain, EventsDeferred>) {
+    field(body.count);
+  } else if constexpr (std::is_same_v<Plain, AllPlaced>) {
+    field(body.objects);
+  } else if constexpr (std::is_same_v<Plain, OperatorRefused>) {
+    field(body.reason);
+  } else if constexpr (std::is_same_v<Plain, OperatorActed>) {
     visit_fields(body.before, field);
     visit_fields(body.after, field);
     field(body.direction);
     field(body.old_offset);
     field(body.new_offset);
+  } else {
+    static_assert(std::is_same_v<Plain, OperatorScheduled>, "a kind of event that is not written");
   }
 }
 

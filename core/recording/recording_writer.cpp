@@ -1,5 +1,6 @@
 #include "core/recording/recording_writer.h"
 
+#include "core/base/overloaded.h"
 #include "core/recording/keyframe_codec.h"
 #include "core/recording/schema.h"
 
@@ -108,20 +109,24 @@ void RecordingWriter<D>::put(const Event& event) {
     put_event_.bind(4, to_string(op)).bind(5, std::int64_t{node.node.value});
     return put_event_.bind(6, std::int64_t{node.generation});
   };
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) {
-    put_operator("acted", acted->op, acted->node);
-    int place = 6;
-    for (const std::uint32_t x : {acted->before.population, acted->before.left, acted->before.right,
-                                  acted->after.left, acted->after.right, acted->direction})
-      put_event_.bind(++place, std::int64_t{x});
-    put_event_.bind(13, static_cast<double>(acted->old_offset))
-        .bind(14, static_cast<double>(acted->new_offset));
-    put_event_.run();
-  } else if (const auto* refused = std::get_if<OperatorRefused>(&event.body)) {
-    put_operator("refused", refused->op, refused->node).bind(15, to_string(refused->reason)).run();
-  } else if (const auto* scheduled = std::get_if<OperatorScheduled>(&event.body)) {
-    put_operator("scheduled", scheduled->op, scheduled->node).run();
-  }
+  std::visit(Overloaded{
+                 [&](const OperatorActed& e) {
+                   put_operator("acted", e.op, e.node);
+                   int place = 6;
+                   for (const std::uint32_t x : {e.before.population, e.before.left, e.before.right,
+                                                 e.after.left, e.after.right, e.direction})
+                     put_event_.bind(++place, std::int64_t{x});
+                   put_event_.bind(13, static_cast<double>(e.old_offset))
+                       .bind(14, static_cast<double>(e.new_offset));
+                   put_event_.run();
+                 },
+                 [&](const OperatorRefused& e) {
+                   put_operator("refused", e.op, e.node).bind(15, to_string(e.reason)).run();
+                 },
+                 [&](const OperatorScheduled& e) { put_operator("scheduled", e.op, e.node).run(); },
+                 NothingFor<void, PhaseBegan, ObjectPlaced, EventsDeferred, AllPlaced>(),
+             },
+             event.body);
 }
 
 template <int D>

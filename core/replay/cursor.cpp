@@ -5,13 +5,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/trace/event_facts.h"
+
 namespace kerf {
 namespace {
-
-bool is_operator(const Event& event) {
-  return std::holds_alternative<OperatorActed>(event.body) ||
-         std::holds_alternative<OperatorRefused>(event.body);
-}
 
 struct Contest {
   Operator op;
@@ -20,11 +17,11 @@ struct Contest {
 
 /// What there was to choose: an operator placed a partitioner, or a split found none.
 std::optional<Contest> contest_of(const Event& event) {
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) {
+  if (const auto* const acted = acted_of(event)) {
     if (acted->op == Operator::merge || acted->op == Operator::swap) return std::nullopt;
     return Contest{acted->op, acted->node.node};
   }
-  const auto* refused = std::get_if<OperatorRefused>(&event.body);
+  const auto* const refused = refused_of(event);
   if (refused == nullptr || refused->reason != Refusal::no_partitioner) return std::nullopt;
   return Contest{Operator::split, refused->node.node};
 }
@@ -78,7 +75,7 @@ std::vector<BallotEntry> ballot_of(const BspState<D>& before, const Event& event
   const auto contest = contest_of(event);
   if (!contest) return {};
   std::vector<BallotEntry> entries = ballot(before.tree, contest->op, contest->node, before.config);
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) mark_decided(*acted, entries);
+  if (const auto* const acted = acted_of(event)) mark_decided(*acted, entries);
   return entries;
 }
 
@@ -148,9 +145,9 @@ std::optional<Position> Cursor<D>::target(Granularity granularity, bool forwards
     case Granularity::step:
       return seek([](const Event& /*any*/) { return false; }, true);
     case Granularity::phase:
-      return seek([](const Event& event) { return std::holds_alternative<PhaseBegan>(event.body); }, true);
+      return seek(begins_phase, true);
     case Granularity::op:
-      return seek(is_operator, false);
+      return seek(is_outcome, false);
     case Granularity::event:
       return seek([](const Event& /*any*/) { return true; }, true);
     case Granularity::candidate:

@@ -6,6 +6,7 @@
 
 #include "core/replay/oracle.h"
 #include "core/replay/replayer.h"
+#include "core/trace/event_facts.h"
 
 namespace kerf {
 namespace {
@@ -54,7 +55,7 @@ class Verifier {
   static std::string name(const std::vector<Event>& events, std::size_t k) {
     if (k >= events.size()) return "no further event";
     std::string text = describe(events[k]);
-    if (const auto* acted = std::get_if<OperatorActed>(&events[k].body))
+    if (const auto* const acted = acted_of(events[k]))
       text += " along direction " + std::to_string(acted->direction) + " from " +
               std::to_string(acted->old_offset) + " to " + std::to_string(acted->new_offset);
     return text;

@@ -14,6 +14,7 @@
 #include "viz/debugger/debugger.h"
 #include "viz/debugger/gui/glfw_window.h"
 #include "viz/debugger/script.h"
+#include "viz/debugger/window_loop.h"
 #include "viz/gl/context.h"
 #include "viz/image/png.h"
 
@@ -67,19 +68,15 @@ void show_window(const Session& session, const std::vector<ScriptLine>& lines) {
     const bool goes_on = window.goes_on("step " + std::to_string(step) + " (Escape ends this)");
     return goes_on && !interrupt.requested();
   };
-  const auto present = [&] {
-    debugger.show_in_window(window.width(), window.height());
-    window.swap();
-  };
+  WindowLoop loop(window, debugger);
   if (!lines.empty()) {
-    ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures, present).play(lines);
+    ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures, [&] {
+      loop.present();
+    }).play(lines);
     return;
   }
-  while (!window.should_close() && !interrupt.requested()) {
-    debugger.frame(window.take_input(!debugger.model().playing), window.width(), window.height());
-    if (debugger.takes_screenshot()) save_picture(debugger, session.pictures);
-    present();
-  }
+  while (!window.should_close() && !interrupt.requested())
+    if (loop.turn() && debugger.takes_screenshot()) save_picture(debugger, session.pictures);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "core/bsp/bsp.h"
 #include "core/recording/recorder.h"
+#include "core/trace/event_facts.h"
 #include "core/tree/criteria.h"
 #include "frames/sequence/farm/frame_parcel.h"
 #include "frames/sequence/recording_file.h"
@@ -138,8 +139,7 @@ std::uint32_t highlight_steps(std::uint32_t stride) {
 void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std::uint32_t steps,
                            std::vector<Event>& recent) {
   std::erase_if(recent, [&](const Event& event) { return event.step + steps < now; });
-  std::ranges::copy_if(events, std::back_inserter(recent),
-                       [](const Event& event) { return std::holds_alternative<OperatorActed>(event.body); });
+  std::ranges::copy_if(events, std::back_inserter(recent), has_acted);
 }
 
 std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/trace/event_facts.h"
 #include "frames/sequence/recording_file.h"
 #include "viz/draw/frame_planner.h"
 #include "viz/draw/recorded_bodies.h"
@@ -16,9 +17,8 @@ std::vector<Event> recent_operators(RecordingReader<D>& recording, const Positio
   std::vector<Event> recent;
   for (std::uint32_t step = now.step > kHighlightSteps ? now.step - kHighlightSteps : 1; step <= now.step;
        ++step)
-    std::ranges::copy_if(recording.step(step).events, std::back_inserter(recent), [&](const Event& event) {
-      return event.id <= now.event && std::holds_alternative<OperatorActed>(event.body);
-    });
+    std::ranges::copy_if(recording.step(step).events, std::back_inserter(recent),
+                         [&](const Event& event) { return event.id <= now.event && has_acted(event); });
   return recent;
 }
 

@@ -35,6 +35,7 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"GL", "GLES"},
     {"GL", "KHR/"},
     {"GL", "GLFW/"},
+    {"X11", "X11/"},
     {"Dear ImGui", "imgui"},
     {"Dear ImGui", "imstb_"},
     {"Dear ImGui", "imconfig"},

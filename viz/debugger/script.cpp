@@ -150,9 +150,7 @@ void ScriptPlayer::frames(int count) {
   for (int k = 0; k < count; ++k) {
     debugger_.frame(input_, width_, height_);
     if (present_) present_();
-    input_.keys.clear();
-    input_.text.clear();
-    input_.wheel = 0;
+    input_.end_frame();
   }
 }
 
@@ -243,17 +241,13 @@ void ScriptPlayer::press(const ScriptLine& line, const std::string& text) {
   std::string name = text;
   std::ranges::transform(name, name.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  KeyPress key;
-  if (name.starts_with("shift+")) {
-    key.shift = true;
-    name.erase(0, 6);
-  }
+  const bool shift = name.starts_with("shift+");
+  if (shift) name.erase(0, 6);
   const auto found = key_names().find(name);
   if (found == key_names().end())
     fail(line, "there is no key '" + text + "'; there are" + names_of(key_names()));
-  key.key = found->second;
-  input_.shift = key.shift;
-  input_.keys = {key};
+  input_.shift = shift;
+  input_.key = found->second;
   frames(1);
   input_.shift = false;
   frames(2);

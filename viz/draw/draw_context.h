@@ -6,9 +6,9 @@
 
 #include "viz/draw/batch.h"
 #include "viz/draw/camera.h"
+#include "viz/draw/cells.h"
 #include "viz/draw/draw_list.h"
 #include "viz/draw/frame_renderer.h"
-#include "viz/draw/skeleton.h"
 
 namespace kerf {
 
@@ -23,7 +23,7 @@ template <int D>
 struct DrawContext {
   const FrameInput<D>& input;
   const View& view;
-  const Skeleton<D>& skeleton;
+  const TreeSnapshotOf<D>& snapshot;
   const std::vector<Placement>& placements;  ///< by object; empty: objects are not tinted
   const Box<D>& bounds;                      ///< of the cells
   LayerSet layers;
@@ -54,7 +54,10 @@ void draw_objects(const DrawContext<3>& context, Batch& solid, Batch& glass);
 /// Cells filled by population.
 void draw_leaves(const DrawContext<2>& context, Batch& batch);
 
-/// Partitioners clipped to their cells; 3D: back to front.
+/// A partitioner clipped to its cell.
+template <int D>
+void draw_partitioner(const DrawContext<D>& context, NodeId id, Batch& batch);
+/// All of them; 3D: back to front.
 template <int D>
 void draw_partitioners(const DrawContext<D>& context, Batch& batch);
 

@@ -15,7 +15,7 @@ template <int D>
 struct FramePlan {
   Box<D> bounds;                         ///< that is framed
   bool has_tree = false;                 ///< caption and legend speak of it
-  Skeleton<D> skeleton;                  ///< of the tree
+  TreeSnapshotOf<D> snapshot;            ///< of the tree
   std::vector<Placement> placements;     ///< by object; empty: objects are not tinted
   std::vector<Highlight> highlights;     ///< newest first
   std::uint32_t largest_population = 0;  ///< end of the ramp
@@ -52,7 +52,7 @@ class FramePlanner {
   LayerSet layers_;
   int wanted_samples_;
   ViewBox<D> view_box_;
-  Skeleton<D> before_;
+  TreeSnapshotOf<D> before_;
   Highlights<D> highlights_;
   FramePlan<D> plan_;
 };

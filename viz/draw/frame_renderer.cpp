@@ -132,7 +132,7 @@ struct FrameRenderer<D>::State {
     const double line_scale = std::clamp(options.height / 720.0, 0.6, 8.0);
     const DrawContext<D> frame{input,
                                view,
-                               plan.skeleton,
+                               plan.snapshot,
                                plan.placements,
                                plan.bounds,
                                options.layers,

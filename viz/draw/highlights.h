@@ -31,7 +31,7 @@ template <int D>
 class Highlights {
  public:
   /// Takes in the events of a frame. `before`: the tree of the frame before this one.
-  void update(const FrameInput<D>& input, const Skeleton<D>& now, const Skeleton<D>& before,
+  void update(const FrameInput<D>& input, const TreeSnapshotOf<D>& now, const TreeSnapshotOf<D>& before,
               const Box<D>& bounds);
   /// Newest first.
   [[nodiscard]] const std::vector<Highlight>& all() const { return highlights_; }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/overloaded.h"
 #include "viz/draw/draw_context.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/sphere_mesh.h"
@@ -140,13 +141,17 @@ void draw_body(const Targets& to, std::size_t object) {
   const Color color = object_color(to.context, object);
   to.context.begin(to.solid, DrawnKind::object, static_cast<std::uint32_t>(object));
   to.glass.item = to.solid.item;
-  if (const auto* ball = std::get_if<Ball>(&body.shape)) {
-    draw_ball(to, frame, *ball, to.context.view.pixels_per_unit(to_point(body.pose.position)), color);
-  } else if (const auto* brick = std::get_if<Brick<3>>(&body.shape)) {
-    draw_brick(to, frame, body, *brick, color);
-  } else if (const auto& surface = std::get<std::shared_ptr<const Surface>>(body.shape)) {
-    draw_surface(to, frame, *surface, color);
-  }
+  std::visit(Overloaded{
+                 [&](const Ball& ball) {
+                   const double pixels = to.context.view.pixels_per_unit(to_point(body.pose.position));
+                   draw_ball(to, frame, ball, pixels, color);
+                 },
+                 [&](const Brick<3>& brick) { draw_brick(to, frame, body, brick, color); },
+                 [&](const std::shared_ptr<const Surface>& surface) {
+                   if (surface) draw_surface(to, frame, *surface, color);
+                 },
+             },
+             body.shape);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/recording/recording_reader.h"
+#include "core/trace/event_facts.h"
 #include "tests/support/recorded_crowd.h"
 
 namespace kerf {
@@ -72,7 +73,7 @@ TEST(Thrash, ARecordingsOperatorsAreItsEvents) {
   for (const OperatorRow& found : rows) {
     const Event event = recording.event(found.event);
     EXPECT_EQ(event.step, found.step);
-    const auto* const acted = std::get_if<OperatorActed>(&event.body);
+    const auto* const acted = acted_of(event);
     EXPECT_EQ(acted != nullptr, found.kind == Kind::acted);
     if (acted == nullptr) continue;
     EXPECT_EQ(acted->op, found.op);

@@ -1,4 +1,4 @@
-#include "viz/draw/skeleton.h"
+#include "viz/draw/cells.h"
 
 #include <gtest/gtest.h>
 
@@ -55,68 +55,68 @@ double size_of(const std::vector<Polygon>& faces) {
 }
 
 template <class T>
-class SkeletonTest : public testing::Test {};
-TYPED_TEST_SUITE(SkeletonTest, test::Dimensions, test::DimensionNames);
+class Cells : public testing::Test {};
+TYPED_TEST_SUITE(Cells, test::Dimensions, test::DimensionNames);
 
-TYPED_TEST(SkeletonTest, PartitionersLieOnTheirPlanesInTheirCells) {
+TYPED_TEST(Cells, PartitionersLieOnTheirPlanesInTheirCells) {
   constexpr int kD = TypeParam::value;
   const test::SmallScene<kD> scene;
-  Skeleton<kD> skeleton;
-  skeleton.assign(&scene.tree());
+  TreeSnapshotOf<kD> snapshot;
+  snapshot.assign(&scene.tree());
   int drawn = 0;
   for_each_node(scene.tree(), scene.tree().root(), [&](NodeId id) {
-    if (skeleton[id].is_leaf()) return;
-    const Polygon polygon = partitioner_in_cell(skeleton, id, skeleton[id].plane, bounds<kD>());
+    if (snapshot[id].is_leaf()) return;
+    const Polygon polygon = partitioner_in_cell(snapshot, id, bounds<kD>());
     drawn += polygon.empty() ? 0 : 1;
     for (const Eigen::Vector3d& p : polygon) {
-      EXPECT_NEAR(above(half_space(skeleton[id].plane, false), p), 0, kRounding);
-      for (const HalfSpace& side : skeleton.cell_sides(id)) EXPECT_LE(above(side, p), kRounding);
+      EXPECT_NEAR(above(half_space(snapshot.plane(id), false), p), 0, kRounding);
+      for (const HalfSpace& side : cell_sides(snapshot, id)) EXPECT_LE(above(side, p), kRounding);
       for (const HalfSpace& side : half_spaces(bounds<kD>())) EXPECT_LE(above(side, p), kRounding);
     }
   });
   EXPECT_GT(drawn, 5);
 }
 
-TYPED_TEST(SkeletonTest, LeafCellsFillTheBoundsExactly) {
+TYPED_TEST(Cells, LeafCellsFillTheBoundsExactly) {
   constexpr int kD = TypeParam::value;
   const test::SmallScene<kD> scene;
-  Skeleton<kD> skeleton;
-  skeleton.assign(&scene.tree());
+  TreeSnapshotOf<kD> snapshot;
+  snapshot.assign(&scene.tree());
   double sum = 0;
   for_each_node(scene.tree(), scene.tree().root(), [&](NodeId id) {
-    if (skeleton[id].is_leaf()) sum += size_of<kD>(cell_faces(skeleton, id, bounds<kD>()));
+    if (snapshot[id].is_leaf()) sum += size_of<kD>(cell_faces(snapshot, id, bounds<kD>()));
   });
   EXPECT_NEAR(sum / std::pow(14.0, kD), 1, 1e-6);
 }
 
-TYPED_TEST(SkeletonTest, BackToFrontNamesEveryNodeOnceAndTheFarSideFirst) {
+TYPED_TEST(Cells, BackToFrontNamesEveryNodeOnceAndTheFarSideFirst) {
   constexpr int kD = TypeParam::value;
   const test::SmallScene<kD> scene;
-  Skeleton<kD> skeleton;
-  skeleton.assign(&scene.tree());
+  TreeSnapshotOf<kD> snapshot;
+  snapshot.assign(&scene.tree());
   const Eigen::Vector3d eye(30, 20, kD == 3 ? 50 : 0);
-  const std::vector<NodeId> order = skeleton.back_to_front(eye);
+  const std::vector<NodeId> order = back_to_front(snapshot, eye);
   std::map<NodeId, std::size_t> place;
   for (std::size_t i = 0; i < order.size(); ++i) EXPECT_TRUE(place.emplace(order[i], i).second);
   std::size_t nodes = 0;
   for_each_node(scene.tree(), scene.tree().root(), [&](NodeId id) {
     ++nodes;
-    const auto& joint = skeleton[id];
-    if (joint.is_leaf()) return;
-    const bool eye_is_left = above(half_space(joint.plane, false), eye) <= 0;
-    EXPECT_LT(place[eye_is_left ? joint.right : joint.left], place[id]);
-    EXPECT_LT(place[id], place[eye_is_left ? joint.left : joint.right]);
+    const auto& node = snapshot[id];
+    if (node.is_leaf()) return;
+    const bool eye_is_left = above(half_space(snapshot.plane(id), false), eye) <= 0;
+    EXPECT_LT(place[eye_is_left ? node.right : node.left], place[id]);
+    EXPECT_LT(place[id], place[eye_is_left ? node.left : node.right]);
   });
   EXPECT_EQ(nodes, order.size());
 }
 
-TYPED_TEST(SkeletonTest, NoTreeIsEmpty) {
+TYPED_TEST(Cells, NoTreeIsEmpty) {
   constexpr int kD = TypeParam::value;
-  Skeleton<kD> skeleton;
-  skeleton.assign(nullptr);
-  EXPECT_TRUE(skeleton.empty());
-  EXPECT_TRUE(skeleton.back_to_front(Eigen::Vector3d::Zero()).empty());
-  EXPECT_FALSE(skeleton.is_alive({NodeId{0}, 0}));
+  TreeSnapshotOf<kD> snapshot;
+  snapshot.assign(nullptr);
+  EXPECT_TRUE(snapshot.empty());
+  EXPECT_TRUE(back_to_front(snapshot, Eigen::Vector3d::Zero()).empty());
+  EXPECT_FALSE(snapshot.is_alive({NodeId{0}, 0}));
 }
 
 TEST(PlaneWithin, MissesAndDegenerateNormalsAreEmpty) {
