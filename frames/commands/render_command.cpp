@@ -32,7 +32,6 @@ std::string footer() {
       "\n        A folder that holds a sequence is refused unless --overwrite is given, which removes that"
       "\n        sequence and nothing else. Ctrl-C keeps the finished frames and their manifest; the same"
       "\n        command with --resume makes the rest."
-      "\nEXIT    0 done, 1 failed, 2 wrong usage, 130 interrupted"
       "\n\nBROAD PHASES for --broad-phase: kerf is the tuned tree, kerf-paper the tree with the paper's "
       "parameters\n  3D  " +
       names_of<3>() + "\n  2D  " + names_of<2>() +
