@@ -52,6 +52,7 @@ void check_recording_path(const std::filesystem::path& path, bool overwrite) {
 }
 
 void clear_recording_path(const std::filesystem::path& path, bool overwrite) {
+  const WriterLock nobody_else(path);
   check_recording_path(path, overwrite);
   if (std::filesystem::exists(path)) remove_recording(path);
 }

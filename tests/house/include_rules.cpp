@@ -117,6 +117,7 @@ constexpr auto kPermissions = std::to_array<Permission>({
     {"core/kernels/", "Highway"},
     {"core/base/task_pool", "oneTBB"},
     {"core/recording/database.cpp", "SQLite"},
+    {"core/recording/writer_lock.cpp", "POSIX"},
     {"core/recording/compression.cpp", "Zstandard"},
 
     {"viz/", "viz"},
