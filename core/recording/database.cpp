@@ -2,16 +2,41 @@
 
 #include <sqlite3.h>
 
-#include <stdexcept>
+#include <cstdio>
 #include <system_error>
+#include <utility>
 
 namespace kerf {
 namespace {
 
+constexpr int kPatience = 30'000;  // ms, while others are in the midst of a query
+
 [[noreturn]] void fail(sqlite3* database) {
   const char* file = sqlite3_db_filename(database, "main");
-  throw std::runtime_error(std::string(file == nullptr ? "the recording" : file) + ": " +
-                           sqlite3_errmsg(database));
+  const std::string message =
+      std::string(file == nullptr ? "the recording" : file) + ": " + sqlite3_errmsg(database);
+  if (sqlite3_errcode(database) == SQLITE_NOTADB) throw NotADatabase(message);
+  throw std::runtime_error(message);
+}
+
+/// As SQLite takes a name: one that begins with a slash is neither a URI nor a database in memory.
+std::string plain_name(const std::filesystem::path& path) { return std::filesystem::absolute(path).string(); }
+
+/// A URI that says that nothing will change: SQLite then neither locks nor looks for a log.
+std::string immutable_name(const std::filesystem::path& path) {
+  std::string uri = "file:";
+  for (const char c : plain_name(path)) {
+    char escaped[4];
+    std::snprintf(escaped, sizeof escaped, "%%%02x", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    uri += c == '/' ? "/" : escaped;
+  }
+  return uri + "?immutable=1";
+}
+
+bool has_content(const std::filesystem::path& path, const char* ending) {
+  std::error_code none;
+  const auto size = std::filesystem::file_size(path.string() + ending, none);
+  return !none && size > 0;
 }
 
 /// SQLite's words, and the system's where it has some.
@@ -91,16 +116,19 @@ Bytes Statement::bytes(int column) const {
 
 void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
-Database::Database(const std::filesystem::path& path, int flags) {
+Database::Database(const std::filesystem::path& path, const std::string& name, int flags, const char* vfs) {
   sqlite3* database = nullptr;
-  const int result = sqlite3_open_v2(path.c_str(), &database, flags, nullptr);
+  const int result = sqlite3_open_v2(name.c_str(), &database, flags, vfs);
   database_.reset(database);
   if (result != SQLITE_OK) throw std::runtime_error("cannot open " + path.string() + ": " + reason(database));
+  sqlite3_busy_timeout(database, kPatience);
 }
 
 Database Database::create(const std::filesystem::path& path) {
+  auto lock = std::make_unique<const WriterLock>(path);
   if (std::filesystem::exists(path)) throw std::runtime_error(path.string() + " exists already");
-  Database database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  Database database(path, plain_name(path), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  database.lock_ = std::move(lock);
   // Each page is written twice, by a call of its own: blocks and keyframes fill large ones. The log is folded
   // into the file every 1,000 pages: each time the writer waits for the disk.
   database.execute(
@@ -112,9 +140,27 @@ Database Database::create(const std::filesystem::path& path) {
 Database Database::open(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path))
     throw std::runtime_error("there is no recording " + path.string());
-  Database database(path, SQLITE_OPEN_READONLY);
-  constexpr int kPatience = 5000;  // ms, while the writer folds its log into the file
-  sqlite3_busy_timeout(database.database_.get(), kPatience);
+  if (!is_being_written(path)) return open_at_rest(path);
+  Database database(path, plain_name(path), SQLITE_OPEN_READONLY);
+  try {
+    database.execute("PRAGMA schema_version");
+  } catch (const NotADatabase&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(
+        std::string(error.what()) +
+        "; it is being written, and until it is done its readers need to write into its folder");
+  }
+  return database;
+}
+
+Database Database::open_at_rest(const std::filesystem::path& path) {
+  if (!has_content(path, "-wal") && !has_content(path, "-journal"))
+    return {path, immutable_name(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI};
+  Database database(path, plain_name(path), SQLITE_OPEN_READONLY, "unix-none");
+  // So SQLite keeps the index of the log in memory. It must not clean up: somebody else may read the same.
+  sqlite3_db_config(database.database_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+  database.execute("PRAGMA locking_mode = EXCLUSIVE");
   return database;
 }
 
@@ -130,10 +176,17 @@ std::int64_t Database::ask(std::string_view sql) const {
   return statement.step() ? statement.integer(0) : 0;
 }
 
+/// Without a log beside it the file can be copied as it is. SQLite keeps the log for those who read, and lets
+/// them go on when it is emptied.
 void Database::close() {
-  // Without a log beside it the file can be copied as it is.
-  execute("PRAGMA journal_mode = DELETE;");
+  const int result = sqlite3_exec(database_.get(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+  if (result != SQLITE_OK && result != SQLITE_BUSY) fail(database_.get());
+  if (result == SQLITE_BUSY && ask("PRAGMA wal_checkpoint(TRUNCATE)") != 0)
+    throw std::runtime_error(
+        std::string(sqlite3_db_filename(database_.get(), "main")) +
+        ": somebody reads it and does not come to an end; it needs its log, which ends with -wal");
   database_.reset();
+  lock_.reset();
 }
 
 }  // namespace kerf

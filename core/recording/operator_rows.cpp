@@ -1,5 +1,6 @@
 #include "core/recording/operator_rows.h"
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -26,15 +27,16 @@ std::uint32_t natural(const Statement& row, int column) {
 }  // namespace
 
 std::vector<OperatorRow> read_operators(const std::filesystem::path& recording) {
-  return read_operators(open_recording(recording));
+  return read_operators(open_recording(recording), std::numeric_limits<std::uint32_t>::max());
 }
 
-std::vector<OperatorRow> read_operators(const Database& recording) {
+std::vector<OperatorRow> read_operators(const Database& recording, std::uint32_t last_step) {
   std::vector<OperatorRow> operators;
   Statement rows = recording.prepare(
       "SELECT id, step, kind, op, node, generation, coalesce(new_offset - old_offset, 0), "
       "coalesce(population, 0), coalesce(left_before, 0), coalesce(right_before, 0) FROM events "
-      "WHERE kind IN ('scheduled', 'acted', 'refused') ORDER BY id");
+      "WHERE kind IN ('scheduled', 'acted', 'refused') AND step <= ? ORDER BY id");
+  rows.bind(1, std::int64_t{last_step});
   while (rows.step()) {
     OperatorRow row;
     row.event = static_cast<std::uint64_t>(rows.integer(0));

@@ -24,7 +24,7 @@ struct OperatorRow {
 /// Everything that was scheduled, refused or done in a run, in order: without its steps, which would have to
 /// be unpacked. Throws std::runtime_error as `open_recording` does.
 std::vector<OperatorRow> read_operators(const std::filesystem::path& recording);
-/// The same of a recording that is open.
-std::vector<OperatorRow> read_operators(const Database& recording);
+/// The same of a recording that is open, up to the end of a step.
+std::vector<OperatorRow> read_operators(const Database& recording, std::uint32_t last_step);
 
 }  // namespace kerf

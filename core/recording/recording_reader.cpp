@@ -54,8 +54,9 @@ RecordingReader<D>::RecordingReader(const std::filesystem::path& path)
     : database_(open_recording(path)), info_(read_info(database_)) {
   if (info_.dimension != D)
     throw std::runtime_error(path.string() + " is a recording in " + std::to_string(info_.dimension) + "D");
-  database_.execute("BEGIN");  // one state of the file from now on, whoever goes on writing
+  database_.execute("BEGIN");  // rows, blocks and keyframes of one moment, whoever goes on writing
   read_rows();
+  database_.execute("COMMIT");  // what was written does not change, and a writer that ends waits for nobody
 }
 
 /// Rows and blocks are committed together, so that they always end with the same step.
@@ -91,8 +92,8 @@ Event RecordingReader<D>::event(std::uint64_t id) {
 template <int D>
 std::vector<std::uint64_t> RecordingReader<D>::events_of_node(NodeId node) const {
   std::vector<std::uint64_t> ids;
-  Statement rows = database_.prepare("SELECT id FROM events WHERE node = ? ORDER BY id");
-  rows.bind(1, std::int64_t{node.value});
+  Statement rows = database_.prepare("SELECT id FROM events WHERE node = ? AND step <= ? ORDER BY id");
+  rows.bind(1, std::int64_t{node.value}).bind(2, std::int64_t{steps()});
   while (rows.step()) ids.push_back(static_cast<std::uint64_t>(rows.integer(0)));
   return ids;
 }

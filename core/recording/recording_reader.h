@@ -49,7 +49,7 @@ class RecordingReader {
   /// The ids of what was scheduled, refused or done at a node, over all its lives.
   [[nodiscard]] std::vector<std::uint64_t> events_of_node(NodeId node) const;
   /// See `read_operators`.
-  [[nodiscard]] std::vector<OperatorRow> operators() const { return read_operators(database_); }
+  [[nodiscard]] std::vector<OperatorRow> operators() const { return read_operators(database_, steps()); }
   /// Steps that have a keyframe, in order; step 0, which needs none, is not among them.
   [[nodiscard]] std::span<const std::uint32_t> keyframes() const { return keyframes_; }
   /// The last step up to `step` that has a keyframe; 0 if none has.

@@ -110,8 +110,8 @@ std::vector<Decision> read_decisions(const Database& database) {
 bool has_recording_id(const Database& database) {
   try {
     return database.ask("PRAGMA application_id") == kRecordingId;
-  } catch (const std::runtime_error&) {
-    return false;  // no SQLite file at all
+  } catch (const NotADatabase&) {
+    return false;
   }
 }
 

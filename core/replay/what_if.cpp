@@ -75,10 +75,8 @@ void check_effect(const std::vector<Decision>& decisions, const std::vector<Even
 }
 
 template <int D>
-bool rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, const std::filesystem::path& out,
-                 const std::function<bool()>& stop) {
-  Bsp<D, EventLog> tree(info.config, info.volume);
-  Recorder<D> recorder(tree, out, info);
+bool rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, Bsp<D, EventLog>& tree,
+                 Recorder<D>& recorder, const std::function<bool()>& stop) {
   for (std::uint32_t step = 1; step <= recording.steps() && !(stop && stop()); ++step) {
     apply(recording.step(step).requests, recorder);
     recorder.step();
@@ -129,8 +127,10 @@ void change_config(RecordingInfo& info, const RecordingReader<D>& recording, std
 template <int D>
 bool rerun(RecordingReader<D>& recording, const RecordingInfo& info, const std::filesystem::path& out,
            const std::function<bool()>& stop) {
+  Bsp<D, EventLog> tree(info.config, info.volume);
+  Recorder<D> recorder(tree, out, info);  // what has the name already, or is being written, is not ours to remove
   try {
-    return rerun_steps(recording, info, out, stop);
+    return rerun_steps(recording, info, tree, recorder, stop);
   } catch (const std::runtime_error&) {
     remove_recording(out);
     throw;

@@ -23,9 +23,7 @@ namespace {
 
 constexpr const char* kDebugFooter =
     "SCENE is recorded first, into a temporary file; FILE is what `kerf record` or `kerf import` wrote.\n"
-    "In the window, F1 shows the keys. docs/DEBUGGING.md is a guide, and has the commands of scripts.\n"
-    "EXIT    0 done, 1 a script's expectation does not hold or nothing can be shown, 2 wrong usage,\n"
-    "        130 interrupted";
+    "In the window, F1 shows the keys. docs/DEBUGGING.md is a guide, and has the commands of scripts.";
 
 std::string read_script(const std::string& path) {
   std::ifstream file(path);
@@ -150,6 +148,8 @@ void DebugCommand::run() const {
     } else {
       show_window(session, lines);
     }
+  } catch (const ExpectationFailed& error) {
+    throw DoesNotHold(script_ + ", " + error.what());
   } catch (const ScriptError& error) {
     throw std::runtime_error(script_ + ", " + error.what());
   }

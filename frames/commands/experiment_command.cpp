@@ -109,7 +109,7 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
       "step "
       "and\n        broad phase. Ctrl-C keeps the simulations that are done, and the same command goes on "
       "from "
-      "there.\nEXIT    0 done, 1 failed, 2 wrong usage, 130 interrupted");
+      "there.");
 }
 
 bool ExperimentCommand::chosen() const { return command_->parsed(); }

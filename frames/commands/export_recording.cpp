@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "core/trace/event_facts.h"
+#include "frames/support/utf8.h"
 
 namespace kerf {
 namespace {
@@ -83,7 +84,10 @@ void export_chrome_trace(RecordingReader<D>& recording, std::ostream& out, const
             << ",\n";
     time += kMicro * row.seconds();
   }
-  out << Json{{"name", "process_name"}, {"ph", "M"}, {"pid", 1}, {"args", {{"name", recording.info().scene}}}}
+  out << Json{{"name", "process_name"},
+              {"ph", "M"},
+              {"pid", 1},
+              {"args", {{"name", valid_utf8(recording.info().scene)}}}}
       << "\n]}\n";
 }
 

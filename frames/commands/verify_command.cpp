@@ -53,9 +53,6 @@ VerifyCommand::VerifyCommand(CLI::App& program)
   command_->add_option("--oracle-every", oracle_every_, "Ask brute force every N steps (default 1; 0: never)")
       ->type_name("N");
   command_->add_flag("--timings", timings_, "Also measure how fast steps are reached");
-  command_->footer(
-      "EXIT    0 the replay is the run that was recorded and its pairs are exact, 1 it is not,\n"
-      "        2 wrong usage, 130 interrupted");
 }
 
 bool VerifyCommand::chosen() const { return command_->parsed(); }
@@ -69,9 +66,9 @@ void VerifyCommand::run() const {
   if (timings_) print_replay_timings(file_);
   if (interrupt.requested())
     throw Interrupted("interrupted: the steps after " + std::to_string(verdict.steps) + " were not verified");
-  if (verdict.divergence) throw std::runtime_error("the replay is not the run that was recorded");
+  if (verdict.divergence) throw DoesNotHold("the replay is not the run that was recorded");
   if (!verdict.holds())
-    throw std::runtime_error("pairs are wrong, first in step " + std::to_string(verdict.first_wrong_step));
+    throw DoesNotHold("pairs are wrong, first in step " + std::to_string(verdict.first_wrong_step));
 }
 
 }  // namespace kerf

@@ -16,6 +16,7 @@
 #include "frames/sequence/farm/frame_parcel.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
+#include "viz/draw/camera.h"
 
 namespace kerf {
 namespace {
@@ -36,7 +37,7 @@ class SceneFilm final : public Film {
   SceneFilm(const SceneEntry<D>& entry, const RenderRequest& request)
       : name_(request.name),
         broad_phase_name_(request.broad_phase.name),
-        planner_(request.layers, samples_of_renderer(request)),
+        planner_(request.layers, samples_of_renderer(request), parse_camera<D>(request.camera).framing),
         broad_phase_(watched_broad_phase(entry, request)),
         tree_(dynamic_cast<WatchedTree<D>*>(broad_phase_.get())),
         recorder_(make_recorder(tree_, request)),

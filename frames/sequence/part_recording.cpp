@@ -10,7 +10,7 @@ namespace kerf {
 
 /// A process that died may have left a part.
 PartRecording::PartRecording(std::filesystem::path final_path)
-    : final_path_(std::move(final_path)), part_(part_path(final_path_)) {
+    : final_path_(std::move(final_path)), lock_(final_path_), part_(part_path(final_path_)) {
   remove_recording(part_);
 }
 

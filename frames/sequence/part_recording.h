@@ -2,12 +2,15 @@
 
 #include <filesystem>
 
+#include "core/recording/writer_lock.h"
+
 namespace kerf {
 
 /// A recording under a temporary name beside its final one. It goes away with the object unless it was kept,
 /// so that an earlier recording of that name stays until the new one is complete.
 class PartRecording {
  public:
+  /// Throws std::runtime_error if somebody is making a recording of that name.
   explicit PartRecording(std::filesystem::path final_path);
   ~PartRecording();
   PartRecording(const PartRecording&) = delete;
@@ -23,6 +26,7 @@ class PartRecording {
 
  private:
   std::filesystem::path final_path_;
+  WriterLock lock_;  ///< of the final name: nobody else makes a recording that will have it
   std::filesystem::path part_;
 };
 

@@ -28,15 +28,11 @@ void check_recording_path(const std::filesystem::path& path, bool overwrite);
 /// read all that he needs; PartRecording keeps the old one until the new one is complete.
 void clear_recording_path(const std::filesystem::path& path, bool overwrite);
 
-/// What a file says of itself that has to be a recording. Throws UnusableInput, so that nobody takes its exit
-/// code for an answer, if it is none.
-RecordingInfo usable_recording_info(const std::filesystem::path& path);
-
-/// Opens a recording of either dimension and calls `work` with its reader. Throws UnusableInput as above, and
-/// std::runtime_error as RecordingReader does.
+/// Opens a recording of either dimension and calls `work` with its reader. Throws std::runtime_error as
+/// RecordingReader does.
 template <class Work>
 auto with_recording(const std::filesystem::path& path, Work work) {
-  if (usable_recording_info(path).dimension == 2) return work(std::make_shared<RecordingReader<2>>(path));
+  if (read_recording_info(path).dimension == 2) return work(std::make_shared<RecordingReader<2>>(path));
   return work(std::make_shared<RecordingReader<3>>(path));
 }
 

@@ -14,6 +14,7 @@
 #include "frames/support/parse_number.h"
 #include "frames/support/parse_whole.h"
 #include "frames/support/suggest.h"
+#include "frames/support/utf8.h"
 #include "viz/draw/camera.h"
 #include "viz/draw/camera_path.h"
 #include "viz/draw/frame_renderer.h"
@@ -166,6 +167,13 @@ RecordingSource open_source(const std::filesystem::path& path) {
   });
 }
 
+/// A manifest has to tell it, and a number and an ending have to follow it: names of files may have 255
+/// bytes.
+std::string name_of_frames(const std::filesystem::path& recording) {
+  constexpr std::size_t kLongest = 200;
+  return valid_utf8(recording.stem().string().substr(0, kLongest));
+}
+
 }  // namespace
 
 RenderRequest parse_request(const RenderTexts& texts) {
@@ -227,7 +235,7 @@ RenderRequest parse_recording_request(const RenderTexts& texts) {
   refuse_scene_options(texts);
   RenderRequest request;
   request.recording = open_source(texts.scene);
-  request.name = request.recording->path.stem().string();
+  request.name = name_of_frames(request.recording->path);
   const std::uint32_t steps = request.recording->steps;
   request.steps.last = steps;
   if (!texts.steps.empty()) request.steps = parse_steps(texts.steps);

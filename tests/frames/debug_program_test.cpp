@@ -121,7 +121,7 @@ TEST_F(DebugProgram, AFolderThatCannotBeIsNamedBeforeTheWork) {
   write("s", "screenshot a\n");
   const Outcome outcome =
       run_kerf({"debug", "pile", "--steps", "5", "--headless", "--script", path("s"), "-o", "/proc/no"});
-  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("cannot make the folder /proc/no: "));
   EXPECT_THAT(outcome.err, HasSubstr("--out"));
   EXPECT_EQ(outcome.out, "");
@@ -132,7 +132,7 @@ TEST_F(DebugProgram, WithoutADisplayItSaysWhatToDo) {
   const std::string command = "unset DISPLAY WAYLAND_DISPLAY; exec \"$0\" debug \"$1\"";
   const Outcome outcome =
       Process({"/bin/sh", "-c", command, testing::kerf_command({})[0], path("run.kerf")}).wait();
-  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("--headless"));
 }
 

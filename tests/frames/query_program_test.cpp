@@ -154,7 +154,7 @@ TEST_F(QueryProgram, ExportsATimelineAndTables) {
   const Outcome csv = run_kerf({"export", file("a"), "--csv"});
   EXPECT_EQ(std::ranges::count(csv.out, '\n'), 61);
   EXPECT_EQ(run_kerf({"export", file("a")}).exit, 2);
-  EXPECT_EQ(run_kerf({"export", file("a"), "--csv", "-o", path("no/such.csv")}).exit, 1);
+  EXPECT_EQ(run_kerf({"export", file("a"), "--csv", "-o", path("no/such.csv")}).exit, 2);
 }
 
 /// Its own boxes, exported and imported, make the same run.
@@ -228,7 +228,7 @@ TEST_F(QueryProgram, MistakesInAnImportAreNamedByTheirLine) {
   EXPECT_THAT(refusal("1,0\n"), HasSubstr("6 columns in 2D and 8 in 3D"));
   EXPECT_THAT(refusal("1,0,,,,\n"), HasSubstr("goes, but is not there"));
   EXPECT_THAT(refusal("# nothing\n"), HasSubstr("has no boxes"));
-  EXPECT_EQ(run_kerf({"import", path("none.csv"), "-o", file("c")}).exit, 1);
+  EXPECT_EQ(run_kerf({"import", path("none.csv"), "-o", file("c")}).exit, 2);
 }
 
 TEST_F(QueryProgram, MinimizesToARecordingAPictureAndATest) {

@@ -125,10 +125,10 @@ TEST(RecordProgram, BadInputIsNamed) {
   EXPECT_THAT(run_kerf({"record", "pil", "-o", file}).err, HasSubstr("did you mean 'pile'"));
   EXPECT_EQ(run_kerf({"record", "pile"}).exit, 2);
   const Outcome missing = run_kerf({"verify", file});
-  EXPECT_EQ(missing.exit, 1);
+  EXPECT_EQ(missing.exit, 2);
   EXPECT_THAT(missing.err, HasSubstr("there is no recording"));
   const Outcome nowhere = run_kerf({"record", "pile", "-o", folder.path() / "no/folder/a.kerf"});
-  EXPECT_EQ(nowhere.exit, 1);
+  EXPECT_EQ(nowhere.exit, 2);
   EXPECT_THAT(nowhere.err, HasSubstr("cannot open"));
 }
 

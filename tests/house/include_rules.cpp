@@ -40,6 +40,7 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"Dear ImGui", "imstb_"},
     {"Dear ImGui", "imconfig"},
     {"stb", "stb"},
+    {"libpng", "png.h"},
     {"libdeflate", "libdeflate"},
     {"ISA-L", "isa-l/"},
     {"Box2D", "box2d/"},
@@ -117,6 +118,7 @@ constexpr auto kPermissions = std::to_array<Permission>({
     {"core/kernels/", "Highway"},
     {"core/base/task_pool", "oneTBB"},
     {"core/recording/database.cpp", "SQLite"},
+    {"core/recording/writer_lock.cpp", "POSIX"},
     {"core/recording/compression.cpp", "Zstandard"},
 
     {"viz/", "viz"},
@@ -125,6 +127,7 @@ constexpr auto kPermissions = std::to_array<Permission>({
     {"viz/", "GL"},
     {"viz/", "Dear ImGui"},
     {"viz/", "stb"},
+    {"viz/", "libpng"},
     {"viz/", "libdeflate"},
     {"viz/", "ISA-L"},
     {"viz/", "POSIX"},

@@ -11,10 +11,11 @@
 namespace kerf {
 namespace {
 
+template <class Error = ScriptError>
 [[noreturn]] void fail(const ScriptLine& line, const std::string& what) {
   std::string text;
   for (const std::string& word : line.words) text += (text.empty() ? "" : " ") + word;
-  throw ScriptError("line " + std::to_string(line.number) + ", '" + text + "': " + what);
+  throw Error("line " + std::to_string(line.number) + ", '" + text + "': " + what);
 }
 
 template <class Number = double>
@@ -276,7 +277,8 @@ void ScriptPlayer::expect(const ScriptLine& line) {
     if (kept == remembered_.end()) fail(line, "nothing was remembered as '" + wanted.substr(1) + "'");
     wanted = kept->second;
   }
-  if (!compare(found, line.words[2], wanted, line)) fail(line, line.words[1] + " is '" + found + "'");
+  if (!compare(found, line.words[2], wanted, line))
+    fail<ExpectationFailed>(line, line.words[1] + " is '" + found + "'");
 }
 
 /// "320,200" is a pixel, "play" a part of a panel, "view@0.5,0.25" a place within it by its share, "object:5"

@@ -14,6 +14,8 @@ namespace kerf {
 template <int D>
 struct FramePlan {
   Box<D> bounds;                         ///< that is framed
+  std::uint32_t outside = 0;             ///< bodies of which no part lies in it
+  bool tells_outside = false;            ///< the caption says so, also of none: it must not jump
   bool has_tree = false;                 ///< caption and legend speak of it
   TreeSnapshotOf<D> snapshot;            ///< of the tree
   std::vector<Placement> placements;     ///< by object; empty: objects are not tinted
@@ -28,8 +30,9 @@ struct FramePlan {
 template <int D>
 class FramePlanner {
  public:
-  /// As in FrameOptions.
-  explicit FramePlanner(LayerSet layers, int samples) : layers_(layers), wanted_samples_(samples) {}
+  /// `layers` and `samples` as in FrameOptions.
+  explicit FramePlanner(LayerSet layers, int samples, Framing framing = Framing::most)
+      : layers_(layers), wanted_samples_(samples), view_box_(framing) {}
 
   /// The plan is valid until the next call.
   const FramePlan<D>& plan(const FrameInput<D>& input);
@@ -40,6 +43,8 @@ class FramePlanner {
 
   /// From now on exactly this box is framed. Throws std::invalid_argument unless it is valid.
   void fix_view_box(const Box<D>& box) { view_box_.fix(box); }
+  /// From now on the caption says how many bodies lie outside, also if none does.
+  void tell_outside() { plan_.tells_outside = true; }
   /// From now on the ramp of populations ends here.
   void fix_largest_population(std::uint32_t population);
   [[nodiscard]] Box<D> view_box() const { return view_box_.box(); }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,7 +46,8 @@ struct LegendItem {
 };
 
 /// The caption's items in order. Numbers have room to grow, so that they stand still in a film.
-std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree);
+std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree,
+                                       std::optional<std::uint32_t> outside = std::nullopt);
 /// The items that the layers shown call for. `largest_population`: "64", where the ramp ends.
 std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tree,
                                      const std::string& largest_population);
