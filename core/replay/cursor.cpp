@@ -12,18 +12,18 @@ namespace {
 
 struct Contest {
   Operator op;
-  NodeId node;
+  NodeRef node;
 };
 
 /// What there was to choose: an operator placed a partitioner, or a split found none.
 std::optional<Contest> contest_of(const Event& event) {
   if (const auto* const acted = acted_of(event)) {
     if (acted->op == Operator::merge || acted->op == Operator::swap) return std::nullopt;
-    return Contest{acted->op, acted->node.node};
+    return Contest{acted->op, acted->node};
   }
   const auto* const refused = refused_of(event);
   if (refused == nullptr || refused->reason != Refusal::no_partitioner) return std::nullopt;
-  return Contest{Operator::split, refused->node.node};
+  return Contest{Operator::split, refused->node};
 }
 
 /// Where somebody decided, another candidate acted than Algorithm 1 would have chosen.
@@ -52,9 +52,10 @@ std::uint32_t step_of(const RecordingReader<D>& recording, std::uint64_t event) 
 template <int D>
 BspState<D> state_after(Replayer<D>& replayer, std::uint64_t event) {
   std::optional<BspState<D>> state;
-  replayer.seek(step_of(replayer.recording(), event) - 1);
+  const Event recorded = replayer.recording().event(event);
+  replayer.seek(recorded.step - 1);
   replayer.advance([&](const Event& happened) {
-    if (happened.id == event) state = replayer.tree().state();
+    if (happened == recorded) state = replayer.tree().state();
   });
   if (!state)
     throw std::runtime_error("the replay has no event e" + std::to_string(event) +
@@ -73,8 +74,10 @@ BspState<D> state_before(Replayer<D>& replayer, std::uint64_t event) {
 template <int D>
 std::vector<BallotEntry> ballot_of(const BspState<D>& before, const Event& event) {
   const auto contest = contest_of(event);
-  if (!contest) return {};
-  std::vector<BallotEntry> entries = ballot(before.tree, contest->op, contest->node, before.config);
+  if (!contest || !before.tree.is_alive(contest->node)) return {};
+  const NodeId node = contest->node.node;
+  if (contest->op == Operator::split && !before.tree[node].is_leaf()) return {};  // of no run of this tree
+  std::vector<BallotEntry> entries = ballot(before.tree, contest->op, node, before.config);
   if (const auto* const acted = acted_of(event)) mark_decided(*acted, entries);
   return entries;
 }

@@ -31,10 +31,11 @@ void print(const Divergence& divergence) {
 void print(const Verdict& verdict, bool oracle) {
   std::printf("replayed %u steps, %llu events, %llu pairs, %llu keyframes\n", verdict.steps,
               wide(verdict.events), wide(verdict.pairs), wide(verdict.keyframes));
+  if (verdict.change) std::printf("changed after it was recorded: %s\n", verdict.change->what.c_str());
   if (verdict.divergence) {
     print(*verdict.divergence);
-  } else {
-    std::printf("every event, state hash, keyframe and set of pairs is as recorded\n");
+  } else if (!verdict.change) {
+    std::printf("every event, figure, state hash, keyframe and set of pairs is as recorded\n");
   }
   if (oracle)
     std::printf("oracle: %llu missed, %llu extra, %llu twice\n", wide(verdict.missed), wide(verdict.extra),
@@ -42,6 +43,7 @@ void print(const Verdict& verdict, bool oracle) {
   if (const TheirStep& theirs = verdict.theirs; theirs.pairs + theirs.missed > 0)
     std::printf("theirs: %llu pairs, %llu missed, %llu extra, %llu twice\n", wide(theirs.pairs),
                 wide(theirs.missed), wide(theirs.extra), wide(theirs.twice));
+  for (const std::string& what : verdict.unchecked) std::printf("not checked: %s\n", what.c_str());
 }
 
 }  // namespace
@@ -67,6 +69,7 @@ void VerifyCommand::run() const {
   if (interrupt.requested())
     throw Interrupted("interrupted: the steps after " + std::to_string(verdict.steps) + " were not verified");
   if (verdict.divergence) throw DoesNotHold("the replay is not the run that was recorded");
+  if (verdict.change) throw DoesNotHold("the recording was changed after it was written");
   if (!verdict.holds())
     throw DoesNotHold("pairs are wrong, first in step " + std::to_string(verdict.first_wrong_step));
 }

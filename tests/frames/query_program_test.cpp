@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <regex>
 
@@ -64,8 +65,10 @@ TEST_F(QueryProgram, ExplainsPairsNodesAndEvents) {
   const Outcome node = run_kerf({"explain", file("a"), "--step", "50", "--node", "n0"});
   EXPECT_EQ(node.exit, 0) << node.err;
   EXPECT_THAT(node.out, HasSubstr("after step 50, n0"));
-  const Outcome event = run_kerf(
-      {"explain", file("a"), "--event", "e" + std::to_string(recording.events_of_node({0}).front())});
+  const std::vector<OperatorRow> rows = recording.operators();
+  const auto first = std::ranges::find(rows, NodeId{0}, [](const OperatorRow& row) { return row.node.node; });
+  ASSERT_NE(first, rows.end());
+  const Outcome event = run_kerf({"explain", file("a"), "--event", "e" + std::to_string(first->event)});
   EXPECT_EQ(event.exit, 0) << event.err;
   EXPECT_THAT(event.out, HasSubstr("n0 was a leaf that is crowded"));
   const Outcome pair = run_kerf({"explain", file("a"), "--pair", "5,9"});

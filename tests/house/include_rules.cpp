@@ -114,6 +114,7 @@ constexpr auto kLayers = std::to_array<Layer>({
 constexpr auto kPermissions = std::to_array<Permission>({
     {"core/", "core"},
     {"core/tree/hash.cpp", "xxHash"},
+    {"core/recording/chain.cpp", "xxHash"},
     {"core/kernels/", "x86 intrinsics"},
     {"core/kernels/", "Highway"},
     {"core/base/task_pool", "oneTBB"},
