@@ -14,8 +14,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// Whether so much is found that it pays to tell apart what bytes alone make sure of: if boxes of such a mean
-/// length along each axis, in bytes, lay anywhere, more than seven in a row of 64.
+/// Whether so many findings are expected that it pays to separate those that bytes alone prove: boxes of this
+/// mean length along each axis, in bytes, at random places, give more than seven in a row of 64.
 template <std::size_t D>
 HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, std::size_t axis) {
   const auto n = static_cast<float>(count);
@@ -26,7 +26,7 @@ HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, 
   return sure > 7 * rows;
 }
 
-/// Fills `keys`, chooses the axis along which the boxes are shortest, and tells whether they lie dense.
+/// Fills `keys`, chooses the axis along which the boxes are shortest, and sets whether they lie dense.
 template <int D>
 HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   const ByteMap<D> map(make_byte_scale(leaf));
@@ -52,9 +52,9 @@ HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   sweep.is_dense = is_dense(leaf.size(), length, axis);
 }
 
-/// Counts the entries that begin at each byte of the axis, and writes their places and bytes in that order;
-/// equal ones stay in the order in which they came. The entries themselves stay where they are: to copy them
-/// costs more than to find them by their places.
+/// Counts the entries that begin at each byte of the axis, and writes their places and bytes in that order.
+/// The order is stable. The entries stay where they are: copying them costs more than finding them by their
+/// places.
 template <int D>
 HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   const std::size_t n = leaf.size();

@@ -66,7 +66,7 @@ HWY_INLINE void mute(std::uint8_t attention, Packed<D>& asks) {
 }
 
 /// Takes the boxes of the block of neighbours that begins at the k-th request, if their answers are alike:
-/// with fat boxes nobody asks, without them all do. One branch tells. `Silent`: some objects may be.
+/// with fat boxes no object asks, without them all do. One branch decides. `Silent`: some objects may be.
 template <bool Fat, bool Silent, int D>
 HWY_INLINE bool take_alike(const MoveRequest<D>& request, std::size_t k, MoveAnswer& answer) {
   constexpr int kBoxes = D == 2 && !Silent ? 2 : 1;

@@ -26,8 +26,8 @@ struct Node {
   std::uint32_t retry_step = 0;  ///< leaf: no split is tried before this step (back-off after refusals)
   std::uint32_t refusals = 0;    ///< leaf: splits refused in a row
   bool alive = false;
-  bool unsorted = false;  ///< leaf: the entries' keys and order must be renewed before anybody relies on them
-  bool changed = false;   ///< leaf: what was derived from its entries or masks is out of date
+  bool unsorted = false;       ///< leaf: the entries' keys and order must be renewed before use
+  bool changed = false;        ///< leaf: data derived from its entries or masks is out of date
   std::vector<Entry> entries;  ///< leaf: ordered by (key.lo, object) after the sort phase
 
   [[nodiscard]] bool is_leaf() const { return left.is_none(); }

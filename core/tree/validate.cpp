@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-/// Where an object must be stored, found by the definition and by nothing that the operators keep.
+/// Where an object must be stored, by the definition and independent of what the operators maintain.
 struct Place {
   NodeId leaf;
   DepthMask straddle;

@@ -43,7 +43,7 @@ std::vector<std::string> approve_frames(const DiffResult& result) {
     if (diff.frame.is_extra())
       to = fs::is_directory(result.test) ? result.reference / diff.frame.name : result.reference;
     if (to.has_parent_path()) fs::create_directories(to.parent_path());
-    // The picture last: whoever stops in between still finds a difference.
+    // The picture last: after an interruption in between the difference is still found.
     copy_or_remove(ids_path(diff.frame.test), ids_path(to));
     copy_or_remove(draw_list_path(diff.frame.test), draw_list_path(to));
     copy_file_atomically(diff.frame.test, to);

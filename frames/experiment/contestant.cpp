@@ -19,7 +19,7 @@ double seconds_since(Clock::time_point start) {
 
 double milliseconds(const StepTimer& timer) { return static_cast<double>(timer.nanoseconds()) * 1e-6; }
 
-/// Of the last step, the part that brought the structure up to date.
+/// In the last step, the part that brought the structure up to date.
 double arranging_seconds(const BroadPhase<3>& subject) {
   if (const auto* tree = dynamic_cast<const Bsp<3>*>(&subject)) {
     const Statistics statistics = tree->statistics();
@@ -68,7 +68,7 @@ ContestantStep Contestant::step(const StepRequests<3>& requests, bool count) {
   const StepTimer stepping(true);
   subject_->step();
   const double stepped = milliseconds(stepping);
-  // The subjects look at the clock on the wall, which also tells what other programs took of the processor.
+  // The subjects read the wall clock, which includes the processor time of other programs.
   const double arranging = stepped * arranging_seconds(*subject_) / seconds_since(start);
   ContestantStep result;
   result.update = handed_over + arranging;

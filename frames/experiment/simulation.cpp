@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 7> kContestants{
 
 double milliseconds(const StepTimer& timer) { return static_cast<double>(timer.nanoseconds()) * 1e-6; }
 
-/// Stands in the world's loop and has all contestants do each step.
+/// Stands in the world's loop and makes all contestants do each step.
 class Chorus final : public BroadPhase<3> {
  public:
   Chorus(const SceneEntry<3>& entry, const SceneOptions& options) {
@@ -55,7 +55,7 @@ class Chorus final : public BroadPhase<3> {
     const StepTimer timer(true);
     requests_.add_moves(moved_, boxes_);
     results_.assign(contestants_.size(), {});
-    // Each in turn begins, as the caches are warmer for whoever comes later.
+    // Each in turn begins, because later ones find warmer caches.
     for (std::size_t k = 0; k < contestants_.size(); ++k) {
       const std::size_t turn = (k + steps_) % contestants_.size();
       results_[turn] = contestants_[turn].step(requests_, steps_ % kBetweenCounts == 0);
@@ -88,7 +88,7 @@ class Chorus final : public BroadPhase<3> {
 
   ObjectTable<3> table_;
   std::vector<Contestant> contestants_;
-  StepRequests<3> requests_;  ///< what is inserted, then what moves, all in one call
+  StepRequests<3> requests_;  ///< insertions first, then moves, all in one call
   std::vector<ObjectId> moved_;
   std::vector<Box<3>> boxes_;
   std::vector<ContestantStep> results_;

@@ -43,7 +43,8 @@ struct Surroundings {
   std::string path;                ///< PATH; empty: as it is
 };
 
-/// A running program, its outputs kept in files until it ends. It is killed if nobody waits for it.
+/// A running program, its outputs kept in files until it ends. The destructor kills it unless `wait` was
+/// called.
 class Process {
  public:
   explicit Process(std::vector<std::string> command, const Surroundings& surroundings = {});

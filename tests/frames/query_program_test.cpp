@@ -196,7 +196,7 @@ TEST_F(QueryProgram, TheirMissedExtraAndRepeatedPairsAreFound) {
   EXPECT_THAT(why.out, HasSubstr("the other engine missed it"));
 }
 
-/// Boxes without a line stay as they are, also when their pairs are told for longer.
+/// Boxes without a line stay as they are, also when pairs go on for longer.
 TEST_F(QueryProgram, TheirPairsAreJudgedToTheirLastStep) {
   std::ofstream(path("boxes.csv")) << "10,0,0,1,0,1\n10,1,1,2,0,1\n";
   std::ofstream(path("pairs.csv")) << "10,0,1\n13,0,1\n";

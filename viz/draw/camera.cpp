@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-constexpr double kMargin = 0.96;  // of the viewport is used by what is framed
+constexpr double kMargin = 0.96;  // the part of the viewport that the framed box uses
 
 [[noreturn]] void fail(const std::string& what, std::string_view valid) {
   throw std::invalid_argument("camera: " + what + "; give any of " + std::string(valid));
@@ -43,7 +43,7 @@ double parse_between(std::string_view key, std::string_view text, double low, do
   return value;
 }
 
-/// Calls `set(key, value)` for each KEY=VALUE; it returns false for an unknown key.
+/// Calls `set(key, value)` for each KEY=VALUE; `set` returns false for an unknown key.
 template <class Set>
 void parse_assignments(std::string_view text, std::string_view valid, Set set) {
   while (!text.empty()) {

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// What the user said of the camera; what was left out is chosen by `frame_all`.
+/// The user's choices for the camera; `frame_all` chooses the rest.
 template <int D>
 struct CameraChoice;
 
@@ -31,7 +31,7 @@ struct CameraChoice<2> {
 };
 
 /// Reads "yaw=30,pitch=38,fov=35,distance=40,target=0:0:0" (3D) or "center=0:5,width=40" (2D), any part of it
-/// or nothing. Throws std::invalid_argument that says what was wrong and what can be given.
+/// or nothing. Throws std::invalid_argument that says what is wrong and what is allowed.
 template <int D>
 CameraChoice<D> parse_camera(std::string_view text);
 
@@ -50,7 +50,7 @@ struct View {
   Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();  ///< unit, from the eye into the scene
   double pixels_per_unit_at_one = 1;                   ///< pixels of a unit length at depth 1 (2D: anywhere)
   bool perspective = false;                            ///< 3D
-  double near = 0;                                     ///< 3D: nothing nearer to the eye is drawn
+  double near = 0;                                     ///< 3D: parts nearer to the eye are not drawn
   double picture_width = 1;
   double picture_height = 1;
 

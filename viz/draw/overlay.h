@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// What lies over the scene: shapes, then letters.
+/// The overlay of the scene: shapes, then letters.
 struct Overlay {
   Batch shapes;
   TextBatch text;
@@ -45,15 +45,15 @@ struct LegendItem {
 
 /// The caption's items in order. Numbers have room to grow, so that they stand still in a film.
 std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree);
-/// The items that the layers shown call for. `largest_population`: "64", where the ramp ends.
+/// The items for the visible layers. `largest_population`: "64", where the ramp ends.
 std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tree,
                                      const std::string& largest_population);
 
 Layout make_layout(const Font& font, int width, int height, const std::vector<CaptionItem>& caption,
                    bool has_log, const std::vector<LegendItem>& legend);
 
-/// The note and what acted lately, newest first, in one line. Operators for which it has no room are counted
-/// ("and 3 more"); a note that is too long itself ends with "...".
+/// The note and the recent operators, newest first, in one line. Operators without room are counted ("and 3
+/// more"); a note that is too long itself ends with "...".
 std::string log_line(const Font& font, int picture_width, const std::string& note,
                      const std::vector<Highlight>& highlights);
 

@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// What can be drawn of a tree without its entries: cheap to copy, so that a frame can still show the cells
+/// The drawable part of a tree, without its entries: cheap to copy, so that a frame can still show the cells
 /// of nodes that have died since the one before.
 template <int D>
 class Skeleton {
@@ -29,11 +29,11 @@ class Skeleton {
   /// Takes over the nodes of `tree`; none: nothing is alive. Memory is kept from call to call.
   void assign(const Tree<D>* tree);
 
-  /// Takes over what `root()` and `joints()` of another one gave.
+  /// Takes over the `root()` and `joints()` of another one.
   void assign(NodeId root, std::vector<Joint> joints);
 
   [[nodiscard]] NodeId root() const { return root_; }
-  /// By node; those that are not alive mean nothing.
+  /// By node; undefined for nodes that are not alive.
   [[nodiscard]] std::span<const Joint> joints() const { return joints_; }
   [[nodiscard]] bool empty() const { return root_.is_none(); }
   [[nodiscard]] const Joint& operator[](NodeId id) const { return joints_[id.index()]; }
@@ -44,7 +44,7 @@ class Skeleton {
   /// The sides of the ancestors on which `id` lies: its cell, unbounded as yet. Valid until the next call.
   [[nodiscard]] std::span<const HalfSpace> cell_sides(NodeId id) const;
 
-  /// Nodes in an order in which what is drawn later never lies behind what was drawn before, seen from `eye`.
+  /// Nodes in drawing order: a later one never lies behind an earlier one, seen from `eye`.
   [[nodiscard]] std::vector<NodeId> back_to_front(const Eigen::Vector3d& eye) const;
 
  private:

@@ -10,11 +10,11 @@
 namespace kerf {
 namespace {
 
-constexpr Scalar kFarthest = 1e9F;  ///< larger coordinates are no scene that a picture could show
+constexpr Scalar kFarthest = 1e9F;  ///< larger coordinates belong to no scene that a picture could show
 constexpr Scalar kReach =
-    0.5F;  ///< around what is fixed, in its sizes, where moving objects are still of interest
+    0.5F;  ///< around the fixed objects, in their sizes, where moving objects still matter
 constexpr Scalar kReachUp = 2.0F;  ///< likewise upwards, from where they fall
-constexpr Scalar kGrowth = 0.12F;  ///< more than is needed
+constexpr Scalar kGrowth = 0.12F;  ///< more than needed
 constexpr int kUp = 1;
 
 template <int D>
@@ -37,7 +37,7 @@ bool is_near(const Body<D>& body) {
   return all;
 }
 
-/// Where moving objects count: around what is fixed; everywhere if nothing is.
+/// Where moving objects count: around the fixed objects; everywhere if there are none.
 template <int D>
 Box<D> region_of_interest(const Box<D>& fixed) {
   Box<D> region = fixed;

@@ -7,13 +7,13 @@
 
 namespace kerf {
 
-/// What a sequence of frames shows: everything seen so far, without following single objects. It only grows,
-/// and then by more than is needed at once, so that the picture stands still most of the time.
+/// The view of a sequence of frames: everything seen so far, without following single objects. It only grows,
+/// each time by more than needed, so that the picture stands still most of the time.
 template <int D>
 class ViewBox {
  public:
-  /// Takes a frame's bodies in. Moving objects far outside of what is fixed are left to go: one that fell off
-  /// the edge must not shrink the rest to a dot.
+  /// Adds a frame's bodies. Moving objects far outside of the fixed ones are ignored: one that fell off the
+  /// edge must not shrink the rest to a dot.
   void update(std::span<const Body<D>> bodies);
   /// From now on exactly this box. Throws std::invalid_argument unless it is valid and not empty.
   void fix(const Box<D>& box);

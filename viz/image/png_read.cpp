@@ -35,8 +35,7 @@ static_assert(STBI_MAX_DIMENSIONS == kMaxImageSide);
 
 using Bytes = std::span<const std::uint8_t>;
 
-constexpr std::size_t kMaxBytes = std::size_t{1}
-                                  << 30U;  // what stb_image can be given; a device may be endless
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30U;  // the limit of stb_image; a device may be endless
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
   throw std::runtime_error("cannot read " + path.string() + ": " + reason);
@@ -78,13 +77,13 @@ void check_header(const std::filesystem::path& path, const std::uint8_t* header,
     fail(path, "an image of " + std::to_string(width) + "x" + std::to_string(height) + " pixels; 1 to " +
                    std::to_string(kMaxImageSide) + " a side can be read");
   }
-  // Deflate shrinks at most 1032 times: what promises more pixels than its data can hold is not believed.
+  // Deflate shrinks at most 1032 times: a header that promises more pixels than its data can hold is refused.
   constexpr std::uint64_t kDeflateLimit = 1032;
   const std::uint64_t least_bytes = std::uint64_t{height} * (1 + width * std::uint64_t{header[8]} / 8);
   if (least_bytes > kDeflateLimit * (compressed + 1)) fail(path, "it has fewer pixels than it claims");
 }
 
-/// Walks the chunks: they must be whole, undamaged, begin with a header that can be true and end with IEND.
+/// Walks the chunks: they must be whole and undamaged, begin with a possible header and end with IEND.
 void check_chunks(const std::filesystem::path& path, Bytes bytes) {
   const auto truncated = [&path, &bytes] {
     fail(path, "the file is truncated (it ends after " + std::to_string(bytes.size()) + " bytes)");

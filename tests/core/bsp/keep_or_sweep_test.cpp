@@ -49,7 +49,7 @@ TEST(KeepOrSweep, KeepsAsLongAsFewLeave) {
 
 TEST(KeepOrSweep, BeginnersMayLoseMoreWhileSkinsLearnButNotForLong) {
   KeepOrSweep choice = keeping();
-  choice.kept({1, {0, 0}}, 3);  // nobody has a fat box yet
+  choice.kept({1, {0, 0}}, 3);  // no object has a fat box yet
   EXPECT_TRUE(choice.keeps());
   EXPECT_EQ(steps_until_change(choice, [&] { choice.kept({0.15F, {0, 0}}, 3); }), 25);
   KeepOrSweep hopeless = keeping();
