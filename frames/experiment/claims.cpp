@@ -24,7 +24,7 @@ constexpr const char* kFlatOctree =
 constexpr const char* kFlatQuadtree =
     "ODE's quadtree divides the XZ plane only, and each of its columns holds many objects one above the "
     "other, "
-    "which are all compared; whoever tells heights apart, too, has less to do";
+    "which are all compared; a structure that also separates heights has less to do";
 constexpr const char* kFewSwaps =
     "ends swap where objects pass each other, and here most rest or move along: SP keeps its overlaps from "
     "step to "
@@ -35,7 +35,7 @@ constexpr const char* kHiddenWork =
     "building of its table as collision time";
 constexpr const char* kLongLists = "a tree of few leaves has long lists to sweep";
 constexpr const char* kStayInLeaves =
-    "most objects stay in their leaves, which one comparison tells; ODE looks for the block of every geom "
+    "most objects stay in their leaves, as one comparison shows; ODE looks for the block of every geom "
     "that moved";
 
 std::string number(double x) {

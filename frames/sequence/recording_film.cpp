@@ -96,7 +96,7 @@ class RecordingFilm final : public Film {
     record.state_hash = replayer_.tree().state_hash();
     if (record.state_hash != row.state_hash)
       throw std::runtime_error("the replay differs from the recording at step " + std::to_string(step) +
-                               ": `kerf verify` tells more");
+                               ": `kerf verify` says more");
     return record;
   }
 

@@ -64,7 +64,7 @@ KeptFrames SequenceFolder::frames_of(const Manifest& manifest) const {
   if (files_of_sequence().empty()) return {};
   if (!std::filesystem::exists(path_ / kManifestName))
     throw UsageError(path_.string() + " has frames but no " + kManifestName +
-                     ", so nobody knows of what; choose another folder, or replace them with --overwrite");
+                     " to describe them; choose another folder, or replace them with --overwrite");
   const Manifest earlier = read_manifest(path_);
   std::string difference = first_difference(earlier.header, manifest.header);
   if (!(earlier.shard == manifest.shard)) difference = "another shard";

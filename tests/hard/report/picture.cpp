@@ -30,7 +30,7 @@ constexpr std::array<Style, kVerdictCount> kStyles{
     {{{226, 226, 222}, {110, 110, 110}, "not applicable", ""},
      {{205, 232, 247}, {40, 90, 130}, "exact", "="},
      {{240, 228, 66}, {25, 25, 25}, "extra pairs, their number", "+12"},
-     {{230, 159, 0}, {25, 25, 25}, "pairs told twice, their number", "2x5"},
+     {{230, 159, 0}, {25, 25, 25}, "pairs reported twice, their number", "2x5"},
      {{204, 121, 167}, {25, 25, 25}, "wrong status or unsound tree", "!1"},
      {{213, 94, 0}, {255, 255, 255}, "missed pairs, their number", "-1k"},
      {{0, 84, 140}, {255, 255, 255}, "time-out", "T"},
