@@ -66,7 +66,7 @@ class TablePicture {
                 palette::kGround) {}
 
   const Image& draw() {
-    canvas_.text(large_, kMargin, kMargin, "Hard cases: who tells exactly the overlapping pairs?",
+    canvas_.text(large_, kMargin, kMargin, "Hard cases: which broad phase reports exactly the overlapping pairs?",
                  palette::kInk);
     for (std::size_t i = 0; i < table_.columns.size(); ++i) draw_head(i);
     for (std::size_t i = 0; i < table_.rows.size(); ++i) draw_row(i);
