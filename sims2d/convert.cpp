@@ -49,7 +49,7 @@ bool turns_left(const std::vector<Vector<2>>& corners) {
   return true;
 }
 
-/// Whether Box2D kept every corner (it welds close ones) in the given order (it takes the hull).
+/// Whether Box2D kept every corner (it welds close ones) in the given order (it makes a hull).
 bool kept(const b2PolygonShape& polygon, const std::vector<Vector<2>>& corners) {
   const std::size_t count = corners.size();
   if (polygon.m_count != static_cast<int32>(count)) return false;

@@ -46,7 +46,7 @@ struct Config {
   std::uint32_t directions = 256;  ///< size of the direction set (3D; 2D uses a quarter)
   std::uint64_t seed = 1;          ///< of the direction set
 
-  // Beyond the paper: policies beside it, all off. `tuned_config` switches them on.
+  // Policies beyond the paper, all off by default. `tuned_config` switches them on.
   bool byte_sweep = false;  ///< leaves are swept by vectors of bytes instead of along ordered lists
   float skin = 0;           ///< with byte_sweep: steps of its own motion that an object's fat box allows for
   float stream_share = 1;   ///< with byte_sweep: when more objects than this share move in a step, all are
@@ -68,13 +68,14 @@ struct Config {
   friend bool operator==(const Config&, const Config&) = default;
 };
 
-/// The fastest that we know for boxes: axis directions, large leaves, all policies beyond the paper.
+/// The fastest configuration that we know for boxes: axis directions, large leaves, all policies beyond the
+/// paper.
 Config tuned_config();
 
 /// Throws std::invalid_argument, naming the parameter and its range, when a value cannot work.
 void check(const Config& config);
 
-/// What is known of one parameter: name, meaning, and the range of its values.
+/// The description of one parameter: name, meaning, and the range of its values.
 struct ConfigField {
   std::string_view name;
   std::string_view meaning;

@@ -69,10 +69,10 @@ void KeptStep<D>::make_all_fat(const StepContext<D>& step) {
   table.copy_but_boxes(latest, step.pool());
 }
 
-/// Lists objects as changed that were not moved, for two reasons. An object that did not move since the last look loses its
-/// fat, so that its pairs with others at rest need no test; and an object that stays in the fat box of a
-/// flight gets its skin instead. The candidates of both are filtered in each step. A step looks at some of
-/// the objects, so that all are looked at in turn.
+/// Lists objects as changed that were not moved, for two reasons. An object that did not move since the last
+/// look loses its fat, so that its pairs with others at rest need no test; and an object that stays in the
+/// fat box of a flight gets its skin instead. The candidates of both are filtered in each step. A step looks
+/// at some of the objects, so that all are looked at in turn.
 template <int D>
 void KeptStep<D>::list_sleepers(const StepContext<D>& step) {
   const ObjectTable<D>& latest = step.requests.latest();

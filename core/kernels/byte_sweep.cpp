@@ -28,7 +28,7 @@ HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, 
   return sure > tuning::kSurePerRow * rows;
 }
 
-/// Fills `keys`, chooses the axis along which the boxes are shortest, and tells whether they lie dense.
+/// Fills `keys`, chooses the axis along which the boxes are shortest, and sets whether they lie dense.
 template <int D>
 HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   const ByteMap<D> map(make_byte_scale(leaf));
@@ -54,9 +54,9 @@ HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   sweep.is_dense = sweep.may_be_dense && is_dense(leaf.size(), length, axis);
 }
 
-/// Counts the entries that begin at each byte of the axis, and writes their places and bytes in that order;
-/// equal ones stay in the order in which they came. The entries themselves stay where they are: to copy them
-/// costs more than to find them by their places.
+/// Counts the entries that begin at each byte of the axis, and writes their places and bytes in that order.
+/// The order is stable. The entries stay where they are: copying them costs more than finding them by their
+/// places.
 template <int D>
 HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   const std::size_t n = leaf.size();

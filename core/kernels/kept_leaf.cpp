@@ -46,7 +46,7 @@ HWY_INLINE Probe<D> make_probe(KeptLeaf<D>& leaf, std::size_t place) {
   return probe;
 }
 
-/// Not inlined, and told what was found by value: so the loop that calls it keeps all in registers.
+/// Not inlined, and takes the findings by value: the loop that calls it then keeps everything in registers.
 template <bool Places, int D>
 HWY_NOINLINE void confirm_in(const KeptLeaf<D>& leaf, const PackedBox<D>* boxes, Found found,
                              PairBuffer& pairs) {
@@ -57,7 +57,7 @@ HWY_NOINLINE void confirm_in(const KeptLeaf<D>& leaf, const PackedBox<D>* boxes,
   confirm<D>(found, entry, entry, pairs);
 }
 
-/// Looks the last entries up among those before each.
+/// Looks up each of the last entries among those before it.
 template <bool Places, int D>
 HWY_INLINE void probe_all(KeptLeaf<D>& leaf, std::size_t count, const PackedBox<D>* boxes, Findings& room,
                           PairBuffer& pairs) {
@@ -86,8 +86,8 @@ HWY_INLINE std::size_t find_number(const std::uint32_t* numbers, std::size_t k, 
   return k;
 }
 
-/// Drops the pairs of a name, and tells where others are now. What the last pair replaces is looked at again,
-/// so that the order of the pairs left does not depend on the width of the vectors.
+/// Drops the pairs of a name, and records where others are now. A pair that replaces another one is tested
+/// again, so that the order of the remaining pairs does not depend on the width of the vectors.
 void drop_pairs(std::vector<Pair>& pairs, std::uint32_t name, std::vector<std::uint32_t>* changed) {
   static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
   const auto* const numbers = reinterpret_cast<const std::uint32_t*>(pairs.data());
@@ -112,7 +112,7 @@ std::size_t find_object(const std::vector<std::uint32_t>& objects, std::uint32_t
 }
 
 /// Writes those of the candidates whose boxes, given by their names, overlap. Four in each turn of the loop:
-/// so it matters least where in memory it lies. No branch depends on the outcome.
+/// then its place in memory matters least. No branch depends on the outcome.
 template <int D>
 HWY_INLINE std::size_t filter_to(Pair* HWY_RESTRICT out, std::span<const Pair> candidates,
                                  const PackedBox<D>* boxes) {
@@ -228,7 +228,7 @@ void make_room(KeptLeaf<D>& leaf, std::size_t n) {
   leaf.stride = stride;
 }
 
-/// No branch depends on which.
+/// No branch depends on the outcome.
 template <class Goes>
 void drop_pairs_if(std::vector<Pair>& pairs, Goes goes) {
   std::size_t written = 0;

@@ -18,7 +18,7 @@ struct RestlessEntry {
   DepthMask apart = 0;
 };
 
-/// How the two of a pair are named.
+/// How the two objects of a pair are named.
 enum class Names : std::uint8_t {
   objects,
   places,  ///< in the leaf
@@ -46,29 +46,29 @@ struct KeptLeaf {
   [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }
 };
 
-/// Forgets all entries and pairs. From now on the leaf's bytes tell boxes like those of the view well apart.
+/// Forgets all entries and pairs. From now on the leaf's bytes separate boxes like those of the view well.
 template <int D>
 void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf);
-/// Takes the entries of a view beside those that the leaf has; the pairs stay as they are.
+/// Adds the entries of a view to those of the leaf; the pairs stay as they are.
 template <int D>
 void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);
-/// Takes an object's entry, if it has one, and its pairs out; the last entry takes its place.
+/// Removes an object's entry, if there is one, and its pairs; the last entry takes its place.
 template <int D>
 void drop_object(KeptLeaf<D>& leaf, std::uint32_t object);
-/// Takes the entries and the pairs of all marked objects out. `marks` by object.
+/// Removes the entries and the pairs of all marked objects. `marks` is by object.
 template <int D>
 void drop_marked(KeptLeaf<D>& leaf, std::span<const std::uint8_t> marks);
-/// Takes the last entries out again. The pairs stay.
+/// Removes the last entries again. The pairs stay.
 template <int D>
 void drop_last(KeptLeaf<D>& leaf, std::size_t count);
 
-/// Appends the pairs of each of the last entries with all entries before it, whose boxes `boxes` gives by
-/// object: each the box by which it was appended, or any inside of it.
+/// Appends the pairs of each of the last entries with all entries before it. `boxes`, by object, are those
+/// with which the entries were appended, or boxes inside of those.
 template <int D>
 void probe_last(KeptLeaf<D>& leaf, std::size_t count, std::span<const PackedBox<D>> boxes, Names names,
                 Findings& found, PairBuffer& pairs);
-/// Appends those of the candidates whose boxes overlap. `boxes` by object; `gathered` is room for those of
-/// the leaf. If candidates are named by places, each box is read from where it is but once.
+/// Appends those of the candidates whose boxes overlap. `boxes` is by object; `gathered` is room for those of
+/// the leaf. If candidates are named by places, each box is read from the table only once.
 template <int D>
 void filter_candidates(const KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes,
                        std::vector<PackedBox<D>>& gathered, PairBuffer& pairs);

@@ -16,8 +16,8 @@ bool exceeds(std::span<const T> values, std::size_t bytes) {
   return values.size_bytes() > bytes;
 }
 
-/// Asks for the memory at an address that will be read soon. A hint: any address will do. Always inlined: of
-/// a function that does nothing else GCC thinks that it does nothing, and drops the calls.
+/// Prefetches the memory at an address that will be read soon. A hint: any address will do. Always inlined:
+/// GCC takes a function that does nothing else for one without effect, and drops the calls.
 template <class T>
 HWY_INLINE void prefetch(const T* address) {
   hwy::Prefetch(address);

@@ -14,7 +14,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// No branch depends on who stays. By value: what is written through the job's pointers can't be the job.
+/// No branch depends on which objects stay. By value: a write through the job's pointers cannot be to the
+/// job.
 template <bool Boxes, int D>
 HWY_INLINE Stayed stay(const StayJob<D> job) {
   Stayed at;

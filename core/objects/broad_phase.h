@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// A broad phase: it holds boxes and tells which of them overlap.
+/// A broad phase: it holds boxes and reports which of them overlap.
 ///
 /// Requests take effect at once or in the next `step()`; the pairs of `step()` always agree with the last
 /// box given for each object. The caller chooses the ids. There is no way to change a box behind its back.
@@ -26,7 +26,7 @@ class BroadPhase {
   /// The name by which programs choose it, for example "kerf" or "brute-force".
   [[nodiscard]] virtual std::string_view name() const = 0;
 
-  /// How it bounds objects: what callers should give. Boxes are always welcome; a broad phase that knows only
+  /// How it bounds objects, and so what callers should pass. Boxes are always accepted; a broad phase for
   /// boxes takes the box of any volume.
   [[nodiscard]] virtual VolumeKind volume_kind() const { return VolumeKind::box; }
 

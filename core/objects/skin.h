@@ -59,7 +59,7 @@ struct Skin {
   friend bool operator==(const Skin&, const Skin&) = default;
 };
 
-/// 16 bits of all bits of a box, the same on every machine.
+/// 16 bits that depend on all bits of a box, the same on every machine.
 template <int D>
 std::uint16_t fingerprint(const PackedBox<D>& box) {
   constexpr std::uint32_t kGolden = 0x9E3779B9U;
@@ -68,8 +68,8 @@ std::uint16_t fingerprint(const PackedBox<D>& box) {
   return static_cast<std::uint16_t>(mixed >> 16U);
 }
 
-/// The second largest extent of a box, and the fastest of its ends since `before`. A skin as thick as a long
-/// rod allows would make the rod many times as wide, and so its candidates many times as many.
+/// The second largest extent of a box, and the fastest of its ends since `before`. By its largest extent, a
+/// long rod's skin would make it many times as wide and give it as many more candidates.
 struct SizeAndSpeed {
   float size = 0;
   float speed = 0;
@@ -88,7 +88,7 @@ SizeAndSpeed size_and_speed(const Box<D>& box, const Box<D>& before) {
   return result;
 }
 
-/// Whether an object moved by more than any skin since `before`: it would leave any fat box soon, and have
+/// Whether an object moved by more than any skin since `before`. It would leave any fat box soon, and have
 /// many candidates until then.
 template <int D>
 bool is_fast(const Box<D>& box, const Box<D>& before) {
@@ -135,7 +135,7 @@ Box<D> wrap(const Box<D>& box, const Skin& skin) {
   return is_valid(fat) ? fat : box;
 }
 
-/// Whether a fat box is larger than any skin: its object was fast when it got it.
+/// Whether a fat box is larger than any skin: its object was fast when it was made.
 template <int D>
 bool is_for_flight(const Box<D>& fat, const Box<D>& box) {
   const auto [size, margin] = size_and_speed(box, fat);

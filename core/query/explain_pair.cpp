@@ -103,8 +103,9 @@ template <int D>
 std::string their_text(const PairExplanation<D>& e) {
   if (!e.their_times) return "";
   if (*e.their_times == 0 && e.is_pair) return "the other engine missed it\n";
-  if (*e.their_times > 0 && !e.is_pair) return "the other engine told it, though it is none\n";
-  if (*e.their_times > 1) return "the other engine told it " + std::to_string(*e.their_times) + " times\n";
+  if (*e.their_times > 0 && !e.is_pair) return "the other engine reported it, though it is none\n";
+  if (*e.their_times > 1)
+    return "the other engine reported it " + std::to_string(*e.their_times) + " times\n";
   return "";
 }
 

@@ -59,7 +59,7 @@ BspState<D> state_after(Replayer<D>& replayer, std::uint64_t event) {
   });
   if (!state)
     throw std::runtime_error("the replay has no event e" + std::to_string(event) +
-                             ": `kerf verify` tells more");
+                             ": `kerf verify` says more");
   return *std::move(state);
 }
 

@@ -128,7 +128,8 @@ template <int D>
 bool rerun(RecordingReader<D>& recording, const RecordingInfo& info, const std::filesystem::path& out,
            const std::function<bool()>& stop) {
   Bsp<D, EventLog> tree(info.config, info.volume);
-  Recorder<D> recorder(tree, out, info);  // what has the name already, or is being written, is not ours to remove
+  Recorder<D> recorder(tree, out,
+                       info);  // what has the name already, or is being written, is not ours to remove
   try {
     return rerun_steps(recording, info, tree, recorder, stop);
   } catch (const std::runtime_error&) {

@@ -71,7 +71,7 @@ std::string_view to_string(Refusal refusal) {
     case Refusal::list_full:
       return "the event list is full";
     case Refusal::decided:
-      return "somebody decided so";
+      return "refused by a decision";
   }
   return "";
 }

@@ -31,15 +31,16 @@ class WalkStack {
  private:
   static constexpr std::size_t kRoom = kMaxHeight + 2;
   std::size_t size_ = 0;
-  std::uint32_t nodes_[kRoom];  // what is not in use has no value: most walks are short
+  std::uint32_t nodes_[kRoom];  // unused places have no value: most walks are short
   DepthMask straddles_[kRoom];
 };
 
-/// Takes the marked objects out of a leaf below `from`, and counts them off each node up to there in which
-/// they have no copy further left.
+/// Removes the marked objects from a leaf below `from`, and subtracts them from each node up to there that
+/// has no copy of them farther left.
 template <int D>
 void take_out_marked(Tree<D>& tree, NodeId from, NodeId leaf) {
-  std::array<std::uint32_t, kMaxHeight + 1> going{};  // by the depth from which on their copy is the leftmost
+  std::array<std::uint32_t, kMaxHeight + 1>
+      going{};  // by the depth from which on the copy in this leaf is the leftmost
   std::uint32_t leftmost = 0;
   tree.drop_marked_entries(leaf, [&](const Entry& entry) {
     ++going[static_cast<std::size_t>(std::bit_width(entry.straddle & tree[leaf].right_of))];
@@ -73,7 +74,7 @@ void reach_nodes(const Tree<D>& tree, NodeId from, ObjectId object, std::vector<
   }
 }
 
-/// Whether two things reach the same leaves, on the same sides, by the sides that each has of a node. Calls
+/// Whether two objects reach the same leaves, on the same sides, given the sides of each at a node. Calls
 /// `visit` with the leaves; if not, with some of them.
 template <int D, class First, class Second, class Visit>
 bool walk_alike(const Tree<D>& tree, First first, Second second, Visit visit) {

@@ -54,7 +54,7 @@ template <int D>
 void Tree<D>::add_entry(NodeId leaf, ObjectId object, DepthMask straddle) {
   Node<D>& node = nodes_[leaf.index()];
   const std::size_t count = node.entries.size() + 1;
-  // Entries come one by one: the room grows by a quarter, or a leaf that fills were copied too often.
+  // Entries come one by one: the room grows by a quarter, so that a growing leaf is not copied too often.
   if (count > node.entries.capacity()) make_list_room(node.entries, count + count / 8);
   node.entries.push_back({project(node.direction, object), object, straddle});
   node.unsorted = true;
@@ -93,8 +93,8 @@ void Tree<D>::count_entries() {
   for_each_node(*this, root_, [this](NodeId id) { entries_ += nodes_[id.index()].entries.size(); });
 }
 
-/// From the back, where those are that came last: who leaves often lies there, and what is before it is not
-/// even looked at.
+/// From the back, where the newest entries lie: objects that leave are often among them, and the entries
+/// before are not even read.
 template <int D>
 void Tree<D>::drop_marked_entries(std::span<const EntryCount> marked, TaskPool& pool) {
   const auto is_marked = [this](const Entry& entry) { return marks_[entry.object.index()] != 0; };

@@ -7,7 +7,7 @@
 namespace kerf {
 namespace {
 
-/// Where an object must be stored, found by the definition and by nothing that the operators keep.
+/// Where an object must be stored, by the definition and independent of what the operators maintain.
 struct Place {
   NodeId leaf;
   DepthMask straddle;
@@ -62,7 +62,7 @@ class Validator {
     const bool known = node.direction < tree_.directions().size();
     const bool shallow = node.depth <= kMaxHeight;
     expect(known, id, "the direction is not in the set");
-    expect(shallow, id, "the node is deeper than masks can tell");
+    expect(shallow, id, "the node is deeper than a mask has bits");
     if (node.is_leaf() || node.right.is_none() || !known || !shallow) return;
     expect(node.entries.empty(), id, "an inner node has entries");
     expect(std::isfinite(node.plane.offset), id, "the offset is not finite");

@@ -126,7 +126,7 @@ std::filesystem::path DebugCommand::recording(const std::filesystem::path& scrat
 
 void DebugCommand::run() const {
   if (headless_ && script_.empty())
-    throw UsageError("--headless has nobody to drive it; give a --script, or leave it out for a window");
+    throw UsageError("--headless needs a --script to drive it; leave it out for a window");
   std::vector<ScriptLine> lines;
   try {
     if (!script_.empty()) lines = parse_script(read_script(script_));

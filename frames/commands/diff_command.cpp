@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kDiffFooter =
     "REFERENCE and TEST are two PNG files or two folders, whose frames are matched by name. Beside frames "
     "drawn\n"
-    "with --ids lie NAME.ids.png and NAME.draw.json: what differs is then told by name (plane n17 missing).\n"
+    "with --ids lie NAME.ids.png and NAME.draw.json: differences then have names (plane n17 missing).\n"
     "GATES   auto   exact, or flip where the draw lists name two rasterisers (the default)\n"
     "        exact  every pixel is the same: for pictures of one rasteriser\n"
     "        ids    the same things were drawn at the same place in the same colours\n"

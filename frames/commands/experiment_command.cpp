@@ -52,7 +52,7 @@ class Experiment {
     try {
       plot_experiment(folder_, runs_);
     } catch (const std::runtime_error&) {
-      if (!interrupt.requested()) throw;  // who is interrupted so is gnuplot
+      if (!interrupt.requested()) throw;  // an interrupt stops gnuplot, too
     }
     if (interrupt.requested())
       throw Interrupted("interrupted: the simulations are in " + folder_.string() +

@@ -15,7 +15,7 @@ enum class DiffGate {
   automatic,  ///< exact, unless the draw lists name two rasterisers: then flip
   exact,      ///< every pixel: for pictures of one rasteriser
   ids,        ///< draw list and id image: the same things at the same place in the same colours
-  flip,       ///< nobody would notice: FLIP's maximum, and ids where they are; for two rasterisers
+  flip,       ///< invisible to a person: FLIP's maximum, and ids where they are; for two rasterisers
 };
 
 /// FLIP's maximum up to which the gate `flip` is content: two rasterisers of Mesa reach 0.35

@@ -124,7 +124,7 @@ class SceneFilm final : public Film {
   FramePlanner<D> planner_;
   std::unique_ptr<BroadPhase<D>> broad_phase_;
   WatchedTree<D>* tree_;                   ///< the same; null: it is no tree
-  std::unique_ptr<Recorder<D>> recorder_;  ///< none unless asked for
+  std::unique_ptr<Recorder<D>> recorder_;  ///< null unless requested
   std::unique_ptr<Scene<D>> scene_;        ///< after the broad phase, which it uses to its end
   std::uint32_t highlight_steps_;
   std::vector<Event> recent_;  ///< operators of the last `highlight_steps_` steps

@@ -16,7 +16,7 @@ PartRecording::PartRecording(std::filesystem::path final_path)
 
 PartRecording::~PartRecording() { remove_recording(part_); }
 
-/// The earlier recording goes first, with its log: SQLite would apply that to whatever has the name.
+/// The earlier recording goes first, with its log: SQLite would apply the log to the new file of that name.
 void PartRecording::keep() {
   remove_recording(final_path_);
   std::error_code error;

@@ -12,8 +12,8 @@
 namespace kerf {
 namespace {
 
-/// What all frames of a recording have in common, found without running its tree: so a frame looks the same
-/// whichever others are drawn before it, and nothing jumps in the film.
+/// The common properties of all frames of a recording, found without running its tree: so a frame does not
+/// depend on the frames drawn before it, and nothing jumps in the film.
 template <int D>
 struct Setting {
   Box<D> view;
@@ -61,8 +61,8 @@ class RecordingFilm final : public Film {
     planner_.fix_largest_population(setting_.largest_population);
   }
 
-  /// All steps are looked at of which a frame may still show operators, and at least those: so a frame looks
-  /// the same wherever the replay came from.
+  /// Looks at all steps whose operators a frame may still show, and at no others: so a frame does not depend
+  /// on the begin of the replay.
   bool advance_to(std::uint32_t step, const GoOn& go_on) override {
     const std::uint32_t first = step > highlight_steps_ ? step - highlight_steps_ : 1;
     if (replayer_.step() + 1 < first) jump_to(first - 1);
@@ -103,7 +103,7 @@ class RecordingFilm final : public Film {
     record.state_hash = replayer_.tree().state_hash();
     if (record.state_hash != row.state_hash)
       throw std::runtime_error("the replay differs from the recording at step " + std::to_string(step) +
-                               ": `kerf verify` tells more");
+                               ": `kerf verify` says more");
     return record;
   }
 
@@ -122,7 +122,7 @@ class RecordingFilm final : public Film {
     keep_recent_operators(recording_->step(now).events, now, highlight_steps_, recent_);
   }
 
-  /// What a planner must know of any step.
+  /// The input that a planner needs for any step.
   [[nodiscard]] FrameInput<D> moment() const {
     FrameInput<D> input;
     input.tree = &replayer_.tree().tree();

@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-/// Operators of the last steps, as far as they had happened at that moment.
+/// Operators of the last steps that happened before this moment.
 template <int D>
 std::vector<Event> recent_operators(RecordingReader<D>& recording, const Position& now) {
   std::vector<Event> recent;
@@ -22,7 +22,7 @@ std::vector<Event> recent_operators(RecordingReader<D>& recording, const Positio
   return recent;
 }
 
-/// Nodes that an operator has removed are marked where they were: in the trees of the steps before, and in
+/// Nodes that an operator has removed are marked at their old place: in the trees of the steps before, and in
 /// the one right before this moment.
 template <int D>
 void observe_moments_before(Cursor<D>& cursor, FramePlanner<D>& planner) {
@@ -44,7 +44,7 @@ void observe_moments_before(Cursor<D>& cursor, FramePlanner<D>& planner) {
   observe(state_before(replayer, now.event).tree, {now.step, now.event - 1});
 }
 
-/// What is written of an event. In the middle of a step the pairs are those of the step before.
+/// The text for an event. In the middle of a step the pairs are those of the step before.
 std::string note_of(const Event& event) {
   return describe(event) + (event.step > 1 ? " (pairs: of step " + std::to_string(event.step - 1) + ")" : "");
 }

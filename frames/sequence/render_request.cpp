@@ -22,7 +22,7 @@
 namespace kerf {
 namespace {
 
-/// Runs a parser of another room, whose std::invalid_argument becomes an error of usage.
+/// Runs a parser of another room and turns its std::invalid_argument into an error of usage.
 template <class Parse>
 auto parse_option(std::string_view option, Parse parse) {
   try {
@@ -110,7 +110,7 @@ int parse_samples(const RenderTexts& texts, PictureSize size) {
   return kSupersampled;
 }
 
-/// What is asked of the pictures, whatever they are of.
+/// The options of the pictures, for scenes and recordings alike.
 void parse_pictures(const RenderTexts& texts, RenderRequest& request) {
   if (!texts.size.empty()) request.size = parse_picture_size(texts.size);
   if (!texts.show.empty())
@@ -208,7 +208,7 @@ bool names_recording(const RenderTexts& texts) {
     return false;
   } catch (const UsageError&) {
     if (std::filesystem::is_regular_file(texts.scene)) return true;
-    // No scene is called so: a file was meant.
+    // No scene has this name, so a file was meant.
     if (texts.scene.ends_with(".kerf") || texts.scene.find('/') != std::string::npos)
       throw std::runtime_error("there is no recording " + texts.scene +
                                "; `kerf record SCENE -o FILE` makes one, `kerf scenes` lists the scenes");

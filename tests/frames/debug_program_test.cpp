@@ -171,8 +171,8 @@ TEST_F(DebugProgram, AWindowShowsWhatIsDrawnWithoutOne) {
   EXPECT_GT(different_pixels(read_png(path("with/a.png")), read_png(path("with/b.png")), 0), 1000U);
 }
 
-/// Three boxes in a row, of which neighbours overlap: in step 2 one pair is missed, in step 3 one is told
-/// that is none, in step 4 one is told again.
+/// Three boxes in a row, of which neighbours overlap: in step 2 one pair is missed, in step 3 one is
+/// invented, in step 4 one is reported twice.
 TEST_F(DebugProgram, AnImportStopsWhereTheirPairsAreWrong) {
   std::string boxes = "step,object,min_x,max_x,min_y,max_y\n";
   for (const std::string step : {"1", "2", "3", "4", "5"})

@@ -283,7 +283,7 @@ struct Unwritable {
 
 class UnwritablePlace : public ::testing::TestWithParam<Unwritable> {};
 
-/// Nobody can make anything in /proc. What is said has the path, the reason and the option that the command
+/// No file can be made in /proc. The message has the path, the reason and the option that the command
 /// has.
 TEST_P(UnwritablePlace, IsNamedWithItsReasonAndItsOption) {
   const TemporaryFolder folder;

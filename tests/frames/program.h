@@ -45,7 +45,8 @@ struct Surroundings {
   std::uint64_t seconds = 0;       ///< RLIMIT_CPU; 0: no limit
 };
 
-/// A running program, its outputs kept in files until it ends. It is killed if nobody waits for it.
+/// A running program, its outputs kept in files until it ends. The destructor kills it unless `wait` was
+/// called.
 class Process {
  public:
   explicit Process(std::vector<std::string> command, const Surroundings& surroundings = {});

@@ -118,7 +118,7 @@ TEST_F(QueryProgram, RunsAgainWithADecision) {
   ASSERT_EQ(run_kerf({"rerun", file("a"), "-o", file("b"), "--refuse", event}).exit, 0);
   EXPECT_EQ(run_kerf({"verify", file("b")}).exit, 0);
   EXPECT_THAT(run_kerf({"step", file("b"), "--to", "op==split && kind==refused"}).out,
-              HasSubstr("somebody decided so"));
+              HasSubstr("refused by a decision"));
   const auto json = nlohmann::json::parse(run_kerf({"compare", file("a"), file("b"), "--json"}).out);
   EXPECT_THAT(found.out, HasSubstr(" step " + json["first_different"]["events"].dump() + " "));
   EXPECT_TRUE(json["first_different"]["pairs"].is_null());
@@ -187,7 +187,7 @@ TEST_F(QueryProgram, TheirMissedExtraAndRepeatedPairsAreFound) {
   const Outcome imported =
       run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("b")});
   ASSERT_EQ(imported.exit, 0) << imported.err;
-  EXPECT_THAT(imported.out, HasSubstr("9 told, 1 missed, 1 extra, 1 twice"));
+  EXPECT_THAT(imported.out, HasSubstr("9 pairs: 1 missed, 1 extra, 1 twice"));
   EXPECT_THAT(imported.out, HasSubstr("first wrong in step 2"));
   EXPECT_THAT(run_kerf({"step", file("b"), "--to", "missed>0"}).out, ::testing::StartsWith("step 2\n"));
   EXPECT_THAT(run_kerf({"step", file("b"), "--to", "extra>0"}).out, ::testing::StartsWith("step 4\n"));
@@ -199,7 +199,7 @@ TEST_F(QueryProgram, TheirMissedExtraAndRepeatedPairsAreFound) {
   EXPECT_THAT(why.out, HasSubstr("the other engine missed it"));
 }
 
-/// Boxes without a line stay as they are, also when their pairs are told for longer.
+/// Boxes without a line stay as they are, also when pairs go on for longer.
 TEST_F(QueryProgram, TheirPairsAreJudgedToTheirLastStep) {
   std::ofstream(path("boxes.csv")) << "10,0,0,1,0,1\n10,1,1,2,0,1\n";
   std::ofstream(path("pairs.csv")) << "10,0,1\n13,0,1\n";
@@ -207,7 +207,7 @@ TEST_F(QueryProgram, TheirPairsAreJudgedToTheirLastStep) {
       run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("b")});
   ASSERT_EQ(imported.exit, 0) << imported.err;
   EXPECT_THAT(imported.out, HasSubstr("4 steps"));
-  EXPECT_THAT(imported.out, HasSubstr("2 told, 2 missed, 0 extra"));
+  EXPECT_THAT(imported.out, HasSubstr("2 pairs: 2 missed, 0 extra"));
   EXPECT_THAT(imported.out, HasSubstr("first wrong in step 2"));
   std::ofstream(path("pairs.csv")) << "10,0,1\n9,0,1\n";
   const Outcome early =

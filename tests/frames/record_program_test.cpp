@@ -30,7 +30,8 @@ TEST(RecordProgram, RecordsAndVerifiesScenesOfBothDimensions) {
     EXPECT_EQ(folder.files(), std::vector<std::string>{"a.kerf"});
     const Outcome verified = run_kerf({"verify", file, "--timings"});
     EXPECT_EQ(verified.exit, 0) << verified.err;
-    EXPECT_THAT(verified.out, HasSubstr("every event, figure, state hash, keyframe and set of pairs is as recorded"));
+    EXPECT_THAT(verified.out,
+                HasSubstr("every event, figure, state hash, keyframe and set of pairs is as recorded"));
     EXPECT_THAT(verified.out, HasSubstr("oracle: 0 missed, 0 extra, 0 twice"));
     EXPECT_THAT(verified.out, HasSubstr("one step back: median"));
   }

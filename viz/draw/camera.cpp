@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-constexpr double kMargin = 0.96;  // of the viewport is used by what is framed
+constexpr double kMargin = 0.96;  // the part of the viewport that the framed box uses
 
 [[noreturn]] void fail(const std::string& what, std::string_view valid) {
   throw std::invalid_argument("camera: " + what + "; give any of " + std::string(valid));

@@ -57,7 +57,7 @@ struct View {
   Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();  ///< unit, from the eye into the scene
   double pixels_per_unit_at_one = 1;                   ///< pixels of a unit length at depth 1 (2D: anywhere)
   bool perspective = false;                            ///< 3D
-  double near = 0;                                     ///< 3D: nothing nearer to the eye is drawn
+  double near = 0;                                     ///< 3D: parts nearer to the eye are not drawn
   double picture_width = 1;
   double picture_height = 1;
 

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-/// A number of the camera: the key under which it is given, and whether it goes by its logarithm.
+/// A number of the camera: its key, and whether it is interpolated by its logarithm.
 struct Number {
   std::string_view key;
   bool by_logarithm = false;

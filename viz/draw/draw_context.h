@@ -14,11 +14,11 @@ namespace kerf {
 
 /// Where an object is stored in the tree.
 struct Placement {
-  std::uint32_t leaves = 0;      ///< that hold it
+  std::uint32_t leaves = 0;      ///< that contain it
   std::uint32_t population = 0;  ///< of the fullest of them
 };
 
-/// What the functions that draw one layer need to know of the frame.
+/// The properties of a frame that the functions for single layers need.
 template <int D>
 struct DrawContext {
   const FrameInput<D>& input;
@@ -29,11 +29,11 @@ struct DrawContext {
   LayerSet layers;
   double line_scale = 1;                 ///< widths are given for a picture of 720 rows
   std::uint32_t largest_population = 1;  ///< end of the ramp
-  DrawList* list = nullptr;              ///< none: nobody asks what was drawn
+  DrawList* list = nullptr;              ///< null: no record of what is drawn
   std::span<const Color> colors{};       ///< by object, instead of those by population; empty: none
 
   [[nodiscard]] bool has(Layer layer) const { return layers.has(layer); }
-  /// What is added to `batch` from now on is this.
+  /// Everything added to `batch` from now on belongs to this item.
   void begin(Batch& batch, DrawnKind kind, std::uint32_t a, std::uint32_t b = 0) const {
     if (list != nullptr) batch.item = list->add(kind, a, b);
   }

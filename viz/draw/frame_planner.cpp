@@ -63,7 +63,7 @@ void FramePlanner<D>::fix_largest_population(std::uint32_t population) {
   plan_.ramp_is_fixed = true;
 }
 
-/// Powers of two, and a gap between growing and shrinking: the ramp changes rarely.
+/// Powers of two, and a gap between growing and shrinking: the ramp rarely changes.
 template <int D>
 void FramePlanner<D>::choose_largest_population() {
   if (plan_.ramp_is_fixed) return;
@@ -73,7 +73,7 @@ void FramePlanner<D>::choose_largest_population() {
     plan_.largest_population = wanted;
 }
 
-/// Smooth edges cost three times as much. A sequence that has gone over to jagged ones stays with them.
+/// Smooth edges cost three times as much. A sequence that has switched to jagged ones keeps them.
 template <int D>
 void FramePlanner<D>::choose_samples(std::size_t bodies) {
   if (wanted_samples_ != 0) {

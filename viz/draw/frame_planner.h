@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-/// What a frame shows beside its input: what follows from the tree, and from the frames before it. With it
-/// any renderer, in any process, draws the frame alike.
+/// The parts of a frame that follow from the tree and from earlier frames. With the plan any renderer, in any
+/// process, draws the frame alike.
 template <int D>
 struct FramePlan {
   Box<D> bounds;                         ///< that is framed
@@ -25,8 +25,8 @@ struct FramePlan {
   int samples = 0;                       ///< of a pixel; 0: not chosen yet
 };
 
-/// Carries on from frame to frame what must not jump: the view, the ramp of populations, smooth or jagged
-/// edges, and the cells of nodes that have died since.
+/// Keeps what must not jump from frame to frame: the view, the ramp of populations, smooth or jagged edges,
+/// and the cells of nodes that have died since.
 template <int D>
 class FramePlanner {
  public:
@@ -36,12 +36,12 @@ class FramePlanner {
 
   /// The plan is valid until the next call.
   const FramePlan<D>& plan(const FrameInput<D>& input);
-  /// A moment that is not drawn, but whose operators a later frame may show.
+  /// A moment that is not drawn; its operators may be shown by a later frame.
   void observe(const FrameInput<D>& input);
   /// Forgets all moments, but not what was fixed.
   void forget();
 
-  /// From now on exactly this box is framed. Throws std::invalid_argument unless it is valid.
+  /// From now on the view is exactly this box. Throws std::invalid_argument unless it is valid.
   void fix_view_box(const Box<D>& box) { view_box_.fix(box); }
   /// From now on the caption says how many bodies lie outside, also if none does.
   void tell_outside() { plan_.tells_outside = true; }

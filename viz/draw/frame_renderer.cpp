@@ -104,7 +104,7 @@ struct FrameRenderer<D>::State {
     id_framebuffer->bind();
     painter.begin_ids();
     paint(id_batches);
-    make_id_batch(overlay.shapes, id_overlay);  // what lies under a label is not seen
+    make_id_batch(overlay.shapes, id_overlay);  // a label hides what lies below it
     painter.draw(id_overlay, Depth::ignore);
     id_framebuffer->read(ids.image);
     ids.list.texts = overlay.text.lines;

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-/// More cells than this would only hide the scene; the newest count.
+/// More cells than this would only hide the scene; the newest are kept.
 constexpr std::size_t kMostHighlights = 8;
 
 template <int D>

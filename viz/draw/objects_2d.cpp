@@ -84,7 +84,7 @@ void draw_body(const DrawContext<2>& context, std::size_t object, Batch& batch) 
 }  // namespace
 
 void draw_objects(const DrawContext<2>& context, Batch& flat) {
-  // What is fixed lies behind what moves.
+  // Fixed objects lie behind moving ones.
   for (const Mobility mobility : {Mobility::fixed, Mobility::moving}) {
     for (std::size_t object = 0; object < context.input.bodies.size(); ++object) {
       const Body<2>& body = context.input.bodies[object];

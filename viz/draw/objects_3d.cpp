@@ -15,7 +15,7 @@ constexpr double kAmbient = 0.62;
 constexpr double kGlassAlpha = 0.10;
 constexpr double kWallSlope = 0.5;  // steeper faces of fixed objects are walls, of glass
 
-/// A body's frame seen by the camera: everything about a face is decided in it.
+/// A body's frame seen by the camera; all decisions about a face are made in it.
 struct Frame {
   Eigen::Matrix4d clip_from_body;
   Eigen::Vector3d eye;    ///< in the body's frame
@@ -45,7 +45,7 @@ Eigen::Vector4d to_clip(const Frame& frame, const Eigen::Vector3d& p) {
          frame.clip_from_body.col(2) * p.z() + frame.clip_from_body.col(3);
 }
 
-/// A pane of glass waits until all are known, to be drawn from back to front.
+/// Panes of glass wait until all are known, to be drawn from back to front.
 struct Pane {
   double distance = 0;
   std::array<Eigen::Vector4d, 4> corners;
@@ -125,7 +125,7 @@ void draw_surface(const Targets& to, const Frame& frame, const Surface& surface,
     const Eigen::Vector3d c = to_point(surface.vertices[triangle[2]]);
     const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
     const std::array<Eigen::Vector4d, 3> clip{to_clip(frame, a), to_clip(frame, b), to_clip(frame, c)};
-    // From behind, ground is glass: the rim of a valley must not hide what lies in it.
+    // From behind, ground is glass: the rim of a valley must not hide its inside.
     const bool is_front = normal.dot(frame.eye - a) > 0;
     if (is_front) {
       to.solid.add_fan(clip, lit_face(frame, normal, color));

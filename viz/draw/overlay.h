@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// What lies over the scene: shapes, then letters.
+/// The overlay of the scene: shapes, then letters.
 struct Overlay {
   Batch shapes;
   TextBatch text;
@@ -55,8 +55,8 @@ std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tr
 Layout make_layout(const Font& font, int width, int height, const std::vector<CaptionItem>& caption,
                    bool has_log, const std::vector<LegendItem>& legend);
 
-/// The note and what acted lately, newest first, in one line. Operators for which it has no room are counted
-/// ("and 3 more"); a note that is too long itself ends with "...".
+/// The note and the recent operators, newest first, in one line. Operators without room are counted ("and 3
+/// more"); a note that is too long itself ends with "...".
 std::string log_line(const Font& font, int picture_width, const std::string& note,
                      const std::vector<Highlight>& highlights);
 

@@ -8,10 +8,11 @@
 namespace kerf {
 namespace {
 
-/// The nearer the root, the wider.
+/// The nearer to the root, the wider.
 double line_width(std::uint32_t depth) { return std::max(1.1, 3.0 - 0.4 * depth); }
 
-/// Deeper partitioners are outlines only: hundreds of panes would be a fog, and cost more than all else.
+/// Deeper partitioners are outlines only: hundreds of panes would be a fog, and cost more than everything
+/// else.
 constexpr std::uint32_t kDeepestPane = 6;
 
 /// Many panes in a row must let the objects behind them through.

@@ -7,8 +7,8 @@
 
 namespace kerf {
 
-/// What a sequence of frames shows: everything seen so far, without following single objects. It only grows,
-/// and then by more than is needed at once, so that the picture stands still most of the time.
+/// The view of a sequence of frames: everything seen so far, without following single objects. It only grows,
+/// each time by more than needed, so that the picture stands still most of the time.
 template <int D>
 class ViewBox {
  public:

@@ -5,7 +5,7 @@
 
 namespace kerf {
 
-/// What draws without window or display. Both give the same pixels.
+/// How to draw without window or display. All give the same pixels.
 enum class GlBackend : std::uint8_t { osmesa, egl };
 std::string_view to_string(GlBackend backend);
 /// Throws std::invalid_argument that lists the names.

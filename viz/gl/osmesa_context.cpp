@@ -1,6 +1,6 @@
 #include "viz/gl/osmesa_context.h"
 
-#include <GL/osmesa.h>  // after glcorearb.h, which would leave out half of its types
+#include <GL/osmesa.h>  // after glcorearb.h, which would otherwise leave out half of its types
 #include <dlfcn.h>
 
 #include <array>
@@ -16,8 +16,8 @@ namespace {
       "OSMesa: " + what + "; draw with --backend egl, or install it (on Debian: apt-get install libosmesa6)");
 }
 
-/// libOSMesa, loaded by who draws first and for the rest of the process. It is not linked, for it brings a
-/// compiler that takes longer to load than most commands of the program take, and a GL of its own.
+/// libOSMesa, loaded at the first drawing and for the rest of the process. It is not linked, because it
+/// brings a compiler that takes longer to load than most commands of the program take, and a GL of its own.
 struct OsmesaLibrary {
   decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
   decltype(&OSMesaDestroyContext) destroy_context = nullptr;
@@ -82,7 +82,7 @@ class OsmesaContext final : public GlContext {
                                                    0,
                                                    0,
                                                    0};
-  // OSMesa wants a window buffer to be current; nothing is drawn into it.
+  // OSMesa needs a window buffer to be current; nothing is drawn into it.
   static constexpr int kSide = 4;
   std::array<std::uint8_t, 4 * kSide * kSide> buffer_{};
   OSMesaContext context_;

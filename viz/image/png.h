@@ -26,7 +26,7 @@ Image read_png(const std::filesystem::path& path);
 /// The same for a PNG in memory; errors call it `path`.
 Image read_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 
-/// Hash of the size and the decoded pixels: equal for equal pictures, however they were compressed.
+/// Hash of the size and the decoded pixels: equal for equal pictures, whatever their compression.
 std::uint64_t pixel_hash(const Image& image);
 
 }  // namespace kerf

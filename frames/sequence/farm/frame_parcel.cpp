@@ -10,7 +10,7 @@
 namespace kerf {
 namespace {
 
-/// A body without what its shape has of variable length.
+/// A body without the parts of its shape that have variable length.
 template <int D>
 struct FlatBody {
   std::uint32_t shape = 0;  ///< index in the variant

@@ -1,5 +1,4 @@
-// Where everybody moves, the tree's table and the latest boxes change places; whatever is asked next must not
-// show that.
+// Where everything moves, the tree's table and the latest boxes change places; no later call must show it.
 #include "core/bsp/box_exchange.h"
 
 #include <gtest/gtest.h>

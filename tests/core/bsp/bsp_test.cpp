@@ -86,7 +86,7 @@ TYPED_TEST(Bsp, ThreadsTakeRequestsAsOneAfterAnotherWould) {
   }
 }
 
-/// Engines give volumes. Of boxes those are the boxes, also for who stays in its fat one.
+/// Engines pass volumes. The volume of a box is the box, also for an object that stays in its fat one.
 TYPED_TEST(Bsp, AVolumeThatIsABoxMovesAsTheBoxDoes) {
   constexpr int kD = TypeParam::value;
   Random random(5);

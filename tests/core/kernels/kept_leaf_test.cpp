@@ -82,7 +82,7 @@ template <class T>
 class KeptLeaves : public EveryKernel<T> {};
 TYPED_TEST_SUITE(KeptLeaves, Dimensions, DimensionNames);
 
-/// The pairs of a leaf of `kept` entries to which come others, who go and come again.
+/// The pairs of a leaf of `kept` entries to which others come, go and come again.
 template <int D>
 std::vector<Pair> pairs_of_coming(const LeafView<D>& leaf, std::size_t kept,
                                   const std::vector<PackedBox<D>>& boxes) {

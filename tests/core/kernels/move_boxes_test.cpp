@@ -188,14 +188,14 @@ void expect_at_once_as_one_by_one(const Moved<D>& start, const Requests<D>& requ
   EXPECT_TRUE(fat.empty() || are_equal<D>(at_once.before, expected.before));
 }
 
-/// Whatever lies side by side in a block: who stays, leaves, shrinks, is silent, waits, is given twice, is
-/// unknown, or has no box.
+/// Any mix in a block: objects that stay, leave, shrink, are silent, wait, are given twice, are unknown, or
+/// have no box.
 TYPED_TEST(MoveBoxes, ManyAtOnceAreMovedAsOneByOne) {
   constexpr int kD = TypeParam::value;
   Random random(7);
   for (int round = 0; round < 40; ++round) {
     const double odd = round % 4 == 0 ? 0.3 : 0.02;  // else most blocks have nothing odd
-    const double silent = round % 4 == 1 ? 0.3 : 0;  // then most have somebody silent
+    const double silent = round % 4 == 1 ? 0.3 : 0;  // then most blocks have a silent object
     Moved<kD> start;
     std::vector<PackedBox<kD>> fat;
     for (std::uint32_t id = 0; id < 400; ++id) {
@@ -250,7 +250,7 @@ TYPED_TEST(MoveBoxes, ThreadsMoveAsOneDoes) {
   }
 }
 
-/// Who is silent asks for nothing, but what is odd is left to the caller all the same.
+/// A silent object asks for nothing, but odd boxes are left to the caller all the same.
 TYPED_TEST(MoveBoxes, TheSilentAreMovedAndNotNoted) {
   constexpr int kD = TypeParam::value;
   Box<kD> near;

@@ -171,7 +171,7 @@ TYPED_TEST(WhatIf, NothingIsDecidedBeforeAnEarlierDecision) {
   EXPECT_THROW(decide(info, replayer, later->id + 1), std::invalid_argument);
 }
 
-/// Entries beyond their cap are shed whatever anybody says.
+/// Entries beyond their cap are shed whatever the decisions.
 TYPED_TEST(WhatIf, SheddingIsNotRefused) {
   constexpr int kD = TypeParam::value;
   Config config = test::busy_config();
