@@ -49,6 +49,7 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"FCL", "fcl/"},
     {"CGAL", "CGAL/"},
     {"Embree", "embree3/"},
+    {"Embree", "embree4/"},
     {"CLI11", "CLI/"},
     {"nlohmann/json", "nlohmann/"},
     {"GoogleTest", "gtest/"},
