@@ -26,7 +26,7 @@ constexpr std::size_t kSample = 4096;
 constexpr int kUp = 1;
 
 template <int D>
-Scalar largest_extent(const Box<D>& box) {
+Scalar longest_side(const Box<D>& box) {
   const Vector<D> extent = box.extent();
   return std::max(0.0F, *std::ranges::max_element(extent.value));
 }
@@ -106,7 +106,7 @@ std::optional<Crowd<D>> find_crowd(std::span<const Body<D>> bodies) {
   const std::vector<Box<D>> boxes = sample_boxes(bodies);
   if (boxes.size() < kFewest) return std::nullopt;
   Crowd<D> crowd{box_between(boxes, kBulk), box_between(boxes, kMiddle)};
-  crowd.size = largest_extent(crowd.bulk);
+  crowd.size = longest_side(crowd.bulk);
   return crowd.size > 0 ? std::optional(crowd) : std::nullopt;
 }
 
@@ -125,7 +125,7 @@ std::optional<Box<D>> box_of_fixed(std::span<const Body<D>> bodies, const std::o
 template <int D>
 Box<D> region_around(const Box<D>& fixed) {
   Box<D> region = fixed;
-  const Scalar size = largest_extent(fixed);
+  const Scalar size = longest_side(fixed);
   for (int i = 0; i < D; ++i) {
     region.min[i] -= kReach * size;
     region.max[i] += (i == kUp ? kReachUp : kReach) * size;
