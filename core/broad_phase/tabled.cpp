@@ -7,7 +7,7 @@ namespace kerf {
 /// Only a change of who takes part makes the list old.
 template <int D>
 Status Tabled<D>::note(ObjectId object, Status status) {
-  if (status == Status::unknown_id || status == Status::duplicate_id) return status;
+  if (is_refused(status)) return status;
   const bool listed = object.index() < listed_.size() && listed_[object.index()] != 0;
   list_is_old_ |= listed != table_.is_placed(object);
   return status;

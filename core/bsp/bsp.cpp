@@ -82,7 +82,7 @@ void Bsp<D, Trace>::decide(std::vector<Decision> decisions) {
 /// Remembers that an object changed, unless the request was refused.
 template <int D, class Trace>
 Status Bsp<D, Trace>::note(ObjectId object, Status status) {
-  if (status == Status::unknown_id || status == Status::duplicate_id) return status;
+  if (is_refused(status)) return status;
   only_moves_ = false;
   attention_.resize(latest_.bound(), kUnplaced);
   std::uint8_t& attention = attention_[object.index()];

@@ -2,6 +2,7 @@
 
 #include "core/recording/keyframe_codec.h"
 #include "core/recording/schema.h"
+#include "core/recording/their_rows.h"
 
 namespace kerf {
 namespace {
@@ -68,16 +69,13 @@ void RecordingWriter<D>::add(const BspState<D>& keyframe) {
 }
 
 template <int D>
-void RecordingWriter<D>::add(std::span<const Pair> their_pairs, const TheirStep& judgement) {
-  Statement put_judgement = database_.prepare("INSERT INTO their_steps VALUES(?,?,?,?,?)");
-  put_judgement.bind(1, std::int64_t{step_}).bind(2, whole(judgement.pairs)).bind(3, whole(judgement.missed));
-  put_judgement.bind(4, whole(judgement.extra)).bind(5, whole(judgement.twice)).run();
-  Statement put_pair = database_.prepare("INSERT INTO their_pairs VALUES(?,?,?)");
-  for (const Pair& pair : their_pairs)
-    put_pair.bind(1, std::int64_t{step_})
-        .bind(2, std::int64_t{pair.a.value})
-        .bind(3, std::int64_t{pair.b.value})
-        .run();
+void RecordingWriter<D>::add(const TheirChanges<D>& changes) {
+  write_changes(database_, step_, changes);
+}
+
+template <int D>
+void RecordingWriter<D>::add(std::span<const Pair> their_pairs, std::span<const JudgedPair> judged) {
+  write_theirs(database_, step_, their_pairs, judged);
 }
 
 template <int D>

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "core/recording/their_rows.h"
+
 namespace kerf {
 namespace {
 
@@ -27,9 +29,6 @@ CREATE TABLE events(
   direction INTEGER, old_offset REAL, new_offset REAL, reason TEXT);
 CREATE TABLE blocks(first_step INTEGER PRIMARY KEY, steps INTEGER, changed INTEGER, data BLOB);
 CREATE TABLE keyframes(step INTEGER PRIMARY KEY, data BLOB);
-CREATE TABLE their_steps(step INTEGER PRIMARY KEY, pairs INTEGER, missed INTEGER, extra INTEGER, twice INTEGER);
-CREATE TABLE their_pairs(step INTEGER, a INTEGER, b INTEGER);
-CREATE INDEX their_pairs_of_step ON their_pairs(step);
 )sql";
 
 template <class Number>
@@ -123,7 +122,8 @@ void set_meta(Database& database, std::string_view key, std::string_view value) 
 
 void create_schema(Database& database, const RecordingInfo& info) {
   database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kRecordingId) +
-                   "; PRAGMA user_version = " + std::to_string(kRecordingVersion) + ";" + kTables);
+                   "; PRAGMA user_version = " + std::to_string(kRecordingVersion) + ";" + kTables +
+                   kTheirTables);
   set_meta(database, "dimension", std::to_string(info.dimension));
   set_meta(database, "volume", to_string(info.volume));
   set_meta(database, "config", to_string(info.config));
@@ -136,6 +136,8 @@ void create_schema(Database& database, const RecordingInfo& info) {
   set_meta(database, "complete", "0");
   write_changes(database, info.changes);
   write_decisions(database, info.decisions);
+  write_names(database, info.names);
+  write_design(database, info.design);
   database.execute("COMMIT");
 }
 
@@ -173,6 +175,8 @@ RecordingInfo read_info(const Database& database) {
   info.config = parse_recorded(meta["config"]);
   info.changes = read_changes(database);
   info.decisions = read_decisions(database);
+  info.names = read_names(database);
+  info.design = read_design(database);
   info.scene = meta["scene"];
   info.imported = meta["imported"] == "1";
   info.complete = meta["complete"] == "1";

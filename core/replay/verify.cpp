@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
 #include "core/replay/replayer.h"
 
@@ -37,8 +38,9 @@ class Verifier {
     if (!verdict_.divergence) compare_state(step);
     if (!verdict_.divergence && std::ranges::binary_search(recording_->keyframes(), step))
       compare_keyframe(step);
+    if (recording_->info().imported) follow_their_boxes(step);
     if (oracle_every_ != 0 && step % oracle_every_ == 0) ask_oracle(step);
-    if (const auto theirs = recording_->their_step(step)) add(*theirs);
+    if (const auto theirs = recording_->their_step(step)) verdict_.theirs += *theirs;
   }
 
   void compare_events(std::uint32_t step, const std::vector<Event>& replayed) {
@@ -87,18 +89,38 @@ class Verifier {
     verdict_.missed += judgement.missed.size();
     verdict_.extra += judgement.extra.size();
     verdict_.twice += judgement.twice.size();
+    if (!verdict_.divergence && recording_->their_step(step)) compare_verdicts(step, truth);
   }
 
-  void add(const TheirStep& theirs) {
-    verdict_.theirs.pairs += theirs.pairs;
-    verdict_.theirs.missed += theirs.missed;
-    verdict_.theirs.extra += theirs.extra;
-    verdict_.theirs.twice += theirs.twice;
+  /// What was given in doubles is rounded outward to what the tree was asked.
+  void follow_their_boxes(std::uint32_t step) {
+    const TheirChanges<D> changes = recording_->their_changes(step);
+    world_.apply(changes);
+    const ObjectTable<D>& objects = replayer_.tree().objects();
+    for (const auto& [object, box] : changes.boxes) {
+      if (!box || verdict_.divergence || !objects.is_placed(object)) continue;
+      if (round_outward(*box) != objects.box(object))
+        verdict_.divergence = {step, std::nullopt, "another box in doubles",
+                               "the box in floats of object " + recording_->info().names.object(object)};
+    }
+  }
+
+  /// How their pairs were judged is judged again.
+  void compare_verdicts(std::uint32_t step, std::span<const Pair> truth) {
+    const std::vector<Pair> told = recording_->their_pairs(step);
+    const auto judged =
+        judge_theirs<D>(told, truth, replayer_.tree().objects(), world_, recording_->info().design);
+    const std::vector<JudgedPair> recorded = recording_->judged_pairs(step);
+    const TheirStep sum = sum_of(told.size(), judged);
+    if (judged == recorded && sum == recording_->their_step(step)) return;
+    verdict_.divergence = {step, std::nullopt, std::to_string(recorded.size()) + " verdicts on their pairs",
+                           std::to_string(judged.size()) + " verdicts, not the same"};
   }
 
   std::shared_ptr<RecordingReader<D>> recording_;
   Replayer<D> replayer_;
   std::uint32_t oracle_every_;
+  TheirWorld<D> world_;
   Verdict verdict_;
 };
 

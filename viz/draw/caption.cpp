@@ -33,12 +33,13 @@ int width(const Font& font, const CaptionItem& item) {
 }  // namespace
 
 std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree) {
-  std::vector<CaptionItem> items{{"scene", caption.scene},
-                                 {"broad phase", caption.broad_phase},
-                                 {"step", number(caption.step, 5)},
-                                 {"objects", number(caption.objects, 5)},
-                                 {"moving", number(caption.moving, 5)},
-                                 {"pairs", number(caption.pairs, 5)}};
+  std::vector<CaptionItem> items{
+      {"scene", caption.scene},
+      {"broad phase", caption.broad_phase},
+      {"step", caption.step_name.empty() ? number(caption.step, 5) : caption.step_name},
+      {"objects", number(caption.objects, 5)},
+      {"moving", number(caption.moving, 5)},
+      {"pairs", number(caption.pairs, 5)}};
   if (caption.knows_contacts) items.push_back({"contacts", number(caption.contacts, 5)});
   if (!has_tree) return items;
   const Statistics& tree = caption.statistics;

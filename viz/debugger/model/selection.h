@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "core/base/ids.h"
+#include "core/base/given_names.h"
 
 namespace kerf {
 
@@ -12,12 +12,10 @@ namespace kerf {
 using Selection = std::variant<std::monostate, NodeId, ObjectId, Pair>;
 
 /// "n17", "object 5", "pair 12,77" or "nothing": the same words in every panel and in scripts.
-inline std::string to_string(const Selection& selection) {
+inline std::string to_string(const Selection& selection, const GivenNames& names = {}) {
   if (const auto* node = std::get_if<NodeId>(&selection)) return "n" + std::to_string(node->value);
-  if (const auto* object = std::get_if<ObjectId>(&selection))
-    return "object " + std::to_string(object->value);
-  if (const auto* pair = std::get_if<Pair>(&selection))
-    return "pair " + std::to_string(pair->a.value) + "," + std::to_string(pair->b.value);
+  if (const auto* object = std::get_if<ObjectId>(&selection)) return "object " + names.object(*object);
+  if (const auto* pair = std::get_if<Pair>(&selection)) return "pair " + names.pair(*pair);
   return "nothing";
 }
 

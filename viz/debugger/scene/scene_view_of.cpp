@@ -279,7 +279,7 @@ void SceneViewOf<D>::draw_object(const DrawContext<D>& frame, ObjectId id, Batch
     const auto sides = half_spaces(*box);
     add_outline(batch, frame.view, plane_within(side, *box, sides), stroke);
   }
-  add_label(to_point(box->max), std::to_string(id.value));
+  add_label(to_point(box->max), run_.info().names.object(id));
 }
 
 template <int D>
@@ -368,7 +368,8 @@ std::optional<SceneLabel> SceneViewOf<D>::place_of(const Selection& selection) c
   const auto* const node = std::get_if<NodeId>(&selection);
   const auto at = seen_->view.project(node == nullptr ? to_point(box->center()) : middle_of(*node));
   if (!at) return std::nullopt;
-  return SceneLabel{static_cast<float>(at->x()), static_cast<float>(at->y()), to_string(selection)};
+  return SceneLabel{static_cast<float>(at->x()), static_cast<float>(at->y()),
+                    to_string(selection, run_.info().names)};
 }
 
 template <int D>
