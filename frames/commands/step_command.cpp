@@ -1,6 +1,8 @@
 #include "frames/commands/step_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <stdexcept>
 
@@ -35,23 +37,46 @@ std::string step_footer() {
   return text + "  median        of the steps' times; median(WORD) of any of the steps' words\n";
 }
 
-void print_row(const StepRow& row) {
+void print_row(const StepRow& row, const GivenNames& names) {
   const Statistics& s = row.statistics;
   std::printf(
-      "  step %u: %u objects, %llu pairs, height %u, %u leaves, redundancy %.4f, %u deferred, %.3f ms\n",
-      row.step, s.objects, static_cast<unsigned long long>(row.pairs), s.height, s.leaves, s.redundancy,
-      s.deferred, 1e3 * row.seconds());
+      "  step %s: %u objects, %llu pairs, height %u, %u leaves, redundancy %.4f, %u deferred, %.3f ms\n",
+      names.step(row.step).c_str(), s.objects, static_cast<unsigned long long>(row.pairs), s.height, s.leaves,
+      s.redundancy, s.deferred, 1e3 * row.seconds());
+}
+
+/// Those of another engine's pairs of which there is something to be said, a line for each verdict.
+template <int D>
+void print_theirs(const RecordingReader<D>& recording, std::uint32_t step) {
+  constexpr std::size_t kMost = 10;
+  std::array<std::vector<Pair>, kVerdicts> by_verdict;
+  for (const auto& [pair, verdict] : recording.judged_pairs(step))
+    by_verdict[static_cast<std::size_t>(verdict)].push_back(pair);
+  for (std::size_t k = 0; k < kVerdicts; ++k) {
+    const std::vector<Pair>& pairs = by_verdict[k];
+    if (pairs.empty()) continue;
+    const auto verdict = static_cast<PairVerdict>(k);
+    std::printf("  theirs, %s%s:", is_ignored(verdict) ? "ignored, " : "",
+                std::string(to_string(verdict)).c_str());
+    for (std::size_t n = 0; n < std::min(kMost, pairs.size()); ++n)
+      std::printf(" (%s)", recording.info().names.pair(pairs[n]).c_str());
+    if (pairs.size() > kMost) std::printf(" and %zu more", pairs.size() - kMost);
+    std::printf("\n");
+  }
 }
 
 template <int D>
 void print_moment(Cursor<D>& cursor, const Position& position) {
+  const GivenNames& names = cursor.recording().info().names;
   cursor.go(position);
   if (const auto event = cursor.event()) {
-    std::printf("%s\n", describe(*event).c_str());
+    std::printf("%s\n", describe(*event, names).c_str());
   } else {
-    std::printf("%s\n", to_string(position).c_str());
+    std::printf("%s\n", to_string(position, names).c_str());
   }
-  if (position.step > 0) print_row(cursor.recording().row(position.step));
+  if (position.step > 0) print_row(cursor.recording().row(position.step), names);
+  if (position.step > 0 && cursor.recording().info().imported)
+    print_theirs(cursor.recording(), position.step);
   std::printf("  state hash %s\n", to_hex(cursor.state().hash()).c_str());
 }
 
@@ -78,7 +103,7 @@ void step(const std::shared_ptr<RecordingReader<D>>& recording, const StepReques
     if (!found && hit > 0) break;
     if (!found)
       throw DoesNotHold("there is no such moment " + std::string(request.reverse ? "before" : "after") + " " +
-                        to_string(at));
+                        to_string(at, recording->info().names));
     print_moment(cursor, *found);
     at = *found;
   }

@@ -103,6 +103,7 @@ constexpr auto kLayers = std::to_array<Layer>({
     {"frames/rivals/", 0, "broad phases of other libraries"},
     {"frames/catalog/", 1, "scenes and broad phases by name"},
     {"frames/sequence/", 2, "frame sequences: workers, manifest, film, shards"},
+    {"frames/import/", 3, "`kerf import`: tables of boxes and pairs of another engine"},
     {"frames/bench/", 3, "`kerf bench`: motions, cells, rows"},
     {"frames/diff/", 3, "`kerf diff`: pages of differences, approval"},
     {"frames/report/", 4, "`kerf report`: speed against error"},
