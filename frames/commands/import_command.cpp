@@ -3,8 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include "frames/commands/import_boxes.h"
+#include "frames/commands/output_option.h"
 #include "frames/sequence/part_recording.h"
-#include "frames/sequence/recording_file.h"
+#include "frames/support/outputs.h"
 #include "frames/support/parse_config.h"
 
 namespace kerf {
@@ -15,7 +16,7 @@ ImportCommand::ImportCommand(CLI::App& program)
     return command_->add_option(name, text, meaning)->type_name(type);
   };
   option("FILE", boxes_, "Their boxes, see below", "")->required();
-  option("-o,--out", out_, "The recording", "FILE")->required();
+  add_output(*command_, "-o,--out", out_, "The recording")->required();
   option("--pairs", pairs_, "Their pairs: step,a,b", "FILE");
   option("--config", config_, "Parameters of our tree, see `kerf render --help`", "K=V,...");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording");
@@ -37,8 +38,9 @@ void ImportCommand::run() const {
   request.boxes = boxes_;
   request.pairs = pairs_;
   request.config = parse_config("--config", config_, {});
-  check_recording_path(out_, overwrite_);
-  PartRecording part(out_);
+  Outputs outputs({boxes_, pairs_}, overwrite_);
+  outputs.add_recording(out_);
+  PartRecording part(out_, outputs.replace());
   request.out = part.path();
   import_boxes(request);
   part.keep();
