@@ -18,7 +18,7 @@ namespace kerf {
 template <int D>
 class RecordingWriter {
  public:
-  /// Throws if the file exists.
+  /// Throws if the file exists and is not empty.
   RecordingWriter(const std::filesystem::path& path, const RecordingInfo& info);
 
   void add(const StepRequests<D>& requests, std::span<const Event> events, StepRow row);

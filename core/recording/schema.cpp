@@ -9,6 +9,7 @@
 #include "core/recording/damage.h"
 #include "core/recording/operator_rows.h"
 #include "core/recording/their_rows.h"
+#include "core/recording/unfinished.h"
 
 namespace kerf {
 namespace {
@@ -186,12 +187,22 @@ void remove_recording(const std::filesystem::path& path) noexcept {
     std::filesystem::remove(path.string() + ending, ignored);
 }
 
+void fold_log(const std::filesystem::path& path) {
+  const std::filesystem::path log = path.string() + "-wal";
+  if (!std::filesystem::exists(log)) return;
+  try {
+    Database::open_to_end(path).close();
+  } catch (const std::runtime_error&) {
+    std::filesystem::remove(log);
+  }
+}
+
 bool is_recording(const std::filesystem::path& path) {
   return std::filesystem::is_regular_file(path) && has_recording_id(Database::open(path));
 }
 
 Database open_recording(const std::filesystem::path& path) {
-  Database database = Database::open(path);
+  Database database = Database::open(recording_at(path));
   if (!has_recording_id(database))
     throw std::runtime_error(path.string() + " is no recording of Kerf; `kerf record` makes one");
   const std::int64_t version = database.ask("PRAGMA user_version");

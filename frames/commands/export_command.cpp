@@ -4,11 +4,12 @@
 #include <iostream>
 
 #include "frames/commands/export_recording.h"
+#include "frames/commands/output_option.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
-#include "frames/support/output_file.h"
-#include "frames/support/part_file.h"
+#include "frames/support/outputs.h"
+#include "frames/support/part_stream.h"
 
 namespace kerf {
 namespace {
@@ -31,7 +32,7 @@ ExportCommand::ExportCommand(CLI::App& program)
   format->add_flag("--pairs", pairs_,
                    "A line for each pair of another engine: what `kerf import --pairs` reads");
   format->require_option(1);
-  command_->add_option("-o,--out", out_, "Where to (default: standard output)")->type_name("FILE");
+  add_output(*command_, "-o,--out", out_, "Where to (default: standard output)");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier file");
   command_->footer("A timeline is shown by chrome://tracing and https://ui.perfetto.dev.");
 }
@@ -51,11 +52,11 @@ void ExportCommand::run() const {
     with_recording(file_, [&](auto recording) { write(*recording, std::cout, [](std::uint32_t) {}); });
     return;
   }
-  check_not_input(out_, file_);
-  check_free(out_, overwrite_);
+  Outputs outputs({file_}, overwrite_);
+  outputs.add_file(out_);
   with_recording(file_, [&](auto recording) {
     const InterruptGuard interrupt;
-    PartFile file(out_);
+    PartStream file(out_, outputs.replace());
     write(*recording, file.stream(), [&](std::uint32_t) {
       file.check();
       if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");

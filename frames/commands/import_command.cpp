@@ -3,10 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
+#include "frames/commands/output_option.h"
 #include "frames/import/import_boxes.h"
 #include "frames/sequence/part_recording.h"
-#include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
+#include "frames/support/outputs.h"
 #include "frames/support/parse_config.h"
 #include "frames/support/parse_number.h"
 
@@ -32,7 +33,7 @@ ImportCommand::ImportCommand(CLI::App& program)
     return command_->add_option(name, text, meaning)->type_name(type);
   };
   option("FILE", boxes_, "Their boxes, see below; - for standard input", "")->required();
-  option("-o,--out", out_, "The recording", "FILE")->required();
+  add_output(*command_, "-o,--out", out_, "The recording")->required();
   option("--pairs", pairs_, "Their pairs: step,a,b", "FILE");
   option("--margin", margin_, "Their boxes are so much larger on each side, or by a share of their extent",
          "X|N%");
@@ -76,8 +77,9 @@ void ImportCommand::run() const {
   request.margin = parse_margin(margin_);
   request.unite = unite_;
   request.strict = strict_;
-  check_recording_path(out_, overwrite_);
-  PartRecording part(out_);
+  Outputs outputs({boxes_, pairs_, ignore_}, overwrite_);
+  outputs.add_recording(out_);
+  PartRecording part(out_, outputs.replace());
   request.out = part.path();
   import_boxes(request);
   part.keep();

@@ -9,10 +9,12 @@
 #include "core/query/expression_words.h"
 #include "core/query/search.h"
 #include "core/replay/cursor.h"
+#include "frames/commands/output_option.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/sequence/recording_picture.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
+#include "frames/support/outputs.h"
 #include "frames/support/parse_expression.h"
 #include "frames/support/parse_number.h"
 
@@ -86,6 +88,7 @@ struct StepRequest {
   std::uint32_t hits = 1;
   bool reverse = false;
   std::filesystem::path picture;  ///< of the last moment; empty: none
+  Replace replace = Replace::nothing;
 };
 
 template <int D>
@@ -107,7 +110,7 @@ void step(const std::shared_ptr<RecordingReader<D>>& recording, const StepReques
     print_moment(cursor, *found);
     at = *found;
   }
-  if (!request.picture.empty()) draw_moment(cursor, {1280, 720}, request.picture);
+  if (!request.picture.empty()) draw_moment(cursor, {1280, 720}, request.picture, request.replace);
 }
 
 }  // namespace
@@ -119,7 +122,8 @@ StepCommand::StepCommand(CLI::App& program)
   command_->add_option("--from", from_, "After step N or event eN (default: the beginning)")
       ->type_name("N|eN");
   command_->add_option("--hits", hits_, "How many moments (default 1)")->type_name("N");
-  command_->add_option("--picture", picture_, "Draw the last moment found")->type_name("FILE.png");
+  add_output(*command_, "--picture", picture_, "Draw the last moment found", "FILE.png");
+  command_->add_flag("--overwrite", overwrite_, "Replace an earlier picture");
   command_->add_flag("--reverse", reverse_, "Backwards, from --from or the end");
   command_->footer(step_footer());
 }
@@ -127,7 +131,9 @@ StepCommand::StepCommand(CLI::App& program)
 bool StepCommand::chosen() const { return command_->parsed(); }
 
 void StepCommand::run() const {
-  StepRequest request{parse_expression("--to", to_), from_, 1, reverse_, picture_};
+  Outputs outputs({file_}, overwrite_);
+  outputs.add_file(picture_);
+  StepRequest request{parse_expression("--to", to_), from_, 1, reverse_, picture_, outputs.replace()};
   if (!hits_.empty()) {
     const auto hits = parse_number<std::uint32_t>(hits_);
     if (!hits || *hits == 0) throw UsageError("--hits '" + hits_ + "' is no whole number from 1 up");

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "core/recording/schema.h"
 #include "frames/support/errors.h"
-#include "frames/support/output_file.h"
 #include "frames/support/parse_number.h"
 
 namespace kerf {
@@ -43,18 +41,6 @@ std::string_view tree_of(const RecordingInfo& info) {
 
 std::string broad_phase_of(const RecordingInfo& info) {
   return std::string(tree_of(info)) + (info.imported ? ", of imported boxes" : "");
-}
-
-void check_recording_path(const std::filesystem::path& path, bool overwrite) {
-  check_free(path, overwrite);
-  if (std::filesystem::exists(path) && !is_recording(path))
-    throw UsageError(path.string() + " is no recording and is not replaced; choose another name");
-}
-
-void clear_recording_path(const std::filesystem::path& path, bool overwrite) {
-  const WriterLock nobody_else(path);
-  check_recording_path(path, overwrite);
-  if (std::filesystem::exists(path)) remove_recording(path);
 }
 
 template <int D>

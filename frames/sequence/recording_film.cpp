@@ -107,7 +107,7 @@ class RecordingFilm final : public Film {
     return record;
   }
 
-  void finish() override {}
+  void finish(bool /*whole*/) override {}
 
  private:
   void jump_to(std::uint32_t step) {

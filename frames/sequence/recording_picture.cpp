@@ -89,14 +89,15 @@ const Image& render_moment(Cursor<D>& cursor, FrameRenderer<D>& renderer) {
 }
 
 template <int D>
-void draw_moment(Cursor<D>& cursor, const PictureSize& size, const std::filesystem::path& path) {
+void draw_moment(Cursor<D>& cursor, const PictureSize& size, const std::filesystem::path& path,
+                 Replace replace) {
   FrameRenderer<D> renderer({size.width, size.height, kRecordedLayers, ""});
-  write_png(path, render_moment(cursor, renderer));
+  write_png(path, render_moment(cursor, renderer), replace);
 }
 
 template const Image& render_moment<2>(Cursor<2>&, FrameRenderer<2>&);
 template const Image& render_moment<3>(Cursor<3>&, FrameRenderer<3>&);
-template void draw_moment<2>(Cursor<2>&, const PictureSize&, const std::filesystem::path&);
-template void draw_moment<3>(Cursor<3>&, const PictureSize&, const std::filesystem::path&);
+template void draw_moment<2>(Cursor<2>&, const PictureSize&, const std::filesystem::path&, Replace);
+template void draw_moment<3>(Cursor<3>&, const PictureSize&, const std::filesystem::path&, Replace);
 
 }  // namespace kerf
