@@ -16,7 +16,7 @@ namespace kerf {
 namespace {
 
 constexpr std::string_view kEnding = ".part";
-constexpr std::size_t kDigits = 16;
+constexpr std::size_t kPartDigits = 16;
 /// Of a name in a folder; SQLite adds up to eight bytes, "-journal".
 constexpr std::size_t kLongestName = 255 - 8;
 constexpr auto kDatabaseEndings = std::to_array<std::string_view>({"-wal", "-shm", "-journal"});
@@ -24,7 +24,7 @@ constexpr auto kDatabaseEndings = std::to_array<std::string_view>({"-wal", "-shm
 /// What the names of all parts of a file begin with.
 std::string stem_of_parts(const std::filesystem::path& final_path) {
   const std::string name = final_path.filename().string();
-  return name.substr(0, kLongestName - 1 - kDigits - kEnding.size()) + ".";
+  return name.substr(0, kLongestName - 1 - kPartDigits - kEnding.size()) + ".";
 }
 
 /// The file itself where `path` is a link to one.
@@ -122,7 +122,7 @@ void PartFile::take_name() {
 std::filesystem::path fresh_part_name(const std::filesystem::path& final_path) {
   std::uint64_t number = 0;
   if (::getrandom(&number, sizeof number, 0) != sizeof number) fail_to_write(final_path, errno);
-  std::array<char, kDigits + 1> digits{};
+  std::array<char, kPartDigits + 1> digits{};
   std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(number));
   return final_path.parent_path() / (stem_of_parts(final_path) + digits.data() + std::string(kEnding));
 }
@@ -131,8 +131,8 @@ bool is_part_name(std::string_view name) {
   const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
   if (!name.ends_with(kEnding)) return false;
   name.remove_suffix(kEnding.size());
-  if (name.size() < kDigits + 1 || name[name.size() - kDigits - 1] != '.') return false;
-  return std::ranges::all_of(name.substr(name.size() - kDigits), is_digit);
+  if (name.size() < kPartDigits + 1 || name[name.size() - kPartDigits - 1] != '.') return false;
+  return std::ranges::all_of(name.substr(name.size() - kPartDigits), is_digit);
 }
 
 std::vector<std::filesystem::path> parts_of(const std::filesystem::path& final_path) {
@@ -142,7 +142,8 @@ std::vector<std::filesystem::path> parts_of(const std::filesystem::path& final_p
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder_of(file), ignored)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with(stem) && name.size() == stem.size() + kDigits + kEnding.size() && is_part_name(name))
+    if (name.starts_with(stem) && name.size() == stem.size() + kPartDigits + kEnding.size() &&
+        is_part_name(name))
       parts.push_back(file.parent_path() / name);
   }
   std::ranges::sort(parts);

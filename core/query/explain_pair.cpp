@@ -158,7 +158,8 @@ template <int D>
 std::string their_text(const PairExplanation<D>& e) {
   if (!e.their_times) return "";
   std::string text = e.their_verdict ? verdict_text(*e.their_verdict, e.margin_declared) : "";
-  if (*e.their_times > 1) text += "the other engine reported it " + std::to_string(*e.their_times) + " times\n";
+  if (*e.their_times > 1)
+    text += "the other engine reported it " + std::to_string(*e.their_times) + " times\n";
   return text;
 }
 

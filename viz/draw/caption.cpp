@@ -34,12 +34,13 @@ int width(const Font& font, const CaptionItem& item) {
 
 std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree,
                                        std::optional<std::uint32_t> outside) {
-  std::vector<CaptionItem> items{{"scene", caption.scene},
-                                 {"broad phase", caption.broad_phase},
-                                 {"step", caption.step_name.empty() ? number(caption.step, 5) : caption.step_name},
-                                 {"objects", number(caption.objects, 5)},
-                                 {"moving", number(caption.moving, 5)},
-                                 {"pairs", number(caption.pairs, 5)}};
+  std::vector<CaptionItem> items{
+      {"scene", caption.scene},
+      {"broad phase", caption.broad_phase},
+      {"step", caption.step_name.empty() ? number(caption.step, 5) : caption.step_name},
+      {"objects", number(caption.objects, 5)},
+      {"moving", number(caption.moving, 5)},
+      {"pairs", number(caption.pairs, 5)}};
   if (caption.knows_contacts) items.push_back({"contacts", number(caption.contacts, 5)});
   if (outside) items.push_back({"outside", number(*outside, 5)});
   if (!has_tree) return items;

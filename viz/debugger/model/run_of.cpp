@@ -131,7 +131,9 @@ std::string RunOf<D>::explain(const Selection& selection) {
           [](std::monostate) { return std::string(); },
           [&](NodeId node) { return to_text(kerf::explain_node(cursor_.replayer(), step, node), names()); },
           [&](ObjectId object) { return explain_object(object); },
-          [&](const Pair& pair) { return to_text(kerf::explain_pair(cursor_.replayer(), step, pair), names()); },
+          [&](const Pair& pair) {
+            return to_text(kerf::explain_pair(cursor_.replayer(), step, pair), names());
+          },
       },
       selection);
 }
