@@ -10,7 +10,7 @@ namespace kerf {
 /// Lists an object as changed, unless the request was refused.
 template <int D>
 Status Requests<D>::note(ObjectId object, Status status, bool keeps) {
-  if (status == Status::unknown_id || status == Status::duplicate_id) return status;
+  if (is_refused(status)) return status;
   only_moves_ = false;
   make_room();
   ObjectFlags& flags = flags_[object.index()];

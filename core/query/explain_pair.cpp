@@ -137,7 +137,7 @@ std::string verdict_text(PairVerdict verdict, const Margin& margin) {
     case PairVerdict::missed:
       return "the other engine missed it\n";
     case PairVerdict::extra:
-      return "the other engine told it, though it is none\n";
+      return "the other engine reported it, though it is none\n";
     case PairVerdict::twice:
       return "";
     case PairVerdict::filtered:
@@ -148,7 +148,7 @@ std::string verdict_text(PairVerdict verdict, const Margin& margin) {
       break;
   }
   const bool is_share = margin.share > 0;
-  return "the other engine told it: with its margin of " +
+  return "the other engine reported it: with its margin of " +
          number_text(is_share ? 100 * margin.share : margin.absolute) + (is_share ? "%" : "") +
          " on each side the boxes overlap\n";
 }

@@ -5,39 +5,35 @@
 #include <string>
 
 #include "core/base/shortest_text.h"
-#include "core/recording/schema.h"
+#include "core/recording/damage.h"
 
 namespace kerf {
 namespace {
-
-[[noreturn]] void fail_as_damaged(const std::string& what) {
-  throw std::runtime_error("the recording is damaged: " + what);
-}
 
 std::int64_t as_integer(std::uint64_t x) { return static_cast<std::int64_t>(x); }
 
 std::uint64_t read_count(const Statement& row, int column) {
   const std::int64_t value = row.integer(column);
-  if (value < 0) fail_as_damaged("a count of their pairs is " + std::to_string(value));
+  if (value < 0) fail_damaged("a count of their pairs is " + std::to_string(value));
   return static_cast<std::uint64_t>(value);
 }
 
 ObjectId read_object(const Statement& row, int column) {
   const std::int64_t value = row.integer(column);
   if (value < 0 || value >= std::int64_t{UINT32_MAX})
-    fail_as_damaged("there is no object " + std::to_string(value));
+    fail_damaged("there is no object " + std::to_string(value));
   return {static_cast<std::uint32_t>(value)};
 }
 
 Pair read_pair(const Statement& row, int column) {
   const Pair pair{read_object(row, column), read_object(row, column + 1)};
-  if (pair.a >= pair.b) fail_as_damaged("the objects of one of their pairs do not rise");
+  if (pair.a >= pair.b) fail_damaged("the objects of one of their pairs do not rise");
   return pair;
 }
 
 PairVerdict read_verdict(const std::string& name) {
   const auto found = std::ranges::find(kVerdictNames, name);
-  if (found == kVerdictNames.end()) fail_as_damaged("there is no verdict '" + name + "'");
+  if (found == kVerdictNames.end()) fail_damaged("there is no verdict '" + name + "'");
   return static_cast<PairVerdict>(found - kVerdictNames.begin());
 }
 
@@ -88,7 +84,7 @@ GivenNames read_names(const Database& database) {
   while (object.step()) {
     const auto name = parse_given_id(object.text(1));
     if (!name || object.integer(0) != as_integer(objects.size()))
-      fail_as_damaged("object " + std::to_string(objects.size()) + " has no name");
+      fail_damaged("object " + std::to_string(objects.size()) + " has no name");
     objects.push_back(*name);
   }
   std::vector<std::string> steps;
@@ -96,12 +92,12 @@ GivenNames read_names(const Database& database) {
   while (step.step()) {
     steps.push_back(step.text(1));
     if (step.integer(0) != as_integer(steps.size()))
-      fail_as_damaged("step " + std::to_string(steps.size()) + " has no name");
+      fail_damaged("step " + std::to_string(steps.size()) + " has no name");
   }
   try {
     return {std::move(objects), std::move(steps)};
   } catch (const std::invalid_argument& error) {
-    fail_as_damaged(std::string("its names: ") + error.what());
+    fail_damaged(std::string("its names: ") + error.what());
   }
 }
 
@@ -109,8 +105,9 @@ void write_design(Database& database, const PairDesign& design) {
   Statement put = database.prepare("INSERT INTO their_ignored VALUES(?, ?)");
   for (const Pair& pair : design.ignored)
     put.bind(1, std::int64_t{pair.a.value}).bind(2, std::int64_t{pair.b.value}).run();
-  set_meta(database, "margin", shortest_text(design.margin.absolute));
-  set_meta(database, "margin_share", shortest_text(design.margin.share));
+  Statement margin = database.prepare("INSERT INTO meta VALUES(?, ?)");
+  margin.bind(1, "margin").bind(2, shortest_text(design.margin.absolute)).run();
+  margin.bind(1, "margin_share").bind(2, shortest_text(design.margin.share)).run();
 }
 
 PairDesign read_design(const Database& database) {
@@ -120,7 +117,7 @@ PairDesign read_design(const Database& database) {
   const auto number = [&](const char* key) {
     Statement row = database.prepare("SELECT CAST(value AS REAL) FROM meta WHERE key = ?");
     const double value = row.bind(1, key).step() ? row.real(0) : 0;
-    if (!(value >= 0) || std::isinf(value)) fail_as_damaged(std::string("its ") + key + " is no length");
+    if (!(value >= 0) || std::isinf(value)) fail_damaged(std::string("its ") + key + " is no length");
     return value;
   };
   design.margin = {number("margin"), number("margin_share")};

@@ -85,7 +85,7 @@ void print_first(const char* what, const std::optional<EventDifference>& differe
 void print_only(const char* which, const std::vector<std::string>& pairs) {
   constexpr std::size_t kMost = 10;
   if (pairs.empty()) return;
-  std::printf("  only %s told", which);
+  std::printf("  only %s reported", which);
   for (std::size_t k = 0; k < std::min(kMost, pairs.size()); ++k) std::printf(" (%s)", pairs[k].c_str());
   if (pairs.size() > kMost) std::printf(" and %zu more", pairs.size() - kMost);
   std::printf("\n");

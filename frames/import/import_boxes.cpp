@@ -59,9 +59,10 @@ class Import {
 
   [[nodiscard]] std::string text() const {
     if (request_.pairs.empty()) return "";
-    std::string text = "their pairs: " + std::to_string(sum_.pairs) + " told, " +
-                       std::to_string(sum_.missed) + " missed, " + std::to_string(sum_.extra) + " extra, " +
-                       std::to_string(sum_.twice) + " twice, " + std::to_string(sum_.ignored) + " ignored";
+    std::string text = "the other engine reported " + std::to_string(sum_.pairs) +
+                       " pairs: " + std::to_string(sum_.missed) + " missed, " + std::to_string(sum_.extra) +
+                       " extra, " + std::to_string(sum_.twice) + " twice, " + std::to_string(sum_.ignored) +
+                       " ignored";
     if (sum_.ignored > 0)
       text += " (" + count_text(PairVerdict::filtered) + " by filters, " + count_text(PairVerdict::listed) +
               " by the list, " + count_text(PairVerdict::margin) + " by the margin)";

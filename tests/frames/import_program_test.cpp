@@ -70,7 +70,7 @@ class ImportProgram : public ::testing::Test {
 
 TEST_F(ImportProgram, ColumnsAreFoundByTheirNames) {
   EXPECT_THAT(imported("a", given("header_order/boxes.csv"), {"--pairs", given("header_order/pairs.csv")}),
-              HasSubstr("1 told, 0 missed, 0 extra"));
+              HasSubstr("1 pairs: 0 missed, 0 extra"));
   EXPECT_THAT(explained("a", "1", "0,1"), HasSubstr("0: x [0, 2]  y [10, 12]"));
   const std::string aliases = "Time,Body,Lower.X,Lower.Y,Upper.X,Upper.Y,is_static\n1,4,0,10,2,12,1\n";
   EXPECT_THAT(imported("b", write("b.csv", aliases)),
@@ -90,7 +90,7 @@ TEST_F(ImportProgram, ColumnsAreFoundByTheirNames) {
 
 TEST_F(ImportProgram, AByteOrderMarkIsPassedOver) {
   EXPECT_THAT(imported("a", given("bom/boxes.csv"), {"--pairs", given("bom/pairs.csv")}),
-              HasSubstr("1 told, 0 missed, 0 extra"));
+              HasSubstr("1 pairs: 0 missed, 0 extra"));
   EXPECT_THAT(imported("b", given("bom/nohead.csv")), StartsWith("2D, 1 step numbered 1, 2 objects"));
 }
 
@@ -107,7 +107,7 @@ TEST_F(ImportProgram, DecimalCommasAndOtherSeparatorsAreRefusedWithTheReason) {
 
 TEST_F(ImportProgram, NumbersNearZeroAndWithAPlusAreRead) {
   EXPECT_THAT(imported("a", given("underflow/boxes.csv"), {"--pairs", given("underflow/pairs.csv")}),
-              HasSubstr("1 told, 0 missed, 0 extra"));
+              HasSubstr("1 pairs: 0 missed, 0 extra"));
   EXPECT_THAT(explained("a", "1", "0,1"), HasSubstr("y [-2.22045e-61, 1]"));
   EXPECT_THAT(imported("b", given("underflow/denormal.csv")), StartsWith("3D, 1 step"));
   EXPECT_THAT(imported("c", given("underflow/plus.csv")), StartsWith("3D, 1 step"));
@@ -120,7 +120,7 @@ TEST_F(ImportProgram, NumbersNearZeroAndWithAPlusAreRead) {
 TEST_F(ImportProgram, PairsAreJudgedInThePrecisionGiven) {
   const std::string boxes = given("double_far/boxes.csv");
   EXPECT_THAT(imported("a", boxes, {"--pairs", given("double_far/pairs.csv")}),
-              HasSubstr("1 told, 0 missed, 0 extra, 0 twice"));
+              HasSubstr("1 pairs: 0 missed, 0 extra, 0 twice"));
   const std::string why = explained("a", "1", "0,1");
   EXPECT_THAT(why, HasSubstr("0 and 1 are no pair: axis x separates them by 0.05"));
   EXPECT_THAT(why, HasSubstr("0: x [20000000, 20000000.9]"));
@@ -129,21 +129,21 @@ TEST_F(ImportProgram, PairsAreJudgedInThePrecisionGiven) {
   EXPECT_THAT(why, Not(HasSubstr("became a pair")));
   EXPECT_EQ(run_kerf({"verify", path("a.kerf")}).exit, 0);
   const std::string told = write("told.csv", "step,a,b\n1,0,1\n1,2,3\n");
-  EXPECT_THAT(imported("b", boxes, {"--pairs", told}), HasSubstr("2 told, 0 missed, 1 extra"));
+  EXPECT_THAT(imported("b", boxes, {"--pairs", told}), HasSubstr("2 pairs: 0 missed, 1 extra"));
   const std::string silent = write("silent.csv", "step,a,b\n");
-  EXPECT_THAT(imported("c", boxes, {"--pairs", silent}), HasSubstr("0 told, 1 missed, 0 extra"));
+  EXPECT_THAT(imported("c", boxes, {"--pairs", silent}), HasSubstr("0 pairs: 1 missed, 0 extra"));
 }
 
 TEST_F(ImportProgram, ChangesOfMobilityAreFollowedAndExported) {
   const std::string out =
       imported("a", given("type_change/boxes.csv"), {"--pairs", given("type_change/pairs.csv")});
-  EXPECT_THAT(out, HasSubstr("2 told, 0 missed, 0 extra"));
+  EXPECT_THAT(out, HasSubstr("2 pairs: 0 missed, 0 extra"));
   EXPECT_THAT(out, HasSubstr("odd: 1 changes between fixed and moving"));
   EXPECT_THAT(out, HasSubstr("line 4: object 1 is moving from step 2 on"));
   EXPECT_THAT(explained("a", "1", "0,1"), HasSubstr("both are fixed"));
   EXPECT_THAT(exported("a", "--boxes"), HasSubstr("\n2,1,4,5,0.8,1.8,0\n3,1,"));
   EXPECT_THAT(imported("b", given("type_change/b.csv"), {"--pairs", given("type_change/bp.csv")}),
-              HasSubstr("1 told, 0 missed, 0 extra"));
+              HasSubstr("1 pairs: 0 missed, 0 extra"));
 }
 
 TEST_F(ImportProgram, ObjectsMayHaveAnyNumberOf64Bits) {
@@ -201,7 +201,7 @@ TEST_F(ImportProgram, InvertedBoxesAreCountedAndExplained) {
   EXPECT_THAT(out, HasSubstr("boxes.csv, line 3: object 1 in step 1"));
   const std::string why = explained("a", "1", "0,1");
   EXPECT_THAT(why, HasSubstr("object 1 is in quarantine: its box, x [3, 1]"));
-  EXPECT_THAT(why, HasSubstr("the other engine told it, though it is none"));
+  EXPECT_THAT(why, HasSubstr("the other engine reported it, though it is none"));
   EXPECT_THAT(refused(given("inverted/boxes.csv"), {"--strict"}), HasSubstr("line 3: object 1 in step 1"));
 }
 
@@ -244,11 +244,11 @@ TEST_F(ImportProgram, QuotesAndOtherWordsForNumbersAreRead) {
 TEST_F(ImportProgram, WhatAnEngineFiltersIsDeclaredAndCountedApart) {
   const std::string pairs = given("filters/pairs.csv");
   EXPECT_THAT(imported("a", given("filters/boxes.csv"), {"--pairs", pairs}),
-              HasSubstr("1 told, 1 missed, 0 extra"));
+              HasSubstr("1 pairs: 1 missed, 0 extra"));
   EXPECT_THAT(stepped("a", "missed>0"), HasSubstr("theirs, missed: (0,1)"));
   const std::string ignore = write("ignore.csv", "a,b\n1,0\n7,9\n");
   EXPECT_THAT(imported("b", given("filters/boxes.csv"), {"--pairs", pairs, "--ignore", ignore}),
-              HasSubstr("1 told, 0 missed, 0 extra, 0 twice, 1 ignored (0 by filters, 1 by the list"));
+              HasSubstr("1 pairs: 0 missed, 0 extra, 0 twice, 1 ignored (0 by filters, 1 by the list"));
   EXPECT_THAT(explained("b", "1", "0,1"), HasSubstr("it is ignored"));
   EXPECT_THAT(stepped("b", "ignored>0"), HasSubstr("theirs, ignored, listed: (0,1)"));
   const std::string masked = write("masked.csv",
@@ -271,7 +271,7 @@ TEST_F(ImportProgram, AMarginIsDeclared) {
   EXPECT_THAT(explained("b", "1", "0,1"), HasSubstr("with its margin of 10% on each side"));
   EXPECT_THAT(imported("c", boxes, {"--pairs", pairs, "--margin", "0.02"}), HasSubstr("1 extra"));
   EXPECT_THAT(imported("d", boxes, {"--pairs", write("none.csv", "step,a,b\n"), "--margin", "0.1"}),
-              HasSubstr("0 told, 0 missed, 0 extra, 0 twice, 0 ignored"));
+              HasSubstr("0 pairs: 0 missed, 0 extra, 0 twice, 0 ignored"));
   for (const std::string margin : {"x", "-1", "5m", "%", "inf"})
     EXPECT_THAT(refused(boxes, {"--margin", margin}), HasSubstr("--margin '" + margin + "'"));
 }
@@ -279,16 +279,16 @@ TEST_F(ImportProgram, AMarginIsDeclared) {
 TEST_F(ImportProgram, OddPairFilesAreJudgedOrRefusedByLine) {
   const std::string boxes = given("pair_file/boxes.csv");
   const std::string out = imported("a", boxes, {"--pairs", given("pair_file/p1.csv")});
-  EXPECT_THAT(out, HasSubstr("5 told, 0 missed, 1 extra, 1 twice"));
+  EXPECT_THAT(out, HasSubstr("5 pairs: 0 missed, 1 extra, 1 twice"));
   EXPECT_THAT(out, HasSubstr("p1.csv, line 5: object 77 in step 3"));
   EXPECT_THAT(stepped("a", "extra>0"), HasSubstr("theirs, extra: (0,77)"));
   const std::string why = explained("a", "3", "0,77");
-  EXPECT_THAT(why, HasSubstr("object 77 is not there\nthe other engine told it, though it is none"));
+  EXPECT_THAT(why, HasSubstr("object 77 is not there\nthe other engine reported it, though it is none"));
   EXPECT_THAT(explained("a", "1", "0, 1"), HasSubstr("are a pair"));
   EXPECT_THAT(refused(boxes, {"--pairs", given("pair_file/p2.csv")}),
               HasSubstr("p2.csv, line 1: its columns are step,a,b"));
   EXPECT_THAT(imported("c", boxes, {"--pairs", given("pair_file/p3.csv")}),
-              HasSubstr("3 told, 0 missed, 0 extra"));
+              HasSubstr("3 pairs: 0 missed, 0 extra"));
   EXPECT_THAT(refused(boxes, {"--pairs", given("pair_file/p4.csv")}), HasSubstr("p4.csv is empty"));
   EXPECT_THAT(refused(boxes, {"--pairs", given("pair_file/p5.csv")}), HasSubstr("separated by blanks"));
   EXPECT_THAT(refused(boxes, {"--pairs", write("self.csv", "1,0,1\n1,1,1\n")}),
@@ -319,7 +319,7 @@ TEST_F(ImportProgram, SeveralBoxesOfAnObjectAreRefusedOrUnited) {
   EXPECT_THAT(refused(boxes, {"--pairs", pairs}),
               HasSubstr("boxes.csv, line 3: object 0 has a second box in step 1, after that of line 2"));
   const std::string out = imported("a", boxes, {"--pairs", pairs, "--unite"});
-  EXPECT_THAT(out, HasSubstr("1 told, 0 missed, 0 extra"));
+  EXPECT_THAT(out, HasSubstr("1 pairs: 0 missed, 0 extra"));
   EXPECT_THAT(out, HasSubstr("several boxes, which were united"));
   EXPECT_THAT(exported("a", "--boxes"), HasSubstr("1,0,0,12,0,2,0\n"));
   (void)imported("b", write("b.csv", "1,0,0,1,0,1\n2,0,,,,\n2,0,5,6,0,1\n"));  // it goes, and another comes
@@ -385,7 +385,7 @@ TEST_F(ImportProgram, TwoImportsAreComparedByTheirPairsToo) {
   (void)imported("b", boxes, {"--pairs", write("b.csv", "step,a,b\n5000,0,1\n5001,0,1\n5002,0,1\n")});
   const Outcome compared = run_kerf({"compare", path("a.kerf"), path("b.kerf")});
   EXPECT_EQ(compared.exit, 1);
-  EXPECT_THAT(compared.out, HasSubstr("theirs     differ first in step 5001\n  only B told (0,1)\n"));
+  EXPECT_THAT(compared.out, HasSubstr("theirs     differ first in step 5001\n  only B reported (0,1)\n"));
   EXPECT_THAT(compared.out, HasSubstr("verdicts   differ first in step 5001\n"));
   (void)imported("c", given("pair_file/boxes.csv"), {"--pairs", given("pair_file/p3.csv")});
   const Outcome renamed = run_kerf({"compare", path("b.kerf"), path("c.kerf")});

@@ -187,7 +187,7 @@ TEST_F(QueryProgram, TheirMissedExtraAndRepeatedPairsAreFound) {
   const Outcome imported =
       run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("b")});
   ASSERT_EQ(imported.exit, 0) << imported.err;
-  EXPECT_THAT(imported.out, HasSubstr("9 told, 1 missed, 1 extra, 1 twice"));
+  EXPECT_THAT(imported.out, HasSubstr("9 pairs: 1 missed, 1 extra, 1 twice"));
   EXPECT_THAT(imported.out, HasSubstr("first wrong in step 11"));
   EXPECT_THAT(run_kerf({"step", file("b"), "--to", "missed>0"}).out, ::testing::StartsWith("step 11\n"));
   EXPECT_THAT(run_kerf({"step", file("b"), "--to", "extra>0"}).out, ::testing::StartsWith("step 13\n"));
@@ -207,7 +207,7 @@ TEST_F(QueryProgram, TheirPairsAreJudgedToTheirLastStep) {
       run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("b")});
   ASSERT_EQ(imported.exit, 0) << imported.err;
   EXPECT_THAT(imported.out, HasSubstr("2 steps numbered 10 to 13"));
-  EXPECT_THAT(imported.out, HasSubstr("2 told, 0 missed, 0 extra"));
+  EXPECT_THAT(imported.out, HasSubstr("2 pairs: 0 missed, 0 extra"));
   EXPECT_THAT(imported.out, HasSubstr("odd: 1 steps with pairs and without a line of boxes"));
   std::ofstream(path("pairs.csv")) << "10,0,1\n9,0,1\n";
   const Outcome early =

@@ -8,6 +8,7 @@
 #include "core/recording/recording_reader.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
+#include "tests/support/tampering.h"
 
 namespace kerf {
 namespace {
@@ -45,6 +46,7 @@ class TheirRows : public testing::Test {
   [[nodiscard]] std::string refusal(const std::string& sql) const {
     file_.change(sql);
     try {
+      test::reseal(file_.path());
       const RecordingReader<kDimension> reader(file_.path());
       for (std::uint32_t step = 1; step <= 3; ++step) {
         (void)reader.their_pairs(step);
