@@ -159,7 +159,7 @@ void CompareCommand::run() const {
   if (json_) {
     std::printf("%s\n", as_json(comparison).dump(1).c_str());
   } else {
-    print(comparison, usable_recording_info(a_), usable_recording_info(b_));
+    print(comparison, read_recording_info(a_), read_recording_info(b_));
   }
   if (!comparison.same()) throw DoesNotHold("the recordings differ");
 }

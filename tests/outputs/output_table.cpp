@@ -86,8 +86,8 @@ const std::vector<OutputCase>& output_table() {
 }
 
 const std::vector<std::string>& input_options() {
-  static const std::vector<std::string> kOptions{"debug --script", "import --pairs", "render --camera-path",
-                                                 "report --hardcases"};
+  static const std::vector<std::string> kOptions{"debug --script", "import --ignore", "import --pairs",
+                                                 "render --camera-path", "report --hardcases"};
   return kOptions;
 }
 
