@@ -41,6 +41,7 @@ struct Outcome {
 struct Surroundings {
   std::uint64_t largest_file = 0;  ///< RLIMIT_FSIZE; 0: no limit
   std::string path;                ///< PATH; empty: as it is
+  std::string libraries;           ///< LD_LIBRARY_PATH; empty: as it is
 };
 
 /// A running program, its outputs kept in files until it ends. It is killed if nobody waits for it.

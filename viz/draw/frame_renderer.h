@@ -66,7 +66,7 @@ struct FrameOptions {
   int samples = 0;
   bool ids = false;           ///< also keep what was drawn and where, see `FrameIds`
   std::string camera_path{};  ///< see CameraPath; empty: the camera stands still
-  GlBackend backend = GlBackend::osmesa;
+  GlBackend backend = GlBackend::any;
 };
 
 /// Is given the triangles of a scene (back, glass, lines, front) before they are drawn. With it tests plant
