@@ -13,7 +13,7 @@
 namespace kerf::inline sims2d {
 namespace {
 
-/// AddPair speaks of proxies, which a fixture hides from all but its heirs.
+/// AddPair takes proxies, which a fixture shows only to derived classes.
 struct ProxyOf : b2Fixture {
   static b2FixtureProxy& of(b2Body& body) { return *(*body.GetFixtureList().*(&ProxyOf::m_proxies)); }
 };
@@ -38,7 +38,7 @@ void make_room(b2BroadPhase& proxies, b2Body& a, b2Body& b) {
 
 }  // namespace
 
-// Box2D hands out its contact manager only to read; the world itself is ours to change.
+// Box2D returns its contact manager as const only; the world itself is ours to change.
 ContactGate::ContactGate(b2World& world)
     : world_(world), manager_(const_cast<b2ContactManager&>(world.GetContactManager())) {
   world.SetContactFilter(this);

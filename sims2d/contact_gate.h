@@ -16,9 +16,9 @@ namespace kerf::inline sims2d {
 
 /// Makes Box2D's contacts those of a given list of pairs, and no others.
 ///
-/// Box2D 2.4 has no switch for a broad phase of one's own, so its contact manager is led from outside: as the
-/// world's contact filter the gate refuses all that Box2D finds by itself, and opens only for its own calls
-/// of AddPair. Bodies carry their ObjectId as user data and have one fixture with one child.
+/// Box2D 2.4 has no switch for another broad phase, so the gate controls its contact manager from outside: as
+/// the world's contact filter it refuses everything that Box2D finds by itself, and opens only for its own
+/// calls of AddPair. Bodies carry their ObjectId as user data and have one fixture with one child.
 class ContactGate final : private b2ContactFilter {
  public:
   /// Becomes the filter of `world`, which must outlive the last call of `admit` only.
@@ -26,8 +26,9 @@ class ContactGate final : private b2ContactFilter {
   ContactGate(const ContactGate&) = delete;
   ContactGate& operator=(const ContactGate&) = delete;
 
-  /// Contacts without a pair are destroyed, pairs without a contact get one. `pairs` must be sorted, since
-  /// the order of creation decides the order in which the solver works. `bodies` is indexed by object.
+  /// Destroys contacts without a pair, and creates one for each pair without a contact. `pairs` must be
+  /// sorted, since the order of creation decides the order in which the solver works. `bodies` is indexed by
+  /// object.
   void admit(std::span<const Pair> pairs, std::span<b2Body* const> bodies);
 
  private:

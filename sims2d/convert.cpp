@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/overloaded.h"
 #include "core/scene/bounding.h"
 
 namespace kerf::inline sims2d {
@@ -48,7 +49,7 @@ bool turns_left(const std::vector<Vector<2>>& corners) {
   return true;
 }
 
-/// Whether Box2D kept every corner (it welds close ones) in the given order (it takes the hull).
+/// Whether Box2D kept every corner (it welds close ones) in the given order (it makes a hull).
 bool kept(const b2PolygonShape& polygon, const std::vector<Vector<2>>& corners) {
   const std::size_t count = corners.size();
   if (polygon.m_count != static_cast<int32>(count)) return false;
@@ -80,9 +81,10 @@ std::unique_ptr<b2Shape> polygon(const Outline& outline) {
 }  // namespace
 
 std::unique_ptr<b2Shape> to_box2d(const Shape<2>& shape) {
-  if (const auto* ball = std::get_if<Ball>(&shape)) return disc(*ball);
-  if (const auto* box = std::get_if<Brick<2>>(&shape)) return brick(*box);
-  return polygon(std::get<Outline>(shape));
+  return std::visit(
+      Overloaded{[](const Ball& ball) { return disc(ball); }, [](const Brick<2>& box) { return brick(box); },
+                 [](const Outline& outline) { return polygon(outline); }},
+      shape);
 }
 
 Pose<2> to_pose(const b2Transform& transform) {

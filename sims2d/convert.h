@@ -11,7 +11,7 @@
 
 namespace kerf::inline sims2d {
 
-/// How far each box reaches beyond Box2D's own bounds of the shape, so that whatever touches overlaps.
+/// How far each box reaches beyond Box2D's own bounds of the shape, so that everything that touches overlaps.
 ///
 /// Box2D calls two polygons touching when the largest separation along a face normal is at most r, the sum of
 /// their skins (2 * 0.01), and keeps manifold points up to r beyond the ends of the reference face. Two
@@ -26,7 +26,7 @@ std::unique_ptr<b2Shape> to_box2d(const Shape<2>& shape);
 
 Pose<2> to_pose(const b2Transform& transform);
 
-/// The padded box of a shape at a pose: what the broad phase is given.
+/// The padded box of a shape at a pose, as the broad phase gets it.
 Box<2> padded_box(const b2Shape& shape, const b2Transform& transform);
 
 /// The padded volume of the given kind around a body's shape at a pose.

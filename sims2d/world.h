@@ -18,7 +18,7 @@ namespace kerf::inline sims2d {
 
 class ContactGate;
 
-/// What a 2D body is at its beginning.
+/// A 2D body at its beginning.
 struct BodyPlan {
   Shape<2> shape;
   Vector<2> position;
@@ -29,19 +29,19 @@ struct BodyPlan {
   bool driven = false;  ///< moves as `place` says and nothing stops it: the wall of a machine
 };
 
-/// A Box2D world whose contacts come from a broad phase of ours and from nothing else. Units are metres and
+/// A Box2D world with contacts from a broad phase of ours and from nothing else. Units are metres and
 /// seconds, Y is up; body k is object k of the broad phase.
 ///
-/// Each step asks the broad phase once, with the boxes of the poses at which Box2D's narrow phase then looks,
-/// and makes the contacts exactly those pairs (`ContactGate`): a pair that is not reported has no contact
+/// Each step runs the broad phase once, with the boxes of the poses at which Box2D's narrow phase then looks,
+/// and makes the contacts exactly those pairs (`ContactGate`). A pair that is not reported has no contact
 /// even if it had one before, so that a miss shows. Boxes are the tight ones plus `kBoxPadding` (convert.h),
-/// and not Box2D's fat ones, which run up to 0.5 units and four steps of motion ahead: what touches overlaps,
-/// what is drawn is what was tested, and contacts are a function of the poses alone. Box2D's touching
-/// contacts found by its own broad phase from the same state are the same.
+/// and not Box2D's fat ones, which run up to 0.5 units and four steps of motion ahead: everything that
+/// touches overlaps, the drawing shows what was tested, and contacts are a function of the poses alone.
+/// Box2D's own broad phase finds the same touching contacts from the same state.
 ///
-/// The step is 1/25 s, not divided, and continuous collision is off, for it would look at pairs between two
-/// queries. Instead nothing is fast: drag limits a fall to `kFallSpeed`, 0.32 units a step: less than half
-/// the smallest object of our scenes, and far below Box2D's limit of 2.
+/// The step is 1/25 s, not divided. Continuous collision is off, because it would look at pairs between two
+/// queries. Instead nothing is fast: drag limits a fall to `kFallSpeed`, 0.32 units a step, less than half
+/// the smallest object of our scenes and far below Box2D's limit of 2.
 ///
 /// The solver's result depends on the order of contacts, so pairs are sorted before they become contacts:
 /// broad phases that agree on the pairs give bit-identical trajectories.
@@ -58,7 +58,7 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Adds a body and its box. Throws std::invalid_argument for a shape or pose that cannot be, and
+  /// Adds a body and its box. Throws std::invalid_argument for an invalid shape or pose, and
   /// std::runtime_error if the broad phase refuses the object.
   ObjectId add(const BodyPlan& plan);
 
@@ -75,8 +75,8 @@ class World {
   /// Radians a second after the last step. Throws as `push` does.
   [[nodiscard]] Scalar spin_of(ObjectId object) const;
 
-  /// One step. Bodies that did not move (fixed and sleeping ones) are not moved in the broad phase. Throws
-  /// std::runtime_error for a pose that is not finite and for pairs of unknown objects.
+  /// One step. Fixed and sleeping bodies are not moved in the broad phase. Throws std::runtime_error for a
+  /// pose that is not finite and for pairs of unknown objects.
   void advance();
 
   [[nodiscard]] std::uint32_t step() const { return step_; }
@@ -84,7 +84,7 @@ class World {
   /// All that the broad phase reported, sorted.
   [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
   [[nodiscard]] std::span<const Pair> contacts() const { return contacts_; }
-  /// Box2D's world, to look at.
+  /// Box2D's world, to read.
   [[nodiscard]] const b2World& engine() const { return *engine_; }
 
  private:

@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-/// A shape as ODE's narrow phase sees it. It belongs to no space of ODE's. A surface keeps its mesh data here
-/// and reads the vertices of the `Surface` in place, so that the shape has to outlive it.
+/// A shape for ODE's narrow phase. It belongs to no space of ODE's. A surface keeps its mesh data here and
+/// reads the vertices of the `Surface` in place, so that the shape has to outlive it.
 struct Geom {
   OdeHandle<dxTriMeshData>
       mesh;  ///< null unless the shape is a surface; declared first: it outlives the geom
@@ -18,7 +18,7 @@ struct Geom {
 };
 
 /// Throws std::invalid_argument, saying what is wrong, if the shape has no finite positive size or a surface
-/// names a vertex that it does not have.
+/// names a vertex that does not exist.
 Geom make_geom(const Shape<3>& shape);
 
 /// The mass of a ball or brick of the given density around its centre. Throws std::invalid_argument for a

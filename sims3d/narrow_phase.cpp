@@ -6,7 +6,7 @@
 namespace kerf {
 namespace {
 
-/// The contact points of two geoms are appended to `points`; their number is returned.
+/// Appends the contact points of two geoms to `points` and returns their number.
 std::uint32_t collide(Pair pair, std::span<const Geom> geoms, std::vector<dContactGeom>& points) {
   const std::size_t begin = points.size();
   points.resize(begin + NarrowPhase::kMaxPoints);
@@ -16,7 +16,7 @@ std::uint32_t collide(Pair pair, std::span<const Geom> geoms, std::vector<dConta
   return static_cast<std::uint32_t>(count);
 }
 
-/// Whether a sorted list holds `pair`, when asked for ascending pairs: `at` only ever moves forward.
+/// Whether a sorted list holds `pair`, for ascending calls: `at` only ever moves forward.
 bool holds(std::span<const Pair> list, std::size_t& at, Pair pair) {
   while (at < list.size() && list[at] < pair) ++at;
   return at < list.size() && list[at] == pair;

@@ -9,18 +9,18 @@
 
 namespace kerf {
 
-/// Two objects of which ODE's collider says that they touch.
+/// Two objects that touch by ODE's collider.
 struct Touch {
   Pair pair;
   std::uint32_t first = 0;  ///< where its contact points begin
   std::uint32_t count = 0;  ///< 0: known from an earlier step, neither object has moved since
 };
 
-/// Asks ODE's colliders about candidate pairs, and remembers the answers for pairs of which neither object
-/// moved: what rests is not computed again.
+/// Runs ODE's colliders on candidate pairs, and remembers the answers for pairs of objects that did not move:
+/// what rests is not computed again.
 class NarrowPhase {
  public:
-  /// At most this many points a pair are asked for; whether two objects touch does not depend on it.
+  /// The most points a pair; the answer whether two objects touch does not depend on it.
   static constexpr int kMaxPoints = 8;
 
   /// `candidates` are sorted and without repetition. `moved[k]` says whether object k has another pose than
@@ -30,9 +30,10 @@ class NarrowPhase {
 
   [[nodiscard]] std::span<const Touch> touches() const { return touches_; }
   [[nodiscard]] std::span<const Pair> contacts() const { return contacts_; }
-  /// Pairs that touched at the call before and do not, or are no candidates, at this one.
+  /// Pairs that touched at the previous call and do not, or are no candidates, at this one.
   [[nodiscard]] std::span<const Pair> parted() const { return parted_; }
-  /// The touch's contact points, computed now if they were not. They hold until the next call of any method.
+  /// The touch's contact points, computed now if they were not. They are valid until the next call of any
+  /// method.
   std::span<const dContactGeom> points(const Touch& touch, std::span<const Geom> geoms);
 
  private:

@@ -15,7 +15,7 @@ static_assert(sizeof(dReal) == sizeof(double), "Kerf needs the double-precision 
 std::recursive_mutex library_mutex;
 std::size_t users = 0;
 
-/// ODE demands that its handlers do not return: unwinding is the only way out that leaves the process alive.
+/// ODE requires that its handlers do not return: unwinding is the only way out that leaves the process alive.
 [[noreturn]] void throw_ode_error(int number, const char* format, va_list arguments) {
   std::array<char, 512> text{};
   std::vsnprintf(text.data(), text.size(), format, arguments);

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// ODE's process-wide state: initialised by the first of these that lives, closed by the last.
+/// ODE's process-wide state: the first living object initialises it, the last one closes it.
 ///
 /// ODE's errors and failed assertions become std::runtime_error instead of an exit of the process; its
 /// warnings go to the standard error stream as before.
@@ -19,13 +19,13 @@ class OdeLibrary {
   OdeLibrary& operator=(const OdeLibrary&) = delete;
   ~OdeLibrary();
 
-  /// Whoever calls into ODE holds this. Debian's build has no thread-local storage: its random seed and the
-  /// caches of its mesh collider are shared by all worlds.
-  /// Recursive, because a world asks its broad phase while it works, and the rivals are spaces of ODE.
+  /// Every call into ODE needs this lock. Debian's build has no thread-local storage: all worlds share its
+  /// random seed and the caches of its mesh collider. Recursive, because a world steps its broad phase while
+  /// it works, and the rivals are spaces of ODE.
   [[nodiscard]] std::unique_lock<std::recursive_mutex> enter() const;
 };
 
-/// Destroys what ODE has created; null handles are never passed on.
+/// Destroys an object of ODE's; null handles are never passed on.
 struct OdeDeleter {
   void operator()(dWorldID world) const { dWorldDestroy(world); }
   void operator()(dBodyID body) const { dBodyDestroy(body); }
@@ -34,7 +34,7 @@ struct OdeDeleter {
   void operator()(dTriMeshDataID data) const { dGeomTriMeshDataDestroy(data); }
 };
 
-/// The one owner of something of ODE's, for example OdeHandle<dxBody>.
+/// The one owner of an object of ODE's, for example OdeHandle<dxBody>.
 template <class T>
 using OdeHandle = std::unique_ptr<T, OdeDeleter>;
 

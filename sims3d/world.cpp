@@ -279,7 +279,7 @@ void World::join(const Touch& touch) {
 }
 
 void World::integrate() {
-  // ODE has one seed for all worlds; ours is put in its place for the time of the step.
+  // ODE has one seed for all worlds; ours replaces it for the time of the step.
   const unsigned long others = dRandGetSeed();
   dRandSetSeed(solver_seed_);
   const int done = dWorldQuickStep(world_.get(), settings_.step_seconds);

@@ -33,8 +33,8 @@ struct Twist {
   Vector<3> angular;  ///< radians a second
 };
 
-/// An ODE world in which the given broad phase, and no other, proposes the pairs: ODE's spaces are never
-/// asked.
+/// An ODE world in which the given broad phase, and no other, proposes the pairs. ODE's spaces are never
+/// used.
 ///
 /// One step is one broad phase, one narrow phase and one step of dynamics. The dynamics are not divided
 /// further: contacts found at a pose hold for that pose only, and the terminal speed keeps objects from
@@ -57,8 +57,8 @@ class World {
   /// Adds a ball or brick; throws as `add_fixed` does.
   ObjectId add_moving(const Shape<3>& shape, const Pose<3>& pose, const Twist& motion);
 
-  // What follows takes effect in the next `advance()` and throws std::invalid_argument for anything but a
-  // moving object.
+  // The following calls take effect in the next `advance()` and throw std::invalid_argument for anything but
+  // a moving object.
 
   /// Puts an object somewhere else, awake.
   void place(ObjectId object, const Vector<3>& position, const Twist& motion);
@@ -78,8 +78,7 @@ class World {
   void advance();
 
   [[nodiscard]] std::uint32_t step() const { return step_; }
-  /// Object k at the pose that the last broad phase and narrow phase saw; a new object at the pose it was
-  /// given.
+  /// Object k at the pose that the last broad phase and narrow phase saw; a new object at its given pose.
   [[nodiscard]] std::span<const Body<3>> bodies() const { return bodies_; }
   /// All that the broad phase reported, sorted.
   [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }

@@ -12,9 +12,9 @@
 
 namespace kerf {
 
-/// Values one after another. Kernels write behind the end and then say how many they wrote; memory is
-/// initialised once at most and never given back. Long buffers grow by moving their pages (realloc): no copy
-/// stands beside them meanwhile.
+/// Contiguous values. A kernel writes behind the end and then commits the number written. Memory is
+/// initialised at most once and never given back. Long buffers grow by moving their pages (realloc), so that
+/// no second copy exists meanwhile.
 template <class T>
 class AppendBuffer {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -25,12 +25,12 @@ class AppendBuffer {
   [[nodiscard]] std::span<const T> all() const { return {data_.get(), size_}; }
   [[nodiscard]] std::span<T> all() { return {data_.get(), size_}; }
 
-  /// Room for `count` more behind the end.
+  /// Room for `count` more values behind the end.
   T* reserve(std::size_t count) {
     if (capacity_ - size_ < count) grow(size_ + count);
     return data_.get() + size_;
   }
-  /// The first `count` values behind the end are valid now.
+  /// Makes the first `count` values behind the end valid.
   void commit(std::size_t count) { size_ += count; }
   void push_back(const T& value) {
     *reserve(1) = value;
@@ -40,7 +40,7 @@ class AppendBuffer {
     std::copy(values.begin(), values.end(), reserve(values.size()));
     commit(values.size());
   }
-  /// Forgets all but the first `size`.
+  /// Drops all but the first `size` values.
   void truncate(std::size_t size) { size_ = size; }
 
  private:
@@ -53,7 +53,7 @@ class AppendBuffer {
     capacity_ = capacity;
   }
 
-  /// The data in larger memory; the old is gone.
+  /// Moves the data to larger memory and frees the old.
   T* move_to(std::size_t bytes) {
     if constexpr (alignof(T) <= alignof(std::max_align_t)) {
       return static_cast<T*>(std::realloc(data_.get(), bytes));

@@ -61,6 +61,14 @@ const std::array kParameters{
         &Config::stream_share},
     Parameter{{"bulk_factor", "leaves above so many thresholds are divided at once; 0: never", 0, 1e6},
               &Config::bulk_factor},
+    Parameter{{"restless", "0: objects too fast for a fat box are placed anew in each step", 0, 1},
+              &Config::restless},
+    Parameter{{"resting_pairs", "0: pairs of objects at rest are tested in each step, too", 0, 1},
+              &Config::resting_pairs},
+    Parameter{{"leaf_boxes", "0: leaves have no copies of their boxes in large worlds", 0, 1},
+              &Config::leaf_boxes},
+    Parameter{{"exchange", "0: new boxes are copied into the tree's table", 0, 1}, &Config::exchange},
+    Parameter{{"dense", "0: floats confirm all that bytes find", 0, 1}, &Config::dense},
 };
 
 const Parameter& find(std::string_view name) {

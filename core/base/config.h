@@ -46,24 +46,36 @@ struct Config {
   std::uint32_t directions = 256;  ///< size of the direction set (3D; 2D uses a quarter)
   std::uint64_t seed = 1;          ///< of the direction set
 
-  // Beyond the paper: policies beside it, all off. `tuned_config` switches them on.
+  // Policies beyond the paper, all off by default. `tuned_config` switches them on.
   bool byte_sweep = false;  ///< leaves are swept by vectors of bytes instead of along ordered lists
   float skin = 0;           ///< with byte_sweep: steps of its own motion that an object's fat box allows for
   float stream_share = 1;   ///< with byte_sweep: when more objects than this share move in a step, all are
                            ///< placed anew in one pass; while pairs of fat boxes are kept, when four times as
-                           ///< many leave theirs
+                           ///< many leave theirs; 1: only when the mode changes
   float bulk_factor = 0;  ///< a leaf above so many times the threshold is divided at once, until none of its
                           ///< parts is above the threshold, whatever the budget; 0: never
+
+  // Parts of these policies. Each is on, and is of use only with its policy; to see what it earns, switch it
+  // off.
+  bool restless = true;       ///< with skin: the tree follows objects that are too fast for a fat box; else
+                              ///< each is placed anew in each step
+  bool resting_pairs = true;  ///< with skin: pairs of objects without fat are reported without a test
+  bool leaf_boxes = true;     ///< with byte_sweep: in large worlds leaves have copies of their boxes
+  bool exchange = true;       ///< with byte_sweep: new boxes are exchanged with the tree's, not copied, where
+                              ///< objects only moved
+  bool dense = true;          ///< where boxes lie dense, bytes tell most pairs without a test of floats
+
   friend bool operator==(const Config&, const Config&) = default;
 };
 
-/// The fastest that we know for boxes: axis directions, large leaves, all policies beyond the paper.
+/// The fastest configuration that we know for boxes: axis directions, large leaves, all policies beyond the
+/// paper.
 Config tuned_config();
 
 /// Throws std::invalid_argument, naming the parameter and its range, when a value cannot work.
 void check(const Config& config);
 
-/// What is known of one parameter: name, meaning, and the range of its values.
+/// The description of one parameter: name, meaning, and the range of its values.
 struct ConfigField {
   std::string_view name;
   std::string_view meaning;

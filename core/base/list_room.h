@@ -7,9 +7,9 @@
 
 namespace kerf {
 
-/// Sees to it that a list has memory for `count` things, of which the first that are there stay. There is
-/// room for an eighth and eight more, so that what comes and goes needs no other memory; what has half as
-/// much again as that and more, as when objects have gone to other leaves for good, gives it back.
+/// Gives a list memory for `count` elements and keeps its first ones. The room is an eighth and eight more
+/// than needed, so that elements can come and go without another allocation. A list with half as much again
+/// as that, as when objects have left for good, gives the excess back.
 template <class T>
 void make_list_room(std::vector<T>& list, std::size_t count) {
   constexpr std::size_t kFew = 8;

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// A list of pairs for kernels that write whole vectors past its end and then say how many of them count.
+/// A list of pairs for kernels that write whole vectors past its end and then commit the valid ones.
 class PairList {
  public:
   void clear() { size_ = 0; }
@@ -21,7 +21,7 @@ class PairList {
     if (room_.size() < size_ + count + kWidestVector) room_.resize(2 * (size_ + count + kWidestVector));
     return room_.data() + size_;
   }
-  /// All before `end` count, which is in the room that was reserved last.
+  /// Makes all pairs before `end` valid. `end` lies in the room reserved last.
   void commit(const Pair* end) { size_ = static_cast<std::size_t>(end - room_.data()); }
   void add(const Pair& pair) {
     *reserve(1) = pair;

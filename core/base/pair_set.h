@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// A set of pairs that is read as a list. What is done twice is done once.
+/// A set of pairs that can be read as a list. Adding or removing a pair twice has the effect of once.
 class PairSet {
  public:
   void add(const Pair& pair) {
@@ -26,7 +26,7 @@ class PairSet {
     }
     pairs_.pop_back();
   }
-  /// Removes each pair for which `is_gone(pair)`.
+  /// Removes each pair for which `is_gone(pair)` holds.
   template <class Predicate>
   void remove_if(Predicate is_gone) {
     for (std::size_t k = pairs_.size(); k-- > 0;) {
@@ -35,7 +35,7 @@ class PairSet {
     }
   }
 
-  /// In an order that depends on what was added and removed before.
+  /// The order depends on earlier additions and removals.
   [[nodiscard]] std::span<const Pair> pairs() const { return pairs_; }
 
  private:

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// More threads than processors are made only because the control allows it.
+/// oneTBB limits threads to the number of processors unless the control allows more.
 struct TaskPool::Arena {
   explicit Arena(unsigned threads)
       : allowed(tbb::global_control::max_allowed_parallelism, threads), tbb(static_cast<int>(threads)) {}
@@ -26,10 +26,7 @@ TaskPool::TaskPool(unsigned threads)
 
 TaskPool::~TaskPool() = default;
 
-std::size_t TaskPool::pieces() const {
-  constexpr std::size_t kEach = 8;
-  return threads_ == 1 ? 1 : kEach * threads_;
-}
+std::size_t TaskPool::pieces() const { return threads_ == 1 ? 1 : tuning::kPiecesPerThread * threads_; }
 
 std::size_t TaskPool::slices_of(std::size_t count, std::size_t few) const {
   return std::clamp<std::size_t>(count / few, 1, pieces());
@@ -40,8 +37,8 @@ void TaskPool::for_each(std::size_t pieces, const Work& work) {
     for (std::size_t k = 0; k < pieces; ++k) work(k, 0);
     return;
   }
-  // All pieces round, and take denormals, as the caller does: other threads would else keep what was usual
-  // when they first worked, and tell other pairs.
+  // Every piece takes the caller's rounding and denormal modes. A thread would otherwise keep the modes of
+  // its first work, and find other pairs.
   tbb::task_group_context modes(tbb::task_group_context::isolated, tbb::task_group_context::default_traits |
                                                                        tbb::task_group_context::fp_settings);
   arena_->tbb.execute([&] {

@@ -4,6 +4,8 @@
 #include <functional>
 #include <memory>
 
+#include "core/base/tuning.h"
+
 namespace kerf {
 
 /// The part [begin, end) of a list.
@@ -23,31 +25,28 @@ class TaskPool {
   /// Calls with the piece and with the thread that does it, which is below `threads()`.
   using Work = std::function<void(std::size_t piece, std::size_t thread)>;
 
-  /// That many threads work, the caller's being one of them; the machine's processors are the limit. With one
-  /// thread, all is done where it is asked for and no thread is ever made. Throws std::invalid_argument for
-  /// 0.
+  /// The number of threads at work, the caller's included; at most the number of processors. With one thread,
+  /// all work is done by the caller and no thread is created. Throws std::invalid_argument for 0.
   explicit TaskPool(unsigned threads = 1);
   TaskPool(const TaskPool&) = delete;
   TaskPool& operator=(const TaskPool&) = delete;
   ~TaskPool();
 
   [[nodiscard]] unsigned threads() const { return threads_; }
-  /// Into how many pieces work should be cut, so that nobody waits long for the last one.
+  /// The number of pieces into which work should be cut, so that no thread waits long for the last one.
   [[nodiscard]] std::size_t pieces() const;
   /// Does each piece once, several at a time and in no order; returns when all are done.
   void for_each(std::size_t pieces, const Work& work);
-  static constexpr std::size_t kFewThings = 512;  ///< a copy or a comparison each
-  static constexpr std::size_t kFewWalks = 64;    ///< walks down a tree
   /// The same for the slices of a list of `count` small things, of at least `few` each; `work(slice, piece)`.
   /// Gives their number.
   template <class SliceWork>
-  std::size_t for_slices(std::size_t count, SliceWork work, std::size_t few = kFewThings) {
+  std::size_t for_slices(std::size_t count, SliceWork work, std::size_t few = tuning::kFewThings) {
     const std::size_t number = slices_of(count, few);
     for_each(number, [&](std::size_t piece, std::size_t) { work(slice(count, number, piece), piece); });
     return number;
   }
   /// The number of slices of such a list: 1 where sharing costs more than it gives.
-  [[nodiscard]] std::size_t slices_of(std::size_t count, std::size_t few = kFewThings) const;
+  [[nodiscard]] std::size_t slices_of(std::size_t count, std::size_t few = tuning::kFewThings) const;
 
  private:
   struct Arena;

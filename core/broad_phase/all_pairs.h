@@ -5,8 +5,8 @@
 
 namespace kerf {
 
-/// Brute force at its best: every box against every other, a vector of them at a time. BruteForce is the same
-/// without vectors, for those who want to read what a pair is.
+/// Brute force at its fastest: every box against every other, a vector of them at a time. BruteForce is the
+/// same without vectors, as readable as the definition of a pair.
 template <int D>
 class AllPairs final : public Tabled<D> {
  public:

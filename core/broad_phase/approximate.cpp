@@ -99,7 +99,7 @@ void Approximate<D>::step() {
   if (how_.filter) filter();
 }
 
-/// Hands on the boxes that are no longer what `inner_` was given.
+/// Moves in `inner_` the boxes that changed since its last placement.
 template <int D>
 void Approximate<D>::place() {
   ids_.clear();

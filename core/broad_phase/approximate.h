@@ -10,10 +10,10 @@
 
 namespace kerf {
 
-/// A broad phase that hands on what it is told to another one, late or rounded, as an `Approximation` says.
-/// Its `pairs()` may therefore disagree with the boxes given: what differs is what the settings measure.
+/// A broad phase that passes its requests to another one, late or rounded, as an `Approximation` says. Its
+/// `pairs()` may therefore disagree with the boxes given; the difference is what the settings measure.
 ///
-/// It knows only boxes. A removal and a box that cannot be placed are never late: the next step is then a
+/// It handles only boxes. A removal and a box that cannot be placed are never late: the next step is then a
 /// placement, so that no pair names an object that is gone.
 template <int D>
 class Approximate final : public BroadPhase<D> {
@@ -40,9 +40,9 @@ class Approximate final : public BroadPhase<D> {
   std::unique_ptr<BroadPhase<D>> inner_;
   Approximation how_;
   std::string name_;
-  ObjectTable<D> latest_;          ///< what the caller said last
-  std::vector<Box<D>> given_;      ///< per object: what `inner_` was given last
-  std::vector<ObjectId> changed_;  ///< objects told to move since the last placement
+  ObjectTable<D> latest_;          ///< as last given by the caller
+  std::vector<Box<D>> given_;      ///< per object: the last box given to `inner_`
+  std::vector<ObjectId> changed_;  ///< objects moved since the last placement
   std::vector<std::uint8_t> is_changed_;
   std::vector<ObjectId> ids_;
   std::vector<Box<D>> boxes_;

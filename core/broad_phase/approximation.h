@@ -7,7 +7,7 @@
 namespace kerf {
 
 /// How a broad phase may be wrong on purpose, for time. Nothing here is on by default: `Bsp` itself is always
-/// exact, and `Approximate` puts this around any broad phase. What each setting costs in pairs:
+/// exact, and `Approximate` wraps any broad phase. The cost of each setting in pairs:
 ///
 /// - `period` k: boxes are handed on, and pairs looked for, in every k-th step only; between, the last pairs
 ///   stand. Misses what meets in between, invents what has parted. New objects have no pairs until then.
@@ -31,7 +31,7 @@ struct Approximation {
 
 /// Whether no pair can be missed, whatever the boxes do.
 bool finds_all(const Approximation& how);
-/// Whether no pair can be told that is none.
+/// Whether every reported pair is a true one.
 bool invents_none(const Approximation& how);
 
 /// Throws std::invalid_argument, naming the parameter and its range, when a value cannot work.
@@ -39,10 +39,10 @@ void check(const Approximation& how);
 
 /// Whether `name` is one of the parameters above.
 bool is_approximation_parameter(std::string_view name);
-/// Applies "K=V,K=V,..." with the names above. All or nothing; throws std::invalid_argument with what is
+/// Applies "K=V,K=V,..." with the names above. All or nothing; throws std::invalid_argument that says what is
 /// allowed.
 void apply(Approximation& how, std::string_view assignments);
-/// What differs from the default as "K=V,K=V", such that `apply` gives it back; empty: exact.
+/// All settings that differ from the default as "K=V,K=V", such that `apply` restores them; empty: exact.
 std::string to_string(const Approximation& how);
 
 }  // namespace kerf

@@ -42,7 +42,7 @@ void Columns<D>::lay_out(double size) {
     const auto axis = static_cast<std::size_t>(grid_.axes[k + 1]);
     const double length = high_[axis] - low_[axis];
     const double cells = std::clamp(length / (size * extent_[axis]), 1.0, static_cast<double>(most));
-    // A length of 0 gives no number; such a scene has one cell.
+    // A length of 0 gives NaN; such a scene has one cell.
     const std::uint32_t count = length > 0 ? static_cast<std::uint32_t>(cells) : 1;
     grid_.across[k] = AxisCells(static_cast<Scalar>(low_[axis]), static_cast<Scalar>(high_[axis]), count);
   }
@@ -73,7 +73,7 @@ void Columns<D>::for_each_column(const Reach& reach, Visit visit) const {
   }
 }
 
-/// Leaves in `ends_` how many entries each column will have; returns the sum.
+/// Writes to `ends_` how many entries each column will have; returns the sum.
 template <int D>
 std::size_t Columns<D>::count_entries() {
   std::size_t columns = 1;

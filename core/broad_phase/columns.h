@@ -11,11 +11,11 @@
 namespace kerf {
 
 /// A grid of columns, built anew in each step: cells across all axes but the one along which the scene is
-/// longest. Objects are sorted along that axis by radix, dealt out to every column that they reach, and each
+/// longest. Objects are sorted along that axis by radix, put into every column that they reach, and each
 /// column is swept, a vector of boxes at a time.
 ///
-/// Two boxes that overlap share a column; the pair is told by the one in which, along each axis, at least one
-/// of both begins. There is only one such column: where the box begins that begins later.
+/// Two boxes that overlap share a column. The pair is reported by the column in which, along each axis, at
+/// least one of both begins. There is only one: where the later beginning lies.
 template <int D>
 class Columns final : public Tabled<D> {
  public:
@@ -52,11 +52,11 @@ class Columns final : public Tabled<D> {
   void for_each_column(const Reach& reach, Visit visit) const;
 
   Grid grid_;
-  std::array<double, D> low_{};      ///< where boxes begin at least
-  std::array<double, D> high_{};     ///< and at most
-  std::array<double, D> extent_{};   ///< of a box in the mean
+  std::array<double, D> low_{};      ///< least beginning of the boxes
+  std::array<double, D> high_{};     ///< greatest end of the boxes
+  std::array<double, D> extent_{};   ///< mean extent of a box
   std::vector<Reach> reaches_;       ///< by object
-  std::vector<std::uint32_t> ends_;  ///< by column: one past its last entry dealt so far
+  std::vector<std::uint32_t> ends_;  ///< by column: one past its last entry so far
   RadixSort order_;
   std::vector<Entry> entries_;
   Lanes<D> lanes_;

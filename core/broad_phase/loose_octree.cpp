@@ -5,7 +5,7 @@
 
 namespace kerf {
 
-/// As many levels as give the finest one about two cells an object.
+/// So many levels that the finest one has about two cells an object.
 template <int D>
 void LooseOctree<D>::lay_out() {
   finest_ = 0;
@@ -68,7 +68,7 @@ void LooseOctree<D>::sort_members() {
   for (std::size_t k = 0; k < unsorted_.size(); ++k) members_[ends_[cells_[k]]++] = unsorted_[k];
 }
 
-/// Members of a row of cells from `from` on. Without a branch: hits can hardly be predicted.
+/// Members of a row of cells from `from` on. Without a branch, since hits can hardly be predicted.
 template <int D>
 void LooseOctree<D>::test_row(const Member& member, std::uint32_t from, std::uint32_t first,
                               std::uint32_t last, PairList& pairs) {

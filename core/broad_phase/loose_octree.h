@@ -12,7 +12,7 @@ namespace kerf {
 /// A loose octree (in 2D a quadtree) after Thatcher Ulrich ("Loose Octrees", Game Programming Gems, 2000),
 /// built anew in each step. A cell holds the objects that begin in its place and reach no farther than into
 /// the next place, so that each object is in exactly one cell, found without a search: that of the finest
-/// level where this is so. Levels are flat grids and cells are ranges of one array; nothing is chased. An
+/// level where this holds. Levels are flat grids and cells are ranges of one array, without pointers. An
 /// object is tested against those behind it in its own level and against all in coarser ones.
 ///
 /// Places are whole numbers, computed once at the finest level and halved for coarser ones. Rounding is

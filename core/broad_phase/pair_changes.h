@@ -8,12 +8,12 @@
 
 namespace kerf {
 
-/// Which pairs began and which ended from step to step, for engines that keep contacts and want to hear of
-/// changes only. It serves any broad phase, and who does not ask for it does not pay: the pairs are brought
-/// into an order by counting and compared with those before.
+/// Which pairs began and which ended from step to step, for engines that keep contacts and need only the
+/// changes. It serves any broad phase, and costs nothing unless it is used: the pairs are ordered by counting
+/// and compared with those of the step before.
 class PairChanges {
  public:
-  /// To be told of the complete set of each step, no pair twice. Before the first step there were none.
+  /// Call it with the complete set of each step, no pair twice. Before the first step there were none.
   void update(std::span<const Pair> pairs);
   /// Pairs of the last step that the one before did not have, in ascending order.
   [[nodiscard]] std::span<const Pair> begun() const { return begun_; }

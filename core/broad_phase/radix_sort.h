@@ -14,8 +14,8 @@ inline std::uint32_t sort_key(Scalar x) {
   return bits ^ ((bits >> 31U) != 0 ? 0xFFFFFFFFU : 0x80000000U);
 }
 
-/// Sorts numbers below 2^32 that carry another 32 bits: stable, in three passes over 11 bits each, which do
-/// not depend on how the keys are spread.
+/// Sorts numbers below 2^32 that carry another 32 bits: stable, in three passes over 11 bits each,
+/// independent of how the keys are spread.
 class RadixSort {
  public:
   struct Item {
@@ -23,7 +23,7 @@ class RadixSort {
     std::uint32_t value;
   };
 
-  /// To be filled by the caller.
+  /// The caller fills it.
   std::vector<Item> items;
   void sort();
 

@@ -38,7 +38,7 @@ void SweepAndPrune<D>::arrange() {
   list_new();
 }
 
-/// Also what is no longer what it was: a fixed object that came back as a moving one.
+/// Also drops an object whose mobility changed: a fixed object that came back as a moving one.
 template <int D>
 void SweepAndPrune<D>::drop_gone() {
   parts_.resize(this->table().bound(), Part::none);
@@ -77,8 +77,8 @@ void SweepAndPrune<D>::swap_into_order(List& list) {
   }
 }
 
-/// `coming` goes below `passed`. All boxes are those of this step already, so that whatever begins to overlap
-/// is seen at the swap of any axis along which it did not before.
+/// `coming` goes below `passed`. All boxes are those of this step already, so a new overlap is seen at the
+/// swap on any axis along which there was none before.
 template <int D>
 void SweepAndPrune<D>::meet(const End& coming, const End& passed) {
   if (coming.upper == passed.upper) return;
@@ -90,7 +90,7 @@ void SweepAndPrune<D>::meet(const End& coming, const End& passed) {
   }
 }
 
-/// New objects are merged in, for swaps would carry each through half the list.
+/// New objects are merged in, because swaps would carry each through half the list.
 template <int D>
 void SweepAndPrune<D>::list_new() {
   new_.clear();
@@ -111,7 +111,7 @@ void SweepAndPrune<D>::list_new() {
   find_pairs_of_new();
 }
 
-/// A walk along the first list: what is new meets all that are open, what is old only the new ones.
+/// A walk along the first list: a new object meets all open ones, an old one only the new ones.
 template <int D>
 void SweepAndPrune<D>::find_pairs_of_new() {
   is_new_.assign(parts_.size(), 0);

@@ -9,12 +9,12 @@
 
 namespace kerf {
 
-/// Along which of the world's axes objects are told apart; those beyond the dimension mean nothing.
+/// The world's axes along which objects are separated; those beyond the dimension mean nothing.
 using AxisChoice = std::array<bool, 3>;
 
-/// Sweep-and-prune as the paper has it for a rival (section 6.1; Cohen et al. 1995): one list of all ends
-/// along each axis, brought into order again by swaps of neighbours. A swap of one's beginning with another's
-/// end is where an overlap along that axis begins or ends, so that the set of overlaps changes only there.
+/// Sweep-and-prune as the paper's rival (section 6.1; Cohen et al. 1995): one list of all ends along each
+/// axis, ordered by swaps of neighbours. An overlap along an axis begins or ends where one object's beginning
+/// is swapped with another's end, so the set of overlaps changes only there.
 ///
 /// Where the paper keeps an n by n matrix of overlaps, we keep a set: 100,000 objects would need 10 GB.
 template <int D>
@@ -43,7 +43,7 @@ class SweepAndPrune final : public Tabled<D> {
     int axis;
     std::vector<End> ends;
   };
-  /// What the lists say of an object.
+  /// The state of an object in the lists.
   enum class Part : std::uint8_t { none, listed, listed_fixed };
 
   void arrange() override;

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-/// Only a change of who takes part makes the list old.
+/// The list is out of date only if the set of placed objects changes.
 template <int D>
 Status Tabled<D>::note(ObjectId object, Status status) {
   if (status == Status::unknown_id || status == Status::duplicate_id) return status;

@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-/// What our broad phases share that find all pairs anew in each step: the table of objects, the list of those
-/// that take part, and the pairs.
+/// The common part of our broad phases that find all pairs anew in each step: the table of objects, the list
+/// of placed objects, and the pairs.
 template <int D>
 class Tabled : public BroadPhase<D> {
  public:
@@ -20,17 +20,17 @@ class Tabled : public BroadPhase<D> {
   void step() final;
   [[nodiscard]] std::span<const Pair> pairs() const final { return pairs_.pairs(); }
 
-  /// How many seconds the last `step()` spent on its structure, before it looked for pairs.
+  /// The seconds that the last `step()` spent on its structure, before it searched for pairs.
   [[nodiscard]] double arrange_seconds() const { return arrange_seconds_; }
 
  protected:
-  /// Brings the structure, if there is any, into agreement with `placed()` and their boxes.
+  /// Updates the structure, if there is any, to `placed()` and their boxes.
   virtual void arrange() {}
   /// Writes the pairs of `placed()` to `pairs`, which is empty.
   virtual void find_pairs(PairList& pairs) = 0;
 
   [[nodiscard]] const ObjectTable<D>& table() const { return table_; }
-  /// The objects that take part, in the order of their ids.
+  /// The placed objects, in the order of their ids.
   [[nodiscard]] const std::vector<ObjectId>& placed() const { return placed_; }
 
  private:

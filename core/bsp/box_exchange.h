@@ -9,10 +9,11 @@
 
 namespace kerf {
 
-/// A step in which everybody moved need not copy the latest boxes into the tree's table: the two tables
-/// exchange theirs. From then on, until the next requests, the latest boxes are the tree's; those that took
-/// their place are of the step before. Mostly the same objects move again and write over them. Only boxes are
-/// exchanged: who is there, in quarantine or fixed may be asked of the latest table all the while.
+/// A step in which all objects moved need not copy the latest boxes into the tree's table: the two tables
+/// exchange their boxes. From then on, until the next requests, the tree's table has the latest boxes, and
+/// the other one those of the step before. Mostly the same objects move again and overwrite them. Only boxes
+/// are exchanged: which objects are there, in quarantine or fixed can be read from either table all the
+/// while.
 template <int D>
 class BoxExchange {
  public:
@@ -21,20 +22,20 @@ class BoxExchange {
     latest.swap_boxes(tree);
     is_open_ = true;
   }
-  /// Takes the list of who moved in the step, and gives an empty one.
+  /// Takes the list of objects that moved in the step, and leaves an empty one.
   void take(AppendBuffer<ObjectId>& moved) {
     std::swap(moved_, moved);
     moved.clear();
   }
-  /// To be told before anyone writes the latest boxes, or reads them there, with those that are about to be
-  /// moved and must be.
+  /// Call it before the latest boxes are written, or read in the latest table. `moving`: the objects that are
+  /// about to be moved.
   void end(ObjectTable<D>& latest, const ObjectTable<D>& tree, std::span<const ObjectId> moving,
            TaskPool& pool) {
     if (!is_open_) return;
     is_open_ = false;
     if (!are_those_that_moved(moving)) latest.copy_boxes(tree, pool);
   }
-  /// The latest table was replaced.
+  /// Call it when the latest table was replaced.
   void forget() { is_open_ = false; }
   [[nodiscard]] bool is_open() const { return is_open_; }
 

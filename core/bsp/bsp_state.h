@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/config.h"
-#include "core/bsp/keep_or_sweep.h"
+#include "core/bsp/mode_chooser.h"
 #include "core/objects/object_table.h"
 #include "core/objects/skin.h"
 #include "core/tree/hash.h"
@@ -23,8 +23,7 @@ struct BspState {
   ObjectTable<D> latest;    ///< the objects as the caller sees them; the tree's own table may have fat boxes
   std::vector<Skin> skins;  ///< by object
   std::vector<Pair> pairs;  ///< of the last step
-  std::uint8_t mode = 0;    ///< how pairs are found, as Bsp numbers it
-  KeepOrSweep keep_or_sweep{};
+  ModeChooser modes{D};
   std::uint64_t placed = 0;
   std::uint64_t next_event = 0;
   std::uint32_t step = 0;

@@ -15,17 +15,17 @@ struct Arrival {
   std::uint32_t leaves = 0;
 };
 
-/// What one piece of the objects that left their fat boxes does to the tree.
+/// The changes of the tree by one piece of the objects that left their fat boxes.
 struct FatPiece {
   std::vector<EntryChange> entries;  ///< of leaves that keep pairs
   std::vector<NodeId> touched;       ///< leaves in which an object stays
   std::vector<ObjectId> leaving;
-  std::vector<NodeId> left;  ///< the nodes that they passed, each once for each of them
+  std::vector<NodeId> left;  ///< the nodes on their way to their leaves, once for each object
   std::vector<Arrival> entering;
-  std::vector<Reached> places;      ///< of those, one after another
+  std::vector<Reached> places;      ///< of `entering`, one object after another
   std::vector<NodeId> entered;      ///< as `left`
-  std::vector<Reached> old_places;  ///< of the object at hand, before
-  std::vector<Reached> new_places;  ///< and after
+  std::vector<Reached> old_places;  ///< scratch: of one object, before the step
+  std::vector<Reached> new_places;  ///< scratch: of one object, after it
 
   void clear() {
     entries.clear();

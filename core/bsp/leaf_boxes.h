@@ -1,56 +1,46 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "core/base/list_room.h"
+#include "core/bsp/leaf_cache.h"
 #include "core/geometry/packed_box.h"
 #include "core/tree/tree.h"
 
 namespace kerf {
 
-/// The boxes of leaves' entries, copied while objects are placed, for who goes through a leaf afterwards:
-/// they lie side by side, not one here and one there in a long table. They hold until an operator changes the
-/// leaf or boxes move. Leaves keep their memory from step to step, and nodes that died theirs.
+/// The boxes of leaves' entries, copied while objects are placed, for the sweep afterwards: they lie side by
+/// side, not one here and one there in a long table. They hold until an operator changes the leaf or boxes
+/// move. The memory of a leaf, and of a node that died, is kept from step to step.
 template <int D>
 class LeafBoxes {
  public:
-  /// No leaf has any. `wanted`: who places objects from now on should copy them.
+  /// No leaf has any. `wanted`: they should be copied when objects are placed from now on.
   void begin(const Tree<D>& tree, bool wanted) {
     wanted_ = wanted;
-    for (Leaf& leaf : leaves_) leaf.life = 0;
-    if (wanted && leaves_.size() < tree.slots()) leaves_.resize(tree.slots());
+    leaves_.forget();
+    if (wanted) leaves_.make_room(tree);
   }
   [[nodiscard]] bool wanted() const { return wanted_; }
   /// Room for `count` boxes of a leaf; those that were there stay. Different leaves can be refilled at the
   /// same time.
   std::span<PackedBox<D>> refill(NodeId leaf, std::size_t count) {
-    std::vector<PackedBox<D>>& boxes = leaves_[leaf.index()].boxes;
+    std::vector<PackedBox<D>>& boxes = leaves_[leaf];
     make_list_room(boxes, count);
     boxes.resize(count);
     return boxes;
   }
-  /// To be told when the leaf's boxes are those of its entries.
-  void finish(Tree<D>& tree, NodeId leaf) {
-    leaves_[leaf.index()].life = tree[leaf].generation + 1;
-    tree[leaf].changed = false;
-  }
-  [[nodiscard]] bool has(const Tree<D>& tree, NodeId leaf) const {
-    return leaf.index() < leaves_.size() && leaves_[leaf.index()].life == tree[leaf].generation + 1 &&
-           !tree[leaf].changed;
-  }
+  /// Call it when the leaf's boxes are those of its entries.
+  void finish(const Tree<D>& tree, NodeId leaf) { leaves_.renew(tree, leaf); }
+  [[nodiscard]] bool has(const Tree<D>& tree, NodeId leaf) const { return leaves_.is_current(tree, leaf); }
   /// Exchanges the leaf's boxes for others: to lend them, and to take them back.
-  void swap(NodeId leaf, std::vector<PackedBox<D>>& boxes) { std::swap(leaves_[leaf.index()].boxes, boxes); }
+  void swap(NodeId leaf, std::vector<PackedBox<D>>& boxes) { std::swap(leaves_[leaf], boxes); }
 
  private:
-  struct Leaf {
-    std::uint32_t life = 0;  ///< one more than the generation of the node; 0: there are no boxes
-    std::vector<PackedBox<D>> boxes;
-  };
-  std::vector<Leaf> leaves_;  ///< by node
+  LeafCache<D, std::vector<PackedBox<D>>> leaves_;
   bool wanted_ = false;
 };
 

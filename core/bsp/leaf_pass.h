@@ -24,15 +24,16 @@ struct LeafScratch {
 };
 
 /// One visit to each leaf of a tree. Leaves are the unit of parallel work (DESIGN.md, "Fast"): threads take
-/// runs of them, and what they find is joined in the order of the leaves, so that the number of threads shows
+/// runs of them, and their pairs are joined in the order of the leaves, so that the number of threads shows
 /// in nothing but the time.
 template <int D>
 class LeafPass {
  public:
-  /// Appends to the buffer what it finds in the leaf. It may change the leaf, but nothing that others see.
+  /// Appends the pairs of the leaf to the buffer. It may change the leaf, but nothing that others see.
   using Work = std::function<void(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs)>;
 
-  void run(const Tree<D>& tree, TaskPool& pool, const Work& work, PairBuffer& pairs);
+  /// `dense`: bytes may tell pairs without a test of floats.
+  void run(const Tree<D>& tree, TaskPool& pool, bool dense, const Work& work, PairBuffer& pairs);
 
  private:
   void cut(const Tree<D>& tree, std::size_t pieces);
@@ -40,7 +41,7 @@ class LeafPass {
 
   std::vector<NodeId> leaves_;
   std::vector<Slice> runs_;        ///< of leaves, by piece
-  std::vector<PairBuffer> found_;  ///< by piece, of those that could not tell yet where theirs belong
+  std::vector<PairBuffer> found_;  ///< by piece, of pieces whose place among all pairs was not known yet
   std::vector<LeafScratch<D>> scratch_;
 };
 

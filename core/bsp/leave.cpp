@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// Gives the number of those that stay.
+/// Returns the number of objects that stay.
 template <int D>
 std::size_t LeavePass<D>::take_leavers(Tree<D>& tree, NodeId leaf, LeafBoxes<D>& boxes,
                                        Leavers& leavers) const {
@@ -18,7 +18,7 @@ std::size_t LeavePass<D>::take_leavers(Tree<D>& tree, NodeId leaf, LeafBoxes<D>&
       .boxes = std::as_const(tree.table).packed().data(),
       .cell = cell_of(tree, leaf),
       .right_of = node.right_of,
-      .axis = node.direction < D ? node.direction : 0,  // if it is none, nobody stays
+      .axis = node.direction < D ? node.direction : 0,  // no object stays in a leaf that has none
       .entries = node.entries.data(),
       .count = count,
       .leavers = leavers.objects.reserve(count),

@@ -11,21 +11,21 @@
 
 namespace kerf {
 
-/// Who stays in its leaf and who leaves it, when boxes have moved. Its memory is kept between steps.
+/// Finds the objects that leave their leaves when boxes have moved. Its memory is kept between steps.
 template <int D>
 class LeavePass {
  public:
   /// Takes all entries out of the leaves but those of objects that straddle nothing and still lie wholly in
   /// their leaf's cell, by the boxes of the tree's table. The tree is complete again when the leavers are
-  /// placed; populations and the number of entries count nobody meanwhile. If boxes are wanted, those of all
-  /// are copied: of the leavers for who places them, of the others into `boxes`.
+  /// placed; until then populations and the number of entries are wrong. If boxes are wanted, all are copied:
+  /// those of the leavers into `leaver_boxes`, the others into `boxes`.
   ///
   /// Pre: the table has boxes; all placed objects have entries, and no others do.
   void run(Tree<D>& tree, TaskPool& pool, LeafBoxes<D>& boxes);
 
   /// Each object that left, once, in an order that does not depend on the number of threads.
   [[nodiscard]] std::span<const std::uint32_t> leavers() const { return leavers_.front().objects.all(); }
-  /// Their boxes, in the same order; none, unless they were wanted.
+  /// Their boxes, in the same order; empty unless boxes were wanted.
   [[nodiscard]] std::span<const PackedBox<D>> leaver_boxes() const { return leavers_.front().boxes.all(); }
   /// How many objects stayed below each node.
   [[nodiscard]] const std::vector<std::uint32_t>& stayed() const { return stayed_; }

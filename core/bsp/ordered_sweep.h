@@ -23,7 +23,7 @@ void sort_entries(std::vector<Entry>& entries);
 template <int D>
 void sweep_leaf(const ObjectTable<D>& table, const Node<D>& leaf, SweepBuffer<D>& buffer, PairBuffer& pairs);
 
-/// Takes out the pairs from `begin` on whose boxes overlap but whose volumes do not.
+/// Removes the pairs from place `begin` on whose volumes do not overlap, though their boxes do.
 template <int D>
 void drop_separated(const ObjectTable<D>& table, std::size_t begin, PairBuffer& pairs);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/tuning.h"
 #include "core/kernels/follow_objects.h"
 #include "core/tree/cell.h"
 #include "core/tree/placement.h"
@@ -32,40 +33,38 @@ void RestlessPass<D>::run(Tree<D>& tree, const Objects& objects, KeptPairs<D>& k
   cost_ = estimate(tree, all, others_.size());
 }
 
-/// In the time in which one entry is swept, about 11 ns in 2D and 18 in 3D.
+/// In units of the time in which one entry is swept.
 template <int D>
 float RestlessPass<D>::estimate(const Tree<D>& tree, const Counts& counts, std::size_t others) {
-  constexpr float kPlace = 0.4F;  // an object, when all are placed in one pass
-  constexpr float kFilter = 0.3F;
-  constexpr float kLookUp = 4;
-  constexpr float kFollow = 0.7F;
-  constexpr float kWalk = 4;
-  constexpr float kReplace = 12;
+  using namespace tuning;
   const auto entries = static_cast<float>(tree.entries());
   const auto swept = static_cast<float>(counts.swept);
-  const float kept_leaves = (entries - swept) * kFilter + static_cast<float>(counts.looked_up) * kLookUp;
-  const float placement = static_cast<float>(counts.followed) * kFollow +
-                          static_cast<float>(counts.walked) * kWalk + static_cast<float>(others) * kReplace;
-  return (swept + kept_leaves + placement) / (entries + static_cast<float>(tree.objects()) * kPlace + 1);
+  const float kept_leaves =
+      (entries - swept) * kCostOfFiltering + static_cast<float>(counts.looked_up) * kCostOfLookUp;
+  const float placement = static_cast<float>(counts.followed) * kCostOfFollowing +
+                          static_cast<float>(counts.walked) * kCostOfWalk +
+                          static_cast<float>(others) * kCostOfReplacing;
+  return (swept + kept_leaves + placement) /
+         (entries + static_cast<float>(tree.objects()) * kCostOfPlacing + 1);
 }
 
 template <int D>
 void RestlessPass<D>::follow_in(Tree<D>& tree, const Objects& objects, KeptPairs<D>& kept, NodeId leaf,
                                 Piece& piece) {
   const std::size_t count = list_objects(tree, objects, kept, leaf, piece.objects);
-  const bool is_swept = kept.note_restless(tree, leaf, count);
+  const bool is_swept = kept.are_many_restless(tree, leaf, count);
+  kept.note_restless(tree, leaf, count);
   (is_swept ? piece.counts.swept : piece.counts.looked_up) += is_swept ? tree[leaf].entries.size() : count;
   piece.counts.followed += piece.objects.size();
   if (piece.objects.empty()) return;
   const PackedBox<D> cell = cell_of(tree, leaf);
   piece.left_over.resize(piece.objects.size());
-  piece.left_over.resize(
-      follow_objects<D>({objects.latest.packed().data(), tree.table.packed().data(), objects.skins.data(),
-                         objects.attention.data(), objects.restless, cell, piece.objects.data(),
-                         piece.objects.size(), piece.left_over.data()}));
+  piece.left_over.resize(follow_objects<D>(
+      {objects.latest.packed().data(), tree.table.packed().data(), objects.skins.data(), objects.flags.data(),
+       cell, piece.objects.data(), piece.objects.size(), piece.left_over.data()}));
   if (piece.left_over.size() < piece.objects.size()) tree[leaf].unsorted = true;
   for (const std::uint32_t object : piece.left_over)
-    if (objects.attention[object] == objects.restless && !follow(tree, objects, cell, {object}, piece))
+    if (objects.flags[object] == flag::kUnrequested && !try_follow(tree, objects, cell, {object}, piece))
       piece.others.push_back({object});
 }
 
@@ -86,7 +85,7 @@ std::size_t RestlessPass<D>::list_objects(const Tree<D>& tree, const Objects& ob
   std::size_t count = 0;
   std::size_t listed = 0;
   for (const Entry& entry : node.entries) {
-    const bool is_restless = (objects.attention[entry.object.index()] & objects.restless) != 0;
+    const bool is_restless = (objects.flags[entry.object.index()] & flag::kUnrequested) != 0;
     const bool is_leftmost = (entry.straddle & node.right_of) == 0;
     list[listed] = entry.object.value;
     listed += static_cast<std::size_t>(static_cast<int>(is_restless) & static_cast<int>(is_leftmost));
@@ -96,10 +95,11 @@ std::size_t RestlessPass<D>::list_objects(const Tree<D>& tree, const Objects& ob
   return count;
 }
 
-/// Whether the object stays restless and in its leaves.
+/// Gives the object its latest box if it stays restless and in its leaves; else changes nothing and returns
+/// false.
 template <int D>
-bool RestlessPass<D>::follow(Tree<D>& tree, const Objects& objects, const PackedBox<D>& cell, ObjectId object,
-                             Piece& piece) {
+bool RestlessPass<D>::try_follow(Tree<D>& tree, const Objects& objects, const PackedBox<D>& cell,
+                                 ObjectId object, Piece& piece) {
   const PackedBox<D>& now = objects.latest.packed(object);
   PackedBox<D>& before = tree.table.packed()[object.index()];
   Skin skin = objects.skins[object.index()];

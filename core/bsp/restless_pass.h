@@ -6,6 +6,7 @@
 
 #include "core/base/task_pool.h"
 #include "core/bsp/kept_pairs.h"
+#include "core/objects/object_flags.h"
 #include "core/objects/object_table.h"
 #include "core/objects/skin.h"
 #include "core/tree/tree.h"
@@ -13,8 +14,8 @@
 namespace kerf {
 
 /// Follows the restless objects while pairs are kept. Nothing is kept of them, so that one that stays in its
-/// leaves asks for no more than that the tree has its box. They are gone through leaf by leaf: who lies in
-/// its leaf's cell, before and now, needs no walk down the tree. Its memory is kept between steps.
+/// leaves only needs its box in the tree's table. The pass goes leaf by leaf: an object that lies in its
+/// leaf's cell, before and now, needs no walk down the tree. Its memory is kept between steps.
 template <int D>
 class RestlessPass {
  public:
@@ -22,31 +23,29 @@ class RestlessPass {
   struct Objects {
     const ObjectTable<D>& latest;
     std::vector<Skin>& skins;
-    std::span<const std::uint8_t> attention;
-    std::uint8_t
-        restless;  ///< the bit of `attention` that restless objects have; with others, it is not followed
+    std::span<const ObjectFlags> flags;  ///< restless: kUnrequested; with other flags, it is not followed
   };
 
-  /// Gives the tree's table the latest boxes of those that stay restless and in their leaves, and tells the
-  /// kept leaves how many restless entries they have.
+  /// Gives the tree's table the latest boxes of the objects that stay restless and in their leaves, and notes
+  /// in the kept leaves how many restless entries they have.
   void run(Tree<D>& tree, const Objects& objects, KeptPairs<D>& kept, TaskPool& pool);
 
-  /// Those who do not: they go elsewhere or have calmed. They ascend.
+  /// The other restless objects, in ascending order: they left their leaves, or have calmed.
   [[nodiscard]] std::span<const ObjectId> others() const { return others_; }
-  /// What the step costs with kept pairs, over what it would cost if all leaves were swept: an estimate by
-  /// what was counted.
+  /// What the step costs with kept pairs, over what it would cost if all leaves were swept: an estimate from
+  /// the counts.
   [[nodiscard]] float cost() const { return cost_; }
 
  private:
   struct Counts {
     std::size_t followed = 0;   ///< objects
-    std::size_t walked = 0;     ///< those for which the tree was walked down
+    std::size_t walked = 0;     ///< objects for which the tree was walked down
     std::size_t looked_up = 0;  ///< restless entries in leaves that keep pairs
     std::size_t swept = 0;      ///< entries in the other leaves
   };
   struct Piece {
     std::vector<ObjectId> others;
-    std::vector<NodeId> touched;  ///< leaves in which somebody stays, and some others
+    std::vector<NodeId> touched;  ///< leaves in which an object stays, and some others
     Counts counts;
     std::vector<std::uint32_t> objects;
     std::vector<std::uint32_t> left_over;
@@ -63,8 +62,8 @@ class RestlessPass {
   static void follow_in(Tree<D>& tree, const Objects& objects, KeptPairs<D>& kept, NodeId leaf, Piece& piece);
   static std::size_t list_objects(const Tree<D>& tree, const Objects& objects, const KeptPairs<D>& kept,
                                   NodeId leaf, std::vector<std::uint32_t>& list);
-  static bool follow(Tree<D>& tree, const Objects& objects, const PackedBox<D>& cell, ObjectId object,
-                     Piece& piece);
+  static bool try_follow(Tree<D>& tree, const Objects& objects, const PackedBox<D>& cell, ObjectId object,
+                         Piece& piece);
 
   std::vector<NodeId> leaves_;
   std::vector<Piece> pieces_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/tuning.h"
 #include "core/bsp/ordered_sweep.h"
 
 namespace kerf {
@@ -27,8 +28,7 @@ bool insertion_sort(std::vector<Entry>& entries, std::size_t limit) {
 }  // namespace
 
 void sort_entries(std::vector<Entry>& entries) {
-  constexpr std::size_t kMovesPerEntry = 8;
-  if (!insertion_sort(entries, kMovesPerEntry * entries.size()))
+  if (!insertion_sort(entries, tuning::kMovesPerEntry * entries.size()))
     std::sort(entries.begin(), entries.end(), before);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/tuning.h"
 #include "core/kernels/divide_list.h"
 #include "core/kernels/prefetch.h"
 
@@ -18,14 +19,14 @@ struct Range {
   std::size_t end = 0;
 };
 
-/// Whether the packed boxes tell an object's interval along a direction.
+/// Whether the packed boxes have an object's interval along a direction.
 template <int D>
 bool lies_along_axis(const Tree<D>& tree, std::uint32_t direction) {
   return direction < D && tree.table.kind() == VolumeKind::box;
 }
 
-/// Calls `work` with the function that gives the interval along a direction of who has a place among
-/// `objects`: a look into the packed boxes where the direction is an axis of them.
+/// Calls `work` with the function from a place among `objects` to the object's interval along a direction: a
+/// read of the packed boxes where the direction is one of their axes.
 template <int D, class Objects, class Work>
 void with_intervals(const Tree<D>& tree, const Objects& objects, std::uint32_t direction, Work work) {
   if (!lies_along_axis(tree, direction)) {
@@ -47,11 +48,10 @@ void make_room(StreamBuffer& buffer, std::size_t size) {
   buffer.straddle.resize(room);
 }
 
-/// Gives back what a list of everybody needed, when lists are short.
+/// Gives memory back that a list of all objects needed, when lists are short.
 void give_back(StreamMemory& memory, std::size_t listed) {
-  constexpr std::size_t kManyTimes = 8;
   for (StreamBuffer& buffer : memory.by_thread)
-    if (buffer.places.size() > kManyTimes * (listed + kDividePad)) buffer = {};
+    if (buffer.places.size() > tuning::kListExcess * (listed + kDividePad)) buffer = {};
 }
 
 /// Objects whose places are their ids.
@@ -65,11 +65,11 @@ struct ById {
 
 /// All placed objects of a table, to be sent down.
 template <int D>
-struct Everybody : ById<D> {
+struct AllPlacedObjects : ById<D> {
   using ById<D>::table;
 
   [[nodiscard]] std::size_t size() const { return table.bound(); }
-  /// Makes the list of those with an id in the slice; gives their number.
+  /// Makes the list of the objects with an id in the slice. Returns their number.
   std::size_t list(const Slice& ids, StreamBuffer& buffer) const {
     make_room(buffer, ids.end - ids.begin);
     std::size_t count = 0;
@@ -97,9 +97,9 @@ struct Some : ById<D> {
   }
 };
 
-/// Those who left their leaves, to be sent down, by their places in the pass: who left leaves that lie side
-/// by side have places side by side, too, and most go on to a leaf nearby, so that a list reads their boxes
-/// nearly in order.
+/// The objects that left their leaves, to be sent down, by their places in the pass. Objects of neighbouring
+/// leaves have neighbouring places, and most go to a leaf nearby, so that a list reads their boxes nearly in
+/// order.
 template <int D>
 struct Leavers {
   const LeavePass<D>& pass;
@@ -124,7 +124,7 @@ class Streamer {
   Streamer(const Tree<D>& tree, const Objects& objects, StreamBuffer& buffer)
       : tree_(tree), objects_(objects), buffer_(buffer) {}
 
-  /// Puts what parts left for their k-th end behind one another.
+  /// Joins what the parts have for their k-th end.
   std::size_t gather(const std::vector<StreamPart>& parts, std::size_t k) {
     std::size_t count = 0;
     for (const StreamPart& part : parts) {
@@ -138,7 +138,8 @@ class Streamer {
     }
     return count;
   }
-  /// Sends the first `count` of the list down; below a node go on those of which `visit(range)` says so.
+  /// Sends the first `count` objects of the list down. `visit(range)` returns whether a list goes on below
+  /// its node.
   template <class Visit>
   void run(NodeId from, std::size_t count, Visit visit) {
     std::vector<Range> todo{{from, 0, count}};
@@ -152,7 +153,7 @@ class Streamer {
  private:
   static std::ptrdiff_t at(std::size_t k) { return static_cast<std::ptrdiff_t>(k); }
 
-  /// Keeps what lies left at the list's place and writes what lies right behind its end. The right child is
+  /// Keeps the left objects at the list's place and writes the right ones behind its end. The right child is
   /// done first: nothing but dead lists lies behind the left one then. No branch depends on the sides.
   void divide(const Node<D>& node, const Range& range, std::vector<Range>& todo) {
     make_room(buffer_, range.end + (range.end - range.begin) + kDividePad);
@@ -165,7 +166,7 @@ class Streamer {
     std::size_t right = done.right;
     with_intervals<D>(tree_, objects_, node.direction, [&](auto interval_of) {
       for (std::size_t k = done.done; k < range.end; ++k) {
-        prefetch(&objects_.boxes()[places[std::min(k + kPrefetchAhead, range.end - 1)]]);
+        prefetch(&objects_.boxes()[places[std::min(k + tuning::kPrefetchAhead, range.end - 1)]]);
         const std::uint32_t place = places[k];
         const Sides sides = classify(interval_of(place), offset);
         const DepthMask mask = straddle[k] | (static_cast<DepthMask>(sides.left & sides.right) << depth);
@@ -181,8 +182,8 @@ class Streamer {
     todo.push_back({node.right, range.end, right});
   }
 
-  /// What vectors can do of it: nothing unless the partitioner lies along an axis of the packed boxes, and a
-  /// signed index of 32 bits finds each of their floats.
+  /// The part of it that vectors can do: nothing unless the partitioner lies along an axis of the packed
+  /// boxes, and a signed index of 32 bits reaches each of their floats.
   Divided divide_vectors(const Node<D>& node, const Range& range) {
     constexpr std::size_t kMostBoxes = (std::size_t{1} << 31U) / (2 * PackedBox<D>::kHalf);
     if (range.begin == range.end || !lies_along_axis(tree_, node.direction) ||
@@ -192,7 +193,7 @@ class Streamer {
     return divide_list<D>({&first[node.direction], &first[PackedBox<D>::kHalf + node.direction],
                            node.plane.offset, depth_bit(node.depth), buffer_.places.data(),
                            buffer_.straddle.data(), range.begin, range.end,
-                           exceeds(objects_.boxes(), kOwnCache)});
+                           exceeds(objects_.boxes(), tuning::kOwnCache)});
   }
 
   const Tree<D>& tree_;
@@ -200,16 +201,16 @@ class Streamer {
   StreamBuffer& buffer_;
 };
 
-/// What everybody shares who places a list.
+/// What all lists share that are placed.
 template <int D, class Objects>
 struct Placing {
   Tree<D>& tree;
   const Objects& objects;
-  const std::vector<std::uint32_t>& stayed;  ///< who is below each node already
+  const std::vector<std::uint32_t>& stayed;  ///< number of objects that are below each node already
   LeafBoxes<D>& boxes;
 };
 
-/// Writes the entries of those that came into a leaf, behind those that stayed there.
+/// Writes the entries of objects that came into a leaf, behind those that stayed there.
 template <int D, class Objects>
 void fill(const Placing<D, Objects>& to, const Range& range, std::size_t stayed, const StreamBuffer& buffer) {
   const std::size_t came = range.end - range.begin;
@@ -226,7 +227,7 @@ void fill(const Placing<D, Objects>& to, const Range& range, std::size_t stayed,
   to.boxes.finish(to.tree, range.node);
 }
 
-/// Sends the first `count` of the streamer's list down to the leaves.
+/// Sends the first `count` objects of the streamer's list down to the leaves.
 template <int D, class Objects>
 void finish(const Placing<D, Objects>& to, NodeId from, std::size_t count, Streamer<D, Objects>& streamer,
             const StreamBuffer& buffer) {
@@ -258,7 +259,7 @@ std::uint32_t depth_of_parts(const Tree<D>& tree, std::size_t least) {
   return depth;
 }
 
-/// Sends a piece of the objects down to the given depth: the first `count` of the buffer.
+/// Sends a piece of the objects, the first `count` of the buffer, down to the given depth.
 template <int D, class Objects>
 void stream_part(const Tree<D>& tree, const Objects& objects, std::size_t count, std::uint32_t depth,
                  StreamBuffer& buffer, StreamPart& part) {
@@ -324,9 +325,9 @@ void send_down(const Placing<D, Objects>& to, StreamMemory& memory, TaskPool& po
 
 template <int D>
 void stream(Tree<D>& tree, LeafBoxes<D>& boxes, StreamMemory& memory, TaskPool& pool) {
-  memory.nobody.assign(tree.slots(), 0);
-  const Everybody<D> everybody{{tree.table}};
-  send_down(Placing<D, Everybody<D>>{tree, everybody, memory.nobody, boxes}, memory, pool);
+  memory.none_stay.assign(tree.slots(), 0);
+  const AllPlacedObjects<D> all{{tree.table}};
+  send_down(Placing<D, AllPlacedObjects<D>>{tree, all, memory.none_stay, boxes}, memory, pool);
 }
 
 template <int D>

@@ -11,13 +11,13 @@
 
 namespace kerf {
 
-/// A list of objects, by their places among those that are sent down, and what they straddle so far.
+/// A list of objects, by their places among the objects that are sent down, and what they straddle so far.
 struct StreamBuffer {
   std::vector<std::uint32_t> places;
   std::vector<DepthMask> straddle;
 };
 
-/// What one piece of the objects leaves where the upper part of the tree ends.
+/// One piece of the objects where it leaves the upper part of the tree.
 struct StreamPart {
   struct Stretch {
     NodeId node;
@@ -26,28 +26,28 @@ struct StreamPart {
   };
   StreamBuffer arrived;
   std::vector<Stretch> ends;                             ///< where they lie in `arrived`
-  std::vector<std::pair<NodeId, std::uint32_t>> passed;  ///< how many passed each node above
+  std::vector<std::pair<NodeId, std::uint32_t>> passed;  ///< number of objects that passed each node above
 };
 
 /// Memory of `stream`, kept between steps.
 struct StreamMemory {
   std::vector<StreamBuffer> by_thread;
   std::vector<StreamPart> parts;
-  std::vector<std::uint32_t> nobody;  ///< stays, below any node
+  std::vector<std::uint32_t> none_stay;  ///< by node: 0 objects stay below it
 };
 
 /// Places all objects of the table anew in one pass down the tree: each node divides the list of its objects
-/// for its children. What a walk for each object costs in mispredicted branches, costs nothing here, and the
-/// lists soon fit in the nearest cache. It pays when many have left their places. The structure of the tree
-/// and its partitioners stay. Threads take pieces of the objects through the upper part of the tree, then
-/// whole subtrees; the lists are the same for any number of them.
+/// for its children. It has none of the mispredicted branches of a walk for each object, and the lists soon
+/// fit in the nearest cache. It pays when many objects have left their leaves. The structure of the tree and
+/// its partitioners stay. Threads take pieces of the objects through the upper part of the tree, then whole
+/// subtrees; the lists are the same for any number of threads.
 ///
-/// If boxes are wanted, all leaves have theirs then.
+/// If boxes are wanted, `boxes` has those of all leaves afterwards.
 ///
-/// Pre: the tree's table has the volumes by which all are to be placed; the entries may be of any others.
+/// Pre: the tree's table has the volumes by which all objects are to be placed; entries may be of others.
 template <int D>
 void stream(Tree<D>& tree, LeafBoxes<D>& boxes, StreamMemory& memory, TaskPool& pool);
-/// The same for those who left their leaves in the pass; the others stay.
+/// The same for the objects that left their leaves in the pass; the others stay.
 template <int D>
 void stream(Tree<D>& tree, const LeavePass<D>& pass, LeafBoxes<D>& boxes, StreamMemory& memory,
             TaskPool& pool);

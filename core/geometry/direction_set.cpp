@@ -48,7 +48,7 @@ double nearness(const Point<D>& p, std::span<const Point<D>> points) {
   return nearest;
 }
 
-/// The axes, then each time the loneliest of a few random directions: an even start for the repulsion.
+/// The axes, then repeatedly the candidate farthest from all points so far: an even start for the repulsion.
 template <int D>
 std::vector<Point<D>> scatter(std::uint32_t size, Random& random) {
   constexpr int kTries = 16;
@@ -86,7 +86,7 @@ void add_push(const Point<D>& p, const Point<D>& q, Point<D>& force) {
   }
 }
 
-/// One round of repulsion; no point but the axes stays, none goes further than `reach`.
+/// One round of repulsion. Only the axes are fixed; no point moves farther than `reach`.
 template <int D>
 void repel(std::vector<Point<D>>& points, double reach) {
   const std::vector<Point<D>> before = points;
@@ -104,7 +104,7 @@ void repel(std::vector<Point<D>>& points, double reach) {
   }
 }
 
-/// Orders the directions behind the axes so that each next one is the loneliest of those left.
+/// Orders the directions behind the axes: next comes always the one farthest from all before it.
 template <int D>
 void order_by_loneliness(std::vector<Point<D>>& points) {
   std::vector<double> near(points.size(), 0);

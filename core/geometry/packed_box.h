@@ -6,9 +6,9 @@
 
 namespace kerf {
 
-/// A box as (min, -max), each half of `kHalf` floats: whole vectors compared tell overlap and containment.
-/// The sign bit alone is turned, so that packing and unpacking give back the same floats. Lanes beyond the
-/// dimension are 0.
+/// A box as (min, -max), each half of `kHalf` floats, so that one comparison of whole vectors decides overlap
+/// or containment. Negation only flips the sign bit, so packing and unpacking return the same floats. Lanes
+/// beyond the dimension are 0.
 template <int D>
 struct alignas(D == 2 ? 16 : 32) PackedBox {
   static constexpr int kHalf = D == 2 ? 2 : 4;

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// The shadow of an object on a direction, closed on both sides.
+/// The projection of an object onto a direction, closed on both sides.
 struct Interval {
   Scalar lo = 0;
   Scalar hi = 0;
@@ -46,8 +46,8 @@ constexpr Interval project(const Vector<D>& normal, const Box<D>& box) {
   return {dot(normal, low), dot(normal, high)};
 }
 
-/// The same for a normal that is number `direction` of a set: the first D are the axes, where the ends of the
-/// box are the shadow's.
+/// The same for a normal that is number `direction` of a set: the first D are the axes, where the
+/// projection's ends are the box's own.
 template <int D>
 constexpr Interval project(std::uint32_t direction, const Vector<D>& normal, const Box<D>& box) {
   const int axis = static_cast<int>(direction);

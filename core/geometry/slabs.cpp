@@ -97,8 +97,8 @@ SlabSum<D> sum_of_slabs(VolumeKind kind, const Vector<D>& direction) {
                     for (std::size_t k = 0; k < D; ++k) chosen[k] = slabs[choice[k]];
                     std::array<double, D> weights;
                     if (!solve<D>(chosen, direction, weights)) return;
-                    // The less the vectors of a sum overshoot the direction, the narrower the bound: a cone
-                    // that contains it closely.
+                    // The less the vectors of a sum overshoot the direction, the narrower is the bound:
+                    // prefer a cone that contains it closely.
                     double overshoot = 0;
                     for (std::size_t k = 0; k < D; ++k) overshoot += std::abs(weights[k]) * norm(chosen[k]);
                     if (overshoot >= least) return;
@@ -106,8 +106,8 @@ SlabSum<D> sum_of_slabs(VolumeKind kind, const Vector<D>& direction) {
                     best.slab = choice;
                     for (std::size_t k = 0; k < D; ++k) {
                       best.flip[k] = weights[k] < 0;
-                      // Above one a product could overflow and a sum become NaN; any weight that is not
-                      // negative is exact.
+                      // Above 1 a product could overflow and a sum become NaN. Any non-negative weight is
+                      // exact.
                       best.weight[k] = static_cast<Scalar>(std::min(std::abs(weights[k]), 1.0));
                     }
                   });

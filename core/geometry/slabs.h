@@ -12,7 +12,7 @@ namespace kerf {
 template <int D>
 std::span<const Vector<D>> slab_directions(VolumeKind kind);
 
-/// A direction as a sum of slabs with weights that are not negative. `slab[k]` counts in `slab_directions`;
+/// A direction as a sum of slabs with non-negative weights. `slab[k]` is an index in `slab_directions`;
 /// `flip[k]` says that the slab is taken against its direction, so that its high end bounds the low end of
 /// the sum.
 template <int D>
@@ -22,8 +22,8 @@ struct SlabSum {
   std::array<Scalar, D> weight{};
 };
 
-/// The tightest sum for a direction: the slabs of a cone that contains it. A slab's own direction is that
-/// slab alone.
+/// The tightest sum for a direction: the slabs of a cone that contains it. For a slab's own direction it is
+/// that slab alone.
 ///
 /// Projecting by such a sum, lo = w0*lo0 + w1*lo1 + w2*lo2 in one fixed order, is monotone in each slab end,
 /// as the box's own corners are (DESIGN.md, "Classification"): volumes whose slabs overlap have sums that

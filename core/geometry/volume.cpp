@@ -158,7 +158,7 @@ Volume<D> enclose(const Box<D>& box, VolumeKind kind) {
     for (const Vector<D>& slab : slab_directions<D>(kind)) slabs.push_back(slab_of(box, slab));
     volume = make_dop<D>(kind, slabs);
   }
-  volume.box = box;  // what the caller gave is tighter than the volume's own
+  volume.box = box;  // the caller's box is tighter than the volume's own
   return volume;
 }
 

@@ -32,7 +32,7 @@ std::string_view to_string(VolumeKind kind);
 template <int D>
 std::optional<VolumeKind> parse_volume_kind(std::string_view name);
 
-/// Numbers that the largest volume needs beside its box: the ends of ten slabs for the 26-DOP, of six for the
+/// The most numbers that a volume stores beside its box: the ends of ten slabs for the 26-DOP, of six for the
 /// 16-DOP.
 template <int D>
 inline constexpr int kMaxExtra = D == 3 ? 20 : 12;
@@ -40,7 +40,7 @@ inline constexpr int kMaxExtra = D == 3 ? 20 : 12;
 /// How far from orthonormal the axes of an oriented box may be.
 inline constexpr double kAxisTolerance = 1e-5;
 
-/// An object's volume: its box, always, and what its kind adds. Make one with the functions below.
+/// An object's volume: always its box, and the numbers of its kind. The functions below make one.
 template <int D>
 struct Volume {
   VolumeKind kind = VolumeKind::box;
@@ -87,14 +87,13 @@ Volume<D> make_oriented_box(const Vector<D>& center, const std::array<Vector<D>,
 template <int D>
 Volume<D> make_dop(VolumeKind kind, std::span<const Interval> slabs);
 
-/// The smallest volume of a kind around a box: what an object has whose caller gave only a box.
+/// The smallest volume of a kind around a box, for callers that give only a box.
 template <int D>
 Volume<D> enclose(const Box<D>& box, VolumeKind kind);
 
-/// Whether two volumes of one kind whose boxes overlap overlap themselves, as far as the kind can tell. Never
-/// false for volumes that touch; none for boxes and DOPs, a hair of rounding for the others. This is the
-/// definition of a pair for that kind, in the tree and in the oracle alike. `a` and `b` point to the `extra`
-/// numbers of each.
+/// Whether two volumes of one kind overlap, given that their boxes do. Never false for volumes that touch.
+/// Exact for boxes and DOPs; the other kinds have a slack above all rounding. This is the definition of a
+/// pair for that kind, in the tree and in the oracle alike. `a` and `b` point to the `extra` numbers of each.
 template <int D>
 bool volumes_overlap(VolumeKind kind, const Scalar* a, const Scalar* b);
 
@@ -103,7 +102,7 @@ bool volumes_overlap(VolumeKind kind, const Scalar* a, const Scalar* b);
 template <int D>
 bool is_ordered(const Volume<D>& volume);
 
-/// The volume with every infinite number replaced by the largest finite one of its sign, but for a sphere's
+/// The volume with every infinite number replaced by the largest finite one of its sign, except a sphere's
 /// radius.
 template <int D>
 Volume<D> clamp_to_finite(Volume<D> volume);

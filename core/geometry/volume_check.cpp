@@ -21,7 +21,7 @@ bool axes_are_orthonormal(const Scalar* axes) {
   return all;
 }
 
-/// What decides whether the volume makes sense beyond "no NaN": radius, half extents or slabs.
+/// Whether the kind's own numbers make a volume: radius, half extents or slabs. NaN is checked elsewhere.
 template <int D>
 bool extra_is_ordered(const Volume<D>& volume) {
   const auto& x = volume.extra;

@@ -5,8 +5,8 @@
 namespace kerf {
 namespace {
 
-// All of this is in double on float input: products of two floats are exact, and what the few sums can lose
-// is far below the slack that every test grants. A test may only err towards "overlap".
+// All of this is in double on float input: products of two floats are exact, and the few sums lose far less
+// than the slack that every test grants. A test may only err towards "overlap".
 constexpr double kRoundingSlack = 0x1p-44;
 
 template <int D>
@@ -47,7 +47,7 @@ struct OrientedBox {
   Point<D> half;
 };
 
-/// Half the length of the shadow of the box on an axis that need not have length one.
+/// Half the length of the projection of the box on an axis that need not have length one.
 template <int D>
 double reach(const OrientedBox<D>& box, const Point<D>& axis) {
   double sum = 0;
@@ -55,8 +55,7 @@ double reach(const OrientedBox<D>& box, const Point<D>& axis) {
   return sum;
 }
 
-/// True only if the axis surely separates: by more than all roundings together. `size` bounds every length
-/// involved.
+/// True only if the axis separates by more than all roundings together. `size` bounds every length involved.
 template <int D>
 bool separates(const Point<D>& axis, const OrientedBox<D>& a, const OrientedBox<D>& b, const Point<D>& apart,
                double size) {

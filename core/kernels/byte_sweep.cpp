@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "core/base/tuning.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/byte_sweep.cpp"
 #include <hwy/foreach_target.h>
@@ -15,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
 /// Whether so much is found that it pays to tell apart what bytes alone make sure of: if boxes of such a mean
-/// length along each axis, in bytes, lay anywhere, more than seven in a row of 64.
+/// length along each axis, in bytes, lay anywhere, more than a few in a row of 64.
 template <std::size_t D>
 HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, std::size_t axis) {
   const auto n = static_cast<float>(count);
@@ -23,10 +25,10 @@ HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, 
   for (std::size_t other = 0; other < D; ++other)
     if (other != axis) sure *= std::clamp(2 * (length[other] - 1) / 255, 0.0F, 1.0F);
   const float rows = n * length[axis] / 255 / 64 + 0.5F;
-  return sure > 7 * rows;
+  return sure > tuning::kSurePerRow * rows;
 }
 
-/// Fills `keys`, chooses the axis along which the boxes are shortest, and tells whether they lie dense.
+/// Fills `keys`, chooses the axis along which the boxes are shortest, and sets whether they lie dense.
 template <int D>
 HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   const ByteMap<D> map(make_byte_scale(leaf));
@@ -49,12 +51,12 @@ HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
     length[axis] = (sum.lane[PackedBox<D>::kHalf + axis] - sum.lane[axis]) / static_cast<float>(leaf.size());
   const auto axis = static_cast<std::size_t>(std::ranges::min_element(length) - length.begin());
   sweep.axis = static_cast<int>(axis);
-  sweep.is_dense = is_dense(leaf.size(), length, axis);
+  sweep.is_dense = sweep.may_be_dense && is_dense(leaf.size(), length, axis);
 }
 
-/// Counts the entries that begin at each byte of the axis, and writes their places and bytes in that order;
-/// equal ones stay in the order in which they came. The entries themselves stay where they are: to copy them
-/// costs more than to find them by their places.
+/// Counts the entries that begin at each byte of the axis, and writes their places and bytes in that order.
+/// The order is stable. The entries stay where they are: copying them costs more than finding them by their
+/// places.
 template <int D>
 HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   const std::size_t n = leaf.size();

@@ -13,32 +13,35 @@ namespace kerf {
 
 /// The sweep of one leaf by vectors of bytes.
 ///
-/// Each axis is mapped onto bytes by a function each operation of which is monotone, in floats, too
-/// (ByteScale): every overlap stays one and a few are invented. Bytes are ordered along the axis that
-/// separates best by counting, compared 64 at a time with all that begin before the entry ends, and what is
-/// found is confirmed on the floats; where boxes lie dense, only that of which bytes alone do not make sure.
-/// So the pairs are exact, and the same in the same order whatever the width of the machine's vectors.
+/// Each axis is mapped to bytes by a function whose every operation is monotone, also in floats (ByteScale),
+/// so every overlap remains and a few are added. Bytes are ordered by counting along the axis that separates
+/// best, and compared 64 at a time with all entries that begin before the entry ends. Findings are confirmed
+/// on the floats; in dense leaves only those that bytes alone do not prove. The pairs are exact, and in the
+/// same order for every width of vectors.
 template <int D>
 class ByteSweep {
  public:
-  /// Appends the closed overlaps among the view's boxes whose `apart` have no bit in common, as canonical
+  /// Appends the closed overlaps among the view's boxes whose `apart` masks have no common bit, as canonical
   /// pairs.
   void find(const LeafView<D>& leaf, PairBuffer& pairs);
 
-  // The kernels' memory, kept between leaves.
+  bool may_be_dense = true;  ///< false: floats confirm all pairs, however dense the boxes lie
+
+  // The kernels' memory, kept between leaves: an array for each thing, since vectors read them side by side.
   static constexpr std::size_t kPad = 64;  ///< bytes that may be read beyond the end of a plane
-  std::vector<ByteKey<D>> keys;            ///< of the entries as they came
+  std::vector<ByteKey<D>> keys;            ///< of the entries in their own order
   std::vector<std::uint32_t> order;        ///< the places of the entries in the view, in order
   std::vector<ByteKey<D>> sorted_keys;     ///< of the entries in order
   std::vector<std::uint8_t> planes;        ///< bytes in order: min of each axis, then max
   std::array<std::uint32_t, 257> ends{};   ///< [q + 1]: entries that begin at or before q
   Findings found{};
   std::size_t stride = 0;
-  int axis = 0;           ///< along which the entries are ordered
-  bool is_dense = false;  ///< most pairs are told by bytes alone; only then is what follows in use
+  int axis = 0;  ///< along which the entries are ordered
+  bool is_dense =
+      false;  ///< most pairs are proved by bytes alone; only then are the following members in use
   std::vector<std::uint32_t> objects;  ///< of the entries in order
-  std::vector<std::uint8_t> apart;     ///< what keeps them apart, in order, in a byte
-  PairBuffer unsure;                   ///< the pairs of which floats had to tell
+  std::vector<std::uint8_t> apart;     ///< exclusion masks folded to a byte, in order
+  PairBuffer unsure;                   ///< the pairs that need the floats
 
   [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }
   void make_room(std::size_t n);

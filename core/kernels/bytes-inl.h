@@ -43,7 +43,7 @@ struct ByteMap {
   }
 };
 
-/// So many sums or maxima are made side by side: each waits for the one before it.
+/// The number of independent sums or maxima: each waits for its predecessor.
 inline constexpr std::size_t kChains = 4;
 
 /// Calls `work(i, chain)` for each i below n, in order.
@@ -79,8 +79,8 @@ HWY_INLINE ByteScale<D> make_byte_scale(const LeafView<D>& leaf) {
   for (std::size_t axis = 0; axis < D; ++axis) {
     const float least_max = -greatest.lane[kHalf + axis];
     const float stretch = greatest.lane[axis] - least_max;
-    // Where all boxes share a point, it lies between all beginnings and all ends: such an axis tells nothing
-    // apart, and no box may look short on it. An endless stretch gives 0; 0 * inf never arises.
+    // Where all boxes share a point, it lies between all beginnings and all ends. Such an axis separates
+    // nothing, and no box may look short on it. An infinite stretch gives 0; 0 * inf never arises.
     bytes.origin.lane[axis] = stretch > 0 ? least_max : 0.5F * greatest.lane[axis] + 0.5F * least_max;
     bytes.scale.lane[axis] = stretch > 0 ? std::clamp(255.0F / stretch, FLT_MIN, 1e30F) : 1e30F;
     bytes.origin.lane[kHalf + axis] = -bytes.origin.lane[axis];
@@ -98,7 +98,7 @@ HWY_INLINE ByteKey<D> byte_key(const Packed<D>& mapped) {
   ByteKey<D> key = 0;
   auto* const out = reinterpret_cast<std::uint8_t*>(&key);
   for (std::size_t k = 0; k < Packed<D>::kParts; ++k) {
-    // Added to 2^23, a number rounds to a whole one, which then is the low bits of the sum. (Highway's
+    // Added to 2^23, a number is rounded to an integer, which is then the low bits of the sum. (Highway's
     // TruncateTo from eight lanes is wrong on AVX3_DL in version 1.0.3.)
     const auto sum = hn::BitCast(ints, hn::Add(mapped.part[k], hn::Set(Lanes(), 8388608.0F)));
     hn::StoreU(hn::DemoteTo(bytes, hn::And(sum, hn::Set(ints, 255))), bytes, out + k * Packed<D>::kLanes);
@@ -115,7 +115,7 @@ struct Probe {
   hn::Vec<Bytes> max[A];
 };
 
-/// Zero in the lanes of those entries from `at` on that the probe overlaps on its axes.
+/// Zero in the lanes of the entries from `at` on that the probe overlaps on its axes.
 template <int A>
 HWY_INLINE hn::Vec<Bytes> lanes_beyond(const Probe<A>& probe, std::size_t at) {
   const Bytes bytes;

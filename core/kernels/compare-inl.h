@@ -40,13 +40,13 @@ struct Ordered {
       probe.max[k] = hn::Set(Bytes(), probe.other_max[k][i]);
     }
   }
-  /// Behind the entries that may begin before entry i ends, and behind those of which bytes alone tell it.
+  /// Behind the entries that may begin before entry i ends.
   [[nodiscard]] HWY_INLINE std::uint32_t end(std::uint32_t i) const { return ends[own_max[i] + 1U]; }
   [[nodiscard]] HWY_INLINE std::uint32_t sure_end(std::uint32_t i) const { return ends[own_max[i]]; }
 };
 
-/// Not inlined, and told what was found by value: so the loop that calls it, once in hundreds of findings,
-/// keeps all in registers.
+/// Not inlined, and takes the findings by value: the loop that calls it, once in hundreds of findings, then
+/// keeps everything in registers.
 template <int D>
 HWY_NOINLINE void confirm_in(const LeafView<D>& leaf, const std::uint32_t* order, Found found,
                              PairBuffer& pairs) {

@@ -18,7 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// What keeps an entry apart, in a byte: who has no bit in common with it there has none.
+/// An exclusion mask folded into a byte. Entries whose bytes have no common bit have no common bit in their
+/// masks.
 constexpr std::uint8_t fold(DepthMask apart) {
   apart |= apart >> 32U;
   apart |= apart >> 16U;
@@ -26,8 +27,8 @@ constexpr std::uint8_t fold(DepthMask apart) {
   return static_cast<std::uint8_t>(apart);
 }
 
-/// Copies objects, and what keeps them apart, in the order of the sweep. Returns whether the bytes of the
-/// latter tell all: no two bits that entries have fall on the same one.
+/// Copies objects and folded exclusion masks in the order of the sweep. Returns whether the bytes decide
+/// exclusion: no two bits in use fall on the same one.
 template <int D>
 HWY_INLINE bool copy_in_order(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   sweep.objects.resize(leaf.size() + ByteSweep<D>::kPad);
@@ -42,15 +43,14 @@ HWY_INLINE bool copy_in_order(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   return std::popcount(fold(all)) == std::popcount(all);
 }
 
-/// What bytes tell of 64 entries that begin before another one ends.
+/// What bytes show of 64 entries that begin before another one ends.
 struct RowBits {
   std::uint64_t maybe = 0;  ///< they may overlap
   std::uint64_t sure = 0;   ///< they are pairs
-  std::uint64_t here = 0;   ///< nothing in the bytes keeps them apart
+  std::uint64_t here = 0;   ///< their masks exclude nothing, as far as the bytes show
 };
 
-/// A dense leaf in its order. The map onto bytes is monotone: where one's byte is less than another's, what
-/// it stands for is less, too.
+/// A dense leaf in its order. The map to bytes is monotone: a smaller byte stands for a smaller float.
 template <int D>
 struct Dense : Ordered<D> {
   const std::uint8_t* others_apart;
@@ -83,7 +83,7 @@ struct Dense : Ordered<D> {
   }
 
  private:
-  /// More than zero in the lanes of those that bytes alone make sure of.
+  /// More than zero in the lanes of the pairs that bytes alone prove.
   [[nodiscard]] HWY_INLINE hn::Vec<Bytes> lanes_within(std::size_t at) const {
     const Bytes bytes;
     auto within = hn::SaturatedSub(hn::LoadU(bytes, this->own_max + at), begin);
@@ -97,8 +97,8 @@ struct Dense : Ordered<D> {
   }
 };
 
-/// Compares as `compare_all` does, and writes at once what needs no confirmation. The other pairs come behind
-/// all of those, so that the order does not depend on when they are confirmed.
+/// Compares as `compare_all` does, and writes at once the pairs that need no confirmation. The other pairs
+/// follow behind all of those, so that the order does not depend on the time of their confirmation.
 template <int D>
 HWY_INLINE void compare_dense(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuffer& pairs) {
   const auto n = static_cast<std::uint32_t>(leaf.size());

@@ -58,7 +58,7 @@ using Doubles = hn::ScalableTag<std::uint64_t>;
 #if HWY_TARGET == HWY_AVX2
 // Not Highway's Compress: version 1.0.3 with GCC copies its table onto the stack for each vector.
 
-/// The lanes whose numbers `order` has, 4 bits each.
+/// The lanes whose numbers are in `order`, 4 bits each.
 HWY_INLINE hn::Vec<Words> lanes_in_order(hn::Vec<Words> lanes, std::uint32_t order) {
   const Words words;
   const auto numbers = hn::Shr(hn::Set(words, order), hn::ShiftLeft<2>(hn::Iota(words, 0)));

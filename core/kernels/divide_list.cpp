@@ -17,7 +17,7 @@ namespace kerf::HWY_NAMESPACE {
 
 using Signed = hn::ScalableTag<std::int32_t>;
 
-/// What a vector of objects straddles: the objects of the lower lanes, and those of the upper.
+/// What a vector of objects straddles: the masks of the lower lanes, and of the upper ones.
 struct Straddle {
   hn::Vec<Doubles> low;
   hn::Vec<Doubles> high;
@@ -32,7 +32,7 @@ HWY_INLINE Straddle widen(hn::Vec<Signed> chosen) {
           hn::BitCast(doubles, hn::PromoteTo(wide, hn::UpperHalf(half, chosen)))};
 }
 
-/// Writes the chosen objects and what they straddle; gives their number. Whole vectors are written.
+/// Writes the chosen objects and their masks; returns their number. Whole vectors are written.
 HWY_INLINE std::size_t write_chosen(hn::Vec<Words> objects, const Straddle& straddle, hn::Mask<Signed> chosen,
                                     std::uint32_t* to, DepthMask* to_straddle) {
   const Words words;
@@ -48,7 +48,7 @@ HWY_INLINE std::size_t write_chosen(hn::Vec<Words> objects, const Straddle& stra
   return in_low + hn::CountTrue(doubles, high);
 }
 
-/// Asks for the boxes that will be read two vectors later.
+/// Prefetches the boxes that will be read two vectors later.
 template <int D>
 HWY_INLINE void ask_ahead(const DivideJob& job, std::size_t k) {
   const std::size_t lanes = hn::Lanes(Words());
@@ -58,7 +58,7 @@ HWY_INLINE void ask_ahead(const DivideJob& job, std::size_t k) {
   }
 }
 
-/// What is read is read before its place may be written: the left part never overtakes the list.
+/// Values are read before their place can be written: the left part never overtakes the list.
 template <int D>
 HWY_INLINE Divided divide(const DivideJob& job) {
   const Words words;

@@ -15,12 +15,12 @@ struct DivideJob {
   const Scalar* lo = nullptr;        ///< of object 0: its least coordinate on the axis
   const Scalar* minus_hi = nullptr;  ///< and its greatest, negative
   Scalar offset = 0;                 ///< of the partitioner
-  DepthMask bit = 0;                 ///< what straddlers get
+  DepthMask bit = 0;                 ///< the bit that straddlers get
   std::uint32_t* objects = nullptr;
   DepthMask* straddle = nullptr;
   std::size_t begin = 0;
   std::size_t end = 0;
-  bool far = false;  ///< boxes are asked for ahead
+  bool far = false;  ///< boxes are prefetched
 };
 
 inline constexpr std::size_t kDividePad = 64;
@@ -32,7 +32,8 @@ struct Divided {
   std::size_t right = 0;
 };
 
-/// Divides as many as fill whole vectors, in order, as `classify` does. The rest is left to the caller.
+/// Divides, in order and as `classify` does, as many objects as fill whole vectors. The caller divides the
+/// rest.
 template <int D>
 Divided divide_list(const DivideJob& job);
 

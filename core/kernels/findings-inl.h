@@ -46,8 +46,8 @@ struct EntryRef {
 #define KERF_HAS_LISTED_ROWS (HWY_TARGET <= HWY_AVX3_DL && HWY_ARCH_X86_64)
 
 #if KERF_HAS_LISTED_ROWS
-/// What was found and not confirmed yet, each row spread over a list at once: vectors that compress bytes
-/// tell where its bits are.
+/// Findings not confirmed yet, each row spread over a list at once: vectors that compress bytes give the
+/// positions of its bits.
 class Found {
  public:
   HWY_INLINE explicit Found(Findings& room) : first_(room.first.data()), second_(room.second.data()) {}
@@ -67,7 +67,7 @@ class Found {
   [[nodiscard]] HWY_INLINE std::size_t count() const { return count_; }
   HWY_INLINE void clear() { count_ = 0; }
 
-  /// Goes through all findings.
+  /// Visits all findings.
   class Walk {
    public:
     HWY_INLINE explicit Walk(const Found& found) : first_(found.first_), second_(found.second_) {}
@@ -94,12 +94,12 @@ class Found {
   std::size_t count_ = 0;
 };
 #else
-/// What was found and not confirmed yet: rows that have findings.
+/// Findings not confirmed yet: rows that have findings.
 class Found {
  public:
   HWY_INLINE explicit Found(Findings& room) : first_(room.rows.data()), end_(first_) {}
 
-  /// Rows without a finding are written over by the next one.
+  /// A row without a finding is overwritten by the next one.
   HWY_INLINE void add(std::uint64_t bits, std::uint32_t i, std::uint32_t j) {
     *end_ = {bits, i, j};
     end_ += bits != 0 ? 1 : 0;
@@ -112,7 +112,7 @@ class Found {
     count_ = 0;
   }
 
-  /// Goes through all findings, without a branch: nothing predicts how many a row has.
+  /// Visits all findings without a branch: nothing predicts how many a row has.
   class Walk {
    public:
     HWY_INLINE explicit Walk(const Found& found)
@@ -133,7 +133,7 @@ class Found {
    private:
     const FoundRow* row_;
     std::uint64_t bits_;
-    std::uint64_t next_;  ///< of the row behind: it is there before it is known whether it is wanted
+    std::uint64_t next_;  ///< of the next row: loaded before it is known whether it is needed
   };
 
  private:
@@ -160,8 +160,8 @@ HWY_INLINE std::size_t confirm_four(Found::Walk& walk, First first, Second secon
 }
 #endif
 
-/// Confirms on the floats what the bytes have found, and begins anew; `first` and `second` give the entry at
-/// a place. No branch depends on the outcome.
+/// Confirms on the floats what the bytes have found, and empties the list; `first` and `second` return the
+/// entry at a place. No branch depends on the outcome.
 template <int D, class First, class Second>
 HWY_INLINE void confirm(Found& found, First first, Second second, PairBuffer& pairs) {
   std::size_t left = found.count();
@@ -185,7 +185,7 @@ HWY_INLINE void confirm(Found& found, First first, Second second, PairBuffer& pa
   found.clear();
 }
 
-/// As many of the lowest bits, or all.
+/// The `count` lowest bits, or all 64.
 HWY_INLINE std::uint64_t first_bits(std::uint32_t count) {
   return count < 64 ? (std::uint64_t{1} << count) - 1 : UINT64_MAX;
 }

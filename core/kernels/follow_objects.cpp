@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/tuning.h"
 #include "core/kernels/prefetch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -43,14 +44,14 @@ HWY_INLINE std::size_t follow(const FollowJob<D>& job) {
   const Packed<D> cell = load(job.cell);
   std::size_t left_over = 0;
   for (std::size_t k = 0; k < job.count; ++k) {
-    const std::uint32_t ahead = job.objects[std::min(k + kPrefetchAhead, job.count - 1)];
+    const std::uint32_t ahead = job.objects[std::min(k + tuning::kPrefetchAhead, job.count - 1)];
     prefetch(job.latest + ahead);
     prefetch(job.followed + ahead);
     prefetch(job.skins + ahead);
     const std::uint32_t object = job.objects[k];
     const Packed<D> now = load(job.latest[object]);
     const Packed<D> before = load(job.followed[object]);
-    if (job.attention[object] == job.awaited && at_most<D>(cell, now) && at_most<D>(cell, before) &&
+    if (job.flags[object] == flag::kUnrequested && at_most<D>(cell, now) && at_most<D>(cell, before) &&
         outruns_skins<D>(now, before)) {
       store<D>(now, job.followed[object]);
       std::uint8_t& restless = job.skins[object].restless;  // if written, it leaves other cores' caches

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// For each set of four pairs: the words of those in it, then of the others.
+/// For each set of four pairs: the words of those in the set, then of the others.
 struct PairOrder {
   std::uint32_t word[8];
 };
@@ -49,7 +49,7 @@ HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Pairs of words, each with the lower id first: nothing predicts whose id is less.
+/// Pairs of words, each with the lower id first: nothing predicts which id is less.
 template <class Words>
 HWY_INLINE Words in_canonical_order(Words pairs) {
   const auto turned = hn::Shuffle2301(pairs);
@@ -75,7 +75,8 @@ HWY_INLINE FourPairs four_pairs(const OnePair (&pairs)[4]) {
   return {_mm256_set_m128i(two(2), two(0))};
 }
 
-/// Writes those whose bits are set, one behind the other, and anything up to four. Returns how many.
+/// Writes the pairs whose bits are set, contiguously, and up to four undefined ones behind. Returns their
+/// number.
 HWY_INLINE std::size_t write_chosen(FourPairs pairs, unsigned chosen, Pair* out) {
   const auto order = hn::Load(PairWords(), kPairOrders[chosen].word);
   hn::StoreU(hn::TableLookupLanes(pairs, hn::Indices256<std::uint32_t>{order.raw}), PairWords(),
@@ -94,8 +95,8 @@ HWY_INLINE void mark(std::uint64_t bits, Packed<D>& lanes) {
   }
 }
 
-/// Bit k: all lanes of the k-th are zero. Words shrink to bytes, those that are not zero to others that are
-/// not: then a box of four lanes is one word.
+/// Bit k: all lanes of the k-th are zero. Words shrink to bytes, and a word other than zero to a byte other
+/// than zero: then a box of four lanes is one word.
 template <int D>
 HWY_INLINE unsigned nowhere_of_four(const Packed<D> (&lanes)[4]) {
   if constexpr (D == 2) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/tuning.h"
 #include "core/kernels/prefetch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -45,7 +46,7 @@ HWY_INLINE Probe<D> make_probe(KeptLeaf<D>& leaf, std::size_t place) {
   return probe;
 }
 
-/// Not inlined, and told what was found by value: so the loop that calls it keeps all in registers.
+/// Not inlined, and takes the findings by value: the loop that calls it then keeps everything in registers.
 template <bool Places, int D>
 HWY_NOINLINE void confirm_in(const KeptLeaf<D>& leaf, const PackedBox<D>* boxes, Found found,
                              PairBuffer& pairs) {
@@ -56,7 +57,7 @@ HWY_NOINLINE void confirm_in(const KeptLeaf<D>& leaf, const PackedBox<D>* boxes,
   confirm<D>(found, entry, entry, pairs);
 }
 
-/// Looks the last entries up among those before each.
+/// Looks up each of the last entries among those before it.
 template <bool Places, int D>
 HWY_INLINE void probe_all(KeptLeaf<D>& leaf, std::size_t count, const PackedBox<D>* boxes, Findings& room,
                           PairBuffer& pairs) {
@@ -85,8 +86,8 @@ HWY_INLINE std::size_t find_number(const std::uint32_t* numbers, std::size_t k, 
   return k;
 }
 
-/// Drops the pairs of a name, and tells where others are now. What the last pair replaces is looked at again,
-/// so that the order of the pairs left does not depend on the width of the vectors.
+/// Drops the pairs of a name, and records where others are now. A pair that replaces another one is tested
+/// again, so that the order of the remaining pairs does not depend on the width of the vectors.
 void drop_pairs(std::vector<Pair>& pairs, std::uint32_t name, std::vector<std::uint32_t>* changed) {
   static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
   const auto* const numbers = reinterpret_cast<const std::uint32_t*>(pairs.data());
@@ -111,7 +112,7 @@ std::size_t find_object(const std::vector<std::uint32_t>& objects, std::uint32_t
 }
 
 /// Writes those of the candidates whose boxes, given by their names, overlap. Four in each turn of the loop:
-/// so it matters least where in memory it lies. No branch depends on the outcome.
+/// then its place in memory matters least. No branch depends on the outcome.
 template <int D>
 HWY_INLINE std::size_t filter_to(Pair* HWY_RESTRICT out, std::span<const Pair> candidates,
                                  const PackedBox<D>* boxes) {
@@ -146,7 +147,7 @@ HWY_INLINE const PackedBox<D>* gather(const std::vector<std::uint32_t>& objects,
   const std::size_t n = objects.size();
   gathered.resize(std::max(gathered.size(), n));
   for (std::size_t k = 0; k < n; ++k) {
-    prefetch(boxes + objects[std::min(k + kPrefetchAhead, n - 1)]);
+    prefetch(boxes + objects[std::min(k + tuning::kPrefetchAhead, n - 1)]);
     gathered[k] = boxes[objects[k]];
   }
   return gathered.data();
@@ -227,7 +228,7 @@ void make_room(KeptLeaf<D>& leaf, std::size_t n) {
   leaf.stride = stride;
 }
 
-/// No branch depends on which.
+/// No branch depends on the outcome.
 template <class Goes>
 void drop_pairs_if(std::vector<Pair>& pairs, Goes goes) {
   std::size_t written = 0;
@@ -252,7 +253,7 @@ template <int D>
 void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf) {
   leaf.objects.clear();
   leaf.apart.clear();
-  leaf.standing.pairs.clear();
+  leaf.resting.pairs.clear();
   leaf.candidates.clear();
   leaf.restless.clear();
   if constexpr (D == 2) {
@@ -281,7 +282,7 @@ void drop_object(KeptLeaf<D>& leaf, std::uint32_t object) {
   if (k == leaf.objects.size()) return;
   const std::size_t last = leaf.objects.size() - 1;
   move_entry(leaf, last, k);
-  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.standing.pairs, object, &leaf.standing.changed);
+  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.resting.pairs, object, &leaf.resting.changed);
   if (leaf.names == Names::objects) {
     HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, object, nullptr);
   } else {
@@ -299,10 +300,10 @@ void drop_marked(KeptLeaf<D>& leaf, std::span<const std::uint8_t> marks) {
   };
   const std::size_t before = leaf.objects.size();
   drop_pairs_if(leaf.candidates, [&](const Pair& pair) { return mark_of(pair.a) | mark_of(pair.b); });
-  drop_pairs_if(leaf.standing.pairs,
+  drop_pairs_if(leaf.resting.pairs,
                 [&](const Pair& pair) { return marks[pair.a.index()] | marks[pair.b.index()]; });
-  leaf.standing.changed.resize(std::min(leaf.standing.room, leaf.standing.pairs.size()));
-  std::iota(leaf.standing.changed.begin(), leaf.standing.changed.end(), 0U);  // nearly all
+  leaf.resting.changed.resize(std::min(leaf.resting.room, leaf.resting.pairs.size()));
+  std::iota(leaf.resting.changed.begin(), leaf.resting.changed.end(), 0U);  // nearly all
   std::vector<std::uint32_t> place(before);
   std::uint32_t left = 0;
   for (std::size_t k = 0; k < before; ++k) {

@@ -8,68 +8,67 @@
 #include "core/base/append_buffer.h"
 #include "core/kernels/found_rows.h"
 #include "core/kernels/leaf_view.h"
-#include "core/kernels/standing_list.h"
+#include "core/kernels/resting_list.h"
 
 namespace kerf {
 
-/// An entry of which no pairs are kept.
+/// An entry whose pairs are not kept.
 struct RestlessEntry {
   std::uint32_t object = 0;
   DepthMask apart = 0;
 };
 
-/// How the two of a pair are named.
+/// How the two objects of a pair are named.
 enum class Names : std::uint8_t {
   objects,
   places,  ///< in the leaf
 };
 
 /// The fat boxes of a leaf in bytes, in no order, so that one object can come, go or be looked up at the cost
-/// of a scan of bytes; and the pairs of fat boxes found among them, which stay candidates for as long as the
-/// boxes stay in their fat ones. Restless objects are listed beside them.
+/// of a scan of bytes; and the pairs of fat boxes found among them, which stay candidates as long as the
+/// boxes stay in their fat boxes. Restless objects are listed beside them.
 ///
 /// An object has no fat while its box equals its fat box.
 template <int D>
 struct KeptLeaf {
-  std::uint32_t generation = 0;  ///< one more than that of the node whose leaf this is; 0: nothing is kept
   ByteScale<D> bytes;
   std::vector<std::uint32_t> objects;
   std::vector<DepthMask> apart;
   std::vector<std::uint8_t> planes;  ///< min of each axis, then max, `stride` bytes each
   std::size_t stride = 0;
-  StandingList standing;         ///< pairs of objects without fat
+  RestingList resting;           ///< pairs of objects without fat
   std::vector<Pair> candidates;  ///< other pairs of fat boxes; the first is of the lower object
   Names names = Names::objects;  ///< of the candidates
   std::vector<RestlessEntry> restless;
-  bool swept = false;  ///< nothing is kept, for too many are restless: the leaf is swept in each step
-  std::size_t restless_entries = 0;  ///< how many of its entries were in the last pass over them
+  bool swept = false;  ///< nothing is kept, since too many are restless: the leaf is swept in each step
+  std::size_t restless_entries = 0;  ///< number of them in the last pass over restless objects
 
   [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }
 };
 
-/// Forgets all entries and pairs. From now on the leaf's bytes tell boxes like those of the view well apart.
+/// Forgets all entries and pairs. From now on the leaf's bytes separate boxes like those of the view well.
 template <int D>
 void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf);
-/// Takes the entries of a view beside those that the leaf has; the pairs stay as they are.
+/// Adds the entries of a view to those of the leaf; the pairs stay as they are.
 template <int D>
 void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);
-/// Takes an object's entry, if it has one, and its pairs out; the last entry takes its place.
+/// Removes an object's entry, if there is one, and its pairs; the last entry takes its place.
 template <int D>
 void drop_object(KeptLeaf<D>& leaf, std::uint32_t object);
-/// Takes the entries and the pairs of all marked objects out. `marks` by object.
+/// Removes the entries and the pairs of all marked objects. `marks` is by object.
 template <int D>
 void drop_marked(KeptLeaf<D>& leaf, std::span<const std::uint8_t> marks);
-/// Takes the last entries out again. The pairs stay.
+/// Removes the last entries again. The pairs stay.
 template <int D>
 void drop_last(KeptLeaf<D>& leaf, std::size_t count);
 
-/// Appends the pairs of each of the last entries with all entries before it, whose boxes `boxes` gives by
-/// object: each the box by which it was appended, or any inside of it.
+/// Appends the pairs of each of the last entries with all entries before it. `boxes`, by object, are those
+/// with which the entries were appended, or boxes inside of those.
 template <int D>
 void probe_last(KeptLeaf<D>& leaf, std::size_t count, std::span<const PackedBox<D>> boxes, Names names,
                 Findings& found, PairBuffer& pairs);
-/// Appends those of the candidates whose boxes overlap. `boxes` by object; `gathered` is room for those of
-/// the leaf. If candidates are named by places, each box is read from where it is but once.
+/// Appends those of the candidates whose boxes overlap. `boxes` is by object; `gathered` is room for those of
+/// the leaf. If candidates are named by places, each box is read from the table only once.
 template <int D>
 void filter_candidates(const KeptLeaf<D>& leaf, std::span<const PackedBox<D>> boxes,
                        std::vector<PackedBox<D>>& gathered, PairBuffer& pairs);

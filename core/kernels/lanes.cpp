@@ -11,7 +11,7 @@
 #define KERF_CORE_BROAD_PHASE_LANES_ONCE
 namespace kerf {
 
-/// Lanes as bare pointers: what is compiled for several targets must not contain code of the library's.
+/// Lanes as bare pointers: code compiled for several targets must not contain the library's own.
 struct LaneView {
   const Scalar* min[3];
   const Scalar* max[3];
@@ -20,7 +20,7 @@ struct LaneView {
   std::size_t size;
 };
 
-/// Where pairs go. A kernel stops when `limit` may not suffice for the next box.
+/// Where pairs go. A kernel stops when the room before `limit` may not suffice for the next box.
 struct PairRange {
   Pair* next;
   Pair* limit;
@@ -57,7 +57,7 @@ HWY_INLINE Probe<D> probe_at(const LaneView& lanes, std::size_t i) {
   return probe;
 }
 
-/// Writes the pairs with the boxes from `j` on; returns the new end. On axis 0 the caller may know that every
+/// Writes the pairs with the boxes from `j` on; returns the new end. The caller may know that on axis 0 every
 /// box from `j` on begins after the probe does.
 template <int D, bool Sorted>
 HWY_INLINE Pair* test_vector(const LaneView& lanes, std::size_t j, const Probe<D>& probe, Pair* out) {
@@ -71,7 +71,7 @@ HWY_INLINE Pair* test_vector(const LaneView& lanes, std::size_t j, const Probe<D
   }
   const auto common = hn::And(hn::LoadU(w, lanes.apart + j), probe.apart);
   const auto told = hn::And(hn::RebindMask(w, hit), hn::Eq(common, hn::Zero(w)));
-  // In a sweep without a branch: whether there is a hit can be predicted worse than the stores cost.
+  // No branch in a sweep: a hit is so hard to predict that the stores cost less.
   if (!Sorted && hn::AllFalse(w, told)) return out;
   return write_pairs(probe.object, hn::LoadU(w, lanes.object + j), told, out);
 }
@@ -149,7 +149,7 @@ LaneView view_of(const Lanes<D>& lanes) {
 
 using Kernel = std::size_t (*)(const LaneView&, std::size_t, PairRange&);
 
-/// Makes room as often as the kernel asks for it.
+/// Makes room each time the kernel needs it.
 template <int D>
 void run(Kernel kernel, const Lanes<D>& lanes, PairList& pairs) {
   const LaneView view = view_of(lanes);

@@ -13,8 +13,7 @@
 namespace kerf {
 
 /// Boxes as arrays, one per bound, so that a vector instruction tests many of them. Axis 0 is the first that
-/// a kernel looks at, which need not be the world's. Beyond the last box are `kPadding` ones that overlap
-/// nothing.
+/// a kernel tests, not necessarily the world's. Beyond the last box are `kPadding` ones that overlap nothing.
 template <int D>
 struct Lanes {
   static constexpr std::size_t kPadding = 64;
@@ -22,7 +21,8 @@ struct Lanes {
   std::array<std::vector<Scalar>, D> min;
   std::array<std::vector<Scalar>, D> max;
   std::vector<std::uint32_t> object;
-  /// Two boxes are a pair only if they have no bit in common, for example that of fixed objects.
+  /// Exclusion masks: two boxes are a pair only if theirs have no common bit. Fixed objects share one, for
+  /// example.
   std::vector<std::uint32_t> apart;
   std::size_t size = 0;
 
@@ -34,7 +34,7 @@ struct Lanes {
 template <int D>
 void sweep_lanes(const Lanes<D>& lanes, PairList& pairs);
 
-/// Appends the pairs of boxes in any order, by testing each with each.
+/// Appends the pairs of boxes in any order, by testing each against each.
 template <int D>
 void test_lanes(const Lanes<D>& lanes, PairList& pairs);
 

@@ -14,21 +14,21 @@ namespace kerf {
 template <int D>
 using ByteKey = std::conditional_t<D == 2, std::uint32_t, std::uint64_t>;
 
-/// The monotone map of a leaf's axes onto bytes: `round(clamp((x - origin) * scale, 0, 255))`. What lies
-/// below the least end of a box, or above the greatest beginning, overlaps in any case, so that only the
-/// stretch between is worth telling apart. For each axis a number for min, and its negative for -max: the map
-/// of what is turned is the turned map, to the last bit.
+/// The monotone map of a leaf's axes to bytes: `round(clamp((x - origin) * scale, 0, 255))`. What lies below
+/// the least end of a box, or above the greatest beginning, overlaps in any case, so only the stretch between
+/// needs different values. Each axis has a number for min, and its negative for -max: negation commutes with
+/// the map, to the last bit.
 template <int D>
 struct ByteScale {
   PackedBox<D> origin;
   PackedBox<D> scale;
 };
 
-/// What the sweep of a leaf reads, one array for each thing, entry by entry.
+/// The arrays that the sweep of a leaf reads, entry by entry.
 ///
-/// `apart` holds the bits of the planes that an entry straddles and that the leaf lies right of, and
-/// `kFixedBit` for a fixed object: two entries are this leaf's pair iff their `apart` have no bit in common
-/// (DESIGN.md, "Once"; two fixed objects are never a pair).
+/// `apart` is the exclusion mask: the bits of the planes that an entry straddles and that the leaf lies right
+/// of, and `kFixedBit` for a fixed object. Two entries are this leaf's pair iff their masks have no common
+/// bit (DESIGN.md, "Once"; two fixed objects are never a pair).
 template <int D>
 struct LeafView {
   static constexpr DepthMask kFixedBit = DepthMask{1} << 63U;  // no ancestor lies that deep

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-/// Compiled in and fit for this machine, the widest first; the baseline is fit for every one.
+/// Compiled in and supported by this machine, the widest first; every machine supports the baseline.
 std::vector<std::int64_t> targets() {
   std::vector<std::int64_t> found;
   std::int64_t rest = (hwy::SupportedTargets() & HWY_TARGETS) | HWY_STATIC_TARGET;

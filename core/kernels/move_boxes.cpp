@@ -24,11 +24,11 @@ HWY_INLINE bool are_consecutive(const ObjectId* block) {
   return hn::AllTrue(four, hn::Eq(differ, hn::Zero(four)));
 }
 
-/// What is noted of the objects of a block, a byte for each.
-HWY_INLINE std::uint64_t attention_of_block(const std::uint8_t* attention) {
+/// The pending flags of the objects of a block, a byte for each.
+HWY_INLINE std::uint64_t flags_of_block(const ObjectFlags* flags) {
   std::uint64_t of_all = 0;
   static_assert(sizeof(of_all) == kBlock);
-  std::memcpy(&of_all, attention, kBlock);
+  std::memcpy(&of_all, flags, kBlock);
   return of_all;
 }
 
@@ -56,20 +56,21 @@ HWY_INLINE bool none(const Packed<D, Boxes>& marked) {
   return nowhere(any);
 }
 
-/// Forgets what a silent object asks for.
+/// Clears the request of an object that has any flag.
 template <int D>
-HWY_INLINE void mute(std::uint8_t attention, Packed<D>& asks) {
+HWY_INLINE void mute(ObjectFlags flags, Packed<D>& asks) {
   const typename Packed<D>::Lanes lanes;
   const hn::RebindToSigned<decltype(lanes)> words;
-  const auto heard = hn::BitCast(lanes, hn::Set(words, attention == 0 ? -1 : 0));
+  const auto heard = hn::BitCast(lanes, hn::Set(words, flags == 0 ? -1 : 0));
   for (auto& part : asks.part) part = hn::And(part, heard);
 }
 
 /// Takes the boxes of the block of neighbours that begins at the k-th request, if their answers are alike:
-/// with fat boxes nobody asks, without them all do. One branch tells. `Silent`: some objects may be.
-template <bool Fat, bool Silent, int D>
+/// with fat boxes no object is reported as changed, without them all are. One branch tells. `Unrequested`:
+/// some objects may have that flag.
+template <bool Fat, bool Unrequested, int D>
 HWY_INLINE bool take_alike(const MoveRequest<D>& request, std::size_t k, MoveAnswer& answer) {
-  constexpr int kBoxes = D == 2 && !Silent ? 2 : 1;
+  constexpr int kBoxes = D == 2 && !Unrequested ? 2 : 1;
   using Some = Packed<D, kBoxes>;
   const std::size_t first = request.objects[k].index();
   Some boxes[kBlock / kBoxes];
@@ -82,18 +83,18 @@ HWY_INLINE bool take_alike(const MoveRequest<D>& request, std::size_t k, MoveAns
       const Some fat = load<kBoxes>(request.fat[first + i]);  // finite, so that it holds nothing that is not
       mark_beyond(fat, now, asks);
       mark_shrinking(load<kBoxes>(request.latest[first + i]), now, fat, asks);
-      if constexpr (Silent) mute<D>(request.attention[first + i], asks);
+      if constexpr (Unrequested) mute<D>(request.flags[first + i], asks);
       for (std::size_t part = 0; part < marked.kParts; ++part)
         marked.part[part] = hn::Or(marked.part[part], asks.part[part]);
     }
-    if constexpr (!Fat || Silent) mark_beyond(all_lanes<D, kBoxes>(-FLT_MAX), now, marked);
+    if constexpr (!Fat || Unrequested) mark_beyond(all_lanes<D, kBoxes>(-FLT_MAX), now, marked);
     mark_beyond(now, turned(now), marked);
   }
   if (!none(marked)) return false;
   for (std::size_t i = 0; i < kBlock; i += kBoxes) store(boxes[i / kBoxes], request.latest[first + i]);
   if constexpr (!Fat) {
     std::copy_n(request.objects.data() + k, kBlock, request.changed + answer.changed);
-    std::memset(request.attention.data() + first, 1, kBlock);
+    std::memset(request.flags.data() + first, flag::kChanged, kBlock);
     answer.changed += kBlock;
   }
   return true;
@@ -102,13 +103,13 @@ HWY_INLINE bool take_alike(const MoveRequest<D>& request, std::size_t k, MoveAns
 /// The same for any block. Most can be taken.
 template <bool Fat, int D>
 HWY_INLINE bool take_block(const MoveRequest<D>& request, std::size_t k, MoveAnswer& answer) {
-  constexpr std::uint64_t kAllSilent = kSilent * 0x0101010101010101U;
+  constexpr std::uint64_t kAllUnrequested = flag::kUnrequested * 0x0101010101010101U;
   const std::size_t first = request.objects[k].index();
-  if (!are_consecutive(request.objects.data() + k) || first + kBlock > request.attention.size()) return false;
-  const std::uint64_t attention = attention_of_block(request.attention.data() + first);
-  if (attention == 0) return take_alike<Fat, false>(request, k, answer);
+  if (!are_consecutive(request.objects.data() + k) || first + kBlock > request.flags.size()) return false;
+  const std::uint64_t flags = flags_of_block(request.flags.data() + first);
+  if (flags == 0) return take_alike<Fat, false>(request, k, answer);
   if constexpr (Fat) {
-    if ((attention & ~kAllSilent) == 0) return take_alike<Fat, true>(request, k, answer);
+    if ((flags & ~kAllUnrequested) == 0) return take_alike<Fat, true>(request, k, answer);
   }
   return false;
 }
@@ -119,9 +120,9 @@ HWY_INLINE void take(const MoveRequest<D>& request, std::size_t k, MoveAnswer& a
   const ObjectId object = request.objects[k];
   const std::size_t id = object.index();
   const Packed<D> box = pack(request.boxes[k]);
-  std::uint8_t* const attention = request.attention.data();
-  if (id >= request.attention.size() || (attention[id] & ~kSilent) != 0 || !is_valid<D>(box)) {
-    if (id < request.attention.size()) attention[id] |= kWaiting;
+  ObjectFlags* const flags = request.flags.data();
+  if (id >= request.flags.size() || (flags[id] & ~flag::kUnrequested) != 0 || !is_valid<D>(box)) {
+    if (id < request.flags.size()) flags[id] |= flag::kDeferred;
     request.left_over[answer.left_over++] = static_cast<std::uint32_t>(k);
     return;
   }
@@ -130,12 +131,12 @@ HWY_INLINE void take(const MoveRequest<D>& request, std::size_t k, MoveAnswer& a
     const Packed<D> fat = load(request.fat[id]);
     const bool filled = at_most<D>(load(request.latest[id]), fat);  // held by the fat box, it is as large
     const bool fills = at_most<D>(box, fat);
-    asks = attention[id] == 0 && (!at_most<D>(fat, box) || (filled && !fills));
+    asks = flags[id] == 0 && (!at_most<D>(fat, box) || (filled && !fills));
     request.before[answer.changed] = request.latest[id];
   }
   request.changed[answer.changed] = object;
   answer.changed += asks ? 1 : 0;
-  attention[id] |= asks ? 1 : 0;
+  flags[id] |= asks ? flag::kChanged : 0;
   store(box, request.latest[id]);
 }
 

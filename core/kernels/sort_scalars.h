@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-/// Sorts finite numbers, ascending. Zeros become positive: which of two signs came first would depend on the
+/// Sorts finite numbers, ascending. Zeros become positive: the order of two signs would depend on the
 /// machine's vectors.
 void sort_scalars(std::span<Scalar> scalars);
 

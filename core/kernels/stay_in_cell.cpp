@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/tuning.h"
 #include "core/kernels/prefetch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -13,13 +14,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// No branch depends on who stays. By value: what is written through the job's pointers can't be the job.
+/// No branch depends on which objects stay. By value: a write through the job's pointers cannot be to the
+/// job.
 template <bool Boxes, int D>
 HWY_INLINE Stayed stay(const StayJob<D> job) {
   Stayed at;
   const Packed<D> cell = load(job.cell);
   for (std::size_t k = 0; k < job.count; ++k) {
-    prefetch(job.boxes + job.entries[std::min(k + kPrefetchAhead, job.count - 1)].object.index());
+    prefetch(job.boxes + job.entries[std::min(k + tuning::kPrefetchAhead, job.count - 1)].object.index());
     const Entry& entry = job.entries[k];
     const ObjectId object = entry.object;
     const DepthMask straddle = entry.straddle;

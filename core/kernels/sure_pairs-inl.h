@@ -18,14 +18,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// Behind the end of what `write_row` returns it may have written anything, up to so many pairs.
+/// Behind the end that `write_row` returns, up to so many undefined pairs may be written.
 inline constexpr std::size_t kRowRoom = 64;
 
 // `write_row` writes the canonical pairs of `object` with those of 64 others whose bits are set, in their
-// order, and returns their end.
+// order, and returns the end.
 
 #if HWY_TARGET <= HWY_AVX3_DL && HWY_ARCH_X86_64
-/// Sixteen words of 64, by their numbers.
+/// Sixteen of 64 words, chosen by their numbers.
 HWY_INLINE __m512i look_up(const __m512i (&words)[4], __m512i numbers) {
   const __mmask16 is_high = _mm512_test_epi32_mask(numbers, _mm512_set1_epi32(32));
   return _mm512_mask_blend_epi32(is_high, _mm512_permutex2var_epi32(words[0], numbers, words[1]),
@@ -71,7 +71,7 @@ HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, st
 HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, std::uint64_t bits, Pair* out) {
   const auto count = static_cast<std::size_t>(std::popcount(bits));
   constexpr std::uint64_t kLast = std::uint64_t{1} << 63U;
-  for (std::size_t k = 0; k < count; k += 8)  // so it is easier to guess where the row ends
+  for (std::size_t k = 0; k < count; k += 8)  // a fixed stride: the end of the row is easier to predict
     for (std::size_t m = k; m < k + 8; ++m, bits &= bits - 1)
       out[m] = {{object}, {others[hwy::Num0BitsBelowLS1Bit_Nonzero64(bits | kLast)]}};
   order_ids(out, count);

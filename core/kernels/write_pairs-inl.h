@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// Writes the pairs of `object` with those of `others` that are told; returns the new end.
+/// Writes the pairs of `object` with the chosen `others`; returns the new end.
 HWY_INLINE Pair* write_pairs(hn::Vec<Words> object, hn::Vec<Words> others, hn::Mask<Words> told, Pair* out) {
   const Words w;
   const auto first = compress_words(others, told);

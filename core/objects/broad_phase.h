@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// A broad phase: it holds boxes and tells which of them overlap.
+/// A broad phase: it holds boxes and reports which of them overlap.
 ///
 /// Requests take effect at once or in the next `step()`; the pairs of `step()` always agree with the last
 /// box given for each object. The caller chooses the ids. There is no way to change a box behind its back.
@@ -26,7 +26,7 @@ class BroadPhase {
   /// The name by which programs choose it, for example "kerf" or "brute-force".
   [[nodiscard]] virtual std::string_view name() const = 0;
 
-  /// How it bounds objects: what callers should give. Boxes are always welcome; a broad phase that knows only
+  /// How it bounds objects, and so what callers should pass. Boxes are always accepted; a broad phase for
   /// boxes takes the box of any volume.
   [[nodiscard]] virtual VolumeKind volume_kind() const { return VolumeKind::box; }
 
@@ -37,8 +37,8 @@ class BroadPhase {
   virtual Status move(ObjectId object, const Box<D>& box) = 0;
   virtual Status move(ObjectId object, const Volume<D>& volume) { return move(object, volume.box); }
   virtual Status remove(ObjectId object) = 0;
-  /// Moves objects[k] to boxes[k] for each k, as so many calls of `move` would: who moves thousands pays no
-  /// call for each. All are done whatever one says; the first status other than `ok` is returned.
+  /// Equivalent to move(objects[k], boxes[k]) for each k, without the cost per call. All are done, whatever
+  /// their statuses. Returns the first status other than `ok`.
   virtual Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) {
     Status first = Status::ok;
     for (std::size_t k = 0; k < objects.size(); ++k) {

@@ -42,7 +42,7 @@ Status ObjectTable<D>::accept(ObjectId object, const Volume<D>& given) {
 template <int D>
 void ObjectTable<D>::make_room(ObjectId object) {
   if (object.index() < states_.size()) return;
-  // Boxes may be more already, if memory was short when they were made: they never become fewer.
+  // A failed allocation may have left more boxes than flags: the number of boxes never falls.
   const std::size_t count = std::max<std::size_t>(object.index() + 1, boxes_.size());
   boxes_.resize(count);
   extra_.resize(count * static_cast<std::size_t>(extra_size<D>(kind_)));

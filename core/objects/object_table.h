@@ -13,7 +13,7 @@
 
 namespace kerf {
 
-/// What is known of an id.
+/// The state of an id.
 enum class ObjectState : std::uint8_t { absent, placed, quarantined };
 
 /// The boxes of all objects by id, with the rules for values that cannot be placed (HARD_CASES.md V1 to V3).
@@ -23,7 +23,7 @@ class ObjectTable {
  public:
   explicit ObjectTable(VolumeKind kind = VolumeKind::box) : kind_(kind) {}
 
-  /// `Bound` is Box<D> or Volume<D>. What is of another kind is replaced by the smallest of the table's kind
+  /// `Bound` is Box<D> or Volume<D>. A bound of another kind is replaced by the smallest of the table's kind
   /// around its box.
   template <class Bound>
   Status insert(ObjectId object, const Bound& bound, Mobility mobility) {
@@ -38,13 +38,13 @@ class ObjectTable {
   /// Replaces the box of a placed object by one around it.
   void widen(ObjectId object, const Box<D>& box) { boxes_[object.index()] = PackedBox<D>(box); }
 
-  /// Takes over all that another table of the same kind says of an object.
+  /// Copies everything that another table of the same kind has of an object.
   void copy(const ObjectTable& from, ObjectId object);
-  /// Takes over everything but the boxes of objects that this table knows, whatever it knows of them.
+  /// Copies everything except the boxes of objects that this table has already.
   void copy_but_boxes(const ObjectTable& from, TaskPool& pool);
-  /// Takes over everything.
+  /// Copies everything.
   void copy_all(const ObjectTable& from, TaskPool& pool);
-  /// Takes over the boxes of a table that knows the same objects.
+  /// Copies the boxes of a table with the same objects.
   void copy_boxes(const ObjectTable& from, TaskPool& pool);
   /// Exchanges the boxes with such a table.
   void swap_boxes(ObjectTable& other) { boxes_.swap(other.boxes_); }
@@ -58,17 +58,17 @@ class ObjectTable {
   }
   [[nodiscard]] bool is_placed(ObjectId object) const { return state(object) == ObjectState::placed; }
   [[nodiscard]] bool is_fixed(ObjectId object) const { return fixed_[object.index()] != 0; }
-  /// Whether any object ever was.
+  /// Whether any object has ever been fixed.
   [[nodiscard]] bool has_fixed() const { return has_fixed_; }
   [[nodiscard]] VolumeKind kind() const { return kind_; }
   /// The box as it was accepted. Valid for placed objects only.
   [[nodiscard]] Box<D> box(ObjectId object) const { return boxes_[object.index()].unpack(); }
   [[nodiscard]] const PackedBox<D>& packed(ObjectId object) const { return boxes_[object.index()]; }
-  /// By id, `bound()` of them; those of objects that are not placed mean nothing.
+  /// By id, `bound()` of them; undefined for objects that are not placed.
   [[nodiscard]] std::span<const PackedBox<D>> packed() const { return boxes_; }
-  /// For whoever replaces boxes of placed objects by valid ones, many at a time.
+  /// For code that replaces boxes of placed objects by valid ones, many at a time.
   [[nodiscard]] std::span<PackedBox<D>> packed() { return boxes_; }
-  /// The numbers that the kind keeps beside the box, `extra_size<D>(kind())` of them.
+  /// The numbers that the kind stores beside the box, `extra_size<D>(kind())` of them.
   [[nodiscard]] const Scalar* extra(ObjectId object) const {
     return extra_.data() + object.index() * static_cast<std::size_t>(extra_size<D>(kind_));
   }

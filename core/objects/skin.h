@@ -5,59 +5,52 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/tuning.h"
 #include "core/geometry/box.h"
 #include "core/geometry/packed_box.h"
 
 namespace kerf {
 
-/// How thick the skin of an object is and since when. It learns: who leaves soon gets a thicker one. Who
-/// moves by more than the thickest skin in a step is *restless*, and has none until it was slow for some
-/// steps.
+/// How thick the skin of an object is and since when. It learns: an object that leaves its fat box soon gets
+/// a thicker skin. An object that moves by more than the thickest skin in a step is *restless*, and has no
+/// skin until it was slow for some steps. Its numbers are in `tuning.h`.
 struct Skin {
-  static constexpr std::uint8_t kThickest = 6;
-  /// The thickest, over the object's size. Thicker ones cost more in candidates than they save in look-ups.
-  static constexpr float kMost = 1.0F / 8;
-  static constexpr std::uint32_t kRest = 1024;  ///< steps: two look-ups in so many are not noticed
-  static constexpr std::uint32_t kLook = 64;  ///< steps from one look at an object that may rest to the next
-  static constexpr std::uint8_t kRestless = 8;  ///< steps until a restless object is no longer one
-  std::uint8_t level = kThickest;               ///< until it is known better
-  bool wrapped = false;                         ///< it was wrapped since it left last
-  std::uint8_t wraps = 0;                       ///< how often it left soon after it had been wrapped
-  std::uint16_t since = 0;    ///< the step, modulo 2^16: a wrong age costs time, never a pair
-  std::uint8_t restless = 0;  ///< slow steps for which it still counts as restless
-  std::uint16_t seen = 0;     ///< the fingerprint of its box at the last look
+  static constexpr std::uint8_t kThickest = tuning::kThickestSkin;
+  static constexpr float kMost = tuning::kMostSkin;  ///< thickness of the thickest, over the object's size
+  static constexpr std::uint8_t kRestless = tuning::kRestlessSteps;
+  std::uint8_t level = kThickest;  ///< until more is known
+  bool wrapped = false;            ///< it was wrapped since it left last
+  std::uint8_t wraps = 0;          ///< how often it left soon after it had been wrapped
+  std::uint16_t since = 0;         ///< the step, modulo 2^16: a wrong age costs time, never a pair
+  std::uint8_t restless = 0;       ///< slow steps for which it still counts as restless
+  std::uint16_t seen = 0;          ///< the fingerprint of its box at the last look
 
   [[nodiscard]] std::uint16_t age(std::uint32_t step) const {
     return static_cast<std::uint16_t>(step - since);
   }
-  /// To be told of each step in which the object gets another fat box; what it had tells how thick that must
-  /// be if it was larger than the box.
+  /// Call it for each step in which the object gets another fat box. `had_fat`: the one that it left was
+  /// larger than its box; only then its age says how thick the next one must be.
   void left(std::uint32_t step, bool had_fat) {
-    constexpr std::uint16_t kSoon = 12;
-    constexpr std::uint16_t kLate = 200;
-    constexpr std::uint8_t kMostWraps = 5;
-    if (had_fat && age(step) < kSoon && level < kThickest) ++level;
-    if (had_fat && age(step) > kLate && level > 0) --level;
-    if (wrapped) wraps = age(step) < kSoon ? std::min<std::uint8_t>(wraps + 1, kMostWraps) : 0;
+    const bool is_soon = age(step) < tuning::kSoonLeave;
+    if (had_fat && is_soon && level < kThickest) ++level;
+    if (had_fat && age(step) > tuning::kLateLeave && level > 0) --level;
+    if (wrapped) wraps = is_soon ? std::min<std::uint8_t>(wraps + 1, tuning::kMostWraps) : 0;
     wrapped = false;
     since = static_cast<std::uint16_t>(step);
   }
-  /// To be told of the same steps, and of every step of a restless object, whether it was fast in it.
+  /// Call it for the same steps, and for every step of a restless object. `fast`: it moved by more than the
+  /// thickest skin.
   void moved(bool fast) {
     restless = fast ? kRestless : static_cast<std::uint8_t>(std::max(restless - 1, 0));
   }
-  /// Whether the box is the one that it was at the last look. Who is mistaken for one at rest loses time, no
-  /// pair.
-  bool is_unmoved(std::uint16_t fingerprint) {
-    const bool is_same = seen == fingerprint;
-    seen = fingerprint;
-    return is_same;
-  }
+  /// Whether the box has the fingerprint of the last look. A mistake costs time, never a pair.
+  [[nodiscard]] bool is_unmoved(std::uint16_t fingerprint) const { return seen == fingerprint; }
+  void look(std::uint16_t fingerprint) { seen = fingerprint; }
   [[nodiscard]] bool is_restless() const { return restless > 0; }
-  /// Whether the object stayed so long that it should be wrapped in its skin, whatever fat it has. Who left
-  /// again soon waits twice as long each time.
-  [[nodiscard]] bool is_at_rest(std::uint32_t step) const { return age(step) >= kRest << wraps; }
-  /// To be told of each step in which it was.
+  /// Whether the object stayed so long that it should be wrapped in its skin, whatever fat it has. The wait
+  /// doubles each time that it left soon after.
+  [[nodiscard]] bool is_at_rest(std::uint32_t step) const { return age(step) >= tuning::kRestSteps << wraps; }
+  /// Call it when the object gets its skin as its fat box.
   void wrap(std::uint32_t step) {
     wrapped = true;
     since = static_cast<std::uint16_t>(step);
@@ -66,7 +59,7 @@ struct Skin {
   friend bool operator==(const Skin&, const Skin&) = default;
 };
 
-/// 16 bits of all bits of a box, the same on every machine.
+/// 16 bits that depend on all bits of a box, the same on every machine.
 template <int D>
 std::uint16_t fingerprint(const PackedBox<D>& box) {
   constexpr std::uint32_t kGolden = 0x9E3779B9U;
@@ -75,8 +68,8 @@ std::uint16_t fingerprint(const PackedBox<D>& box) {
   return static_cast<std::uint16_t>(mixed >> 16U);
 }
 
-/// The second largest extent of a box, and the fastest of its ends since `before`. A skin as thick as a long
-/// rod allows would make the rod many times as wide, and so its candidates many times as many.
+/// The second largest extent of a box, and the fastest of its ends since `before`. By its largest extent, a
+/// long rod's skin would make it many times as wide and give it as many more candidates.
 struct SizeAndSpeed {
   float size = 0;
   float speed = 0;
@@ -95,7 +88,7 @@ SizeAndSpeed size_and_speed(const Box<D>& box, const Box<D>& before) {
   return result;
 }
 
-/// Whether an object moved by more than any skin since `before`: it would leave any fat box soon, and have
+/// Whether an object moved by more than any skin since `before`. It would leave any fat box soon, and have
 /// many candidates until then.
 template <int D>
 bool is_fast(const Box<D>& box, const Box<D>& before) {
@@ -103,19 +96,18 @@ bool is_fast(const Box<D>& box, const Box<D>& before) {
   return speed > 0 && speed >= Skin::kMost * size;
 }
 
-/// The share of the way ahead that an object really gets, from a third to all of it. Objects that move alike
-/// would otherwise all leave their fat boxes in the same step, and that step would take ten times the
-/// others'.
+/// The share of the way ahead that an object gets in its fat box. Shares differ, since objects that move
+/// alike would otherwise all leave their fat boxes in the same step.
 inline float fat_share(std::uint32_t object) {
   constexpr std::uint32_t kGolden = 0x9E3779B9U;  // consecutive objects get shares far apart
-  constexpr float kLeast = 1.0F / 3;
+  constexpr float kLeast = tuning::kLeastShareAhead;
   return kLeast + (1 - kLeast) * static_cast<float>((object * kGolden) >> 8U) * 0x1p-24F;
 }
 
-/// The fat box of an object: it holds `box` and where it will be for some steps if it goes on like from
-/// `before`. It grows ahead of the motion by `steps` of it, though never by more than the object's own size,
-/// and by the skin on every side, for what shakes or turns; of the way ahead it gets a share. What stands
-/// still gets no fat, nor does what is fast. Box and motion are finite; so is the result.
+/// The fat box of an object: it holds `box`, and the boxes of some steps to come if the object goes on as it
+/// did since `before`. It grows ahead of the motion by a `share` of `steps` steps, by the object's own size
+/// at most, and by the skin on every side, for objects that shake or turn. An object that stands still gets
+/// no fat, nor does a fast one. Box and motion are finite; so is the result.
 template <int D>
 Box<D> fatten(const Box<D>& box, const Box<D>& before, const Skin& skin, float steps, float share) {
   const auto [size, speed] = size_and_speed(box, before);
@@ -131,7 +123,7 @@ Box<D> fatten(const Box<D>& box, const Box<D>& before, const Skin& skin, float s
   return is_valid(fat) ? fat : box;
 }
 
-/// The fat box of an object of which nothing is known but that it stayed long: the skin on every side.
+/// The fat box of an object that stayed where it is for long: the skin on every side.
 template <int D>
 Box<D> wrap(const Box<D>& box, const Skin& skin) {
   const float around = skin.thickness(size_and_speed(box, box).size);
@@ -143,11 +135,11 @@ Box<D> wrap(const Box<D>& box, const Skin& skin) {
   return is_valid(fat) ? fat : box;
 }
 
-/// Whether a fat box is larger than any skin: its object was fast when it got it.
+/// Whether a fat box is larger than any skin: its object was fast when it was made.
 template <int D>
 bool is_for_flight(const Box<D>& fat, const Box<D>& box) {
   const auto [size, margin] = size_and_speed(box, fat);
-  return margin > 1.05F * Skin::kMost * size;
+  return margin > tuning::kFlightMargin * Skin::kMost * size;
 }
 
 /// The speed since `before` over the object's size, 1 at most.

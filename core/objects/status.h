@@ -8,8 +8,8 @@ namespace kerf {
 /// Whether an object can move by itself. Two fixed objects are never a pair: no engine wants them.
 enum class Mobility : std::uint8_t { moving, fixed };
 
-/// What a broad phase says of one request. Everything but `ok` and `clamped` left the healthy objects and
-/// their pairs as they were.
+/// The answer of a broad phase to one request. Any status but `ok` and `clamped` leaves the healthy objects
+/// and their pairs as they were.
 enum class [[nodiscard]] Status : std::uint8_t{
     ok,
     clamped,       ///< accepted; infinite bounds were clamped to +-FLT_MAX

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "core/trace/event_facts.h"
+
 namespace kerf {
 namespace {
 
@@ -61,10 +63,6 @@ std::optional<EventDifference> first_difference(const std::vector<Event>& a, con
 }
 
 bool is_event(const Event& /*any*/) { return true; }
-bool is_operator(const Event& event) {
-  return std::holds_alternative<OperatorActed>(event.body) ||
-         std::holds_alternative<OperatorRefused>(event.body);
-}
 
 }  // namespace
 
@@ -80,7 +78,7 @@ RecordingComparison compare(RecordingReader<D>& a, RecordingReader<D>& b) {
       return first_difference(a.step(step).events, b.step(step).events, counts);
     };
     if (!result.events) result.events = differs(is_event);
-    if (result.events && !result.operators) result.operators = differs(is_operator);
+    if (result.events && !result.operators) result.operators = differs(is_outcome);
     if (result.state && result.pairs && result.requests && result.operators) break;
   }
   return result;

@@ -5,28 +5,22 @@
 #include <tuple>
 #include <vector>
 
+#include "core/trace/event_facts.h"
+
 namespace kerf {
 namespace {
 
 /// What an event is about, whatever came of it: its kind, operator and node, or its object.
 using SubjectKey = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
 
-constexpr std::uint32_t number(Operator op) { return static_cast<std::uint32_t>(op); }
-
+/// Acted and refused are two outcomes of one subject.
 SubjectKey subject_of(const Event& event) {
-  constexpr std::size_t kOutcome = std::variant_size_v<EventBody>;
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body))
-    return {kOutcome, number(acted->op), acted->node.node.value};
-  if (const auto* refused = std::get_if<OperatorRefused>(&event.body))
-    return {kOutcome, number(refused->op), refused->node.node.value};
-  const std::size_t kind = event.body.index();
-  if (const auto* scheduled = std::get_if<OperatorScheduled>(&event.body))
-    return {kind, number(scheduled->op), scheduled->node.node.value};
-  if (const auto* placed = std::get_if<ObjectPlaced>(&event.body)) return {kind, 0, placed->object.value};
-  return {kind, 0, 0};
+  const std::size_t kind = is_outcome(event) ? std::variant_size_v<EventBody> : event.body.index();
+  if (const auto deed = deed_of(event))
+    return {kind, static_cast<std::uint32_t>(deed->op), deed->node.node.value};
+  const auto object = object_of(event);
+  return {kind, 0, object ? object->value : 0};
 }
-
-bool begins_phase(const Event& event) { return std::holds_alternative<PhaseBegan>(event.body); }
 
 /// The events of the phase that `first` begins; those before any phase if nothing does.
 std::span<const Event> phase_from(std::span<const Event> events, std::span<const Event>::iterator first) {

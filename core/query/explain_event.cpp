@@ -6,24 +6,11 @@
 #include "core/query/history.h"
 #include "core/query/text.h"
 #include "core/replay/cursor.h"
+#include "core/trace/event_facts.h"
 #include "core/tree/criteria.h"
 
 namespace kerf {
 namespace {
-
-struct Deed {
-  Operator op;
-  NodeRef node;
-};
-
-std::optional<Deed> deed_of(const Event& event) {
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) return Deed{acted->op, acted->node};
-  if (const auto* refused = std::get_if<OperatorRefused>(&event.body))
-    return Deed{refused->op, refused->node};
-  if (const auto* scheduled = std::get_if<OperatorScheduled>(&event.body))
-    return Deed{scheduled->op, scheduled->node};
-  return std::nullopt;
-}
 
 /// A merge of a node that is not thin was not the scheduler's: too many entries were shed.
 template <int D>
@@ -51,7 +38,7 @@ template <int D>
 std::optional<Event> scheduling_of(RecordingReader<D>& recording, const Event& event, const Deed& deed) {
   std::optional<Event> found;
   for (const Event& other : node_history(recording, deed.node.node, event.step)) {
-    const auto* scheduled = std::get_if<OperatorScheduled>(&other.body);
+    const auto* scheduled = scheduled_of(other);
     if (other.id >= event.id || scheduled == nullptr) continue;
     if (scheduled->node == deed.node && may_become(scheduled->op, deed.op)) found = other;
   }
@@ -88,8 +75,8 @@ template <int D>
 EventExplanation<D> explain_event(Replayer<D>& replayer, std::uint64_t id) {
   EventExplanation<D> result;
   result.event = replayer.recording().event(id);
-  if (const auto* placed = std::get_if<ObjectPlaced>(&result.event.body))
-    result.leaves = leaves_of(state_after(replayer, id).tree, placed->object);
+  if (const auto object = object_of(result.event))
+    result.leaves = leaves_of(state_after(replayer, id).tree, *object);
   const auto deed = deed_of(result.event);
   if (!deed) return result;
   const BspState<D> before = state_before(replayer, id);

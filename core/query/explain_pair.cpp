@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/overloaded.h"
 #include "core/query/text.h"
 #include "core/replay/cursor.h"
 
@@ -45,9 +46,13 @@ void walk(const Tree<D>& tree, PairExplanation<D>& result) {
 
 /// What can put two objects into one leaf.
 bool may_join(const Event& event, const Pair& pair) {
-  if (const auto* placed = std::get_if<ObjectPlaced>(&event.body))
-    return placed->object == pair.a || placed->object == pair.b;
-  return std::holds_alternative<OperatorActed>(event.body) || std::holds_alternative<AllPlaced>(event.body);
+  return std::visit(Overloaded{
+                        [&](const ObjectPlaced& e) { return e.object == pair.a || e.object == pair.b; },
+                        [](const OperatorActed&) { return true; },
+                        [](const AllPlaced&) { return true; },
+                        NothingFor<bool, PhaseBegan, OperatorScheduled, OperatorRefused, EventsDeferred>(),
+                    },
+                    event.body);
 }
 
 /// The last event before which the two did not share the leaf.
@@ -98,8 +103,9 @@ template <int D>
 std::string their_text(const PairExplanation<D>& e) {
   if (!e.their_times) return "";
   if (*e.their_times == 0 && e.is_pair) return "the other engine missed it\n";
-  if (*e.their_times > 0 && !e.is_pair) return "the other engine told it, though it is none\n";
-  if (*e.their_times > 1) return "the other engine told it " + std::to_string(*e.their_times) + " times\n";
+  if (*e.their_times > 0 && !e.is_pair) return "the other engine reported it, though it is none\n";
+  if (*e.their_times > 1)
+    return "the other engine reported it " + std::to_string(*e.their_times) + " times\n";
   return "";
 }
 

@@ -1,5 +1,6 @@
 #include "core/query/expression_words.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/trace/event.h"
@@ -27,8 +28,8 @@ constexpr std::array kVariables{
     VariableWord{Variable::sweep_time, "sweep_time", "of them for sweeping"},
     VariableWord{Variable::missed, "missed",
                  "pairs that the tree missed, by the oracle; of an import, that they missed"},
-    VariableWord{Variable::extra, "extra", "pairs told that do not overlap"},
-    VariableWord{Variable::twice, "twice", "pairs told again"},
+    VariableWord{Variable::extra, "extra", "reported pairs that do not overlap"},
+    VariableWord{Variable::twice, "twice", "pairs reported again"},
     VariableWord{Variable::event, "event", "number of the event"},
     VariableWord{Variable::op, "op", "balance, shift_split, split, swap or merge"},
     VariableWord{Variable::kind, "kind", "phase, placed, scheduled, acted, refused, deferred or all_placed"},
@@ -44,7 +45,11 @@ constexpr std::array kVariables{
 constexpr double value_of(Operator op) { return static_cast<double>(op); }
 constexpr double value_of(Phase phase) { return static_cast<double>(phase); }
 
-/// Kinds are the alternatives of EventBody, in their order.
+template <class Kind>
+constexpr double number_of() {
+  return static_cast<double>(EventBody(Kind{}).index());
+}
+
 constexpr std::array kValues{
     NamedValue{Variable::op, "balance", value_of(Operator::balance)},
     NamedValue{Variable::op, "shift_split", value_of(Operator::shift_split)},
@@ -56,14 +61,16 @@ constexpr std::array kValues{
     NamedValue{Variable::phase, "schedule", value_of(Phase::schedule)},
     NamedValue{Variable::phase, "operate", value_of(Phase::operate)},
     NamedValue{Variable::phase, "sweep", value_of(Phase::sweep)},
-    NamedValue{Variable::kind, "phase", 0},
-    NamedValue{Variable::kind, "placed", 1},
-    NamedValue{Variable::kind, "scheduled", 2},
-    NamedValue{Variable::kind, "acted", 3},
-    NamedValue{Variable::kind, "refused", 4},
-    NamedValue{Variable::kind, "deferred", 5},
-    NamedValue{Variable::kind, "all_placed", 6},
+    NamedValue{Variable::kind, "phase", number_of<PhaseBegan>()},
+    NamedValue{Variable::kind, "placed", number_of<ObjectPlaced>()},
+    NamedValue{Variable::kind, "scheduled", number_of<OperatorScheduled>()},
+    NamedValue{Variable::kind, "acted", number_of<OperatorActed>()},
+    NamedValue{Variable::kind, "refused", number_of<OperatorRefused>()},
+    NamedValue{Variable::kind, "deferred", number_of<EventsDeferred>()},
+    NamedValue{Variable::kind, "all_placed", number_of<AllPlaced>()},
 };
+static_assert(std::ranges::count(kValues, Variable::kind, &NamedValue::of) == std::variant_size_v<EventBody>,
+              "a kind of event has no word");
 
 }  // namespace
 

@@ -34,10 +34,9 @@ std::vector<PairChange> pair_history(RecordingReader<D>& recording, const Pair& 
 template <int D>
 std::vector<Event> node_history(RecordingReader<D>& recording, NodeId node, std::uint32_t up_to) {
   std::vector<Event> history;
-  for (const std::uint64_t id : recording.events_of_node(node)) {
-    const std::uint32_t step = recording.step_of(id).value_or(UINT32_MAX);
-    if (step > up_to) break;
-    history.push_back(recording.event(id));
+  for (const OperatorRow& row : recording.operators()) {
+    if (row.step > up_to) break;
+    if (row.node.node == node) history.push_back(recording.event(row.event));
   }
   return history;
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/replay/oracle.h"
+#include "core/trace/event_facts.h"
 #include "core/tree/partitioner.h"
 
 namespace kerf {
@@ -13,22 +14,6 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 double phase_time(const StepRow& row, Phase phase) {
   return row.statistics.phase_seconds[static_cast<std::size_t>(phase)];
-}
-
-const NodeRef* node_of(const Event& event) {
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) return &acted->node;
-  if (const auto* scheduled = std::get_if<OperatorScheduled>(&event.body)) return &scheduled->node;
-  if (const auto* refused = std::get_if<OperatorRefused>(&event.body)) return &refused->node;
-  return nullptr;
-}
-
-double operator_number(const Event& event) {
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) return static_cast<double>(acted->op);
-  if (const auto* scheduled = std::get_if<OperatorScheduled>(&event.body))
-    return static_cast<double>(scheduled->op);
-  if (const auto* refused = std::get_if<OperatorRefused>(&event.body))
-    return static_cast<double>(refused->op);
-  return kNothing;
 }
 
 double acted_number(const OperatorActed& acted, Variable variable) {
@@ -83,29 +68,33 @@ double row_number(const StepRow& row, Variable variable) {
 }
 
 double event_number(const Event& event, Variable variable) {
-  const NodeRef* const node = node_of(event);
-  const auto* const acted = std::get_if<OperatorActed>(&event.body);
   switch (variable) {
     case Variable::event:
       return static_cast<double>(event.id);
-    case Variable::op:
-      return operator_number(event);
+    case Variable::op: {
+      const auto deed = deed_of(event);
+      return deed ? static_cast<double>(deed->op) : kNothing;
+    }
     case Variable::kind:
       return static_cast<double>(event.body.index());
     case Variable::phase: {
-      const auto* began = std::get_if<PhaseBegan>(&event.body);
-      return began == nullptr ? kNothing : static_cast<double>(began->phase);
+      const auto phase = phase_of(event);
+      return phase ? static_cast<double>(*phase) : kNothing;
     }
-    case Variable::node:
-      return node == nullptr ? kNothing : node->node.value;
+    case Variable::node: {
+      const auto node = node_of(event);
+      return node ? node->node.value : kNothing;
+    }
     case Variable::object: {
-      const auto* placed = std::get_if<ObjectPlaced>(&event.body);
-      return placed == nullptr ? kNothing : placed->object.value;
+      const auto object = object_of(event);
+      return object ? object->value : kNothing;
     }
     case Variable::population:
     case Variable::balance:
-    case Variable::straddlers:
+    case Variable::straddlers: {
+      const auto* const acted = acted_of(event);
       return acted == nullptr ? kNothing : acted_number(*acted, variable);
+    }
     default:
       return kNothing;
   }
@@ -132,8 +121,8 @@ double RecordedMoment<D>::number(Variable variable) const {
   if (variable < Variable::event) return row_number(recording_.row(step_), variable);
   if (event_ == nullptr) return kNothing;
   if (variable != Variable::depth) return event_number(*event_, variable);
-  const NodeRef* const node = node_of(*event_);
-  if (node == nullptr || tree_ == nullptr || !tree_->tree().is_alive(*node)) return kNothing;
+  const auto node = node_of(*event_);
+  if (!node || tree_ == nullptr || !tree_->tree().is_alive(*node)) return kNothing;
   return tree_->tree()[node->node].depth;
 }
 
@@ -177,11 +166,8 @@ bool RecordedMoment<D>::happens(const ExpressionPart& happening) const {
     return happening.happening == Happening::pair_enters ? is && !was : was && !is;
   }
   if (event_ == nullptr) return false;
-  if (happening.happening == Happening::object_moves) {
-    const auto* placed = std::get_if<ObjectPlaced>(&event_->body);
-    return placed != nullptr && placed->object.value == happening.a;
-  }
-  const auto* acted = std::get_if<OperatorActed>(&event_->body);
+  if (happening.happening == Happening::object_moves) return object_of(*event_) == ObjectId{happening.a};
+  const auto* const acted = acted_of(*event_);
   if (acted == nullptr || acted->node.node.value != happening.a) return false;
   const bool sets_plane = acted->op != Operator::merge && acted->op != Operator::swap;
   return happening.happening == Happening::node_changes || sets_plane;

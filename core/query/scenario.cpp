@@ -6,6 +6,7 @@
 
 #include "core/recording/recorder.h"
 #include "core/replay/oracle.h"
+#include "core/trace/event_facts.h"
 
 namespace kerf {
 namespace {
@@ -188,7 +189,7 @@ std::vector<Acting> acting_operators(const Scenario<D>& scenario) {
     tree.set_config(scenario.steps[k].config);
     tree.step();
     for (const Event& event : tree.trace().take()) {
-      const auto* const acted = std::get_if<OperatorActed>(&event.body);
+      const auto* const acted = acted_of(event);
       if (acted == nullptr) continue;
       const Acting found{k, acted->op};
       if (std::ranges::find(acting, found) == acting.end()) acting.push_back(found);

@@ -72,13 +72,13 @@ class Finder {
 
   void note_shift(const OperatorRow& row) {
     NodeMemory& memory = memory_[row.node.node];
-    const bool turned = memory.way * row.shift < 0;
+    const bool turned = memory.way * row.shift() < 0;
     if (turned && memory.back != 0 && row.step - memory.shift <= steps_)
       found_.push_back(
           {ThrashKind::balance_ping_pong, row.op, row.node.node, row.event, memory.shift, row.step});
     memory.shift = turned && memory.back != 0 ? memory.back : turned ? memory.shift : row.step;
     memory.back = turned ? row.step : 0;
-    memory.way = row.shift;
+    memory.way = row.shift();
   }
 
   std::uint32_t steps_;

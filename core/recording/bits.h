@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
 #include "core/recording/bytes.h"
+#include "core/recording/damage.h"
 
 namespace kerf {
 
@@ -48,7 +48,7 @@ class BitReader {
 
   std::uint32_t get(unsigned bits) {
     for (; held_ < bits; held_ += 8) {
-      if (next_ == bytes_.size()) throw std::runtime_error("the recording is damaged: bits are missing");
+      if (next_ == bytes_.size()) fail_damaged("bits are missing");
       pending_ |= std::uint64_t{bytes_[next_++]} << held_;
     }
     const auto x = static_cast<std::uint32_t>(pending_ & ((std::uint64_t{1} << bits) - 1));
@@ -56,6 +56,8 @@ class BitReader {
     held_ -= bits;
     return x;
   }
+  /// Whether all was read but the zeros that fill up the last byte.
+  [[nodiscard]] bool empty() const { return next_ == bytes_.size() && held_ < 8 && pending_ == 0; }
 
  private:
   std::span<const std::uint8_t> bytes_;

@@ -8,6 +8,11 @@
 namespace kerf {
 namespace {
 
+/// Whether an object came, went or, as `moved` says, got another box.
+bool is_change(RequestKind kind, bool moved) {
+  return moved || kind == RequestKind::remove || is_insert(kind);
+}
+
 /// The numbers that a call stores of each object: none of what is removed.
 template <int D>
 std::size_t stored_channels(RequestKind kind, VolumeKind volume) {
@@ -36,6 +41,8 @@ Box<D> get_box(const Channels<D>& values) {
   return box;
 }
 
+constexpr std::size_t kLeastOfStep = 2;  ///< bytes of a step in a block: no calls and no events
+
 void put_calls(const std::vector<Call>& calls, ByteWriter& out) {
   out.varint(calls.size());
   for (const Call& call : calls) {
@@ -46,16 +53,21 @@ void put_calls(const std::vector<Call>& calls, ByteWriter& out) {
 }
 
 std::vector<Call> get_calls(ByteReader& in) {
-  std::vector<Call> calls(in.count());
+  constexpr std::size_t kLeast = 2;  // bytes of a call: its kind and its count
+  constexpr std::uint8_t kKinds = static_cast<std::uint8_t>(RequestKind::remove) + 1;
+  std::vector<Call> calls(in.count(kLeast));
   for (Call& call : calls) {
-    const std::uint8_t kind = in.u8();
-    if (kind > static_cast<std::uint8_t>(RequestKind::remove))
-      throw std::runtime_error("the recording is damaged: it has a request of no known kind");
-    call.kind = static_cast<RequestKind>(kind);
-    if (is_insert(call.kind)) call.mobility = in.u8() == 0 ? Mobility::moving : Mobility::fixed;
-    call.count = static_cast<std::uint32_t>(in.varint());
+    call.kind = static_cast<RequestKind>(in.choice(kKinds));
+    if (is_insert(call.kind)) call.mobility = in.choice(2) == 0 ? Mobility::moving : Mobility::fixed;
+    call.count = in.number();
   }
   return calls;
+}
+
+std::uint64_t inserts_in(const std::vector<Call>& calls) {
+  std::uint64_t inserts = 0;
+  for (const Call& call : calls) inserts += is_insert(call.kind) ? call.count : 0;
+  return inserts;
 }
 
 /// The columns of a block while it is read.
@@ -65,28 +77,40 @@ struct Columns {
   ByteReader events;
   std::vector<ByteReader> lengths;
   BitReader bits;
+
+  [[nodiscard]] bool empty() const {
+    return calls.empty() && objects.empty() && events.empty() && bits.empty() &&
+           std::ranges::all_of(lengths, &ByteReader::empty);
+  }
 };
 
+/// Returns how many of the objects came, went or got another box.
 template <int D>
-void get_volumes(Columns& columns, VolumeKind kind, VolumePredictor<D>& predictor,
-                 StepRequests<D>& requests) {
+std::uint64_t get_volumes(Columns& columns, VolumeKind kind, const NumberRoom& room,
+                          VolumePredictor<D>& predictor, StepRequests<D>& requests) {
+  constexpr std::uint8_t kLengths = 33;
+  std::uint64_t changed = 0;
   std::uint32_t last = 0;
   Channels<D> values{};
   std::array<std::uint8_t, 2 * D + kMaxExtra<D>> lengths{};
   for (const Call& call : requests.calls) {
     const std::size_t count = stored_channels<D>(call.kind, kind);
     for (std::uint32_t k = 0; k < call.count; ++k) {
-      last += static_cast<std::uint32_t>(unzigzag(static_cast<std::uint32_t>(columns.objects.varint())));
+      last += static_cast<std::uint32_t>(unzigzag(columns.objects.number()));
+      if (!room.has({last})) fail_damaged("it speaks of an object " + std::to_string(last));
       requests.objects.push_back({last});
       for (std::size_t channel = 0; channel < count; ++channel)
-        lengths[channel] = columns.lengths[channel].u8();
+        lengths[channel] = columns.lengths[channel].choice(kLengths);
       values.fill(0);
-      predictor.decode({last}, std::span(lengths).first(count), columns.bits, std::span(values).first(count));
+      const bool moved = predictor.decode({last}, std::span(lengths).first(count), columns.bits,
+                                          std::span(values).first(count));
+      changed += is_change(call.kind, moved) ? 1 : 0;
       requests.boxes.push_back(get_box<D>(values));
       if (has_volume(call.kind))
         requests.extra.insert(requests.extra.end(), values.begin() + 2 * D, values.begin() + count);
     }
   }
+  return changed;
 }
 
 }  // namespace
@@ -100,6 +124,7 @@ std::uint64_t BlockEncoder<D>::add(const StepRequests<D>& requests, std::span<co
   ++steps_;
   put_calls(requests.calls, calls_);
   put_events(events, events_);
+  room_.insert(inserts_in(requests.calls));
   return add_volumes(requests);
 }
 
@@ -114,13 +139,18 @@ std::uint64_t BlockEncoder<D>::add_volumes(const StepRequests<D>& requests) {
     const std::size_t count = stored_channels<D>(call.kind, kind_);
     for (const std::size_t end = k + call.count; k < end; ++k) {
       const ObjectId object = requests.objects[k];
+      if (!room_.has(object))
+        throw std::runtime_error(
+            "object " + std::to_string(object.value) +
+            " cannot be recorded: its number is far above how many objects there are; number "
+            "them from 0 up");
       objects_.varint(zigzag(static_cast<std::int32_t>(object.value - last)));
       last = object.value;
       put_box<D>(requests.boxes[k], values);
       std::copy_n(extra, count > 2 * D ? count - 2 * D : 0, values.begin() + 2 * D);
       extra += count > 2 * D ? count - 2 * D : 0;
       const bool moved = predictor_.encode(object, std::span(values).first(count), lengths_, bits_);
-      changed += moved || call.kind == RequestKind::remove || is_insert(call.kind) ? 1 : 0;
+      changed += is_change(call.kind, moved) ? 1 : 0;
     }
   }
   return changed;
@@ -150,7 +180,7 @@ void BlockDecoder<D>::read(std::span<const std::uint8_t> block, std::uint32_t fi
                            std::uint64_t first_event, std::vector<RecordedStep<D>>& steps) {
   const Bytes bytes = decompress(block);
   ByteReader in(bytes);
-  const std::size_t count = in.count();
+  const std::size_t count = in.count(kLeastOfStep);
   Columns columns{ByteReader(in.blob()), ByteReader(in.blob()), ByteReader(in.blob()), {}, BitReader({})};
   for (std::size_t channel = 0; channel < channel_count<D>(kind_); ++channel)
     columns.lengths.emplace_back(in.blob());
@@ -158,11 +188,13 @@ void BlockDecoder<D>::read(std::span<const std::uint8_t> block, std::uint32_t fi
   for (std::size_t k = 0; k < count; ++k) {
     RecordedStep<D> step;
     step.requests.calls = get_calls(columns.calls);
-    get_volumes(columns, kind_, predictor_, step.requests);
+    room_.insert(inserts_in(step.requests.calls));
+    step.changed = get_volumes(columns, kind_, room_, predictor_, step.requests);
     step.events = get_events(columns.events, first_step + static_cast<std::uint32_t>(k), first_event);
     first_event += step.events.size();
     steps.push_back(std::move(step));
   }
+  if (!in.empty() || !columns.empty()) fail_damaged("a block holds more than its steps");
 }
 
 template class BlockEncoder<2>;

@@ -13,6 +13,24 @@ template <int D>
 struct RecordedStep {
   StepRequests<D> requests;   ///< what was asked before the step
   std::vector<Event> events;  ///< what happened in it
+  std::uint64_t changed = 0;  ///< objects that came, went or got another box
+};
+
+/// Which numbers objects may have: there are arrays with a place for each number up to the highest, so one
+/// that is far above how many objects were inserted is damage, and would take all memory.
+class NumberRoom {
+ public:
+  /// After a keyframe with so many places.
+  void restart(std::size_t bound) { places_ = bound; }
+  void insert(std::uint64_t objects) { places_ += objects; }
+  [[nodiscard]] bool has(ObjectId object) const {
+    return object.value / kSparse < kAlways / kSparse + places_;
+  }
+
+ private:
+  static constexpr std::uint64_t kAlways = 65'536;
+  static constexpr std::uint64_t kSparse = 4;  ///< of so many numbers one at least is used
+  std::uint64_t places_ = 0;
 };
 
 /// Writes consecutive steps into blocks. Columns of like numbers are compressed together: calls, objects,
@@ -23,8 +41,12 @@ class BlockEncoder {
   explicit BlockEncoder(VolumeKind kind);
 
   /// To be called at every keyframe, between two blocks.
-  void restart(const ObjectTable<D>& latest) { predictor_.restart(latest); }
-  /// Returns how many objects came, went or got another box.
+  void restart(const ObjectTable<D>& latest) {
+    predictor_.restart(latest);
+    room_.restart(latest.bound());
+  }
+  /// Returns how many objects came, went or got another box. Throws std::runtime_error for an object whose
+  /// number is too high (see NumberRoom).
   std::uint64_t add(const StepRequests<D>& requests, std::span<const Event> events);
   /// Steps since the last block.
   [[nodiscard]] std::uint32_t steps() const { return steps_; }
@@ -36,6 +58,7 @@ class BlockEncoder {
 
   VolumeKind kind_;
   VolumePredictor<D> predictor_;
+  NumberRoom room_;
   std::uint32_t steps_ = 0;
   ByteWriter calls_;
   ByteWriter objects_;
@@ -50,7 +73,10 @@ class BlockDecoder {
  public:
   explicit BlockDecoder(VolumeKind kind) : kind_(kind), predictor_(kind) {}
 
-  void restart(const ObjectTable<D>& latest) { predictor_.restart(latest); }
+  void restart(const ObjectTable<D>& latest) {
+    predictor_.restart(latest);
+    room_.restart(latest.bound());
+  }
   /// Appends the block's steps; `first_step` and `first_event` number them.
   void read(std::span<const std::uint8_t> block, std::uint32_t first_step, std::uint64_t first_event,
             std::vector<RecordedStep<D>>& steps);
@@ -58,6 +84,7 @@ class BlockDecoder {
  private:
   VolumeKind kind_;
   VolumePredictor<D> predictor_;
+  NumberRoom room_;
 };
 
 extern template class BlockEncoder<2>;

@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
+
+#include "core/recording/damage.h"
 
 namespace kerf {
 
@@ -70,13 +71,24 @@ class ByteReader {
       x |= static_cast<std::uint64_t>(byte & 0x7FU) << shift;
       if (byte < 0x80) return x;
     }
-    throw std::runtime_error("the recording is damaged: a number does not end");
+    fail_damaged("a number does not end");
   }
-  /// A varint that counts things of at least one byte each: never more than there are bytes left.
-  std::size_t count() {
+  /// A varint of at most 32 bits.
+  std::uint32_t number() {
     const std::uint64_t x = varint();
-    if (x > rest_.size())
-      throw std::runtime_error("the recording is damaged: a list is longer than its block");
+    if (x > UINT32_MAX) fail_damaged("a number has more than 32 bits");
+    return static_cast<std::uint32_t>(x);
+  }
+  /// A byte less than `end`: a name of so many, 2 for a flag.
+  std::uint8_t choice(std::uint8_t end) {
+    const std::uint8_t x = u8();
+    if (x >= end) fail_damaged("a choice of " + std::to_string(end) + " is " + std::to_string(x));
+    return x;
+  }
+  /// A varint that counts things of at least `size` bytes each: never more than there are bytes left for.
+  std::size_t count(std::size_t size = 1) {
+    const std::uint64_t x = varint();
+    if (x > rest_.size() / size) fail_damaged("a list is longer than its block");
     return static_cast<std::size_t>(x);
   }
   std::span<const std::uint8_t> blob() { return take(count()); }
@@ -84,7 +96,7 @@ class ByteReader {
 
  private:
   std::span<const std::uint8_t> take(std::size_t size) {
-    if (size > rest_.size()) throw std::runtime_error("the recording is damaged: a block ends too soon");
+    if (size > rest_.size()) fail_damaged("a block ends too soon");
     const auto taken = rest_.first(size);
     rest_ = rest_.subspan(size);
     return taken;

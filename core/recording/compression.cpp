@@ -2,6 +2,7 @@
 
 #include <zstd.h>
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -13,12 +14,30 @@ struct FreeContext {
   void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
 };
 
-/// No block or keyframe is larger; a damaged length must not ask for all memory.
-constexpr unsigned long long kLargest = 1ULL << 32U;
+// How much a reader believes that so many bytes hold. Boxes compress by less than ten, what nobody moves by
+// thousands: such blocks are padded, which costs their steps a few bytes.
+constexpr std::size_t kAlwaysBelieved = std::size_t{64} << 10U;
+constexpr std::size_t kBelievedRatio = 256;
+
+std::size_t least_size(std::size_t content) {
+  return content <= kAlwaysBelieved ? 0 : (content - kAlwaysBelieved + kBelievedRatio - 1) / kBelievedRatio;
+}
+
+/// Appends a skippable frame, so that there are `least` bytes in all.
+void pad(Bytes& frame, std::size_t least) {
+  constexpr std::size_t kHeader = 8;
+  if (frame.size() >= least) return;
+  const std::size_t zeros = std::max(least - frame.size(), kHeader) - kHeader;
+  ByteWriter header;
+  header.u32(ZSTD_MAGIC_SKIPPABLE_START);
+  header.u32(static_cast<std::uint32_t>(zeros));
+  frame.insert(frame.end(), header.bytes().begin(), header.bytes().end());
+  frame.resize(frame.size() + zeros);
+}
 
 }  // namespace
 
-Bytes compress(std::span<const std::uint8_t> bytes) {
+Bytes compress(std::span<const std::uint8_t> bytes, std::size_t least) {
   thread_local const std::unique_ptr<ZSTD_CCtx, FreeContext> context(ZSTD_createCCtx());
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, 1);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
@@ -28,16 +47,20 @@ Bytes compress(std::span<const std::uint8_t> bytes) {
   if (ZSTD_isError(size) != 0)
     throw std::runtime_error(std::string("cannot compress a block: ") + ZSTD_getErrorName(size));
   frame.resize(size);
+  pad(frame, std::max(least, least_size(bytes.size())));
   return frame;
 }
 
-Bytes decompress(std::span<const std::uint8_t> frame) {
-  const unsigned long long size = ZSTD_getFrameContentSize(frame.data(), frame.size());
-  if (size > kLargest) throw std::runtime_error("the recording is damaged: a block is no Zstandard frame");
+Bytes decompress(std::span<const std::uint8_t> frames) {
+  const unsigned long long size = ZSTD_getFrameContentSize(frames.data(), frames.size());
+  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN)
+    fail_damaged("a block is no Zstandard frame");
+  if (size > kAlwaysBelieved && frames.size() < least_size(size))
+    fail_damaged("a block of " + std::to_string(frames.size()) + " bytes says that it holds " +
+                 std::to_string(size));
   Bytes bytes(size);
-  const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), frame.data(), frame.size());
-  if (ZSTD_isError(got) != 0 || got != size)
-    throw std::runtime_error("the recording is damaged: a block cannot be decompressed");
+  const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), frames.data(), frames.size());
+  if (ZSTD_isError(got) != 0 || got != size) fail_damaged("a block cannot be decompressed");
   return bytes;
 }
 

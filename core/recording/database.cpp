@@ -2,16 +2,47 @@
 
 #include <sqlite3.h>
 
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <limits>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
+
+#include "core/recording/damage.h"
 
 namespace kerf {
 namespace {
 
+constexpr int kPatience = 30'000;  // ms, while others are in the midst of a query
+
 [[noreturn]] void fail(sqlite3* database) {
   const char* file = sqlite3_db_filename(database, "main");
-  throw std::runtime_error(std::string(file == nullptr ? "the recording" : file) + ": " +
-                           sqlite3_errmsg(database));
+  const std::string message =
+      std::string(file == nullptr ? "the recording" : file) + ": " + sqlite3_errmsg(database);
+  if (sqlite3_errcode(database) == SQLITE_NOTADB) throw NotADatabase(message);
+  throw std::runtime_error(message);
+}
+
+/// As SQLite takes a name: one that begins with a slash is neither a URI nor a database in memory.
+std::string plain_name(const std::filesystem::path& path) { return std::filesystem::absolute(path).string(); }
+
+/// A URI that says that nothing will change: SQLite then neither locks nor looks for a log.
+std::string immutable_name(const std::filesystem::path& path) {
+  std::string uri = "file:";
+  for (const char c : plain_name(path)) {
+    char escaped[4];
+    std::snprintf(escaped, sizeof escaped, "%%%02x", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    uri += c == '/' ? "/" : escaped;
+  }
+  return uri + "?immutable=1";
+}
+
+bool has_content(const std::filesystem::path& path, const char* ending) {
+  std::error_code none;
+  const auto size = std::filesystem::file_size(path.string() + ending, none);
+  return !none && size > 0;
 }
 
 /// SQLite's words, and the system's where it has some.
@@ -73,34 +104,90 @@ void Statement::reset() { sqlite3_reset(statement_.get()); }
 
 void Statement::clear() { sqlite3_clear_bindings(statement_.get()); }
 
-std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
+void Statement::refuse(int column, const char* what) const {
+  fail_damaged(std::string("its column '") + sqlite3_column_name(statement_.get(), column) +
+               "' has a value that is " + what);
+}
 
-double Statement::real(int column) const { return sqlite3_column_double(statement_.get(), column); }
+void Statement::expect(int column, int type, const char* what) const {
+  if (sqlite3_column_type(statement_.get(), column) != type) refuse(column, what);
+}
+
+bool Statement::is_null(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+
+std::int64_t Statement::integer(int column) const {
+  expect(column, SQLITE_INTEGER, "no whole number");
+  return sqlite3_column_int64(statement_.get(), column);
+}
+
+std::uint64_t Statement::natural(int column, std::uint64_t most) const {
+  const std::int64_t value = integer(column);
+  if (value < 0 || static_cast<std::uint64_t>(value) > most) refuse(column, "out of its range");
+  return static_cast<std::uint64_t>(value);
+}
+
+std::uint32_t Statement::small(int column) const {
+  return static_cast<std::uint32_t>(natural(column, UINT32_MAX));
+}
+
+double Statement::real(int column) const {
+  expect(column, SQLITE_FLOAT, "no number with a point");
+  const double value = sqlite3_column_double(statement_.get(), column);
+  if (!std::isfinite(value)) refuse(column, "not finite");
+  return value;
+}
+
+float Statement::single(int column) const {
+  const double value = real(column);
+  if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max()))
+    refuse(column, "out of its range");
+  const auto rounded = static_cast<float>(value);
+  if (static_cast<double>(rounded) != value) refuse(column, "more exact than any that was written");
+  return rounded;
+}
 
 std::string Statement::text(int column) const {
+  expect(column, SQLITE_TEXT, "no text");
   const unsigned char* text = sqlite3_column_text(statement_.get(), column);
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
   return text == nullptr ? std::string() : std::string(text, text + size);
 }
 
 Bytes Statement::bytes(int column) const {
+  expect(column, SQLITE_BLOB, "no bytes");
   const auto* data = static_cast<const std::uint8_t*>(sqlite3_column_blob(statement_.get(), column));
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
   return data == nullptr ? Bytes() : Bytes(data, data + size);
 }
 
+void Statement::put_row(ByteWriter& out) const {
+  for (int column = 0; column < sqlite3_column_count(statement_.get()); ++column) {
+    const int type = sqlite3_column_type(statement_.get(), column);
+    out.u8(static_cast<std::uint8_t>(type));
+    if (type == SQLITE_INTEGER) out.u64(static_cast<std::uint64_t>(integer(column)));
+    if (type == SQLITE_FLOAT) out.u64(std::bit_cast<std::uint64_t>(real(column)));
+    if (type == SQLITE_TEXT) out.text(text(column));
+    if (type == SQLITE_BLOB) out.blob(bytes(column));
+  }
+}
+
 void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
-Database::Database(const std::filesystem::path& path, int flags) {
+Database::Database(const std::filesystem::path& path, const std::string& name, int flags, const char* vfs) {
   sqlite3* database = nullptr;
-  const int result = sqlite3_open_v2(path.c_str(), &database, flags, nullptr);
+  const int result = sqlite3_open_v2(name.c_str(), &database, flags, vfs);
   database_.reset(database);
   if (result != SQLITE_OK) throw std::runtime_error("cannot open " + path.string() + ": " + reason(database));
+  sqlite3_busy_timeout(database, kPatience);
 }
 
 Database Database::create(const std::filesystem::path& path) {
+  auto lock = std::make_unique<const WriterLock>(path);
   if (std::filesystem::exists(path)) throw std::runtime_error(path.string() + " exists already");
-  Database database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  Database database(path, plain_name(path), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  database.lock_ = std::move(lock);
   // Each page is written twice, by a call of its own: blocks and keyframes fill large ones. The log is folded
   // into the file every 1,000 pages: each time the writer waits for the disk.
   database.execute(
@@ -112,10 +199,51 @@ Database Database::create(const std::filesystem::path& path) {
 Database Database::open(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path))
     throw std::runtime_error("there is no recording " + path.string());
-  Database database(path, SQLITE_OPEN_READONLY);
-  constexpr int kPatience = 5000;  // ms, while the writer folds its log into the file
-  sqlite3_busy_timeout(database.database_.get(), kPatience);
+  Database database = is_being_written(path) ? open_beside_writer(path) : open_at_rest(path);
+  std::error_code none;
+  const auto log = std::filesystem::file_size(path.string() + "-wal", none);
+  database.trust_nothing(std::filesystem::file_size(path) + (none ? 0 : log));
   return database;
+}
+
+Database Database::open_beside_writer(const std::filesystem::path& path) {
+  Database database(path, plain_name(path), SQLITE_OPEN_READONLY);
+  try {
+    database.execute("PRAGMA schema_version");
+  } catch (const NotADatabase&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(
+        std::string(error.what()) +
+        "; it is being written, and until it is done its readers need to write into its folder");
+  }
+  return database;
+}
+
+Database Database::open_at_rest(const std::filesystem::path& path) {
+  if (!has_content(path, "-wal") && !has_content(path, "-journal"))
+    return {path, immutable_name(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI};
+  Database database(path, plain_name(path), SQLITE_OPEN_READONLY, "unix-none");
+  // So SQLite keeps the index of the log in memory. It must not clean up: somebody else may read the same.
+  sqlite3_db_config(database.database_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+  database.execute("PRAGMA locking_mode = EXCLUSIVE");
+  return database;
+}
+
+/// A row takes some bytes of the file and some steps of SQLite's machine; where pages name one another in
+/// circles there is no end of rows.
+void Database::trust_nothing(std::uint64_t size) {
+  constexpr int kEvery = 1000;  // steps of the machine from one look at what is left to the next
+  constexpr std::uint64_t kLeast = 10'000'000;
+  constexpr std::uint64_t kStepsForAByte = 16;
+  patience_->whole = (kLeast + kStepsForAByte * size) / kEvery;
+  sqlite3_progress_handler(
+      database_.get(), kEvery,
+      [](void* patience) { return static_cast<Patience*>(patience)->left-- == 0 ? 1 : 0; }, patience_.get());
+  sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  patience_->left = patience_->whole;
+  execute("PRAGMA cell_size_check = ON");
 }
 
 void Database::execute(const std::string& sql) {
@@ -123,17 +251,27 @@ void Database::execute(const std::string& sql) {
     fail(database_.get());
 }
 
-Statement Database::prepare(std::string_view sql) const { return {database_.get(), sql}; }
+Statement Database::prepare(std::string_view sql) const {
+  patience_->left = patience_->whole;
+  return {database_.get(), sql};
+}
 
 std::int64_t Database::ask(std::string_view sql) const {
   Statement statement = prepare(sql);
   return statement.step() ? statement.integer(0) : 0;
 }
 
+/// Without a log beside it the file can be copied as it is. SQLite keeps the log for those who read, and lets
+/// them go on when it is emptied.
 void Database::close() {
-  // Without a log beside it the file can be copied as it is.
-  execute("PRAGMA journal_mode = DELETE;");
+  const int result = sqlite3_exec(database_.get(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+  if (result != SQLITE_OK && result != SQLITE_BUSY) fail(database_.get());
+  if (result == SQLITE_BUSY && ask("PRAGMA wal_checkpoint(TRUNCATE)") != 0)
+    throw std::runtime_error(
+        std::string(sqlite3_db_filename(database_.get(), "main")) +
+        ": somebody reads it and does not come to an end; it needs its log, which ends with -wal");
   database_.reset();
+  lock_.reset();
 }
 
 }  // namespace kerf

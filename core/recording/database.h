@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "core/recording/bytes.h"
+#include "core/recording/writer_lock.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -36,44 +38,79 @@ class Statement {
   /// No longer usable; to be called before its database is closed.
   void end() { statement_.reset(); }
 
-  // Columns are numbered from 0.
+  // Columns are numbered from 0. What is of another type or range than is asked for throws: SQLite keeps
+  // values of any type in a column of any.
+  [[nodiscard]] bool is_null(int column) const;
   [[nodiscard]] std::int64_t integer(int column) const;
+  /// A whole number from 0 to `most`.
+  [[nodiscard]] std::uint64_t natural(int column, std::uint64_t most = INT64_MAX) const;
+  [[nodiscard]] std::uint32_t small(int column) const;
+  /// A finite number.
   [[nodiscard]] double real(int column) const;
+  /// One that was a float.
+  [[nodiscard]] float single(int column) const;
   [[nodiscard]] std::string text(int column) const;
   [[nodiscard]] Bytes bytes(int column) const;
+  /// Appends all values of the row, each with its type.
+  void put_row(ByteWriter& out) const;
 
  private:
   struct Finalize {
     void operator()(sqlite3_stmt* statement) const;
   };
   void check(int result) const;
+  void expect(int column, int type, const char* what) const;
+  [[noreturn]] void refuse(int column, const char* what) const;
 
   sqlite3* database_;
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
 };
 
-/// An SQLite file. Everything throws std::runtime_error with the file and SQLite's reason.
+/// A file is no SQLite database, or nothing is left of it that could be read.
+class NotADatabase : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// An SQLite file. Everything throws std::runtime_error with the file and SQLite's reason. A path is a path:
+/// "file:x?mode=memory" is a name like any other.
 class Database {
  public:
   /// A new file, written ahead: a reader may look on, and whoever is killed leaves what was committed. Throws
-  /// if the file exists.
+  /// if the file exists or somebody is writing one of that name (WriterLock).
   static Database create(const std::filesystem::path& path);
-  /// An existing file, to be read only.
+  /// An existing file, to be read only. While somebody writes it, SQLite's locks let both work, and need a
+  /// folder that can be written. A file that nobody writes is read with its log, if it has one, without a
+  /// lock and without a trace: also from a folder that cannot be written.
+  ///
+  /// Nothing in it is run, and a statement ends, with an exception, when it has done more than a file of that
+  /// size can need.
   static Database open(const std::filesystem::path& path);
 
   void execute(const std::string& sql);
   [[nodiscard]] Statement prepare(std::string_view sql) const;
   /// The first column of the first row.
   [[nodiscard]] std::int64_t ask(std::string_view sql) const;
-  /// Ends the work on the file and says whether all of it is there.
+  /// Ends the work on a new file: all of it is in the file itself then, whoever is reading it.
   void close();
 
  private:
   struct Close {
     void operator()(sqlite3* database) const;
   };
-  Database(const std::filesystem::path& path, int flags);
+  /// `vfs`: SQLite's name for how it reaches and locks files; null: as usual.
+  Database(const std::filesystem::path& path, const std::string& name, int flags, const char* vfs = nullptr);
+  static Database open_beside_writer(const std::filesystem::path& path);
+  static Database open_at_rest(const std::filesystem::path& path);
+  void trust_nothing(std::uint64_t size);
 
+  /// How much work is left to the statement that was prepared last.
+  struct Patience {
+    std::uint64_t whole = 0;
+    std::uint64_t left = 0;
+  };
+  std::unique_ptr<Patience> patience_ = std::make_unique<Patience>();
+  std::unique_ptr<const WriterLock> lock_;  ///< of a new file
   std::unique_ptr<sqlite3, Close> database_;
 };
 

@@ -24,16 +24,11 @@ constexpr std::uint8_t count_of(Refusal /*kind*/) { return kRefusalCount; }
 
 struct FieldReader {
   ByteReader& in;
-  void operator()(std::uint32_t& x) const { x = static_cast<std::uint32_t>(in.varint()); }
+  void operator()(std::uint32_t& x) const { x = in.number(); }
   void operator()(float& x) const { x = in.f32(); }
   template <class Enum>
   requires std::is_enum_v<Enum>
-  void operator()(Enum& x) const {
-    const std::uint8_t value = in.u8();
-    if (value >= count_of(x))
-      throw std::runtime_error("the recording is damaged: an event has no known name");
-    x = static_cast<Enum>(value);
-  }
+  void operator()(Enum& x) const { x = static_cast<Enum>(in.choice(count_of(x))); }
 };
 
 void visit_fields(auto& ref, const auto& field) requires requires { ref.generation; }
@@ -51,24 +46,29 @@ void visit_fields(auto& quality, const auto& field) requires requires { quality.
 template <class Body>
 void visit_body(Body& body, const auto& field) {
   using Plain = std::remove_const_t<Body>;
-  if constexpr (std::is_same_v<Plain, PhaseBegan>) field(body.phase);
-  if constexpr (std::is_same_v<Plain, ObjectPlaced>) {
-    field(body.object.value);
-    field(body.leaves);
-  }
-  if constexpr (std::is_same_v<Plain, EventsDeferred>) field(body.count);
-  if constexpr (std::is_same_v<Plain, AllPlaced>) field(body.objects);
   if constexpr (requires { body.op; }) {
     field(body.op);
     visit_fields(body.node, field);
   }
-  if constexpr (std::is_same_v<Plain, OperatorRefused>) field(body.reason);
-  if constexpr (std::is_same_v<Plain, OperatorActed>) {
+  if constexpr (std::is_same_v<Plain, PhaseBegan>) {
+    field(body.phase);
+  } else if constexpr (std::is_same_v<Plain, ObjectPlaced>) {
+    field(body.object.value);
+    field(body.leaves);
+  } else if constexpr (std::is_same_v<Plain, EventsDeferred>) {
+    field(body.count);
+  } else if constexpr (std::is_same_v<Plain, AllPlaced>) {
+    field(body.objects);
+  } else if constexpr (std::is_same_v<Plain, OperatorRefused>) {
+    field(body.reason);
+  } else if constexpr (std::is_same_v<Plain, OperatorActed>) {
     visit_fields(body.before, field);
     visit_fields(body.after, field);
     field(body.direction);
     field(body.old_offset);
     field(body.new_offset);
+  } else {
+    static_assert(std::is_same_v<Plain, OperatorScheduled>, "a kind of event that is not written");
   }
 }
 
@@ -92,14 +92,12 @@ void put_events(std::span<const Event> events, ByteWriter& out) {
 
 std::vector<Event> get_events(ByteReader& in, std::uint32_t step, std::uint64_t first_id) {
   constexpr std::size_t kKinds = std::variant_size_v<EventBody>;
-  std::vector<Event> events(in.count());
+  constexpr std::size_t kLeast = 2;  // bytes of an event: its kind and one field
+  std::vector<Event> events(in.count(kLeast));
   for (Event& event : events) {
     event.id = first_id++;
     event.step = step;
-    const std::uint8_t kind = in.u8();
-    if (kind >= kKinds)
-      throw std::runtime_error("the recording is damaged: it has an event of no known kind");
-    event.body = make_body(kind, std::make_index_sequence<kKinds>());
+    event.body = make_body(in.choice(kKinds), std::make_index_sequence<kKinds>());
     std::visit([&](auto& body) { visit_body(body, FieldReader{in}); }, event.body);
   }
   return events;

@@ -1,13 +1,21 @@
 #include "core/recording/keyframe_codec.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include "core/recording/compression.h"
+#include "core/recording/keyframe_check.h"
 
 namespace kerf {
 namespace {
+
+// There are arrays with a place for each number of an object, used or not: a keyframe has a byte for so many.
+constexpr std::size_t kAlwaysPlaces = 65'536;
+constexpr std::size_t kPlacesForAByte = 8;
+
+std::size_t least_size(std::size_t places) {
+  return places <= kAlwaysPlaces ? 0 : (places - kAlwaysPlaces) / kPlacesForAByte;
+}
 
 template <int D>
 void put_table(const ObjectTable<D>& table, ByteWriter& out) {
@@ -37,16 +45,21 @@ Volume<D> get_volume(ByteReader& in, VolumeKind kind) {
   return volume;
 }
 
-/// Each object is brought into its state by the requests that lead there.
+/// Each object is brought into its state by the requests that lead there. `size` is the keyframe's.
 template <int D>
-void get_table(ByteReader& in, ObjectTable<D>& table) {
-  Box<D> invalid = Box<D>::empty();
-  const std::size_t bound = in.count();
+void get_table(ByteReader& in, std::size_t size, ObjectTable<D>& table) {
+  constexpr std::size_t kLeast = 2;  // bytes of an object: its state and its mobility
+  const Box<D> invalid = Box<D>::empty();
+  const std::size_t bound = in.count(kLeast);
+  if (least_size(bound) > size)
+    fail_damaged("a keyframe of " + std::to_string(size) + " bytes says that it has " +
+                 std::to_string(bound) + " objects");
   for (std::uint32_t id = 0; id < bound; ++id) {
-    const auto state = static_cast<ObjectState>(in.u8());
-    const Mobility mobility = in.u8() == 0 ? Mobility::moving : Mobility::fixed;
+    const auto state = static_cast<ObjectState>(in.choice(3));
+    const Mobility mobility = in.choice(2) == 0 ? Mobility::moving : Mobility::fixed;
     if (state == ObjectState::placed) {
-      (void)table.insert(ObjectId{id}, get_volume<D>(in, table.kind()), mobility);
+      if (table.insert(ObjectId{id}, get_volume<D>(in, table.kind()), mobility) != Status::ok)
+        fail_damaged("a keyframe has an object " + std::to_string(id) + " with a box that cannot be placed");
       continue;
     }
     (void)table.insert(ObjectId{id}, invalid, mobility);
@@ -60,15 +73,14 @@ void put_ref(const NodeRef& ref, ByteWriter& out) {
 }
 
 NodeRef get_ref(ByteReader& in) {
-  const auto node = static_cast<std::uint32_t>(in.varint());
-  return {{node}, static_cast<std::uint32_t>(in.varint())};
+  const std::uint32_t node = in.number();
+  return {{node}, in.number()};
 }
 
 template <int D>
 void put_node(const Node<D>& node, ByteWriter& out) {
   out.varint(node.generation);
-  out.u8(static_cast<std::uint8_t>((node.alive ? 1U : 0U) | (node.unsorted ? 2U : 0U) |
-                                   (node.changed ? 4U : 0U)));
+  out.u8(static_cast<std::uint8_t>((node.alive ? 1U : 0U) | (node.unsorted ? 2U : 0U)));
   if (!node.alive) return;
   out.varint(node.direction);
   for (const NodeId link : {node.parent, node.left, node.right}) out.u32(link.value);
@@ -84,31 +96,30 @@ void put_node(const Node<D>& node, ByteWriter& out) {
   }
 }
 
+constexpr std::size_t kLeastOfEntry = 10;  ///< bytes: two ends, a number, a mask
+
 template <int D>
 Node<D> get_node(ByteReader& in, const DirectionSet<D>& directions, std::size_t objects) {
   Node<D> node;
-  node.generation = static_cast<std::uint32_t>(in.varint());
-  const std::uint8_t flags = in.u8();
+  node.generation = in.number();
+  const std::uint8_t flags = in.choice(8);
   node.alive = (flags & 1U) != 0;
   node.unsorted = (flags & 2U) != 0;
-  node.changed = (flags & 4U) != 0;
   if (!node.alive) return node;
-  node.direction = static_cast<std::uint32_t>(in.varint());
+  node.direction = in.number();
   for (NodeId* link : {&node.parent, &node.left, &node.right}) link->value = in.u32();
   const Scalar offset = in.f32();
-  for (std::uint32_t* x : {&node.depth, &node.population, &node.retry_step, &node.refusals})
-    *x = static_cast<std::uint32_t>(in.varint());
+  for (std::uint32_t* x : {&node.depth, &node.population, &node.retry_step, &node.refusals}) *x = in.number();
   node.right_of = in.u64();
-  if (!node.is_leaf() && node.direction < directions.size())
-    node.plane = {directions[node.direction], offset};
-  node.entries.resize(in.count());
+  if (node.direction >= directions.size()) fail_damaged("a keyframe has a partitioner of no direction");
+  if (!node.is_leaf()) node.plane = {directions[node.direction], offset};
+  node.entries.resize(in.count(kLeastOfEntry));
   for (Entry& entry : node.entries) {
     entry.key.lo = in.f32();
     entry.key.hi = in.f32();
-    entry.object.value = static_cast<std::uint32_t>(in.varint());
+    entry.object.value = in.number();
     entry.straddle = in.varint();
-    if (entry.object.index() >= objects)
-      throw std::runtime_error("the recording is damaged: a keyframe names no object");
+    if (entry.object.index() >= objects) fail_damaged("a keyframe names no object");
   }
   return node;
 }
@@ -124,13 +135,14 @@ void put_tree(const Tree<D>& tree, ByteWriter& out) {
 }
 
 template <int D>
-void get_tree(ByteReader& in, Tree<D>& tree) {
-  get_table(in, tree.table);
-  std::vector<Node<D>> nodes(in.count());
+void get_tree(ByteReader& in, std::size_t size, Tree<D>& tree) {
+  constexpr std::size_t kLeast = 2;  // bytes of a node: its generation and its flags
+  get_table(in, size, tree.table);
+  std::vector<Node<D>> nodes(in.count(kLeast));
   for (Node<D>& node : nodes) node = get_node(in, tree.directions(), tree.table.bound());
   std::vector<NodeId> unused(in.count());
-  for (NodeId& id : unused) id.value = static_cast<std::uint32_t>(in.varint());
-  tree.assign(std::move(nodes), std::move(unused), {static_cast<std::uint32_t>(in.varint())});
+  for (NodeId& id : unused) id.value = in.number();
+  tree.assign(std::move(nodes), std::move(unused), {in.number()});
 }
 
 template <int D>
@@ -146,32 +158,52 @@ void put_scheduler(const Scheduler<D>& scheduler, ByteWriter& out) {
 
 template <int D>
 void get_scheduler(ByteReader& in, Scheduler<D>& scheduler) {
+  constexpr std::size_t kLeast = 2;  // bytes of a node and its generation
   std::array<std::vector<NodeRef>, kOperatorCount> lists;
   std::array<std::uint64_t, kOperatorCount> acted{};
   for (std::size_t op = 0; op < kOperatorCount; ++op) {
-    lists[op].resize(in.count());
+    lists[op].resize(in.count(kLeast));
     for (NodeRef& ref : lists[op]) ref = get_ref(in);
     acted[op] = in.varint();
   }
   scheduler.resume(std::move(lists), acted, in.varint());
 }
 
+std::uint16_t get_short(ByteReader& in) {
+  const std::uint32_t x = in.number();
+  if (x > UINT16_MAX) fail_damaged("a number has more than 16 bits");
+  return static_cast<std::uint16_t>(x);
+}
+
 Skin get_skin(ByteReader& in) {
-  constexpr std::uint8_t kMostWraps = 16;  // each doubles a number of steps
+  constexpr std::uint8_t kWraps = 17;  // each doubles a number of steps
   Skin skin;
-  skin.level = std::min(in.u8(), Skin::kThickest);
-  skin.wrapped = in.u8() != 0;
-  skin.wraps = std::min(in.u8(), kMostWraps);
-  skin.since = static_cast<std::uint16_t>(in.varint());
-  skin.restless = std::min(in.u8(), Skin::kRestless);
-  skin.seen = static_cast<std::uint16_t>(in.varint());
+  skin.level = in.choice(Skin::kThickest + 1);
+  skin.wrapped = in.choice(2) != 0;
+  skin.wraps = in.choice(kWraps);
+  skin.since = get_short(in);
+  skin.restless = in.choice(Skin::kRestless + 1);
+  skin.seen = get_short(in);
   return skin;
+}
+
+constexpr std::size_t kLeastOfSkin = 6;  ///< bytes: one for each field
+
+Config get_config(ByteReader& in) {
+  const auto text = in.blob();
+  try {
+    Config config;
+    kerf::apply(config, std::string(text.begin(), text.end()));
+    return config;
+  } catch (const std::invalid_argument& error) {
+    fail_damaged(std::string("a keyframe's configuration: ") + error.what());
+  }
 }
 
 }  // namespace
 
 template <int D>
-Bytes encode_keyframe(const BspState<D>& state) {
+Bytes plain_keyframe(const BspState<D>& state) {
   ByteWriter out;
   put_table(state.latest, out);
   out.text(to_string(state.config));
@@ -186,12 +218,18 @@ Bytes encode_keyframe(const BspState<D>& state) {
     out.u8(skin.restless);
     out.varint(skin.seen);
   }
-  out.u8(state.mode);
-  for (const std::uint32_t x : state.keep_or_sweep.memory()) out.varint(x);
+  out.u8(static_cast<std::uint8_t>(state.modes.mode()));
+  for (const std::uint32_t x : state.modes.memory()) out.varint(x);
   out.varint(state.placed);
   out.varint(state.next_event);
   out.varint(state.step);
-  return compress(out.bytes());
+  return {out.bytes().begin(), out.bytes().end()};
+}
+
+template <int D>
+Bytes encode_keyframe(const BspState<D>& state) {
+  return compress(plain_keyframe(state),
+                  least_size(std::max(state.latest.bound(), state.tree.table.bound())));
 }
 
 template <int D>
@@ -201,21 +239,21 @@ BspState<D> decode_keyframe(std::span<const std::uint8_t> bytes,
   ByteReader in(plain);
   const VolumeKind kind = projector->kind();
   BspState<D> state{{}, Tree<D>(std::move(projector)), {}, ObjectTable<D>(kind), {}, {}};
-  get_table(in, state.latest);
-  const auto config = in.blob();
-  kerf::apply(state.config, std::string(config.begin(), config.end()));
-  get_tree(in, state.tree);
+  get_table(in, bytes.size(), state.latest);
+  state.config = get_config(in);
+  get_tree(in, bytes.size(), state.tree);
   get_scheduler(in, state.scheduler);
-  state.skins.resize(in.count());
+  state.skins.resize(in.count(kLeastOfSkin));
   for (Skin& skin : state.skins) skin = get_skin(in);
-  state.mode = in.u8();
-  if (state.mode > 2) throw std::runtime_error("the recording is damaged: a keyframe has no known mode");
-  KeepOrSweep::Memory memory{};
-  for (std::uint32_t& x : memory) x = static_cast<std::uint32_t>(in.varint());
-  state.keep_or_sweep.resume(memory);
+  const auto mode = static_cast<Mode>(in.choice(kModeCount));
+  ModeChooser::Memory memory{};
+  for (std::uint32_t& x : memory) x = in.number();
+  state.modes.resume(mode, memory);
   state.placed = in.varint();
   state.next_event = in.varint();
-  state.step = static_cast<std::uint32_t>(in.varint());
+  state.step = in.number();
+  if (!in.empty()) fail_damaged("a keyframe holds more than its tree");
+  if (const std::string fault = fault_of(state); !fault.empty()) fail_damaged("a keyframe's tree: " + fault);
   return state;
 }
 
@@ -224,11 +262,12 @@ ObjectTable<D> decode_keyframe_objects(std::span<const std::uint8_t> bytes, Volu
   const Bytes plain = decompress(bytes);
   ByteReader in(plain);
   ObjectTable<D> objects(kind);
-  get_table(in, objects);
+  get_table(in, bytes.size(), objects);
   return objects;
 }
 
 #define KERF_INSTANTIATE(D)                                                     \
+  template Bytes plain_keyframe<D>(const BspState<D>&);                         \
   template Bytes encode_keyframe<D>(const BspState<D>&);                        \
   template BspState<D> decode_keyframe<D>(std::span<const std::uint8_t>,        \
                                           std::shared_ptr<const Projector<D>>); \

@@ -8,11 +8,16 @@
 
 namespace kerf {
 
-/// A keyframe as compressed bytes, without the pairs of its step.
+/// A keyframe as bytes, without the pairs of its step: equal for equal states.
+template <int D>
+Bytes plain_keyframe(const BspState<D>& state);
+
+/// The same, compressed.
 template <int D>
 Bytes encode_keyframe(const BspState<D>& state);
 
-/// The reverse, for a tree with this projector. Throws std::runtime_error for damaged bytes.
+/// The reverse, for a tree with this projector. Throws std::runtime_error for damaged bytes, and for what no
+/// tree is between two steps.
 template <int D>
 BspState<D> decode_keyframe(std::span<const std::uint8_t> bytes,
                             std::shared_ptr<const Projector<D>> projector);

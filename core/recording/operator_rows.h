@@ -2,29 +2,56 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/recording/database.h"
+#include "core/recording/recording_info.h"
 #include "core/trace/event.h"
 
 namespace kerf {
 
-/// What a recording's table of events says of an operator.
+/// A row of the table of events: what was scheduled, refused or done. What its kind does not have is zero.
 struct OperatorRow {
   enum class Kind : std::uint8_t { scheduled, acted, refused };
   std::uint64_t event = 0;
   std::uint32_t step = 0;
   Kind kind = Kind::acted;
   Operator op = Operator::split;
-  NodeRef node;
-  double shift = 0;  ///< of those that acted: by how much the offset grew ...
-  Quality before;    ///< ... and the quality of the partitioner before
+  NodeRef node{};
+  Quality before{};
+  std::uint32_t left_after = 0;
+  std::uint32_t right_after = 0;
+  std::uint32_t direction = 0;
+  float old_offset = 0;
+  float new_offset = 0;
+  Refusal reason = Refusal::dead_node;
+
+  /// By how much the offset grew.
+  [[nodiscard]] double shift() const {
+    return static_cast<double>(new_offset) - static_cast<double>(old_offset);
+  }
+  friend bool operator==(const OperatorRow&, const OperatorRow&) = default;
 };
 
+/// The row of an event; none of one that has no row, a placement for example.
+std::optional<OperatorRow> operator_row(const Event& event);
+/// Throws std::runtime_error for a name of no operator.
+Operator operator_called(const std::string& name);
+
+/// The statement that writes a row, with a place for each column.
+inline constexpr const char* kPutOperator = "INSERT INTO events VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
+void put(const OperatorRow& row, Statement& statement);
+
+/// Goes on from the hash of the rows before in the same step; 0 before the first.
+std::uint64_t hash_operator(const OperatorRow& row, std::uint64_t before);
+
 /// Everything that was scheduled, refused or done in a run, in order: without its steps, which would have to
-/// be unpacked. Throws std::runtime_error as `open_recording` does.
+/// be unpacked. Throws std::runtime_error as `open_recording` does, and for rows that are not those of the
+/// recording's steps.
 std::vector<OperatorRow> read_operators(const std::filesystem::path& recording);
 /// The same of a recording that is open.
-std::vector<OperatorRow> read_operators(const Database& recording);
+std::vector<OperatorRow> read_operators(const Database& recording, std::span<const StepRow> steps);
 
 }  // namespace kerf

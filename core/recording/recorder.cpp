@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/trace/event_facts.h"
+
 namespace kerf {
 namespace {
 
@@ -123,9 +125,8 @@ std::span<const Event> Recorder<D>::events_of_step() const {
 /// change without being asked, and with other parameters anything may.
 template <int D>
 bool Recorder<D>::rested(std::span<const Event> events) const {
-  const auto is_phase = [](const Event& event) { return std::holds_alternative<PhaseBegan>(event.body); };
   return tree_.steps() > 1 && info_.changes.empty() && !tree_.config().byte_sweep &&
-         requests_.objects.empty() && std::ranges::all_of(events, is_phase);
+         requests_.objects.empty() && std::ranges::all_of(events, begins_phase);
 }
 
 template <int D>

@@ -45,8 +45,10 @@ struct StepRow {
   std::uint64_t pairs = 0;
   std::uint64_t first_event = 0;
   std::uint64_t events = 0;
+  std::uint64_t operators_hash = 0;  ///< of the step's rows in the table of events
   std::uint64_t state_hash = 0;
   std::uint64_t pairs_hash = 0;  ///< of the set of pairs, in any order
+  std::uint64_t link = 0;        ///< of the recording's chain
 
   /// What the broad phase took, in seconds.
   [[nodiscard]] double seconds() const {
@@ -62,6 +64,7 @@ struct TheirStep {
   std::uint64_t missed = 0;  ///< overlaps that they did not tell
   std::uint64_t extra = 0;   ///< told, but no overlap
   std::uint64_t twice = 0;   ///< told again
+  friend bool operator==(const TheirStep&, const TheirStep&) = default;
 };
 
 /// A hash as people see it: 16 hexadecimal digits.

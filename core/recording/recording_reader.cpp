@@ -5,42 +5,39 @@
 #include <string>
 #include <utility>
 
+#include "core/recording/chain.h"
+#include "core/recording/damage.h"
 #include "core/recording/keyframe_codec.h"
 #include "core/recording/schema.h"
 
 namespace kerf {
 namespace {
 
-std::uint64_t natural(const Statement& row, int& column) {
-  return static_cast<std::uint64_t>(row.integer(column++));
+/// A step in a block is that of its row.
+template <int D>
+void check_step(const RecordedStep<D>& step, const StepRow& row) {
+  const std::string name = "step " + std::to_string(row.step);
+  if (step.events.size() != row.events)
+    fail_damaged(name + " has other events in its block than its row says");
+  if (step.changed != row.changed) fail_damaged(name + " has other changes in its block than its row says");
 }
 
-std::uint32_t small(const Statement& row, int& column) {
-  return static_cast<std::uint32_t>(row.integer(column++));
-}
-
-StepRow read_row(const Statement& row) {
-  int column = 0;
-  StepRow result;
-  Statistics& s = result.statistics;
-  result.step = small(row, column);
-  s.objects = small(row, column);
-  result.changed = natural(row, column);
-  result.pairs = natural(row, column);
-  s.height = small(row, column);
-  s.leaves = small(row, column);
-  s.entries = natural(row, column);
-  s.redundancy = row.real(column++);
-  for (std::uint64_t& acted : s.operators) acted = natural(row, column);
-  s.refused = natural(row, column);
-  s.deferred = small(row, column);
-  s.placed = natural(row, column);
-  result.first_event = natural(row, column);
-  result.events = natural(row, column);
-  for (double& seconds : s.phase_seconds) seconds = row.real(column++);
-  result.state_hash = natural(row, column);
-  result.pairs_hash = natural(row, column);
-  return result;
+/// A keyframe is that of its step, as the step's row and the recording say.
+template <int D>
+void check_keyframe(const BspState<D>& state, const StepRow& row, const Config& config) {
+  const auto expect = [&](bool holds, const char* what) {
+    if (!holds)
+      fail_damaged("the keyframe of step " + std::to_string(row.step) + " has another " + what +
+                   " than its step");
+  };
+  expect(state.step == row.step, "number");
+  expect(state.config == config, "configuration");
+  expect(state.next_event == row.first_event + row.events, "last event");
+  expect(state.placed == row.statistics.placed, "count of placements");
+  expect(state.scheduler.acted() == row.statistics.operators &&
+             state.scheduler.refused() == row.statistics.refused,
+         "count of operators");
+  expect(state.hash() == row.state_hash, "state hash");
 }
 
 }  // namespace
@@ -50,32 +47,32 @@ RecordingInfo read_recording_info(const std::filesystem::path& path) {
 }
 
 template <int D>
-RecordingReader<D>::RecordingReader(const std::filesystem::path& path)
+RecordingReader<D>::RecordingReader(const std::filesystem::path& path, AsItIs /*even if changed*/)
     : database_(open_recording(path)), info_(read_info(database_)) {
   if (info_.dimension != D)
     throw std::runtime_error(path.string() + " is a recording in " + std::to_string(info_.dimension) + "D");
-  database_.execute("BEGIN");  // one state of the file from now on, whoever goes on writing
-  read_rows();
+  database_.execute("BEGIN");  // rows, blocks and keyframes of one moment, whoever goes on writing
+  rows_ = read_rows(database_);
+  change_ = find_change(database_, rows_);
+  database_.execute("COMMIT");  // what was written does not change, and a writer that ends waits for nobody
 }
 
-/// Rows and blocks are committed together, so that they always end with the same step.
 template <int D>
-void RecordingReader<D>::read_rows() {
-  Statement rows = database_.prepare("SELECT * FROM steps ORDER BY step");
-  while (rows.step()) {
-    rows_.push_back(read_row(rows));
-    if (rows_.back().step != rows_.size())
-      throw std::runtime_error("the recording is damaged: step " + std::to_string(rows_.size()) +
-                               " is missing");
-  }
-  Statement keyframes = database_.prepare("SELECT step FROM keyframes ORDER BY step");
-  while (keyframes.step()) keyframes_.push_back(static_cast<std::uint32_t>(keyframes.integer(0)));
+RecordingReader<D>::RecordingReader(const std::filesystem::path& path) : RecordingReader(path, AsItIs{}) {
+  if (change_)
+    throw std::runtime_error(path.string() + " was changed after it was recorded: " + change_->what +
+                             ", is not what was written; `kerf verify` tells more");
+}
+
+template <int D>
+auto RecordingReader<D>::open_changed(const std::filesystem::path& path) -> std::unique_ptr<RecordingReader> {
+  return std::unique_ptr<RecordingReader>(new RecordingReader(path, AsItIs{}));
 }
 
 template <int D>
 std::optional<std::uint32_t> RecordingReader<D>::step_of(std::uint64_t event) const {
-  const auto after = std::ranges::upper_bound(rows_, event, {}, &StepRow::first_event);
-  if (after == rows_.begin()) return std::nullopt;
+  const auto after = std::ranges::upper_bound(rows_.steps, event, {}, &StepRow::first_event);
+  if (after == rows_.steps.begin()) return std::nullopt;
   const StepRow& row = *std::prev(after);
   if (event - row.first_event >= row.events) return std::nullopt;
   return row.step;
@@ -89,32 +86,34 @@ Event RecordingReader<D>::event(std::uint64_t id) {
 }
 
 template <int D>
-std::vector<std::uint64_t> RecordingReader<D>::events_of_node(NodeId node) const {
-  std::vector<std::uint64_t> ids;
-  Statement rows = database_.prepare("SELECT id FROM events WHERE node = ? ORDER BY id");
-  rows.bind(1, std::int64_t{node.value});
-  while (rows.step()) ids.push_back(static_cast<std::uint64_t>(rows.integer(0)));
-  return ids;
+bool RecordingReader<D>::has_keyframe(std::uint32_t step) const {
+  return step > 0 && keyframe_before(step) == step;
 }
 
 template <int D>
 std::uint32_t RecordingReader<D>::keyframe_before(std::uint32_t step) const {
-  const auto after = std::ranges::upper_bound(keyframes_, step);
-  return after == keyframes_.begin() ? 0 : *std::prev(after);
+  const auto after = std::ranges::upper_bound(rows_.keyframes, step, {}, &KeyframeRow::step);
+  return after == rows_.keyframes.begin() ? 0 : std::prev(after)->step;
 }
 
 template <int D>
 BspState<D> RecordingReader<D>::keyframe(std::uint32_t step,
                                          std::shared_ptr<const Projector<D>> projector) const {
-  return decode_keyframe<D>(keyframe_bytes(step), std::move(projector));
+  BspState<D> state = decode_keyframe<D>(keyframe_bytes(step), std::move(projector));
+  check_keyframe(state, row(step), config_of(info_, step));
+  return state;
 }
 
 template <int D>
 Bytes RecordingReader<D>::keyframe_bytes(std::uint32_t step) const {
-  Statement row = database_.prepare("SELECT data FROM keyframes WHERE step = ?");
-  if (!row.bind(1, std::int64_t{step}).step())
+  const auto found = std::ranges::lower_bound(rows_.keyframes, step, {}, &KeyframeRow::step);
+  Statement data = database_.prepare("SELECT data FROM keyframes WHERE step = ?");
+  if (found == rows_.keyframes.end() || found->step != step || !data.bind(1, std::int64_t{step}).step())
     throw std::runtime_error("the recording has no keyframe at step " + std::to_string(step));
-  return row.bytes(0);
+  Bytes bytes = data.bytes(0);
+  if (seal_of_keyframe(row(step).link, step, bytes) != found->seal)
+    fail_damaged("the keyframe of step " + std::to_string(step) + " is not what was written");
+  return bytes;
 }
 
 template <int D>
@@ -143,34 +142,50 @@ auto RecordingReader<D>::read_span(std::uint32_t keyframe) const -> Span {
   Span span{keyframe + 1, {}};
   BlockDecoder<D> decoder(info_.volume);
   if (keyframe > 0) decoder.restart(decode_keyframe_objects<D>(keyframe_bytes(keyframe), info_.volume));
-  const auto next = std::ranges::upper_bound(keyframes_, keyframe);
-  const std::uint32_t end = next == keyframes_.end() ? steps() : *next;
-  Statement blocks =
-      database_.prepare("SELECT data FROM blocks WHERE first_step BETWEEN ? AND ? ORDER BY first_step");
-  blocks.bind(1, std::int64_t{span.first}).bind(2, std::int64_t{end});
-  while (blocks.step()) read_block(decoder, blocks.bytes(0), span);
+  const auto next = std::ranges::upper_bound(rows_.keyframes, keyframe, {}, &KeyframeRow::step);
+  const std::uint32_t end = next == rows_.keyframes.end() ? steps() : next->step;
+  for (auto block = std::ranges::lower_bound(rows_.blocks, span.first, {}, &BlockRow::first_step);
+       block != rows_.blocks.end() && block->first_step <= end; ++block)
+    read_block(decoder, *block, span);
   return span;
 }
 
 template <int D>
-void RecordingReader<D>::read_block(BlockDecoder<D>& decoder, const Bytes& block, Span& span) const {
-  const std::uint32_t first = span.first + static_cast<std::uint32_t>(span.steps.size());
-  if (first > steps()) throw std::runtime_error("the recording is damaged: it has more blocks than steps");
+void RecordingReader<D>::read_block(BlockDecoder<D>& decoder, const BlockRow& block, Span& span) const {
+  const std::string name = " (block of step " + std::to_string(block.first_step) + ")";
+  Statement data = database_.prepare("SELECT data FROM blocks WHERE first_step = ?");
+  if (!data.bind(1, std::int64_t{block.first_step}).step()) fail_damaged("a block is missing" + name);
+  const Bytes bytes = data.bytes(0);
+  if (seal_of_block(row(block.last_step()).link, block.first_step, block.steps, block.changed, bytes) !=
+      block.seal)
+    fail_damaged("a block is not what was written" + name);
   try {
-    decoder.read(block, first, row(first).first_event, span.steps);
+    decoder.read(bytes, block.first_step, row(block.first_step).first_event, span.steps);
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(std::string(error.what()) + " (block of step " + std::to_string(first) + ")");
+    throw std::runtime_error(error.what() + name);
   }
+  if (span.steps.size() != block.last_step() + 1 - span.first)
+    fail_damaged("it has other steps than its row says" + name);
+  for (std::uint32_t step = block.first_step; step <= block.last_step(); ++step)
+    check_step(span.steps[step - span.first], row(step));
+}
+
+template <int D>
+void RecordingReader<D>::check_theirs(std::uint32_t step) const {
+  const auto found = std::ranges::lower_bound(rows_.theirs, step, {}, &TheirRow::step);
+  const bool has_seal = found != rows_.theirs.end() && found->step == step;
+  const auto seal = seal_of_theirs(row(step).link, database_, step);
+  if (seal != (has_seal ? std::optional(found->seal) : std::nullopt))
+    fail_damaged("what step " + std::to_string(step) + " has of another engine is not what was written");
 }
 
 template <int D>
 std::vector<Pair> RecordingReader<D>::their_pairs(std::uint32_t step) const {
+  check_theirs(step);
   std::vector<Pair> pairs;
-  Statement rows = database_.prepare("SELECT a, b FROM their_pairs WHERE step = ?");
+  Statement rows = database_.prepare("SELECT a, b FROM their_pairs WHERE step = ? ORDER BY rowid");
   rows.bind(1, std::int64_t{step});
-  while (rows.step())
-    pairs.push_back(
-        {{static_cast<std::uint32_t>(rows.integer(0))}, {static_cast<std::uint32_t>(rows.integer(1))}});
+  while (rows.step()) pairs.push_back({{rows.small(0)}, {rows.small(1)}});
   return pairs;
 }
 
@@ -178,20 +193,23 @@ template <int D>
 std::optional<TheirStep> RecordingReader<D>::their_step(std::uint32_t step) const {
   Statement row = database_.prepare("SELECT pairs, missed, extra, twice FROM their_steps WHERE step = ?");
   if (!row.bind(1, std::int64_t{step}).step()) return std::nullopt;
-  int column = 0;
-  TheirStep result;
-  result.pairs = natural(row, column);
-  result.missed = natural(row, column);
-  result.extra = natural(row, column);
-  result.twice = natural(row, column);
-  return result;
+  check_theirs(step);
+  return TheirStep{row.natural(0), row.natural(1), row.natural(2), row.natural(3)};
 }
 
 template <int D>
 RecordingSize RecordingReader<D>::size() const {
   const auto ask = [this](std::string_view sql) { return static_cast<std::uint64_t>(database_.ask(sql)); };
-  return {ask("SELECT sum(length(data)) FROM blocks"), ask("SELECT sum(length(data)) FROM keyframes"),
-          ask("SELECT sum(changed) FROM blocks")};
+  return {ask("SELECT coalesce(sum(length(data)), 0) FROM blocks"),
+          ask("SELECT coalesce(sum(length(data)), 0) FROM keyframes"),
+          ask("SELECT coalesce(sum(changed), 0) FROM blocks")};
+}
+
+template <int D>
+void RecordingReader<D>::check_pages() const {
+  Statement check = database_.prepare("PRAGMA quick_check(1)");
+  const std::string finding = check.step() ? check.text(0) : "nothing was checked";
+  if (finding != "ok") fail_damaged(finding);
 }
 
 template class RecordingReader<2>;

@@ -11,6 +11,7 @@
 #include "core/recording/block_codec.h"
 #include "core/recording/database.h"
 #include "core/recording/operator_rows.h"
+#include "core/recording/recorded_rows.h"
 #include "core/recording/recording_info.h"
 #include "core/tree/projector.h"
 
@@ -27,18 +28,23 @@ struct RecordingSize {
 RecordingInfo read_recording_info(const std::filesystem::path& path);
 
 /// Reads a recording, also one that is still being written or was cut short: what is there when it is opened
-/// counts. Everything throws std::runtime_error, with the file where it is known, for what is damaged.
+/// counts. Everything throws std::runtime_error, with the file where it is known, for what is damaged or is
+/// not what was written.
 template <int D>
 class RecordingReader {
  public:
   explicit RecordingReader(const std::filesystem::path& path);
+  /// The same, but opens also what has rows that were changed, for whoever wants to know more of them.
+  static std::unique_ptr<RecordingReader> open_changed(const std::filesystem::path& path);
 
   [[nodiscard]] const RecordingInfo& info() const { return info_; }
   /// Steps that are whole; they count from 1.
-  [[nodiscard]] std::uint32_t steps() const { return static_cast<std::uint32_t>(rows_.size()); }
+  [[nodiscard]] std::uint32_t steps() const { return static_cast<std::uint32_t>(rows_.steps.size()); }
   /// One row for each step, the first being step 1.
-  [[nodiscard]] std::span<const StepRow> rows() const { return rows_; }
-  [[nodiscard]] const StepRow& row(std::uint32_t step) const { return rows_[step - 1]; }
+  [[nodiscard]] std::span<const StepRow> rows() const { return rows_.steps; }
+  [[nodiscard]] const StepRow& row(std::uint32_t step) const { return rows_.steps[step - 1]; }
+  /// Where its rows are no longer what was written.
+  [[nodiscard]] const std::optional<ChangedPart>& change() const { return change_; }
   /// The step in which an event happened; none if it is beyond the end.
   [[nodiscard]] std::optional<std::uint32_t> step_of(std::uint64_t event) const;
 
@@ -46,12 +52,11 @@ class RecordingReader {
   const RecordedStep<D>& step(std::uint32_t step);
   /// Throws std::runtime_error for an id that the recording does not have.
   Event event(std::uint64_t id);
-  /// The ids of what was scheduled, refused or done at a node, over all its lives.
-  [[nodiscard]] std::vector<std::uint64_t> events_of_node(NodeId node) const;
   /// See `read_operators`.
-  [[nodiscard]] std::vector<OperatorRow> operators() const { return read_operators(database_); }
+  [[nodiscard]] std::vector<OperatorRow> operators() const { return read_operators(database_, rows_.steps); }
   /// Steps that have a keyframe, in order; step 0, which needs none, is not among them.
-  [[nodiscard]] std::span<const std::uint32_t> keyframes() const { return keyframes_; }
+  [[nodiscard]] std::span<const KeyframeRow> keyframes() const { return rows_.keyframes; }
+  [[nodiscard]] bool has_keyframe(std::uint32_t step) const;
   /// The last step up to `step` that has a keyframe; 0 if none has.
   [[nodiscard]] std::uint32_t keyframe_before(std::uint32_t step) const;
   /// A keyframe for a tree with this projector.
@@ -61,6 +66,10 @@ class RecordingReader {
   [[nodiscard]] std::vector<Pair> their_pairs(std::uint32_t step) const;
   [[nodiscard]] std::optional<TheirStep> their_step(std::uint32_t step) const;
   [[nodiscard]] RecordingSize size() const;
+  /// Throws std::runtime_error if what a step has of another engine is not what was written.
+  void check_theirs(std::uint32_t step) const;
+  /// Throws std::runtime_error if SQLite finds a fault in any page of the file.
+  void check_pages() const;
 
  private:
   /// The steps from one keyframe to the next, decoded.
@@ -70,15 +79,17 @@ class RecordingReader {
   };
   static constexpr std::size_t kSpans = 3;
 
-  void read_rows();
+  struct AsItIs {};
+  RecordingReader(const std::filesystem::path& path, AsItIs /*even if changed*/);
+
   [[nodiscard]] Bytes keyframe_bytes(std::uint32_t step) const;
-  void read_block(BlockDecoder<D>& decoder, const Bytes& block, Span& span) const;
+  void read_block(BlockDecoder<D>& decoder, const BlockRow& block, Span& span) const;
   [[nodiscard]] Span read_span(std::uint32_t keyframe) const;
 
   Database database_;
   RecordingInfo info_;
-  std::vector<StepRow> rows_;
-  std::vector<std::uint32_t> keyframes_;
+  RecordedRows rows_;
+  std::optional<ChangedPart> change_;
   std::list<Span> spans_;  ///< latest used first
 };
 

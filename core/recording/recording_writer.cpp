@@ -1,6 +1,7 @@
 #include "core/recording/recording_writer.h"
 
 #include "core/recording/keyframe_codec.h"
+#include "core/recording/operator_rows.h"
 #include "core/recording/schema.h"
 
 namespace kerf {
@@ -29,11 +30,12 @@ std::int64_t whole(std::uint64_t x) { return static_cast<std::int64_t>(x); }
 template <int D>
 RecordingWriter<D>::RecordingWriter(const std::filesystem::path& path, const RecordingInfo& info)
     : database_(create(path, info)),
-      put_step_(
-          database_.prepare("INSERT INTO steps VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")),
-      put_event_(database_.prepare("INSERT INTO events VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")),
-      put_block_(database_.prepare("INSERT INTO blocks VALUES(?,?,?,?)")),
-      put_keyframe_(database_.prepare("INSERT INTO keyframes VALUES(?,?)")),
+      chain_(head_of(database_)),
+      put_step_(database_.prepare(
+          "INSERT INTO steps VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")),
+      put_event_(database_.prepare(kPutOperator)),
+      put_block_(database_.prepare("INSERT INTO blocks VALUES(?,?,?,?,?)")),
+      put_keyframe_(database_.prepare("INSERT INTO keyframes VALUES(?,?,?)")),
       encoder_(info.volume),
       last_flush_(std::chrono::steady_clock::now()) {
   database_.execute("BEGIN");
@@ -41,12 +43,14 @@ RecordingWriter<D>::RecordingWriter(const std::filesystem::path& path, const Rec
 
 template <int D>
 void RecordingWriter<D>::add(const StepRequests<D>& requests, std::span<const Event> events, StepRow row) {
+  seal_theirs();
   step_ = row.step;
   row.changed = encoder_.add(requests, events);
   changed_ += row.changed;
   since_keyframe_ += row.statistics.objects + kCostOfChange * row.changed;
+  row.operators_hash = put(events);
+  row.link = chain_.add(row);
   put(row);
-  for (const Event& event : events) put(event);
   const bool due = std::chrono::steady_clock::now() - last_flush_ >= kFlushInterval;
   if (encoder_.steps() >= kBlockSteps || due || wants_keyframe()) flush();
 }
@@ -61,7 +65,9 @@ template <int D>
 void RecordingWriter<D>::add(const BspState<D>& keyframe) {
   if (encoder_.steps() > 0) flush();
   const Bytes bytes = encode_keyframe(keyframe);
-  put_keyframe_.bind(1, std::int64_t{keyframe.step}).bind(2, std::span(bytes)).run();
+  const std::uint64_t seal = seal_of_keyframe(chain_.link(), keyframe.step, bytes);
+  put_keyframe_.bind(1, std::int64_t{keyframe.step}).bind(2, whole(seal)).bind(3, std::span(bytes)).run();
+  chain_.add(Chain::Part::keyframe, seal);
   encoder_.restart(keyframe.latest);
   last_keyframe_ = keyframe.step;
   since_keyframe_ = 0;
@@ -69,6 +75,7 @@ void RecordingWriter<D>::add(const BspState<D>& keyframe) {
 
 template <int D>
 void RecordingWriter<D>::add(std::span<const Pair> their_pairs, const TheirStep& judgement) {
+  has_theirs_ = true;
   Statement put_judgement = database_.prepare("INSERT INTO their_steps VALUES(?,?,?,?,?)");
   put_judgement.bind(1, std::int64_t{step_}).bind(2, whole(judgement.pairs)).bind(3, whole(judgement.missed));
   put_judgement.bind(4, whole(judgement.extra)).bind(5, whole(judgement.twice)).run();
@@ -90,46 +97,49 @@ void RecordingWriter<D>::put(const StepRow& row) {
     next(whole(x));
   next(s.redundancy);
   for (const std::uint64_t acted : s.operators) next(whole(acted));
-  for (const std::uint64_t x : {s.refused, std::uint64_t{s.deferred}, s.placed, row.first_event, row.events})
+  for (const std::uint64_t x :
+       {s.refused, std::uint64_t{s.deferred}, s.placed, row.first_event, row.events, row.operators_hash})
     next(whole(x));
   for (const double seconds : s.phase_seconds) next(seconds);
-  next(whole(row.state_hash));
-  next(whole(row.pairs_hash));
+  for (const std::uint64_t x : {row.state_hash, row.pairs_hash, row.link}) next(whole(x));
   put_step_.run();
 }
 
 /// Operators, refusals and what was scheduled are there for SQL; phases and placements are in the blocks
-/// only.
+/// only. Returns the hash of the rows.
 template <int D>
-void RecordingWriter<D>::put(const Event& event) {
-  const auto put_operator = [&](std::string_view kind, Operator op, const NodeRef& node) -> Statement& {
-    put_event_.clear();
-    put_event_.bind(1, whole(event.id)).bind(2, std::int64_t{event.step}).bind(3, kind);
-    put_event_.bind(4, to_string(op)).bind(5, std::int64_t{node.node.value});
-    return put_event_.bind(6, std::int64_t{node.generation});
-  };
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) {
-    put_operator("acted", acted->op, acted->node);
-    int place = 6;
-    for (const std::uint32_t x : {acted->before.population, acted->before.left, acted->before.right,
-                                  acted->after.left, acted->after.right, acted->direction})
-      put_event_.bind(++place, std::int64_t{x});
-    put_event_.bind(13, static_cast<double>(acted->old_offset))
-        .bind(14, static_cast<double>(acted->new_offset));
-    put_event_.run();
-  } else if (const auto* refused = std::get_if<OperatorRefused>(&event.body)) {
-    put_operator("refused", refused->op, refused->node).bind(15, to_string(refused->reason)).run();
-  } else if (const auto* scheduled = std::get_if<OperatorScheduled>(&event.body)) {
-    put_operator("scheduled", scheduled->op, scheduled->node).run();
+std::uint64_t RecordingWriter<D>::put(std::span<const Event> events) {
+  std::uint64_t hash = 0;
+  for (const Event& event : events) {
+    const auto row = operator_row(event);
+    if (!row) continue;
+    kerf::put(*row, put_event_);
+    hash = hash_operator(*row, hash);
   }
+  return hash;
+}
+
+/// What was written of another engine after the last step.
+template <int D>
+void RecordingWriter<D>::seal_theirs() {
+  if (!has_theirs_) return;
+  has_theirs_ = false;
+  const auto seal = seal_of_theirs(chain_.link(), database_, step_);
+  if (!seal) return;
+  Statement put_seal = database_.prepare("INSERT INTO their_seals VALUES(?,?)");
+  put_seal.bind(1, std::int64_t{step_}).bind(2, whole(*seal)).run();
+  chain_.add(Chain::Part::theirs, *seal);
 }
 
 template <int D>
 void RecordingWriter<D>::flush() {
   const std::uint32_t steps = encoder_.steps();
   const Bytes block = encoder_.take();
-  put_block_.bind(1, std::int64_t{step_ + 1 - steps}).bind(2, std::int64_t{steps});
-  put_block_.bind(3, whole(changed_)).bind(4, std::span(block)).run();
+  const std::uint32_t first = step_ + 1 - steps;
+  const std::uint64_t seal = seal_of_block(chain_.link(), first, steps, changed_, block);
+  put_block_.bind(1, std::int64_t{first}).bind(2, std::int64_t{steps}).bind(3, whole(changed_));
+  put_block_.bind(4, whole(seal)).bind(5, std::span(block)).run();
+  chain_.add(Chain::Part::block, seal);
   changed_ = 0;
   database_.execute("COMMIT; BEGIN");
   last_flush_ = std::chrono::steady_clock::now();
@@ -137,8 +147,9 @@ void RecordingWriter<D>::flush() {
 
 template <int D>
 void RecordingWriter<D>::finish() {
+  seal_theirs();
   if (encoder_.steps() > 0) flush();
-  set_meta(database_, "complete", "1");
+  set_complete(database_, chain_.end());
   database_.execute("COMMIT");
   put_step_.end();
   put_event_.end();

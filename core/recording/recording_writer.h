@@ -6,6 +6,7 @@
 
 #include "core/bsp/bsp_state.h"
 #include "core/recording/block_codec.h"
+#include "core/recording/chain.h"
 #include "core/recording/database.h"
 #include "core/recording/recording_info.h"
 
@@ -31,10 +32,12 @@ class RecordingWriter {
 
  private:
   void put(const StepRow& row);
-  void put(const Event& event);
+  std::uint64_t put(std::span<const Event> events);
+  void seal_theirs();
   void flush();
 
   Database database_;
+  Chain chain_;
   Statement put_step_;
   Statement put_event_;
   Statement put_block_;
@@ -44,6 +47,7 @@ class RecordingWriter {
   std::uint64_t changed_ = 0;         ///< since the last block
   std::uint64_t since_keyframe_ = 0;  ///< what it costs to replay the steps, in objects that rest
   std::uint32_t last_keyframe_ = 0;
+  bool has_theirs_ = false;  ///< something of another engine was written after the last step
   std::chrono::steady_clock::time_point last_flush_;
 };
 

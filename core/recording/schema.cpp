@@ -1,9 +1,13 @@
 #include "core/recording/schema.h"
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <stdexcept>
 #include <system_error>
+
+#include "core/recording/damage.h"
+#include "core/recording/operator_rows.h"
 
 namespace kerf {
 namespace {
@@ -18,35 +22,42 @@ CREATE TABLE steps(
   height INTEGER, leaves INTEGER, entries INTEGER, redundancy REAL,
   balances INTEGER, shift_splits INTEGER, splits INTEGER, swaps INTEGER, merges INTEGER,
   refused INTEGER, deferred INTEGER, placed INTEGER,
-  first_event INTEGER, events INTEGER,
+  first_event INTEGER, events INTEGER, operators_hash INTEGER,
   place_seconds REAL, sort_seconds REAL, schedule_seconds REAL, operate_seconds REAL, sweep_seconds REAL,
-  state_hash INTEGER, pairs_hash INTEGER);
+  state_hash INTEGER, pairs_hash INTEGER, link INTEGER);
 CREATE TABLE events(
   id INTEGER PRIMARY KEY, step INTEGER, kind TEXT, op TEXT, node INTEGER, generation INTEGER,
   population INTEGER, left_before INTEGER, right_before INTEGER, left_after INTEGER, right_after INTEGER,
   direction INTEGER, old_offset REAL, new_offset REAL, reason TEXT);
-CREATE TABLE blocks(first_step INTEGER PRIMARY KEY, steps INTEGER, changed INTEGER, data BLOB);
-CREATE TABLE keyframes(step INTEGER PRIMARY KEY, data BLOB);
+CREATE TABLE blocks(first_step INTEGER PRIMARY KEY, steps INTEGER, changed INTEGER, seal INTEGER, data BLOB);
+CREATE TABLE keyframes(step INTEGER PRIMARY KEY, seal INTEGER, data BLOB);
 CREATE TABLE their_steps(step INTEGER PRIMARY KEY, pairs INTEGER, missed INTEGER, extra INTEGER, twice INTEGER);
 CREATE TABLE their_pairs(step INTEGER, a INTEGER, b INTEGER);
 CREATE INDEX their_pairs_of_step ON their_pairs(step);
+CREATE TABLE their_seals(step INTEGER PRIMARY KEY, seal INTEGER);
 )sql";
 
 template <class Number>
 Number number(const std::map<std::string, std::string>& meta, const char* key) {
   Number value{};
   const auto found = meta.find(key);
-  if (found == meta.end()) throw std::runtime_error(std::string("the recording does not say its ") + key);
+  if (found == meta.end()) fail_damaged(std::string("it does not say its ") + key);
   const std::string& text = found->second;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size())
-    throw std::runtime_error(std::string("the recording is damaged: its ") + key + " is '" + text + "'");
+    fail_damaged(std::string("its ") + key + " is '" + text + "'");
   return value;
+}
+
+bool flag(const std::map<std::string, std::string>& meta, const char* key) {
+  const auto value = number<unsigned>(meta, key);
+  if (value > 1) fail_damaged(std::string("its ") + key + " is " + std::to_string(value));
+  return value == 1;
 }
 
 VolumeKind volume_kind(int dimension, const std::string& name) {
   const auto kind = dimension == 2 ? parse_volume_kind<2>(name) : parse_volume_kind<3>(name);
-  if (!kind) throw std::runtime_error("the recording is damaged: there is no volume '" + name + "'");
+  if (!kind) fail_damaged("there is no volume '" + name + "'");
   return *kind;
 }
 
@@ -59,12 +70,6 @@ Config parse_recorded(const std::string& text) {
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(std::string("the recording's configuration: ") + error.what());
   }
-}
-
-Operator operator_of(const std::string& name) {
-  for (int k = 0; k < kOperatorCount; ++k)
-    if (const auto op = static_cast<Operator>(k); to_string(op) == name) return op;
-  throw std::runtime_error("the recording is damaged: there is no operator '" + name + "'");
 }
 
 void write_changes(Database& database, const std::vector<ConfigChange>& changes) {
@@ -88,37 +93,72 @@ void write_decisions(Database& database, const std::vector<Decision>& decisions)
 std::vector<ConfigChange> read_changes(const Database& database) {
   std::vector<ConfigChange> changes;
   Statement rows = database.prepare("SELECT step, config FROM config_changes ORDER BY step");
-  while (rows.step())
-    changes.push_back({static_cast<std::uint32_t>(rows.integer(0)), parse_recorded(rows.text(1))});
+  while (rows.step()) changes.push_back({rows.small(0), parse_recorded(rows.text(1))});
   return changes;
 }
 
 std::vector<Decision> read_decisions(const Database& database) {
   std::vector<Decision> decisions;
-  Statement rows = database.prepare(
-      "SELECT event, op, direction IS NOT NULL, direction, offset FROM decisions ORDER BY event");
+  Statement rows = database.prepare("SELECT event, op, direction, offset FROM decisions ORDER BY event");
   while (rows.step()) {
-    Decision decision{static_cast<std::uint64_t>(rows.integer(0)), operator_of(rows.text(1)), std::nullopt};
-    if (rows.integer(2) != 0)
-      decision.plane =
-          ChosenPlane{static_cast<std::uint32_t>(rows.integer(3)), static_cast<float>(rows.real(4))};
+    Decision decision{rows.natural(0), operator_called(rows.text(1)), std::nullopt};
+    if (!rows.is_null(2) || !rows.is_null(3)) decision.plane = ChosenPlane{rows.small(2), rows.single(3)};
     decisions.push_back(decision);
   }
   return decisions;
 }
 
+/// The statements of a text, as SQLite keeps them: without the semicolons.
+std::vector<std::string> statements(std::string_view sql) {
+  std::vector<std::string> result;
+  for (std::size_t end = sql.find(';'); end != std::string_view::npos; end = sql.find(';')) {
+    const std::size_t begin = sql.find_first_not_of('\n');
+    result.emplace_back(sql.substr(begin, end - begin));
+    sql.remove_prefix(end + 1);
+  }
+  return result;
+}
+
+/// Nothing has the place of a table but a table: no view without end, no trigger, no table of a module.
+void check_tables(const Database& database) {
+  std::vector<std::string> expected = statements(kTables);
+  Statement rows = database.prepare("SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL");
+  while (rows.step()) {
+    const auto found = std::ranges::find(expected, rows.text(2));
+    if (found == expected.end())
+      fail_damaged("it has a " + rows.text(0) + " '" + rows.text(1) + "' that no Kerf has made");
+    expected.erase(found);
+  }
+  if (!expected.empty()) fail_damaged("it lacks what was made by " + expected.front());
+}
+
+void set_meta(Database& database, std::string_view key, std::string_view value) {
+  database.prepare("INSERT OR REPLACE INTO meta VALUES(?, ?)").bind(1, key).bind(2, value).run();
+}
+
 bool has_recording_id(const Database& database) {
   try {
     return database.ask("PRAGMA application_id") == kRecordingId;
-  } catch (const std::runtime_error&) {
-    return false;  // no SQLite file at all
+  } catch (const NotADatabase&) {
+    return false;
   }
 }
 
 }  // namespace
 
-void set_meta(Database& database, std::string_view key, std::string_view value) {
-  database.prepare("INSERT OR REPLACE INTO meta VALUES(?, ?)").bind(1, key).bind(2, value).run();
+void set_complete(Database& database, std::uint64_t end) {
+  set_meta(database, "complete", "1");
+  set_meta(database, "end", to_hex(end));
+}
+
+std::optional<std::uint64_t> read_end(const Database& database) {
+  Statement row = database.prepare("SELECT value FROM meta WHERE key = 'end'");
+  if (!row.step()) return std::nullopt;
+  const std::string text = row.text(0);
+  std::uint64_t end = 0;
+  std::from_chars(text.data(), text.data() + text.size(), end, 16);
+  if (to_hex(end) != text) fail_damaged("the end of its chain is '" + text + "'");
+  return end;
 }
 
 void create_schema(Database& database, const RecordingInfo& info) {
@@ -158,6 +198,7 @@ Database open_recording(const std::filesystem::path& path) {
     throw std::runtime_error(path.string() + " is a recording of version " + std::to_string(version) +
                              ", and this Kerf reads version " + std::to_string(kRecordingVersion) +
                              "; record it again, or use the Kerf that made it");
+  check_tables(database);
   return database;
 }
 
@@ -167,15 +208,16 @@ RecordingInfo read_info(const Database& database) {
   while (rows.step()) meta[rows.text(0)] = rows.text(1);
   RecordingInfo info;
   info.dimension = number<int>(meta, "dimension");
-  if (info.dimension != 2 && info.dimension != 3)
-    throw std::runtime_error("the recording is damaged: its dimension is neither 2 nor 3");
+  if (info.dimension != 2 && info.dimension != 3) fail_damaged("its dimension is neither 2 nor 3");
   info.volume = volume_kind(info.dimension, meta["volume"]);
   info.config = parse_recorded(meta["config"]);
   info.changes = read_changes(database);
   info.decisions = read_decisions(database);
   info.scene = meta["scene"];
-  info.imported = meta["imported"] == "1";
-  info.complete = meta["complete"] == "1";
+  info.imported = flag(meta, "imported");
+  info.complete = flag(meta, "complete");
+  if (info.complete != meta.contains("end"))
+    fail_damaged("its chain has an end without being complete, or none");
   info.seed = number<std::uint64_t>(meta, "seed");
   info.objects = number<std::uint32_t>(meta, "objects");
   info.grow = number<std::uint32_t>(meta, "grow");

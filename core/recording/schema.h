@@ -1,7 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
-#include <string_view>
+#include <optional>
 
 #include "core/recording/database.h"
 #include "core/recording/recording_info.h"
@@ -11,12 +12,14 @@ namespace kerf {
 /// SQLite's application id of recordings: "kerf" in ASCII.
 inline constexpr std::uint32_t kRecordingId = 0x6B657266;
 /// Raised when an older Kerf cannot read what a newer one writes (docs/RECORDING.md).
-inline constexpr std::uint32_t kRecordingVersion = 4;
+inline constexpr std::uint32_t kRecordingVersion = 5;
 
 /// Makes the tables of a new recording and writes what it is of.
 void create_schema(Database& database, const RecordingInfo& info);
-/// Writes one entry of the table `meta`.
-void set_meta(Database& database, std::string_view key, std::string_view value);
+/// Writes that the recording is complete, and where its chain ends.
+void set_complete(Database& database, std::uint64_t end);
+/// Where the chain of a complete recording ends; none of one that is not.
+std::optional<std::uint64_t> read_end(const Database& database);
 
 /// Removes a recording with its log, whatever of it is there.
 void remove_recording(const std::filesystem::path& path) noexcept;

@@ -124,18 +124,22 @@ bool VolumePredictor<D>::encode(ObjectId object, std::span<const Scalar> values,
 }
 
 template <int D>
-void VolumePredictor<D>::decode(ObjectId object, std::span<const std::uint8_t> lengths, BitReader& bits,
+bool VolumePredictor<D>::decode(ObjectId object, std::span<const std::uint8_t> lengths, BitReader& bits,
                                 std::span<Scalar> values) {
   Track* const tracks = tracks_of(object);
+  bool changed = false;
   for (std::size_t channel = 0; channel < values.size(); ++channel) {
     Track& track = tracks[channel];
     const Foretold foretold = foretell(track, partner_of(tracks, channel));
-    const unsigned length = std::min<unsigned>(lengths[channel], 32);
+    const unsigned length = lengths[channel];
     std::uint32_t error = length == 0 ? 0 : 1U << (length - 1);
     if (length > 1) error |= bits.get(length - 1);
     values[channel] = unordered(moved(foretold[best_rule(track)], error));
-    learn(track, errors_of(foretold, values[channel]), values[channel]);
+    const Errors errors = errors_of(foretold, values[channel]);
+    changed |= errors[0] != 0;
+    learn(track, errors, values[channel]);
   }
+  return changed;
 }
 
 template class VolumePredictor<2>;

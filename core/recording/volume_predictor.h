@@ -30,8 +30,8 @@ class VolumePredictor {
   /// `values` are the first `count` numbers of the object's volume. Appends one length for each to
   /// `lengths[channel]`. Returns whether any differs from its last value.
   bool encode(ObjectId object, std::span<const Scalar> values, std::vector<Bytes>& lengths, BitWriter& bits);
-  /// The reverse, with the lengths found before.
-  void decode(ObjectId object, std::span<const std::uint8_t> lengths, BitReader& bits,
+  /// The reverse, with the lengths found before, each up to 32.
+  bool decode(ObjectId object, std::span<const std::uint8_t> lengths, BitReader& bits,
               std::span<Scalar> values);
 
  private:

@@ -5,28 +5,25 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/trace/event_facts.h"
+
 namespace kerf {
 namespace {
 
-bool is_operator(const Event& event) {
-  return std::holds_alternative<OperatorActed>(event.body) ||
-         std::holds_alternative<OperatorRefused>(event.body);
-}
-
 struct Contest {
   Operator op;
-  NodeId node;
+  NodeRef node;
 };
 
 /// What there was to choose: an operator placed a partitioner, or a split found none.
 std::optional<Contest> contest_of(const Event& event) {
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) {
+  if (const auto* const acted = acted_of(event)) {
     if (acted->op == Operator::merge || acted->op == Operator::swap) return std::nullopt;
-    return Contest{acted->op, acted->node.node};
+    return Contest{acted->op, acted->node};
   }
-  const auto* refused = std::get_if<OperatorRefused>(&event.body);
+  const auto* const refused = refused_of(event);
   if (refused == nullptr || refused->reason != Refusal::no_partitioner) return std::nullopt;
-  return Contest{Operator::split, refused->node.node};
+  return Contest{Operator::split, refused->node};
 }
 
 /// Where somebody decided, another candidate acted than Algorithm 1 would have chosen.
@@ -55,13 +52,14 @@ std::uint32_t step_of(const RecordingReader<D>& recording, std::uint64_t event) 
 template <int D>
 BspState<D> state_after(Replayer<D>& replayer, std::uint64_t event) {
   std::optional<BspState<D>> state;
-  replayer.seek(step_of(replayer.recording(), event) - 1);
+  const Event recorded = replayer.recording().event(event);
+  replayer.seek(recorded.step - 1);
   replayer.advance([&](const Event& happened) {
-    if (happened.id == event) state = replayer.tree().state();
+    if (happened == recorded) state = replayer.tree().state();
   });
   if (!state)
     throw std::runtime_error("the replay has no event e" + std::to_string(event) +
-                             ": `kerf verify` tells more");
+                             ": `kerf verify` says more");
   return *std::move(state);
 }
 
@@ -76,9 +74,11 @@ BspState<D> state_before(Replayer<D>& replayer, std::uint64_t event) {
 template <int D>
 std::vector<BallotEntry> ballot_of(const BspState<D>& before, const Event& event) {
   const auto contest = contest_of(event);
-  if (!contest) return {};
-  std::vector<BallotEntry> entries = ballot(before.tree, contest->op, contest->node, before.config);
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) mark_decided(*acted, entries);
+  if (!contest || !before.tree.is_alive(contest->node)) return {};
+  const NodeId node = contest->node.node;
+  if (contest->op == Operator::split && !before.tree[node].is_leaf()) return {};  // of no run of this tree
+  std::vector<BallotEntry> entries = ballot(before.tree, contest->op, node, before.config);
+  if (const auto* const acted = acted_of(event)) mark_decided(*acted, entries);
   return entries;
 }
 
@@ -148,9 +148,9 @@ std::optional<Position> Cursor<D>::target(Granularity granularity, bool forwards
     case Granularity::step:
       return seek([](const Event& /*any*/) { return false; }, true);
     case Granularity::phase:
-      return seek([](const Event& event) { return std::holds_alternative<PhaseBegan>(event.body); }, true);
+      return seek(begins_phase, true);
     case Granularity::op:
-      return seek(is_operator, false);
+      return seek(is_outcome, false);
     case Granularity::event:
       return seek([](const Event& /*any*/) { return true; }, true);
     case Granularity::candidate:

@@ -17,6 +17,18 @@ std::size_t size_of(const BspState<D>& state) {
 }  // namespace
 
 template <int D>
+void run_recorded_step(RecordingReader<D>& recording, Bsp<D, Watch>& tree, bool swept) {
+  const std::uint32_t next = tree.steps() + 1;
+  apply(recording.step(next).requests, tree);
+  if (!recording.info().changes.empty()) tree.set_config(config_of(recording.info(), next));
+  if (swept) {
+    tree.step();
+  } else {
+    tree.step_unswept();
+  }
+}
+
+template <int D>
 Replayer<D>::Replayer(std::shared_ptr<RecordingReader<D>> recording, std::size_t memory)
     : recording_(std::move(recording)),
       memory_(memory),
@@ -63,15 +75,8 @@ void Replayer<D>::advance(const OnEvent& on_event) {
 
 template <int D>
 void Replayer<D>::run_next(bool swept) {
-  const RecordedStep<D>& next = recording_->step(step() + 1);
-  apply(next.requests, tree_);
-  if (!recording_->info().changes.empty()) tree_.set_config(config_of(recording_->info(), step() + 1));
+  run_recorded_step(*recording_, tree_, swept);
   swept_ = swept;
-  if (swept) {
-    tree_.step();
-  } else {
-    tree_.step_unswept();
-  }
 }
 
 template <int D>
@@ -99,6 +104,8 @@ void Replayer<D>::forget_farthest(std::uint32_t from) {
   kept_.erase(farthest);
 }
 
+template void run_recorded_step<2>(RecordingReader<2>&, Bsp<2, Watch>&, bool);
+template void run_recorded_step<3>(RecordingReader<3>&, Bsp<3, Watch>&, bool);
 template class Replayer<2>;
 template class Replayer<3>;
 

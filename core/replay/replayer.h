@@ -10,6 +10,11 @@
 
 namespace kerf {
 
+/// Runs the next step of a tree as a recording has it; unless `swept`, without its pairs. Throws
+/// std::runtime_error for a step that the recording does not have, or if it is damaged.
+template <int D>
+void run_recorded_step(RecordingReader<D>& recording, Bsp<D, Watch>& tree, bool swept = true);
+
 /// Runs a recording's tree again: from the beginning, or from the keyframe before any step. States on the way
 /// are kept in memory, so that one step back is a copy, or a copy and one step: the pairs are found only
 /// where somebody stops.

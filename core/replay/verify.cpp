@@ -1,28 +1,74 @@
 #include "core/replay/verify.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <memory>
 #include <vector>
 
+#include "core/recording/keyframe_codec.h"
 #include "core/replay/oracle.h"
 #include "core/replay/replayer.h"
+#include "core/trace/event_facts.h"
 
 namespace kerf {
 namespace {
+
+/// One figure of a step, as text.
+struct Figure {
+  std::string name;
+  std::string recorded;
+  std::string replayed;
+};
+
+/// Different numbers have different texts.
+std::string exact(double x) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+}
+
+/// All that a step's row has copied from the tree but its times.
+std::vector<Figure> figures_of(const StepRow& row, const Statistics& now, std::uint64_t pairs) {
+  const Statistics& then = row.statistics;
+  std::vector<Figure> figures;
+  const auto add = [&](const std::string& name, auto recorded, auto replayed) {
+    figures.push_back({name, std::to_string(recorded), std::to_string(replayed)});
+  };
+  add("objects", then.objects, now.objects);
+  add("pairs", row.pairs, pairs);
+  add("height", then.height, now.height);
+  add("leaves", then.leaves, now.leaves);
+  add("entries", then.entries, now.entries);
+  figures.push_back({"redundancy", exact(then.redundancy), exact(now.redundancy)});
+  for (int op = 0; op < kOperatorCount; ++op)
+    add(std::string(to_string(static_cast<Operator>(op))) + " operators",
+        then.count(static_cast<Operator>(op)), now.count(static_cast<Operator>(op)));
+  add("refused", then.refused, now.refused);
+  add("deferred", then.deferred, now.deferred);
+  add("placed", then.placed, now.placed);
+  return figures;
+}
 
 template <int D>
 class Verifier {
  public:
   Verifier(const std::filesystem::path& path, std::uint32_t oracle_every)
-      : recording_(std::make_shared<RecordingReader<D>>(path)),
+      : recording_(RecordingReader<D>::open_changed(path)),
         replayer_(recording_),
-        oracle_every_(oracle_every) {}
+        resumed_(recording_->info().config, recording_->info().volume),
+        oracle_every_(oracle_every) {
+    resumed_.decide(recording_->info().decisions);
+  }
 
   Verdict run(const std::function<bool(std::uint32_t)>& progress) {
+    recording_->check_pages();
+    verdict_.change = recording_->change();
+    operators_ = recording_->operators();
     for (std::uint32_t step = 1; step <= recording_->steps() && !verdict_.divergence; ++step) {
       if (progress && !progress(step)) break;
       replay(step);
     }
+    say_what_was_left();
     return verdict_;
   }
 
@@ -34,70 +80,138 @@ class Verifier {
     verdict_.events += events.size();
     verdict_.pairs += replayer_.tree().pairs().size();
     compare_events(step, events);
-    if (!verdict_.divergence) compare_state(step);
-    if (!verdict_.divergence && std::ranges::binary_search(recording_->keyframes(), step))
-      compare_keyframe(step);
-    if (oracle_every_ != 0 && step % oracle_every_ == 0) ask_oracle(step);
-    if (const auto theirs = recording_->their_step(step)) add(*theirs);
+    if (!verdict_.divergence) compare_operators(step, events);
+    if (!verdict_.divergence) compare_figures(step);
+    if (!verdict_.divergence) compare_hashes(step, replayer_.tree(), "");
+    if (!verdict_.divergence) go_on_from_keyframe(step);
+    judge(step);
+  }
+
+  void diverge(std::uint32_t step, std::string recorded, std::string replayed,
+               std::optional<std::uint64_t> event = std::nullopt) {
+    if (!verdict_.divergence) verdict_.divergence = {step, event, std::move(recorded), std::move(replayed)};
   }
 
   void compare_events(std::uint32_t step, const std::vector<Event>& replayed) {
     const std::vector<Event>& recorded = recording_->step(step).events;
     for (std::size_t k = 0; k < std::max(recorded.size(), replayed.size()); ++k) {
       if (k < recorded.size() && k < replayed.size() && recorded[k] == replayed[k]) continue;
-      verdict_.divergence = {step, recording_->row(step).first_event + k, name(recorded, k),
-                             name(replayed, k)};
-      return;
+      return diverge(step, name(recorded, k), name(replayed, k), recording_->row(step).first_event + k);
     }
   }
 
   static std::string name(const std::vector<Event>& events, std::size_t k) {
     if (k >= events.size()) return "no further event";
     std::string text = describe(events[k]);
-    if (const auto* acted = std::get_if<OperatorActed>(&events[k].body))
+    if (const auto* const acted = acted_of(events[k]))
       text += " along direction " + std::to_string(acted->direction) + " from " +
               std::to_string(acted->old_offset) + " to " + std::to_string(acted->new_offset);
     return text;
   }
 
-  void compare_state(std::uint32_t step) {
-    const StepRow& row = recording_->row(step);
+  /// The table of events, which is a copy for SQL.
+  void compare_operators(std::uint32_t step, const std::vector<Event>& replayed) {
+    for (const Event& event : replayed) {
+      const auto row = operator_row(event);
+      if (!row) continue;
+      const bool is_same = next_operator_ < operators_.size() && operators_[next_operator_] == *row;
+      if (!is_same)
+        return diverge(step, "another row in the table of events, or none", describe(event), event.id);
+      ++next_operator_;
+    }
+    if (next_operator_ < operators_.size() && operators_[next_operator_].step == step)
+      diverge(step, "one more row in the table of events", "no further event",
+              operators_[next_operator_].event);
+  }
+
+  void compare_figures(std::uint32_t step) {
     const Bsp<D, Watch>& tree = replayer_.tree();
+    for (const Figure& figure : figures_of(recording_->row(step), tree.statistics(), tree.pairs().size()))
+      if (figure.recorded != figure.replayed)
+        diverge(step, figure.name + " " + figure.recorded, figure.replayed);
+  }
+
+  void compare_hashes(std::uint32_t step, const Bsp<D, Watch>& tree, const std::string& how) {
+    const StepRow& row = recording_->row(step);
     if (row.state_hash != tree.state_hash())
-      verdict_.divergence = {step, std::nullopt, "state hash " + to_hex(row.state_hash),
-                             to_hex(tree.state_hash())};
+      diverge(step, "state hash " + to_hex(row.state_hash), to_hex(tree.state_hash()) + how);
     else if (row.pairs_hash != hash_pairs(tree.pairs()))
-      verdict_.divergence = {step, std::nullopt, std::to_string(row.pairs) + " pairs",
-                             std::to_string(tree.pairs().size()) + " pairs, not the same"};
+      diverge(step, std::to_string(row.pairs) + " pairs",
+              std::to_string(tree.pairs().size()) + " pairs, not the same" + how);
   }
 
-  void compare_keyframe(std::uint32_t step) {
-    ++verdict_.keyframes;
+  /// Whoever seeks goes on from a keyframe: what comes then must be the recorded run, too.
+  void go_on_from_keyframe(std::uint32_t step) {
+    if (verdict_.keyframes > 0) {
+      run_recorded_step(*recording_, resumed_);
+      compare_hashes(step, resumed_, ", when gone on from the keyframe before");
+    }
+    if (verdict_.divergence || !recording_->has_keyframe(step)) return;
     const BspState<D> keyframe = recording_->keyframe(step, replayer_.tree().tree().projector());
-    const std::uint64_t hash = keyframe.hash();
-    if (hash == recording_->row(step).state_hash && keyframe.step == step) return;
-    verdict_.divergence = {step, std::nullopt, "keyframe with state hash " + to_hex(hash),
-                           to_hex(recording_->row(step).state_hash)};
+    if (plain_keyframe(keyframe) != plain_keyframe(replayer_.tree().state()))
+      return diverge(step, "a keyframe of another state",
+                     "state hash " + to_hex(replayer_.tree().state_hash()));
+    resumed_.restore(keyframe);
+    ++verdict_.keyframes;
   }
 
-  void ask_oracle(std::uint32_t step) {
-    const std::vector<Pair> truth = oracle_pairs(replayer_.tree().objects());
+  void judge(std::uint32_t step) {
+    std::vector<Pair> truth;
+    const bool asks = oracle_every_ != 0 && step % oracle_every_ == 0;
+    if (asks) truth = oracle_pairs(replayer_.tree().objects());
+    if (asks) judge_ours(step, truth);
+    recording_->check_theirs(step);
+    if (const auto judged = recording_->their_step(step))
+      judge_theirs(step, *judged, asks ? &truth : nullptr);
+  }
+
+  void judge_ours(std::uint32_t step, const std::vector<Pair>& truth) {
     const PairJudgement judgement = judge_pairs(replayer_.tree().pairs(), truth);
     if (!judgement.is_exact() && verdict_.first_wrong_step == 0) verdict_.first_wrong_step = step;
+    ++verdict_.judged;
     verdict_.missed += judgement.missed.size();
     verdict_.extra += judgement.extra.size();
     verdict_.twice += judgement.twice.size();
   }
 
-  void add(const TheirStep& theirs) {
-    verdict_.theirs.pairs += theirs.pairs;
-    verdict_.theirs.missed += theirs.missed;
-    verdict_.theirs.extra += theirs.extra;
-    verdict_.theirs.twice += theirs.twice;
+  void judge_theirs(std::uint32_t step, const TheirStep& recorded, const std::vector<Pair>* truth) {
+    const std::vector<Pair> pairs = recording_->their_pairs(step);
+    TheirStep judged = recorded;
+    judged.pairs = pairs.size();
+    if (truth != nullptr) {
+      const PairJudgement judgement = judge_pairs(pairs, *truth);
+      judged = {pairs.size(), judgement.missed.size(), judgement.extra.size(), judgement.twice.size()};
+    }
+    if (judged != recorded) diverge(step, "theirs: " + to_text(recorded), to_text(judged));
+    verdict_.theirs.pairs += judged.pairs;
+    verdict_.theirs.missed += judged.missed;
+    verdict_.theirs.extra += judged.extra;
+    verdict_.theirs.twice += judged.twice;
+  }
+
+  static std::string to_text(const TheirStep& theirs) {
+    return std::to_string(theirs.pairs) + " pairs, " + std::to_string(theirs.missed) + " missed, " +
+           std::to_string(theirs.extra) + " extra, " + std::to_string(theirs.twice) + " twice";
+  }
+
+  void say_what_was_left() {
+    const std::uint32_t steps = recording_->steps();
+    const auto say = [this](const std::string& what) { verdict_.unchecked.push_back(what); };
+    say("how long phases took: no replay shows that");
+    if (verdict_.steps < steps)
+      say("steps " + std::to_string(verdict_.steps + 1) + " to " + std::to_string(steps));
+    if (verdict_.judged < verdict_.steps)
+      say("the pairs of " + std::to_string(verdict_.steps - verdict_.judged) + " of " +
+          std::to_string(verdict_.steps) + " steps by the oracle");
+    if (!recording_->info().complete)
+      say("what came after step " + std::to_string(steps) + ": the recording was not ended in order");
   }
 
   std::shared_ptr<RecordingReader<D>> recording_;
   Replayer<D> replayer_;
+  Bsp<D, Watch> resumed_;  ///< from the last keyframe on; means nothing before the first
+  std::vector<OperatorRow> operators_;
+  std::size_t next_operator_ = 0;
   std::uint32_t oracle_every_;
   Verdict verdict_;
 };

@@ -7,6 +7,7 @@
 #include "core/recording/recorder.h"
 #include "core/recording/schema.h"
 #include "core/replay/cursor.h"
+#include "core/trace/event_facts.h"
 
 namespace kerf {
 namespace {
@@ -15,8 +16,8 @@ std::string name_of(std::uint64_t event) { return "e" + std::to_string(event); }
 
 /// Which operator an event is of: one that acted, or a split that found no partitioner.
 std::optional<Operator> decidable(const Event& event) {
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) return acted->op;
-  const auto* refused = std::get_if<OperatorRefused>(&event.body);
+  if (const auto* const acted = acted_of(event)) return acted->op;
+  const auto* const refused = refused_of(event);
   if (refused == nullptr || refused->reason != Refusal::no_partitioner) return std::nullopt;
   return Operator::split;
 }
@@ -51,17 +52,16 @@ ChosenPlane plane_of(Replayer<D>& replayer, const Event& event, std::size_t cand
 }
 
 bool took_effect(const Decision& decision, const Event& event) {
-  if (const auto* refused = std::get_if<OperatorRefused>(&event.body))
+  if (const auto* const refused = refused_of(event))
     return !decision.plane && refused->op == decision.op && refused->reason == Refusal::decided;
-  const auto* acted = std::get_if<OperatorActed>(&event.body);
+  const auto* const acted = acted_of(event);
   return decision.plane && acted != nullptr && acted->direction == decision.plane->direction &&
          acted->new_offset == decision.plane->offset;
 }
 
 std::string why_not(const Decision& decision, const Event& event) {
   const std::string what = name_of(decision.event) + ": the decision had no effect: ";
-  if (const auto* refused = std::get_if<OperatorRefused>(&event.body))
-    return what + std::string(to_string(refused->reason));
+  if (const auto* const refused = refused_of(event)) return what + std::string(to_string(refused->reason));
   return what + describe(event) +
          ". What sheds entries beyond max_entries cannot be refused; raise max_entries instead";
 }
@@ -75,10 +75,8 @@ void check_effect(const std::vector<Decision>& decisions, const std::vector<Even
 }
 
 template <int D>
-bool rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, const std::filesystem::path& out,
-                 const std::function<bool()>& stop) {
-  Bsp<D, EventLog> tree(info.config, info.volume);
-  Recorder<D> recorder(tree, out, info);
+bool rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, Bsp<D, EventLog>& tree,
+                 Recorder<D>& recorder, const std::function<bool()>& stop) {
   for (std::uint32_t step = 1; step <= recording.steps() && !(stop && stop()); ++step) {
     apply(recording.step(step).requests, recorder);
     recorder.step();
@@ -102,7 +100,7 @@ void decide(RecordingInfo& info, Replayer<D>& replayer, std::uint64_t event,
                                 ": not an operator that acts; `kerf step --to 'kind==acted'` finds one");
   if (candidate && *op != Operator::split)
     throw std::invalid_argument(describe(happened) + ": only a split has candidates to choose from");
-  if (!candidate && !std::holds_alternative<OperatorActed>(happened.body))
+  if (!candidate && !has_acted(happened))
     throw std::invalid_argument(describe(happened) + ": it has not acted, so there is nothing to refuse");
   check_latest(info, replayer.recording(), happened.step, event);
   Decision decision{event, *op, std::nullopt};
@@ -129,8 +127,11 @@ void change_config(RecordingInfo& info, const RecordingReader<D>& recording, std
 template <int D>
 bool rerun(RecordingReader<D>& recording, const RecordingInfo& info, const std::filesystem::path& out,
            const std::function<bool()>& stop) {
+  Bsp<D, EventLog> tree(info.config, info.volume);
+  Recorder<D> recorder(tree, out,
+                       info);  // what has the name already, or is being written, is not ours to remove
   try {
-    return rerun_steps(recording, info, out, stop);
+    return rerun_steps(recording, info, tree, recorder, stop);
   } catch (const std::runtime_error&) {
     remove_recording(out);
     throw;

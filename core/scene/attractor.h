@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-/// A point that draws objects near, but not too near: within its calm radius it pushes, so that a cloud
-/// gathers around it and no lump.
+/// A point that attracts objects, and repels them within its calm radius, so that a cloud forms around it and
+/// not a lump.
 template <int D>
 struct Attractor {
   Vector<D> position;
@@ -18,7 +18,7 @@ struct Attractor {
   Scalar strength = 10;    ///< greatest acceleration, units a second squared
   Scalar calm_radius = 1;  ///< distance at which nothing is drawn or pushed; greater than 0
 
-  /// What an object there is accelerated by that keeps `nearness` calm radii away.
+  /// The acceleration of an object at `place` that keeps `nearness` calm radii away.
   [[nodiscard]] Vector<D> pull(const Vector<D>& place, Scalar nearness = 1) const {
     const Vector<D> way = position - place;
     const Scalar distance = length(way);
@@ -37,8 +37,8 @@ struct Attractor {
   }
 };
 
-/// How near an object comes that is one of many: between 0.3 and 1.7 calm radii, spread evenly over the ids
-/// (the golden ratio's multiples), so that a cloud is a cloud and no shell.
+/// The distance that an object in a cloud keeps: between 0.3 and 1.7 calm radii, spread evenly over the ids
+/// (multiples of the golden ratio), so that a cloud is not a shell.
 inline Scalar nearness(std::uint32_t object) {
   constexpr double kGolden = 0.6180339887498949;
   const double turns = kGolden * object;

@@ -28,19 +28,19 @@ Point<D> widened(const Vector<D>& v) {
   return p;
 }
 
-/// The nearest float that is finite: rounding may carry what lies at the end of the range beyond it.
+/// The nearest finite float: rounding may carry a value at the end of the range beyond it.
 Scalar nearest_finite(double x) {
   constexpr auto kMax = static_cast<double>(std::numeric_limits<Scalar>::max());
   return static_cast<Scalar>(std::clamp(x, -kMax, kMax));
 }
 
-/// Ends of a shadow in doubles, with what their rounding may have lost.
+/// Ends of a projection in doubles, with a bound of their rounding error.
 struct Extent {
   double lo = 0;
   double hi = 0;
 };
 
-/// A shape at a pose, asked for its shadow along any direction.
+/// A shape at a pose, with its projection along any direction.
 template <int D>
 class PosedShape {
  public:
@@ -109,8 +109,8 @@ Volume<D> bounding_sphere(const PosedShape<D>& posed, const PrecisePose<D>& pose
   return make_sphere<D>(center, beyond ? std::numeric_limits<Scalar>::infinity() : round_up(radius));
 }
 
-/// The oriented box along the body's axes, rounded to float. Seen along such axes the shape reaches a little
-/// further than along the exact ones: 2^-20 of its size grants that eight times over.
+/// The oriented box along the body's axes, rounded to float. Along rounded axes the shape reaches a little
+/// farther than along the exact ones: a slack of 2^-20 of its size is eight times that.
 template <int D>
 Volume<D> oriented_bounding_box(const PosedShape<D>& posed, const PrecisePose<D>& pose) {
   std::array<Vector<D>, D> axes;

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// The point moved by so many ulps along its first axis: the smallest change of a scene, as a control of how
+/// The point moved by so many ulps along its first axis: the smallest change of a scene, to measure how
 /// chaotic it is.
 template <int D>
 Vector<D> nudged(Vector<D> point, std::uint32_t ulps) {

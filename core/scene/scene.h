@@ -21,11 +21,11 @@ struct Body {
   Mobility mobility = Mobility::moving;
 };
 
-/// What the user may vary about any scene.
+/// The options that the user may vary for any scene.
 struct SceneOptions {
   std::uint32_t objects = 0;  ///< moving objects at the end of the run; 0: the scene's own default
   std::uint32_t steps = 0;    ///< steps over which a growing scene reaches its number; 0: its own default
-  std::uint32_t recycle = 0;  ///< once all have come, every so many steps the oldest falls anew; 0: never
+  std::uint32_t recycle = 0;  ///< once all have come, every so many steps the oldest falls again; 0: never
   std::uint64_t seed = 1;     ///< of every random choice
   std::uint32_t nudge = 0;    ///< ulps by which the first object is moved aside: a control for chaos
 };
@@ -65,7 +65,7 @@ struct SceneEntry {
   std::unique_ptr<Scene<D>> (*make)(BroadPhase<D>& broad_phase, const SceneOptions& options) = nullptr;
   bool grows =
       true;  ///< objects come over `steps` and may `recycle`; false: all are there from the first step
-  std::string_view parameters{};  ///< what the options mean here, where that needs a word
+  std::string_view parameters{};  ///< what the options mean here, where it is not obvious
 };
 
 }  // namespace kerf

@@ -7,15 +7,15 @@
 
 namespace kerf {
 
-/// A partitioner that somebody chose.
+/// A partitioner chosen by the caller.
 struct ChosenPlane {
   std::uint32_t direction = 0;  ///< index in the direction set
   float offset = 0;
   friend bool operator==(const ChosenPlane&, const ChosenPlane&) = default;
 };
 
-/// What somebody decided instead of Algorithm 1 about the operator that is about to become event `event`:
-/// that it does not act, or, of a split, by which partitioner.
+/// A decision that replaces Algorithm 1 for the operator that would become event `event`: it does not act,
+/// or, for a split, it uses the given partitioner.
 struct Decision {
   std::uint64_t event = 0;
   Operator op = Operator::split;

@@ -1,14 +1,9 @@
 #include "core/trace/event.h"
 
+#include "core/base/overloaded.h"
+
 namespace kerf {
 namespace {
-
-template <class... Visitors>
-struct Overloaded : Visitors... {
-  using Visitors::operator()...;
-};
-template <class... Visitors>
-Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
 std::string name(NodeRef ref) { return "n" + std::to_string(ref.node.value); }
 
@@ -76,7 +71,7 @@ std::string_view to_string(Refusal refusal) {
     case Refusal::list_full:
       return "the event list is full";
     case Refusal::decided:
-      return "somebody decided so";
+      return "refused by a decision";
   }
   return "";
 }

@@ -49,7 +49,7 @@ enum class Refusal : std::uint8_t {
   height,          ///< the height cap
   entries,         ///< the cap on entries
   list_full,       ///< the event list is full
-  decided,         ///< somebody decided so (see Decision)
+  decided,         ///< a decision refuses it (see Decision)
 };
 inline constexpr int kRefusalCount = 7;
 std::string_view to_string(Refusal refusal);
@@ -74,7 +74,7 @@ struct ObjectPlaced {
   friend bool operator==(const ObjectPlaced&, const ObjectPlaced&) = default;
 };
 
-/// So many objects had left their places that all were placed anew in one pass.
+/// So many objects left their leaves that all were placed anew in one pass.
 struct AllPlaced {
   std::uint32_t objects = 0;
   friend bool operator==(const AllPlaced&, const AllPlaced&) = default;

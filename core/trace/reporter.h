@@ -9,25 +9,25 @@
 
 namespace kerf {
 
-/// Numbers events and hands them to the trace; and, since a number names an event before it happens, knows
-/// what somebody decided about it. With NoTrace every call compiles to nothing, the building of the event
-/// included.
+/// Numbers events and passes them to the trace. Since a number names an event before it happens, the reporter
+/// also keeps the decisions about events. With NoTrace every call compiles to nothing, the construction of
+/// the event included.
 template <class Trace>
 class Reporter {
  public:
   [[nodiscard]] Trace& trace() { return trace_; }
   void begin_step(std::uint32_t step) { step_ = step; }
-  /// The id of the event to come.
+  /// The id of the next event.
   [[nodiscard]] std::uint64_t next_id() const { return next_id_; }
-  /// As if everything up to `next_id` in `step` had been reported.
+  /// Continues as if everything up to `next_id` in `step` had been reported.
   void resume(std::uint64_t next_id, std::uint32_t step) {
     next_id_ = next_id;
     step_ = step;
   }
 
-  /// Holds for the whole run, `resume` included.
+  /// The decisions hold for the whole run, `resume` included.
   void decide(std::vector<Decision> decisions) { decisions_ = std::move(decisions); }
-  /// What was decided about the event to come, should it be that operator; none: Algorithm 1 goes on.
+  /// The decision about the next event, if there is one for that operator. Null: Algorithm 1 decides.
   [[nodiscard]] const Decision* decision(Operator op) const {
     if constexpr (Trace::kEnabled)
       for (const Decision& decision : decisions_)
@@ -39,7 +39,7 @@ class Reporter {
     return decided != nullptr && !decided->plane;
   }
 
-  /// `make()` builds the body; it is called only when somebody watches.
+  /// `make()` builds the body; it is called only if a trace receives it.
   template <class Make>
   void report(Make make) {
     if constexpr (Trace::kEnabled) trace_.record({next_id_++, step_, EventBody{make()}});

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// What a broad phase reports to. With NoTrace nothing is built and nothing is called.
+/// The receiver of a broad phase's events. With NoTrace nothing is built and nothing is called.
 struct NoTrace {
   static constexpr bool kEnabled = false;
 };
@@ -19,15 +19,14 @@ class EventLog {
   static constexpr bool kEnabled = true;
   void record(Event event) { events_.push_back(std::move(event)); }
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
-  /// Gives the events away and starts afresh.
+  /// Returns the events and starts afresh.
   std::vector<Event> take() { return std::exchange(events_, {}); }
 
  private:
   std::vector<Event> events_;
 };
 
-/// Tells each event at the moment in which it happens: whoever listens may look at the tree in the middle of
-/// a step, but not change it.
+/// Calls a listener at each event. The listener may read the tree in the middle of a step, but not change it.
 class Watch {
  public:
   static constexpr bool kEnabled = true;
@@ -37,7 +36,7 @@ class Watch {
   std::function<void(const Event&)> on_event;
 };
 
-/// INSTANTIATE(D, TRACE) for both dimensions and each of the above.
+/// INSTANTIATE(D, TRACE) for both dimensions and each trace above.
 #define KERF_FOR_EACH_TRACE(INSTANTIATE) \
   INSTANTIATE(2, NoTrace)                \
   INSTANTIATE(3, NoTrace)                \

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/tuning.h"
 #include "core/kernels/prefetch.h"
 #include "core/tree/criteria.h"
 #include "core/tree/placement.h"
@@ -16,7 +17,7 @@ std::vector<Interval> project_all(const Tree<D>& tree, std::uint32_t direction,
   std::vector<Interval> intervals;
   intervals.reserve(stored.size());
   for (std::size_t k = 0; k < stored.size(); ++k) {
-    prefetch(&tree.table.packed(stored[std::min(k + kPrefetchAhead, stored.size() - 1)].object));
+    prefetch(&tree.table.packed(stored[std::min(k + tuning::kPrefetchAhead, stored.size() - 1)].object));
     intervals.push_back(tree.project(direction, stored[k].object));
   }
   return intervals;

@@ -8,8 +8,8 @@ namespace kerf {
 
 namespace {
 
-/// What begins here or later lies right of the offset, also for a processor that takes denormals for zero:
-/// none is a bound, since it would let in what begins at zero and is not beyond the offset.
+/// Objects that begin here or later lie right of the offset, also on a processor that takes denormals for
+/// zero. A denormal is never a bound, since it would admit objects that begin at zero, not beyond the offset.
 Scalar right_bound(Scalar offset) {
   constexpr Scalar kLeast = std::numeric_limits<Scalar>::min();
   if (-kLeast < offset && offset < kLeast) return kLeast;

@@ -21,21 +21,21 @@ Quality quality(const Tree<D>& tree, NodeId inner) {
   return {node.population, tree[node.left].population, tree[node.right].population};
 }
 
-/// A leaf that Algorithm 1 wants to split.
+/// Whether Algorithm 1 splits the leaf.
 template <int D>
 bool wants_split(const Tree<D>& tree, NodeId id, const Config& config) {
   return config.split && tree[id].is_leaf() && tree[id].population > split_threshold(tree.objects(), config);
 }
 
-/// An inner node that Algorithm 1 wants to merge.
+/// Whether Algorithm 1 merges the inner node.
 template <int D>
 bool wants_merge(const Tree<D>& tree, NodeId id, const Config& config) {
   return config.merge && !tree[id].is_leaf() && tree[id].population < merge_threshold(tree.objects(), config);
 }
 
-/// An inner node whose partitioner no longer divides: unbalanced (paper section 6.1), or, which the paper
-/// leaves open, straddled by more than `repair_redundancy` of its objects. A balanced node of which every
-/// object is on both sides would otherwise never be repaired. What a split may accept is never repaired.
+/// Whether an inner node's partitioner no longer divides: unbalanced (paper section 6.1), or straddled by
+/// more than `repair_redundancy` of its objects, a case that the paper leaves open: a balanced node with
+/// every object on both sides would otherwise never be repaired. What a split may accept is never repaired.
 template <int D>
 bool wants_repair(const Tree<D>& tree, NodeId id, const Config& config) {
   if (tree[id].is_leaf()) return false;

@@ -1,7 +1,7 @@
 #include "core/tree/hash.h"
 
 #if defined(__x86_64__)
-#include <xxh_x86dispatch.h>  // the same functions for the vectors that the processor has
+#include <xxh_x86dispatch.h>  // the same functions for the processor's vectors
 #else
 #include <xxhash.h>
 #endif
@@ -14,14 +14,14 @@
 namespace kerf {
 namespace {
 
-/// Numbers one after another; structs are never hashed whole, since their padding says nothing.
+/// Numbers one after another; structs are never hashed whole, since their padding is undefined.
 class Words {
  public:
   Words() : state_(XXH3_createState()) {
     if (state_ == nullptr) throw std::bad_alloc();
     XXH3_64bits_reset(state_.get());
   }
-  /// As many as belong together: there is room for all of them or for none.
+  /// Words that belong together: there is room for all of them or for none.
   template <class... Word>
   void add(Word... words) {
     if (size_ + sizeof...(words) > words_.size()) digest_words();
@@ -54,7 +54,7 @@ std::uint64_t word(Scalar x, Scalar y) {
   return word(std::bit_cast<std::uint32_t>(x), std::bit_cast<std::uint32_t>(y));
 }
 
-/// Minimum and maximum of each axis. As bits of the packed box: through floats they would wait for one
+/// Minimum and maximum of each axis, as bits of the packed box: through floats they would wait for one
 /// another.
 template <int D>
 void add_box(Words& words, const PackedBox<D>& box) {

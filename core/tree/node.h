@@ -9,8 +9,9 @@
 
 namespace kerf {
 
-/// A node of the tree: either inner (a partitioner and two children) or a leaf (entries).
-/// All nodes live in one array; links are indices.
+/// A node of the tree: either inner (a partitioner and two children) or a leaf (entries). All nodes live in
+/// one array; links are indices. It has many fields, since a node is a row of the tree's table: all that is
+/// known of it is here.
 template <int D>
 struct Node {
   Plane<D> plane;               ///< inner: objects with lo <= d are left, with hi > d right
@@ -26,8 +27,8 @@ struct Node {
   std::uint32_t retry_step = 0;  ///< leaf: no split is tried before this step (back-off after refusals)
   std::uint32_t refusals = 0;    ///< leaf: splits refused in a row
   bool alive = false;
-  bool unsorted = false;  ///< leaf: the entries' keys and order must be renewed before anybody relies on them
-  bool changed = false;   ///< leaf: what was derived from its entries or masks is out of date
+  bool unsorted = false;       ///< leaf: the entries' keys and order must be renewed before they are read
+  std::uint32_t version = 0;   ///< leaf: grows whenever its entries or masks change
   std::vector<Entry> entries;  ///< leaf: ordered by (key.lo, object) after the sort phase
 
   [[nodiscard]] bool is_leaf() const { return left.is_none(); }

@@ -8,9 +8,10 @@
 namespace kerf {
 namespace {
 
-/// A sampled candidate is confirmed on all objects; that many of the best get the chance.
+/// A sampled candidate is confirmed on all objects. This many of the best are tried.
 constexpr std::size_t kConfirmed = 4;
-/// In leaves of so many samples the sample's offset is taken; else the best offset of all objects is found.
+/// In leaves with this many times the sample the sample's offset is used; else the best offset of all objects
+/// is found.
 constexpr std::size_t kManySamples = 32;
 
 /// The offset furthest from both neighbours in the gap [low, high): objects may then move a little without
@@ -33,7 +34,7 @@ class Gaps {
     sort_scalars(his_);
   }
 
-  /// Below the first gap of which the predicate holds; it must hold of all gaps above that one, too.
+  /// Advances to the first gap for which the predicate holds; it must hold for all gaps above that one, too.
   template <class Predicate>
   void go_before(const Predicate& holds) {
     const auto is_before = [&](Scalar end) {
@@ -139,8 +140,8 @@ std::optional<ReferencePoint> best_reference_point(std::span<const Interval> int
   const auto is_high = [](const Quality& q) { return q.left >= q.right; };
   gaps.go_before(is_high);
   gaps.advance();
-  // No score exceeds its balance, and balance falls to both sides of the middle. So what the middle scores
-  // leaves only the gaps near it.
+  // No score exceeds its balance, and balance falls to both sides of the middle. So the score at the middle
+  // excludes all but the gaps near it.
   const std::optional<ReferencePoint> fair = gaps.point(config);
   const float least = std::max(config.min_balance, fair ? score(fair->quality) : 0);
   const auto is_near = [least](const Quality& q) { return balance(q) >= least; };

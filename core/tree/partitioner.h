@@ -24,7 +24,7 @@ constexpr std::uint32_t redundancy(const Quality& q) { return q.left + q.right -
 /// The paper's goodness criteria: balanced enough, few enough straddlers, and both children smaller than the
 /// node.
 bool is_good(const Quality& q, const Config& config);
-/// What a choice maximises: balance less the share of straddlers. At most 1.
+/// The value that a choice maximises: balance less the share of straddlers. At most 1.
 float score(const Quality& q);
 
 /// A place for a partitioner along a fixed direction.
@@ -41,7 +41,7 @@ struct Candidate {
   bool exact = false;
 };
 
-/// Counts one object of the population on the sides on which it lies.
+/// Counts one object of the population on its sides.
 constexpr void count(Sides sides, Quality& q) {
   q.left += sides.left ? 1U : 0U;
   q.right += sides.right ? 1U : 0U;

@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 
+#include "core/base/tuning.h"
+
 namespace kerf {
 namespace {
 
@@ -29,15 +31,16 @@ class WalkStack {
  private:
   static constexpr std::size_t kRoom = kMaxHeight + 2;
   std::size_t size_ = 0;
-  std::uint32_t nodes_[kRoom];  // what is not in use has no value: most walks are short
+  std::uint32_t nodes_[kRoom];  // unused places have no value: most walks are short
   DepthMask straddles_[kRoom];
 };
 
-/// Takes the marked objects out of a leaf below `from`, and counts them off each node up to there in which
-/// they have no copy further left.
+/// Removes the marked objects from a leaf below `from`, and subtracts them from each node up to there that
+/// has no copy of them farther left.
 template <int D>
 void take_out_marked(Tree<D>& tree, NodeId from, NodeId leaf) {
-  std::array<std::uint32_t, kMaxHeight + 1> going{};  // by the depth from which on their copy is the leftmost
+  std::array<std::uint32_t, kMaxHeight + 1>
+      going{};  // by the depth from which on the copy in this leaf is the leftmost
   std::uint32_t leftmost = 0;
   tree.drop_marked_entries(leaf, [&](const Entry& entry) {
     ++going[static_cast<std::size_t>(std::bit_width(entry.straddle & tree[leaf].right_of))];
@@ -71,7 +74,7 @@ void reach_nodes(const Tree<D>& tree, NodeId from, ObjectId object, std::vector<
   }
 }
 
-/// Whether two things reach the same leaves, on the same sides, by the sides that each has of a node. Calls
+/// Whether two objects reach the same leaves, on the same sides, given the sides of each at a node. Calls
 /// `visit` with the leaves; if not, with some of them.
 template <int D, class First, class Second, class Visit>
 bool walk_alike(const Tree<D>& tree, First first, Second second, Visit visit) {
@@ -116,8 +119,7 @@ std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above
 
 template <int D>
 void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving) {
-  constexpr std::size_t kFew = 32;  // of so many objects below one that leaves is looked for by its box
-  if (leaving.size() * kFew < tree[from].population) {
+  if (leaving.size() * tuning::kObjectsPerLeaver < tree[from].population) {
     std::vector<NodeId> passed;
     for (const ObjectId object : leaving) reach_nodes(tree, from, object, passed);
     const Departure departure{leaving, passed};
@@ -153,7 +155,7 @@ void displace(Tree<D>& tree, std::span<const Departure> departures, TaskPool& po
 }
 
 template <int D>
-bool stays(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume) {
+bool try_keep_in_leaves(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume) {
   const auto sides_of = [&tree](const auto& what) {
     return
         [&](const Node<D>& node) { return classify(tree.project(node.direction, what), node.plane.offset); };
@@ -208,7 +210,7 @@ std::vector<Stored> collect(const Tree<D>& tree, NodeId from) {
   template std::uint32_t place<D>(Tree<D>&, NodeId, ObjectId, DepthMask);                             \
   template void displace<D>(Tree<D>&, NodeId, std::span<const ObjectId>);                             \
   template void displace<D>(Tree<D>&, std::span<const Departure>, TaskPool&);                         \
-  template bool stays<D>(Tree<D>&, ObjectId, const Volume<D>&);                                       \
+  template bool try_keep_in_leaves<D>(Tree<D>&, ObjectId, const Volume<D>&);                          \
   template void reach<D>(const Tree<D>&, const Box<D>&, std::vector<Reached>&, std::vector<NodeId>&); \
   template bool reach_alike<D>(const Tree<D>&, const Box<D>&, const Box<D>&, std::vector<NodeId>&);   \
   template std::vector<Stored> collect<D>(const Tree<D>&, NodeId);

@@ -19,19 +19,19 @@ struct Stored {
 template <int D>
 std::uint32_t place(Tree<D>& tree, NodeId from, ObjectId object, DepthMask above);
 
-/// Takes the objects out of every leaf below `from`. The tree's table must still have the volumes by which
+/// Removes the objects from every leaf below `from`. The tree's table must still have the volumes by which
 /// they were placed.
 template <int D>
 void displace(Tree<D>& tree, NodeId from, std::span<const ObjectId> leaving);
 
-/// Objects that leave the tree, and by which nodes they go: each node that an object reaches, leaves too,
+/// Objects that leave the tree, and the nodes that they leave: each node that an object reaches, leaves too,
 /// once for that object.
 struct Departure {
   std::span<const ObjectId> objects;
   std::span<const NodeId> passed;
 };
 
-/// The same if that is known; an object is in one of the departures at most.
+/// The same if the nodes are known; an object is in one of the departures at most.
 template <int D>
 void displace(Tree<D>& tree, std::span<const Departure> departures, TaskPool& pool);
 
@@ -42,8 +42,8 @@ struct Reached {
   friend constexpr bool operator==(const Reached&, const Reached&) = default;
 };
 
-/// Appends every leaf that a box reaches, left before right, and every node on the way, the leaves too. For
-/// trees of boxes.
+/// Appends every leaf that a box reaches, left before right, and every node on the way, the leaves included.
+/// For trees of boxes.
 template <int D>
 void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached,
            std::vector<NodeId>& passed);
@@ -53,10 +53,11 @@ void reach(const Tree<D>& tree, const Box<D>& box, std::vector<Reached>& reached
 template <int D>
 bool reach_alike(const Tree<D>& tree, const Box<D>& first, const Box<D>& second, std::vector<NodeId>& leaves);
 
-/// True if a placed object's new volume reaches the same leaves, on the same sides, as the one in the tree's
-/// table; those leaves are then marked for the sort. The entries and the table are as they were.
+/// Keeps a placed object in its leaves if its new volume reaches the same ones, on the same sides, as the one
+/// in the tree's table: marks those leaves for the sort and returns true. Else some leaves may be marked in
+/// vain, and it returns false. The entries and the table stay as they are.
 template <int D>
-bool stays(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume);
+bool try_keep_in_leaves(Tree<D>& tree, ObjectId object, const Volume<D>& new_volume);
 
 /// Every object below `from`, each once.
 template <int D>

@@ -9,10 +9,10 @@
 namespace kerf {
 namespace {
 
-// Widenings, far above what doubles on float input can lose and far below what a float shows.
+// Widenings, far above the rounding of doubles on float input and far below the precision of a float.
 constexpr double kRelative = 0x1p-42;
 // The overlap test of oriented boxes takes their axes for face normals. Axes within kAxisTolerance of
-// orthonormal make an error of that size; three times it is granted.
+// orthonormal cause an error of that size; the slack is three times that.
 constexpr double kSkew = 3 * kAxisTolerance;
 
 struct Center {
@@ -65,8 +65,8 @@ Interval project_slabs(const SlabSum<D>& sum, const Box<D>& box, const Scalar* e
   return result;
 }
 
-/// The projectors made last. Repulsion takes some ten milliseconds, and who compares runs makes many trees of
-/// one configuration.
+/// The most recent projectors. Repulsion takes some ten milliseconds, and comparisons of runs make many trees
+/// of one configuration.
 template <int D>
 class MadeProjectors {
  public:

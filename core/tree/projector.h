@@ -13,8 +13,8 @@
 namespace kerf {
 
 /// Projects volumes of one kind on the directions of a set. Two volumes that overlap by `volumes_overlap`
-/// have intervals that overlap for every direction: what a tree in free directions needs to be exact
-/// (DESIGN.md, "Other volumes").
+/// have overlapping intervals for every direction, as exactness in free directions requires (DESIGN.md,
+/// "Other volumes").
 template <int D>
 class Projector {
  public:
@@ -23,7 +23,7 @@ class Projector {
   [[nodiscard]] const DirectionSet<D>& directions() const { return directions_; }
   [[nodiscard]] VolumeKind kind() const { return kind_; }
 
-  /// `extra` points to the numbers that the kind keeps beside the box.
+  /// `extra` points to the numbers that the kind stores beside the box.
   [[nodiscard]] Interval operator()(std::uint32_t direction, const Box<D>& box, const Scalar* extra) const {
     if (kind_ == VolumeKind::box) return project(direction, directions_[direction], box);
     return project_extra(direction, box, extra);

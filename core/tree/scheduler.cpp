@@ -19,8 +19,8 @@ namespace {
 constexpr std::array kProcessingOrder{Operator::shift_split, Operator::split, Operator::swap,
                                       Operator::merge};
 
-/// A leaf whose split was refused is left alone for 1, 2, 4, 8, 16 scheduling intervals: where no partitioner
-/// divides, as when all objects coincide, looking again each time would cost more than the sweep.
+/// A leaf whose split was refused is left alone for 1, 2, 4, 8, 16 scheduling intervals. Where no partitioner
+/// divides, as when all objects coincide, a search in each interval would cost more than the sweep.
 template <int D>
 void back_off(Tree<D>& tree, NodeId leaf, const Config& config, std::uint32_t step) {
   constexpr std::uint32_t kLongest = 4;
@@ -85,15 +85,15 @@ void Scheduler<D>::traverse(Tree<D>& tree, const Config& config, std::uint32_t s
   }
 }
 
-/// Splits leaves that are many times too large, and their children until none is too large: thousands of
-/// objects that came together would otherwise be swept in few leaves, and divided in each of many steps.
+/// Splits leaves that are many times too large, and their children, until none is too large. Otherwise
+/// thousands of objects that came together would be swept in few leaves, and divided over many steps.
 template <int D>
 template <class Trace>
 void Scheduler<D>::divide_bulk(Tree<D>& tree, const Config& config, std::uint32_t step,
                                Reporter<Trace>& reporter) {
   struct Due {
     NodeId node;
-    float most;  ///< objects of a leaf that stays
+    float most;  ///< the most objects of a leaf that is not divided
   };
   const auto threshold = static_cast<float>(split_threshold(tree.objects(), config));
   std::vector<Due> todo{{tree.root(), config.bulk_factor * threshold}};
@@ -109,14 +109,14 @@ void Scheduler<D>::divide_bulk(Tree<D>& tree, const Config& config, std::uint32_
   }
 }
 
-/// Lines 3 to 10 for one node. True if something happened here, so that its subtrees are not visited.
+/// Lines 3 to 10 for one node. True if an operator acted or was due, so that its subtrees are not visited.
 template <int D>
 template <class Trace>
 bool Scheduler<D>::visit(Tree<D>& tree, NodeId id, const Config& config, std::uint32_t step,
                          Reporter<Trace>& reporter) {
   if (wants_repair(tree, id, config) && repair(tree, id, config, reporter)) return true;
   if (wants_split(tree, id, config) && tree[id].retry_step <= step) {
-    if (pending() >= config.event_capacity) {  // looking for a point would be in vain
+    if (pending() >= config.event_capacity) {  // the search for a point would be in vain
       refuse(Operator::split, tree.ref(id), Refusal::list_full, reporter);
       return true;
     }
@@ -197,7 +197,7 @@ bool Scheduler<D>::apply(Tree<D>& tree, Operator op, NodeRef ref, const Config& 
   return true;
 }
 
-/// Whether somebody decided that this does not happen; then it is told.
+/// Whether a decision refuses this operator; the refusal is then reported.
 template <int D>
 template <class Trace>
 bool Scheduler<D>::is_refused(const Tree<D>& tree, Operator op, NodeId id, Reporter<Trace>& reporter) {

@@ -11,19 +11,19 @@
 
 namespace kerf {
 
-/// Algorithm 1 of the paper (section 5.2): decides which operators the tree needs and applies a few of them a
-/// step.
+/// Algorithm 1 of the paper (section 5.2): decides which operators the tree needs and applies a few of them
+/// in each step.
 ///
 /// `traverse` walks from the root. An unbalanced node is balanced at once or, if no shift is good, listed for
 /// a swap; a crowded leaf is listed for a shift-split if that has a good point, else for a split; a thin node
-/// is listed for a merge. Below a node where something happened the walk does not go on. `process` applies
-/// listed events in the order shift-split, split, swap, merge until the budget is spent; the rest is
+/// is listed for a merge. The walk does not go below a node where an operator acted or was listed. `process`
+/// applies listed events in the order shift-split, split, swap, merge until the budget is spent; the rest is
 /// deferred. No traversal happens while events other than merges are pending.
 template <int D>
 class Scheduler {
  public:
-  /// Lines 1 to 12. Does nothing while events are pending, between two scheduling steps, or without a budget;
-  /// but entries beyond their cap are shed, and leaves in bulk divided, in any step that has a budget.
+  /// Lines 1 to 12. Does nothing while events are pending, between two scheduling steps, or without a budget.
+  /// Entries beyond their cap are shed, and leaves in bulk divided, in any step that has a budget.
   template <class Trace>
   void traverse(Tree<D>& tree, const Config& config, std::uint32_t step, Reporter<Trace>& reporter);
   /// Lines 13 to 18.
@@ -35,11 +35,11 @@ class Scheduler {
   [[nodiscard]] std::uint32_t pending() const;
   /// Operators that acted, by kind, since the beginning.
   [[nodiscard]] const std::array<std::uint64_t, kOperatorCount>& acted() const { return acted_; }
-  /// `seed` mixed with the pending events: they decide what the next steps do, as much as the tree does.
+  /// `seed` mixed with the pending events: they decide the next steps as much as the tree does.
   [[nodiscard]] std::uint64_t mix_into(std::uint64_t seed) const;
   /// Operators refused or dropped since the beginning.
   [[nodiscard]] std::uint64_t refused() const { return refused_; }
-  /// Takes over what another scheduler had listed and counted. `lists` has one list for each operator.
+  /// Takes over the lists and counts of another scheduler. `lists` has one list for each operator.
   void resume(std::array<std::vector<NodeRef>, kOperatorCount> lists,
               const std::array<std::uint64_t, kOperatorCount>& acted, std::uint64_t refused) {
     lists_ = std::move(lists);

@@ -11,7 +11,7 @@ bool exceeds(const Tree<D>& tree, float entries_an_object) {
   return static_cast<double>(tree.entries()) > static_cast<double>(entries_an_object) * tree.objects();
 }
 
-/// Merges the topmost nodes of which more than `share` of the objects lie on both sides.
+/// Merges the topmost nodes that have more than `share` of their objects on both sides.
 template <int D>
 void merge_straddled(Tree<D>& tree, float share, std::vector<OperatorActed>& events) {
   std::vector<NodeId> todo{tree.root()};
@@ -33,7 +33,7 @@ void merge_straddled(Tree<D>& tree, float share, std::vector<OperatorActed>& eve
 
 template <int D>
 std::vector<OperatorActed> shed_entries(Tree<D>& tree, const Config& config) {
-  constexpr float kLeast = 1.0F / 64;  // below it any straddler is one too many
+  constexpr float kLeast = 1.0F / 64;  // below it any straddler is too many
   std::vector<OperatorActed> events;
   if (!exceeds(tree, 2 * config.max_entries)) return events;
   for (float share = config.repair_redundancy; exceeds(tree, config.max_entries); share /= 2)

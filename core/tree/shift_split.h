@@ -24,7 +24,8 @@ namespace kerf {
 template <int D>
 std::optional<OperatorActed> shift_split(Tree<D>& tree, NodeId leaf, const Config& config, Refusal& refusal);
 
-/// The point where shift_split would divide, or none: what Algorithm 1 asks before it chooses split instead.
+/// The point where shift_split would divide, or none. Algorithm 1 asks for it before it chooses split
+/// instead.
 template <int D>
 std::optional<ReferencePoint> shifted_partitioner(const Tree<D>& tree, NodeId leaf, const Config& config);
 

@@ -19,18 +19,17 @@ namespace kerf {
 ///                    [a b]   [b c d]      b straddles p and has an entry in both
 ///
 /// Pre: `leaf` is a leaf. Post: it is an inner node, or, if no candidate is good or a cap forbids it, nothing
-/// changed. Event: OperatorActed{split}. `refusal` tells why nothing happened.
+/// changed. Event: OperatorActed{split}. `refusal` says why nothing happened.
 template <int D>
 std::optional<OperatorActed> split(Tree<D>& tree, NodeId leaf, const Config& config, Refusal& refusal);
 
-/// As above, unless somebody decided otherwise: then the leaf stays, or is divided by their partitioner if
-/// the caps allow it and both children are smaller, however good it is.
+/// As above, unless a decision replaces the choice: then the leaf is not split, or is divided by the
+/// decision's partitioner if the caps allow it and both children are smaller, however good it is.
 template <int D>
 std::optional<OperatorActed> split(Tree<D>& tree, NodeId leaf, const Config& config, const Decision* decision,
                                    Refusal& refusal);
 
-/// Divides a leaf by a partitioner that somebody chose: what split and shift-split share. Returns the new
-/// quality.
+/// Divides a leaf by a given partitioner: the part that split and shift-split share. Returns the new quality.
 template <int D>
 Quality divide(Tree<D>& tree, NodeId leaf, std::uint32_t direction, Scalar offset);
 

@@ -6,13 +6,13 @@
 
 namespace kerf {
 
-/// The direction of the ordered lists of a node's leaves: its partitioner's; axis 0 above the root.
+/// The direction of the ordered lists of a node's leaves: that of its partitioner, or axis 0 above the root.
 template <int D>
 std::uint32_t list_direction(const Tree<D>& tree, NodeId parent) {
   return parent.is_none() ? 0 : tree[parent].direction;
 }
 
-/// Projects the entries of a leaf anew on its direction; their order is left to the sort phase.
+/// Projects the entries of a leaf anew on its direction; the sort phase restores their order.
 template <int D>
 void renew_keys(Tree<D>& tree, NodeId leaf) {
   const std::uint32_t direction = tree[leaf].direction;

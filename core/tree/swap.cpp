@@ -24,7 +24,7 @@ void lift(Tree<D>& tree, NodeId top, std::uint32_t depth) {
     Node<D>& node = tree[id];
     --node.depth;
     node.right_of = without_depth(node.right_of, depth);
-    node.changed = true;
+    ++node.version;
     for (Entry& entry : node.entries) entry.straddle = without_depth(entry.straddle, depth);
   }
 }

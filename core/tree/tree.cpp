@@ -54,11 +54,11 @@ template <int D>
 void Tree<D>::add_entry(NodeId leaf, ObjectId object, DepthMask straddle) {
   Node<D>& node = nodes_[leaf.index()];
   const std::size_t count = node.entries.size() + 1;
-  // Entries come one by one: the room grows by a quarter, or a leaf that fills were copied too often.
+  // Entries come one by one: the room grows by a quarter, so that a growing leaf is not copied too often.
   if (count > node.entries.capacity()) make_list_room(node.entries, count + count / 8);
   node.entries.push_back({project(node.direction, object), object, straddle});
   node.unsorted = true;
-  node.changed = true;
+  ++node.version;
   ++entries_;
 }
 
@@ -67,14 +67,14 @@ void Tree<D>::set_entries(NodeId leaf, std::vector<Entry> entries) {
   entries_ += entries.size();
   entries_ -= nodes_[leaf.index()].entries.size();
   nodes_[leaf.index()].entries = std::move(entries);
-  nodes_[leaf.index()].changed = true;
+  ++nodes_[leaf.index()].version;
 }
 
 template <int D>
 void Tree<D>::clear_entries(NodeId leaf) {
   entries_ -= nodes_[leaf.index()].entries.size();
   nodes_[leaf.index()].entries.clear();
-  nodes_[leaf.index()].changed = true;
+  ++nodes_[leaf.index()].version;
 }
 
 template <int D>
@@ -83,7 +83,7 @@ std::vector<Entry>& Tree<D>::refill(NodeId leaf, std::size_t count) {
   make_list_room(node.entries, count);
   node.entries.resize(count);
   node.unsorted = true;
-  node.changed = true;
+  ++node.version;
   return node.entries;
 }
 
@@ -93,15 +93,15 @@ void Tree<D>::count_entries() {
   for_each_node(*this, root_, [this](NodeId id) { entries_ += nodes_[id.index()].entries.size(); });
 }
 
-/// From the back, where those are that came last: who leaves often lies there, and what is before it is not
-/// even looked at.
+/// From the back, where the newest entries lie: objects that leave are often among them, and the entries
+/// before are not even read.
 template <int D>
 void Tree<D>::drop_marked_entries(std::span<const EntryCount> marked, TaskPool& pool) {
   const auto is_marked = [this](const Entry& entry) { return marks_[entry.object.index()] != 0; };
   std::atomic<std::uint64_t> dropped = 0;
   pool.for_each(marked.size(), [&](std::size_t k, std::size_t) {
     Node<D>& leaf = nodes_[marked[k].leaf.index()];
-    leaf.changed = true;
+    ++leaf.version;
     std::size_t first = leaf.entries.size();
     for (std::uint32_t left = marked[k].entries; left > 0 && first > 0;)
       left -= is_marked(leaf.entries[--first]) ? 1U : 0U;

@@ -14,7 +14,7 @@
 
 namespace kerf {
 
-/// So many entries of a leaf.
+/// A leaf and a number of its entries.
 struct EntryCount {
   NodeId leaf;
   std::uint32_t entries = 0;
@@ -23,7 +23,7 @@ struct EntryCount {
 /// The tree as a value: nodes and boxes in arrays, links as indices. A copy is a keyframe.
 ///
 /// Invariant (checked by `validate`): every placed object has one entry in every leaf that its box reaches by
-/// `classify`, and `straddle`, `right_of`, `depth` and `population` say what the links say.
+/// `classify`, and `straddle`, `right_of`, `depth` and `population` agree with the links.
 template <int D>
 class Tree {
  public:
@@ -50,11 +50,11 @@ class Tree {
   /// Objects that have a place in the tree: those present and not quarantined.
   [[nodiscard]] std::uint32_t objects() const { return nodes_[root_.index()].population; }
 
-  /// All slots, dead ones included, and the dead ones in the order in which they will be used again.
+  /// All slots, dead ones included, and the dead ones in the order of their reuse.
   [[nodiscard]] const std::vector<Node<D>>& nodes() const { return nodes_; }
   [[nodiscard]] const std::vector<NodeId>& unused() const { return free_; }
-  /// Takes over the nodes of another tree with the same projector. Throws std::runtime_error for links that
-  /// lead nowhere.
+  /// Takes over the nodes of another tree with the same projector. Throws std::runtime_error for broken
+  /// links.
   void assign(std::vector<Node<D>> nodes, std::vector<NodeId> unused, NodeId root);
 
   /// Volumes as they are placed. Operators classify by these and by nothing else.
@@ -66,18 +66,18 @@ class Tree {
   void set_root(NodeId id) { root_ = id; }
   /// Puts an entry for `object` into the leaf and counts it.
   void add_entry(NodeId leaf, ObjectId object, DepthMask straddle);
-  /// Replaces all entries of the leaf; they are taken as they are.
+  /// Replaces all entries of the leaf without looking at them.
   void set_entries(NodeId leaf, std::vector<Entry> entries);
   void clear_entries(NodeId leaf);
-  /// The leaf's entries, `count` of them now, for somebody to write anew. Different leaves can be refilled at
+  /// The leaf's entries, now `count` of them, for the caller to write. Different leaves can be refilled at
   /// the same time; `count_entries` must follow.
   std::vector<Entry>& refill(NodeId leaf, std::size_t count);
   void count_entries();
-  /// Takes the entries of all marked objects out of the leaves, each given once with how many it has of them.
-  /// The order of the others is kept.
+  /// Removes the entries of all marked objects from the leaves, each given once with the number of its marked
+  /// entries. Keeps the order of the others.
   void drop_marked_entries(std::span<const EntryCount> marked, TaskPool& pool);
-  /// Takes the entries of all marked objects out of the leaf and calls `visit` with each of them before. The
-  /// order of the others is kept.
+  /// Removes the entries of all marked objects from the leaf and calls `visit` with each of them before.
+  /// Keeps the order of the others.
   template <class Visit>
   void drop_marked_entries(NodeId leaf, Visit visit);
   /// A mark per object; all are off between operations.
@@ -102,14 +102,14 @@ void Tree<D>::drop_marked_entries(NodeId leaf, Visit visit) {
     return is_marked;
   };
   const std::size_t dropped = std::erase_if(node.entries, goes);
-  node.changed |= dropped > 0;
+  if (dropped > 0) ++node.version;
   entries_ -= dropped;
 }
 
 /// Calls `visit(id)` for each node below `from`, itself included, left before right, parents first.
 template <int D, class Visit>
 void for_each_node(const Tree<D>& tree, NodeId from, Visit visit) {
-  std::vector<NodeId> todo{from};  // no recursion: the height is the data's choice
+  std::vector<NodeId> todo{from};  // no recursion: the input decides the height
   while (!todo.empty()) {
     const NodeId id = todo.back();
     todo.pop_back();

@@ -1,13 +1,13 @@
 #include "core/tree/validate.h"
 
+#include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 namespace kerf {
 namespace {
 
-/// Where an object must be stored, found by the definition and by nothing that the operators keep.
+/// Where an object must be stored, by the definition and independent of what the operators maintain.
 struct Place {
   NodeId leaf;
   DepthMask straddle;
@@ -16,7 +16,8 @@ struct Place {
 template <int D>
 class Validator {
  public:
-  explicit Validator(const Tree<D>& tree) : tree_(tree), stored_(tree.slots()), reached_(tree.slots()) {}
+  explicit Validator(const Tree<D>& tree)
+      : tree_(tree), stored_(tree.slots()), seen_in_(tree.table.bound()), reached_(tree.slots()) {}
 
   std::vector<Violation> run() {
     check_structure();
@@ -38,6 +39,7 @@ class Validator {
   void check_structure() {
     expect(tree_[tree_.root()].parent.is_none(), tree_.root(), "the root has a parent");
     expect(tree_[tree_.root()].depth == 0, tree_.root(), "the root is not at depth 0");
+    expect(tree_[tree_.root()].right_of == 0, tree_.root(), "the root lies right of something");
     std::vector<NodeId> todo{tree_.root()};
     std::vector<bool> seen(tree_.slots(), false);
     while (!todo.empty()) {
@@ -60,7 +62,7 @@ class Validator {
     const bool known = node.direction < tree_.directions().size();
     const bool shallow = node.depth <= kMaxHeight;
     expect(known, id, "the direction is not in the set");
-    expect(shallow, id, "the node is deeper than masks can tell");
+    expect(shallow, id, "the node is deeper than a mask has bits");
     if (node.is_leaf() || node.right.is_none() || !known || !shallow) return;
     expect(node.entries.empty(), id, "an inner node has entries");
     expect(std::isfinite(node.plane.offset), id, "the offset is not finite");
@@ -84,33 +86,34 @@ class Validator {
 
   void check_leaf(NodeId id) {
     const Node<D>& leaf = tree_[id];
-    std::set<ObjectId> objects;
     for (std::size_t i = 0; i < leaf.entries.size(); ++i) {
       const Entry& entry = leaf.entries[i];
       expect(tree_.table.is_placed(entry.object), id, "an entry's object is absent or quarantined");
       if (!tree_.table.is_placed(entry.object)) continue;
       const Interval key = tree_.project(leaf.direction, entry.object);
       expect(key == entry.key || leaf.unsorted, id, "an entry's key is not its projection");
-      expect(objects.insert(entry.object).second, id, "an object has two entries");
-      stored_[id.index()].emplace(entry.object, entry.straddle);
+      NodeId& seen_in = seen_in_[entry.object.index()];
+      expect(seen_in != id, id, "an object has two entries");
+      seen_in = id;
+      stored_[id.index()].emplace_back(entry.object, entry.straddle);
       const bool ordered =
           i == 0 || leaf.entries[i - 1].key.lo < entry.key.lo ||
           (leaf.entries[i - 1].key.lo == entry.key.lo && leaf.entries[i - 1].object < entry.object);
       expect(ordered || leaf.unsorted, id, "the list is out of order");
     }
+    std::ranges::sort(stored_[id.index()]);
     expected_entries_ += leaf.entries.size();
   }
 
   void check_object(ObjectId object) {
     std::vector<Place> todo{{tree_.root(), 0}};
-    while (!todo.empty()) {
+    while (!todo.empty() && places_ <= expected_entries_) {  // else objects x leaves
       const auto [id, straddle] = todo.back();
       todo.pop_back();
       ++reached_[id.index()];
       const Node<D>& node = tree_[id];
       if (node.is_leaf()) {
-        const auto found = stored_[id.index()].find({object, straddle});
-        expect(found != stored_[id.index()].end(), id,
+        expect(std::ranges::binary_search(stored_[id.index()], std::pair(object, straddle)), id,
                "an object is missing here, or its straddle mask is wrong");
         ++places_;
         continue;
@@ -131,7 +134,8 @@ class Validator {
   }
 
   const Tree<D>& tree_;
-  std::vector<std::set<std::pair<ObjectId, DepthMask>>> stored_;
+  std::vector<std::vector<std::pair<ObjectId, DepthMask>>> stored_;  ///< by leaf, sorted
+  std::vector<NodeId> seen_in_;                                      ///< by object: the last leaf that has it
   std::vector<std::uint32_t> reached_;
   std::uint64_t expected_entries_ = 0;
   std::uint64_t places_ = 0;

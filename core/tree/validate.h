@@ -7,13 +7,13 @@
 
 namespace kerf {
 
-/// One broken promise of the tree. `node` is where; none if it concerns the whole tree.
+/// A broken invariant. `node` is where; none if it concerns the whole tree.
 struct Violation {
   NodeId node;
   std::string what;
 };
 
-/// Checks every invariant of `Tree` between steps and returns what is broken: empty means sound. Always
+/// Checks every invariant of `Tree` between steps and returns the violations: empty means sound. Always
 /// compiled. O(entries * height).
 template <int D>
 std::vector<Violation> validate(const Tree<D>& tree);

@@ -34,8 +34,15 @@ std::string line_of(const Earning& earning) {
 }  // namespace
 
 const std::vector<std::string>& ablated_policies() {
-  static const std::vector<std::string> kPolicies{"byte_sweep=0:skin=0:stream_share=1", "skin=0",
-                                                  "stream_share=1", "bulk_factor=0"};
+  static const std::vector<std::string> kPolicies{"byte_sweep=0:skin=0:stream_share=1",
+                                                  "skin=0",
+                                                  "stream_share=1",
+                                                  "bulk_factor=0",
+                                                  "restless=0",
+                                                  "resting_pairs=0",
+                                                  "leaf_boxes=0",
+                                                  "exchange=0",
+                                                  "dense=0"};
   return kPolicies;
 }
 

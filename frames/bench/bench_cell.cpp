@@ -59,7 +59,7 @@ class Cell {
     step_ = 0;
     add(motion, block);
     if (round_ == 0) verify_truth(motion.boxes(), motion.moving());
-    // What this process has let go must not be what its children find free: their memory is measured.
+    // Memory that this process has freed must not be free for its children: their memory is measured.
     malloc_trim(0);
     const RivalHints<D> hints{motion.bounds(), motion.box_size(), plan_.objects};
     for (std::size_t k = 0; k < participants_.size(); ++k) {
@@ -76,7 +76,7 @@ class Cell {
   [[nodiscard]] auto maker(const Algorithm<D>& algorithm, const RivalHints<D>& hints) const {
     return [make = algorithm.make, hints, threads = plan_.threads] { return make(hints, threads); };
   }
-  /// The truth is found in the first round.
+  /// The first round computes the truth.
   void add(const Motion<D>& motion, StepBlock<D>& block) {
     block.add(motion);
     if (truths_.size() <= step_) truths_.push_back(truth_of(true_pairs(motion.boxes(), motion.moving())));
@@ -114,7 +114,7 @@ class Cell {
   std::uint32_t capacity_;
   std::vector<Algorithm<D>> algorithms_;
   std::vector<std::unique_ptr<Participant>> participants_;  ///< the floor, then as algorithms_
-  std::vector<Truth> truths_;  ///< by step, the first being that of the beginning
+  std::vector<Truth> truths_;                               ///< by step; the first is that of the beginning
   std::uint32_t round_ = 0;
   std::size_t step_ = 0;
 };

@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// How one cell is measured.
+/// The measurement of one cell.
 struct CellPlan {
   const BenchScene* scene = nullptr;
   std::uint32_t objects = 1000;
@@ -23,7 +23,7 @@ struct CellPlan {
   bool trace = false;    ///< keep the time of each step
 };
 
-/// What a cell tells while it runs.
+/// Callbacks of a running cell.
 struct CellWatch {
   std::function<void(const std::string&)> progress;
   std::function<bool()> stop;
@@ -34,13 +34,13 @@ struct CellResult {
   std::vector<BenchGap> gaps;
 };
 
-/// Measures all algorithms of the plan that D dimensions and that many threads have.
+/// Measures all algorithms of the plan that exist for D dimensions and that many threads.
 ///
 /// Each algorithm lives in a process of its own. The motion is computed a block of steps at a time; then each
 /// algorithm in turn does these steps, and the next block begins with another of them. Whole blocks and not
-/// single steps, because a step right after another algorithm's measures the caches that one left behind;
-/// blocks and not whole runs, because the machine is not the same from minute to minute. What an interrupt
-/// leaves is returned.
+/// single steps, because a step right after another algorithm's measures the caches that it left behind;
+/// blocks and not whole runs, because the machine changes from minute to minute. After an interrupt the rows
+/// so far are returned.
 template <int D>
 CellResult measure_cell(const CellPlan& plan, const CellWatch& watch);
 

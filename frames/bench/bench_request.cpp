@@ -57,7 +57,7 @@ std::vector<const BenchScene*> parse_scenes(const std::string& text) {
   return scenes;
 }
 
-/// All that are measured by default in one of the dimensions, or all that there are.
+/// The algorithms that are measured by default in some dimension, or all.
 std::vector<std::string> usual_algorithms(bool all) {
   std::vector<std::string> names;
   const auto add = [&](const auto& algorithm) {

@@ -28,7 +28,7 @@ struct BenchTexts {
   bool ablation = false;
 };
 
-/// What is to be measured, every part of it checked.
+/// What to measure, every part of it checked.
 struct BenchRequest {
   std::vector<const BenchScene*> scenes;
   std::vector<CatalogScene> simulations;  ///< instead of scenes: broad phases in the loop of these

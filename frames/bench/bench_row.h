@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-/// Which runs belong together: the same boxes at the same time.
+/// The identity of a cell: the same boxes at the same time.
 struct CellName {
   std::string scene;
   int dimension = 3;
@@ -14,8 +14,8 @@ struct CellName {
   unsigned threads = 1;
 };
 
-/// What was measured of one algorithm. Times are nanoseconds an object and step; of each step the least of
-/// the rounds counts, since what else the machine does only ever adds.
+/// The measurement of one algorithm. Times are nanoseconds an object and step; the least of the rounds counts
+/// for each step, since other work on the machine only ever adds.
 struct BenchRow {
   CellName cell;
   std::string algorithm;
@@ -23,9 +23,9 @@ struct BenchRow {
   double p90_ns = 0;
   double p99_ns = 0;
   double max_ns = 0;
-  double native_ns = 0;      ///< the median of what a library costs without what it lacks (AddedWork)
+  double native_ns = 0;      ///< the median of the library's own cost (see AddedWork)
   double build_ns = 0;       ///< to insert an object, and the first step
-  std::uint64_t pairs = 0;   ///< a step, in the mean
+  std::uint64_t pairs = 0;   ///< a step, on average
   std::uint64_t missed = 0;  ///< in all measured steps
   std::uint64_t extra = 0;   ///< in all measured steps
   double times_floor = 0;    ///< the median over that of the floor
@@ -35,7 +35,7 @@ struct BenchRow {
   std::vector<float> step_ns;    ///< one by one, if that was asked for
 };
 
-/// An algorithm of which there is no row, or one of fewer steps, and why.
+/// An algorithm without a row, or with one of fewer steps, and the reason.
 struct BenchGap {
   CellName cell;
   std::string algorithm;

@@ -17,7 +17,7 @@ inline constexpr double kPairsPerObject = 3.7;
 /// The side of the cube in which `count` boxes of mean extent `size` have `pairs` pairs an object.
 double side_for(std::uint32_t count, int dimension, double size = 1, double pairs = kPairsPerObject);
 
-/// Boxes that move by a rule of their own, without an engine and without looking at any broad phase. The same
+/// Boxes that move by a rule of their own, without an engine and independent of any broad phase. The same
 /// seed gives the same motion. Objects are numbered from 0; the fixed ones, if any, come last.
 template <int D>
 class Motion {
@@ -27,15 +27,15 @@ class Motion {
   Motion& operator=(const Motion&) = delete;
   virtual ~Motion() = default;
 
-  /// One step on.
+  /// Moves everything by one step.
   virtual void advance() = 0;
   [[nodiscard]] std::span<const Box<D>> boxes() const { return boxes_; }
-  /// Objects from 0 to this are moving objects, the others are fixed.
+  /// Objects below this number are moving, the others are fixed.
   [[nodiscard]] std::uint32_t moving() const { return moving_; }
-  /// Whether `advance` changes every moving object; else `moved` tells which.
+  /// Whether `advance` changes every moving object; else `moved` returns which.
   [[nodiscard]] bool all_move() const { return all_move_; }
   [[nodiscard]] std::span<const ObjectId> moved() const { return moved_; }
-  /// Where the objects are and how large they usually are: what some libraries want to know.
+  /// Bounds of the objects and their usual size, for libraries that need them.
   [[nodiscard]] const Box<D>& bounds() const { return bounds_; }
   [[nodiscard]] Scalar box_size() const { return box_size_; }
 

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// An algorithm in a cell: its process in the present round, and what was measured so far.
+/// An algorithm in a cell: its process in the present round, and its measurements so far.
 class Participant {
  public:
   Participant(std::string name, std::uint32_t block, const CellPlan& plan);
@@ -19,18 +19,18 @@ class Participant {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const Answers& answers() const { return answers_; }
 
-  /// A new round in a new process; an algorithm that failed before is left in peace.
+  /// A new round in a new process; an algorithm that failed before does not take part.
   void start(const Life& life);
-  /// The objects of the block's first step. It may take ten times the patience: some libraries are slow to
-  /// begin and fast then, and time to begin is no part of a step's.
+  /// Inserts the objects of the block's first step. It may take ten times the patience: some libraries are
+  /// slow to begin and fast then, and the time to begin is no part of a step's.
   void build(const CellWatch& watch);
-  /// Does `count` steps, the first of which is number `first` of those that count, or before them if
-  /// negative.
+  /// Does `count` steps. `first` is the number of the first one among those that count; a negative number is
+  /// a warm-up step.
   void run(std::int64_t first, std::uint32_t count, const CellWatch& watch);
   /// Ends the round.
   void finish(const CellWatch& watch);
 
-  /// Nothing if no step was measured.
+  /// None if no step was measured.
   [[nodiscard]] std::optional<BenchRow> row(const CellName& cell, bool trace) const;
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 

@@ -20,7 +20,7 @@ class Layout {
   std::size_t end_ = 0;
 };
 
-/// SplitMix64's finaliser: a sum of well mixed numbers tells sets apart.
+/// SplitMix64's finaliser: a sum of well mixed numbers distinguishes sets.
 std::uint64_t mixed(const Pair& pair) {
   std::uint64_t z = (std::uint64_t{pair.a.value} << 32U) | pair.b.value;
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;

@@ -8,18 +8,19 @@
 
 namespace kerf {
 
-/// What the pairs of a step are: their number and a sum over them that does not depend on their order.
+/// A fingerprint of the pairs of a step: their number and a sum over them that does not depend on their
+/// order.
 struct Truth {
   std::uint64_t pairs = 0;
   std::uint64_t checksum = 0;
   friend bool operator==(const Truth&, const Truth&) = default;
 };
 
-/// The truth of what was found; a pair told twice counts twice.
+/// The fingerprint of reported pairs; a pair reported twice counts twice.
 Truth truth_of(std::span<const Pair> pairs);
 
 /// A few steps of a motion, written by the bench and read by the algorithms, each in its own process. So
-/// every algorithm gets the same boxes, which no timing pays for.
+/// every algorithm gets the same boxes, and no timing includes their computation.
 template <int D>
 class StepBlock {
  public:

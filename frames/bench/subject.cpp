@@ -64,11 +64,11 @@ class Subject {
   const StepBlock<D>* block_;
   const Answers* answers_;
   bool one_thread_;
-  std::shared_ptr<BroadPhase<D>> broad_phase_;  ///< shared: a Life can be copied
+  std::shared_ptr<BroadPhase<D>> broad_phase_;  ///< shared, because a Life is copied
   std::uint64_t before_ = 0;
 };
 
-/// The box around all boxes, in lanes that the compiler can make vectors of.
+/// The box around all boxes, in lanes that the compiler can vectorise.
 template <int D>
 Scalar read_all(std::span<const Box<D>> boxes) {
   constexpr std::size_t kLanes = 48;

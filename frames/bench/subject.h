@@ -10,23 +10,23 @@
 
 namespace kerf {
 
-/// What a subject tells of one step.
+/// A subject's answer for one step.
 struct StepResult {
   std::uint64_t nanoseconds = 0;
-  std::uint64_t added = 0;  ///< of them: what a library leaves to its caller (AddedWork)
+  std::uint64_t added = 0;  ///< of them: the library's caller's part (AddedWork)
   std::uint64_t pairs = 0;
   std::uint64_t missed = 0;
-  std::uint64_t extra = 0;  ///< invented, or told twice
+  std::uint64_t extra = 0;  ///< invented, or reported twice
 };
 
-/// What a subject's process is asked to do.
+/// The requests to a subject's process.
 enum class Request : char {
   build = 'b',    ///< insert the objects of the block's first step and find their pairs
   run = 'r',      ///< do all steps of the block
-  account = 'a',  ///< tell how much memory was used at most
+  account = 'a',  ///< report the most memory used
 };
 
-/// The table through which a subject's process answers.
+/// The table in which a subject's process writes its answers.
 class Answers {
  public:
   explicit Answers(std::uint32_t capacity)
@@ -41,17 +41,17 @@ class Answers {
   SharedMemory memory_;
 };
 
-/// The life of a process in which one algorithm is measured; called for each request.
+/// The body of a process that measures one algorithm; called for each request.
 using Life = std::function<void(char)>;
 
-/// For a broad phase. A step's time is that of giving it the boxes that changed and of `step()`; what it
-/// found is compared with the truth afterwards. `block` and `answers` must outlive the process. `one_thread`:
-/// see StepTimer.
+/// For a broad phase. A step's time is that of passing it the boxes that changed and of `step()`; its pairs
+/// are compared with the truth afterwards. `block` and `answers` must outlive the process. `one_thread`: see
+/// StepTimer.
 template <int D>
 Life subject_life(std::function<std::unique_ptr<BroadPhase<D>>()> make, const StepBlock<D>& block,
                   const Answers& answers, bool one_thread);
 
-/// For the floor, which no complete answer can undercut: read all boxes, write all pairs.
+/// For the floor, below which no complete answer can be: read all boxes, write all pairs.
 template <int D>
 Life floor_life(const StepBlock<D>& block, const Answers& answers);
 

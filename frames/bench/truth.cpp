@@ -10,7 +10,7 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t kMostTested = 5000;   ///< objects of which each is tested with each
+constexpr std::size_t kMostTested = 5000;   ///< objects tested each against each
 constexpr std::size_t kMostSwept = 100000;  ///< objects that are sorted and swept
 
 template <int D>

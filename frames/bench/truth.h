@@ -10,18 +10,18 @@
 namespace kerf {
 
 /// The complete set of pairs of some boxes, of which the first `moving` are not fixed: by brute force for
-/// few, by sort-and-sweep for many, by columns for very many. The tests hold these against the oracle.
+/// few, by sort-and-sweep for many, by columns for very many. Tests compare these with the oracle.
 template <int D>
 std::vector<Pair> true_pairs(std::span<const Box<D>> boxes, std::uint32_t moving);
 
-/// Throws std::logic_error if two different algorithms do not agree on these boxes.
+/// Throws std::logic_error if two different algorithms disagree on these boxes.
 template <int D>
 void verify_truth(std::span<const Box<D>> boxes, std::uint32_t moving);
 
-/// How `found` differs from the truth.
+/// The difference between `found` and the truth.
 struct Difference {
   std::uint64_t missed = 0;
-  std::uint64_t extra = 0;  ///< invented, or told twice
+  std::uint64_t extra = 0;  ///< invented, or reported twice
 };
 Difference compare(std::span<const Pair> found, std::vector<Pair> truth);
 

@@ -54,7 +54,7 @@ void run_naive_loop(const FrameLoop& loop) {
 
 void run_pipeline(const FrameLoop& loop) {
   RenderRequest request;
-  request.scene = find_scene("buckets");  // any in 3D: it is not run
+  request.scene = find_scene("buckets");  // any 3D scene: it does not run
   request.size = loop.size;
   request.out = loop.folder;
   ForkedCrew crew(
@@ -76,7 +76,8 @@ void run_pipeline(const FrameLoop& loop) {
 
 double measure_encoding(const FrameLoop& loop) {
   constexpr int kTimes = 5;
-  tune_allocator_for_rendering();  // as who draws frames does, or half of the time would go into new pages
+  tune_allocator_for_rendering();  // as in the workers of `kerf render`, or half of the time would go into
+                                   // new pages
   Crowd crowd(loop.boxes);
   crowd.advance();
   FrameRenderer<3> renderer(options_of(loop));

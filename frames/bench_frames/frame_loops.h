@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// What is drawn, how often, and where the files go.
+/// What to draw, how often, and where the files go.
 struct FrameLoop {
   PictureSize size;
   std::uint32_t boxes = 0;
@@ -16,12 +16,11 @@ struct FrameLoop {
   std::filesystem::path folder;
 };
 
-/// The loop that one writes first: simulate, draw, read, encode by stb, in one thread but for the
-/// rasteriser's.
+/// The obvious loop: simulate, draw, read, encode by stb, in one thread but for the rasteriser's.
 void run_naive_loop(const FrameLoop& loop);
 /// As `kerf render` does it.
 void run_pipeline(const FrameLoop& loop);
-/// Processor seconds that one frame takes to be encoded and written, once it is drawn.
+/// Processor seconds for encoding and writing one drawn frame.
 double measure_encoding(const FrameLoop& loop);
 
 }  // namespace kerf

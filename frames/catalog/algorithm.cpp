@@ -43,7 +43,7 @@ Algorithm<D> own(std::string name, std::string what) {
           }};
 }
 
-/// The paper's rival, only for those who ask: where many move far, its swaps take quadratic time.
+/// The paper's rival, only by name: where many objects move far, its swaps take quadratic time.
 template <int D>
 Algorithm<D> sweep_and_prune() {
   return {"sweep-and-prune",
@@ -65,7 +65,7 @@ Algorithm<D> brute_force() {
 
 template <int D>
 Algorithm<D> library(const Rival<D>& rival) {
-  // Known to be wrong or hundreds of times slower than others: only for those who ask.
+  // Known to be wrong or hundreds of times slower than others: only by name.
   const bool by_default = rival.name != "fcl-interval-tree" && rival.name != "fcl-spatial-hash";
   return {std::string(rival.name),
           std::string(rival.what),
@@ -82,7 +82,7 @@ std::optional<Algorithm<D>> find_named(std::string_view name) {
   return std::nullopt;
 }
 
-/// What stands behind a tree's name, parted into what the tree takes and how it is to be wrong.
+/// The parameters behind a tree's name, split into the tree's own and those of the approximation.
 struct Parameters {
   std::string config;
   std::string approximation;

@@ -21,7 +21,7 @@ void check_name(std::string_view name) {
                    unknown_name_message(std::to_string(D) + "D broad phase", name, names));
 }
 
-/// Where objects are in the first step, with room for those that come, fly and fall.
+/// The bounds of the objects in the first step, with room for those that come, fly and fall.
 template <int D>
 RivalHints<D> hints_for(const SceneEntry<D>& entry, const SceneOptions& options) {
   constexpr Scalar kRoom = 0.25F;

@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-/// What is to find a scene's pairs. `config` concerns the trees only, `volume` them and the oracle.
+/// The broad phase for a scene. `config` is for the trees only, `volume` for the trees and the oracle.
 struct BroadPhaseChoice {
   std::string name{kPaperTree};
   Config config;
@@ -21,24 +21,23 @@ struct BroadPhaseChoice {
   [[nodiscard]] bool is_tree() const { return name == kTunedTree || name == kPaperTree; }
 };
 
-/// The names of all broad phases that a scene of D dimensions can have: those of `algorithms<D>()` but for
-/// three of FCL's. One crashes when objects come a few at a time, two miss pairs (docs/HARD_CASES.md); `kerf
-/// bench` measures them in processes of their own. All others are exact but "ode-hash", which misses a pair
-/// now and then.
+/// The names of all broad phases for a scene of D dimensions: those of `algorithms<D>()` except three of
+/// FCL's. One crashes when objects come a few at a time, two miss pairs (docs/HARD_CASES.md); `kerf bench`
+/// measures them in processes of their own. All others are exact except "ode-hash", which rarely misses a
+/// pair.
 template <int D>
 std::vector<std::string> broad_phase_names();
 
-/// The choice called `name`, with the parameters and the volume that such a scene asks for: the tuned ones
-/// for "kerf", the paper's without what the scene does not need for "kerf-paper"; boxes for whoever knows
-/// nothing else. Throws UsageError, with a suggestion, unless there is such a broad phase in the scene's
-/// dimension.
+/// The choice called `name`, with parameters and volume for such a scene: the tuned parameters for "kerf",
+/// the paper's without what the scene does not need for "kerf-paper"; boxes for a broad phase that takes
+/// nothing else. Throws UsageError, with a suggestion, unless the scene's dimension has such a broad phase.
 BroadPhaseChoice choose_broad_phase(std::string_view name, const Needs& needs);
 
-/// Whether it can be given other volumes than boxes.
+/// Whether it accepts other volumes than boxes.
 bool takes_volumes(std::string_view name);
 
-/// An empty broad phase for that scene. Libraries that must know beforehand where objects will be are told
-/// by a second world, built for that and thrown away.
+/// An empty broad phase for that scene. Libraries that must know the bounds beforehand get them from a second
+/// world, built for that and thrown away.
 template <int D>
 std::unique_ptr<BroadPhase<D>> make_broad_phase(const BroadPhaseChoice& choice, const SceneEntry<D>& scene,
                                                 const SceneOptions& options);

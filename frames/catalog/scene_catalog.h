@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-/// A scene of either dimension under the name by which the program knows it. A name that both dimensions use
-/// is the 3D scene; the 2D one is then called NAME-2d.
+/// A scene of either dimension under its name in the program. A name that both dimensions use is the 3D
+/// scene; the 2D one is then called NAME-2d.
 struct CatalogScene {
   std::string name;
   std::variant<const SceneEntry<2>*, const SceneEntry<3>*> entry;
@@ -21,8 +21,8 @@ struct CatalogScene {
 /// All scenes, 3D first, each room's in its own order.
 std::vector<CatalogScene> scene_catalog();
 
-/// The scene called `name`; NAME-2d and NAME-3d are understood for every scene. Throws UsageError with the
-/// nearest name and all valid ones.
+/// The scene called `name`; NAME-2d and NAME-3d work for every scene. Throws UsageError with the nearest name
+/// and all valid ones.
 CatalogScene find_scene(std::string_view name);
 
 }  // namespace kerf

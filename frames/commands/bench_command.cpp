@@ -41,7 +41,8 @@ std::string bench_footer() {
          "core/broad_phase/approximation.h)\n\n"
          "Each algorithm is given the same boxes, in a process of its own, a block of steps at a time in "
          "turn, "
-         "and\nhas to tell the complete set of pairs in each step, which is compared with the truth. Of each "
+         "and\nhas to report the complete set of pairs in each step, which is compared with the truth. Of "
+         "each "
          "step the\nleast of all rounds counts. FLOORS are multiples of the time that it takes to read all "
          "boxes and write\nall pairs. Ctrl-C ends early and keeps what was measured.";
 }

@@ -86,7 +86,7 @@ Row measure(const FrameLoop& loop) {
       [&] { write_file_atomically(loop.folder / "encoding.txt", std::to_string(measure_encoding(loop))); });
   std::FILE* const file = std::fopen((loop.folder / "encoding.txt").c_str(), "r");
   if (file == nullptr || std::fscanf(file, "%lf", &encoding) != 1)
-    throw std::runtime_error("the time of encoding was not told");
+    throw std::runtime_error("the worker did not report the time of encoding");
   std::fclose(file);
   row.encoding = 1e3 * encoding;
   row.encoding_share = encoding / pipeline.cpu;

@@ -18,8 +18,8 @@ namespace {
 Image read_checked(const CollectedFrame& frame) {
   Image image = read_png(frame.path());
   if (pixel_hash(image) != frame.record.pixel_hash)
-    throw std::runtime_error(frame.path().string() +
-                             " has not the pixels that were drawn; make it again by `kerf render` --resume");
+    throw DoesNotHold(frame.path().string() +
+                      " has not the pixels that were drawn; make it again by `kerf render` --resume");
   return image;
 }
 
@@ -37,8 +37,8 @@ CollectCommand::CollectCommand(CLI::App& program)
   option("--contact-sheet", contact_sheet_, "Put twenty of the frames into one .png", "FILE");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier sequence, film and contact sheet");
   command_->footer(
-      "Every picture is read and held against its manifest. EXIT 0 all is there, 1 something is missing or\n"
-      "damaged (what, and the command that makes it, is said), 2 wrong usage, 130 interrupted");
+      "Every picture is read and held against its manifest. What is missing or damaged is said, and the\n"
+      "command that makes it.");
 }
 
 bool CollectCommand::chosen() const { return command_->parsed(); }
@@ -50,7 +50,7 @@ void CollectCommand::run() const {
   const InterruptGuard interrupt;
   const Collection collection = collect(folders);
   const std::string gaps = describe_gaps(collection);
-  if (!gaps.empty()) throw std::runtime_error(gaps);
+  if (!gaps.empty()) throw DoesNotHold(gaps);
   const Manifest& manifest = collection.manifest;
   FilmFiles files(film, manifest.size, manifest.steps.frames());
   const ProgressLine progress;

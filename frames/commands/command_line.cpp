@@ -16,6 +16,7 @@
 #include "frames/commands/compare_command.h"
 #include "frames/commands/debug_command.h"
 #include "frames/commands/diff_command.h"
+#include "frames/commands/exit_codes.h"
 #include "frames/commands/experiment_command.h"
 #include "frames/commands/explain_command.h"
 #include "frames/commands/export_command.h"
@@ -70,6 +71,13 @@ std::vector<std::string> valid_names(const CLI::App& command, bool options) {
   return names;
 }
 
+void say_exit_codes(CLI::App& program) {
+  for (CLI::App* command : program.get_subcommands([](CLI::App*) { return true; })) {
+    const std::string footer = command->get_footer();
+    command->footer(footer + (footer.empty() ? "" : "\n") + exit_help(command->get_name()));
+  }
+}
+
 /// CLI11 says only that something was not expected; we say what was probably meant.
 std::string unexpected_argument(const CLI::App& program) {
   const CLI::App& command = chosen_command(program);
@@ -91,8 +99,8 @@ std::string help_hint(const CLI::App& program) {
 /// An exit code: what was printed may lie in memory still, and only when it leaves that a full disk shows.
 int finish_output() {
   std::cout.flush();
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return kExitDone;
-  return report("cannot write standard output: what was printed is not whole", kExitFailure);
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return kExitHolds;
+  return report("cannot write standard output: what was printed is not whole", kExitUnusable);
 }
 
 /// Runs the chosen subcommand and turns what it throws into an exit code.
@@ -101,16 +109,16 @@ int run(const CLI::App& program, const Command&... commands) {
   try {
     ((commands.chosen() ? commands.run() : void()), ...);
     return finish_output();
+  } catch (const DoesNotHold& error) {
+    return report(error.what(), kExitDoesNotHold);
   } catch (const UsageError& error) {
-    return report(error.what() + help_hint(program), kExitUsage);
-  } catch (const UnusableInput& error) {
-    return report(with_advice(error.what()), kExitUsage);
+    return report(error.what() + help_hint(program), kExitUnusable);
   } catch (const Interrupted& error) {
     return report(error.what(), kExitInterrupted);
   } catch (const std::bad_alloc&) {
-    return report("not enough memory; ask for smaller pictures or fewer objects", kExitFailure);
+    return report("not enough memory; ask for smaller pictures or fewer objects", kExitUnusable);
   } catch (const std::exception& error) {
-    return report(with_advice(error.what()), kExitFailure);
+    return report(with_advice(error.what()), kExitUnusable);
   }
 }
 
@@ -139,19 +147,20 @@ int run_command_line(int argc, char** argv) {
   const BenchFramesCommand bench_frames(program);
   const ExperimentCommand experiment(program);
   const ReportCommand report_page(program);
+  say_exit_codes(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {
     program.exit(help);
     return finish_output();
   } catch (const CLI::ExtrasError&) {
-    return report(unexpected_argument(program) + help_hint(program), kExitUsage);
+    return report(unexpected_argument(program) + help_hint(program), kExitUnusable);
   } catch (const CLI::ParseError& error) {
-    return report(error.what() + help_hint(program), kExitUsage);
+    return report(error.what() + help_hint(program), kExitUnusable);
   }
   if (program.get_subcommands().empty()) {
     std::fputs(program.help().c_str(), stderr);
-    return kExitUsage;
+    return kExitUnusable;
   }
   return run(program, scenes, render, collector, film_diff, record, import, rerun, verify, debug, step,
              explain, compare, lint, minimize, exporter, diff, bench, bench_frames, experiment, report_page);

@@ -112,9 +112,6 @@ CompareCommand::CompareCommand(CLI::App& program)
   command_->add_option("A", a_, "A recording")->type_name("")->required();
   command_->add_option("B", b_, "Another, of the same dimension")->type_name("")->required();
   command_->add_flag("--json", json_, "As JSON");
-  command_->footer(
-      "EXIT    0 they are the same run (times do not count), 1 they differ, 2 wrong usage, or not\n        "
-      "two recordings");
 }
 
 bool CompareCommand::chosen() const { return command_->parsed(); }
@@ -122,8 +119,8 @@ bool CompareCommand::chosen() const { return command_->parsed(); }
 void CompareCommand::run() const {
   const RecordingComparison comparison =
       with_recording(a_, [&]<int D>(std::shared_ptr<RecordingReader<D>> a) {
-        if (usable_recording_info(b_).dimension != D)
-          throw UnusableInput(a_ + " and " + b_ + " are not of the same dimension");
+        if (read_recording_info(b_).dimension != D)
+          throw std::runtime_error(a_ + " and " + b_ + " are not of the same dimension");
         RecordingReader<D> b(b_);
         return compare(*a, b);
       });
@@ -132,7 +129,7 @@ void CompareCommand::run() const {
   } else {
     print(comparison);
   }
-  if (!comparison.same()) throw std::runtime_error("the recordings differ");
+  if (!comparison.same()) throw DoesNotHold("the recordings differ");
 }
 
 }  // namespace kerf

@@ -14,6 +14,7 @@
 #include "viz/debugger/debugger.h"
 #include "viz/debugger/gui/glfw_window.h"
 #include "viz/debugger/script.h"
+#include "viz/debugger/window_loop.h"
 #include "viz/gl/context.h"
 #include "viz/image/png.h"
 
@@ -22,9 +23,7 @@ namespace {
 
 constexpr const char* kDebugFooter =
     "SCENE is recorded first, into a temporary file; FILE is what `kerf record` or `kerf import` wrote.\n"
-    "In the window, F1 shows the keys. docs/DEBUGGING.md is a guide, and has the commands of scripts.\n"
-    "EXIT    0 done, 1 a script's expectation does not hold or nothing can be shown, 2 wrong usage,\n"
-    "        130 interrupted";
+    "In the window, F1 shows the keys. docs/DEBUGGING.md is a guide, and has the commands of scripts.";
 
 std::string read_script(const std::string& path) {
   std::ifstream file(path);
@@ -67,19 +66,15 @@ void show_window(const Session& session, const std::vector<ScriptLine>& lines) {
     const bool goes_on = window.goes_on("step " + std::to_string(step) + " (Escape ends this)");
     return goes_on && !interrupt.requested();
   };
-  const auto present = [&] {
-    debugger.show_in_window(window.width(), window.height());
-    window.swap();
-  };
+  WindowLoop loop(window, debugger);
   if (!lines.empty()) {
-    ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures, present).play(lines);
+    ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures, [&] {
+      loop.present();
+    }).play(lines);
     return;
   }
-  while (!window.should_close() && !interrupt.requested()) {
-    debugger.frame(window.take_input(!debugger.model().playing), window.width(), window.height());
-    if (debugger.takes_screenshot()) save_picture(debugger, session.pictures);
-    present();
-  }
+  while (!window.should_close() && !interrupt.requested())
+    if (loop.turn() && debugger.takes_screenshot()) save_picture(debugger, session.pictures);
 }
 
 }  // namespace
@@ -131,7 +126,7 @@ std::filesystem::path DebugCommand::recording(const std::filesystem::path& scrat
 
 void DebugCommand::run() const {
   if (headless_ && script_.empty())
-    throw UsageError("--headless has nobody to drive it; give a --script, or leave it out for a window");
+    throw UsageError("--headless needs a --script to drive it; leave it out for a window");
   std::vector<ScriptLine> lines;
   try {
     if (!script_.empty()) lines = parse_script(read_script(script_));
@@ -153,6 +148,8 @@ void DebugCommand::run() const {
     } else {
       show_window(session, lines);
     }
+  } catch (const ExpectationFailed& error) {
+    throw DoesNotHold(script_ + ", " + error.what());
   } catch (const ScriptError& error) {
     throw std::runtime_error(script_ + ", " + error.what());
   }

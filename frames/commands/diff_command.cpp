@@ -1,7 +1,9 @@
 #include "frames/commands/diff_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <stdexcept>
 
 #include "frames/diff/approve.h"
 #include "frames/diff/diff_page.h"
@@ -19,13 +21,12 @@ namespace {
 constexpr const char* kDiffFooter =
     "REFERENCE and TEST are two PNG files or two folders, whose frames are matched by name. Beside frames "
     "drawn\n"
-    "with --ids lie NAME.ids.png and NAME.draw.json: what differs is then told by name (plane n17 missing).\n"
+    "with --ids lie NAME.ids.png and NAME.draw.json: differences then have names (plane n17 missing).\n"
     "GATES   auto   exact, or flip where the draw lists name two rasterisers (the default)\n"
     "        exact  every pixel is the same: for pictures of one rasteriser\n"
     "        ids    the same things were drawn at the same place in the same colours\n"
     "        flip   nobody would see a difference: FLIP's maximum is small and, where there are ids, they "
-    "agree\n"
-    "EXIT    0 the same, 1 different, 2 unusable: nothing was proved, or wrong usage, 130 interrupted";
+    "agree";
 
 DiffRules parse_rules(const std::string& gate, const std::string& limit) {
   DiffRules rules;
@@ -61,20 +62,17 @@ DiffResult compare(const std::string& reference, const std::string& test, const 
   return result;
 }
 
-/// Before the work, so that it is not done for nothing.
-void make_report_folder(const std::string& folder) {
-  try {
-    make_writable_folder(folder, "--report");
-  } catch (const std::runtime_error& error) {
-    throw UnusableInput(error.what());
-  }
-}
-
 void approve(const DiffResult& result) {
   const std::vector<std::string> approved = approve_frames(result);
   for (const std::string& name : approved) std::fprintf(stderr, "approved %s\n", name.c_str());
   std::fprintf(stderr, approved.size() == 1 ? "1 frame approved\n" : "%zu frames approved\n",
                approved.size());
+  if (!result.faults.empty())
+    throw std::runtime_error("frames were approved, but not all that lies there was compared");
+  const auto missing =
+      std::ranges::count_if(result.frames, [](const FrameDiff& diff) { return diff.frame.is_missing(); });
+  if (missing > 0)
+    throw DoesNotHold(std::to_string(missing) + " of the references have no frame and were left alone");
 }
 
 }  // namespace
@@ -101,19 +99,7 @@ bool DiffCommand::chosen() const { return command_->parsed(); }
 
 void DiffCommand::run() const {
   const DiffRules rules = parse_rules(gate_, flip_limit_);
-  try {
-    run(rules);
-  } catch (const std::bad_alloc&) {
-    throw UnusableInput("not enough memory to compare pictures of this size; nothing was proved");
-  } catch (const std::filesystem::filesystem_error& error) {
-    throw UnusableInput(error.what());
-  } catch (const std::system_error& error) {
-    throw UnusableInput(error.what());
-  }
-}
-
-void DiffCommand::run(const DiffRules& rules) const {
-  if (!report_.empty()) make_report_folder(report_);
+  if (!report_.empty()) make_writable_folder(report_, "--report");
   const DiffResult result =
       compare(reference_, test_, rules, approve_ ? WithoutReferences::accept : WithoutReferences::refuse);
   std::fputs((json_ ? to_json(result) : to_text(result)).c_str(), stdout);
@@ -122,8 +108,8 @@ void DiffCommand::run(const DiffRules& rules) const {
     std::fprintf(stderr, "look at %s/index.html\n", report_.c_str());
   }
   if (approve_) return approve(result);
-  if (!result.is_usable()) throw UnusableInput(summary_line(result));
-  if (!result.is_same()) throw PicturesDiffer(summary_line(result));
+  if (!result.is_usable()) throw std::runtime_error(summary_line(result));
+  if (!result.is_same()) throw DoesNotHold(summary_line(result));
 }
 
 }  // namespace kerf

@@ -15,7 +15,7 @@ class DiffCommand {
  public:
   explicit DiffCommand(CLI::App& program);
   [[nodiscard]] bool chosen() const;
-  /// Throws PicturesDiffer, UnusableInput, UsageError or Interrupted.
+  /// Throws DoesNotHold, UsageError or Interrupted.
   void run() const;
 
  private:

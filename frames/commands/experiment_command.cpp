@@ -52,7 +52,7 @@ class Experiment {
     try {
       plot_experiment(folder_, runs_);
     } catch (const std::runtime_error&) {
-      if (!interrupt.requested()) throw;  // who is interrupted so is gnuplot
+      if (!interrupt.requested()) throw;  // an interrupt stops gnuplot, too
     }
     if (interrupt.requested())
       throw Interrupted("interrupted: the simulations are in " + folder_.string() +
@@ -109,7 +109,7 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
       "step "
       "and\n        broad phase. Ctrl-C keeps the simulations that are done, and the same command goes on "
       "from "
-      "there.\nEXIT    0 done, 1 failed, 2 wrong usage, 130 interrupted");
+      "there.");
 }
 
 bool ExperimentCommand::chosen() const { return command_->parsed(); }

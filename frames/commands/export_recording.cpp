@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "core/trace/event_facts.h"
+#include "frames/support/utf8.h"
+
 namespace kerf {
 namespace {
 
@@ -75,13 +78,16 @@ void export_chrome_trace(RecordingReader<D>& recording, std::ostream& out, const
     const double operators = put_slices(row, time, out);
     put_counters(row, time, out);
     for (const Event& event : recording.step(row.step).events)
-      if (std::holds_alternative<OperatorActed>(event.body))
+      if (has_acted(event))
         out << Json{{"name", describe(event)}, {"ph", "i"}, {"s", "t"}, {"pid", 1}, {"tid", 1},
                     {"ts", operators}}
             << ",\n";
     time += kMicro * row.seconds();
   }
-  out << Json{{"name", "process_name"}, {"ph", "M"}, {"pid", 1}, {"args", {{"name", recording.info().scene}}}}
+  out << Json{{"name", "process_name"},
+              {"ph", "M"},
+              {"pid", 1},
+              {"args", {{"name", valid_utf8(recording.info().scene)}}}}
       << "\n]}\n";
 }
 

@@ -43,6 +43,18 @@ std::vector<Couple> common_frames(const FramesByStep& a, const FramesByStep& b) 
   return common;
 }
 
+/// Names the frames of `frames` whose step `other` has not; returns how many there are.
+std::size_t report_without_partner(const std::string& folder, const FramesByStep& frames,
+                                   const FramesByStep& other) {
+  std::size_t count = 0;
+  for (const auto& [step, path] : frames) {
+    if (other.contains(step)) continue;
+    ++count;
+    std::printf("%s: step %u is in %s alone\n", path.filename().c_str(), step, folder.c_str());
+  }
+  return count;
+}
+
 Image panels_of(const std::filesystem::path& a, const std::filesystem::path& b, std::size_t& differing) {
   try {
     return difference_panels(read_png(a), read_png(b), kPanelWidth, differing);
@@ -68,9 +80,7 @@ FilmDiffCommand::FilmDiffCommand(CLI::App& program)
   command_->footer(
       "A is left, B in the middle; right of them A is shown pale, with what differs in red: the more, the "
       "redder.\n"
-      "Frames of equal steps are compared. EXIT 0 the film is made, whether anything differs or not; 1, 2 "
-      "failed, 130\n"
-      "interrupted. `kerf diff` judges pictures.");
+      "Frames of equal steps are compared. `kerf diff` judges pictures.");
 }
 
 bool FilmDiffCommand::chosen() const { return command_->parsed(); }
@@ -80,7 +90,9 @@ void FilmDiffCommand::run() const {
   check_free(film);
   make_writable_folder(std::filesystem::absolute(film.video).parent_path());
   const InterruptGuard interrupt;
-  const auto frames = common_frames(frames_of(a_), frames_of(b_));
+  const FramesByStep a = frames_of(a_);
+  const FramesByStep b = frames_of(b_);
+  const auto frames = common_frames(a, b);
   if (frames.empty()) throw UsageError(a_ + " and " + b_ + " have no frames of equal steps");
   const ProgressLine progress;
   std::optional<FilmFiles> files;
@@ -99,6 +111,8 @@ void FilmDiffCommand::run() const {
   files->finish();
   progress.clear();
   std::printf("%s: %zu frames, %u of them different\n", out_.c_str(), frames.size(), different);
+  const std::size_t alone = report_without_partner(a_, a, b) + report_without_partner(b_, b, a);
+  if (alone > 0) throw DoesNotHold(std::to_string(alone) + " frames have no partner and are not in the film");
 }
 
 }  // namespace kerf

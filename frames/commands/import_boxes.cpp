@@ -117,8 +117,8 @@ class Import {
     std::printf("%u steps, %u objects\n", tree_.steps(), tree_.statistics().objects);
     if (!has_pairs_) return;
     const auto wide = [](std::uint64_t x) { return static_cast<unsigned long long>(x); };
-    std::printf("their pairs: %llu told, %llu missed, %llu extra, %llu twice\n", wide(sum_.pairs),
-                wide(sum_.missed), wide(sum_.extra), wide(sum_.twice));
+    std::printf("the other engine reported %llu pairs: %llu missed, %llu extra, %llu twice\n",
+                wide(sum_.pairs), wide(sum_.missed), wide(sum_.extra), wide(sum_.twice));
     if (first_wrong_ != 0) std::printf("first wrong in step %u\n", first_wrong_);
   }
 

@@ -8,7 +8,7 @@ class App;
 
 namespace kerf {
 
-/// `kerf import`: somebody else's boxes, and their pairs, become a recording.
+/// `kerf import`: another engine's boxes, and its pairs, become a recording.
 class ImportCommand {
  public:
   explicit ImportCommand(CLI::App& program);

@@ -18,8 +18,7 @@ LintCommand::LintCommand(CLI::App& program)
       ->type_name("STEPS");
   command_->footer(
       "FINDS   a node that was split, merged and split again; a partitioner that was balanced one way, back\n"
-      "        and again; an operator that was listed and waited for longer\n"
-      "EXIT    0 there is none, 1 there is, 2 wrong usage, or no recording");
+      "        and again; an operator that was listed and waited for longer");
 }
 
 bool LintCommand::chosen() const { return command_->parsed(); }
@@ -35,7 +34,7 @@ void LintCommand::run() const {
   const auto found = find_thrash(read_operators(file_), steps, within);
   for (const Thrash& thrash : found)
     std::printf("e%llu  %s\n", static_cast<unsigned long long>(thrash.event), to_text(thrash).c_str());
-  if (!found.empty()) throw std::runtime_error(std::to_string(found.size()) + " found");
+  if (!found.empty()) throw DoesNotHold(std::to_string(found.size()) + " found");
   std::printf("nothing undoes itself, and nothing waits\n");
 }
 

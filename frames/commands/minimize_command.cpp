@@ -73,8 +73,7 @@ void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
   const InterruptGuard interrupt;
   Search<D> search(recording);
   const auto hit = search.forward(request.when, Position::end_of(0));
-  if (!hit)
-    throw std::runtime_error("the condition never holds in this recording, so there is nothing to minimize");
+  if (!hit) throw DoesNotHold("the condition never holds in this recording, so there is nothing to minimize");
   const StepRow& row = recording->row(hit->step);
   std::size_t trials = 0;
   const auto fails = [&](const Scenario<D>& scenario) {

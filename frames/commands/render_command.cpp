@@ -23,7 +23,8 @@ std::string render_footer() {
       "LAYERS  " + layer_names() +
       "\n        a list of these, 'all' or 'none', or changes such as +leaves,-legend"
       "\nCAMERA  3D: yaw=30,pitch=25,fov=35,distance=40,target=0:0:0   2D: center=0:5,width=40"
-      "\n        any part of it; what is left out is chosen so that everything is seen"
+      "\n        any part of it; what is left out is chosen so that what most objects span is seen, and the"
+      "\n        caption says how many lie outside. With 'all' everything is: --camera all or all,yaw=60"
       "\nPATH    a key frame a line: a step and what is said of the camera from then on, 120 yaw=90,pitch=20"
       "\n        between them it moves smoothly; what follows a # is a remark"
       "\nSAMPLES 1: jagged edges; 4: smooth ones, three times slower; 2x2: drawn at twice the size and "
@@ -32,7 +33,6 @@ std::string render_footer() {
       "\n        A folder that holds a sequence is refused unless --overwrite is given, which removes that"
       "\n        sequence and nothing else. Ctrl-C keeps the finished frames and their manifest; the same"
       "\n        command with --resume makes the rest."
-      "\nEXIT    0 done, 1 failed, 2 wrong usage, 130 interrupted"
       "\n\nBROAD PHASES for --broad-phase: kerf is the tuned tree, kerf-paper the tree with the paper's "
       "parameters\n  3D  " +
       names_of<3>() + "\n  2D  " + names_of<2>() +
@@ -67,7 +67,7 @@ RenderCommand::RenderCommand(CLI::App& program)
   option("--volume", texts_.volume, "How objects are bounded, see below (default: what the scene needs)",
          "KIND");
   option("--show", texts_.show, "What is drawn, see below (default all)", "LAYERS");
-  option("--camera", texts_.camera, "From where, see below (default: all in view)", "TEXT");
+  option("--camera", texts_.camera, "From where, see below (default: most in view)", "TEXT");
   option("--camera-path", texts_.camera_path, "Camera that moves, from a file, see below", "FILE");
   option("--samples", texts_.samples, "Of each pixel, see below (default: 4, of many objects 1)", "1|4|2x2");
   option("--backend", texts_.backend,

@@ -26,8 +26,7 @@ std::string step_footer() {
       "all\n"
       "        else at the end of a step; what an event does not have is never true of it.\n"
       "THINGS  pair(i,j), pair(i,j) enters, pair(i,j) leaves, plane(nK) moves, node(nK), object(i) moves\n"
-      "EXIT    0 found, 1 there is no such moment, 2 wrong usage, or no recording, 130 "
-      "interrupted\n\nWORDS\n";
+      "\nWORDS\n";
   for (const VariableWord& word : variable_words()) {
     std::string line = "  " + std::string(word.name);
     line.resize(16, ' ');
@@ -78,8 +77,8 @@ void step(const std::shared_ptr<RecordingReader<D>>& recording, const StepReques
     if (interrupt.requested()) throw Interrupted("interrupted");
     if (!found && hit > 0) break;
     if (!found)
-      throw std::runtime_error("there is no such moment " +
-                               std::string(request.reverse ? "before" : "after") + " " + to_string(at));
+      throw DoesNotHold("there is no such moment " + std::string(request.reverse ? "before" : "after") + " " +
+                        to_string(at));
     print_moment(cursor, *found);
     at = *found;
   }

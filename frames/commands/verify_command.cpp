@@ -31,10 +31,11 @@ void print(const Divergence& divergence) {
 void print(const Verdict& verdict, bool oracle) {
   std::printf("replayed %u steps, %llu events, %llu pairs, %llu keyframes\n", verdict.steps,
               wide(verdict.events), wide(verdict.pairs), wide(verdict.keyframes));
+  if (verdict.change) std::printf("changed after it was recorded: %s\n", verdict.change->what.c_str());
   if (verdict.divergence) {
     print(*verdict.divergence);
-  } else {
-    std::printf("every event, state hash, keyframe and set of pairs is as recorded\n");
+  } else if (!verdict.change) {
+    std::printf("every event, figure, state hash, keyframe and set of pairs is as recorded\n");
   }
   if (oracle)
     std::printf("oracle: %llu missed, %llu extra, %llu twice\n", wide(verdict.missed), wide(verdict.extra),
@@ -42,6 +43,7 @@ void print(const Verdict& verdict, bool oracle) {
   if (const TheirStep& theirs = verdict.theirs; theirs.pairs + theirs.missed > 0)
     std::printf("theirs: %llu pairs, %llu missed, %llu extra, %llu twice\n", wide(theirs.pairs),
                 wide(theirs.missed), wide(theirs.extra), wide(theirs.twice));
+  for (const std::string& what : verdict.unchecked) std::printf("not checked: %s\n", what.c_str());
 }
 
 }  // namespace
@@ -53,9 +55,6 @@ VerifyCommand::VerifyCommand(CLI::App& program)
   command_->add_option("--oracle-every", oracle_every_, "Ask brute force every N steps (default 1; 0: never)")
       ->type_name("N");
   command_->add_flag("--timings", timings_, "Also measure how fast steps are reached");
-  command_->footer(
-      "EXIT    0 the replay is the run that was recorded and its pairs are exact, 1 it is not,\n"
-      "        2 wrong usage, 130 interrupted");
 }
 
 bool VerifyCommand::chosen() const { return command_->parsed(); }
@@ -69,9 +68,10 @@ void VerifyCommand::run() const {
   if (timings_) print_replay_timings(file_);
   if (interrupt.requested())
     throw Interrupted("interrupted: the steps after " + std::to_string(verdict.steps) + " were not verified");
-  if (verdict.divergence) throw std::runtime_error("the replay is not the run that was recorded");
+  if (verdict.divergence) throw DoesNotHold("the replay is not the run that was recorded");
+  if (verdict.change) throw DoesNotHold("the recording was changed after it was written");
   if (!verdict.holds())
-    throw std::runtime_error("pairs are wrong, first in step " + std::to_string(verdict.first_wrong_step));
+    throw DoesNotHold("pairs are wrong, first in step " + std::to_string(verdict.first_wrong_step));
 }
 
 }  // namespace kerf

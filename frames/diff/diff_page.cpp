@@ -9,6 +9,7 @@
 #include "frames/support/base64.h"
 #include "viz/draw/compare_drawn.h"
 #include "viz/image/png.h"
+#include "viz/image/stored_picture.h"
 
 namespace kerf {
 namespace {
@@ -35,7 +36,7 @@ std::string picture(const Image& image, const std::string& title, const std::str
 std::optional<Image> try_read(const std::filesystem::path& path) {
   if (path.empty()) return std::nullopt;
   try {
-    return read_png(path);
+    return read_stored_picture(path).image;
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }

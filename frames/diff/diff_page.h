@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-/// Frames that a page shows with their pictures; of more only the names are told.
+/// Frames that a page shows with their pictures; of the others only the names.
 inline constexpr std::size_t kMostShownFrames = 100;
 
 /// A page of its own, pictures included, that shows each frame that is not the same: new and reference, the

@@ -90,6 +90,7 @@ Json frame_json(const FrameDiff& diff) {
   json["reasons"] = diff.reasons;
   json["drawn"] = diff.drawn;
   json["pixels"] = pixels_json(diff.pixels);
+  json["different_lower"] = diff.different_lower;
   if (diff.flip) json["flip"] = flip_json(*diff.flip);
   return json;
 }

@@ -5,7 +5,7 @@
 
 #include "frames/sequence/draw_list_file.h"
 #include "viz/draw/compare_drawn.h"
-#include "viz/image/png.h"
+#include "viz/image/stored_picture.h"
 
 namespace kerf {
 namespace {
@@ -22,6 +22,11 @@ std::string pixels_text(const PixelComparison& pixels, const Image& image) {
                 static_cast<unsigned long long>(image.rgba.size() / 4), bounds.right - bounds.left,
                 bounds.bottom - bounds.top, bounds.left, bounds.top, pixels.largest_step);
   return text;
+}
+
+std::string lower_text(std::uint64_t different, const Image& image) {
+  return std::to_string(different) + " of " + std::to_string(image.rgba.size() / 4) +
+         " pixels differ in the lower 8 of their 16 bits";
 }
 
 std::string flip_text(const FlipSummary& flip, double limit) {
@@ -59,6 +64,8 @@ DiffGate choose_gate(DiffGate wanted, const BothIds& ids) {
 void judge(const Image& test, const DiffRules& rules, FrameDiff& diff) {
   if (diff.gate == DiffGate::exact && !diff.pixels.same())
     diff.reasons.push_back(pixels_text(diff.pixels, test));
+  if (diff.gate == DiffGate::exact && diff.different_lower > 0)
+    diff.reasons.push_back(lower_text(diff.different_lower, test));
   if (diff.gate == DiffGate::flip && diff.flip && diff.flip->max > rules.flip_limit)
     diff.reasons.push_back(flip_text(*diff.flip, rules.flip_limit));
   const bool drawn_counts = diff.gate != DiffGate::exact || !diff.reasons.empty();
@@ -66,11 +73,17 @@ void judge(const Image& test, const DiffRules& rules, FrameDiff& diff) {
   diff.same = diff.reasons.empty();
 }
 
+/// What forbids to judge by the pixels alone; empty: nothing does.
+std::string find_trouble(const StoredPicture& reference, const StoredPicture& test) {
+  if (reference.image.width != test.image.width || reference.image.height != test.image.height)
+    return "they are of different sizes: " + size_text(reference.image) + " and " + size_text(test.image);
+  const std::string chunks = different_chunks(reference, test);
+  if (chunks.empty()) return "";
+  return "their chunks differ (" + chunks +
+         "): they make more of a picture than its pixels say, which is not compared";
+}
+
 void compare(const Image& reference, const Image& test, const DiffRules& rules, FrameDiff& diff) {
-  if (reference.width != test.width || reference.height != test.height) {
-    diff.trouble = "they are of different sizes: " + size_text(reference) + " and " + size_text(test);
-    return;
-  }
   diff.pixels = compare_pixels(reference, test);
   BothIds ids;
   const bool pixels_decide = rules.gate == DiffGate::automatic || rules.gate == DiffGate::exact;
@@ -97,7 +110,12 @@ FrameDiff diff_frame(const FramePair& frame, const DiffRules& rules) {
     } else if (frame.is_extra()) {
       diff.reasons = {"it has no reference"};
     } else {
-      compare(read_png(frame.reference), read_png(frame.test), rules, diff);
+      const StoredPicture reference = read_stored_picture(frame.reference);
+      const StoredPicture test = read_stored_picture(frame.test);
+      diff.trouble = find_trouble(reference, test);
+      if (!diff.trouble.empty()) return diff;
+      diff.different_lower = count_different_lower(reference, test);
+      compare(reference.image, test.image, rules, diff);
     }
   } catch (const std::runtime_error& error) {
     diff.trouble = error.what();

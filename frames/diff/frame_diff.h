@@ -15,7 +15,7 @@ enum class DiffGate {
   automatic,  ///< exact, unless the draw lists name two rasterisers: then flip
   exact,      ///< every pixel: for pictures of one rasteriser
   ids,        ///< draw list and id image: the same things at the same place in the same colours
-  flip,       ///< nobody would notice: FLIP's maximum, and ids where they are; for two rasterisers
+  flip,       ///< invisible to a person: FLIP's maximum, and ids where they are; for two rasterisers
 };
 
 /// FLIP's maximum up to which the gate `flip` is content: two rasterisers of Mesa reach 0.35
@@ -33,10 +33,11 @@ struct FrameDiff {
   std::string trouble;  ///< why they cannot be compared; empty: they were
   bool same = false;    ///< by the gate
   PixelComparison pixels;
-  DiffGate gate = DiffGate::exact;   ///< that decided
-  std::vector<std::string> drawn;    ///< what has changed in words; known if both have ids
-  std::optional<FlipSummary> flip;   ///< if any pixel differs
-  std::vector<std::string> reasons;  ///< what the gate objects to, one line each
+  std::uint64_t different_lower = 0;  ///< pixels that differ in the lower 8 of 16 bits alone
+  DiffGate gate = DiffGate::exact;    ///< that decided
+  std::vector<std::string> drawn;     ///< what has changed in words; known if both have ids
+  std::optional<FlipSummary> flip;    ///< if any pixel differs
+  std::vector<std::string> reasons;   ///< what the gate objects to, one line each
 };
 
 /// Compares two pictures; never throws for what is wrong with their files: that is `trouble`.

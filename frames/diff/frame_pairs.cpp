@@ -3,20 +3,19 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <system_error>
 
+#include "frames/diff/folder_listing.h"
 #include "frames/sequence/manifest.h"
-#include "frames/sequence/sidecar.h"
-#include "frames/support/errors.h"
 
 namespace kerf {
 namespace {
 
 namespace fs = std::filesystem;
-using FilesByName = std::map<std::string, fs::path>;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
-  throw UnusableInput("cannot compare " + path.string() + ": " + reason);
+  throw std::runtime_error("cannot compare " + path.string() + ": " + reason);
 }
 
 bool is_folder(const fs::path& path) {
@@ -27,46 +26,65 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(status);
 }
 
-bool is_frame(const fs::path& path) {
-  const std::string name = path.filename().string();
-  return path.extension() == ".png" && !name.starts_with(".") && !is_sidecar(path);
-}
-
-FilesByName find_frames(const fs::path& folder) {
-  FilesByName names;
-  std::error_code error;
-  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    if (entry->is_regular_file() && is_frame(entry->path()))
-      names.emplace(entry->path().lexically_relative(folder).generic_string(), entry->path());
-  }
-  if (error) refuse(folder, error.message());
-  return names;
-}
-
-FilesByName find_some_frames(const fs::path& folder) {
-  FilesByName names = find_frames(folder);
-  if (names.empty()) refuse(folder, "it holds no PNG file");
-  return names;
+void require_frames(const fs::path& folder, const FolderListing& listing) {
+  if (listing.frames.empty() && listing.faults.empty()) refuse(folder, "it holds no PNG file");
 }
 
 /// A manifest tells of frames that should be there.
-void check_manifest(const fs::path& folder, const FilesByName& names, PairedFrames& result) {
-  std::ifstream file(folder / kManifestName);
-  if (!file) return;
+void check_manifest(const fs::path& path, PairedFrames& result) {
+  std::ifstream file(path);
   const auto json = nlohmann::json::parse(file, nullptr, false);
   if (!json.is_object() || !json.contains("frames") || !json["frames"].is_array()) {
-    result.faults.push_back((folder / kManifestName).string() + " is no manifest of frames");
+    result.faults.push_back(path.string() + " is no manifest of frames");
     return;
   }
+  const fs::path folder = path.parent_path();
   for (const auto& frame : json["frames"]) {
     const std::string name = frame.is_object() ? frame.value("file", "") : "";
-    if (!names.contains(name))
+    if (name.empty() || !fs::is_regular_file(folder / name))
       result.faults.push_back("'" + name + "' is not in " + folder.string() + ", though its " +
                               kManifestName + " names it");
   }
   if (!json.value("complete", true))
     result.notes.push_back(folder.string() + " holds a sequence that was not finished");
+}
+
+void take_faults(const FolderListing& listing, PairedFrames& result) {
+  result.faults.insert(result.faults.end(), listing.faults.begin(), listing.faults.end());
+  for (const fs::path& manifest : listing.manifests) check_manifest(manifest, result);
+}
+
+std::vector<FramePair> pair_by_name(const FilesByName& references, const FilesByName& tests) {
+  std::map<std::string, FramePair> pairs;
+  for (const auto& [name, path] : references) pairs[name] = {name, path, {}};
+  for (const auto& [name, path] : tests) {
+    pairs[name].name = name;
+    pairs[name].test = path;
+  }
+  std::vector<FramePair> result;
+  for (auto& [name, pair] : pairs) result.push_back(std::move(pair));
+  return result;
+}
+
+/// A file against itself is the same, but that is hardly what somebody wanted to know.
+void note_one_and_the_same(const fs::path& reference, const fs::path& test, PairedFrames& result) {
+  std::error_code ignored;
+  if (fs::equivalent(reference, test, ignored))
+    result.notes.push_back(reference.string() + " and " + test.string() + " are one and the same");
+}
+
+PairedFrames pair_folders(const fs::path& reference, const fs::path& test, bool may_lack_references) {
+  const bool begins = may_lack_references && !fs::exists(reference);
+  const FolderListing references = begins ? FolderListing{} : list_folder(reference);
+  const FolderListing tests = list_folder(test);
+  if (!may_lack_references) require_frames(reference, references);
+  require_frames(test, tests);
+  PairedFrames result;
+  result.frames = pair_by_name(references.frames, tests.frames);
+  result.faults = compare_others(references.others, tests.others);
+  take_faults(references, result);
+  take_faults(tests, result);
+  return result;
 }
 
 }  // namespace
@@ -80,23 +98,12 @@ PairedFrames pair_frames(const fs::path& reference, const fs::path& test, Withou
                                            " is a folder; give two files or two folders");
   }
   PairedFrames result;
-  if (!folders) {
+  if (folders) {
+    result = pair_folders(reference, test, accepts);
+  } else {
     result.frames.push_back({test.filename().string(), begins ? fs::path() : reference, test});
-    return result;
   }
-  const FilesByName references = begins    ? FilesByName()
-                                 : accepts ? find_frames(reference)
-                                           : find_some_frames(reference);
-  const FilesByName tests = find_some_frames(test);
-  std::map<std::string, FramePair> pairs;
-  for (const auto& [name, path] : references) pairs[name] = {name, path, {}};
-  for (const auto& [name, path] : tests) {
-    pairs[name].name = name;
-    pairs[name].test = path;
-  }
-  for (const auto& [name, pair] : pairs) result.frames.push_back(pair);
-  check_manifest(reference, references, result);
-  check_manifest(test, tests, result);
+  note_one_and_the_same(reference, test, result);
   return result;
 }
 

@@ -19,16 +19,16 @@ struct FramePair {
 struct PairedFrames {
   std::vector<FramePair> frames;    ///< by name
   std::vector<std::string> notes;   ///< what a reader should know, such as a sequence that was interrupted
-  std::vector<std::string> faults;  ///< what makes a folder unusable: frames that its manifest promises
+  std::vector<std::string> faults;  ///< what makes a folder unusable: what was not compared, or promised
 };
 
 /// Whether there must be something to compare with.
 enum class WithoutReferences { refuse, accept };
 
-/// Pairs two files, or the PNG files of two folders and the folders in them by their names; pictures that lie
-/// beside frames (`is_sidecar`) are no frames. Throws UnusableInput if one of them is not there, cannot be
-/// read, holds no PNG, or one is a file and the other a folder.
-/// `accept`: a reference folder that is empty or not there makes all frames of the test side extra ones.
+/// Pairs two files, or the PNG files of two folders and the folders in them by their names. What else lies
+/// there must be the same on both sides, or is a fault (`compare_others`). Throws std::runtime_error if one
+/// of them is not there, cannot be read, holds no PNG, or one is a file and the other a folder. `accept`: a
+/// reference folder that is empty or not there makes all frames of the test side extra ones.
 PairedFrames pair_frames(const std::filesystem::path& reference, const std::filesystem::path& test,
                          WithoutReferences without = WithoutReferences::refuse);
 

@@ -24,7 +24,7 @@ constexpr const char* kFlatOctree =
 constexpr const char* kFlatQuadtree =
     "ODE's quadtree divides the XZ plane only, and each of its columns holds many objects one above the "
     "other, "
-    "which are all compared; whoever tells heights apart, too, has less to do";
+    "which are all compared; a structure that also separates heights has less to do";
 constexpr const char* kFewSwaps =
     "ends swap where objects pass each other, and here most rest or move along: SP keeps its overlaps from "
     "step to "
@@ -35,7 +35,7 @@ constexpr const char* kHiddenWork =
     "building of its table as collision time";
 constexpr const char* kLongLists = "a tree of few leaves has long lists to sweep";
 constexpr const char* kStayInLeaves =
-    "most objects stay in their leaves, which one comparison tells; ODE looks for the block of every geom "
+    "most objects stay in their leaves, as one comparison shows; ODE looks for the block of every geom "
     "that moved";
 
 std::string number(double x) {
@@ -58,7 +58,7 @@ double collision(const Means& m) { return m.collision; }
 double update(const Means& m) { return m.update; }
 double candidates(const Means& m) { return m.candidates; }
 
-/// A simulation, asked for its means.
+/// The means of a simulation.
 class Judge {
  public:
   Judge(int simulation, const ExperimentRuns& runs)
@@ -84,7 +84,7 @@ class Judge {
     const double ratio = of(measure, a) / of(measure, b);
     return ratio > 0.5 && ratio < 2;
   }
-  /// "BSP 0.5, QT 0.7 ms" of all five, or of those that tell.
+  /// "BSP 0.5, QT 0.7 ms" of all five, without those that have no figure.
   [[nodiscard]] std::string figures(Measure measure, const char* unit) const {
     std::string text;
     for (const std::string_view name : {kBsp, kQt, kSh, kLo, kSp})
@@ -156,14 +156,14 @@ void judge_attractors(const ExperimentRuns& runs, std::vector<ClaimVerdict>& ver
                     judge.pairs() + "; " + judge.times(total), kFewSwaps));
 }
 
-/// Before and after the first fracture, which is where the number of objects begins to grow.
+/// Before and after the first fracture, where the number of objects begins to grow.
 double first_fracture(const ExperimentRun& run) {
   const auto grown =
       std::ranges::find_if(run, [&](const ExperimentStep& row) { return row.moving > run.front().moving; });
   return static_cast<double>(grown - run.begin()) / static_cast<double>(run.size());
 }
 
-/// Pairs delivered, over moving objects, between two parts of the run.
+/// Reported pairs, over moving objects, between two parts of the run.
 double pairs_of_an_object(const ExperimentRun& run, double begin, double end) {
   const auto first = static_cast<std::size_t>(begin * static_cast<double>(run.size()));
   const auto last = std::max(first + 1, static_cast<std::size_t>(end * static_cast<double>(run.size())));

@@ -7,12 +7,12 @@
 
 namespace kerf {
 
-/// A statement of the paper's section 6.2 and what became of it here.
+/// A statement of the paper's section 6.2 and the verdict on it here.
 struct ClaimVerdict {
   int simulation = 0;  ///< 0: of all
   std::string claim;   ///< in the paper's words, shortened
   bool holds = false;
-  std::string figures;  ///< by which it was judged
+  std::string figures;  ///< the basis of the verdict
   std::string reason;   ///< why it does not hold; empty if it does
 };
 
@@ -20,14 +20,13 @@ struct ClaimVerdict {
 /// parameters.
 std::vector<ClaimVerdict> judge_claims(const ExperimentRuns& runs);
 
-/// What a run took on the whole, in milliseconds a step and in pairs: medians of stretches of twenty steps,
-/// and of these the mean. So a run that grows counts as a whole, and a moment in which the machine did
-/// something else does not.
+/// The cost of a run in milliseconds a step and in pairs: the mean of the medians of stretches of twenty
+/// steps. So a run that grows counts as a whole, and short disturbances of the machine do not.
 struct Means {
   double fps = 0;
   double collision = 0;
   double update = 0;
-  double candidates = -1;  ///< negative: it does not tell
+  double candidates = -1;  ///< negative: unknown
   [[nodiscard]] double total() const { return collision + update; }
 };
 

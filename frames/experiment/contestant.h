@@ -13,7 +13,7 @@ class Contestant {
  public:
   explicit Contestant(std::unique_ptr<BroadPhase<3>> subject) : subject_(std::move(subject)) {}
 
-  /// Hands over the requests, does a step, and tells what it took. `count`: candidates are to be told.
+  /// Passes on the requests, does a step, and returns its cost. `count`: also count the candidates.
   ContestantStep step(const StepRequests<3>& requests, bool count);
   [[nodiscard]] const BroadPhase<3>& subject() const { return *subject_; }
 

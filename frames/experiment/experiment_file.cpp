@@ -16,7 +16,7 @@ constexpr const char* kColumns =
     "contacts,"
     "rest_ms";
 
-/// The first line, by which a file is known to fit.
+/// The first line, which identifies a file's simulation and size.
 std::string title(const Simulation& simulation, const ExperimentSize& size) {
   return "# kerf experiment, simulation " + std::to_string(simulation.number) + " (" +
          std::string(simulation.scene) + "), steps " + std::to_string(size.steps) + ", objects " +
@@ -47,7 +47,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 std::uint64_t whole(const std::string& cell) { return cell.empty() ? 0 : std::stoull(cell); }
 
-/// Adds a line to the step that it belongs to. Throws std::logic_error for what is no such line.
+/// Adds a line to its step. Throws std::logic_error for an invalid line.
 void read_line(const std::string& line, ExperimentRun& run) {
   const std::vector<std::string> cells = cells_of(line);
   const std::size_t contestant = run.empty() ? 0 : run.back().contestants.size() % contestants().size();

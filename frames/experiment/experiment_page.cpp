@@ -51,7 +51,7 @@ void write_introduction(std::ostream& text, const ExperimentSize& size) {
        << kMethod;
 }
 
-/// Who did not deliver the true pairs, and how often.
+/// The contestants that reported wrong pairs, and how often.
 void write_wrong(std::ostream& text, const ExperimentRuns& runs) {
   text << "\n## Wrong answers\n\n";
   bool any = false;

@@ -21,7 +21,7 @@ struct Panel {
   const char* title;
   bool trees_only;
   bool logarithmic;
-  Value value;  ///< none if negative, or 0 where there is no logarithm
+  Value value;  ///< not drawn if negative, or if 0 on a logarithmic axis
 };
 
 const std::vector<Panel>& panels() {
@@ -81,7 +81,7 @@ std::string panel_script(const Panel& panel, const Simulation& simulation, const
         points(run, panel.logarithmic,
                [](const ExperimentStep& row) { return static_cast<double>(row.pairs); }),
         "lc rgb 'black' dt 2 lw 1.5 title 'pairs, all alike'");
-  // gnuplot takes no plot without a point.
+  // gnuplot refuses a plot without a point.
   const bool empty = plot.str().empty();
   if (empty) plot << "plot [0:" << run.size() << "] 0 notitle";
   const std::string axis = panel.logarithmic && !empty ? "set logscale y\n" : "set yrange [0:1<*]\n";

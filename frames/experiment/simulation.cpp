@@ -53,7 +53,7 @@ class Chorus final : public BroadPhase<3> {
     const StepTimer timer(true);
     requests_.add_moves(moved_, boxes_);
     results_.assign(contestants_.size(), {});
-    // Each in turn begins, as the caches are warmer for whoever comes later.
+    // Each in turn begins, because later ones find warmer caches.
     for (std::size_t k = 0; k < contestants_.size(); ++k) {
       const std::size_t turn = (k + steps_) % contestants_.size();
       results_[turn] = contestants_[turn].step(requests_, steps_ % kBetweenCounts == 0);
@@ -86,7 +86,7 @@ class Chorus final : public BroadPhase<3> {
 
   ObjectTable<3> table_;
   std::vector<Contestant> contestants_;
-  StepRequests<3> requests_;  ///< what is inserted, then what moves, all in one call
+  StepRequests<3> requests_;  ///< insertions first, then moves, all in one call
   std::vector<ObjectId> moved_;
   std::vector<Box<3>> boxes_;
   std::vector<ContestantStep> results_;

@@ -12,7 +12,7 @@ namespace kerf {
 /// One of the paper's four simulations (section 6.2).
 struct Simulation {
   int number = 1;
-  std::string_view scene;  ///< the 3D scene that follows it
+  std::string_view scene;  ///< the corresponding 3D scene
   std::string_view title;
 };
 std::span<const Simulation> simulations();
@@ -21,7 +21,7 @@ std::span<const Simulation> simulations();
 /// the tuned tree and ODE's later space.
 std::span<const std::string_view> contestants();
 
-/// How much is simulated.
+/// The size of a simulation.
 struct ExperimentSize {
   std::uint32_t steps = 1200;
   std::uint32_t objects = 2000;  ///< moving ones at the end
@@ -30,20 +30,20 @@ struct ExperimentSize {
 
 /// What one broad phase did in one step. Times are milliseconds of processor.
 struct ContestantStep {
-  double update = 0;         ///< taking over the boxes and bringing the structure up to date: overhead
+  double update = 0;         ///< overhead: taking over the boxes and bringing the structure up to date
   double collision = 0;      ///< finding the pairs
-  std::uint64_t wrong = 0;   ///< pairs that it missed, invented or told twice
-  double candidates = -1;    ///< pairs that its structure left to be tested; negative: it does not tell
+  std::uint64_t wrong = 0;   ///< pairs that it missed, invented or reported twice
+  double candidates = -1;    ///< pairs that its structure left to be tested; negative: unknown
   std::uint32_t height = 0;  ///< of a tree, and so are the next two
   std::uint32_t leaves = 0;
   std::uint64_t operators = 0;  ///< so far
 };
 
-/// What all of them did in one step.
+/// The results of all of them in one step.
 struct ExperimentStep {
   std::uint32_t step = 0;
   std::uint32_t moving = 0;
-  std::uint64_t pairs = 0;  ///< as they are
+  std::uint64_t pairs = 0;  ///< the true pairs
   std::uint64_t contacts = 0;
   double rest = 0;                          ///< milliseconds of narrow phase and dynamics
   std::vector<ContestantStep> contestants;  ///< in the order of `contestants()`
@@ -56,10 +56,9 @@ struct ExperimentStep {
 
 using ExperimentRun = std::vector<ExperimentStep>;
 
-/// Runs a simulation once with all broad phases side by side: each is given the same boxes in each step, in
-/// turns, and is timed by itself. The world follows the first of them; what others tell that it does not, and
-/// the other way round, is counted. `watch(step)` is called before each step and ends the run by returning
-/// false.
+/// Runs a simulation once with all broad phases side by side: each gets the same boxes in each step, in
+/// turns, and is timed by itself. The world follows the first of them; differences of the others' pairs from
+/// its pairs are counted. `watch(step)` is called before each step and ends the run by returning false.
 ExperimentRun run_simulation(const Simulation& simulation, const ExperimentSize& size,
                              const std::function<bool(std::uint32_t step)>& watch);
 

@@ -50,7 +50,7 @@ double Axis::share(double value) const {
   return log_ ? std::log(at / low_) / std::log(high_ / low_) : (at - low_) / (high_ - low_);
 }
 
-/// Powers of ten, and more of each the fewer there are.
+/// Powers of ten, and the more tics between them the fewer there are.
 std::string Axis::log_tics() const {
   std::string tics = has_zero_ ? "\"0\" " + plot_number(zero_) : "";
   for (int power = static_cast<int>(std::floor(std::log10(low_))); std::pow(10, power) <= high_; ++power)

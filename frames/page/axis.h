@@ -10,7 +10,7 @@ class Axis {
  public:
   Axis(const std::vector<double>& values, bool log);
 
-  /// Where a value stands: itself, or the place of zeros.
+  /// The position of a value: the value itself, or the place of zeros.
   [[nodiscard]] double place(double value) const;
   /// From 0 to 1 along the axis.
   [[nodiscard]] double share(double value) const;

@@ -41,7 +41,7 @@ void replace_all(std::string& text, std::string_view from, const std::string& to
     text.replace(at, from.size(), to);
 }
 
-/// Without what belongs before an element, and with ids that are the picture's own.
+/// The SVG without what precedes its element, and with ids that are unique to the picture.
 std::string as_element(std::string svg, const std::string& id) {
   const std::size_t begin = svg.find("<svg");
   if (begin == std::string::npos || svg.find("</svg>") == std::string::npos)

@@ -13,15 +13,15 @@ struct LabelWish {
   std::string text;
 };
 
-/// Where a text's left end and its middle line are.
+/// The place of a text: its left end and its middle line.
 struct LabelPlace {
   double x = 0;
   double y = 0;
 };
 
 /// A place for each text beside its point, such that no two overlap, none covers another point, and all are
-/// inside the picture's width; nothing where there is no such place. The first ones choose first. `obstacles`
-/// are further points.
+/// inside the picture's width; none where there is no such place. Earlier texts choose first. `obstacles` are
+/// further points.
 std::vector<std::optional<LabelPlace>> place_labels(const std::vector<LabelWish>& wishes,
                                                     const std::vector<LabelWish>& obstacles, double left,
                                                     double right);

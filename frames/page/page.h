@@ -19,7 +19,7 @@ struct TableColumn {
   double scale = 1;  ///< the number is multiplied by it first
 };
 
-/// Text as it may stand in an HTML page.
+/// Text escaped for an HTML page.
 std::string escaped(std::string_view text);
 
 /// A self-contained HTML page: nothing is loaded from anywhere, no script runs.
@@ -32,11 +32,11 @@ class Page {
   void paragraph(std::string_view text);
   /// An SVG element with a line below it.
   void figure(const std::string& svg, std::string_view caption);
-  /// Rows are objects; those that are `marked` (all or none need be) stand out with a ring. Closed tables are
-  /// opened by a click on their summary.
+  /// Rows are objects. Marked rows (`marked` is empty or as long as the rows) stand out with a ring. A click
+  /// on the summary of a closed table opens it.
   void table(std::string_view summary, const std::vector<TableColumn>& columns, const Json& rows,
              const std::vector<bool>& marked = {}, bool open = false);
-  /// How to make it again.
+  /// The command that makes the page again.
   void command(std::string_view command);
 
   [[nodiscard]] std::string html() const;

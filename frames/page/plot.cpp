@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-/// Of a plot of points, in pixels; the legend stands right of it.
+/// Of a plot of points, in pixels; the legend stands to the right of it.
 constexpr int kWidth = 940;
 constexpr int kHeight = 430;
 constexpr double kLeft = 78;

@@ -58,8 +58,8 @@ struct HeatMap {
   std::vector<std::string> kind_names;
 };
 
-/// An SVG element, made by gnuplot, that can stand in a page; `id` must be unlike those of all others there.
-/// Throws std::runtime_error if gnuplot cannot.
+/// An SVG element, made by gnuplot, for a page in which `id` is unique. Throws std::runtime_error if gnuplot
+/// fails.
 std::string draw(const Plot& plot, std::string_view id);
 std::string draw(const BarPlot& plot, std::string_view id);
 std::string draw(const HeatMap& map, std::string_view id);

@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-// Lines of gnuplot that several kinds of plots share.
+// Lines of gnuplot scripts that several kinds of plots share.
 
 /// The k-th colour of a plot, in quotes; see viz/draw/palette.h.
 std::string series_color(std::size_t k);

@@ -7,15 +7,15 @@
 
 namespace kerf {
 
-/// The results of cells in a JSON file, written after each. What another machine or version measured is not
-/// taken over.
+/// The results of cells in a JSON file, written after each. Results of another machine or version are
+/// ignored.
 class CellStore {
  public:
-  /// Reads the file if there is one. Throws UsageError if it is somebody else's, which `put` would destroy.
+  /// Reads the file if there is one. Throws UsageError if it is another program's, which `put` would destroy.
   explicit CellStore(std::filesystem::path file);
 
   [[nodiscard]] bool has(const std::string& key) const { return results_.contains(key); }
-  /// Must be there.
+  /// The key must exist.
   [[nodiscard]] const Json& at(const std::string& key) const { return results_.at(key); }
   /// Throws std::runtime_error if the file cannot be written.
   void put(const std::string& key, Json result);

@@ -20,7 +20,7 @@ std::vector<Vector<D>> positions_of(std::span<const Body<D>> bodies) {
   return positions;
 }
 
-/// Steps after which a run is looked at.
+/// The steps after which a run is sampled.
 std::vector<std::uint32_t> sampled_steps(const SceneLength& length) {
   const std::uint32_t last = length.grow + length.steps;
   std::vector<std::uint32_t> steps;
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> sampled_steps(const SceneLength& length) {
   return steps;
 }
 
-/// One run of the scene, looked at after each of the steps.
+/// One run of the scene, sampled after each of the steps.
 template <int D>
 class Run {
  public:
@@ -39,7 +39,7 @@ class Run {
         scene_(scene_entry<D>(scene).make(
             broad_phase_, {.objects = length.objects, .steps = length.grow, .seed = seed, .nudge = nudge})) {}
 
-  /// `reference` are the positions in the exact run by sample; where there is none they become this run's.
+  /// `reference` has the positions in the exact run by sample; an empty one becomes this run's.
   void go(std::span<const std::uint32_t> steps, std::vector<std::vector<Vector<D>>>& reference,
           const Poll& poll) {
     for (std::size_t k = 0; k < steps.size(); ++k) {
@@ -88,7 +88,7 @@ Json run_closed_loops(std::string_view scene, const SceneLength& length, std::ui
     return run.figures(nudge == 0 ? setting.name : "one ulp aside", setting.family);
   };
   const Setting exact{"kerf", "exact", tuned_config(), {}};
-  run_with(0, exact);  // the reference; what it took is that of a cold machine
+  run_with(0, exact);  // the reference; its times are those of a cold machine
   runs.push_back(run_with(0, exact));
   runs.push_back(run_with(0, {"kerf-paper", "exact", Config{}, {}}));
   runs.push_back(run_with(1, {"kerf", "control", tuned_config(), {}}));

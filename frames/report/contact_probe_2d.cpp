@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-/// Box2D's manifolds are between a polygon and a circle, in this order, or two of a kind.
+/// Box2D has manifolds of a polygon and a circle, in this order, or of two of a kind.
 b2Manifold collide(const b2Shape& a, const b2Transform& at_a, const b2Shape& b, const b2Transform& at_b) {
   b2Manifold manifold{};
   const auto* const circle_b = dynamic_cast<const b2CircleShape*>(&b);

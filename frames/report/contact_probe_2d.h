@@ -13,15 +13,15 @@
 
 namespace kerf {
 
-/// A narrow phase of shapes at poses of one's choice: Box2D's manifolds.
+/// A narrow phase of shapes at given poses: Box2D's manifolds.
 class ContactProbe2 {
  public:
   /// The next object.
   void add(const Shape<2>& shape);
   void place(ObjectId object, const Pose<2>& pose);
-  /// As the scenes bound it.
+  /// Bounded as in the scenes.
   [[nodiscard]] Volume<2> volume(VolumeKind kind, ObjectId object) const;
-  /// How deep the two are in each other, Box2D's skins included; nothing if they do not touch.
+  /// The depth of the overlap, Box2D's skins included; none if they do not touch.
   [[nodiscard]] std::optional<double> depth(Pair pair) const;
 
  private:

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// A narrow phase of shapes at poses of one's choice: ODE's colliders.
+/// A narrow phase of shapes at given poses: ODE's colliders.
 class ContactProbe3 {
  public:
   ContactProbe3() = default;
@@ -22,9 +22,9 @@ class ContactProbe3 {
   /// The next object.
   void add(const Shape<3>& shape);
   void place(ObjectId object, const Pose<3>& pose);
-  /// As the scenes bound it.
+  /// Bounded as in the scenes.
   [[nodiscard]] Volume<3> volume(VolumeKind kind, ObjectId object) const;
-  /// How deep the two are in each other, at the deepest of up to eight points; nothing if they do not touch.
+  /// The depth of the overlap at the deepest of up to eight points; none if they do not touch.
   [[nodiscard]] std::optional<double> depth(Pair pair) const;
 
  private:

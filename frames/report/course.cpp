@@ -38,7 +38,7 @@ std::vector<Pair> sorted_pairs(std::span<const Pair> pairs) {
   return sorted;
 }
 
-/// What was told wrongly and late.
+/// Wrong and late reports.
 template <int D>
 Json judge(const Course<D>& course, BroadPhase<D>& broad_phase, const Poll& poll) {
   Difference errors;

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// The boxes of a run, step by step, with the true pairs: what all settings are measured on.
+/// The boxes of a run, step by step, with the true pairs: all settings are measured on them.
 template <int D>
 struct Course {
   struct Step {
@@ -19,7 +19,7 @@ struct Course {
     std::vector<Box<D>> boxes;  ///< of those that moved
     std::vector<Pair> truth;    ///< by brute force, sorted
   };
-  std::uint32_t moving = 0;   ///< objects before this are moving, the others fixed
+  std::uint32_t moving = 0;   ///< objects below this number are moving, the others fixed
   std::vector<Box<D>> first;  ///< all boxes before the first step
   std::uint32_t warm_up = 0;  ///< steps at the beginning that do not count
   std::vector<Step> steps;
@@ -29,9 +29,9 @@ struct Course {
 template <int D>
 Course<D> record(Motion<D>& motion, std::uint32_t warm_up, std::uint32_t steps, const Poll& poll);
 
-/// Runs a broad phase over the course: once to be judged, then `rounds` times to be timed. The figures are
-/// those of `StepTimes` (an object and step), of `Meetings`, and "true_pairs", "told", "missed" and "extra",
-/// in all steps that count, with "missed_share" and "extra_share" of the true pairs.
+/// Runs a broad phase over the course: once to judge it, then `rounds` times to time it. The figures are
+/// those of `StepTimes` (an object and step), of `Meetings`, and "true_pairs", "told" (the reported pairs),
+/// "missed" and "extra", in all steps that count, with "missed_share" and "extra_share" of the true pairs.
 template <int D>
 Json run_course(const Course<D>& course, const std::function<std::unique_ptr<BroadPhase<D>>()>& make,
                 std::uint32_t rounds, const Poll& poll);

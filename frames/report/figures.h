@@ -17,15 +17,15 @@ struct Times {
 /// {"mean_ns", "median_ns", "p99_ns", "max_ns"}
 Json as_json(const Times& times);
 
-/// The times of many steps of one thing: of each step the least of all rounds counts, since what else the
-/// machine does only ever adds.
+/// The times of many steps: the least of all rounds counts for each step, since other work on the machine
+/// only ever adds.
 class StepTimes {
  public:
   /// Begins a round.
   void restart() { step_ = 0; }
-  /// The next step of this round took so long.
+  /// Adds the time of the next step of this round.
   void add(double nanoseconds);
-  /// Over so many objects: the times of one.
+  /// The times divided by a number of objects.
   [[nodiscard]] Times over(double objects) const;
 
  private:
@@ -33,7 +33,7 @@ class StepTimes {
   std::size_t step_ = 0;
 };
 
-/// The middle of some numbers; 0 if there are none.
+/// The median of some numbers; 0 if there are none.
 double median(std::vector<double> numbers);
 
 }  // namespace kerf

@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// A scene in which the pairs decide what moves, run from several seeds: a cell for each.
+/// A scene in which the pairs decide the motion, run from several seeds: a cell for each.
 struct LoopScene {
   std::string scene;
   int dimension = 3;
@@ -23,7 +23,7 @@ std::vector<Cell> cells_of(const std::vector<LoopScene>& scenes);
 struct LoopRuns {
   std::string setting;
   std::string family;
-  std::vector<double> steps;  ///< after which runs were looked at
+  std::vector<double> steps;  ///< after which runs were sampled
   std::vector<Json> seeds;    ///< its run in each seed
 };
 

@@ -11,17 +11,17 @@ namespace kerf {
 template <int D>
 double size_of(const Shape<D>& shape);
 
-/// What a scene's moving bodies have of energy, as a height in units of the scene: (kinetic + potential) over
-/// weight, at density 1. Kinetic is that of their middles, from where they were a step before; spin is left
-/// out. `before` holds positions of the first bodies; those that came since count as at rest.
+/// The energy of a scene's moving bodies, as a height in units of the scene: (kinetic + potential) over
+/// weight, at density 1. Kinetic energy is that of their middles, by their positions a step before; spin is
+/// left out. `before` has the positions of the first bodies; newer ones count as at rest.
 template <int D>
 double energy_height(std::span<const Body<D>> bodies, std::span<const Vector<D>> before);
 
-/// The deepest that two bodies are in each other, by the narrow phase on all pairs of boxes; 0 if none touch.
+/// The deepest overlap of two bodies, by the narrow phase on all pairs of boxes; 0 if none touch.
 template <int D>
 double deepest_penetration(std::span<const Body<D>> bodies);
 
-/// The root of the mean square of how far moving bodies are from where they are in another run.
+/// The root of the mean square of the distances of moving bodies from their positions in another run.
 template <int D>
 double distance_of_runs(std::span<const Body<D>> bodies, std::span<const Vector<D>> others);
 

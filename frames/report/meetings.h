@@ -9,10 +9,10 @@
 
 namespace kerf {
 
-/// How late pairs are told. A meeting begins in the first step in which two boxes overlap and ends when they
-/// part; it is detected in the first of these steps in which the pair is told. The steps before that are its
-/// lag: all of its steps, if it is never told. Meetings that are there from the beginning do not count, nor
-/// do those that are undetected when the run ends.
+/// How late pairs are reported. A meeting begins in the first step in which two boxes overlap and ends when
+/// they part; it is detected in the first of these steps in which the pair is reported. The steps before that
+/// are its lag: all of its steps, if it is never reported. Meetings that exist from the beginning do not
+/// count, nor do those that are undetected when the run ends.
 class Meetings {
  public:
   /// The pairs of the next step, both sorted.

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// A motion of `kerf bench` on which all settings are measured.
+/// A motion of `kerf bench`, with the measurements of all settings on it.
 struct MotionCell {
   std::string motion;
   int dimension = 3;

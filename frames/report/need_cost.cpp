@@ -80,7 +80,7 @@ class ModelRun {
     if (!turned) pose.axes = take_.poses[0][object.index()].axes;
     return bound<D>(model_.volume, take_.shapes[object.index()], precise(pose), kMargin);
   }
-  /// What does not turn keeps its box, which goes along.
+  /// An object that does not turn keeps its box, which moves with it.
   [[nodiscard]] Volume<D> volume_at(ObjectId object, std::size_t step) const {
     if (model_.rotation || model_.volume != VolumeKind::box) return bounded(object, step, model_.rotation);
     Volume<D> volume = volumes_[object.index()];

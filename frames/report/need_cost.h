@@ -7,10 +7,10 @@
 
 namespace kerf {
 
-/// What is modelled of a scene; by default as little as there can be: boxes that do not turn, of objects that
-/// all move, partitioners along the axes, pairs only.
+/// The modelled needs of a scene; by default the least: boxes that do not turn, of objects that all move,
+/// partitioners along the axes, pairs only.
 struct Model {
-  std::string need;  ///< what it has beyond the least
+  std::string need;  ///< the need that it adds to the least model
   bool third_axis = false;
   bool fixed_objects = false;
   bool rotation = false;
@@ -19,7 +19,8 @@ struct Model {
   VolumeKind volume = VolumeKind::box;
 };
 
-/// The least model, each need of D dimensions switched on alone, and all of them. A third axis only 2D lacks.
+/// The least model, each need of D dimensions switched on alone, and all of them. Only 2D can add a third
+/// axis.
 template <int D>
 std::vector<Model> models();
 

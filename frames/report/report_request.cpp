@@ -18,7 +18,7 @@ constexpr ReportSizes kFull{.objects = 4250,
                             .loop_steps = 1500,
                             .seeds = 32};
 
-/// Those that were named, each once, in the order of the page; all if none was.
+/// The named sections, each once, in the order of the page; all if none is named.
 std::vector<std::string> chosen(const std::vector<std::string>& named,
                                 const std::vector<std::string>& known) {
   for (const std::string& name : named)
@@ -30,7 +30,7 @@ std::vector<std::string> chosen(const std::vector<std::string>& named,
   return sections;
 }
 
-/// The user's numbers in place of the usual ones.
+/// The user's numbers in place of the defaults.
 class Overrides {
  public:
   explicit Overrides(ReportRequest& request) : request_(request) {}

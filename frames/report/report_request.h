@@ -20,27 +20,27 @@ struct ReportTexts {
   bool fresh = false;
 };
 
-/// How large and how long what is measured is.
+/// The size and length of the measurements.
 struct ReportSizes {
   std::uint32_t objects = 1000;       ///< boxes of motions, and bricks
   std::uint32_t steps = 100;          ///< that count, after a warm-up
-  std::uint32_t rounds = 3;           ///< of each step the least counts
+  std::uint32_t rounds = 3;           ///< the least counts for each step
   std::uint32_t scene_objects = 500;  ///< moving objects of a recorded scene
   std::uint32_t need_objects = 2000;  ///< where needs are switched on: more than a leaf holds
-  std::uint32_t loop_objects = 120;   ///< moving objects of a scene that the pairs decide
+  std::uint32_t loop_objects = 120;   ///< moving objects of a scene in which the pairs decide the motion
   std::uint32_t loop_steps = 250;     ///< of these, the objects come in the first two fifths
   std::uint32_t seeds = 16;           ///< of such scenes
 };
 
-/// What is to be shown, every part of it checked.
+/// What to show, every part of it checked.
 struct ReportRequest {
   std::vector<std::string> sections;  ///< by name, in the order of the page
   ReportSizes sizes;
   std::filesystem::path out;        ///< the page
   std::filesystem::path kept;       ///< the figures, beside it
   std::filesystem::path hardcases;  ///< the folder of `./run hardcases`
-  bool fresh = false;               ///< figures of an earlier run are forgotten
-  std::string options;              ///< those that decide what is measured, as typed
+  bool fresh = false;               ///< figures of an earlier run are discarded
+  std::string options;              ///< the options that decide what is measured, as typed
 };
 
 /// `known` are the names of all sections. Throws UsageError that says what to do.

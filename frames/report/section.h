@@ -11,9 +11,9 @@
 
 namespace kerf {
 
-/// A part of the report: what it has measured, and how it shows that.
+/// A part of the report: its measurements, and how they are shown.
 struct Section {
-  std::string name;  ///< by which the user chooses it
+  std::string name;  ///< the user's name for it
   std::string title;
   std::function<std::vector<Cell>(const ReportRequest&)> cells;
   /// All cells are in the store.

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// One point of the knobs that trade time for error.
+/// One setting of the knobs that trade error for time.
 struct Setting {
   std::string name;    ///< as `kerf bench --algorithms` takes it
   std::string family;  ///< settings that differ in one number: a line in a plot
@@ -22,7 +22,7 @@ struct Setting {
 /// The exact tree, ours and the paper's, with leaves of several sizes and schedules, and then all approximate
 /// modes: placement every k steps without and with a margin, filtered, and rounded intervals.
 std::vector<Setting> all_settings();
-/// A few of them, for runs in which the pairs decide what moves.
+/// A few of them, for runs in which the pairs decide the motion.
 std::vector<Setting> few_settings();
 
 template <int D>

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// A broad phase whose time in `step()` is taken.
+/// A broad phase that measures the time of its `step()`.
 template <int D>
 class Stopwatch final : public BroadPhase<D> {
  public:

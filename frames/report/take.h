@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-/// What was recorded of a scene: the shapes of its bodies and where they were in each step. Whatever is
-/// measured on it sees the same motion.
+/// The recorded motion of a scene: the shapes of its bodies and their poses in each step. All measurements on
+/// it see the same motion.
 template <int D>
 struct Take {
   std::vector<Shape<D>> shapes;
@@ -18,14 +18,14 @@ struct Take {
   std::vector<std::vector<Pose<D>>> poses;  ///< by step, then by body
 };
 
-/// How long a scene is run: objects come during the first `grow` steps; then `steps` are of interest.
+/// The length of a scene's run: objects come during the first `grow` steps; the next `steps` count.
 struct SceneLength {
   std::uint32_t objects = 0;
   std::uint32_t grow = 0;
   std::uint32_t steps = 0;
 };
 
-/// Runs the scene with the exact broad phase; of heaps, one object falls anew in each second step. Throws
+/// Runs the scene with the exact broad phase; in heaps, one object falls again in every second step. Throws
 /// UsageError for a scene that D dimensions do not have or that cannot be so large.
 template <int D>
 Take<D> record(std::string_view scene, const SceneLength& length, const Poll& poll);

@@ -58,7 +58,7 @@ std::vector<Pair> TotalCost<D>::test(const BroadPhase<D>& broad_phase) const {
   return touching;
 }
 
-/// Volumes are made before the clock runs: what they cost is another section's.
+/// Volumes are made before the clock runs: their cost belongs to another section.
 template <int D>
 void TotalCost<D>::play(BroadPhase<D>& broad_phase, Figures& figures, bool judge, const Poll& poll) {
   figures.broad.restart();

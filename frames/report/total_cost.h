@@ -11,7 +11,7 @@
 namespace kerf {
 
 /// Broad phase and narrow phase together, on the motion of a take. The narrow phase tests every candidate
-/// anew in every step: nothing is remembered of pairs that rest.
+/// again in every step: nothing is remembered of resting pairs.
 template <int D>
 class TotalCost {
  public:

@@ -14,7 +14,7 @@
 namespace kerf {
 namespace {
 
-/// Share of the world's volume that the bricks have: what boxes poured into a container come to.
+/// The bricks' share of the world's volume, as of boxes poured into a container.
 constexpr double kDensity = 0.6;
 
 template <int D>
@@ -60,7 +60,7 @@ std::vector<PosedBrick<D>> scatter(std::uint32_t count, double slenderness, Rand
   return bricks;
 }
 
-/// Whether the shadows of both on an axis of one of them are apart.
+/// Whether the projections of both on an axis of one of them are apart.
 bool apart_along(const std::array<double, 2>& axis, const PosedBrick<2>& a, const PosedBrick<2>& b) {
   double distance = 0;
   double reach = 0;
@@ -119,7 +119,7 @@ class NarrowPhase3 {
 template <int D>
 using NarrowPhaseOf = std::conditional_t<D == 2, NarrowPhase2, NarrowPhase3>;
 
-/// All contacts, in order. The bricks' spheres tell which pairs are worth a test, nothing of ours does.
+/// All contacts, in order. The bricks' bounding spheres decide which pairs to test; nothing of ours does.
 template <int D>
 std::vector<Pair> find_contacts(const std::vector<PosedBrick<D>>& bricks) {
   const NarrowPhaseOf<D> narrow_phase(bricks);
@@ -166,7 +166,7 @@ std::vector<Volume<D>> bound_all(const std::vector<PosedBrick<D>>& bricks, Volum
   return volumes;
 }
 
-/// What steps took, in all rounds.
+/// The times of steps, in all rounds.
 struct Clocks {
   StepTimes bounding;
   StepTimes tree;
@@ -177,7 +177,7 @@ template <int D>
 class Subject {
  public:
   Subject(const std::vector<PosedBrick<D>>& bricks, VolumeKind kind) : kind_(kind), bsp_({}, kind) {
-    constexpr int kGrowingSteps = 200;  // until the tree is as fine as it will be
+    constexpr int kGrowingSteps = 200;  // until the tree has its final depth
     const std::vector<Volume<D>> volumes = bound_all(bricks, kind);
     for (std::uint32_t k = 0; k < volumes.size(); ++k)
       static_cast<void>(bsp_.insert({k}, volumes[k], Mobility::moving));

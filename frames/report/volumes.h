@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// How many candidates a kind of volume leaves for each true contact, and at what price.
+/// The candidates that a kind of volume leaves for each true contact, and their price.
 struct VolumeFigure {
   int dimension = 3;
   double slenderness = 1;  ///< length over thickness of the bricks
@@ -17,7 +17,7 @@ struct VolumeFigure {
   std::uint64_t contacts =
       0;                     ///< by an exact test of the bricks: ODE's in 3D, separating axes in double in 2D
   std::uint64_t missed = 0;  ///< contacts that are no candidates; must be 0
-  double bound_ns = 0;       ///< an object and step, in the mean: to bound the bricks
+  double bound_ns = 0;       ///< an object and step, on average: to bound the bricks
   /// Of processor time of our tree, for an object and step in which everything drifts and turns.
   double mean_ns = 0;
   double median_ns = 0;
@@ -25,7 +25,7 @@ struct VolumeFigure {
   double max_ns = 0;
 };
 
-/// The slendernesses that are of interest: cubes, short and long rods.
+/// The slendernesses to measure: cubes, short and long rods.
 std::vector<double> slendernesses();
 
 /// Bricks of unit volume, length over thickness `slenderness`, at random poses and as dense as a pile, for

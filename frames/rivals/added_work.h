@@ -4,8 +4,8 @@
 
 namespace kerf {
 
-/// A broad phase whose library answers less than ours are asked for: it leaves candidates to be tested, or
-/// keeps pairs that have to be gone through. The rest of a step is what the library costs by itself.
+/// A broad phase with a library that does only part of the work: it leaves candidates to be tested, or keeps
+/// pairs that the caller has to visit. The rest of a step is the library's own cost.
 class AddedWork {
  public:
   AddedWork() = default;
@@ -13,7 +13,7 @@ class AddedWork {
   AddedWork& operator=(const AddedWork&) = delete;
   virtual ~AddedWork() = default;
 
-  /// How long completing the answer took in the last step; setting boxes counts for the library.
+  /// The time for completing the answer in the last step; setting boxes counts for the library.
   [[nodiscard]] virtual std::uint64_t added_nanoseconds() const = 0;
 };
 

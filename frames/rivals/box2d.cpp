@@ -55,7 +55,7 @@ class TreeRival final : public Box2dRival<b2DynamicTree> {
   [[nodiscard]] std::string_view name() const override { return "box2d-tree"; }
   bool QueryCallback(int32 proxy) {  // NOLINT(readability-identifier-naming): Box2D's name
     const ObjectId other = to_object(holder_.GetUserData(proxy));
-    // Of two moving objects the one with the smaller id tells.
+    // Of two moving objects the one with the smaller id reports the pair.
     if (asking_ < other || (is_fixed(other) && asking_ != other)) tell_candidate(asking_, other);
     return true;
   }
@@ -100,7 +100,7 @@ class BroadPhaseRival final : public Box2dRival<b2BroadPhase> {
   void collect_pairs() override {
     for (std::uint32_t id = 0; id < partners_.size(); ++id) tell_partners({id});
   }
-  /// Tells the overlaps with later objects and forgets the partners that have gone far enough.
+  /// Reports the overlaps with later objects and drops the partners that have moved far enough away.
   void tell_partners(ObjectId object) {
     std::vector<ObjectId>& list = partners_[object.index()];
     for (std::size_t k = 0; k < list.size();) {
@@ -122,7 +122,7 @@ class BroadPhaseRival final : public Box2dRival<b2BroadPhase> {
     list.pop_back();
   }
 
-  std::vector<std::vector<ObjectId>> partners_;  ///< per object: whose fat box overlapped its own
+  std::vector<std::vector<ObjectId>> partners_;  ///< per object: those with fat boxes that overlap its own
 };
 
 }  // namespace

@@ -65,7 +65,7 @@ std::unique_ptr<BroadPhase<3>> make_bullet_dbvt(const RivalHints<3>& hints, Inta
 }
 
 std::unique_ptr<BroadPhase<3>> make_bullet_axis_sweep(const RivalHints<3>& hints, Intake intake) {
-  // One handle more: the lists have a sentinel. No tree for rays beside them.
+  // One handle more: the lists have a sentinel. Without the tree for rays.
   auto sweep = std::make_unique<bt32BitAxisSweep3>(to_bullet(hints.bounds.min), to_bullet(hints.bounds.max),
                                                    hints.capacity + 1, nullptr, true);
   return std::make_unique<BulletRival>("bullet-axis-sweep", std::move(sweep), hints, intake);

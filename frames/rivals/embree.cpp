@@ -66,7 +66,7 @@ class EmbreeScene {
     boxes_[place] = box;
     changed_ = true;
   }
-  /// The last object takes the place; it is returned.
+  /// Removes the object at a place; the last object takes the place and is returned.
   ObjectId drop(std::size_t place) {
     objects_[place] = objects_.back();
     boxes_[place] = boxes_.back();
@@ -130,7 +130,7 @@ class EmbreeRival final : public RivalBase<3> {
     moving_.commit();
     fixed_.commit();
     if (moving_.empty()) return;
-    // A scene against itself tells each pair both ways round, and each object with itself.
+    // A scene against itself reports each pair in both orders, and each object with itself.
     rtcCollide(
         moving_.get(), moving_.get(),
         [](void* self, RTCCollision* found, unsigned count) {

@@ -19,7 +19,7 @@ fcl::Vector3<double> to_fcl(const Vector<3>& v) {
   return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-/// A geometry that is nothing but its box, so that no centre and extent round it.
+/// A geometry that is only its box, so that no centre and extent round it.
 class BareBox final : public fcl::CollisionGeometry<double> {
  public:
   explicit BareBox(const Box<3>& box) { set(box); }
@@ -44,7 +44,7 @@ struct FclBody {
   bool registered = false;
 };
 
-/// Boxes change in `find_pairs` only: a manager takes an object out by the box that it has then.
+/// Boxes change only in `find_pairs`: a manager removes an object by its present box.
 class FclRival final : public RivalBase<3> {
  public:
   FclRival(std::string_view name, std::unique_ptr<FclManager> manager, const RivalHints<3>& hints,

@@ -13,7 +13,7 @@ inline Box<3> flat_box(const Box<2>& box) {
   return {{{box.min[0], box.min[1], 0}}, {{box.max[0], box.max[1], 1}}};
 }
 
-/// A 3D broad phase that is shown 2D boxes as slabs of unit thickness: two slabs overlap iff the boxes do.
+/// A 3D broad phase that gets 2D boxes as slabs of unit thickness: two slabs overlap iff the boxes do.
 class Flat final : public BroadPhase<2>, public AddedWork {
  public:
   explicit Flat(std::unique_ptr<BroadPhase<3>> inner) : inner_(std::move(inner)) {}
@@ -34,7 +34,7 @@ class Flat final : public BroadPhase<2>, public AddedWork {
   std::unique_ptr<BroadPhase<3>> inner_;
 };
 
-/// The factory of a 3D rival as one for 2D boxes.
+/// Turns the factory of a 3D rival into one for 2D boxes.
 template <auto Make>
 std::unique_ptr<BroadPhase<2>> make_flat(const RivalHints<2>& hints, Intake intake) {
   return std::make_unique<Flat>(Make({flat_box(hints.bounds), hints.box_size, hints.capacity}, intake));

@@ -11,29 +11,30 @@
 
 namespace kerf {
 
-/// What some libraries ask before the first box, because they cannot grow or adapt.
+/// Data that some libraries need before the first box, because they cannot grow or adapt.
 template <int D>
 struct RivalHints {
-  Box<D> bounds;                  ///< where the objects are; what leaves it is the library's affair
-  Scalar box_size = 1;            ///< a usual extent of a box: the cell size of grids
-  std::uint32_t capacity = 1024;  ///< most objects at a time
-  std::array<bool, 3> separating{true, true, true};  ///< axes along which objects are told apart
+  Box<D> bounds;        ///< where the objects are; the library decides what becomes of objects outside
+  Scalar box_size = 1;  ///< a usual extent of a box: the cell size of grids
+  std::uint32_t capacity = 1024;                     ///< most objects at a time
+  std::array<bool, 3> separating{true, true, true};  ///< axes along which objects are separated
 };
 
-/// What a rival is given to see.
+/// Which boxes a rival gets.
 enum class Intake : std::uint8_t {
-  checked,  ///< as ObjectTable has it: NaN and min > max withheld, infinities clamped
-  raw,      ///< every box as it comes, so that the library shows what it makes of it
+  checked,  ///< as in ObjectTable: without NaN and min > max, infinities clamped
+  raw,      ///< every box as given, to show how the library handles it
 };
 
-/// Another library's broad phase behind our interface. It tells each closed overlap that the library finds,
-/// two fixed objects excepted. Where the library tells candidates only (fat or quantised boxes, cells of a
-/// grid), they are filtered by the boxes given; what it calls an overlap is passed on as told.
+/// Another library's broad phase behind our interface. It reports each closed overlap that the library finds,
+/// except pairs of two fixed objects. Where the library reports only candidates (fat or quantised boxes,
+/// cells of a grid), they are filtered by the boxes given; what the library calls an overlap is passed on
+/// unfiltered.
 template <int D>
 struct Rival {
   std::string_view name;  ///< for example "bullet-dbvt"
-  std::string_view what;  ///< the library's name of it
-  bool flat = false;      ///< a 3D library that is shown 2D boxes as slabs of unit thickness
+  std::string_view what;  ///< the library's own name for it
+  bool flat = false;      ///< a 3D library that gets 2D boxes as slabs of unit thickness
   std::unique_ptr<BroadPhase<D>> (*make)(const RivalHints<D>& hints, Intake intake) = nullptr;
 };
 

@@ -11,7 +11,7 @@ RivalBase<D>::RivalBase(const RivalHints<D>& hints, Intake intake) : intake_(int
   held_.reserve(hints.capacity);
 }
 
-/// Brings what the library holds into agreement with the last request.
+/// Updates the library to the last request.
 template <int D>
 void RivalBase<D>::show(ObjectId object, const Box<D>& given) {
   const bool raw = intake_ == Intake::raw;

@@ -10,8 +10,8 @@
 
 namespace kerf {
 
-/// What all rivals share: statuses, which objects the library holds now, and the list of pairs. A rival says
-/// how an object enters the library, changes and leaves it, and how pairs are found.
+/// The common part of all rivals: statuses, the objects that the library holds now, and the list of pairs. A
+/// rival defines how an object enters the library, changes and leaves it, and how pairs are found.
 template <int D>
 class RivalBase : public BroadPhase<D>, public AddedWork {
  public:
@@ -28,20 +28,20 @@ class RivalBase : public BroadPhase<D>, public AddedWork {
   virtual void add(ObjectId object, const Box<D>& box, bool fixed) = 0;
   virtual void change(ObjectId object, const Box<D>& box) = 0;
   virtual void drop(ObjectId object) = 0;
-  /// What the library does to find pairs. Calls `tell` or `tell_candidate` for each that it tells.
+  /// The library's search for pairs. Calls `tell` or `tell_candidate` for each reported pair.
   virtual void find_pairs() = 0;
-  /// Calls them for pairs that the library keeps, and that its caller has to go through.
+  /// Calls them for the pairs that the library keeps and that its caller has to visit.
   virtual void collect_pairs() {}
 
-  /// The box that the library was shown last.
+  /// The last box given to the library.
   [[nodiscard]] const Box<D>& shown(ObjectId object) const { return shown_[object.index()]; }
   [[nodiscard]] bool is_fixed(ObjectId object) const { return fixed_[object.index()] != 0; }
 
-  /// A pair for which the library vouches.
+  /// Adds a pair that the library guarantees.
   void tell(ObjectId a, ObjectId b) {
     if ((fixed_[a.index()] & fixed_[b.index()]) == 0) pairs_.push_back(make_pair(a, b));
   }
-  /// A pair that the caller of the library is expected to test.
+  /// Adds a pair that the library leaves its caller to test.
   void tell_candidate(ObjectId a, ObjectId b) { candidates_.push_back({a, b}); }
 
  private:
@@ -51,7 +51,7 @@ class RivalBase : public BroadPhase<D>, public AddedWork {
   ObjectTable<D> table_;
   std::vector<Box<D>> shown_;
   std::vector<std::uint8_t> fixed_;
-  std::vector<std::uint8_t> held_;  ///< per object: the library knows it
+  std::vector<std::uint8_t> held_;  ///< per object: the library has it
   std::vector<Pair> candidates_;
   std::vector<Pair> pairs_;
   std::uint64_t added_ = 0;

@@ -14,7 +14,7 @@ std::uint64_t now(clockid_t clock) {
 
 }  // namespace
 
-// The clock of the processor is read first and last, so that its cost is in its own time only.
+// The processor clock is read first and last, so that only its own time includes the cost of reading.
 StepTimer::StepTimer(bool one_thread)
     : one_thread_(one_thread),
       processor_(one_thread ? now(CLOCK_THREAD_CPUTIME_ID) : 0),

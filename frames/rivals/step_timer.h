@@ -4,9 +4,9 @@
 
 namespace kerf {
 
-/// The time of one step. Where a single thread works, time in which the system gave the processor to others
-/// does not count: the lesser of wall time and the thread's processor time is taken. (Wall time alone where
-/// nobody interferes, since reading the other clock takes a quarter of a microsecond.)
+/// The time of one step. With a single thread, time that the system gives to other processes does not count:
+/// the lesser of wall time and the thread's processor time is taken. (Only wall time where no process
+/// interferes, since reading the other clock takes a quarter of a microsecond.)
 class StepTimer {
  public:
   explicit StepTimer(bool one_thread);

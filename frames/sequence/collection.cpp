@@ -54,13 +54,13 @@ bool is_within(const std::filesystem::path& path, const std::filesystem::path& f
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-/// As it is called without links, dots and a slash at the end, whether it is there or not.
+/// The folder's path without links, dots and a slash at the end, whether it exists or not.
 std::filesystem::path resolved(const std::filesystem::path& folder) {
   const std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(folder));
   return path.has_filename() ? path : path.parent_path();
 }
 
-/// A hard link, or a copy where that cannot be.
+/// A hard link, or a copy where that is impossible.
 void put(const std::filesystem::path& file, const std::filesystem::path& target) {
   std::error_code cannot_link;
   std::filesystem::create_hard_link(file, target, cannot_link);

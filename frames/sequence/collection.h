@@ -16,29 +16,29 @@ struct CollectedFrame {
   [[nodiscard]] std::filesystem::path path() const { return folder / record.file; }
 };
 
-/// The frames of one sequence from several folders, as its shards have left them.
+/// The frames of one sequence from the folders of its shards.
 struct Collection {
-  Manifest manifest;                   ///< of the whole sequence; its frames are those that were found
+  Manifest manifest;                   ///< of the whole sequence, with the frames that were found
   std::vector<CollectedFrame> frames;  ///< by index, without those that are missing
   std::uint32_t folders = 0;
 
   [[nodiscard]] bool is_complete() const { return frames.size() == manifest.steps.frames(); }
 };
 
-/// Reads the folders' manifests. Throws UsageError, with both folders and what differs, if they are not of
+/// Reads the folders' manifests. Throws UsageError, with both folders and the difference, if they are not of
 /// one sequence, std::runtime_error if there is no manifest or two folders have different pictures of a
 /// frame.
 Collection collect(const std::vector<std::filesystem::path>& folders);
 
-/// Which frames are missing and what makes them, in a few words; empty if none are.
+/// Which frames are missing and how to make them, in a few words; empty if none are.
 std::string describe_gaps(const Collection& collection);
 
-/// Throws UsageError if `out`, from which an earlier sequence may be removed, is one of the folders that are
-/// read, or holds one.
+/// Throws UsageError if `out`, from which an earlier sequence may be removed, is one of the folders to read,
+/// or holds one.
 void check_apart(const std::filesystem::path& out, const std::vector<std::filesystem::path>& sources);
 
-/// Puts all frames, what lies beside them (as hard links, or copies where that cannot be) and one manifest
-/// into a folder. Throws UsageError if the folder holds a sequence and `overwrite` is false,
+/// Puts all frames, the files beside them (as hard links, or copies where that is impossible) and one
+/// manifest into a folder. Throws UsageError if the folder holds a sequence and `overwrite` is false,
 /// std::runtime_error with path and reason if a file cannot be written.
 void gather(const Collection& collection, const std::filesystem::path& folder, bool overwrite);
 

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// Gathers about twenty frames, evenly chosen from a sequence, into one picture.
+/// Collects about twenty frames, evenly chosen from a sequence, into one picture.
 class ContactStrip {
  public:
   explicit ContactStrip(std::uint32_t frames) : frames_(frames) {}

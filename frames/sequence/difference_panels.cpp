@@ -15,13 +15,13 @@ namespace {
 
 /// A single differing pixel must survive being shrunk to a third and encoded as film.
 constexpr int kSpread = 2;
-/// A difference of so many levels of a channel is as red as any: what is drawn over something differs by
-/// more, the tint of a cell by less.
+/// From this many levels of a channel on, a difference is fully red: drawings over a background differ by
+/// more, the tints of cells by less.
 constexpr int kStrong = 192;
-/// The least difference is still seen.
+/// The smallest difference must still be visible.
 constexpr double kLeastRed = 0.12;
 
-/// Of each pixel the largest difference of a channel.
+/// For each pixel the largest difference of a channel.
 std::vector<std::uint8_t> strengths(const Image& a, const Image& b) {
   std::vector<std::uint8_t> result(a.rgba.size() / 4);
   for (std::size_t i = 0; i < a.rgba.size(); ++i) {
@@ -31,7 +31,7 @@ std::vector<std::uint8_t> strengths(const Image& a, const Image& b) {
   return result;
 }
 
-/// Of each pixel the largest value within kSpread pixels along (dx, dy).
+/// For each pixel the largest value within kSpread pixels along (dx, dy).
 void spread(std::vector<std::uint8_t>& values, int width, int height, int dx, int dy) {
   const std::vector<std::uint8_t> old = values;
   const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * width + x); };

@@ -62,7 +62,7 @@ Drawn parse_item(const Json& json) {
           json.at(7)};
 }
 
-/// One item a line, so that a difference can be read.
+/// One item a line, so that people can read a difference.
 std::string to_json(const StoredIds& stored) {
   const DrawList& list = stored.ids.list;
   std::string text = "{\"format\": \"" + std::string(kDrawListFormat) +

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// What lies beside a frame that was drawn with ids.
+/// The files beside a frame that was drawn with ids.
 struct StoredIds {
   FrameIds ids;
   std::string rasterizer;  ///< that drew the frame
@@ -17,7 +17,7 @@ struct StoredIds {
 /// Writes `frame`.ids.png and `frame`.draw.json. Throws std::runtime_error with path and reason.
 void write_ids(const std::filesystem::path& frame, const StoredIds& stored);
 
-/// Nothing if there is neither file. Throws std::runtime_error if one is missing or cannot be read.
+/// None if there is neither file. Throws std::runtime_error if one is missing or cannot be read.
 std::optional<StoredIds> read_ids(const std::filesystem::path& frame);
 
 }  // namespace kerf

@@ -11,10 +11,12 @@
 
 #include "core/bsp/bsp.h"
 #include "core/recording/recorder.h"
+#include "core/trace/event_facts.h"
 #include "core/tree/criteria.h"
 #include "frames/sequence/farm/frame_parcel.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
+#include "viz/draw/camera.h"
 
 namespace kerf {
 namespace {
@@ -35,7 +37,7 @@ class SceneFilm final : public Film {
   SceneFilm(const SceneEntry<D>& entry, const RenderRequest& request)
       : name_(request.name),
         broad_phase_name_(request.broad_phase.name),
-        planner_(request.layers, samples_of_renderer(request)),
+        planner_(request.layers, samples_of_renderer(request), parse_camera<D>(request.camera).framing),
         broad_phase_(watched_broad_phase(entry, request)),
         tree_(dynamic_cast<WatchedTree<D>*>(broad_phase_.get())),
         recorder_(make_recorder(tree_, request)),
@@ -122,7 +124,7 @@ class SceneFilm final : public Film {
   FramePlanner<D> planner_;
   std::unique_ptr<BroadPhase<D>> broad_phase_;
   WatchedTree<D>* tree_;                   ///< the same; null: it is no tree
-  std::unique_ptr<Recorder<D>> recorder_;  ///< none unless asked for
+  std::unique_ptr<Recorder<D>> recorder_;  ///< null unless requested
   std::unique_ptr<Scene<D>> scene_;        ///< after the broad phase, which it uses to its end
   std::uint32_t highlight_steps_;
   std::vector<Event> recent_;  ///< operators of the last `highlight_steps_` steps
@@ -138,8 +140,7 @@ std::uint32_t highlight_steps(std::uint32_t stride) {
 void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std::uint32_t steps,
                            std::vector<Event>& recent) {
   std::erase_if(recent, [&](const Event& event) { return event.step + steps < now; });
-  std::ranges::copy_if(events, std::back_inserter(recent),
-                       [](const Event& event) { return std::holds_alternative<OperatorActed>(event.body); });
+  std::ranges::copy_if(events, std::back_inserter(recent), has_acted);
 }
 
 std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config) {

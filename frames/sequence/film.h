@@ -20,16 +20,16 @@ class Film {
   Film& operator=(const Film&) = delete;
   virtual ~Film() = default;
 
-  /// Told the step on the way; false stops there.
+  /// Called with each step on the way; false stops there.
   using GoOn = std::function<bool(std::uint32_t step)>;
-  /// Goes forward to the end of a step. False if it was stopped before.
+  /// Advances to the end of a step. False if it was stopped before.
   virtual bool advance_to(std::uint32_t step, const GoOn& go_on) = 0;
-  /// What a FrameMaker draws of the present step; the film takes it that the frame is drawn, by whomever.
+  /// The present step for a FrameMaker. The film assumes that the frame will be drawn.
   virtual std::vector<std::uint8_t> parcel() = 0;
-  /// What the present step's picture shows. `file`, `index` and `pixel_hash` are left to the caller. Events
+  /// The record of the present step's picture. The caller fills in `file`, `index` and `pixel_hash`. Events
   /// are those since the frame before.
   virtual FrameRecord record() = 0;
-  /// Ends the recording, if one was asked for. Nothing may be asked of the film afterwards.
+  /// Ends the recording, if there is one. The film must not be used afterwards.
   virtual void finish() = 0;
 };
 
@@ -44,8 +44,8 @@ inline int samples_of_renderer(const RenderRequest& request) {
   return request.samples == kSupersampled ? 1 : request.samples;
 }
 
-/// For how many steps the frames of a film highlight an operator: for ten frames, or nobody could read what
-/// it is called, but at most a hundred steps.
+/// The number of steps for which the frames of a film highlight an operator: ten frames, or its name could
+/// not be read, but at most a hundred steps.
 std::uint32_t highlight_steps(std::uint32_t stride);
 
 /// Adds the operators of step `now` to those of the last `steps` steps.

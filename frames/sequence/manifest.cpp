@@ -53,13 +53,13 @@ void take(const Json& json, const char* key, Whole& number) {
   number = value.get<Whole>();
 }
 
-/// A file of that name lies in the folder itself.
+/// The file must lie in the folder itself.
 void check_plain(const std::string& file) {
   if (file.empty() || file == "." || file == ".." || file.find('/') != std::string::npos)
     throw std::out_of_range("'" + file + "' is no name of a file in its folder");
 }
 
-/// `knows_contacts`: a recording holds none, and says nothing of them.
+/// `knows_contacts`: false for recordings, which hold none.
 Json frame_json(const FrameRecord& frame, bool knows_contacts) {
   Json operators = Json::object();
   for (int i = 0; i < kOperatorCount; ++i) {
@@ -102,12 +102,12 @@ FrameRecord frame_of(const Json& json) {
   return frame;
 }
 
-/// Paths need not be UTF-8; what cannot be said in JSON is replaced, never a reason to lose the manifest.
+/// Paths need not be UTF-8; invalid bytes are replaced, since they are no reason to lose the manifest.
 std::string dump(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-/// What is drawn: a scene that runs or a recording.
+/// The source of the frames: a scene that runs or a recording.
 Json origin_json(const RenderRequest& request) {
   const SceneOptions& options = request.options;
   Json json = {{"scene", request.recording ? request.recording->info.scene : request.scene.name},
@@ -139,7 +139,8 @@ Json to_object(const Manifest& manifest) {
   return json;
 }
 
-/// What others divide by, count to or open. Throws UsageError or std::out_of_range.
+/// Checks the numbers and names that readers divide by, count to or open. Throws UsageError or
+/// std::out_of_range.
 void check(const Manifest& manifest) {
   check(manifest.steps, "steps");
   check(manifest.size, "size");

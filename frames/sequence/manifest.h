@@ -22,7 +22,7 @@ struct FrameRecord {
   std::uint32_t step = 0;      ///< steps done
   std::uint32_t objects = 0;   ///< fixed ones included
   std::uint64_t pairs = 0;     ///< candidates of that step
-  std::uint64_t contacts = 0;  ///< of them those that touch
+  std::uint64_t contacts = 0;  ///< those of them that touch
   std::uint32_t height = 0;
   std::uint32_t leaves = 0;
   std::uint64_t entries = 0;
@@ -32,22 +32,22 @@ struct FrameRecord {
   std::uint64_t pixel_hash = 0;                           ///< of the decoded pixels
 };
 
-/// What a sequence of frames is, and what each frame shows.
+/// A sequence of frames, and what each frame shows.
 struct Manifest {
   std::string
       header;        ///< JSON object: all that is needed to make the sequence again. Equal: the same sequence
-  std::string name;  ///< with which the files' names begin
+  std::string name;  ///< the beginning of the files' names
   StepRange steps;
   PictureSize size;
-  Shard shard;            ///< frames that are made here
-  bool complete = false;  ///< all of them are
+  Shard shard;            ///< the frames made here
+  bool complete = false;  ///< all of its frames are made
   std::vector<FrameRecord> frames;
 
   /// How many frames a complete one has.
   [[nodiscard]] std::uint32_t wanted_frames() const;
 };
 
-/// What the frames of this request will be; none is made yet.
+/// The manifest of a request before its first frame.
 Manifest begin_manifest(const RenderRequest& request);
 
 /// The manifest as JSON text; hashes are 16 hexadecimal digits.
@@ -59,7 +59,7 @@ void save(const Manifest& manifest, const std::filesystem::path& folder);
 /// Throws std::runtime_error with the path if there is none, or none that `save` wrote.
 Manifest read_manifest(const std::filesystem::path& folder);
 
-/// The first thing in which two headers differ: "camera: '' and 'yaw=10'".
+/// The first difference between two headers: "camera: '' and 'yaw=10'".
 std::string first_difference(const std::string& header, const std::string& other);
 
 /// "buckets_000042.png"

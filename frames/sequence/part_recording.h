@@ -2,12 +2,15 @@
 
 #include <filesystem>
 
+#include "core/recording/writer_lock.h"
+
 namespace kerf {
 
-/// A recording under a temporary name beside its final one. It goes away with the object unless it was kept,
-/// so that an earlier recording of that name stays until the new one is complete.
+/// A recording under a temporary name beside its final one. The destructor removes it unless it was kept, so
+/// that an earlier recording of that name stays until the new one is complete.
 class PartRecording {
  public:
+  /// Throws std::runtime_error if somebody is making a recording of that name.
   explicit PartRecording(std::filesystem::path final_path);
   ~PartRecording();
   PartRecording(const PartRecording&) = delete;
@@ -18,11 +21,12 @@ class PartRecording {
   /// Gives it its final name, in place of an earlier recording. Throws std::system_error with path and
   /// reason.
   ///
-  /// Pre: nobody has it open any more.
+  /// Pre: the file is closed.
   void keep();
 
  private:
   std::filesystem::path final_path_;
+  WriterLock lock_;  ///< of the final name: nobody else makes a recording that will have it
   std::filesystem::path part_;
 };
 

@@ -45,14 +45,6 @@ std::string broad_phase_of(const RecordingInfo& info) {
   return std::string(tree_of(info)) + (info.imported ? ", of imported boxes" : "");
 }
 
-RecordingInfo usable_recording_info(const std::filesystem::path& path) {
-  try {
-    return read_recording_info(path);
-  } catch (const std::runtime_error& error) {
-    throw UnusableInput(error.what());
-  }
-}
-
 void check_recording_path(const std::filesystem::path& path, bool overwrite) {
   check_free(path, overwrite);
   if (std::filesystem::exists(path) && !is_recording(path))
@@ -60,6 +52,7 @@ void check_recording_path(const std::filesystem::path& path, bool overwrite) {
 }
 
 void clear_recording_path(const std::filesystem::path& path, bool overwrite) {
+  const WriterLock nobody_else(path);
   check_recording_path(path, overwrite);
   if (std::filesystem::exists(path)) remove_recording(path);
 }

@@ -11,32 +11,28 @@
 
 namespace kerf {
 
-/// What a recording of this run is of.
+/// The info of a recording of this run.
 RecordingInfo recording_info(const RenderRequest& request);
 
-/// Which of our trees was recorded, "kerf" or "kerf-paper": a recording has its parameters, and its tree is
-/// the one of which fewer of them were changed.
+/// Which of our trees was recorded, "kerf" or "kerf-paper": the one whose parameters differ least from the
+/// recording's.
 std::string_view tree_of(const RecordingInfo& info);
 
-/// How captions call what found the pairs of a recording: our tree, in whatever engine the boxes moved.
+/// The caption's name for the broad phase of a recording: our tree, whatever engine moved the boxes.
 std::string broad_phase_of(const RecordingInfo& info);
 
-/// Throws UsageError if the name of a new recording is taken, unless `overwrite` is given and a recording has
-/// it.
+/// Throws UsageError if the file of a new recording exists, unless `overwrite` is given and it is a
+/// recording.
 void check_recording_path(const std::filesystem::path& path, bool overwrite);
-/// Makes room for a new recording: checks the same and removes the one that has the name. For whoever has
-/// read all that he needs; PartRecording keeps the old one until the new one is complete.
+/// Makes room for a new recording: checks the same and removes an old one of that name. Only for callers that
+/// have read everything they need; PartRecording keeps the old one until the new one is complete.
 void clear_recording_path(const std::filesystem::path& path, bool overwrite);
 
-/// What a file says of itself that has to be a recording. Throws UnusableInput, so that nobody takes its exit
-/// code for an answer, if it is none.
-RecordingInfo usable_recording_info(const std::filesystem::path& path);
-
-/// Opens a recording of either dimension and calls `work` with its reader. Throws UnusableInput as above, and
-/// std::runtime_error as RecordingReader does.
+/// Opens a recording of either dimension and calls `work` with its reader. Throws std::runtime_error as
+/// RecordingReader does.
 template <class Work>
 auto with_recording(const std::filesystem::path& path, Work work) {
-  if (usable_recording_info(path).dimension == 2) return work(std::make_shared<RecordingReader<2>>(path));
+  if (read_recording_info(path).dimension == 2) return work(std::make_shared<RecordingReader<2>>(path));
   return work(std::make_shared<RecordingReader<3>>(path));
 }
 

@@ -6,35 +6,41 @@
 #include "frames/sequence/farm/frame_parcel.h"
 #include "frames/sequence/film.h"
 #include "frames/sequence/recording_file.h"
+#include "viz/draw/camera.h"
 #include "viz/draw/recorded_bodies.h"
 
 namespace kerf {
 namespace {
 
-/// What all frames of a recording have in common, found without running its tree: so a frame looks the same
-/// whichever others are drawn before it, and nothing jumps in the film.
+/// The common properties of all frames of a recording, found without running its tree: so a frame does not
+/// depend on the frames drawn before it, and nothing jumps in the film.
 template <int D>
 struct Setting {
   Box<D> view;
+  bool leaves_some_out = false;
   std::uint32_t largest_population = 0;
   int samples = 4;
 };
 
 /// The view holds what every frame of the whole sequence shows.
 template <int D>
-Setting<D> find_setting(RecordingReader<D>& recording, const StepRange& steps) {
+Setting<D> find_setting(RecordingReader<D>& recording, const StepRange& steps, Framing framing) {
   Setting<D> setting;
-  ViewBox<D> view;
+  ViewBox<D> view(framing);
+  ViewBox<D> everything(Framing::everything);
   ObjectTable<D> table(recording.info().volume);
   std::uint32_t objects = 0;
   for (std::uint32_t step = 1; step <= steps.last; ++step) {
     for_each_request(recording.step(step).requests, table.kind(),
                      [&](const ObjectRequest<D>& request) { apply(request, table); });
     objects = std::max(objects, recording.row(step).statistics.objects);
-    if (step >= steps.first && (step - steps.first) % steps.stride == 0)
-      view.update(std::span<const Body<D>>(recorded_bodies(table)));
+    if (step < steps.first || (step - steps.first) % steps.stride != 0) continue;
+    const std::vector<Body<D>> bodies = recorded_bodies(table);
+    view.update(bodies);
+    everything.update(bodies);
   }
   setting.view = view.box();
+  setting.leaves_some_out = !(everything.box() == view.box());  // both have grown alike otherwise
   setting.largest_population = end_of_ramp(objects, recording.info().config);
   if (objects >= kManyBodies) setting.samples = 1;
   return setting;
@@ -46,16 +52,17 @@ class RecordingFilm final : public Film {
   explicit RecordingFilm(const RenderRequest& request)
       : recording_(std::make_shared<RecordingReader<D>>(request.recording->path)),
         replayer_(recording_, 0),
-        setting_(find_setting(*recording_, request.steps)),
+        setting_(find_setting(*recording_, request.steps, parse_camera<D>(request.camera).framing)),
         planner_(request.layers, request.samples == 0 ? setting_.samples : samples_of_renderer(request)),
         stride_(request.steps.stride),
         highlight_steps_(highlight_steps(stride_)) {
     planner_.fix_view_box(setting_.view);
+    if (setting_.leaves_some_out) planner_.tell_outside();
     planner_.fix_largest_population(setting_.largest_population);
   }
 
-  /// All steps are looked at of which a frame may still show operators, and at least those: so a frame looks
-  /// the same wherever the replay came from.
+  /// Looks at all steps whose operators a frame may still show, and at no others: so a frame does not depend
+  /// on the begin of the replay.
   bool advance_to(std::uint32_t step, const GoOn& go_on) override {
     const std::uint32_t first = step > highlight_steps_ ? step - highlight_steps_ : 1;
     if (replayer_.step() + 1 < first) jump_to(first - 1);
@@ -96,7 +103,7 @@ class RecordingFilm final : public Film {
     record.state_hash = replayer_.tree().state_hash();
     if (record.state_hash != row.state_hash)
       throw std::runtime_error("the replay differs from the recording at step " + std::to_string(step) +
-                               ": `kerf verify` tells more");
+                               ": `kerf verify` says more");
     return record;
   }
 
@@ -115,7 +122,7 @@ class RecordingFilm final : public Film {
     keep_recent_operators(recording_->step(now).events, now, highlight_steps_, recent_);
   }
 
-  /// What a planner must know of any step.
+  /// The input that a planner needs for any step.
   [[nodiscard]] FrameInput<D> moment() const {
     FrameInput<D> input;
     input.tree = &replayer_.tree().tree();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/trace/event_facts.h"
 #include "frames/sequence/recording_file.h"
 #include "viz/draw/frame_planner.h"
 #include "viz/draw/recorded_bodies.h"
@@ -10,19 +11,18 @@
 namespace kerf {
 namespace {
 
-/// Operators of the last steps, as far as they had happened at that moment.
+/// Operators of the last steps that happened before this moment.
 template <int D>
 std::vector<Event> recent_operators(RecordingReader<D>& recording, const Position& now) {
   std::vector<Event> recent;
   for (std::uint32_t step = now.step > kHighlightSteps ? now.step - kHighlightSteps : 1; step <= now.step;
        ++step)
-    std::ranges::copy_if(recording.step(step).events, std::back_inserter(recent), [&](const Event& event) {
-      return event.id <= now.event && std::holds_alternative<OperatorActed>(event.body);
-    });
+    std::ranges::copy_if(recording.step(step).events, std::back_inserter(recent),
+                         [&](const Event& event) { return event.id <= now.event && has_acted(event); });
   return recent;
 }
 
-/// Nodes that an operator has removed are marked where they were: in the trees of the steps before, and in
+/// Nodes that an operator has removed are marked at their old place: in the trees of the steps before, and in
 /// the one right before this moment.
 template <int D>
 void observe_moments_before(Cursor<D>& cursor, FramePlanner<D>& planner) {
@@ -44,7 +44,7 @@ void observe_moments_before(Cursor<D>& cursor, FramePlanner<D>& planner) {
   observe(state_before(replayer, now.event).tree, {now.step, now.event - 1});
 }
 
-/// What is written of an event. In the middle of a step the pairs are those of the step before.
+/// The text for an event. In the middle of a step the pairs are those of the step before.
 std::string note_of(const Event& event) {
   return describe(event) + (event.step > 1 ? " (pairs: of step " + std::to_string(event.step - 1) + ")" : "");
 }

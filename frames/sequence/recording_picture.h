@@ -8,11 +8,11 @@
 
 namespace kerf {
 
-/// What can be drawn of a recording: all but contacts, for it has no narrow phase.
+/// The layers of a recording: all but contacts, because it has no narrow phase.
 inline constexpr LayerSet kRecordedLayers = LayerSet::all().with(Layer::contacts, false);
 
-/// The picture of the moment at which a cursor stands, the boxes as boxes. Throws std::runtime_error if it
-/// cannot be drawn. It is valid until the renderer's next one.
+/// The picture of a cursor's moment, with boxes for objects. Throws std::runtime_error if drawing fails. It
+/// is valid until the renderer's next one.
 template <int D>
 const Image& render_moment(Cursor<D>& cursor, FrameRenderer<D>& renderer);
 

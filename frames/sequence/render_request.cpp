@@ -14,6 +14,7 @@
 #include "frames/support/parse_number.h"
 #include "frames/support/parse_whole.h"
 #include "frames/support/suggest.h"
+#include "frames/support/utf8.h"
 #include "viz/draw/camera.h"
 #include "viz/draw/camera_path.h"
 #include "viz/draw/frame_renderer.h"
@@ -21,7 +22,7 @@
 namespace kerf {
 namespace {
 
-/// Runs a parser of another room, whose std::invalid_argument becomes an error of usage.
+/// Runs a parser of another room and turns its std::invalid_argument into an error of usage.
 template <class Parse>
 auto parse_option(std::string_view option, Parse parse) {
   try {
@@ -109,7 +110,7 @@ int parse_samples(const RenderTexts& texts, PictureSize size) {
   return kSupersampled;
 }
 
-/// What is asked of the pictures, whatever they are of.
+/// The options of the pictures, for scenes and recordings alike.
 void parse_pictures(const RenderTexts& texts, RenderRequest& request) {
   if (!texts.size.empty()) request.size = parse_picture_size(texts.size);
   if (!texts.show.empty())
@@ -166,6 +167,13 @@ RecordingSource open_source(const std::filesystem::path& path) {
   });
 }
 
+/// A manifest has to tell it, and a number and an ending have to follow it: names of files may have 255
+/// bytes.
+std::string name_of_frames(const std::filesystem::path& recording) {
+  constexpr std::size_t kLongest = 200;
+  return valid_utf8(recording.stem().string().substr(0, kLongest));
+}
+
 }  // namespace
 
 RenderRequest parse_request(const RenderTexts& texts) {
@@ -200,7 +208,7 @@ bool names_recording(const RenderTexts& texts) {
     return false;
   } catch (const UsageError&) {
     if (std::filesystem::is_regular_file(texts.scene)) return true;
-    // No scene is called so: a file was meant.
+    // No scene has this name, so a file was meant.
     if (texts.scene.ends_with(".kerf") || texts.scene.find('/') != std::string::npos)
       throw std::runtime_error("there is no recording " + texts.scene +
                                "; `kerf record SCENE -o FILE` makes one, `kerf scenes` lists the scenes");
@@ -227,7 +235,7 @@ RenderRequest parse_recording_request(const RenderTexts& texts) {
   refuse_scene_options(texts);
   RenderRequest request;
   request.recording = open_source(texts.scene);
-  request.name = request.recording->path.stem().string();
+  request.name = name_of_frames(request.recording->path);
   const std::uint32_t steps = request.recording->steps;
   request.steps.last = steps;
   if (!texts.steps.empty()) request.steps = parse_steps(texts.steps);

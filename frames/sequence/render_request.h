@@ -64,9 +64,9 @@ struct RecordingSource {
   std::uint64_t last_state_hash = 0;
 };
 
-/// What is to be rendered, every part of it checked.
+/// What to render, every part of it checked.
 struct RenderRequest {
-  std::string name;    ///< of the scene, or what a recording's frames are called
+  std::string name;    ///< of the scene, or of a recording's frames
   CatalogScene scene;  ///< if there is no recording
   std::optional<RecordingSource> recording;
   StepRange steps;
@@ -81,11 +81,11 @@ struct RenderRequest {
   std::filesystem::path out;
   FilmRequest film;
   std::filesystem::path record;  ///< empty: none
-  int workers = 1;               ///< processes that draw; 0: this one
+  int workers = 1;               ///< drawing processes; 0: this one
   Shard shard;
-  bool ids = false;  ///< also what is in each picture, by name
+  bool ids = false;  ///< also write what is in each picture, by name
   bool overwrite = false;
-  bool resume = false;  ///< frames that are there already are kept
+  bool resume = false;  ///< keep frames that exist already
 
   [[nodiscard]] int dimension() const { return recording ? recording->info.dimension : scene.dimension(); }
 };
@@ -94,18 +94,17 @@ inline constexpr std::uint32_t kMaxRequestedObjects = 1'000'000;
 
 inline constexpr int kMaxWorkers = 256;
 
-/// Throws UsageError that says what to do. Touches no file but that of the camera path, which is read.
+/// Throws UsageError that says what to do. Reads the file of the camera path and touches no other.
 RenderRequest parse_request(const RenderTexts& texts);
 
-/// Whether a recording is given: the name of no scene, but of a file. Throws std::runtime_error for one that
-/// is not there.
+/// Whether the text names a recording: not a scene, but a file. Throws std::runtime_error if the file does
+/// not exist.
 bool names_recording(const RenderTexts& texts);
-/// Throws UsageError if a recording is given with an option that is settled there.
+/// Throws UsageError if a recording is given with an option that the recording fixes.
 void refuse_of_recording(const RenderTexts& texts, const char* option, const std::string& text);
-/// The same for all options that say how a scene is to run, but for its steps, of which some can be drawn.
+/// The same for all options of a running scene except its steps, since part of a recording can be drawn.
 void refuse_scene_options(const RenderTexts& texts);
-/// The same for a recording, which is opened to see what it is of. Throws std::runtime_error if it cannot be
-/// read.
+/// The same for a recording, which is opened for its info. Throws std::runtime_error if it cannot be read.
 RenderRequest parse_recording_request(const RenderTexts& texts);
 
 }  // namespace kerf

@@ -52,7 +52,7 @@ class Sequence {
       manifest_.complete = manifest_.frames.size() == manifest_.wanted_frames();
       save(manifest_, folder_.path());
     } catch (...) {
-      crew_.reset();  // what is on its way is finished first
+      crew_.reset();  // frames in flight are finished first
       folder_.remove_parts();
       manifest_.complete = false;
       save_what_is_there();
@@ -77,7 +77,8 @@ class Sequence {
     return {};
   }
 
-  /// From here on files are written. Who else made the folder meanwhile may have put frames into it.
+  /// From here on files are written. Another process may have made the folder meanwhile and put frames into
+  /// it.
   void take_folder() {
     folder_.make();
     if (!lock_) {
@@ -135,7 +136,7 @@ class Sequence {
     save_now_and_then();
   }
 
-  /// So that a run that is killed can be resumed. Takes a small part of the time, however long the manifest.
+  /// Lets a killed run be resumed. Takes a small part of the time, however long the manifest.
   void save_now_and_then() {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
@@ -145,8 +146,8 @@ class Sequence {
     next_save_ = end + std::max<Clock::duration>(std::chrono::seconds(1), 50 * (end - start));
   }
 
-  /// After a failure: what went wrong first is what the user must hear, so errors here stay silent. On a full
-  /// disk the last frames make room for the manifest.
+  /// After a failure: the user must see the first error, so errors here stay silent. On a full disk the last
+  /// frames make room for the manifest.
   void save_what_is_there() noexcept {
     try {
       while (!save_or_drop_last_frame()) {
@@ -179,13 +180,13 @@ class Sequence {
 
   const RenderRequest& request_;
   Manifest manifest_;
-  std::unique_ptr<FolderLock> lock_;  ///< none while there is no folder
+  std::unique_ptr<FolderLock> lock_;  ///< null while there is no folder
   SequenceFolder folder_;
   KeptFrames kept_;                  ///< by an earlier run
   std::unique_ptr<FrameCrew> crew_;  ///< before the film, which may have threads
   std::unique_ptr<Film> film_;
   FilmFiles files_;
-  bool is_recorded_ = true;  ///< to the last step, if that was asked for
+  bool is_recorded_ = true;  ///< to the last step, if requested
   std::atomic<std::uint32_t> finished_ = 0;
   std::chrono::steady_clock::time_point next_save_{};
 };

@@ -4,7 +4,7 @@
 
 namespace kerf {
 
-/// Renders a whole frame sequence: PNG files, manifest and, where asked for, film and contact sheet.
+/// Renders a whole frame sequence: PNG files, manifest and, if requested, film and contact sheet.
 ///
 /// The manifest is written last and names only frames that are there; it is also written, marked incomplete,
 /// when the work is interrupted or fails. Throws UsageError before any file is touched, Interrupted after

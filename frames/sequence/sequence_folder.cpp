@@ -21,14 +21,14 @@ bool is_named_like(const std::string& file, const std::string& name) {
   });
 }
 
-/// The frame beside which a file may lie.
+/// The frame to which a file beside it belongs.
 std::string frame_of(const std::string& file) {
   for (const std::string ending : {".ids.png", ".draw.json"})
     if (file.ends_with(ending)) return file.substr(0, file.size() - ending.size()) + ".png";
   return file;
 }
 
-/// Whether `file` is named as `frame_file_name` names the frames of `name` or one of our scenes.
+/// Whether `file` has a name that `frame_file_name` gives to frames of `name` or of one of our scenes.
 bool is_frame(const std::string& file, const std::string& name) {
   return is_named_like(file, name) || std::ranges::any_of(scene_catalog(), [&](const CatalogScene& scene) {
            return is_named_like(file, scene.name);
@@ -43,7 +43,7 @@ SequenceFolder::SequenceFolder(std::filesystem::path path, std::string name)
     throw UsageError(path_.string() + " is not a folder; choose another with --out");
 }
 
-/// Manifest first: while frames are going away nothing claims that they are there.
+/// Manifest first: it must never name frames that are gone.
 std::vector<std::filesystem::path> SequenceFolder::files_of_sequence() const {
   std::vector<std::filesystem::path> files;
   if (!std::filesystem::exists(path_)) return files;
@@ -64,7 +64,7 @@ KeptFrames SequenceFolder::frames_of(const Manifest& manifest) const {
   if (files_of_sequence().empty()) return {};
   if (!std::filesystem::exists(path_ / kManifestName))
     throw UsageError(path_.string() + " has frames but no " + kManifestName +
-                     ", so nobody knows of what; choose another folder, or replace them with --overwrite");
+                     " to describe them; choose another folder, or replace them with --overwrite");
   const Manifest earlier = read_manifest(path_);
   std::string difference = first_difference(earlier.header, manifest.header);
   if (!(earlier.shard == manifest.shard)) difference = "another shard";

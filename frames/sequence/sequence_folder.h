@@ -13,24 +13,24 @@ namespace kerf {
 /// Hashes of pixels by a frame's index.
 using KeptFrames = std::map<std::uint32_t, std::uint64_t>;
 
-/// The folder of one frame sequence. It never mixes two sequences: a folder that holds an earlier one is
-/// refused, continued or, if the user said so, cleared of it before the first frame is written.
+/// The folder of one frame sequence. It never mixes two sequences: a folder with an earlier one is refused,
+/// continued or, if the user asks for it, cleared of it before the first frame is written.
 class SequenceFolder {
  public:
-  /// `name` is what the files' names begin with. Throws UsageError if `path` is not a folder.
+  /// `name` is the beginning of the files' names. Throws UsageError if `path` is not a folder.
   SequenceFolder(std::filesystem::path path, std::string name);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Throws UsageError if it holds a sequence and `overwrite` is false.
   void check_free(bool overwrite) const;
   /// The frames that an earlier run of the very same sequence has left; none if there is no folder yet.
-  /// Throws UsageError if the folder holds another one.
+  /// Throws UsageError if the folder holds another sequence.
   [[nodiscard]] KeptFrames frames_of(const Manifest& manifest) const;
   /// Makes the folder and proves that it can be written. Throws std::runtime_error.
   void make() const;
   /// Removes the manifest and the frames of an earlier sequence, the manifest first, and nothing else.
   void clear() const;
-  /// Removes what a process that died was writing. Nobody else may write at that time.
+  /// Removes the unfinished files of a process that died. No other process may write at that time.
   void remove_parts() const noexcept;
 
  private:

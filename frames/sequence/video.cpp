@@ -70,7 +70,7 @@ Words ffmpeg_arguments(const std::filesystem::path& part, PictureSize size, int 
 }
 
 /// Starts ffmpeg with `input` as its standard input and `log` as its output, in a process group of its own:
-/// Ctrl-C at the terminal is for us alone, who then end ffmpeg in order.
+/// Ctrl-C at the terminal then reaches only this process, which ends ffmpeg in order.
 int spawn_ffmpeg(std::vector<std::string> arguments, int input, int log, pid_t& process) {
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());

@@ -17,7 +17,7 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view t
 /// Writes what `from` holds, in the same way. Throws std::runtime_error also if that cannot be read.
 void copy_file_atomically(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Proves that the file could be written now, for whoever has long work before that. Throws as writing would.
+/// Proves that the file could be written now; call it before long work. Throws as writing would.
 void check_writable(const std::filesystem::path& path);
 
 /// Throws the std::system_error that says so; `error` is what errno was.

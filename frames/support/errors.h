@@ -17,22 +17,17 @@ class Interrupted : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Pictures or files that were to be compared cannot be: nothing was proved, neither "same" nor "different".
-class UnusableInput : public std::runtime_error {
+/// The answer to what the user asked is no: pictures differ, a replay diverges, there is no such moment. All
+/// that prevents an answer is another exception.
+class DoesNotHold : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Pictures were compared and differ.
-class PicturesDiffer : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// What `kerf` returns to the shell.
-inline constexpr int kExitDone = 0;
-inline constexpr int kExitFailure = 1;
-inline constexpr int kExitUsage = 2;  ///< also for UnusableInput
+/// What `kerf` returns to the shell (docs/EXIT_CODES.md).
+inline constexpr int kExitHolds = 0;
+inline constexpr int kExitDoesNotHold = 1;
+inline constexpr int kExitUnusable = 2;
 inline constexpr int kExitInterrupted = 130;
 
 }  // namespace kerf

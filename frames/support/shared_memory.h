@@ -15,7 +15,7 @@ class SharedMemory {
 
   [[nodiscard]] std::byte* data() const { return data_; }
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Maps all of it into this process now, so that nobody's timing pays for it later.
+  /// Maps all of it into this process now, so that no timing includes it later.
   void touch() const;
 
  private:

@@ -41,7 +41,7 @@ class AttractorScene final : public WorldScene {
   }
 
  private:
-  /// A lattice, which `room_` becomes the box of.
+  /// A lattice; `room_` becomes its box.
   void add_objects(Random& random, std::uint32_t objects) {
     const auto side = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(objects))));
     const Scalar half = kPitch * static_cast<Scalar>(side) / 2;

@@ -20,9 +20,9 @@ struct Growth {
 
 inline constexpr std::uint32_t kMaxObjects2d = 100'000;
 
-/// What `options` ask for, with the scene's defaults for zeros: `default_objects`, and a time over which the
-/// objects fall as densely in a large scene as in a small one. Throws std::invalid_argument for more than
-/// `kMaxObjects2d`.
+/// The growth that `options` describe, with the scene's defaults for zeros: `default_objects`, and a time
+/// over which the objects fall as densely in a large scene as in a small one. Throws std::invalid_argument
+/// for more than `kMaxObjects2d`.
 Growth growth_of(std::string_view scene, const SceneOptions& options, std::uint32_t default_objects);
 
 }  // namespace kerf::inline sims2d

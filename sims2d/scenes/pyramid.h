@@ -4,7 +4,7 @@
 
 namespace kerf::inline sims2d {
 
-/// A pyramid of equal blocks that stands, and a disc that falls onto its top: the stack on which solvers are
+/// A standing pyramid of equal blocks, and a disc that falls onto its top: the stack by which solvers are
 /// judged. Boxes touch everywhere and hardly move.
 SceneEntry<2> pyramid_entry();
 

@@ -23,8 +23,8 @@ Shape<2> random_shape(Random& random);
 /// Drops random objects from a band, as they are due, without ever placing one on another.
 ///
 /// Objects stand in slots of a row, in random order, and fall at `World::kFallSpeed` from the start, so that
-/// it is known how far each row has come. When a row is full or has left the band, the next one begins above
-/// it; if more are due than the band is wide, rows pile up upwards, and everyone comes in time.
+/// the progress of each row is known. When a row is full or has left the band, the next one begins above it;
+/// if more objects are due than the band is wide, rows pile up upwards, and every object comes in time.
 class Rain {
  public:
   /// The band must be at least one slot (`kSlot`) wide.
@@ -32,8 +32,8 @@ class Rain {
 
   static constexpr Scalar kSlot = 1.7F;
 
-  /// Adds what is due in step `step` (counted from 1) to `world`, and lets old objects fall anew. Call it
-  /// once a step, just before the world's own.
+  /// Adds the objects that are due in step `step` (counted from 1) to `world`, and lets old objects fall
+  /// again. Call it once a step, just before the world's own.
   void fall(World& world, std::uint32_t step);
 
  private:

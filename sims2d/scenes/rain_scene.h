@@ -10,7 +10,7 @@
 
 namespace kerf::inline sims2d {
 
-/// What makes one scene differ from another: fixed bodies and a rain of objects onto them.
+/// The difference between two of these scenes: the fixed bodies and the rain of objects onto them.
 struct RainPlan {
   Needs needs;
   std::vector<BodyPlan> fixed;
@@ -18,8 +18,7 @@ struct RainPlan {
   Growth growth;
 };
 
-/// A scene in which objects fall onto fixed bodies, more and more of them. The fixed bodies are the first
-/// objects.
+/// A scene in which more and more objects fall onto fixed bodies. The fixed bodies are the first objects.
 class RainScene final : public Scene<2> {
  public:
   RainScene(BroadPhase<2>& broad_phase, const RainPlan& plan, std::uint64_t seed);

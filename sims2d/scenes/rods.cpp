@@ -29,7 +29,7 @@ class RodScene final : public WorldScene {
  public:
   RodScene(BroadPhase<2>& broad_phase, std::uint32_t objects, std::uint64_t seed)
       : WorldScene(broad_phase, kNeeds) {
-    // As many end to end as make the bed about a third as thick as it is long.
+    // So many end to end that the bed is about a third as thick as it is long.
     const auto end_to_end = static_cast<std::uint32_t>(
         std::ceil(std::sqrt(3 * static_cast<Scalar>(objects) * kLayerPitch / kLengthPitch)));
     add_valley(kLengthPitch * static_cast<Scalar>(end_to_end + 2));

@@ -19,7 +19,7 @@ constexpr Scalar kWidthPerObject = 0.1F;
 constexpr Scalar kMinWidth = 60;
 constexpr Scalar kSiteHeight = 8;  ///< of the band above the highest hill
 
-// The landscape draws other numbers than the objects do.
+// The seed of the landscape differs from that of the objects.
 constexpr std::uint64_t kLandscapeStream = 0x7E44A1;
 
 constexpr Needs kNeeds{.dimension = 2,

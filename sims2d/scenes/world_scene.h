@@ -8,7 +8,7 @@
 
 namespace kerf::inline sims2d {
 
-/// A scene that is a world and something that happens in it before each step.
+/// A scene that is a world and an action before each step.
 class WorldScene : public Scene<2> {
  public:
   WorldScene(BroadPhase<2>& broad_phase, const Needs& needs, Scalar gravity = World::kGravity)
@@ -26,7 +26,7 @@ class WorldScene : public Scene<2> {
   [[nodiscard]] const World& world() const { return world_; }
 
  protected:
-  /// What happens before the step; sees the poses and contacts of the step before.
+  /// The action before the step; it sees the poses and contacts of the step before.
   virtual void act() = 0;
   [[nodiscard]] World& world() { return world_; }
 

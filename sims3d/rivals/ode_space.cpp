@@ -9,8 +9,8 @@
 namespace kerf {
 namespace {
 
-/// ODE takes a geom without extent for none at all and tells no pair of it. This much is lost in the rounding
-/// of any coordinate but 0, and nearer to 0 than any other float.
+/// ODE takes a geom without extent for none at all and reports no pair of it. This extent is lost in the
+/// rounding of any coordinate but 0, and nearer to 0 than any other float.
 constexpr dReal kThinnest = 4 * std::numeric_limits<dReal>::min();
 
 constexpr unsigned long kFixed = 1;
@@ -66,7 +66,7 @@ std::string_view OdeSpace::name() const {
   return kNames[static_cast<std::size_t>(kind_)];
 }
 
-/// Brings the geom of an object into agreement with the last box given for it.
+/// Updates the geom of an object to the last box given for it.
 void OdeSpace::place(ObjectId object, const Box<3>& given) {
   const auto lock = library_.enter();
   if (geoms_.size() <= object.index()) geoms_.resize(object.index() + 1);
@@ -118,7 +118,7 @@ Status OdeSpace::remove(ObjectId object) {
   return status;
 }
 
-/// Asking for what overlaps a geom that is nowhere near makes the quadtree put what moved in its place.
+/// A query for a geom far away makes the quadtree place the objects that moved.
 void OdeSpace::arrange() {
   if (kind_ != OdeSpaceKind::quadtree) return;
   const auto start = std::chrono::steady_clock::now();

@@ -12,15 +12,15 @@ namespace kerf {
 /// ODE's own broad phases, as the paper compares them (section 6.1), and its later sweep-and-prune.
 enum class OdeSpaceKind : std::uint8_t { hash, quadtree, sweep_and_prune };
 
-/// Which boxes the space is shown.
+/// Which boxes the space gets.
 enum class OdeIntake : std::uint8_t {
-  checked,  ///< as ObjectTable has them: what is quarantined is taken out, infinities are clamped
-  raw,      ///< as they come, so that a test shows what ODE makes of NaN and the like
+  checked,  ///< as ObjectTable has them: without quarantined objects, infinities clamped
+  raw,      ///< as given, so that a test shows what ODE makes of NaN and the like
 };
 
 /// One of ODE's spaces behind our interface: the rival. Each object is a box geom in the space.
 ///
-/// The space sees the boxes in doubles. It is told by category bits that two fixed objects are no pair.
+/// The space has the boxes in doubles. Category bits exclude pairs of two fixed objects.
 class OdeSpace final : public BroadPhase<3> {
  public:
   /// `bounds` is where the quadtree lies; objects outside are kept in its root. The other kinds do not need
@@ -34,8 +34,8 @@ class OdeSpace final : public BroadPhase<3> {
   Status remove(ObjectId object) override;
   void step() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_; }
-  /// How many seconds the last `step()` took to bring the quadtree up to date. The other spaces do so while
-  /// they look for pairs, and tell 0.
+  /// The seconds that the last `step()` took to bring the quadtree up to date. The other spaces do so while
+  /// they search for pairs, and return 0.
   [[nodiscard]] double arrange_seconds() const { return arrange_seconds_; }
 
  private:

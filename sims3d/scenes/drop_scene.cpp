@@ -84,7 +84,7 @@ void DropScene::drop_one() {
   dropped_.push_back(world_.add_moving(shape, {place, axes}, motion));
 }
 
-/// Looks at the poses of the step before: one step late is soon enough.
+/// Uses the poses of the step before: one step late is soon enough.
 void DropScene::put_back_strays() {
   for (const ObjectId object : dropped_) {
     const Vector<3> center = bodies()[object.index()].pose.position;
@@ -100,7 +100,7 @@ Vector<3> DropScene::next_place() {
   Vector<3> place = drop_.sites[site];
   place[0] += static_cast<Scalar>(random_.uniform(-kJitter, kJitter));
   place[2] += static_cast<Scalar>(random_.uniform(-kJitter, kJitter));
-  // What appeared here last has fallen at least this far, unless something was in its way.
+  // The last object that appeared here has fallen at least this far, unless something was in its way.
   const float fallen = kFallPerStep * static_cast<float>(step() - last_step_[site]);
   place[1] = std::max(place[1], last_height_[site] - fallen + kClearance);
   last_height_[site] = place[1];

@@ -28,9 +28,9 @@ SceneOptions resolve(const SceneOptions& options, std::uint32_t default_objects,
 /// step.
 ///
 /// They appear upright but turning, in a shower that wanders over the sites in their order and gives each the
-/// same number of objects, so that a tree must follow what becomes crowded; when all have had their share it
-/// begins anew. A site that is not yet clear gets its next object so much higher. Fixed objects come first in
-/// the numbering.
+/// same number of objects, so that a tree must follow the crowd; when all have had their share it begins
+/// anew. A site that is not yet clear gets its next object so much higher. Fixed objects come first in the
+/// numbering.
 class DropScene final : public Scene<3> {
  public:
   /// `build` adds the fixed surroundings to the world; it is called once.
@@ -48,7 +48,7 @@ class DropScene final : public Scene<3> {
   [[nodiscard]] std::span<const Pair> contacts() const override { return world_.contacts(); }
 
   [[nodiscard]] const World& world() const { return world_; }
-  /// How often an object had to be put back so far: 0 in a scene that is closed.
+  /// The number of objects that had to be put back so far: 0 in a closed scene.
   [[nodiscard]] std::uint32_t put_back() const { return put_back_; }
 
  private:

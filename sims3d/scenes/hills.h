@@ -14,7 +14,7 @@ class Hills {
  public:
   Hills(double half, Random random);
 
-  /// Only sums and products, so that each machine builds the same landscape.
+  /// Sums and products only, so that each machine builds the same landscape.
   [[nodiscard]] double height(double x, double z) const;
   /// The square tile of `quads` by `quads` squares of 1 unit whose lowest corner is (x, z), as two triangles
   /// a square, counter-clockwise from above. The surface's frame stands at the tile's middle at height 0. A

@@ -39,7 +39,7 @@ constexpr Needs kNeeds{.dimension = 3,
                        .separating = {true, true, true},
                        .contacts = true};
 
-/// How a block is deformed along its own axes.
+/// The deformation of a block along its own axes.
 struct Softness {
   Vector<3> half;  ///< at rest
   Vector<3> strain;

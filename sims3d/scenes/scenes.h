@@ -6,8 +6,8 @@
 
 namespace kerf {
 
-/// The 3D scenes. Their `make` throws std::invalid_argument for more objects or steps than they can take, and
-/// takes a broad phase that is empty.
+/// The 3D scenes. Their `make` takes an empty broad phase, and throws std::invalid_argument for more objects
+/// or steps than they support.
 std::span<const SceneEntry<3>> scenes_3d();
 
 }  // namespace kerf

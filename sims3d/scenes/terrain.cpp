@@ -19,7 +19,7 @@ constexpr double kShore = 9;  // sites keep this far from the border, inside the
 constexpr double kSiteSpacing = 3;
 constexpr double kSiteHeight = 7;  // above the ground
 
-// The landscape draws other numbers than the objects do.
+// The seed of the landscape differs from that of the objects.
 constexpr std::uint64_t kLandscapeStream = 0x7E44A1;
 
 constexpr Needs kNeeds{.dimension = 3,

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// A scene that is a world and something that happens in it before each step.
+/// A scene that is a world and an action before each step.
 class WorldScene : public Scene<3> {
  public:
   WorldScene(BroadPhase<3>& broad_phase, const Needs& needs, std::uint64_t seed, const WorldSettings& physics)
@@ -24,7 +24,7 @@ class WorldScene : public Scene<3> {
   [[nodiscard]] std::span<const Pair> contacts() const final { return world_.contacts(); }
 
  protected:
-  /// What happens before the step; sees the poses and contacts of the step before.
+  /// The action before the step; it sees the poses and contacts of the step before.
   virtual void act() = 0;
   [[nodiscard]] World& world() { return world_; }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Scalar kTile = 6;
 constexpr Scalar kHalfThickness = 0.5F;
-constexpr Scalar kHair = 0x1p-10F;  // tiles keep apart by it: where boxes touch, no plane fits between
+constexpr Scalar kHair = 0x1p-10F;  // gap between tiles: where boxes touch, no plane fits between
 
 void add_panels(World& world, Scalar along, Scalar half_tile, Scalar offset, Scalar height) {
   const Scalar y = height / 2;

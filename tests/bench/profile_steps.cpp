@@ -101,7 +101,7 @@ int profile_steps(int argc, char** argv) {
                 argc < 6 ? 1 : parse_whole<std::uint32_t>("THREADS", argv[5], 1, 64)};
   const bool flat = parse_whole<int>("dimension", argv[2], 2, 3) == 2;
   std::puts((flat ? run_steps<2>(run) : run_steps<3>(run)).dump().c_str());
-  return kExitDone;
+  return kExitHolds;
 }
 
 }  // namespace
@@ -113,5 +113,5 @@ int main(int argc, char** argv) try {
   return kerf::profile_steps(argc, argv);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "kerf_profile_steps: %s\n", error.what());
-  return kerf::kExitUsage;
+  return kerf::kExitUnusable;
 }

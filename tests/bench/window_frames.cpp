@@ -36,7 +36,7 @@ class WindowFrames {
     std::vector<double> times;
     DebuggerInput input;
     for (int k = 0; k < kFrames + kUncounted; ++k) {
-      (void)window_.take_input(false);
+      (void)window_.take_input();
       const auto start = Clock::now();
       act(k, input);
       debugger_.frame(input, window_.width(), window_.height());
@@ -44,7 +44,8 @@ class WindowFrames {
       window_.swap();
       if (k >= kUncounted)
         times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-      input.keys.clear();
+      input.end_frame();
+      input.shift = false;
     }
     std::ranges::sort(times);
     const auto at = [&](double share) {
@@ -69,7 +70,10 @@ class WindowFrames {
       input.mouse_x = 400.0F + 2.0F * static_cast<float>(k);
       input.mouse_y = 300;
     });
-    measure("a step forward", [](int, DebuggerInput& input) { input.keys = {{Key::period, true, false}}; });
+    measure("a step forward", [](int, DebuggerInput& input) {
+      input.key = Key::period;
+      input.shift = true;
+    });
     Random random(1);
     measure("a random place, where the oracle is asked", [&](int, DebuggerInput&) {
       debugger_.model().go(Position::end_of(1 + random.below(run.steps())));

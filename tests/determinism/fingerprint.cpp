@@ -21,7 +21,7 @@ namespace {
 
 using namespace kerf;
 
-/// Who runs, for how long, and by whom it is done.
+/// The size and length of a run, and its threads.
 struct Crowd {
   std::uint32_t objects = 300;
   std::uint32_t steps = 120;

@@ -121,7 +121,7 @@ TEST_F(DebugProgram, AFolderThatCannotBeIsNamedBeforeTheWork) {
   write("s", "screenshot a\n");
   const Outcome outcome =
       run_kerf({"debug", "pile", "--steps", "5", "--headless", "--script", path("s"), "-o", "/proc/no"});
-  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("cannot make the folder /proc/no: "));
   EXPECT_THAT(outcome.err, HasSubstr("--out"));
   EXPECT_EQ(outcome.out, "");
@@ -132,7 +132,7 @@ TEST_F(DebugProgram, WithoutADisplayItSaysWhatToDo) {
   const std::string command = "unset DISPLAY WAYLAND_DISPLAY; exec \"$0\" debug \"$1\"";
   const Outcome outcome =
       Process({"/bin/sh", "-c", command, testing::kerf_command({})[0], path("run.kerf")}).wait();
-  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("--headless"));
 }
 
@@ -171,8 +171,8 @@ TEST_F(DebugProgram, AWindowShowsWhatIsDrawnWithoutOne) {
   EXPECT_GT(different_pixels(read_png(path("with/a.png")), read_png(path("with/b.png")), 0), 1000U);
 }
 
-/// Three boxes in a row, of which neighbours overlap: in step 2 one pair is missed, in step 3 one is told
-/// that is none, in step 4 one is told again.
+/// Three boxes in a row, of which neighbours overlap: in step 2 one pair is missed, in step 3 one is
+/// invented, in step 4 one is reported twice.
 TEST_F(DebugProgram, AnImportStopsWhereTheirPairsAreWrong) {
   std::string boxes = "step,object,min_x,max_x,min_y,max_y\n";
   for (const std::string step : {"1", "2", "3", "4", "5"})

@@ -119,20 +119,20 @@ TEST(FailureProgram, KilledRunLeavesNoProcessAndIsResumed) {
   for (const pid_t worker : workers) EXPECT_TRUE(goes_away(worker)) << worker;
   EXPECT_EQ(testing::read_json(part / "frames.json")["complete"], false);
 
-  EXPECT_EQ(run_kerf(arguments).exit, kExitUsage) << "nothing is mixed unless asked for";
+  EXPECT_EQ(run_kerf(arguments).exit, kExitUnusable) << "nothing is mixed unless asked for";
   const Outcome other = run_kerf(with(arguments, {"--resume", "--camera", "width=9"}));
-  EXPECT_EQ(other.exit, kExitUsage);
+  EXPECT_EQ(other.exit, kExitUnusable);
   EXPECT_THAT(other.err, HasSubstr("camera"));
   const Outcome resumed = run_kerf(with(arguments, {"--resume"}));
-  ASSERT_EQ(resumed.exit, kExitDone) << resumed.err;
-  ASSERT_EQ(run_kerf(short_render(all, "1:2000:10")).exit, kExitDone);
+  ASSERT_EQ(resumed.exit, kExitHolds) << resumed.err;
+  ASSERT_EQ(run_kerf(short_render(all, "1:2000:10")).exit, kExitHolds);
   expect_same_folder(part, all);
 }
 
 TEST(FailureProgram, ResumedFramesAreLookedAt) {
   const TemporaryFolder folder;
   const auto part = folder.path() / "part";
-  ASSERT_EQ(run_kerf(short_render(part, "1:41:10")).exit, kExitDone);
+  ASSERT_EQ(run_kerf(short_render(part, "1:41:10")).exit, kExitHolds);
   const std::string whole = testing::read_text(part / "pile_000001.png");
   const std::string before = testing::read_text(part / "frames.json");
   std::filesystem::resize_file(part / "pile_000001.png", 100);
@@ -140,7 +140,7 @@ TEST(FailureProgram, ResumedFramesAreLookedAt) {
                              std::filesystem::copy_options::overwrite_existing);
   std::filesystem::remove(part / "pile_000004.png");
   const Outcome outcome = run_kerf(with(short_render(part, "1:41:10"), {"--resume"}));
-  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_TRUE(testing::read_text(part / "pile_000001.png") == whole);
   EXPECT_EQ(testing::read_text(part / "frames.json"), before);
   for (const json& frame : testing::read_json(part / "frames.json")["frames"])
@@ -157,10 +157,10 @@ TEST(FailureProgram, FramesOfAKilledWorkerAreDrawnByTheOthers) {
   ASSERT_EQ(workers.size(), 3U);
   ::kill(workers[1], SIGKILL);
   const Outcome outcome = process.wait();
-  EXPECT_EQ(outcome.exit, kExitDone) << outcome.err;
+  EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("killed by signal 9"));
   ASSERT_EQ(run_kerf(with(short_render(folder.path() / "b", "1:2000:10"), {"--workers", "0"})).exit,
-            kExitDone);
+            kExitHolds);
   expect_same_folder(out, folder.path() / "b");
 }
 
@@ -170,7 +170,7 @@ TEST(FailureProgram, WithoutAnyWorkerItIsAnErrorThatCanBeResumed) {
   ASSERT_TRUE(appears(folder.path() / "pile_000003.png"));
   ::kill(children_of(process.id()).at(0), SIGKILL);
   const Outcome outcome = process.wait();
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("--resume"));
   expect_valid_part(folder.path());
 }
@@ -181,7 +181,7 @@ TEST(FailureProgram, TwoRendersIntoOneFolder) {
   ASSERT_TRUE(appears(folder.path() / "pile_000003.png"));
   for (const char* const how : {"--overwrite", "--resume"}) {
     const Outcome second = run_kerf(with(long_render(folder.path()), {how}));
-    EXPECT_EQ(second.exit, kExitFailure) << how;
+    EXPECT_EQ(second.exit, kExitUnusable) << how;
     EXPECT_THAT(second.err, HasSubstr("another render is writing"));
   }
   first.signal(SIGINT);
@@ -195,19 +195,19 @@ TEST(FailureProgram, FolderThatCannotBeMade) {
   for (const std::filesystem::path& out :
        {std::filesystem::path("/proc/kerf"), folder.path() / "file" / "below"}) {
     const Outcome outcome = run_kerf(long_render(out));
-    EXPECT_EQ(outcome.exit, kExitFailure);
+    EXPECT_EQ(outcome.exit, kExitUnusable);
     EXPECT_THAT(outcome.err, HasSubstr(out.string()));
     EXPECT_THAT(outcome.err, HasSubstr("--out"));
   }
   const Outcome file = run_kerf(long_render(folder.path() / "file"));
-  EXPECT_EQ(file.exit, kExitUsage);
+  EXPECT_EQ(file.exit, kExitUnusable);
   EXPECT_THAT(file.err, HasSubstr("not a folder"));
 }
 
 TEST(FailureProgram, FileThatMayNotGrowIsAnError) {
   const TemporaryFolder folder;
   const Outcome outcome = run_kerf(long_render(folder.path()), {2000, ""});
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, ::testing::ContainsRegex("pile_00000[0-9].png"));  // whichever worker was first
   EXPECT_THAT(outcome.err, HasSubstr("too large"));
   EXPECT_THAT(testing::files_in(folder.path()), ::testing::Not(::testing::Contains("pile_000000.png")));
@@ -225,7 +225,7 @@ TEST(FailureProgram, FullDiskLeavesAValidPart) {
   for (const std::string& word : testing::kerf_command(long_render(disk))) line += word + " ";
   line += "; code=$?; cp -r " + disk + " " + (folder.path() / "copy").string() + "; exit $code";
   const Outcome outcome = Process({"unshare", "-m", "sh", "-c", line}).wait();
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("No space left"));
   EXPECT_THAT(outcome.err, HasSubstr("free some space"));
   expect_valid_part(folder.path() / "copy");
@@ -236,11 +236,11 @@ TEST(FailureProgram, WhatIsPrintedIntoAFullDeviceIsAnError) {
   const TemporaryFolder folder;
   const std::string recording = folder.path() / "a.kerf";
   ASSERT_EQ(run_kerf({"record", "pile", "--objects", "30", "--steps", "20", "-o", recording}).exit,
-            kExitDone);
+            kExitHolds);
   ASSERT_EQ(
       run_kerf({"render", recording, "--steps", "1:2:1", "--size", "320x240", "--out", folder.path() / "x"})
           .exit,
-      kExitDone);
+      kExitHolds);
   const std::string frames = folder.path() / "x";
   for (const std::string& arguments : std::vector<std::string>{
            "scenes", "--help", "--version", "step --help", "verify " + recording,
@@ -249,7 +249,7 @@ TEST(FailureProgram, WhatIsPrintedIntoAFullDeviceIsAnError) {
            "lint " + recording, "export " + recording + " --csv", "diff " + frames + " " + frames}) {
     const Outcome outcome =
         Process({"sh", "-c", std::string(KERF_PROGRAM) + " " + arguments + " > /dev/full"}).wait();
-    EXPECT_EQ(outcome.exit, kExitFailure) << arguments;
+    EXPECT_EQ(outcome.exit, kExitUnusable) << arguments;
     EXPECT_THAT(outcome.err, HasSubstr("standard output")) << arguments;
   }
 }
@@ -259,10 +259,10 @@ TEST(FailureProgram, WhatIsNoRecordingHasAnExitCodeOfItsOwn) {
   const TemporaryFolder folder;
   const std::string recording = folder.path() / "a.kerf";
   ASSERT_EQ(run_kerf({"record", "terrain", "--objects", "30", "--steps", "3", "-o", recording}).exit,
-            kExitDone);
+            kExitHolds);
   const std::string flat = folder.path() / "flat.kerf";
   ASSERT_EQ(run_kerf({"record", "terrain-2d", "--objects", "30", "--steps", "3", "-o", flat}).exit,
-            kExitDone);
+            kExitHolds);
   const std::string none = folder.path() / "none.kerf";
   for (const std::vector<std::string>& command :
        std::vector<std::vector<std::string>>{{"compare", recording, none},
@@ -271,7 +271,7 @@ TEST(FailureProgram, WhatIsNoRecordingHasAnExitCodeOfItsOwn) {
                                              {"lint", none},
                                              {"step", none, "--to", "step==1"}}) {
     const Outcome outcome = run_kerf(command);
-    EXPECT_EQ(outcome.exit, kExitUsage) << command.front() << outcome.err;
+    EXPECT_EQ(outcome.exit, kExitUnusable) << command.front() << outcome.err;
   }
 }
 
@@ -283,7 +283,7 @@ struct Unwritable {
 
 class UnwritablePlace : public ::testing::TestWithParam<Unwritable> {};
 
-/// Nobody can make anything in /proc. What is said has the path, the reason and the option that the command
+/// No file can be made in /proc. The message has the path, the reason and the option that the command
 /// has.
 TEST_P(UnwritablePlace, IsNamedWithItsReasonAndItsOption) {
   const TemporaryFolder folder;
@@ -333,7 +333,7 @@ TEST(FailureProgram, APictureOnAFullDiskIsAnError) {
   const std::string line = "mount -t tmpfs -o size=4k tmpfs " + disk + " && " + KERF_PROGRAM + " step " +
                            file + " --to step==3 --picture " + disk + "/a.png";
   const Outcome outcome = Process({"unshare", "-m", "sh", "-c", line}).wait();
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("free some space"));
   EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("--out")));
 }

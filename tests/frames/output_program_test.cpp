@@ -103,20 +103,20 @@ TEST_F(OutputProgram, ExportReplacesFilesOnlyWhenAskedAndRecordingsNever) {
 TEST_F(OutputProgram, ExportLeavesNoHalfFile) {
   const auto before = files();
   const Outcome outcome = run_kerf({"export", file("a"), "--boxes", "-o", path("boxes.csv")}, {1000, ""});
-  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("cannot write " + path("boxes.csv")));
   EXPECT_EQ(files(), before);
-  EXPECT_THAT(refusal({"export", file("a"), "--csv", "-o", path("none/steps.csv")}, 1),
+  EXPECT_THAT(refusal({"export", file("a"), "--csv", "-o", path("none/steps.csv")}),
               HasSubstr("none/steps.csv: No such file"));
 }
 
 TEST_F(OutputProgram, ImportKeepsAnEarlierRecordingUntilThereIsANewOne) {
   const std::string before = read_text(file("a"));
-  refusal({"import", path("none.csv"), "-o", file("a"), "--overwrite"}, 1);
+  refusal({"import", path("none.csv"), "-o", file("a"), "--overwrite"});
   std::ofstream(path("boxes.csv")) << "1,0,0,1,0,1\n1,1,0,1,0,one\n";
   refusal({"import", path("boxes.csv"), "-o", file("a"), "--overwrite"});
   std::ofstream(path("boxes.csv")) << "1,0,0,1,0,1\n1,1,0,1,0,1\n";
-  refusal({"import", path("boxes.csv"), "-o", file("a"), "--overwrite", "--pairs", path("none.csv")}, 1);
+  refusal({"import", path("boxes.csv"), "-o", file("a"), "--overwrite", "--pairs", path("none.csv")});
   EXPECT_EQ(read_text(file("a")), before);
   ASSERT_EQ(run_kerf({"import", path("boxes.csv"), "-o", file("a"), "--overwrite"}).exit, 0);
   EXPECT_EQ(RecordingReader<2>(file("a")).steps(), 1U);

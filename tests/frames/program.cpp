@@ -26,9 +26,13 @@ void enter(const Surroundings& surroundings, const std::filesystem::path& output
   ::dup2(err, STDERR_FILENO);
   if (!surroundings.path.empty()) ::setenv("PATH", surroundings.path.c_str(), 1);
   if (!surroundings.libraries.empty()) ::setenv("LD_LIBRARY_PATH", surroundings.libraries.c_str(), 1);
-  if (surroundings.largest_file == 0) return;
-  const rlimit limit{surroundings.largest_file, surroundings.largest_file};
-  ::setrlimit(RLIMIT_FSIZE, &limit);
+  const auto limit = [](auto resource, std::uint64_t most) {
+    const rlimit both{most, most};
+    if (most != 0) ::setrlimit(resource, &both);
+  };
+  limit(RLIMIT_FSIZE, surroundings.largest_file);
+  limit(RLIMIT_AS, surroundings.memory);
+  limit(RLIMIT_CPU, surroundings.seconds);
 }
 
 }  // namespace

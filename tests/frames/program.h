@@ -42,9 +42,12 @@ struct Surroundings {
   std::uint64_t largest_file = 0;  ///< RLIMIT_FSIZE; 0: no limit
   std::string path;                ///< PATH; empty: as it is
   std::string libraries;           ///< LD_LIBRARY_PATH; empty: as it is
+  std::uint64_t memory = 0;        ///< RLIMIT_AS; 0: no limit
+  std::uint64_t seconds = 0;       ///< RLIMIT_CPU; 0: no limit
 };
 
-/// A running program, its outputs kept in files until it ends. It is killed if nobody waits for it.
+/// A running program, its outputs kept in files until it ends. The destructor kills it unless `wait` was
+/// called.
 class Process {
  public:
   explicit Process(std::vector<std::string> command, const Surroundings& surroundings = {});

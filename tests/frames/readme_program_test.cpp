@@ -66,7 +66,7 @@ TEST(ReadmeProgram, TheCommandsOfTheFirstFiveMinutesWork) {
   const std::vector<std::string> commands = blocks(text, "sh");
   ASSERT_THAT(commands, SizeIs(3));
   const Outcome outcome = run_script(joined(commands), folder.path());
-  EXPECT_EQ(outcome.exit, kExitDone) << outcome.err;
+  EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("1 missed, 1 extra"));
   for (const char* file : {"buckets.mp4", "out/buckets/frames.json", "pile.kerf", "split.png", "theirs.kerf"})
     EXPECT_TRUE(std::filesystem::exists(folder.path() / file)) << file;

@@ -30,7 +30,8 @@ TEST(RecordProgram, RecordsAndVerifiesScenesOfBothDimensions) {
     EXPECT_EQ(folder.files(), std::vector<std::string>{"a.kerf"});
     const Outcome verified = run_kerf({"verify", file, "--timings"});
     EXPECT_EQ(verified.exit, 0) << verified.err;
-    EXPECT_THAT(verified.out, HasSubstr("every event, state hash, keyframe and set of pairs is as recorded"));
+    EXPECT_THAT(verified.out,
+                HasSubstr("every event, figure, state hash, keyframe and set of pairs is as recorded"));
     EXPECT_THAT(verified.out, HasSubstr("oracle: 0 missed, 0 extra, 0 twice"));
     EXPECT_THAT(verified.out, HasSubstr("one step back: median"));
   }
@@ -125,10 +126,10 @@ TEST(RecordProgram, BadInputIsNamed) {
   EXPECT_THAT(run_kerf({"record", "pil", "-o", file}).err, HasSubstr("did you mean 'pile'"));
   EXPECT_EQ(run_kerf({"record", "pile"}).exit, 2);
   const Outcome missing = run_kerf({"verify", file});
-  EXPECT_EQ(missing.exit, 1);
+  EXPECT_EQ(missing.exit, 2);
   EXPECT_THAT(missing.err, HasSubstr("there is no recording"));
   const Outcome nowhere = run_kerf({"record", "pile", "-o", folder.path() / "no/folder/a.kerf"});
-  EXPECT_EQ(nowhere.exit, 1);
+  EXPECT_EQ(nowhere.exit, 2);
   EXPECT_THAT(nowhere.err, HasSubstr("cannot open"));
 }
 

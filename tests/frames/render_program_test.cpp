@@ -41,7 +41,7 @@ class RenderProgram : public ::testing::TestWithParam<const char*> {};
 TEST_P(RenderProgram, MakesTheFramesThatTheManifestNames) {
   const TemporaryFolder folder;
   const Outcome outcome = run_kerf(small_render(GetParam(), folder.path() / "a" / "b"));
-  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_EQ(outcome.out + outcome.err, "") << "a pipe is not a terminal";
   const json manifest = read_json(folder.path() / "a" / "b" / "frames.json");
   EXPECT_EQ(manifest["scene"], GetParam());
@@ -67,7 +67,7 @@ TEST_P(RenderProgram, TwoRunsAreTheSameAndSeedsDiffer) {
   const TemporaryFolder folder;
   const auto frames_of = [&](const char* name, const std::vector<std::string>& more) {
     const Outcome outcome = run_kerf(with(small_render(GetParam(), folder.path() / name), more));
-    EXPECT_EQ(outcome.exit, kExitDone) << outcome.err;
+    EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
     return read_json(folder.path() / name / "frames.json")["frames"];
   };
   const json first = frames_of("a", {});
@@ -80,11 +80,11 @@ TEST_P(RenderProgram, TwoRunsAreTheSameAndSeedsDiffer) {
 /// Whatever pictures are asked for, the simulation is the same.
 TEST_P(RenderProgram, TheStepDecidesTheStateNotTheFrame) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run_kerf(small_render(GetParam(), folder.path() / "a")).exit, kExitDone);
+  ASSERT_EQ(run_kerf(small_render(GetParam(), folder.path() / "a")).exit, kExitHolds);
   const Outcome outcome =
       run_kerf({"render", GetParam(), "--steps", "41:41", "--objects", "60", "--grow", "30", "--size",
                 "64x64", "--show", "objects", "--out", folder.path() / "b"});
-  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   const json all = read_json(folder.path() / "a" / "frames.json")["frames"];
   const json one = read_json(folder.path() / "b" / "frames.json")["frames"];
   ASSERT_EQ(one.size(), 1U);
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(All, RenderProgram, ::testing::Values("buckets", "terra
 TEST(RenderProgram, ConfigurationReachesTheTree) {
   const TemporaryFolder folder;
   const auto run = with(small_render("pile", folder.path()), {"--config", "budget_divisor=0"});
-  ASSERT_EQ(run_kerf(run).exit, kExitDone);
+  ASSERT_EQ(run_kerf(run).exit, kExitHolds);
   const json manifest = read_json(folder.path() / "frames.json");
   EXPECT_EQ(manifest["config"]["budget_divisor"], 0);
   EXPECT_EQ(manifest["frames"].back()["leaves"], 1) << "no operator, no split";
@@ -113,8 +113,9 @@ TEST(RenderProgram, ConfigurationReachesTheTree) {
 
 TEST(RenderProgram, LayersReachThePicture) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run_kerf(small_render("pile", folder.path() / "a")).exit, kExitDone);
-  ASSERT_EQ(run_kerf(with(small_render("pile", folder.path() / "b"), {"--show", "objects"})).exit, kExitDone);
+  ASSERT_EQ(run_kerf(small_render("pile", folder.path() / "a")).exit, kExitHolds);
+  ASSERT_EQ(run_kerf(with(small_render("pile", folder.path() / "b"), {"--show", "objects"})).exit,
+            kExitHolds);
   const json all = read_json(folder.path() / "a" / "frames.json");
   const json objects = read_json(folder.path() / "b" / "frames.json");
   EXPECT_EQ(objects["layers"], "objects");
@@ -123,17 +124,17 @@ TEST(RenderProgram, LayersReachThePicture) {
 
 TEST(RenderProgram, AnEarlierSequenceIsReplacedOnlyOnDemand) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run_kerf(small_render("pile", folder.path())).exit, kExitDone);
+  ASSERT_EQ(run_kerf(small_render("pile", folder.path())).exit, kExitHolds);
   const std::string before = testing::read_text(folder.path() / "frames.json");
   const Outcome refused = run_kerf(small_render("pile", folder.path()));
-  EXPECT_EQ(refused.exit, kExitUsage);
+  EXPECT_EQ(refused.exit, kExitUnusable);
   EXPECT_THAT(refused.err, HasSubstr("--overwrite"));
   EXPECT_EQ(testing::read_text(folder.path() / "frames.json"), before);
 
   std::fclose(std::fopen((folder.path() / "my_holiday.png").c_str(), "w"));
   const Outcome replaced = run_kerf({"render", "buckets-2d", "--steps", "3", "--size", "64x64", "--overwrite",
                                      "--out", folder.path().string()});
-  ASSERT_EQ(replaced.exit, kExitDone) << replaced.err;
+  ASSERT_EQ(replaced.exit, kExitHolds) << replaced.err;
   EXPECT_THAT(folder.files(),
               ::testing::ElementsAre("buckets-2d_000000.png", "buckets-2d_000001.png",
                                      "buckets-2d_000002.png", "frames.json", "my_holiday.png"));
@@ -143,8 +144,8 @@ TEST(RenderProgram, AnEarlierSequenceIsReplacedOnlyOnDemand) {
 TEST(RenderProgram, FramesOfAKilledRunAreNotMixedWithNewOnes) {
   const TemporaryFolder folder;
   std::fclose(std::fopen((folder.path() / "pile_000007.png").c_str(), "w"));
-  EXPECT_EQ(run_kerf(small_render("pile", folder.path())).exit, kExitUsage);
-  EXPECT_EQ(run_kerf(with(small_render("pile", folder.path()), {"--overwrite"})).exit, kExitDone);
+  EXPECT_EQ(run_kerf(small_render("pile", folder.path())).exit, kExitUnusable);
+  EXPECT_EQ(run_kerf(with(small_render("pile", folder.path()), {"--overwrite"})).exit, kExitHolds);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "pile_000007.png"));
 }
 
@@ -152,10 +153,10 @@ TEST(RenderProgram, MakesContactSheet) {
   const TemporaryFolder folder;
   const auto sheet = folder.path() / "sheets" / "pile.png";
   const auto run = with(small_render("pile", folder.path() / "f"), {"--contact-sheet", sheet.string()});
-  ASSERT_EQ(run_kerf(run).exit, kExitDone);
+  ASSERT_EQ(run_kerf(run).exit, kExitHolds);
   EXPECT_GE(read_png(sheet).width, 4 * 160);
   const Outcome again = run_kerf(with(small_render("pile", folder.path() / "g"), {"--contact-sheet", sheet}));
-  EXPECT_EQ(again.exit, kExitUsage);
+  EXPECT_EQ(again.exit, kExitUnusable);
   EXPECT_THAT(again.err, HasSubstr("exists already"));
 }
 

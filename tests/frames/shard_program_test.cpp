@@ -23,7 +23,7 @@ class ShardProgram : public ::testing::TestWithParam<const char*> {
   void SetUp() override {
     const Outcome outcome = run_kerf(
         {"record", GetParam(), "--steps", "60", "--objects", "200", "--grow", "40", "-o", recording()});
-    ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+    ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   }
 
   [[nodiscard]] std::string recording() const { return folder_.path() / "run.kerf"; }
@@ -47,13 +47,13 @@ class ShardProgram : public ::testing::TestWithParam<const char*> {
 };
 
 TEST_P(ShardProgram, ShardsAreTheWhole) {
-  ASSERT_EQ(render("all").exit, kExitDone);
+  ASSERT_EQ(render("all").exit, kExitHolds);
   for (const char* const k : {"1", "2", "3"})
     ASSERT_EQ(render(std::string("s") + k, {"--shard", std::string(k) + "/3", "--workers", "0"}).exit,
-              kExitDone);
+              kExitHolds);
   const Outcome outcome = run_kerf({"collect", path("s1"), path("s2"), path("s3"), "--out", path("together"),
                                     "--video", path("film.gif"), "--contact-sheet", path("sheet.png")});
-  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("all 12 frames are there, from 3 folders"));
   expect_same_files("all", "together");
   EXPECT_TRUE(std::filesystem::exists(path("film.gif")));
@@ -61,49 +61,49 @@ TEST_P(ShardProgram, ShardsAreTheWhole) {
 }
 
 TEST_P(ShardProgram, WhatIsMissingOrDamagedIsNamed) {
-  ASSERT_EQ(render("s1", {"--shard", "1/2"}).exit, kExitDone);
+  ASSERT_EQ(render("s1", {"--shard", "1/2"}).exit, kExitHolds);
   const Outcome half = run_kerf({"collect", path("s1")});
-  EXPECT_EQ(half.exit, kExitFailure);
+  EXPECT_EQ(half.exit, kExitDoesNotHold);
   EXPECT_THAT(half.err, HasSubstr("6 of 12 frames are missing: 1, 3, 5, 7, 9, 11"));
   EXPECT_THAT(half.err, HasSubstr("--shard 2/2"));
-  ASSERT_EQ(render("s2", {"--shard", "2/2"}).exit, kExitDone);
+  ASSERT_EQ(render("s2", {"--shard", "2/2"}).exit, kExitHolds);
   std::filesystem::copy_file(path("s2/run_000003.png"), path("s2/run_000005.png"),
                              std::filesystem::copy_options::overwrite_existing);
   const Outcome damaged = run_kerf({"collect", path("s1"), path("s2")});
-  EXPECT_EQ(damaged.exit, kExitFailure);
+  EXPECT_EQ(damaged.exit, kExitDoesNotHold);
   EXPECT_THAT(damaged.err, HasSubstr("run_000005.png"));
   std::filesystem::resize_file(path("s2/run_000005.png"), 200);
   EXPECT_THAT(run_kerf({"collect", path("s1"), path("s2")}).err, HasSubstr("run_000005.png"));
-  ASSERT_EQ(render("s2", {"--shard", "2/2", "--resume"}).exit, kExitDone);
-  EXPECT_EQ(run_kerf({"collect", path("s1"), path("s2")}).exit, kExitDone);
+  ASSERT_EQ(render("s2", {"--shard", "2/2", "--resume"}).exit, kExitHolds);
+  EXPECT_EQ(run_kerf({"collect", path("s1"), path("s2")}).exit, kExitHolds);
 }
 
 TEST_P(ShardProgram, CollectRefusesToWriteWhereItReads) {
-  ASSERT_EQ(render("s/1", {"--shard", "1/2"}).exit, kExitDone);
-  ASSERT_EQ(render("s/2", {"--shard", "2/2"}).exit, kExitDone);
+  ASSERT_EQ(render("s/1", {"--shard", "1/2"}).exit, kExitHolds);
+  ASSERT_EQ(render("s/2", {"--shard", "2/2"}).exit, kExitHolds);
   const auto before = testing::files_in(path("s/1"));
   for (const char* const out : {"s/1", "s/2/", "s", "s/../s/./1"}) {
     const Outcome outcome =
         run_kerf({"collect", path("s/1"), path("s/2"), "--out", path(out), "--overwrite"});
-    EXPECT_EQ(outcome.exit, kExitUsage) << out;
+    EXPECT_EQ(outcome.exit, kExitUnusable) << out;
     EXPECT_THAT(outcome.err, HasSubstr("--out")) << out;
   }
   EXPECT_EQ(testing::files_in(path("s/1")), before);
-  EXPECT_EQ(run_kerf({"collect", path("s/1"), path("s/2"), "--out", path("s/12")}).exit, kExitDone);
-  EXPECT_EQ(run_kerf({"collect", path("s/1"), path("s/2"), "--out", path("s/1/below/it")}).exit, kExitDone);
+  EXPECT_EQ(run_kerf({"collect", path("s/1"), path("s/2"), "--out", path("s/12")}).exit, kExitHolds);
+  EXPECT_EQ(run_kerf({"collect", path("s/1"), path("s/2"), "--out", path("s/1/below/it")}).exit, kExitHolds);
 }
 
 TEST_P(ShardProgram, WhatLiesBesideFramesIsCollectedToo) {
-  ASSERT_EQ(render("all", {"--ids"}).exit, kExitDone);
-  ASSERT_EQ(render("s1", {"--ids", "--shard", "1/2"}).exit, kExitDone);
-  ASSERT_EQ(render("s2", {"--ids", "--shard", "2/2"}).exit, kExitDone);
-  ASSERT_EQ(run_kerf({"collect", path("s1"), path("s2"), "--out", path("together")}).exit, kExitDone);
+  ASSERT_EQ(render("all", {"--ids"}).exit, kExitHolds);
+  ASSERT_EQ(render("s1", {"--ids", "--shard", "1/2"}).exit, kExitHolds);
+  ASSERT_EQ(render("s2", {"--ids", "--shard", "2/2"}).exit, kExitHolds);
+  ASSERT_EQ(run_kerf({"collect", path("s1"), path("s2"), "--out", path("together")}).exit, kExitHolds);
   expect_same_files("all", "together");
 }
 
 /// Where frames cannot be linked: a file system of 20 kB in a mount namespace of its own.
 TEST_P(ShardProgram, AFullDiskLeavesNoHalfFrame) {
-  ASSERT_EQ(render("all").exit, kExitDone);
+  ASSERT_EQ(render("all").exit, kExitHolds);
   std::filesystem::create_directory(path("disk"));
   if (testing::Process({"unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", path("disk")}).wait().exit != 0)
     GTEST_SKIP() << "this user may not mount";
@@ -112,7 +112,7 @@ TEST_P(ShardProgram, AFullDiskLeavesNoHalfFrame) {
     line += word + " ";
   line += "; code=$?; cp -r " + path("disk") + " " + path("copy") + "; exit $code";
   const Outcome outcome = testing::Process({"unshare", "-m", "sh", "-c", line}).wait();
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("No space left"));
   for (const std::string& file : testing::files_in(path("copy")))
     EXPECT_EQ(std::filesystem::file_size(path("copy/" + file)),
@@ -126,7 +126,7 @@ TEST(ShardUsage, IsToldWhatItNeeds) {
   const TemporaryFolder folder;
   const std::string recording = folder.path() / "a.kerf";
   ASSERT_EQ(run_kerf({"record", "pile", "--steps", "20", "--objects", "30", "-o", recording}).exit,
-            kExitDone);
+            kExitHolds);
   EXPECT_THAT(run_kerf({"render", "pile", "--shard", "1/2"}).err, HasSubstr("kerf record"));
   EXPECT_THAT(run_kerf({"render", recording, "--seed", "2"}).err, HasSubstr("--seed"));
   EXPECT_THAT(run_kerf({"render", recording, "--steps", "30"}).err, HasSubstr("ends with step 20"));
@@ -134,10 +134,12 @@ TEST(ShardUsage, IsToldWhatItNeeds) {
     EXPECT_THAT(run_kerf({"render", recording, "--shard", shard}).err, HasSubstr("K/N")) << shard;
   const std::string a = folder.path() / "a";
   const std::string b = folder.path() / "b";
-  ASSERT_EQ(run_kerf({"render", recording, "--size", "64x64", "--out", a, "--shard", "1/2"}).exit, kExitDone);
-  ASSERT_EQ(run_kerf({"render", recording, "--size", "64x80", "--out", b, "--shard", "2/2"}).exit, kExitDone);
+  ASSERT_EQ(run_kerf({"render", recording, "--size", "64x64", "--out", a, "--shard", "1/2"}).exit,
+            kExitHolds);
+  ASSERT_EQ(run_kerf({"render", recording, "--size", "64x80", "--out", b, "--shard", "2/2"}).exit,
+            kExitHolds);
   const Outcome mixed = run_kerf({"collect", a, b});
-  EXPECT_EQ(mixed.exit, kExitUsage);
+  EXPECT_EQ(mixed.exit, kExitUnusable);
   EXPECT_THAT(mixed.err, HasSubstr("size"));
   EXPECT_THAT(run_kerf({"collect", folder.path()}).err, HasSubstr("frames.json"));
 }
@@ -149,7 +151,7 @@ TEST(CameraPathProgram, MovesTheCameraAndIsSaidInTheManifest) {
   const std::vector<std::string> render{"render",        "pile",   "--objects", "30",    "--steps",
                                         "1:11:5",        "--size", "200x120",   "--out", folder.path() / "a",
                                         "--camera-path", path};
-  ASSERT_EQ(run_kerf(render).exit, kExitDone);
+  ASSERT_EQ(run_kerf(render).exit, kExitHolds);
   EXPECT_EQ(testing::read_json(folder.path() / "a" / "frames.json")["camera_path"],
             "1 width=40\n11 width=10\n");
   std::ofstream(path) << "1 width=40\nx";

@@ -19,7 +19,7 @@ TEST(UsageProgram, HelpIsNoError) {
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{"--help"}, {"scenes", "--help"}, {"render", "--help"}}) {
     const Outcome outcome = run_kerf(arguments);
-    EXPECT_EQ(outcome.exit, kExitDone);
+    EXPECT_EQ(outcome.exit, kExitHolds);
     EXPECT_EQ(outcome.err, "");
     EXPECT_THAT(outcome.out, HasSubstr("Usage:"));
   }
@@ -34,7 +34,7 @@ TEST(UsageProgram, RenderHelpNamesLayersAndParameters) {
 
 TEST(UsageProgram, NothingIsAnsweredWithHelp) {
   const Outcome outcome = run_kerf({});
-  EXPECT_EQ(outcome.exit, kExitUsage);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("render"));
 }
 
@@ -56,7 +56,7 @@ TEST_P(UsageMistake, IsExplained) {
     arguments.insert(arguments.begin() + 1, {"--out", (folder.path() / "out").string()});
   }
   const Outcome outcome = run_kerf(arguments);
-  EXPECT_EQ(outcome.exit, kExitUsage) << outcome.err;
+  EXPECT_EQ(outcome.exit, kExitUnusable) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr(GetParam().answer));
   EXPECT_THAT(outcome.err, HasSubstr("--help"));
   EXPECT_EQ(outcome.out, "");

@@ -43,7 +43,7 @@ Surroundings false_ffmpeg(const TemporaryFolder& folder, const std::string& scri
 TEST(VideoProgram, FilmHasEveryFrame) {
   const TemporaryFolder folder;
   const Outcome outcome = run_kerf(film(folder, "films/pile.mp4"));
-  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(testing::files_in(folder.path() / "films"), ElementsAre("pile.mp4"));
   const Outcome probe = Process({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
                                  "stream=codec_name,width,height,pix_fmt,nb_read_frames", "-of", "csv=p=0",
@@ -58,7 +58,7 @@ TEST_P(FilmFormats, HaveEveryFrame) {
   const TemporaryFolder folder;
   const std::string file = std::string("pile.") + GetParam().first;
   const Outcome outcome = run_kerf(film(folder, file));
-  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   const Outcome probe = Process({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
                                  "stream=codec_name,nb_read_frames", "-of", "csv=p=0", folder.path() / file})
                             .wait();
@@ -75,12 +75,12 @@ TEST(FilmDiffProgram, ShowsWhatDiffers) {
     return run_kerf({"render", "pile", "--objects", "30", "--steps", "1:21:4", "--size", "160x120", "--seed",
                      seed, "--out", folder.path() / name});
   };
-  ASSERT_EQ(render("a", "1").exit, kExitDone);
-  ASSERT_EQ(render("b", "2").exit, kExitDone);
+  ASSERT_EQ(render("a", "1").exit, kExitHolds);
+  ASSERT_EQ(render("b", "2").exit, kExitHolds);
   const std::string film = folder.path() / "diff.mp4";
   const Outcome outcome = run_kerf({"film-diff", folder.path() / "a", folder.path() / "b", "-o", film,
                                     "--contact-sheet", folder.path() / "diff.png"});
-  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("6 frames, 5 of them different"));
   EXPECT_THAT(
       run_kerf({"film-diff", folder.path() / "a", folder.path() / "a", "-o", film, "--overwrite"}).out,
@@ -92,7 +92,7 @@ TEST(FilmDiffProgram, ShowsWhatDiffers) {
 TEST(VideoProgram, WithoutFfmpegNothingIsStarted) {
   const TemporaryFolder folder;
   const Outcome outcome = run_kerf(film(folder, "pile.mp4"), {0, "/nowhere"});
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("ffmpeg"));
   EXPECT_THAT(outcome.err, HasSubstr("install"));
   EXPECT_THAT(folder.files(), IsEmpty());
@@ -103,7 +103,7 @@ TEST(VideoProgram, FfmpegThatDiesAtOnceIsAnErrorWithItsWords) {
   const TemporaryFolder tools;
   const Outcome outcome =
       run_kerf(film(folder, "pile.mp4"), false_ffmpeg(tools, "echo 'no such codec' >&2; exit 1"));
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("no such codec"));
   EXPECT_THAT(folder.files(), ElementsAre("frames"));
 }
@@ -113,7 +113,7 @@ TEST(VideoProgram, FfmpegThatFailsAtTheEndIsAnError) {
   const TemporaryFolder tools;
   const auto liar = false_ffmpeg(tools, "cat >/dev/null; echo 'disk full' >&2; exit 1");
   const Outcome outcome = run_kerf(film(folder, "pile.mp4"), liar);
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("disk full"));
   EXPECT_EQ(testing::read_json(folder.path() / "frames" / "frames.json")["complete"], true);
 }
@@ -122,12 +122,12 @@ TEST(VideoProgram, AnEarlierFilmSurvivesAFailure) {
   const TemporaryFolder folder;
   const TemporaryFolder tools;
   std::ofstream(folder.path() / "pile.mp4") << "precious";
-  EXPECT_EQ(run_kerf(film(folder, "pile.mp4")).exit, kExitUsage);
+  EXPECT_EQ(run_kerf(film(folder, "pile.mp4")).exit, kExitUnusable);
   auto arguments = film(folder, "pile.mp4");
   arguments.emplace_back("--overwrite");
-  EXPECT_EQ(run_kerf(arguments, false_ffmpeg(tools, "cat >/dev/null; exit 1")).exit, kExitFailure);
+  EXPECT_EQ(run_kerf(arguments, false_ffmpeg(tools, "cat >/dev/null; exit 1")).exit, kExitUnusable);
   EXPECT_EQ(testing::read_text(folder.path() / "pile.mp4"), "precious");
-  EXPECT_EQ(run_kerf(arguments).exit, kExitDone);
+  EXPECT_EQ(run_kerf(arguments).exit, kExitHolds);
   EXPECT_NE(testing::read_text(folder.path() / "pile.mp4"), "precious");
 }
 
@@ -136,7 +136,7 @@ TEST(VideoProgram, UnwritableFolderIsFoundBeforeTheWork) {
   auto arguments = film(folder, "pile.mp4");
   arguments.back() = "/proc/kerf/film.mp4";
   const Outcome outcome = run_kerf(arguments);
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("/proc/kerf"));
   EXPECT_THAT(folder.files(), IsEmpty());
 }

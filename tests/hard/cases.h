@@ -31,7 +31,7 @@ struct HardCase {
   std::optional<Operator> operates = std::nullopt;
   /// It is about our operators or parameters: other broad phases have nothing to show in it.
   bool ours_only = false;
-  /// Played while the processor takes denormals for zero: no pair may be missed, others may be told.
+  /// Played while the processor takes denormals for zero: no pair may be missed, others may be reported.
   bool flush_to_zero = false;
 };
 

@@ -7,7 +7,7 @@
 namespace kerf::test {
 
 /// Makes the processor take denormals for zero, in operands and results, as audio and game code does. It
-/// does nothing if told so, or on a machine that has no such mode.
+/// does nothing if so requested, or on a machine that has no such mode.
 class FlushToZero {
  public:
   explicit FlushToZero(bool on) : before_(control()) {

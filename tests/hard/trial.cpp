@@ -43,7 +43,7 @@ std::string to_string(const Pair& pair) {
   return std::to_string(pair.a.value) + "-" + std::to_string(pair.b.value);
 }
 
-/// Counts what differs between the pairs told and the right ones.
+/// Counts the differences between the reported pairs and the right ones.
 void compare(std::span<const Pair> told, const std::vector<Pair>& right, Trial& trial) {
   std::vector<Pair> found(told.begin(), told.end());
   std::sort(found.begin(), found.end());

@@ -90,12 +90,12 @@ TEST(HardFiles, F1_ALyingImageTakesNoMemory) {
 TEST(HardFiles, F1_ASceneOrAParameterThatIsNoneIsNamed) {
   const TemporaryFolder folder;
   const Outcome scene = testing::run_kerf({"render", "pyle", "--out", folder.path() / "a"});
-  EXPECT_EQ(scene.exit, kExitUsage);
+  EXPECT_EQ(scene.exit, kExitUnusable);
   EXPECT_THAT(scene.err, HasSubstr("pyle"));
   EXPECT_THAT(scene.err, HasSubstr("pile")) << "what was meant";
   const Outcome parameter =
       testing::run_kerf({"render", "pile", "--config", "max_height=1e9", "--out", folder.path() / "b"});
-  EXPECT_EQ(parameter.exit, kExitUsage);
+  EXPECT_EQ(parameter.exit, kExitUnusable);
   EXPECT_THAT(parameter.err, HasSubstr("max_height"));
   EXPECT_TRUE(folder.files().empty());
 }
@@ -116,7 +116,7 @@ TEST(HardFiles, F2_AFileThatMayNotGrowLeavesNothing) {
   const Outcome outcome = testing::run_kerf(
       {"render", "pile", "--objects", "30", "--steps", "1:3:1", "--size", "320x240", "--out", folder.path()},
       {2000, ""});
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("pile_00000"));
   for (const std::string& file : folder.files())
     EXPECT_FALSE(file.ends_with(".png")) << file << " has a final name and is not complete";

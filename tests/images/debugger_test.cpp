@@ -42,7 +42,8 @@ void record_timeless(const test::TemporaryRecording& file, const Config& config)
       "sweep_seconds = 0");
 }
 
-/// The debugger on a timeless run. Each panel is a reference of its own: whoever changes one approves one.
+/// The debugger on a timeless run. Each panel is a reference of its own, so that a change of one needs one
+/// approval.
 template <int D>
 class DebuggerStill {
  public:

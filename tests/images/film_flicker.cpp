@@ -115,7 +115,7 @@ bool view_has_changed(const Frame& a, const Frame& b) {
   return both > 0 && moved == both;
 }
 
-/// Panes become a little clearer with each leaf that is added: by steps that nobody sees.
+/// Panes become a little clearer with each leaf that is added: by invisible steps.
 bool look_alike(const std::uint8_t* a, const std::uint8_t* b) {
   constexpr int kSeen = 6;
   return std::abs(a[0] - b[0]) < kSeen && std::abs(a[1] - b[1]) < kSeen && std::abs(a[2] - b[2]) < kSeen;

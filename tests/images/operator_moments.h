@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/bsp/bsp.h"
+#include "core/trace/event_facts.h"
 #include "tests/support/boxes.h"
 #include "tests/support/config_of.h"
 #include "viz/draw/frame_renderer.h"
@@ -82,7 +83,7 @@ class OperatorMoments {
     move();
     tree_.step();
     for (const Event& event : tree_.trace().take()) {
-      const auto* acted = std::get_if<OperatorActed>(&event.body);
+      const auto* acted = acted_of(event);
       if (acted == nullptr || step_ < 3) continue;
       auto& moment = moments_[static_cast<std::size_t>(acted->op)];
       if (moment) continue;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/bsp/bsp.h"
+#include "core/trace/event_facts.h"
 #include "frames/catalog/scene_catalog.h"
 #include "tests/support/config_of.h"
 #include "viz/draw/frame_renderer.h"
@@ -28,7 +29,7 @@ class SceneStill {
     while (scene_->step() < steps) {
       scene_->advance();
       for (Event& event : tree_.trace().take())
-        if (std::holds_alternative<OperatorActed>(event.body)) events_.push_back(event);
+        if (has_acted(event)) events_.push_back(event);
     }
   }
 

@@ -3,21 +3,30 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/overloaded.h"
+
 namespace kerf::test {
 namespace {
 
-std::vector<Vector<2>> local_rim(const Shape<2>& shape) {
-  std::vector<Vector<2>> points;
-  if (const auto* outline = std::get_if<Outline>(&shape)) return outline->corners;
-  if (const auto* brick = std::get_if<Brick<2>>(&shape)) {
-    const Vector<2> h = brick->half;
-    return {{{-h[0], -h[1]}}, {{h[0], -h[1]}}, {{h[0], h[1]}}, {{-h[0], h[1]}}};
-  }
+using Points = std::vector<Vector<2>>;
+
+Points circle(const Ball& ball) {
+  Points points;
   for (int i = 0; i < 64; ++i) {
     const auto angle = static_cast<Scalar>(i * std::numbers::pi / 32);
-    points.push_back(Vector<2>{{std::cos(angle), std::sin(angle)}} * std::get<Ball>(shape).radius);
+    points.push_back(Vector<2>{{std::cos(angle), std::sin(angle)}} * ball.radius);
   }
   return points;
+}
+
+Points local_rim(const Shape<2>& shape) {
+  const auto corners = [](const Brick<2>& brick) {
+    const Vector<2> h = brick.half;
+    return Points{{{-h[0], -h[1]}}, {{h[0], -h[1]}}, {{h[0], h[1]}}, {{-h[0], h[1]}}};
+  };
+  return std::visit(Overloaded{[](const Ball& ball) { return circle(ball); }, corners,
+                               [](const Outline& outline) { return outline.corners; }},
+                    shape);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace kerf::sims3d_test {
 
-/// The oracle with a seam: what it is told is counted, what it says can be changed.
+/// The oracle with a seam: requests are counted, answers can be changed.
 class Seam : public BroadPhase<3> {
  public:
   [[nodiscard]] std::string_view name() const override { return "seam"; }

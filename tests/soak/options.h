@@ -5,7 +5,7 @@
 
 namespace kerf::test {
 
-/// What programs that try for a given time are told.
+/// The options of programs that try for a given time.
 struct SoakOptions {
   double minutes = 1;
   std::uint64_t seed = 1;

@@ -12,8 +12,8 @@ namespace kerf::test {
 
 std::vector<Pair> sorted(std::span<const Pair> pairs);
 
-/// What `found` got wrong, in any order of either: pairs missed, pairs invented and pairs told twice, the
-/// first few of each by name. Empty if nothing.
+/// The mistakes of `found`, in any order of either: pairs missed, pairs invented and pairs reported twice,
+/// the first few of each by name. Empty if nothing.
 std::string difference(std::span<const Pair> found, std::span<const Pair> expected);
 
 /// For EXPECT_TRUE: fails with the text of `difference`.

@@ -47,7 +47,7 @@ void record_crowd(const std::filesystem::path& path, std::uint32_t steps, const 
   Bsp<D, EventLog> tree(config, volume);
   Recorder<D> recorder(tree, path, info_of<D>(told, volume));
   play_crowd<D>(recorder, steps, 1, [&](std::uint32_t step) {
-    if (step % 2 == 0) (void)tree.trace().take();  // whoever takes events, and when, is no matter
+    if (step % 2 == 0) (void)tree.trace().take();  // when events are taken does not matter
   });
   recorder.finish();
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/bsp/bsp.h"
+#include "core/trace/event_facts.h"
 #include "tests/support/boxes.h"
 #include "tests/support/config_of.h"
 #include "viz/draw/frame_renderer.h"
@@ -24,7 +25,7 @@ class SmallScene {
     for (int step = 0; step < 30; ++step) {
       tree_.step();
       for (Event& event : tree_.trace().take()) {
-        if (std::holds_alternative<OperatorActed>(event.body)) events_.push_back(event);
+        if (has_acted(event)) events_.push_back(event);
       }
     }
     for (std::size_t i = 0; i < tree_.pairs().size(); i += 2) contacts_.push_back(tree_.pairs()[i]);

@@ -16,6 +16,7 @@ constexpr auto kFixedWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoR
                               ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+constexpr double kLongestPause = 0.25;  // seconds by which a run that plays can be late and catches up
 constexpr float kTabs = 368;            // what all tabs need side by side
 constexpr float kToolsInTwoRows = 580;  // what the tools of the view need; else they take three
 
@@ -88,6 +89,11 @@ Debugger::Debugger(GlContext& context, std::unique_ptr<Run> run)
       run_(&model_.run()) {}
 
 void Debugger::frame(const DebuggerInput& input, int width, int height) {
+  take_in(input, width, height);
+  draw();
+}
+
+void Debugger::take_in(const DebuggerInput& input, int width, int height) {
   context_.make_current();
   width = std::max(width, kLeastDebuggerWidth);
   height = std::max(height, kLeastDebuggerHeight);
@@ -95,15 +101,20 @@ void Debugger::frame(const DebuggerInput& input, int width, int height) {
   width_ = width;
   height_ = height;
   const PanelLayout layout = layout_panels(width, height);
-  model_.pass_time(double{input.seconds});
+  // After long work it does not catch up with all of it.
+  model_.pass_time(std::min(input.seconds, kLongestPause + model_.seconds_to_next()));
   gui_.begin(input, width, height);
-  take_keys(input);
+  if (input.key && !gui_.is_typing()) take_key(*input.key, input.shift);
   update_views(layout);
   const auto start = std::chrono::steady_clock::now();
   PanelContext context{model_, gui_, memory_, *view_, other_view_.get()};
   draw_panels(context, layout);
   gui_.end();
   panel_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void Debugger::draw() {
+  const PanelLayout layout = layout_panels(width_, height_);
   framebuffer_->bind();
   const auto& gl = context_.functions();
   gl.ClearColor(0.93F, 0.93F, 0.91F, 1);
@@ -131,22 +142,17 @@ void Debugger::report(std::string message, bool is_error) {
   model_.message_is_error = is_error;
 }
 
-void Debugger::take_keys(const DebuggerInput& input) {
-  if (ImGui::GetIO().WantTextInput) return;
-  for (const KeyPress& press : input.keys) take_key(press);
-}
-
-void Debugger::take_key(const KeyPress& press) {
-  switch (press.key) {
+void Debugger::take_key(Key key, bool shift) {
+  switch (key) {
     case Key::space:
       model_.playing = !model_.playing;
       return;
     case Key::comma:
     case Key::period:
-      return model_.step(press.shift ? Granularity::step : model_.granularity, press.key == Key::period);
+      return model_.step(shift ? Granularity::step : model_.granularity, key == Key::period);
     case Key::home:
     case Key::end:
-      return model_.step(Granularity::run, press.key == Key::end);
+      return model_.step(Granularity::run, key == Key::end);
     case Key::f:
       return view_->focus(model_.selection());
     case Key::h:
@@ -161,7 +167,7 @@ void Debugger::take_key(const KeyPress& press) {
       if (!std::exchange(memory_.help, false)) model_.select({});
       return;
     case Key::f5:
-      return model_.run_to_breakpoint(!press.shift);
+      return model_.run_to_breakpoint(!shift);
     case Key::f9:
       return model_.toggle_breakpoint_here();
     case Key::f12:
@@ -256,7 +262,7 @@ void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
   if (hovered && io.MouseWheel != 0) view_->zoom(double{io.MouseWheel}, x, y);
   if (!hovered || !ImGui::IsMouseDoubleClicked(0)) return;
   const Selection picked = view_->pick(x, y, io.KeyCtrl);
-  if (const auto* object = std::get_if<ObjectId>(&picked)) {
+  if (const auto object = object_in(picked)) {
     context.model.select_object(*object, io.KeyShift);
   } else {
     context.model.select(picked);

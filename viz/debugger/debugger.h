@@ -40,12 +40,17 @@ class Debugger {
 
   /// Takes in what the user did and draws a frame of that many pixels.
   void frame(const DebuggerInput& input, int width, int height);
+  /// The first half of that, for input that comes faster than frames can be drawn.
+  void take_in(const DebuggerInput& input, int width, int height);
+  void draw();
   /// The last frame. Valid until the next call.
   const Image& picture();
   /// Puts the last frame into the window whose context it is.
   void show_in_window(int width, int height) const { framebuffer_->show_in_window(width, height); }
 
-  /// True once for each picture that the user asked for.
+  /// The user asked for a picture.
+  [[nodiscard]] bool wants_screenshot() const { return memory_.screenshot; }
+  /// The same, once for each picture.
   bool takes_screenshot();
   /// What was asked for has been done, or could not be.
   void report(std::string message, bool is_error);
@@ -57,8 +62,7 @@ class Debugger {
   [[nodiscard]] std::map<std::string, std::string> facts();
 
  private:
-  void take_keys(const DebuggerInput& input);
-  void take_key(const KeyPress& press);
+  void take_key(Key key, bool shift);
   void update_views(const PanelLayout& layout);
   void draw_panels(PanelContext& context, const PanelLayout& layout);
   void draw_view(PanelContext& context, const PanelLayout& layout);

@@ -11,10 +11,11 @@
 namespace kerf {
 namespace {
 
+template <class Error = ScriptError>
 [[noreturn]] void fail(const ScriptLine& line, const std::string& what) {
   std::string text;
   for (const std::string& word : line.words) text += (text.empty() ? "" : " ") + word;
-  throw ScriptError("line " + std::to_string(line.number) + ", '" + text + "': " + what);
+  throw Error("line " + std::to_string(line.number) + ", '" + text + "': " + what);
 }
 
 template <class Number = double>
@@ -150,9 +151,7 @@ void ScriptPlayer::frames(int count) {
   for (int k = 0; k < count; ++k) {
     debugger_.frame(input_, width_, height_);
     if (present_) present_();
-    input_.keys.clear();
-    input_.text.clear();
-    input_.wheel = 0;
+    input_.end_frame();
   }
 }
 
@@ -243,17 +242,13 @@ void ScriptPlayer::press(const ScriptLine& line, const std::string& text) {
   std::string name = text;
   std::ranges::transform(name, name.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  KeyPress key;
-  if (name.starts_with("shift+")) {
-    key.shift = true;
-    name.erase(0, 6);
-  }
+  const bool shift = name.starts_with("shift+");
+  if (shift) name.erase(0, 6);
   const auto found = key_names().find(name);
   if (found == key_names().end())
     fail(line, "there is no key '" + text + "'; there are" + names_of(key_names()));
-  key.key = found->second;
-  input_.shift = key.shift;
-  input_.keys = {key};
+  input_.shift = shift;
+  input_.key = found->second;
   frames(1);
   input_.shift = false;
   frames(2);
@@ -282,7 +277,8 @@ void ScriptPlayer::expect(const ScriptLine& line) {
     if (kept == remembered_.end()) fail(line, "nothing was remembered as '" + wanted.substr(1) + "'");
     wanted = kept->second;
   }
-  if (!compare(found, line.words[2], wanted, line)) fail(line, line.words[1] + " is '" + found + "'");
+  if (!compare(found, line.words[2], wanted, line))
+    fail<ExpectationFailed>(line, line.words[1] + " is '" + found + "'");
 }
 
 /// "320,200" is a pixel, "play" a part of a panel, "view@0.5,0.25" a place within it by its share, "object:5"

@@ -12,10 +12,16 @@
 
 namespace kerf {
 
-/// A line of a script cannot be understood or its expectation does not hold; the message names the line.
+/// A line of a script cannot be understood or done; the message names the line.
 class ScriptError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// What a line expects does not hold.
+class ExpectationFailed : public ScriptError {
+ public:
+  using ScriptError::ScriptError;
 };
 
 /// One line: its words, of which those in quotes are one.

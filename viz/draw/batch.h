@@ -10,8 +10,8 @@
 
 namespace kerf {
 
-/// A corner in clip coordinates. Points are taken there on the CPU, in one fixed order of operations, so that
-/// no driver has a say in where they land.
+/// A corner in clip coordinates. The CPU computes these, in one fixed order of operations, so that the driver
+/// does not influence positions.
 struct Vertex {
   float x, y, z, w;
   Color color;  ///< of the whole triangle: the last corner's counts
@@ -22,7 +22,7 @@ struct Batch {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
   std::vector<std::uint32_t> items;  ///< by vertex, if kept: its item of the draw list
-  std::uint32_t item = 0;            ///< to which what is added from now on belongs
+  std::uint32_t item = 0;            ///< the item of the vertices added from now on
   bool keeps_items = false;
 
   void clear() {

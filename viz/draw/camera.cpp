@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-constexpr double kMargin = 0.96;  // of the viewport is used by what is framed
+constexpr double kMargin = 0.96;  // the part of the viewport that the framed box uses
 
 [[noreturn]] void fail(const std::string& what, std::string_view valid) {
   throw std::invalid_argument("camera: " + what + "; give any of " + std::string(valid));
@@ -43,15 +43,16 @@ double parse_between(std::string_view key, std::string_view text, double low, do
   return value;
 }
 
-/// Calls `set(key, value)` for each KEY=VALUE; it returns false for an unknown key.
+/// Calls `set(key, value)` for each KEY=VALUE and for the word "all", whose value is empty; it returns false
+/// for an unknown key.
 template <class Set>
 void parse_assignments(std::string_view text, std::string_view valid, Set set) {
   while (!text.empty()) {
     const std::size_t comma = text.find(',');
     const std::string_view item = text.substr(0, comma);
-    const std::size_t equals = item.find('=');
+    const std::size_t equals = item == "all" ? item.size() : item.find('=');
     if (equals == std::string_view::npos) fail("\"" + std::string(item) + "\" is not KEY=VALUE", valid);
-    if (!set(item.substr(0, equals), item.substr(equals + 1)))
+    if (!set(item.substr(0, equals), item.substr(std::min(equals + 1, item.size()))))
       fail("unknown key \"" + std::string(item.substr(0, equals)) + "\"", valid);
     if (comma == std::string_view::npos) return;
     text.remove_prefix(comma + 1);
@@ -133,10 +134,12 @@ Eigen::Vector3d place_eye(const Box<3>& box, const CameraChoice<3>& choice, cons
 
 template <>
 CameraChoice<3> parse_camera<3>(std::string_view text) {
-  constexpr std::string_view kValid = "yaw=DEGREES,pitch=-89..90,fov=5..120,distance=UNITS,target=X:Y:Z";
+  constexpr std::string_view kValid = "all,yaw=DEGREES,pitch=-89..90,fov=5..120,distance=UNITS,target=X:Y:Z";
   CameraChoice<3> choice;
   parse_assignments(text, kValid, [&](std::string_view key, std::string_view value) {
-    if (key == "yaw") {
+    if (key == "all" && value.empty()) {
+      choice.framing = Framing::everything;
+    } else if (key == "yaw") {
       choice.yaw = parse_between(key, value, -3600, 3600, kValid);
     } else if (key == "pitch") {
       choice.pitch = parse_between(key, value, -89, 90, kValid);
@@ -156,10 +159,12 @@ CameraChoice<3> parse_camera<3>(std::string_view text) {
 
 template <>
 CameraChoice<2> parse_camera<2>(std::string_view text) {
-  constexpr std::string_view kValid = "center=X:Y,width=UNITS";
+  constexpr std::string_view kValid = "all,center=X:Y,width=UNITS";
   CameraChoice<2> choice;
   parse_assignments(text, kValid, [&](std::string_view key, std::string_view value) {
-    if (key == "center") {
+    if (key == "all" && value.empty()) {
+      choice.framing = Framing::everything;
+    } else if (key == "center") {
       choice.center = parse_numbers<2>(key, value, kValid);
     } else if (key == "width") {
       choice.width = parse_between(key, value, 1e-6, kLargest, kValid);

@@ -5,10 +5,11 @@
 #include <string_view>
 
 #include "core/geometry/box.h"
+#include "viz/draw/box_of_interest.h"
 
 namespace kerf {
 
-/// What the user said of the camera; what was left out is chosen by `frame_all`.
+/// What the user said of the camera; what was left out is chosen by `frame_all`, from what `framing` says.
 template <int D>
 struct CameraChoice;
 
@@ -21,6 +22,9 @@ struct CameraChoice<3> {
   double fov = 35;
   std::optional<double> distance;  ///< from the target, in scene units
   std::optional<Eigen::Vector3d> target;
+  Framing framing = Framing::most;
+  /// It looks elsewhere than at what is framed.
+  [[nodiscard]] bool is_aimed() const { return distance || target; }
 };
 
 /// Pan and zoom, y up.
@@ -28,10 +32,13 @@ template <>
 struct CameraChoice<2> {
   std::optional<Eigen::Vector2d> center;
   std::optional<double> width;  ///< scene units across the picture
+  Framing framing = Framing::most;
+  [[nodiscard]] bool is_aimed() const { return center || width; }
 };
 
-/// Reads "yaw=30,pitch=38,fov=35,distance=40,target=0:0:0" (3D) or "center=0:5,width=40" (2D), any part of it
-/// or nothing. Throws std::invalid_argument that says what was wrong and what can be given.
+/// Reads "yaw=30,pitch=38,fov=35,distance=40,target=0:0:0" (3D) or "center=0:5,width=40" (2D), any part of
+/// it, with or without "all" for Framing::everything, or nothing. Throws std::invalid_argument that says what
+/// was wrong and what can be given.
 template <int D>
 CameraChoice<D> parse_camera(std::string_view text);
 
@@ -50,7 +57,7 @@ struct View {
   Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();  ///< unit, from the eye into the scene
   double pixels_per_unit_at_one = 1;                   ///< pixels of a unit length at depth 1 (2D: anywhere)
   bool perspective = false;                            ///< 3D
-  double near = 0;                                     ///< 3D: nothing nearer to the eye is drawn
+  double near = 0;                                     ///< 3D: parts nearer to the eye are not drawn
   double picture_width = 1;
   double picture_height = 1;
 

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-/// A number of the camera: the key under which it is given, and whether it goes by its logarithm.
+/// A number of the camera: its key, and whether it is interpolated by its logarithm.
 struct Number {
   std::string_view key;
   bool by_logarithm = false;
@@ -102,6 +102,9 @@ void CameraPath<D>::add_line(std::string_view line, int number) {
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(where + wrong.what());
   }
+  if (choice.framing == Framing::everything)
+    throw std::invalid_argument(where +
+                                "\"all\" holds for the whole film: give it to the camera that stands still");
   const std::vector<Number> all = numbers<D>();
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (!gives(camera, all[k].key)) continue;

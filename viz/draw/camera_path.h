@@ -9,18 +9,17 @@ namespace kerf {
 
 /// A camera that moves: key frames by step, with smooth ways between them.
 ///
-/// The text has one key frame a line, a step and what is said of the camera from then on as in
-/// `parse_camera`: "120 yaw=90,pitch=20". Empty lines and what follows a # are left out. Each number goes its
-/// own way through the key frames that give it, without overshooting them (monotone cubics, Fritsch and
-/// Carlson 1980); distances and widths by their logarithms. Before the first and after the last it stands
-/// still.
+/// The text has one key frame a line: a step and camera settings as in `parse_camera`, "120 yaw=90,pitch=20".
+/// Empty lines and comments behind # are skipped. Each number follows its own curve through the key frames
+/// that give it, without overshooting them (monotone cubics, Fritsch and Carlson 1980); distances and widths
+/// by their logarithms. The camera stands still before the first and after the last one.
 template <int D>
 class CameraPath {
  public:
   /// Throws std::invalid_argument that names the line.
   explicit CameraPath(std::string_view text);
 
-  /// `fixed` with what the path says of that step.
+  /// `fixed`, overridden by the path at that step.
   [[nodiscard]] CameraChoice<D> at(double step, const CameraChoice<D>& fixed) const;
 
  private:

@@ -32,7 +32,8 @@ int width(const Font& font, const CaptionItem& item) {
 
 }  // namespace
 
-std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree) {
+std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree,
+                                       std::optional<std::uint32_t> outside) {
   std::vector<CaptionItem> items{{"scene", caption.scene},
                                  {"broad phase", caption.broad_phase},
                                  {"step", number(caption.step, 5)},
@@ -40,6 +41,7 @@ std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree) {
                                  {"moving", number(caption.moving, 5)},
                                  {"pairs", number(caption.pairs, 5)}};
   if (caption.knows_contacts) items.push_back({"contacts", number(caption.contacts, 5)});
+  if (outside) items.push_back({"outside", number(*outside, 5)});
   if (!has_tree) return items;
   const Statistics& tree = caption.statistics;
   items.push_back({"height", number(tree.height, 2), true});

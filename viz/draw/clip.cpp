@@ -6,8 +6,8 @@
 namespace kerf {
 namespace {
 
-/// How far p lies outside of the half-space, in units of the normal's length. What rounding alone can have
-/// moved outside counts as on the border, so that a polygon is not cut away by the plane that it lies in.
+/// How far p lies outside of the half-space, in units of the normal's length. A distance within rounding
+/// counts as on the border, so that a polygon is not cut away by the plane that it lies in.
 double above(const HalfSpace& side, const Eigen::Vector3d& p) {
   constexpr double kRounding = 1e-11;
   const Eigen::Vector3d terms = side.normal.cwiseProduct(p);

@@ -30,7 +30,7 @@ std::vector<HalfSpace> half_spaces(const Box<D>& box);
 void clip(Polygon& polygon, const HalfSpace& side);
 void clip(Polygon& polygon, std::span<const HalfSpace> sides);
 
-/// The part of a plane within a box that the half-spaces leave: a polygon in 3D, a segment in 2D.
+/// The part of a plane within a box and the half-spaces: a polygon in 3D, a segment in 2D.
 template <int D>
 Polygon plane_within(const HalfSpace& plane, const Box<D>& box, std::span<const HalfSpace> sides);
 

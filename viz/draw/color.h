@@ -29,7 +29,7 @@ constexpr Color with_alpha(Color color, double alpha) {
   return color;
 }
 
-/// Light falling on a face: 1 leaves the colour as it is.
+/// Light on a face: 1 leaves the colour as it is.
 constexpr Color lit(Color color, double light) {
   return {to_byte(color.r * light), to_byte(color.g * light), to_byte(color.b * light), color.a};
 }

@@ -10,16 +10,16 @@
 namespace kerf {
 namespace {
 
-/// Bounds are computed before any rasteriser sees them; what is written down is rounded to hundredths.
+/// Bounds are computed before rasterising; files have them rounded to hundredths.
 constexpr float kSamePlace = 0.05F;
-/// So many pixels of an item are seen by every rasteriser.
+/// Every rasteriser shows an item of so many pixels.
 constexpr std::uint32_t kClearlySeen = 6;
 
 using Key = std::tuple<DrawnKind, std::uint32_t, std::uint32_t>;
 
 bool is_drawn(const Drawn& drawn) { return drawn.right >= drawn.left; }
 
-/// Items by what they stand for.
+/// Items by their meaning.
 std::map<Key, std::uint32_t> index_of(const DrawList& list) {
   std::map<Key, std::uint32_t> index;
   for (std::uint32_t i = 0; i < list.items.size(); ++i) {
@@ -98,7 +98,7 @@ bool is_near(const Ids& ids, const std::vector<std::uint32_t>& numbers, int x, i
   return false;
 }
 
-/// Of each item of the reference the pixels from which it is gone altogether.
+/// For each item of the reference the number of pixels from which it is gone.
 std::map<std::uint32_t, std::uint32_t> count_gone(const Ids& ids, const std::vector<std::uint32_t>& from,
                                                   const std::vector<std::uint32_t>& to) {
   std::map<std::uint32_t, std::uint32_t> gone;
@@ -111,7 +111,7 @@ std::map<std::uint32_t, std::uint32_t> count_gone(const Ids& ids, const std::vec
   return gone;
 }
 
-/// Collects what is to be said, by gravity.
+/// Collects findings, the gravest first.
 class Findings {
  public:
   enum Gravity { missing, extra, recolored, moved, hidden, texts };
@@ -127,7 +127,7 @@ class Findings {
   std::array<std::vector<std::string>, kGravities> lines_;
 };
 
-/// Compares an item that both pictures have; true if there is something to be said of it.
+/// Compares an item that both pictures have; true if there is a finding.
 bool compare_item(const Drawn& a, const Drawn& b, Findings& findings) {
   const bool same_color = a.color == b.color;
   if (!same_color) {

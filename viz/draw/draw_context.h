@@ -6,34 +6,34 @@
 
 #include "viz/draw/batch.h"
 #include "viz/draw/camera.h"
+#include "viz/draw/cells.h"
 #include "viz/draw/draw_list.h"
 #include "viz/draw/frame_renderer.h"
-#include "viz/draw/skeleton.h"
 
 namespace kerf {
 
 /// Where an object is stored in the tree.
 struct Placement {
-  std::uint32_t leaves = 0;      ///< that hold it
+  std::uint32_t leaves = 0;      ///< that contain it
   std::uint32_t population = 0;  ///< of the fullest of them
 };
 
-/// What the functions that draw one layer need to know of the frame.
+/// The properties of a frame that the functions for single layers need.
 template <int D>
 struct DrawContext {
   const FrameInput<D>& input;
   const View& view;
-  const Skeleton<D>& skeleton;
+  const TreeSnapshotOf<D>& snapshot;
   const std::vector<Placement>& placements;  ///< by object; empty: objects are not tinted
   const Box<D>& bounds;                      ///< of the cells
   LayerSet layers;
   double line_scale = 1;                 ///< widths are given for a picture of 720 rows
   std::uint32_t largest_population = 1;  ///< end of the ramp
-  DrawList* list = nullptr;              ///< none: nobody asks what was drawn
+  DrawList* list = nullptr;              ///< null: no record of what is drawn
   std::span<const Color> colors{};       ///< by object, instead of those by population; empty: none
 
   [[nodiscard]] bool has(Layer layer) const { return layers.has(layer); }
-  /// What is added to `batch` from now on is this.
+  /// Everything added to `batch` from now on belongs to this item.
   void begin(Batch& batch, DrawnKind kind, std::uint32_t a, std::uint32_t b = 0) const {
     if (list != nullptr) batch.item = list->add(kind, a, b);
   }
@@ -54,7 +54,10 @@ void draw_objects(const DrawContext<3>& context, Batch& solid, Batch& glass);
 /// Cells filled by population.
 void draw_leaves(const DrawContext<2>& context, Batch& batch);
 
-/// Partitioners clipped to their cells; 3D: back to front.
+/// A partitioner clipped to its cell.
+template <int D>
+void draw_partitioner(const DrawContext<D>& context, NodeId id, Batch& batch);
+/// All of them; 3D: back to front.
 template <int D>
 void draw_partitioners(const DrawContext<D>& context, Batch& batch);
 

@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, kDrawnKindCount> kKindNames{"object", "le
 /// Glass is up to 0.18 opaque, outlines and cells from 0.25.
 constexpr std::uint8_t kLeastAlpha = 56;
 
-/// What the corners of an item add up to.
+/// The sum over the corners of an item.
 struct Sum {
   std::array<std::uint64_t, 4> color{};
   std::uint64_t corners = 0;

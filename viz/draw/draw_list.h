@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-/// What a part of a picture stands for.
+/// The meaning of a part of a picture.
 enum class DrawnKind : std::uint8_t { object, leaf, plane, pair, operation };
 inline constexpr int kDrawnKindCount = 5;
 std::string_view to_string(DrawnKind kind);
@@ -24,7 +24,7 @@ struct Drawn {
   std::uint32_t b = 0;                             ///< the second object of the pair, the operator's kind
   Color color{};                                   ///< mean of its corners
   std::uint32_t pixels = 0;                        ///< of the id image
-  float left = 0, top = 0, right = 0, bottom = 0;  ///< what it spans of the picture, in pixels
+  float left = 0, top = 0, right = 0, bottom = 0;  ///< its bounds in the picture, in pixels
   friend bool operator==(const Drawn&, const Drawn&) = default;
 };
 
@@ -39,7 +39,7 @@ struct DrawnText {
   friend bool operator==(const DrawnText&, const DrawnText&) = default;
 };
 
-/// What is in a picture. Item k is `items[k - 1]`; 0 is the ground.
+/// The items of a picture. Item k is `items[k - 1]`; 0 is the ground.
 struct DrawList {
   std::vector<Drawn> items;
   std::vector<DrawnText> texts;
@@ -54,18 +54,18 @@ struct DrawList {
   }
 };
 
-/// What a picture consists of.
+/// The draw list and the id image of a picture.
 struct FrameIds {
   DrawList list;
-  Image image;  ///< of each pixel the number of its item: see `item_of`
+  Image image;  ///< for each pixel the number of its item: see `item_of`
 };
 
-/// Finds colours and bounds from the triangles of which the items are made. Items without any are left with
-/// no size, right < left.
+/// Computes colours and bounds from the triangles of the items. Items without triangles keep no size, right <
+/// left.
 void measure_items(std::span<const Batch> batches, int width, int height, DrawList& list);
 
-/// The batch with each triangle in the colour of its item's number. Glass lets through what is behind it:
-/// triangles that are nearly transparent are left out.
+/// The batch with each triangle in the colour of its item's number. Nearly transparent triangles (glass) are
+/// left out, so that things behind them keep their pixels.
 void make_id_batch(const Batch& batch, Batch& ids);
 
 /// The item's number of a pixel of an id image, and the colour that stands for it.

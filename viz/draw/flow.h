@@ -5,7 +5,7 @@
 
 #include "viz/draw/overlay.h"
 
-/// Items set one after the other into lines, as words are.
+/// Items set one after the other into lines, like words.
 namespace kerf::flow {
 
 struct Spot {
@@ -21,7 +21,7 @@ struct Piece {
   bool begins_line = false;
 };
 
-/// Begins a new line where a piece says so and before each piece that would cross `right`.
+/// Begins a new line where a piece asks for it and before each piece that would cross `right`.
 std::vector<Spot> arrange(std::span<const Piece> pieces, int gap, int left, int right);
 int lines(std::span<const Spot> spots);
 

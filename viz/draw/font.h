@@ -11,8 +11,8 @@ namespace kerf {
 /// The typeface's file (DejaVu Sans Mono), compiled in.
 std::span<const std::uint8_t> font_file();
 
-/// A typeface of fixed pitch at one size, as coverage bitmaps in one texture. It holds Latin-1; what it does
-/// not hold is shown as '?'.
+/// A typeface of fixed pitch at one size, as coverage bitmaps in one texture. It holds Latin-1; other
+/// characters are shown as '?'.
 class Font {
  public:
   /// Where a character lies in the texture and how it sits on the line, in pixels.

@@ -30,6 +30,8 @@ template <int D>
 const FramePlan<D>& FramePlanner<D>::plan(const FrameInput<D>& input) {
   view_box_.update(input.bodies);
   plan_.bounds = view_box_.box();
+  plan_.outside = count_outside(input.bodies, plan_.bounds);
+  plan_.tells_outside |= plan_.outside > 0;
   plan_.has_tree = input.tree != nullptr;
   observe(input);
   plan_.placements.clear();
@@ -43,14 +45,14 @@ const FramePlan<D>& FramePlanner<D>::plan(const FrameInput<D>& input) {
 
 template <int D>
 void FramePlanner<D>::observe(const FrameInput<D>& input) {
-  std::swap(plan_.skeleton, before_);
-  plan_.skeleton.assign(input.tree);
-  highlights_.update(input, plan_.skeleton, before_, view_box_.box());
+  std::swap(plan_.snapshot, before_);
+  plan_.snapshot.assign(input.tree);
+  highlights_.update(input, plan_.snapshot, before_, view_box_.box());
 }
 
 template <int D>
 void FramePlanner<D>::forget() {
-  plan_.skeleton.assign(nullptr);
+  plan_.snapshot.assign(nullptr);
   before_.assign(nullptr);
   highlights_ = {};
 }
@@ -61,17 +63,17 @@ void FramePlanner<D>::fix_largest_population(std::uint32_t population) {
   plan_.ramp_is_fixed = true;
 }
 
-/// Powers of two, and a gap between growing and shrinking: the ramp changes rarely.
+/// Powers of two, and a gap between growing and shrinking: the ramp rarely changes.
 template <int D>
 void FramePlanner<D>::choose_largest_population() {
   if (plan_.ramp_is_fixed) return;
-  const std::uint64_t present = plan_.skeleton.largest_leaf();
-  const std::uint32_t wanted = std::bit_ceil(std::max(kLeastRamp, plan_.skeleton.largest_leaf()));
+  const std::uint64_t present = plan_.snapshot.largest_leaf();
+  const std::uint32_t wanted = std::bit_ceil(std::max(kLeastRamp, plan_.snapshot.largest_leaf()));
   if (wanted > plan_.largest_population || 5 * present < 2 * std::uint64_t{plan_.largest_population})
     plan_.largest_population = wanted;
 }
 
-/// Smooth edges cost three times as much. A sequence that has gone over to jagged ones stays with them.
+/// Smooth edges cost three times as much. A sequence that has switched to jagged ones keeps them.
 template <int D>
 void FramePlanner<D>::choose_samples(std::size_t bodies) {
   if (wanted_samples_ != 0) {

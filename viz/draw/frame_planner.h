@@ -9,13 +9,15 @@
 
 namespace kerf {
 
-/// What a frame shows beside its input: what follows from the tree, and from the frames before it. With it
-/// any renderer, in any process, draws the frame alike.
+/// The parts of a frame that follow from the tree and from earlier frames. With the plan any renderer, in any
+/// process, draws the frame alike.
 template <int D>
 struct FramePlan {
   Box<D> bounds;                         ///< that is framed
+  std::uint32_t outside = 0;             ///< bodies of which no part lies in it
+  bool tells_outside = false;            ///< the caption says so, also of none: it must not jump
   bool has_tree = false;                 ///< caption and legend speak of it
-  Skeleton<D> skeleton;                  ///< of the tree
+  TreeSnapshotOf<D> snapshot;            ///< of the tree
   std::vector<Placement> placements;     ///< by object; empty: objects are not tinted
   std::vector<Highlight> highlights;     ///< newest first
   std::uint32_t largest_population = 0;  ///< end of the ramp
@@ -23,23 +25,26 @@ struct FramePlan {
   int samples = 0;                       ///< of a pixel; 0: not chosen yet
 };
 
-/// Carries on from frame to frame what must not jump: the view, the ramp of populations, smooth or jagged
-/// edges, and the cells of nodes that have died since.
+/// Keeps what must not jump from frame to frame: the view, the ramp of populations, smooth or jagged edges,
+/// and the cells of nodes that have died since.
 template <int D>
 class FramePlanner {
  public:
-  /// As in FrameOptions.
-  explicit FramePlanner(LayerSet layers, int samples) : layers_(layers), wanted_samples_(samples) {}
+  /// `layers` and `samples` as in FrameOptions.
+  explicit FramePlanner(LayerSet layers, int samples, Framing framing = Framing::most)
+      : layers_(layers), wanted_samples_(samples), view_box_(framing) {}
 
   /// The plan is valid until the next call.
   const FramePlan<D>& plan(const FrameInput<D>& input);
-  /// A moment that is not drawn, but whose operators a later frame may show.
+  /// A moment that is not drawn; its operators may be shown by a later frame.
   void observe(const FrameInput<D>& input);
   /// Forgets all moments, but not what was fixed.
   void forget();
 
-  /// From now on exactly this box is framed. Throws std::invalid_argument unless it is valid.
+  /// From now on the view is exactly this box. Throws std::invalid_argument unless it is valid.
   void fix_view_box(const Box<D>& box) { view_box_.fix(box); }
+  /// From now on the caption says how many bodies lie outside, also if none does.
+  void tell_outside() { plan_.tells_outside = true; }
   /// From now on the ramp of populations ends here.
   void fix_largest_population(std::uint32_t population);
   [[nodiscard]] Box<D> view_box() const { return view_box_.box(); }
@@ -52,7 +57,7 @@ class FramePlanner {
   LayerSet layers_;
   int wanted_samples_;
   ViewBox<D> view_box_;
-  Skeleton<D> before_;
+  TreeSnapshotOf<D> before_;
   Highlights<D> highlights_;
   FramePlan<D> plan_;
 };

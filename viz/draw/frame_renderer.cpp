@@ -36,6 +36,12 @@ std::string ramp_text(const FramePlan<D>& plan) {
   return std::to_string(plan.largest_population) + (plan.ramp_is_fixed ? "+" : "");
 }
 
+/// Of a camera that the user has aimed nobody expects that it shows everything.
+template <int D>
+std::optional<std::uint32_t> told_outside(const FramePlan<D>& plan, const CameraChoice<D>& camera) {
+  return plan.tells_outside && !camera.is_aimed() ? std::optional(plan.outside) : std::nullopt;
+}
+
 }  // namespace
 
 template <int D>
@@ -44,7 +50,7 @@ struct FrameRenderer<D>::State {
       : options(checked(chosen)),
         camera(parse_camera<D>(chosen.camera)),
         camera_path(chosen.camera_path),
-        planner(chosen.layers, chosen.samples),
+        planner(chosen.layers, chosen.samples, camera.framing),
         font(font_pixels(chosen.height)),
         context(make_offscreen_context(chosen.backend)),
         painter(context->functions(), font) {
@@ -98,7 +104,7 @@ struct FrameRenderer<D>::State {
     id_framebuffer->bind();
     painter.begin_ids();
     paint(id_batches);
-    make_id_batch(overlay.shapes, id_overlay);  // what lies under a label is not seen
+    make_id_batch(overlay.shapes, id_overlay);  // a label hides what lies below it
     painter.draw(id_overlay, Depth::ignore);
     id_framebuffer->read(ids.image);
     ids.list.texts = overlay.text.lines;
@@ -122,17 +128,17 @@ struct FrameRenderer<D>::State {
   const Image& render(const FrameInput<D>& input, const FramePlan<D>& plan) {
     context->make_current();
     std::vector<CaptionItem> caption;
-    if (has(Layer::caption)) caption = caption_items(input.caption, plan.has_tree);
+    const CameraChoice<D> now = camera_path.at(input.caption.step, camera);
+    if (has(Layer::caption)) caption = caption_items(input.caption, plan.has_tree, told_outside(plan, now));
     std::vector<LegendItem> legend;
     if (has(Layer::legend)) legend = legend_items(options.layers, D, plan.has_tree, ramp_text(plan));
     const bool has_log = !caption.empty() && (has(Layer::operators) || !input.caption.note.empty());
     const Layout layout = make_layout(font, options.width, options.height, caption, has_log, legend);
-    const CameraChoice<D> now = camera_path.at(input.caption.step, camera);
     const View view = frame_all(plan.bounds, now, layout.scene, options.width, options.height);
     const double line_scale = std::clamp(options.height / 720.0, 0.6, 8.0);
     const DrawContext<D> frame{input,
                                view,
-                               plan.skeleton,
+                               plan.snapshot,
                                plan.placements,
                                plan.bounds,
                                options.layers,

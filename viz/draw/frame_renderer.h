@@ -34,10 +34,10 @@ struct Caption {
   bool knows_contacts = true;
 };
 
-/// An operator stays highlighted for so many steps, unless a frame says otherwise.
+/// The number of steps for which an operator stays highlighted, unless a frame says otherwise.
 inline constexpr std::uint32_t kHighlightSteps = 10;
 
-/// One moment of a scene. Nothing is kept: it need not outlive the call.
+/// One moment of a scene. It need not outlive the call.
 template <int D>
 struct FrameInput {
   std::span<const Body<D>> bodies;  ///< body k is object k
@@ -51,7 +51,7 @@ struct FrameInput {
   std::uint32_t highlight_steps = kHighlightSteps;
 };
 
-/// From so many bodies on, edges are drawn jagged unless the options say otherwise.
+/// From this number of bodies on, edges are drawn jagged unless the options say otherwise.
 inline constexpr std::size_t kManyBodies = 2000;
 
 inline constexpr int kMinFrameSide = 64;
@@ -64,13 +64,13 @@ struct FrameOptions {
   std::string camera;  ///< see `parse_camera`; empty: everything in view
   /// Of each pixel. 4: smooth edges; 1: jagged ones, about three times faster; 0: smooth up to kManyBodies.
   int samples = 0;
-  bool ids = false;           ///< also keep what was drawn and where, see `FrameIds`
+  bool ids = false;           ///< also record what was drawn and where, see `FrameIds`
   std::string camera_path{};  ///< see CameraPath; empty: the camera stands still
   GlBackend backend = GlBackend::any;
 };
 
-/// Is given the triangles of a scene (back, glass, lines, front) before they are drawn. With it tests plant
-/// bugs.
+/// Called with the triangles of a scene (back, glass, lines, front) before they are drawn. Tests plant bugs
+/// with it.
 using Tamper = std::function<void(std::span<Batch> batches, const DrawList& list)>;
 
 template <int D>
@@ -79,8 +79,8 @@ struct FramePlan;
 /// Draws frames with a GL context of its own; the same inputs in the same order give the same pixels on every
 /// run and for every number of rasteriser threads.
 ///
-/// The view holds everything seen so far and does not follow single objects: it grows in large steps only. A
-/// caller who draws frames out of order (or in several processes) plans them in order with a FramePlanner.
+/// The view holds everything seen so far and does not follow single objects: it grows in large steps only. To
+/// draw frames out of order (or in several processes), plan them in order with a FramePlanner.
 template <int D>
 class FrameRenderer {
  public:
@@ -93,18 +93,18 @@ class FrameRenderer {
   /// The picture is valid until the next call. Throws std::runtime_error on a GL error.
   const Image& render(const FrameInput<D>& input);
   /// The same for a frame that a FramePlanner has planned, maybe in another process. The input's tree and
-  /// events are not looked at: the plan has what follows from them.
+  /// events are not read: the plan has what follows from them.
   const Image& render(const FrameInput<D>& input, const FramePlan<D>& plan);
 
-  /// From now on exactly this box is framed. Throws std::invalid_argument unless it is valid.
+  /// From now on the view is exactly this box. Throws std::invalid_argument unless it is valid.
   void set_view_box(const Box<D>& box);
-  /// The box that the last frame showed, to be given to the other renderers of a sequence.
+  /// The box that the last frame showed, for the other renderers of a sequence.
   [[nodiscard]] Box<D> view_box() const;
   void set_layers(LayerSet layers);
 
-  /// Of the last frame; empty unless the options asked for it.
+  /// Of the last frame; empty unless the options ask for it.
   [[nodiscard]] const FrameIds& ids() const;
-  /// Pixels of renderers that say the same here are the same.
+  /// Renderers with the same text here draw the same pixels.
   [[nodiscard]] std::string rasterizer() const;
   void set_tamper(Tamper tamper);
 

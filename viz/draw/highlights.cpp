@@ -2,25 +2,26 @@
 
 #include <algorithm>
 
+#include "core/trace/event_facts.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/strokes.h"
 
 namespace kerf {
 namespace {
 
-/// More cells than this would only hide the scene; the newest count.
+/// More cells than this would only hide the scene; the newest are kept.
 constexpr std::size_t kMostHighlights = 8;
 
 template <int D>
-void find_cell(Highlight& highlight, const Skeleton<D>& skeleton, const DirectionSet<D>& directions,
+void find_cell(Highlight& highlight, const TreeSnapshotOf<D>& snapshot, const DirectionSet<D>& directions,
                const Box<D>& bounds) {
   const OperatorActed& acted = highlight.acted;
   const NodeId id = acted.node.node;
-  highlight.faces = cell_faces(skeleton, id, bounds);
+  highlight.faces = cell_faces(snapshot, id, bounds);
   if (acted.direction >= directions.size()) return;
   const Vector<D>& normal = directions[acted.direction];
   const auto in_cell = [&](Scalar offset) {
-    return partitioner_in_cell(skeleton, id, Plane<D>{normal, offset}, bounds);
+    return partitioner_in_cell(snapshot, id, Plane<D>{normal, offset}, bounds);
   };
   const bool has_new = acted.op != Operator::merge && acted.op != Operator::swap;
   const bool has_old = acted.op != Operator::split && acted.op != Operator::shift_split;
@@ -53,12 +54,12 @@ std::string Highlight::label() const {
 }
 
 template <int D>
-void Highlights<D>::update(const FrameInput<D>& input, const Skeleton<D>& now, const Skeleton<D>& before,
-                           const Box<D>& bounds) {
+void Highlights<D>::update(const FrameInput<D>& input, const TreeSnapshotOf<D>& now,
+                           const TreeSnapshotOf<D>& before, const Box<D>& bounds) {
   highlights_.clear();
   std::map<std::uint64_t, Highlight> still_remembered;
   for (auto event = input.events.rbegin(); event != input.events.rend(); ++event) {
-    const auto* acted = std::get_if<OperatorActed>(&event->body);
+    const auto* const acted = acted_of(*event);
     if (acted == nullptr || input.tree == nullptr || highlights_.size() == kMostHighlights) continue;
     const std::uint32_t age = input.caption.step > event->step ? input.caption.step - event->step : 0;
     if (age > input.highlight_steps) continue;

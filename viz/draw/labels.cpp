@@ -14,8 +14,8 @@ bool overlap(const Viewport& a, const Viewport& b) {
          b.top < a.top + a.height;
 }
 
-/// A place for a label at the edge of the scene nearer to `point`, as high as it, and clear of the others:
-/// there it hides nothing.
+/// A place for a label at the edge of the scene nearer to `point`, at the same height, and clear of the
+/// others: there it hides nothing.
 std::optional<Viewport> find_place(const Eigen::Vector2d& point, double width, double height,
                                    const Viewport& scene, const std::vector<Viewport>& taken) {
   const double margin = 4;
@@ -32,7 +32,7 @@ std::optional<Viewport> find_place(const Eigen::Vector2d& point, double width, d
   return std::nullopt;
 }
 
-/// From the label to what it names.
+/// From the label to its point.
 void add_leader(const View& view, const Viewport& label, const Eigen::Vector2d& point, Color color,
                 Batch& batch) {
   const bool is_left = label.left + label.width < point.x();

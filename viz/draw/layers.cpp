@@ -32,7 +32,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Applies one item of the list. `first`: a plain name then starts from nothing.
+/// Applies one item of the list. `first`: a plain name then starts from the empty set.
 void apply_item(LayerSet& layers, std::string_view item, bool first) {
   if (item.empty()) fail("an empty layer name");
   if (item == "all" || item == "none") {

@@ -6,12 +6,12 @@
 
 namespace kerf {
 
-/// What a frame is made of, from back to front. Each can be switched.
+/// The layers of a frame, from back to front. Each can be switched.
 enum class Layer : std::uint8_t {
   objects,
   partitioners,
   leaves,
-  pairs,  ///< candidates; those that are contacts are drawn so when `contacts` is shown, too
+  pairs,  ///< candidates; contacts are drawn as such when `contacts` is shown, too
   contacts,
   operators,
   legend,
@@ -49,7 +49,7 @@ class LayerSet {
   std::uint32_t bits_;
 };
 
-/// "objects,pairs", or "none": what `parse` reads back as the same set.
+/// "objects,pairs", or "none": `parse` reads it back as the same set.
 std::string to_string(LayerSet layers);
 
 }  // namespace kerf

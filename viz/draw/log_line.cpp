@@ -6,7 +6,7 @@
 namespace kerf {
 namespace {
 
-/// The names of the first `shown` operators, and how many more there are.
+/// The names of the first `shown` operators, and the number of the others.
 std::string acted_text(const std::vector<Highlight>& highlights, std::size_t shown) {
   std::string text;
   for (std::size_t k = 0; k < shown; ++k) text += (k == 0 ? "acted: " : ", ") + highlights[k].label();

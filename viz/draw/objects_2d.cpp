@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/overloaded.h"
 #include "viz/draw/draw_context.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/strokes.h"
@@ -17,21 +18,24 @@ Polygon outline(const Body<2>& body, double pixels_per_unit) {
   const Eigen::Vector3d x = to_point(body.pose.axes[0]);
   const Eigen::Vector3d y = to_point(body.pose.axes[1]);
   Polygon polygon;
-  if (const auto* ball = std::get_if<Ball>(&body.shape)) {
-    const double radius = ball->radius;
+  const auto add_ball = [&](const Ball& ball) {
+    const double radius = ball.radius;
     const int corners = std::clamp(static_cast<int>(6 + std::sqrt(radius * pixels_per_unit) * 3), 8, 64);
     for (int i = 0; i < corners; ++i) {
       const double angle = 2 * std::numbers::pi * i / corners;
       polygon.push_back(origin + radius * (std::cos(angle) * x + std::sin(angle) * y));
     }
-  } else if (const auto* brick = std::get_if<Brick<2>>(&body.shape)) {
-    const Eigen::Vector3d u = x * double{brick->half[0]};
-    const Eigen::Vector3d v = y * double{brick->half[1]};
+  };
+  const auto add_brick = [&](const Brick<2>& brick) {
+    const Eigen::Vector3d u = x * double{brick.half[0]};
+    const Eigen::Vector3d v = y * double{brick.half[1]};
     polygon = {origin - u - v, origin + u - v, origin + u + v, origin - u + v};
-  } else {
-    for (const Vector<2>& corner : std::get<Outline>(body.shape).corners)
+  };
+  const auto add_outline = [&](const Outline& outline) {
+    for (const Vector<2>& corner : outline.corners)
       polygon.push_back(origin + double{corner[0]} * x + double{corner[1]} * y);
-  }
+  };
+  std::visit(Overloaded{add_ball, add_brick, add_outline}, body.shape);
   return polygon;
 }
 
@@ -69,17 +73,18 @@ void draw_body(const DrawContext<2>& context, std::size_t object, Batch& batch) 
   add_polygon(batch, context.view, polygon, is_large ? lit(color, 0.45) : color);
   if (!is_large) return;
   add_polygon(batch, context.view, inset(polygon, rim / pixels), color);
-  const auto* ball = std::get_if<Ball>(&body.shape);
-  if (ball == nullptr) return;
-  const Eigen::Vector3d origin = to_point(body.pose.position);
-  const Eigen::Vector3d end = origin + double{ball->radius} * to_point(body.pose.axes[0]);
-  add_line(batch, context.view, origin, end, {lit(color, 0.45), rim});  // shows how it turns
+  const auto add_spoke = [&](const Ball& ball) {  // shows how it turns
+    const Eigen::Vector3d origin = to_point(body.pose.position);
+    const Eigen::Vector3d end = origin + double{ball.radius} * to_point(body.pose.axes[0]);
+    add_line(batch, context.view, origin, end, {lit(color, 0.45), rim});
+  };
+  std::visit(Overloaded{add_spoke, NothingFor<void, Brick<2>, Outline>()}, body.shape);
 }
 
 }  // namespace
 
 void draw_objects(const DrawContext<2>& context, Batch& flat) {
-  // What is fixed lies behind what moves.
+  // Fixed objects lie behind moving ones.
   for (const Mobility mobility : {Mobility::fixed, Mobility::moving}) {
     for (std::size_t object = 0; object < context.input.bodies.size(); ++object) {
       const Body<2>& body = context.input.bodies[object];
@@ -90,13 +95,13 @@ void draw_objects(const DrawContext<2>& context, Batch& flat) {
 
 void draw_leaves(const DrawContext<2>& context, Batch& batch) {
   constexpr double kAlpha = 0.5;
-  if (context.skeleton.empty()) return;
-  for (const NodeId id : context.skeleton.back_to_front(Eigen::Vector3d::Zero())) {
-    const auto& joint = context.skeleton[id];
-    if (!joint.is_leaf()) continue;
-    const Color color = palette::population_color(joint.population, context.largest_population);
+  if (context.snapshot.empty()) return;
+  for (const NodeId id : back_to_front(context.snapshot, Eigen::Vector3d::Zero())) {
+    const TreeSnapshot::Node& node = context.snapshot[id];
+    if (!node.is_leaf()) continue;
+    const Color color = palette::population_color(node.population, context.largest_population);
     context.begin(batch, DrawnKind::leaf, id.value);
-    for (const Polygon& cell : cell_faces(context.skeleton, id, context.bounds))
+    for (const Polygon& cell : cell_faces(context.snapshot, id, context.bounds))
       add_polygon(batch, context.view, cell, with_alpha(color, kAlpha));
   }
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/overloaded.h"
 #include "viz/draw/draw_context.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/sphere_mesh.h"
@@ -14,7 +15,7 @@ constexpr double kAmbient = 0.62;
 constexpr double kGlassAlpha = 0.10;
 constexpr double kWallSlope = 0.5;  // steeper faces of fixed objects are walls, of glass
 
-/// A body's frame seen by the camera: everything about a face is decided in it.
+/// A body's frame seen by the camera; all decisions about a face are made in it.
 struct Frame {
   Eigen::Matrix4d clip_from_body;
   Eigen::Vector3d eye;    ///< in the body's frame
@@ -44,7 +45,7 @@ Eigen::Vector4d to_clip(const Frame& frame, const Eigen::Vector3d& p) {
          frame.clip_from_body.col(2) * p.z() + frame.clip_from_body.col(3);
 }
 
-/// A pane of glass waits until all are known, to be drawn from back to front.
+/// Panes of glass wait until all are known, to be drawn from back to front.
 struct Pane {
   double distance = 0;
   std::array<Eigen::Vector4d, 4> corners;
@@ -124,7 +125,7 @@ void draw_surface(const Targets& to, const Frame& frame, const Surface& surface,
     const Eigen::Vector3d c = to_point(surface.vertices[triangle[2]]);
     const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
     const std::array<Eigen::Vector4d, 3> clip{to_clip(frame, a), to_clip(frame, b), to_clip(frame, c)};
-    // From behind, ground is glass: the rim of a valley must not hide what lies in it.
+    // From behind, ground is glass: the rim of a valley must not hide its inside.
     const bool is_front = normal.dot(frame.eye - a) > 0;
     if (is_front) {
       to.solid.add_fan(clip, lit_face(frame, normal, color));
@@ -140,13 +141,17 @@ void draw_body(const Targets& to, std::size_t object) {
   const Color color = object_color(to.context, object);
   to.context.begin(to.solid, DrawnKind::object, static_cast<std::uint32_t>(object));
   to.glass.item = to.solid.item;
-  if (const auto* ball = std::get_if<Ball>(&body.shape)) {
-    draw_ball(to, frame, *ball, to.context.view.pixels_per_unit(to_point(body.pose.position)), color);
-  } else if (const auto* brick = std::get_if<Brick<3>>(&body.shape)) {
-    draw_brick(to, frame, body, *brick, color);
-  } else if (const auto& surface = std::get<std::shared_ptr<const Surface>>(body.shape)) {
-    draw_surface(to, frame, *surface, color);
-  }
+  std::visit(Overloaded{
+                 [&](const Ball& ball) {
+                   const double pixels = to.context.view.pixels_per_unit(to_point(body.pose.position));
+                   draw_ball(to, frame, ball, pixels, color);
+                 },
+                 [&](const Brick<3>& brick) { draw_brick(to, frame, body, brick, color); },
+                 [&](const std::shared_ptr<const Surface>& surface) {
+                   if (surface) draw_surface(to, frame, *surface, color);
+                 },
+             },
+             body.shape);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +11,7 @@
 
 namespace kerf {
 
-/// What lies over the scene: shapes, then letters.
+/// The overlay of the scene: shapes, then letters.
 struct Overlay {
   Batch shapes;
   TextBatch text;
@@ -44,7 +46,8 @@ struct LegendItem {
 };
 
 /// The caption's items in order. Numbers have room to grow, so that they stand still in a film.
-std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree);
+std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree,
+                                       std::optional<std::uint32_t> outside = std::nullopt);
 /// The items that the layers shown call for. `largest_population`: "64", where the ramp ends.
 std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tree,
                                      const std::string& largest_population);
@@ -52,8 +55,8 @@ std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tr
 Layout make_layout(const Font& font, int width, int height, const std::vector<CaptionItem>& caption,
                    bool has_log, const std::vector<LegendItem>& legend);
 
-/// The note and what acted lately, newest first, in one line. Operators for which it has no room are counted
-/// ("and 3 more"); a note that is too long itself ends with "...".
+/// The note and the recent operators, newest first, in one line. Operators without room are counted ("and 3
+/// more"); a note that is too long itself ends with "...".
 std::string log_line(const Font& font, int picture_width, const std::string& note,
                      const std::vector<Highlight>& highlights);
 

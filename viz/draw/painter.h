@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-/// Which triangles a batch hides and is hidden by.
+/// How a batch takes part in hiding.
 enum class Depth { ignore, test, test_and_write };
 
 /// Letters to be drawn, as rectangles of the font's texture on the picture.
@@ -22,7 +22,7 @@ struct TextBatch {
     Color color;
   };
   std::vector<Vertex> vertices;  ///< six a letter
-  std::vector<DrawnText> lines;  ///< if kept: what was written
+  std::vector<DrawnText> lines;  ///< if kept: the text written
   bool keeps_lines = false;
 
   void clear() {
@@ -33,8 +33,8 @@ struct TextBatch {
   void add(const Font& font, int x, int y, std::string_view text, Color color);
 };
 
-/// The GL side of drawing: two programs, one buffer, one texture. The context that made it must be current in
-/// every call and when it dies.
+/// The GL side of drawing: two programs, one buffer, one texture. Its context must be current in every call
+/// and when it dies.
 class Painter {
  public:
   Painter(const GlFunctions& gl, const Font& font);
@@ -43,7 +43,7 @@ class Painter {
   Painter& operator=(const Painter&) = delete;
 
   void begin(Color ground) const;
-  /// Begins a picture in which the last triangle of a pixel counts alone, its colour kept bit for bit.
+  /// Begins a picture in which the last triangle of a pixel wins, with its colour kept bit for bit.
   void begin_ids() const;
   void draw(const Batch& batch, Depth depth) const;
   void draw(const TextBatch& text, const View& view) const;

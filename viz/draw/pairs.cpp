@@ -7,7 +7,8 @@
 namespace kerf {
 namespace {
 
-// An object so many times larger than its partner is met where it begins; no line goes to its middle.
+// The line to an object this many times larger than its partner ends where the object begins, not at its
+// middle.
 constexpr double kLarge = 3;
 constexpr double kLargeFixed = 1.5;
 

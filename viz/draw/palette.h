@@ -6,8 +6,8 @@
 #include "viz/draw/color.h"
 
 /// The colours of a frame. Categories are from Okabe and Ito's set, populations from the middle of viridis:
-/// both can be told apart with any kind of colour vision, on the light ground and in greyscale where it
-/// matters.
+/// both can be distinguished with any kind of colour vision, on the light ground and, where it matters, in
+/// greyscale.
 namespace kerf::palette {
 
 inline constexpr Color kGround{250, 250, 247};
@@ -23,7 +23,7 @@ inline constexpr Color kCandidate{213, 94, 0};     // vermillion, dashed
 inline constexpr Color kContact{20, 20, 20};       // black, solid, with a marker
 inline constexpr Color kOperator{204, 0, 120};     // a strong relative of reddish purple
 
-/// The lines of a plot, in the order in which they are easiest told apart: Okabe and Ito's set, black last.
+/// The lines of a plot, the easiest to distinguish first: Okabe and Ito's set, black last.
 inline constexpr std::array<Color, 8> kSeries{{{0, 114, 178},
                                                {213, 94, 0},
                                                {0, 158, 115},

@@ -8,10 +8,11 @@
 namespace kerf {
 namespace {
 
-/// The nearer the root, the wider.
+/// The nearer to the root, the wider.
 double line_width(std::uint32_t depth) { return std::max(1.1, 3.0 - 0.4 * depth); }
 
-/// Deeper partitioners are outlines only: hundreds of panes would be a fog, and cost more than all else.
+/// Deeper partitioners are outlines only: hundreds of panes would be a fog, and cost more than everything
+/// else.
 constexpr std::uint32_t kDeepestPane = 6;
 
 /// Many panes in a row must let the objects behind them through.
@@ -20,25 +21,32 @@ double pane_alpha(std::uint32_t leaves) { return std::clamp(0.45 / std::sqrt(1.0
 }  // namespace
 
 template <int D>
-void draw_partitioners(const DrawContext<D>& context, Batch& batch) {
-  const double alpha = pane_alpha(context.skeleton.leaves());
-  for (const NodeId id : context.skeleton.back_to_front(context.view.eye)) {
-    const auto& joint = context.skeleton[id];
-    if (joint.is_leaf()) continue;
-    context.begin(batch, DrawnKind::plane, id.value);
-    const Polygon polygon = partitioner_in_cell(context.skeleton, id, joint.plane, context.bounds);
-    const double width = line_width(joint.depth) * context.line_scale;
-    if constexpr (D == 2) {
-      if (!polygon.empty())
-        add_line(batch, context.view, polygon[0], polygon[1], {palette::kPartitioner, width});
-    } else {
-      if (joint.depth <= kDeepestPane)
-        add_polygon(batch, context.view, polygon, with_alpha(palette::kPartitioner, alpha));
-      add_outline(batch, context.view, polygon, {with_alpha(palette::kPartitioner, 0.55), 0.7 * width});
-    }
+void draw_partitioner(const DrawContext<D>& context, NodeId id, Batch& batch) {
+  const std::uint32_t depth = context.snapshot[id].depth;
+  const Polygon polygon = partitioner_in_cell(context.snapshot, id, context.bounds);
+  const double width = line_width(depth) * context.line_scale;
+  if constexpr (D == 2) {
+    if (!polygon.empty())
+      add_line(batch, context.view, polygon[0], polygon[1], {palette::kPartitioner, width});
+  } else {
+    const double alpha = pane_alpha(context.snapshot.leaves());
+    if (depth <= kDeepestPane)
+      add_polygon(batch, context.view, polygon, with_alpha(palette::kPartitioner, alpha));
+    add_outline(batch, context.view, polygon, {with_alpha(palette::kPartitioner, 0.55), 0.7 * width});
   }
 }
 
+template <int D>
+void draw_partitioners(const DrawContext<D>& context, Batch& batch) {
+  for (const NodeId id : back_to_front(context.snapshot, context.view.eye)) {
+    if (context.snapshot[id].is_leaf()) continue;
+    context.begin(batch, DrawnKind::plane, id.value);
+    draw_partitioner(context, id, batch);
+  }
+}
+
+template void draw_partitioner<2>(const DrawContext<2>&, NodeId, Batch&);
+template void draw_partitioner<3>(const DrawContext<3>&, NodeId, Batch&);
 template void draw_partitioners<2>(const DrawContext<2>&, Batch&);
 template void draw_partitioners<3>(const DrawContext<3>&, Batch&);
 

@@ -8,12 +8,12 @@
 
 namespace kerf {
 
-/// Objects as a recording knows them: boxes. Who is not there has no finite box and is not drawn, but has its
+/// The objects of a recording, as boxes. An absent object has no finite box and is not drawn, but keeps its
 /// place, since bodies are numbered as objects are.
 template <int D>
 std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects);
 
-/// How many of them are there and not fixed.
+/// The number of objects that are present and not fixed.
 template <int D>
 std::uint32_t count_moving(const ObjectTable<D>& objects);
 

@@ -18,7 +18,7 @@ struct SphereMesh {
   std::vector<Face> faces;
 };
 
-/// The mesh whose facets are just small enough not to be noticed for a ball of so many pixels.
+/// The coarsest mesh without visible facets for a ball of so many pixels.
 const SphereMesh& sphere_mesh_for(double radius_in_pixels);
 
 }  // namespace kerf

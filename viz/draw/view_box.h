@@ -3,17 +3,18 @@
 #include <optional>
 #include <span>
 
-#include "core/scene/scene.h"
+#include "viz/draw/box_of_interest.h"
 
 namespace kerf {
 
-/// What a sequence of frames shows: everything seen so far, without following single objects. It only grows,
-/// and then by more than is needed at once, so that the picture stands still most of the time.
+/// The view of a sequence of frames: everything seen so far, without following single objects. It only grows,
+/// each time by more than needed, so that the picture stands still most of the time.
 template <int D>
 class ViewBox {
  public:
-  /// Takes a frame's bodies in. Moving objects far outside of what is fixed are left to go: one that fell off
-  /// the edge must not shrink the rest to a dot.
+  explicit ViewBox(Framing framing = Framing::most) : framing_(framing) {}
+
+  /// Takes a frame's bodies in, as far as they are of interest.
   void update(std::span<const Body<D>> bodies);
   /// From now on exactly this box. Throws std::invalid_argument unless it is valid and not empty.
   void fix(const Box<D>& box);
@@ -21,6 +22,7 @@ class ViewBox {
   [[nodiscard]] Box<D> box() const;
 
  private:
+  Framing framing_;
   std::optional<Box<D>> box_;
   bool fixed_ = false;
 };

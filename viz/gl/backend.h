@@ -5,7 +5,7 @@
 
 namespace kerf {
 
-/// What draws without window or display. All give the same pixels; `any` is OSMesa, or EGL where OSMesa is
+/// How to draw without window or display. All give the same pixels; `any` is OSMesa, or EGL where OSMesa is
 /// missing.
 enum class GlBackend : std::uint8_t { any, osmesa, egl };
 std::string_view to_string(GlBackend backend);

@@ -10,9 +10,8 @@
 
 namespace kerf {
 
-/// With vectors of 256 bits llvmpipe drew a pixel of the references by one otherwise on a processor of Intel
-/// than on one of AMD; with 128 it draws them all. It reads the variable when a process makes its first
-/// context.
+/// With vectors of 256 bits llvmpipe drew one pixel of the references differently on processors of Intel and
+/// AMD; with 128 it draws them all alike. It reads the variable when a process makes its first context.
 std::unique_ptr<GlContext> make_offscreen_context(GlBackend backend) {
   setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0);
   if (backend == GlBackend::egl || (backend == GlBackend::any && !has_osmesa())) return make_egl_context();

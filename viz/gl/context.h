@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-/// An OpenGL 3.3 core context, whatever made it. What is drawn goes into our own framebuffer objects, never
-/// into the one that a context may bring along.
+/// An OpenGL 3.3 core context of any backend. Drawings go into our own framebuffer objects, never into the
+/// context's default one.
 class GlContext {
  public:
   GlContext() = default;
@@ -22,7 +22,7 @@ class GlContext {
   [[nodiscard]] virtual const GlFunctions& functions() const = 0;
   /// Driver and version, for reports.
   [[nodiscard]] virtual std::string description() const = 0;
-  /// What decides on pixels: the rasteriser and its version, however the context was made.
+  /// What decides the pixels: the rasteriser and its version, independent of the backend.
   [[nodiscard]] std::string rasterizer() const;
 };
 
@@ -30,8 +30,8 @@ class GlContext {
 /// what is missing. A process that forks must do so before the first context.
 std::unique_ptr<GlContext> make_offscreen_context(GlBackend backend = GlBackend::any);
 
-/// Lets malloc keep what the software rasteriser frees each frame (up to a fifth faster). It speaks for the
-/// whole process, so programs call it, libraries do not.
+/// Makes malloc keep the memory that the software rasteriser frees each frame (up to a fifth faster). It
+/// affects the whole process, so programs call it, libraries do not.
 void tune_allocator_for_rendering();
 
 }  // namespace kerf

@@ -18,8 +18,8 @@ namespace {
                            "apt-get install libegl1 libegl-mesa0)");
 }
 
-/// libEGL, loaded for the rest of the process: its drivers do not survive being unloaded. It is not linked,
-/// so that its GL and OSMesa's keep apart, and a machine without it has the rest.
+/// libEGL, loaded for the rest of the process: its drivers do not survive unloading. It is not linked, so
+/// that its GL and OSMesa's stay apart, and a machine without it has the rest.
 struct EglLibrary {
   PFNEGLGETPROCADDRESSPROC get_proc_address = nullptr;
   PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display = nullptr;
@@ -62,7 +62,7 @@ GlProcedure find_gl(const char* name) { return egl().get_proc_address(name); }
 class EglContext final : public GlContext {
  public:
   EglContext() {
-    // The pixels are promised to be OSMesa's, which a graphics card's are not.
+    // The pixels must be OSMesa's; a graphics card's are not.
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
     display_ = egl().get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display_ == EGL_NO_DISPLAY || egl().initialize(display_, nullptr, nullptr) == EGL_FALSE)
@@ -78,7 +78,7 @@ class EglContext final : public GlContext {
   }
   ~EglContext() override { destroy(); }
 
-  /// Without letting go first, EGL would believe that its context is current while OSMesa's is.
+  /// Without the release EGL would believe that its context is current while OSMesa's is.
   void make_current() override {
     egl().set_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (egl().set_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)

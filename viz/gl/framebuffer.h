@@ -5,8 +5,8 @@
 
 namespace kerf {
 
-/// Where a frame is drawn: colour and depth with one or several samples a pixel, resolved to one when read.
-/// The context that made it must be current in every call and when it dies.
+/// The target of a frame: colour and depth with one or several samples a pixel, resolved to one when read.
+/// Its context must be current in every call and when it dies.
 class Framebuffer {
  public:
   /// Throws std::runtime_error if the driver cannot make it.
@@ -17,7 +17,7 @@ class Framebuffer {
 
   /// Directs drawing here and covers all of it.
   void bind() const;
-  /// Copies what was drawn; row 0 of the buffer becomes the top row.
+  /// Copies the picture; row 0 of the buffer becomes the top row.
   void read(Image& image) const;
   /// Copies all of it into another one, its top left corner to (x, y); several samples become one.
   void copy_to(const Framebuffer& target, int x, int y) const;

@@ -66,7 +66,7 @@ namespace kerf {
   X(VERTEXATTRIBPOINTER, VertexAttribPointer)                       \
   X(VIEWPORT, Viewport)
 
-/// The one table through which GL is called, whatever made the context.
+/// The one table through which GL is called, whatever the context.
 struct GlFunctions {
 #define KERF_GL_MEMBER(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
   KERF_GL_FUNCTIONS(KERF_GL_MEMBER)
@@ -75,9 +75,8 @@ struct GlFunctions {
 
 using GlProcedure = void (*)();
 
-/// Fills the table by name. A loader may answer any name with a pointer, so the version of the context is
-/// what tells whether the functions exist: throws std::runtime_error if it is below 3.3 or a function is
-/// missing.
+/// Fills the table by name. A loader may answer any name with a pointer, so only the version of the context
+/// shows whether the functions exist: throws std::runtime_error if it is below 3.3 or a function is missing.
 GlFunctions load_gl_functions(GlProcedure (*find)(const char* name));
 
 /// Throws std::runtime_error naming `where` and the error if GL has recorded one since the last call.

@@ -1,6 +1,6 @@
 #include "viz/gl/osmesa_context.h"
 
-#include <GL/osmesa.h>  // after glcorearb.h, which would leave out half of its types
+#include <GL/osmesa.h>  // after glcorearb.h, which would otherwise leave out half of its types
 #include <dlfcn.h>
 
 #include <array>
@@ -16,9 +16,9 @@ namespace {
       "OSMesa: " + what + "; draw with --backend egl, or install it (on Debian: apt-get install libosmesa6)");
 }
 
-/// libOSMesa, loaded by who draws first and for the rest of the process; null if it cannot be. It is not
-/// linked, for it brings a compiler that takes longer to load than most commands of the program take, and a
-/// GL of its own.
+/// libOSMesa, loaded at the first drawing and for the rest of the process; null if it cannot be loaded. It is
+/// not linked, because it brings a compiler that takes longer to load than most commands of the program take,
+/// and a GL of its own.
 void* osmesa_library() {
   static void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
   return library;
@@ -86,7 +86,7 @@ class OsmesaContext final : public GlContext {
                                                    0,
                                                    0,
                                                    0};
-  // OSMesa wants a window buffer to be current; nothing is drawn into it.
+  // OSMesa needs a window buffer to be current; nothing is drawn into it.
   static constexpr int kSide = 4;
   std::array<std::uint8_t, 4 * kSide * kSide> buffer_{};
   OSMesaContext context_;

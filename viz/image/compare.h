@@ -26,11 +26,11 @@ struct DifferentPixel {
   std::array<std::uint8_t, 4> b{};
 };
 
-/// In which pixels two pictures differ.
+/// The pixels in which two pictures differ.
 struct PixelComparison {
   std::uint64_t different = 0;        ///< pixels
   int largest_step = 0;               ///< of one channel, 0 to 255
-  PixelBounds bounds;                 ///< of what differs
+  PixelBounds bounds;                 ///< of the pixels that differ
   std::vector<DifferentPixel> first;  ///< the first in reading order
   [[nodiscard]] bool same() const { return different == 0; }
 };

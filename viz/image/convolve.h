@@ -25,8 +25,8 @@ struct Channel {
   }
 };
 
-/// Correlates with the product of two kernels of odd length, one across and one down. Beyond the border lies
-/// what is on the border.
+/// Correlates with the product of two kernels of odd length, one across and one down. Pixels beyond the
+/// border equal those on it.
 Channel convolve(const Channel& channel, std::span<const float> across, std::span<const float> down);
 
 }  // namespace kerf

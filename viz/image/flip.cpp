@@ -37,7 +37,7 @@ struct Gaussian {
   double a, b;
 };
 
-constexpr double kWidest = 0.04;  // the b that decides how far the filters of all channels reach
+constexpr double kWidest = 0.04;  // the b that decides the reach of all channels' filters
 
 int csf_radius(double pixels_per_degree) {
   return static_cast<int>(
@@ -87,7 +87,7 @@ Opponents to_opponents(const Image& image, const PixelBounds& part) {
   return result;
 }
 
-/// What the eye resolves of the colours, in the space in which they are compared.
+/// The colours as far as the eye resolves them, in the space in which they are compared.
 std::vector<Triple> perceived_colors(const Opponents& picture, double pixels_per_degree) {
   constexpr std::array<Gaussian, 1> kAchromatic{{{1, 0.0047}}};
   constexpr std::array<Gaussian, 1> kRedGreen{{{1, 0.0053}}};
@@ -104,8 +104,8 @@ std::vector<Triple> perceived_colors(const Opponents& picture, double pixels_per
   return result;
 }
 
-/// Colour difference from 0 to 1: most of the range goes to what is below 40 % of the largest
-/// (section 4.1.4).
+/// Colour difference from 0 to 1: differences below 40 % of the largest get most of the range (section
+/// 4.1.4).
 double color_error(const Triple& a, const Triple& b) {
   constexpr double kPower = 0.7;
   constexpr double kKnee = 0.4;
@@ -175,8 +175,8 @@ Channel flip_errors(const Image& reference, const Image& test, double pixels_per
   const PixelComparison pixels = compare_pixels(reference, test, 0);
   Channel result(reference.width, reference.height);
   if (pixels.same()) return result;
-  // A pixel's error depends on what lies within the filters' reach. Two reaches around what differs, each
-  // pixel either has all that it depends on or sees no difference, and the rest is 0.
+  // A pixel's error depends on the pixels within the filters' reach. Within two reaches around the
+  // differences, each pixel either has all that it depends on or sees no difference, and the rest is 0.
   const int margin = 2 * std::max(csf_radius(pixels_per_degree), feature_radius(pixels_per_degree));
   const PixelBounds& seen = pixels.bounds;
   const PixelBounds part{std::max(0, seen.left - margin), std::max(0, seen.top - margin),

@@ -12,8 +12,8 @@ namespace kerf {
 inline constexpr double kFlipPixelsPerDegree = 67.02064327658226;
 
 /// LDR-FLIP (Andersson, Nilsson, Akenine-Moeller, Oskarsson, Astroem, Fairchild: "FLIP: A Difference
-/// Evaluator for Alternating Images", HPG 2020): for each pixel how much a person notices who sees the two
-/// pictures in turns, 0 to 1. What is transparent is laid over white. Throws std::invalid_argument if the
+/// Evaluator for Alternating Images", HPG 2020): how much a person notices at each pixel when the two
+/// pictures alternate, 0 to 1. Transparent pixels are laid over white. Throws std::invalid_argument if the
 /// sizes differ.
 Channel flip_errors(const Image& reference, const Image& test,
                     double pixels_per_degree = kFlipPixelsPerDegree);

@@ -20,14 +20,13 @@ void write_png(const std::filesystem::path& path, const Image& image);
 /// The bytes of that file.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
-/// Reads a PNG of any kind as RGBA. Throws std::runtime_error with the path and the reason (missing, not a
-/// PNG, truncated, damaged, larger than kMaxImageSide); memory is taken only after the size is known to be
-/// sane.
+/// Reads a PNG that is no more than its pixels. Throws std::runtime_error as `read_stored_picture` does, and
+/// for one of which RGBA of 8 bits would not be all: 16 bits a channel, colour profiles, animations.
 Image read_png(const std::filesystem::path& path);
 /// The same for a PNG in memory; errors call it `path`.
 Image read_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 
-/// Hash of the size and the decoded pixels: equal for equal pictures, however they were compressed.
+/// Hash of the size and the decoded pixels: equal for equal pictures, whatever their compression.
 std::uint64_t pixel_hash(const Image& image);
 
 }  // namespace kerf

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-/// What the reader and the writer of PNG files (W3C PNG, 3rd edition) share.
+/// The common part of the reader and the writer of PNG files (W3C PNG, 3rd edition).
 namespace kerf::png {
 
 inline constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};

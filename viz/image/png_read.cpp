@@ -1,46 +1,26 @@
-#include <libdeflate.h>
+#include <png.h>
 
 #include <algorithm>
-#include <bit>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include "viz/image/png.h"
+#include "viz/image/png_chunks.h"
 #include "viz/image/png_format.h"
-
-// The only user of stb_image: the implementation lives here.
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_NO_STDIO
-#define STBI_NO_LINEAR
-#define STBI_NO_HDR
-#define STBI_MAX_DIMENSIONS 16384
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
+#include "viz/image/stored_picture.h"
 
 namespace kerf {
 namespace {
 
-static_assert(STBI_MAX_DIMENSIONS == kMaxImageSide);
-
 using Bytes = std::span<const std::uint8_t>;
 
-constexpr std::size_t kMaxBytes = std::size_t{1}
-                                  << 30U;  // what stb_image can be given; a device may be endless
-
-[[noreturn]] void fail_reading(const std::filesystem::path& path, const std::string& reason) {
-  throw std::runtime_error("cannot read " + path.string() + ": " + reason);
-}
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30U;  // a device may be endless
 
 bool starts_like_png(Bytes bytes) {
   return bytes.size() >= png::kSignature.size() &&
@@ -53,87 +33,143 @@ std::vector<std::uint8_t> read_whole_file(const std::filesystem::path& path) {
     void operator()(std::FILE* f) const { std::fclose(f); }
   };
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) fail_reading(path, "it is a folder");
+  if (std::filesystem::is_directory(path, error)) fail_to_read_png(path, "it is a folder");
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-  if (file == nullptr) fail_reading(path, std::generic_category().message(errno));
+  if (file == nullptr) fail_to_read_png(path, std::generic_category().message(errno));
   std::vector<std::uint8_t> bytes;
   std::vector<std::uint8_t> block(1U << 16U);
   while (const std::size_t count = std::fread(block.data(), 1, block.size(), file.get())) {
     bytes.insert(bytes.end(), block.begin(), block.begin() + static_cast<std::ptrdiff_t>(count));
-    if (!starts_like_png(bytes)) fail_reading(path, "it is not a PNG");
+    if (!starts_like_png(bytes)) fail_to_read_png(path, "it is not a PNG");
     if (bytes.size() > kMaxBytes) break;
   }
-  if (std::ferror(file.get()) != 0) fail_reading(path, std::generic_category().message(errno));
+  if (std::ferror(file.get()) != 0) fail_to_read_png(path, std::generic_category().message(errno));
   return bytes;
 }
 
-std::uint32_t read_u32(const std::uint8_t* p) {
-  return std::uint32_t{p[0]} << 24U | std::uint32_t{p[1]} << 16U | std::uint32_t{p[2]} << 8U | p[3];
+/// libpng at work on bytes in memory. It leaves its functions by longjmp when it finds a fault, so the two
+/// below that call it own nothing: all that lives longer is here.
+class Decoder {
+ public:
+  explicit Decoder(Bytes bytes)
+      : bytes_(bytes),
+        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_fault, on_warning)),
+        info_(png_create_info_struct(png_)) {
+    if (info_ == nullptr) throw std::bad_alloc();
+  }
+  ~Decoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
+
+  /// False if the file is damaged, see `fault`.
+  bool read_header() {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT(cert-err52-cpp): libpng's way
+    png_set_read_fn(png_, this, give_bytes);
+    png_set_user_limits(png_, kMaxImageSide, kMaxImageSide);
+    png_set_benign_errors(png_, 0);
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr,
+                                -1);  // `walk_png_chunks` has seen them
+    png_read_info(png_, info_);
+    ask_for_rgba();
+    png_read_update_info(png_, info_);
+    return true;
+  }
+  bool read_rows(png_bytepp rows) {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT(cert-err52-cpp): libpng's way
+    png_read_image(png_, rows);
+    png_read_end(png_, nullptr);
+    return fault_.empty();
+  }
+
+  [[nodiscard]] int width() const { return static_cast<int>(png_get_image_width(png_, info_)); }
+  [[nodiscard]] int height() const { return static_cast<int>(png_get_image_height(png_, info_)); }
+  [[nodiscard]] std::size_t row_bytes() const { return png_get_rowbytes(png_, info_); }
+  [[nodiscard]] bool is_deep() const { return png_get_bit_depth(png_, info_) == 16; }
+  /// What libpng said first.
+  [[nodiscard]] const std::string& fault() const { return fault_; }
+
+ private:
+  void ask_for_rgba() {
+    const bool is_deep = png_get_bit_depth(png_, info_) == 16;
+    png_set_expand(png_);
+    png_set_gray_to_rgb(png_);
+    png_set_add_alpha(png_, is_deep ? 0xffffU : 0xffU, PNG_FILLER_AFTER);
+    png_set_interlace_handling(png_);
+  }
+  static Decoder& self(png_structp png) { return *static_cast<Decoder*>(png_get_error_ptr(png)); }
+  static void give_bytes(png_structp png, png_bytep out, std::size_t count) {
+    Bytes& bytes = static_cast<Decoder*>(png_get_io_ptr(png))->bytes_;
+    if (count > bytes.size()) png_error(png, "the file ends too early");
+    std::memcpy(out, bytes.data(), count);
+    bytes = bytes.subspan(count);
+  }
+  /// What libpng would only warn of, more pixels than there is room for, would not be looked at.
+  static void on_warning(png_structp png, png_const_charp what) {
+    if (self(png).fault_.empty()) self(png).fault_ = what;
+  }
+  [[noreturn]] static void on_fault(png_structp png, png_const_charp what) {
+    on_warning(png, what);
+    png_longjmp(png, 1);
+  }
+
+  Bytes bytes_;
+  std::string fault_;
+  png_structp png_;
+  png_infop info_;
+};
+
+std::vector<png_bytep> rows_of(std::vector<std::uint8_t>& pixels, std::size_t row_bytes) {
+  std::vector<png_bytep> rows;
+  for (std::size_t at = 0; at < pixels.size(); at += row_bytes) rows.push_back(pixels.data() + at);
+  return rows;
 }
 
-void check_header(const std::filesystem::path& path, const std::uint8_t* header, std::size_t compressed) {
-  const std::uint32_t width = read_u32(header);
-  const std::uint32_t height = read_u32(header + 4);
-  if (width == 0 || height == 0 || width > kMaxImageSide || height > kMaxImageSide) {
-    fail_reading(path, "an image of " + std::to_string(width) + "x" + std::to_string(height) +
-                           " pixels; 1 to " + std::to_string(kMaxImageSide) + " a side can be read");
+/// Channels of 16 bits, the upper byte first, into two of 8.
+void part_halves(const std::vector<std::uint8_t>& pixels, StoredPicture& picture) {
+  picture.image.rgba.resize(pixels.size() / 2);
+  picture.lower.resize(pixels.size() / 2);
+  for (std::size_t i = 0; i < picture.lower.size(); ++i) {
+    picture.image.rgba[i] = pixels[2 * i];
+    picture.lower[i] = pixels[2 * i + 1];
   }
-  // Deflate shrinks at most 1032 times: what promises more pixels than its data can hold is not believed.
-  constexpr std::uint64_t kDeflateLimit = 1032;
-  const std::uint64_t least_bytes = std::uint64_t{height} * (1 + width * std::uint64_t{header[8]} / 8);
-  if (least_bytes > kDeflateLimit * (compressed + 1))
-    fail_reading(path, "it has fewer pixels than it claims");
-}
-
-/// Walks the chunks: they must be whole, undamaged, begin with a header that can be true and end with IEND.
-void check_chunks(const std::filesystem::path& path, Bytes bytes) {
-  const auto truncated = [&path, &bytes] {
-    fail_reading(path, "the file is truncated (it ends after " + std::to_string(bytes.size()) + " bytes)");
-  };
-  constexpr std::size_t kFrame = 12;  // length, type and checksum of a chunk
-  std::size_t at = png::kSignature.size();
-  std::size_t compressed = 0;
-  const std::uint8_t* header = nullptr;
-  for (bool end = false; !end;) {
-    if (bytes.size() - at < kFrame) truncated();
-    const std::uint8_t* chunk = bytes.data() + at;
-    const std::size_t length = read_u32(chunk);
-    if (length > bytes.size() - at - kFrame) truncated();
-    const std::string type(chunk + 4, chunk + 8);
-    if (read_u32(chunk + 8 + length) != libdeflate_crc32(0, chunk + 4, length + 4))
-      fail_reading(path, "it is damaged (checksum of chunk " + type + " at byte " + std::to_string(at) + ")");
-    if (header == nullptr) {
-      if (type != "IHDR" || length != 13) fail_reading(path, "it does not begin with a PNG header");
-      header = chunk + 8;
-    }
-    // Allowed, but no program writes it, and stb_image copies it to nowhere.
-    if (type == "IDAT" && length == 0) fail_reading(path, "a chunk of its picture data is empty");
-    if (type == "IDAT") compressed += length;
-    end = type == "IEND";
-    at += kFrame + length;
-  }
-  check_header(path, header, compressed);
 }
 
 }  // namespace
 
+StoredPicture read_stored_picture(const std::filesystem::path& path) {
+  return read_stored_picture(read_whole_file(path), path);
+}
+
+StoredPicture read_stored_picture(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
+  if (bytes.empty()) fail_to_read_png(path, "the file is empty");
+  if (bytes.size() > kMaxBytes) fail_to_read_png(path, "the file is too long for a PNG");
+  if (!starts_like_png(bytes)) fail_to_read_png(path, "it is not a PNG");
+  StoredPicture picture;
+  picture.chunks = walk_png_chunks(bytes, path);
+  Decoder decoder(bytes);
+  const auto damaged = [&] { fail_to_read_png(path, "it is damaged (" + decoder.fault() + ")"); };
+  if (!decoder.read_header()) damaged();
+  picture.image.width = decoder.width();
+  picture.image.height = decoder.height();
+  std::vector<std::uint8_t> pixels(decoder.row_bytes() * static_cast<std::size_t>(decoder.height()));
+  if (!decoder.read_rows(rows_of(pixels, decoder.row_bytes()).data())) damaged();
+  if (decoder.is_deep()) {
+    part_halves(pixels, picture);
+  } else {
+    picture.image.rgba = std::move(pixels);
+  }
+  return picture;
+}
+
 Image read_png(const std::filesystem::path& path) { return read_png(read_whole_file(path), path); }
 
 Image read_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-  if (bytes.empty()) fail_reading(path, "the file is empty");
-  if (bytes.size() > kMaxBytes) fail_reading(path, "the file is too long for a PNG");
-  if (!starts_like_png(bytes)) fail_reading(path, "it is not a PNG");
-  check_chunks(path, bytes);
-  Image image;
-  struct Free {
-    void operator()(stbi_uc* p) const { stbi_image_free(p); }
-  };
-  int channels = 0;
-  const std::unique_ptr<stbi_uc, Free> pixels(stbi_load_from_memory(
-      bytes.data(), static_cast<int>(bytes.size()), &image.width, &image.height, &channels, 4));
-  if (pixels == nullptr) fail_reading(path, std::string("it is damaged (") + stbi_failure_reason() + ")");
-  image.rgba.assign(pixels.get(), pixels.get() + image.stride() * static_cast<std::size_t>(image.height));
-  return image;
+  StoredPicture picture = read_stored_picture(bytes, path);
+  if (!picture.lower.empty()) fail_to_read_png(path, "its channels have 16 bits; give it 8");
+  if (!picture.chunks.empty())
+    fail_to_read_png(path, "its chunk " + picture.chunks.front().type +
+                               " makes more of it than its pixels say; save it without");
+  return std::move(picture.image);
 }
 
 }  // namespace kerf

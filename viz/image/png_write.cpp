@@ -41,8 +41,8 @@ bool is_opaque(const Image& image) {
   return channels[3] == 255;
 }
 
-/// Bytes that are written before they are read: a vector would first fill them with zeros, which takes as
-/// long as the half of compressing them.
+/// Uninitialised bytes: a vector would first fill them with zeros, which takes half as long as compressing
+/// them.
 struct RawBytes {
   explicit RawBytes(std::size_t count)
       : data(std::make_unique_for_overwrite<std::uint8_t[]>(count)), size(count) {}
@@ -50,7 +50,7 @@ struct RawBytes {
   std::size_t size;
 };
 
-/// Rows as PNG wants them: a filter byte and the pixels. The filter is "none": on our flat drawings the
+/// Rows as PNG stores them: a filter byte and the pixels. The filter is "none": on our flat drawings the
 /// compressor is faster without one, and its files are smaller.
 RawBytes unfiltered_rows(const Image& image, std::size_t channels) {
   const auto width = static_cast<std::size_t>(image.width);
@@ -64,7 +64,7 @@ RawBytes unfiltered_rows(const Image& image, std::size_t channels) {
       out += 4 * width;
       continue;
     }
-    // Four bytes at a time, of which the next pixel overwrites the last; it may not lie beyond the row.
+    // Four bytes at a time, the last of which the next pixel overwrites; it must not lie beyond the row.
     for (std::size_t x = 0; x + 1 < width; ++x, pixel += 4, out += 3) std::memcpy(out, pixel, 4);
     std::memcpy(out, pixel, 3);
     out += 3;
@@ -84,7 +84,7 @@ RawBytes compress(RawBytes& bytes) {
   stream.end_of_stream = 1;
   stream.next_in = bytes.data.get();
   stream.avail_in = static_cast<std::uint32_t>(bytes.size);
-  // Bytes that do not shrink are stored, in blocks of less than 64 kB with five bytes each.
+  // Incompressible bytes are stored, in blocks of less than 64 kB with five bytes each.
   RawBytes result(bytes.size + bytes.size / 4096 + 4096);
   stream.next_out = result.data.get();
   stream.avail_out = static_cast<std::uint32_t>(result.size);
@@ -105,7 +105,7 @@ void append_chunk(std::vector<std::uint8_t>& out, std::string_view type, std::sp
   append_u32(out, libdeflate_crc32(0, out.data() + start, out.size() - start));
 }
 
-/// Writes, flushes and closes; returns 0 or the errno of what failed first.
+/// Writes, flushes and closes; returns 0 or the errno of the first failure.
 int write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
   std::FILE* file = std::fopen(path.c_str(), "wb");
   if (file == nullptr) return errno;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t kAttractors = 8;
 constexpr double kPairsInClouds = 4;
 constexpr double kSpeed = 0.3;            ///< root of the mean square along an axis, in usual extents a step
-constexpr std::uint32_t kFaithful = 500;  ///< steps between changes of attractor, in the mean
+constexpr std::uint32_t kFaithful = 500;  ///< steps between changes of attractor, on average
 
 /// The Langevin equation in a harmonic well: objects swirl and settle into a Gaussian cloud. A cloud of m
 /// boxes of extent 1 and deviation s has m * 2^(D-1) / ((4 pi)^(D/2) s^D) pairs an object, which gives s.

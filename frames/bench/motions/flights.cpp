@@ -75,7 +75,7 @@ class MostlyStatic final : public Scattered<D> {
     constexpr std::uint32_t kOneIn = 20;
     return this->moving_ / kOneIn;
   }
-  /// One in 64 of those that are awake changes places with one that rests.
+  /// One in 64 of the awake objects changes places with a resting one.
   void change_guard() {
     constexpr std::uint32_t kOneIn = 64;
     const std::uint32_t resting = this->moving_ - awake();
@@ -85,7 +85,7 @@ class MostlyStatic final : public Scattered<D> {
     }
   }
 
-  std::vector<ObjectId> order_;  ///< those that are awake come first
+  std::vector<ObjectId> order_;  ///< the awake ones come first
 };
 
 }  // namespace

@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-/// A floor of square cells, each with a stack of objects: sand that is piled by a cheap rule. A cell may be a
-/// wall, on which nothing comes to rest. Cells are along the horizontal axes: one in 2D, two in 3D.
+/// A floor of square cells, each with a stack of objects: a cheap model of sand. A cell may be a wall, on
+/// which nothing comes to rest. Cells are along the horizontal axes: one in 2D, two in 3D.
 class Heap {
  public:
   using Cell = std::uint32_t;
@@ -31,12 +31,12 @@ class Heap {
 
   /// The lowest neighbour of a cell if the way there is steeper than sand allows.
   [[nodiscard]] std::optional<Cell> downhill(Cell cell) const;
-  /// Some neighbour that is no wall and not higher, if the one that was drawn is such.
+  /// A random neighbour, unless it is a wall or higher.
   [[nodiscard]] std::optional<Cell> sideways(Cell cell, Random& random) const;
 
   /// Puts an object of that thickness on top of a cell.
   void put(Cell cell, std::uint32_t object, float thickness);
-  /// Takes the topmost object of a cell away, if there is one.
+  /// Takes the topmost object off a cell, if there is one.
   std::optional<std::uint32_t> take(Cell cell);
 
  private:
@@ -44,7 +44,7 @@ class Heap {
     std::uint32_t object;
     float thickness;
   };
-  /// The neighbour in direction 0 to 2 * horizontal - 1, if there is one that is no wall.
+  /// The neighbour in direction 0 to 2 * horizontal - 1, unless it is a wall or outside.
   [[nodiscard]] std::optional<Cell> neighbour(Cell cell, int direction) const;
 
   std::uint32_t width_;

@@ -10,7 +10,7 @@ namespace {
 template <int D>
 constexpr Scalar kSpacing = D == 2 ? 0.6F : 0.95F;
 constexpr Scalar kTouch =
-    0.95F;  ///< of its extent: what an object adds to a column; boxes of neighbours overlap
+    0.95F;  ///< of its extent: the height that an object adds to a column; boxes of neighbours overlap
 constexpr Scalar kGravity = 0.01F;      ///< usual extents a step and step
 constexpr Scalar kFastest = 0.5F;       ///< usual extents a step
 constexpr Scalar kGlide = 0.3F;         ///< sideways, usual extents a step
@@ -115,7 +115,7 @@ void Pile<D>::fill() {
     this->boxes_[k] = this->around(grains_[k].place, grains_[k].half);
 }
 
-/// Around a spout, by a sum of uniform numbers that looks like a Gaussian; else anywhere.
+/// Around a spout, by a sum of uniform numbers that approximates a Gaussian; else anywhere.
 template <int D>
 Heap::Cell Pile<D>::drop_cell() {
   if (spouts_.empty()) return heap_.random_cell(this->random_);
@@ -171,7 +171,7 @@ void Pile<D>::lift_another() {
   }
 }
 
-/// Down and towards the aim; on from there if the slope is steep; to rest if it is not.
+/// Down and towards the aim; farther down if the slope is steep; to rest if it is not.
 template <int D>
 void Pile<D>::fall(std::uint32_t object) {
   Grain& grain = grains_[object];

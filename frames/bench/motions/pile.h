@@ -7,16 +7,16 @@
 
 namespace kerf {
 
-/// How a pile begins and what goes on in it.
+/// The beginning and the motion of a pile.
 struct PileRules {
-  double in_air = 0;                ///< share of the objects that falls
+  double in_air = 0;                ///< share of the objects that fall
   std::uint32_t heaps = 0;          ///< objects come down around so many points; 0: evenly
   std::uint32_t buckets = 0;        ///< along each horizontal axis; 0: none
   std::uint32_t slides_one_in = 0;  ///< objects for each that slides a step; 0: none slides
 };
 
-/// Objects that fall, come to rest on a heap and stir there. The last axis is up. It is no physics, but looks
-/// like a pile to a broad phase: columns of touching boxes, slopes, a loose rain above, small motion below.
+/// Objects that fall, come to rest on a heap and stir there. The last axis is up. It is no physics, but has
+/// what matters to a broad phase: columns of touching boxes, slopes, a loose rain above, small motion below.
 template <int D>
 class Pile final : public Motion<D> {
  public:
@@ -29,7 +29,7 @@ class Pile final : public Motion<D> {
     Vector<D> half;
     Vector<D> place;  ///< the centre, but for the stirring when at rest
     Vector<D> stir;
-    Vector<D> goal;       ///< over which point it will come down
+    Vector<D> goal;       ///< the point above which it will come down
     Heap::Cell cell = 0;  ///< on which it rests or to which it falls
     Scalar speed = 0;
     bool rests = true;
@@ -53,7 +53,7 @@ class Pile final : public Motion<D> {
   PileRules rules_;
   Heap heap_;
   Scalar top_ = 0;      ///< where the rain begins
-  Scalar ceiling_ = 0;  ///< and from where
+  Scalar ceiling_ = 0;  ///< and its end
   std::vector<Grain> grains_;
   std::vector<std::uint32_t> falling_;
   std::vector<Vector<D>> spouts_;

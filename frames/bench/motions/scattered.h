@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// The way of those that move by most of a size in each step, in usual extents.
+/// The distance that most of these objects move in each step, in usual extents.
 inline constexpr double kStride = 0.75;
 
 /// Boxes scattered evenly in a cube.

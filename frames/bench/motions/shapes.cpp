@@ -35,7 +35,7 @@ class Rods final : public Flight<D> {
   }
 
  private:
-  /// The extent of cubes that would meet as often: two rods are parallel, or cross.
+  /// The extent of cubes with as many pairs: two rods are parallel, or cross.
   static double like_cubes() {
     const double parallel = 2 * kLength * std::pow(2 * kThickness, D - 1);
     const double crossed = std::pow(kLength + kThickness, 2) * std::pow(2 * kThickness, D - 2);

@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-/// As tests/hard/report writes them, in the order of the colours of plots: what does not apply is grey.
+/// In the order of tests/hard/report and of the colours of plots; inapplicable cells are grey.
 constexpr std::array kVerdicts{"exact", "extra", "twice", "broken", "missed", "time-out", "n.a.", "crash"};
 constexpr int kNotApplicable = 6;
 

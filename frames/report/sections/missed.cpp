@@ -19,7 +19,7 @@ const std::vector<TableColumn> kColumns{{"setting", "setting"},
                                         {"extra %", "extra_share", 1, 100},
                                         {"true pairs", "true_pairs"}};
 
-/// What to set, by scene: the fastest that is never wrong, and the fastest that is nearly never.
+/// Recommended settings by scene: the fastest that is never wrong, and the fastest that is nearly never.
 Json recommend(const MotionCell& motion, const Json& rows) {
   constexpr double kNearlyNone = 0.1;  // percent
   Json exact = recommended_within(rows, kTrade, 0);

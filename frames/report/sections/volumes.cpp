@@ -66,7 +66,7 @@ std::vector<Cell> cells(const ReportRequest& request) {
   return all;
 }
 
-/// The volumes of each kind of bricks stand on a front of their own.
+/// The volumes of each kind of bricks have a Pareto front of their own.
 void write_dimension(int dimension, const ReportRequest& request, const CellStore& store, Page& page) {
   Plot plot{"bounding volumes in " + std::to_string(dimension) + "D: time against candidates per contact",
             kTrade.error_label,

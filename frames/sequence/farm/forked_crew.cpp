@@ -14,7 +14,7 @@
 namespace kerf {
 namespace {
 
-/// A worker has the next frame at hand when it ends one.
+/// A worker has its next frame at hand when it finishes one.
 constexpr std::size_t kAhead = 2;
 constexpr int kMostLosses = 2;
 constexpr std::size_t kLeastParcel = std::size_t{8} << 20U;
@@ -69,7 +69,7 @@ void ForkedCrew::rethrow() const {
 
 void ForkedCrew::wake() const {
   const std::uint64_t one = 1;
-  // A counter that is full wakes as well.
+  // A full counter wakes the thread as well.
   [[maybe_unused]] const ssize_t ignored = ::write(wake_, &one, sizeof one);
 }
 
@@ -100,7 +100,7 @@ void ForkedCrew::add(FrameOrder order) {
   wake();
 }
 
-/// The thread's whole life. Workers are fed and heard here alone.
+/// The thread's main loop. Only this thread talks to workers.
 void ForkedCrew::run() {
   while (hand_out()) {
     wait_for_news();
@@ -138,7 +138,7 @@ std::optional<std::size_t> ForkedCrew::idlest_worker() const {
   return best;
 }
 
-/// One that has died is found out when its socket is read.
+/// If the worker has died, the read from its socket shows it.
 void ForkedCrew::hand_to(std::size_t worker, std::uint64_t ticket, Task& task) {
   WorkerOrder order;
   order.ticket = ticket;
@@ -188,7 +188,7 @@ void ForkedCrew::finish_task(const WorkerReply& reply) {
   task.image = {reply.width, reply.height, {pixels.begin(), pixels.end()}};
 }
 
-/// What a worker was at, of all that it has; null if it has nothing.
+/// The task that a worker was doing, of all that it has; null if it has none.
 ForkedCrew::Task* ForkedCrew::task_at_hand(std::size_t worker) {
   Task* first = nullptr;
   for (auto& [ticket, task] : tasks_)
@@ -197,7 +197,8 @@ ForkedCrew::Task* ForkedCrew::task_at_hand(std::size_t worker) {
   return first;
 }
 
-/// Its parcels are still in their slots: the pixels come behind them. Only what it was at may be to blame.
+/// The worker's parcels are still in their slots: the pixels come behind them. Only the task that it was
+/// doing may be to blame.
 void ForkedCrew::bury(std::size_t worker) {
   const std::string end = "a process that draws " + workers_[worker].end();
   const std::lock_guard lock(mutex_);
@@ -239,7 +240,7 @@ void ForkedCrew::deliver_finished(bool with_gaps) {
   }
 }
 
-/// The first one counts. The lock is held.
+/// The first error counts. The lock is held.
 void ForkedCrew::note_error(const std::exception_ptr& error) {
   if (!error_) error_ = error;
   changed_.notify_all();

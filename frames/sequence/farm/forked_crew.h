@@ -16,13 +16,13 @@ namespace kerf {
 
 /// Frames drawn by forked processes, each of which draws and writes its own, while this process simulates.
 ///
-/// At most two frames a worker, and two more, are on their way, whatever disk and film encoder do. The frames
-/// of a worker that dies are drawn by the others; a frame that two workers died of is an error. To be made
-/// before this process has threads or GL.
+/// At most two frames a worker, and two more, are in flight, however slow disk and film encoder are. If a
+/// worker dies, the others draw its frames; a frame that killed two workers is an error. Construct it before
+/// this process has threads or GL.
 class ForkedCrew final : public FrameCrew {
  public:
-  /// `image_bytes`: of the largest picture that will be wanted back. Throws std::runtime_error if there
-  /// cannot be so many processes or so much memory.
+  /// `image_bytes`: of the largest picture whose pixels come back. Throws std::runtime_error if the system
+  /// refuses so many processes or so much memory.
   ForkedCrew(int workers, std::size_t image_bytes, const StartFrameMaker& start, Deliver deliver);
   ~ForkedCrew() override;
 
@@ -35,7 +35,7 @@ class ForkedCrew final : public FrameCrew {
     std::uint32_t slot = 0;
     std::size_t parcel_bytes = 0;
     int worker = -1;         ///< that has it; -1: it waits
-    std::uint64_t turn = 0;  ///< in which order tasks were handed out: a worker does them in that order
+    std::uint64_t turn = 0;  ///< a worker does its tasks in the order of their turns
     int losses = 0;          ///< workers that died while they did it
     bool done = false;
     Image image;
@@ -63,7 +63,7 @@ class ForkedCrew final : public FrameCrew {
   Deliver deliver_;
   int wake_ = -1;  ///< an eventfd that ends the thread's wait
 
-  mutable std::mutex mutex_;  ///< guards what follows; tasks that are handed out belong to the thread
+  mutable std::mutex mutex_;  ///< guards the members below; tasks at a worker belong to the thread
   std::condition_variable changed_;
   std::vector<std::uint32_t> free_slots_;
   std::map<std::uint64_t, Task> tasks_;  ///< by ticket: not yet delivered
@@ -72,7 +72,7 @@ class ForkedCrew final : public FrameCrew {
   std::uint64_t next_turn_ = 0;
   bool closed_ = false;
   std::exception_ptr error_;
-  std::thread thread_;  ///< last: it starts when everything else is there
+  std::thread thread_;  ///< last: it starts when everything else exists
 };
 
 }  // namespace kerf

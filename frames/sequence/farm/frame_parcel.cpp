@@ -4,12 +4,13 @@
 #include <map>
 #include <utility>
 
+#include "core/base/overloaded.h"
 #include "frames/support/raw_bytes.h"
 
 namespace kerf {
 namespace {
 
-/// A body without what its shape has of variable length.
+/// A body without the parts of its shape that have variable length.
 template <int D>
 struct FlatBody {
   std::uint32_t shape = 0;  ///< index in the variant
@@ -27,18 +28,18 @@ class BodyPacker {
   void add(const Body<D>& body) {
     FlatBody<D> flat{
         static_cast<std::uint32_t>(body.shape.index()), 0, 0, {}, body.pose, body.box, body.mobility};
-    if (const auto* ball = std::get_if<Ball>(&body.shape)) flat.size[0] = ball->radius;
-    if (const auto* brick = std::get_if<Brick<D>>(&body.shape)) flat.size = brick->half;
-    if constexpr (D == 2) {
-      if (const auto* outline = std::get_if<Outline>(&body.shape)) {
-        flat.first = static_cast<std::uint32_t>(corners_.size());
-        flat.count = static_cast<std::uint32_t>(outline->corners.size());
-        corners_.insert(corners_.end(), outline->corners.begin(), outline->corners.end());
-      }
-    } else {
-      if (const auto* surface = std::get_if<std::shared_ptr<const Surface>>(&body.shape))
-        flat.first = index_of(surface->get());
-    }
+    std::visit(
+        Overloaded{
+            [&](const Ball& ball) { flat.size[0] = ball.radius; },
+            [&](const Brick<D>& brick) { flat.size = brick.half; },
+            [&](const Outline& outline) {
+              flat.first = static_cast<std::uint32_t>(corners_.size());
+              flat.count = static_cast<std::uint32_t>(outline.corners.size());
+              corners_.insert(corners_.end(), outline.corners.begin(), outline.corners.end());
+            },
+            [&](const std::shared_ptr<const Surface>& surface) { flat.first = index_of(surface.get()); },
+        },
+        body.shape);
     bodies_.push_back(flat);
   }
 
@@ -166,9 +167,12 @@ Highlight read_highlight(RawReader& in) {
 template <int D>
 void write(RawWriter& out, const FramePlan<D>& plan) {
   out.put(plan.bounds);
+  out.put(plan.outside);
+  out.put(plan.tells_outside);
   out.put(plan.has_tree);
-  out.put(plan.skeleton.root());
-  out.put_list(plan.skeleton.joints());
+  out.put(plan.snapshot.root());
+  out.put_list(plan.snapshot.nodes());
+  out.put_list(plan.snapshot.planes());
   out.put_list(std::span<const Placement>(plan.placements));
   out.put(plan.highlights.size());
   for (const Highlight& highlight : plan.highlights) write(out, highlight);
@@ -181,9 +185,12 @@ template <int D>
 FramePlan<D> read_plan(RawReader& in) {
   FramePlan<D> plan;
   plan.bounds = in.get<Box<D>>();
+  plan.outside = in.get<std::uint32_t>();
+  plan.tells_outside = in.get<bool>();
   plan.has_tree = in.get<bool>();
   const auto root = in.get<NodeId>();
-  plan.skeleton.assign(root, in.get_list<typename Skeleton<D>::Joint>());
+  auto nodes = in.get_list<TreeSnapshot::Node>();
+  plan.snapshot.assign(root, std::move(nodes), in.get_list<Plane<D>>());
   plan.placements = in.get_list<Placement>();
   plan.highlights.resize(in.get<std::size_t>());
   for (Highlight& highlight : plan.highlights) highlight = read_highlight(in);

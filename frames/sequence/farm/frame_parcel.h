@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// All that is drawn in one frame, apart from the simulation that it comes from.
+/// The content of one frame, independent of the simulation.
 template <int D>
 struct FrameParcel {
   std::vector<Body<D>> bodies;
@@ -17,11 +17,11 @@ struct FrameParcel {
   Caption caption;
   FramePlan<D> plan;
 
-  /// What a renderer is given together with `plan`.
+  /// The renderer's input beside `plan`.
   [[nodiscard]] FrameInput<D> input() const { return {bodies, nullptr, pairs, contacts, {}, caption}; }
 };
 
-/// For another process of the same program.
+/// Serialises it for another process of the same program.
 template <int D>
 std::vector<std::uint8_t> pack(const FrameInput<D>& input, const FramePlan<D>& plan);
 /// Throws std::runtime_error if the bytes end too soon.

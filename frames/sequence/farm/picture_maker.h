@@ -5,8 +5,8 @@
 
 namespace kerf {
 
-/// Draws the frames of a request into its folder. GL starts here. Throws UsageError for a camera or a size
-/// that cannot be, std::runtime_error if nothing can be drawn.
+/// Draws the frames of a request into its folder. GL starts here. Throws UsageError for an impossible camera
+/// or size, std::runtime_error if drawing fails.
 std::unique_ptr<FrameMaker> make_picture_maker(const RenderRequest& request);
 
 }  // namespace kerf

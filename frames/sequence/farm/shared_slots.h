@@ -8,11 +8,10 @@
 
 namespace kerf {
 
-/// Memory shared with the processes that will be forked, cut into slots of equal size. What is never used
-/// takes none.
+/// Memory shared with processes forked later, cut into slots of equal size. Unused pages take no memory.
 class SharedSlots {
  public:
-  /// Each has at least `least_bytes`, and much more if the system lets it. Throws std::runtime_error.
+  /// Each slot has at least `least_bytes`, and much more if the system allows. Throws std::runtime_error.
   SharedSlots(std::size_t count, std::size_t least_bytes);
   ~SharedSlots();
   SharedSlots(const SharedSlots&) = delete;

@@ -52,7 +52,7 @@ WorkerReply work_on(const WorkerOrder& order, FrameMaker& maker, SlotMemory slot
   return reply;
 }
 
-/// The child's whole life. An error ends the frame, not the worker: the parent decides what follows.
+/// The child's main loop. An error ends the frame, not the worker: the parent decides what follows.
 void serve(int socket, const StartFrameMaker& start, std::span<const SlotMemory> slots) {
   std::unique_ptr<FrameMaker> maker;
   while (const auto order = receive_message<WorkerOrder>(socket)) {
@@ -72,8 +72,8 @@ void serve(int socket, const StartFrameMaker& start, std::span<const SlotMemory>
   }
 }
 
-/// An interrupt is often told to the whole group; what it means is the parent's to decide. Each worker keeps
-/// one core busy by itself: the rasteriser's own threads would only be in each other's way.
+/// Ctrl-C reaches the whole process group; only the parent acts on it. Each worker keeps one core busy by
+/// itself: the rasteriser's own threads would only get in each other's way.
 void settle_in_child() {
   signal(SIGINT, SIG_IGN);
   signal(SIGTERM, SIG_IGN);

@@ -16,7 +16,7 @@ namespace kerf {
 /// pixels on their way back.
 using SlotMemory = std::span<std::uint8_t>;
 
-/// What a worker is told, in one message.
+/// The order to a worker, in one message.
 struct WorkerOrder {
   std::uint64_t ticket = 0;
   std::uint32_t slot = 0;
@@ -27,7 +27,7 @@ struct WorkerOrder {
   char file[256]{};
 };
 
-/// What it answers.
+/// The worker's reply.
 struct WorkerReply {
   std::uint64_t ticket = 0;
   std::uint64_t pixel_hash = 0;
@@ -37,11 +37,12 @@ struct WorkerReply {
   char trouble[1024]{};
 };
 
-/// A forked process that draws. It ends by itself when this end of its socket is closed, even by our death.
+/// A forked process that draws. It ends by itself when this end of its socket closes, even by the death of
+/// this process.
 class Worker {
  public:
-  /// `elder` ends of sockets, which the child must not keep open. Throws std::runtime_error if there can be
-  /// no more processes.
+  /// `elder`: ends of sockets that the child must not keep open. Throws std::runtime_error if the system
+  /// refuses another process.
   Worker(const StartFrameMaker& start, std::span<const SlotMemory> slots, std::span<const int> elder);
   Worker(Worker&& other) noexcept;
   Worker& operator=(Worker&&) = delete;
@@ -51,11 +52,11 @@ class Worker {
 
   [[nodiscard]] int socket() const { return socket_; }
   [[nodiscard]] bool is_alive() const { return process_ > 0; }
-  /// Of one that has died, `receive` tells.
+  /// If the worker has died, `receive` shows it.
   void send(const WorkerOrder& order) const;
-  /// None if it has died.
+  /// None if the worker has died.
   [[nodiscard]] std::optional<WorkerReply> receive() const;
-  /// Closes the socket, waits for the process and says how it ended.
+  /// Closes the socket, waits for the process and returns how it ended.
   std::string end();
 
  private:

@@ -16,7 +16,7 @@
 namespace kerf::test {
 namespace {
 
-/// Counts how often it is asked and told.
+/// Counts its calls.
 template <int D>
 class Counted final : public BroadPhase<D> {
  public:

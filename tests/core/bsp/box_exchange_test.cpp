@@ -1,5 +1,4 @@
-// Where everybody moves, the tree's table and the latest boxes change places; whatever is asked next must not
-// show that.
+// Where everything moves, the tree's table and the latest boxes change places; no later call must show it.
 #include "core/bsp/box_exchange.h"
 
 #include <gtest/gtest.h>
@@ -189,14 +188,14 @@ TYPED_TEST(BoxExchange, KeepingPairsBeginsInAQuietStep) {
 TYPED_TEST(BoxExchange, WhereKeepingWasForbiddenItDoesNotBeginAmongWhoJumps) {
   this->tree_.set_config(keeping());
   for (int step = 0; step < 40; ++step) this->step_and_expect_truth();
-  ASSERT_TRUE(this->tree_.state().keep_or_sweep.keeps());
+  ASSERT_TRUE(this->tree_.mode() == Mode::kept);
   this->tree_.set_config(swept());
   this->step_and_expect_truth();
   this->tree_.set_config(keeping());
   for (int step = 0; step < 3; ++step) {
     this->jump(0, TestFixture::kCount);
     this->step_and_expect_truth();
-    EXPECT_FALSE(this->tree_.state().keep_or_sweep.keeps());
+    EXPECT_FALSE(this->tree_.mode() == Mode::kept);
   }
 }
 

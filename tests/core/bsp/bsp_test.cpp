@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/trace/event_facts.h"
 #include "core/tree/hash.h"
 #include "tests/support/boxes.h"
 #include "tests/support/config_of.h"
@@ -85,7 +86,7 @@ TYPED_TEST(Bsp, ThreadsTakeRequestsAsOneAfterAnotherWould) {
   }
 }
 
-/// Engines give volumes. Of boxes those are the boxes, also for who stays in its fat one.
+/// Engines pass volumes. The volume of a box is the box, also for an object that stays in its fat one.
 TYPED_TEST(Bsp, AVolumeThatIsABoxMovesAsTheBoxDoes) {
   constexpr int kD = TypeParam::value;
   Random random(5);
@@ -205,8 +206,7 @@ TYPED_TEST(Bsp, EventsAreNumberedWithoutAGapAndPhasesComeInOrder) {
     for (const Event& event : tree.trace().take()) {
       ASSERT_EQ(event.id, next++);
       ASSERT_EQ(event.step, step);
-      if (const auto* began = std::get_if<PhaseBegan>(&event.body))
-        phases[step] += std::string(to_string(began->phase)) + " ";
+      if (const auto phase = phase_of(event)) phases[step] += std::string(to_string(*phase)) + " ";
     }
     EXPECT_EQ(phases[step], "place sort schedule operate sweep ");
   }
@@ -215,25 +215,25 @@ TYPED_TEST(Bsp, EventsAreNumberedWithoutAGapAndPhasesComeInOrder) {
 TYPED_TEST(Bsp, TellsWhichObjectsWerePlaced) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD, EventLog> tree(config_of("budget_divisor=0"));
-  const auto placed = [&] {
+  const auto placements = [&] {
     tree.step();
     std::string text;
     for (const Event& event : tree.trace().take())
-      if (const auto* e = std::get_if<ObjectPlaced>(&event.body))
-        text += std::to_string(e->object.value) + ":" + std::to_string(e->leaves) + " ";
+      if (const auto* const placed = placed_of(event))
+        text += std::to_string(placed->object.value) + ":" + std::to_string(placed->leaves) + " ";
     return text;
   };
   ASSERT_EQ(tree.insert({0}, slab<kD>(0, 1), Mobility::moving), Status::ok);
   ASSERT_EQ(tree.insert({1}, slab<kD>(0, 1), Mobility::moving), Status::ok);
-  EXPECT_EQ(placed(), "0:1 1:1 ");
-  EXPECT_EQ(placed(), "");
+  EXPECT_EQ(placements(), "0:1 1:1 ");
+  EXPECT_EQ(placements(), "");
   ASSERT_EQ(tree.move({0}, slab<kD>(3, 4)), Status::ok);
-  EXPECT_EQ(placed(), "") << "in the same leaf";
+  EXPECT_EQ(placements(), "") << "in the same leaf";
   ASSERT_EQ(tree.remove({0}), Status::ok);
   ASSERT_EQ(tree.move({1}, slab<kD>(4, 3)), Status::quarantined);
-  EXPECT_EQ(placed(), "0:0 1:0 ");
+  EXPECT_EQ(placements(), "0:0 1:0 ");
   ASSERT_EQ(tree.move({1}, slab<kD>(3, 4)), Status::ok);
-  EXPECT_EQ(placed(), "1:1 ");
+  EXPECT_EQ(placements(), "1:1 ");
 }
 
 TYPED_TEST(Bsp, StatisticsSayWhatTheTreeIs) {
@@ -247,9 +247,8 @@ TYPED_TEST(Bsp, StatisticsSayWhatTheTreeIs) {
     stir(crowd, step);
     tree.step();
     for (const Event& event : tree.trace().take()) {
-      if (const auto* e = std::get_if<OperatorActed>(&event.body))
-        ++acted.at(static_cast<std::size_t>(e->op));
-      refused += std::holds_alternative<OperatorRefused>(event.body) ? 1U : 0U;
+      if (const auto* e = acted_of(event)) ++acted.at(static_cast<std::size_t>(e->op));
+      refused += refused_of(event) == nullptr ? 0U : 1U;
     }
   }
   const Statistics s = tree.statistics();

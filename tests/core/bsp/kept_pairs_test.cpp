@@ -34,10 +34,11 @@ class Kept : public testing::Test {
 
   static std::vector<Pair> pairs_of(KeptPairs<T::value>& kept, kerf::Tree<T::value>& tree,
                                     const ObjectTable<T::value>& table) {
-    LeafPass<T::value> pass;
-    TaskPool pool(2);
+    Workers<T::value> workers;
+    workers.pool = std::make_unique<TaskPool>(2);
+    const std::vector<Skin> skins(kCount);
     PairBuffer pairs;
-    kept.find(tree, table, std::vector<Skin>(kCount), pass, pool, pairs);
+    kept.find(tree, {tree.table, table, skins, true, true}, workers, true, pairs);
     return {pairs.all().begin(), pairs.all().end()};
   }
   static std::vector<Pair> pairs_of(KeptPairs<T::value>& kept, kerf::Tree<T::value>& tree) {

@@ -128,7 +128,7 @@ class Outliers {
  private:
   static constexpr std::uint32_t kCount = 10;
   static ObjectId object(std::uint32_t k) {
-    return {static_cast<std::uint32_t>(kOwnPages / sizeof(PackedBox<D>)) + k};
+    return {static_cast<std::uint32_t>(tuning::kOwnPages / sizeof(PackedBox<D>)) + k};
   }
   Box<D> next_box() { return box_at<D>(random_point<D>(random_, 4, 12) + all<D>(shift_), 1); }
 

@@ -27,7 +27,7 @@ Config small_leaves() {
 }
 
 /// A crowd at rest of which a few jump about, fall asleep and are relieved by others; objects shrink where
-/// they are, come and go, are fixed and are not. All trees of `trees` are told the same.
+/// they are, come and go, are fixed and are not. All trees of `trees` get the same requests.
 template <int D>
 class Crowd {
  public:
@@ -54,11 +54,11 @@ class Crowd {
     for (const std::uint32_t id : awake_) jump(id, 0.5F);
     for (const std::uint32_t id : {awake_.front(), awake_.back(), any()}) replace(id);
   }
-  /// Everybody jumps, not far.
+  /// All objects jump, not far.
   void shake(Scalar most) {
     for (std::uint32_t id = 0; id < boxes_.size(); ++id) jump(id, most);
   }
-  /// Everybody jumps who lies in a corner that takes a share of each side: the low one, or the next ones.
+  /// All objects jump that lie in a corner with a share of each side: the low one, or the next ones.
   void shake_corner(int corner, double share, Scalar most) {
     const auto lies_there = [&](const Box<D>& box) {
       bool all = true;
@@ -124,7 +124,7 @@ std::uint32_t count_restless(const kerf::Bsp<D, Trace>& tree) {
 
 template <int D, class Trace>
 bool keeps(const kerf::Bsp<D, Trace>& tree) {
-  return tree.state().keep_or_sweep.keeps();
+  return tree.mode() == Mode::kept;
 }
 
 template <class T>
@@ -293,7 +293,7 @@ std::uint32_t count_fat(const kerf::Bsp<D>& tree) {
   return count;
 }
 
-/// Those who were restless when everybody began to fly are not when all have come to rest.
+/// Objects that were restless when all began to fly are not when all have come to rest.
 TYPED_TEST(Restless, ACrowdThatLandsIsKeptSoon) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD> tree(small_leaves());
@@ -316,7 +316,7 @@ TYPED_TEST(Restless, WhoLiesStillLosesItsFat) {
   Crowd<kD> crowd(1200, {&tree}, 2);
   for (int step = 0; step < 40; ++step, crowd.shake(0.005F)) tree.step();
   EXPECT_GT(count_fat(tree), 1000U);
-  for (std::uint32_t step = 0; step < 2 * Skin::kLook + 1; ++step) {
+  for (std::uint32_t step = 0; step < 2 * tuning::kLookSteps + 1; ++step) {
     tree.step();
     ASSERT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "") << "step " << step;
     EXPECT_TRUE(keeps(tree)) << step;

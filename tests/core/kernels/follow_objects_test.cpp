@@ -13,14 +13,12 @@
 namespace kerf::test {
 namespace {
 
-constexpr std::uint8_t kAwaited = 0x40;
-
 template <int D>
 struct Crowd {
   std::vector<PackedBox<D>> latest;
   std::vector<PackedBox<D>> followed;
   std::vector<Skin> skins;
-  std::vector<std::uint8_t> attention;
+  std::vector<ObjectFlags> flags;
   std::vector<std::uint32_t> objects;
   PackedBox<D> cell;
 };
@@ -49,7 +47,7 @@ Crowd<D> draw_crowd(std::uint32_t count, Random& random) {
     crowd.followed.emplace_back(before);
     crowd.skins.emplace_back();
     crowd.skins.back().restless = 3;
-    crowd.attention.push_back(random.below(8) == 0 ? kAwaited | 1U : kAwaited);
+    crowd.flags.push_back(random.below(8) == 0 ? flag::kUnrequested | flag::kChanged : flag::kUnrequested);
     if (random.below(4) != 0) crowd.objects.push_back(id);
   }
   return crowd;
@@ -71,14 +69,14 @@ TYPED_TEST(FollowObjects, WhoLiesInTheCellAndIsFastIsFollowedTheRestIsLeftOver) 
       Crowd<kD> crowd = given;
       std::vector<std::uint32_t> left_over(crowd.objects.size());
       left_over.resize(follow_objects<kD>({crowd.latest.data(), crowd.followed.data(), crowd.skins.data(),
-                                           crowd.attention.data(), kAwaited, crowd.cell, crowd.objects.data(),
+                                           crowd.flags.data(), crowd.cell, crowd.objects.data(),
                                            crowd.objects.size(), left_over.data()}));
       std::vector<std::uint32_t> expected;
       for (const std::uint32_t id : given.objects) {
         const PackedBox<kD>& now = given.latest[id];
         const PackedBox<kD>& before = given.followed[id];
         const auto [size, speed] = size_and_speed(now.unpack(), before.unpack());
-        const bool follows = given.attention[id] == kAwaited && contains(given.cell, now) &&
+        const bool follows = given.flags[id] == flag::kUnrequested && contains(given.cell, now) &&
                              contains(given.cell, before) && speed > Skin::kMost * size;
         if (!follows) expected.push_back(id);
         EXPECT_EQ(crowd.followed[id].lane, follows ? now.lane : before.lane);

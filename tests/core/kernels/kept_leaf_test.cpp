@@ -82,7 +82,7 @@ template <class T>
 class KeptLeaves : public EveryKernel<T> {};
 TYPED_TEST_SUITE(KeptLeaves, Dimensions, DimensionNames);
 
-/// The pairs of a leaf of `kept` entries to which come others, who go and come again.
+/// The pairs of a leaf of `kept` entries to which others come, go and come again.
 template <int D>
 std::vector<Pair> pairs_of_coming(const LeafView<D>& leaf, std::size_t kept,
                                   const std::vector<PackedBox<D>>& boxes) {
@@ -162,7 +162,7 @@ TYPED_TEST(KeptLeaves, WhoGoesTakesItsPairsAlong) {
       use_kernel(name);
       KeptLeaf<kD> leaf = leaf_of(part_of(all, 0, 200), names);
       take_candidates(leaf, 200, boxes);
-      leaf.standing.pairs = expected_pairs(part_of(all, 0, 200));
+      leaf.resting.pairs = expected_pairs(part_of(all, 0, 200));
       std::set<ObjectId> gone;
       for (std::size_t k = 0; k < 40; ++k) {
         const ObjectId object = all.objects[(k * 37 + 199) % 200];  // the last one, too
@@ -172,7 +172,7 @@ TYPED_TEST(KeptLeaves, WhoGoesTakesItsPairsAlong) {
       drop_object(leaf, all.objects[250].value);  // it has no entry
       const std::vector<Pair> left = expected_pairs(without(part_of(all, 0, 200), gone));
       ASSERT_EQ(difference(filtered(leaf, boxes), left), "");
-      ASSERT_EQ(difference(leaf.standing.pairs, left), "");
+      ASSERT_EQ(difference(leaf.resting.pairs, left), "");
       append_entries(part_of(all, 200, 300), leaf);
       take_candidates(leaf, 100, boxes);
       ASSERT_EQ(difference(filtered(leaf, boxes), expected_pairs(without(all, gone))), "");
@@ -184,7 +184,7 @@ TYPED_TEST(KeptLeaves, WhoGoesTakesItsPairsAlong) {
       drop_marked<kD>(leaf, marks);
       ASSERT_EQ(leaf.objects.size(), without(all, gone).size());
       ASSERT_EQ(difference(filtered(leaf, boxes), expected_pairs(without(all, gone))), "");
-      ASSERT_EQ(difference(leaf.standing.pairs, expected_pairs(without(part_of(all, 0, 200), gone))), "");
+      ASSERT_EQ(difference(leaf.resting.pairs, expected_pairs(without(part_of(all, 0, 200), gone))), "");
     }
   }
 }

@@ -51,23 +51,23 @@ TYPED_TEST(MoveBoxes, TellsWhoLeftAndLeavesTheOddToTheCaller) {
     use_kernel(name);
     std::vector<PackedBox<kD>> latest(given.size() - 1, PackedBox<kD>(cube(-1, 1)));
     const std::vector<PackedBox<kD>> fat(latest.size(), PackedBox<kD>(cube(-1, 1.25F)));
-    std::vector<std::uint8_t> attention(latest.size(), 0);
-    attention[5] = 2;
+    std::vector<ObjectFlags> flags(latest.size(), 0);
+    flags[5] = flag::kUnplaced;
     std::vector<ObjectId> changed(given.size());
     std::vector<PackedBox<kD>> before(given.size());
     std::vector<std::uint32_t> left_over(given.size());
     const MoveAnswer answer = move_boxes<kD>(
-        {objects, given, latest, attention, fat.data(), changed.data(), before.data(), left_over.data()});
+        {objects, given, latest, flags, fat.data(), changed.data(), before.data(), left_over.data()});
     EXPECT_EQ(answer.changed, 1U) << name;
     EXPECT_EQ(changed[0], ObjectId{1}) << name;
     EXPECT_EQ(before[0].unpack(), cube(-1, 1)) << name;
     EXPECT_EQ(latest[0].unpack(), cube(0, 1)) << name;
     EXPECT_EQ(latest[1].unpack(), cube(0, 1.5F)) << name;
     EXPECT_EQ(latest[2].unpack(), cube(-1, 1)) << name << ": what is left to the caller is not touched";
-    EXPECT_EQ(attention[1], 1) << name;
+    EXPECT_EQ(flags[1], flag::kChanged) << name;
     EXPECT_EQ(answer.left_over, given.size() - 2) << name;
-    const MoveAnswer again = move_boxes<kD>(
-        {objects, given, latest, attention, nullptr, changed.data(), nullptr, left_over.data()});
+    const MoveAnswer again =
+        move_boxes<kD>({objects, given, latest, flags, nullptr, changed.data(), nullptr, left_over.data()});
     EXPECT_EQ(again.changed, 1U) << name << ": object 1 has been noted; without fat boxes object 0 asks";
     EXPECT_EQ(changed[0], ObjectId{0}) << name;
   }
@@ -86,13 +86,13 @@ TYPED_TEST(MoveBoxes, WhoFillsItsFatBoxAndShrinksHasLeftIt) {
     for (const std::string& name : kernels()) {
       use_kernel(name);
       std::vector<PackedBox<kD>> latest{PackedBox<kD>(whole), PackedBox<kD>(less)};
-      std::vector<std::uint8_t> attention(2, 0);
+      std::vector<ObjectFlags> flags(2, 0);
       std::vector<ObjectId> changed(2);
       std::vector<PackedBox<kD>> before(2);
       std::vector<std::uint32_t> left_over(2);
       const std::vector<ObjectId> both{{0}, {1}};
       const auto move = [&](const Box<kD>& box) {
-        return move_boxes<kD>({both, std::vector{box, box}, latest, attention, fat.data(), changed.data(),
+        return move_boxes<kD>({both, std::vector{box, box}, latest, flags, fat.data(), changed.data(),
                                before.data(), left_over.data()});
       };
       EXPECT_EQ(move(least).changed, 1U) << name << ", axis " << axis;
@@ -105,7 +105,7 @@ TYPED_TEST(MoveBoxes, WhoFillsItsFatBoxAndShrinksHasLeftIt) {
 template <int D>
 struct Moved {
   std::vector<PackedBox<D>> latest;
-  std::vector<std::uint8_t> attention;
+  std::vector<ObjectFlags> flags;
   std::vector<ObjectId> changed;
   std::vector<PackedBox<D>> before;
   std::vector<std::uint32_t> left_over;
@@ -116,7 +116,7 @@ struct Moved {
     std::vector<PackedBox<D>> were(objects.size());
     std::vector<std::uint32_t> odd(objects.size());
     const MoveAnswer answer =
-        move_boxes<D>({objects, boxes, latest, attention, fat.empty() ? nullptr : fat.data(), asking.data(),
+        move_boxes<D>({objects, boxes, latest, flags, fat.empty() ? nullptr : fat.data(), asking.data(),
                        were.data(), odd.data()},
                       pool);
     changed.insert(changed.end(), asking.begin(),
@@ -182,20 +182,20 @@ void expect_at_once_as_one_by_one(const Moved<D>& start, const Requests<D>& requ
     if (expected.left_over.size() > left_over) expected.left_over.back() = k;
   }
   EXPECT_TRUE(are_equal<D>(at_once.latest, expected.latest));
-  EXPECT_EQ(at_once.attention, expected.attention);
+  EXPECT_EQ(at_once.flags, expected.flags);
   EXPECT_EQ(at_once.changed, expected.changed);
   EXPECT_EQ(at_once.left_over, expected.left_over);
   EXPECT_TRUE(fat.empty() || are_equal<D>(at_once.before, expected.before));
 }
 
-/// Whatever lies side by side in a block: who stays, leaves, shrinks, is silent, waits, is given twice, is
-/// unknown, or has no box.
+/// Any mix in a block: objects that stay, leave, shrink, are silent, wait, are given twice, are unknown, or
+/// have no box.
 TYPED_TEST(MoveBoxes, ManyAtOnceAreMovedAsOneByOne) {
   constexpr int kD = TypeParam::value;
   Random random(7);
   for (int round = 0; round < 40; ++round) {
     const double odd = round % 4 == 0 ? 0.3 : 0.02;  // else most blocks have nothing odd
-    const double silent = round % 4 == 1 ? 0.3 : 0;  // then most have somebody silent
+    const double silent = round % 4 == 1 ? 0.3 : 0;  // then most blocks have a silent object
     Moved<kD> start;
     std::vector<PackedBox<kD>> fat;
     for (std::uint32_t id = 0; id < 400; ++id) {
@@ -203,9 +203,9 @@ TYPED_TEST(MoveBoxes, ManyAtOnceAreMovedAsOneByOne) {
       start.latest.emplace_back(box);
       const bool fills = random.uniform(0, 1) < 0.3;
       fat.emplace_back(fills ? box : Box<kD>{box.min - all<kD>(0.5F), box.max + all<kD>(0.5F)});
-      const std::array<std::uint8_t, 3> attended{kSilent, 2, kSilent | 1};
-      const std::uint8_t usual = random.uniform(0, 1) < silent ? kSilent : 0;
-      start.attention.push_back(random.uniform(0, 1) < odd ? attended[id % 3] : usual);
+      const std::array<std::uint8_t, 3> attended{flag::kUnrequested, 2, flag::kUnrequested | flag::kChanged};
+      const std::uint8_t usual = random.uniform(0, 1) < silent ? flag::kUnrequested : 0;
+      start.flags.push_back(random.uniform(0, 1) < odd ? attended[id % 3] : usual);
     }
     const Requests<kD> requests = make_requests(random, start.latest, odd, round % 3 == 0);
     for (const std::string& name : kernels()) {
@@ -243,14 +243,14 @@ TYPED_TEST(MoveBoxes, ThreadsMoveAsOneDoes) {
     many.move(objects, boxes, fat, shared);
     EXPECT_TRUE(are_equal<kD>(one.latest, many.latest));
     EXPECT_TRUE(are_equal<kD>(one.before, many.before));
-    EXPECT_EQ(one.attention, many.attention);
+    EXPECT_EQ(one.flags, many.flags);
     EXPECT_EQ(one.changed, many.changed);
     EXPECT_EQ(one.left_over, many.left_over);
     EXPECT_EQ(one.left_over.size(), twice ? 1U : 0U);
   }
 }
 
-/// Who is silent asks for nothing, but what is odd is left to the caller all the same.
+/// A silent object asks for nothing, but odd boxes are left to the caller all the same.
 TYPED_TEST(MoveBoxes, TheSilentAreMovedAndNotNoted) {
   constexpr int kD = TypeParam::value;
   Box<kD> near;
@@ -267,14 +267,15 @@ TYPED_TEST(MoveBoxes, TheSilentAreMovedAndNotNoted) {
   for (const std::string& name : kernels()) {
     use_kernel(name);
     std::vector<PackedBox<kD>> latest = fat;
-    std::vector<std::uint8_t> attention{kSilent, 0, kSilent, kSilent | 1};
+    std::vector<ObjectFlags> flags{flag::kUnrequested, 0, flag::kUnrequested,
+                                   flag::kUnrequested | flag::kChanged};
     std::vector<ObjectId> changed(4);
     std::vector<PackedBox<kD>> before(4);
     std::vector<std::uint32_t> left_over(4);
-    const MoveAnswer answer = move_boxes<kD>({objects, std::vector{far, far, bad, far}, latest, attention,
+    const MoveAnswer answer = move_boxes<kD>({objects, std::vector{far, far, bad, far}, latest, flags,
                                               fat.data(), changed.data(), before.data(), left_over.data()});
     EXPECT_EQ(latest[0].unpack(), far) << name;
-    EXPECT_EQ(attention[0], kSilent) << name;
+    EXPECT_EQ(flags[0], flag::kUnrequested) << name;
     ASSERT_EQ(answer.changed, 1U) << name;
     EXPECT_EQ(changed[0], ObjectId{1}) << name;
     ASSERT_EQ(answer.left_over, 2U) << name;

@@ -115,7 +115,7 @@ TYPED_TEST(Skins, AWrapIsAsThickAsTheSkinOnEverySide) {
 
 TEST(Skin, WhoLeavesSoonAfterBeingWrappedIsLeftInPeaceTwiceAsLong) {
   Skin skin;
-  constexpr std::uint32_t kRest = Skin::kRest;
+  constexpr std::uint32_t kRest = tuning::kRestSteps;
   skin.left(10, true);
   EXPECT_FALSE(skin.is_at_rest(10 + kRest - 1));
   EXPECT_TRUE(skin.is_at_rest(10 + kRest));

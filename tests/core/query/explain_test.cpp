@@ -7,6 +7,7 @@
 #include "core/query/explain_pair.h"
 #include "core/replay/cursor.h"
 #include "core/replay/oracle.h"
+#include "core/trace/event_facts.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 
@@ -141,7 +142,7 @@ TYPED_TEST(Explain, WhatTriggeredAnOperator) {
   std::uint32_t balances = 0;
   while (cursor.forward(Granularity::op)) {
     const auto event = cursor.event();
-    const auto* acted = std::get_if<OperatorActed>(&event->body);
+    const auto* acted = acted_of(*event);
     if (acted == nullptr) continue;
     const auto why = explain_event(this->replayer(), event->id);
     if (acted->op == Operator::split && ++splits < 8) {
@@ -168,9 +169,7 @@ std::vector<Event> operators_of(RecordingReader<D>& recording) {
   std::vector<Event> operators;
   for (std::uint32_t step = 1; step <= recording.steps(); ++step)
     for (const Event& event : recording.step(step).events)
-      if (std::holds_alternative<OperatorActed>(event.body) ||
-          std::holds_alternative<OperatorRefused>(event.body))
-        operators.push_back(event);
+      if (is_outcome(event)) operators.push_back(event);
   return operators;
 }
 

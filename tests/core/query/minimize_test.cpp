@@ -59,7 +59,7 @@ std::vector<Pair> last_pairs(const Scenario<D>& scenario) {
   return test::sorted(tree.pairs());
 }
 
-/// Who comes first moves, is broken, goes and comes again; what is left says only where the two are.
+/// The first object moves, is broken, goes and comes again; the minimum says only where the two are.
 TYPED_TEST(Minimize, APairNeedsTwoObjectsAndOneStep) {
   constexpr int kD = TypeParam::value;
   for (const VolumeKind kind : {VolumeKind::box, VolumeKind::sphere}) {

@@ -70,12 +70,13 @@ TYPED_TEST(NodeLives, SlotsAreUsedAgainAndTheRootIsThereFromTheBeginning) {
 
 TEST(NodeLivesOfOperators, WhatCannotHaveHappenedIsRefused) {
   using Kind = OperatorRow::Kind;
-  const OperatorRow split{5, 1, Kind::acted, Operator::split, {NodeId{0}, 0}, 0, {}};
+  const OperatorRow split{
+      .event = 5, .step = 1, .kind = Kind::acted, .op = Operator::split, .node = {NodeId{0}, 0}};
   OperatorRow other = split;
   EXPECT_THROW((void)find_node_lives(std::vector{split, split}), std::runtime_error);
   other.node.node = NodeId{7};
   EXPECT_THROW((void)find_node_lives(std::vector{other}), std::runtime_error);
-  other = {6, 1, Kind::acted, Operator::merge, {NodeId{1}, 0}, 0, {}};
+  other = {.event = 6, .step = 1, .kind = Kind::acted, .op = Operator::merge, .node = {NodeId{1}, 0}};
   EXPECT_THROW((void)find_node_lives(std::vector{split, other}), std::runtime_error);
   other.node = {NodeId{0}, 1};
   EXPECT_THROW((void)find_node_lives(std::vector{split, other}), std::runtime_error);

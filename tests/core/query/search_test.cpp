@@ -6,6 +6,7 @@
 
 #include "core/query/recorded_moment.h"
 #include "core/replay/cursor.h"
+#include "core/trace/event_facts.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/pairs.h"
 #include "tests/support/recorded_crowd.h"
@@ -58,7 +59,7 @@ TYPED_TEST(SearchTest, OperatorsAtADepth) {
   constexpr int kD = TypeParam::value;
   const auto expected = this->walk(Granularity::op, [](const Cursor<kD>& cursor) {
     const auto event = cursor.event();
-    const auto* acted = std::get_if<OperatorActed>(&event->body);
+    const auto* acted = acted_of(*event);
     return acted != nullptr && acted->op == Operator::split &&
            cursor.state().tree[acted->node.node].depth > 1;
   });
@@ -70,7 +71,7 @@ TYPED_TEST(SearchTest, PlanesThatMoveAndNodesThatChange) {
   constexpr int kD = TypeParam::value;
   const auto moves = [](const Cursor<kD>& cursor) {
     const auto event = cursor.event();
-    const auto* acted = event ? std::get_if<OperatorActed>(&event->body) : nullptr;
+    const auto* acted = event ? acted_of(*event) : nullptr;
     return acted != nullptr && acted->node.node == NodeId{0} && acted->op != Operator::merge &&
            acted->op != Operator::swap;
   };

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/recording/recording_reader.h"
+#include "core/trace/event_facts.h"
 #include "tests/support/recorded_crowd.h"
 
 namespace kerf {
@@ -13,8 +14,9 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 OperatorRow row(std::uint64_t event, std::uint32_t step, Kind kind, Operator op, std::uint32_t node,
-                double shift = 0) {
-  return {event, step, kind, op, {NodeId{node}, 0}, shift, {}};
+                float shift = 0) {
+  return {
+      .event = event, .step = step, .kind = kind, .op = op, .node = {NodeId{node}, 0}, .new_offset = shift};
 }
 
 TEST(Thrash, ANodeSplitMergedAndSplitAgainIsFound) {
@@ -38,14 +40,14 @@ TEST(Thrash, OtherNodesAndSplitsWithoutAMergeAreNone) {
 }
 
 TEST(Thrash, APartitionerThatGoesToAndFroIsFound) {
-  std::vector<OperatorRow> rows{row(1, 10, Kind::acted, Operator::balance, 7, 0.5),
-                                row(2, 20, Kind::acted, Operator::balance, 7, -0.5),
-                                row(3, 30, Kind::acted, Operator::balance, 7, 0.5)};
+  std::vector<OperatorRow> rows{row(1, 10, Kind::acted, Operator::balance, 7, 0.5F),
+                                row(2, 20, Kind::acted, Operator::balance, 7, -0.5F),
+                                row(3, 30, Kind::acted, Operator::balance, 7, 0.5F)};
   const auto found = find_thrash(rows, 100, 20);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].kind, ThrashKind::balance_ping_pong);
   EXPECT_EQ(found[0].first_step, 10U);
-  rows[1].shift = 0.25;  // follows what moves one way
+  rows[1].new_offset = 0.25;  // follows what moves one way
   EXPECT_THAT(find_thrash(rows, 100, 20), IsEmpty());
 }
 
@@ -72,7 +74,7 @@ TEST(Thrash, ARecordingsOperatorsAreItsEvents) {
   for (const OperatorRow& found : rows) {
     const Event event = recording.event(found.event);
     EXPECT_EQ(event.step, found.step);
-    const auto* const acted = std::get_if<OperatorActed>(&event.body);
+    const auto* const acted = acted_of(event);
     EXPECT_EQ(acted != nullptr, found.kind == Kind::acted);
     if (acted == nullptr) continue;
     EXPECT_EQ(acted->op, found.op);

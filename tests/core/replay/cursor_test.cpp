@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "core/trace/event_facts.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 #include "tests/support/sound.h"
@@ -82,12 +83,12 @@ TYPED_TEST(CursorTest, PhasesComeInTheirOrder) {
   cursor.go_to_step(30);
   for (int phase = 0; phase < kPhaseCount; ++phase) {
     ASSERT_TRUE(cursor.forward(Granularity::phase));
-    EXPECT_EQ(std::get<PhaseBegan>(cursor.event()->body).phase, static_cast<Phase>(phase));
+    EXPECT_EQ(phase_of(*cursor.event()), static_cast<Phase>(phase));
   }
   ASSERT_TRUE(cursor.forward(Granularity::phase));
   EXPECT_EQ(cursor.position(), Position::end_of(31));
   ASSERT_TRUE(cursor.backward(Granularity::phase));
-  EXPECT_EQ(std::get<PhaseBegan>(cursor.event()->body).phase, Phase::sweep);
+  EXPECT_EQ(phase_of(*cursor.event()), Phase::sweep);
   ASSERT_TRUE(cursor.backward(Granularity::step));
   EXPECT_EQ(cursor.position(), Position::end_of(30));
 }
@@ -99,7 +100,7 @@ TYPED_TEST(CursorTest, OperatorsAreSeenAtWork) {
   std::uint32_t checked = 0;
   while (cursor.forward(Granularity::op)) {
     const auto event = cursor.event();
-    const auto* acted = std::get_if<OperatorActed>(&event->body);
+    const auto* acted = acted_of(*event);
     if (acted == nullptr) continue;
     seen.insert(acted->op);
     EXPECT_TRUE(test::is_sound(cursor.state().tree)) << describe(*event);
@@ -124,7 +125,7 @@ TYPED_TEST(CursorTest, CandidatesAreThoseOfTheOperator) {
     const auto event = cursor.event();
     ASSERT_FALSE(cursor.candidates().empty());
     const BallotEntry& first = cursor.candidates().front();
-    if (const auto* acted = std::get_if<OperatorActed>(&event->body)) {
+    if (const auto* acted = acted_of(*event)) {
       EXPECT_EQ(first.result, Ballot::chosen) << describe(*event);
       EXPECT_EQ(first.direction, acted->direction) << describe(*event);
       EXPECT_EQ(first.offset, acted->new_offset) << describe(*event);

@@ -5,6 +5,7 @@
 
 #include "core/replay/cursor.h"
 #include "core/replay/verify.h"
+#include "core/trace/event_facts.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 
@@ -36,8 +37,7 @@ class WhatIf : public testing::Test {
   std::optional<Event> first_acted(Operator op, std::uint32_t from = 1) {
     for (std::uint32_t step = from; step <= reader_->steps(); ++step)
       for (const Event& event : reader_->step(step).events)
-        if (const auto* acted = std::get_if<OperatorActed>(&event.body); acted != nullptr && acted->op == op)
-          return event;
+        if (const auto* acted = acted_of(event); acted != nullptr && acted->op == op) return event;
     return std::nullopt;
   }
 
@@ -76,8 +76,7 @@ TYPED_TEST(WhatIf, EveryOperatorCanBeRefused) {
     const auto other = this->rerun_as(info);
     this->expect_same_before(*other, event->id);
     const Event refused = other->event(event->id);
-    EXPECT_EQ(refused.body,
-              EventBody(OperatorRefused{op, std::get<OperatorActed>(event->body).node, Refusal::decided}));
+    EXPECT_EQ(refused.body, EventBody(OperatorRefused{op, acted_of(*event)->node, Refusal::decided}));
     EXPECT_EQ(other->info().decisions, info.decisions);
   }
 }
@@ -94,9 +93,10 @@ TYPED_TEST(WhatIf, ASplitTakesAnotherCandidate) {
   decide(info, replayer, event->id, 1);
   const auto other = this->rerun_as(info);
   this->expect_same_before(*other, event->id);
-  const auto acted = std::get<OperatorActed>(other->event(event->id).body);
-  EXPECT_EQ(acted.direction, ballot[1].direction);
-  EXPECT_EQ(acted.new_offset, ballot[1].offset);
+  const Event happened = other->event(event->id);
+  ASSERT_TRUE(has_acted(happened));
+  EXPECT_EQ(acted_of(happened)->direction, ballot[1].direction);
+  EXPECT_EQ(acted_of(happened)->new_offset, ballot[1].offset);
   Cursor<kD> cursor(other);
   cursor.go_to_event(event->id);
   EXPECT_EQ(cursor.candidates()[0].result, Ballot::beaten);
@@ -171,7 +171,7 @@ TYPED_TEST(WhatIf, NothingIsDecidedBeforeAnEarlierDecision) {
   EXPECT_THROW(decide(info, replayer, later->id + 1), std::invalid_argument);
 }
 
-/// Entries beyond their cap are shed whatever anybody says.
+/// Entries beyond their cap are shed whatever the decisions.
 TYPED_TEST(WhatIf, SheddingIsNotRefused) {
   constexpr int kD = TypeParam::value;
   Config config = test::busy_config();

@@ -117,7 +117,7 @@ TYPED_TEST(Validate, ReportsADirectionOutsideTheSet) {
 TYPED_TEST(Validate, ReportsANodeDeeperThanMasks) {
   for (const NodeId id : {this->leaf, this->left}) {
     this->tree[id].depth = kMaxHeight + 1;
-    this->expect_reported("the node is deeper than masks can tell", id);
+    this->expect_reported("the node is deeper than a mask has bits", id);
   }
 }
 

@@ -25,7 +25,7 @@ TEST(BenchProgram, PrintsRowsAndWritesJson) {
   const Outcome outcome =
       run_kerf({"bench", "--scenes", "falling,needles", "--objects", "200", "--algorithms", "kerf,box2d-tree",
                 "--rounds", "1", "--steps", "5", "--warm-up", "3", "--json", file});
-  EXPECT_EQ(outcome.exit, kExitDone) << outcome.err;
+  EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_EQ(outcome.err, "") << "no progress where there is no terminal";
   EXPECT_THAT(outcome.out, HasSubstr("box2d-tree"));
   const auto json = read_json(file);
@@ -49,7 +49,7 @@ TEST(BenchProgram, MeasuresBroadPhasesInTheLoopOfASimulation) {
   const Outcome outcome = run_kerf({"bench", "--simulations", "terrain,pile-2d", "--objects", "60",
                                     "--algorithms", "kerf,kerf-paper,sort-and-sweep", "--rounds", "2",
                                     "--steps", "20", "--warm-up", "10", "--json", file});
-  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_EQ(outcome.err, "") << "no progress where there is no terminal";
   const auto json = read_json(file);
   EXPECT_TRUE(json["complete"]);
@@ -73,7 +73,7 @@ TEST(BenchProgram, MeasuresWhatAnApproximateTreeMissesAndInvents) {
   const Outcome outcome = run_kerf({"bench", "--scenes", "uniform", "--dims", "2", "--objects", "200",
                                     "--algorithms", "kerf,kerf:period=4:schedule_interval=5,kerf:grid=0.5",
                                     "--rounds", "1", "--steps", "8", "--warm-up", "3", "--json", file});
-  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   const auto rows = read_json(file)["results"];
   ASSERT_EQ(rows.size(), 4U) << "the floor is first";
   EXPECT_EQ(rows[1]["missed"], 0);
@@ -104,7 +104,7 @@ TEST(BenchProgram, SaysWhyAFileCannotBeWritten) {
   const Outcome outcome =
       run_kerf({"bench", "--scenes", "uniform", "--dims", "2", "--objects", "100", "--algorithms", "kerf",
                 "--rounds", "1", "--steps", "2", "--json", "/nowhere/bench.json"});
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("/nowhere/bench.json"));
   EXPECT_EQ(outcome.out, "") << "it is said before anything is measured";
 }
@@ -123,7 +123,7 @@ TEST_P(BenchMistake, IsExplained) {
   std::vector<std::string> arguments = GetParam().arguments;
   arguments.insert(arguments.begin(), "bench");
   const Outcome outcome = run_kerf(arguments);
-  EXPECT_EQ(outcome.exit, kExitUsage) << outcome.err;
+  EXPECT_EQ(outcome.exit, kExitUnusable) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr(GetParam().answer));
   EXPECT_THAT(outcome.err, HasSubstr("--help"));
   EXPECT_EQ(outcome.out, "");

@@ -37,7 +37,7 @@ TEST(BenchTruth, ComparesAsSets) {
   std::vector<Pair> found = some_pairs();
   std::swap(found[0], found[3]);
   EXPECT_EQ(compare(found, some_pairs()).missed + compare(found, some_pairs()).extra, 0U);
-  found.push_back(found[1]);    // told twice
+  found.push_back(found[1]);    // reported twice
   found.push_back({{9}, {8}});  // invented
   found.erase(found.begin());   // missed
   const Difference difference = compare(found, some_pairs());
@@ -65,7 +65,7 @@ class BenchMotion : public ::testing::TestWithParam<const BenchScene*> {
     for (std::uint32_t step = 0; step < steps; ++step) motion->advance();
     return {motion->boxes().begin(), motion->boxes().end()};
   }
-  /// Each step's boxes are valid and only those change of which it is told; there are a few pairs an object,
+  /// Each step's boxes are valid and only the reported ones change; there are a few pairs an object,
   /// or in one scene many.
   template <int D>
   static void check() {

@@ -28,7 +28,7 @@ TEST(BenchFramesProgram, PrintsRowsAndWritesJson) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "frames.json";
   const Outcome outcome = run_kerf(bench_frames(file, "10,20"));
-  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("pipeline"));
   const auto json = read_json(file);
   EXPECT_TRUE(json["complete"]);
@@ -55,7 +55,7 @@ TEST(BenchFramesProgram, KeepsWhatWasMeasuredWhenInterrupted) {
 
 TEST(BenchFramesProgram, SaysWhyAFileCannotBeWrittenBeforeItMeasures) {
   const Outcome outcome = run_kerf(bench_frames("/nowhere/frames.json", "10"));
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("/nowhere/frames.json"));
   EXPECT_EQ(outcome.out, "");
 }

@@ -32,7 +32,7 @@ std::string all_tables(const std::filesystem::path& folder) {
 TEST(ExperimentProgram, MakesPageFiguresAndTablesAndDoesNothingTwice) {
   const TemporaryFolder folder;
   const Outcome outcome = run_kerf(small_experiment(folder.path()));
-  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(folder.files(), ::testing::UnorderedElementsAre(
                                   "experiment.md", "figure-12.png", "figure-12.svg", "figure-13.png",
                                   "figure-13.svg", "simulation-1-terrain.csv", "simulation-2-attractors.csv",
@@ -48,7 +48,7 @@ TEST(ExperimentProgram, MakesPageFiguresAndTablesAndDoesNothingTwice) {
   // Times are never the same twice: a table that is the same was not made anew.
   const std::string before = all_tables(folder.path());
   std::filesystem::remove(folder.path() / "simulation-3-fracture.csv");
-  ASSERT_EQ(run_kerf(small_experiment(folder.path())).exit, kExitDone);
+  ASSERT_EQ(run_kerf(small_experiment(folder.path())).exit, kExitHolds);
   EXPECT_EQ(testing::read_text(folder.path() / "simulation-1-terrain.csv"), table);
   EXPECT_NE(all_tables(folder.path()), before);
 }
@@ -58,10 +58,10 @@ TEST(ExperimentProgram, RefusesAFolderOfAnotherSizeAndDamagedTables) {
   std::ofstream(folder.path() / "simulation-2-attractors.csv")
       << "# kerf experiment, simulation 2 (attractors), steps 60, objects 60, seed 1\nstep\n1,2,3\n";
   const Outcome other = run_kerf(small_experiment(folder.path(), "70"));
-  EXPECT_EQ(other.exit, kExitUsage);
+  EXPECT_EQ(other.exit, kExitUnusable);
   EXPECT_THAT(other.err, HasSubstr("another experiment"));
   const Outcome damaged = run_kerf(small_experiment(folder.path()));
-  EXPECT_EQ(damaged.exit, kExitFailure);
+  EXPECT_EQ(damaged.exit, kExitUnusable);
   EXPECT_THAT(damaged.err, HasSubstr("remove it"));
 }
 
@@ -81,10 +81,10 @@ TEST(ExperimentProgram, KeepsWhatIsDoneWhenInterrupted) {
 
 TEST(ExperimentProgram, MistakesAreExplained) {
   const Outcome few = run_kerf({"experiment", "--steps", "3"});
-  EXPECT_EQ(few.exit, kExitUsage);
+  EXPECT_EQ(few.exit, kExitUnusable);
   EXPECT_THAT(few.err, HasSubstr("--steps '3'"));
   const Outcome both = run_kerf({"experiment", "--full", "--steps", "100"});
-  EXPECT_EQ(both.exit, kExitUsage);
+  EXPECT_EQ(both.exit, kExitUnusable);
   EXPECT_THAT(both.err, HasSubstr("--full"));
 }
 

@@ -48,7 +48,7 @@ TEST(ReportProgram, APageOfAllSectionsStandsAloneInABrowser) {
   const std::string page = (folder.path() / "page.html").string();
   write_hardcases(page + ".hardcases");
   const Outcome outcome = run_small_report(page, {});
-  ASSERT_EQ(outcome.exit, kExitDone) << outcome.err;
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_EQ(outcome.err, "") << "no progress where there is no terminal";
   const std::string text = read_text(page);
   EXPECT_THAT(text, Not(HasSubstr("src="))) << "nothing is loaded";
@@ -90,14 +90,14 @@ TEST(ReportProgram, TheBrowserWouldSeeWhatIsWrong) {
 TEST(ReportProgram, DoesNotMeasureAgainWhatIsKept) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "page.html").string();
-  ASSERT_EQ(run_small_report(page, {"volumes"}).exit, kExitDone);
+  ASSERT_EQ(run_small_report(page, {"volumes"}).exit, kExitHolds);
   const std::filesystem::path kept = folder.path() / "page.json";
   auto figures = read_json(kept);
   for (auto& cell : figures["cells"]) cell[0]["contacts"] = 987654321;
   std::ofstream(kept) << figures;
-  ASSERT_EQ(run_small_report(page, {"volumes"}).exit, kExitDone);
+  ASSERT_EQ(run_small_report(page, {"volumes"}).exit, kExitHolds);
   EXPECT_THAT(read_text(page), HasSubstr("987654321"));
-  ASSERT_EQ(run_small_report(page, {"volumes", "--fresh"}).exit, kExitDone);
+  ASSERT_EQ(run_small_report(page, {"volumes", "--fresh"}).exit, kExitHolds);
   EXPECT_THAT(read_text(page), Not(HasSubstr("987654321")));
 }
 
@@ -105,9 +105,9 @@ TEST(ReportProgram, TakesNothingOverFromAnotherMachine) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "page.html").string();
   std::ofstream(folder.path() / "page.json") << R"({"owner": "somebody else", "cells": {"a": 1}})";
-  ASSERT_EQ(run_small_report(page, {"hardcases"}).exit, kExitDone);
+  ASSERT_EQ(run_small_report(page, {"hardcases"}).exit, kExitHolds);
   EXPECT_THAT(read_text(page), HasSubstr("./run hardcases")) << "says how to make the table";
-  ASSERT_EQ(run_small_report(page, {"volumes"}).exit, kExitDone);
+  ASSERT_EQ(run_small_report(page, {"volumes"}).exit, kExitHolds);
   EXPECT_FALSE(read_json(folder.path() / "page.json")["cells"].contains("a"));
 }
 
@@ -119,7 +119,7 @@ TEST(ReportProgram, DoesNotReplaceSomebodyElsesFile) {
     std::ofstream(folder.path() / "speed.json") << text;
     for (const char* const option : {"volumes", "--fresh"}) {
       const Outcome outcome = run_small_report(page, {"volumes", option});
-      EXPECT_EQ(outcome.exit, kExitUsage) << text;
+      EXPECT_EQ(outcome.exit, kExitUnusable) << text;
       EXPECT_THAT(outcome.err, HasSubstr("speed.json"));
     }
     EXPECT_EQ(read_text(folder.path() / "speed.json"), text);
@@ -148,13 +148,13 @@ TEST(ReportProgram, SaysWhatIsMissingForPlots) {
   const Outcome outcome =
       run_kerf({"report", "volumes", "--objects", "20", "--out", (folder.path() / "page.html").string()},
                {.path = "/nowhere"});
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("gnuplot-nox"));
 }
 
 TEST(ReportProgram, SaysWhereItCannotWrite) {
   const Outcome outcome = run_kerf({"report", "volumes", "--out", "/proc/nowhere/page.html"});
-  EXPECT_EQ(outcome.exit, kExitFailure);
+  EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("/proc/nowhere"));
 }
 
@@ -172,7 +172,7 @@ TEST_P(ReportMistake, IsExplained) {
   std::vector<std::string> arguments = GetParam().arguments;
   arguments.insert(arguments.begin(), "report");
   const Outcome outcome = run_kerf(arguments);
-  EXPECT_EQ(outcome.exit, kExitUsage) << outcome.err;
+  EXPECT_EQ(outcome.exit, kExitUnusable) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr(GetParam().answer));
   EXPECT_THAT(outcome.err, HasSubstr("--help"));
 }

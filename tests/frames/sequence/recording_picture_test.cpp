@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/query/search.h"
+#include "core/trace/event_facts.h"
 #include "frames/support/parse_expression.h"
 #include "tests/frames/program.h"
 
@@ -56,7 +57,7 @@ class RecordingPicture : public ::testing::Test {
 TEST_F(RecordingPicture, ASwapIsMarkedWhereItsNodeWas) {
   go_to("op==swap && kind==acted");
   const Event event = cursor().event().value();
-  const std::string label = "swap n" + std::to_string(std::get<OperatorActed>(event.body).node.node.value);
+  const std::string label = "swap n" + std::to_string(acted_of(event)->node.node.value);
   EXPECT_THAT(texts(), Contains(label));
   cursor().go_to_step(cursor().position().step + 3);
   EXPECT_THAT(texts(), Contains(label)) << "it has not faded yet";

@@ -18,4 +18,13 @@ std::string request_case(CaseBytes bytes);
 /// A PNG, as it is and with the checksums of its chunks put right: chance does not get past them.
 std::string png_case(CaseBytes bytes);
 
+/// A manifest of a sequence: what is accepted survives being written and read.
+std::string manifest_case(CaseBytes bytes);
+/// What lies beside a frame: what is in it.
+std::string draw_list_case(CaseBytes bytes);
+/// A script of the debugger, which is only read.
+std::string script_case(CaseBytes bytes);
+/// A camera that moves, in both dimensions.
+std::string camera_path_case(CaseBytes bytes);
+
 }  // namespace kerf::test

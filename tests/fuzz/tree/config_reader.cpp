@@ -16,9 +16,10 @@ void change_thresholds(Config& config, ByteReader& bytes) {
   config.max_threshold = std::max(one, other);
 }
 
-void change_operators(Config& config, ByteReader& bytes) {
-  constexpr std::array kSwitches{&Config::split, &Config::shift_split, &Config::merge, &Config::balance,
-                                 &Config::swap};
+void change_switch(Config& config, ByteReader& bytes) {
+  constexpr std::array kSwitches{
+      &Config::split,    &Config::shift_split, &Config::merge,         &Config::balance, &Config::swap,
+      &Config::restless, &Config::exchange,    &Config::resting_pairs, &Config::dense,   &Config::leaf_boxes};
   bool& on = config.*kSwitches[bytes.below(kSwitches.size())];
   on = !on;
 }
@@ -89,7 +90,7 @@ void change_parameter(Config& config, ByteReader& bytes) {
       config.bulk_factor = static_cast<float>(bytes.below(3));
       break;
     case 17:
-      change_operators(config, bytes);
+      change_switch(config, bytes);
       break;
     default:
       config.max_entries = kEntryLimits[bytes.below(kEntryLimits.size())];

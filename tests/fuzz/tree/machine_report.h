@@ -33,7 +33,7 @@ struct MachineReport {
 void run_operator_case(CaseBytes bytes, MachineReport& report);
 
 /// Runs a case on a broad phase as callers see it: requests good and bad, parameter changes and steps. It is
-/// compared with the oracle, and with itself when nobody watches.
+/// compared with the oracle, and with itself without a trace.
 void run_broad_phase_case(CaseBytes bytes, MachineReport& report);
 
 /// What one such case finds; empty: nothing.

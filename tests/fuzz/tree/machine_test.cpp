@@ -1,5 +1,5 @@
 // Random sequences of everything that can be done to a tree. The program kerf_operator_soak runs them for as
-// long as it is told, and libFuzzer looks for sequences that chance does not find.
+// long as requested, and libFuzzer looks for sequences that chance does not find.
 
 #include <gtest/gtest.h>
 

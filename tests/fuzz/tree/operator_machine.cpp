@@ -168,7 +168,7 @@ void OperatorMachine<D>::take_over(const std::vector<ObjectId>& changed) {
   for (const ObjectId object : changed) {
     const bool was = tree_.table.is_placed(object);
     const bool is = latest_.is_placed(object);
-    const bool same_leaves = was && is && stays(tree_, object, latest_.volume(object));
+    const bool same_leaves = was && is && try_keep_in_leaves(tree_, object, latest_.volume(object));
     any_stays |= same_leaves;
     if (was && !same_leaves) leaving.push_back(object);
     if (is && !same_leaves) entering.push_back(object);

@@ -136,7 +136,7 @@ template <int D>
 Script<D> fat_and_tight(Size size) {
   ScriptWriter<D> out;
   Crowd<D> crowd(out, pick(size, 150, 600), 37);
-  out.set_margin(0.7);  // volumes reach far beyond the boxes that are told with them
+  out.set_margin(0.7);  // volumes reach far beyond the boxes given with them
   crowd.insert(9);
   out.step();
   for (std::uint32_t round = 0; round < 25; ++round) {
@@ -155,7 +155,7 @@ Script<D> oscillation(Size size) {
   out.step(20);
   const std::uint32_t rounds = pick(size, 60, 400);
   for (std::uint32_t round = 0; round < rounds; ++round) {
-    // Everybody to and fro: each object that is near to some partitioner crosses it in every step.
+    // To and fro: each object that is near to some partitioner crosses it in every step.
     const Vector<D> by = all<D>(round % 2 == 0 ? 0.9F : 0.0F);
     for (std::uint32_t k = 0; k < crowd.size(); ++k) {
       const Box<D> box = crowd.box(k);

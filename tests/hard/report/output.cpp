@@ -108,7 +108,7 @@ double ratio(const VolumeFigure& f) {
 
 void print(const Table& table) {
   std::printf(
-      "= exact   +n extra   2xn told twice   !n wrong status or unsound   -n missed   X crash\n"
+      "= exact   +n extra   2xn reported twice   !n wrong status or unsound   -n missed   X crash\n"
       "T time-out (%u s of processor time in steps)   t not tried: timed out in 2D\n",
       Limits{}.seconds);
   for (const int dimension : {2, 3})

@@ -30,7 +30,7 @@ constexpr std::array<Style, kVerdictCount> kStyles{
     {{{226, 226, 222}, {110, 110, 110}, "not applicable", ""},
      {{205, 232, 247}, {40, 90, 130}, "exact", "="},
      {{240, 228, 66}, {25, 25, 25}, "extra pairs, their number", "+12"},
-     {{230, 159, 0}, {25, 25, 25}, "pairs told twice, their number", "2x5"},
+     {{230, 159, 0}, {25, 25, 25}, "pairs reported twice, their number", "2x5"},
      {{204, 121, 167}, {25, 25, 25}, "wrong status or unsound tree", "!1"},
      {{213, 94, 0}, {255, 255, 255}, "missed pairs, their number", "-1k"},
      {{0, 84, 140}, {255, 255, 255}, "time-out", "T"},
@@ -66,8 +66,8 @@ class TablePicture {
                 palette::kGround) {}
 
   const Image& draw() {
-    canvas_.text(large_, kMargin, kMargin, "Hard cases: who tells exactly the overlapping pairs?",
-                 palette::kInk);
+    canvas_.text(large_, kMargin, kMargin,
+                 "Hard cases: which broad phase reports exactly the overlapping pairs?", palette::kInk);
     for (std::size_t i = 0; i < table_.columns.size(); ++i) draw_head(i);
     for (std::size_t i = 0; i < table_.rows.size(); ++i) draw_row(i);
     draw_legend();

@@ -6,7 +6,7 @@
 namespace kerf::test {
 
 /// The table as a heat map: a row a case, a column a volume of ours or a rival, the verdict as colour and as
-/// a sign. The colours are told apart with any kind of colour vision.
+/// a sign. The colours are distinct with any kind of colour vision.
 Image draw_table(const Table& table);
 
 }  // namespace kerf::test

@@ -44,7 +44,7 @@ RivalHints<D> hints_for(const Script<D>& script) {
   return hints;
 }
 
-/// Plays one case to everybody in one dimension.
+/// Plays one case to every column in one dimension.
 template <int D>
 class CaseRun {
  public:
@@ -108,7 +108,8 @@ const TableCell* cell_in_2d(const Row& row, std::string_view name) {
   return nullptr;
 }
 
-/// Fills the cells of a row. Who needs too long in 2D is not tried in 3D: time-outs are what takes the time.
+/// Fills the cells of a row. A column that times out in 2D is not tried in 3D: time-outs take most of the
+/// time.
 void fill(Row& row, Children& children) {
   CaseRun<2> plane(*row.hard_case, children);
   CaseRun<3> space(*row.hard_case, children);

@@ -11,7 +11,7 @@
 
 namespace kerf::test {
 
-/// Who is tried: our tree with one kind of volume, or a rival, in one dimension.
+/// A column: our tree with one kind of volume, or a rival, in one dimension.
 struct Column {
   int dimension = 2;
   bool ours = true;
@@ -45,9 +45,9 @@ struct Table {
 /// The columns of both dimensions: our volumes, then the rivals.
 std::vector<Column> all_columns();
 
-/// Tries everybody on the cases whose id or name contains `only` (all if it is empty). Our boxes and the
-/// rivals play the cases in the report's size, our other volumes in the tests' size. `progress` is told each
-/// case.
+/// Tries all columns on the cases whose id or name contains `only` (all if it is empty). Our boxes and the
+/// rivals play the cases in the report's size, our other volumes in the tests' size. `progress` is called
+/// with each case.
 Table make_table(std::string_view only, const Limits& limits, unsigned at_once,
                  const std::function<void(const HardCase&)>& progress);
 

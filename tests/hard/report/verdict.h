@@ -12,8 +12,8 @@ namespace kerf::test {
 enum class Verdict : std::uint8_t {
   not_applicable,
   exact,
-  extra,     ///< told pairs that are none
-  twice,     ///< told pairs more than once
+  extra,     ///< reported pairs that are none
+  twice,     ///< reported pairs more than once
   broken,    ///< ours: a wrong status, or a tree that breaks its promises
   missed,    ///< lost pairs
   time_out,  ///< used up its processor time

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <set>
 
+#include "core/base/overloaded.h"
 #include "core/broad_phase/brute_force.h"
 #include "core/bsp/bsp.h"
 #include "sims3d/scenes/drop_scene.h"
@@ -65,23 +66,25 @@ void advance(Scene<3>& scene, int steps) {
 /// The points of the shape that reach furthest, in the world.
 std::vector<Vector<3>> extremes(const Body<3>& body) {
   std::vector<Vector<3>> points;
-  if (const auto* ball = std::get_if<Ball>(&body.shape)) {
+  const auto of_ball = [&](const Ball& ball) {
     for (int axis = 0; axis < 3; ++axis)
       for (const Scalar sign : {-1.0F, 1.0F})
-        points.push_back(body.pose.position + axis_vector<3>(axis) * (sign * ball->radius));
-  } else if (const auto* brick = std::get_if<Brick<3>>(&body.shape)) {
+        points.push_back(body.pose.position + axis_vector<3>(axis) * (sign * ball.radius));
+  };
+  const auto of_brick = [&](const Brick<3>& brick) {
     for (int corner = 0; corner < 8; ++corner) {
       Vector<3> point = body.pose.position;
       for (int axis = 0; axis < 3; ++axis) {
         const Scalar sign = ((corner >> axis) & 1) != 0 ? 1.0F : -1.0F;
-        point = point + body.pose.axes[static_cast<std::size_t>(axis)] * (sign * brick->half[axis]);
+        point = point + body.pose.axes[static_cast<std::size_t>(axis)] * (sign * brick.half[axis]);
       }
       points.push_back(point);
     }
-  } else {
-    for (const Vector<3>& vertex : std::get<std::shared_ptr<const Surface>>(body.shape)->vertices)
-      points.push_back(body.pose.position + vertex);
-  }
+  };
+  const auto of_surface = [&](const std::shared_ptr<const Surface>& surface) {
+    for (const Vector<3>& vertex : surface->vertices) points.push_back(body.pose.position + vertex);
+  };
+  std::visit(Overloaded{of_ball, of_brick, of_surface}, body.shape);
   return points;
 }
 

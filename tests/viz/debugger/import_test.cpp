@@ -35,7 +35,7 @@ std::vector<Pair> told(const std::vector<Pair>& truth, std::uint32_t step) {
   return pairs;
 }
 
-/// Somebody else's run, as `kerf import` writes it, and a model of it.
+/// Another engine's run, as `kerf import` writes it, and a model of it.
 template <class T>
 class ImportedRun : public testing::Test {
  protected:

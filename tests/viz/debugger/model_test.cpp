@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "core/trace/event_facts.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 #include "tests/viz/temporary_folder.h"
@@ -185,7 +186,7 @@ TYPED_TEST(DebuggerModelTest, RibbonsAreTheHistoryOfWhatIsSelected) {
   EXPECT_TRUE(model.ribbons().empty());
   const Position split = this->first("op==split && kind==acted");
   model.go(split);
-  const NodeId node = model.run().tree()[model.run().event_node()->index()].left;
+  const NodeId node = model.run().tree()[*model.run().event_node()].left;
   model.select(node);
   const auto count = [&](auto... kinds) {
     return static_cast<std::size_t>(std::ranges::count_if(
@@ -250,8 +251,9 @@ TYPED_TEST(DebuggerModelTest, TheOtherRunFollowsBelowTheStep) {
   model.what_if({.event = split.event});
   using Match = Counterpart::Match;
   EXPECT_EQ(model.match(), Match::different);
-  ASSERT_TRUE(model.other()->event());
-  EXPECT_NE(std::get_if<OperatorRefused>(&model.other()->event()->body), nullptr);
+  const auto other_event = model.other()->event();
+  ASSERT_TRUE(other_event);
+  EXPECT_NE(refused_of(*other_event), nullptr);
   model.go(Position::end_of(split.step - 1));
   std::vector<std::pair<Position, std::uint64_t>> places;
   for (; model.run().position() < split; model.step(Granularity::event, true)) {

@@ -88,22 +88,22 @@ class DebuggerPick : public testing::Test {
     bounds_ = box.box();
     orbit_.set_box(bounds_);
     view_ = orbit_.view(kWidth, kHeight);
-    skeleton_.assign(&run_->state().tree);
+    snapshot_.assign(&run_->state().tree);
     for_each_node(run_->state().tree, run_->state().tree.root(), [&](NodeId id) {
       seen_.resize(std::max(seen_.size(), id.index() + 1));
       seen_[id.index()] = 1;
-      if (!skeleton_[id].is_leaf()) inner_.push_back(id);
+      if (!snapshot_[id].is_leaf()) inner_.push_back(id);
     });
   }
   [[nodiscard]] std::optional<NodeId> pick(const Eigen::Vector3d& point) const {
     const auto pixel = view_.project(point);
-    return pick_node<kD>({skeleton_, inner_, seen_, bounds_}, view_, pixel->x(), pixel->y());
+    return pick_node<kD>({snapshot_, inner_, seen_, bounds_}, view_, pixel->x(), pixel->y());
   }
   /// Whether the node's cell, or what of the partitioner lies in it, is seen at that point of the picture.
   [[nodiscard]] bool reaches(NodeId id, const Eigen::Vector3d& point) const {
     const auto pixel = view_.project(point);
     std::vector<HalfSpace> sides = half_spaces(bounds_);
-    for (const HalfSpace& side : skeleton_.cell_sides(id)) sides.push_back(side);
+    for (const HalfSpace& side : cell_sides(snapshot_, id)) sides.push_back(side);
     return distance_to(ray_through(view_, pixel->x(), pixel->y()), sides).has_value();
   }
 
@@ -115,7 +115,7 @@ class DebuggerPick : public testing::Test {
   Box<kD> bounds_;
   Orbit<kD> orbit_;
   View view_;
-  Skeleton<kD> skeleton_;
+  TreeSnapshotOf<kD> snapshot_;
   std::vector<std::uint8_t> seen_;
   std::vector<NodeId> inner_;
 };
@@ -125,12 +125,12 @@ TYPED_TEST(DebuggerPick, APartitionerByItsLine) {
   std::size_t seen = 0;
   std::size_t exact = 0;
   for (const NodeId id : this->inner_) {
-    const Polygon line = partitioner_in_cell(this->skeleton_, id, this->skeleton_[id].plane, this->bounds_);
+    const Polygon line = partitioner_in_cell(this->snapshot_, id, this->bounds_);
     if (line.size() < 2) continue;  // beyond all objects
     ++seen;
     const auto found = this->pick(0.5 * (line[0] + line[1]));
     ASSERT_TRUE(found.has_value());
-    EXPECT_FALSE(this->skeleton_[*found].is_leaf()) << "n" << id.value;
+    EXPECT_FALSE(this->snapshot_[*found].is_leaf()) << "n" << id.value;
     exact += *found == id ? 1 : 0;  // others may have a line in the same place
   }
   EXPECT_GT(seen, 5U);
@@ -147,10 +147,10 @@ TYPED_TEST(DebuggerPick, ALeafWhereThereIsNoLine) {
       const auto found = this->pick(point);
       ASSERT_TRUE(found.has_value());
       EXPECT_TRUE(this->reaches(*found, point));
-      leaves += this->skeleton_[*found].is_leaf() ? 1 : 0;
+      leaves += this->snapshot_[*found].is_leaf() ? 1 : 0;
     }
   EXPECT_GT(leaves, 5U);
-  const auto beside = pick_node<TypeParam::value>({this->skeleton_, this->inner_, this->seen_, this->bounds_},
+  const auto beside = pick_node<TypeParam::value>({this->snapshot_, this->inner_, this->seen_, this->bounds_},
                                                   this->view_, 1, 1);
   EXPECT_EQ(beside, std::nullopt);
 }

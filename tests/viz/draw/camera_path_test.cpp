@@ -56,5 +56,10 @@ TEST(CameraPath, ErrorsNameTheLine) {
   EXPECT_THAT(message("nan yaw=1"), testing::HasSubstr("line 1"));
 }
 
+TEST(CameraPath, WhatHoldsForTheWholeFilmIsNoKeyFrame) {
+  EXPECT_THROW(CameraPath<2>("1 all\n"), std::invalid_argument);
+  EXPECT_THROW(CameraPath<3>("1 yaw=3\n9 all,yaw=4\n"), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace kerf

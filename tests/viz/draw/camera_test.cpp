@@ -109,5 +109,17 @@ TEST(View, NothingBehindTheEyeIsProjected) {
   EXPECT_FALSE(view.project(view.eye - view.forward).has_value());
 }
 
+TEST(Camera, TheWordAllAsksForEverything) {
+  EXPECT_EQ(parse_camera<2>("").framing, Framing::most);
+  EXPECT_EQ(parse_camera<2>("all").framing, Framing::everything);
+  EXPECT_EQ(parse_camera<3>("yaw=60,all").framing, Framing::everything);
+  EXPECT_EQ(parse_camera<3>("all,yaw=60").yaw, 60);
+  EXPECT_FALSE(parse_camera<3>("all,yaw=60").is_aimed());
+  EXPECT_TRUE(parse_camera<3>("distance=60").is_aimed());
+  EXPECT_TRUE(parse_camera<2>("width=60").is_aimed());
+  EXPECT_THROW(parse_camera<2>("all=1"), std::invalid_argument);
+  EXPECT_THROW(parse_camera<3>("all,"), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace kerf

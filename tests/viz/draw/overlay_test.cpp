@@ -53,13 +53,21 @@ TEST(Caption, StandsStillWhileNumbersGrow) {
   small.statistics.operators.fill(0);
   Caption large = large_caption();
   large.pairs = large.contacts = 12345;
-  const auto a = flow::arrange_caption(font, 1280, caption_items(small, true));
-  const auto b = flow::arrange_caption(font, 1280, caption_items(large, true));
+  const auto a = flow::arrange_caption(font, 1280, caption_items(small, true, 0));
+  const auto b = flow::arrange_caption(font, 1280, caption_items(large, true, 12345));
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].x, b[i].x) << i;
     EXPECT_EQ(a[i].line, b[i].line) << i;
   }
+}
+
+TEST(Caption, SpeaksOfWhatLiesOutsideOnlyIfItIsTold) {
+  const auto has_outside = [](const std::vector<CaptionItem>& items) {
+    return std::ranges::count(items, "outside", &CaptionItem::word);
+  };
+  EXPECT_EQ(has_outside(caption_items(large_caption(), true)), 0);
+  EXPECT_EQ(has_outside(caption_items(large_caption(), true, 0)), 1);
 }
 
 TEST(Labels, LieInTheSceneAndApart) {

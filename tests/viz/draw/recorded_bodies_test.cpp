@@ -14,7 +14,7 @@ template <class T>
 class RecordedBodies : public testing::Test {};
 TYPED_TEST_SUITE(RecordedBodies, test::Dimensions, test::DimensionNames);
 
-/// Who has gone, or has a broken box, keeps the number, is drawn nowhere, and moves no view.
+/// An absent object, or one with a broken box, keeps its number, is not drawn, and moves no view.
 TYPED_TEST(RecordedBodies, OnlyWhoIsThereIsDrawnAndCounted) {
   constexpr int kD = TypeParam::value;
   ObjectTable<kD> objects(VolumeKind::box);

@@ -63,7 +63,7 @@ TEST(Framebuffer, TwoContextsDoNotMix) {
   EXPECT_EQ(image, make_image(8, 8, 0xff0000ff));
 }
 
-/// EGL is there wherever the tests run in full; elsewhere the reason is told.
+/// EGL is there wherever the tests run in full; elsewhere the reason is given.
 std::unique_ptr<GlContext> egl_or_none(std::string& reason) {
   try {
     return make_offscreen_context(GlBackend::egl);

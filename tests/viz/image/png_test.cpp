@@ -140,8 +140,8 @@ TEST(Png, EveryDamagedByteIsNoticed) {
   }
 }
 
-/// stb_image would hand a null pointer to memcpy: found by fuzzing.
-TEST(Png, AnEmptyChunkOfPictureDataIsRefused) {
+/// Allowed, but rare: found by fuzzing.
+TEST(Png, AnEmptyChunkOfPictureDataIsRead) {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "a.png";
   write_png(path, noise(5, 4, true));
@@ -150,7 +150,7 @@ TEST(Png, AnEmptyChunkOfPictureDataIsRefused) {
   const std::vector<std::uint8_t> empty{0, 0, 0, 0, 'I', 'D', 'A', 'T', 0x35, 0xAF, 0x06, 0x1E};
   bytes.insert(bytes.begin() + kBehindHeader, empty.begin(), empty.end());
   write_bytes(path, bytes);
-  EXPECT_THAT(read_error(path), HasSubstr("picture data is empty"));
+  EXPECT_EQ(read_png(path), noise(5, 4, true));
 }
 
 TEST(Png, SaysWhatIsWrong) {

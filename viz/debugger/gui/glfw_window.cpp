@@ -3,7 +3,6 @@
 
 #include <GLFW/glfw3.h>
 
-#include <algorithm>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -45,31 +44,61 @@ std::optional<Key> key_of(int key) {
   return found == kKeys.end() ? std::nullopt : std::optional(found->second);
 }
 
-DebuggerInput& input_of(GLFWwindow* window) {
-  return *static_cast<DebuggerInput*>(glfwGetWindowUserPointer(window));
+bool is_held(GLFWwindow* window, int left, int right) {
+  return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
 }
 
-void note_key(GLFWwindow* window, int key, int /*scancode*/, int action, int mods) {
+/// What a key does beside others is asked of the keys themselves: X11 tells modifiers as they were before.
+template <class What>
+void note(GLFWwindow* window, What what) {
+  static_cast<InputQueue*>(glfwGetWindowUserPointer(window))
+      ->add({glfwGetTime(), is_held(window, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+             is_held(window, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL), std::move(what)});
+}
+
+void note_key(GLFWwindow* window, int key, int /*scancode*/, int action, int /*mods*/) {
   const auto known = key_of(key);
-  if (!known || action == GLFW_RELEASE) return;
-  input_of(window).keys.push_back({*known, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
+  if (!known || action == GLFW_RELEASE) return note(window, NothingElse{});
+  note(window, KeyTap{*known, action == GLFW_REPEAT});
+}
+
+std::string utf8_of(unsigned code) {
+  const auto byte = [](unsigned value) { return static_cast<char>(static_cast<unsigned char>(value)); };
+  const auto six_bits = [&](unsigned shift) { return byte(0x80U | ((code >> shift) & 0x3FU)); };
+  if (code < 0x80) return {byte(code)};
+  if (code < 0x800) return {byte(0xC0U | (code >> 6U)), six_bits(0)};
+  if (code < 0x10000) return {byte(0xE0U | (code >> 12U)), six_bits(6), six_bits(0)};
+  return {byte(0xF0U | (code >> 18U)), six_bits(12), six_bits(6), six_bits(0)};
 }
 
 /// '?' lies elsewhere on every keyboard, so that it is known by what it writes.
 void note_letter(GLFWwindow* window, unsigned code) {
-  DebuggerInput& input = input_of(window);
-  if (code == '?') input.keys.push_back({Key::question, false, false});
-  if (code < 0x80) {
-    input.text += static_cast<char>(code);
-  } else if (code < 0x800) {
-    input.text += static_cast<char>(0xC0U | (code >> 6U));
-    input.text += static_cast<char>(0x80U | (code & 0x3FU));
-  }
+  if (code == '?') note(window, KeyTap{Key::question, false});
+  note(window, TypedText{utf8_of(code)});
 }
 
 void note_wheel(GLFWwindow* window, double /*x*/, double y) {
-  input_of(window).wheel += static_cast<float>(y);
+  note(window, WheelTurn{static_cast<float>(y)});
 }
+
+void note_button(GLFWwindow* window, int button, int action, int /*mods*/) {
+  const auto number = static_cast<std::size_t>(button);
+  if (number < DebuggerInput{}.buttons.size()) note(window, ButtonChange{number, action == GLFW_PRESS});
+}
+
+/// On some displays a place has several pixels.
+void note_place(GLFWwindow* window, double x, double y) {
+  int pixels = 0;
+  int places = 0;
+  glfwGetFramebufferSize(window, &pixels, nullptr);
+  glfwGetWindowSize(window, &places, nullptr);
+  const double scale = places > 0 ? static_cast<double>(pixels) / places : 1;
+  note(window, MouseMove{static_cast<float>(x * scale), static_cast<float>(y * scale)});
+}
+
+void note_size(GLFWwindow* window, int /*width*/, int /*height*/) { note(window, NothingElse{}); }
+
+void note_damage(GLFWwindow* window) { note(window, NothingElse{}); }
 
 GlProcedure find_function(const char* name) { return glfwGetProcAddress(name); }
 
@@ -108,11 +137,18 @@ GlfwWindow::GlfwWindow(const std::string& title, int width, int height)
 GlfwWindow::~GlfwWindow() = default;
 
 void GlfwWindow::listen() {
-  glfwSetWindowUserPointer(window_.get(), &input_);
+  glfwSetWindowUserPointer(window_.get(), &queue_);
   glfwSetKeyCallback(window_.get(), note_key);
   glfwSetCharCallback(window_.get(), note_letter);
   glfwSetScrollCallback(window_.get(), note_wheel);
-  last_ = glfwGetTime();
+  glfwSetMouseButtonCallback(window_.get(), note_button);
+  glfwSetCursorPosCallback(window_.get(), note_place);
+  glfwSetFramebufferSizeCallback(window_.get(), note_size);
+  glfwSetWindowRefreshCallback(window_.get(), note_damage);
+  double x = 0;
+  double y = 0;
+  glfwGetCursorPos(window_.get(), &x, &y);
+  note_place(window_.get(), x, y);
 }
 
 void GlfwWindow::make_current() { glfwMakeContextCurrent(window_.get()); }
@@ -144,39 +180,23 @@ bool GlfwWindow::goes_on(const std::string& progress) {
   glfwSetWindowTitle(window_.get(), progress.c_str());
   is_busy_ = true;
   glfwPollEvents();
-  const auto escape =
-      std::ranges::find(input_.keys, Key::escape, [](const auto& press) { return press.key; });
-  if (escape == input_.keys.end()) return !should_close();
-  input_.keys.erase(escape);
-  return false;
+  return !queue_.take_tap(Key::escape) && !should_close();
 }
 
-DebuggerInput GlfwWindow::take_input(bool idle) {
-  constexpr double kWait = 0.05;  // seconds: panels move on slowly even if nothing happens
-  if (idle) {
-    glfwWaitEventsTimeout(kWait);
+double GlfwWindow::seconds() { return glfwGetTime(); }
+
+bool GlfwWindow::wait(double seconds) {
+  if (!has_input() && seconds > 0) {
+    glfwWaitEventsTimeout(seconds);
   } else {
     glfwPollEvents();
   }
+  return has_input();
+}
+
+DebuggerInput GlfwWindow::take_input() {
   if (std::exchange(is_busy_, false)) glfwSetWindowTitle(window_.get(), title_.c_str());
-  DebuggerInput taken = std::exchange(input_, {});
-  double x = 0;
-  double y = 0;
-  int window_width = 0;
-  glfwGetCursorPos(window_.get(), &x, &y);
-  glfwGetWindowSize(window_.get(), &window_width, nullptr);
-  // On some displays a place has several pixels.
-  const double scale = window_width > 0 ? static_cast<double>(width()) / window_width : 1;
-  taken.mouse_x = static_cast<float>(x * scale);
-  taken.mouse_y = static_cast<float>(y * scale);
-  for (int k = 0; k < 3; ++k)
-    taken.buttons[static_cast<std::size_t>(k)] = glfwGetMouseButton(window_.get(), k) == GLFW_PRESS;
-  const auto held = [this](int key) { return glfwGetKey(window_.get(), key) == GLFW_PRESS; };
-  taken.shift = held(GLFW_KEY_LEFT_SHIFT) || held(GLFW_KEY_RIGHT_SHIFT);
-  taken.control = held(GLFW_KEY_LEFT_CONTROL) || held(GLFW_KEY_RIGHT_CONTROL);
-  const double now = glfwGetTime();
-  taken.seconds = static_cast<float>(std::clamp(now - std::exchange(last_, now), 1e-4, 0.25));
-  return taken;
+  return queue_.take(seconds());
 }
 
 }  // namespace kerf

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "viz/debugger/gui/input.h"
+#include "viz/debugger/gui/input_queue.h"
 #include "viz/gl/context.h"
 
 struct GLFWwindow;
@@ -30,8 +30,13 @@ class GlfwWindow final : public GlContext {
   /// To be called now and then in long work: shows `progress` as title, answers the display, and is false
   /// once the user has pressed Escape or closes the window.
   [[nodiscard]] bool goes_on(const std::string& progress);
-  /// What happened since the last call; `idle`: waits a little for something to happen.
-  [[nodiscard]] DebuggerInput take_input(bool idle);
+  /// Seconds since the program has a window.
+  [[nodiscard]] static double seconds();
+  /// Until the user does something, at most so many seconds. True if a frame has something to take in.
+  bool wait(double seconds);
+  [[nodiscard]] bool has_input() const { return !queue_.is_empty(); }
+  /// The next frame's share of what the user did.
+  [[nodiscard]] DebuggerInput take_input();
 
  private:
   /// GLFW is there once for the process, as long as a window lives.
@@ -52,8 +57,7 @@ class GlfwWindow final : public GlContext {
   std::string title_;
   bool is_busy_ = false;  ///< another title is shown
   GlFunctions functions_;
-  DebuggerInput input_;  ///< gathered by the callbacks
-  double last_ = 0;      ///< time of the last frame in seconds
+  InputQueue queue_;  ///< filled by the callbacks
 };
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 #include "viz/debugger/gui/gui.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include "viz/draw/font.h"
 #include "viz/draw/palette.h"
@@ -108,14 +109,14 @@ void Gui::begin(const DebuggerInput& input, int width, int height) {
   ImGui::SetCurrentContext(context_.get());
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
-  io.DeltaTime = input.seconds;
+  io.DeltaTime = static_cast<float>(input.seconds);
   io.MousePos = {input.mouse_x, input.mouse_y};
   for (std::size_t k = 0; k < input.buttons.size(); ++k) io.MouseDown[k] = input.buttons[k];
   io.MouseWheel = input.wheel;
   io.KeyShift = input.shift;
   io.KeyCtrl = input.control;
   for (int key = 0; key < static_cast<int>(Key::count); ++key) io.KeysDown[key] = false;
-  for (const KeyPress& press : input.keys) io.KeysDown[static_cast<int>(press.key)] = true;
+  if (input.key) io.KeysDown[static_cast<int>(*input.key)] = true;
   io.AddInputCharactersUTF8(input.text.c_str());
   named_.clear();
   shown_.clear();
@@ -127,6 +128,10 @@ void Gui::end() { ImGui::Render(); }
 void Gui::draw() const {
   ImGui::SetCurrentContext(context_.get());
   painter_->draw(*ImGui::GetDrawData());
+}
+
+bool Gui::is_typing() const {
+  return context_->ActiveId != 0 && context_->InputTextState.ID == context_->ActiveId;
 }
 
 void Gui::name_last_item(const std::string& name, const std::string& shown) {

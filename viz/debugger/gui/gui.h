@@ -33,6 +33,9 @@ class Gui {
   /// Ends the frame and lays it out; nothing is drawn yet.
   void end();
   void draw() const;
+  /// A text field has the keys. Already true in the frame after the one in which it got them, and false in
+  /// the frame after it gave them back: what Dear ImGui itself says comes a frame late.
+  [[nodiscard]] bool is_typing() const;
 
   /// Remembers where the last item is under a name by which scripts find it, if it can be seen. What is
   /// written on it, `shown`, is a name of it, too, unless something else has that name.

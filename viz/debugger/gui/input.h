@@ -1,8 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
-#include <vector>
 
 namespace kerf {
 
@@ -33,13 +34,6 @@ enum class Key : std::uint8_t {
   count,
 };
 
-/// A key going down, with what is held beside it.
-struct KeyPress {
-  Key key = Key::space;
-  bool shift = false;
-  bool control = false;
-};
-
 /// What the user did since the last frame, whoever he is: a window's or a script's.
 struct DebuggerInput {
   float mouse_x = -1;
@@ -48,9 +42,16 @@ struct DebuggerInput {
   float wheel = 0;
   bool shift = false;
   bool control = false;
-  std::vector<KeyPress> keys;  ///< that went down
-  std::string text;            ///< typed, in UTF-8
-  float seconds = 1.0F / 60;   ///< since the last frame
+  std::optional<Key> key;     ///< that went down
+  std::string text;           ///< typed, in UTF-8
+  double seconds = 1.0 / 60;  ///< since the last frame
+
+  /// What lasts for one frame is over; what is held stays.
+  void end_frame() {
+    wheel = 0;
+    key.reset();
+    text.clear();
+  }
 };
 
 }  // namespace kerf

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/base/overloaded.h"
+#include "core/trace/event_facts.h"
+
 namespace kerf {
 namespace {
 
@@ -23,29 +26,32 @@ int line_of_operator(Operator op) {
 
 /// The line of an event; 0: it belongs to none.
 int line_of(const Event& event, bool operating) {
-  if (const auto* began = std::get_if<PhaseBegan>(&event.body))
-    return began->phase == Phase::schedule ? 1 : began->phase == Phase::operate ? 13 : 0;
-  if (const auto* scheduled = std::get_if<OperatorScheduled>(&event.body))
-    return scheduled->op == Operator::swap ? 6 : 9;
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) return line_of_operator(acted->op);
-  if (const auto* refused = std::get_if<OperatorRefused>(&event.body))
-    return operating ? line_of_operator(refused->op) : 9;
-  return std::holds_alternative<EventsDeferred>(event.body) ? 18 : 0;
+  return std::visit(Overloaded{
+                        [](const PhaseBegan& e) {
+                          return e.phase == Phase::schedule ? 1 : e.phase == Phase::operate ? 13 : 0;
+                        },
+                        [](const OperatorScheduled& e) { return e.op == Operator::swap ? 6 : 9; },
+                        [](const OperatorActed& e) { return line_of_operator(e.op); },
+                        [&](const OperatorRefused& e) { return operating ? line_of_operator(e.op) : 9; },
+                        [](const EventsDeferred&) { return 18; },
+                        NothingFor<int, ObjectPlaced, AllPlaced>(),
+                    },
+                    event.body);
 }
 
 std::string what_was_decided(const Event& event) {
-  const auto named = [](Operator op, NodeRef node, const char* what) {
-    return std::string(to_string(op)) + " n" + std::to_string(node.node.value) + what;
+  const auto named = [](const auto& e, const char* what) {
+    return std::string(to_string(e.op)) + " n" + std::to_string(e.node.node.value) + what;
   };
-  if (const auto* scheduled = std::get_if<OperatorScheduled>(&event.body))
-    return named(scheduled->op, scheduled->node, " listed");
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body))
-    return named(acted->op, acted->node, " done");
-  if (const auto* refused = std::get_if<OperatorRefused>(&event.body))
-    return named(refused->op, refused->node, " refused: ") + std::string(to_string(refused->reason));
-  if (const auto* deferred = std::get_if<EventsDeferred>(&event.body))
-    return std::to_string(deferred->count) + " wait for a later step";
-  return "";
+  return std::visit(
+      Overloaded{
+          [&](const OperatorScheduled& e) { return named(e, " listed"); },
+          [&](const OperatorActed& e) { return named(e, " done"); },
+          [&](const OperatorRefused& e) { return named(e, " refused: ") + std::string(to_string(e.reason)); },
+          [](const EventsDeferred& e) { return std::to_string(e.count) + " wait for a later step"; },
+          NothingFor<std::string, PhaseBegan, ObjectPlaced, AllPlaced>(),
+      },
+      event.body);
 }
 
 /// Whether the tree was traversed follows from what the scheduler looks at first.
@@ -67,8 +73,7 @@ Algorithm1Trace trace_algorithm_1(const Run& run) {
   bool operating = false;
   for (const Event& event : run.events_of_step()) {
     if (event.id > now.event) break;
-    const auto* const began = std::get_if<PhaseBegan>(&event.body);
-    if (began != nullptr) operating = began->phase == Phase::operate;
+    if (const auto phase = phase_of(event)) operating = *phase == Phase::operate;
     const int line = line_of(event, operating);
     if (event.id == now.event) trace.line = line;
     if (line == 0) continue;

@@ -1,8 +1,12 @@
 #include "viz/debugger/model/debugger_model.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "core/base/overloaded.h"
+#include "core/trace/event_facts.h"
 
 namespace kerf {
 namespace {
@@ -16,8 +20,8 @@ void toggle(std::set<T>& set, const T& item) {
 }
 
 Ribbon::Kind kind_of(const Event& event) {
-  if (std::holds_alternative<OperatorActed>(event.body)) return Ribbon::Kind::acted;
-  return std::holds_alternative<OperatorRefused>(event.body) ? Ribbon::Kind::refused : Ribbon::Kind::listed;
+  if (has_acted(event)) return Ribbon::Kind::acted;
+  return is_outcome(event) ? Ribbon::Kind::refused : Ribbon::Kind::listed;
 }
 
 }  // namespace
@@ -105,9 +109,16 @@ Run::Progress DebuggerModel::noticing(bool& ended) const {
 }
 
 void DebuggerModel::pass_time(double seconds) {
-  if (!playing) return;
+  if (!playing) {
+    due_ = 0;
+    return;
+  }
   due_ += seconds * speed;
   for (; due_ >= 1 && playing; due_ -= 1) step(granularity, true);
+}
+
+double DebuggerModel::seconds_to_next() const {
+  return playing ? (1 - due_) / speed : std::numeric_limits<double>::infinity();
 }
 
 void DebuggerModel::select(const Selection& selection) {
@@ -115,7 +126,7 @@ void DebuggerModel::select(const Selection& selection) {
   selection_ = selection;
 }
 
-void DebuggerModel::add_life_ribbons(NodeId node) {
+void DebuggerModel::add_node_ribbons(NodeId node) {
   const auto add = [&](const LifeSpan& span, Ribbon::Kind kind) {
     ribbons_->push_back({span.first_step, span.last_step.value_or(run_->steps()), kind});
   };
@@ -123,39 +134,41 @@ void DebuggerModel::add_life_ribbons(NodeId node) {
     add(life.span, Ribbon::Kind::life);
     for (const LifeSpan& span : life.divided) add(span, Ribbon::Kind::divided);
   }
+  for (const Event& event : run_->history(node))
+    ribbons_->push_back({event.step, event.step, kind_of(event)});
+}
+
+void DebuggerModel::add_pair_ribbons(const Pair& pair) {
+  for (const PairChange& change : run_->history(pair)) {
+    if (change.is_pair) ribbons_->push_back({change.step, run_->steps(), Ribbon::Kind::pair});
+    if (!change.is_pair && !ribbons_->empty()) ribbons_->back().last_step = change.step - 1;
+  }
 }
 
 const std::vector<Ribbon>& DebuggerModel::ribbons() {
   if (ribbons_) return *ribbons_;
   ribbons_.emplace();
-  if (const auto* node = std::get_if<NodeId>(&selection_)) {
-    add_life_ribbons(*node);
-    for (const Event& event : run_->history(*node))
-      ribbons_->push_back({event.step, event.step, kind_of(event)});
-  } else if (const auto* pair = std::get_if<Pair>(&selection_)) {
-    for (const PairChange& change : run_->history(*pair)) {
-      if (change.is_pair) ribbons_->push_back({change.step, run_->steps(), Ribbon::Kind::pair});
-      if (!change.is_pair && !ribbons_->empty()) ribbons_->back().last_step = change.step - 1;
-    }
-  }
+  std::visit(Overloaded{[&](NodeId node) { add_node_ribbons(node); },
+                        [&](const Pair& pair) { add_pair_ribbons(pair); },
+                        NothingFor<void, std::monostate, ObjectId>()},
+             selection_);
   return *ribbons_;
 }
 
 void DebuggerModel::select_object(ObjectId object, bool makes_pair) {
-  const auto* const first = std::get_if<ObjectId>(&selection_);
-  if (makes_pair && first != nullptr && *first != object) return select(make_pair(*first, object));
+  const auto first = object_in(selection_);
+  if (makes_pair && first && *first != object) return select(make_pair(*first, object));
   select(object);
 }
 
-bool DebuggerModel::is_selected(NodeId node) const {
-  const auto* const selected = std::get_if<NodeId>(&selection_);
-  return selected != nullptr && *selected == node;
-}
+bool DebuggerModel::is_selected(NodeId node) const { return node_in(selection_) == node; }
 
 void DebuggerModel::toggle_hidden() {
-  if (const auto* node = std::get_if<NodeId>(&selection_)) return toggle(view.hidden_nodes, *node);
-  if (const auto* object = std::get_if<ObjectId>(&selection_)) return toggle(view.hidden_objects, *object);
-  say("select a node or an object to hide it");
+  const auto refuse = [&] { say("select a node or an object to hide it"); };
+  std::visit(Overloaded{[&](NodeId node) { toggle(view.hidden_nodes, node); },
+                        [&](ObjectId object) { toggle(view.hidden_objects, object); },
+                        [&](std::monostate) { refuse(); }, [&](const Pair&) { refuse(); }},
+             selection_);
 }
 
 void DebuggerModel::show_all() {
@@ -165,10 +178,10 @@ void DebuggerModel::show_all() {
 }
 
 void DebuggerModel::toggle_isolated() {
-  const auto* const node = std::get_if<NodeId>(&selection_);
+  const auto node = node_in(selection_);
   if (view.isolated) {
     view.isolated.reset();
-  } else if (node != nullptr) {
+  } else if (node) {
     view.isolated = *node;
   } else {
     say("select a node to see only what is below it");

@@ -56,6 +56,8 @@ class DebuggerModel {
   void run_to_breakpoint(bool forwards);
   /// Plays on by so many seconds, if it plays.
   void pass_time(double seconds);
+  /// After so many seconds more it goes on; infinity if it does not play.
+  [[nodiscard]] double seconds_to_next() const;
 
   bool playing = false;
   double speed = 10;                          ///< what is played a second, in steps or events
@@ -134,7 +136,8 @@ class DebuggerModel {
   std::string count_hit(const Stop& stop);
   [[nodiscard]] Run::Progress noticing(bool& ended) const;
   void moved();
-  void add_life_ribbons(NodeId node);
+  void add_node_ribbons(NodeId node);
+  void add_pair_ribbons(const Pair& pair);
   void follow();
   void say(std::string text, bool is_error = false);
 

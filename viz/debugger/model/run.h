@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/query/compare.h"
@@ -18,21 +19,10 @@
 #include "core/replay/oracle.h"
 #include "core/replay/position.h"
 #include "core/tree/ballot.h"
+#include "core/tree/tree_snapshot.h"
 #include "viz/debugger/model/selection.h"
 
 namespace kerf {
-
-/// A living node as outline and colours need it.
-struct TreeRow {
-  NodeId parent;
-  NodeId left;  ///< none: a leaf
-  NodeId right;
-  std::uint32_t depth = 0;
-  std::uint32_t population = 0;
-  Quality quality;  ///< of an inner node's partitioner
-  bool alive = false;
-  [[nodiscard]] bool is_leaf() const { return left.is_none(); }
-};
 
 /// A candidate of the ballot in words and figures.
 struct CandidateRow {
@@ -56,6 +46,10 @@ struct WhatIfQuestion {
   std::uint32_t from = 1;                  ///< first step with them
 };
 
+template <int D>
+class RunOf;
+using RunOfEitherDimension = std::variant<RunOf<2>*, RunOf<3>*>;
+
 /// A recorded run with a place in it, whatever its dimension: what panels show comes from here. Everything
 /// throws std::runtime_error if the recording is damaged.
 class Run {
@@ -66,6 +60,8 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
   virtual ~Run() = default;
+  /// For what depends on the dimension.
+  [[nodiscard]] virtual RunOfEitherDimension self() = 0;
 
   [[nodiscard]] virtual const std::filesystem::path& path() const = 0;
   [[nodiscard]] virtual const RecordingInfo& info() const = 0;
@@ -91,9 +87,8 @@ class Run {
   /// That of the tree at this moment.
   [[nodiscard]] virtual const Config& config() const = 0;
 
-  [[nodiscard]] virtual NodeId root() const = 0;
-  /// By node, dead ones included. Valid until it moves.
-  [[nodiscard]] virtual std::span<const TreeRow> tree() = 0;
+  /// The tree's nodes at this moment. Valid until it moves.
+  [[nodiscard]] virtual const TreeSnapshot& tree() = 0;
   [[nodiscard]] virtual std::span<const Pair> pairs() const = 0;
   [[nodiscard]] virtual std::uint32_t objects() const = 0;
   [[nodiscard]] virtual std::uint32_t deferred() const = 0;

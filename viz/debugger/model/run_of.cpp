@@ -3,23 +3,18 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/base/overloaded.h"
 #include "core/query/criteria_text.h"
 #include "core/query/explain_event.h"
 #include "core/query/explain_node.h"
 #include "core/query/explain_pair.h"
 #include "core/query/text.h"
 #include "core/replay/what_if.h"
+#include "core/trace/event_facts.h"
 #include "core/tree/criteria.h"
 
 namespace kerf {
 namespace {
-
-const NodeRef* node_of(const Event& event) {
-  if (const auto* acted = std::get_if<OperatorActed>(&event.body)) return &acted->node;
-  if (const auto* refused = std::get_if<OperatorRefused>(&event.body)) return &refused->node;
-  if (const auto* scheduled = std::get_if<OperatorScheduled>(&event.body)) return &scheduled->node;
-  return nullptr;
-}
 
 /// Calls `visit` with each object below a node, those on both sides of a partitioner more than once.
 template <int D, class Visit>
@@ -40,7 +35,7 @@ RunOf<D>::RunOf(std::filesystem::path path)
 
 template <int D>
 void RunOf<D>::moved() {
-  tree_.clear();
+  tree_.assign(nullptr);
   ballot_.reset();
   judgement_.reset();
   hash_.reset();
@@ -75,16 +70,8 @@ std::span<const Event> RunOf<D>::events_of(std::uint32_t step) const {
 }
 
 template <int D>
-std::span<const TreeRow> RunOf<D>::tree() {
-  if (!tree_.empty()) return tree_;
-  const Tree<D>& tree = state().tree;
-  tree_.resize(tree.slots());
-  for_each_node(tree, tree.root(), [&](NodeId id) {
-    const Node<D>& node = tree[id];
-    TreeRow row{node.parent, node.left, node.right, node.depth, node.population, {}, true};
-    if (!node.is_leaf()) row.quality = quality(tree, id);
-    tree_[id.index()] = row;
-  });
+const TreeSnapshotOf<D>& RunOf<D>::tree() {
+  if (tree_.empty()) tree_.assign(&state().tree);
   return tree_;
 }
 
@@ -108,8 +95,8 @@ Plane<D> RunOf<D>::plane(std::size_t candidate) {
 template <int D>
 std::optional<NodeId> RunOf<D>::event_node() const {
   const auto event = cursor_.event();
-  const NodeRef* const node = event ? node_of(*event) : nullptr;
-  return node == nullptr ? std::nullopt : std::optional(node->node);
+  const auto ref = event ? node_of(*event) : std::nullopt;
+  return ref ? std::optional(ref->node) : std::nullopt;
 }
 
 template <int D>
@@ -124,8 +111,7 @@ ProjectionStrip RunOf<D>::make_strip(std::size_t candidate) {
   ProjectionStrip strip;
   const auto node = event_node();
   const Tree<D>& tree = state().tree;
-  if (!node || candidate >= ballot().size() || node->index() >= tree.slots() || !tree[*node].alive)
-    return strip;
+  if (!node || candidate >= ballot().size() || !this->tree().is_alive(*node)) return strip;
   const BallotEntry& entry = ballot()[candidate].entry;
   std::vector<ObjectId> objects;
   for_each_object_below(tree, *node, [&](ObjectId object) { objects.push_back(object); });
@@ -140,12 +126,14 @@ ProjectionStrip RunOf<D>::make_strip(std::size_t candidate) {
 template <int D>
 std::string RunOf<D>::explain(const Selection& selection) {
   const std::uint32_t step = position().step;
-  if (const auto* node = std::get_if<NodeId>(&selection))
-    return to_text(kerf::explain_node(cursor_.replayer(), step, *node));
-  if (const auto* pair = std::get_if<Pair>(&selection))
-    return to_text(kerf::explain_pair(cursor_.replayer(), step, *pair));
-  if (const auto* object = std::get_if<ObjectId>(&selection)) return explain_object(*object);
-  return "";
+  return std::visit(
+      Overloaded{
+          [](std::monostate) { return std::string(); },
+          [&](NodeId node) { return to_text(kerf::explain_node(cursor_.replayer(), step, node)); },
+          [&](ObjectId object) { return explain_object(object); },
+          [&](const Pair& pair) { return to_text(kerf::explain_pair(cursor_.replayer(), step, pair)); },
+      },
+      selection);
 }
 
 template <int D>
@@ -231,9 +219,12 @@ void RunOf<D>::rerun(const WhatIfQuestion& question, const std::filesystem::path
 
 template <int D>
 RecordingComparison RunOf<D>::compare(Run& other) {
-  auto* const same = dynamic_cast<RunOf<D>*>(&other);
-  if (same == nullptr) throw std::runtime_error("a run in 2D and one in 3D cannot be compared");
-  return kerf::compare(*recording_, *same->recording_);
+  return std::visit(
+      [&]<int OtherD>(RunOf<OtherD>* run) -> RecordingComparison {
+        if constexpr (OtherD == D) return kerf::compare(*recording_, *run->recording_);
+        throw std::runtime_error("a run in 2D and one in 3D cannot be compared");
+      },
+      other.self());
 }
 
 template <int D>

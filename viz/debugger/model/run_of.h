@@ -16,6 +16,7 @@ class RunOf final : public Run {
  public:
   explicit RunOf(std::filesystem::path path);
 
+  [[nodiscard]] RunOfEitherDimension self() override { return this; }
   [[nodiscard]] const std::filesystem::path& path() const override { return path_; }
   [[nodiscard]] const RecordingInfo& info() const override { return recording_->info(); }
   [[nodiscard]] std::span<const StepRow> rows() const override { return recording_->rows(); }
@@ -31,8 +32,7 @@ class RunOf final : public Run {
   [[nodiscard]] std::span<const Event> events_of(std::uint32_t step) const override;
   [[nodiscard]] std::uint64_t state_hash() const override;
   [[nodiscard]] const Config& config() const override { return state().config; }
-  [[nodiscard]] NodeId root() const override { return state().tree.root(); }
-  [[nodiscard]] std::span<const TreeRow> tree() override;
+  [[nodiscard]] const TreeSnapshotOf<D>& tree() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return state().pairs; }
   [[nodiscard]] std::uint32_t objects() const override { return state().latest.size(); }
   [[nodiscard]] std::uint32_t deferred() const override { return state().scheduler.pending(); }
@@ -77,7 +77,7 @@ class RunOf final : public Run {
   Search<D> search_;
 
   // Found when first asked for, forgotten when the cursor moves.
-  std::vector<TreeRow> tree_;
+  TreeSnapshotOf<D> tree_;
   std::optional<std::vector<CandidateRow>> ballot_;
   std::optional<PairJudgement> judgement_;
   std::uint64_t judged_pairs_ = 0;

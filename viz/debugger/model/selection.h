@@ -1,10 +1,11 @@
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "core/base/ids.h"
+#include "core/base/overloaded.h"
 
 namespace kerf {
 
@@ -13,12 +14,32 @@ using Selection = std::variant<std::monostate, NodeId, ObjectId, Pair>;
 
 /// "n17", "object 5", "pair 12,77" or "nothing": the same words in every panel and in scripts.
 inline std::string to_string(const Selection& selection) {
-  if (const auto* node = std::get_if<NodeId>(&selection)) return "n" + std::to_string(node->value);
-  if (const auto* object = std::get_if<ObjectId>(&selection))
-    return "object " + std::to_string(object->value);
-  if (const auto* pair = std::get_if<Pair>(&selection))
-    return "pair " + std::to_string(pair->a.value) + "," + std::to_string(pair->b.value);
-  return "nothing";
+  const auto number = [](auto id) { return std::to_string(id.value); };
+  return std::visit(Overloaded{
+                        [](std::monostate) { return std::string("nothing"); },
+                        [&](NodeId node) { return "n" + number(node); },
+                        [&](ObjectId object) { return "object " + number(object); },
+                        [&](const Pair& pair) { return "pair " + number(pair.a) + "," + number(pair.b); },
+                    },
+                    selection);
+}
+
+inline bool is_nothing(const Selection& selection) { return selection == Selection(); }
+
+/// The node that is selected.
+inline std::optional<NodeId> node_in(const Selection& selection) {
+  using Answer = std::optional<NodeId>;
+  return std::visit(Overloaded{[](NodeId node) { return Answer(node); },
+                               NothingFor<Answer, std::monostate, ObjectId, Pair>()},
+                    selection);
+}
+
+/// The object that is selected by itself.
+inline std::optional<ObjectId> object_in(const Selection& selection) {
+  using Answer = std::optional<ObjectId>;
+  return std::visit(Overloaded{[](ObjectId object) { return Answer(object); },
+                               NothingFor<Answer, std::monostate, NodeId, Pair>()},
+                    selection);
 }
 
 }  // namespace kerf

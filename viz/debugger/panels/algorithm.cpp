@@ -26,10 +26,9 @@ void draw_algorithm(PanelContext& context) {
     ImGui::Unindent(40);
     ImGui::PopStyleColor();
   }
-  const auto* const selected = std::get_if<NodeId>(&model.selection());
-  const auto node = selected != nullptr ? std::optional(*selected) : model.run().event_node();
-  const auto tree = model.run().tree();
-  if (!node || node->index() >= tree.size() || !tree[node->index()].alive) return;
+  const auto selected = node_in(model.selection());
+  const auto node = selected ? selected : model.run().event_node();
+  if (!node || !model.run().tree().is_alive(*node)) return;
   ImGui::Separator();
   widgets::wrapped_text("n" + std::to_string(node->value) + " now: " + model.run().wish(*node));
 }

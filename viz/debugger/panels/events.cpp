@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "core/base/overloaded.h"
+#include "core/trace/event_facts.h"
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
 #include "viz/draw/palette.h"
@@ -7,15 +9,19 @@
 namespace kerf {
 namespace {
 
-bool is_listed(const Event& event, bool operators_only) {
-  return !operators_only || !std::holds_alternative<ObjectPlaced>(event.body);
-}
+bool is_listed(const Event& event, bool operators_only) { return !operators_only || !object_of(event); }
 
 Color color_of_event(const Event& event) {
-  if (std::holds_alternative<OperatorActed>(event.body)) return palette::kOperator;
-  if (std::holds_alternative<OperatorRefused>(event.body)) return palette::kCandidate;
-  if (std::holds_alternative<PhaseBegan>(event.body)) return palette::kPartitioner;
-  return palette::kInk;
+  return std::visit(Overloaded{
+                        [](const PhaseBegan&) { return palette::kPartitioner; },
+                        [](const ObjectPlaced&) { return palette::kInk; },
+                        [](const OperatorScheduled&) { return palette::kInk; },
+                        [](const OperatorActed&) { return palette::kOperator; },
+                        [](const OperatorRefused&) { return palette::kCandidate; },
+                        [](const EventsDeferred&) { return palette::kInk; },
+                        [](const AllPlaced&) { return palette::kInk; },
+                    },
+                    event.body);
 }
 
 /// "split n5: 65 -> 65 (33 | 34)" without id and step, which have columns of their own.

@@ -134,7 +134,7 @@ RibbonLook look_of(Ribbon::Kind kind) {
 /// the selected objects were a pair.
 void draw_ribbons(PanelContext& context, const TimeAxis& axis, float top) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool nothing = std::holds_alternative<std::monostate>(context.model.selection());
+  const bool nothing = is_nothing(context.model.selection());
   const std::string name = nothing ? "selected" : to_string(context.model.selection());
   list.AddText({ImGui::GetWindowPos().x + 8, top - 1},
                widgets::to_imgui(nothing ? palette::kFaintInk : palette::kInk), name.c_str());

@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "core/trace/event_facts.h"
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
 #include "viz/draw/palette.h"
@@ -17,15 +18,10 @@ void ask(PanelContext& context, const WhatIfQuestion& question) {
   }
 }
 
-bool is_operator(const Event& event) {
-  return std::holds_alternative<OperatorActed>(event.body) ||
-         std::holds_alternative<OperatorRefused>(event.body);
-}
-
 void draw_decisions(PanelContext& context) {
   DebuggerModel& model = context.model;
   const auto event = model.run().event();
-  if (!event || !is_operator(*event)) {
+  if (!event || !is_outcome(*event)) {
     ImGui::TextDisabled("go to an operator to refuse it, or to take\nanother candidate");
     return;
   }

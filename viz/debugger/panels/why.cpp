@@ -17,7 +17,7 @@ const std::string& explanation(PanelContext& context) {
   memory.explained = model.selection();
   memory.explained_at = now;
   try {
-    const bool of_event = std::holds_alternative<std::monostate>(model.selection());
+    const bool of_event = is_nothing(model.selection());
     memory.explanation = of_event ? std::string() : model.run().explain(model.selection());
     if (of_event && !now.is_end()) memory.explanation = model.run().explain_event(now.event);
   } catch (const std::runtime_error& error) {
@@ -55,7 +55,7 @@ void draw_links(PanelContext& context, const std::string& text) {
 
 void draw_why(PanelContext& context) {
   DebuggerModel& model = context.model;
-  const bool nothing = std::holds_alternative<std::monostate>(model.selection());
+  const bool nothing = is_nothing(model.selection());
   if (!nothing) {
     ImGui::Text("%s", to_string(model.selection()).c_str());
     ImGui::SameLine();

@@ -37,11 +37,11 @@ std::optional<NodeId> line_at(const PickableTree<D>& tree, const View& view, con
   std::optional<NodeId> best;
   double nearest = kNearLine;
   for (const NodeId id : tree.partitioners) {
-    const auto& joint = tree.skeleton[id];
-    const Polygon polygon = partitioner_in_cell(tree.skeleton, id, joint.plane, tree.bounds);
+    const TreeSnapshot::Node& node = tree.snapshot[id];
+    const Polygon polygon = partitioner_in_cell(tree.snapshot, id, tree.bounds);
     const double distance = distance_to_outline(view, polygon, pixel);
     constexpr double kSame = 0.5;  // of two lines in one place
-    const bool higher = best && joint.depth < tree.skeleton[*best].depth;
+    const bool higher = best && node.depth < tree.snapshot[*best].depth;
     if (distance >= nearest + (higher ? kSame : best ? -kSame : 0)) continue;
     nearest = distance;
     best = id;
@@ -52,7 +52,7 @@ std::optional<NodeId> line_at(const PickableTree<D>& tree, const View& view, con
 template <int D>
 std::vector<HalfSpace> sides_of(const PickableTree<D>& tree, NodeId id) {
   std::vector<HalfSpace> sides = half_spaces(tree.bounds);
-  const auto cell = tree.skeleton.cell_sides(id);
+  const auto cell = cell_sides(tree.snapshot, id);
   sides.insert(sides.end(), cell.begin(), cell.end());
   return sides;
 }
@@ -60,7 +60,7 @@ std::vector<HalfSpace> sides_of(const PickableTree<D>& tree, NodeId id) {
 /// How many times `way` it is to the partitioner within its cell.
 template <int D>
 std::optional<double> distance_to_pane(const PickableTree<D>& tree, NodeId id, const Ray& ray) {
-  const HalfSpace plane = half_space(tree.skeleton[id].plane, false);
+  const HalfSpace plane = half_space(tree.snapshot.plane(id), false);
   const double speed = plane.normal.dot(ray.way);
   if (std::abs(speed) < 1e-300) return std::nullopt;
   const double there = (plane.offset - plane.normal.dot(ray.start)) / speed;
@@ -103,8 +103,8 @@ std::optional<NodeId> pick_node(const PickableTree<D>& tree, const View& view, d
     for (const NodeId id : tree.partitioners) take(id, distance_to_pane(tree, id, ray));
   for (std::uint32_t k = 0; k < tree.is_seen.size(); ++k) {
     const NodeId id{k};
-    const auto& joint = tree.skeleton[id];
-    if (tree.is_seen[k] == 0 || !joint.is_leaf() || (D == 3 && joint.population == 0)) continue;
+    const TreeSnapshot::Node& node = tree.snapshot[id];
+    if (tree.is_seen[k] == 0 || !node.is_leaf() || (D == 3 && node.population == 0)) continue;
     take(id, distance_to(ray, sides_of(tree, id)));
   }
   return best;

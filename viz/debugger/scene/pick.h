@@ -5,7 +5,7 @@
 
 #include "core/scene/scene.h"
 #include "viz/debugger/scene/ray.h"
-#include "viz/draw/skeleton.h"
+#include "viz/draw/cells.h"
 
 namespace kerf {
 
@@ -16,7 +16,7 @@ std::optional<ObjectId> pick_object(const Ray& ray, std::span<const Body<D>> bod
 /// What of a tree is seen and can be picked.
 template <int D>
 struct PickableTree {
-  const Skeleton<D>& skeleton;
+  const TreeSnapshotOf<D>& snapshot;
   std::span<const NodeId> partitioners;   ///< those that are drawn
   std::span<const std::uint8_t> is_seen;  ///< by node
   Box<D> bounds;                          ///< all is drawn within it

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "viz/debugger/model/debugger_model.h"
@@ -29,6 +30,10 @@ struct SceneLabel {
   std::string text;
 };
 
+template <int D>
+class SceneViewOf;
+using SceneViewOfEitherDimension = std::variant<const SceneViewOf<2>*, const SceneViewOf<3>*>;
+
 /// The scene of a run at its moment, as the model wants it seen. All calls need the GL context to be current.
 class SceneView {
  public:
@@ -36,6 +41,7 @@ class SceneView {
   SceneView(const SceneView&) = delete;
   SceneView& operator=(const SceneView&) = delete;
   virtual ~SceneView() = default;
+  [[nodiscard]] virtual SceneViewOfEitherDimension self() const = 0;
 
   /// Draws it anew if anything that is seen has changed. The colours end at `tint_end`.
   virtual void update(const DebuggerModel& model, int width, int height, double tint_end) = 0;

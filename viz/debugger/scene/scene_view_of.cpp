@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/overloaded.h"
 #include "core/query/text.h"
 #include "viz/debugger/scene/pick.h"
 #include "viz/debugger/scene/ray.h"
+#include "viz/debugger/scene/selected_box.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/recorded_bodies.h"
 #include "viz/draw/strokes.h"
@@ -19,7 +21,6 @@ namespace {
 constexpr std::size_t kMostObjects = 10'000;
 constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
-constexpr std::uint32_t kDeepestPane = 6;
 constexpr double kCellAlpha = 0.5;
 
 /// Whether an object is among the `share` that is drawn: spread evenly, and the same in every picture.
@@ -98,7 +99,7 @@ template <int D>
 void SceneViewOf<D>::take_moment() {
   moment_ = run_.position();
   all_bodies_ = recorded_bodies(run_.state().latest);
-  skeleton_.assign(&run_.state().tree);
+  snapshot_ = run_.tree();
 }
 
 template <int D>
@@ -158,7 +159,7 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
       .bodies = bodies_, .tree = nullptr, .pairs = pairs_, .contacts = {}, .events = {}, .caption = {}};
   const std::vector<Placement> placements;
   const double line_scale = std::clamp(height_ / 500.0, 0.7, 2.0);
-  const DrawContext<D> frame{input,  seen_->view, skeleton_, placements, box_,
+  const DrawContext<D> frame{input,  seen_->view, snapshot_, placements, box_,
                              layers, line_scale,  1,         nullptr,    colors_};
   Batch planes;
   draw_nodes(frame, back, planes);
@@ -185,37 +186,22 @@ template <int D>
 void SceneViewOf<D>::draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch& planes) {
   const ViewSettings& settings = seen_->settings;
   partitioners_.clear();
-  for (const NodeId id : skeleton_.back_to_front(seen_->view.eye)) {
-    const auto& joint = skeleton_[id];
+  for (const NodeId id : back_to_front(snapshot_, seen_->view.eye)) {
+    const TreeSnapshot::Node& node = snapshot_[id];
     const bool seen = visible_.nodes[id.index()] != 0;
-    if (!joint.is_leaf()) {
+    if (!node.is_leaf()) {
       ++counts_.all_partitioners;
-      const auto depth = static_cast<int>(joint.depth);
+      const auto depth = static_cast<int>(node.depth);
       const bool wanted = settings.layers.has(Layer::partitioners) && depth >= settings.least_depth &&
                           depth <= settings.greatest_depth && counts_.partitioners < kMostPartitioners;
       if (!seen || !wanted) continue;
-      draw_plane(frame, id, planes);
+      draw_partitioner(frame, id, planes);
       partitioners_.push_back(id);
       ++counts_.partitioners;
     } else if (D == 2 && seen && settings.layers.has(Layer::leaves)) {
-      for (const Polygon& cell : cell_faces(skeleton_, id, box_))
+      for (const Polygon& cell : cell_faces(snapshot_, id, box_))
         add_polygon(cells, frame.view, cell, with_alpha(color_of_leaf(id), kCellAlpha));
     }
-  }
-}
-
-template <int D>
-void SceneViewOf<D>::draw_plane(const DrawContext<D>& frame, NodeId id, Batch& batch) const {
-  const auto& joint = skeleton_[id];
-  const Polygon polygon = partitioner_in_cell(skeleton_, id, joint.plane, box_);
-  const double width = std::max(1.1, 3.0 - 0.4 * joint.depth) * frame.line_scale;
-  if constexpr (D == 2) {
-    if (!polygon.empty()) add_line(batch, frame.view, polygon[0], polygon[1], {palette::kPartitioner, width});
-  } else {
-    const double alpha = std::clamp(0.45 / std::sqrt(1.0 + skeleton_.leaves()), 0.025, 0.18);
-    if (joint.depth <= kDeepestPane)
-      add_polygon(batch, frame.view, polygon, with_alpha(palette::kPartitioner, alpha));
-    add_outline(batch, frame.view, polygon, {with_alpha(palette::kPartitioner, 0.55), 0.7 * width});
   }
 }
 
@@ -230,11 +216,10 @@ template <int D>
 void SceneViewOf<D>::draw_event(const DrawContext<D>& frame, Batch& batch) {
   const auto event = run_.event();
   const auto node = run_.event_node();
-  if (!event || !node || node->index() >= run_.state().tree.slots() || !run_.state().tree[*node].alive)
-    return;
+  if (!event || !node || !snapshot_.is_alive(*node)) return;
   const Stroke stroke{palette::kOperator, 2 * frame.line_scale};
   Eigen::Vector3d top = to_point(box_.min);
-  for (const Polygon& face : cell_faces(skeleton_, *node, box_)) {
+  for (const Polygon& face : cell_faces(snapshot_, *node, box_)) {
     add_outline(batch, frame.view, face, stroke);
     for (const Eigen::Vector3d& corner : face)
       if (corner.y() > top.y()) top = corner;
@@ -244,15 +229,21 @@ void SceneViewOf<D>::draw_event(const DrawContext<D>& frame, Batch& batch) {
 
 template <int D>
 void SceneViewOf<D>::draw_selection(const DrawContext<D>& frame, Batch& batch) {
-  const Selection& selection = seen_->selection;
-  if (const auto* node = std::get_if<NodeId>(&selection)) draw_node(frame, *node, batch);
-  if (const auto* object = std::get_if<ObjectId>(&selection)) draw_object(frame, *object, batch);
-  const auto* pair = std::get_if<Pair>(&selection);
-  if (pair == nullptr) return;
-  draw_object(frame, pair->a, batch);
-  draw_object(frame, pair->b, batch);
-  const auto a = box_of(pair->a);
-  const auto b = box_of(pair->b);
+  std::visit(Overloaded{
+                 [](std::monostate) {},
+                 [&](NodeId node) { draw_node(frame, node, batch); },
+                 [&](ObjectId object) { draw_object(frame, object, batch); },
+                 [&](const Pair& pair) { draw_pair(frame, pair, batch); },
+             },
+             seen_->selection);
+}
+
+template <int D>
+void SceneViewOf<D>::draw_pair(const DrawContext<D>& frame, const Pair& pair, Batch& batch) {
+  draw_object(frame, pair.a, batch);
+  draw_object(frame, pair.b, batch);
+  const auto a = box_of(pair.a);
+  const auto b = box_of(pair.b);
   if (a && b)
     add_line(batch, frame.view, to_point(a->center()), to_point(b->center()),
              {palette::kOperator, 2.5 * frame.line_scale});
@@ -260,12 +251,12 @@ void SceneViewOf<D>::draw_selection(const DrawContext<D>& frame, Batch& batch) {
 
 template <int D>
 void SceneViewOf<D>::draw_node(const DrawContext<D>& frame, NodeId id, Batch& batch) {
-  if (id.index() >= run_.state().tree.slots() || !run_.state().tree[id].alive) return;
+  if (!snapshot_.is_alive(id)) return;
   const Stroke stroke{palette::kSeries[4], 2.5 * frame.line_scale};
-  const auto& joint = skeleton_[id];
-  for (const Polygon& face : cell_faces(skeleton_, id, box_)) add_outline(batch, frame.view, face, stroke);
-  if (joint.is_leaf()) return;
-  const Polygon plane = partitioner_in_cell(skeleton_, id, joint.plane, box_);
+  const TreeSnapshot::Node& node = snapshot_[id];
+  for (const Polygon& face : cell_faces(snapshot_, id, box_)) add_outline(batch, frame.view, face, stroke);
+  if (node.is_leaf()) return;
+  const Polygon plane = partitioner_in_cell(snapshot_, id, box_);
   add_polygon(batch, frame.view, plane, with_alpha(palette::kSeries[4], 0.25));
   add_outline(batch, frame.view, plane, {palette::kSeries[4], 4 * frame.line_scale});
 }
@@ -285,10 +276,9 @@ void SceneViewOf<D>::draw_object(const DrawContext<D>& frame, ObjectId id, Batch
 template <int D>
 void SceneViewOf<D>::draw_candidate(const DrawContext<D>& frame, std::size_t candidate, Batch& batch) {
   const auto node = run_.event_node();
-  if (!node || candidate >= run_.ballot().size()) return;
-  if (node->index() >= run_.state().tree.slots() || !run_.state().tree[*node].alive) return;
+  if (!node || candidate >= run_.ballot().size() || !snapshot_.is_alive(*node)) return;
   const Plane<D> plane = run_.plane(candidate);
-  const Polygon polygon = partitioner_in_cell(skeleton_, *node, plane, box_);
+  const Polygon polygon = partitioner_in_cell(snapshot_, *node, plane, box_);
   add_polygon(batch, frame.view, polygon, with_alpha(palette::kCandidate, 0.3));
   add_outline(batch, frame.view, polygon, {palette::kCandidate, 4 * frame.line_scale});
   if (!polygon.empty()) add_label(polygon[0], plane_text(plane));
@@ -296,30 +286,7 @@ void SceneViewOf<D>::draw_candidate(const DrawContext<D>& frame, std::size_t can
 
 template <int D>
 std::optional<Box<D>> SceneViewOf<D>::box_of(const Selection& selection) const {
-  const auto* object = std::get_if<ObjectId>(&selection);
-  const auto& table = run_.state().latest;
-  if (object != nullptr && table.is_placed(*object)) return table.box(*object);
-  if (const auto* pair = std::get_if<Pair>(&selection)) {
-    auto a = box_of(pair->a);
-    const auto b = box_of(pair->b);
-    if (!a || !b) return a ? a : b;
-    for (int axis = 0; axis < D; ++axis) {
-      a->min[axis] = std::min(a->min[axis], b->min[axis]);
-      a->max[axis] = std::max(a->max[axis], b->max[axis]);
-    }
-    return a;
-  }
-  const auto* node = std::get_if<NodeId>(&selection);
-  if (node == nullptr || node->index() >= run_.state().tree.slots() || !run_.state().tree[*node].alive)
-    return std::nullopt;
-  Box<D> box{box_.max, box_.min};
-  for (const Polygon& face : cell_faces(skeleton_, *node, box_))
-    for (const Eigen::Vector3d& corner : face)
-      for (int axis = 0; axis < D; ++axis) {
-        box.min[axis] = std::min(box.min[axis], static_cast<Scalar>(corner[axis]));
-        box.max[axis] = std::max(box.max[axis], static_cast<Scalar>(corner[axis]));
-      }
-  return box;
+  return kerf::box_of<D>(selection, {run_.state().latest, snapshot_, box_});
 }
 
 template <int D>
@@ -334,10 +301,14 @@ void SceneViewOf<D>::focus(const Selection& selection) {
 
 template <int D>
 void SceneViewOf<D>::look_like(const SceneView& other) {
-  const auto* same = dynamic_cast<const SceneViewOf<D>*>(&other);
-  if (same == nullptr) return;
-  orbit_ = same->orbit_;
-  box_ = same->box_;
+  std::visit(
+      [this]<int OtherD>(const SceneViewOf<OtherD>* same) {
+        if constexpr (OtherD == D) {
+          orbit_ = same->orbit_;
+          box_ = same->box_;
+        }
+      },
+      other.self());
 }
 
 template <int D>
@@ -346,27 +317,27 @@ Selection SceneViewOf<D>::pick(double x, double y, bool node_wanted) const {
   const bool objects = !node_wanted && seen_->settings.layers.has(Layer::objects);
   if (objects)
     if (const auto object = pick_object<D>(ray_through(seen_->view, x, y), bodies_)) return *object;
-  const auto node = pick_node<D>({skeleton_, partitioners_, visible_.nodes, box_}, seen_->view, x, y);
+  const auto node = pick_node<D>({snapshot_, partitioners_, visible_.nodes, box_}, seen_->view, x, y);
   return node ? Selection(*node) : Selection();
 }
 
 /// Of a partitioner the middle of an edge, since a point within may be hidden.
 template <int D>
-Eigen::Vector3d SceneViewOf<D>::middle_of(NodeId node) const {
-  const auto& joint = skeleton_[node];
-  if (!joint.is_leaf()) {
-    const Polygon plane = partitioner_in_cell(skeleton_, node, joint.plane, box_);
+Eigen::Vector3d SceneViewOf<D>::middle_of(NodeId id) const {
+  const TreeSnapshot::Node& node = snapshot_[id];
+  if (!node.is_leaf()) {
+    const Polygon plane = partitioner_in_cell(snapshot_, id, box_);
     if (plane.size() >= 2) return 0.5 * (plane[0] + plane[1]);
   }
-  return to_point(box_of(node)->center());
+  return to_point(box_of(id)->center());
 }
 
 template <int D>
 std::optional<SceneLabel> SceneViewOf<D>::place_of(const Selection& selection) const {
   const auto box = box_of(selection);
   if (!seen_ || !box) return std::nullopt;
-  const auto* const node = std::get_if<NodeId>(&selection);
-  const auto at = seen_->view.project(node == nullptr ? to_point(box->center()) : middle_of(*node));
+  const auto node = node_in(selection);
+  const auto at = seen_->view.project(node ? middle_of(*node) : to_point(box->center()));
   if (!at) return std::nullopt;
   return SceneLabel{static_cast<float>(at->x()), static_cast<float>(at->y()), to_string(selection)};
 }
@@ -380,8 +351,11 @@ template class SceneViewOf<2>;
 template class SceneViewOf<3>;
 
 std::unique_ptr<SceneView> make_scene_view(const GlFunctions& gl, Run& run) {
-  if (auto* flat = dynamic_cast<RunOf<2>*>(&run)) return std::make_unique<SceneViewOf<2>>(gl, *flat);
-  return std::make_unique<SceneViewOf<3>>(gl, dynamic_cast<RunOf<3>&>(run));
+  return std::visit(
+      [&]<int D>(RunOf<D>* of) -> std::unique_ptr<SceneView> {
+        return std::make_unique<SceneViewOf<D>>(gl, *of);
+      },
+      run.self());
 }
 
 }  // namespace kerf

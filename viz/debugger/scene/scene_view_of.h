@@ -20,6 +20,7 @@ class SceneViewOf final : public SceneView {
  public:
   SceneViewOf(const GlFunctions& gl, RunOf<D>& run);
 
+  [[nodiscard]] SceneViewOfEitherDimension self() const override { return this; }
   void update(const DebuggerModel& model, int width, int height, double tint_end) override;
   [[nodiscard]] double own_tint_end(Tint tint) override;
   void copy_to(const Framebuffer& target, int x, int y) const override;
@@ -59,15 +60,15 @@ class SceneViewOf final : public SceneView {
   void choose_colors();
   void draw(const DebuggerModel& model);
   void draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch& planes);
-  void draw_plane(const DrawContext<D>& frame, NodeId id, Batch& batch) const;
   void draw_event(const DrawContext<D>& frame, Batch& batch);
   void draw_selection(const DrawContext<D>& frame, Batch& batch);
   void draw_node(const DrawContext<D>& frame, NodeId id, Batch& batch);
   void draw_object(const DrawContext<D>& frame, ObjectId id, Batch& batch);
   void draw_candidate(const DrawContext<D>& frame, std::size_t candidate, Batch& batch);
   void add_label(const Eigen::Vector3d& point, std::string text);
+  void draw_pair(const DrawContext<D>& frame, const Pair& pair, Batch& batch);
   [[nodiscard]] std::optional<Box<D>> box_of(const Selection& selection) const;
-  [[nodiscard]] Eigen::Vector3d middle_of(NodeId node) const;
+  [[nodiscard]] Eigen::Vector3d middle_of(NodeId id) const;
 
   const GlFunctions& gl_;
   RunOf<D>& run_;
@@ -88,7 +89,7 @@ class SceneViewOf final : public SceneView {
   std::optional<Position> moment_;
   std::vector<Body<D>> all_bodies_;
   std::vector<Body<D>> bodies_;  ///< those that are not shown are absent
-  Skeleton<D> skeleton_;
+  TreeSnapshotOf<D> snapshot_;
   Visibility visible_;
   std::vector<NodeId> partitioners_;  ///< those that were drawn
   NodeTints tints_;

@@ -11,26 +11,22 @@ namespace {
 constexpr double kOldest = 100;          // steps
 constexpr double kMostStraddlers = 0.1;  // share of the population
 
-/// The quality of the partitioner that made the node; that of the node itself at the root.
-const Quality& quality_above(std::span<const TreeRow> tree, const TreeRow& row) {
-  return row.parent.is_none() ? row.quality : tree[row.parent.index()].quality;
-}
-
-double tint_value(Run& run, std::span<const TreeRow> tree, std::size_t id, Tint tint) {
-  const TreeRow& row = tree[id];
-  const Quality& above = quality_above(tree, row);
+double tint_value(Run& run, const TreeSnapshot& tree, NodeId leaf, Tint tint) {
+  const double population = tree[leaf].population;
+  // What made the leaf: the partitioner above it.
+  const NodeId maker = tree[leaf].parent.is_none() ? leaf : tree[leaf].parent;
+  const Quality quality = tree.quality(maker);
   switch (tint) {
     case Tint::population:
-      return row.population;
+      return population;
     case Tint::balance:
-      return above.population == 0 ? 1 : double{balance(above)};
+      return quality.population == 0 ? 1 : double{balance(quality)};
     case Tint::redundancy:
-      return above.population == 0 ? 0 : static_cast<double>(redundancy(above)) / above.population;
+      return quality.population == 0 ? 0 : static_cast<double>(redundancy(quality)) / quality.population;
     case Tint::cost:  // pairs that a sweep of the leaf could have to look at
-      return 0.5 * row.population * row.population;
+      return 0.5 * population * population;
     case Tint::age:
-      return run.position().step -
-             run.last_change(row.parent.is_none() ? NodeId{static_cast<std::uint32_t>(id)} : row.parent);
+      return run.position().step - run.last_change(maker);
   }
   return 0;
 }
@@ -69,13 +65,13 @@ float NodeTints::share(NodeId node, double colors_end) const {
 }
 
 NodeTints find_tints(Run& run, Tint tint) {
-  const std::span<const TreeRow> tree = run.tree();
-  NodeTints tints{std::vector<float>(tree.size()), 1};
+  const TreeSnapshot& tree = run.tree();
+  NodeTints tints{std::vector<float>(tree.nodes().size()), 1};
   double largest = 1e-9;
-  for (std::size_t id = 0; id < tree.size(); ++id) {
-    if (!tree[id].alive || !tree[id].is_leaf()) continue;
-    tints.values[id] = static_cast<float>(tint_value(run, tree, id, tint));
-    largest = std::max(largest, double{tints.values[id]});
+  for (std::uint32_t k = 0; k < tree.nodes().size(); ++k) {
+    if (!tree.nodes()[k].alive || !tree.nodes()[k].is_leaf()) continue;
+    tints.values[k] = static_cast<float>(tint_value(run, tree, NodeId{k}, tint));
+    largest = std::max(largest, double{tints.values[k]});
   }
   if (tint == Tint::population) tints.end = std::bit_ceil(std::max(16U, static_cast<unsigned>(largest)));
   if (tint == Tint::cost) tints.end = largest;

@@ -93,7 +93,7 @@ TEST_F(ForkedCrewTest, ErrorComesOutAndWhatWasFinishedIsDelivered) {
   ForkedCrew crew = this->crew(2);
   crew.add(order(0, "a"));
   crew.add(order(1, "fail"));
-  try {  // whoever is still adding may hear of it, too
+  try {  // a call of `add` may throw it, too
     crew.add(order(2, "b"));
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("no luck with frame1"));
@@ -119,7 +119,7 @@ TEST_F(ForkedCrewTest, FramesOfOneThatDiesAreMadeByTheOthers) {
 
 TEST_F(ForkedCrewTest, AFrameThatKillsIsGivenUp) {
   ForkedCrew crew = this->crew(3);
-  try {  // whoever is still adding hears of it, too
+  try {  // a call of `add` throws it, too
     for (std::uint32_t i = 0; i < 3; ++i) crew.add(order(i, i == 1 ? "die" : "x"));
     crew.finish();
     FAIL() << "no error";

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace kerf::tuning {
+
+// The numbers of the fast policies that are no parameters of `Config`, each beside what it was measured on.
+// This header lies at the bottom, since objects, kernels and tree use it as bsp does. "ns" are nanoseconds an
+// object and step; docs/notes and docs/SPEED.md have the tables. None of these numbers decides which pairs
+// are reported: a bad one costs time. Numbers that a format or an instruction set dictates stand where they
+// are used.
+
+// Skins: how thick, and for how long.
+
+/// Thickness levels above the thinnest skin; each is twice as thick as the one below.
+inline constexpr std::uint8_t kThickestSkin = 6;
+/// Thickness of the thickest skin over the object's second largest extent. Settled pile, 3D: a quarter gives
+/// 8.5 candidates a pair and 75 ns, an eighth 46 ns.
+inline constexpr float kMostSkin = 1.0F / 8;
+/// An object that leaves its fat box within so many steps gets a thicker skin, and one that stays for more
+/// than `kLateLeave` steps a thinner one. Settled, falling, and the scenes that hop, shake and drift.
+inline constexpr std::uint16_t kSoonLeave = 12;
+inline constexpr std::uint16_t kLateLeave = 200;
+/// Steps that an object stays in the fat box of a flight before it is wrapped anew: two look-ups in so many
+/// steps do not show in any scene.
+inline constexpr std::uint32_t kRestSteps = 1024;
+/// Each time that an object leaves soon after it was wrapped doubles that wait, so many times at most.
+inline constexpr std::uint8_t kMostWraps = 5;
+/// Steps from one look at an object that may rest to the next. Scene `pauses` (flies for 20 steps, rests for
+/// 40), 16,000 objects: 16.3 -> 8.7 ns in 2D, 24.2 -> 14.2 in 3D.
+inline constexpr std::uint32_t kLookSteps = 64;
+/// Slow steps until a restless object is no longer one. Scene `pauses`.
+inline constexpr std::uint8_t kRestlessSteps = 8;
+/// The least share of the way ahead that a fat box gets. With equal shares all objects that move alike leave
+/// in the same step, which then takes ten times the others' time (drifting crowd, 4,250 objects).
+inline constexpr float kLeastShareAhead = 1.0F / 3;
+/// A fat box whose margin exceeds the thickest skin by this factor was made for a flight: room for rounding.
+inline constexpr float kFlightMargin = 1.05F;
+
+// Keep pairs, or sweep leaves. The bench's nine scenes and `pauses`, 4,250 to 64,000 objects. To look one
+// object up again costs some thirty times what sweeping costs for an object.
+
+/// Objects in a sample of motions, which shows the share of fast objects to about 6 %.
+inline constexpr std::size_t kMotionSample = 64;
+/// The share of objects that leave their fat boxes in a step above which sweeping pays.
+inline constexpr float kHotShare = 0.03F;
+/// The same while skins learn how thick they must be, for the first `kLearningSteps`.
+inline constexpr float kHopelessShare = 0.2F;
+inline constexpr std::uint32_t kLearningSteps = 24;
+/// Hot steps in a row that end keeping.
+inline constexpr std::uint32_t kHotSteps = 3;
+/// What an object costs that becomes too fast for a skin, over one that gets another fat box: it leaves once.
+inline constexpr float kFastCost = 0.25F;
+/// The share of fast objects below which keeping pays wherever they lie. Scene `buckets`.
+inline constexpr float kFewFast = 0.08F;
+/// The share of fast objects above which keeping does not pay. In 3D more of them lie in several leaves:
+/// falling in 3D, a third of the objects fast, takes 57 ns with kept pairs and 43 with swept leaves (64,000
+/// objects); buckets, a quarter fast, 38 and 39 (64,000), 39 and 31 (16,000).
+constexpr float many_fast(int dimension) { return dimension == 2 ? 0.4F : 0.15F; }
+/// The cost of a step with kept pairs, over that of sweeping, above which keeping ends: an estimate needs
+/// room for its error.
+inline constexpr float kCostlyKeeping = 0.85F;
+/// The mean speed over size below which a step speaks for keeping, and below which the first step does.
+inline constexpr float kCoolSpeed = 0.01F;
+inline constexpr float kMildSpeed = 0.015F;
+/// Cool steps in a row that begin keeping: at first, after keeping has paid well, and at most. Each regret
+/// doubles the number.
+inline constexpr std::uint32_t kFirstPatience = 4;
+inline constexpr std::uint32_t kShortPatience = 8;
+inline constexpr std::uint32_t kLongestPatience = 512;
+/// Steps after which keeping has paid (to make all fat boxes costs some five steps of sweeping), and paid
+/// well.
+inline constexpr std::uint32_t kPaidSteps = 24;
+inline constexpr std::uint32_t kPaidWellSteps = 100;
+
+// What a step with kept pairs costs, in the time in which one entry is swept: about 11 ns in 2D and 18 in 3D.
+// Scenes falling, buckets and mostly-static, 16,000 objects.
+
+inline constexpr float kCostOfPlacing = 0.4F;    ///< an object, when all are placed in one pass
+inline constexpr float kCostOfFiltering = 0.3F;  ///< an entry of a leaf that keeps pairs
+inline constexpr float kCostOfLookUp = 4;        ///< a restless entry of such a leaf
+inline constexpr float kCostOfFollowing = 0.7F;  ///< a restless object that stays in its cell
+inline constexpr float kCostOfWalk = 4;          ///< a walk down the tree for one
+inline constexpr float kCostOfReplacing = 12;    ///< a restless object that is placed anew
+
+// Leaves that keep pairs. Scenes falling, buckets and mostly-static, 16,000 objects.
+
+/// Nothing is kept of a leaf of which more than one entry in so many is restless; a leaf that is swept
+/// already goes on with fewer restless entries.
+inline constexpr std::size_t kEntriesPerRestless = 4;
+inline constexpr std::size_t kEntriesPerRestlessIfSwept = 6;
+/// A leaf with fewer entries for each changed one is swept anew instead of patched.
+inline constexpr std::size_t kEntriesPerPatch = 4;
+/// More objects than these are taken out of a leaf in one pass over its pairs, fewer one by one.
+inline constexpr std::ptrdiff_t kFewDropped = 16;
+/// Resting pairs are laid out anew when more than one in so many lies out of place. Scene mostly-static:
+/// copying all of them in each step was a tenth of it at 64,000 objects.
+inline constexpr std::size_t kRestingPerWrong = 8;
+
+// Placement.
+
+/// While pairs are kept, all objects are placed in one pass when so many times `stream_share` leave their fat
+/// boxes: leaves must then be swept anew, which need not be for a patch.
+inline constexpr float kStreamFactorIfKept = 4;
+/// Objects of a sample that tells whether most jump, and the sizes by which an object must have moved for
+/// that. Uniform in 2D with 64,000 objects takes 44 -> 36 ns when stayers are looked for first; in teleport,
+/// where most jump, that pass finds few.
+inline constexpr std::size_t kJumpSample = 64;
+inline constexpr float kJumpSizes = 6;
+/// Lists that are so many times too long give their memory back. Memory of falling in 3D, 64,000 objects.
+inline constexpr std::size_t kListExcess = 8;
+/// In ordered mode a longer leaf is swept by bytes: its list may lie along an axis on which all boxes
+/// coincide (HARD_CASES.md, S6).
+inline constexpr std::size_t kLongList = 512;
+/// Moves an entry that insertion sort may make before it gives up: lists are nearly ordered in all scenes.
+inline constexpr std::size_t kMovesPerEntry = 8;
+/// Leavers are looked for by their boxes if there is at most one in so many objects below a node; else all
+/// entries are looked at. Scene attractors, steps that repair.
+inline constexpr std::size_t kObjectsPerLeaver = 32;
+
+// Memory and threads.
+
+/// Turns of a loop before its use at which a value that lies anywhere is asked for. Falling in 2D, 1,000,000
+/// objects: 60 -> 44 ns; twice as far ahead gains nothing more.
+inline constexpr std::size_t kPrefetchAhead = 32;
+/// What a core's own cache holds beside other things, in bytes. Asking ahead costs 2 to 4 % of a step at
+/// 4,250 and 16,000 objects and pays from 64,000 on.
+inline constexpr std::size_t kOwnCache = std::size_t{3} << 18U;
+/// What lies on as few pages as processors keep at hand (about 1,500 of 4 KB), with some to spare. Settled
+/// pile, 1,000,000 objects: gathered boxes take 53 -> 30 ns in 3D, 25 -> 16 in 2D; at 64,000 they gain
+/// nothing.
+inline constexpr std::size_t kOwnPages = std::size_t{3} << 20U;
+/// The least length of a list that threads share, of copies or comparisons, and of walks down a tree. Falling
+/// in 2D, 64,000 objects, two threads: walks shared from 64 instead of 512 on, 16.7 -> 15.4 ns, together with
+/// leavers taken out in parallel.
+inline constexpr std::size_t kFewThings = 512;
+inline constexpr std::size_t kFewWalks = 64;
+/// Pieces of work for each thread. Falling in 2D, two threads: eight instead of four, 17.1 -> 16.0 ns.
+inline constexpr std::size_t kPiecesPerThread = 8;
+
+// The sweep by bytes.
+
+/// Sure pairs in a row of 64 entries above which they are told apart from those that floats confirm. Scene
+/// dense: above some ten pairs an object it pays, in scenes with four it does not.
+inline constexpr float kSurePerRow = 7;
+
+}  // namespace kerf::tuning

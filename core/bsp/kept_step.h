@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/append_buffer.h"
+#include "core/bsp/fat_piece.h"
+#include "core/bsp/kept_pairs.h"
+#include "core/bsp/restless_pass.h"
+#include "core/bsp/step_context.h"
+#include "core/objects/skin.h"
+#include "core/trace/reporter.h"
+
+namespace kerf {
+
+/// The step for objects of which most stay where they are or move little: the tree places fat boxes, and the
+/// pairs of fat boxes are kept from step to step and filtered (DESIGN.md, "Fast"). Its memory is kept between
+/// steps.
+template <int D>
+class KeptStep {
+ public:
+  /// Brings the entries up to date with the requests. `begins`: the tree's table has tight boxes so far.
+  /// Returns how many objects were placed anew.
+  template <class Trace>
+  std::uint64_t place(const StepContext<D>& step, bool begins, Reporter<Trace>& reporter);
+  /// What the step costs with kept pairs, over what it would cost if all leaves were swept: an estimate by
+  /// what was counted when its objects were placed; 0 in the first step with kept pairs.
+  [[nodiscard]] float cost() const { return cost_; }
+  /// Makes all pairs of the latest boxes out of those of the last step.
+  void find(const StepContext<D>& step, PairBuffer& pairs);
+  /// Forgets the pairs: the next step finds all of them anew.
+  void forget_pairs() { kept_.clear(); }
+  /// By object.
+  [[nodiscard]] const std::vector<Skin>& skins() const { return skins_; }
+  /// Goes on with these skins, for `objects` objects at least.
+  void restore(const std::vector<Skin>& skins, std::size_t objects);
+
+ private:
+  [[nodiscard]] Box<D> make_fat_box(const StepContext<D>& step, ObjectId object, const Box<D>& before,
+                                    bool had_fat);
+  void make_all_fat(const StepContext<D>& step);
+  void list_sleepers(const StepContext<D>& step);
+  void follow_restless(const StepContext<D>& step);
+  void make_fat_boxes(const StepContext<D>& step);
+  void take_fat_boxes(const StepContext<D>& step) const;
+  template <class Trace>
+  std::uint64_t place_all(const StepContext<D>& step, Reporter<Trace>& reporter) const;
+  template <class Trace>
+  std::uint64_t place_changed(const StepContext<D>& step, Reporter<Trace>& reporter);
+  void find_places(const StepContext<D>& step, std::size_t k, FatPiece& piece) const;
+  void note_entries(const StepContext<D>& step, ObjectId object, FatPiece& piece) const;
+  template <class Trace>
+  void take_out(const StepContext<D>& step, Reporter<Trace>& reporter);
+  template <class Trace>
+  static void put_in(Tree<D>& tree, const FatPiece& piece, Reporter<Trace>& reporter);
+
+  std::vector<Skin> skins_;  ///< by object
+  std::vector<Box<D>> fat_;  ///< of the changed objects, in their order
+  std::vector<FatPiece> pieces_;
+  RestlessPass<D> restless_pass_;
+  KeptPairs<D> kept_;
+  float cost_ = 0;
+};
+
+extern template class KeptStep<2>;
+extern template class KeptStep<3>;
+
+}  // namespace kerf

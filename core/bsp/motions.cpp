@@ -1,0 +1,96 @@
+#include "core/bsp/motions.h"
+
+#include <algorithm>
+
+#include "core/base/tuning.h"
+#include "core/objects/skin.h"
+
+namespace kerf {
+namespace {
+
+/// The k-th place of a sample of `count` things. The strides are golden ratios: fixed ones can alias with a
+/// pattern of the ids, as when every 16th object sleeps.
+std::size_t sample_place(std::uint32_t k, std::size_t count) {
+  constexpr std::uint32_t kGolden = 0x9E3779B9U;
+  return (std::uint64_t{k * kGolden} * count) >> 32U;
+}
+
+/// Sums up the motions of objects.
+class MotionSample {
+ public:
+  explicit MotionSample(const Config& config) : follows_fast_(config.restless) {}
+  template <int D>
+  void add(const Box<D>& box, const Box<D>& before) {
+    if (follows_fast_ && is_fast(box, before)) {
+      ++sum_.fast;
+    } else {
+      sum_.speed += relative_speed(box, before);
+    }
+    ++count_;
+  }
+  [[nodiscard]] Motions motions() const {
+    return count_ == 0 ? Motions{} : Motions{sum_.speed / count_, sum_.fast / count_};
+  }
+
+ private:
+  bool follows_fast_;
+  Motions sum_;
+  float count_ = 0;
+};
+
+}  // namespace
+
+template <int D>
+Motions sample_motions(const ObjectTable<D>& latest, const ObjectTable<D>& tree, const Config& config,
+                       std::uint32_t step) {
+  MotionSample sample(config);
+  const auto first = static_cast<std::uint32_t>(tuning::kMotionSample) * step;
+  for (std::uint32_t k = 0; k < std::min(tuning::kMotionSample, tree.bound()); ++k) {
+    const ObjectId object{static_cast<std::uint32_t>(sample_place(first + k, tree.bound()))};
+    if (tree.is_placed(object) && latest.is_placed(object)) sample.add(latest.box(object), tree.box(object));
+  }
+  return sample.motions();
+}
+
+template <int D>
+Leaving sample_leaving(const ObjectTable<D>& latest, const Config& config, std::span<const ObjectId> changed,
+                       std::span<const PackedBox<D>> before) {
+  Leaving leaving;
+  leaving.share = static_cast<float>(changed.size()) / static_cast<float>(latest.size() + 1);
+  if (leaving.share <= tuning::kHotShare) return leaving;
+  const auto count = static_cast<std::uint32_t>(std::min(tuning::kMotionSample, changed.size()));
+  MotionSample sample(config);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::size_t at = sample_place(k, changed.size());
+    const ObjectId object = changed[at];
+    if (latest.is_placed(object)) sample.add(latest.box(object), before[at].unpack());
+  }
+  leaving.motions = sample.motions();
+  return leaving;
+}
+
+template <int D>
+bool most_jump(const ObjectTable<D>& latest, const ObjectTable<D>& tree) {
+  std::uint32_t jumped = 0;
+  std::uint32_t count = 0;
+  for (std::uint32_t k = 0; k < std::min(tuning::kJumpSample, tree.bound()); ++k) {
+    const ObjectId object{static_cast<std::uint32_t>(sample_place(k, tree.bound()))};
+    if (!tree.is_placed(object)) continue;
+    const auto [size, speed] = size_and_speed(latest.box(object), tree.box(object));
+    jumped += speed > tuning::kJumpSizes * size ? 1 : 0;
+    ++count;
+  }
+  return 2 * jumped > count;
+}
+
+#define KERF_INSTANTIATE(D)                                                                           \
+  template Motions sample_motions<D>(const ObjectTable<D>&, const ObjectTable<D>&, const Config&,     \
+                                     std::uint32_t);                                                  \
+  template Leaving sample_leaving<D>(const ObjectTable<D>&, const Config&, std::span<const ObjectId>, \
+                                     std::span<const PackedBox<D>>);                                  \
+  template bool most_jump<D>(const ObjectTable<D>&, const ObjectTable<D>&);
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
+
+}  // namespace kerf

@@ -1,0 +1,129 @@
+#include "core/bsp/requests.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/kernels/move_boxes.h"
+
+namespace kerf {
+
+/// Lists an object as changed, unless the request was refused.
+template <int D>
+Status Requests<D>::note(ObjectId object, Status status, bool keeps) {
+  if (status == Status::unknown_id || status == Status::duplicate_id) return status;
+  only_moves_ = false;
+  make_room();
+  ObjectFlags& flags = flags_[object.index()];
+  if ((flags & flag::kChanged) != 0) return status;
+  flags |= flag::kChanged;
+  changed_.push_back(object);
+  if (keeps) before_.push_back(latest_.packed(object));
+  return status;
+}
+
+template <int D>
+Status Requests<D>::move(ObjectId object, const Volume<D>& volume, const Receiver& tree) {
+  if (kind() == VolumeKind::box && volume.kind == VolumeKind::box)
+    return move_many({&object, 1}, {&volume.box, 1}, tree);
+  return note(object, writable(tree).move(object, volume), tree.keeps);
+}
+
+template <int D>
+Status Requests<D>::remove(ObjectId object, const Receiver& tree) {
+  return note(object, writable(tree).remove(object), tree.keeps);
+}
+
+template <int D>
+Status Requests<D>::move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes,
+                              const Receiver& tree) {
+  ObjectId* const changed = changed_.reserve(objects.size());
+  PackedBox<D>* const before = tree.keeps ? before_.reserve(objects.size()) : nullptr;
+  std::uint32_t* const left_over = left_over_.reserve(objects.size());
+  exchange_.end(latest_, tree.table, objects, tree.pool);
+  if (kind() != VolumeKind::box) {
+    Status first = Status::ok;
+    for (std::size_t k = 0; k < objects.size(); ++k) {
+      const Status status = note(objects[k], latest_.move(objects[k], boxes[k]), tree.keeps);
+      if (first == Status::ok) first = status;
+    }
+    return first;
+  }
+  const MoveAnswer answer = move_boxes<D>(
+      {objects, boxes, latest_.packed(), flags_,
+       tree.keeps ? std::as_const(tree.table).packed().data() : nullptr, changed, before, left_over},
+      tree.pool);
+  changed_.commit(answer.changed);
+  if (tree.keeps) before_.commit(answer.changed);
+  left_over_.commit(answer.left_over);
+  return move_left_over(objects, boxes, tree.keeps);
+}
+
+/// Moves what the kernel left over, one by one. Returns the first status that is not ok.
+template <int D>
+Status Requests<D>::move_left_over(std::span<const ObjectId> objects, std::span<const Box<D>> boxes,
+                                   bool keeps) {
+  Status first = Status::ok;
+  for (const std::uint32_t k : left_over_.all()) {
+    if (objects[k].index() < flags_.size())
+      flags_[objects[k].index()] &= static_cast<ObjectFlags>(~flag::kDeferred);
+    const Status status = note(objects[k], latest_.move(objects[k], boxes[k]), keeps);
+    if (first == Status::ok) first = status;
+  }
+  left_over_.clear();
+  return first;
+}
+
+template <int D>
+void Requests<D>::add(ObjectId object, ObjectFlags flags, const PackedBox<D>& before) {
+  flags_[object.index()] = flags;
+  changed_.push_back(object);
+  before_.push_back(before);
+}
+
+template <int D>
+void Requests<D>::finish_step(std::span<const Skin> skins, TaskPool& pool) {
+  settle(skins, pool);
+  exchange_.take(changed_);
+  before_.clear();
+  only_moves_ = true;
+}
+
+/// Nothing is pending any more of the objects that changed.
+template <int D>
+void Requests<D>::settle(std::span<const Skin> skins, TaskPool& pool) {
+  const bool all_alike = only_moves_ && skins.empty();
+  if (all_alike && changed_.size() == flags_.size()) {
+    std::ranges::fill(flags_, ObjectFlags{0});
+    return;
+  }
+  pool.for_slices(changed_.size(), [this, all_alike, skins](const Slice& slice, std::size_t) {
+    ObjectFlags* const flags = flags_.data();  // what is written through it could be this very object
+    const auto objects = changed().subspan(slice.begin, slice.end - slice.begin);
+    if (all_alike) {
+      for (const ObjectId object : objects) flags[object.index()] = 0;
+    } else {
+      for (const ObjectId object : objects) flags[object.index()] = flags_at_rest(object, skins);
+    }
+  });
+}
+
+template <int D>
+void Requests<D>::end_following() {
+  for (ObjectFlags& flags : flags_) flags &= static_cast<ObjectFlags>(~flag::kUnrequested);
+}
+
+template <int D>
+void Requests<D>::restore(const ObjectTable<D>& latest, std::span<const Skin> skins) {
+  latest_ = latest;
+  exchange_.forget();
+  changed_.clear();
+  before_.clear();
+  only_moves_ = true;
+  flags_.resize(latest_.bound());
+  for (std::uint32_t id = 0; id < latest_.bound(); ++id) flags_[id] = flags_at_rest({id}, skins);
+}
+
+template class Requests<2>;
+template class Requests<3>;
+
+}  // namespace kerf

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/append_buffer.h"
+#include "core/base/task_pool.h"
+#include "core/bsp/box_exchange.h"
+#include "core/objects/object_flags.h"
+#include "core/objects/object_table.h"
+#include "core/objects/skin.h"
+
+namespace kerf {
+
+/// What the caller said since the last step: the latest boxes, and the list of changed objects, of which the
+/// tree's table may differ. An object is listed once, whatever is said of it.
+template <int D>
+class Requests {
+ public:
+  /// What a request needs to know of the tree.
+  struct Receiver {
+    ObjectTable<D>& table;  ///< of the tree
+    TaskPool& pool;
+    bool keeps;  ///< the table has fat boxes: an object that stays inside its own is not listed
+  };
+
+  explicit Requests(VolumeKind kind) : latest_(kind) {}
+
+  // Of the caller.
+  template <class Bound>
+  Status insert(ObjectId object, const Bound& bound, Mobility mobility, const Receiver& tree) {
+    return note(object, writable(tree).insert(object, bound, mobility), tree.keeps);
+  }
+  Status move(ObjectId object, const Volume<D>& volume, const Receiver& tree);
+  Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes, const Receiver& tree);
+  Status remove(ObjectId object, const Receiver& tree);
+  [[nodiscard]] VolumeKind kind() const { return latest_.kind(); }
+  /// The table that has the latest boxes: ours, or the tree's while boxes are exchanged.
+  [[nodiscard]] const ObjectTable<D>& objects(const ObjectTable<D>& tree) const {
+    return exchange_.is_open() ? tree : latest_;
+  }
+
+  // Of a step. The first call of each must be `begin_step`, the last one `finish_step`.
+  void begin_step(const ObjectTable<D>& tree, TaskPool& pool) { exchange_.end(latest_, tree, {}, pool); }
+  [[nodiscard]] const ObjectTable<D>& latest() const { return latest_; }
+  [[nodiscard]] std::span<const ObjectId> changed() const { return changed_.all(); }
+  /// While pairs are kept: the boxes from which the changed objects moved, in the same order.
+  [[nodiscard]] std::span<const PackedBox<D>> before() const { return before_.all(); }
+  /// Whether more objects changed than this share of all.
+  [[nodiscard]] bool exceed(float share) const {
+    return static_cast<float>(changed_.size()) > share * static_cast<float>(latest_.size());
+  }
+  /// Whether nothing was requested but that placed objects go to valid boxes.
+  [[nodiscard]] bool are_moves() const { return only_moves_; }
+  [[nodiscard]] std::span<ObjectFlags> flags() { return flags_; }
+  [[nodiscard]] std::span<const ObjectFlags> flags() const { return flags_; }
+  /// Lists an object as changed though it was not requested.
+  void add(ObjectId object, ObjectFlags flags, const PackedBox<D>& before);
+  /// There are flags for all objects from now on.
+  void make_room() { flags_.resize(latest_.bound(), flag::kUnplaced); }
+  /// Gives the latest boxes to the tree's table, which differs in nothing but the boxes of changed objects.
+  void exchange(ObjectTable<D>& tree) { exchange_.begin(latest_, tree); }
+  /// The flags of an object of which nothing is pending. `skins`: of all objects while pairs are kept, else
+  /// none.
+  [[nodiscard]] ObjectFlags flags_at_rest(ObjectId object, std::span<const Skin> skins) const {
+    if (!latest_.is_placed(object)) return flag::kUnplaced;
+    return !skins.empty() && skins[object.index()].is_restless() ? flag::kUnrequested : ObjectFlags{0};
+  }
+  /// All requests are met.
+  void finish_step(std::span<const Skin> skins, TaskPool& pool);
+  /// No moves are taken without a request from now on.
+  void end_following();
+
+  /// Nothing is requested of these objects.
+  void restore(const ObjectTable<D>& latest, std::span<const Skin> skins);
+
+ private:
+  /// The latest boxes, to be written.
+  ObjectTable<D>& writable(const Receiver& tree) {
+    exchange_.end(latest_, tree.table, {}, tree.pool);
+    return latest_;
+  }
+  Status note(ObjectId object, Status status, bool keeps);
+  Status move_left_over(std::span<const ObjectId> objects, std::span<const Box<D>> boxes, bool keeps);
+  void settle(std::span<const Skin> skins, TaskPool& pool);
+
+  ObjectTable<D> latest_;           ///< as the caller sees the objects; the tree's table follows in a step
+  BoxExchange<D> exchange_;         ///< between these two
+  std::vector<ObjectFlags> flags_;  ///< by object
+  AppendBuffer<ObjectId> changed_;
+  AppendBuffer<PackedBox<D>> before_;
+  AppendBuffer<std::uint32_t> left_over_;  ///< of one call of `move_many`
+  bool only_moves_ = true;
+};
+
+extern template class Requests<2>;
+extern template class Requests<3>;
+
+}  // namespace kerf

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/base/config.h"
+#include "core/base/task_pool.h"
+#include "core/bsp/leaf_pass.h"
+#include "core/bsp/requests.h"
+#include "core/bsp/stream.h"
+#include "core/tree/tree.h"
+
+namespace kerf {
+
+/// The threads that share the work of a step, and their memory, kept between steps.
+template <int D>
+struct Workers {
+  std::unique_ptr<TaskPool> pool = std::make_unique<TaskPool>();
+  LeafPass<D> leaf_pass;
+  StreamMemory stream_memory;
+};
+
+/// What the three strategies of a step (OrderedStep, SweptStep, KeptStep) work on.
+template <int D>
+struct StepContext {
+  const Config& config;
+  Tree<D>& tree;
+  Requests<D>& requests;
+  Workers<D>& workers;
+  std::uint32_t number;  ///< of the step
+
+  [[nodiscard]] TaskPool& pool() const { return *workers.pool; }
+};
+
+}  // namespace kerf

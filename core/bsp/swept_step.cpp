@@ -1,0 +1,63 @@
+#include "core/bsp/swept_step.h"
+
+#include <utility>
+
+#include "core/base/tuning.h"
+#include "core/bsp/motions.h"
+#include "core/bsp/ordered_sweep.h"
+#include "core/bsp/stream.h"
+#include "core/bsp/view_leaf.h"
+#include "core/kernels/prefetch.h"
+
+namespace kerf {
+
+/// If no object came or went, those that still lie in their leaf's cell are looked for first, unless most
+/// jump. The boxes are exchanged, not copied, if the tree's table differs in nothing else.
+template <int D>
+template <class Trace>
+std::uint64_t SweptStep<D>::place_all(const StepContext<D>& step, Mode before, Mode mode,
+                                      Reporter<Trace>& reporter) {
+  Tree<D>& tree = step.tree;
+  Requests<D>& requests = step.requests;
+  StreamMemory& memory = step.workers.stream_memory;
+  const bool many_stay = requests.are_moves() && !most_jump(requests.latest(), tree.table);
+  if (requests.are_moves() && before == Mode::swept && step.config.exchange) {
+    requests.exchange(tree.table);
+  } else {
+    tree.table.copy_all(requests.latest(), step.pool());
+  }
+  const bool are_far = exceeds(std::as_const(tree.table).packed(), tuning::kOwnPages);
+  leaf_boxes_.begin(tree, mode == Mode::swept && are_far && step.config.leaf_boxes);
+  if (many_stay) {
+    leave_pass_.run(tree, step.pool(), leaf_boxes_);
+    stream(tree, leave_pass_, leaf_boxes_, memory, step.pool());
+  } else {
+    stream(tree, leaf_boxes_, memory, step.pool());
+  }
+  reporter.report([&] { return AllPlaced{tree.objects()}; });
+  return requests.changed().size();
+}
+
+template <int D>
+void SweptStep<D>::find(const Tree<D>& tree, NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) {
+  const std::size_t begin = pairs.size();
+  if (leaf_boxes_.has(tree, leaf)) {
+    view_all_but_boxes(tree, tree.table, leaf, scratch.view);
+    leaf_boxes_.swap(leaf, scratch.view.boxes);
+    scratch.byte_sweep.find(scratch.view, pairs);
+    leaf_boxes_.swap(leaf, scratch.view.boxes);
+  } else {
+    view_leaf(tree, tree.table, leaf, scratch.view);
+    scratch.byte_sweep.find(scratch.view, pairs);
+  }
+  if (tree.table.kind() != VolumeKind::box) drop_separated(tree.table, begin, pairs);
+}
+
+#define KERF_INSTANTIATE(D, TRACE) \
+  template std::uint64_t SweptStep<D>::place_all(const StepContext<D>&, Mode, Mode, Reporter<TRACE>&);
+KERF_FOR_EACH_TRACE(KERF_INSTANTIATE)
+#undef KERF_INSTANTIATE
+template class SweptStep<2>;
+template class SweptStep<3>;
+
+}  // namespace kerf

@@ -1,0 +1,77 @@
+#include "core/recording/chain.h"
+
+#include <xxhash.h>
+
+#include <bit>
+#include <string>
+#include <vector>
+
+namespace kerf {
+namespace {
+
+/// What is written before the first step; what says that the recording is complete comes last.
+constexpr std::array kHead{"SELECT * FROM meta WHERE key NOT IN ('complete', 'end') ORDER BY key",
+                           "SELECT * FROM config_changes ORDER BY step",
+                           "SELECT * FROM decisions ORDER BY event"};
+/// What is written of another engine after a step.
+constexpr std::array kTablesOfTheirSteps{"their_steps", "their_pairs"};
+
+/// SQLite keeps no sign of a zero.
+std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
+
+}  // namespace
+
+std::uint64_t hash_words(std::span<const std::uint64_t> words, std::uint64_t seed) {
+  return XXH3_64bits_withSeed(words.data(), words.size_bytes(), seed);
+}
+
+std::uint64_t hash_bytes(std::span<const std::uint8_t> bytes, std::uint64_t seed) {
+  return XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed);
+}
+
+std::uint64_t Chain::add(const StepRow& row) {
+  const Statistics& s = row.statistics;
+  std::vector<std::uint64_t> words{row.step,   s.objects,          row.changed,    row.pairs,
+                                   s.height,   s.leaves,           s.entries,      bits(s.redundancy),
+                                   s.refused,  s.deferred,         s.placed,       row.first_event,
+                                   row.events, row.operators_hash, row.state_hash, row.pairs_hash};
+  words.insert(words.end(), s.operators.begin(), s.operators.end());
+  for (const double seconds : s.phase_seconds) words.push_back(bits(seconds));
+  link_ = hash_words(words, end());
+  seals_ = {};
+  return link_;
+}
+
+std::uint64_t seal_of_block(std::uint64_t link, std::uint32_t first_step, std::uint32_t steps,
+                            std::uint64_t changed, std::span<const std::uint8_t> data) {
+  return hash_bytes(data, hash_words(std::array<std::uint64_t, 3>{first_step, steps, changed}, link));
+}
+
+std::uint64_t seal_of_keyframe(std::uint64_t link, std::uint32_t step, std::span<const std::uint8_t> data) {
+  return hash_bytes(data, hash_words(std::array<std::uint64_t, 1>{step}, link));
+}
+
+std::optional<std::uint64_t> seal_of_theirs(std::uint64_t link, const Database& recording,
+                                            std::uint32_t step) {
+  ByteWriter content;
+  for (const char* const table : kTablesOfTheirSteps) {
+    Statement rows =
+        recording.prepare(std::string("SELECT * FROM ") + table + " WHERE step = ? ORDER BY rowid");
+    rows.bind(1, std::int64_t{step});
+    while (rows.step()) rows.put_row(content);
+  }
+  if (content.bytes().empty()) return std::nullopt;
+  return hash_bytes(content.bytes(), link);
+}
+
+std::uint64_t head_of(const Database& recording) {
+  ByteWriter content;
+  for (const char* const sql : kHead) {
+    Statement rows = recording.prepare(sql);
+    while (rows.step()) rows.put_row(content);
+    content.u8(0);  // the end of the table
+  }
+  return hash_bytes(content.bytes(), 0);
+}
+
+}  // namespace kerf

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/recording/database.h"
+#include "core/recording/recording_info.h"
+
+namespace kerf {
+
+/// A row of the table of blocks, without its data.
+struct BlockRow {
+  std::uint32_t first_step = 0;
+  std::uint32_t steps = 0;
+  std::uint64_t changed = 0;
+  std::uint64_t seal = 0;
+
+  [[nodiscard]] std::uint32_t last_step() const { return first_step + steps - 1; }
+};
+
+/// A row of the table of keyframes, without its data.
+struct KeyframeRow {
+  std::uint32_t step = 0;
+  std::uint64_t seal = 0;
+};
+
+/// A step for which something was written of another engine.
+struct TheirRow {
+  std::uint32_t step = 0;
+  std::uint64_t seal = 0;
+};
+
+/// The rows of a recording's tables, each in the order of its steps. Steps follow one another from 1 on, and
+/// so do events from 0 on; blocks hold every step once, and keyframes come at their ends.
+struct RecordedRows {
+  std::vector<StepRow> steps;
+  std::vector<BlockRow> blocks;
+  std::vector<KeyframeRow> keyframes;
+  std::vector<TheirRow> theirs;
+};
+
+/// Throws std::runtime_error for rows that do not fit together.
+RecordedRows read_rows(const Database& recording);
+
+/// Where a recording is no longer as it was written.
+struct ChangedPart {
+  std::uint32_t step = 0;  ///< the first concerned; 0: what the recording says of itself
+  std::string what;
+};
+
+/// Follows the chain of a recording (see Chain) from its head to its end.
+std::optional<ChangedPart> find_change(const Database& recording, const RecordedRows& rows);
+
+}  // namespace kerf

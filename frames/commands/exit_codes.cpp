@@ -1,0 +1,71 @@
+#include "frames/commands/exit_codes.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace kerf {
+namespace {
+
+constexpr ExitMeaning kMeanings[] = {
+    {"bench", "everything asked for was measured", ""},
+    {"bench-frames", "everything asked for was measured", ""},
+    {"collect", "every frame is there with the pixels that were drawn",
+     "a frame is missing or has other pixels"},
+    {"compare", "the recordings are of the same run; times do not count", "the runs differ"},
+    {"debug", "the window was closed, or all that the script expects holds", "an expectation does not hold"},
+    {"diff", "all frames are the same, or were approved", "a frame differs or has no partner"},
+    {"experiment", "the simulations, figures and page are there, whatever they show", ""},
+    {"explain", "the explanation was printed", ""},
+    {"export", "everything was written", ""},
+    {"film-diff", "the film is made of two sequences of equal steps, whether they differ or not",
+     "the film is made, and a frame has no partner"},
+    {"import", "the recording is complete", ""},
+    {"lint", "nothing was found", "something was found"},
+    {"minimize", "a smaller recording shows the condition", "the condition never holds"},
+    {"record", "the recording is complete", ""},
+    {"render", "all frames and files are there", ""},
+    {"report", "the page is there", ""},
+    {"rerun", "the recording is complete", ""},
+    {"scenes", "the scenes were listed", ""},
+    {"step", "a moment was found", "there is no such moment"},
+    {"verify", "the replay is the run that was recorded, and its pairs are exact",
+     "it is not, or they are not"},
+};
+
+constexpr std::string_view kUnusable =
+    "no answer: wrong usage, unusable input, or a file that cannot be written";
+constexpr std::string_view kInterrupted = "interrupted";
+
+const ExitMeaning& meaning_of(std::string_view command) {
+  const auto* const found = std::ranges::find(kMeanings, command, &ExitMeaning::command);
+  if (found == std::end(kMeanings)) throw std::logic_error(std::string(command) + " has no exit codes");
+  return *found;
+}
+
+}  // namespace
+
+std::span<const ExitMeaning> exit_meanings() { return kMeanings; }
+
+std::string exit_help(std::string_view command) {
+  const ExitMeaning& meaning = meaning_of(command);
+  std::string text = "EXIT    0    " + std::string(meaning.holds);
+  const auto add = [&text](const char* code, std::string_view words) {
+    text += "\n        " + std::string(code) + std::string(words);
+  };
+  if (!meaning.does_not_hold.empty()) add("1    ", meaning.does_not_hold);
+  add("2    ", kUnusable);
+  add("130  ", kInterrupted);
+  return text;
+}
+
+std::string exit_table() {
+  std::string text = "| command | 0 | 1 |\n|---|---|---|\n";
+  for (const ExitMeaning& meaning : kMeanings) {
+    const std::string_view no = meaning.does_not_hold.empty() ? "never" : meaning.does_not_hold;
+    text += "| `kerf " + std::string(meaning.command) + "` | " + std::string(meaning.holds) + " | " +
+            std::string(no) + " |\n";
+  }
+  return text;
+}
+
+}  // namespace kerf

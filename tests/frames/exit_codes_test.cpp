@@ -1,0 +1,190 @@
+#include "frames/commands/exit_codes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "frames/support/errors.h"
+#include "tests/frames/program.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::read_text;
+using testing::run_kerf;
+using testing::TemporaryFolder;
+
+/// Files of every kind that commands take, whole and damaged. A word of a command that begins with @ is one
+/// of them, or one to be written.
+class ExitCodes : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder = new TemporaryFolder;
+    make("record pile -o @a.kerf --steps 20 --objects 20");
+    make("record pile -o @b.kerf --steps 20 --objects 20 --seed 2");
+    make(
+        "record pile -o @waits.kerf --steps 100 --objects 200 --grow 60 --config "
+        "min_threshold=8,max_threshold=16");
+    make("render @a.kerf --steps 1:6 --size 64x64 --out @frames");
+    make("render @a.kerf --steps 1:6 --size 64x64 --out @shard --shard 1/2");
+    make("render @b.kerf --steps 1:3 --size 64x64 --out @fewer");
+    write("boxes.csv", "step,object,min_x,max_x,min_y,max_y\n1,0,0,1,0,1\n1,1,0,1,0,1\n");
+    write("pairs.csv", "step,a,b\n");
+    make("import @boxes.csv --pairs @pairs.csv -o @missed.kerf");
+    write("bad.csv", "1,0,zero,1,0,1\n");
+    write("holds", "expect step == 0\n");
+    write("fails", "expect step == 7\n");
+    write("broken", "click \"nothing of that name\"\n");
+    damage();
+  }
+  static void TearDownTestSuite() {
+    delete folder;
+    folder = nullptr;
+  }
+
+  static Outcome run(const std::string& line) {
+    std::vector<std::string> arguments;
+    std::istringstream words(line);
+    for (std::string word; words >> word;)
+      arguments.push_back(word.starts_with("@") ? (folder->path() / word.substr(1)).string() : word);
+    return run_kerf(arguments);
+  }
+  static void make(const std::string& line) {
+    const Outcome outcome = run(line);
+    ASSERT_EQ(outcome.exit, kExitHolds) << line << "\n" << outcome.err;
+  }
+  static void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder->path() / name, std::ios::binary) << text;
+  }
+
+ private:
+  /// Recordings cut short, empty, of another version, and what is none at all.
+  static void damage() {
+    const std::string whole = read_text(folder->path() / "a.kerf");
+    write("half.kerf", whole.substr(0, whole.size() / 2));
+    write("fifty.kerf", whole.substr(0, 50));
+    write("empty.kerf", "");
+    constexpr std::size_t kVersionAt = 60;  // SQLite's user_version, big-endian
+    std::string other = whole;
+    other.replace(kVersionAt, 4, std::string("\0\0\0\x63", 4));
+    write("version.kerf", other);
+  }
+
+  static TemporaryFolder* folder;
+};
+
+TemporaryFolder* ExitCodes::folder = nullptr;
+
+struct Case {
+  int exit;
+  const char* line;
+};
+
+/// Every subcommand with each of its codes, except 130.
+constexpr Case kCases[] = {
+    {0, "scenes"},
+    {2, "scenes --no"},
+    {0, "record pile -o @r.kerf --steps 3 --objects 3"},
+    {2, "record pile -o @none/r.kerf --steps 3 --objects 3"},
+    {0, "import @boxes.csv -o @i.kerf"},
+    {2, "import @bad.csv -o @i2.kerf"},
+    {0, "rerun @a.kerf -o @rerun.kerf --config min_threshold=4,max_threshold=8"},
+    {2, "rerun @none.kerf -o @rerun2.kerf"},
+    {0, "verify @a.kerf"},
+    {1, "verify @missed.kerf"},
+    {2, "verify @none.kerf"},
+    {0, "debug @a.kerf --headless --script @holds"},
+    {1, "debug @a.kerf --headless --script @fails"},
+    {2, "debug @a.kerf --headless --script @broken"},
+    {0, "step @a.kerf --to step==3"},
+    {1, "step @a.kerf --to step==300"},
+    {2, "step @a.kerf --to stp==3"},
+    {0, "explain @a.kerf --pair 0,1"},
+    {2, "explain @none.kerf --pair 0,1"},
+    {0, "compare @a.kerf @a.kerf"},
+    {1, "compare @a.kerf @b.kerf"},
+    {2, "compare @a.kerf @none.kerf"},
+    {0, "lint @a.kerf"},
+    {1, "lint @waits.kerf --within 1"},
+    {2, "lint @none.kerf"},
+    {0, "minimize @missed.kerf --when missed>0||pairs>0 -o @small.kerf"},
+    {1, "minimize @a.kerf --when step>300 -o @small2.kerf"},
+    {2, "minimize @a.kerf --when stp>3 -o @small3.kerf"},
+    {0, "export @a.kerf --csv"},
+    {2, "export @a.kerf --csv -o @none/a.csv"},
+    {0, "render @a.kerf --steps 1:2 --size 64x64 --out @r"},
+    {2, "render @a.kerf --steps 1:2 --size 0x0 --out @r2"},
+    {0, "collect @frames"},
+    {1, "collect @shard"},
+    {2, "collect @none"},
+    {0, "diff @frames @frames"},
+    {1, "diff @frames @shard"},
+    {2, "diff @frames @none"},
+    {0, "film-diff @frames @frames -o @f.gif"},
+    {1, "film-diff @frames @fewer -o @f2.gif"},
+    {2, "film-diff @frames @none -o @f3.gif"},
+    {0, "bench --scenes falling --objects 50 --algorithms kerf --rounds 1 --steps 3 --warm-up 1"},
+    {2, "bench --scenes fallin"},
+    {0, "bench-frames --sizes 64x64 --boxes 5 --frames 600"},
+    {2, "bench-frames --sizes 64x64 --boxes 5 --frames 600 --json @none/a.json"},
+    {0, "experiment --steps 20 --objects 10 --out @experiment"},
+    {2, "experiment --steps none --out @experiment2"},
+    {0, "report volumes --objects 20 --steps 5 --rounds 1 --seeds 1 --out @page.html"},
+    {2, "report nothing --out @page2.html"},
+};
+
+TEST_F(ExitCodes, EveryCommandHasItsCodes) {
+  for (const Case& each : kCases) {
+    const Outcome outcome = run(each.line);
+    EXPECT_EQ(outcome.exit, each.exit) << each.line << "\n" << outcome.err;
+    EXPECT_EQ(outcome.err.empty(), each.exit == 0 || std::string(each.line).starts_with("diff"))
+        << each.line << "\n"
+        << outcome.err;
+  }
+}
+
+/// Whatever is asked of it, a file that cannot be read is no answer.
+TEST_F(ExitCodes, ADamagedRecordingIsUnusableForEveryCommand) {
+  for (const char* command :
+       {"verify F", "step F --to step==3", "explain F --pair 0,1", "explain F --node n0", "compare F @a.kerf",
+        "compare @a.kerf F", "lint F", "minimize F --when step==3 -o @m.kerf", "export F --csv",
+        "export F --boxes -o @e.csv", "render F --steps 1:2 --size 64x64 --out @d",
+        "debug F --headless --script @holds", "rerun F -o @d.kerf"}) {
+    for (const char* name : {"half", "fifty", "empty", "version", "none"}) {
+      std::string line = command;
+      line.replace(line.find('F'), 1, "@" + std::string(name) + ".kerf");
+      const Outcome outcome = run(line);
+      EXPECT_EQ(outcome.exit, kExitUnusable) << line << "\n" << outcome.out << outcome.err;
+      EXPECT_THAT(outcome.err, HasSubstr(std::string(name) + ".kerf")) << line;
+    }
+  }
+}
+
+/// A command without a case is found, as is a case of a code that the command does not have.
+TEST_F(ExitCodes, NoCommandIsLeftOut) {
+  for (const ExitMeaning& meaning : exit_meanings()) {
+    for (const int code : {kExitHolds, kExitDoesNotHold, kExitUnusable}) {
+      const bool has = std::ranges::any_of(kCases, [&](const Case& each) {
+        return each.exit == code && std::string(each.line).starts_with(std::string(meaning.command) + " ");
+      });
+      EXPECT_EQ(has, code != kExitDoesNotHold || !meaning.does_not_hold.empty())
+          << meaning.command << " " << code;
+    }
+  }
+}
+
+TEST_F(ExitCodes, HelpAndDocumentationSayTheSame) {
+  const std::string page = read_text(std::filesystem::path(KERF_SOURCE_DIR) / "docs/EXIT_CODES.md");
+  EXPECT_THAT(page, HasSubstr(exit_table()));
+  for (const ExitMeaning& meaning : exit_meanings())
+    EXPECT_THAT(run(std::string(meaning.command) + " --help").out, HasSubstr(exit_help(meaning.command)))
+        << meaning.command;
+}
+
+}  // namespace
+}  // namespace kerf

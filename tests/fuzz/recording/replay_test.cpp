@@ -1,0 +1,32 @@
+#include <gtest/gtest.h>
+
+#include "core/recording/recording_reader.h"
+#include "core/replay/verify.h"
+#include "tests/fuzz/recording/recording_cases.h"
+#include "tests/support/recorded_crowd.h"
+
+namespace kerf::test {
+namespace {
+
+void replay(const char* target, std::string (*run)(CaseBytes)) {
+  const std::vector<KeptCase> cases = corpus(KERF_SOURCE_DIR, target);
+  EXPECT_GE(cases.size(), 1U);
+  for (const KeptCase& kept : cases) EXPECT_EQ(run(kept.bytes), "") << target << "/" << kept.name;
+}
+
+TEST(RecordingCorpus, KeyframesFindNothing) { replay("keyframe", keyframe_case); }
+TEST(RecordingCorpus, BlocksFindNothing) { replay("block", block_case); }
+TEST(RecordingCorpus, ChangedTablesFindNothing) { replay("recording", recording_case); }
+
+/// Whoever changes nothing finds nothing: the cases begin with a recording that holds.
+TEST(RecordingCorpus, TheSmallRecordingHolds) {
+  const TemporaryRecording file;
+  record_small(file.path());
+  const Verdict verdict = verify(file.path());
+  EXPECT_TRUE(verdict.holds());
+  EXPECT_EQ(verdict.keyframes, 1U);
+  EXPECT_FALSE(RecordingReader<2>(file.path()).operators().empty());
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,136 @@
+#include "viz/debugger/window_loop.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/support/recorded_crowd.h"
+#include "tests/viz/debugger/x_display.h"
+
+namespace kerf {
+namespace {
+
+/// A debugger in a window on a display without a screen.
+class DebuggerWindow : public testing::Test {
+ protected:
+  DebuggerWindow() {
+    test::record_crowd<2>(file_.path(), 120, test::busy_config());
+    window_.emplace("kerf", 1280, 720);
+    debugger_.emplace(*window_, open_run(file_.path()));
+    loop_.emplace(*window_, *debugger_);
+    (void)frames_until_rest();
+  }
+
+  /// Turns until a hint would have been drawn; how often it drew.
+  int frames_until_rest() {
+    constexpr double kPatience = Pace::kRest + 0.15;
+    int frames = 0;
+    for (double rests = window_->seconds() + kPatience; window_->seconds() < rests;) {
+      if (!loop_->turn()) continue;
+      ++frames;
+      rests = window_->seconds() + kPatience;
+    }
+    return frames;
+  }
+  /// What was posted until here comes in one poll.
+  void take_in() {
+    display_.flush();
+    (void)frames_until_rest();
+  }
+  void move_to(const std::string& name, float share = 0.5F) {
+    const auto area = debugger_->gui().find(name);
+    ASSERT_TRUE(area) << name;
+    display_.move(area->x + share * area->width, area->y + 0.5F * area->height);
+  }
+  [[nodiscard]] std::string fact(const std::string& name) { return debugger_->facts()[name]; }
+
+  test::XDisplay display_;
+  std::optional<GlfwWindow> window_;
+  std::optional<Debugger> debugger_;
+  std::optional<WindowLoop> loop_;
+
+ private:
+  test::TemporaryRecording file_;
+};
+
+TEST_F(DebuggerWindow, SeesAHundredClicksOfNoTime) {
+  move_to("step forward");
+  for (int k = 0; k < 100; ++k) display_.click(1);
+  take_in();
+  EXPECT_EQ(fact("step"), "100");
+}
+
+TEST_F(DebuggerWindow, SeesWhereAScrubEnds) {
+  move_to("scrubber", 0.1F);
+  display_.press(1);
+  move_to("scrubber", 0.75F);
+  display_.release(1);
+  move_to("scrubber", 0.3F);
+  take_in();
+  EXPECT_EQ(fact("step"), "90");
+}
+
+TEST_F(DebuggerWindow, SeesKeysAndLettersInTheirOrder) {
+  for (int k = 0; k < 40; ++k) display_.tap("b");
+  take_in();
+  EXPECT_EQ(fact("bookmarks"), "0");
+  move_to("go to");
+  display_.click(1);
+  for (const char* const key : {"9", "o", "5", "Left", "BackSpace", "Return", "b"}) display_.tap(key);
+  take_in();
+  EXPECT_EQ(fact("position"), "step 95");
+  EXPECT_EQ(fact("bookmarks"), "1");
+}
+
+TEST_F(DebuggerWindow, SeesEveryTurnOfTheWheel) {
+  display_.move(640, 360);
+  for (int k = 0; k < 12; ++k) display_.click(4);
+  take_in();
+  const std::string once = fact("pictures");
+  for (int k = 0; k < 12; ++k) display_.click(5);
+  take_in();
+  EXPECT_NE(fact("pictures"), once) << "zoomed out again";
+  const Image back = debugger_->picture();
+  display_.click(4);
+  display_.click(5);
+  take_in();
+  EXPECT_EQ(debugger_->picture().rgba, back.rgba);
+}
+
+/// At rest it used to draw 20 frames a second, half a core without a graphics card.
+TEST_F(DebuggerWindow, DrawsNothingWhenNothingMoves) {
+  display_.move(640, 360);
+  display_.flush();
+  EXPECT_GT(frames_until_rest(), 0);
+  int frames = 0;
+  for (const double end = window_->seconds() + 3; window_->seconds() < end;) frames += loop_->turn() ? 1 : 0;
+  EXPECT_EQ(frames, 0);
+}
+
+TEST_F(DebuggerWindow, AHintComesThoughTheMouseRests) {
+  move_to("step forward");
+  take_in();
+  const Image hint = debugger_->picture();
+  debugger_->frame({}, 1280, 720);
+  debugger_->frame({}, 1280, 720);
+  std::size_t different = 0;
+  const Image without = debugger_->picture();
+  for (std::size_t k = 0; k < hint.rgba.size(); ++k) different += hint.rgba[k] != without.rgba[k] ? 1U : 0U;
+  EXPECT_GT(different, 3000U) << "more than the button's own colour";
+}
+
+TEST_F(DebuggerWindow, PlaysAtItsSpeedWithoutInput) {
+  debugger_->model().granularity = Granularity::step;
+  debugger_->model().speed = 20;
+  display_.tap("space");
+  display_.flush();
+  const double start = window_->seconds();
+  int frames = 0;
+  while (window_->seconds() < start + 2) frames += loop_->turn() ? 1 : 0;
+  const double seconds = window_->seconds() - start;
+  const double steps = debugger_->model().run().position().step;
+  EXPECT_LE(steps, 20 * seconds + 1);
+  EXPECT_GE(steps, 10 * seconds) << "even on a machine that is busy";
+  EXPECT_LE(frames, steps + 2 * Pace::kSettling) << "a frame for each step";
+}
+
+}  // namespace
+}  // namespace kerf

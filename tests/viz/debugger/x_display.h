@@ -1,0 +1,42 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+
+struct _XDisplay;
+
+namespace kerf::test {
+
+/// A display of its own without a screen (Xvfb), on which `DISPLAY` points while the object lives, and a hand
+/// that does something in the first window there. Events come as from a server: in order, however fast.
+class XDisplay {
+ public:
+  XDisplay();
+  ~XDisplay();
+  XDisplay(const XDisplay&) = delete;
+  XDisplay& operator=(const XDisplay&) = delete;
+
+  void move(float x, float y);
+  /// 1 left, 3 right, 4 and 5 the wheel.
+  void press(unsigned button);
+  void release(unsigned button);
+  void click(unsigned button);
+  /// A key by the name that X11 has for it, down and up.
+  void tap(const std::string& key);
+  /// All of it has been sent to the window.
+  void flush();
+
+ private:
+  void send(int type, unsigned detail);
+  [[nodiscard]] unsigned long find_window() const;
+
+  pid_t server_ = -1;
+  _XDisplay* display_ = nullptr;
+  unsigned long window_ = 0;
+  int x_ = 0;
+  int y_ = 0;
+  unsigned long time_ = 1;  ///< milliseconds of the server; two events never have the same
+};
+
+}  // namespace kerf::test

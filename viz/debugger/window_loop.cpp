@@ -1,0 +1,45 @@
+#include "viz/debugger/window_loop.h"
+
+#include <algorithm>
+
+namespace kerf {
+namespace {
+
+constexpr double kLongestWait = 0.2;  // seconds until it is seen that the program is to end
+
+}  // namespace
+
+WindowLoop::WindowLoop(GlfwWindow& window, Debugger& debugger)
+    : window_(window), debugger_(debugger), last_(window.seconds()) {}
+
+/// What has been done is shown as soon as it has all been taken in: who clicks faster than frames are drawn
+/// does not wait for a frame for each.
+void WindowLoop::take_in() {
+  do {
+    debugger_.take_in(window_.take_input(), window_.width(), window_.height());
+  } while (window_.has_input() && !debugger_.wants_screenshot() && window_.seconds() < last_ + kLongestWait);
+}
+
+bool WindowLoop::turn() {
+  const auto until_due = [&](double now) {
+    const double plays_on = last_ + debugger_.model().seconds_to_next() - now;
+    return std::min(pace_.seconds_to_next(now), std::max(0.0, plays_on));
+  };
+  const bool user_acted = window_.wait(std::min(until_due(window_.seconds()), kLongestWait));
+  const double now = window_.seconds();
+  if (user_acted) pace_.user_acted(now);
+  if (until_due(now) > 0) return false;
+  last_ = now;
+  take_in();
+  debugger_.draw();
+  present();
+  pace_.drawn(now);
+  return true;
+}
+
+void WindowLoop::present() {
+  debugger_.show_in_window(window_.width(), window_.height());
+  window_.swap();
+}
+
+}  // namespace kerf
