@@ -6,8 +6,6 @@
 
 namespace kerf {
 
-using namespace tuning;
-
 void ModeChooser::decide(const Evidence& evidence) {
   count(evidence);
   const auto* const due = std::ranges::find_if(kTransitions, [&](const Transition& transition) {
@@ -16,7 +14,7 @@ void ModeChooser::decide(const Evidence& evidence) {
   const bool knows_motions = mode_ == Mode::swept && evidence.bytes && evidence.skins;
   taken_ = due == kTransitions.end() ? nullptr : due;
   if (taken_ != nullptr) enter(taken_->to);
-  if (knows_motions) patience_ = std::max(patience_, kFirstPatience);
+  if (knows_motions) patience_ = std::max(patience_, tuning::kFirstPatience);
 }
 
 bool ModeChooser::holds(Condition condition, const Evidence& evidence) const {
@@ -30,15 +28,15 @@ bool ModeChooser::holds(Condition condition, const Evidence& evidence) const {
     case Condition::keeping_is_costly:
       return regrets_;
     case Condition::many_leave:
-      return against_ >= kHotSteps;
+      return against_ >= tuning::kHotSteps;
     case Condition::uproar:
-      return steps_ >= kLearningSteps && evidence.leaving.share > kHopelessShare &&
+      return steps_ >= tuning::kLearningSteps && evidence.leaving.share > tuning::kHopelessShare &&
              !are_mild(evidence.leaving.motions);
     case Condition::slow_at_first:
       return evidence.skins && patience_ == 0 && are_mild(evidence.motions);
     case Condition::slow_for_long:
       return evidence.skins &&
-             against_ >= (crowded_ ? kLongestPatience : std::max(patience_, kFirstPatience));
+             against_ >= (crowded_ ? tuning::kLongestPatience : std::max(patience_, tuning::kFirstPatience));
   }
   return false;
 }
@@ -63,26 +61,26 @@ void ModeChooser::forget() {
 /// be.
 void ModeChooser::count_leaving(const Leaving& leaving) {
   ++steps_;
-  const float cost = leaving.share * (1 - (1 - kFastCost) * leaving.motions.fast);
-  const bool is_hot = cost > (steps_ < kLearningSteps ? kHopelessShare : kHotShare);
+  const float cost = leaving.share * (1 - (1 - tuning::kFastCost) * leaving.motions.fast);
+  const bool is_hot = cost > (steps_ < tuning::kLearningSteps ? tuning::kHopelessShare : tuning::kHotShare);
   against_ = is_hot ? against_ + 1 : 0;
 }
 
 void ModeChooser::count_motions(const Motions& motions) {
   ++steps_;
-  if (motions.fast < kFewFast) crowded_ = false;
-  const bool some_rest = motions.fast < many_fast(dimension_);
-  against_ = some_rest && motions.speed < kCoolSpeed ? against_ + 1 : 0;
+  if (motions.fast < tuning::kFewFast) crowded_ = false;
+  const bool some_rest = motions.fast < tuning::many_fast(dimension_);
+  against_ = some_rest && motions.speed < tuning::kCoolSpeed ? against_ + 1 : 0;
 }
 
 /// Whether skins would last, as far as one step can tell.
 bool ModeChooser::are_mild(const Motions& motions) const {
-  return motions.fast < many_fast(dimension_) && motions.speed < kMildSpeed;
+  return motions.fast < tuning::many_fast(dimension_) && motions.speed < tuning::kMildSpeed;
 }
 
 /// Where too many objects are restless, the next try is far away, until they are few.
 void ModeChooser::note_cost(float cost) {
-  if (cost < kCostlyKeeping) return;
+  if (cost < tuning::kCostlyKeeping) return;
   begin_period();
   regrets_ = true;
   crowded_ = true;
@@ -96,8 +94,9 @@ void ModeChooser::enter(Mode mode) {
 
 /// Each time that keeping ends before it has paid, the wait for the next time doubles.
 void ModeChooser::begin_period() {
-  if (mode_ == Mode::kept && steps_ < kPaidSteps) patience_ = std::min(2 * patience_, kLongestPatience);
-  if (mode_ == Mode::kept && steps_ >= kPaidWellSteps) patience_ = kShortPatience;
+  if (mode_ == Mode::kept && steps_ < tuning::kPaidSteps)
+    patience_ = std::min(2 * patience_, tuning::kLongestPatience);
+  if (mode_ == Mode::kept && steps_ >= tuning::kPaidWellSteps) patience_ = tuning::kShortPatience;
   steps_ = 0;
   against_ = 0;
 }

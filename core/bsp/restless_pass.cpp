@@ -36,16 +36,15 @@ void RestlessPass<D>::run(Tree<D>& tree, const Objects& objects, KeptPairs<D>& k
 /// In units of the time in which one entry is swept.
 template <int D>
 float RestlessPass<D>::estimate(const Tree<D>& tree, const Counts& counts, std::size_t others) {
-  using namespace tuning;
   const auto entries = static_cast<float>(tree.entries());
   const auto swept = static_cast<float>(counts.swept);
-  const float kept_leaves =
-      (entries - swept) * kCostOfFiltering + static_cast<float>(counts.looked_up) * kCostOfLookUp;
-  const float placement = static_cast<float>(counts.followed) * kCostOfFollowing +
-                          static_cast<float>(counts.walked) * kCostOfWalk +
-                          static_cast<float>(others) * kCostOfReplacing;
+  const float kept_leaves = (entries - swept) * tuning::kCostOfFiltering +
+                            static_cast<float>(counts.looked_up) * tuning::kCostOfLookUp;
+  const float placement = static_cast<float>(counts.followed) * tuning::kCostOfFollowing +
+                          static_cast<float>(counts.walked) * tuning::kCostOfWalk +
+                          static_cast<float>(others) * tuning::kCostOfReplacing;
   return (swept + kept_leaves + placement) /
-         (entries + static_cast<float>(tree.objects()) * kCostOfPlacing + 1);
+         (entries + static_cast<float>(tree.objects()) * tuning::kCostOfPlacing + 1);
 }
 
 template <int D>

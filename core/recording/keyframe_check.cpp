@@ -31,15 +31,14 @@ bool are_all_dead(const Tree<D>& tree) {
 /// one.
 template <int D>
 bool is_alike(const BspState<D>& state, ObjectId object) {
-  constexpr std::uint8_t kKept = 2;  // of the modes, as Bsp numbers them
   const ObjectTable<D>& latest = state.latest;
   const ObjectTable<D>& placed = state.tree.table;
   if (latest.state(object) != placed.state(object)) return false;
   if (latest.state(object) == ObjectState::absent) return true;
   if (latest.is_fixed(object) != placed.is_fixed(object)) return false;
   if (!latest.is_placed(object)) return true;
-  const bool fits = state.mode == kKept ? contains(placed.box(object), latest.box(object))
-                                        : placed.box(object) == latest.box(object);
+  const bool fits = state.modes.mode() == Mode::kept ? contains(placed.box(object), latest.box(object))
+                                                     : placed.box(object) == latest.box(object);
   return fits && std::equal(latest.extra(object), latest.extra(object) + extra_size<D>(latest.kind()),
                             placed.extra(object));
 }

@@ -102,7 +102,7 @@ template <int D>
 Node<D> get_node(ByteReader& in, const DirectionSet<D>& directions, std::size_t objects) {
   Node<D> node;
   node.generation = in.number();
-  const std::uint8_t flags = in.choice(8);
+  const std::uint8_t flags = in.choice(4);
   node.alive = (flags & 1U) != 0;
   node.unsorted = (flags & 2U) != 0;
   if (!node.alive) return node;

@@ -49,7 +49,7 @@ Number number(const std::map<std::string, std::string>& meta, const char* key) {
   return value;
 }
 
-bool flag(const std::map<std::string, std::string>& meta, const char* key) {
+bool flag_of(const std::map<std::string, std::string>& meta, const char* key) {
   const auto value = number<unsigned>(meta, key);
   if (value > 1) fail_damaged(std::string("its ") + key + " is " + std::to_string(value));
   return value == 1;
@@ -214,8 +214,8 @@ RecordingInfo read_info(const Database& database) {
   info.changes = read_changes(database);
   info.decisions = read_decisions(database);
   info.scene = meta["scene"];
-  info.imported = flag(meta, "imported");
-  info.complete = flag(meta, "complete");
+  info.imported = flag_of(meta, "imported");
+  info.complete = flag_of(meta, "complete");
   if (info.complete != meta.contains("end"))
     fail_damaged("its chain has an end without being complete, or none");
   info.seed = number<std::uint64_t>(meta, "seed");

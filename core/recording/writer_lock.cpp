@@ -25,12 +25,12 @@ struct flock whole_file() {
   return lock;
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& recording) {
+[[noreturn]] void refuse_second_writer(const std::filesystem::path& recording) {
   throw std::runtime_error(recording.string() +
                            " is being written at this moment; wait until it is done, or choose another name");
 }
 
-[[noreturn]] void fail(const std::filesystem::path& recording, int error) {
+[[noreturn]] void fail_to_lock(const std::filesystem::path& recording, int error) {
   throw std::runtime_error("cannot open " + recording.string() + ": " +
                            std::generic_category().message(error));
 }
@@ -50,13 +50,13 @@ WriterLock::WriterLock(const std::filesystem::path& recording)
   do {
     if (file_ >= 0) ::close(file_);
     file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-    if (file_ < 0) fail(recording, errno);
+    if (file_ < 0) fail_to_lock(recording, errno);
     struct flock lock = whole_file();
     if (::fcntl(file_, F_OFD_SETLK, &lock) == 0) continue;
     const bool is_taken = errno == EAGAIN || errno == EACCES;
     ::close(file_);
-    if (is_taken) refuse(recording);
-    fail(recording, errno);
+    if (is_taken) refuse_second_writer(recording);
+    fail_to_lock(recording, errno);
   } while (!is_still_there(file_, path_));
 }
 

@@ -117,7 +117,7 @@ std::string summary_line(const DiffResult& result) {
   std::string text;
   if (result.count_troubled() > 0)
     text = std::to_string(result.count_troubled()) + " of " + all + " frames cannot be compared; ";
-  if (!result.faults.empty()) text += "frames that a manifest names are not there; ";
+  if (!result.faults.empty()) text += "not all that should be there could be compared; ";
   const std::size_t different = result.count_different();
   text += std::to_string(different) + " of " + all + (all == "1" ? " frame" : " frames") +
           (different == 1 ? " differs" : " differ");

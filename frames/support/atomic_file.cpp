@@ -38,7 +38,9 @@ void fail_to_write(const std::filesystem::path& path, int error) {
 }
 
 std::filesystem::path part_path(const std::filesystem::path& path) {
-  return path.parent_path() / ("." + path.stem().string() + ".part" + path.extension().string());
+  constexpr std::size_t kLongestStem = 200;  // names have up to 255 bytes, and SQLite adds some
+  return path.parent_path() /
+         ("." + path.stem().string().substr(0, kLongestStem) + ".part" + path.extension().string());
 }
 
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {

@@ -32,11 +32,7 @@ class WithoutOsmesa : public ::testing::Test {
  protected:
   WithoutOsmesa() { std::ofstream(folder_.path() / "libOSMesa.so.8").flush(); }
 
-  [[nodiscard]] Surroundings hidden() const {
-    Surroundings surroundings;
-    surroundings.libraries = folder_.path().string();
-    return surroundings;
-  }
+  [[nodiscard]] Surroundings hidden() const { return {.libraries = folder_.path().string()}; }
   [[nodiscard]] std::filesystem::path out(const char* name) const { return folder_.path() / name; }
 
  private:

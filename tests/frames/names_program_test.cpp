@@ -53,11 +53,11 @@ TEST_P(NamesProgram, EveryCommandTakesIt) {
   run({"lint", "--", file});
   run({"rerun", "-o", "r.kerf", "--config", "min_threshold=4,max_threshold=8", "--", file});
   run({"minimize", "--when", "pairs>0", "-o", "m.kerf", "--", file});
-  EXPECT_NO_THROW((void)nlohmann::json::parse(run({"export", "--chrome-trace", "--", file}).out));
+  EXPECT_TRUE(nlohmann::json::accept(run({"export", "--chrome-trace", "--", file}).out));
   run({"export", "--boxes", "-o", "again.csv", "--", file});
   run({"render", "--steps", "1:2", "--size", "64x64", "--out", "frames", "--", file});
   run({"collect", "frames"});
-  EXPECT_NO_THROW((void)nlohmann::json::parse(run({"diff", "--json", "frames", "frames"}).out));
+  EXPECT_TRUE(nlohmann::json::accept(run({"diff", "--json", "frames", "frames"}).out));
   std::ofstream("script") << "expect step == 0\n";
   run({"debug", "--headless", "--script", "script", "--", file});
   EXPECT_FALSE(fs::exists(file + "-lock"));

@@ -13,8 +13,10 @@ constexpr Scalar kLastThing =
     1e18F;  ///< ... unless everything is asked for: beyond that nothing can be computed
 constexpr Scalar kReach =
     0.5F;  ///< around what is fixed, in its sizes, where moving objects are still of interest
-constexpr Scalar kReachUp = 2.0F;      ///< likewise upwards, from where they fall
-constexpr Scalar kReachOfBulk = 1.0F;  ///< around the bulk, in its sizes
+constexpr Scalar kReachUp = 2.0F;   ///< likewise upwards, from where they fall
+constexpr Scalar kNearBulk = 1.0F;  ///< around the bulk, in its sizes: what is left of what reaches too far
+constexpr Scalar kReachOfMoving =
+    2.0F;  ///< likewise, how far what moves may reach: walls of a drum around a heap
 constexpr Scalar kReachOfFixed =
     100.0F;                        ///< likewise, for what is fixed: a floor may be much larger than the crowd
 constexpr std::size_t kBulk = 10;  ///< one in so many is not of it, at either end
@@ -24,7 +26,7 @@ constexpr std::size_t kSample = 4096;
 constexpr int kUp = 1;
 
 template <int D>
-Scalar largest_extent(const Box<D>& box) {
+Scalar longest_side(const Box<D>& box) {
   const Vector<D> extent = box.extent();
   return std::max(0.0F, *std::ranges::max_element(extent.value));
 }
@@ -94,7 +96,7 @@ struct Crowd {
   /// What counts of a box: all of it, the part near the bulk if it reaches too far, or nothing.
   [[nodiscard]] std::optional<Box<D>> part_that_counts(const Box<D>& box, Scalar reach) const {
     if (contains(widened(bulk, reach * size), box)) return box;
-    const Box<D> near = widened(bulk, kReachOfBulk * size);
+    const Box<D> near = widened(bulk, kNearBulk * size);
     return overlaps(near, box) ? std::optional(intersection(near, box)) : std::nullopt;
   }
 };
@@ -104,7 +106,7 @@ std::optional<Crowd<D>> find_crowd(std::span<const Body<D>> bodies) {
   const std::vector<Box<D>> boxes = sample_boxes(bodies);
   if (boxes.size() < kFewest) return std::nullopt;
   Crowd<D> crowd{box_between(boxes, kBulk), box_between(boxes, kMiddle)};
-  crowd.size = largest_extent(crowd.bulk);
+  crowd.size = longest_side(crowd.bulk);
   return crowd.size > 0 ? std::optional(crowd) : std::nullopt;
 }
 
@@ -123,7 +125,7 @@ std::optional<Box<D>> box_of_fixed(std::span<const Body<D>> bodies, const std::o
 template <int D>
 Box<D> region_around(const Box<D>& fixed) {
   Box<D> region = fixed;
-  const Scalar size = largest_extent(fixed);
+  const Scalar size = longest_side(fixed);
   for (int i = 0; i < D; ++i) {
     region.min[i] -= kReach * size;
     region.max[i] += (i == kUp ? kReachUp : kReach) * size;
@@ -140,7 +142,7 @@ std::optional<Box<D>> box_of_most(std::span<const Body<D>> bodies) {
   if (region && crowd && !contains(*region, crowd->middle)) region.reset();
   const auto part_of = [&](const Box<D>& box) -> std::optional<Box<D>> {
     if (region) return overlaps(*region, box) ? std::optional(box) : std::nullopt;
-    return crowd ? crowd->part_that_counts(box, kReachOfBulk) : std::optional(box);
+    return crowd ? crowd->part_that_counts(box, kReachOfMoving) : std::optional(box);
   };
   for (const Body<D>& body : bodies) {
     if (body.mobility == Mobility::fixed || !is_within(body, kFarthest)) continue;

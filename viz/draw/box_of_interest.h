@@ -18,7 +18,7 @@ enum class Framing {
 ///
 /// `most`: between the tenth smallest and the tenth largest of a hundred lies the bulk. What is fixed counts
 /// unless it reaches beyond a hundred times the bulk, and gives a region around it in which what moves
-/// counts. Where there is none, or the crowd is not in it, what moves counts within one size of the bulk
+/// counts. Where there is none, or the crowd is not in it, what moves counts within two sizes of the bulk
 /// around it. Of what reaches farther only the part near the bulk counts.
 template <int D>
 std::optional<Box<D>> box_of_interest(std::span<const Body<D>> bodies, Framing framing);

@@ -147,7 +147,7 @@ TYPED_TEST(Policies, WithoutDenseLeavesPairsComeInTheOrderOfTheBytes) {
   const auto all_move = [](auto& crowd, std::uint32_t) { crowd.bounce(1); };
   const Config with = tuned_without("skin=0", 1024);
   const Config without = tuned_without("skin=0,dense=0", 1024);
-  EXPECT_FALSE(this->is_order_the_same(with, without, 4, all_move));
+  EXPECT_FALSE(this->is_order_the_same(with, without, 2.5, all_move));
   EXPECT_TRUE(this->is_order_the_same(with, without, 200, all_move)) << "no leaf is dense";
 }
 

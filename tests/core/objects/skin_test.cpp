@@ -192,8 +192,11 @@ TEST(Skin, WhoHadNoFatTellsNothingOfHowThickItMustBe) {
 TEST(Skin, WhoHasTheBoxOfTheLastLookIsUnmoved) {
   Skin skin;
   EXPECT_FALSE(skin.is_unmoved(7));
+  EXPECT_FALSE(skin.is_unmoved(7)) << "to ask is not to look";
+  skin.look(7);
   EXPECT_TRUE(skin.is_unmoved(7));
   EXPECT_FALSE(skin.is_unmoved(8));
+  skin.look(8);
   EXPECT_FALSE(skin.is_unmoved(7));
 }
 

@@ -241,9 +241,13 @@ TYPED_TEST(Tampering, AForgedTreeIsRefused) {
       {"last event", [](State& state) { ++state.next_event; }},
       {"placements", [](State& state) { ++state.placed; }},
       {"another state", [](State& state) { state.skins.resize(state.skins.size() + 1); }},
-      {"another state", [](State& state) { state.mode = state.mode == 1 ? 2 : 1; }},
+      {"another state",
+       [](State& state) {
+         const Mode mode = state.modes.mode();
+         state.modes.resume(mode == Mode::swept ? Mode::kept : Mode::swept, state.modes.memory());
+       }},
       {"another state", [](State& state) {
-         state.keep_or_sweep.resume({1, 2, 3, 4});
+         state.modes.resume(state.modes.mode(), {1, 2, 3, 4});
        }}};
   for (const Forgery& forgery : forgeries) {
     this->restore();

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/recording/recording_reader.h"
+#include "core/replay/replayer.h"
 #include "core/replay/verify.h"
 #include "tests/fuzz/recording/recording_cases.h"
 #include "tests/fuzz/tree/byte_reader.h"

@@ -117,19 +117,19 @@ TEST_F(DebuggerWindow, AHintComesThoughTheMouseRests) {
   EXPECT_GT(different, 3000U) << "more than the button's own colour";
 }
 
+/// At one step in a quarter of a second; a busy machine may be late, but neither ahead nor at a stand.
 TEST_F(DebuggerWindow, PlaysAtItsSpeedWithoutInput) {
   debugger_->model().granularity = Granularity::step;
-  debugger_->model().speed = 20;
+  debugger_->model().speed = 4;
   display_.tap("space");
   display_.flush();
   const double start = window_->seconds();
   int frames = 0;
-  while (window_->seconds() < start + 2) frames += loop_->turn() ? 1 : 0;
-  const double seconds = window_->seconds() - start;
+  while (window_->seconds() < start + 3) frames += loop_->turn() ? 1 : 0;
   const double steps = debugger_->model().run().position().step;
-  EXPECT_LE(steps, 20 * seconds + 1);
-  EXPECT_GE(steps, 10 * seconds) << "even on a machine that is busy";
-  EXPECT_LE(frames, steps + 2 * Pace::kSettling) << "a frame for each step";
+  EXPECT_LE(steps, 4 * (window_->seconds() - start) + 1);
+  EXPECT_GE(steps, 3);
+  EXPECT_LE(frames, steps + 2 * Pace::kSettling + 1) << "a frame for each step";
 }
 
 }  // namespace
