@@ -62,7 +62,7 @@ Box<D> Approximate<D>::handed_on(const Box<D>& box) const {
 template <int D>
 Status Approximate<D>::insert(ObjectId object, const Box<D>& box, Mobility mobility) {
   const Status status = latest_.insert(object, box, mobility);
-  if (status == Status::unknown_id || status == Status::duplicate_id) return status;
+  if (is_refused(status)) return status;
   if (given_.size() < latest_.bound()) {
     given_.resize(latest_.bound());
     is_changed_.resize(latest_.bound(), 0);

@@ -7,7 +7,7 @@ namespace kerf {
 /// The list is out of date only if the set of placed objects changes.
 template <int D>
 Status Tabled<D>::note(ObjectId object, Status status) {
-  if (status == Status::unknown_id || status == Status::duplicate_id) return status;
+  if (is_refused(status)) return status;
   const bool listed = object.index() < listed_.size() && listed_[object.index()] != 0;
   list_is_old_ |= listed != table_.is_placed(object);
   return status;

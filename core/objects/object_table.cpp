@@ -54,6 +54,7 @@ template <int D>
 Status ObjectTable<D>::admit(ObjectId object, Mobility mobility) {
   if (object.is_none()) return Status::unknown_id;
   if (state(object) != ObjectState::absent) return Status::duplicate_id;
+  if (is_sparse(object)) return Status::sparse_id;
   make_room(object);
   ++size_;
   fixed_[object.index()] = mobility == Mobility::fixed ? 1 : 0;

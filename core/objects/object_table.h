@@ -16,6 +16,10 @@ namespace kerf {
 /// The state of an id.
 enum class ObjectState : std::uint8_t { absent, placed, quarantined };
 
+/// What is kept per object is an array as long as the largest id. So that memory depends on the number of
+/// objects and not on their ids, an id beyond these many, and four more for each object present, is refused.
+inline constexpr std::size_t kFreeIds = std::size_t{1} << 22U;
+
 /// The boxes of all objects by id, with the rules for values that cannot be placed (HARD_CASES.md V1 to V3).
 /// Every broad phase of ours keeps one, so that all of them answer bad requests alike.
 template <int D>
@@ -83,6 +87,9 @@ class ObjectTable {
  private:
   Status admit(ObjectId object, Mobility mobility);
   void make_room(ObjectId object);
+  [[nodiscard]] bool is_sparse(ObjectId object) const {
+    return object.index() >= states_.size() && object.index() >= kFreeIds + 4 * std::size_t{size_};
+  }
   Status accept(ObjectId object, const Box<D>& box);
   Status accept(ObjectId object, const Volume<D>& given);
 

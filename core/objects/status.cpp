@@ -14,6 +14,8 @@ std::string_view to_string(Status status) {
       return "unknown id";
     case Status::duplicate_id:
       return "duplicate id";
+    case Status::sparse_id:
+      return "sparse id";
   }
   return "";
 }

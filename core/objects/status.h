@@ -16,7 +16,13 @@ enum class [[nodiscard]] Status : std::uint8_t{
     quarantined,   ///< NaN or min > max: the object takes part in no pair until a valid box comes
     unknown_id,    ///< no such object: nothing was done
     duplicate_id,  ///< the object exists already: nothing was done
+    sparse_id,     ///< far beyond the number of objects (see kFreeIds): nothing was done; number them anew
 };
+
+/// Nothing was done.
+constexpr bool is_refused(Status status) {
+  return status == Status::unknown_id || status == Status::duplicate_id || status == Status::sparse_id;
+}
 
 std::string_view to_string(Status status);
 

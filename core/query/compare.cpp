@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "core/trace/event_facts.h"
 
@@ -64,11 +66,53 @@ std::optional<EventDifference> first_difference(const std::vector<Event>& a, con
 
 bool is_event(const Event& /*any*/) { return true; }
 
+using NamedPair = std::pair<GivenId, GivenId>;
+
+/// Each as often as it was told, sorted.
+std::vector<NamedPair> named(const std::vector<Pair>& pairs, const GivenNames& names) {
+  std::vector<NamedPair> result;
+  for (const Pair& pair : pairs)
+    result.emplace_back(std::minmax({names.object_id(pair.a), names.object_id(pair.b)}));
+  std::ranges::sort(result);
+  return result;
+}
+
+std::vector<std::string> only_in(const std::vector<NamedPair>& a, const std::vector<NamedPair>& b) {
+  std::vector<NamedPair> only;
+  std::ranges::set_difference(a, b, std::back_inserter(only));
+  std::vector<std::string> texts;
+  for (const auto& [first, second] : only) texts.push_back(to_string(first) + "," + to_string(second));
+  return texts;
+}
+
+template <int D>
+std::optional<TheirDifference> their_difference(const RecordingReader<D>& a, const RecordingReader<D>& b,
+                                                std::uint32_t step) {
+  const std::vector<NamedPair> of_a = named(a.their_pairs(step), a.info().names);
+  const std::vector<NamedPair> of_b = named(b.their_pairs(step), b.info().names);
+  if (of_a == of_b && a.their_step(step).has_value() == b.their_step(step).has_value()) return std::nullopt;
+  return TheirDifference{step, only_in(of_a, of_b), only_in(of_b, of_a)};
+}
+
+/// What only imports have.
+template <int D>
+void compare_theirs(RecordingReader<D>& a, RecordingReader<D>& b, std::uint32_t step,
+                    RecordingComparison& result) {
+  if (!result.step_names && a.info().names.step(step) != b.info().names.step(step)) result.step_names = step;
+  if (!a.info().imported && !b.info().imported) return;
+  if (!result.requests && a.their_changes(step) != b.their_changes(step)) result.requests = step;
+  if (!result.theirs) result.theirs = their_difference(a, b, step);
+  if (!result.verdicts && a.judged_pairs(step) != b.judged_pairs(step)) result.verdicts = step;
+}
+
 }  // namespace
 
 template <int D>
 RecordingComparison compare(RecordingReader<D>& a, RecordingReader<D>& b) {
-  RecordingComparison result{summary(a.rows()), summary(b.rows()), {}, {}, {}, {}, {}};
+  RecordingComparison result;
+  result.a = summary(a.rows());
+  result.b = summary(b.rows());
+  result.object_names = !std::ranges::equal(a.info().names.objects(), b.info().names.objects());
   for (std::uint32_t step = 1; step <= std::min(a.steps(), b.steps()); ++step) {
     if (!result.state && a.row(step).state_hash != b.row(step).state_hash) result.state = step;
     if (!result.pairs && a.row(step).pairs_hash != b.row(step).pairs_hash) result.pairs = step;
@@ -79,7 +123,7 @@ RecordingComparison compare(RecordingReader<D>& a, RecordingReader<D>& b) {
     };
     if (!result.events) result.events = differs(is_event);
     if (result.events && !result.operators) result.operators = differs(is_outcome);
-    if (result.state && result.pairs && result.requests && result.operators) break;
+    compare_theirs(a, b, step, result);
   }
   return result;
 }

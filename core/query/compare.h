@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/recording/recording_reader.h"
 
@@ -29,6 +30,14 @@ struct EventDifference {
   friend bool operator==(const EventDifference&, const EventDifference&) = default;
 };
 
+/// The first step of which two other engines, of whom the recordings are, told different pairs.
+struct TheirDifference {
+  std::uint32_t step = 0;
+  std::vector<std::string>
+      only_a;  ///< "1,2", by their names; once for each time that the other told it less often
+  std::vector<std::string> only_b;
+};
+
 /// Where two recordings first differ. Steps that only one of them has do not count; `steps` tells of them.
 struct RecordingComparison {
   RecordingSummary a;
@@ -39,7 +48,15 @@ struct RecordingComparison {
   std::optional<EventDifference> events;     ///< whatever it is
   std::optional<EventDifference> operators;  ///< the first operator that acted or was refused otherwise
 
-  [[nodiscard]] bool same() const { return !requests && !state && !pairs && !events && a.steps == b.steps; }
+  std::optional<TheirDifference> theirs;    ///< of imports: their pairs
+  std::optional<std::uint32_t> verdicts;    ///< of imports: first step with another judgement of them
+  std::optional<std::uint32_t> step_names;  ///< the first step of another name
+  bool object_names = false;                ///< objects have other names
+
+  [[nodiscard]] bool same() const {
+    return !requests && !state && !pairs && !events && !theirs && !verdicts && !step_names && !object_names &&
+           a.steps == b.steps;
+  }
 };
 
 template <int D>

@@ -89,17 +89,17 @@ EventExplanation<D> explain_event(Replayer<D>& replayer, std::uint64_t id) {
 }
 
 template <int D>
-std::string to_text(const EventExplanation<D>& e) {
-  std::string text = describe(e.event) + "\n";
+std::string to_text(const EventExplanation<D>& e, const GivenNames& names) {
+  std::string text = describe(e.event, names) + "\n";
   if (!e.reason.empty()) text += e.reason + "\n";
-  if (e.scheduled) text += "listed by " + describe(*e.scheduled) + "\n";
+  if (e.scheduled) text += "listed by " + describe(*e.scheduled, names) + "\n";
   for (const NodeId leaf : e.leaves) text += "  in leaf " + node_text(leaf) + "\n";
   return text + ballot_text(e);
 }
 
 #define KERF_INSTANTIATE(D)                                                   \
   template EventExplanation<D> explain_event<D>(Replayer<D>&, std::uint64_t); \
-  template std::string to_text<D>(const EventExplanation<D>&);
+  template std::string to_text<D>(const EventExplanation<D>&, const GivenNames&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

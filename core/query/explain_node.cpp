@@ -26,15 +26,15 @@ std::vector<NodeLife> lives_until(std::span<const OperatorRow> operators, NodeId
   return id.index() < by_slot.size() ? by_slot[id.index()] : std::vector<NodeLife>{};
 }
 
-std::string moment_text(std::uint32_t step, std::uint64_t event) {
-  return "step " + std::to_string(step) + " (e" + std::to_string(event) + ")";
+std::string moment_text(const GivenNames& names, std::uint32_t step, std::uint64_t event) {
+  return "step " + names.step(step) + " (e" + std::to_string(event) + ")";
 }
 
-std::string life_text(const NodeLife& life) {
+std::string life_text(const NodeLife& life, const GivenNames& names) {
   const LifeSpan& span = life.span;
   std::string text = "life " + std::to_string(life.generation) + ": from ";
-  text += span.first_step == 0 ? "the beginning" : moment_text(span.first_step, span.first_event);
-  if (span.last_step) text += " to " + moment_text(*span.last_step, span.last_event);
+  text += span.first_step == 0 ? "the beginning" : moment_text(names, span.first_step, span.first_event);
+  if (span.last_step) text += " to " + moment_text(names, *span.last_step, span.last_event);
   return text + (life.divided.empty() ? ", never divided" : "");
 }
 
@@ -65,8 +65,8 @@ NodeExplanation<D> explain_node(Replayer<D>& replayer, std::uint32_t step, NodeI
 }
 
 template <int D>
-std::string to_text(const NodeExplanation<D>& e) {
-  std::string text = "after step " + std::to_string(e.step) + ", " + node_text(e.id);
+std::string to_text(const NodeExplanation<D>& e, const GivenNames& names) {
+  std::string text = "after step " + names.step(e.step) + ", " + node_text(e.id);
   if (!e.alive) {
     text += e.lives.empty() ? " has never been used\n" : " is not alive\n";
   } else {
@@ -76,15 +76,15 @@ std::string to_text(const NodeExplanation<D>& e) {
       text += "  " + std::string(side.right ? "right" : "left") + " of " + node_text(side.node) + ", " +
               plane_text(side.plane) + "\n";
   }
-  for (const NodeLife& life : e.lives) text += life_text(life) + "\n";
+  for (const NodeLife& life : e.lives) text += life_text(life, names) + "\n";
   if (!e.history.empty()) text += "what happened to it:\n";
-  for (const Event& event : e.history) text += "  " + describe(event) + "\n";
+  for (const Event& event : e.history) text += "  " + describe(event, names) + "\n";
   return text;
 }
 
 #define KERF_INSTANTIATE(D)                                                         \
   template NodeExplanation<D> explain_node<D>(Replayer<D>&, std::uint32_t, NodeId); \
-  template std::string to_text<D>(const NodeExplanation<D>&);
+  template std::string to_text<D>(const NodeExplanation<D>&, const GivenNames&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

@@ -72,55 +72,116 @@ std::optional<Event> joined_by(Replayer<D>& replayer, std::uint32_t step, NodeRe
 template <int D>
 void compare_boxes(PairExplanation<D>& result) {
   result.boxes_overlap = overlaps(result.a_box, result.b_box);
-  for (int axis = 0; axis < D; ++axis) {
-    const double gap =
-        std::max(static_cast<double>(result.a_box.min[axis]) - static_cast<double>(result.b_box.max[axis]),
-                 static_cast<double>(result.b_box.min[axis]) - static_cast<double>(result.a_box.max[axis]));
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const double gap = std::max(result.a_box.min[axis] - result.b_box.max[axis],
+                                result.b_box.min[axis] - result.a_box.max[axis]);
     if (axis > 0 && gap <= result.margin) continue;
-    result.axis = axis;
+    result.axis = static_cast<int>(axis);
     result.margin = gap;
   }
 }
 
-std::string presence(ObjectId object, ObjectState state) {
-  const std::string name = "object " + std::to_string(object.value);
-  if (state == ObjectState::absent) return name + " is not there";
-  return name + " is in quarantine: its box is NaN or inverted, and it takes part in no pair";
+/// The box that an object was last asked to have; a table does not keep one that cannot be placed.
+template <int D>
+Box<D> last_box(RecordingReader<D>& recording, ObjectId object, std::uint32_t step) {
+  for (; step > 0; --step) {
+    const StepRequests<D>& requests = recording.step(step).requests;
+    const auto last = std::find(requests.objects.rbegin(), requests.objects.rend(), object);
+    if (last != requests.objects.rend())
+      return requests.boxes[static_cast<std::size_t>(requests.objects.rend() - last) - 1];
+  }
+  return Box<D>::empty();
+}
+
+template <int D>
+GivenBox<D> box_as_given(Replayer<D>& replayer, ObjectId object, ObjectState state, std::uint32_t step) {
+  if (state == ObjectState::absent) return {};
+  if (replayer.recording().info().imported)
+    if (const auto given = replayer.recording().given_box(object, step)) return *given;
+  return to_given(state == ObjectState::placed ? replayer.tree().objects().box(object)
+                                               : last_box(replayer.recording(), object, step));
+}
+
+template <int D>
+void ask_theirs(const RecordingReader<D>& recording, PairExplanation<D>& result) {
+  if (!recording.info().imported || result.step == 0) return;
+  result.a_filter = recording.filter(result.pair.a, result.step);
+  result.b_filter = recording.filter(result.pair.b, result.step);
+  result.margin_declared = recording.info().design.margin;
+  if (!recording.their_step(result.step)) return;
+  const std::vector<Pair> theirs = recording.their_pairs(result.step);
+  result.their_times = static_cast<std::size_t>(std::ranges::count(theirs, result.pair));
+  for (const auto& [pair, verdict] : recording.judged_pairs(result.step))
+    if (pair == result.pair && verdict != PairVerdict::twice) result.their_verdict = verdict;
+}
+
+template <int D>
+std::string presence(const std::string& name, ObjectState state, const GivenBox<D>& box) {
+  if (state == ObjectState::absent) return "object " + name + " is not there";
+  return "object " + name + " is in quarantine: its box, " + box_text(box, box) +
+         ", is not a number or inverted, and it takes part in no pair";
 }
 
 template <int D>
 std::string reason_text(const PairExplanation<D>& e) {
   const std::string axis(1, "xyz"[e.axis]);
   if (e.both_fixed) return "both are fixed, and fixed objects are never a pair";
-  if (e.is_pair)
+  if (e.is_given_pair)
     return "their boxes overlap on every axis, least along " + axis + ": by " + number_text(-e.margin);
   if (e.boxes_overlap) return "their boxes overlap, but their volumes do not";
   return "axis " + axis + " separates them by " + number_text(e.margin);
+}
+
+std::string verdict_text(PairVerdict verdict, const Margin& margin) {
+  switch (verdict) {
+    case PairVerdict::missed:
+      return "the other engine missed it\n";
+    case PairVerdict::extra:
+      return "the other engine told it, though it is none\n";
+    case PairVerdict::twice:
+      return "";
+    case PairVerdict::filtered:
+      return "it is ignored: the other engine's masks leave it out\n";
+    case PairVerdict::listed:
+      return "it is ignored: it is one of the pairs that the other engine leaves out by design\n";
+    case PairVerdict::margin:
+      break;
+  }
+  const bool is_share = margin.share > 0;
+  return "the other engine told it: with its margin of " +
+         number_text(is_share ? 100 * margin.share : margin.absolute) + (is_share ? "%" : "") +
+         " on each side the boxes overlap\n";
 }
 
 /// Nothing if the other engine is right, or unknown.
 template <int D>
 std::string their_text(const PairExplanation<D>& e) {
   if (!e.their_times) return "";
-  if (*e.their_times == 0 && e.is_pair) return "the other engine missed it\n";
-  if (*e.their_times > 0 && !e.is_pair) return "the other engine reported it, though it is none\n";
-  if (*e.their_times > 1)
-    return "the other engine reported it " + std::to_string(*e.their_times) + " times\n";
-  return "";
+  std::string text = e.their_verdict ? verdict_text(*e.their_verdict, e.margin_declared) : "";
+  if (*e.their_times > 1) text += "the other engine reported it " + std::to_string(*e.their_times) + " times\n";
+  return text;
+}
+
+std::string filter_text(const std::optional<GivenFilter>& filter) {
+  if (!filter) return "";
+  return "  category " + std::to_string(filter->category) + ", mask " + std::to_string(filter->mask);
 }
 
 template <int D>
-std::string test_text(const PairExplanation<D>& e, const HalfSpaceTest<D>& test) {
+std::string test_text(const PairExplanation<D>& e, const HalfSpaceTest<D>& test, const GivenNames& names) {
+  const int digits = digits_apart({double{test.a.lo}, double{test.a.hi}, double{test.b.lo}, double{test.b.hi},
+                                   double{test.plane.offset}});
   return "  " + node_text(test.node) + " at depth " + std::to_string(test.depth) + ", " +
-         plane_text(test.plane) + ": " + std::to_string(e.pair.a.value) + " is " + sides_text(test.a_sides) +
-         " " + interval_text(test.a) + ", " + std::to_string(e.pair.b.value) + " is " +
-         sides_text(test.b_sides) + " " + interval_text(test.b) + "\n";
+         plane_text(test.plane, digits) + ": " + names.object(e.pair.a) + " is " + sides_text(test.a_sides) +
+         " " + interval_text(test.a, digits) + ", " + names.object(e.pair.b) + " is " +
+         sides_text(test.b_sides) + " " + interval_text(test.b, digits) + "\n";
 }
 
 template <int D>
-std::string place_text(const PairExplanation<D>& e) {
+std::string place_text(const PairExplanation<D>& e, const GivenNames& names) {
   if (e.shared_leaf) {
-    const std::string since = e.shared_since ? "; together there since " + describe(*e.shared_since) : "";
+    const std::string since =
+        e.shared_since ? "; together there since " + describe(*e.shared_since, names) : "";
     return "both are in leaf " + node_text(*e.shared_leaf) + ", where they are compared" + since + "\n";
   }
   if (e.tests.empty()) return "";
@@ -143,18 +204,16 @@ PairExplanation<D> explain_pair(Replayer<D>& replayer, std::uint32_t step, const
   const ObjectTable<D>& objects = replayer.tree().objects();
   result.a_state = objects.state(pair.a);
   result.b_state = objects.state(pair.b);
+  result.a_box = box_as_given(replayer, pair.a, result.a_state, step);
+  result.b_box = box_as_given(replayer, pair.b, result.b_state, step);
+  ask_theirs(replayer.recording(), result);
   if (result.a_state != ObjectState::placed || result.b_state != ObjectState::placed) return result;
-  result.a_box = objects.box(pair.a);
-  result.b_box = objects.box(pair.b);
   result.both_fixed = objects.is_fixed(pair.a) && objects.is_fixed(pair.b);
   result.is_pair = objects.is_pair(pair.a, pair.b);
   result.told = std::ranges::any_of(replayer.tree().pairs(),
                                     [&](const Pair& told) { return make_pair(told.a, told.b) == pair; });
-  if (replayer.recording().their_step(step)) {
-    const std::vector<Pair> theirs = replayer.recording().their_pairs(step);
-    result.their_times = static_cast<std::size_t>(std::ranges::count(theirs, pair));
-  }
   compare_boxes(result);
+  result.is_given_pair = result.is_pair && result.boxes_overlap;
   walk(replayer.tree().tree(), result);
   if (result.shared_leaf) {
     const NodeRef leaf = replayer.tree().tree().ref(*result.shared_leaf);
@@ -163,31 +222,51 @@ PairExplanation<D> explain_pair(Replayer<D>& replayer, std::uint32_t step, const
   return result;
 }
 
+namespace {
+
+/// What keeps the two from being compared at all; empty: both are placed.
 template <int D>
-std::string to_text(const PairExplanation<D>& e) {
-  const std::string names = std::to_string(e.pair.a.value) + " and " + std::to_string(e.pair.b.value);
-  std::string text = "after step " + std::to_string(e.step) + ", " + names +
-                     (e.told ? " are a pair" : " are no pair") + ": ";
-  if (e.a_state != ObjectState::placed) return text + presence(e.pair.a, e.a_state) + "\n";
-  if (e.b_state != ObjectState::placed) return text + presence(e.pair.b, e.b_state) + "\n";
-  text += reason_text(e) + "\n";
-  text += their_text(e);
+std::string absence_text(const PairExplanation<D>& e, const GivenNames& names) {
+  std::string text;
+  if (e.a_state != ObjectState::placed) text = presence(names.object(e.pair.a), e.a_state, e.a_box);
+  if (e.b_state == ObjectState::placed) return text;
+  return text + (text.empty() ? "" : "; ") + presence(names.object(e.pair.b), e.b_state, e.b_box);
+}
+
+template <int D>
+std::string comparison_text(const PairExplanation<D>& e, const GivenNames& names) {
+  std::string text = reason_text(e) + "\n" + their_text(e);
   if (e.told != e.is_pair)
     text += "this is a fault of the tree: by the definition it is the other way round\n";
-  text += "  " + std::to_string(e.pair.a.value) + ": " + box_text(e.a_box) + "\n";
-  text += "  " + std::to_string(e.pair.b.value) + ": " + box_text(e.b_box) + "\n";
+  if (e.is_pair && !e.is_given_pair)
+    text +=
+        "rounded outward to floats, with which the tree works, their boxes overlap, so the tree reports "
+        "them\n";
+  text += "  " + names.object(e.pair.a) + ": " + box_text(e.a_box, e.b_box) + filter_text(e.a_filter) + "\n";
+  text += "  " + names.object(e.pair.b) + ": " + box_text(e.b_box, e.a_box) + filter_text(e.b_filter) + "\n";
   if (!e.tests.empty()) text += "from the root:\n";
-  for (const HalfSpaceTest<D>& test : e.tests) text += test_text(e, test);
-  text += place_text(e);
+  for (const HalfSpaceTest<D>& test : e.tests) text += test_text(e, test, names);
+  return text + place_text(e, names);
+}
+
+}  // namespace
+
+template <int D>
+std::string to_text(const PairExplanation<D>& e, const GivenNames& names) {
+  const bool is_pair = e.told && (e.is_given_pair || !e.is_pair);
+  std::string text = "after step " + names.step(e.step) + ", " + names.object(e.pair.a) + " and " +
+                     names.object(e.pair.b) + (is_pair ? " are a pair" : " are no pair") + ": ";
+  const std::string absence = absence_text(e, names);
+  text += absence.empty() ? comparison_text(e, names) : absence + "\n" + their_text(e);
   for (const PairChange& change : e.history)
     text += std::string(change.is_pair ? "became a pair" : "ceased to be one") + " in step " +
-            std::to_string(change.step) + "\n";
+            names.step(change.step) + "\n";
   return text;
 }
 
 #define KERF_INSTANTIATE(D)                                                              \
   template PairExplanation<D> explain_pair<D>(Replayer<D>&, std::uint32_t, const Pair&); \
-  template std::string to_text<D>(const PairExplanation<D>&);
+  template std::string to_text<D>(const PairExplanation<D>&, const GivenNames&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

@@ -28,13 +28,17 @@ struct PairExplanation {
   Pair pair;
   ObjectState a_state = ObjectState::absent;
   ObjectState b_state = ObjectState::absent;
-  Box<D> a_box;
-  Box<D> b_box;
+  GivenBox<D> a_box;  ///< as it was given; of an object in quarantine, too
+  GivenBox<D> b_box;
   bool both_fixed = false;
   bool told = false;     ///< the tree told the pair
-  bool is_pair = false;  ///< by the definition; anything else than `told` is a fault
-  std::optional<std::size_t>
-      their_times;  ///< how often the other engine told it, if the recording has its pairs
+  bool is_pair = false;  ///< by the definition, in the tree's floats; anything else than `told` is a fault
+  bool is_given_pair = false;                ///< by the definition, in the precision given
+  std::optional<std::size_t> their_times;    ///< how often the other engine told it, if its pairs are known
+  std::optional<PairVerdict> their_verdict;  ///< none: it is right
+  std::optional<GivenFilter> a_filter;       ///< of the other engine, if it is known
+  std::optional<GivenFilter> b_filter;
+  Margin margin_declared;
   bool boxes_overlap = false;
   int axis = 0;                         ///< along which the boxes are furthest apart, or overlap least
   double margin = 0;                    ///< how far apart; negative: by how much they overlap
@@ -50,6 +54,6 @@ PairExplanation<D> explain_pair(Replayer<D>& replayer, std::uint32_t step, const
 
 /// The explanation in sentences, a line each.
 template <int D>
-std::string to_text(const PairExplanation<D>& explanation);
+std::string to_text(const PairExplanation<D>& explanation, const GivenNames& names = {});
 
 }  // namespace kerf

@@ -191,10 +191,11 @@ class Parser {
     ++next_;
     ExpressionPart part{.kind = Kind::happening};
     expect("(");
-    part.a = id();
+    const bool is_node = name == "plane" || name == "node";
+    part.a = is_node ? node() : object();
     if (name == "pair") {
       expect(",");
-      part.b = id();
+      part.b = object();
     }
     expect(")");
     std::string verbs;
@@ -207,18 +208,24 @@ class Parser {
     reject("here " + verbs + " was expected");
   }
 
-  /// A number of an object or node, with or without the letter of nodes: 17 or n17.
-  std::uint32_t id() {
+  /// A number of a node, with or without its letter: 17 or n17.
+  GivenId node() {
     std::string_view text = now().text;
     if (text.starts_with("n")) text.remove_prefix(1);
-    std::uint64_t value = 0;
-    for (const char c : text) {
-      if (c < '0' || c > '9' || value > UINT32_MAX) reject("here a number such as 17 or n17 was expected");
-      value = value * 10 + static_cast<std::uint64_t>(c - '0');
-    }
-    if (text.empty() || value >= UINT32_MAX) reject("here a number such as 17 or n17 was expected");
+    const auto id = parse_given_id(text);
+    if (!id || id->magnitude >= UINT32_MAX) reject("here a number such as 17 or n17 was expected");
     ++next_;
-    return static_cast<std::uint32_t>(value);
+    return *id;
+  }
+
+  /// What an object is called, which may be less than 0.
+  GivenId object() {
+    const bool is_negative = accept("-");
+    const auto id = parse_given_id((is_negative ? "-" : "") + std::string(now().text));
+    if (!id || now().kind != Token::Kind::number)
+      reject("here the number of an object, such as 17, was expected");
+    ++next_;
+    return *id;
   }
 
   std::string_view text_;
@@ -264,7 +271,7 @@ bool Expression::asks_pairs() const {
 bool Expression::asks_oracle() const {
   return has([](const ExpressionPart& part) {
     return part.kind == Kind::variable && part.variable >= Variable::missed &&
-           part.variable <= Variable::twice;
+           part.variable <= Variable::ignored;
   });
 }
 

@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/ids.h"
+#include "core/base/given_id.h"
 
 namespace kerf {
 
-/// What an expression can ask for by name. Those up to `twice` are known at the end of each step, the others
-/// belong to an event.
+/// What an expression can ask for by name. Those up to `ignored` are known at the end of each step, the
+/// others belong to an event.
 enum class Variable : std::uint8_t {
   step,
   objects,
@@ -35,6 +35,7 @@ enum class Variable : std::uint8_t {
   missed,
   extra,
   twice,
+  ignored,
   event,
   op,
   kind,
@@ -83,8 +84,8 @@ struct ExpressionPart {
   double number = 0;
   Variable variable = Variable::step;
   Happening happening = Happening::pair_is;
-  std::uint32_t a = 0;  ///< the node or object of a happening
-  std::uint32_t b = 0;
+  GivenId a{};  ///< the node of a happening, or the object by its name
+  GivenId b{};
   std::size_t left = 0;  ///< index of an operand; that of `negate` and `is_not`, too
   std::size_t right = 0;
 };

@@ -30,6 +30,7 @@ constexpr std::array kVariables{
                  "pairs that the tree missed, by the oracle; of an import, that they missed"},
     VariableWord{Variable::extra, "extra", "reported pairs that do not overlap"},
     VariableWord{Variable::twice, "twice", "pairs reported again"},
+    VariableWord{Variable::ignored, "ignored", "pairs of an import that are no fault, by what was declared"},
     VariableWord{Variable::event, "event", "number of the event"},
     VariableWord{Variable::op, "op", "balance, shift_split, split, swap or merge"},
     VariableWord{Variable::kind, "kind", "phase, placed, scheduled, acted, refused, deferred or all_placed"},

@@ -1,5 +1,7 @@
 #include "core/query/history.h"
 
+#include "core/replay/judge_theirs.h"
+
 namespace kerf {
 namespace {
 
@@ -24,7 +26,8 @@ std::vector<PairChange> pair_history(RecordingReader<D>& recording, const Pair& 
   bool was = false;
   for (std::uint32_t step = 1; step <= up_to; ++step) {
     if (!follow(recording.step(step).requests, pair, table)) continue;
-    const bool is = table.is_placed(pair.a) && table.is_placed(pair.b) && table.is_pair(pair.a, pair.b);
+    const bool is = table.is_placed(pair.a) && table.is_placed(pair.b) && table.is_pair(pair.a, pair.b) &&
+                    (!recording.info().imported || overlap_as_given(recording, step, table, pair));
     if (is != was) history.push_back({step, is});
     was = is;
   }

@@ -13,7 +13,7 @@ struct PairChange {
 };
 
 /// When two objects became and ceased to be a pair up to a step, by the definition: from their boxes, without
-/// the tree.
+/// the tree, and in the precision in which they were given.
 template <int D>
 std::vector<PairChange> pair_history(RecordingReader<D>& recording, const Pair& pair, std::uint32_t up_to);
 

@@ -117,9 +117,13 @@ RecordedMoment<D>::RecordedMoment(const RecordingReader<D>& recording, std::uint
 
 template <int D>
 double RecordedMoment<D>::number(Variable variable) const {
-  if (variable >= Variable::missed && variable <= Variable::twice) return judged(variable);
+  const GivenNames& names = recording_.info().names;
+  if (variable == Variable::step) return names.step_number(step_);
+  if (variable >= Variable::missed && variable <= Variable::ignored) return judged(variable);
   if (variable < Variable::event) return row_number(recording_.row(step_), variable);
   if (event_ == nullptr) return kNothing;
+  if (const auto object = object_of(*event_); object && variable == Variable::object)
+    return to_double(names.object_id(*object));
   if (variable != Variable::depth) return event_number(*event_, variable);
   const auto node = node_of(*event_);
   if (!node || tree_ == nullptr || !tree_->tree().is_alive(*node)) return kNothing;
@@ -134,10 +138,11 @@ double RecordedMoment<D>::judged(Variable variable) const {
     if (tree_ == nullptr || event_ != nullptr) return kNothing;
     const PairJudgement judgement = judge_pairs(tree_->pairs(), oracle_pairs(tree_->objects()));
     judgement_ = TheirStep{tree_->pairs().size(), judgement.missed.size(), judgement.extra.size(),
-                           judgement.twice.size()};
+                           judgement.twice.size(), 0};
   }
   if (variable == Variable::missed) return static_cast<double>(judgement_->missed);
-  return static_cast<double>(variable == Variable::extra ? judgement_->extra : judgement_->twice);
+  if (variable == Variable::extra) return static_cast<double>(judgement_->extra);
+  return static_cast<double>(variable == Variable::twice ? judgement_->twice : judgement_->ignored);
 }
 
 template <int D>
@@ -159,16 +164,23 @@ template <int D>
 bool RecordedMoment<D>::happens(const ExpressionPart& happening) const {
   if (happening.happening <= Happening::pair_leaves) {
     if (tree_ == nullptr || event_ != nullptr) return false;
-    const Pair pair = make_pair(ObjectId{happening.a}, ObjectId{happening.b});
+    const GivenNames& names = recording_.info().names;
+    const auto a = names.find_object(happening.a);
+    const auto b = names.find_object(happening.b);
+    if (!a || !b) return false;
+    const Pair pair = make_pair(*a, *b);
     const bool is = is_pair(pair);
     if (happening.happening == Happening::pair_is) return is;
     const bool was = before_ != nullptr && std::ranges::binary_search(*before_, pair);
     return happening.happening == Happening::pair_enters ? is && !was : was && !is;
   }
   if (event_ == nullptr) return false;
-  if (happening.happening == Happening::object_moves) return object_of(*event_) == ObjectId{happening.a};
+  if (happening.happening == Happening::object_moves) {
+    const auto object = object_of(*event_);
+    return object && recording_.info().names.object_id(*object) == happening.a;
+  }
   const auto* const acted = acted_of(*event_);
-  if (acted == nullptr || acted->node.node.value != happening.a) return false;
+  if (acted == nullptr || GivenId::of(acted->node.node.value) != happening.a) return false;
   const bool sets_plane = acted->op != Operator::merge && acted->op != Operator::swap;
   return happening.happening == Happening::node_changes || sets_plane;
 }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/recording/recorder.h"
+#include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
 #include "core/trace/event_facts.h"
 
@@ -75,10 +76,25 @@ StepRequests<D> insert_all(const ObjectTable<D>& table) {
   return requests;
 }
 
+/// Puts every object's box in doubles, and its filter, where they are at the end of a step.
 template <int D>
-TheirStep judge(const std::vector<Pair>& theirs, const ObjectTable<D>& objects) {
-  const PairJudgement judgement = judge_pairs(theirs, oracle_pairs(objects));
-  return {theirs.size(), judgement.missed.size(), judgement.extra.size(), judgement.twice.size()};
+TheirChanges<D> all_changes(const RecordingReader<D>& recording, const ObjectTable<D>& table,
+                            std::uint32_t step) {
+  TheirChanges<D> changes;
+  for (std::uint32_t id = 0; recording.info().imported && id < table.bound(); ++id) {
+    if (const auto box = recording.given_box({id}, step)) changes.boxes.push_back({{id}, box});
+    if (const auto filter = recording.filter({id}, step)) changes.filters.push_back({{id}, *filter});
+  }
+  return changes;
+}
+
+/// Of several changes of an object the last counts.
+template <class Change>
+void keep_last(std::vector<Change>& changes) {
+  std::ranges::reverse(changes);
+  std::ranges::stable_sort(changes, {}, &Change::object);
+  const auto rest = std::ranges::unique(changes, {}, &Change::object);
+  changes.erase(rest.begin(), rest.end());
 }
 
 bool& switch_of(Config& config, Operator op) {
@@ -107,6 +123,10 @@ RecordingInfo info_of(const Scenario<D>& scenario) {
   for (std::uint32_t k = 1; k < scenario.steps.size(); ++k)
     if (scenario.steps[k].config != scenario.steps[k - 1].config)
       info.changes.push_back({k + 1, scenario.steps[k].config});
+  if (!info.names.names_steps()) return info;
+  std::vector<std::string> steps;
+  for (const ScenarioStep<D>& step : scenario.steps) steps.push_back(step.name);
+  info.names = GivenNames({info.names.objects().begin(), info.names.objects().end()}, std::move(steps));
   return info;
 }
 
@@ -126,11 +146,14 @@ Scenario<D> scenario_of(Replayer<D>& replayer, std::uint32_t first, std::uint32_
   for (std::uint32_t number = std::max(first, 1U); number <= last; ++number) {
     ScenarioStep<D>& step = scenario.steps.emplace_back();
     step.config = config_of(recording.info(), number);
+    step.name = recording.info().names.step(number);
     if (number == first && first > 1) {
       replayer.seek(first);
       step.requests = insert_all(replayer.tree().objects());
+      step.changes = all_changes(recording, replayer.tree().objects(), first);
     } else {
       step.requests = recording.step(number).requests;
+      if (recording.info().imported) step.changes = recording.their_changes(number);
     }
     if (recording.their_step(number)) step.theirs = recording.their_pairs(number);
   }
@@ -154,8 +177,12 @@ Scenario<D> with_objects(const Scenario<D>& scenario, const std::vector<ObjectId
   for (const ScenarioStep<D>& step : scenario.steps) {
     ScenarioStep<D>& rest = smaller.steps.emplace_back();
     rest.config = step.config;
+    rest.name = step.name;
     for (const ObjectRequest<D>& single : singles_of(step.requests, scenario.info.volume))
       if (wanted(single.object)) append(rest.requests, single);
+    const auto concerns = [&](const auto& change) { return wanted(change.object); };
+    std::ranges::copy_if(step.changes.boxes, std::back_inserter(rest.changes.boxes), concerns);
+    std::ranges::copy_if(step.changes.filters, std::back_inserter(rest.changes.filters), concerns);
     if (!step.theirs) continue;
     std::ranges::copy_if(*step.theirs, std::back_inserter(rest.theirs.emplace()),
                          [&](const Pair& pair) { return wanted(pair.a) && wanted(pair.b); });
@@ -169,10 +196,17 @@ Scenario<D> with_steps(const Scenario<D>& scenario, const std::vector<std::size_
   std::size_t next = 0;
   for (const std::size_t index : kept) {
     std::vector<ObjectRequest<D>> merged;
-    for (; next <= index; ++next)
+    ScenarioStep<D>& step = smaller.steps.emplace_back();
+    for (; next <= index; ++next) {
       std::ranges::copy(singles_of(scenario.steps[next].requests, scenario.info.volume),
                         std::back_inserter(merged));
-    ScenarioStep<D>& step = smaller.steps.emplace_back();
+      const auto& [boxes, filters] = scenario.steps[next].changes;
+      step.changes.boxes.insert(step.changes.boxes.end(), boxes.begin(), boxes.end());
+      step.changes.filters.insert(step.changes.filters.end(), filters.begin(), filters.end());
+    }
+    keep_last(step.changes.boxes);
+    keep_last(step.changes.filters);
+    step.name = scenario.steps[index].name;
     step.config = scenario.steps[index].config;
     for (const ObjectRequest<D>& single : collapsed(merged)) append(step.requests, single);
     step.theirs = scenario.steps[index].theirs;
@@ -209,11 +243,16 @@ void record(const Scenario<D>& scenario, const std::filesystem::path& path) {
   const RecordingInfo info = info_of(scenario);
   Bsp<D, EventLog> tree(info.config, info.volume);
   Recorder<D> recorder(tree, path, info);
+  TheirWorld<D> world;
   for (const ScenarioStep<D>& step : scenario.steps) {
     apply(step.requests, recorder);
     recorder.step();
     (void)tree.trace().take();
-    if (step.theirs) recorder.add_theirs(*step.theirs, judge(*step.theirs, tree.objects()));
+    world.apply(step.changes);
+    recorder.add_theirs(step.changes);
+    if (step.theirs)
+      recorder.add_theirs(*step.theirs, judge_theirs<D>(*step.theirs, oracle_pairs(tree.objects()),
+                                                        tree.objects(), world, info.design));
   }
   recorder.finish();
 }

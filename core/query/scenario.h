@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/replay/replayer.h"
@@ -13,7 +14,9 @@ template <int D>
 struct ScenarioStep {
   StepRequests<D> requests;
   Config config;
+  std::string name;                         ///< what the other engine calls it, see GivenNames
   std::optional<std::vector<Pair>> theirs;  ///< somebody else's pairs, if they are known
+  TheirChanges<D> changes;                  ///< what else they are judged by
 };
 
 /// What a tree is asked, step by step, apart from any recording: something that can be made smaller and run

@@ -12,9 +12,16 @@ namespace {
 /// What is written before the first step; what says that the recording is complete comes last.
 constexpr std::array kHead{"SELECT * FROM meta WHERE key NOT IN ('complete', 'end') ORDER BY key",
                            "SELECT * FROM config_changes ORDER BY step",
-                           "SELECT * FROM decisions ORDER BY event"};
+                           "SELECT * FROM decisions ORDER BY event",
+                           "SELECT * FROM object_names ORDER BY object",
+                           "SELECT * FROM step_names ORDER BY step",
+                           "SELECT * FROM their_ignored ORDER BY a, b"};
 /// What is written of another engine after a step.
-constexpr std::array kTablesOfTheirSteps{"their_steps", "their_pairs"};
+constexpr std::array kTheirs{"SELECT * FROM their_steps WHERE step = ?",
+                             "SELECT * FROM their_pairs WHERE step = ? ORDER BY rowid",
+                             "SELECT * FROM their_verdicts WHERE step = ? ORDER BY rowid",
+                             "SELECT * FROM their_boxes WHERE step = ? ORDER BY object",
+                             "SELECT * FROM their_filters WHERE step = ? ORDER BY object"};
 
 /// SQLite keeps no sign of a zero.
 std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
@@ -54,13 +61,14 @@ std::uint64_t seal_of_keyframe(std::uint64_t link, std::uint32_t step, std::span
 std::optional<std::uint64_t> seal_of_theirs(std::uint64_t link, const Database& recording,
                                             std::uint32_t step) {
   ByteWriter content;
-  for (const char* const table : kTablesOfTheirSteps) {
-    Statement rows =
-        recording.prepare(std::string("SELECT * FROM ") + table + " WHERE step = ? ORDER BY rowid");
+  bool is_empty = true;
+  for (const char* const sql : kTheirs) {
+    Statement rows = recording.prepare(sql);
     rows.bind(1, std::int64_t{step});
-    while (rows.step()) rows.put_row(content);
+    for (; rows.step(); is_empty = false) rows.put_row(content);
+    content.u8(0);  // the end of the table
   }
-  if (content.bytes().empty()) return std::nullopt;
+  if (is_empty) return std::nullopt;
   return hash_bytes(content.bytes(), link);
 }
 

@@ -185,7 +185,7 @@ Database::Database(const std::filesystem::path& path, const std::string& name, i
 
 Database Database::create(const std::filesystem::path& path) {
   auto lock = std::make_unique<const WriterLock>(path);
-  if (std::filesystem::exists(path)) throw std::runtime_error(path.string() + " exists already");
+  if (has_content(path, "")) throw std::runtime_error(path.string() + " exists already");
   Database database(path, plain_name(path), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   database.lock_ = std::move(lock);
   // Each page is written twice, by a call of its own: blocks and keyframes fill large ones. The log is folded
@@ -204,6 +204,10 @@ Database Database::open(const std::filesystem::path& path) {
   const auto log = std::filesystem::file_size(path.string() + "-wal", none);
   database.trust_nothing(std::filesystem::file_size(path) + (none ? 0 : log));
   return database;
+}
+
+Database Database::open_to_end(const std::filesystem::path& path) {
+  return {path, plain_name(path), SQLITE_OPEN_READWRITE};
 }
 
 Database Database::open_beside_writer(const std::filesystem::path& path) {

@@ -77,7 +77,7 @@ class NotADatabase : public std::runtime_error {
 class Database {
  public:
   /// A new file, written ahead: a reader may look on, and whoever is killed leaves what was committed. Throws
-  /// if the file exists or somebody is writing one of that name (WriterLock).
+  /// if the file exists and is not empty, or if somebody is writing one of that name (WriterLock).
   static Database create(const std::filesystem::path& path);
   /// An existing file, to be read only. While somebody writes it, SQLite's locks let both work, and need a
   /// folder that can be written. A file that nobody writes is read with its log, if it has one, without a
@@ -86,6 +86,8 @@ class Database {
   /// Nothing in it is run, and a statement ends, with an exception, when it has done more than a file of that
   /// size can need.
   static Database open(const std::filesystem::path& path);
+  /// An existing file whose writer was killed, to be ended in order by `close`.
+  static Database open_to_end(const std::filesystem::path& path);
 
   void execute(const std::string& sql);
   [[nodiscard]] Statement prepare(std::string_view sql) const;

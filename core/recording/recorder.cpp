@@ -8,7 +8,7 @@ namespace kerf {
 namespace {
 
 /// Refused requests did nothing and are not written down.
-bool counts(Status status) { return status != Status::unknown_id && status != Status::duplicate_id; }
+bool counts(Status status) { return !is_refused(status); }
 
 /// What a table of boxes and other volumes makes of a volume of the wrong kind: a box, or nothing that can be
 /// placed.

@@ -31,8 +31,11 @@ class Recorder final : public BroadPhase<D> {
   void step() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return tree_.pairs(); }
 
-  /// Also keeps somebody else's pairs of the last step.
-  void add_theirs(std::span<const Pair> pairs, const TheirStep& judgement) { writer_.add(pairs, judgement); }
+  /// Also keeps what belongs to another engine's last step: see RecordingWriter.
+  void add_theirs(const TheirChanges<D>& changes) { writer_.add(changes); }
+  void add_theirs(std::span<const Pair> pairs, std::span<const JudgedPair> judged) {
+    writer_.add(pairs, judged);
+  }
   /// Ends the recording in order. Nothing may be asked of the recorder afterwards.
   void finish();
   /// What recording has cost so far.

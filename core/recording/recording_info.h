@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "core/base/config.h"
+#include "core/base/given_names.h"
 #include "core/objects/broad_phase.h"
+#include "core/recording/theirs.h"
 #include "core/trace/decision.h"
 #include "core/trace/statistics.h"
 
@@ -27,6 +29,8 @@ struct RecordingInfo {
   std::vector<Decision> decisions;    ///< what somebody decided instead of Algorithm 1
   std::string scene;                  ///< name in the catalogue; of an import the file that it came from
   bool imported = false;              ///< the boxes come from somebody else's engine
+  GivenNames names;                   ///< what that engine calls objects and steps
+  PairDesign design;                  ///< what it does by design
   std::uint64_t seed = 1;             ///< of the scene
   std::uint32_t objects = 0;          ///< as asked for; 0: the scene's own number
   std::uint32_t grow = 0;             ///< steps of growth; 0: the scene's own number
@@ -56,15 +60,6 @@ struct StepRow {
     for (const double phase : statistics.phase_seconds) sum += phase;
     return sum;
   }
-};
-
-/// How somebody else's pairs of a step compare with the definition.
-struct TheirStep {
-  std::uint64_t pairs = 0;   ///< as they told them
-  std::uint64_t missed = 0;  ///< overlaps that they did not tell
-  std::uint64_t extra = 0;   ///< told, but no overlap
-  std::uint64_t twice = 0;   ///< told again
-  friend bool operator==(const TheirStep&, const TheirStep&) = default;
 };
 
 /// A hash as people see it: 16 hexadecimal digits.

@@ -9,6 +9,7 @@
 #include "core/recording/damage.h"
 #include "core/recording/keyframe_codec.h"
 #include "core/recording/schema.h"
+#include "core/recording/their_rows.h"
 
 namespace kerf {
 namespace {
@@ -182,19 +183,41 @@ void RecordingReader<D>::check_theirs(std::uint32_t step) const {
 template <int D>
 std::vector<Pair> RecordingReader<D>::their_pairs(std::uint32_t step) const {
   check_theirs(step);
-  std::vector<Pair> pairs;
-  Statement rows = database_.prepare("SELECT a, b FROM their_pairs WHERE step = ? ORDER BY rowid");
-  rows.bind(1, std::int64_t{step});
-  while (rows.step()) pairs.push_back({{rows.small(0)}, {rows.small(1)}});
-  return pairs;
+  return read_their_pairs(database_, step);
 }
 
 template <int D>
 std::optional<TheirStep> RecordingReader<D>::their_step(std::uint32_t step) const {
-  Statement row = database_.prepare("SELECT pairs, missed, extra, twice FROM their_steps WHERE step = ?");
-  if (!row.bind(1, std::int64_t{step}).step()) return std::nullopt;
+  const auto theirs = read_their_step(database_, step);
+  if (theirs) check_theirs(step);
+  return theirs;
+}
+
+template <int D>
+std::vector<JudgedPair> RecordingReader<D>::judged_pairs(std::uint32_t step) const {
   check_theirs(step);
-  return TheirStep{row.natural(0), row.natural(1), row.natural(2), row.natural(3)};
+  return read_judged_pairs(database_, step);
+}
+
+template <int D>
+TheirChanges<D> RecordingReader<D>::their_changes(std::uint32_t step) const {
+  check_theirs(step);
+  return read_their_changes<D>(database_, step);
+}
+
+template <int D>
+std::optional<GivenBox<D>> RecordingReader<D>::given_box(ObjectId object, std::uint32_t step) const {
+  return read_given_box<D>(database_, object, step);
+}
+
+template <int D>
+bool RecordingReader<D>::has_filters() const {
+  return database_.ask("SELECT EXISTS(SELECT 1 FROM their_filters)") != 0;
+}
+
+template <int D>
+std::optional<GivenFilter> RecordingReader<D>::filter(ObjectId object, std::uint32_t step) const {
+  return read_filter(database_, object, step);
 }
 
 template <int D>

@@ -65,6 +65,13 @@ class RecordingReader {
   /// Somebody else's pairs of a step, as they told them; none unless the recording is an import.
   [[nodiscard]] std::vector<Pair> their_pairs(std::uint32_t step) const;
   [[nodiscard]] std::optional<TheirStep> their_step(std::uint32_t step) const;
+  /// Those of them that are not right, those that they missed, and what they leave out by design.
+  [[nodiscard]] std::vector<JudgedPair> judged_pairs(std::uint32_t step) const;
+  [[nodiscard]] TheirChanges<D> their_changes(std::uint32_t step) const;
+  /// The box as it was given up to a step, where floats do not hold it.
+  [[nodiscard]] std::optional<GivenBox<D>> given_box(ObjectId object, std::uint32_t step) const;
+  [[nodiscard]] bool has_filters() const;
+  [[nodiscard]] std::optional<GivenFilter> filter(ObjectId object, std::uint32_t step) const;
   [[nodiscard]] RecordingSize size() const;
   /// Throws std::runtime_error if what a step has of another engine is not what was written.
   void check_theirs(std::uint32_t step) const;

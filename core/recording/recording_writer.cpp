@@ -3,6 +3,7 @@
 #include "core/recording/keyframe_codec.h"
 #include "core/recording/operator_rows.h"
 #include "core/recording/schema.h"
+#include "core/recording/their_rows.h"
 
 namespace kerf {
 namespace {
@@ -74,17 +75,15 @@ void RecordingWriter<D>::add(const BspState<D>& keyframe) {
 }
 
 template <int D>
-void RecordingWriter<D>::add(std::span<const Pair> their_pairs, const TheirStep& judgement) {
+void RecordingWriter<D>::add(const TheirChanges<D>& changes) {
   has_theirs_ = true;
-  Statement put_judgement = database_.prepare("INSERT INTO their_steps VALUES(?,?,?,?,?)");
-  put_judgement.bind(1, std::int64_t{step_}).bind(2, whole(judgement.pairs)).bind(3, whole(judgement.missed));
-  put_judgement.bind(4, whole(judgement.extra)).bind(5, whole(judgement.twice)).run();
-  Statement put_pair = database_.prepare("INSERT INTO their_pairs VALUES(?,?,?)");
-  for (const Pair& pair : their_pairs)
-    put_pair.bind(1, std::int64_t{step_})
-        .bind(2, std::int64_t{pair.a.value})
-        .bind(3, std::int64_t{pair.b.value})
-        .run();
+  write_changes(database_, step_, changes);
+}
+
+template <int D>
+void RecordingWriter<D>::add(std::span<const Pair> their_pairs, std::span<const JudgedPair> judged) {
+  has_theirs_ = true;
+  write_theirs(database_, step_, their_pairs, judged);
 }
 
 template <int D>

@@ -18,15 +18,17 @@ namespace kerf {
 template <int D>
 class RecordingWriter {
  public:
-  /// Throws if the file exists.
+  /// Throws if the file exists and is not empty.
   RecordingWriter(const std::filesystem::path& path, const RecordingInfo& info);
 
   void add(const StepRequests<D>& requests, std::span<const Event> events, StepRow row);
   /// True if a keyframe should follow the last step.
   [[nodiscard]] bool wants_keyframe() const;
   void add(const BspState<D>& keyframe);
-  /// Somebody else's pairs of the last step, as they told them.
-  void add(std::span<const Pair> their_pairs, const TheirStep& judgement);
+  /// What another engine's last step changes for the judgement of its pairs.
+  void add(const TheirChanges<D>& changes);
+  /// Its pairs of the last step, as it told them, and the verdicts on those that are not right.
+  void add(std::span<const Pair> their_pairs, std::span<const JudgedPair> judged);
   /// Ends the recording: it is complete then.
   void finish();
 

@@ -8,6 +8,8 @@
 
 #include "core/recording/damage.h"
 #include "core/recording/operator_rows.h"
+#include "core/recording/their_rows.h"
+#include "core/recording/unfinished.h"
 
 namespace kerf {
 namespace {
@@ -31,9 +33,6 @@ CREATE TABLE events(
   direction INTEGER, old_offset REAL, new_offset REAL, reason TEXT);
 CREATE TABLE blocks(first_step INTEGER PRIMARY KEY, steps INTEGER, changed INTEGER, seal INTEGER, data BLOB);
 CREATE TABLE keyframes(step INTEGER PRIMARY KEY, seal INTEGER, data BLOB);
-CREATE TABLE their_steps(step INTEGER PRIMARY KEY, pairs INTEGER, missed INTEGER, extra INTEGER, twice INTEGER);
-CREATE TABLE their_pairs(step INTEGER, a INTEGER, b INTEGER);
-CREATE INDEX their_pairs_of_step ON their_pairs(step);
 CREATE TABLE their_seals(step INTEGER PRIMARY KEY, seal INTEGER);
 )sql";
 
@@ -121,7 +120,7 @@ std::vector<std::string> statements(std::string_view sql) {
 
 /// Nothing has the place of a table but a table: no view without end, no trigger, no table of a module.
 void check_tables(const Database& database) {
-  std::vector<std::string> expected = statements(kTables);
+  std::vector<std::string> expected = statements(std::string(kTables) + kTheirTables);
   Statement rows = database.prepare("SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL");
   while (rows.step()) {
     const auto found = std::ranges::find(expected, rows.text(2));
@@ -163,7 +162,8 @@ std::optional<std::uint64_t> read_end(const Database& database) {
 
 void create_schema(Database& database, const RecordingInfo& info) {
   database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kRecordingId) +
-                   "; PRAGMA user_version = " + std::to_string(kRecordingVersion) + ";" + kTables);
+                   "; PRAGMA user_version = " + std::to_string(kRecordingVersion) + ";" + kTables +
+                   kTheirTables);
   set_meta(database, "dimension", std::to_string(info.dimension));
   set_meta(database, "volume", to_string(info.volume));
   set_meta(database, "config", to_string(info.config));
@@ -176,6 +176,8 @@ void create_schema(Database& database, const RecordingInfo& info) {
   set_meta(database, "complete", "0");
   write_changes(database, info.changes);
   write_decisions(database, info.decisions);
+  write_names(database, info.names);
+  write_design(database, info.design);
   database.execute("COMMIT");
 }
 
@@ -185,12 +187,22 @@ void remove_recording(const std::filesystem::path& path) noexcept {
     std::filesystem::remove(path.string() + ending, ignored);
 }
 
+void fold_log(const std::filesystem::path& path) {
+  const std::filesystem::path log = path.string() + "-wal";
+  if (!std::filesystem::exists(log)) return;
+  try {
+    Database::open_to_end(path).close();
+  } catch (const std::runtime_error&) {
+    std::filesystem::remove(log);
+  }
+}
+
 bool is_recording(const std::filesystem::path& path) {
   return std::filesystem::is_regular_file(path) && has_recording_id(Database::open(path));
 }
 
 Database open_recording(const std::filesystem::path& path) {
-  Database database = Database::open(path);
+  Database database = Database::open(recording_at(path));
   if (!has_recording_id(database))
     throw std::runtime_error(path.string() + " is no recording of Kerf; `kerf record` makes one");
   const std::int64_t version = database.ask("PRAGMA user_version");
@@ -213,6 +225,8 @@ RecordingInfo read_info(const Database& database) {
   info.config = parse_recorded(meta["config"]);
   info.changes = read_changes(database);
   info.decisions = read_decisions(database);
+  info.names = read_names(database);
+  info.design = read_design(database);
   info.scene = meta["scene"];
   info.imported = flag_of(meta, "imported");
   info.complete = flag_of(meta, "complete");

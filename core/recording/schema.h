@@ -21,13 +21,17 @@ void set_complete(Database& database, std::uint64_t end);
 /// Where the chain of a complete recording ends; none of one that is not.
 std::optional<std::uint64_t> read_end(const Database& database);
 
+/// Folds the log that a killed writer has left beside a recording into it; the log of a recording that is
+/// damaged beyond that goes. So nothing is left that SQLite would apply to another file of that name.
+void fold_log(const std::filesystem::path& path);
+
 /// Removes a recording with its log, whatever of it is there.
 void remove_recording(const std::filesystem::path& path) noexcept;
 
 /// Whether a file is a recording, of whatever version and state: what may be replaced by another one.
 bool is_recording(const std::filesystem::path& path);
-/// Opens a recording. Throws std::runtime_error, saying what to do, for a file that is none or of another
-/// version.
+/// Opens a recording, a part of it as `recording_at` says. Throws std::runtime_error, saying what to do, for
+/// a file that is none or of another version.
 Database open_recording(const std::filesystem::path& path);
 /// Reads what it is of. Throws std::runtime_error if that makes no sense.
 RecordingInfo read_info(const Database& database);

@@ -42,6 +42,17 @@ PairJudgement judge_pairs(std::span<const Pair> told, std::span<const Pair> trut
   return judgement;
 }
 
+PairJudgement by_verdict(std::span<const JudgedPair> judged) {
+  PairJudgement judgement;
+  for (const auto& [pair, verdict] : judged) {
+    if (is_ignored(verdict)) judgement.ignored.push_back(pair);
+    if (verdict == PairVerdict::missed) judgement.missed.push_back(pair);
+    if (verdict == PairVerdict::extra) judgement.extra.push_back(pair);
+    if (verdict == PairVerdict::twice) judgement.twice.push_back(pair);
+  }
+  return judgement;
+}
+
 template std::vector<Pair> oracle_pairs<2>(const ObjectTable<2>&);
 template std::vector<Pair> oracle_pairs<3>(const ObjectTable<3>&);
 

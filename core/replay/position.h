@@ -21,8 +21,8 @@ struct Position {
 };
 
 /// "e1234" or "step 17": the same text in panels, on the command line and in file names.
-inline std::string to_string(const Position& position) {
-  return position.is_end() ? "step " + std::to_string(position.step) : "e" + std::to_string(position.event);
+inline std::string to_string(const Position& position, const GivenNames& names = {}) {
+  return position.is_end() ? "step " + names.step(position.step) : "e" + std::to_string(position.event);
 }
 
 /// How far one goes at once.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/recording/keyframe_codec.h"
+#include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
 #include "core/replay/replayer.h"
 #include "core/trace/event_facts.h"
@@ -84,6 +85,7 @@ class Verifier {
     if (!verdict_.divergence) compare_figures(step);
     if (!verdict_.divergence) compare_hashes(step, replayer_.tree(), "");
     if (!verdict_.divergence) go_on_from_keyframe(step);
+    if (recording_->info().imported) follow_their_boxes(step);
     judge(step);
   }
 
@@ -175,23 +177,35 @@ class Verifier {
   }
 
   void judge_theirs(std::uint32_t step, const TheirStep& recorded, const std::vector<Pair>* truth) {
-    const std::vector<Pair> pairs = recording_->their_pairs(step);
-    TheirStep judged = recorded;
-    judged.pairs = pairs.size();
-    if (truth != nullptr) {
-      const PairJudgement judgement = judge_pairs(pairs, *truth);
-      judged = {pairs.size(), judgement.missed.size(), judgement.extra.size(), judgement.twice.size()};
-    }
-    if (judged != recorded) diverge(step, "theirs: " + to_text(recorded), to_text(judged));
-    verdict_.theirs.pairs += judged.pairs;
-    verdict_.theirs.missed += judged.missed;
-    verdict_.theirs.extra += judged.extra;
-    verdict_.theirs.twice += judged.twice;
+    const std::vector<Pair> told = recording_->their_pairs(step);
+    verdict_.theirs += recorded;
+    if (told.size() != recorded.pairs)
+      diverge(step, std::to_string(recorded.pairs) + " pairs of theirs", std::to_string(told.size()));
+    if (truth != nullptr) compare_verdicts(step, told, *truth, recorded);
   }
 
-  static std::string to_text(const TheirStep& theirs) {
-    return std::to_string(theirs.pairs) + " pairs, " + std::to_string(theirs.missed) + " missed, " +
-           std::to_string(theirs.extra) + " extra, " + std::to_string(theirs.twice) + " twice";
+  /// How their pairs were judged is judged again.
+  void compare_verdicts(std::uint32_t step, const std::vector<Pair>& told, const std::vector<Pair>& truth,
+                        const TheirStep& recorded) {
+    const auto judged =
+        kerf::judge_theirs<D>(told, truth, replayer_.tree().objects(), world_, recording_->info().design);
+    const std::vector<JudgedPair> before = recording_->judged_pairs(step);
+    if (judged == before && sum_of(told.size(), judged) == recorded) return;
+    diverge(step, std::to_string(before.size()) + " verdicts on their pairs",
+            std::to_string(judged.size()) + " verdicts, not the same");
+  }
+
+  /// What was given in doubles is rounded outward to what the tree was asked.
+  void follow_their_boxes(std::uint32_t step) {
+    const TheirChanges<D> changes = recording_->their_changes(step);
+    world_.apply(changes);
+    const ObjectTable<D>& objects = replayer_.tree().objects();
+    for (const auto& [object, box] : changes.boxes) {
+      if (!box || verdict_.divergence || !objects.is_placed(object)) continue;
+      if (round_outward(*box) != objects.box(object))
+        diverge(step, "another box in doubles",
+                "the box in floats of object " + recording_->info().names.object(object));
+    }
   }
 
   void say_what_was_left() {
@@ -213,6 +227,7 @@ class Verifier {
   std::vector<OperatorRow> operators_;
   std::size_t next_operator_ = 0;
   std::uint32_t oracle_every_;
+  TheirWorld<D> world_;
   Verdict verdict_;
 };
 

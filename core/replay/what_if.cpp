@@ -81,8 +81,9 @@ bool rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, Bsp<D
     apply(recording.step(step).requests, recorder);
     recorder.step();
     check_effect(info.decisions, tree.trace().take());
-    if (const auto theirs = recording.their_step(step))
-      recorder.add_theirs(recording.their_pairs(step), *theirs);
+    if (info.imported) recorder.add_theirs(recording.their_changes(step));
+    if (recording.their_step(step))
+      recorder.add_theirs(recording.their_pairs(step), recording.judged_pairs(step));
   }
   recorder.finish();
   return tree.steps() == recording.steps();

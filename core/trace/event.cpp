@@ -13,7 +13,7 @@ std::string text(const Quality& q) {
   return all + " (" + std::to_string(q.left) + " | " + std::to_string(q.right) + ")";
 }
 
-std::string describe(const EventBody& body) {
+std::string describe(const EventBody& body, const GivenNames& names) {
   const auto acted = [](const OperatorActed& e) {
     return std::string(to_string(e.op)) + " " + name(e.node) + ": " + text(e.before) + " -> " + text(e.after);
   };
@@ -24,8 +24,8 @@ std::string describe(const EventBody& body) {
   return std::visit(
       Overloaded{
           [](const PhaseBegan& e) { return "phase " + std::string(to_string(e.phase)); },
-          [](const ObjectPlaced& e) {
-            return "object " + std::to_string(e.object.value) + " in " + std::to_string(e.leaves) + " leaves";
+          [&](const ObjectPlaced& e) {
+            return "object " + names.object(e.object) + " in " + std::to_string(e.leaves) + " leaves";
           },
           [](const OperatorScheduled& e) {
             return std::string(to_string(e.op)) + " " + name(e.node) + " scheduled";
@@ -92,8 +92,9 @@ std::string_view to_string(Phase phase) {
   return "";
 }
 
-std::string describe(const Event& event) {
-  return "e" + std::to_string(event.id) + " step " + std::to_string(event.step) + " " + describe(event.body);
+std::string describe(const Event& event, const GivenNames& names) {
+  return "e" + std::to_string(event.id) + " step " + names.step(event.step) + " " +
+         describe(event.body, names);
 }
 
 }  // namespace kerf

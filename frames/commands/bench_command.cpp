@@ -11,10 +11,12 @@
 #include "frames/bench/bench_report.h"
 #include "frames/bench/loop_report.h"
 #include "frames/catalog/algorithm.h"
-#include "frames/support/atomic_file.h"
+#include "frames/commands/output_option.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
+#include "frames/support/outputs.h"
 #include "frames/support/progress_line.h"
+#include "frames/support/result_file.h"
 
 namespace kerf {
 namespace {
@@ -94,19 +96,17 @@ std::vector<CellPlan> plans_of(const BenchRequest& request) {
 
 class Bench {
  public:
-  explicit Bench(const BenchRequest& request) : request_(request) {}
+  Bench(const BenchRequest& request, Replace replace) : request_(request), json_(request.json, replace) {}
 
   void run() {
-    if (!request_.json.empty()) check_writable(request_.json);
     if (request_.simulations.empty()) {
       measure_cells();
     } else {
       measure_simulations();
     }
-    const bool complete = !interrupt_.requested();
-    save(complete);
+    if (interrupt_.requested()) throw Interrupted("interrupted; " + json_.end_early());
+    save(true);
     if (request_.ablation) print(ablation_table(earnings(all_.cells.rows, std::string(kTunedTree))));
-    if (!complete) throw Interrupted("interrupted; what was measured is kept");
   }
 
  private:
@@ -147,12 +147,11 @@ class Bench {
     all_.cells.gaps.insert(all_.cells.gaps.end(), cell.gaps.begin(), cell.gaps.end());
     save(false);
   }
-  void save(bool complete) const {
-    if (!request_.json.empty()) write_file_atomically(request_.json, as_json(request_, all_, complete));
-  }
+  void save(bool complete) { json_.save(as_json(request_, all_, complete), complete); }
 
   const BenchRequest& request_;
   InterruptGuard interrupt_;
+  ResultFile json_;
   ProgressLine line_;
   BenchResult all_;
 };
@@ -179,7 +178,8 @@ BenchCommand::BenchCommand(CLI::App& program)
   option("--seed", texts_.seed, "Of the motions (default 1)", "S");
   option("--patience", texts_.patience,
          "Seconds of a round after which an algorithm is left out (default 30)", "S");
-  option("--json", texts_.json, "Also all figures as JSON", "FILE");
+  add_output(*command_, "--json", texts_.json, "Also all figures as JSON, after each cell");
+  command_->add_flag("--overwrite", overwrite_, "Replace an earlier JSON file");
   command_->add_flag("--ablation", texts_.ablation,
                      "What each policy of the tuned tree earns: beside it, the tree without the policy");
   command_->add_flag("--trace", texts_.trace, "The JSON tells the time of each step, too");
@@ -190,7 +190,9 @@ bool BenchCommand::chosen() const { return command_->parsed(); }
 
 void BenchCommand::run() const {
   const BenchRequest request = parse_bench_request(texts_);
-  Bench(request).run();
+  Outputs outputs({}, overwrite_);
+  outputs.add_file(request.json);
+  Bench(request, outputs.replace()).run();
 }
 
 }  // namespace kerf

@@ -20,6 +20,7 @@ class BenchCommand {
  private:
   CLI::App* command_;
   BenchTexts texts_;
+  bool overwrite_ = false;
 };
 
 }  // namespace kerf

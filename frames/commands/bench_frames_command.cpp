@@ -1,7 +1,5 @@
 #include "frames/commands/bench_frames_command.h"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -12,12 +10,16 @@
 
 #include "frames/bench_frames/frame_loops.h"
 #include "frames/bench_frames/timed_process.h"
+#include "frames/commands/output_option.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/machine.h"
+#include "frames/support/outputs.h"
 #include "frames/support/parse_whole.h"
 #include "frames/support/progress_line.h"
+#include "frames/support/result_file.h"
+#include "frames/support/scratch_folder.h"
 
 namespace kerf {
 namespace {
@@ -108,27 +110,25 @@ Json to_json(const Row& row) {
           {"encoding_ms", row.encoding},  {"encoding_share", row.encoding_share}};
 }
 
-/// What was measured, as JSON after each row; no file: nowhere.
+/// What was measured, as JSON after each row.
 class Results {
  public:
-  explicit Results(std::filesystem::path file) : file_(std::move(file)) {
-    if (!file_.empty()) check_writable(file_);
-  }
+  Results(const std::filesystem::path& file, Replace replace) : file_(file, replace) {}
 
   void add(const Row& row) {
     rows_.push_back(to_json(row));
     save(false);
   }
-  void finish() const { save(true); }
+  void finish() { save(true); }
+  std::string end_early() { return file_.end_early(); }
 
  private:
-  void save(bool complete) const {
-    if (file_.empty()) return;
+  void save(bool complete) {
     const Json json{{"machine", describe_machine()}, {"rows", rows_}, {"complete", complete}};
-    write_file_atomically(file_, json.dump(1) + "\n");
+    file_.save(json.dump(1) + "\n", complete);
   }
 
-  std::filesystem::path file_;
+  ResultFile file_;
   Json rows_ = Json::array();
 };
 
@@ -143,8 +143,10 @@ BenchFramesCommand::BenchFramesCommand(CLI::App& program)
   option("--boxes", boxes_, "Numbers of boxes (default 1000,10000,100000)", "N,...");
   option("--frames", frames_, "Frames of each (default by the number of boxes)", "N");
   option("--workers", workers_, "Processes that draw (default: one a core)", "N");
-  option("--out", out_, "Where the frames go, and are removed again (default: a temporary folder)", "DIR");
-  option("--json", json_, "Also the results and the machine, after each row", "FILE");
+  add_output(*command_, "--out", out_,
+             "Where the frames go, and are removed again (default: a temporary folder)", "DIR");
+  add_output(*command_, "--json", json_, "Also the results and the machine, after each row");
+  command_->add_flag("--overwrite", overwrite_, "Replace earlier results");
   command_->footer(
       "Milliseconds a frame: 'naive' simulates, draws, reads and encodes by stb in one loop; 'pipeline' is\n"
       "what `kerf render` does; 'floor' is its processor time by the cores, which nothing can beat;\n"
@@ -154,6 +156,9 @@ BenchFramesCommand::BenchFramesCommand(CLI::App& program)
 bool BenchFramesCommand::chosen() const { return command_->parsed(); }
 
 void BenchFramesCommand::run() const {
+  Outputs outputs({}, overwrite_);
+  outputs.add_folder(out_);
+  outputs.add_file(json_);
   std::vector<PictureSize> sizes;
   for (const std::string& size : split(sizes_)) sizes.push_back(parse_picture_size(size));
   std::vector<std::uint32_t> boxes;
@@ -165,30 +170,25 @@ void BenchFramesCommand::run() const {
   const InterruptGuard interrupt;
   const std::filesystem::path parent =
       out_.empty() ? std::filesystem::temp_directory_path() : std::filesystem::path(out_);
-  loop.folder = parent / ("kerf-bench-frames-" + std::to_string(::getpid()));
-  Results results(json_);
-  make_writable_folder(loop.folder);
+  Results results(json_, outputs.replace());
+  make_writable_folder(parent);
+  const ScratchFolder scratch(parent);
+  loop.folder = scratch.path();
   std::printf("%9s  %6s  %8s  %8s  %8s  %8s  %8s  %8s  %9s\n", "size", "boxes", "naive", "pipeline", "floor",
               "of floor", "faster", "encode", "share");
   const ProgressLine progress;
-  try {
-    for (const PictureSize& size : sizes) {
-      for (const std::uint32_t count : boxes) {
-        if (interrupt.requested()) throw Interrupted("interrupted; what was measured is kept");
-        loop.size = size;
-        loop.boxes = count;
-        loop.frames = frames_.empty() ? frames_for(count) : parse_whole("--frames", frames_, 1U, 100'000U);
-        const Row row = measure(loop);
-        progress.clear();
-        print(row);
-        results.add(row);
-      }
+  for (const PictureSize& size : sizes) {
+    for (const std::uint32_t count : boxes) {
+      if (interrupt.requested()) throw Interrupted("interrupted; " + results.end_early());
+      loop.size = size;
+      loop.boxes = count;
+      loop.frames = frames_.empty() ? frames_for(count) : parse_whole("--frames", frames_, 1U, 100'000U);
+      const Row row = measure(loop);
+      progress.clear();
+      print(row);
+      results.add(row);
     }
-  } catch (...) {
-    std::filesystem::remove_all(loop.folder);
-    throw;
   }
-  std::filesystem::remove_all(loop.folder);
   results.finish();
 }
 

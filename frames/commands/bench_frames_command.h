@@ -24,6 +24,7 @@ class BenchFramesCommand {
   std::string workers_;
   std::string out_;
   std::string json_;
+  bool overwrite_ = false;
 };
 
 }  // namespace kerf

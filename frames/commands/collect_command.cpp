@@ -4,10 +4,12 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "frames/commands/output_option.h"
 #include "frames/sequence/collection.h"
 #include "frames/sequence/film_files.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
+#include "frames/support/outputs.h"
 #include "frames/support/progress_line.h"
 #include "viz/image/png.h"
 
@@ -31,10 +33,10 @@ CollectCommand::CollectCommand(CLI::App& program)
     return command_->add_option(name, text, meaning)->type_name(type);
   };
   command_->add_option("DIR", folders_, "The folders of all shards")->type_name("")->required();
-  option("--out", out_, "Put all frames and one manifest here", "DIR");
-  option("--video", video_, "Make a film (.mp4, .mkv, .mov, .webm, .gif, .apng), by ffmpeg", "FILE");
+  add_output(*command_, "--out", out_, "Put all frames and one manifest here", "DIR");
+  add_output(*command_, "--video", video_, "Make a film (.mp4, .mkv, .mov, .webm, .gif, .apng), by ffmpeg");
   option("--fps", fps_, "Frames a second of the film (default 25)", "N");
-  option("--contact-sheet", contact_sheet_, "Put twenty of the frames into one .png", "FILE");
+  add_output(*command_, "--contact-sheet", contact_sheet_, "Put twenty of the frames into one .png");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier sequence, film and contact sheet");
   command_->footer(
       "Every picture is read and held against its manifest. What is missing or damaged is said, and the\n"
@@ -46,7 +48,9 @@ bool CollectCommand::chosen() const { return command_->parsed(); }
 void CollectCommand::run() const {
   const FilmRequest film = parse_film_request(video_, fps_, contact_sheet_, overwrite_);
   const std::vector<std::filesystem::path> folders(folders_.begin(), folders_.end());
-  if (!out_.empty()) check_apart(out_, folders);
+  Outputs outputs(folders, overwrite_);
+  outputs.add_folder(out_);
+  add_outputs(film, outputs);
   const InterruptGuard interrupt;
   const Collection collection = collect(folders);
   const std::string gaps = describe_gaps(collection);

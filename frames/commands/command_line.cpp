@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -125,6 +126,7 @@ int run(const CLI::App& program, const Command&... commands) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grew too large is an error that can be reported
   CLI::App program("See, step through and measure a broad phase", "kerf");
   program.set_version_flag("--version", std::string("kerf ") + version());
   const ScenesCommand scenes(program);

@@ -1,6 +1,7 @@
 #include "frames/commands/compare_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -51,26 +52,55 @@ Json as_json(const RecordingComparison& comparison) {
             {"b_event", text_of(comparison.events, &EventDifference::b)},
             {"operators", step_or_null(step_of(comparison.operators))},
             {"a_operator", text_of(comparison.operators, &EventDifference::a)},
-            {"b_operator", text_of(comparison.operators, &EventDifference::b)}}},
+            {"b_operator", text_of(comparison.operators, &EventDifference::b)},
+            {"theirs", comparison.theirs ? Json(comparison.theirs->step) : Json(nullptr)},
+            {"a_theirs", comparison.theirs ? comparison.theirs->only_a : std::vector<std::string>()},
+            {"b_theirs", comparison.theirs ? comparison.theirs->only_b : std::vector<std::string>()},
+            {"verdicts", step_or_null(comparison.verdicts)},
+            {"step_names", step_or_null(comparison.step_names)}}},
+          {"same_object_names", !comparison.object_names},
           {"a", as_json(comparison.a)},
           {"b", as_json(comparison.b)}};
 }
 
-void print_first(const char* what, const std::optional<std::uint32_t>& step) {
+void print_first(const char* what, const std::optional<std::uint32_t>& step, const GivenNames& names) {
   if (step) {
-    std::printf("%-10s differ first in step %u\n", what, *step);
+    std::printf("%-10s differ first in step %s\n", what, names.step(*step).c_str());
   } else {
     std::printf("%-10s are the same\n", what);
   }
 }
 
-void print_first(const char* what, const std::optional<EventDifference>& difference) {
-  print_first(what, step_of(difference));
+void print_first(const char* what, const std::optional<EventDifference>& difference,
+                 const GivenNames& names) {
+  print_first(what, step_of(difference), names);
   if (!difference) return;
-  const auto text = [](const std::optional<Event>& event) {
-    return event ? describe(*event) : "nothing more";
+  const auto text = [&](const std::optional<Event>& event) {
+    return event ? describe(*event, names) : "nothing more";
   };
   std::printf("  A: %s\n  B: %s\n", text(difference->a).c_str(), text(difference->b).c_str());
+}
+
+/// The first few pairs that only one of two engines told.
+void print_only(const char* which, const std::vector<std::string>& pairs) {
+  constexpr std::size_t kMost = 10;
+  if (pairs.empty()) return;
+  std::printf("  only %s told", which);
+  for (std::size_t k = 0; k < std::min(kMost, pairs.size()); ++k) std::printf(" (%s)", pairs[k].c_str());
+  if (pairs.size() > kMost) std::printf(" and %zu more", pairs.size() - kMost);
+  std::printf("\n");
+}
+
+/// What only imports have.
+void print_theirs(const RecordingComparison& comparison, const GivenNames& names) {
+  print_first("names", comparison.step_names, names);
+  if (comparison.object_names) std::printf("%-10s of objects differ\n", "names");
+  print_first("theirs", comparison.theirs ? std::optional(comparison.theirs->step) : std::nullopt, names);
+  if (comparison.theirs) {
+    print_only("A", comparison.theirs->only_a);
+    print_only("B", comparison.theirs->only_b);
+  }
+  print_first("verdicts", comparison.verdicts, names);
 }
 
 void print_figures(const RecordingSummary& a, const RecordingSummary& b) {
@@ -92,16 +122,18 @@ void print_figures(const RecordingSummary& a, const RecordingSummary& b) {
   row("ms, most", a.most_milliseconds, b.most_milliseconds);
 }
 
-void print(const RecordingComparison& comparison) {
-  print_first("requests", comparison.requests);
-  print_first("events", comparison.events);
+void print(const RecordingComparison& comparison, const RecordingInfo& a, const RecordingInfo& b) {
+  const GivenNames& names = a.names;
+  print_first("requests", comparison.requests, names);
+  print_first("events", comparison.events, names);
   if (comparison.operators && comparison.operators == comparison.events) {
     std::printf("%-10s differ first there, too\n", "operators");
   } else {
-    print_first("operators", comparison.operators);
+    print_first("operators", comparison.operators, names);
   }
-  print_first("trees", comparison.state);
-  print_first("pairs", comparison.pairs);
+  print_first("trees", comparison.state, names);
+  print_first("pairs", comparison.pairs, names);
+  if (a.imported || b.imported) print_theirs(comparison, names);
   print_figures(comparison.a, comparison.b);
 }
 
@@ -127,7 +159,7 @@ void CompareCommand::run() const {
   if (json_) {
     std::printf("%s\n", as_json(comparison).dump(1).c_str());
   } else {
-    print(comparison);
+    print(comparison, usable_recording_info(a_), usable_recording_info(b_));
   }
   if (!comparison.same()) throw DoesNotHold("the recordings differ");
 }

@@ -5,11 +5,14 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <set>
 
+#include "frames/commands/output_option.h"
 #include "frames/sequence/record_scene.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
+#include "frames/support/outputs.h"
 #include "frames/support/scratch_folder.h"
 #include "viz/debugger/debugger.h"
 #include "viz/debugger/gui/glfw_window.h"
@@ -31,11 +34,21 @@ std::string read_script(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// Of the pictures whose names a script says, each once: it may replace its own.
+void add_pictures(const std::vector<ScriptLine>& lines, const std::filesystem::path& folder,
+                  Outputs& outputs) {
+  std::set<std::string> names;
+  for (const ScriptLine& line : lines)
+    if (line.words.size() > 1 && line.words[0] == "screenshot") names.insert(line.words[1]);
+  outputs.add_folder(folder);
+  for (const std::string& name : names) outputs.add_file(folder / (name + ".png"));
+}
+
 /// What one sitting with the debugger needs.
 struct Session {
   std::filesystem::path file;
   std::filesystem::path work_folder;
-  std::filesystem::path pictures;
+  PictureFolder pictures;
   PictureSize size;
 };
 
@@ -46,11 +59,12 @@ void play_headless(const Session& session, const std::vector<ScriptLine>& lines)
   ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures).play(lines);
 }
 
-void save_picture(Debugger& debugger, const std::filesystem::path& folder) {
-  const auto path = folder / (debugger.facts()["position"] + ".png");
+void save_picture(Debugger& debugger, const PictureFolder& folder) {
+  const auto path = folder.path / (debugger.facts()["position"] + ".png");
   try {
-    std::filesystem::create_directories(folder);
-    write_png(path, debugger.picture());
+    Outputs({}, folder.replace == Replace::earlier).add_file(path);
+    std::filesystem::create_directories(folder.path);
+    write_png(path, debugger.picture(), folder.replace);
     debugger.report("saved " + path.string(), false);
   } catch (const std::exception& error) {
     debugger.report(error.what(), true);
@@ -93,12 +107,13 @@ DebugCommand::DebugCommand(CLI::App& program)
   option("--config", texts_.config, "Of a scene: parameters of the tree, see `kerf render --help`",
          "K=V,...");
   option("--seed", texts_.seed, "Of a scene: of every random choice (default 1)", "S");
-  option("--record", texts_.record, "Of a scene: keep the recording under this name", "FILE");
-  command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier recording");
+  add_output(*command_, "--record", texts_.record, "Of a scene: keep the recording under this name");
+  command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier recording and earlier pictures");
   option("--size", texts_.size, "Of the window or the pictures (default 1280x720)", "WxH");
   command_->add_flag("--headless", headless_, "Without a window or display: needs --script");
   option("--script", script_, "Do what this file says, and end", "FILE");
-  option("-o,--out", out_, "Folder for the pictures of F12 and of scripts (default: here)", "DIR");
+  add_output(*command_, "-o,--out", out_, "Folder for the pictures of F12 and of scripts (default: here)",
+             "DIR");
   command_->footer(kDebugFooter);
 }
 
@@ -137,11 +152,15 @@ void DebugCommand::run() const {
   if (size.width < kLeastDebuggerWidth || size.height < kLeastDebuggerHeight)
     throw UsageError("--size " + texts_.size + ": the panels need at least " +
                      std::to_string(kLeastDebuggerWidth) + "x" + std::to_string(kLeastDebuggerHeight));
+  Outputs outputs({script_, names_recording(texts_) ? texts_.scene : ""}, texts_.overwrite);
+  const PictureFolder pictures{out_.empty() ? "." : out_, outputs.replace()};
+  outputs.add_recording(texts_.record);
+  add_pictures(lines, pictures.path, outputs);
   if (!out_.empty()) make_writable_folder(out_);
   const ScratchFolder scratch;
   const std::filesystem::path file = recording(scratch.path());
   tune_allocator_for_rendering();
-  const Session session{file, scratch.path(), out_.empty() ? "." : out_, size};
+  const Session session{file, scratch.path(), pictures, size};
   try {
     if (headless_) {
       play_headless(session, lines);

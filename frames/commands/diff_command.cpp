@@ -5,12 +5,14 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "frames/commands/output_option.h"
 #include "frames/diff/approve.h"
 #include "frames/diff/diff_page.h"
 #include "frames/diff/diff_result.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
+#include "frames/support/outputs.h"
 #include "frames/support/parse_number.h"
 #include "frames/support/progress_line.h"
 #include "frames/support/suggest.h"
@@ -86,8 +88,8 @@ DiffCommand::DiffCommand(CLI::App& program)
   command_->add_option("--gate", gate_, "What counts as the same, see below")->type_name("NAME");
   command_->add_option("--flip-limit", flip_limit_, "Largest FLIP that the gate flip allows, 0 to 1")
       ->type_name("X");
-  command_->add_option("--report", report_, "Also a page that shows what differs: DIR/index.html")
-      ->type_name("DIR");
+  add_output(*command_, "--report", report_, "Also a page that shows what differs: DIR/index.html", "DIR");
+  command_->add_flag("--overwrite", overwrite_, "Replace an earlier page");
   command_->add_flag("--json", json_, "As JSON");
   command_->add_flag(
       "--approve", approve_,
@@ -99,12 +101,17 @@ bool DiffCommand::chosen() const { return command_->parsed(); }
 
 void DiffCommand::run() const {
   const DiffRules rules = parse_rules(gate_, flip_limit_);
+  const std::filesystem::path page =
+      report_.empty() ? std::filesystem::path() : std::filesystem::path(report_) / "index.html";
+  Outputs outputs({reference_, test_}, overwrite_);
+  outputs.add_folder(report_);
+  outputs.add_file(page);
   if (!report_.empty()) make_writable_folder(report_, "--report");
   const DiffResult result =
       compare(reference_, test_, rules, approve_ ? WithoutReferences::accept : WithoutReferences::refuse);
   std::fputs((json_ ? to_json(result) : to_text(result)).c_str(), stdout);
   if (!report_.empty()) {
-    write_file_atomically(std::filesystem::path(report_) / "index.html", diff_page(result));
+    write_file_atomically(page, diff_page(result), outputs.replace());
     std::fprintf(stderr, "look at %s/index.html\n", report_.c_str());
   }
   if (approve_) return approve(result);

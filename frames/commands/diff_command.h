@@ -19,8 +19,6 @@ class DiffCommand {
   void run() const;
 
  private:
-  void run(const DiffRules& rules) const;
-
   CLI::App* command_;
   std::string reference_;
   std::string test_;
@@ -28,6 +26,7 @@ class DiffCommand {
   std::string flip_limit_;
   std::string report_;
   bool json_ = false;
+  bool overwrite_ = false;
   bool approve_ = false;
 };
 

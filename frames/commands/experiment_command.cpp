@@ -1,11 +1,14 @@
 #include "frames/commands/experiment_command.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 
+#include "frames/commands/output_option.h"
 #include "frames/experiment/experiment_file.h"
 #include "frames/experiment/experiment_page.h"
 #include "frames/experiment/experiment_plots.h"
@@ -13,21 +16,24 @@
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
+#include "frames/support/outputs.h"
 #include "frames/support/parse_whole.h"
 #include "frames/support/progress_line.h"
 
 namespace kerf {
 namespace {
 
+constexpr const char* kPageName = "experiment.md";
 constexpr ExperimentSize kFullSize{.steps = 6000, .objects = 4250};
 
 /// Runs the simulations of which there is no file yet.
 class Experiment {
  public:
-  Experiment(std::filesystem::path folder, const ExperimentSize& size)
-      : folder_(std::move(folder)), size_(size) {
+  Experiment(std::filesystem::path folder, const ExperimentSize& size, Replace replace)
+      : folder_(std::move(folder)), size_(size), replace_(replace) {
+    const bool forget = replace == Replace::earlier;
     for (std::size_t k = 0; k < runs_.size(); ++k)
-      if (auto run = load_run(folder_, simulations()[k], size_)) runs_[k] = std::move(*run);
+      if (auto run = load_run(folder_, simulations()[k], size_, forget)) runs_[k] = std::move(*run);
     for (const ExperimentRun& run : runs_) to_do_ += run.empty() ? size_.steps : 0;
     make_writable_folder(folder_);
   }
@@ -47,17 +53,27 @@ class Experiment {
     }
   }
 
+  /// All files are there before one of them gets its name.
   void report() const {
     const InterruptGuard interrupt;
+    std::array<std::unique_ptr<PartFile>, kFigureNames.size()> figures;
+    std::array<std::filesystem::path, kFigureNames.size()> files;
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+      figures[k] = std::make_unique<PartFile>(folder_ / kFigureNames[k], replace_);
+      files[k] = figures[k]->path();
+    }
+    PartFile page(folder_ / kPageName, replace_);
+    page.write(experiment_page(size_, runs_));
     try {
-      plot_experiment(folder_, runs_);
+      plot_experiment(files, runs_);
     } catch (const std::runtime_error&) {
       if (!interrupt.requested()) throw;  // an interrupt stops gnuplot, too
     }
     if (interrupt.requested())
       throw Interrupted("interrupted: the simulations are in " + folder_.string() +
                         "; the same command draws the figures");
-    write_experiment_page(folder_, size_, runs_);
+    for (const auto& figure : figures) figure->keep();
+    page.keep();
   }
 
  private:
@@ -83,6 +99,7 @@ class Experiment {
 
   std::filesystem::path folder_;
   ExperimentSize size_;
+  Replace replace_;
   ExperimentRuns runs_;
   ProgressLine line_;
   Clock::time_point start_ = Clock::now();
@@ -101,7 +118,9 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
       ->type_name("N");
   command_->add_flag("--full", full_, "The paper's size: --steps 6000 --objects 4250 (about twenty minutes)");
   command_->add_option("--seed", seed_, "Of every random choice (default 1)")->type_name("S");
-  command_->add_option("--out", out_, "Folder (default out/experiment)")->type_name("DIR");
+  add_output(*command_, "--out", out_, "Folder (default out/experiment)", "DIR");
+  command_->add_flag("--overwrite", overwrite_,
+                     "Replace an earlier page and its figures, and simulations of another size");
   command_->footer(
       "OUTPUT  DIR/experiment.md, which says of each claim of the paper's section 6.2 whether it holds "
       "here;\n"
@@ -123,10 +142,14 @@ void ExperimentCommand::run() const {
   if (!seed_.empty()) size.seed = parse_whole<std::uint32_t>("--seed", seed_, 0, UINT32_MAX);
   require_gnuplot();
   const std::filesystem::path folder = out_.empty() ? "out/experiment" : out_;
-  Experiment experiment(folder, size);
+  Outputs outputs({}, overwrite_);
+  outputs.add_folder(folder);
+  for (const char* const figure : kFigureNames) outputs.add_file(folder / figure);
+  outputs.add_file(folder / kPageName);
+  Experiment experiment(folder, size, outputs.replace());
   experiment.run();
   experiment.report();
-  std::printf("%s\n", (folder / "experiment.md").string().c_str());
+  std::printf("%s\n", (folder / kPageName).string().c_str());
 }
 
 }  // namespace kerf

@@ -23,6 +23,7 @@ class ExperimentCommand {
   std::string seed_;
   std::string out_;
   bool full_ = false;
+  bool overwrite_ = false;
 };
 
 }  // namespace kerf

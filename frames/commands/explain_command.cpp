@@ -23,12 +23,22 @@ std::uint32_t parse_id(const std::string& option, const std::string& text, const
   return *id;
 }
 
-Pair parse_pair(const std::string& text) {
+ObjectId find_object(const std::string& option, std::string_view text, const GivenNames& names) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  const auto id = parse_given_id(text);
+  if (!id) throw UsageError(option + ": '" + std::string(text) + "' is no whole number such as 17");
+  const auto object = names.find_object(*id);
+  if (!object) throw UsageError(option + ": the recording has no object " + to_string(*id));
+  return *object;
+}
+
+Pair parse_pair(const std::string& text, const GivenNames& names) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos)
     throw UsageError("--pair '" + text + "' is not of the form I,J, for example 12,77");
-  const ObjectId a{parse_id("--pair", text.substr(0, comma), "")};
-  const ObjectId b{parse_id("--pair", text.substr(comma + 1), "")};
+  const ObjectId a = find_object("--pair", std::string_view(text).substr(0, comma), names);
+  const ObjectId b = find_object("--pair", std::string_view(text).substr(comma + 1), names);
   if (a == b) throw UsageError("--pair '" + text + "': an object makes no pair with itself");
   return make_pair(a, b);
 }
@@ -56,16 +66,18 @@ void ExplainCommand::run() const {
   const std::string text =
       with_recording(file_, [&]<int D>(const std::shared_ptr<RecordingReader<D>>& recording) {
         Replayer<D> replayer(recording);
+        const GivenNames& names = recording->info().names;
         if (!event_.empty()) {
           const auto position =
               parse_position("--event", event_.starts_with("e") ? event_ : "e" + event_, *recording);
-          return to_text(explain_event(replayer, position.event));
+          return to_text(explain_event(replayer, position.event), names);
         }
         const auto position = step_.empty() ? Position::end_of(recording->steps())
                                             : parse_position("--step", step_, *recording);
         if (!position.is_end()) throw UsageError("--step '" + step_ + "' is no step");
-        if (!pair_.empty()) return to_text(explain_pair(replayer, position.step, parse_pair(pair_)));
-        return to_text(explain_node(replayer, position.step, NodeId{parse_id("--node", node_, "n")}));
+        if (!pair_.empty())
+          return to_text(explain_pair(replayer, position.step, parse_pair(pair_, names)), names);
+        return to_text(explain_node(replayer, position.step, NodeId{parse_id("--node", node_, "n")}), names);
       });
   std::fputs(text.c_str(), stdout);
 }

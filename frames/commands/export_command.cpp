@@ -4,13 +4,22 @@
 #include <iostream>
 
 #include "frames/commands/export_recording.h"
+#include "frames/commands/output_option.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
-#include "frames/support/output_file.h"
-#include "frames/support/part_file.h"
+#include "frames/support/outputs.h"
+#include "frames/support/part_stream.h"
 
 namespace kerf {
+namespace {
+
+template <int D>
+bool has_their_pairs(const RecordingReader<D>& recording) {
+  return recording.steps() > 0 && recording.their_step(1).has_value();
+}
+
+}  // namespace
 
 ExportCommand::ExportCommand(CLI::App& program)
     : command_(program.add_subcommand("export", "Write a recording for other programs")) {
@@ -20,8 +29,10 @@ ExportCommand::ExportCommand(CLI::App& program)
   format->add_flag("--csv", csv_, "A line for each step, with all its figures");
   format->add_flag("--boxes", boxes_,
                    "A line for each box that came, went or changed: what `kerf import` reads");
+  format->add_flag("--pairs", pairs_,
+                   "A line for each pair of another engine: what `kerf import --pairs` reads");
   format->require_option(1);
-  command_->add_option("-o,--out", out_, "Where to (default: standard output)")->type_name("FILE");
+  add_output(*command_, "-o,--out", out_, "Where to (default: standard output)");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier file");
   command_->footer("A timeline is shown by chrome://tracing and https://ui.perfetto.dev.");
 }
@@ -33,16 +44,19 @@ void ExportCommand::run() const {
     if (chrome_trace_) export_chrome_trace(recording, out, on_step);
     if (csv_) export_steps(recording, out, on_step);
     if (boxes_) export_boxes(recording, out, on_step);
+    if (pairs_ && !has_their_pairs(recording))
+      throw UsageError(file_ + " has no pairs of another engine; `kerf import --pairs` brings them");
+    if (pairs_) export_pairs(recording, out, on_step);
   };
   if (out_.empty()) {
     with_recording(file_, [&](auto recording) { write(*recording, std::cout, [](std::uint32_t) {}); });
     return;
   }
-  check_not_input(out_, file_);
-  check_free(out_, overwrite_);
+  Outputs outputs({file_}, overwrite_);
+  outputs.add_file(out_);
   with_recording(file_, [&](auto recording) {
     const InterruptGuard interrupt;
-    PartFile file(out_);
+    PartStream file(out_, outputs.replace());
     write(*recording, file.stream(), [&](std::uint32_t) {
       file.check();
       if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");

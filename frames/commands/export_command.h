@@ -23,6 +23,7 @@ class ExportCommand {
   bool chrome_trace_ = false;
   bool csv_ = false;
   bool boxes_ = false;
+  bool pairs_ = false;
   bool overwrite_ = false;
 };
 

@@ -1,9 +1,12 @@
 #include "frames/commands/export_recording.h"
 
-#include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
+#include <unordered_map>
+
+#include "core/base/shortest_text.h"
+#include "core/replay/judge_theirs.h"
 
 #include "core/trace/event_facts.h"
 #include "frames/support/utf8.h"
@@ -16,8 +19,8 @@ using Json = nlohmann::ordered_json;
 constexpr double kMicro = 1e6;
 
 /// Slices of one step from `start` on, in microseconds; returns where operators begin.
-double put_slices(const StepRow& row, double start, std::ostream& out) {
-  const Json step{{"name", "step " + std::to_string(row.step)},
+double put_slices(const StepRow& row, const GivenNames& names, double start, std::ostream& out) {
+  const Json step{{"name", "step " + names.step(row.step)},
                   {"ph", "X"},
                   {"pid", 1},
                   {"tid", 1},
@@ -52,20 +55,108 @@ void put_counters(const StepRow& row, double at, std::ostream& out) {
   counter("redundancy", row.statistics.redundancy);
 }
 
-/// The shortest text that reads back as the same float.
-std::string exact(Scalar x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
-
+/// What a step says of an object.
 template <int D>
-void put_box(std::uint32_t step, ObjectId object, const Box<D>* box, bool fixed, std::ostream& out) {
-  out << step << ',' << object.value;
-  for (int axis = 0; axis < D; ++axis)
-    out << ',' << (box == nullptr ? "" : exact(box->min[axis])) << ','
-        << (box == nullptr ? "" : exact(box->max[axis]));
-  out << ',' << (fixed ? 1 : 0) << '\n';
-}
+struct BoxRow {
+  ObjectId object;
+  std::optional<Box<D>> box;  ///< none: it goes
+  bool fixed = false;
+};
+
+/// The requests of the steps as rows that `kerf import` makes the same requests of.
+template <int D>
+class BoxRows {
+ public:
+  explicit BoxRows(RecordingReader<D>& recording) : recording_(recording) {}
+
+  /// To be asked step by step. Valid until the next call.
+  const std::vector<BoxRow<D>>& next(std::uint32_t step) {
+    rows_.clear();
+    last_.clear();
+    for_each_request(recording_.step(step).requests, recording_.info().volume,
+                     [&](const ObjectRequest<D>& request) { add(request); });
+    return rows_;
+  }
+
+ private:
+  /// Of several boxes of an object the last counts. One that goes and comes at once with another mobility has
+  /// one row: an object of a tree keeps its mobility.
+  void add(const ObjectRequest<D>& request) {
+    const ObjectId object = request.object;
+    const auto last = last_.find(object);
+    if (request.kind == RequestKind::remove) {
+      last_.erase(object);
+      rows_.push_back({object, std::nullopt, false});
+      return;
+    }
+    if (!is_insert(request.kind) && last != last_.end()) {
+      rows_[last->second].box = request.volume.box;
+      return;
+    }
+    bool& fixed = fixed_[object];
+    const bool was_fixed = fixed;
+    if (is_insert(request.kind)) fixed = request.mobility == Mobility::fixed;
+    const bool is_changed = !rows_.empty() && rows_.back().object == object && fixed != was_fixed;
+    if (is_changed && !rows_.back().box) rows_.pop_back();
+    last_[object] = rows_.size();
+    rows_.push_back({object, request.volume.box, fixed});
+  }
+
+  RecordingReader<D>& recording_;
+  std::vector<BoxRow<D>> rows_;
+  std::unordered_map<ObjectId, std::size_t> last_;  ///< the row of an object's box in this step
+  std::unordered_map<ObjectId, bool> fixed_;
+};
+
+/// Prints rows with the names and numbers that were given.
+template <int D>
+class BoxPrinter {
+ public:
+  BoxPrinter(const RecordingReader<D>& recording, std::ostream& out)
+      : names_(recording.info().names), has_filters_(recording.has_filters()), out_(out) {
+    out_ << "step,object,min_x,max_x,min_y,max_y" << (D == 3 ? ",min_z,max_z" : "") << ",fixed"
+         << (has_filters_ ? ",category,mask" : "") << '\n';
+  }
+
+  void put(std::uint32_t step, const std::vector<BoxRow<D>>& rows, const TheirChanges<D>& changes) {
+    world_.apply(changes);
+    filters_.clear();
+    for (const auto& [object, filter] : changes.filters) filters_[object] = filter;
+    for (const BoxRow<D>& row : rows) put(step, row);
+    if (rows.empty())
+      out_ << names_.step(step) << std::string(2 * D + 2 + (has_filters_ ? 2 : 0), ',') << '\n';
+  }
+
+ private:
+  void put(std::uint32_t step, const BoxRow<D>& row) {
+    out_ << names_.step(step) << ',' << names_.object(row.object);
+    const auto& given = world_.given(row.object);
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      if (!row.box) out_ << ",,";
+      if (!row.box) continue;
+      const GivenBox<D> box = given ? *given : to_given(*row.box);
+      out_ << ',' << shortest_text(box.min[axis]) << ',' << shortest_text(box.max[axis]);
+    }
+    out_ << ',' << (row.box ? (row.fixed ? "1" : "0") : "");
+    if (has_filters_) put_filter(row.object);
+    out_ << '\n';
+  }
+
+  void put_filter(ObjectId object) {
+    const auto changed = filters_.find(object);
+    if (changed == filters_.end()) {
+      out_ << ",,";
+    } else {
+      out_ << ',' << changed->second.category << ',' << changed->second.mask;
+    }
+  }
+
+  const GivenNames& names_;
+  bool has_filters_;
+  std::ostream& out_;
+  TheirWorld<D> world_;
+  std::unordered_map<ObjectId, GivenFilter> filters_;  ///< that change in the step
+};
 
 }  // namespace
 
@@ -75,11 +166,15 @@ void export_chrome_trace(RecordingReader<D>& recording, std::ostream& out, const
   out << "{\"traceEvents\":[\n";
   for (const StepRow& row : recording.rows()) {
     on_step(row.step);
-    const double operators = put_slices(row, time, out);
+    const double operators = put_slices(row, recording.info().names, time, out);
     put_counters(row, time, out);
     for (const Event& event : recording.step(row.step).events)
       if (has_acted(event))
-        out << Json{{"name", describe(event)}, {"ph", "i"}, {"s", "t"}, {"pid", 1}, {"tid", 1},
+        out << Json{{"name", describe(event, recording.info().names)},
+                    {"ph", "i"},
+                    {"s", "t"},
+                    {"pid", 1},
+                    {"tid", 1},
                     {"ts", operators}}
             << ",\n";
     time += kMicro * row.seconds();
@@ -101,8 +196,8 @@ void export_steps(const RecordingReader<D>& recording, std::ostream& out, const 
   for (const StepRow& row : recording.rows()) {
     on_step(row.step);
     const Statistics& s = row.statistics;
-    out << row.step << ',' << s.objects << ',' << row.changed << ',' << row.pairs << ',' << s.height << ','
-        << s.leaves << ',' << s.entries << ',' << s.redundancy;
+    out << recording.info().names.step(row.step) << ',' << s.objects << ',' << row.changed << ',' << row.pairs
+        << ',' << s.height << ',' << s.leaves << ',' << s.entries << ',' << s.redundancy;
     for (const std::uint64_t acted : s.operators) out << ',' << acted;
     out << ',' << s.refused << ',' << s.deferred << ',' << s.placed << ',' << row.first_event << ','
         << row.events;
@@ -113,28 +208,31 @@ void export_steps(const RecordingReader<D>& recording, std::ostream& out, const 
 
 template <int D>
 void export_boxes(RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step) {
-  out << "step,object,min_x,max_x,min_y,max_y" << (D == 3 ? ",min_z,max_z" : "") << ",fixed\n";
-  std::vector<bool> fixed;
+  BoxRows<D> rows(recording);
+  BoxPrinter<D> printer(recording, out);
   for (std::uint32_t step = 1; step <= recording.steps(); ++step) {
     on_step(step);
-    const StepRequests<D>& requests = recording.step(step).requests;
-    std::size_t k = 0;
-    for (const Call& call : requests.calls) {
-      for (const std::size_t end = k + call.count; k < end; ++k) {
-        const ObjectId object = requests.objects[k];
-        if (fixed.size() <= object.index()) fixed.resize(object.index() + 1);
-        if (is_insert(call.kind)) fixed[object.index()] = call.mobility == Mobility::fixed;
-        const Box<D>* const box = call.kind == RequestKind::remove ? nullptr : &requests.boxes[k];
-        put_box(step, object, box, fixed[object.index()], out);
-      }
-    }
+    const bool imported = recording.info().imported;
+    printer.put(step, rows.next(step), imported ? recording.their_changes(step) : TheirChanges<D>());
+  }
+}
+
+template <int D>
+void export_pairs(const RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step) {
+  const GivenNames& names = recording.info().names;
+  out << "step,a,b\n";
+  for (std::uint32_t step = 1; step <= recording.steps(); ++step) {
+    on_step(step);
+    for (const Pair& pair : recording.their_pairs(step))
+      out << names.step(step) << ',' << names.pair(pair) << '\n';
   }
 }
 
 #define KERF_INSTANTIATE(D)                                                                \
   template void export_chrome_trace<D>(RecordingReader<D>&, std::ostream&, const OnStep&); \
   template void export_steps<D>(const RecordingReader<D>&, std::ostream&, const OnStep&);  \
-  template void export_boxes<D>(RecordingReader<D>&, std::ostream&, const OnStep&);
+  template void export_boxes<D>(RecordingReader<D>&, std::ostream&, const OnStep&);        \
+  template void export_pairs<D>(const RecordingReader<D>&, std::ostream&, const OnStep&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

@@ -21,10 +21,14 @@ void export_chrome_trace(RecordingReader<D>& recording, std::ostream& out, const
 template <int D>
 void export_steps(const RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step);
 
-/// Every change of a box as CSV, with a heading: step,object,min_x,max_x,min_y,max_y[,min_z,max_z],fixed.
-/// Bounds are empty where an object goes. Numbers have as many digits as it takes to read them back bit by
-/// bit.
+/// Every change of a box as CSV, with a heading, as `kerf import` reads it: of an import with the names and
+/// numbers that were given, of other runs with as many digits as it takes to read them back bit by bit.
+/// Bounds are blank where an object goes; a step in which nothing changes has a line without an object.
 template <int D>
 void export_boxes(RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step);
+
+/// The pairs that another engine told, as `kerf import --pairs` reads them.
+template <int D>
+void export_pairs(const RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step);
 
 }  // namespace kerf

@@ -7,12 +7,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "frames/commands/output_option.h"
 #include "frames/sequence/difference_panels.h"
 #include "frames/sequence/film_files.h"
 #include "frames/sequence/manifest.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
+#include "frames/support/outputs.h"
 #include "frames/support/progress_line.h"
 #include "viz/image/png.h"
 
@@ -70,12 +72,9 @@ FilmDiffCommand::FilmDiffCommand(CLI::App& program)
           program.add_subcommand("film-diff", "Two sequences side by side, with what differs, as a film")) {
   command_->add_option("A", a_, "Folder of a sequence")->type_name("")->required();
   command_->add_option("B", b_, "Folder of another one")->type_name("")->required();
-  command_->add_option("-o,--out", out_, "The film (.mp4, .mkv, .mov, .webm, .gif, .apng)")
-      ->type_name("FILE")
-      ->required();
+  add_output(*command_, "-o,--out", out_, "The film (.mp4, .mkv, .mov, .webm, .gif, .apng)")->required();
   command_->add_option("--fps", fps_, "Frames a second (default 25)")->type_name("N");
-  command_->add_option("--contact-sheet", contact_sheet_, "Also twenty of the pictures in one .png")
-      ->type_name("FILE");
+  add_output(*command_, "--contact-sheet", contact_sheet_, "Also twenty of the pictures in one .png");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier film and contact sheet");
   command_->footer(
       "A is left, B in the middle; right of them A is shown pale, with what differs in red: the more, the "
@@ -87,7 +86,8 @@ bool FilmDiffCommand::chosen() const { return command_->parsed(); }
 
 void FilmDiffCommand::run() const {
   const FilmRequest film = parse_film_request(out_, fps_, contact_sheet_, overwrite_);
-  check_free(film);
+  Outputs outputs({a_, b_}, overwrite_);
+  add_outputs(film, outputs);
   make_writable_folder(std::filesystem::absolute(film.video).parent_path());
   const InterruptGuard interrupt;
   const FramesByStep a = frames_of(a_);

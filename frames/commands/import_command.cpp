@@ -1,33 +1,69 @@
 #include "frames/commands/import_command.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 
-#include "frames/commands/import_boxes.h"
+#include "frames/commands/output_option.h"
+#include "frames/import/import_boxes.h"
 #include "frames/sequence/part_recording.h"
-#include "frames/sequence/recording_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/outputs.h"
 #include "frames/support/parse_config.h"
+#include "frames/support/parse_number.h"
 
 namespace kerf {
+namespace {
+
+/// "0.05" on each side, or "10%" of the extent.
+Margin parse_margin(const std::string& text) {
+  if (text.empty()) return {};
+  const bool is_share = text.ends_with('%');
+  const auto number =
+      parse_number<double>(std::string_view(text).substr(0, text.size() - (is_share ? 1 : 0)));
+  if (!number || !std::isfinite(*number))
+    throw UsageError("--margin '" + text + "' is neither a length such as 0.05 nor a share such as 10%");
+  return is_share ? Margin{0, *number / 100} : Margin{*number, 0};
+}
+
+}  // namespace
 
 ImportCommand::ImportCommand(CLI::App& program)
     : command_(program.add_subcommand("import", "Make a recording of another engine's boxes and pairs")) {
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
   };
-  option("FILE", boxes_, "Their boxes, see below", "")->required();
-  option("-o,--out", out_, "The recording", "FILE")->required();
+  option("FILE", boxes_, "Their boxes, see below; - for standard input", "")->required();
+  add_output(*command_, "-o,--out", out_, "The recording")->required();
   option("--pairs", pairs_, "Their pairs: step,a,b", "FILE");
+  option("--margin", margin_, "Their boxes are so much larger on each side, or by a share of their extent",
+         "X|N%");
+  option("--ignore", ignore_, "Pairs that they leave out by design: a,b", "FILE");
   option("--config", config_, "Parameters of our tree, see `kerf render --help`", "K=V,...");
+  command_->add_flag("--unite", unite_, "Unite the boxes that an object has in one step");
+  command_->add_flag("--strict", strict_, "What is odd is an error, as for example an inverted box");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording");
   command_->footer(
-      "BOXES   step,object,min_x,max_x,min_y,max_y[,min_z,max_z][,fixed]   a heading may come first\n"
-      "        Steps rise, objects are numbered from 0. A line adds an object or changes its box; where the\n"
-      "        bounds are empty, the object goes. Objects without a line stay as they are. fixed is 0 or 1:\n"
-      "        two fixed objects are no pair.\n"
-      "        The first step becomes step 1.\n"
-      "PAIRS   step,a,b   of the boxes' first step or a later one, also one after their last\n"
-      "        What is wrong with them is then found by `kerf step FILE --to 'missed>0'` and `kerf "
-      "explain`.");
+      "BOXES   step,object,min_x,max_x,min_y,max_y[,min_z,max_z][,fixed][,category,mask]\n"
+      "        Columns are found by the names in the heading, in any order (also xmin, lower_x, body, frame "
+      "...);\n"
+      "        without a heading they stand in this order, the last two not. Steps are rising numbers or "
+      "times,\n"
+      "        objects are any whole numbers of 64 bits, and both keep their names. A line adds an object "
+      "or\n"
+      "        changes its box; where all bounds are blank, the object goes; where the object is blank, too, "
+      "the\n"
+      "        step has this line and nothing else. Objects without a line stay as they are. fixed is 0 or "
+      "1: two\n"
+      "        fixed objects are no pair. Two objects are left out unless each has a category, a set of "
+      "bits, in\n"
+      "        the mask of the other.\n"
+      "PAIRS   step,a,b   of the boxes' first step or a later one, also one without boxes\n"
+      "        What is wrong with them is then found by `kerf step FILE --to 'missed>0'` and `kerf explain`. "
+      "What\n"
+      "        --margin, --ignore and masks declare is counted apart, as ignored.\n"
+      "EXIT    0 imported, whatever their pairs are, 1 a file cannot be read or written, 2 wrong usage or a "
+      "file\n"
+      "        that is refused by its line");
 }
 
 bool ImportCommand::chosen() const { return command_->parsed(); }
@@ -36,9 +72,14 @@ void ImportCommand::run() const {
   ImportRequest request;
   request.boxes = boxes_;
   request.pairs = pairs_;
+  request.ignore = ignore_;
   request.config = parse_config("--config", config_, {});
-  check_recording_path(out_, overwrite_);
-  PartRecording part(out_);
+  request.margin = parse_margin(margin_);
+  request.unite = unite_;
+  request.strict = strict_;
+  Outputs outputs({boxes_, pairs_, ignore_}, overwrite_);
+  outputs.add_recording(out_);
+  PartRecording part(out_, outputs.replace());
   request.out = part.path();
   import_boxes(request);
   part.keep();

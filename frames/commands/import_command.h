@@ -22,6 +22,10 @@ class ImportCommand {
   std::string pairs_;
   std::string out_;
   std::string config_;
+  std::string margin_;
+  std::string ignore_;
+  bool unite_ = false;
+  bool strict_ = false;
   bool overwrite_ = false;
 };
 

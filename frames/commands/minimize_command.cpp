@@ -7,15 +7,16 @@
 
 #include "core/query/minimize.h"
 #include "core/query/search.h"
+#include "frames/commands/output_option.h"
 #include "frames/commands/test_of_scenario.h"
 #include "frames/sequence/part_recording.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/sequence/recording_picture.h"
-#include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
-#include "frames/support/output_file.h"
+#include "frames/support/outputs.h"
 #include "frames/support/parse_expression.h"
+#include "viz/image/png.h"
 
 namespace kerf {
 namespace {
@@ -23,6 +24,7 @@ namespace {
 struct MinimizeRequest {
   Expression when;
   std::filesystem::path out;
+  Replace replace = Replace::nothing;
 
   [[nodiscard]] std::filesystem::path picture() const {
     return std::filesystem::path(out).replace_extension(".png");
@@ -38,32 +40,43 @@ std::optional<Position> first_hit(const std::filesystem::path& path, const Expre
   return search.forward(when, Position::end_of(0));
 }
 
-/// Returns where the condition holds in it.
+struct SmallRun {
+  Position hit;  ///< where the condition holds
+  std::uint64_t hash = 0;
+};
+
+/// Writes the recording's part and draws its picture into another.
 template <int D>
-Position write_recording(const Scenario<D>& scenario, const MinimizeRequest& request) {
-  PartRecording part(request.out);
-  record(scenario, part.path());
-  const auto hit = first_hit<D>(part.path(), request.when);
+SmallRun write_recording(const Scenario<D>& scenario, const MinimizeRequest& request,
+                         const std::filesystem::path& recording, PartFile& picture) {
+  record(scenario, recording);
+  const auto hit = first_hit<D>(recording, request.when);
   if (!hit) throw std::runtime_error("the small recording does not show the condition");
-  part.keep();
-  return *hit;
+  const auto reader = std::make_shared<RecordingReader<D>>(recording);
+  Cursor<D> cursor(reader);
+  cursor.go(*hit);
+  FrameRenderer<D> renderer({1280, 720, kRecordedLayers, ""});
+  picture.write(encode_png(render_moment(cursor, renderer)));
+  return {*hit, reader->rows().back().state_hash};
 }
 
+/// All three are there before one of them gets its name.
 template <int D>
 void write_results(const Scenario<D>& scenario, const MinimizeRequest& request) {
-  const Position hit = write_recording(scenario, request);
-  const auto recording = std::make_shared<RecordingReader<D>>(request.out);
-  Cursor<D> cursor(recording);
-  cursor.go(hit);
-  draw_moment(cursor, {1280, 720}, request.picture());
-  const std::uint64_t hash = recording->rows().back().state_hash;
-  write_file_atomically(request.test(), test_of_scenario(scenario, request.when.text(), hash));
+  PartRecording recording(request.out, request.replace);
+  PartFile picture(request.picture(), request.replace);
+  PartFile test(request.test(), request.replace);
+  const SmallRun run = write_recording(scenario, request, recording.path(), picture);
+  test.write(test_of_scenario(scenario, request.when.text(), run.hash));
+  picture.keep();
+  test.keep();
+  recording.keep();
   std::printf(
       "%s: %zu steps, %zu objects, %zu requests, %zu kinds of operators in them; it holds at %s\n%s: a "
       "picture of that moment\n%s: a C++ "
       "test\n",
       request.out.c_str(), scenario.steps.size(), objects_of(scenario).size(), scenario.requests(),
-      acting_operators(scenario).size(), to_string(hit).c_str(), request.picture().c_str(),
+      acting_operators(scenario).size(), to_string(run.hit).c_str(), request.picture().c_str(),
       request.test().c_str());
 }
 
@@ -80,7 +93,7 @@ void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
     if (interrupt.requested())
       throw Interrupted("interrupted after " + std::to_string(trials) + " trials; nothing was written");
     ++trials;
-    const PartRecording trial(request.out);
+    const PartRecording trial(request.out, Replace::earlier);
     record(scenario, trial.path());
     return first_hit<D>(trial.path(), request.when).has_value();
   };
@@ -106,16 +119,15 @@ void check(const Expression& when) {
     throw UsageError("--when: times differ from run to run; give a condition that does not speak of them");
 }
 
-/// Three files are written, of which none may be what is read or, unless the user said so, be there already.
-void check_files(const MinimizeRequest& request, const std::filesystem::path& recording, bool overwrite) {
+Replace check_files(const MinimizeRequest& request, const std::filesystem::path& recording, bool overwrite) {
   if (request.out == request.picture() || request.out == request.test())
     throw UsageError("--out '" + request.out.string() +
                      "': the picture and the test get the names with .png and .cpp; choose another ending");
-  for (const std::filesystem::path& file : {request.out, request.picture(), request.test()})
-    check_not_input(file, recording);
-  check_recording_path(request.out, overwrite);
-  check_free(request.picture(), overwrite);
-  check_free(request.test(), overwrite);
+  Outputs outputs({recording}, overwrite);
+  outputs.add_recording(request.out);
+  outputs.add_file(request.picture());
+  outputs.add_file(request.test());
+  return outputs.replace();
 }
 
 }  // namespace
@@ -126,9 +138,7 @@ MinimizeCommand::MinimizeCommand(CLI::App& program)
   command_->add_option("--when", when_, "The condition, see `kerf step --help`")
       ->type_name("EXPR")
       ->required();
-  command_->add_option("-o,--out", out_, "The small recording, for example small.kerf")
-      ->type_name("FILE")
-      ->required();
+  add_output(*command_, "-o,--out", out_, "The small recording, for example small.kerf")->required();
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording, picture and test");
   command_->footer(
       "Objects, steps and operators are left out as long as the condition still holds (delta debugging). "
@@ -139,9 +149,9 @@ MinimizeCommand::MinimizeCommand(CLI::App& program)
 bool MinimizeCommand::chosen() const { return command_->parsed(); }
 
 void MinimizeCommand::run() const {
-  const MinimizeRequest request{parse_expression("--when", when_), out_};
+  MinimizeRequest request{parse_expression("--when", when_), out_};
   check(request.when);
-  check_files(request, file_, overwrite_);
+  request.replace = check_files(request, file_, overwrite_);
   with_recording(file_, [&](auto recording) { minimize_recording(recording, request); });
 }
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "frames/commands/output_option.h"
 #include "frames/sequence/record_scene.h"
 #include "frames/support/errors.h"
 
@@ -13,7 +14,7 @@ RecordCommand::RecordCommand(CLI::App& program)
     return command_->add_option(name, text, meaning)->type_name(type);
   };
   option("SCENE", texts_.scene, "A scene of `kerf scenes`", "")->required();
-  option("-o,--out", texts_.record, "The recording, for example pile.kerf", "FILE")->required();
+  add_output(*command_, "-o,--out", texts_.record, "The recording, for example pile.kerf")->required();
   option("--steps", texts_.steps, "How many (default 1000)", "N");
   option("--objects", texts_.objects, "Moving objects at the end (default: the scene's own)", "N");
   option("--grow", texts_.grow, "Steps until all objects are there (default: the scene's own)", "STEPS");
@@ -25,8 +26,10 @@ RecordCommand::RecordCommand(CLI::App& program)
   option("--seed", texts_.seed, "Of every random choice of the scene (default 1)", "S");
   command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier recording");
   command_->footer(
-      "The file is an SQLite database (docs/RECORDING.md). Whenever the program is stopped, what was\n"
-      "recorded until a second before is there and can be read.");
+      "The file is an SQLite database (docs/RECORDING.md). While it is made, and if the program is\n"
+      "killed, it is called FILE.NUMBER.part, and is read by FILE as long as there is no such file: what was "
+      "recorded\n"
+      "until a second before is there.");
 }
 
 bool RecordCommand::chosen() const { return command_->parsed(); }

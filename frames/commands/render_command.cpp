@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "frames/commands/output_option.h"
 #include "frames/sequence/sequence.h"
 
 namespace kerf {
@@ -30,9 +31,9 @@ std::string render_footer() {
       "\nSAMPLES 1: jagged edges; 4: smooth ones, three times slower; 2x2: drawn at twice the size and "
       "averaged"
       "\nOUTPUT  DIR/SCENE_000000.png and so on, and DIR/frames.json, which says what each frame shows."
-      "\n        A folder that holds a sequence is refused unless --overwrite is given, which removes that"
-      "\n        sequence and nothing else. Ctrl-C keeps the finished frames and their manifest; the same"
-      "\n        command with --resume makes the rest."
+      "\n        A folder that holds a sequence is refused unless --overwrite is given, which replaces that"
+      "\n        sequence, when the new one is complete, and nothing else. Ctrl-C keeps the finished frames"
+      "\n        and their manifest; the same command with --resume makes the rest."
       "\n\nBROAD PHASES for --broad-phase: kerf is the tuned tree, kerf-paper the tree with the paper's "
       "parameters\n  3D  " +
       names_of<3>() + "\n  2D  " + names_of<2>() +
@@ -75,12 +76,13 @@ RenderCommand::RenderCommand(CLI::App& program)
          "any|osmesa|egl");
   option("--config", texts_.config, "Parameters of the tree, see below (default: those of --broad-phase)",
          "K=V,...");
-  option("--out", texts_.out, "Folder for frames and manifest (default out/SCENE)", "DIR");
-  option("--video", texts_.video, "Also a film (.mp4, .mkv, .mov, .webm, .gif, .apng), by ffmpeg", "FILE");
+  add_output(*command_, "--out", texts_.out, "Folder for frames and manifest (default out/SCENE)", "DIR");
+  add_output(*command_, "--video", texts_.video,
+             "Also a film (.mp4, .mkv, .mov, .webm, .gif, .apng), by ffmpeg");
   option("--fps", texts_.fps, "Frames a second of the film (default 25)", "N");
-  option("--contact-sheet", texts_.contact_sheet, "Also twenty of the frames in one .png", "FILE");
+  add_output(*command_, "--contact-sheet", texts_.contact_sheet, "Also twenty of the frames in one .png");
   option("--seed", texts_.seed, "Of every random choice of the scene (default 1)", "S");
-  option("--record", texts_.record, "Also a recording for `kerf verify` and the like", "FILE");
+  add_output(*command_, "--record", texts_.record, "Also a recording for `kerf verify` and the like");
   option("--workers", texts_.workers, "Processes that draw; 0: this one alone (default: one a core)", "N");
   option("--shard", texts_.shard, "Of a recording: only every N-th frame, the K-th first", "K/N");
   command_->add_flag(

@@ -8,12 +8,14 @@
 #include <chrono>
 #include <cstdio>
 
+#include "frames/commands/output_option.h"
 #include "frames/page/gnuplot.h"
 #include "frames/report/section.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/machine.h"
+#include "frames/support/outputs.h"
 #include "frames/support/version.h"
 
 namespace kerf {
@@ -84,7 +86,8 @@ class Countdown {
 /// Measures and shows the sections that were asked for.
 class Report {
  public:
-  explicit Report(const ReportRequest& request) : request_(request), store_(request.kept) {
+  Report(const ReportRequest& request, Replace replace)
+      : request_(request), replace_(replace), store_(request.kept, request.fresh || request.overwrite) {
     if (request.fresh) store_.clear();
     for (const Section& section : report_sections())
       if (std::ranges::find(request.sections, section.name) != request.sections.end())
@@ -95,7 +98,7 @@ class Report {
     require_gnuplot();
     make_writable_folder(std::filesystem::absolute(request_.out).parent_path());
     measure();
-    write_file_atomically(request_.out, page().html());
+    write_file_atomically(request_.out, page().html(), replace_);
     std::printf("%s\n", std::filesystem::absolute(request_.out).c_str());
   }
 
@@ -150,6 +153,7 @@ class Report {
   }
 
   const ReportRequest& request_;
+  Replace replace_;
   CellStore store_;
   std::vector<const Section*> sections_;
 };
@@ -159,7 +163,7 @@ class Report {
 ReportCommand::ReportCommand(CLI::App& program)
     : command_(program.add_subcommand("report", "One page of speed against error, with plots and tables")) {
   command_->add_option("sections", texts_.sections, "Which sections, see below (default all)");
-  command_->add_option("--out", texts_.out, "The page")->type_name("FILE.html")->capture_default_str();
+  add_output(*command_, "--out", texts_.out, "The page", "FILE.html")->capture_default_str();
   command_->add_flag("--full", texts_.full,
                      "The paper's 4,250 objects; 1,000 where pairs decide what moves (hours)");
   const auto option = [this](const char* name, std::string& text, const char* meaning) {
@@ -174,6 +178,7 @@ ReportCommand::ReportCommand(CLI::App& program)
       ->type_name("FOLDER")
       ->capture_default_str();
   command_->add_flag("--fresh", texts_.fresh, "Measure anew what an earlier run has kept");
+  command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier page");
   command_->footer(report_footer());
 }
 
@@ -181,7 +186,9 @@ bool ReportCommand::chosen() const { return command_->parsed(); }
 
 void ReportCommand::run() const {
   const ReportRequest request = parse_report_request(texts_, section_names());
-  Report(request).run();
+  Outputs outputs({request.hardcases}, request.overwrite);
+  outputs.add_file(request.out);
+  Report(request, outputs.replace()).run();
 }
 
 }  // namespace kerf

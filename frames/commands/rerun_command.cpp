@@ -8,10 +8,12 @@
 #include <stdexcept>
 
 #include "core/replay/what_if.h"
+#include "frames/commands/output_option.h"
+#include "frames/sequence/part_recording.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
-#include "frames/support/output_file.h"
+#include "frames/support/outputs.h"
 #include "frames/support/parse_config.h"
 #include "frames/support/parse_number.h"
 
@@ -44,7 +46,7 @@ struct WhatIf {
   std::uint32_t from = 1;
   std::optional<EventChoice> decision;
   std::filesystem::path out;
-  bool overwrite = false;
+  Replace replace = Replace::nothing;
 };
 
 template <int D>
@@ -64,11 +66,13 @@ RecordingInfo what_if(const std::shared_ptr<RecordingReader<D>>& recording, cons
 template <int D>
 void rerun_recording(const std::shared_ptr<RecordingReader<D>>& recording, const WhatIf& asked) {
   const RecordingInfo info = what_if(recording, asked);
-  clear_recording_path(asked.out, asked.overwrite);
   const InterruptGuard interrupt;
-  const bool whole = rerun(*recording, info, asked.out, [&] { return interrupt.requested(); });
-  std::printf("%s: %u steps\n", asked.out.c_str(), RecordingReader<D>(asked.out).steps());
-  if (!whole) throw Interrupted("interrupted: what was done is in " + asked.out.string());
+  PartRecording part(asked.out, asked.replace);
+  const bool whole = rerun(*recording, info, part.path(), [&] { return interrupt.requested(); });
+  if (whole) part.keep();
+  const std::filesystem::path file = whole ? asked.out : part.keep_as_far_as_it_came();
+  std::printf("%s: %u steps\n", file.c_str(), RecordingReader<D>(file).steps());
+  if (!whole) throw Interrupted("interrupted: what was done is in " + file.string());
 }
 
 }  // namespace
@@ -78,7 +82,7 @@ RerunCommand::RerunCommand(CLI::App& program)
           "rerun",
           "What if? Record the boxes of a recording again, with another configuration or decision")) {
   command_->add_option("FILE", file_, "A recording")->type_name("")->required();
-  command_->add_option("-o,--out", out_, "The new recording")->type_name("FILE")->required();
+  add_output(*command_, "-o,--out", out_, "The new recording")->required();
   command_->add_option("--config", config_, "Parameters that change, see `kerf render --help`")
       ->type_name("K=V,...");
   command_->add_option("--from", from_, "The first step in which --config holds (1)")->type_name("STEP");
@@ -99,13 +103,13 @@ RerunCommand::RerunCommand(CLI::App& program)
 bool RerunCommand::chosen() const { return command_->parsed(); }
 
 void RerunCommand::run() const {
-  WhatIf asked{config_, from_, std::nullopt, out_, overwrite_};
+  Outputs outputs({file_}, overwrite_);
+  outputs.add_recording(out_);
+  WhatIf asked{config_, from_, std::nullopt, out_, outputs.replace()};
   if (!refuse_.empty()) asked.decision = parse_choice("--refuse", refuse_, false);
   if (!take_.empty()) asked.decision = parse_choice("--take", take_, true);
   if (config_.empty() && from_ != 1) throw UsageError("--from says where --config begins: give that, too");
   (void)parse_config("--config", config_, read_recording_info(file_).config);
-  check_not_input(out_, file_);
-  check_recording_path(out_, overwrite_);
   with_recording(file_, [&](auto recording) { rerun_recording(recording, asked); });
 }
 

@@ -1,16 +1,20 @@
 #include "frames/commands/step_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <stdexcept>
 
 #include "core/query/expression_words.h"
 #include "core/query/search.h"
 #include "core/replay/cursor.h"
+#include "frames/commands/output_option.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/sequence/recording_picture.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
+#include "frames/support/outputs.h"
 #include "frames/support/parse_expression.h"
 #include "frames/support/parse_number.h"
 
@@ -35,23 +39,46 @@ std::string step_footer() {
   return text + "  median        of the steps' times; median(WORD) of any of the steps' words\n";
 }
 
-void print_row(const StepRow& row) {
+void print_row(const StepRow& row, const GivenNames& names) {
   const Statistics& s = row.statistics;
   std::printf(
-      "  step %u: %u objects, %llu pairs, height %u, %u leaves, redundancy %.4f, %u deferred, %.3f ms\n",
-      row.step, s.objects, static_cast<unsigned long long>(row.pairs), s.height, s.leaves, s.redundancy,
-      s.deferred, 1e3 * row.seconds());
+      "  step %s: %u objects, %llu pairs, height %u, %u leaves, redundancy %.4f, %u deferred, %.3f ms\n",
+      names.step(row.step).c_str(), s.objects, static_cast<unsigned long long>(row.pairs), s.height, s.leaves,
+      s.redundancy, s.deferred, 1e3 * row.seconds());
+}
+
+/// Those of another engine's pairs of which there is something to be said, a line for each verdict.
+template <int D>
+void print_theirs(const RecordingReader<D>& recording, std::uint32_t step) {
+  constexpr std::size_t kMost = 10;
+  std::array<std::vector<Pair>, kVerdicts> by_verdict;
+  for (const auto& [pair, verdict] : recording.judged_pairs(step))
+    by_verdict[static_cast<std::size_t>(verdict)].push_back(pair);
+  for (std::size_t k = 0; k < kVerdicts; ++k) {
+    const std::vector<Pair>& pairs = by_verdict[k];
+    if (pairs.empty()) continue;
+    const auto verdict = static_cast<PairVerdict>(k);
+    std::printf("  theirs, %s%s:", is_ignored(verdict) ? "ignored, " : "",
+                std::string(to_string(verdict)).c_str());
+    for (std::size_t n = 0; n < std::min(kMost, pairs.size()); ++n)
+      std::printf(" (%s)", recording.info().names.pair(pairs[n]).c_str());
+    if (pairs.size() > kMost) std::printf(" and %zu more", pairs.size() - kMost);
+    std::printf("\n");
+  }
 }
 
 template <int D>
 void print_moment(Cursor<D>& cursor, const Position& position) {
+  const GivenNames& names = cursor.recording().info().names;
   cursor.go(position);
   if (const auto event = cursor.event()) {
-    std::printf("%s\n", describe(*event).c_str());
+    std::printf("%s\n", describe(*event, names).c_str());
   } else {
-    std::printf("%s\n", to_string(position).c_str());
+    std::printf("%s\n", to_string(position, names).c_str());
   }
-  if (position.step > 0) print_row(cursor.recording().row(position.step));
+  if (position.step > 0) print_row(cursor.recording().row(position.step), names);
+  if (position.step > 0 && cursor.recording().info().imported)
+    print_theirs(cursor.recording(), position.step);
   std::printf("  state hash %s\n", to_hex(cursor.state().hash()).c_str());
 }
 
@@ -61,6 +88,7 @@ struct StepRequest {
   std::uint32_t hits = 1;
   bool reverse = false;
   std::filesystem::path picture;  ///< of the last moment; empty: none
+  Replace replace = Replace::nothing;
 };
 
 template <int D>
@@ -78,11 +106,11 @@ void step(const std::shared_ptr<RecordingReader<D>>& recording, const StepReques
     if (!found && hit > 0) break;
     if (!found)
       throw DoesNotHold("there is no such moment " + std::string(request.reverse ? "before" : "after") + " " +
-                        to_string(at));
+                        to_string(at, recording->info().names));
     print_moment(cursor, *found);
     at = *found;
   }
-  if (!request.picture.empty()) draw_moment(cursor, {1280, 720}, request.picture);
+  if (!request.picture.empty()) draw_moment(cursor, {1280, 720}, request.picture, request.replace);
 }
 
 }  // namespace
@@ -94,7 +122,8 @@ StepCommand::StepCommand(CLI::App& program)
   command_->add_option("--from", from_, "After step N or event eN (default: the beginning)")
       ->type_name("N|eN");
   command_->add_option("--hits", hits_, "How many moments (default 1)")->type_name("N");
-  command_->add_option("--picture", picture_, "Draw the last moment found")->type_name("FILE.png");
+  add_output(*command_, "--picture", picture_, "Draw the last moment found", "FILE.png");
+  command_->add_flag("--overwrite", overwrite_, "Replace an earlier picture");
   command_->add_flag("--reverse", reverse_, "Backwards, from --from or the end");
   command_->footer(step_footer());
 }
@@ -102,7 +131,9 @@ StepCommand::StepCommand(CLI::App& program)
 bool StepCommand::chosen() const { return command_->parsed(); }
 
 void StepCommand::run() const {
-  StepRequest request{parse_expression("--to", to_), from_, 1, reverse_, picture_};
+  Outputs outputs({file_}, overwrite_);
+  outputs.add_file(picture_);
+  StepRequest request{parse_expression("--to", to_), from_, 1, reverse_, picture_, outputs.replace()};
   if (!hits_.empty()) {
     const auto hits = parse_number<std::uint32_t>(hits_);
     if (!hits || *hits == 0) throw UsageError("--hits '" + hits_ + "' is no whole number from 1 up");

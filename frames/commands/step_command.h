@@ -24,6 +24,7 @@ class StepCommand {
   std::string hits_;
   std::string picture_;
   bool reverse_ = false;
+  bool overwrite_ = false;
 };
 
 }  // namespace kerf

@@ -40,9 +40,9 @@ void print(const Verdict& verdict, bool oracle) {
   if (oracle)
     std::printf("oracle: %llu missed, %llu extra, %llu twice\n", wide(verdict.missed), wide(verdict.extra),
                 wide(verdict.twice));
-  if (const TheirStep& theirs = verdict.theirs; theirs.pairs + theirs.missed > 0)
-    std::printf("theirs: %llu pairs, %llu missed, %llu extra, %llu twice\n", wide(theirs.pairs),
-                wide(theirs.missed), wide(theirs.extra), wide(theirs.twice));
+  if (const TheirStep& theirs = verdict.theirs; theirs != TheirStep{})
+    std::printf("theirs: %llu pairs, %llu missed, %llu extra, %llu twice, %llu ignored\n", wide(theirs.pairs),
+                wide(theirs.missed), wide(theirs.extra), wide(theirs.twice), wide(theirs.ignored));
   for (const std::string& what : verdict.unchecked) std::printf("not checked: %s\n", what.c_str());
 }
 

@@ -1,9 +1,15 @@
 #include "frames/diff/approve.h"
 
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+
+#include "core/files/part_file.h"
 #include "frames/sequence/draw_list_file.h"
 #include "frames/sequence/sidecar.h"
-#include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
+#include "frames/support/outputs.h"
 #include "viz/image/stored_picture.h"
 
 namespace kerf {
@@ -11,22 +17,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is replaced keeps its permissions; where it is a link, that stays and what it leads to is replaced.
-void replace(const fs::path& from, const fs::path& to) {
-  if (!fs::exists(to)) return copy_file_atomically(from, to);
-  const fs::path target = fs::canonical(to);
-  const fs::perms permissions = fs::status(target).permissions();
-  copy_file_atomically(from, target);
-  fs::permissions(target, permissions);
+std::string bytes_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw std::runtime_error("cannot read " + file.string());
+  return bytes;
 }
 
-/// Ids that no longer belong to the picture must not stay beside it.
-void replace_or_remove(const fs::path& from, const fs::path& to) {
-  if (fs::exists(from)) {
-    replace(from, to);
-  } else {
-    fs::remove(to);
-  }
+/// Builds the new files of one frame beside their references before one of those is replaced. Ids that no
+/// longer belong to the picture must not stay beside it. The picture comes last: who is stopped in between
+/// still finds a difference.
+void replace(const fs::path& test, const fs::path& reference) {
+  std::vector<std::unique_ptr<PartFile>> parts;
+  std::vector<fs::path> outdated;
+  const auto add = [&](const fs::path& from, const fs::path& to) {
+    if (!fs::exists(from)) return outdated.push_back(to);
+    parts.push_back(std::make_unique<PartFile>(to));
+    parts.back()->write(bytes_of(from));
+  };
+  add(ids_path(test), ids_path(reference));
+  add(draw_list_path(test), draw_list_path(reference));
+  add(test, reference);
+  for (const fs::path& file : outdated) fs::remove(file);
+  for (const auto& part : parts) part->keep();
+}
+
+fs::path reference_of(const FrameDiff& diff, const DiffResult& result) {
+  if (!diff.frame.is_extra()) return diff.frame.reference;
+  return fs::is_directory(result.test) ? result.reference / diff.frame.name : result.reference;
 }
 
 /// "x.png", and where it was put if that is elsewhere.
@@ -48,18 +66,17 @@ void check(const fs::path& frame) {
 }  // namespace
 
 std::vector<std::string> approve_frames(const DiffResult& result) {
-  for (const FrameDiff& diff : result.frames)
-    if (is_to_be_approved(diff)) check(diff.frame.test);
+  Outputs outputs({}, true);
+  for (const FrameDiff& diff : result.frames) {
+    if (!is_to_be_approved(diff)) continue;
+    check(diff.frame.test);
+    outputs.add_file(reference_of(diff, result));
+  }
   std::vector<std::string> approved;
   for (const FrameDiff& diff : result.frames) {
     if (!is_to_be_approved(diff)) continue;
-    fs::path to = diff.frame.reference;
-    if (diff.frame.is_extra())
-      to = fs::is_directory(result.test) ? result.reference / diff.frame.name : result.reference;
+    const fs::path to = reference_of(diff, result);
     if (to.has_parent_path()) fs::create_directories(to.parent_path());
-    // The picture last: whoever stops in between still finds a difference.
-    replace_or_remove(ids_path(diff.frame.test), ids_path(to));
-    replace_or_remove(draw_list_path(diff.frame.test), draw_list_path(to));
     replace(diff.frame.test, to);
     approved.push_back(name_of(diff, to));
   }

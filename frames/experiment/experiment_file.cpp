@@ -16,9 +16,11 @@ constexpr const char* kColumns =
     "contacts,"
     "rest_ms";
 
+constexpr const char* kTitle = "# kerf experiment,";
+
 /// The first line, which identifies a file's simulation and size.
 std::string title(const Simulation& simulation, const ExperimentSize& size) {
-  return "# kerf experiment, simulation " + std::to_string(simulation.number) + " (" +
+  return kTitle + std::string(" simulation ") + std::to_string(simulation.number) + " (" +
          std::string(simulation.scene) + "), steps " + std::to_string(size.steps) + ", objects " +
          std::to_string(size.objects) + ", seed " + std::to_string(size.seed);
 }
@@ -88,15 +90,18 @@ void save_run(const std::filesystem::path& folder, const Simulation& simulation,
 }
 
 std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const Simulation& simulation,
-                                      const ExperimentSize& size) {
+                                      const ExperimentSize& size, bool forget) {
   const std::filesystem::path path = run_path(folder, simulation);
   std::ifstream file(path);
   if (!file) return std::nullopt;
   std::string line;
   std::getline(file, line);
-  if (line != title(simulation, size))
-    throw UsageError(path.string() +
-                     " is of another experiment; choose another folder with --out, or remove it");
+  const bool is_of_another = line != title(simulation, size);
+  if (forget && is_of_another && line.starts_with(kTitle)) return std::nullopt;
+  if (is_of_another)
+    throw UsageError(
+        path.string() +
+        " is of another experiment; choose another folder with --out, or replace it with --overwrite");
   ExperimentRun run;
   try {
     std::getline(file, line);

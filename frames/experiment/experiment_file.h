@@ -14,9 +14,9 @@ std::filesystem::path run_path(const std::filesystem::path& folder, const Simula
 void save_run(const std::filesystem::path& folder, const Simulation& simulation, const ExperimentSize& size,
               const ExperimentRun& run);
 
-/// The saved run; none if there is no file. Throws UsageError for one of another size, and std::runtime_error
-/// for one that cannot be read: both say what to do.
+/// The saved run; none if there is no file. Throws UsageError for one of another size, unless `forget` says
+/// that it counts as none, and std::runtime_error for one that cannot be read: both say what to do.
 std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const Simulation& simulation,
-                                      const ExperimentSize& size);
+                                      const ExperimentSize& size, bool forget);
 
 }  // namespace kerf

@@ -7,7 +7,6 @@
 
 #include "frames/experiment/claims.h"
 #include "frames/experiment/experiment_file.h"
-#include "frames/support/atomic_file.h"
 
 namespace kerf {
 namespace {
@@ -101,14 +100,13 @@ void write_verdicts(std::ostream& text, const ExperimentRuns& runs) {
 
 }  // namespace
 
-void write_experiment_page(const std::filesystem::path& folder, const ExperimentSize& size,
-                           const ExperimentRuns& runs) {
+std::string experiment_page(const ExperimentSize& size, const ExperimentRuns& runs) {
   std::ostringstream text;
   write_introduction(text, size);
   for (std::size_t k = 0; k < runs.size(); ++k) write_means(text, simulations()[k], runs[k]);
   write_wrong(text, runs);
   write_verdicts(text, runs);
-  write_file_atomically(folder / "experiment.md", text.str());
+  return text.str();
 }
 
 }  // namespace kerf

@@ -96,7 +96,7 @@ std::string figure_script(const std::string& terminal, const std::filesystem::pa
                           const ExperimentRuns& runs) {
   std::ostringstream text;
   text
-      << "set terminal " << terminal << "\nset output \"" << path.string() << "\"\n"
+      << "set terminal " << terminal << "\nset output " << in_quotes(path.string()) << "\n"
       << "set linetype 1 lc rgb '#d62728'\nset linetype 2 lc rgb '#1f77b4'\nset linetype 3 lc rgb '#2ca02c'\n"
       << "set linetype 4 lc rgb '#9467bd'\nset linetype 5 lc rgb '#ff7f0e'\nset linetype 6 lc rgb '#e377c2'\n"
       << "set linetype 7 lc rgb '#7f7f7f'\nset grid lc rgb '#dddddd'\nset key outside right top\n"
@@ -112,18 +112,17 @@ std::string figure_script(const std::string& terminal, const std::filesystem::pa
 
 }  // namespace
 
-void plot_experiment(const std::filesystem::path& folder, const ExperimentRuns& runs) {
+void plot_experiment(const std::array<std::filesystem::path, 4>& files, const ExperimentRuns& runs) {
   const auto draw = [](const std::string& script) {
     if (!feed_gnuplot(script))
       throw std::runtime_error("gnuplot did not draw the figures; the simulations are kept");
   };
   for (const int figure : {12, 13}) {
-    const std::string name = "figure-" + std::to_string(figure);
     const int left = 2 * (figure - 12);
     draw(figure_script("svg size 1500,2300 dynamic background rgb 'white' font 'DejaVu Sans,13'",
-                       folder / (name + ".svg"), left, runs));
+                       files[static_cast<std::size_t>(left)], left, runs));
     draw(figure_script("pngcairo size 1500,2300 background rgb 'white' font 'DejaVu Sans,11'",
-                       folder / (name + ".png"), left, runs));
+                       files[static_cast<std::size_t>(left + 1)], left, runs));
   }
 }
 

@@ -10,8 +10,13 @@ namespace kerf {
 /// By simulation number - 1.
 using ExperimentRuns = std::array<ExperimentRun, 4>;
 
-/// Draws the paper's figures 12 (simulations 1 and 2, a column each) and 13 (3 and 4) by gnuplot, each as
-/// figure-12.svg and .png and so on. Throws std::runtime_error, saying what to do, if gnuplot fails.
-void plot_experiment(const std::filesystem::path& folder, const ExperimentRuns& runs);
+/// How the files of the figures are called.
+inline constexpr std::array<const char*, 4> kFigureNames{"figure-12.svg", "figure-12.png", "figure-13.svg",
+                                                         "figure-13.png"};
+
+/// Draws the paper's figures 12 (simulations 1 and 2, a column each) and 13 (3 and 4) by gnuplot, each as SVG
+/// and as PNG, into files in the order of `kFigureNames`. Throws std::runtime_error, saying what to do, if
+/// gnuplot fails.
+void plot_experiment(const std::array<std::filesystem::path, 4>& files, const ExperimentRuns& runs);
 
 }  // namespace kerf

@@ -25,7 +25,7 @@ bool is_ours(const Json& json) {
 
 }  // namespace
 
-CellStore::CellStore(std::filesystem::path file) : file_(std::move(file)) {
+CellStore::CellStore(std::filesystem::path file, bool forget) : file_(std::move(file)) {
   if (!std::filesystem::exists(file_)) return;
   std::ifstream stream(file_);
   const Json kept = Json::parse(stream, nullptr, false);
@@ -33,7 +33,14 @@ CellStore::CellStore(std::filesystem::path file) : file_(std::move(file)) {
     throw UsageError(file_.string() +
                      " would keep the figures, and holds something else; choose another name with --out, or "
                      "move that file away");
-  if (kept["owner"] == owner()) results_ = kept["cells"];
+  if (kept["owner"] == owner()) {
+    results_ = kept["cells"];
+  } else if (!forget) {
+    throw UsageError(
+        file_.string() +
+        " holds figures of another machine or another build of kerf; choose another name with --out, or "
+        "measure anew with --overwrite");
+  }
 }
 
 void CellStore::put(const std::string& key, Json result) {

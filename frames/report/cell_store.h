@@ -11,8 +11,9 @@ namespace kerf {
 /// ignored.
 class CellStore {
  public:
-  /// Reads the file if there is one. Throws UsageError if it is another program's, which `put` would destroy.
-  explicit CellStore(std::filesystem::path file);
+  /// Reads the file if there is one. Throws UsageError if it is another program's, which `put` would destroy,
+  /// or if it has figures of another machine or version and `forget` does not say that they may go.
+  CellStore(std::filesystem::path file, bool forget);
 
   [[nodiscard]] bool has(const std::string& key) const { return results_.contains(key); }
   /// The key must exist.

@@ -68,6 +68,7 @@ ReportRequest parse_report_request(const ReportTexts& texts, const std::vector<s
     throw UsageError("--out '" + texts.out + "': the figures are kept there; call the page something.html");
   request.hardcases = texts.hardcases;
   request.fresh = texts.fresh;
+  request.overwrite = texts.overwrite;
   return request;
 }
 

@@ -18,6 +18,7 @@ struct ReportTexts {
   std::string seeds;
   bool full = false;
   bool fresh = false;
+  bool overwrite = false;
 };
 
 /// The size and length of the measurements.
@@ -40,6 +41,7 @@ struct ReportRequest {
   std::filesystem::path kept;       ///< the figures, beside it
   std::filesystem::path hardcases;  ///< the folder of `./run hardcases`
   bool fresh = false;               ///< figures of an earlier run are discarded
+  bool overwrite = false;           ///< so are those of another machine or version, and the page is replaced
   std::string options;              ///< the options that decide what is measured, as typed
 };
 

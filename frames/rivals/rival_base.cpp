@@ -39,7 +39,7 @@ void RivalBase<D>::show(ObjectId object, const Box<D>& given) {
 template <int D>
 Status RivalBase<D>::insert(ObjectId object, const Box<D>& box, Mobility mobility) {
   const Status status = table_.insert(object, box, mobility);
-  if (status != Status::duplicate_id && status != Status::unknown_id) show(object, box);
+  if (!is_refused(status)) show(object, box);
   return status;
 }
 

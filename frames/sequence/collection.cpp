@@ -49,17 +49,6 @@ std::string ranges_of(const std::vector<std::uint32_t>& numbers) {
   return text;
 }
 
-/// Whether `path` is `folder` or lies in it; both are resolved.
-bool is_within(const std::filesystem::path& path, const std::filesystem::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
-}
-
-/// The folder's path without links, dots and a slash at the end, whether it exists or not.
-std::filesystem::path resolved(const std::filesystem::path& folder) {
-  const std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(folder));
-  return path.has_filename() ? path : path.parent_path();
-}
-
 /// A hard link, or a copy where that is impossible.
 void put(const std::filesystem::path& file, const std::filesystem::path& target) {
   std::error_code cannot_link;
@@ -67,14 +56,16 @@ void put(const std::filesystem::path& file, const std::filesystem::path& target)
   if (cannot_link) copy_file_atomically(file, target);
 }
 
-}  // namespace
-
-void check_apart(const std::filesystem::path& out, const std::vector<std::filesystem::path>& sources) {
-  for (const std::filesystem::path& source : sources)
-    if (is_within(resolved(source), resolved(out)))
-      throw UsageError("--out " + out.string() + " is or holds " + source.string() +
-                       ", which is collected; choose a folder beside it");
+void put_frames(const Collection& collection, const std::filesystem::path& folder) {
+  for (const CollectedFrame& frame : collection.frames) {
+    const std::filesystem::path to = folder / frame.record.file;
+    put(frame.path(), to);
+    for (const auto beside : {ids_path, draw_list_path})
+      if (std::filesystem::exists(beside(frame.path()))) put(beside(frame.path()), beside(to));
+  }
 }
+
+}  // namespace
 
 Collection collect(const std::vector<std::filesystem::path>& folders) {
   Collection collection;
@@ -120,20 +111,21 @@ std::string describe_gaps(const Collection& collection) {
 }
 
 void gather(const Collection& collection, const std::filesystem::path& folder, bool overwrite) {
-  const SequenceFolder target(folder, collection.manifest.name);
+  SequenceFolder target(folder, collection.manifest.name);
   target.check_free(overwrite);
   target.make();
   const FolderLock lock(folder);
-  target.clear();
-  for (const CollectedFrame& frame : collection.frames) {
-    const std::filesystem::path to = folder / frame.record.file;
-    put(frame.path(), to);
-    for (const auto beside : {ids_path, draw_list_path})
-      if (std::filesystem::exists(beside(frame.path()))) put(beside(frame.path()), beside(to));
+  target.build_apart();
+  target.make();
+  try {
+    put_frames(collection, target.path());
+    Manifest whole = collection.manifest;
+    whole.shard = {};
+    target.finish(std::move(whole));
+  } catch (...) {
+    target.give_up();
+    throw;
   }
-  Manifest whole = collection.manifest;
-  whole.shard = {};
-  save(whole, folder);
 }
 
 }  // namespace kerf

@@ -33,10 +33,6 @@ Collection collect(const std::vector<std::filesystem::path>& folders);
 /// Which frames are missing and how to make them, in a few words; empty if none are.
 std::string describe_gaps(const Collection& collection);
 
-/// Throws UsageError if `out`, from which an earlier sequence may be removed, is one of the folders to read,
-/// or holds one.
-void check_apart(const std::filesystem::path& out, const std::vector<std::filesystem::path>& sources);
-
 /// Puts all frames, the files beside them (as hard links, or copies where that is impossible) and one
 /// manifest into a folder. Throws UsageError if the folder holds a sequence and `overwrite` is false,
 /// std::runtime_error with path and reason if a file cannot be written.

@@ -28,8 +28,8 @@ void ContactStrip::offer(std::uint32_t index, const Image& image) {
   thumbs_.push_back(downscale(image, width, std::max(1, image.height * width / image.width)));
 }
 
-void ContactStrip::save(const std::filesystem::path& path) const {
-  write_png(path, contact_sheet(thumbs_, std::min(kColumns, static_cast<int>(thumbs_.size()))));
+void ContactStrip::save(const std::filesystem::path& path, Replace replace) const {
+  write_png(path, contact_sheet(thumbs_, std::min(kColumns, static_cast<int>(thumbs_.size()))), replace);
 }
 
 }  // namespace kerf

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/files/part_file.h"
 #include "viz/image/image.h"
 
 namespace kerf {
@@ -18,7 +19,7 @@ class ContactStrip {
   /// Takes a small copy of frame `index` if it is one of the chosen ones.
   void offer(std::uint32_t index, const Image& image);
   /// Throws std::runtime_error with path and reason.
-  void save(const std::filesystem::path& path) const;
+  void save(const std::filesystem::path& path, Replace replace) const;
 
  private:
   std::uint32_t frames_;

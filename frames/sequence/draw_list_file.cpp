@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "core/files/part_file.h"
 #include "frames/sequence/sidecar.h"
-#include "frames/support/atomic_file.h"
 #include "viz/image/png.h"
 
 namespace kerf {
@@ -99,8 +99,10 @@ StoredIds parse(const std::filesystem::path& path) {
 }  // namespace
 
 void write_ids(const std::filesystem::path& frame, const StoredIds& stored) {
-  write_png(ids_path(frame), stored.ids.image);
-  write_file_atomically(draw_list_path(frame), to_json(stored));
+  write_png(ids_path(frame), stored.ids.image, Replace::earlier, Sync::later);
+  PartFile list(draw_list_path(frame));
+  list.write(to_json(stored));
+  list.keep(Sync::later);
 }
 
 std::optional<StoredIds> read_ids(const std::filesystem::path& frame) {

@@ -14,7 +14,8 @@ struct StoredIds {
   std::string rasterizer;  ///< that drew the frame
 };
 
-/// Writes `frame`.ids.png and `frame`.draw.json. Throws std::runtime_error with path and reason.
+/// Writes `frame`.ids.png and `frame`.draw.json, to be brought to the disk with the frame. Throws
+/// std::runtime_error with path and reason.
 void write_ids(const std::filesystem::path& frame, const StoredIds& stored);
 
 /// None if there is neither file. Throws std::runtime_error if one is missing or cannot be read.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdio>
 #include <exception>
 #include <iterator>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 #include "core/trace/event_facts.h"
 #include "core/tree/criteria.h"
 #include "frames/sequence/farm/frame_parcel.h"
+#include "frames/sequence/part_recording.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "viz/draw/camera.h"
@@ -40,6 +42,7 @@ class SceneFilm final : public Film {
         planner_(request.layers, samples_of_renderer(request), parse_camera<D>(request.camera).framing),
         broad_phase_(watched_broad_phase(entry, request)),
         tree_(dynamic_cast<WatchedTree<D>*>(broad_phase_.get())),
+        recording_(make_recording(request)),
         recorder_(make_recorder(tree_, request)),
         scene_(
             entry.make(recorder_ ? static_cast<BroadPhase<D>&>(*recorder_) : *broad_phase_, request.options)),
@@ -86,16 +89,24 @@ class SceneFilm final : public Film {
     return record;
   }
 
-  void finish() override {
-    if (recorder_) recorder_->finish();
+  void finish(bool whole) override {
+    if (!recorder_) return;
+    recorder_->finish();
+    if (whole) return recording_->keep();
+    std::fprintf(stderr, "kerf: what was recorded is in %s\n", recording_->keep_as_far_as_it_came().c_str());
   }
 
  private:
-  static std::unique_ptr<Recorder<D>> make_recorder(WatchedTree<D>* tree, const RenderRequest& request) {
+  static std::unique_ptr<PartRecording> make_recording(const RenderRequest& request) {
     if (request.record.empty()) return nullptr;
-    const RecordingInfo info = recording_info(request);
-    clear_recording_path(request.record, request.overwrite);
-    return std::make_unique<Recorder<D>>(*tree, request.record, info);
+    static_cast<void>(recording_info(request));  // throws if there can be none
+    return std::make_unique<PartRecording>(request.record, replace_if(request.overwrite));
+  }
+
+  [[nodiscard]] std::unique_ptr<Recorder<D>> make_recorder(WatchedTree<D>* tree,
+                                                           const RenderRequest& request) const {
+    if (!recording_) return nullptr;
+    return std::make_unique<Recorder<D>>(*tree, recording_->path(), recording_info(request));
   }
 
   void advance() {
@@ -123,9 +134,10 @@ class SceneFilm final : public Film {
   std::string broad_phase_name_;
   FramePlanner<D> planner_;
   std::unique_ptr<BroadPhase<D>> broad_phase_;
-  WatchedTree<D>* tree_;                   ///< the same; null: it is no tree
-  std::unique_ptr<Recorder<D>> recorder_;  ///< null unless requested
-  std::unique_ptr<Scene<D>> scene_;        ///< after the broad phase, which it uses to its end
+  WatchedTree<D>* tree_;                      ///< the same; null: it is no tree
+  std::unique_ptr<PartRecording> recording_;  ///< none unless asked for
+  std::unique_ptr<Recorder<D>> recorder_;     ///< the same
+  std::unique_ptr<Scene<D>> scene_;           ///< after the broad phase, which it uses to its end
   std::uint32_t highlight_steps_;
   std::vector<Event> recent_;  ///< operators of the last `highlight_steps_` steps
   std::uint64_t events_since_record_ = 0;

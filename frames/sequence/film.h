@@ -29,8 +29,9 @@ class Film {
   /// The record of the present step's picture. The caller fills in `file`, `index` and `pixel_hash`. Events
   /// are those since the frame before.
   virtual FrameRecord record() = 0;
-  /// Ends the recording, if there is one. The film must not be used afterwards.
-  virtual void finish() = 0;
+  /// Ends the recording, if there is one, which has all steps if it is `whole`. The film must not be used
+  /// afterwards.
+  virtual void finish(bool whole) = 0;
 };
 
 /// Throws UsageError for a configuration that cannot work, std::runtime_error for a recording that cannot be

@@ -2,7 +2,6 @@
 
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
-#include "frames/support/output_file.h"
 #include "frames/support/parse_number.h"
 
 namespace kerf {
@@ -10,7 +9,7 @@ namespace kerf {
 FilmRequest parse_film_request(const std::string& video, const std::string& fps,
                                const std::string& contact_sheet, bool overwrite) {
   constexpr int kMostFps = 240;
-  FilmRequest request{video, contact_sheet, 25, overwrite};
+  FilmRequest request{video, contact_sheet, 25, replace_if(overwrite)};
   if (!video.empty()) Video::check_extension(video);
   if (!contact_sheet.empty() && request.contact_sheet.extension() != ".png")
     throw UsageError("--contact-sheet '" + contact_sheet + "': give the file the extension .png");
@@ -22,15 +21,14 @@ FilmRequest parse_film_request(const std::string& video, const std::string& fps,
   return request;
 }
 
-void check_free(const FilmRequest& request) {
-  check_free(request.video, request.overwrite);
-  check_free(request.contact_sheet, request.overwrite);
+void add_outputs(const FilmRequest& request, Outputs& outputs) {
+  outputs.add_file(request.video);
+  outputs.add_file(request.contact_sheet);
 }
 
 FilmFiles::FilmFiles(const FilmRequest& request, PictureSize size, std::uint32_t frames)
     : request_(request), strip_(frames) {
-  check_free(request);
-  if (!request.video.empty()) video_.emplace(request.video, size, request.fps);
+  if (!request.video.empty()) video_.emplace(request.video, size, request.fps, request.replace);
   if (request.contact_sheet.has_parent_path())
     make_writable_folder(request.contact_sheet.parent_path(), "--contact-sheet");
 }
@@ -42,7 +40,7 @@ void FilmFiles::add(std::uint32_t index, const Image& image) {
 
 void FilmFiles::finish() {
   if (video_) video_->finish();
-  if (!request_.contact_sheet.empty()) strip_.save(request_.contact_sheet);
+  if (!request_.contact_sheet.empty()) strip_.save(request_.contact_sheet, request_.replace);
 }
 
 }  // namespace kerf

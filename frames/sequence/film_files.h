@@ -6,6 +6,7 @@
 
 #include "frames/sequence/contact_strip.h"
 #include "frames/sequence/video.h"
+#include "frames/support/outputs.h"
 #include "frames/support/picture_size.h"
 
 namespace kerf {
@@ -15,7 +16,7 @@ struct FilmRequest {
   std::filesystem::path video;          ///< empty: none
   std::filesystem::path contact_sheet;  ///< empty: none
   int fps = 25;
-  bool overwrite = false;
+  Replace replace = Replace::nothing;
 
   [[nodiscard]] bool wants_any() const { return !video.empty() || !contact_sheet.empty(); }
 };
@@ -25,13 +26,13 @@ struct FilmRequest {
 FilmRequest parse_film_request(const std::string& video, const std::string& fps,
                                const std::string& contact_sheet, bool overwrite);
 
-/// Throws UsageError if one of the files exists and may not be replaced.
-void check_free(const FilmRequest& request);
+/// Throws UsageError if one of the files may not be written.
+void add_outputs(const FilmRequest& request, Outputs& outputs);
 
 /// Makes film and contact sheet from the pictures of a sequence.
 class FilmFiles {
  public:
-  /// Throws UsageError as `check_free` does, std::runtime_error if there can be no such files.
+  /// Throws std::runtime_error if there can be no such files.
   FilmFiles(const FilmRequest& request, PictureSize size, std::uint32_t frames);
 
   /// Whether `add` looks at the pixels of that frame.

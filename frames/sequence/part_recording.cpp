@@ -1,27 +1,25 @@
 #include "frames/sequence/part_recording.h"
 
-#include <system_error>
-#include <utility>
-
 #include "core/recording/schema.h"
-#include "frames/support/atomic_file.h"
 
 namespace kerf {
 
-/// A process that died may have left a part.
-PartRecording::PartRecording(std::filesystem::path final_path)
-    : final_path_(std::move(final_path)), lock_(final_path_), part_(part_path(final_path_)) {
-  remove_recording(part_);
+PartRecording::PartRecording(const std::filesystem::path& final_path, Replace replace)
+    : lock_(final_path), part_(final_path, replace) {}
+
+/// The log of an earlier recording whose writer was killed would be applied to whatever has the name.
+void PartRecording::keep() {
+  fold_log(part_.final_path());
+  part_.keep();
 }
 
-PartRecording::~PartRecording() { remove_recording(part_); }
-
-/// The earlier recording goes first, with its log: SQLite would apply the log to the new file of that name.
-void PartRecording::keep() {
-  remove_recording(final_path_);
-  std::error_code error;
-  std::filesystem::rename(part_, final_path_, error);
-  if (error) fail_to_write(final_path_, error.value());
+std::filesystem::path PartRecording::keep_as_far_as_it_came() {
+  if (std::filesystem::exists(part_.final_path())) {
+    part_.leave();
+    return part_.path();
+  }
+  keep();
+  return part_.final_path();
 }
 
 }  // namespace kerf

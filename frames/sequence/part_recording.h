@@ -2,32 +2,33 @@
 
 #include <filesystem>
 
+#include "core/files/part_file.h"
 #include "core/recording/writer_lock.h"
 
 namespace kerf {
 
-/// A recording under a temporary name beside its final one. The destructor removes it unless it was kept, so
-/// that an earlier recording of that name stays until the new one is complete.
+/// A recording that is built beside its final name (PartFile), so that an earlier one stays until the new one
+/// is complete. While it is built, and if the process is killed, `recording_at` finds it.
 class PartRecording {
  public:
-  /// Throws std::runtime_error if somebody is making a recording of that name.
-  explicit PartRecording(std::filesystem::path final_path);
-  ~PartRecording();
-  PartRecording(const PartRecording&) = delete;
-  PartRecording& operator=(const PartRecording&) = delete;
+  /// Throws std::runtime_error if somebody is making a recording of that name, and std::system_error with
+  /// path and reason.
+  PartRecording(const std::filesystem::path& final_path, Replace replace);
 
   /// Where it is written.
-  [[nodiscard]] const std::filesystem::path& path() const { return part_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return part_.path(); }
   /// Gives it its final name, in place of an earlier recording. Throws std::system_error with path and
   /// reason.
   ///
   /// Pre: the file is closed.
   void keep();
+  /// Of a run that ended early: gives it its final name if that is free, for an earlier recording that is
+  /// whole is not replaced by a part of one. Returns where it is.
+  std::filesystem::path keep_as_far_as_it_came();
 
  private:
-  std::filesystem::path final_path_;
   WriterLock lock_;  ///< of the final name: nobody else makes a recording that will have it
-  std::filesystem::path part_;
+  PartFile part_;
 };
 
 }  // namespace kerf

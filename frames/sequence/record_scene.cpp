@@ -8,9 +8,11 @@
 
 #include "core/recording/recorder.h"
 #include "core/recording/recording_reader.h"
+#include "frames/sequence/part_recording.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
+#include "frames/support/outputs.h"
 #include "frames/support/progress.h"
 
 namespace kerf {
@@ -21,14 +23,14 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 template <int D>
-void print_summary(const RenderRequest& request, double recording, double run) {
-  const RecordingReader<D> reader(request.record);
+void print_summary(const std::filesystem::path& file, double recording, double run) {
+  const RecordingReader<D> reader(file);
   const RecordingSize size = reader.size();
   const double each =
       size.changed == 0 ? 0 : static_cast<double>(size.blocks) / static_cast<double>(size.changed);
-  std::printf("%s: %u steps, %u objects, %.1f MB (%.1f of them keyframes)\n", request.record.c_str(),
-              reader.steps(), reader.steps() == 0 ? 0 : reader.rows().back().statistics.objects,
-              static_cast<double>(std::filesystem::file_size(request.record)) * 1e-6,
+  std::printf("%s: %u steps, %u objects, %.1f MB (%.1f of them keyframes)\n", file.c_str(), reader.steps(),
+              reader.steps() == 0 ? 0 : reader.rows().back().statistics.objects,
+              static_cast<double>(std::filesystem::file_size(file)) * 1e-6,
               static_cast<double>(size.keyframes) * 1e-6);
   std::printf("%.1f bytes for each of %llu boxes that changed; recording took %.1f %% of %.1f s\n", each,
               static_cast<unsigned long long>(size.changed), 100 * recording / run, run);
@@ -38,8 +40,10 @@ template <int D>
 void record(const SceneEntry<D>& entry, const RenderRequest& request) {
   const InterruptGuard interrupt;
   const auto start = std::chrono::steady_clock::now();
+  const RecordingInfo info = recording_info(request);
+  PartRecording part(request.record, replace_if(request.overwrite));
   Bsp<D, EventLog> tree(request.broad_phase.config, request.broad_phase.volume);
-  Recorder<D> recorder(tree, request.record, recording_info(request));
+  Recorder<D> recorder(tree, part.path(), info);
   const auto scene = entry.make(recorder, request.options);
   {
     Progress progress({1, request.steps.last, 1});
@@ -51,16 +55,19 @@ void record(const SceneEntry<D>& entry, const RenderRequest& request) {
   }
   recorder.finish();
   const double run = seconds_since(start);
-  print_summary<D>(request, recorder.seconds(), run);
-  if (scene->step() < request.steps.last)
+  const bool whole = scene->step() == request.steps.last;
+  if (whole) part.keep();
+  const std::filesystem::path file = whole ? request.record : part.keep_as_far_as_it_came();
+  print_summary<D>(file, recorder.seconds(), run);
+  if (!whole)
     throw Interrupted("interrupted: " + std::to_string(scene->step()) + " of " +
-                      std::to_string(request.steps.last) + " steps are in " + request.record.string());
+                      std::to_string(request.steps.last) + " steps are in " + file.string());
 }
 
 }  // namespace
 
 void record_scene(const RenderRequest& request) {
-  clear_recording_path(request.record, request.overwrite);
+  Outputs({}, request.overwrite).add_recording(request.record);
   try {
     std::visit([&](const auto* entry) { record(*entry, request); }, request.scene.entry);
   } catch (const std::invalid_argument& error) {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "core/recording/schema.h"
 #include "frames/support/errors.h"
-#include "frames/support/output_file.h"
 #include "frames/support/parse_number.h"
 
 namespace kerf {
@@ -45,34 +43,25 @@ std::string broad_phase_of(const RecordingInfo& info) {
   return std::string(tree_of(info)) + (info.imported ? ", of imported boxes" : "");
 }
 
-void check_recording_path(const std::filesystem::path& path, bool overwrite) {
-  check_free(path, overwrite);
-  if (std::filesystem::exists(path) && !is_recording(path))
-    throw UsageError(path.string() + " is no recording and is not replaced; choose another name");
-}
-
-void clear_recording_path(const std::filesystem::path& path, bool overwrite) {
-  const WriterLock nobody_else(path);
-  check_recording_path(path, overwrite);
-  if (std::filesystem::exists(path)) remove_recording(path);
-}
-
 template <int D>
 Position parse_position(const std::string& option, const std::string& text,
                         const RecordingReader<D>& recording) {
-  const bool is_event = text.starts_with("e");
-  const auto number = parse_number<std::uint64_t>(std::string_view(text).substr(is_event ? 1 : 0));
-  if (!number)
-    throw UsageError(option + " '" + text + "' is neither a step such as 17 nor an event such as e1234");
-  if (is_event) {
+  if (text.starts_with("e")) {
+    const auto number = parse_number<std::uint64_t>(std::string_view(text).substr(1));
+    if (!number) throw UsageError(option + " '" + text + "' is no event such as e1234");
     const auto step = recording.step_of(*number);
     if (!step) throw UsageError(option + " " + text + ": the recording ends before that event");
     return {*step, *number};
   }
-  if (*number > recording.steps())
-    throw UsageError(option + " " + text + ": the recording ends with step " +
-                     std::to_string(recording.steps()));
-  return Position::end_of(static_cast<std::uint32_t>(*number));
+  const GivenNames& names = recording.info().names;
+  if (!parse_step_time(text))
+    throw UsageError(option + " '" + text + "' is neither a step such as " +
+                     names.step(std::min(recording.steps(), 17U)) + " nor an event such as e1234");
+  const auto step = names.find_step(text);
+  if (!step || *step > recording.steps())
+    throw UsageError(option + " " + text + ": there is no such step; the recording goes from step " +
+                     names.step(1) + " to " + names.step(recording.steps()));
+  return Position::end_of(*step);
 }
 
 template Position parse_position<2>(const std::string&, const std::string&, const RecordingReader<2>&);

@@ -21,13 +21,6 @@ std::string_view tree_of(const RecordingInfo& info);
 /// The caption's name for the broad phase of a recording: our tree, whatever engine moved the boxes.
 std::string broad_phase_of(const RecordingInfo& info);
 
-/// Throws UsageError if the file of a new recording exists, unless `overwrite` is given and it is a
-/// recording.
-void check_recording_path(const std::filesystem::path& path, bool overwrite);
-/// Makes room for a new recording: checks the same and removes an old one of that name. Only for callers that
-/// have read everything they need; PartRecording keeps the old one until the new one is complete.
-void clear_recording_path(const std::filesystem::path& path, bool overwrite);
-
 /// Opens a recording of either dimension and calls `work` with its reader. Throws std::runtime_error as
 /// RecordingReader does.
 template <class Work>

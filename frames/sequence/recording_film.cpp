@@ -107,7 +107,7 @@ class RecordingFilm final : public Film {
     return record;
   }
 
-  void finish() override {}
+  void finish(bool /*whole*/) override {}
 
  private:
   void jump_to(std::uint32_t step) {
@@ -142,6 +142,7 @@ class RecordingFilm final : public Film {
             .pairs = row.pairs,
             .contacts = 0,
             .statistics = row.statistics,
+            .step_name = given_step_name(recording_->info().names, row.step),
             .note = {},
             .knows_contacts = false};
   }

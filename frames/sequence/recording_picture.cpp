@@ -45,8 +45,9 @@ void observe_moments_before(Cursor<D>& cursor, FramePlanner<D>& planner) {
 }
 
 /// The text for an event. In the middle of a step the pairs are those of the step before.
-std::string note_of(const Event& event) {
-  return describe(event) + (event.step > 1 ? " (pairs: of step " + std::to_string(event.step - 1) + ")" : "");
+std::string note_of(const Event& event, const GivenNames& names) {
+  return describe(event, names) +
+         (event.step > 1 ? " (pairs: of step " + names.step(event.step - 1) + ")" : "");
 }
 
 template <int D>
@@ -57,11 +58,12 @@ Caption caption_of(const Cursor<D>& cursor) {
   caption.scene = recording.info().scene;
   caption.broad_phase = broad_phase_of(recording.info());
   caption.step = cursor.position().step;
+  caption.step_name = given_step_name(recording.info().names, caption.step);
   caption.objects = objects.size();
   caption.moving = count_moving(objects);
   caption.pairs = cursor.state().pairs.size();
   if (caption.step > 0) caption.statistics = recording.row(caption.step).statistics;
-  if (const auto event = cursor.event()) caption.note = note_of(*event);
+  if (const auto event = cursor.event()) caption.note = note_of(*event, recording.info().names);
   caption.knows_contacts = false;
   return caption;
 }
@@ -87,14 +89,15 @@ const Image& render_moment(Cursor<D>& cursor, FrameRenderer<D>& renderer) {
 }
 
 template <int D>
-void draw_moment(Cursor<D>& cursor, const PictureSize& size, const std::filesystem::path& path) {
+void draw_moment(Cursor<D>& cursor, const PictureSize& size, const std::filesystem::path& path,
+                 Replace replace) {
   FrameRenderer<D> renderer({size.width, size.height, kRecordedLayers, ""});
-  write_png(path, render_moment(cursor, renderer));
+  write_png(path, render_moment(cursor, renderer), replace);
 }
 
 template const Image& render_moment<2>(Cursor<2>&, FrameRenderer<2>&);
 template const Image& render_moment<3>(Cursor<3>&, FrameRenderer<3>&);
-template void draw_moment<2>(Cursor<2>&, const PictureSize&, const std::filesystem::path&);
-template void draw_moment<3>(Cursor<3>&, const PictureSize&, const std::filesystem::path&);
+template void draw_moment<2>(Cursor<2>&, const PictureSize&, const std::filesystem::path&, Replace);
+template void draw_moment<3>(Cursor<3>&, const PictureSize&, const std::filesystem::path&, Replace);
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/files/part_file.h"
 #include "core/replay/cursor.h"
 #include "frames/support/picture_size.h"
 #include "viz/draw/frame_renderer.h"
@@ -18,6 +19,7 @@ const Image& render_moment(Cursor<D>& cursor, FrameRenderer<D>& renderer);
 
 /// Writes that picture as PNG. Throws std::runtime_error if it cannot be drawn or written.
 template <int D>
-void draw_moment(Cursor<D>& cursor, const PictureSize& size, const std::filesystem::path& path);
+void draw_moment(Cursor<D>& cursor, const PictureSize& size, const std::filesystem::path& path,
+                 Replace replace);
 
 }  // namespace kerf

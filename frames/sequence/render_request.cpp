@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/recording/unfinished.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_config.h"
@@ -117,6 +118,7 @@ void parse_pictures(const RenderTexts& texts, RenderRequest& request) {
     request.layers = parse_option("--show", [&] { return LayerSet::parse(texts.show); });
   check_camera(request.dimension(), texts.camera);
   request.camera = texts.camera;
+  request.camera_file = texts.camera_path;
   request.camera_path = read_camera_path(request.dimension(), texts.camera_path);
   request.samples = parse_samples(texts, request.size);
   if (!texts.backend.empty())
@@ -207,7 +209,7 @@ bool names_recording(const RenderTexts& texts) {
     (void)find_scene(texts.scene);
     return false;
   } catch (const UsageError&) {
-    if (std::filesystem::is_regular_file(texts.scene)) return true;
+    if (std::filesystem::is_regular_file(recording_at(texts.scene))) return true;
     // No scene has this name, so a file was meant.
     if (texts.scene.ends_with(".kerf") || texts.scene.find('/') != std::string::npos)
       throw std::runtime_error("there is no recording " + texts.scene +

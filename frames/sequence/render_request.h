@@ -74,8 +74,9 @@ struct RenderRequest {
   SceneOptions options;
   LayerSet layers = LayerSet::all();
   std::string camera;
-  std::string camera_path;  ///< the file's text; empty: the camera stands still
-  int samples = 0;          ///< of each pixel, see kSupersampled; 0: a choice
+  std::filesystem::path camera_file;  ///< empty: none
+  std::string camera_path;            ///< the file's text; empty: the camera stands still
+  int samples = 0;                    ///< of each pixel, see kSupersampled; 0: a choice
   GlBackend backend = GlBackend::any;
   BroadPhaseChoice broad_phase;
   std::filesystem::path out;

@@ -15,10 +15,10 @@
 #include "frames/sequence/film_files.h"
 #include "frames/sequence/manifest.h"
 #include "frames/sequence/sequence_folder.h"
-#include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/folder_lock.h"
 #include "frames/support/interrupt.h"
+#include "frames/support/outputs.h"
 #include "frames/support/progress.h"
 #include "viz/gl/context.h"
 
@@ -50,12 +50,13 @@ class Sequence {
       make_frames(interrupt);
       folder_.remove_parts();
       manifest_.complete = manifest_.frames.size() == manifest_.wanted_frames();
-      save(manifest_, folder_.path());
+      if (manifest_.complete) {
+        folder_.finish(manifest_);
+      } else {
+        save(manifest_, folder_.path());
+      }
     } catch (...) {
-      crew_.reset();  // frames in flight are finished first
-      folder_.remove_parts();
-      manifest_.complete = false;
-      save_what_is_there();
+      keep_what_is_there();
       throw;
     }
     if (!manifest_.complete) throw Interrupted(interruption());
@@ -74,6 +75,7 @@ class Sequence {
   KeptFrames look_into_folder() {
     if (request_.resume) return folder_.frames_of(manifest_);
     folder_.check_free(request_.overwrite);
+    folder_.build_apart_from_earlier();
     return {};
   }
 
@@ -81,15 +83,15 @@ class Sequence {
   /// it.
   void take_folder() {
     folder_.make();
-    if (!lock_) {
-      lock_ = std::make_unique<FolderLock>(folder_.path());
-      folder_.check_free(request_.overwrite || request_.resume);
-    }
-    if (!request_.resume) folder_.clear();
+    if (lock_) return;
+    lock_ = std::make_unique<FolderLock>(folder_.path());
+    folder_.check_free(request_.resume);
   }
 
   std::unique_ptr<FrameCrew> make_crew() {
-    const auto start = [request = request_] { return make_picture_maker(request); };
+    RenderRequest request = request_;
+    request.out = folder_.path();
+    const auto start = [request = std::move(request)] { return make_picture_maker(request); };
     auto deliver = [this](const FrameRecord& record, const Image& image) { finish(record, image); };
     if (request_.workers == 0) return std::make_unique<SoloCrew>(start, std::move(deliver));
     const auto most = static_cast<int>(std::min<std::uint32_t>(manifest_.wanted_frames(), kMaxWorkers));
@@ -113,7 +115,7 @@ class Sequence {
     crew_->finish();
     // A recording goes on to the last step, also when that is no frame.
     if (!request_.record.empty()) is_recorded_ = film_->advance_to(steps.last, go_on);
-    film_->finish();
+    film_->finish(is_recorded_ && !interrupt.requested());
   }
 
   FrameOrder order(std::uint32_t index) {
@@ -146,7 +148,16 @@ class Sequence {
     next_save_ = end + std::max<Clock::duration>(std::chrono::seconds(1), 50 * (end - start));
   }
 
-  /// After a failure: the user must see the first error, so errors here stay silent. On a full disk the last
+  /// After a failure: frames that are made are kept, unless they were to replace earlier ones.
+  void keep_what_is_there() noexcept {
+    crew_.reset();  // frames in flight are finished first
+    if (folder_.is_apart()) return folder_.give_up();
+    folder_.remove_parts();
+    manifest_.complete = false;
+    save_what_is_there();
+  }
+
+  /// The user must see the first error, so errors here stay silent. On a full disk the last
   /// frames make room for the manifest.
   void save_what_is_there() noexcept {
     try {
@@ -171,9 +182,12 @@ class Sequence {
   }
 
   [[nodiscard]] std::string interruption() const {
-    std::string text = "interrupted: " + std::to_string(manifest_.frames.size()) + " of " +
-                       std::to_string(manifest_.wanted_frames()) + " frames are in " +
-                       folder_.path().string() + "; the same command with --resume makes the rest";
+    std::string text =
+        "interrupted: " + std::to_string(manifest_.frames.size()) + " of " +
+        std::to_string(manifest_.wanted_frames()) + " frames are in " + folder_.path().string() + "; " +
+        (folder_.is_apart() ? "the earlier sequence is as it was; render with --resume --out " +
+                                  folder_.path().string() + " to make the rest"
+                            : "the same command with --resume makes the rest");
     if (files_.has_video()) text += "; no film was made";
     return text;
   }
@@ -191,10 +205,19 @@ class Sequence {
   std::chrono::steady_clock::time_point next_save_{};
 };
 
+void check_outputs(const RenderRequest& request) {
+  Outputs outputs(
+      {request.recording ? request.recording->path : std::filesystem::path(), request.camera_file},
+      request.overwrite);
+  outputs.add_folder(request.out);
+  outputs.add_recording(request.record);
+  add_outputs(request.film, outputs);
+}
+
 }  // namespace
 
 void render_sequence(const RenderRequest& request) {
-  check_free(request.film);
+  check_outputs(request);
   tune_allocator_for_rendering();
   const InterruptGuard interrupt;
   Sequence(request).run(interrupt);

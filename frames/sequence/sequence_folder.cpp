@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
+#include "core/files/part_file.h"
 #include "frames/catalog/scene_catalog.h"
 #include "frames/sequence/manifest.h"
 #include "frames/support/atomic_file.h"
@@ -40,7 +43,7 @@ bool is_frame(const std::string& file, const std::string& name) {
 SequenceFolder::SequenceFolder(std::filesystem::path path, std::string name)
     : path_(std::move(path)), name_(std::move(name)) {
   if (std::filesystem::exists(path_) && !std::filesystem::is_directory(path_))
-    throw UsageError(path_.string() + " is not a folder; choose another with --out");
+    throw UsageError(path_.string() + " is not a folder; choose another");
 }
 
 /// Manifest first: it must never name frames that are gone.
@@ -76,18 +79,51 @@ KeptFrames SequenceFolder::frames_of(const Manifest& manifest) const {
   return kept;
 }
 
-void SequenceFolder::make() const { make_writable_folder(path_); }
+void SequenceFolder::build_apart() { apart_ = fresh_part_name(path_ / name_); }
 
-void SequenceFolder::clear() const {
-  for (const std::filesystem::path& file : files_of_sequence()) std::filesystem::remove(file);
+void SequenceFolder::build_apart_from_earlier() {
+  if (!files_of_sequence().empty()) build_apart();
+}
+
+void SequenceFolder::make() const { make_writable_folder(path()); }
+
+void SequenceFolder::finish(Manifest manifest) {
+  sync_file_system(path());
+  if (is_apart()) put_in_place(manifest);
+  save(manifest, path_);
+}
+
+/// Frames keep their hashes in the manifest, so that one of the earlier sequence is never taken for one of
+/// the new.
+void SequenceFolder::put_in_place(const Manifest& manifest) {
+  Manifest incomplete = manifest;
+  incomplete.complete = false;
+  save(incomplete, path_);
+  const std::filesystem::path apart = std::exchange(apart_, {});  // no longer to be given up
+  std::filesystem::remove(apart / kManifestName);
+  std::set<std::string> kept{kManifestName};
+  for (const auto& entry : std::filesystem::directory_iterator(apart)) {
+    const std::string file = entry.path().filename().string();
+    std::filesystem::rename(entry.path(), path_ / file);
+    kept.insert(file);
+  }
+  for (const std::filesystem::path& file : files_of_sequence())
+    if (!kept.contains(file.filename().string())) std::filesystem::remove(file);
+  std::filesystem::remove(apart);
+}
+
+void SequenceFolder::give_up() const noexcept {
+  std::error_code ignored;
+  if (is_apart()) std::filesystem::remove_all(apart_, ignored);
 }
 
 void SequenceFolder::remove_parts() const noexcept {
   std::error_code ignored;
   std::vector<std::filesystem::path> parts;
-  for (const auto& entry : std::filesystem::directory_iterator(path_, ignored)) {
+  for (const auto& entry : std::filesystem::directory_iterator(path(), ignored)) {
     const std::string file = entry.path().filename().string();
-    if (file.starts_with(name_ + "_") && file.ends_with(".part")) parts.push_back(entry.path());
+    const bool is_ours = file.starts_with(name_ + "_") || file.starts_with(std::string(kManifestName) + ".");
+    if (is_ours && is_part_name(file) && entry.is_regular_file(ignored)) parts.push_back(entry.path());
   }
   for (const std::filesystem::path& part : parts) std::filesystem::remove(part, ignored);
 }

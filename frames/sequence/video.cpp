@@ -22,8 +22,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// What each kind of film is made with. yuv420p is what players understand; it needs even sides, so an odd
-/// side gets one more row or column.
+/// What each kind of film is made with; what the file is called while it is made does not say its kind.
+/// yuv420p is what players understand; it needs even sides, so an odd side gets one more row or column.
 struct Format {
   const char* extension;
   Words options;
@@ -36,17 +36,22 @@ const std::vector<Format>& formats() {
                           "-crf",      "20",
                           "-pix_fmt",  "yuv420p",
                           "-movflags", "+faststart"};
+  const auto h264_in = [](const char* container) {
+    Words words = h264;
+    words.insert(words.end(), {"-f", container});
+    return words;
+  };
   // Each picture has its own 256 colours: one palette for all would need all of them in memory.
   static const std::vector<Format> all{
-      {".mp4", h264},
-      {".mkv", h264},
-      {".mov", h264},
+      {".mp4", h264_in("mp4")},
+      {".mkv", h264_in("matroska")},
+      {".mov", h264_in("mov")},
       {".webm",
        {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libvpx-vp9", "-crf", "31", "-b:v", "0", "-deadline",
-        "good", "-cpu-used", "5", "-row-mt", "1", "-pix_fmt", "yuv420p"}},
+        "good", "-cpu-used", "5", "-row-mt", "1", "-pix_fmt", "yuv420p", "-f", "webm"}},
       {".gif",
        {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none", "-loop",
-        "0"}},
+        "0", "-f", "gif"}},
       {".apng", {"-c:v", "apng", "-pred", "up", "-pix_fmt", "rgb24", "-plays", "0", "-f", "apng"}},
   };
   return all;
@@ -58,14 +63,14 @@ const Format* format_of(const std::filesystem::path& path) {
   return format == formats().end() ? nullptr : &*format;
 }
 
-Words ffmpeg_arguments(const std::filesystem::path& part, PictureSize size, int rate) {
+Words ffmpeg_arguments(const PartFile& part, PictureSize size, int rate) {
   const std::string pixels = std::to_string(size.width) + "x" + std::to_string(size.height);
   Words words{"ffmpeg", "-nostdin",   "-loglevel",          "error", "-y",
               "-f",     "rawvideo",   "-pixel_format",      "rgba",  "-video_size",
               pixels,   "-framerate", std::to_string(rate), "-i",    "pipe:0"};
-  const Words& options = format_of(part)->options;
+  const Words& options = format_of(part.final_path())->options;
   words.insert(words.end(), options.begin(), options.end());
-  words.push_back("file:" + part.string());
+  words.push_back("file:" + part.path().string());
   return words;
 }
 
@@ -90,11 +95,15 @@ int spawn_ffmpeg(std::vector<std::string> arguments, int input, int log, pid_t& 
   return error;
 }
 
+std::filesystem::path in_writable_folder(const std::filesystem::path& path) {
+  make_writable_folder(path.has_parent_path() ? path.parent_path() : ".", "--video");
+  return path;
+}
+
 }  // namespace
 
-Video::Video(std::filesystem::path path, PictureSize size, int frames_per_second)
-    : path_(std::move(path)), part_(part_path(path_)) {
-  make_writable_folder(path_.has_parent_path() ? path_.parent_path() : ".", "--video");
+Video::Video(const std::filesystem::path& path, PictureSize size, int frames_per_second, Replace replace)
+    : part_(in_writable_folder(path), replace) {
   start(size, frames_per_second);
 }
 
@@ -120,7 +129,6 @@ Video::~Video() {
   if (process_ > 0) ::kill(process_, SIGKILL);
   end();
   ::close(log_);
-  if (!named_) ::unlink(part_.c_str());
 }
 
 void Video::add(std::span<const std::uint8_t> rgba) {
@@ -133,11 +141,8 @@ void Video::add(std::span<const std::uint8_t> rgba) {
 }
 
 void Video::finish() {
-  if (!end()) fail();
-  if (::rename(part_.c_str(), path_.c_str()) != 0) {
-    throw std::runtime_error("cannot write " + path_.string() + ": " + std::strerror(errno));
-  }
-  named_ = true;
+  if (!end() || has_complained()) fail();
+  part_.keep();
 }
 
 bool Video::end() {
@@ -153,8 +158,10 @@ bool Video::end() {
 
 void Video::fail() {
   end();
-  throw std::runtime_error("ffmpeg could not write " + path_.string() + ": " + last_words());
+  throw std::runtime_error("ffmpeg could not write " + part_.final_path().string() + ": " + last_words());
 }
+
+bool Video::has_complained() const { return ::lseek(log_, 0, SEEK_END) > 0; }
 
 std::string Video::last_words() const {
   std::string text(4096, '\0');

@@ -7,20 +7,21 @@
 #include <span>
 #include <string>
 
+#include "core/files/part_file.h"
 #include "frames/support/picture_size.h"
 
 namespace kerf {
 
 /// Encodes pictures to a film, of the kind that the extension says, by the program ffmpeg, fed through a
 /// pipe. The file gets its name only in `finish()`; without it nothing is left behind, and a film that had
-/// the name before is untouched.
+/// the name before is untouched (PartFile).
 ///
 /// Errors are std::runtime_error with what ffmpeg said. SIGPIPE must be ignored while one lives
 /// (InterruptGuard).
 class Video {
  public:
   /// Starts ffmpeg. Throws if it is not installed or the folder of `path` cannot be written.
-  Video(std::filesystem::path path, PictureSize size, int frames_per_second);
+  Video(const std::filesystem::path& path, PictureSize size, int frames_per_second, Replace replace);
   ~Video();
   Video(const Video&) = delete;
   Video& operator=(const Video&) = delete;
@@ -37,15 +38,15 @@ class Video {
   void start(PictureSize size, int frames_per_second);
   /// Closes the pipe and waits; true if ffmpeg was content.
   bool end();
+  /// Of a full disk ffmpeg speaks, and ends as if it were content.
+  [[nodiscard]] bool has_complained() const;
   [[noreturn]] void fail();
   [[nodiscard]] std::string last_words() const;
 
-  std::filesystem::path path_;
-  std::filesystem::path part_;
+  PartFile part_;
   pid_t process_ = -1;
   int pipe_ = -1;
   int log_ = -1;
-  bool named_ = false;
 };
 
 }  // namespace kerf

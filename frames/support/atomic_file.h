@@ -6,25 +6,23 @@
 #include <string>
 #include <string_view>
 
+#include "core/files/part_file.h"
+
 namespace kerf {
 
-/// Writes a file such that its name appears only when it is complete: first under a temporary name beside it,
-/// then renamed. Throws std::runtime_error with path and reason (disk full, no permission); then nothing is
-/// left behind and a file that had the name before is untouched.
-void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
-void write_file_atomically(const std::filesystem::path& path, std::string_view text);
+/// Writes a file as PartFile does: its name appears only when it is complete. Throws std::system_error with
+/// path and reason (disk full, no permission); then nothing is left behind and a file that had the name
+/// before is untouched.
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
+                           Replace replace = Replace::earlier);
+void write_file_atomically(const std::filesystem::path& path, std::string_view text,
+                           Replace replace = Replace::earlier);
 
 /// Writes what `from` holds, in the same way. Throws std::runtime_error also if that cannot be read.
 void copy_file_atomically(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Proves that the file could be written now; call it before long work. Throws as writing would.
 void check_writable(const std::filesystem::path& path);
-
-/// Throws the std::system_error that says so; `error` is what errno was.
-[[noreturn]] void fail_to_write(const std::filesystem::path& path, int error);
-
-/// The temporary name used for `path`: same folder, same extension, marked as a part.
-std::filesystem::path part_path(const std::filesystem::path& path);
 
 /// Creates `folder` with its parents and proves by a trial file that it can be written.
 /// Throws std::runtime_error with path, reason and the option by which another is chosen.

@@ -11,7 +11,8 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The user or the system asked the program to stop (SIGINT, SIGTERM). Everything finished so far was kept.
+/// The user or the system asked the program to stop (SIGINT, SIGTERM, SIGHUP). Everything finished so far was
+/// kept.
 class Interrupted : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

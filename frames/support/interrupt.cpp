@@ -17,6 +17,12 @@ void handle(int signal, void (*handler)(int), int flags) {
   sigaction(signal, &action, nullptr);
 }
 
+/// Who was started by nohup goes on when its terminal goes away.
+bool is_ignored(int signal) {
+  struct sigaction action = {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
@@ -24,15 +30,15 @@ InterruptGuard::InterruptGuard() {
   const int once = static_cast<int>(SA_RESETHAND | SA_RESTART);
   handle(SIGINT, note_interrupt, once);
   handle(SIGTERM, note_interrupt, once);
+  if (!is_ignored(SIGHUP)) handle(SIGHUP, note_interrupt, once);
   handle(SIGPIPE, SIG_IGN, 0);
-  handle(SIGXFSZ, SIG_IGN, 0);
 }
 
 InterruptGuard::~InterruptGuard() {
   handle(SIGINT, SIG_DFL, 0);
   handle(SIGTERM, SIG_DFL, 0);
+  if (!is_ignored(SIGHUP)) handle(SIGHUP, SIG_DFL, 0);
   handle(SIGPIPE, SIG_DFL, 0);
-  handle(SIGXFSZ, SIG_DFL, 0);
 }
 
 bool InterruptGuard::requested() const { return interrupted != 0; }

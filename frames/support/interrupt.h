@@ -2,9 +2,10 @@
 
 namespace kerf {
 
-/// While it lives, the first SIGINT or SIGTERM only sets a flag, so that the work at hand ends in order; the
-/// second one kills as usual. SIGPIPE and SIGXFSZ are ignored, so that a closed pipe and a file that grew too
-/// large are errors that can be reported. One at a time may live, as signal handlers belong to the process.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP only sets a flag, so that the work at hand ends in
+/// order; the second one kills as usual. SIGPIPE is ignored, so that a closed pipe is an error that can be
+/// reported. One at a time may live, as signal handlers belong to
+/// the process.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -8,8 +8,8 @@
 
 namespace kerf {
 
-ScratchFolder::ScratchFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "kerf-XXXXXX").string();
+ScratchFolder::ScratchFolder(const std::filesystem::path& parent) {
+  std::string name = (parent / "kerf-XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr)
     throw std::runtime_error("cannot make the folder " + name + ": " +
                              std::generic_category().message(errno));

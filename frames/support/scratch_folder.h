@@ -4,11 +4,11 @@
 
 namespace kerf {
 
-/// A new folder below the system's temporary one, which goes away with the object.
+/// A new folder, which goes away with the object.
 class ScratchFolder {
  public:
   /// Throws std::runtime_error if it cannot be made.
-  ScratchFolder();
+  explicit ScratchFolder(const std::filesystem::path& parent = std::filesystem::temp_directory_path());
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;

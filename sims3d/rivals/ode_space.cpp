@@ -99,7 +99,7 @@ void OdeSpace::place(ObjectId object, const Box<3>& given) {
 
 Status OdeSpace::insert(ObjectId object, const Box<3>& box, Mobility mobility) {
   const Status status = objects_.insert(object, box, mobility);
-  if (status != Status::duplicate_id && status != Status::unknown_id) place(object, box);
+  if (!is_refused(status)) place(object, box);
   return status;
 }
 

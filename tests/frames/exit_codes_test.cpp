@@ -142,7 +142,7 @@ TEST_F(ExitCodes, EveryCommandHasItsCodes) {
   for (const Case& each : kCases) {
     const Outcome outcome = run(each.line);
     EXPECT_EQ(outcome.exit, each.exit) << each.line << "\n" << outcome.err;
-    if (each.exit != 0) EXPECT_NE(outcome.err, "") << each.line;
+    EXPECT_EQ(outcome.err.empty(), each.exit == 0) << each.line;
   }
 }
 

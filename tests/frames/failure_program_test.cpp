@@ -68,9 +68,11 @@ TEST_P(FailureProgram, SignalLeavesAValidPart) {
   EXPECT_GE(testing::read_json(folder.path() / "frames" / "frames.json")["frames"].size(), 4U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Signals, FailureProgram, ::testing::Values(SIGINT, SIGTERM),
+INSTANTIATE_TEST_SUITE_P(Signals, FailureProgram, ::testing::Values(SIGINT, SIGTERM, SIGHUP),
                          [](const ::testing::TestParamInfo<int>& signal) {
-                           return signal.param == SIGINT ? "Interrupt" : "Terminate";
+                           return signal.param == SIGINT    ? "Interrupt"
+                                  : signal.param == SIGTERM ? "Terminate"
+                                                            : "HangUp";
                          });
 
 /// The processes that a program has forked.

@@ -13,7 +13,7 @@ void add_moment(Facts& facts, const Run& run) {
   facts["step"] = std::to_string(run.position().step);
   const auto event = run.event();
   facts["event"] = event ? "e" + std::to_string(event->id) : "none";
-  facts["deed"] = event ? describe(*event) : "none";
+  facts["deed"] = event ? describe(*event, run.names()) : "none";
   facts["state"] = to_hex(run.state_hash());
   facts["steps"] = std::to_string(run.steps());
   facts["pairs"] = std::to_string(run.pairs().size());
@@ -69,7 +69,7 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["other_tint_end"] = other_view_ ? number_text(other_view_->counts().tint_end) : "none";
   add_stops(facts, model_);
   add_other(facts, model_);
-  facts["selection"] = to_string(model_.selection());
+  facts["selection"] = to_string(model_.selection(), model_.run().names());
   facts["playing"] = model_.playing ? "yes" : "no";
   facts["bookmarks"] = std::to_string(model_.bookmarks().size());
   facts["hidden"] = std::to_string(model_.view.hidden_nodes.size() + model_.view.hidden_objects.size());

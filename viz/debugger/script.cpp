@@ -131,7 +131,7 @@ std::vector<ScriptLine> parse_script(std::string_view text) {
   return lines;
 }
 
-ScriptPlayer::ScriptPlayer(Debugger& debugger, int width, int height, std::filesystem::path folder,
+ScriptPlayer::ScriptPlayer(Debugger& debugger, int width, int height, PictureFolder folder,
                            std::function<void()> present)
     : debugger_(debugger),
       width_(width),
@@ -257,8 +257,10 @@ void ScriptPlayer::press(const ScriptLine& line, const std::string& text) {
 /// A picture shows the state after everything that was done has been drawn.
 void ScriptPlayer::take_picture(const std::string& name) {
   frames(2);
-  std::filesystem::create_directories(folder_);
-  write_png(folder_ / (name + ".png"), debugger_.picture());
+  const bool is_first = taken_.insert(name).second;
+  std::filesystem::create_directories(folder_.path);
+  write_png(folder_.path / (name + ".png"), debugger_.picture(),
+            is_first ? folder_.replace : Replace::earlier);
 }
 
 std::string ScriptPlayer::fact(const ScriptLine& line, const std::string& name) {

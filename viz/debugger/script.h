@@ -3,11 +3,13 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/files/part_file.h"
 #include "viz/debugger/debugger.h"
 
 namespace kerf {
@@ -33,12 +35,18 @@ struct ScriptLine {
 /// Lines without comments and empty ones. Throws ScriptError.
 std::vector<ScriptLine> parse_script(std::string_view text);
 
+/// Where pictures go, and whether they replace earlier ones.
+struct PictureFolder {
+  std::filesystem::path path;
+  Replace replace = Replace::nothing;
+};
+
 /// Does with a debugger what a user would, line by line. docs/DEBUGGING.md has the commands.
 class ScriptPlayer {
  public:
-  /// Pictures go into `folder`, which is made when the first is taken. `present` is called after each frame,
-  /// for whoever shows it.
-  ScriptPlayer(Debugger& debugger, int width, int height, std::filesystem::path folder,
+  /// The folder is made when the first picture is taken; one that a script takes twice replaces the first.
+  /// `present` is called after each frame, for whoever shows it.
+  ScriptPlayer(Debugger& debugger, int width, int height, PictureFolder folder,
                std::function<void()> present = {});
 
   /// Throws ScriptError, or std::runtime_error if a picture cannot be written.
@@ -63,7 +71,8 @@ class ScriptPlayer {
   Debugger& debugger_;
   int width_;
   int height_;
-  std::filesystem::path folder_;
+  PictureFolder folder_;
+  std::set<std::string> taken_;
   std::function<void()> present_;
   DebuggerInput input_;
   std::map<std::string, std::string> remembered_;

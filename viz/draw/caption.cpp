@@ -36,7 +36,7 @@ std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree,
                                        std::optional<std::uint32_t> outside) {
   std::vector<CaptionItem> items{{"scene", caption.scene},
                                  {"broad phase", caption.broad_phase},
-                                 {"step", number(caption.step, 5)},
+                                 {"step", caption.step_name.empty() ? number(caption.step, 5) : caption.step_name},
                                  {"objects", number(caption.objects, 5)},
                                  {"moving", number(caption.moving, 5)},
                                  {"pairs", number(caption.pairs, 5)}};

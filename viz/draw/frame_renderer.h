@@ -30,7 +30,8 @@ struct Caption {
   std::uint64_t pairs = 0;
   std::uint64_t contacts = 0;
   Statistics statistics;
-  std::string note{};  ///< free text, one line, may be empty
+  std::string step_name{};  ///< what an import calls the step; empty: its number
+  std::string note{};       ///< free text, one line, may be empty
   bool knows_contacts = true;
 };
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/files/part_file.h"
 #include "viz/image/image.h"
 
 namespace kerf {
@@ -13,9 +14,10 @@ namespace kerf {
 inline constexpr int kMaxImageSide = 16384;
 
 /// Writes a PNG, without an alpha channel if the image is opaque. The file appears under its name only when
-/// it is complete: it is written beside it, flushed, checked and renamed. Throws std::runtime_error with the
-/// path and the reason; nothing is left behind then.
-void write_png(const std::filesystem::path& path, const Image& image);
+/// it is complete (PartFile). Throws std::runtime_error with the path and the reason; nothing is left behind
+/// then.
+void write_png(const std::filesystem::path& path, const Image& image, Replace replace = Replace::earlier,
+               Sync sync = Sync::now);
 
 /// The bytes of that file.
 std::vector<std::uint8_t> encode_png(const Image& image);

@@ -1,11 +1,8 @@
 #include <isa-l/igzip_lib.h>
 #include <libdeflate.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <span>
@@ -20,14 +17,6 @@
 
 namespace kerf {
 namespace {
-
-[[noreturn]] void fail_writing(const std::filesystem::path& path, const std::string& reason) {
-  throw std::runtime_error("cannot write " + path.string() + ": " + reason);
-}
-
-[[noreturn]] void fail_with_errno(const std::filesystem::path& path, int error) {
-  fail_writing(path, std::generic_category().message(error));
-}
 
 bool is_opaque(const Image& image) {
   std::uint32_t all = UINT32_MAX;
@@ -105,17 +94,6 @@ void append_chunk(std::vector<std::uint8_t>& out, std::string_view type, std::sp
   append_u32(out, libdeflate_crc32(0, out.data() + start, out.size() - start));
 }
 
-/// Writes, flushes and closes; returns 0 or the errno of the first failure.
-int write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) return errno;
-  int error = 0;
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) error = errno;
-  if (std::fflush(file) != 0 && error == 0) error = errno;
-  if (std::fclose(file) != 0 && error == 0) error = errno;
-  return error;
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image) {
@@ -135,22 +113,19 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
   return file;
 }
 
-void write_png(const std::filesystem::path& path, const Image& image) {
+void write_png(const std::filesystem::path& path, const Image& image, Replace replace, Sync sync) {
   if (image.width < 1 || image.height < 1 || image.width > kMaxImageSide || image.height > kMaxImageSide ||
       image.rgba.size() != image.stride() * static_cast<std::size_t>(image.height)) {
-    fail_writing(path, "an image of " + std::to_string(image.width) + "x" + std::to_string(image.height) +
-                           " pixels and " + std::to_string(image.rgba.size()) + " bytes is none");
+    throw std::runtime_error("cannot write " + path.string() + ": an image of " +
+                             std::to_string(image.width) + "x" + std::to_string(image.height) +
+                             " pixels and " + std::to_string(image.rgba.size()) + " bytes is none");
   }
   std::error_code ignored;
   if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
-    fail_writing(path, "it exists and is not a file");
-  std::filesystem::path part = path;
-  part += "." + std::to_string(getpid()) + ".part";
-  int error = write_whole_file(part, encode_png(image));
-  if (error == 0 && std::rename(part.c_str(), path.c_str()) != 0) error = errno;
-  if (error == 0) return;
-  std::filesystem::remove(part, ignored);
-  fail_with_errno(path, error);
+    throw std::runtime_error("cannot write " + path.string() + ": it exists and is not a file");
+  PartFile part(path, replace);
+  part.write(encode_png(image));
+  part.keep(sync);
 }
 
 std::uint64_t pixel_hash(const Image& image) {

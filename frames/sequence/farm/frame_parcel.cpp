@@ -99,6 +99,7 @@ std::vector<Body<D>> read_bodies(RawReader& in) {
 void write(RawWriter& out, const Caption& caption) {
   out.put_text(caption.scene);
   out.put_text(caption.broad_phase);
+  out.put_text(caption.step_name);
   out.put_text(caption.note);
   out.put(caption.step);
   out.put(caption.objects);
@@ -113,6 +114,7 @@ Caption read_caption(RawReader& in) {
   Caption caption;
   caption.scene = in.get_text();
   caption.broad_phase = in.get_text();
+  caption.step_name = in.get_text();
   caption.note = in.get_text();
   caption.step = in.get<std::uint32_t>();
   caption.objects = in.get<std::uint32_t>();

@@ -40,7 +40,7 @@ class PictureMaker final : public FrameMaker {
     const FrameParcel<D> frame = unpack<D>(parcel);
     const Image& drawn = renderer_.render(frame.input(), frame.plan);
     const Image& image = in_size(drawn);
-    write_png(path, image);
+    write_png(path, image, Replace::earlier, Sync::later);  // SequenceFolder syncs them all
     if (wants_ids_) write_ids(path, {renderer_.ids(), renderer_.rasterizer()});
     return {pixel_hash(image), &image};
   }

@@ -26,7 +26,7 @@ class Told final : public Moment {
   }
   [[nodiscard]] double median(Variable variable) const override { return number(variable) / 4; }
   [[nodiscard]] bool happens(const ExpressionPart& part) const override {
-    return part.a == 12 && std::ranges::find(happening, part.happening) != happening.end();
+    return part.a == GivenId::of(12) && std::ranges::find(happening, part.happening) != happening.end();
   }
 };
 
@@ -101,7 +101,9 @@ TEST(Expression, ThingsHappenToPairsPlanesNodesAndObjects) {
   EXPECT_TRUE(is_true("plane(n12) moves", moment));
   EXPECT_TRUE(is_true("plane(12) moves && !node(n12)", moment));
   EXPECT_FALSE(is_true("plane(n13) moves", moment));
-  EXPECT_EQ(Expression::parse("pair(12,77) leaves").root().b, 77U);
+  EXPECT_EQ(Expression::parse("pair(12,77) leaves").root().b, GivenId::of(77));
+  EXPECT_EQ(Expression::parse("pair(-12034,18446744073709551615)").root().a, (GivenId{true, 12034}));
+  EXPECT_EQ(Expression::parse("pair(-12034,18446744073709551615)").root().b, (GivenId{false, UINT64_MAX}));
 }
 
 TEST(Expression, KnowsWhatItNeeds) {
@@ -125,13 +127,13 @@ TEST(Expression, MistakesAreShownAtTheirPlace) {
   EXPECT_THAT(refusal("depth>8)"), HasSubstr("an operator such as &&"));
   EXPECT_THAT(refusal("(depth>8"), HasSubstr("')' was expected"));
   EXPECT_THAT(refusal("pair(1) enters"), HasSubstr("',' was expected"));
-  EXPECT_THAT(refusal("pair(a,b)"), HasSubstr("a number such as 17"));
+  EXPECT_THAT(refusal("pair(a,b)"), HasSubstr("the number of an object, such as 17"));
   EXPECT_THAT(refusal("plane(n17)"), HasSubstr("moves was expected"));
   EXPECT_THAT(refusal("thing(17)"), HasSubstr("'thing' is not known"));
   EXPECT_THAT(refusal("depth+8"), HasSubstr("not a condition"));
   EXPECT_THAT(refusal("depth @ 8"), HasSubstr("means nothing here"));
   EXPECT_THAT(refusal("median(depth)>1"), HasSubstr("has a median"));
-  EXPECT_THAT(refusal("pair(99999999999,1)"), HasSubstr("a number such as 17"));
+  EXPECT_THAT(refusal("pair(18446744073709551616,1)"), HasSubstr("the number of an object, such as 17"));
   EXPECT_THAT(refusal(""), HasSubstr("was expected"));
   EXPECT_THAT(refusal(std::string(5000, '(')), HasSubstr("nested too deeply"));
   EXPECT_THAT(refusal(std::string(5000, '!')), HasSubstr("nested too deeply"));

@@ -130,10 +130,11 @@ TYPED_TEST(SearchTest, TheOracleFindsNothingMissedAndWhatIsPlantedInAnImport) {
   EXPECT_TRUE(this->find_all("missed>0 || extra>0 || twice>0").empty());
   this->recording_.reset();
   this->file_.change(
-      "INSERT INTO their_steps VALUES(17, 5, 1, 0, 2); UPDATE meta SET value='1' WHERE key='imported'");
+      "INSERT INTO their_steps VALUES(17, 5, 1, 0, 2, 3); UPDATE meta SET value='1' WHERE key='imported'");
   this->recording_ = std::make_shared<RecordingReader<kD>>(this->file_.path());
   EXPECT_EQ(this->find_all("missed>0"), std::vector{Position::end_of(17)});
   EXPECT_EQ(this->find_all("twice==2"), std::vector{Position::end_of(17)});
+  EXPECT_EQ(this->find_all("ignored==3"), std::vector{Position::end_of(17)});
   EXPECT_TRUE(this->find_all("extra>0").empty());
 }
 

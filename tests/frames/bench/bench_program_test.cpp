@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "core/files/part_file.h"
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
@@ -90,7 +91,12 @@ TEST(BenchProgram, KeepsWhatWasMeasuredWhenInterrupted) {
       kerf_command({"bench", "--scenes", "uniform,brownian", "--dims", "2", "--objects", "100,2000000",
                     "--algorithms", "kerf", "--rounds", "1", "--json", file.string()}));
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!std::filesystem::exists(file) && std::chrono::steady_clock::now() < give_up)
+  const auto is_saved = [&] {
+    const auto parts = parts_of(file);
+    std::error_code none;
+    return !parts.empty() && std::filesystem::file_size(parts.front(), none) > 0 && !none;
+  };
+  while (!is_saved() && std::chrono::steady_clock::now() < give_up)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   process.signal(SIGINT);
   const Outcome outcome = process.wait();
@@ -98,6 +104,7 @@ TEST(BenchProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const auto json = read_json(file);
   EXPECT_FALSE(json["complete"]);
   EXPECT_GE(json["results"].size(), 2U);
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"bench.json"});
 }
 
 TEST(BenchProgram, SaysWhyAFileCannotBeWritten) {

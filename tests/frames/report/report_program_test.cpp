@@ -95,9 +95,10 @@ TEST(ReportProgram, DoesNotMeasureAgainWhatIsKept) {
   auto figures = read_json(kept);
   for (auto& cell : figures["cells"]) cell[0]["contacts"] = 987654321;
   std::ofstream(kept) << figures;
-  ASSERT_EQ(run_small_report(page, {"volumes"}).exit, kExitHolds);
+  EXPECT_EQ(run_small_report(page, {"volumes"}).exit, kExitUnusable) << "the page is there";
+  ASSERT_EQ(run_small_report(page, {"volumes", "--overwrite"}).exit, kExitHolds);
   EXPECT_THAT(read_text(page), HasSubstr("987654321"));
-  ASSERT_EQ(run_small_report(page, {"volumes", "--fresh"}).exit, kExitHolds);
+  ASSERT_EQ(run_small_report(page, {"volumes", "--fresh", "--overwrite"}).exit, kExitHolds);
   EXPECT_THAT(read_text(page), Not(HasSubstr("987654321")));
 }
 
@@ -105,9 +106,12 @@ TEST(ReportProgram, TakesNothingOverFromAnotherMachine) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "page.html").string();
   std::ofstream(folder.path() / "page.json") << R"({"owner": "somebody else", "cells": {"a": 1}})";
-  ASSERT_EQ(run_small_report(page, {"hardcases"}).exit, kExitHolds);
+  const Outcome refused = run_small_report(page, {"hardcases"});
+  EXPECT_EQ(refused.exit, kExitUnusable);
+  EXPECT_THAT(refused.err, HasSubstr("another machine"));
+  ASSERT_EQ(run_small_report(page, {"hardcases", "--overwrite"}).exit, kExitHolds);
   EXPECT_THAT(read_text(page), HasSubstr("./run hardcases")) << "says how to make the table";
-  ASSERT_EQ(run_small_report(page, {"volumes"}).exit, kExitHolds);
+  ASSERT_EQ(run_small_report(page, {"volumes", "--overwrite"}).exit, kExitHolds);
   EXPECT_FALSE(read_json(folder.path() / "page.json")["cells"].contains("a"));
 }
 

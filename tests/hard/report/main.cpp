@@ -1,6 +1,6 @@
 // The table of the hard cases: ours with each volume and the rivals, each trial in a process of its own.
-// usage: kerf_hardcases [FOLDER [CASE]]; CASE is a part of "V4_PointsAndFlatPlates", or "volumes" for their
-// table alone.
+// usage: kerf_hardcases [--overwrite] [FOLDER [CASE]]; CASE is a part of "V4_PointsAndFlatPlates", or
+// "volumes" for their table alone.
 
 #include <algorithm>
 #include <cstdio>
@@ -9,8 +9,10 @@
 #include <future>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "frames/support/atomic_file.h"
+#include "frames/support/outputs.h"
 #include "tests/hard/report/output.h"
 #include "tests/hard/report/picture.h"
 #include "viz/image/png.h"
@@ -81,7 +83,11 @@ void report_volumes(const std::filesystem::path& folder, Faults& faults) {
     if (figure.missed > 0) ++faults.wrong;
 }
 
-int report(const std::filesystem::path& folder, std::string_view only) {
+int report(const std::filesystem::path& folder, std::string_view only, bool overwrite) {
+  Outputs outputs({}, overwrite);
+  outputs.add_folder(folder);
+  for (const char* const file : {"hardcases.json", "hardcases.png", "volumes.json"})
+    outputs.add_file(folder / file);
   make_writable_folder(folder);
   Faults faults;
   if (only != kVolumes && !report_cases(folder, only, faults)) {
@@ -96,8 +102,12 @@ int report(const std::filesystem::path& folder, std::string_view only) {
 }  // namespace
 
 int main(int count, char** arguments) {
+  std::vector<std::string> words(arguments + 1, arguments + count);
+  const bool overwrite = !words.empty() && words.front() == "--overwrite";
+  if (overwrite) words.erase(words.begin());
+  words.resize(2);
   try {
-    return report(count > 1 ? arguments[1] : "out/hardcases", count > 2 ? arguments[2] : "");
+    return report(words[0].empty() ? "out/hardcases" : words[0], words[1], overwrite);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "kerf_hardcases: %s\n", error.what());
     return 1;

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
@@ -49,9 +50,7 @@ class ImportedRun : public testing::Test {
     test::play_crowd<kD>(recorder, kSteps, 3, [&](std::uint32_t step) {
       const std::vector<Pair> truth = oracle_pairs(tree.objects());
       const std::vector<Pair> theirs = told(truth, step);
-      const PairJudgement judgement = judge_pairs(theirs, truth);
-      recorder.add_theirs(
-          theirs, {theirs.size(), judgement.missed.size(), judgement.extra.size(), judgement.twice.size()});
+      recorder.add_theirs(theirs, judge_theirs<kD>(theirs, truth, tree.objects(), TheirWorld<kD>(), {}));
     });
     recorder.finish();
     model_ = std::make_unique<DebuggerModel>(open_run(file_.path()));

@@ -67,6 +67,7 @@ class Run {
   [[nodiscard]] virtual const RecordingInfo& info() const = 0;
   /// One row for each step, the first being step 1.
   [[nodiscard]] virtual std::span<const StepRow> rows() const = 0;
+  [[nodiscard]] const GivenNames& names() const { return info().names; }
   [[nodiscard]] std::uint32_t steps() const { return static_cast<std::uint32_t>(rows().size()); }
 
   [[nodiscard]] virtual const Position& position() const = 0;

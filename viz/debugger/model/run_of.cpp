@@ -129,9 +129,9 @@ std::string RunOf<D>::explain(const Selection& selection) {
   return std::visit(
       Overloaded{
           [](std::monostate) { return std::string(); },
-          [&](NodeId node) { return to_text(kerf::explain_node(cursor_.replayer(), step, node)); },
+          [&](NodeId node) { return to_text(kerf::explain_node(cursor_.replayer(), step, node), names()); },
           [&](ObjectId object) { return explain_object(object); },
-          [&](const Pair& pair) { return to_text(kerf::explain_pair(cursor_.replayer(), step, pair)); },
+          [&](const Pair& pair) { return to_text(kerf::explain_pair(cursor_.replayer(), step, pair), names()); },
       },
       selection);
 }
@@ -139,7 +139,7 @@ std::string RunOf<D>::explain(const Selection& selection) {
 template <int D>
 std::string RunOf<D>::explain_object(ObjectId object) const {
   const ObjectTable<D>& table = state().latest;
-  std::string text = "object " + std::to_string(object.value);
+  std::string text = "object " + names().object(object);
   if (table.state(object) == ObjectState::absent) return text + " is not there\n";
   if (table.state(object) == ObjectState::quarantined)
     return text + " has a box that cannot be placed: it is in quarantine\n";
@@ -148,15 +148,15 @@ std::string RunOf<D>::explain_object(ObjectId object) const {
   for (const NodeId leaf : leaves_of(object)) text += " " + node_text(leaf);
   text += "\nits pairs:";
   for (const Pair& pair : pairs()) {
-    if (pair.a == object) text += " " + std::to_string(pair.b.value);
-    if (pair.b == object) text += " " + std::to_string(pair.a.value);
+    if (pair.a == object) text += " " + names().object(pair.b);
+    if (pair.b == object) text += " " + names().object(pair.a);
   }
   return text + "\n";
 }
 
 template <int D>
 std::string RunOf<D>::explain_event(std::uint64_t event) {
-  return to_text(kerf::explain_event(cursor_.replayer(), event));
+  return to_text(kerf::explain_event(cursor_.replayer(), event), names());
 }
 
 template <int D>
@@ -241,12 +241,15 @@ template <int D>
 const PairJudgement& RunOf<D>::judgement() {
   if (judgement_) return *judgement_;
   const std::uint32_t step = position().step;
+  if (const auto theirs = step > 0 ? recording_->their_step(step) : std::nullopt) {
+    judged_pairs_ = theirs->pairs;
+    judgement_ = by_verdict(recording_->judged_pairs(step));
+    return *judgement_;
+  }
   cursor_.replayer().seek(step);
   const auto& tree = cursor_.replayer().tree();
-  std::vector<Pair> told(tree.pairs().begin(), tree.pairs().end());
-  if (step > 0 && recording_->their_step(step)) told = recording_->their_pairs(step);
-  judged_pairs_ = told.size();
-  judgement_ = judge_pairs(told, oracle_pairs(tree.objects()));
+  judged_pairs_ = tree.pairs().size();
+  judgement_ = judge_pairs(tree.pairs(), oracle_pairs(tree.objects()));
   return *judgement_;
 }
 

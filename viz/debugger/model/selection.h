@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "core/base/given_names.h"
 #include "core/base/ids.h"
 #include "core/base/overloaded.h"
 
@@ -13,13 +14,12 @@ namespace kerf {
 using Selection = std::variant<std::monostate, NodeId, ObjectId, Pair>;
 
 /// "n17", "object 5", "pair 12,77" or "nothing": the same words in every panel and in scripts.
-inline std::string to_string(const Selection& selection) {
-  const auto number = [](auto id) { return std::to_string(id.value); };
+inline std::string to_string(const Selection& selection, const GivenNames& names = {}) {
   return std::visit(Overloaded{
                         [](std::monostate) { return std::string("nothing"); },
-                        [&](NodeId node) { return "n" + number(node); },
-                        [&](ObjectId object) { return "object " + number(object); },
-                        [&](const Pair& pair) { return "pair " + number(pair.a) + "," + number(pair.b); },
+                        [](NodeId node) { return "n" + std::to_string(node.value); },
+                        [&](ObjectId object) { return "object " + names.object(object); },
+                        [&](const Pair& pair) { return "pair " + names.pair(pair); },
                     },
                     selection);
 }

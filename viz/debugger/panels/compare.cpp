@@ -52,20 +52,23 @@ void draw_difference(PanelContext& context, const char* what, const std::optiona
   if (!step) return ImGui::TextDisabled("%s are the same", what);
   ImGui::Text("%s differ first in", what);
   ImGui::SameLine();
-  const std::string label = "step " + std::to_string(*step) + "##" + what;
+  const std::string label = "step " + context.model.run().names().step(*step) + "##" + what;
   const bool pressed = ImGui::SmallButton(label.c_str());
   context.gui.name_last_item(std::string("first different ") + what, label);
   if (pressed) context.model.go(Position::end_of(*step));
 }
 
-std::string text_of(const std::optional<Event>& event) { return event ? describe(*event) : "nothing more"; }
+std::string text_of(const std::optional<Event>& event, const GivenNames& names) {
+  return event ? describe(*event, names) : "nothing more";
+}
 
 void draw_difference(PanelContext& context, const char* what,
                      const std::optional<EventDifference>& difference) {
   draw_difference(context, what, difference ? std::optional(difference->step) : std::nullopt);
   if (!difference) return;
-  widgets::wrapped_text("  this: " + text_of(difference->a));
-  widgets::wrapped_text("  other: " + text_of(difference->b));
+  const GivenNames& names = context.model.run().names();
+  widgets::wrapped_text("  this: " + text_of(difference->a, names));
+  widgets::wrapped_text("  other: " + text_of(difference->b, names));
 }
 
 /// An operator that is the first different event, too, is not told twice.
@@ -83,7 +86,7 @@ void draw_other_moment(DebuggerModel& model) {
   const Run& other = *model.other();
   const auto event = other.event();
   const std::string moment =
-      event ? describe(*event) : "end of step " + std::to_string(other.position().step);
+      event ? describe(*event, other.names()) : "end of step " + other.names().step(other.position().step);
   const bool same = model.match() == Counterpart::Match::same;
   const char* const match = same                                             ? "the same"
                             : model.match() == Counterpart::Match::different ? "the same with another outcome"
@@ -119,6 +122,11 @@ void draw_compare(PanelContext& context) {
   draw_operators(context, comparison);
   draw_difference(context, "trees", comparison.state);
   draw_difference(context, "pairs", comparison.pairs);
+  if (model.run().info().imported) {
+    draw_difference(context, "their pairs",
+                    comparison.theirs ? std::optional(comparison.theirs->step) : std::nullopt);
+    draw_difference(context, "verdicts", comparison.verdicts);
+  }
   draw_figures(comparison.a, comparison.b);
 }
 

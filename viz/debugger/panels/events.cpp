@@ -25,9 +25,9 @@ Color color_of_event(const Event& event) {
 }
 
 /// "split n5: 65 -> 65 (33 | 34)" without id and step, which have columns of their own.
-std::string deed_text(const Event& event) {
-  const std::string text = describe(event);
-  const std::string front = "e" + std::to_string(event.id) + " step " + std::to_string(event.step) + " ";
+std::string deed_text(const Event& event, const GivenNames& names) {
+  const std::string text = describe(event, names);
+  const std::string front = "e" + std::to_string(event.id) + " step " + names.step(event.step) + " ";
   return text.substr(std::min(front.size(), text.size()));
 }
 
@@ -44,7 +44,8 @@ void draw_event_row(PanelContext& context, const Event& event) {
   ImGui::PushStyleColor(ImGuiCol_Text, widgets::to_vector(color_of_event(event)));
   std::string text = id;
   text.resize(std::max<std::size_t>(text.size() + 1, 8), ' ');
-  const bool pressed = widgets::row(context.gui, text + deed_text(event), id, is_now);
+  const bool pressed =
+      widgets::row(context.gui, text + deed_text(event, context.model.run().names()), id, is_now);
   ImGui::PopStyleColor();
   if (pressed) context.model.go({event.step, event.id});
 }
@@ -63,7 +64,7 @@ void follow(PanelContext& context, const std::vector<const Event*>& events, floa
 /// Which events these are, in as many words as there is room for left of `end`.
 void draw_heading(PanelContext& context, std::size_t listed, float end) {
   const Run& run = context.model.run();
-  const std::string step = std::to_string(run.position().step);
+  const std::string step = run.names().step(run.position().step);
   std::string title = "Events of step " + step;
   std::string count = std::to_string(listed) + " of " + std::to_string(run.events_of_step().size());
   const float room = end - ImGui::GetCursorPosX() - 2 * ImGui::GetStyle().ItemSpacing.x;

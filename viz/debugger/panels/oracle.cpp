@@ -14,7 +14,7 @@ void draw_list(PanelContext& context, const char* name, const char* meaning, con
   ImGui::TextDisabled("%s", meaning);
   for (std::size_t k = 0; k < std::min(kMost, pairs.size()); ++k) {
     const Selection pair = pairs[k];
-    const std::string text = to_string(pair);
+    const std::string text = to_string(pair, context.model.run().names());
     ImGui::Indent();
     if (widgets::row(context.gui, text, std::string(name) + " " + std::to_string(k),
                      context.model.selection() == pair)) {
@@ -31,24 +31,27 @@ void draw_list(PanelContext& context, const char* name, const char* meaning, con
 void draw_oracle(PanelContext& context) {
   DebuggerModel& model = context.model;
   const std::uint32_t step = model.run().position().step;
+  const std::string name = model.run().names().step(step);
   const bool imported = model.run().info().imported;
   if (!model.alarms()[step]) {
-    ImGui::TextWrapped("Brute force has not been asked about step %u: with so many objects it takes a while.",
-                       step);
+    ImGui::TextWrapped("Brute force has not been asked about step %s: with so many objects it takes a while.",
+                       name.c_str());
     if (widgets::button(context.gui, "ask the oracle", "compare with every pair of boxes (O)"))
       (void)model.ask_oracle();
     return;
   }
   const PairJudgement& judgement = model.run().judgement();
   const std::uint64_t told = model.run().judged_pairs();
-  ImGui::TextWrapped("%s of step %u beside all pairs of boxes that overlap, by brute force:",
-                     imported ? "The pairs that the other engine told" : "The tree's pairs", step);
+  ImGui::TextWrapped("%s of step %s beside all pairs of boxes that overlap, by brute force:",
+                     imported ? "The pairs that the other engine told" : "The tree's pairs", name.c_str());
   ImGui::Text("told: %llu", static_cast<unsigned long long>(told));
   const std::uint64_t wrong = judgement.extra.size() + judgement.twice.size();
-  ImGui::Text("true: %llu", static_cast<unsigned long long>(told - wrong + judgement.missed.size()));
+  if (judgement.ignored.empty())
+    ImGui::Text("true: %llu", static_cast<unsigned long long>(told - wrong + judgement.missed.size()));
   draw_list(context, "missed", "they overlap, and were not told", judgement.missed);
   draw_list(context, "false", "told, but no overlap", judgement.extra);
   draw_list(context, "twice", "told again", judgement.twice);
+  if (imported) draw_list(context, "ignored", "no fault, by what was declared", judgement.ignored);
   ImGui::Separator();
   std::size_t asked = 0;
   std::size_t alarms = 0;

@@ -135,7 +135,8 @@ RibbonLook look_of(Ribbon::Kind kind) {
 void draw_ribbons(PanelContext& context, const TimeAxis& axis, float top) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool nothing = is_nothing(context.model.selection());
-  const std::string name = nothing ? "selected" : to_string(context.model.selection());
+  const std::string name =
+      nothing ? "selected" : to_string(context.model.selection(), context.model.run().names());
   list.AddText({ImGui::GetWindowPos().x + 8, top - 1},
                widgets::to_imgui(nothing ? palette::kFaintInk : palette::kInk), name.c_str());
   list.AddRectFilled({axis.left, top}, {axis.left + axis.width, top + kMarks - 2},
@@ -159,7 +160,7 @@ void scrub(PanelContext& context, const TimeAxis& axis, float top, float bottom)
   if (ImGui::IsItemActive() && context.model.run().position() != Position::end_of(step))
     context.model.go(Position::end_of(step));
   if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
-  std::string text = "step " + std::to_string(step);
+  std::string text = "step " + context.model.run().names().step(step);
   for (const Lane& lane : context.model.lanes())
     text += "\n" + std::string(lane.name) + " " +
             number_text(std::round(double{value_at(lane, step)} * 1000) / 1000);

@@ -101,7 +101,8 @@ void draw_moment_line(PanelContext& context) {
   const DebuggerModel& model = context.model;
   const Run& run = model.run();
   const auto event = run.event();
-  std::string text = event ? describe(*event) : "end of step " + std::to_string(run.position().step);
+  std::string text =
+      event ? describe(*event, run.names()) : "end of step " + run.names().step(run.position().step);
   if (run.position().step == 0) text = "before the first step";
   ImGui::TextColored(widgets::to_vector(palette::kPartitioner), "%s", text.c_str());
   ImGui::SameLine();

@@ -270,7 +270,7 @@ void SceneViewOf<D>::draw_object(const DrawContext<D>& frame, ObjectId id, Batch
     const auto sides = half_spaces(*box);
     add_outline(batch, frame.view, plane_within(side, *box, sides), stroke);
   }
-  add_label(to_point(box->max), std::to_string(id.value));
+  add_label(to_point(box->max), run_.info().names.object(id));
 }
 
 template <int D>
@@ -339,7 +339,8 @@ std::optional<SceneLabel> SceneViewOf<D>::place_of(const Selection& selection) c
   const auto node = node_in(selection);
   const auto at = seen_->view.project(node ? middle_of(*node) : to_point(box->center()));
   if (!at) return std::nullopt;
-  return SceneLabel{static_cast<float>(at->x()), static_cast<float>(at->y()), to_string(selection)};
+  return SceneLabel{static_cast<float>(at->x()), static_cast<float>(at->y()),
+                    to_string(selection, run_.info().names)};
 }
 
 template <int D>

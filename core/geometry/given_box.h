@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/box.h"
+
+namespace kerf {
+
+/// A box in doubles, as another engine gave it. Closed on every side.
+template <int D>
+struct GivenBox {
+  std::array<double, D> min{};
+  std::array<double, D> max{};
+  friend bool operator==(const GivenBox&, const GivenBox&) = default;
+};
+
+/// How much larger than given an engine makes its boxes on each side: so much, and a share of their extent.
+struct Margin {
+  double absolute = 0;
+  double share = 0;
+  friend bool operator==(const Margin&, const Margin&) = default;
+};
+
+template <int D>
+GivenBox<D> to_given(const Box<D>& box) {
+  GivenBox<D> given;
+  for (int i = 0; i < D; ++i) {
+    given.min[static_cast<std::size_t>(i)] = static_cast<double>(box.min[i]);
+    given.max[static_cast<std::size_t>(i)] = static_cast<double>(box.max[i]);
+  }
+  return given;
+}
+
+/// The smallest box of floats around it. An interval that is inverted stays so, and NaN stays NaN.
+template <int D>
+Box<D> round_outward(const GivenBox<D>& given) {
+  Box<D> box;
+  for (int i = 0; i < D; ++i) {
+    const double min = given.min[static_cast<std::size_t>(i)];
+    const double max = given.max[static_cast<std::size_t>(i)];
+    box.min[i] = min > max ? round_up(min) : round_down(min);
+    box.max[i] = min > max ? round_down(max) : round_up(max);
+    if (min > max && box.min[i] == box.max[i])
+      box.max[i] = std::nextafter(box.max[i], -std::numeric_limits<Scalar>::infinity());
+  }
+  return box;
+}
+
+/// Closed-interval overlap on every axis, as of boxes in floats.
+template <int D>
+constexpr bool overlaps(const GivenBox<D>& a, const GivenBox<D>& b) {
+  bool all = true;
+  for (std::size_t i = 0; i < D; ++i) all &= (a.min[i] <= b.max[i]) & (b.min[i] <= a.max[i]);
+  return all;
+}
+
+/// The box with a margin, rounded outward.
+template <int D>
+GivenBox<D> grow(GivenBox<D> box, const Margin& margin) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < D; ++i) {
+    const double by = margin.absolute + margin.share * (box.max[i] - box.min[i]);
+    box.min[i] = std::nextafter(box.min[i] - by, -kInfinity);
+    box.max[i] = std::nextafter(box.max[i] + by, kInfinity);
+  }
+  return box;
+}
+
+/// The smallest box that holds both; NaN if one has it.
+template <int D>
+GivenBox<D> join(GivenBox<D> a, const GivenBox<D>& b) {
+  for (std::size_t i = 0; i < D; ++i) {
+    if (b.min[i] < a.min[i] || std::isnan(b.min[i])) a.min[i] = b.min[i];
+    if (b.max[i] > a.max[i] || std::isnan(b.max[i])) a.max[i] = b.max[i];
+  }
+  return a;
+}
+
+}  // namespace kerf

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/ids.h"
+#include "core/geometry/given_box.h"
+
+namespace kerf {
+
+/// How a pair of another engine compares with the definition. `twice` is one more time that it was told;
+/// those from `filtered` on are right by what the engine does by design, and are no fault.
+enum class PairVerdict : std::uint8_t {
+  missed,    ///< an overlap that was not told
+  extra,     ///< told, but no overlap
+  twice,     ///< told again
+  filtered,  ///< the masks of its objects leave it out
+  listed,    ///< declared to be ignored
+  margin,    ///< told, and only the boxes with their margin overlap
+};
+inline constexpr std::size_t kVerdicts = 6;
+inline constexpr std::array<std::string_view, kVerdicts> kVerdictNames{"missed",   "extra",  "twice",
+                                                                       "filtered", "listed", "margin"};
+constexpr std::string_view to_string(PairVerdict verdict) {
+  return kVerdictNames[static_cast<std::size_t>(verdict)];
+}
+constexpr bool is_ignored(PairVerdict verdict) { return verdict >= PairVerdict::filtered; }
+
+struct JudgedPair {
+  Pair pair;
+  PairVerdict verdict = PairVerdict::missed;
+  friend bool operator==(const JudgedPair&, const JudgedPair&) = default;
+};
+
+/// The pairs of a step in figures.
+struct TheirStep {
+  std::uint64_t pairs = 0;    ///< as they told them
+  std::uint64_t missed = 0;   ///< overlaps that they did not tell
+  std::uint64_t extra = 0;    ///< told, but no overlap
+  std::uint64_t twice = 0;    ///< told again
+  std::uint64_t ignored = 0;  ///< neither missed nor extra, by what they do by design
+  friend bool operator==(const TheirStep&, const TheirStep&) = default;
+  TheirStep& operator+=(const TheirStep& other);
+};
+/// `pairs` is how many were told.
+TheirStep sum_of(std::uint64_t pairs, std::span<const JudgedPair> judged);
+
+/// What an engine's filter says of an object: two objects are a pair if each has a category of the other's
+/// mask.
+struct GivenFilter {
+  std::uint64_t category = 1;
+  std::uint64_t mask = UINT64_MAX;
+  friend bool operator==(const GivenFilter&, const GivenFilter&) = default;
+};
+constexpr bool lets_pass(const GivenFilter& a, const GivenFilter& b) {
+  return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+
+/// What another engine does by design, in all steps.
+struct PairDesign {
+  Margin margin;
+  std::vector<Pair> ignored;  ///< sorted
+  friend bool operator==(const PairDesign&, const PairDesign&) = default;
+};
+
+/// What a step changes for the judgement of their pairs beside what the tree is asked.
+template <int D>
+struct TheirChanges {
+  struct GivenChange {
+    ObjectId object;
+    std::optional<GivenBox<D>> box;  ///< none: from now on the floats say all
+    friend bool operator==(const GivenChange&, const GivenChange&) = default;
+  };
+  struct FilterChange {
+    ObjectId object;
+    GivenFilter filter;
+    friend bool operator==(const FilterChange&, const FilterChange&) = default;
+  };
+  std::vector<GivenChange> boxes;  ///< of each object at most one, and only where floats do not hold the box
+  std::vector<FilterChange> filters;
+  friend bool operator==(const TheirChanges&, const TheirChanges&) = default;
+};
+
+}  // namespace kerf

@@ -1,0 +1,145 @@
+#include "frames/import/box_lines.h"
+
+#include <cmath>
+#include <vector>
+
+#include "core/base/given_names.h"
+#include "frames/support/errors.h"
+
+namespace kerf {
+namespace {
+
+enum Column : std::size_t { kStep, kObject, kBounds, kFixed = kBounds + 6, kCategory, kMask, kColumns };
+
+constexpr std::size_t min_column(int axis) { return kBounds + 2 * static_cast<std::size_t>(axis); }
+constexpr std::size_t max_column(int axis) { return min_column(axis) + 1; }
+
+/// min_x is also xmin, lower_x, x_lo, aabb.min.x, lowerBound.x and so on.
+CsvColumn bound_column(const std::string& side, const std::vector<std::string>& sides,
+                       const std::string& axis) {
+  CsvColumn column{side + "_" + axis, {}};
+  for (const std::string prefix : {"", "aabb", "box", "bbox", "bounds"})
+    for (const std::string& other : sides)
+      for (const std::string& name : {other + axis, axis + other}) column.aliases.push_back(prefix + name);
+  return column;
+}
+
+std::vector<CsvColumn> box_columns() {
+  std::vector<CsvColumn> columns{
+      step_column(),
+      {"object",
+       {"id", "objectid", "body", "bodyid", "proxy", "proxyid", "handle", "entity", "entityid", "uid"}}};
+  for (const std::string axis : {"x", "y", "z"}) {
+    columns.push_back(bound_column("min", {"min", "minimum", "lower", "low", "lo", "lowerbound"}, axis));
+    columns.push_back(bound_column("max", {"max", "maximum", "upper", "high", "hi", "upperbound"}, axis));
+  }
+  columns.push_back({"fixed", {"isfixed", "static", "isstatic", "immovable"}});
+  columns.push_back({"category", {"categories", "categorybits", "collisioncategory", "filtercategory"}});
+  columns.push_back({"mask", {"masks", "maskbits", "collisionmask", "filtermask", "collideswith"}});
+  return columns;
+}
+
+BoxLine::Oddity oddity_of(const BoxLine& line, int dimension) {
+  BoxLine::Oddity oddity = BoxLine::Oddity::none;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
+    if (std::isnan(line.min[axis]) || std::isnan(line.max[axis])) return BoxLine::Oddity::not_a_number;
+    if (std::isinf(line.min[axis]) || std::isinf(line.max[axis])) oddity = BoxLine::Oddity::infinite;
+  }
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis)
+    if (line.min[axis] > line.max[axis]) return BoxLine::Oddity::inverted;
+  return oddity;
+}
+
+}  // namespace
+
+BoxLines::BoxLines(const std::filesystem::path& path) : table_(path, box_columns()) {
+  if (table_.first_width() == 0) throw UsageError(table_.name() + " has no boxes");
+  if (table_.has_heading()) {
+    find_dimension();
+  } else {
+    set_order();
+  }
+}
+
+void BoxLines::find_dimension() {
+  dimension_ = table_.has(min_column(2)) || table_.has(max_column(2)) ? 3 : 2;
+  std::string missing;
+  const auto want = [&](std::size_t column) {
+    if (!table_.has(column)) missing += (missing.empty() ? "" : ", ") + box_columns()[column].name;
+  };
+  for (std::size_t column = 0; column <= max_column(dimension_ - 1); ++column) want(column);
+  if (!missing.empty())
+    throw UsageError(table_.name() + ": the heading lacks " + missing + "; it has " + table_.names());
+}
+
+void BoxLines::set_order() {
+  const std::size_t width = table_.first_width();
+  if (width < 6 || width > 9) {
+    (void)table_.next();
+    table_.reject("a box has 6 columns in 2D and 8 in 3D, and perhaps one more, fixed; this line has " +
+                  std::to_string(width) + ". Any others need a heading");
+  }
+  dimension_ = width < 8 ? 2 : 3;
+  std::vector<std::size_t> order;
+  for (std::size_t column = 0; column <= max_column(dimension_ - 1); ++column) order.push_back(column);
+  order.push_back(kFixed);
+  table_.set_order(order, order.size() - 1);
+}
+
+GivenStep BoxLines::step() const { return read_step(table_, kStep); }
+
+std::optional<GivenId> BoxLines::object() const {
+  if (table_.is_blank(kObject)) return std::nullopt;
+  return table_.id(kObject);
+}
+
+BoxLine BoxLines::read() const {
+  BoxLine line;
+  line.line = table_.line();
+  const auto id = object();
+  if (id) line.object = *id;
+  if (!table_.is_blank(kFixed)) line.fixed = table_.boolean(kFixed);
+  if (!table_.is_blank(kCategory) || !table_.is_blank(kMask)) {
+    line.filter.emplace();
+    if (!table_.is_blank(kCategory)) line.filter->category = table_.bits(kCategory);
+    if (!table_.is_blank(kMask)) line.filter->mask = table_.bits(kMask);
+  }
+  read_bounds(line);
+  if (!id && line.kind == BoxLine::Kind::box) table_.reject("the box has no object");
+  if (!id) line.kind = BoxLine::Kind::nothing;
+  return line;
+}
+
+void BoxLines::read_bounds(BoxLine& line) const {
+  int blank = 0;
+  const auto bound = [&](std::size_t column) {
+    if (!table_.is_blank(column)) return table_.real(column);
+    ++blank;
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  for (int axis = 0; axis < dimension_; ++axis) {
+    line.min[static_cast<std::size_t>(axis)] = bound(min_column(axis));
+    line.max[static_cast<std::size_t>(axis)] = bound(max_column(axis));
+  }
+  if (blank == 2 * dimension_) {
+    line.kind = BoxLine::Kind::removal;
+  } else {
+    line.oddity = blank > 0 ? BoxLine::Oddity::half_blank : oddity_of(line, dimension_);
+  }
+}
+
+CsvColumn step_column() {
+  return {"step",
+          {"frame", "tick", "time", "timestamp", "t", "iteration", "stepindex", "frameindex", "framenumber"}};
+}
+
+GivenStep read_step(const CsvTable& table, std::size_t column) {
+  if (table.is_blank(column)) table.reject("the step is blank");
+  std::string text(table.text(column));
+  const auto time = parse_step_time(text);
+  if (!time) table.reject(column, "is neither a number nor a time");
+  if (text.starts_with('+')) text.erase(0, 1);
+  return {*time, std::move(text)};
+}
+
+}  // namespace kerf

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "core/base/given_id.h"
+#include "core/recording/theirs.h"
+#include "frames/support/csv_table.h"
+
+namespace kerf {
+
+/// A time with the text that gave it.
+struct GivenStep {
+  long double time = 0;
+  std::string text;
+};
+
+/// One line of a table of boxes.
+struct BoxLine {
+  enum class Kind : std::uint8_t { box, removal, nothing };
+  /// What is odd about the numbers, though they can be played.
+  enum class Oddity : std::uint8_t { none, half_blank, not_a_number, inverted, infinite };
+
+  Kind kind = Kind::box;  ///< `nothing`: the step has the line, and no object has it
+  Oddity oddity = Oddity::none;
+  std::size_t line = 0;
+  GivenId object;
+  std::array<double, 3> min{};  ///< those of a half blank box are NaN where they are blank
+  std::array<double, 3> max{};
+  std::optional<bool> fixed;          ///< none: not said
+  std::optional<GivenFilter> filter;  ///< none: not said
+};
+
+/// Reads step,object,min_x,max_x,min_y,max_y[,min_z,max_z][,fixed][,category][,mask], by the names of a
+/// heading in any order, or without a heading in this order. Throws as CsvTable does.
+class BoxLines {
+ public:
+  explicit BoxLines(const std::filesystem::path& path);
+
+  [[nodiscard]] int dimension() const { return dimension_; }
+  /// The names of the columns that are there.
+  [[nodiscard]] std::string columns() const { return table_.names(); }
+
+  bool next() { return table_.next(); }
+  void rewind() { table_.rewind(); }
+  [[nodiscard]] GivenStep step() const;
+  /// None: the line has no object.
+  [[nodiscard]] std::optional<GivenId> object() const;
+  [[nodiscard]] BoxLine read() const;
+  [[noreturn]] void reject(const std::string& what) const { table_.reject(what); }
+  [[nodiscard]] const CsvTable& table() const { return table_; }
+
+ private:
+  void find_dimension();
+  void set_order();
+  void read_bounds(BoxLine& line) const;
+
+  CsvTable table_;
+  int dimension_ = 3;
+};
+
+/// The column of steps, for every table that has one.
+CsvColumn step_column();
+/// The time of a step in a column. Throws UsageError that names the line if it is none.
+GivenStep read_step(const CsvTable& table, std::size_t column);
+
+}  // namespace kerf

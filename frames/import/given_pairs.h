@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "frames/import/box_lines.h"
+
+namespace kerf {
+
+/// A pair as another engine told it.
+struct GivenPair {
+  GivenId a;
+  GivenId b;
+  std::size_t line = 0;
+};
+
+/// The pairs of one step, in the order in which they were told.
+struct GivenPairs {
+  GivenStep step;
+  std::vector<GivenPair> pairs;
+};
+
+/// Reads step,a,b, by the names of a heading in any order, or without one in this order; the result is in the
+/// order of the steps. Throws as CsvTable does, and UsageError for a file of which not even a heading is
+/// there.
+std::vector<GivenPairs> read_given_pairs(const std::filesystem::path& path);
+
+/// Reads a,b: pairs that hold for all steps.
+std::vector<GivenPair> read_ignored_pairs(const std::filesystem::path& path);
+
+}  // namespace kerf

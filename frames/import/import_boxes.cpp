@@ -1,0 +1,258 @@
+#include "frames/import/import_boxes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <optional>
+#include <vector>
+
+#include "core/recording/recorder.h"
+#include "core/replay/judge_theirs.h"
+#include "core/replay/oracle.h"
+#include "frames/import/step_lines.h"
+#include "frames/support/errors.h"
+
+namespace kerf {
+namespace {
+
+template <int D>
+GivenBox<D> box_of(const BoxLine& line) {
+  GivenBox<D> box;
+  std::copy_n(line.min.begin(), D, box.min.begin());
+  std::copy_n(line.max.begin(), D, box.max.begin());
+  return box;
+}
+
+/// What is known of an object while it is played.
+template <int D>
+struct Played {
+  GivenBox<D> box;
+  GivenFilter filter;
+  bool is_there = false;
+  bool fixed = false;
+  bool has_given_box = false;  ///< the recording has a box in doubles of it
+  bool changed_box = false;    ///< in this step
+  bool changed_filter = false;
+};
+
+template <int D>
+class Import {
+ public:
+  Import(const ImportRequest& request, const Survey& survey, std::vector<GivenPairs> pairs, PairDesign design,
+         Oddities& oddities)
+      : request_(request),
+        survey_(survey),
+        pairs_(std::move(pairs)),
+        oddities_(oddities),
+        info_(info_of(request, survey, std::move(design))),
+        tree_(request.config),
+        recorder_(tree_, request.out, info_) {}
+
+  void run(BoxLines& boxes) {
+    StepLines lines(boxes, survey_, request_.unite, oddities_);
+    for (const GivenStep& step : survey_.steps) {
+      for (const BoxLine& line : lines.next(step)) play(boxes, line, step);
+      end_step(step);
+    }
+    recorder_.finish();
+  }
+
+  [[nodiscard]] std::string text() const {
+    if (request_.pairs.empty()) return "";
+    std::string text = "their pairs: " + std::to_string(sum_.pairs) + " told, " +
+                       std::to_string(sum_.missed) + " missed, " + std::to_string(sum_.extra) + " extra, " +
+                       std::to_string(sum_.twice) + " twice, " + std::to_string(sum_.ignored) + " ignored";
+    if (sum_.ignored > 0)
+      text += " (" + count_text(PairVerdict::filtered) + " by filters, " + count_text(PairVerdict::listed) +
+              " by the list, " + count_text(PairVerdict::margin) + " by the margin)";
+    text += "\n";
+    if (!first_wrong_.empty()) text += "first wrong in step " + first_wrong_ + "\n";
+    return text;
+  }
+
+ private:
+  static RecordingInfo info_of(const ImportRequest& request, const Survey& survey, PairDesign design) {
+    RecordingInfo info;
+    info.dimension = D;
+    info.config = request.config;
+    info.scene = request.boxes == "-" ? "standard input" : request.boxes.filename().string();
+    info.imported = true;
+    info.names = survey.names;
+    info.design = std::move(design);
+    return info;
+  }
+
+  [[nodiscard]] std::string count_text(PairVerdict verdict) const {
+    return std::to_string(verdicts_[static_cast<std::size_t>(verdict)]);
+  }
+
+  void play(const BoxLines& boxes, const BoxLine& line, const GivenStep& step) {
+    const ObjectId object = survey_.object(line.object);
+    if (played_.size() <= object.index()) played_.resize(object.index() + 1);
+    Played<D>& played = played_[object.index()];
+    const auto place = [&] { return boxes.table().name() + ", line " + std::to_string(line.line); };
+    if (line.kind == BoxLine::Kind::removal) {
+      if (!played.is_there)
+        throw UsageError(place() + ": object " + to_string(line.object) + " goes, but is not there");
+      (void)recorder_.remove(object);
+      played.is_there = false;
+      return;
+    }
+    const bool fixed = line.fixed.value_or(played.is_there && played.fixed);
+    if (played.is_there && fixed != played.fixed)
+      oddities_.note(Oddity::mobility, [&] {
+        return place() + ": object " + to_string(line.object) + " is " + (fixed ? "fixed" : "moving") +
+               " from step " + step.text + " on";
+      });
+    ask(object, played, box_of<D>(line), fixed);
+    note_change(object, played, line);
+  }
+
+  /// A tree's object keeps its mobility, so that one with another mobility is a new one.
+  void ask(ObjectId object, Played<D>& played, const GivenBox<D>& box, bool fixed) {
+    const Box<D> floats = round_outward(box);
+    if (played.is_there && fixed != played.fixed) {
+      (void)recorder_.remove(object);
+      played.is_there = false;
+    }
+    if (played.is_there) {
+      (void)recorder_.move(object, floats);
+    } else if (recorder_.insert(object, floats, fixed ? Mobility::fixed : Mobility::moving) ==
+               Status::sparse_id) {
+      throw UsageError("object " + survey_.names.object(object) + ": more objects than a tree holds");
+    }
+    played.box = box;
+    played.fixed = fixed;
+    played.is_there = true;
+  }
+
+  void note_change(ObjectId object, Played<D>& played, const BoxLine& line) {
+    if (!played.changed_box) changed_.push_back(object);
+    played.changed_box = true;
+    if (!line.filter || *line.filter == played.filter) return;
+    played.filter = *line.filter;
+    played.changed_filter = true;
+  }
+
+  /// What is NaN has no other number in doubles.
+  TheirChanges<D> take_changes() {
+    TheirChanges<D> changes;
+    std::ranges::sort(changed_);
+    for (const ObjectId object : changed_) {
+      Played<D>& played = played_[object.index()];
+      const bool is_number = played.box == played.box;
+      const bool differs = is_number && to_given(round_outward(played.box)) != played.box;
+      if (differs || played.has_given_box)
+        changes.boxes.push_back({object, differs ? std::optional(played.box) : std::nullopt});
+      if (played.changed_filter) changes.filters.push_back({object, played.filter});
+      played.has_given_box = differs;
+      played.changed_box = played.changed_filter = false;
+    }
+    changed_.clear();
+    return changes;
+  }
+
+  void end_step(const GivenStep& step) {
+    recorder_.step();
+    (void)tree_.trace().take();
+    const TheirChanges<D> changes = take_changes();
+    recorder_.add_theirs(changes);
+    world_.apply(changes);
+    if (!request_.pairs.empty()) judge(step);
+  }
+
+  void judge(const GivenStep& step) {
+    std::vector<Pair> told;
+    if (next_pairs_ < pairs_.size() && pairs_[next_pairs_].step.time == step.time)
+      for (const GivenPair& pair : pairs_[next_pairs_++].pairs) told.push_back(told_pair(pair, step));
+    const auto judged =
+        judge_theirs<D>(told, oracle_pairs(tree_.objects()), tree_.objects(), world_, info_.design);
+    recorder_.add_theirs(told, judged);
+    const TheirStep sum = sum_of(told.size(), judged);
+    sum_ += sum;
+    for (const JudgedPair& one : judged) ++verdicts_[static_cast<std::size_t>(one.verdict)];
+    if (sum.missed + sum.extra + sum.twice > 0 && first_wrong_.empty()) first_wrong_ = step.text;
+  }
+
+  Pair told_pair(const GivenPair& pair, const GivenStep& step) {
+    for (const GivenId& id : {pair.a, pair.b})
+      if (tree_.objects().state(survey_.object(id)) == ObjectState::absent)
+        oddities_.note(Oddity::absent_object, [&] {
+          return request_.pairs.string() + ", line " + std::to_string(pair.line) + ": object " +
+                 to_string(id) + " in step " + step.text;
+        });
+    return make_pair(survey_.object(pair.a), survey_.object(pair.b));
+  }
+
+  const ImportRequest& request_;
+  const Survey& survey_;
+  std::vector<GivenPairs> pairs_;
+  std::size_t next_pairs_ = 0;
+  Oddities& oddities_;
+  RecordingInfo info_;
+  Bsp<D, EventLog> tree_;
+  Recorder<D> recorder_;
+  std::vector<Played<D>> played_;
+  std::vector<ObjectId> changed_;  ///< in this step
+  TheirWorld<D> world_;
+  TheirStep sum_;
+  std::array<std::uint64_t, kVerdicts> verdicts_{};
+  std::string first_wrong_;
+};
+
+/// Objects that the run does not have make no pair in it.
+PairDesign design_of(const ImportRequest& request, const Survey& survey) {
+  PairDesign design{request.margin, {}};
+  if (request.ignore.empty()) return design;
+  for (const GivenPair& pair : read_ignored_pairs(request.ignore)) {
+    const auto a = survey.names.find_object(pair.a);
+    const auto b = survey.names.find_object(pair.b);
+    if (a && b) design.ignored.push_back(make_pair(*a, *b));
+  }
+  std::ranges::sort(design.ignored);
+  design.ignored.erase(std::unique(design.ignored.begin(), design.ignored.end()), design.ignored.end());
+  return design;
+}
+
+std::string range_text(std::size_t count, const std::string& what, const std::string& first,
+                       const std::string& last) {
+  const std::string text = std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+  if (count == 0) return text;
+  return text + " numbered " + first + (count == 1 ? "" : " to " + last);
+}
+
+std::string summary(const BoxLines& boxes, const Survey& survey) {
+  return std::to_string(boxes.dimension()) + "D, " +
+         range_text(survey.steps.size(), "step", survey.steps.front().text, survey.steps.back().text) + ", " +
+         range_text(survey.objects, "object", survey.first_object, survey.last_object) + ", columns " +
+         boxes.columns() + "\n";
+}
+
+template <int D>
+void import_in(const ImportRequest& request, BoxLines& boxes, const Survey& survey,
+               std::vector<GivenPairs> pairs, Oddities& oddities) {
+  Import<D> import(request, survey, std::move(pairs), design_of(request, survey), oddities);
+  import.run(boxes);
+  if (request.strict && oddities.any())
+    throw UsageError("--strict: what is odd is an error, and nothing was written\n" + oddities.text());
+  std::fputs((summary(boxes, survey) + oddities.text() + import.text()).c_str(), stdout);
+}
+
+}  // namespace
+
+void import_boxes(const ImportRequest& request) {
+  if (request.boxes == "-" && request.pairs == "-")
+    throw UsageError("boxes and pairs cannot both come from standard input");
+  BoxLines boxes(request.boxes);
+  std::vector<GivenPairs> pairs;
+  if (!request.pairs.empty()) pairs = read_given_pairs(request.pairs);
+  Oddities oddities;
+  const Survey found = survey(boxes, pairs, request.pairs.string(), oddities);
+  if (boxes.dimension() == 2) {
+    import_in<2>(request, boxes, found, std::move(pairs), oddities);
+  } else {
+    import_in<3>(request, boxes, found, std::move(pairs), oddities);
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/config.h"
+#include "core/geometry/given_box.h"
+
+namespace kerf {
+
+/// Somebody else's run as plain text (see `kerf import --help`).
+struct ImportRequest {
+  std::filesystem::path boxes;   ///< "-": standard input
+  std::filesystem::path pairs;   ///< empty: none
+  std::filesystem::path ignore;  ///< pairs that are not judged; empty: none
+  std::filesystem::path out;
+  Config config;  ///< of the tree that runs beside
+  Margin margin;
+  bool unite = false;   ///< several boxes of an object in a step become one
+  bool strict = false;  ///< what is odd is an error
+};
+
+/// Plays the boxes to a tree, records it, judges their pairs by the definition and prints what was
+/// understood, what is odd and what is wrong with the pairs. Throws UsageError that names file and line, or
+/// std::runtime_error if a file cannot be read or written.
+void import_boxes(const ImportRequest& request);
+
+}  // namespace kerf

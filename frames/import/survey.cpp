@@ -1,0 +1,120 @@
+#include "frames/import/survey.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "frames/support/errors.h"
+
+namespace kerf {
+namespace {
+
+struct BoxStep {
+  GivenStep step;
+  std::size_t line = 0;  ///< its first
+};
+
+struct BoxSurvey {
+  std::vector<BoxStep> steps;
+  std::vector<GivenId> objects;  ///< sorted
+};
+
+void sort_unique(std::vector<GivenId>& ids) {
+  std::ranges::sort(ids);
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+BoxSurvey read_boxes(BoxLines& lines) {
+  BoxSurvey survey;
+  std::size_t sorted = 0;
+  while (lines.next()) {
+    GivenStep step = lines.step();
+    if (!survey.steps.empty() && step.time < survey.steps.back().step.time)
+      lines.reject("step " + step.text + " comes after step " + survey.steps.back().step.text);
+    if (survey.steps.empty() || step.time > survey.steps.back().step.time)
+      survey.steps.push_back({std::move(step), lines.table().line()});
+    if (const auto object = lines.object()) survey.objects.push_back(*object);
+    if (survey.objects.size() < 2 * sorted + 1'000'000) continue;
+    sort_unique(survey.objects);  // so that memory depends on the number of objects
+    sorted = survey.objects.size();
+  }
+  sort_unique(survey.objects);
+  lines.rewind();
+  return survey;
+}
+
+std::vector<GivenStep> union_of(const std::vector<BoxStep>& boxes, const std::vector<GivenPairs>& pairs,
+                                const std::string& pairs_name, Oddities& oddities) {
+  std::vector<GivenStep> steps;
+  auto box = boxes.begin();
+  for (const GivenPairs& of_step : pairs) {
+    const std::string where = pairs_name + ", line " + std::to_string(of_step.pairs.front().line);
+    if (of_step.step.time < boxes.front().step.time)
+      throw UsageError(where + ": step " + of_step.step.text +
+                       " is before the first one of the boxes, step " + boxes.front().step.text);
+    for (; box != boxes.end() && box->step.time < of_step.step.time; ++box) steps.push_back(box->step);
+    const bool has_boxes = box != boxes.end() && box->step.time == of_step.step.time;
+    if (!has_boxes) oddities.note(Oddity::no_boxes, [&] { return where + ": step " + of_step.step.text; });
+    steps.push_back(has_boxes ? (box++)->step : of_step.step);
+  }
+  for (; box != boxes.end(); ++box) steps.push_back(box->step);
+  return steps;
+}
+
+/// A step is usually as long as most are.
+void note_gaps(const std::vector<GivenStep>& steps, const std::vector<BoxStep>& boxes,
+               const std::string& name, Oddities& oddities) {
+  constexpr long double kMost = 1.5L;
+  std::vector<long double> lengths;
+  for (std::size_t k = 1; k < steps.size(); ++k) lengths.push_back(steps[k].time - steps[k - 1].time);
+  if (lengths.empty()) return;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>((lengths.size() - 1) / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  for (std::size_t k = 1; k < steps.size(); ++k) {
+    if (steps[k].time - steps[k - 1].time < kMost * *middle) continue;
+    oddities.note(Oddity::gap, [&] {
+      const auto box = std::ranges::lower_bound(boxes, steps[k].time, {},
+                                                [](const BoxStep& step) { return step.step.time; });
+      const bool has_line = box != boxes.end() && box->step.time == steps[k].time;
+      return (has_line ? name + ", line " + std::to_string(box->line) + ": " : "") + "step " + steps[k].text +
+             " follows step " + steps[k - 1].text;
+    });
+  }
+}
+
+/// Whether objects may keep their own numbers: few are unused.
+bool are_dense(const std::vector<GivenId>& objects) {
+  return objects.empty() ||
+         (!objects.front().negative && objects.back().magnitude < 4 * objects.size() + 1024);
+}
+
+bool count_from_one(const std::vector<GivenStep>& steps) {
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if (steps[k].text != std::to_string(k + 1)) return false;
+  return true;
+}
+
+}  // namespace
+
+Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::string& pairs_name,
+              Oddities& oddities) {
+  BoxSurvey read = read_boxes(boxes);
+  Survey result;
+  result.steps = union_of(read.steps, pairs, pairs_name, oddities);
+  note_gaps(result.steps, read.steps, boxes.table().name(), oddities);
+  result.objects = read.objects.size();
+  if (!read.objects.empty()) {
+    result.first_object = to_string(read.objects.front());
+    result.last_object = to_string(read.objects.back());
+  }
+  for (const GivenPairs& of_step : pairs)
+    for (const GivenPair& pair : of_step.pairs) read.objects.insert(read.objects.end(), {pair.a, pair.b});
+  sort_unique(read.objects);
+  std::vector<std::string> steps;
+  if (!count_from_one(result.steps))
+    for (const GivenStep& step : result.steps) steps.push_back(step.text);
+  if (are_dense(read.objects)) read.objects.clear();
+  result.names = GivenNames(std::move(read.objects), std::move(steps));
+  return result;
+}
+
+}  // namespace kerf

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/given_names.h"
+#include "frames/import/box_lines.h"
+#include "frames/import/given_pairs.h"
+#include "frames/import/oddities.h"
+
+namespace kerf {
+
+/// What is known of an import before it is played.
+struct Survey {
+  std::vector<GivenStep> steps;  ///< of boxes and pairs together, in order
+  GivenNames names;              ///< of the recording: none where the engine counts as we do
+  std::size_t objects = 0;       ///< how many have a line
+  std::string first_object;      ///< the least and the greatest of their names
+  std::string last_object;
+
+  [[nodiscard]] ObjectId object(const GivenId& id) const { return *names.find_object(id); }
+};
+
+/// Reads the boxes once and names everything: objects get small numbers, so that what a run costs depends on
+/// how many there are. Where their own numbers are small, these stay. Notes what is odd about the steps.
+/// Throws UsageError that names the line if steps do not rise, or if a pair's step comes before the first
+/// one.
+Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::string& pairs_name,
+              Oddities& oddities);
+
+}  // namespace kerf

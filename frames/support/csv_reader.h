@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frames/support/text_source.h"
+
+namespace kerf {
+
+/// Reads a table of comma-separated values, line by line: RFC 4180, with quotes, and beyond it ends of lines
+/// as LF, CRLF or CR, blanks around fields, empty lines, lines of nothing but commas, and comments from # to
+/// the end of their line, which are all passed over. Everything throws UsageError that names file, line and
+/// what is wrong.
+class CsvReader {
+ public:
+  /// Throws as TextSource does.
+  explicit CsvReader(const std::filesystem::path& path) : source_(path) {}
+
+  /// Goes to the next line that says something; false at the end.
+  bool next();
+  /// Back to where it was made.
+  void rewind();
+
+  [[nodiscard]] std::size_t columns() const { return ends_.size(); }
+  [[nodiscard]] std::string_view field(std::size_t column) const;
+  /// Where the line begins, counted from 1 as editors do.
+  [[nodiscard]] std::size_t line() const { return line_; }
+  [[nodiscard]] const std::string& name() const { return source_.name(); }
+  [[noreturn]] void reject(const std::string& what) const;
+
+ private:
+  bool read_record();
+  void read_field();
+  void read_quoted();
+  void skip_comment();
+  bool skip_blanks();
+  bool take_line_end();
+
+  TextSource source_;
+  std::size_t next_line_ = 1;
+  std::size_t line_ = 0;
+  std::string text_;               ///< the fields, one after another
+  std::vector<std::size_t> ends_;  ///< of each in the text
+};
+
+}  // namespace kerf

@@ -1,0 +1,183 @@
+#include "frames/support/csv_table.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "frames/support/errors.h"
+
+namespace kerf {
+namespace {
+
+std::string_view without_plus(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
+  return text;
+}
+
+std::string letters_of(std::string_view name) {
+  std::string letters;
+  for (const char c : name)
+    if (const auto byte = static_cast<unsigned char>(c); std::isalnum(byte) != 0)
+      letters += static_cast<char>(std::tolower(byte));
+  return letters;
+}
+
+struct Real {
+  double value = 0;
+  bool is_number = false;
+  bool is_too_large = false;
+};
+
+/// from_chars says that a number is out of range, and not whether it is too large or too near to 0; strtod
+/// does.
+Real parse_real(std::string_view text) {
+  text = without_plus(text);
+  Real real;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), real.value);
+  real.is_number = error != std::errc::invalid_argument && end == text.data() + text.size();
+  if (!real.is_number || error == std::errc{}) return real;
+  real.is_too_large = std::abs(std::strtod(std::string(text).c_str(), nullptr)) > 1;
+  real.value = std::copysign(std::numeric_limits<double>::denorm_min(), text.front() == '-' ? -1.0 : 1.0);
+  return real;
+}
+
+std::string single_quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+std::string columns_text(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " column" : " columns");
+}
+
+}  // namespace
+
+CsvTable::CsvTable(const std::filesystem::path& path, std::vector<CsvColumn> columns)
+    : reader_(path), columns_(std::move(columns)), place_(columns_.size()) {
+  if (!reader_.next()) return;
+  check_separator();
+  has_heading_ = is_heading();
+  if (has_heading_) read_heading();
+  if (!has_heading_ || reader_.next()) first_width_ = reader_.columns();
+  rewind();
+}
+
+bool CsvTable::is_heading() const {
+  for (std::size_t place = 0; place < reader_.columns(); ++place)
+    if (parse_real(reader_.field(place)).is_number) return false;
+  return true;
+}
+
+void CsvTable::check_separator() const {
+  for (std::size_t place = 0; place < reader_.columns(); ++place) {
+    const std::string_view field = reader_.field(place);
+    const std::size_t at = field.find_first_of(reader_.columns() == 1 ? ";\t| " : ";\t|");
+    if (at == std::string_view::npos) continue;
+    const std::string separator = field[at] == '\t'  ? "tabs"
+                                  : field[at] == ' ' ? "blanks"
+                                                     : single_quoted(field.substr(at, 1));
+    reject("its columns are separated by " + separator +
+           "; they must be separated by commas, and numbers have a decimal point");
+  }
+}
+
+void CsvTable::read_heading() {
+  for (std::size_t place = 0; place < reader_.columns(); ++place) {
+    const std::size_t column = column_called(place);
+    if (place_[column])
+      reject("column " + std::to_string(place + 1) + ", " + single_quoted(reader_.field(place)) + ", is " +
+             columns_[column].name + ", as column " + std::to_string(*place_[column] + 1) + " is");
+    place_[column] = place;
+    order_.push_back(column);
+  }
+  least_ = order_.size();
+}
+
+std::size_t CsvTable::column_called(std::size_t place) const {
+  const std::string given = letters_of(reader_.field(place));
+  std::string known;
+  for (std::size_t column = 0; column < columns_.size(); ++column) {
+    const auto& [name, aliases] = columns_[column];
+    if (letters_of(name) == given || std::ranges::find(aliases, given) != aliases.end()) return column;
+    known += (known.empty() ? "" : ", ") + name;
+  }
+  const std::string what =
+      reader_.field(place).empty()
+          ? "column " + std::to_string(place + 1) + " of the heading has no name"
+          : "column " + single_quoted(reader_.field(place)) + " of the heading is not known";
+  reject(what + "; known are " + known);
+}
+
+void CsvTable::set_order(const std::vector<std::size_t>& columns, std::size_t least) {
+  order_ = columns;
+  least_ = least;
+  for (std::size_t place = 0; place < order_.size(); ++place) place_[order_[place]] = place;
+}
+
+std::string CsvTable::names() const {
+  std::string names;
+  const std::size_t count = has_heading_ ? order_.size() : std::min(order_.size(), first_width_);
+  for (std::size_t place = 0; place < count; ++place)
+    names += (names.empty() ? "" : ", ") + columns_[order_[place]].name;
+  return names;
+}
+
+bool CsvTable::next() {
+  if (!reader_.next()) return false;
+  check_width();
+  return true;
+}
+
+void CsvTable::check_width() const {
+  const std::size_t width = reader_.columns();
+  if (order_.empty() || (width >= least_ && width <= order_.size())) return;
+  reject((has_heading_ ? "the heading has " + columns_text(order_.size())
+                       : "the first line has " + columns_text(first_width_)) +
+         ", this line has " + std::to_string(width) +
+         (width > order_.size() ? "; are there decimal commas? numbers have a decimal point" : ""));
+}
+
+void CsvTable::rewind() {
+  reader_.rewind();
+  if (has_heading_) (void)reader_.next();
+}
+
+std::string_view CsvTable::text(std::size_t column) const {
+  const auto place = place_[column];
+  return place && *place < reader_.columns() ? reader_.field(*place) : std::string_view();
+}
+
+double CsvTable::real(std::size_t column) const {
+  const Real real = parse_real(text(column));
+  if (!real.is_number)
+    reject(column, text(column).find(',') == std::string_view::npos
+                       ? "is no number"
+                       : "has a decimal comma; numbers have a decimal point");
+  if (real.is_too_large) reject(column, "is too large for a double");
+  return real.value;
+}
+
+GivenId CsvTable::id(std::size_t column) const {
+  const auto id = parse_given_id(text(column));
+  if (!id) reject(column, "is no whole number of 64 bits");
+  return *id;
+}
+
+std::uint64_t CsvTable::bits(std::size_t column) const {
+  const GivenId number = id(column);
+  return number.negative ? -number.magnitude : number.magnitude;
+}
+
+bool CsvTable::boolean(std::size_t column) const {
+  const std::string word = letters_of(text(column));
+  if (word == "true" || word == "yes" || text(column) == "1" || text(column) == "1.0") return true;
+  if (word == "false" || word == "no" || text(column) == "0" || text(column) == "0.0") return false;
+  reject(column, "is neither 0 or 1 nor true or false");
+}
+
+void CsvTable::reject(std::size_t column, const std::string& what) const {
+  reject(single_quoted(text(column)) + " in column " + std::to_string(place_[column].value_or(0) + 1) + ", " +
+         columns_[column].name + ", " + what);
+}
+
+}  // namespace kerf

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/files/part_file.h"
+
+namespace kerf {
+
+/// A file of results that is written anew whenever more of them are there. It has a part's name until all are
+/// (PartFile), so that an earlier file stays until then; what a killed run has saved is in the part.
+class ResultFile {
+ public:
+  /// An empty path is no file, and nothing is written. Throws std::system_error if the file could not be
+  /// written, as all of these do.
+  ResultFile(const std::filesystem::path& path, Replace replace);
+
+  /// What there is so far. `complete`: that is all, and the file gets its name.
+  void save(std::string_view text, bool complete);
+  /// Of a run that ends early: what was saved gets the name if that is free. Says where it is, in a sentence
+  /// that follows "interrupted".
+  std::string end_early();
+
+ private:
+  std::unique_ptr<PartFile> part_;  ///< null: no file
+  bool is_saved_ = false;
+};
+
+}  // namespace kerf

@@ -1,0 +1,150 @@
+#include "core/files/part_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "core/recording/unfinished.h"
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class PartFiles : public ::testing::Test {
+ protected:
+  PartFiles() {
+    std::string name = (fs::temp_directory_path() / "kerf-part-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+    folder_ = name;
+  }
+  ~PartFiles() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] fs::path path(const std::string& name) const { return folder_ / name; }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+  [[nodiscard]] std::set<std::string> files() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) names.insert(entry.path().filename().string());
+    return names;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+TEST_F(PartFiles, TheNameComesWithKeepAndTheEarlierFileStaysUntilThen) {
+  write("a.txt", "earlier");
+  {
+    PartFile part(path("a.txt"));
+    part.write("new");
+    EXPECT_EQ(text_of(path("a.txt")), "earlier");
+    EXPECT_EQ(parts_of(path("a.txt")), std::vector<fs::path>{part.path()});
+    part.keep();
+    EXPECT_EQ(text_of(path("a.txt")), "new");
+  }
+  EXPECT_EQ(files(), std::set<std::string>{"a.txt"});
+}
+
+TEST_F(PartFiles, WithoutKeepNothingIsLeftNotEvenTheLogOfADatabase) {
+  write("a.kerf", "earlier");
+  {
+    PartFile part(path("a.kerf"));
+    part.write("new");
+    write(part.path().filename().string() + "-wal", "log");
+  }
+  EXPECT_EQ(text_of(path("a.kerf")), "earlier");
+  EXPECT_EQ(files(), std::set<std::string>{"a.kerf"});
+}
+
+/// Neither has the part of the other, and what a third one left stays.
+TEST_F(PartFiles, EachRunHasANameOfItsOwn) {
+  write("a.kerf.0123456789abcdef.part", "of a killed run");
+  const PartFile one(path("a.kerf"));
+  const PartFile other(path("a.kerf"));
+  EXPECT_NE(one.path(), other.path());
+  EXPECT_EQ(parts_of(path("a.kerf")).size(), 3U);
+  EXPECT_EQ(text_of(path("a.kerf.0123456789abcdef.part")), "of a killed run");
+}
+
+TEST_F(PartFiles, WhatHasComeMeanwhileIsNotReplacedUnlessAsked) {
+  fs::path left;
+  {
+    PartFile part(path("a.txt"), Replace::nothing);
+    part.write("new");
+    write("a.txt", "somebody else's");
+    EXPECT_THAT([&] { part.keep(); }, ::testing::ThrowsMessage<std::system_error>(
+                                          HasSubstr("has come meanwhile; what was made is in")));
+    left = part.path();
+  }
+  EXPECT_EQ(text_of(path("a.txt")), "somebody else's");
+  EXPECT_EQ(text_of(left), "new") << "an hour's work is not thrown away";
+}
+
+TEST_F(PartFiles, AFolderInTheWayIsAnErrorAndStays) {
+  fs::create_directory(path("a.txt"));
+  {
+    PartFile part(path("a.txt"));
+    EXPECT_THROW(part.keep(), std::system_error);
+  }
+  EXPECT_EQ(files(), std::set<std::string>{"a.txt"});
+}
+
+TEST_F(PartFiles, ALinkToAFileStaysAndItsTargetIsReplaced) {
+  write("real.txt", "earlier");
+  fs::create_symlink("real.txt", path("a.txt"));
+  PartFile part(path("a.txt"));
+  part.write("new");
+  part.keep();
+  EXPECT_TRUE(fs::is_symlink(path("a.txt")));
+  EXPECT_EQ(text_of(path("real.txt")), "new");
+}
+
+TEST_F(PartFiles, PermissionsOfTheEarlierFileHold) {
+  write("a.txt", "secret");
+  ASSERT_EQ(::chmod(path("a.txt").c_str(), 0600), 0);
+  PartFile part(path("a.txt"));
+  part.keep();
+  EXPECT_EQ(static_cast<unsigned>(fs::status(path("a.txt")).permissions()), 0600U);
+}
+
+TEST_F(PartFiles, NamesOfAnyLengthHaveParts) {
+  const std::string longest(255, 'n');
+  PartFile part(path(longest));
+  part.write("new");
+  EXPECT_EQ(parts_of(path(longest)).size(), 1U);
+  part.keep();
+  EXPECT_EQ(files(), std::set<std::string>{longest});
+}
+
+TEST_F(PartFiles, NamesOfPartsAreKnown) {
+  EXPECT_TRUE(is_part_name("a.kerf.0123456789abcdef.part"));
+  for (const char* const name : {"a.kerf", "a.part", "a.kerf.0123456789abcdeg.part", "0123456789abcdef.part",
+                                 "a.0123456789abcdef.parts", ""})
+    EXPECT_FALSE(is_part_name(name)) << name;
+}
+
+TEST_F(PartFiles, WhereThereIsNoRecordingItsPartIsMeant) {
+  EXPECT_EQ(recording_at(path("a.kerf")), path("a.kerf"));
+  write("a.kerf.0123456789abcdef.part", "");
+  EXPECT_EQ(recording_at(path("a.kerf")), path("a.kerf.0123456789abcdef.part"));
+  write("a.kerf.1123456789abcdef.part", "");
+  EXPECT_THAT([&] { (void)recording_at(path("a.kerf")); },
+              ::testing::ThrowsMessage<std::runtime_error>(HasSubstr("a.kerf.1123456789abcdef.part")));
+  write("a.kerf", "");
+  EXPECT_EQ(recording_at(path("a.kerf")), path("a.kerf"));
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,61 @@
+#include "core/geometry/given_box.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/random.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+GivenBox<2> given(double min, double max) { return {{min, 0}, {max, 1}}; }
+
+TEST(GivenBox, IsRoundedOutwardToFloats) {
+  for (const double x : {0.1, -0.1, 20000000.9, -2.220446049250313e-61, 1e-40, 1e300, -1e300, 0.0, 1.0}) {
+    const Box<2> box = round_outward(given(x, x));
+    if (std::abs(x) < 1e38) {
+      EXPECT_LE(static_cast<double>(box.min[0]), x);
+      EXPECT_GE(static_cast<double>(box.max[0]), x);
+    }
+    EXPECT_TRUE(is_valid(box)) << x;
+  }
+  EXPECT_LT(round_outward(given(-2.2e-61, 1)).min[0], 0.0F);
+  EXPECT_EQ(to_given(round_outward(given(0.5, 0.75))), given(0.5, 0.75)) << "floats stay as they are";
+}
+
+/// What overlaps in doubles overlaps in the floats around them, so that a tree of floats misses no pair.
+TEST(GivenBox, NoOverlapIsLostByRounding) {
+  Random random(3);
+  for (int k = 0; k < 100'000; ++k) {
+    const double at = std::ldexp(random.unit() - 0.5, static_cast<int>(random.below(60)) - 20);
+    const double gap = std::ldexp(random.unit() - 0.5, static_cast<int>(random.below(40)) - 60) * at;
+    const GivenBox<2> a = given(at - 1, at);
+    const GivenBox<2> b = given(at + gap, at + gap + 1);
+    ASSERT_LE(overlaps(a, b), overlaps(round_outward(a), round_outward(b))) << at << " " << gap;
+  }
+}
+
+TEST(GivenBox, WhatCannotBePlacedStaysSo) {
+  EXPECT_FALSE(is_valid(round_outward(given(3, 1))));
+  EXPECT_FALSE(is_valid(round_outward(given(1.00000000001, 1)))) << "inverted by less than floats tell";
+  EXPECT_FALSE(is_valid(round_outward(given(1e300, 1e299))));
+  EXPECT_FALSE(is_valid(round_outward(given(kNan, 1))));
+  EXPECT_FALSE(is_valid(round_outward(given(0, kNan))));
+}
+
+TEST(GivenBox, GrowsByALengthOrAShare) {
+  EXPECT_TRUE(overlaps(grow(given(0, 1), {0.025, 0}), grow(given(1.05, 2), {0.025, 0})));
+  EXPECT_FALSE(overlaps(grow(given(0, 1), {0.024, 0}), grow(given(1.05, 2), {0.024, 0})));
+  EXPECT_TRUE(overlaps(grow(given(0, 10), {0, 0.1}), given(11, 12)));
+  EXPECT_FALSE(overlaps(grow(given(0, 10), {0, 0.1}), given(11.001, 12)));
+}
+
+TEST(GivenBox, JoinsAndKeepsNan) {
+  EXPECT_EQ(join(given(0, 1), given(5, 6)), given(0, 6));
+  EXPECT_TRUE(std::isnan(join(given(0, 1), given(kNan, 6)).min[0]));
+  EXPECT_TRUE(std::isnan(join(given(kNan, 1), given(0, 6)).min[0]));
+}
+
+}  // namespace
+}  // namespace kerf

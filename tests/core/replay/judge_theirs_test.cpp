@@ -1,0 +1,98 @@
+#include "core/replay/judge_theirs.h"
+
+#include <gmock/gmock.h>
+
+#include "core/replay/oracle.h"
+#include "tests/support/boxes.h"
+#include "tests/support/dimensions.h"
+
+namespace kerf {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr JudgedPair judged(std::uint32_t a, std::uint32_t b, PairVerdict verdict) {
+  return {{{a}, {b}}, verdict};
+}
+
+/// Boxes in a row along x: neighbours overlap, but for the last two, between which is a gap of 0.05.
+template <class T>
+class JudgeTheirs : public testing::Test {
+ protected:
+  static constexpr int kDimension = T::value;
+
+  JudgeTheirs() {
+    add(0, 1);
+    add(0.9, 2);
+    add(1.9, 3);
+    add(3.05, 4);
+  }
+  void add(double min, double max) {
+    const ObjectId object{objects_.size()};
+    GivenBox<kDimension> box;
+    box.max.fill(1);
+    box.min[0] = min;
+    box.max[0] = max;
+    (void)objects_.insert(object, round_outward(box), Mobility::moving);
+    world_.apply({{{object, box}}, {}});
+  }
+  [[nodiscard]] std::vector<JudgedPair> judge(const std::vector<Pair>& told,
+                                              const PairDesign& design = {}) const {
+    return judge_theirs<kDimension>(told, oracle_pairs(objects_), objects_, world_, design);
+  }
+  static constexpr Pair pair(std::uint32_t a, std::uint32_t b) { return {{a}, {b}}; }
+
+  ObjectTable<kDimension> objects_;
+  TheirWorld<kDimension> world_;
+};
+TYPED_TEST_SUITE(JudgeTheirs, test::Dimensions, test::DimensionNames);
+
+TYPED_TEST(JudgeTheirs, RightPairsHaveNoVerdictInWhateverOrderTheyComeIn) {
+  EXPECT_THAT(this->judge({this->pair(2, 1), this->pair(1, 0)}), IsEmpty());
+}
+
+TYPED_TEST(JudgeTheirs, MissedExtraAndTwice) {
+  EXPECT_THAT(this->judge({this->pair(1, 2), this->pair(2, 1), this->pair(2, 3), this->pair(0, 77)}),
+              ElementsAre(judged(0, 1, PairVerdict::missed), judged(0, 77, PairVerdict::extra),
+                          judged(2, 3, PairVerdict::extra), judged(1, 2, PairVerdict::twice)));
+}
+
+TYPED_TEST(JudgeTheirs, BoxesAreComparedAsTheyWereGiven) {
+  this->add(4 + 1e-12, 5);  // beside the last: in floats, rounded outward, the two overlap
+  ASSERT_TRUE(overlaps(this->objects_.box({3}), this->objects_.box({4})));
+  const std::vector<Pair> right{this->pair(0, 1), this->pair(1, 2)};
+  EXPECT_THAT(this->judge(right), IsEmpty());
+  this->world_.apply({{{{4}, std::nullopt}}, {}});  // from now on the floats say all
+  EXPECT_THAT(this->judge(right), ElementsAre(judged(3, 4, PairVerdict::missed)));
+}
+
+TYPED_TEST(JudgeTheirs, AMarginExcusesWhatIsToldAndAsksForNothing) {
+  const PairDesign design{{0.03, 0}, {}};
+  EXPECT_THAT(this->judge({this->pair(0, 1), this->pair(1, 2)}, design), IsEmpty());
+  EXPECT_THAT(this->judge({this->pair(0, 1), this->pair(1, 2), this->pair(2, 3), this->pair(0, 3)}, design),
+              ElementsAre(judged(0, 3, PairVerdict::extra), judged(2, 3, PairVerdict::margin)));
+  EXPECT_THAT(this->judge({this->pair(0, 1)}, design), ElementsAre(judged(1, 2, PairVerdict::missed)));
+}
+
+TYPED_TEST(JudgeTheirs, FiltersAndTheListAreIgnoredToldOrNot) {
+  this->world_.apply({{}, {{{0}, {1, 6}}, {{1}, {8, 255}}}});
+  const PairDesign design{{}, {this->pair(1, 2)}};
+  EXPECT_THAT(this->judge({}, design),
+              ElementsAre(judged(0, 1, PairVerdict::filtered), judged(1, 2, PairVerdict::listed)));
+  EXPECT_THAT(this->judge({this->pair(0, 1), this->pair(1, 2)}, design), IsEmpty())
+      << "told, and they do overlap";
+  EXPECT_FALSE(lets_pass({1, 2}, {1, 2}));
+  EXPECT_TRUE(lets_pass({1, 2}, {2, 1}));
+  EXPECT_FALSE(lets_pass({1, 2}, {2, 2}));
+}
+
+TEST(TheirStep, CountsEachVerdict) {
+  const std::vector<JudgedPair> all{judged(0, 1, PairVerdict::missed), judged(0, 2, PairVerdict::extra),
+                                    judged(0, 3, PairVerdict::twice),  judged(0, 4, PairVerdict::filtered),
+                                    judged(0, 5, PairVerdict::listed), judged(0, 6, PairVerdict::margin)};
+  EXPECT_EQ(sum_of(9, all), (TheirStep{9, 1, 1, 1, 3}));
+}
+
+}  // namespace
+}  // namespace kerf
