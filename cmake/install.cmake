@@ -1,5 +1,6 @@
-# What users link, and how they find it once it is installed: kerf::bsp, kerf::scene and kerf::recording by
-# find_package(kerf), and one pkg-config file for each. A header is included as here: #include "core/bsp/bsp.h".
+# What users link, and how they find it once it is installed: find_package(kerf) gives kerf::bsp, kerf::scene and
+# kerf::recording, and each has a pkg-config file. Headers are included as in this repository, for example
+# #include "core/bsp/bsp.h".
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -13,10 +14,10 @@ function(kerf_for_users target)
   add_library(kerf::${part} ALIAS ${target})
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${part} VERSION ${PROJECT_VERSION}
-    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} DEFINE_SYMBOL "")
   get_target_property(type ${target} TYPE)
   if(type STREQUAL "SHARED_LIBRARY")
-    # Only names that speak of ours are exported, none of the libraries that are compiled in.
+    # Exports no names of other libraries that are compiled in.
     target_link_options(${target} PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/exported_names)
     set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/exported_names)
   endif()
@@ -27,8 +28,8 @@ function(kerf_for_users target)
   endif()
 endfunction()
 
-# kerf_pkg_config(TARGET DESCRIPTION [OURS TARGET...] [OTHERS MODULE...]) installs kerf-PART.pc. A static library asks for
-# the others openly, since whoever links it needs them, too.
+# kerf_pkg_config(TARGET DESCRIPTION [OURS TARGET...] [OTHERS MODULE...]) installs kerf-PART.pc. A static library
+# requires the others publicly: a program that links it needs them, too.
 function(kerf_pkg_config target KERF_DESCRIPTION)
   cmake_parse_arguments(PARSE_ARGV 2 needs "" "" "OURS;OTHERS")
   string(REPLACE "_" "-" KERF_MODULE ${target})

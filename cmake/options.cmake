@@ -1,5 +1,5 @@
-# How Kerf compiles its own sources. These options belong to the folders of this project, not to its targets: nothing
-# of them reaches who links Kerf.
+# How Kerf compiles its own sources. These options belong to the folders of this project, not to its targets, so none of
+# them reaches a program that links Kerf.
 
 add_compile_options(-Wall -Wextra -Wconversion -Wshadow)
 if(KERF_DEVELOPER)

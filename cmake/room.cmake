@@ -1,10 +1,9 @@
-# kerf_room(NAME [INSTALLED] [FOLDERS FOLDER...] [EXCLUDE REGEX...] [SEPARATE REGEX...]) makes the library of one room of the house.
-# It takes every .cpp and .h below the given folders (the current one) that matches none of the expressions, so that a
-# new file needs no line here. A header that has a source is its first #include (tests/house sees to it), so that a build
-# without KERF_UNITY shows that it compiles alone; only the others are verified by themselves.
-#   INSTALLED  users link it: it is shared or static as BUILD_SHARED_LIBS says, and known as kerf::NAME without kerf_
-#   SEPARATE   which sources are never compiled together with others: they are tuned one by one, or have local names in
-#              common on purpose
+# kerf_room(NAME [INSTALLED] [FOLDERS FOLDER...] [EXCLUDE REGEX...] [SEPARATE REGEX...]) makes the library of one room.
+# It takes every .cpp and .h below the given folders (the current one) that matches none of the expressions of EXCLUDE,
+# so that a new file needs no line here. A header that has a source is its first #include (a test of tests/house checks
+# this), so a build without KERF_UNITY shows that it compiles alone; only the other headers are verified by themselves.
+#   INSTALLED  users link it: BUILD_SHARED_LIBS makes it shared or static, and its alias is kerf::NAME without kerf_
+#   SEPARATE   sources that KERF_UNITY leaves alone: each is tuned by itself, or local names are equal on purpose
 function(kerf_room name)
   cmake_parse_arguments(PARSE_ARGV 1 room "INSTALLED" "" "FOLDERS;EXCLUDE;SEPARATE")
   set(folders ${CMAKE_CURRENT_SOURCE_DIR})
@@ -39,8 +38,8 @@ function(kerf_room name)
   endif()
 endfunction()
 
-# kerf_unity(TARGET [REGEX...]) compiles its sources several at a time if KERF_UNITY is on, but those that match an
-# expression: most of what a small source costs are the headers of others.
+# kerf_unity(TARGET [REGEX...]) compiles the target's sources several at a time if KERF_UNITY is on, except those that
+# match an expression. Most of the time of a small source goes into headers that all of them include.
 function(kerf_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${KERF_UNITY} UNITY_BUILD_BATCH_SIZE 12)
   get_target_property(sources ${target} SOURCES)

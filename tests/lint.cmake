@@ -1,7 +1,8 @@
-# What `./run lint` checks: what compilers and tools say of the sources, not what the program does. These tests carry the
-# label lint, and belong into the build of the preset lint: none of the program is optimised in it.
+# What `./run lint` checks: what compilers and tools say of the sources, not what the program does. These tests have the
+# label lint and run in the build of the preset lint, which optimises nothing.
 
-# kerf_lint_test(NAME COMMAND...) is such a test; `kerf_lint_test(NAME)` is one whose tool this system does not have.
+# kerf_lint_test(NAME COMMAND...) adds such a test. kerf_lint_test(NAME) adds one that is shown as disabled: this system
+# does not have its tool.
 function(kerf_lint_test name)
   if(ARGC EQUAL 1)
     add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E false)
@@ -17,14 +18,14 @@ function(kerf_lint_build name target)
   kerf_lint_test(${name} ${CMAKE_COMMAND} --build ${PROJECT_BINARY_DIR} --target ${target} -- -k 0)
 endfunction()
 
-# The same runs give the same hashes. This build, which does not optimise, is compared with the other ends of what
-# compilers do; without variants the script compares them all.
+# The same runs give the same hashes. This build, which does not optimise, is compared with full optimisation by both
+# compilers; without variants the script compares every level.
 find_program(KERF_CLANG NAMES clang++-14 clang++-19)
 kerf_lint_test(Determinism.CompilersAndLevelsAgree
   ${CMAKE_CURRENT_SOURCE_DIR}/determinism/compare_builds ${PROJECT_BINARY_DIR}/variants
   $<TARGET_FILE:kerf_fingerprint> g++:-O3 ${KERF_CLANG}:-O3)
 
-# Kerf in another project, in each of the ways in which it gets there.
+# Other projects use Kerf, in each of the ways in which they can get it.
 kerf_lint_test(Embed.InstalledAndAsSources ${CMAKE_CURRENT_SOURCE_DIR}/embed/check_embed ${PROJECT_BINARY_DIR}/embed)
 
 kerf_lint_build(House.HeadersCompileAlone all_verify_interface_header_sets)

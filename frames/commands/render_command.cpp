@@ -71,7 +71,9 @@ RenderCommand::RenderCommand(CLI::App& program)
   option("--camera", texts_.camera, "From where, see below (default: most in view)", "TEXT");
   option("--camera-path", texts_.camera_path, "Camera that moves, from a file, see below", "FILE");
   option("--samples", texts_.samples, "Of each pixel, see below (default: 4, of many objects 1)", "1|4|2x2");
-  option("--backend", texts_.backend, "What draws; both give the same pixels (default osmesa)", "osmesa|egl");
+  option("--backend", texts_.backend,
+         "What draws, in the same pixels (default any: osmesa, or egl where it is missing)",
+         "any|osmesa|egl");
   option("--config", texts_.config, "Parameters of the tree, see below (default: those of --broad-phase)",
          "K=V,...");
   add_output(*command_, "--out", texts_.out, "Folder for frames and manifest (default out/SCENE)", "DIR");

@@ -77,7 +77,7 @@ struct RenderRequest {
   std::filesystem::path camera_file;  ///< empty: none
   std::string camera_path;            ///< the file's text; empty: the camera stands still
   int samples = 0;                    ///< of each pixel, see kSupersampled; 0: a choice
-  GlBackend backend = GlBackend::osmesa;
+  GlBackend backend = GlBackend::any;
   BroadPhaseChoice broad_phase;
   std::filesystem::path out;
   FilmRequest film;

@@ -25,6 +25,7 @@ void enter(const Surroundings& surroundings, const std::filesystem::path& output
   ::dup2(out, STDOUT_FILENO);
   ::dup2(err, STDERR_FILENO);
   if (!surroundings.path.empty()) ::setenv("PATH", surroundings.path.c_str(), 1);
+  if (!surroundings.libraries.empty()) ::setenv("LD_LIBRARY_PATH", surroundings.libraries.c_str(), 1);
   const auto limit = [](auto resource, std::uint64_t most) {
     const rlimit both{most, most};
     if (most != 0) ::setrlimit(resource, &both);

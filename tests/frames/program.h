@@ -41,6 +41,7 @@ struct Outcome {
 struct Surroundings {
   std::uint64_t largest_file = 0;  ///< RLIMIT_FSIZE; 0: no limit
   std::string path{};              ///< PATH; empty: as it is
+  std::string libraries{};         ///< LD_LIBRARY_PATH; empty: as it is
   std::uint64_t memory = 0;        ///< RLIMIT_AS; 0: no limit
   std::uint64_t seconds = 0;       ///< RLIMIT_CPU; 0: no limit
 };

@@ -21,7 +21,7 @@ constexpr int kHeight = 720;
 
 GlBackend backend() {
   const char* chosen = std::getenv("KERF_BACKEND");
-  return chosen == nullptr ? GlBackend::osmesa : parse_gl_backend(chosen);
+  return chosen == nullptr ? GlBackend::any : parse_gl_backend(chosen);
 }
 
 /// The part of the debugger's picture in an area that lies within it.

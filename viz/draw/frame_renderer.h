@@ -67,7 +67,7 @@ struct FrameOptions {
   int samples = 0;
   bool ids = false;           ///< also record what was drawn and where, see `FrameIds`
   std::string camera_path{};  ///< see CameraPath; empty: the camera stands still
-  GlBackend backend = GlBackend::osmesa;
+  GlBackend backend = GlBackend::any;
 };
 
 /// Called with the triangles of a scene (back, glass, lines, front) before they are drawn. Tests plant bugs

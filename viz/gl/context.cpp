@@ -14,7 +14,7 @@ namespace kerf {
 /// AMD; with 128 it draws them all alike. It reads the variable when a process makes its first context.
 std::unique_ptr<GlContext> make_offscreen_context(GlBackend backend) {
   setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0);
-  if (backend == GlBackend::egl) return make_egl_context();
+  if (backend == GlBackend::egl || (backend == GlBackend::any && !has_osmesa())) return make_egl_context();
   return make_osmesa_context();
 }
 

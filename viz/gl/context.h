@@ -28,7 +28,7 @@ class GlContext {
 
 /// A context without window or display, current in the calling thread. Throws std::runtime_error that says
 /// what is missing. A process that forks must do so before the first context.
-std::unique_ptr<GlContext> make_offscreen_context(GlBackend backend = GlBackend::osmesa);
+std::unique_ptr<GlContext> make_offscreen_context(GlBackend backend = GlBackend::any);
 
 /// Makes malloc keep the memory that the software rasteriser frees each frame (up to a fifth faster). It
 /// affects the whole process, so programs call it, libraries do not.

@@ -16,16 +16,22 @@ namespace {
       "OSMesa: " + what + "; draw with --backend egl, or install it (on Debian: apt-get install libosmesa6)");
 }
 
-/// libOSMesa, loaded at the first drawing and for the rest of the process. It is not linked, because it
-/// brings a compiler that takes longer to load than most commands of the program take, and a GL of its own.
+/// libOSMesa, loaded at the first drawing and for the rest of the process; null if it cannot be loaded. It is
+/// not linked, because it brings a compiler that takes longer to load than most commands of the program take,
+/// and a GL of its own.
+void* osmesa_library() {
+  static void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+  return library;
+}
+
 struct OsmesaLibrary {
   decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
   decltype(&OSMesaDestroyContext) destroy_context = nullptr;
   decltype(&OSMesaMakeCurrent) set_current = nullptr;
   decltype(&OSMesaGetProcAddress) get_proc_address = nullptr;
 
-  OsmesaLibrary() : library_(dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL)) {
-    if (library_ == nullptr) fail_osmesa("libOSMesa.so.8 cannot be loaded");
+  OsmesaLibrary() {
+    if (osmesa_library() == nullptr) fail_osmesa("libOSMesa.so.8 cannot be loaded");
     load(create_context, "OSMesaCreateContextAttribs");
     load(destroy_context, "OSMesaDestroyContext");
     load(set_current, "OSMesaMakeCurrent");
@@ -35,11 +41,9 @@ struct OsmesaLibrary {
  private:
   template <class Function>
   void load(Function& function, const char* name) {
-    function = reinterpret_cast<Function>(dlsym(library_, name));
+    function = reinterpret_cast<Function>(dlsym(osmesa_library(), name));
     if (function == nullptr) fail_osmesa(std::string("it has no ") + name);
   }
-
-  void* library_;
 };
 
 const OsmesaLibrary& osmesa() {
@@ -90,6 +94,8 @@ class OsmesaContext final : public GlContext {
 };
 
 }  // namespace
+
+bool has_osmesa() { return osmesa_library() != nullptr; }
 
 std::unique_ptr<GlContext> make_osmesa_context() { return std::make_unique<OsmesaContext>(); }
 

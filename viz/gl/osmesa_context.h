@@ -6,6 +6,9 @@
 
 namespace kerf {
 
+/// Its library is there and can be loaded.
+bool has_osmesa();
+
 /// Mesa's software rasteriser without a window system. Mesa dropped it after 25.0.
 std::unique_ptr<GlContext> make_osmesa_context();
 

@@ -77,7 +77,7 @@ TEST(GlContext, EglAndOsmesaWorkSideBySide) {
   std::string reason;
   const auto egl = egl_or_none(reason);
   if (!egl) GTEST_SKIP() << reason;
-  const auto osmesa = make_offscreen_context();
+  const auto osmesa = make_offscreen_context(GlBackend::osmesa);
   EXPECT_THAT(egl->description(), testing::HasSubstr("llvmpipe"));
   for (const std::uint32_t color : {0xff0000ffU, 0x00ff00ffU}) {
     for (GlContext* const context : {egl.get(), osmesa.get()}) {
@@ -94,6 +94,7 @@ TEST(GlContext, EglAndOsmesaWorkSideBySide) {
 }
 
 TEST(GlContext, BackendsHaveNames) {
+  EXPECT_EQ(parse_gl_backend("any"), GlBackend::any);
   EXPECT_EQ(parse_gl_backend("egl"), GlBackend::egl);
   EXPECT_EQ(parse_gl_backend("osmesa"), GlBackend::osmesa);
   EXPECT_THROW((void)parse_gl_backend("metal"), std::invalid_argument);
