@@ -24,7 +24,7 @@ constexpr std::array kTheirs{"SELECT * FROM their_steps WHERE step = ?",
                              "SELECT * FROM their_filters WHERE step = ? ORDER BY object"};
 
 /// SQLite keeps no sign of a zero.
-std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
+std::uint64_t stored_bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
 
 }  // namespace
 
@@ -39,11 +39,11 @@ std::uint64_t hash_bytes(std::span<const std::uint8_t> bytes, std::uint64_t seed
 std::uint64_t Chain::add(const StepRow& row) {
   const Statistics& s = row.statistics;
   std::vector<std::uint64_t> words{row.step,   s.objects,          row.changed,    row.pairs,
-                                   s.height,   s.leaves,           s.entries,      bits(s.redundancy),
+                                   s.height,   s.leaves,           s.entries,      stored_bits(s.redundancy),
                                    s.refused,  s.deferred,         s.placed,       row.first_event,
                                    row.events, row.operators_hash, row.state_hash, row.pairs_hash};
   words.insert(words.end(), s.operators.begin(), s.operators.end());
-  for (const double seconds : s.phase_seconds) words.push_back(bits(seconds));
+  for (const double seconds : s.phase_seconds) words.push_back(stored_bits(seconds));
   link_ = hash_words(words, end());
   seals_ = {};
   return link_;

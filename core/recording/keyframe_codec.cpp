@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kAlwaysPlaces = 65'536;
 constexpr std::size_t kPlacesForAByte = 8;
 
-std::size_t least_size(std::size_t places) {
+std::size_t least_keyframe(std::size_t places) {
   return places <= kAlwaysPlaces ? 0 : (places - kAlwaysPlaces) / kPlacesForAByte;
 }
 
@@ -51,7 +51,7 @@ void get_table(ByteReader& in, std::size_t size, ObjectTable<D>& table) {
   constexpr std::size_t kLeast = 2;  // bytes of an object: its state and its mobility
   const Box<D> invalid = Box<D>::empty();
   const std::size_t bound = in.count(kLeast);
-  if (least_size(bound) > size)
+  if (least_keyframe(bound) > size)
     fail_damaged("a keyframe of " + std::to_string(size) + " bytes says that it has " +
                  std::to_string(bound) + " objects");
   for (std::uint32_t id = 0; id < bound; ++id) {
@@ -229,7 +229,7 @@ Bytes plain_keyframe(const BspState<D>& state) {
 template <int D>
 Bytes encode_keyframe(const BspState<D>& state) {
   return compress(plain_keyframe(state),
-                  least_size(std::max(state.latest.bound(), state.tree.table.bound())));
+                  least_keyframe(std::max(state.latest.bound(), state.tree.table.bound())));
 }
 
 template <int D>

@@ -14,13 +14,13 @@
 namespace kerf {
 namespace {
 
-using Kind = OperatorRow::Kind;
+using RowKind = OperatorRow::Kind;
 
-constexpr std::array<std::string_view, 3> kKinds{"scheduled", "acted", "refused"};
+constexpr std::array<std::string_view, 3> kKindNames{"scheduled", "acted", "refused"};
 
-Kind kind_called(const std::string& name) {
-  for (std::size_t k = 0; k < kKinds.size(); ++k)
-    if (kKinds[k] == name) return static_cast<Kind>(k);
+RowKind kind_called(const std::string& name) {
+  for (std::size_t k = 0; k < kKindNames.size(); ++k)
+    if (kKindNames[k] == name) return static_cast<RowKind>(k);
   fail_damaged("there is no kind of event '" + name + "'");
 }
 
@@ -33,19 +33,19 @@ Refusal refusal_called(const std::string& name) {
 constexpr int kFirstFigure = 6;  ///< the column from which on only what acted has something ...
 constexpr int kReason = 14;      ///< ... but for the reason of what was refused
 
-OperatorRow read_row(const Statement& row) {
+OperatorRow read_operator(const Statement& row) {
   OperatorRow result{.event = row.natural(0),
                      .step = row.small(1),
                      .kind = kind_called(row.text(2)),
                      .op = operator_called(row.text(3)),
                      .node = {NodeId{row.small(4)}, row.small(5)}};
-  const bool acted = result.kind == Kind::acted;
+  const bool acted = result.kind == RowKind::acted;
   for (int column = kFirstFigure; column < kReason; ++column)
     if (row.is_null(column) == acted)
       fail_damaged("e" + std::to_string(result.event) + " has figures of another kind");
-  if (row.is_null(kReason) != (result.kind != Kind::refused))
+  if (row.is_null(kReason) != (result.kind != RowKind::refused))
     fail_damaged("e" + std::to_string(result.event) + " has a reason of another kind");
-  if (result.kind == Kind::refused) result.reason = refusal_called(row.text(kReason));
+  if (result.kind == RowKind::refused) result.reason = refusal_called(row.text(kReason));
   if (!acted) return result;
   result.before = {row.small(6), row.small(7), row.small(8)};
   result.left_after = row.small(9);
@@ -91,13 +91,13 @@ class RowCheck {
 
 std::optional<OperatorRow> operator_row(const Event& event) {
   using Row = std::optional<OperatorRow>;
-  const auto row_of = [&event](Kind kind, Operator op, const NodeRef& node) {
+  const auto row_of = [&event](RowKind kind, Operator op, const NodeRef& node) {
     return OperatorRow{.event = event.id, .step = event.step, .kind = kind, .op = op, .node = node};
   };
   return std::visit(
       Overloaded{
           [&](const OperatorActed& e) {
-            OperatorRow row = row_of(Kind::acted, e.op, e.node);
+            OperatorRow row = row_of(RowKind::acted, e.op, e.node);
             row.before = e.before;
             row.left_after = e.after.left;
             row.right_after = e.after.right;
@@ -107,11 +107,11 @@ std::optional<OperatorRow> operator_row(const Event& event) {
             return Row(row);
           },
           [&](const OperatorRefused& e) {
-            OperatorRow row = row_of(Kind::refused, e.op, e.node);
+            OperatorRow row = row_of(RowKind::refused, e.op, e.node);
             row.reason = e.reason;
             return Row(row);
           },
-          [&](const OperatorScheduled& e) { return Row(row_of(Kind::scheduled, e.op, e.node)); },
+          [&](const OperatorScheduled& e) { return Row(row_of(RowKind::scheduled, e.op, e.node)); },
           NothingFor<Row, PhaseBegan, ObjectPlaced, EventsDeferred, AllPlaced>(),
       },
       event.body);
@@ -126,16 +126,16 @@ Operator operator_called(const std::string& name) {
 void put(const OperatorRow& row, Statement& statement) {
   statement.clear();
   statement.bind(1, static_cast<std::int64_t>(row.event)).bind(2, std::int64_t{row.step});
-  statement.bind(3, kKinds[static_cast<std::size_t>(row.kind)]).bind(4, to_string(row.op));
+  statement.bind(3, kKindNames[static_cast<std::size_t>(row.kind)]).bind(4, to_string(row.op));
   statement.bind(5, std::int64_t{row.node.node.value}).bind(6, std::int64_t{row.node.generation});
-  if (row.kind == Kind::acted) {
+  if (row.kind == RowKind::acted) {
     int place = kFirstFigure;
     for (const std::uint32_t x : {row.before.population, row.before.left, row.before.right, row.left_after,
                                   row.right_after, row.direction})
       statement.bind(++place, std::int64_t{x});
     statement.bind(13, static_cast<double>(row.old_offset)).bind(14, static_cast<double>(row.new_offset));
   }
-  if (row.kind == Kind::refused) statement.bind(kReason + 1, to_string(row.reason));
+  if (row.kind == RowKind::refused) statement.bind(kReason + 1, to_string(row.reason));
   statement.run();
 }
 
@@ -164,7 +164,7 @@ std::vector<OperatorRow> read_operators(const Database& recording, std::span<con
   Statement rows = recording.prepare("SELECT * FROM events WHERE step <= ? ORDER BY id");
   rows.bind(1, std::int64_t{steps.empty() ? 0 : steps.back().step});
   while (rows.step()) {
-    operators.push_back(read_row(rows));
+    operators.push_back(read_operator(rows));
     check.add(operators.back());
   }
   check.finish();

@@ -7,9 +7,9 @@
 namespace kerf {
 namespace {
 
-std::string name_of(std::uint32_t step) { return "step " + std::to_string(step); }
+std::string step_name(std::uint32_t step) { return "step " + std::to_string(step); }
 
-std::uint64_t hash(const Statement& row, int column) {
+std::uint64_t hash_at(const Statement& row, int column) {
   return static_cast<std::uint64_t>(row.integer(column));
 }
 
@@ -31,11 +31,11 @@ StepRow read_step(const Statement& row) {
   s.placed = row.natural(column++);
   result.first_event = row.natural(column++);
   result.events = row.natural(column++);
-  result.operators_hash = hash(row, column++);
+  result.operators_hash = hash_at(row, column++);
   for (double& seconds : s.phase_seconds) seconds = row.real(column++);
-  result.state_hash = hash(row, column++);
-  result.pairs_hash = hash(row, column++);
-  result.link = hash(row, column++);
+  result.state_hash = hash_at(row, column++);
+  result.pairs_hash = hash_at(row, column++);
+  result.link = hash_at(row, column++);
   return result;
 }
 
@@ -46,9 +46,9 @@ std::vector<StepRow> read_steps(const Database& recording) {
   while (rows.step()) {
     steps.push_back(read_step(rows));
     if (steps.back().step != steps.size())
-      fail_damaged(name_of(static_cast<std::uint32_t>(steps.size())) + " is missing");
+      fail_damaged(step_name(static_cast<std::uint32_t>(steps.size())) + " is missing");
     if (steps.back().first_event != next_event || steps.back().events > INT64_MAX - next_event)
-      fail_damaged("the events of " + name_of(steps.back().step) + " do not follow those before");
+      fail_damaged("the events of " + step_name(steps.back().step) + " do not follow those before");
     next_event += steps.back().events;
   }
   return steps;
@@ -60,19 +60,19 @@ std::vector<BlockRow> read_blocks(const Database& recording, const std::vector<S
   Statement rows =
       recording.prepare("SELECT first_step, steps, changed, seal FROM blocks ORDER BY first_step");
   while (rows.step()) {
-    const BlockRow block{rows.small(0), rows.small(1), rows.natural(2), hash(rows, 3)};
+    const BlockRow block{rows.small(0), rows.small(1), rows.natural(2), hash_at(rows, 3)};
     if (block.first_step > next) break;
     if (block.first_step < next || block.steps == 0 || block.steps > steps.size() + 1 - next)
-      fail_damaged("the block of " + name_of(block.first_step) + " has other steps than there are");
+      fail_damaged("the block of " + step_name(block.first_step) + " has other steps than there are");
     std::uint64_t changed = 0;
     for (std::uint32_t k = 0; k < block.steps; ++k) changed += steps[next - 1 + k].changed;
     if (changed != block.changed)
-      fail_damaged("the block of " + name_of(block.first_step) + " has other changes than its steps");
+      fail_damaged("the block of " + step_name(block.first_step) + " has other changes than its steps");
     next += block.steps;
     blocks.push_back(block);
   }
   if (next <= steps.size())
-    fail_damaged("the block of " + name_of(static_cast<std::uint32_t>(next)) + " is missing");
+    fail_damaged("the block of " + step_name(static_cast<std::uint32_t>(next)) + " is missing");
   return blocks;
 }
 
@@ -81,11 +81,11 @@ std::vector<KeyframeRow> read_keyframes(const Database& recording, const std::ve
   auto block = blocks.begin();
   Statement rows = recording.prepare("SELECT step, seal FROM keyframes ORDER BY step");
   while (rows.step()) {
-    keyframes.push_back({rows.small(0), hash(rows, 1)});
+    keyframes.push_back({rows.small(0), hash_at(rows, 1)});
     const std::uint32_t step = keyframes.back().step;
     while (block != blocks.end() && block->last_step() < step) ++block;
     if (block == blocks.end() || block->last_step() != step)
-      fail_damaged("there is a keyframe of " + name_of(step) + ", where no block ends");
+      fail_damaged("there is a keyframe of " + step_name(step) + ", where no block ends");
     ++block;
   }
   return keyframes;
@@ -96,9 +96,9 @@ std::vector<TheirRow> read_theirs(const Database& recording, std::size_t steps) 
   std::uint32_t last = 0;
   Statement rows = recording.prepare("SELECT step, seal FROM their_seals ORDER BY step");
   while (rows.step()) {
-    theirs.push_back({rows.small(0), hash(rows, 1)});
+    theirs.push_back({rows.small(0), hash_at(rows, 1)});
     const std::uint32_t step = theirs.back().step;
-    if (step <= last || step > steps) fail_damaged("there is no " + name_of(step) + " of another engine");
+    if (step <= last || step > steps) fail_damaged("there is no " + step_name(step) + " of another engine");
     last = step;
   }
   return theirs;
@@ -124,8 +124,8 @@ std::optional<ChangedPart> find_change(const Database& recording, const Recorded
     if (chain.add(row) != row.link)
       return ChangedPart{row.step, row.step == 1
                                        ? "the row of step 1, or what the recording says of itself"
-                                       : "the row of " + name_of(row.step) + ", or what was written after " +
-                                             name_of(row.step - 1)};
+                                       : "the row of " + step_name(row.step) +
+                                             ", or what was written after " + step_name(row.step - 1)};
     if (block != rows.blocks.end() && block->last_step() == row.step)
       chain.add(Chain::Part::block, block++->seal);
     if (keyframe != rows.keyframes.end() && keyframe->step == row.step)
@@ -136,7 +136,7 @@ std::optional<ChangedPart> find_change(const Database& recording, const Recorded
   const auto last = static_cast<std::uint32_t>(rows.steps.size());
   const auto end = read_end(recording);
   if (end && *end != chain.end())
-    return ChangedPart{last, "what was written after " + name_of(last) + ", the last one"};
+    return ChangedPart{last, "what was written after " + step_name(last) + ", the last one"};
   return std::nullopt;
 }
 

@@ -125,7 +125,7 @@ std::vector<std::vector<std::string>> commands(const std::string& file, const st
           {"debug", file, "--headless", "--script", script},
           {"render", file, "--steps", "270", "--size", "64x64", "--out", folder / "frames"},
           {"compare", file, file},
-          {"minimize", file, "--when", "step==270", "-o", out},
+          {"minimize", file, "--when", "step==3", "-o", out},
           {"export", file, "--boxes"},
           {"lint", file},
           {"rerun", file, "--config", "max_height=20", "-o", out}};

@@ -18,6 +18,8 @@ std::string request_case(CaseBytes bytes);
 /// A PNG, as it is and with the checksums of its chunks put right: chance does not get past them.
 std::string png_case(CaseBytes bytes);
 
+/// A table of comma-separated values, as boxes and as pairs of another engine.
+std::string csv_case(CaseBytes bytes);
 /// A manifest of a sequence: what is accepted survives being written and read.
 std::string manifest_case(CaseBytes bytes);
 /// What lies beside a frame: what is in it.

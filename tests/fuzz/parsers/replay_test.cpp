@@ -14,6 +14,7 @@ void replay(const char* target, std::string (*run)(CaseBytes)) {
 TEST(ParserCorpus, ConfigurationsFindNothing) { replay("config", config_case); }
 TEST(ParserCorpus, RequestsFindNothing) { replay("request", request_case); }
 TEST(ParserCorpus, PicturesFindNothing) { replay("png", png_case); }
+TEST(ParserCorpus, TablesFindNothing) { replay("csv", csv_case); }
 TEST(ParserCorpus, ManifestsFindNothing) { replay("manifest", manifest_case); }
 TEST(ParserCorpus, DrawListsFindNothing) { replay("draw_list", draw_list_case); }
 TEST(ParserCorpus, ScriptsFindNothing) { replay("script", script_case); }
