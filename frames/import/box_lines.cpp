@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-enum Column : std::size_t { kStep, kObject, kBounds, kFixed = kBounds + 6, kCategory, kMask, kColumns };
+enum Column : std::size_t { kStep, kObject, kBounds, kFixed = kBounds + 6, kCategory, kMask, kColumnCount };
 
 constexpr std::size_t min_column(int axis) { return kBounds + 2 * static_cast<std::size_t>(axis); }
 constexpr std::size_t max_column(int axis) { return min_column(axis) + 1; }

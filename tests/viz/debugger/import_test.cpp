@@ -106,7 +106,8 @@ TYPED_TEST(ImportedRun, TheOracleMarksWhatIsWrongAndNothingElse) {
   model.go(Position::end_of(30));
   const PairJudgement judgement = model.run().judgement();
   EXPECT_THAT(model.run().explain(judgement.missed.at(0)), testing::HasSubstr("other engine missed it"));
-  EXPECT_THAT(model.run().explain(judgement.extra.at(0)), testing::HasSubstr("reported it, though it is none"));
+  EXPECT_THAT(model.run().explain(judgement.extra.at(0)),
+              testing::HasSubstr("reported it, though it is none"));
 }
 
 }  // namespace
