@@ -141,7 +141,7 @@ inline constexpr std::size_t kPiecesPerThread = 8;
 
 // The sweep by bytes.
 
-/// Sure pairs in a row of 64 entries above which they are told apart from those that floats confirm. Scene
+/// Sure pairs in a row of 64 entries above which they are separated from those that floats confirm. Scene
 /// dense: above some ten pairs an object it pays, in scenes with four it does not.
 inline constexpr float kSurePerRow = 7;
 

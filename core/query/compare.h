@@ -16,13 +16,13 @@ struct RecordingSummary {
   std::array<std::uint64_t, kOperatorCount> operators{};
   std::uint64_t refused = 0;
   std::uint64_t pairs = 0;
-  std::uint32_t height = 0;  ///< the greatest
+  std::uint32_t height = 0;  ///< greatest
   double redundancy = 0;     ///< mean of the steps
   double milliseconds = 0;   ///< median of a step
   double most_milliseconds = 0;
 };
 
-/// What happened first that did not happen in the other run; none: nothing more in that step.
+/// The first event that the other run does not have; none: nothing more in that step.
 struct EventDifference {
   std::uint32_t step = 0;
   std::optional<Event> a;
@@ -42,11 +42,11 @@ struct TheirDifference {
 struct RecordingComparison {
   RecordingSummary a;
   RecordingSummary b;
-  std::optional<std::uint32_t> requests;     ///< first step before which something else was asked
+  std::optional<std::uint32_t> requests;     ///< first step with other requests before it
   std::optional<std::uint32_t> state;        ///< first step with another tree
   std::optional<std::uint32_t> pairs;        ///< first step with another set of pairs
-  std::optional<EventDifference> events;     ///< whatever it is
-  std::optional<EventDifference> operators;  ///< the first operator that acted or was refused otherwise
+  std::optional<EventDifference> events;     ///< of any kind
+  std::optional<EventDifference> operators;  ///< the first operator that acted or was refused differently
 
   std::optional<TheirDifference> theirs;    ///< of imports: their pairs
   std::optional<std::uint32_t> verdicts;    ///< of imports: first step with another judgement of them

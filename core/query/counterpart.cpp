@@ -10,7 +10,7 @@
 namespace kerf {
 namespace {
 
-/// What an event is about, whatever came of it: its kind, operator and node, or its object.
+/// The subject of an event, whatever its outcome: its kind, operator and node, or its object.
 using SubjectKey = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
 
 /// Acted and refused are two outcomes of one subject.
@@ -22,7 +22,7 @@ SubjectKey subject_of(const Event& event) {
   return {kind, 0, object ? object->value : 0};
 }
 
-/// The events of the phase that `first` begins; those before any phase if nothing does.
+/// The events of the phase that `first` begins; those before any phase if `first` begins none.
 std::span<const Event> phase_from(std::span<const Event> events, std::span<const Event>::iterator first) {
   const auto begin = first == events.end() ? events.begin() : first;
   const auto end = std::find_if(first == events.end() ? begin : begin + 1, events.end(), begins_phase);
@@ -37,7 +37,7 @@ std::span<const Event> same_phase(std::span<const Event> phase, std::span<const 
   return first == those.end() ? std::span<const Event>() : phase_from(those, first);
 }
 
-/// Each subject with how often it has come up before.
+/// Each subject with the number of its earlier occurrences.
 std::vector<std::pair<SubjectKey, int>> numbered(std::span<const Event> events) {
   std::map<SubjectKey, int> seen;
   std::vector<std::pair<SubjectKey, int>> result;

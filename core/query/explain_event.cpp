@@ -32,8 +32,8 @@ bool may_become(Operator listed, Operator acted) {
   return listed == acted || (listed == Operator::shift_split && acted == Operator::split);
 }
 
-/// When the operator was put into the event list, if it was (balance never is): the latest time before the
-/// event.
+/// The last time before the event when the operator was put into the event list, if it was (balance never
+/// is).
 template <int D>
 std::optional<Event> scheduling_of(RecordingReader<D>& recording, const Event& event, const Deed& deed) {
   std::optional<Event> found;

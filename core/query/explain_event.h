@@ -13,11 +13,11 @@ namespace kerf {
 template <int D>
 struct EventExplanation {
   Event event;
-  std::string reason;               ///< of an operator: what the criteria said of its node right before
-  std::optional<Event> scheduled;   ///< of an operator: when it was listed
-  std::vector<BallotEntry> ballot;  ///< of an operator that chose a partitioner
+  std::string reason;               ///< for an operator: the criteria of its node right before
+  std::optional<Event> scheduled;   ///< for an operator: when it was listed
+  std::vector<BallotEntry> ballot;  ///< for an operator that chose a partitioner
   std::vector<Vector<D>> normals;   ///< of the candidates
-  std::vector<NodeId> leaves;       ///< of an object that was placed: where it is now
+  std::vector<NodeId> leaves;       ///< for a placed object: its leaves now
 };
 
 /// Throws std::runtime_error for an event that the recording does not have.

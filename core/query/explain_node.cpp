@@ -19,7 +19,7 @@ std::vector<PathSide<D>> path_to(const Tree<D>& tree, NodeId id) {
   return path;
 }
 
-/// The lives of a node's slot as far as they are known in a step.
+/// The lives of a node's slot as far as a step knows them.
 std::vector<NodeLife> lives_until(std::span<const OperatorRow> operators, NodeId id, std::uint32_t step) {
   const auto by_slot = find_node_lives(operators.first(static_cast<std::size_t>(
       std::ranges::upper_bound(operators, step, {}, &OperatorRow::step) - operators.begin())));

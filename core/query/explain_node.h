@@ -18,7 +18,7 @@ struct PathSide {
   bool right = false;
 };
 
-/// A node at the end of a step: where it stands, how good it is, and what Algorithm 1 wants of it.
+/// A node at the end of a step: its place, its quality, and what Algorithm 1 would do with it.
 template <int D>
 struct NodeExplanation {
   std::uint32_t step = 0;
@@ -27,9 +27,9 @@ struct NodeExplanation {
   Node<D> node;                    ///< if alive
   std::vector<PathSide<D>> path;   ///< from the root down to its parent
   std::optional<Quality> quality;  ///< of its partitioner; none for a leaf
-  std::string wish;                ///< what the criteria ask for, with the figures
+  std::string wish;                ///< what the criteria require, with the figures
   std::vector<NodeLife> lives;     ///< that began up to this step, ended if they ended by then
-  std::vector<Event> history;      ///< likewise, over all its lives
+  std::vector<Event> history;      ///< over all its lives, likewise
 };
 
 /// Throws std::runtime_error for a step that the recording does not have.

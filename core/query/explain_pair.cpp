@@ -21,7 +21,7 @@ bool share(const Tree<D>& tree, NodeRef leaf, const Pair& pair) {
 }
 
 /// Down from the root, left where both are left: to the leaf where the two are compared, or to the node that
-/// parts them.
+/// separates them.
 template <int D>
 void walk(const Tree<D>& tree, PairExplanation<D>& result) {
   NodeId id = tree.root();
@@ -44,7 +44,7 @@ void walk(const Tree<D>& tree, PairExplanation<D>& result) {
   result.shared_leaf = id;
 }
 
-/// What can put two objects into one leaf.
+/// Whether an event can put two objects into one leaf.
 bool may_join(const Event& event, const Pair& pair) {
   return std::visit(Overloaded{
                         [&](const ObjectPlaced& e) { return e.object == pair.a || e.object == pair.b; },

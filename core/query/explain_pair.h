@@ -15,7 +15,7 @@ struct HalfSpaceTest {
   NodeId node;
   std::uint32_t depth = 0;
   Plane<D> plane;
-  Interval a;  ///< the objects' shadows on its normal
+  Interval a;  ///< the objects' projections on its normal
   Interval b;
   Sides a_sides;
   Sides b_sides;
@@ -40,8 +40,8 @@ struct PairExplanation {
   std::optional<GivenFilter> b_filter;
   Margin margin_declared;
   bool boxes_overlap = false;
-  int axis = 0;                         ///< along which the boxes are furthest apart, or overlap least
-  double margin = 0;                    ///< how far apart; negative: by how much they overlap
+  int axis = 0;                         ///< on which the boxes are furthest apart, or overlap least
+  double margin = 0;                    ///< the distance; negative: the overlap
   std::vector<HalfSpaceTest<D>> tests;  ///< from the root down, as long as they share a side
   std::optional<NodeId> shared_leaf;    ///< the canonical one, where they are compared
   std::optional<Event> shared_since;    ///< after this event they shared it

@@ -27,7 +27,7 @@ constexpr std::array kInfixes{
     Infix{"/", Kind::divide, 5},
 };
 
-/// A pair, plane, node or object of which something is asked, and the words that may follow.
+/// A pair, plane, node or object in a condition, and the words that may follow.
 struct Subject {
   std::string_view name;
   std::string_view verb;  ///< empty: none follows
@@ -43,8 +43,8 @@ bool is_named(Variable variable) {
   return variable == Variable::op || variable == Variable::kind || variable == Variable::phase;
 }
 
-/// Precedence climbing over the tokens; parts are appended operands first. Nesting is limited, since it costs
-/// stack.
+/// Precedence climbing over the tokens; operands are appended before their operators. Nesting is limited,
+/// since it costs stack.
 class Parser {
  public:
   explicit Parser(std::string_view text) : text_(text), tokens_(tokens_of(text)) {}
@@ -106,7 +106,7 @@ class Parser {
       reject_expression(text_, place, "a name can only be compared by == or !=");
   }
 
-  /// What follows `op ==`, `kind ==` or `phase ==` is one of their names; anything else is an expression.
+  /// After `op ==`, `kind ==` or `phase ==` comes one of their names or an expression.
   std::size_t named_or_infix(std::size_t left, int strength) {
     const ExpressionPart part = parts_[left];
     if (part.kind != Kind::variable || !is_named(part.variable)) return infix(strength);

@@ -48,10 +48,10 @@ enum class Variable : std::uint8_t {
   depth,
 };
 
-/// What happens to something in a step or event.
+/// Something that happens in a step or event.
 enum class Happening : std::uint8_t {
   pair_is,       ///< pair(i,j)
-  pair_enters,   ///< pair(i,j) enters: it is a pair now and was none a step before
+  pair_enters,   ///< pair(i,j) enters: it is a pair, but was none a step before
   pair_leaves,   ///< pair(i,j) leaves
   plane_moves,   ///< plane(nK) moves: its partitioner was set or shifted
   node_changes,  ///< node(nK): an operator acted on it
@@ -93,18 +93,18 @@ struct ExpressionPart {
 /// A condition on a moment of a run, such as `op==merge && depth>8`. See docs/DEBUGGING.md.
 class Expression {
  public:
-  /// Throws std::invalid_argument that shows the place, and what is possible there.
+  /// Throws std::invalid_argument that shows the place, and what is allowed there.
   static Expression parse(std::string_view text);
-  /// The same for what may also be a number, such as `100*redundancy`: a value to be watched.
+  /// The same for a text that may also be a number, such as `100*redundancy`: a value to watch.
   static Expression parse_value(std::string_view text);
 
   [[nodiscard]] std::span<const ExpressionPart> parts() const { return parts_; }
   [[nodiscard]] const ExpressionPart& root() const { return parts_.back(); }
   [[nodiscard]] const std::string& text() const { return text_; }
 
-  /// It speaks of events, so that it must be asked at each of them; else only at the ends of steps.
+  /// Whether it must be evaluated at each event; else only at the ends of steps.
   [[nodiscard]] bool asks_events() const;
-  /// Its answer is not in what was recorded: the tree, its pairs or the oracle must be there.
+  /// Whether the recording alone cannot answer it: it needs the tree, its pairs or the oracle.
   [[nodiscard]] bool asks_pairs() const;
   [[nodiscard]] bool asks_oracle() const;
   [[nodiscard]] bool asks_depth() const;
@@ -113,7 +113,7 @@ class Expression {
   [[nodiscard]] bool has(bool (*wanted)(const ExpressionPart&)) const;
 
   std::string text_;
-  std::vector<ExpressionPart> parts_;  ///< operands before what uses them
+  std::vector<ExpressionPart> parts_;  ///< operands before their operators
 };
 
 }  // namespace kerf

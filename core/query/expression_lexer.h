@@ -10,16 +10,16 @@ namespace kerf {
 struct Token {
   enum class Kind : std::uint8_t { number, word, symbol, end };
   Kind kind = Kind::end;
-  std::string_view text;  ///< of a number its digits and its unit
+  std::string_view text;  ///< for a number its digits and its unit
   double number = 0;      ///< in seconds where a unit of time was given
   std::size_t place = 0;  ///< where it begins
 };
 
 /// Cuts an expression into tokens, the last being `end`. Words may have a hyphen between letters
-/// (`shift-split`). Throws std::invalid_argument for what belongs to no token.
+/// (`shift-split`). Throws std::invalid_argument for characters that belong to no token.
 std::vector<Token> tokens_of(std::string_view text);
 
-/// Throws std::invalid_argument with the text, a mark below the place, and what is wrong there.
+/// Throws std::invalid_argument with the text, a mark below the place, and the error.
 [[noreturn]] void reject_expression(std::string_view text, std::size_t place, std::string_view what);
 
 }  // namespace kerf

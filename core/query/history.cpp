@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-/// Makes the calls of a step that concern one of two objects.
+/// Makes the calls of a step for one of two objects.
 template <int D>
 bool follow(const StepRequests<D>& requests, const Pair& pair, ObjectTable<D>& table) {
   bool changed = false;

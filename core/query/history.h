@@ -17,7 +17,7 @@ struct PairChange {
 template <int D>
 std::vector<PairChange> pair_history(RecordingReader<D>& recording, const Pair& pair, std::uint32_t up_to);
 
-/// Everything that was scheduled, refused or done at a node up to a step, over all its lives.
+/// All operators that were scheduled, refused or acted at a node up to a step, over all its lives.
 template <int D>
 std::vector<Event> node_history(RecordingReader<D>& recording, NodeId node, std::uint32_t up_to);
 

@@ -9,8 +9,7 @@ namespace kerf {
 template <int D>
 using Fails = std::function<bool(const Scenario<D>&)>;
 
-/// The last steps of a recording up to `last` with which `fails` still holds, as few as one tries by
-/// doubling.
+/// The last steps of a recording up to `last` with which `fails` still holds, as few as doubling finds.
 ///
 /// Pre: it holds for all steps up to `last`.
 template <int D>

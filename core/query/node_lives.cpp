@@ -6,8 +6,7 @@
 namespace kerf {
 namespace {
 
-/// The links of the tree without what it holds. Slots are given out as Tree does: the last that was freed
-/// first.
+/// The links of the tree without its content. Slots are reused as Tree does: the last freed first.
 class Lineage {
  public:
   Lineage() { root_ = make(NodeId::none(), {}); }
@@ -81,7 +80,7 @@ class Lineage {
     end(life(id).divided.back(), row);
   }
 
-  /// The lighter child goes with all below it, the heavier one takes the place of its parent.
+  /// The lighter child dies with everything below it, the heavier one takes the place of its parent.
   void swap(const OperatorRow& row) {
     const Links inner = at(row.node.node);
     const bool left_heavy = row.before.left >= row.before.right;

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// Steps from one event to another; no end: to the end of the run.
+/// Steps from one event to another; without an end: to the end of the run.
 struct LifeSpan {
   std::uint32_t first_step = 0;  ///< 0: from the beginning
   std::uint64_t first_event = 0;
@@ -24,7 +24,7 @@ struct NodeLife {
 };
 
 /// The lives of all nodes of a run, by slot. The root's first one begins with the run; a node that was born
-/// and has died in the same step has its life, too. Throws std::runtime_error for operators that cannot have
+/// and died in the same step has its life, too. Throws std::runtime_error for operators that cannot have
 /// followed one another.
 std::vector<std::vector<NodeLife>> find_node_lives(std::span<const OperatorRow> operators);
 

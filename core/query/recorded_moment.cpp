@@ -130,7 +130,7 @@ double RecordedMoment<D>::number(Variable variable) const {
   return tree_->tree()[node->node].depth;
 }
 
-/// Somebody else's pairs if the recording has some, else the tree's.
+/// Another engine's pairs if the recording has some, else the tree's.
 template <int D>
 double RecordedMoment<D>::judged(Variable variable) const {
   if (!judgement_) judgement_ = recording_.their_step(step_);

@@ -10,19 +10,19 @@
 
 namespace kerf {
 
-/// What a step's row says of a variable; NaN if it says nothing.
+/// The value of a variable in a step's row; NaN if the row does not have it.
 double row_number(const StepRow& row, Variable variable);
-/// What an event says of a variable; NaN if it says nothing.
+/// The value of a variable in an event; NaN if the event does not have it.
 double event_number(const Event& event, Variable variable);
 /// The median over all steps; NaN if there are none. Only for variables of rows.
 double row_median(std::span<const StepRow> rows, Variable variable);
 
-/// A moment as the recording tells it, with the tree beside it where it has been replayed.
+/// A moment of a recording, with the tree beside it where it has been replayed.
 template <int D>
 class RecordedMoment final : public Moment {
  public:
-  /// `tree` may be none: then there is no depth and no pair. `event` is none at the end of a step. `before`
-  /// are the pairs of the step before, sorted.
+  /// `tree` may be null: then there is no depth and no pair. `event` is null at the end of a step. `before`
+  /// has the pairs of the step before, sorted.
   RecordedMoment(const RecordingReader<D>& recording, std::uint32_t step, const Event* event,
                  const Bsp<D, Watch>* tree, const std::vector<Pair>* before,
                  std::vector<std::optional<double>>& medians);
@@ -41,7 +41,7 @@ class RecordedMoment final : public Moment {
   const Bsp<D, Watch>* tree_;
   const std::vector<Pair>* before_;
   std::vector<std::optional<double>>& medians_;  ///< by variable; kept between moments
-  mutable std::optional<TheirStep> judgement_;   ///< of the oracle, asked once
+  mutable std::optional<TheirStep> judgement_;   ///< of the oracle, computed once
 };
 
 extern template class RecordedMoment<2>;

@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-/// The requests one by one; objects that were moved by one call are moved by as many.
+/// The requests one by one; a call that moves many objects becomes one call for each.
 template <int D>
 std::vector<ObjectRequest<D>> singles_of(const StepRequests<D>& requests, VolumeKind kind) {
   std::vector<ObjectRequest<D>> singles;
@@ -40,11 +40,11 @@ void append(StepRequests<D>& requests, const ObjectRequest<D>& single) {
   }
 }
 
-/// Of several boxes given to an object only the last counts, in the place of the first.
+/// Of several boxes of an object only the last counts, in the place of the first.
 template <int D>
 std::vector<ObjectRequest<D>> collapsed(const std::vector<ObjectRequest<D>>& singles) {
   constexpr std::size_t kNone = SIZE_MAX;
-  std::map<ObjectId, std::size_t> place;  // of what was asked of each object, in `result`
+  std::map<ObjectId, std::size_t> place;  // of each object's request in `result`
   std::vector<ObjectRequest<D>> result;
   for (const ObjectRequest<D>& single : singles) {
     std::size_t& last = place.try_emplace(single.object, kNone).first->second;
@@ -59,7 +59,7 @@ std::vector<ObjectRequest<D>> collapsed(const std::vector<ObjectRequest<D>>& sin
   return result;
 }
 
-/// Puts every object of the table where it is.
+/// Puts every object of the table into its present place.
 template <int D>
 StepRequests<D> insert_all(const ObjectTable<D>& table) {
   StepRequests<D> requests;
@@ -113,7 +113,7 @@ bool& switch_of(Config& config, Operator op) {
   return config.merge;
 }
 
-/// As the recording says it that is made of the scenario.
+/// As in the recording that the scenario makes.
 template <int D>
 RecordingInfo info_of(const Scenario<D>& scenario) {
   RecordingInfo info = scenario.info;

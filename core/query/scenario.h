@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// What a tree is asked in a step, and with which configuration it takes it.
+/// The requests of a step, and its configuration.
 template <int D>
 struct ScenarioStep {
   StepRequests<D> requests;
@@ -19,9 +19,8 @@ struct ScenarioStep {
   TheirChanges<D> changes;                  ///< what else they are judged by
 };
 
-/// What a tree is asked, step by step, apart from any recording: something that can be made smaller and run
-/// again. Decisions about single events are not part of it: with other objects or steps there are other
-/// events.
+/// The requests to a tree, step by step, independent of a recording: they can be reduced and run again.
+/// Decisions about single events are not part of it: with other objects or steps there are other events.
 template <int D>
 struct Scenario {
   RecordingInfo info;
@@ -37,25 +36,25 @@ struct Acting {
   friend bool operator==(const Acting&, const Acting&) = default;
 };
 
-/// The steps of a recording up to `last`. Those up to `first` become one, in which every object is put where
-/// it was at their end; with 0 or 1 all are as they were.
+/// The steps of a recording up to `last`. Those up to `first` become one, in which every object gets its
+/// place at their end; with 0 or 1 all steps stay as they are.
 template <int D>
 Scenario<D> scenario_of(Replayer<D>& replayer, std::uint32_t first, std::uint32_t last);
 
-/// Every object that is ever asked for, in the order of their ids.
+/// Every object in any request, in the order of their ids.
 template <int D>
 std::vector<ObjectId> objects_of(const Scenario<D>& scenario);
-/// Only what concerns these objects, given in the order of their ids.
+/// Only the requests for these objects, given in the order of their ids.
 template <int D>
 Scenario<D> with_objects(const Scenario<D>& scenario, const std::vector<ObjectId>& kept);
-/// Only these steps, given in their order; what is asked in the others is asked in the next that is kept.
+/// Only these steps, given in their order; requests of the others move to the next step that is kept.
 template <int D>
 Scenario<D> with_steps(const Scenario<D>& scenario, const std::vector<std::size_t>& kept);
 
-/// Runs the scenario and tells which operators act when.
+/// Runs the scenario and returns which operators act when.
 template <int D>
 std::vector<Acting> acting_operators(const Scenario<D>& scenario);
-/// Without these: in their steps, their operators are switched off.
+/// Switches these operators off in their steps.
 template <int D>
 Scenario<D> without_operators(Scenario<D> scenario, const std::vector<Acting>& left_out);
 

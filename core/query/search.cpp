@@ -67,7 +67,7 @@ std::optional<Position> Search<D>::forward_change(const Expression& expression, 
 template <int D>
 std::optional<Position> Search<D>::backward_change(const Expression& expression, const Position& from,
                                                    Change change, const Progress& progress) {
-  std::optional<ValueAt> later;  // whether it is a change is known when what comes before it is
+  std::optional<ValueAt> later;  // whether it is a change depends on the moments before it
   for (std::uint32_t step = std::min(from.step, recording_->steps()); step > 0; --step) {
     if (progress && !progress(step)) return std::nullopt;
     const std::vector<ValueAt> values = values_in(expression, step);
@@ -80,7 +80,7 @@ std::optional<Position> Search<D>::backward_change(const Expression& expression,
                                                                 : std::nullopt;
 }
 
-/// Those of a step's moments at which there is a value.
+/// The moments of a step that have a value.
 template <int D>
 auto Search<D>::values_in(const Expression& expression, std::uint32_t step) -> std::vector<ValueAt> {
   std::vector<ValueAt> values;
@@ -141,7 +141,7 @@ double Search<D>::value(const Expression& expression, const Position& at) {
   return result;
 }
 
-/// Judgements of an import's pairs are in the recording.
+/// The recording has the judgements of an import's pairs.
 template <int D>
 bool Search<D>::needs_replay(const Expression& expression) const {
   return expression.asks_depth() || expression.asks_pairs() ||

@@ -10,19 +10,18 @@
 
 namespace kerf {
 
-/// What of a value's change is looked for. What does not exist at a moment, such as the depth of no node, is
-/// no change; nor is the first value of all, unless it is true.
+/// Which change of a value to look for. A value that does not exist at a moment, such as the depth of no
+/// node, is no change; nor is the very first value, unless it is true.
 enum class Change : std::uint8_t { any, becomes_true };
 
-/// Finds the moments of a recorded run at which an expression holds: after events if it speaks of events,
-/// else at the ends of steps. What was recorded is asked first; the run is replayed only where that is not
-/// enough.
+/// Finds the moments of a recorded run at which an expression holds: after events if it is about events, else
+/// at the ends of steps. It uses recorded data first and replays the run only where that does not suffice.
 ///
 /// Everything throws std::runtime_error if the recording is damaged.
 template <int D>
 class Search {
  public:
-  /// Told each step; when it returns false the search ends without a result.
+  /// Called with each step; when it returns false the search ends without a result.
   using Progress = std::function<bool(std::uint32_t)>;
 
   explicit Search(std::shared_ptr<RecordingReader<D>> recording);
@@ -34,18 +33,18 @@ class Search {
   std::optional<Position> backward(const Expression& expression, const Position& from,
                                    const Progress& progress = {});
 
-  /// The same for moments at which the value is another one than at the moment before.
+  /// The same for moments at which the value differs from that of the moment before.
   std::optional<Position> forward_change(const Expression& expression, const Position& from, Change change,
                                          const Progress& progress = {});
   std::optional<Position> backward_change(const Expression& expression, const Position& from, Change change,
                                           const Progress& progress = {});
 
-  /// The value of an expression right after an event or at the end of a step; NaN for what does not exist
-  /// there, and for everything before the first step.
+  /// The value of an expression right after an event or at the end of a step; NaN for a value that does not
+  /// exist there, and for everything before the first step.
   double value(const Expression& expression, const Position& at);
 
  private:
-  /// First or last of a step's moments between two.
+  /// The first or the last of a step's moments between two.
   struct Range {
     Position after;
     Position before;
@@ -65,7 +64,7 @@ class Search {
   std::optional<Position> at_end(const Expression& expression, std::uint32_t step, const Range& range);
 
   std::shared_ptr<RecordingReader<D>> recording_;
-  std::unique_ptr<Replayer<D>> replayer_;  ///< none until it is needed
+  std::unique_ptr<Replayer<D>> replayer_;  ///< null until it is needed
   std::vector<std::optional<double>> medians_;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 using Kind = OperatorRow::Kind;
 
-/// What is known of a node's last deeds.
+/// The last operators of a node.
 struct NodeMemory {
   std::uint32_t split = 0;  ///< step of the last split; 0: none
   std::uint32_t merge = 0;  ///< step of a merge since then
@@ -56,7 +56,7 @@ class Finder {
   }
 
   void note_wait(const OperatorRow& row, std::uint32_t until) {
-    // Merges are listed anew by each traversal, and done when there is time: the paper wants it so.
+    // Merges are listed anew by each traversal, and done when there is time, as in the paper.
     if (row.op != Operator::merge && until - row.step > steps_)
       found_.push_back({ThrashKind::starved, row.op, row.node.node, row.event, row.step, until});
   }

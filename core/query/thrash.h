@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-/// Work of the operators that undoes itself or is never done.
+/// Operators that undo each other or never act.
 enum class ThrashKind : std::uint8_t {
   split_merge_split,  ///< a node was split, merged and split again
   balance_ping_pong,  ///< a partitioner was shifted one way, back, and that way again
@@ -20,14 +20,14 @@ std::string_view to_string(ThrashKind kind);
 
 struct Thrash {
   ThrashKind kind = ThrashKind::starved;
-  Operator op = Operator::split;  ///< of what starved
+  Operator op = Operator::split;  ///< for starved ones
   NodeId node;
-  std::uint64_t event = 0;  ///< by which it is complete; of what starved, where it was listed
+  std::uint64_t event = 0;  ///< the event that completes it; for starved ones, the one that listed it
   std::uint32_t first_step = 0;
-  std::uint32_t last_step = 0;  ///< of what is still waiting the last of the run
+  std::uint32_t last_step = 0;  ///< for operators that still wait, the last of the run
 };
 
-/// All that happened within `steps` steps, or for what starved lasted longer, by event. O(events).
+/// All cases within `steps` steps, or for starved ones longer than that, by event. O(events).
 std::vector<Thrash> find_thrash(std::span<const OperatorRow> operators, std::uint32_t last_step,
                                 std::uint32_t steps);
 

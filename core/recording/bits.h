@@ -13,13 +13,13 @@ namespace kerf {
 /// Appends numbers of up to 32 bits each, without gaps.
 class BitWriter {
  public:
-  /// `x` has no bit at or above `bits`.
+  /// All bits of `x` at or above `bits` are 0.
   void put(std::uint32_t x, unsigned bits) {
     pending_ |= std::uint64_t{x} << held_;
     held_ += bits;
     if (held_ >= 32) write(4);
   }
-  /// All bytes; the last one is filled up with zeros. Begins anew.
+  /// All bytes, the last one filled up with zeros. Begins anew.
   Bytes take() {
     write((held_ + 7) / 8);
     pending_ = 0;
@@ -28,8 +28,8 @@ class BitWriter {
   }
 
  private:
-  /// The lowest bytes of what is pending, several at a time: how many are due after each number is a branch
-  /// that nothing predicts.
+  /// Writes the lowest pending bytes, several at a time: the number due after each value is a branch that
+  /// nothing predicts.
   void write(unsigned count) {
     for (unsigned k = 0; k < count; ++k) bytes_.push_back(static_cast<std::uint8_t>(pending_ >> 8 * k));
     pending_ >>= 8 * count;
@@ -56,7 +56,7 @@ class BitReader {
     held_ -= bits;
     return x;
   }
-  /// Whether all was read but the zeros that fill up the last byte.
+  /// Whether everything was read except the zeros that fill up the last byte.
   [[nodiscard]] bool empty() const { return next_ == bytes_.size() && held_ < 8 && pending_ == 0; }
 
  private:

@@ -13,7 +13,7 @@ bool is_change(RequestKind kind, bool moved) {
   return moved || kind == RequestKind::remove || is_insert(kind);
 }
 
-/// The numbers that a call stores of each object: none of what is removed.
+/// The number of values that a call stores of each object: none for a removal.
 template <int D>
 std::size_t stored_channels(RequestKind kind, VolumeKind volume) {
   if (kind == RequestKind::remove) return 0;

@@ -8,16 +8,16 @@
 
 namespace kerf {
 
-/// What a recording keeps of one step beside its row in the table of steps.
+/// The content of one step in a recording, beside its row in the table of steps.
 template <int D>
 struct RecordedStep {
-  StepRequests<D> requests;   ///< what was asked before the step
-  std::vector<Event> events;  ///< what happened in it
+  StepRequests<D> requests;   ///< before the step
+  std::vector<Event> events;  ///< during the step
   std::uint64_t changed = 0;  ///< objects that came, went or got another box
 };
 
-/// Which numbers objects may have: there are arrays with a place for each number up to the highest, so one
-/// that is far above how many objects were inserted is damage, and would take all memory.
+/// The range of object numbers: arrays have a place for each number up to the highest, so a number far above
+/// the number of inserted objects is damage, and would take all memory.
 class NumberRoom {
  public:
   /// After a keyframe with so many places.
@@ -40,13 +40,13 @@ class BlockEncoder {
  public:
   explicit BlockEncoder(VolumeKind kind);
 
-  /// To be called at every keyframe, between two blocks.
+  /// Call it at every keyframe, between two blocks.
   void restart(const ObjectTable<D>& latest) {
     predictor_.restart(latest);
     room_.restart(latest.bound());
   }
-  /// Returns how many objects came, went or got another box. Throws std::runtime_error for an object whose
-  /// number is too high (see NumberRoom).
+  /// Returns the number of objects that came, went or got another box. Throws std::runtime_error for an
+  /// object whose number is too high (see NumberRoom).
   std::uint64_t add(const StepRequests<D>& requests, std::span<const Event> events);
   /// Steps since the last block.
   [[nodiscard]] std::uint32_t steps() const { return steps_; }

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-/// What is written before the first step; what says that the recording is complete comes last.
+/// The head: everything written before the first step, without the mark of completeness, which comes last.
 constexpr std::array kHead{"SELECT * FROM meta WHERE key NOT IN ('complete', 'end') ORDER BY key",
                            "SELECT * FROM config_changes ORDER BY step",
                            "SELECT * FROM decisions ORDER BY event",

@@ -14,8 +14,8 @@ struct FreeContext {
   void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
 };
 
-// How much a reader believes that so many bytes hold. Boxes compress by less than ten, what nobody moves by
-// thousands: such blocks are padded, which costs their steps a few bytes.
+// The most bytes that a reader accepts for so many compressed ones. Boxes compress by less than ten, boxes at
+// rest by thousands: such blocks are padded, which costs a few bytes a step.
 constexpr std::size_t kAlwaysBelieved = std::size_t{64} << 10U;
 constexpr std::size_t kBelievedRatio = 256;
 
@@ -23,7 +23,7 @@ std::size_t least_size(std::size_t content) {
   return content <= kAlwaysBelieved ? 0 : (content - kAlwaysBelieved + kBelievedRatio - 1) / kBelievedRatio;
 }
 
-/// Appends a skippable frame, so that there are `least` bytes in all.
+/// Appends a skippable frame, so that there are at least `least` bytes.
 void pad(Bytes& frame, std::size_t least) {
   constexpr std::size_t kHeader = 8;
   if (frame.size() >= least) return;

@@ -45,7 +45,7 @@ bool has_content(const std::filesystem::path& path, const char* ending) {
   return !none && size > 0;
 }
 
-/// SQLite's words, and the system's where it has some.
+/// SQLite's message, and the system's if there is one.
 std::string reason(sqlite3* database) {
   if (database == nullptr) return "not enough memory";
   const int error = sqlite3_system_errno(database);
@@ -228,14 +228,14 @@ Database Database::open_at_rest(const std::filesystem::path& path) {
   if (!has_content(path, "-wal") && !has_content(path, "-journal"))
     return {path, immutable_name(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI};
   Database database(path, plain_name(path), SQLITE_OPEN_READONLY, "unix-none");
-  // So SQLite keeps the index of the log in memory. It must not clean up: somebody else may read the same.
+  // So SQLite keeps the index of the log in memory. It must not clean up: others may read the same file.
   sqlite3_db_config(database.database_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
   database.execute("PRAGMA locking_mode = EXCLUSIVE");
   return database;
 }
 
-/// A row takes some bytes of the file and some steps of SQLite's machine; where pages name one another in
-/// circles there is no end of rows.
+/// A row takes some bytes of the file and some steps of SQLite's machine. Pages that point to one another in
+/// a circle would give rows without end.
 void Database::trust_nothing(std::uint64_t size) {
   constexpr int kEvery = 1000;  // steps of the machine from one look at what is left to the next
   constexpr std::uint64_t kLeast = 10'000'000;
@@ -265,8 +265,8 @@ std::int64_t Database::ask(std::string_view sql) const {
   return statement.step() ? statement.integer(0) : 0;
 }
 
-/// Without a log beside it the file can be copied as it is. SQLite keeps the log for those who read, and lets
-/// them go on when it is emptied.
+/// Without a log beside it the file can be copied as it is. SQLite keeps the log for readers, and lets them
+/// go on when it is emptied.
 void Database::close() {
   const int result = sqlite3_exec(database_.get(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
   if (result != SQLITE_OK && result != SQLITE_BUSY) fail(database_.get());

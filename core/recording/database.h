@@ -31,15 +31,15 @@ class Statement {
   bool step();
   /// Runs a statement that gives no rows.
   void run();
-  /// Ends the reading of rows before the last.
+  /// Ends reading before the last row.
   void reset();
   /// All places are NULL again.
   void clear();
-  /// No longer usable; to be called before its database is closed.
+  /// The statement cannot be used afterwards; call it before the database is closed.
   void end() { statement_.reset(); }
 
-  // Columns are numbered from 0. What is of another type or range than is asked for throws: SQLite keeps
-  // values of any type in a column of any.
+  // Columns are numbered from 0. A value of another type or range than requested throws: SQLite stores values
+  // of any type in any column.
   [[nodiscard]] bool is_null(int column) const;
   [[nodiscard]] std::int64_t integer(int column) const;
   /// A whole number from 0 to `most`.
@@ -79,12 +79,12 @@ class Database {
   /// A new file, written ahead: a reader may look on, and whoever is killed leaves what was committed. Throws
   /// if the file exists and is not empty, or if somebody is writing one of that name (WriterLock).
   static Database create(const std::filesystem::path& path);
-  /// An existing file, to be read only. While somebody writes it, SQLite's locks let both work, and need a
-  /// folder that can be written. A file that nobody writes is read with its log, if it has one, without a
-  /// lock and without a trace: also from a folder that cannot be written.
+  /// An existing file, read only. While it is being written, SQLite's locks let reader and writer work, and
+  /// need a writable folder. A file without a writer is read with its log, if it has one, without a lock and
+  /// without a trace: also from a read-only folder.
   ///
-  /// Nothing in it is run, and a statement ends, with an exception, when it has done more than a file of that
-  /// size can need.
+  /// Nothing in it is executed, and a statement throws when it has done more work than a file of that size
+  /// can need.
   static Database open(const std::filesystem::path& path);
   /// An existing file whose writer was killed, to be ended in order by `close`.
   static Database open_to_end(const std::filesystem::path& path);
@@ -93,7 +93,7 @@ class Database {
   [[nodiscard]] Statement prepare(std::string_view sql) const;
   /// The first column of the first row.
   [[nodiscard]] std::int64_t ask(std::string_view sql) const;
-  /// Ends the work on a new file: all of it is in the file itself then, whoever is reading it.
+  /// Ends the work on a new file: then everything is in the file itself, even while it is being read.
   void close();
 
  private:
@@ -106,7 +106,7 @@ class Database {
   static Database open_at_rest(const std::filesystem::path& path);
   void trust_nothing(std::uint64_t size);
 
-  /// How much work is left to the statement that was prepared last.
+  /// The work left to the statement that was prepared last.
   struct Patience {
     std::uint64_t whole = 0;
     std::uint64_t left = 0;

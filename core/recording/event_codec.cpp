@@ -17,7 +17,7 @@ struct FieldWriter {
   void operator()(Enum x) const { out.u8(static_cast<std::uint8_t>(x)); }
 };
 
-/// How many values an enumeration has.
+/// The number of values of an enumeration.
 constexpr std::uint8_t count_of(Operator /*kind*/) { return kOperatorCount; }
 constexpr std::uint8_t count_of(Phase /*kind*/) { return kPhaseCount; }
 constexpr std::uint8_t count_of(Refusal /*kind*/) { return kRefusalCount; }

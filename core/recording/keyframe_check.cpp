@@ -27,8 +27,8 @@ bool are_all_dead(const Tree<D>& tree) {
   return static_cast<std::size_t>(dead) == tree.unused().size();
 }
 
-/// Whether the tree has the object as the caller knows it; while pairs of fat boxes are kept, within its fat
-/// one.
+/// Whether the tree has the object as the caller knows it; while pairs of fat boxes are kept, inside its fat
+/// box.
 template <int D>
 bool is_alike(const BspState<D>& state, ObjectId object) {
   const ObjectTable<D>& latest = state.latest;

@@ -6,8 +6,8 @@
 
 namespace kerf {
 
-/// What keeps a state from being that of a tree between two steps; empty if nothing does. A Bsp that goes on
-/// from anything else may crash, or never end.
+/// The reason why a state cannot be that of a tree between two steps; empty if it can. A Bsp that continues
+/// from an impossible state may crash, or never end.
 template <int D>
 std::string fault_of(const BspState<D>& state);
 

@@ -45,7 +45,7 @@ Volume<D> get_volume(ByteReader& in, VolumeKind kind) {
   return volume;
 }
 
-/// Each object is brought into its state by the requests that lead there. `size` is the keyframe's.
+/// Brings each object into its state by the requests that lead there. `size` is the keyframe's.
 template <int D>
 void get_table(ByteReader& in, std::size_t size, ObjectTable<D>& table) {
   constexpr std::size_t kLeast = 2;  // bytes of an object: its state and its mobility

@@ -30,8 +30,8 @@ Refusal refusal_called(const std::string& name) {
   fail_damaged("there is no reason '" + name + "'");
 }
 
-constexpr int kFirstFigure = 6;  ///< the column from which on only what acted has something ...
-constexpr int kReason = 14;      ///< ... but for the reason of what was refused
+constexpr int kFirstFigure = 6;  ///< the first column that only operators that acted fill ...
+constexpr int kReason = 14;      ///< ... except the reason of a refusal
 
 OperatorRow read_operator(const Statement& row) {
   OperatorRow result{.event = row.natural(0),
@@ -56,7 +56,7 @@ OperatorRow read_operator(const Statement& row) {
   return result;
 }
 
-/// Holds the rows of each step against the hash that the step has of them.
+/// Compares the rows of each step with the hash that the step has of them.
 class RowCheck {
  public:
   explicit RowCheck(std::span<const StepRow> steps) : steps_(steps) {}
@@ -153,7 +153,7 @@ std::uint64_t hash_operator(const OperatorRow& row, std::uint64_t before) {
 
 std::vector<OperatorRow> read_operators(const std::filesystem::path& recording) {
   Database database = open_recording(recording);
-  database.execute("BEGIN");  // rows of one moment, whoever goes on writing
+  database.execute("BEGIN");  // rows of one moment, even while it is being written
   return read_operators(database, read_rows(database).steps);
 }
 

@@ -12,7 +12,8 @@
 
 namespace kerf {
 
-/// A row of the table of events: what was scheduled, refused or done. What its kind does not have is zero.
+/// A row of the table of events: an operator that was scheduled, refused or acted. Fields that its kind does
+/// not have are zero.
 struct OperatorRow {
   enum class Kind : std::uint8_t { scheduled, acted, refused };
   std::uint64_t event = 0;
@@ -28,30 +29,30 @@ struct OperatorRow {
   float new_offset = 0;
   Refusal reason = Refusal::dead_node;
 
-  /// By how much the offset grew.
+  /// The growth of the offset.
   [[nodiscard]] double shift() const {
     return static_cast<double>(new_offset) - static_cast<double>(old_offset);
   }
   friend bool operator==(const OperatorRow&, const OperatorRow&) = default;
 };
 
-/// The row of an event; none of one that has no row, a placement for example.
+/// The row of an event; none for events without a row, such as placements.
 std::optional<OperatorRow> operator_row(const Event& event);
-/// Throws std::runtime_error for a name of no operator.
+/// Throws std::runtime_error for an unknown name.
 Operator operator_called(const std::string& name);
 
 /// The statement that writes a row, with a place for each column.
 inline constexpr const char* kPutOperator = "INSERT INTO events VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)";
 void put(const OperatorRow& row, Statement& statement);
 
-/// Goes on from the hash of the rows before in the same step; 0 before the first.
+/// Continues the hash of the earlier rows of the same step; 0 before the first.
 std::uint64_t hash_operator(const OperatorRow& row, std::uint64_t before);
 
-/// Everything that was scheduled, refused or done in a run, in order: without its steps, which would have to
-/// be unpacked. Throws std::runtime_error as `open_recording` does, and for rows that are not those of the
-/// recording's steps.
+/// All operators that were scheduled, refused or acted in a run, in order, without unpacking its steps.
+/// Throws std::runtime_error as `open_recording` does, and for rows that are not those of the recording's
+/// steps.
 std::vector<OperatorRow> read_operators(const std::filesystem::path& recording);
-/// The same of a recording that is open.
+/// The same for an open recording.
 std::vector<OperatorRow> read_operators(const Database& recording, std::span<const StepRow> steps);
 
 }  // namespace kerf

@@ -26,14 +26,14 @@ struct KeyframeRow {
   std::uint64_t seal = 0;
 };
 
-/// A step for which something was written of another engine.
+/// A step with data of another engine.
 struct TheirRow {
   std::uint32_t step = 0;
   std::uint64_t seal = 0;
 };
 
-/// The rows of a recording's tables, each in the order of its steps. Steps follow one another from 1 on, and
-/// so do events from 0 on; blocks hold every step once, and keyframes come at their ends.
+/// The rows of a recording's tables, each in the order of its steps. Steps are consecutive from 1 on, and
+/// events from 0 on; blocks hold every step once, and keyframes come at their ends.
 struct RecordedRows {
   std::vector<StepRow> steps;
   std::vector<BlockRow> blocks;
@@ -44,9 +44,9 @@ struct RecordedRows {
 /// Throws std::runtime_error for rows that do not fit together.
 RecordedRows read_rows(const Database& recording);
 
-/// Where a recording is no longer as it was written.
+/// The place where a recording is no longer as it was written.
 struct ChangedPart {
-  std::uint32_t step = 0;  ///< the first concerned; 0: what the recording says of itself
+  std::uint32_t step = 0;  ///< the first concerned; 0: the head of the recording
   std::string what;
 };
 

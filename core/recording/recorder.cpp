@@ -10,8 +10,8 @@ namespace {
 /// Refused requests did nothing and are not written down.
 bool counts(Status status) { return !is_refused(status); }
 
-/// What a table of boxes and other volumes makes of a volume of the wrong kind: a box, or nothing that can be
-/// placed.
+/// The volume that a table of boxes or other volumes stores for one of the wrong kind: a box, or a volume
+/// that cannot be placed.
 template <int D>
 Box<D> box_of(const Volume<D>& volume) {
   return is_ordered(volume) ? volume.box : Box<D>::empty();
@@ -113,7 +113,7 @@ void Recorder<D>::count_seconds(std::chrono::steady_clock::time_point since) {
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
 }
 
-/// The log may hold those of earlier steps, if nobody took them.
+/// The log may hold events of earlier steps that were not taken.
 template <int D>
 std::span<const Event> Recorder<D>::events_of_step() const {
   const std::vector<Event>& all = tree_.trace().events();
@@ -121,8 +121,8 @@ std::span<const Event> Recorder<D>::events_of_step() const {
   return {first, all.end()};
 }
 
-/// Whether nobody asked for anything and nothing happened: then tree and pairs are as they were. Fat boxes
-/// change without being asked, and with other parameters anything may.
+/// Whether nothing was requested and nothing happened: then tree and pairs are unchanged. Fat boxes change
+/// without a request, and other parameters may change anything.
 template <int D>
 bool Recorder<D>::rested(std::span<const Event> events) const {
   return tree_.steps() > 1 && info_.changes.empty() && !tree_.config().byte_sweep &&

@@ -9,12 +9,12 @@
 
 namespace kerf {
 
-/// Stands between a scene and its tree and writes down all that passes: what is asked, what happens, how the
-/// tree is after each step. The tree must be new and be asked through the recorder only;
-/// what somebody decided or changed in the run (RecordingInfo) reaches it here.
+/// Stands between a scene and its tree and records everything: requests, events, and the tree after each
+/// step. The tree must be new, and all requests must go through the recorder; decisions and changes of the
+/// configuration (RecordingInfo) reach it here.
 ///
-/// Throws std::runtime_error in `step()` if the recording cannot be written; std::invalid_argument if what
-/// was decided or changed cannot be (see Bsp::decide and Bsp::set_config).
+/// `step()` throws std::runtime_error if the recording cannot be written, std::invalid_argument for an
+/// impossible decision or change (see Bsp::decide and Bsp::set_config).
 template <int D>
 class Recorder final : public BroadPhase<D> {
  public:
@@ -38,7 +38,7 @@ class Recorder final : public BroadPhase<D> {
   }
   /// Ends the recording in order. Nothing may be asked of the recorder afterwards.
   void finish();
-  /// What recording has cost so far.
+  /// The cost of recording so far.
   [[nodiscard]] double seconds() const { return seconds_; }
 
  private:
@@ -55,7 +55,7 @@ class Recorder final : public BroadPhase<D> {
   RecordingInfo info_;
   RecordingWriter<D> writer_;
   StepRequests<D> requests_;
-  std::vector<bool> known_;  ///< by object: it is there
+  std::vector<bool> known_;  ///< by object: it is present
   std::uint64_t next_event_ = 0;
   std::uint64_t state_hash_ = 0;  ///< of the last step
   std::uint64_t pairs_hash_ = 0;

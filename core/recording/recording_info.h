@@ -14,13 +14,14 @@
 
 namespace kerf {
 
-/// From a step on another configuration holds.
+/// Another configuration from a step on.
 struct ConfigChange {
   std::uint32_t step = 0;  ///< the first with it
   Config config;
 };
 
-/// What a recording is of: all that its tree must know, and all that its scene must know to be run again.
+/// The subject of a recording: everything that its tree needs, and everything that its scene needs to run
+/// again.
 struct RecordingInfo {
   int dimension = 3;
   VolumeKind volume = VolumeKind::box;
@@ -32,7 +33,7 @@ struct RecordingInfo {
   GivenNames names;                   ///< what that engine calls objects and steps
   PairDesign design;                  ///< what it does by design
   std::uint64_t seed = 1;             ///< of the scene
-  std::uint32_t objects = 0;          ///< as asked for; 0: the scene's own number
+  std::uint32_t objects = 0;          ///< as requested; 0: the scene's own number
   std::uint32_t grow = 0;             ///< steps of growth; 0: the scene's own number
   std::uint32_t recycle = 0;          ///< steps between two objects that fall anew; 0: none does
   bool complete = false;              ///< the recording was ended in order, not killed
@@ -41,7 +42,7 @@ struct RecordingInfo {
 /// The configuration of a step.
 const Config& config_of(const RecordingInfo& info, std::uint32_t step);
 
-/// One row of the table of steps: how the tree was after a step.
+/// One row of the table of steps: the tree after a step.
 struct StepRow {
   std::uint32_t step = 0;
   Statistics statistics;
@@ -54,7 +55,7 @@ struct StepRow {
   std::uint64_t pairs_hash = 0;  ///< of the set of pairs, in any order
   std::uint64_t link = 0;        ///< of the recording's chain
 
-  /// What the broad phase took, in seconds.
+  /// The time of the broad phase, in seconds.
   [[nodiscard]] double seconds() const {
     double sum = 0;
     for (const double phase : statistics.phase_seconds) sum += phase;
@@ -65,7 +66,7 @@ struct StepRow {
 /// A hash as people see it: 16 hexadecimal digits.
 std::string to_hex(std::uint64_t hash);
 
-/// A hash of the set of pairs; a pair told twice changes it.
+/// A hash of the set of pairs; a pair reported twice changes it.
 std::uint64_t hash_pairs(std::span<const Pair> pairs);
 
 }  // namespace kerf

@@ -14,7 +14,7 @@
 namespace kerf {
 namespace {
 
-/// A step in a block is that of its row.
+/// The step in a block must be that of its row.
 template <int D>
 void check_step(const RecordedStep<D>& step, const StepRow& row) {
   const std::string name = "step " + std::to_string(row.step);
@@ -23,7 +23,7 @@ void check_step(const RecordedStep<D>& step, const StepRow& row) {
   if (step.changed != row.changed) fail_damaged(name + " has other changes in its block than its row says");
 }
 
-/// A keyframe is that of its step, as the step's row and the recording say.
+/// The keyframe must be that of its step, as the step's row and the recording say.
 template <int D>
 void check_keyframe(const BspState<D>& state, const StepRow& row, const Config& config) {
   const auto expect = [&](bool holds, const char* what) {
@@ -52,10 +52,10 @@ RecordingReader<D>::RecordingReader(const std::filesystem::path& path, AsItIs /*
     : database_(open_recording(path)), info_(read_info(database_)) {
   if (info_.dimension != D)
     throw std::runtime_error(path.string() + " is a recording in " + std::to_string(info_.dimension) + "D");
-  database_.execute("BEGIN");  // rows, blocks and keyframes of one moment, whoever goes on writing
+  database_.execute("BEGIN");  // rows, blocks and keyframes of one moment, even while it is being written
   rows_ = read_rows(database_);
   change_ = find_change(database_, rows_);
-  database_.execute("COMMIT");  // what was written does not change, and a writer that ends waits for nobody
+  database_.execute("COMMIT");  // written data does not change, and a writer that ends need not wait
 }
 
 template <int D>
@@ -137,7 +137,7 @@ const RecordedStep<D>& RecordingReader<D>::step(std::uint32_t step) {
   return found->steps[step - found->first];
 }
 
-/// Each block goes on from what the one before has taught the decoder; a keyframe begins afresh.
+/// Each block continues from what the decoder learnt from the one before; a keyframe begins afresh.
 template <int D>
 auto RecordingReader<D>::read_span(std::uint32_t keyframe) const -> Span {
   Span span{keyframe + 1, {}};

@@ -17,38 +17,38 @@
 
 namespace kerf {
 
-/// How large the parts of a recording are, in bytes.
+/// The sizes of the parts of a recording, in bytes.
 struct RecordingSize {
   std::uint64_t blocks = 0;
   std::uint64_t keyframes = 0;
-  std::uint64_t changed = 0;  ///< boxes that changed, in all steps: blocks / changed are what each has cost
+  std::uint64_t changed = 0;  ///< boxes that changed, in all steps; blocks / changed is the cost of each
 };
 
-/// What a recording is of, whatever its dimension. Throws std::runtime_error as `open_recording` does.
+/// Reads the info of a recording of any dimension. Throws std::runtime_error as `open_recording` does.
 RecordingInfo read_recording_info(const std::filesystem::path& path);
 
-/// Reads a recording, also one that is still being written or was cut short: what is there when it is opened
-/// counts. Everything throws std::runtime_error, with the file where it is known, for what is damaged or is
-/// not what was written.
+/// Reads a recording, also one that is still being written or was cut short: it sees what is there when it is
+/// opened. Everything throws std::runtime_error, with the file where it is known, for damaged or changed
+/// content.
 template <int D>
 class RecordingReader {
  public:
   explicit RecordingReader(const std::filesystem::path& path);
-  /// The same, but opens also what has rows that were changed, for whoever wants to know more of them.
+  /// The same, but also opens a recording with changed rows, for callers that examine them.
   static std::unique_ptr<RecordingReader> open_changed(const std::filesystem::path& path);
 
   [[nodiscard]] const RecordingInfo& info() const { return info_; }
-  /// Steps that are whole; they count from 1.
+  /// Complete steps; they count from 1.
   [[nodiscard]] std::uint32_t steps() const { return static_cast<std::uint32_t>(rows_.steps.size()); }
   /// One row for each step, the first being step 1.
   [[nodiscard]] std::span<const StepRow> rows() const { return rows_.steps; }
   [[nodiscard]] const StepRow& row(std::uint32_t step) const { return rows_.steps[step - 1]; }
-  /// Where its rows are no longer what was written.
+  /// The place where its rows are no longer as written.
   [[nodiscard]] const std::optional<ChangedPart>& change() const { return change_; }
   /// The step in which an event happened; none if it is beyond the end.
   [[nodiscard]] std::optional<std::uint32_t> step_of(std::uint64_t event) const;
 
-  /// Requests and events of a step. Valid until other steps have been asked for.
+  /// Requests and events of a step. Valid until another step is read.
   const RecordedStep<D>& step(std::uint32_t step);
   /// Throws std::runtime_error for an id that the recording does not have.
   Event event(std::uint64_t id);
@@ -62,7 +62,7 @@ class RecordingReader {
   /// A keyframe for a tree with this projector.
   [[nodiscard]] BspState<D> keyframe(std::uint32_t step, std::shared_ptr<const Projector<D>> projector) const;
 
-  /// Somebody else's pairs of a step, as they told them; none unless the recording is an import.
+  /// Another engine's pairs of a step, as reported; none unless the recording is an import.
   [[nodiscard]] std::vector<Pair> their_pairs(std::uint32_t step) const;
   [[nodiscard]] std::optional<TheirStep> their_step(std::uint32_t step) const;
   /// Those of them that are not right, those that they missed, and what they leave out by design.
@@ -73,7 +73,7 @@ class RecordingReader {
   [[nodiscard]] bool has_filters() const;
   [[nodiscard]] std::optional<GivenFilter> filter(ObjectId object, std::uint32_t step) const;
   [[nodiscard]] RecordingSize size() const;
-  /// Throws std::runtime_error if what a step has of another engine is not what was written.
+  /// Throws std::runtime_error if a step's data of another engine is not as written.
   void check_theirs(std::uint32_t step) const;
   /// Throws std::runtime_error if SQLite finds a fault in any page of the file.
   void check_pages() const;

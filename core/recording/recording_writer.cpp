@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::uint32_t kBlockSteps = 25;
 constexpr auto kFlushInterval = std::chrono::seconds(1);
-/// A keyframe every 16 to 256 steps: a seek replays from the last one, so the more a step costs, the nearer
-/// it must be. To replay a step whose pairs nobody asks for takes some 40 ns for each object and four times
-/// as long for each that changes; 30 ms in all.
+/// A keyframe every 16 to 256 steps: a seek replays from the last one, so the more a step costs, the closer
+/// it must be. To replay a step without its pairs takes some 40 ns for each object and four times as long for
+/// each that changes; 30 ms in all.
 constexpr std::uint64_t kMostReplayed = 700'000;
 constexpr std::uint64_t kCostOfChange = 4;
 constexpr std::uint32_t kLeastSteps = 16;
@@ -104,8 +104,8 @@ void RecordingWriter<D>::put(const StepRow& row) {
   put_step_.run();
 }
 
-/// Operators, refusals and what was scheduled are there for SQL; phases and placements are in the blocks
-/// only. Returns the hash of the rows.
+/// Operators, refusals and schedulings are rows for SQL; phases and placements are only in the blocks.
+/// Returns the hash of the rows.
 template <int D>
 std::uint64_t RecordingWriter<D>::put(std::span<const Event> events) {
   std::uint64_t hash = 0;
@@ -118,7 +118,7 @@ std::uint64_t RecordingWriter<D>::put(std::span<const Event> events) {
   return hash;
 }
 
-/// What was written of another engine after the last step.
+/// Seals the data of another engine after the last step.
 template <int D>
 void RecordingWriter<D>::seal_theirs() {
   if (!has_theirs_) return;

@@ -12,9 +12,9 @@
 
 namespace kerf {
 
-/// Writes a recording (docs/RECORDING.md). What was committed, at least once a second and every 25 steps, is
-/// there whatever happens to the program. Throws std::runtime_error with the file and the reason, a full disk
-/// for example.
+/// Writes a recording (docs/RECORDING.md). It commits at least once a second and every 25 steps; committed
+/// data remains whatever happens to the program. Throws std::runtime_error with the file and the reason, a
+/// full disk for example.
 template <int D>
 class RecordingWriter {
  public:
@@ -47,9 +47,9 @@ class RecordingWriter {
   BlockEncoder<D> encoder_;
   std::uint32_t step_ = 0;
   std::uint64_t changed_ = 0;         ///< since the last block
-  std::uint64_t since_keyframe_ = 0;  ///< what it costs to replay the steps, in objects that rest
+  std::uint64_t since_keyframe_ = 0;  ///< the cost of replaying the steps, in objects at rest
   std::uint32_t last_keyframe_ = 0;
-  bool has_theirs_ = false;  ///< something of another engine was written after the last step
+  bool has_theirs_ = false;  ///< data of another engine was written after the last step
   std::chrono::steady_clock::time_point last_flush_;
 };
 

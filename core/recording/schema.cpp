@@ -60,7 +60,7 @@ VolumeKind volume_kind(int dimension, const std::string& name) {
   return *kind;
 }
 
-/// A configuration as it was written down, on top of the defaults.
+/// A recorded configuration, on top of the defaults.
 Config parse_recorded(const std::string& text) {
   try {
     Config config;
@@ -107,7 +107,7 @@ std::vector<Decision> read_decisions(const Database& database) {
   return decisions;
 }
 
-/// The statements of a text, as SQLite keeps them: without the semicolons.
+/// The statements of a text, as SQLite stores them: without the semicolons.
 std::vector<std::string> statements(std::string_view sql) {
   std::vector<std::string> result;
   for (std::size_t end = sql.find(';'); end != std::string_view::npos; end = sql.find(';')) {
@@ -118,7 +118,7 @@ std::vector<std::string> statements(std::string_view sql) {
   return result;
 }
 
-/// Nothing has the place of a table but a table: no view without end, no trigger, no table of a module.
+/// Only tables have the names of tables: no view without end, no trigger, no table of a module.
 void check_tables(const Database& database) {
   std::vector<std::string> expected = statements(std::string(kTables) + kTheirTables);
   Statement rows = database.prepare("SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL");

@@ -14,11 +14,11 @@ inline constexpr std::uint32_t kRecordingId = 0x6B657266;
 /// Raised when an older Kerf cannot read what a newer one writes (docs/RECORDING.md).
 inline constexpr std::uint32_t kRecordingVersion = 5;
 
-/// Makes the tables of a new recording and writes what it is of.
+/// Makes the tables of a new recording and writes its info.
 void create_schema(Database& database, const RecordingInfo& info);
-/// Writes that the recording is complete, and where its chain ends.
+/// Marks the recording as complete, and writes the end of its chain.
 void set_complete(Database& database, std::uint64_t end);
-/// Where the chain of a complete recording ends; none of one that is not.
+/// The end of the chain of a complete recording; none if it is incomplete.
 std::optional<std::uint64_t> read_end(const Database& database);
 
 /// Folds the log that a killed writer has left beside a recording into it; the log of a recording that is
@@ -28,12 +28,12 @@ void fold_log(const std::filesystem::path& path);
 /// Removes a recording with its log, whatever of it is there.
 void remove_recording(const std::filesystem::path& path) noexcept;
 
-/// Whether a file is a recording, of whatever version and state: what may be replaced by another one.
+/// Whether a file is a recording, of any version and state, and so may be replaced by another one.
 bool is_recording(const std::filesystem::path& path);
 /// Opens a recording, a part of it as `recording_at` says. Throws std::runtime_error, saying what to do, for
 /// a file that is none or of another version.
 Database open_recording(const std::filesystem::path& path);
-/// Reads what it is of. Throws std::runtime_error if that makes no sense.
+/// Reads the info. Throws std::runtime_error if it makes no sense.
 RecordingInfo read_info(const Database& database);
 
 }  // namespace kerf

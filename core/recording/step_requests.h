@@ -19,23 +19,23 @@ enum class RequestKind : std::uint8_t {
   remove
 };
 
-/// So many calls of one kind in a row; of `move_boxes` one call for so many objects.
+/// A number of calls of one kind in a row; `move_boxes` is one call for that many objects.
 struct Call {
   RequestKind kind = RequestKind::move_box;
-  Mobility mobility = Mobility::moving;  ///< of what is inserted
+  Mobility mobility = Mobility::moving;  ///< of insertions
   std::uint32_t count = 0;
   friend bool operator==(const Call&, const Call&) = default;
 };
 
-/// What a broad phase was asked between two steps, in that order: the order decides where entries stand, and
-/// so is part of the run.
+/// The requests to a broad phase between two steps, in their order: the order decides where entries stand,
+/// and so is part of the run.
 template <int D>
 struct StepRequests {
   std::vector<Call> calls;
   std::vector<ObjectId> objects;  ///< one after another, as many as the calls count
-  std::vector<Box<D>> boxes;      ///< as many; of removed objects they mean nothing
-  std::vector<Scalar>
-      extra;  ///< what the recording's kind of volume has beside the box, for the calls with volumes
+  std::vector<Box<D>> boxes;      ///< as many; undefined for removed objects
+  std::vector<Scalar> extra;  ///< for the calls with volumes, the numbers that the recording's kind of volume
+                              ///< has beside the box
 
   void clear();
   void add_insert(ObjectId object, const Box<D>& box, Mobility mobility);
@@ -57,20 +57,20 @@ constexpr bool is_insert(RequestKind kind) {
   return kind == RequestKind::insert_box || kind == RequestKind::insert_volume;
 }
 
-/// A volume from its box and the numbers that its kind has beside it.
+/// A volume from its box and the other numbers of its kind.
 template <int D>
 Volume<D> volume_from(VolumeKind kind, const Box<D>& box, const Scalar* extra);
 
-/// What is asked of one object.
+/// The request for one object.
 template <int D>
 struct ObjectRequest {
   RequestKind kind = RequestKind::move_box;
-  Mobility mobility = Mobility::moving;  ///< of what is inserted
+  Mobility mobility = Mobility::moving;  ///< of insertions
   ObjectId object;
-  Volume<D> volume;  ///< of calls with boxes the box; of a removal nothing
+  Volume<D> volume;  ///< for calls with boxes the box; for a removal undefined
 };
 
-/// Calls `visit` with what is asked of each object, in order. `kind` is the recording's.
+/// Calls `visit` with the request for each object, in order. `kind` is the recording's.
 template <int D, class Visit>
 void for_each_request(const StepRequests<D>& requests, VolumeKind kind, Visit visit) {
   const Scalar* extra = requests.extra.data();
@@ -89,7 +89,7 @@ void for_each_request(const StepRequests<D>& requests, VolumeKind kind, Visit vi
 /// Makes the same calls again.
 template <int D>
 void apply(const StepRequests<D>& requests, BroadPhase<D>& broad_phase);
-/// What a table of objects becomes by it.
+/// Applies the requests to a table of objects.
 template <int D>
 void apply(const ObjectRequest<D>& request, ObjectTable<D>& objects);
 

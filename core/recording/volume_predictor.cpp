@@ -28,8 +28,8 @@ std::uint32_t distance(std::int32_t from, std::int32_t to) {
   return zigzag(static_cast<std::int32_t>(wrapped));
 }
 
-/// The number of bits up to the highest one: of twice as much and one, so that to the compiler there is
-/// always one, or it would make a branch for nothing.
+/// The number of bits up to the highest one, of 2 * x + 1: to the compiler there is then always a set bit, or
+/// it would make a needless branch.
 unsigned bits_in(std::uint32_t x) {
   return static_cast<unsigned>(std::bit_width((std::uint64_t{x} << 1U) | 1U)) - 1;
 }
@@ -64,8 +64,7 @@ void VolumePredictor<D>::restart(const ObjectTable<D>& table) {
   }
 }
 
-/// Inline, as what comes next is: what is stored by fours of bytes and loaded by sixteen makes the processor
-/// wait.
+/// Inline, like the next function: four bytes stored and sixteen loaded would make the processor wait.
 template <int D>
 [[gnu::always_inline]] inline auto VolumePredictor<D>::foretell(const Track& track, const Track* partner)
     -> Foretold {
@@ -80,7 +79,7 @@ template <int D>
   return foretold;
 }
 
-/// Without a branch: nothing predicts which it is.
+/// Without a branch: nothing predicts the outcome.
 template <int D>
 std::size_t VolumePredictor<D>::best_rule(const Track& track) {
   const auto ranked = [&track](std::uint32_t rule) { return std::uint32_t{track.error[rule]} << 2U | rule; };

@@ -9,16 +9,16 @@
 
 namespace kerf {
 
-/// The numbers of a volume one after another: min and max of each axis in turn, then what its kind adds.
+/// The numbers of a volume in order: min and max of each axis in turn, then those of its kind.
 template <int D>
 constexpr std::size_t channel_count(VolumeKind kind) {
   return static_cast<std::size_t>(2 * D + extra_size<D>(kind));
 }
 
-/// Foretells each number of a volume from its last three values and from its partner's (the min of the same
-/// axis), so that only the difference is stored, without any loss: as its length in bits, which compresses
-/// well, and the bits themselves, which do not. Of four rules each number uses the one that has erred least
-/// lately: as it was, as fast as it was, as accelerated as it was, moved as its partner has just moved.
+/// Predicts each number of a volume from its last three values and from its partner's (the min of the same
+/// axis), so that only the difference is stored, without loss: as its length in bits, which compresses well,
+/// and the bits themselves, which do not. Of four rules each number uses the one with the least recent error:
+/// as it was, as fast as it was, as accelerated as it was, moved as its partner has just moved.
 template <int D>
 class VolumePredictor {
  public:
@@ -30,7 +30,7 @@ class VolumePredictor {
   /// `values` are the first `count` numbers of the object's volume. Appends one length for each to
   /// `lengths[channel]`. Returns whether any differs from its last value.
   bool encode(ObjectId object, std::span<const Scalar> values, std::vector<Bytes>& lengths, BitWriter& bits);
-  /// The reverse, with the lengths found before, each up to 32.
+  /// The reverse, with the given lengths, each up to 32.
   bool decode(ObjectId object, std::span<const std::uint8_t> lengths, BitReader& bits,
               std::span<Scalar> values);
 
@@ -39,7 +39,7 @@ class VolumePredictor {
   using Foretold = std::array<std::int32_t, kRules>;
   using Errors = std::array<std::uint32_t, kRules>;
 
-  /// One number of one volume: its last values, latest first, and how far each rule erred lately, in bits.
+  /// One number of one volume: its last values, latest first, and the recent error of each rule, in bits.
   struct Track {
     std::array<Scalar, 3> past{};
     std::array<std::uint8_t, kRules> error{};
@@ -48,7 +48,7 @@ class VolumePredictor {
   Track* tracks_of(ObjectId object);
   static Foretold foretell(const Track& track, const Track* partner);
   static std::size_t best_rule(const Track& track);
-  /// How far each rule was from the value.
+  /// The error of each rule.
   static Errors errors_of(const Foretold& foretold, Scalar value);
   static void learn(Track& track, const Errors& errors, Scalar value);
   [[nodiscard]] static const Track* partner_of(const Track* tracks, std::size_t channel) {

@@ -12,7 +12,7 @@
 namespace kerf {
 namespace {
 
-/// Names may have 255 bytes. Two that share the first 250 exclude each other, which harms nobody.
+/// Names may have 255 bytes. Two that share the first 250 exclude each other, which does no harm.
 std::filesystem::path lock_path(const std::filesystem::path& recording) {
   constexpr std::size_t kMostKept = 250;
   return recording.parent_path() / (recording.filename().string().substr(0, kMostKept) + "-lock");
@@ -35,7 +35,7 @@ struct flock whole_file() {
                            std::generic_category().message(error));
 }
 
-/// The last owner removes the file; who opened it before then holds a lock that nobody else sees.
+/// The last owner removes the file. A process that opened it before that holds a lock that no other sees.
 bool is_still_there(int file, const std::filesystem::path& path) {
   struct stat held = {};
   struct stat named = {};

@@ -4,11 +4,11 @@
 
 namespace kerf {
 
-/// Keeps a recording for one writer: a lock on a file of its own beside it ("a.kerf-lock"), which goes away
-/// with this object. The system takes it from a process that dies, whose file then means nothing.
+/// Keeps a recording for one writer: a lock on a file of its own beside it ("a.kerf-lock"), which the
+/// destructor removes. The lock of a process that dies is released; its file then means nothing.
 class WriterLock {
  public:
-  /// Throws std::runtime_error if somebody has it, or if the file cannot be made.
+  /// Throws std::runtime_error if another process has it, or if the file cannot be made.
   explicit WriterLock(const std::filesystem::path& recording);
   ~WriterLock();
   WriterLock(const WriterLock&) = delete;
@@ -20,7 +20,7 @@ class WriterLock {
   int file_ = -1;
 };
 
-/// Whether somebody holds the lock. Does not take it, so that nobody is refused because of a question.
+/// Whether a process holds the lock. Does not take it, so the question refuses no writer.
 bool is_being_written(const std::filesystem::path& recording);
 
 }  // namespace kerf

@@ -15,7 +15,7 @@ struct Contest {
   NodeRef node;
 };
 
-/// What there was to choose: an operator placed a partitioner, or a split found none.
+/// The choice of an operator: it placed a partitioner, or a split found none.
 std::optional<Contest> contest_of(const Event& event) {
   if (const auto* const acted = acted_of(event)) {
     if (acted->op == Operator::merge || acted->op == Operator::swap) return std::nullopt;
@@ -26,7 +26,7 @@ std::optional<Contest> contest_of(const Event& event) {
   return Contest{Operator::split, refused->node};
 }
 
-/// Where somebody decided, another candidate acted than Algorithm 1 would have chosen.
+/// After a decision another candidate acted than Algorithm 1 would have chosen.
 void mark_decided(const OperatorActed& acted, std::vector<BallotEntry>& entries) {
   if (acted.op != Operator::split) return;
   for (BallotEntry& entry : entries) {

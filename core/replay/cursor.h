@@ -11,8 +11,8 @@
 
 namespace kerf {
 
-/// Stands somewhere in a recorded run, also in the middle of a step, and goes forwards and backwards. The
-/// model of the debugger: it knows nothing of windows.
+/// A moment of a recorded run, also in the middle of a step, that moves forwards and backwards. It is the
+/// debugger's model and independent of windows.
 ///
 /// Everything throws std::runtime_error for moments that the recording does not have, or if it is damaged.
 template <int D>
@@ -25,17 +25,17 @@ class Cursor {
   void go_to_step(std::uint32_t step) { go(Position::end_of(step)); }
   void go_to_event(std::uint64_t event);
 
-  /// False if there is nothing further that way; then nothing changes.
+  /// False if there is nothing further in that direction; then nothing changes.
   bool forward(Granularity granularity);
   bool backward(Granularity granularity);
 
-  /// The tree and all that belongs to it, at this moment. The pairs are those of the last sweep.
+  /// The complete state of the tree at this moment. The pairs are those of the last sweep.
   [[nodiscard]] const BspState<D>& state() const { return state_; }
   /// The event that has just happened; none at the end of a step.
   [[nodiscard]] std::optional<Event> event() const;
-  /// The candidates among which the operator that has just acted chose; empty for anything else.
+  /// The candidates among which the operator that has just acted chose; empty otherwise.
   [[nodiscard]] const std::vector<BallotEntry>& candidates();
-  /// Which of them is looked at; none unless one has gone by candidates.
+  /// The present candidate; none unless the cursor moved by candidates.
   [[nodiscard]] std::optional<std::size_t> candidate() const { return candidate_; }
 
   [[nodiscard]] Replayer<D>& replayer() { return replayer_; }
@@ -53,7 +53,7 @@ class Cursor {
   Replayer<D> replayer_;
   Position position_;
   BspState<D> state_;
-  std::optional<std::vector<BallotEntry>> candidates_;  ///< none: not counted yet
+  std::optional<std::vector<BallotEntry>> candidates_;  ///< none: not computed yet
   std::optional<std::size_t> candidate_;
 };
 

@@ -12,7 +12,7 @@ namespace kerf {
 template <int D>
 std::vector<Pair> oracle_pairs(const ObjectTable<D>& objects);
 
-/// Told pairs beside the true ones; each list is sorted.
+/// Reported pairs compared with the true ones; each list is sorted.
 struct PairJudgement {
   std::vector<Pair> missed;   ///< true, but not told
   std::vector<Pair> extra;    ///< told, but not true
@@ -21,7 +21,7 @@ struct PairJudgement {
   [[nodiscard]] bool is_exact() const { return missed.empty() && extra.empty() && twice.empty(); }
 };
 
-/// `truth` is sorted; `told` comes in any order, each pair's objects too.
+/// `truth` is sorted; the reported pairs come in any order, each pair's objects too.
 PairJudgement judge_pairs(std::span<const Pair> told, std::span<const Pair> truth);
 
 /// The judgement of another engine's pairs in lists.

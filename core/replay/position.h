@@ -25,7 +25,7 @@ inline std::string to_string(const Position& position, const GivenNames& names =
   return position.is_end() ? "step " + names.step(position.step) : "e" + std::to_string(position.event);
 }
 
-/// How far one goes at once.
+/// How far one move goes.
 enum class Granularity : std::uint8_t {
   run,        ///< to the end or the beginning
   step,       ///< ends of steps

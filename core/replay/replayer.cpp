@@ -6,7 +6,7 @@
 namespace kerf {
 namespace {
 
-/// About the memory of a state.
+/// The approximate memory of a state.
 template <int D>
 std::size_t size_of(const BspState<D>& state) {
   constexpr std::size_t kObject = 2 * (sizeof(PackedBox<D>) + 2) + sizeof(Skin) + 1;
@@ -34,12 +34,12 @@ Replayer<D>::Replayer(std::shared_ptr<RecordingReader<D>> recording, std::size_t
       memory_(memory),
       tree_(recording_->info().config, recording_->info().volume) {
   tree_.decide(recording_->info().decisions);
-  keep();  // step 0, which has no pairs to find
+  keep();  // step 0, which has no pairs
 }
 
 template <int D>
 void Replayer<D>::seek(std::uint32_t step) {
-  if (step > recording_->steps()) (void)recording_->step(step);  // throws, saying which there are
+  if (step > recording_->steps()) (void)recording_->step(step);  // throws, naming the steps that exist
   if (step != this->step() || !swept_) start_before(step);
   while (this->step() < step) {
     run_next(this->step() + 1 == step);
@@ -47,12 +47,12 @@ void Replayer<D>::seek(std::uint32_t step) {
   }
 }
 
-/// Takes the latest of what leads to the step: the present state, a kept one, a keyframe. What lacks the
-/// pairs of its own step, as a keyframe does, leads to the steps behind it only.
+/// Restores the latest state that leads to the step: the present one, a kept one, or a keyframe. A state
+/// without the pairs of its own step, such as a keyframe, leads only to later steps.
 template <int D>
 void Replayer<D>::start_before(std::uint32_t step) {
   const std::uint32_t keyframe = step == 0 ? 0 : recording_->keyframe_before(step - 1);
-  auto kept = std::prev(kept_.upper_bound(step));  // step 0 is always there
+  auto kept = std::prev(kept_.upper_bound(step));  // step 0 is always kept
   if (kept->first == step && !kept->second.swept) --kept;
   const bool has_kept = kept->first >= keyframe;
   const std::uint32_t best = has_kept ? kept->first : keyframe;
@@ -94,7 +94,7 @@ void Replayer<D>::keep() {
   while (kept_bytes_ > memory_ && kept_.size() > 2) forget_farthest(step());
 }
 
-/// The state before the first step stays: no keyframe has it.
+/// Keeps the state before the first step: no keyframe has it.
 template <int D>
 void Replayer<D>::forget_farthest(std::uint32_t from) {
   const auto first = std::next(kept_.begin());

@@ -10,14 +10,14 @@
 
 namespace kerf {
 
-/// Runs the next step of a tree as a recording has it; unless `swept`, without its pairs. Throws
-/// std::runtime_error for a step that the recording does not have, or if it is damaged.
+/// Runs the next step of a tree as recorded; unless `swept`, without its pairs. Throws std::runtime_error for
+/// a step that the recording does not have, or if it is damaged.
 template <int D>
 void run_recorded_step(RecordingReader<D>& recording, Bsp<D, Watch>& tree, bool swept = true);
 
 /// Runs a recording's tree again: from the beginning, or from the keyframe before any step. States on the way
-/// are kept in memory, so that one step back is a copy, or a copy and one step: the pairs are found only
-/// where somebody stops.
+/// are kept in memory, so that one step back is a copy, or a copy and one step. Pairs are found only at the
+/// end of a seek.
 ///
 /// Throws std::runtime_error for a step that the recording does not have, or if it is damaged.
 template <int D>
@@ -30,13 +30,13 @@ class Replayer {
 
   /// Goes to the end of a step; 0 is before the first.
   void seek(std::uint32_t step);
-  /// Runs the next step; `on_event` is told what happens, and may look at `tree()` meanwhile.
+  /// Runs the next step; calls `on_event` with each event, which may read `tree()` meanwhile.
   void advance(const OnEvent& on_event = {});
 
   [[nodiscard]] std::uint32_t step() const { return tree_.steps(); }
   [[nodiscard]] const Bsp<D, Watch>& tree() const { return tree_; }
   [[nodiscard]] RecordingReader<D>& recording() { return *recording_; }
-  /// About what the kept states take.
+  /// The approximate memory of the kept states.
   [[nodiscard]] std::size_t memory() const { return kept_bytes_; }
 
  private:

@@ -28,7 +28,7 @@ std::string exact(double x) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
 
-/// All that a step's row has copied from the tree but its times.
+/// All figures of a step's row that come from the tree, without the times.
 std::vector<Figure> figures_of(const StepRow& row, const Statistics& now, std::uint64_t pairs) {
   const Statistics& then = row.statistics;
   std::vector<Figure> figures;
@@ -111,7 +111,7 @@ class Verifier {
     return text;
   }
 
-  /// The table of events, which is a copy for SQL.
+  /// Compares the table of events, which is a copy for SQL.
   void compare_operators(std::uint32_t step, const std::vector<Event>& replayed) {
     for (const Event& event : replayed) {
       const auto row = operator_row(event);
@@ -142,7 +142,7 @@ class Verifier {
               std::to_string(tree.pairs().size()) + " pairs, not the same" + how);
   }
 
-  /// Whoever seeks goes on from a keyframe: what comes then must be the recorded run, too.
+  /// A seek continues from a keyframe: the following steps must be those of the recording, too.
   void go_on_from_keyframe(std::uint32_t step) {
     if (verdict_.keyframes > 0) {
       run_recorded_step(*recording_, resumed_);
@@ -223,7 +223,7 @@ class Verifier {
 
   std::shared_ptr<RecordingReader<D>> recording_;
   Replayer<D> replayer_;
-  Bsp<D, Watch> resumed_;  ///< from the last keyframe on; means nothing before the first
+  Bsp<D, Watch> resumed_;  ///< from the last keyframe on; undefined before the first
   std::vector<OperatorRow> operators_;
   std::size_t next_operator_ = 0;
   std::uint32_t oracle_every_;

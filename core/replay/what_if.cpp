@@ -14,7 +14,7 @@ namespace {
 
 std::string name_of(std::uint64_t event) { return "e" + std::to_string(event); }
 
-/// Which operator an event is of: one that acted, or a split that found no partitioner.
+/// The operator of an event: one that acted, or a split that found no partitioner.
 std::optional<Operator> decidable(const Event& event) {
   if (const auto* const acted = acted_of(event)) return acted->op;
   const auto* const refused = refused_of(event);
@@ -22,7 +22,7 @@ std::optional<Operator> decidable(const Event& event) {
   return Operator::split;
 }
 
-/// Nothing was decided or changed from this step on, but for decisions in the step before `event`.
+/// There must be no decision or change from this step on, except decisions in the step before `event`.
 template <int D>
 void check_latest(const RecordingInfo& info, const RecordingReader<D>& recording, std::uint32_t step,
                   std::uint64_t event) {

@@ -9,12 +9,12 @@
 
 namespace kerf {
 
-/// What the run would have been like. A rerun is a recording of its own, so one what-if can follow another;
-/// each must come after those that the recording already has, since later events have other numbers then.
+/// Runs with a difference. A rerun is a recording of its own, so one what-if can follow another; each must
+/// come after those that the recording already has, since later events then have other numbers.
 
-/// Adds to what `info` says of the recording that the operator of `event` does not act or, with `candidate`,
-/// an index in the event's ballot, that its split divides by that one. Throws std::invalid_argument, saying
-/// why, where there is nothing to decide, std::runtime_error if there is no such event.
+/// Adds a decision to `info`: the operator of `event` does not act or, with `candidate`, an index in the
+/// event's ballot, its split uses that partitioner. Throws std::invalid_argument, with the reason, where
+/// there is nothing to decide, std::runtime_error if there is no such event.
 template <int D>
 void decide(RecordingInfo& info, Replayer<D>& replayer, std::uint64_t event,
             std::optional<std::size_t> candidate = std::nullopt);
@@ -25,9 +25,9 @@ template <int D>
 void change_config(RecordingInfo& info, const RecordingReader<D>& recording, std::uint32_t step,
                    const Config& config);
 
-/// Runs a recording's requests again, as `info` says, and records that. False if `stop` asked to end; what
-/// was done is kept. Throws as Recorder does, and std::runtime_error, leaving no file, if a decision had no
-/// effect.
+/// Runs a recording's requests again, as `info` says, and records that. False if `stop` returned true; the
+/// steps so far are kept. Throws as Recorder does, and std::runtime_error, leaving no file, if a decision had
+/// no effect.
 template <int D>
 bool rerun(RecordingReader<D>& recording, const RecordingInfo& info, const std::filesystem::path& out,
            const std::function<bool()>& stop = {});

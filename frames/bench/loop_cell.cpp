@@ -66,7 +66,7 @@ class LoopRun {
   LoopRun(const LoopPlan& plan, const SceneEntry<D>& entry, const BroadPhaseChoice& choice)
       : plan_(plan), entry_(entry), choice_(choice), costs_(plan.steps) {}
 
-  /// False when it was told to stop.
+  /// False after a request to stop.
   bool round(const CellWatch& watch) {
     InLoop<D> in_loop(choice_, entry_, plan_.options);
     LoopWatch<D> watched(in_loop.broad_phase(), [&] { return in_loop.recording_seconds(); });

@@ -8,12 +8,12 @@ class App;
 
 namespace kerf {
 
-/// `kerf bench`: how long broad phases take, ours and others', on the same boxes.
+/// `kerf bench`: the times of broad phases, ours and others', on the same boxes.
 class BenchCommand {
  public:
   explicit BenchCommand(CLI::App& program);
   [[nodiscard]] bool chosen() const;
-  /// Measures and prints. Throws UsageError, Interrupted when asked to stop (what was measured is written),
+  /// Measures and prints. Throws UsageError, Interrupted on request (the measurements so far are written),
   /// and std::runtime_error if the result cannot be written.
   void run() const;
 

@@ -26,9 +26,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The first frames pay for starting up; they are measured alone and taken off.
+/// The first frames include starting up; they are measured alone and subtracted.
 constexpr std::uint32_t kWarmUp = 4;
-/// Two starts of a process differ by up to 20 ms: what is left of less than this is chance, or below zero.
+/// Two starts of a process differ by up to 20 ms, so less than this is noise, or below zero.
 constexpr double kLeastSeconds = 0.05;
 
 std::vector<std::string> split(const std::string& text) {
@@ -57,14 +57,14 @@ std::uint32_t frames_for(std::uint32_t boxes) { return boxes > 50'000 ? 12 : box
                            "more --frames, or larger --sizes");
 }
 
-/// The better of two, for other programs only ever add to a time.
+/// The better of two, because other programs only ever add to a time.
 ProcessTimes run_twice(const FrameLoop& loop, void (*run)(const FrameLoop&)) {
   const ProcessTimes first = run_timed([&] { run(loop); });
   const ProcessTimes second = run_timed([&] { run(loop); });
   return {std::min(first.wall, second.wall), std::min(first.cpu, second.cpu)};
 }
 
-/// Of one frame, without what starting up takes.
+/// For one frame, without starting up.
 ProcessTimes per_frame(const FrameLoop& loop, void (*run)(const FrameLoop&)) {
   FrameLoop some = loop;
   some.frames = kWarmUp;

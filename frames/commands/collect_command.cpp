@@ -16,7 +16,7 @@
 namespace kerf {
 namespace {
 
-/// Looks at every picture, whether it has the pixels that its manifest says.
+/// Checks that every picture has the pixels of its manifest.
 Image read_checked(const CollectedFrame& frame) {
   Image image = read_png(frame.path());
   if (pixel_hash(image) != frame.record.pixel_hash)

@@ -9,7 +9,7 @@ class App;
 
 namespace kerf {
 
-/// `kerf collect`: the frames of several folders become one sequence, checked to be whole, or a film.
+/// `kerf collect`: joins the frames of several folders to one complete sequence, or a film.
 class CollectCommand {
  public:
   explicit CollectCommand(CLI::App& program);

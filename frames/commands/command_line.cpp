@@ -44,7 +44,7 @@ int report(const std::string& message, int exit_code) {
   return exit_code;
 }
 
-/// A full disk is reported by several rooms, each with the system's words; what to do is known here.
+/// Several rooms report a full disk, each with the system's words; the advice is added here.
 std::string with_advice(std::string message) {
   const bool full = message.find(std::generic_category().message(ENOSPC)) != std::string::npos;
   if (full) message += "; free some space or choose another place";
@@ -79,7 +79,7 @@ void say_exit_codes(CLI::App& program) {
   }
 }
 
-/// CLI11 says only that something was not expected; we say what was probably meant.
+/// CLI11 only says that something was not expected; this suggests what was probably meant.
 std::string unexpected_argument(const CLI::App& program) {
   const CLI::App& command = chosen_command(program);
   const std::vector<std::string> extras = program.remaining(true);
@@ -97,14 +97,14 @@ std::string help_hint(const CLI::App& program) {
          " --help`.";
 }
 
-/// An exit code: what was printed may lie in memory still, and only when it leaves that a full disk shows.
+/// An exit code. Printed text may still lie in memory, and a full disk shows only when it is flushed.
 int finish_output() {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return kExitHolds;
   return report("cannot write standard output: what was printed is not whole", kExitUnusable);
 }
 
-/// Runs the chosen subcommand and turns what it throws into an exit code.
+/// Runs the chosen subcommand and turns its exception into an exit code.
 template <class... Command>
 int run(const CLI::App& program, const Command&... commands) {
   try {

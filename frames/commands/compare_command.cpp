@@ -35,7 +35,7 @@ std::optional<std::uint32_t> step_of(const std::optional<EventDifference>& diffe
   return difference ? std::optional(difference->step) : std::nullopt;
 }
 
-/// Of one of the two runs; empty if nothing differs, or it has nothing more.
+/// The event in one of the two runs; empty if nothing differs, or the run has nothing more.
 std::string text_of(const std::optional<EventDifference>& difference,
                     std::optional<Event> EventDifference::*run) {
   return difference && *difference.*run ? describe(*(*difference.*run)) : "";

@@ -8,7 +8,7 @@ class App;
 
 namespace kerf {
 
-/// `kerf compare`: where two recordings first differ, and how they did.
+/// `kerf compare`: the first difference between two recordings.
 class CompareCommand {
  public:
   explicit CompareCommand(CLI::App& program);

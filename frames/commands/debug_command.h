@@ -11,7 +11,7 @@ class App;
 
 namespace kerf {
 
-/// `kerf debug`: looks into a run, step by step, in a window or by a script.
+/// `kerf debug`: examines a run, step by step, in a window or by a script.
 class DebugCommand {
  public:
   explicit DebugCommand(CLI::App& program);
@@ -21,7 +21,7 @@ class DebugCommand {
   void run() const;
 
  private:
-  /// The one that was given, or that is made of the scene, below `scratch` unless it is to be kept.
+  /// The given recording, or one made of the scene, below `scratch` unless it is to be kept.
   [[nodiscard]] std::filesystem::path recording(const std::filesystem::path& scratch) const;
 
   CLI::App* command_;

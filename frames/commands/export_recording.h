@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// Told of each step before it is written; what it throws ends the export.
+/// Called with each step before it is written; its exception ends the export.
 using OnStep = std::function<void(std::uint32_t step)>;
 
 /// The broad phase's time as a timeline in the trace-event format: a slice for each step and phase, a mark

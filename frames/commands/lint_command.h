@@ -8,7 +8,7 @@ class App;
 
 namespace kerf {
 
-/// `kerf lint`: work of a recording's operators that undoes itself or is never done.
+/// `kerf lint`: operators of a recording that undo each other or never act.
 class LintCommand {
  public:
   explicit LintCommand(CLI::App& program);

@@ -108,7 +108,7 @@ void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
   write_results(small, request);
 }
 
-/// What is not the same in every run cannot guide anything.
+/// Values that differ from run to run cannot guide the search.
 void check(const Expression& when) {
   const bool asks_time = std::ranges::any_of(when.parts(), [](const ExpressionPart& part) {
     const bool names =

@@ -10,7 +10,7 @@ class App;
 
 namespace kerf {
 
-/// `kerf record`: a scene runs and becomes a recording, without pictures.
+/// `kerf record`: runs a scene and records it, without pictures.
 class RecordCommand {
  public:
   explicit RecordCommand(CLI::App& program);

@@ -18,7 +18,7 @@ std::string names_of() {
   return names;
 }
 
-/// What the options cannot say in a line each.
+/// Explanations that do not fit into a line of an option.
 std::string render_footer() {
   std::string text =
       "LAYERS  " + layer_names() +

@@ -8,7 +8,7 @@ class App;
 
 namespace kerf {
 
-/// `kerf render`: a scene becomes a sequence of frames.
+/// `kerf render`: makes a sequence of frames of a scene or a recording.
 class RenderCommand {
  public:
   explicit RenderCommand(CLI::App& program);

@@ -16,7 +16,7 @@ namespace {
 constexpr int kSeeks = 100;
 constexpr int kBacks = 20;  ///< steps back after each seek
 
-/// Milliseconds that some work took, each time.
+/// The times of some work, in milliseconds.
 class Times {
  public:
   template <class Work>

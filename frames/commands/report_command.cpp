@@ -41,8 +41,8 @@ std::string report_footer() {
          "gnuplot's.";
 }
 
-/// A line on the terminal that is written over and over: what is measured, and the time that is left, as far
-/// as the time so far tells. Silent unless standard error is a terminal.
+/// A line on the terminal that is overwritten: the present measurement, and an estimate of the time left.
+/// Silent unless standard error is a terminal.
 class Countdown {
  public:
   explicit Countdown(const std::vector<Cell>& cells) : cells_(cells) {
@@ -83,7 +83,7 @@ class Countdown {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Measures and shows the sections that were asked for.
+/// Measures and shows the chosen sections.
 class Report {
  public:
   Report(const ReportRequest& request, Replace replace)
@@ -103,7 +103,7 @@ class Report {
   }
 
  private:
-  /// What is still to be measured, each once.
+  /// The cells that are not measured yet, each once.
   [[nodiscard]] std::vector<Cell> missing() const {
     std::vector<Cell> cells;
     for (const Section* section : sections_)

@@ -13,8 +13,8 @@ class ReportCommand {
  public:
   explicit ReportCommand(CLI::App& program);
   [[nodiscard]] bool chosen() const;
-  /// Measures what is not yet measured and writes the page. Throws UsageError, Interrupted when asked to stop
-  /// (what was measured is kept), and std::runtime_error if a file cannot be written.
+  /// Makes the missing measurements and writes the page. Throws UsageError, Interrupted on request (the
+  /// measurements so far are kept), and std::runtime_error if a file cannot be written.
   void run() const;
 
  private:

@@ -20,7 +20,7 @@
 namespace kerf {
 namespace {
 
-/// An event, and which of its candidates; none: refuse it.
+/// An event, and the index of one of its candidates; none: refuse it.
 struct EventChoice {
   std::uint64_t event = 0;
   std::optional<std::size_t> candidate;
@@ -40,7 +40,7 @@ EventChoice parse_choice(const std::string& option, const std::string& text, boo
   return {*event, candidate};
 }
 
-/// What the command line asks for.
+/// The change given on the command line.
 struct WhatIf {
   std::string config;
   std::uint32_t from = 1;

@@ -9,7 +9,7 @@ class App;
 
 namespace kerf {
 
-/// `kerf rerun`: the same boxes once more, with another configuration of the tree, or another fate of one
+/// `kerf rerun`: the same boxes again, with another configuration of the tree, or another decision about one
 /// operator.
 class RerunCommand {
  public:

@@ -16,7 +16,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-/// What --objects, --grow and --recycle mean in a scene.
+/// The meaning of --objects, --grow and --recycle in a scene.
 template <int D>
 std::string parameters_of(const SceneEntry<D>& entry) {
   if (!entry.parameters.empty()) return std::string(entry.parameters);
@@ -38,7 +38,7 @@ Row row_of(const CatalogScene& scene) {
       scene.entry);
 }
 
-/// Columns as wide as their widest cell, the last one as it comes.
+/// Columns as wide as their widest cell; the last one is not padded.
 std::string table(const std::vector<Row>& rows, std::size_t columns) {
   std::string text;
   for (const Row& row : rows) {

@@ -8,8 +8,7 @@ class App;
 
 namespace kerf {
 
-/// `kerf verify`: replays a recording and holds it against what was recorded, and its pairs against the
-/// oracle.
+/// `kerf verify`: replays a recording and compares it with what was recorded, and its pairs with the oracle.
 class VerifyCommand {
  public:
   explicit VerifyCommand(CLI::App& program);

@@ -32,7 +32,7 @@ std::string picture(const Image& image, const std::string& title, const std::str
          "\" src=\"data:image/png;base64," + base64(encode_png(image)) + "\"></figure>\n";
 }
 
-/// A picture that can be read, whatever is wrong with the other one.
+/// The picture if it can be read, whatever is wrong with the other one.
 std::optional<Image> try_read(const std::filesystem::path& path) {
   if (path.empty()) return std::nullopt;
   try {

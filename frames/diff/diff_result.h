@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// What became of a comparison of files or folders.
+/// The result of a comparison of files or folders.
 struct DiffResult {
   std::filesystem::path reference;
   std::filesystem::path test;
@@ -25,8 +25,8 @@ struct DiffResult {
 
 /// "4 of 20 frames differ", for the end of a list and of a page.
 std::string summary_line(const DiffResult& result);
-/// What was found, one frame after the other; the summary only if all are the same, since it is what an error
-/// says.
+/// The findings, one frame after the other; the summary only if all are the same, since otherwise the error
+/// message has it.
 std::string to_text(const DiffResult& result);
 std::string to_json(const DiffResult& result);
 

@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-/// What must hold for two pictures to count as the same.
+/// The condition for two pictures to count as the same.
 enum class DiffGate {
   automatic,  ///< exact, unless the draw lists name two rasterisers: then flip
   exact,      ///< every pixel: for pictures of one rasteriser
@@ -18,7 +18,7 @@ enum class DiffGate {
   flip,       ///< invisible to a person: FLIP's maximum, and ids where they are; for two rasterisers
 };
 
-/// FLIP's maximum up to which the gate `flip` is content: two rasterisers of Mesa reach 0.35
+/// The largest maximum of FLIP that the gate `flip` accepts: two rasterisers of Mesa reach 0.35
 /// (docs/IMAGE_DIFF.md).
 inline constexpr double kFlipLimit = 0.45;
 
@@ -27,7 +27,7 @@ struct DiffRules {
   double flip_limit = kFlipLimit;
 };
 
-/// What became of one pair of pictures.
+/// The result for one pair of pictures.
 struct FrameDiff {
   FramePair frame;
   std::string trouble;  ///< why they cannot be compared; empty: they were
@@ -40,7 +40,7 @@ struct FrameDiff {
   std::vector<std::string> reasons;   ///< what the gate objects to, one line each
 };
 
-/// Compares two pictures; never throws for what is wrong with their files: that is `trouble`.
+/// Compares two pictures; never throws for faults of their files: those go into `trouble`.
 FrameDiff diff_frame(const FramePair& frame, const DiffRules& rules);
 
 /// "auto", "exact", "ids", "flip"

@@ -30,7 +30,7 @@ void require_frames(const fs::path& folder, const FolderListing& listing) {
   if (listing.frames.empty() && listing.faults.empty()) refuse(folder, "it holds no PNG file");
 }
 
-/// A manifest tells of frames that should be there.
+/// A manifest names the frames that must exist.
 void check_manifest(const fs::path& path, PairedFrames& result) {
   std::ifstream file(path);
   const auto json = nlohmann::json::parse(file, nullptr, false);
@@ -66,7 +66,7 @@ std::vector<FramePair> pair_by_name(const FilesByName& references, const FilesBy
   return result;
 }
 
-/// A file against itself is the same, but that is hardly what somebody wanted to know.
+/// A file against itself is the same, but that is hardly the question.
 void note_one_and_the_same(const fs::path& reference, const fs::path& test, PairedFrames& result) {
   std::error_code ignored;
   if (fs::equivalent(reference, test, ignored))

@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-/// Two pictures that belong together. An empty path: that side has none.
+/// Two pictures to compare. An empty path: that side has none.
 struct FramePair {
   std::string name;  ///< of the file; in folders the way to it from there
   std::filesystem::path reference;
@@ -15,14 +15,14 @@ struct FramePair {
   [[nodiscard]] bool is_extra() const { return reference.empty(); }
 };
 
-/// What is to be compared.
+/// The pictures to compare.
 struct PairedFrames {
   std::vector<FramePair> frames;    ///< by name
-  std::vector<std::string> notes;   ///< what a reader should know, such as a sequence that was interrupted
+  std::vector<std::string> notes;   ///< notes for the reader, such as a sequence that was interrupted
   std::vector<std::string> faults;  ///< what makes a folder unusable: what was not compared, or promised
 };
 
-/// Whether there must be something to compare with.
+/// Whether there must be references.
 enum class WithoutReferences { refuse, accept };
 
 /// Pairs two files, or the PNG files of two folders and the folders in them by their names. What else lies

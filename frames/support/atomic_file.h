@@ -18,7 +18,7 @@ void write_file_atomically(const std::filesystem::path& path, std::span<const st
 void write_file_atomically(const std::filesystem::path& path, std::string_view text,
                            Replace replace = Replace::earlier);
 
-/// Writes what `from` holds, in the same way. Throws std::runtime_error also if that cannot be read.
+/// Writes a copy of `from` in the same way. Throws std::runtime_error also if `from` cannot be read.
 void copy_file_atomically(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Proves that the file could be written now; call it before long work. Throws as writing would.

@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-/// Base64 (RFC 4648) of bytes, as pages carry pictures.
+/// Base64 (RFC 4648) of bytes, for pictures in pages.
 inline std::string base64(std::span<const std::uint8_t> bytes) {
   constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;

@@ -49,7 +49,7 @@ ChildProcess::ChildProcess(const std::function<void(char)>& work) {
   close(requests[process_ == 0 ? 1 : 0]);
   close(replies[process_ == 0 ? 0 : 1]);
   if (process_ != 0) return;
-  // An interrupt is often told to the whole group; what it means is the parent's to decide.
+  // Ctrl-C reaches the whole process group; only the parent acts on it.
   signal(SIGINT, SIG_IGN);
   signal(SIGTERM, SIG_IGN);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -58,7 +58,7 @@ ChildProcess::ChildProcess(const std::function<void(char)>& work) {
   serve(work);
 }
 
-/// The child's whole life.
+/// The child's main loop.
 void ChildProcess::serve(const std::function<void(char)>& work) const {
   try {
     char request = 0;

@@ -8,19 +8,19 @@
 
 namespace kerf {
 
-/// A forked process that does one kind of work on request, so that a library that crashes or never ends harms
-/// nobody, and its memory can be told from ours.
+/// A forked process that does one kind of work on request, so that a crash or an endless loop of a library
+/// does no harm, and its memory can be measured apart from ours.
 class ChildProcess {
  public:
-  /// `work(request)` is called in the child. Throws std::runtime_error if no process can be made.
+  /// The child calls `work(request)`. Throws std::runtime_error if no process can be made.
   explicit ChildProcess(const std::function<void(char)>& work);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Has the child do its work and waits for it. False if the child died, threw, or was killed here since it
-  /// took longer than `limit` or `stop` became true; `trouble` says what happened, and there is no child any
-  /// more.
+  /// Lets the child do its work and waits for it. False if the child died, threw, or was killed here because
+  /// it took longer than `limit` or `stop` became true; `trouble` says what happened, and the child no longer
+  /// exists.
   bool ask(char request, std::chrono::duration<double> limit, const std::function<bool()>& stop);
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 

@@ -5,7 +5,7 @@
 
 namespace kerf {
 
-/// What the user asked for cannot be meant: an unknown name, a size of zero. The message says what would do.
+/// An error of the user: an unknown name, a size of zero. The message says what is allowed.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

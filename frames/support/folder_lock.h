@@ -4,8 +4,8 @@
 
 namespace kerf {
 
-/// Keeps a folder for one render at a time, by a lock on the folder itself that goes away with its process
-/// and the processes forked meanwhile. Where the file system knows no locks, there is none.
+/// Keeps a folder for one render at a time, by a lock on the folder itself that ends with its process and the
+/// processes forked meanwhile. A file system without locks gives none.
 class FolderLock {
  public:
   /// Throws std::runtime_error if another process has it.

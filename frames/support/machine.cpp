@@ -22,7 +22,7 @@ std::string processor() {
   return "unknown";
 }
 
-/// The widest vectors that the processor and the system can do.
+/// The widest vectors that processor and system support.
 std::string vectors() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f")) return "AVX-512";

@@ -4,7 +4,8 @@
 
 namespace kerf {
 
-/// What one must know of a machine to read its timings: processor, cores, kernel, compiler, and its load now.
+/// The properties of a machine that its timings depend on: processor, cores, kernel, compiler, and its load
+/// now.
 nlohmann::ordered_json describe_machine();
 
 }  // namespace kerf

@@ -8,8 +8,8 @@ namespace kerf {
 /// /proc/self/smaps_rollup; 0 if that cannot be read.
 std::uint64_t own_memory();
 
-/// The most of it at any time, as far as Linux knows: the high-water mark of everything less what is now
-/// shared or of files, which in a running process does not shrink.
+/// The most of it at any time, as far as Linux knows: the high-water mark of everything less the memory that
+/// is now shared or of files, which in a running process does not shrink.
 std::uint64_t peak_own_memory();
 
 }  // namespace kerf

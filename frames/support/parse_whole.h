@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// The number that an option was given. Throws UsageError that names the option and what it may be.
+/// The number for an option. Throws UsageError that names the option and the allowed values.
 template <class Number>
 Number parse_whole(std::string_view option, std::string_view text, Number least, Number most) {
   const auto number = parse_number<Number>(text);

@@ -8,13 +8,13 @@
 
 namespace kerf {
 
-/// One line on the terminal that is written over and over: frame, speed, time left. Silent unless standard
-/// error is a terminal.
+/// One line on the terminal that is overwritten: frame, speed, time left. Silent unless standard error is a
+/// terminal.
 class Progress {
  public:
   explicit Progress(const StepRange& steps);
 
-  /// `frames` are done and the simulation stands after `step`.
+  /// `frames` are done and the simulation is at `step`.
   void update(std::uint32_t frames, std::uint32_t step);
 
  private:

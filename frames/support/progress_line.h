@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// A line on the terminal that is written over and over; silent if standard error is no terminal.
+/// A line on the terminal that is overwritten; silent if standard error is no terminal.
 class ProgressLine {
  public:
   ProgressLine() = default;

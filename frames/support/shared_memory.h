@@ -4,8 +4,8 @@
 
 namespace kerf {
 
-/// Memory that this process shares with the children that it will fork, zeroed. Throws std::runtime_error if
-/// there is none.
+/// Memory that this process shares with children forked later, zeroed. Throws std::runtime_error if there is
+/// none.
 class SharedMemory {
  public:
   explicit SharedMemory(std::size_t bytes);

@@ -86,7 +86,7 @@ TEST_F(CompanyProgram, AfterAKilledWriterAnotherMayWrite) {
   EXPECT_EQ(run_kerf({"record", "pile", "-o", file(), "--steps", "5", "--overwrite"}).exit, 0);
 }
 
-/// Somebody looks at it while it ends.
+/// Another process reads it while it ends.
 TEST_F(CompanyProgram, AReaderBreaksNoRecorder) {
   begin();
   RecordingReader<2> reader(file());
@@ -118,7 +118,7 @@ TEST_F(CompanyProgram, AReaderBreaksNoFilm) {
   EXPECT_EQ(run_kerf({"collect", path("frames")}).exit, 0);
 }
 
-/// In a mount namespace of its own, where nobody can write into the folder.
+/// In a mount namespace of its own, where the folder is read-only.
 TEST_F(CompanyProgram, AKilledRecordingOpensFromAFolderThatCannotBeWritten) {
   begin();
   first_->signal(SIGKILL);

@@ -29,8 +29,8 @@ std::uint32_t rows_of(const std::filesystem::path& file, const std::string& tabl
 /// Gives it another value of its type: one bit or letter is another one; what was NULL is a number.
 void change_value(const std::filesystem::path& file, const StoredValue& value, Random& random);
 
-/// Makes all hashes of a recording right again, as a forger would who knows how: what was changed before is
-/// then found only by who looks at it. Throws std::runtime_error where its rows do not fit together.
+/// Makes all hashes of a recording right again, as a forger would: earlier changes are then found only in the
+/// data itself. Throws std::runtime_error where its rows do not fit together.
 void reseal(const std::filesystem::path& recording);
 
 /// Puts other bytes in place of a block or a keyframe and reseals.

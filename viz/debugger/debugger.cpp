@@ -17,8 +17,8 @@ constexpr auto kFixedWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoR
                               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 constexpr double kLongestPause = 0.25;  // seconds by which a run that plays can be late and catches up
-constexpr float kTabs = 368;            // what all tabs need side by side
-constexpr float kToolsInTwoRows = 580;  // what the tools of the view need; else they take three
+constexpr float kTabs = 368;            // the width of all tabs side by side
+constexpr float kToolsInTwoRows = 580;  // the width of the view's tools in two rows; below it they take three
 
 /// A window that fills an area exactly.
 template <class Draw>
@@ -101,7 +101,7 @@ void Debugger::take_in(const DebuggerInput& input, int width, int height) {
   width_ = width;
   height_ = height;
   const PanelLayout layout = layout_panels(width, height);
-  // After long work it does not catch up with all of it.
+  // After long work it does not make up for all of the time.
   model_.pass_time(std::min(input.seconds, kLongestPause + model_.seconds_to_next()));
   gui_.begin(input, width, height);
   if (input.key && !gui_.is_typing()) take_key(*input.key, input.shift);
@@ -182,7 +182,7 @@ void Debugger::take_key(Key key, bool shift) {
   }
 }
 
-/// The run that is compared is seen beside this one, from the same place and in the same colours.
+/// The compared run is seen beside this one, from the same place and in the same colours.
 void Debugger::update_views(const PanelLayout& layout) {
   Run* const other = model_.other();
   if (&model_.run() != run_) view_ = make_scene_view(context_.functions(), model_.run());

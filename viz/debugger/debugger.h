@@ -31,34 +31,34 @@ struct PanelLayout {
 };
 PanelLayout layout_panels(int width, int height);
 
-/// The debugger: what the user does goes in, a picture comes out, one frame at a time. It does not know
-/// whether a window or a script drives it, and draws the same in both.
+/// The debugger: user input goes in, a picture comes out, one frame at a time. It does not depend on whether
+/// a window or a script drives it, and draws the same in both.
 class Debugger {
  public:
   /// The context must be current, and outlive it.
   Debugger(GlContext& context, std::unique_ptr<Run> run);
 
-  /// Takes in what the user did and draws a frame of that many pixels.
+  /// Takes in the user's actions and draws a frame of that many pixels.
   void frame(const DebuggerInput& input, int width, int height);
   /// The first half of that, for input that comes faster than frames can be drawn.
   void take_in(const DebuggerInput& input, int width, int height);
   void draw();
   /// The last frame. Valid until the next call.
   const Image& picture();
-  /// Puts the last frame into the window whose context it is.
+  /// Shows the last frame in the window of the context.
   void show_in_window(int width, int height) const { framebuffer_->show_in_window(width, height); }
 
   /// The user asked for a picture.
   [[nodiscard]] bool wants_screenshot() const { return memory_.screenshot; }
   /// The same, once for each picture.
   bool takes_screenshot();
-  /// What was asked for has been done, or could not be.
+  /// Reports the result of a request, or why it failed.
   void report(std::string message, bool is_error);
 
   [[nodiscard]] DebuggerModel& model() { return model_; }
   [[nodiscard]] const Gui& gui() const { return gui_; }
   [[nodiscard]] const SceneView& view() const { return *view_; }
-  /// What a script can ask about, in words: "step", "selection", "state" and so on.
+  /// The values that a script can test, by name: "step", "selection", "state" and so on.
   [[nodiscard]] std::map<std::string, std::string> facts();
 
  private:
@@ -73,8 +73,8 @@ class Debugger {
   Gui gui_;
   std::unique_ptr<SceneView> view_;
   std::unique_ptr<SceneView> other_view_;
-  const Run* run_;              ///< of which `view_` is
-  const Run* other_ = nullptr;  ///< of which `other_view_` is
+  const Run* run_;              ///< the run of `view_`
+  const Run* other_ = nullptr;  ///< the run of `other_view_`
   PanelMemory memory_;
   std::optional<Framebuffer> framebuffer_;
   int width_ = 0;

@@ -85,7 +85,7 @@ const std::map<std::string, Key>& key_names() {
   return kNames;
 }
 
-/// Of what can be named, each after a space.
+/// All names, each after a space.
 template <class Value>
 std::string names_of(const std::map<std::string, Value>& known) {
   std::string names;
@@ -207,7 +207,7 @@ void ScriptPlayer::play(const ScriptLine& line) {
            "' is none of key, click, double, hover, drag, wheel, type, wait, screenshot, expect, remember");
 }
 
-/// As a person does: the mouse is there before it is pressed, and stays for a frame after.
+/// As a person does it: the mouse is there before the click, and stays for a frame after it.
 void ScriptPlayer::click(const Point& point, int button, int times) {
   input_.mouse_x = point.x;
   input_.mouse_y = point.y;
@@ -254,7 +254,7 @@ void ScriptPlayer::press(const ScriptLine& line, const std::string& text) {
   frames(2);
 }
 
-/// A picture shows the state after everything that was done has been drawn.
+/// The picture shows the state after all previous actions have been drawn.
 void ScriptPlayer::take_picture(const std::string& name) {
   frames(2);
   const bool is_first = taken_.insert(name).second;
@@ -284,7 +284,7 @@ void ScriptPlayer::expect(const ScriptLine& line) {
 }
 
 /// "320,200" is a pixel, "play" a part of a panel, "view@0.5,0.25" a place within it by its share, "object:5"
-/// or "node:5" where that object or node is seen.
+/// or "node:5" the place of that object or node.
 ScriptPlayer::Point ScriptPlayer::place(const ScriptLine& line, const std::string& word) {
   if (const auto pixel = two_numbers(word)) return {pixel->first, pixel->second};
   const std::size_t at = word.find('@');

@@ -26,7 +26,7 @@ class ExpectationFailed : public ScriptError {
   using ScriptError::ScriptError;
 };
 
-/// One line: its words, of which those in quotes are one.
+/// One line: its words; quotes make several words one.
 struct ScriptLine {
   int number = 0;
   std::vector<std::string> words;

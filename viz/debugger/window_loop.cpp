@@ -5,15 +5,14 @@
 namespace kerf {
 namespace {
 
-constexpr double kLongestWait = 0.2;  // seconds until it is seen that the program is to end
+constexpr double kLongestWait = 0.2;  // seconds until the end of the program is noticed
 
 }  // namespace
 
 WindowLoop::WindowLoop(GlfwWindow& window, Debugger& debugger)
     : window_(window), debugger_(debugger), last_(window.seconds()) {}
 
-/// What has been done is shown as soon as it has all been taken in: who clicks faster than frames are drawn
-/// does not wait for a frame for each.
+/// The effect of actions is shown once all of them are taken in: fast clicks do not wait for a frame each.
 void WindowLoop::take_in() {
   do {
     debugger_.take_in(window_.take_input(), window_.width(), window_.height());

@@ -11,10 +11,10 @@ class WindowLoop {
  public:
   WindowLoop(GlfwWindow& window, Debugger& debugger);
 
-  /// Waits for a reason to draw, but not for longer than it may take to see that the program is to end. False
-  /// if nothing was drawn.
+  /// Waits for a reason to draw, but not longer than the end of the program may go unnoticed. False if
+  /// nothing was drawn.
   bool turn();
-  /// Puts the last frame into the window.
+  /// Shows the last frame in the window.
   void present();
 
  private:

@@ -36,7 +36,7 @@ std::string ramp_text(const FramePlan<D>& plan) {
   return std::to_string(plan.largest_population) + (plan.ramp_is_fixed ? "+" : "");
 }
 
-/// Of a camera that the user has aimed nobody expects that it shows everything.
+/// A camera that the user has aimed need not show everything.
 template <int D>
 std::optional<std::uint32_t> told_outside(const FramePlan<D>& plan, const CameraChoice<D>& camera) {
   return plan.tells_outside && !camera.is_aimed() ? std::optional(plan.outside) : std::nullopt;

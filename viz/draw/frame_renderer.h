@@ -45,8 +45,8 @@ struct FrameInput {
   const Tree<D>* tree = nullptr;    ///< none: a broad phase without a tree
   std::span<const Pair> pairs;
   std::span<const Pair> contacts;  ///< those of `pairs` that touch, sorted
-  /// What happened lately. Operators fade with their age in steps against `caption.step`, so that a caller
-  /// who makes a film may give those of the last `highlight_steps` steps.
+  /// Recent events. Operators fade with their age in steps against `caption.step`; for a film, pass the
+  /// events of the last `highlight_steps` steps.
   std::span<const Event> events;
   Caption caption;
   std::uint32_t highlight_steps = kHighlightSteps;

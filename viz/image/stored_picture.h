@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// All that a PNG file says of how it looks: whoever compares two of them compares all of this.
+/// Everything in a PNG file that decides how it looks: a comparison must compare all of it.
 struct StoredPicture {
   Image image;  ///< where channels have 16 bits, the upper 8 of each
   /// The lower 8 bits, laid out as `image.rgba`. Empty: channels have 8 bits, which stand for both halves.

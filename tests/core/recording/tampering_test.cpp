@@ -35,7 +35,7 @@ void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-/// Somebody else's pairs: one is missed, and one told that is none.
+/// Another engine's pairs: one is missed, and one invented.
 std::vector<Pair> other_pairs(std::span<const Pair> pairs) {
   std::vector<Pair> others(pairs.begin(), pairs.end());
   if (!others.empty()) others.pop_back();
@@ -44,7 +44,7 @@ std::vector<Pair> other_pairs(std::span<const Pair> pairs) {
 }
 
 /// A recording with rows in every table: objects that come and go, a keyframe, another configuration from a
-/// step on, a decision, and somebody else's pairs in the first steps.
+/// step on, a decision, and another engine's pairs in the first steps.
 template <int D>
 void record_everything(const std::filesystem::path& path) {
   RecordingInfo info = test::info_of<D>(test::busy_config());

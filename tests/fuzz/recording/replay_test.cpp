@@ -18,7 +18,7 @@ TEST(RecordingCorpus, KeyframesFindNothing) { replay("keyframe", keyframe_case);
 TEST(RecordingCorpus, BlocksFindNothing) { replay("block", block_case); }
 TEST(RecordingCorpus, ChangedTablesFindNothing) { replay("recording", recording_case); }
 
-/// Whoever changes nothing finds nothing: the cases begin with a recording that holds.
+/// Without a change nothing is found: the cases begin with a recording that holds.
 TEST(RecordingCorpus, TheSmallRecordingHolds) {
   const TemporaryRecording file;
   record_small(file.path());

@@ -44,7 +44,7 @@ TEST(InputQueue, AButtonGoesDownAndUpWhereTheMouseWas) {
   queue.add(action(MouseMove{30, 10}));
   std::vector<std::pair<float, bool>> seen;
   for (const DebuggerInput& frame : frames_of(queue)) seen.emplace_back(frame.mouse_x, frame.buttons[1]);
-  // The drag's end is seen while the button is still down: who drags looks only then.
+  // The drag's end is seen while the button is still down: dragging looks only then.
   EXPECT_THAT(seen, testing::ElementsAre(std::pair(10, false), std::pair(10, true), std::pair(20, true),
                                          std::pair(20, false), std::pair(30, false)));
 }

@@ -48,7 +48,7 @@ bool is_held(GLFWwindow* window, int left, int right) {
   return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
 }
 
-/// What a key does beside others is asked of the keys themselves: X11 tells modifiers as they were before.
+/// Reads modifiers from the keys themselves: X11 reports them as they were before the event.
 template <class What>
 void note(GLFWwindow* window, What what) {
   static_cast<InputQueue*>(glfwGetWindowUserPointer(window))
@@ -71,7 +71,7 @@ std::string utf8_of(unsigned code) {
   return {byte(0xF0U | (code >> 18U)), six_bits(12), six_bits(6), six_bits(0)};
 }
 
-/// '?' lies elsewhere on every keyboard, so that it is known by what it writes.
+/// '?' lies elsewhere on every keyboard, so it is recognised by its letter.
 void note_letter(GLFWwindow* window, unsigned code) {
   if (code == '?') note(window, KeyTap{Key::question, false});
   note(window, TypedText{utf8_of(code)});
@@ -86,7 +86,7 @@ void note_button(GLFWwindow* window, int button, int action, int /*mods*/) {
   if (number < DebuggerInput{}.buttons.size()) note(window, ButtonChange{number, action == GLFW_PRESS});
 }
 
-/// On some displays a place has several pixels.
+/// On some displays a screen coordinate has several pixels.
 void note_place(GLFWwindow* window, double x, double y) {
   int pixels = 0;
   int places = 0;

@@ -10,10 +10,10 @@ struct GLFWwindow;
 
 namespace kerf {
 
-/// A window on the user's display with a GL context of its own, and what is done with mouse and keys in it.
+/// A window on the user's display with a GL context of its own, and its mouse and keys.
 class GlfwWindow final : public GlContext {
  public:
-  /// Throws std::runtime_error that says why there can be no window: no display, no OpenGL 3.3.
+  /// Throws std::runtime_error that says why there is no window: no display, no OpenGL 3.3.
   GlfwWindow(const std::string& title, int width, int height);
   ~GlfwWindow() override;
 
@@ -21,25 +21,25 @@ class GlfwWindow final : public GlContext {
   [[nodiscard]] const GlFunctions& functions() const override { return functions_; }
   [[nodiscard]] std::string description() const override;
 
-  /// Pixels of what can be drawn.
+  /// The size of the drawable area in pixels.
   [[nodiscard]] int width() const;
   [[nodiscard]] int height() const;
   [[nodiscard]] bool should_close() const;
-  /// Shows what was drawn into the window's framebuffer, and waits for the display.
+  /// Shows the window's framebuffer, and waits for the display.
   void swap();
-  /// To be called now and then in long work: shows `progress` as title, answers the display, and is false
-  /// once the user has pressed Escape or closes the window.
+  /// Call it now and then in long work: it shows `progress` as title, responds to the display, and returns
+  /// false once the user has pressed Escape or closes the window.
   [[nodiscard]] bool goes_on(const std::string& progress);
   /// Seconds since the program has a window.
   [[nodiscard]] static double seconds();
-  /// Until the user does something, at most so many seconds. True if a frame has something to take in.
+  /// Waits until the user does something, at most so many seconds. True if a frame has something to take in.
   bool wait(double seconds);
   [[nodiscard]] bool has_input() const { return !queue_.is_empty(); }
-  /// The next frame's share of what the user did.
+  /// The next frame's share of the user's actions.
   [[nodiscard]] DebuggerInput take_input();
 
  private:
-  /// GLFW is there once for the process, as long as a window lives.
+  /// GLFW is initialised once for the process, as long as a window lives.
   struct Library {
     Library();
     ~Library();
@@ -57,7 +57,7 @@ class GlfwWindow final : public GlContext {
   std::string title_;
   bool is_busy_ = false;  ///< another title is shown
   GlFunctions functions_;
-  InputQueue queue_;  ///< filled by the callbacks
+  InputQueue queue_;  ///< the callbacks fill it
 };
 
 }  // namespace kerf

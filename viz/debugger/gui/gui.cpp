@@ -59,7 +59,7 @@ void set_shapes(ImGuiStyle& style) {
   style.WindowBorderSize = 1;
 }
 
-/// ImGui asks for the keys of its text fields by these names.
+/// ImGui looks up the keys of its text fields by these names.
 void map_keys(ImGuiIO& io) {
   const auto map = [&](ImGuiKey key, Key ours) { io.KeyMap[key] = static_cast<int>(ours); };
   map(ImGuiKey_Home, Key::home);
@@ -79,7 +79,7 @@ void add_typeface(ImFontAtlas& fonts) {
   config.FontDataOwnedByAtlas = false;
   config.OversampleH = 1;
   config.PixelSnapH = true;
-  // ImGui only reads it, but asks for a pointer to what may be written.
+  // ImGui only reads it, but its interface takes a pointer to non-const.
   void* const data = const_cast<std::uint8_t*>(file.data());
   fonts.AddFontFromMemoryTTF(data, static_cast<int>(file.size()), kLetters, &config);
   fonts.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
@@ -135,13 +135,13 @@ bool Gui::is_typing() const {
 }
 
 void Gui::name_last_item(const std::string& name, const std::string& shown) {
-  if (!ImGui::IsItemVisible()) return;  // scrolled away: nobody could click it
+  if (!ImGui::IsItemVisible()) return;  // scrolled away, so it cannot be clicked
   named_[name] = last_item();
   note_last_item(shown);
 }
 
 void Gui::note_last_item(const std::string& shown) {
-  const std::string text = shown.substr(0, shown.find("##"));  // what follows is never shown
+  const std::string text = shown.substr(0, shown.find("##"));  // the rest is never shown
   if (ImGui::IsItemVisible()) shown_.try_emplace(text.substr(0, text.find_last_not_of(' ') + 1), last_item());
 }
 

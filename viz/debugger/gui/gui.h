@@ -33,14 +33,14 @@ class Gui {
   /// Ends the frame and lays it out; nothing is drawn yet.
   void end();
   void draw() const;
-  /// A text field has the keys. Already true in the frame after the one in which it got them, and false in
-  /// the frame after it gave them back: what Dear ImGui itself says comes a frame late.
+  /// Whether a text field has the keys. True from the frame after it got them, and false from the frame after
+  /// it gave them back: Dear ImGui itself reports it a frame late.
   [[nodiscard]] bool is_typing() const;
 
-  /// Remembers where the last item is under a name by which scripts find it, if it can be seen. What is
-  /// written on it, `shown`, is a name of it, too, unless something else has that name.
+  /// Records the place of the last item under a name by which scripts find it, if it is visible. Its text,
+  /// `shown`, is a name of it, too, unless another item has that name.
   void name_last_item(const std::string& name, const std::string& shown = "");
-  /// Of something that is only shown: it is found, but is not among the names of what can be pressed.
+  /// For an item that is only shown: scripts find it, but it is not among the names of what can be pressed.
   void note_last_item(const std::string& shown);
   void name_area(const std::string& name, const PanelArea& area) { named_[name] = area; }
   /// Of the last frame.
@@ -54,7 +54,7 @@ class Gui {
   std::unique_ptr<ImGuiContext, Forget> context_;
   std::unique_ptr<PanelPainter> painter_;
   std::map<std::string, PanelArea> named_;
-  std::map<std::string, PanelArea> shown_;  ///< by what is written there; the first of equal ones
+  std::map<std::string, PanelArea> shown_;  ///< by text; the first of equal ones
 };
 
 }  // namespace kerf

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// A key that the debugger knows, beside those that write text.
+/// A key with a meaning in the debugger, beside those that write text.
 enum class Key : std::uint8_t {
   space,
   comma,
@@ -34,7 +34,7 @@ enum class Key : std::uint8_t {
   count,
 };
 
-/// What the user did since the last frame, whoever he is: a window's or a script's.
+/// The user's actions since the last frame, from a window or from a script.
 struct DebuggerInput {
   float mouse_x = -1;
   float mouse_y = -1;
@@ -46,7 +46,7 @@ struct DebuggerInput {
   std::string text;           ///< typed, in UTF-8
   double seconds = 1.0 / 60;  ///< since the last frame
 
-  /// What lasts for one frame is over; what is held stays.
+  /// Ends what lasts for one frame; what is held stays.
   void end_frame() {
     wheel = 0;
     key.reset();

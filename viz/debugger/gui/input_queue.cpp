@@ -8,9 +8,9 @@
 namespace kerf {
 namespace {
 
-constexpr double kLeastSeconds = 1e-4;  // Dear ImGui wants time to pass
+constexpr double kLeastSeconds = 1e-4;  // Dear ImGui needs time to pass
 
-/// The tap of a key, if that is what the user did.
+/// The tap of a key, if the action is one.
 std::optional<KeyTap> tap_of(const UserAction& action) {
   using Answer = std::optional<KeyTap>;
   return std::visit(
@@ -24,7 +24,7 @@ bool is_tap(const UserAction& action, Key key) {
   return tap && tap->key == key;
 }
 
-/// Two of them in a row are as good as one.
+/// Two of them in a row have the effect of one.
 bool can_be_joined(const UserAction& action) {
   return std::visit(Overloaded{
                         [](const NothingElse&) { return true; },

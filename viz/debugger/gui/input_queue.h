@@ -28,10 +28,10 @@ struct KeyTap {
 struct TypedText {
   std::string utf8;
 };
-/// Nothing but what is held beside, or the window has to be drawn again.
+/// No action of its own: only held keys and buttons, or the window has to be drawn again.
 struct NothingElse {};
 
-/// One thing that the user did, and what he held while he did it.
+/// One action of the user, and what was held during it.
 struct UserAction {
   double time = 0;  ///< in seconds
   bool shift = false;
@@ -39,15 +39,15 @@ struct UserAction {
   std::variant<NothingElse, MouseMove, ButtonChange, WheelTurn, KeyTap, TypedText> what;
 };
 
-/// What the user does, in its order, until frames take it in. Dear ImGui 1.86 sees a state each frame, not
+/// The user's actions, in order, until frames take them in. Dear ImGui 1.86 sees one state each frame, not
 /// what happened in between, so a frame gets one action: a button that goes down and up between two frames is
 /// down in the first and up in the second. Only moves, turns of the wheel and letters that follow each other
-/// are one. Frames that are behind pass the time of their actions, so that a double click stays one.
+/// are joined. Frames that are behind pass the time of their actions, so that a double click stays one.
 class InputQueue {
  public:
   void add(UserAction action);
   [[nodiscard]] bool is_empty() const { return actions_.empty(); }
-  /// Takes one tap of that key out of what waits; false if there is none.
+  /// Removes one waiting tap of that key; false if there is none.
   bool take_tap(Key key);
   /// Input of the next frame, which is drawn at `now`.
   [[nodiscard]] DebuggerInput take(double now);
@@ -59,7 +59,7 @@ class InputQueue {
 
   std::deque<UserAction> actions_;
   DebuggerInput input_;  ///< of the last frame
-  double last_ = 0;      ///< time up to which frames have come
+  double last_ = 0;      ///< time up to which frames were taken
 };
 
 }  // namespace kerf

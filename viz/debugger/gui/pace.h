@@ -6,8 +6,8 @@
 
 namespace kerf {
 
-/// When a window is to be drawn again though the user does nothing more. Dear ImGui needs a few frames until
-/// what an action leads to is seen, and a hint comes once the mouse has rested. Times are in seconds.
+/// Decides when a window is drawn again without further input. Dear ImGui needs a few frames to show the
+/// effect of an action, and a hint appears once the mouse has rested. Times are in seconds.
 class Pace {
  public:
   static constexpr int kSettling = 3;    ///< a window of Dear ImGui knows its size in the second frame
@@ -23,7 +23,7 @@ class Pace {
     hint_.reset();
     settling_ = kSettling;
   }
-  /// After so many seconds a frame is due; infinity: none is.
+  /// The seconds until the next frame is due; infinity: none is.
   [[nodiscard]] double seconds_to_next(double now) const {
     if (settling_ > 0) return 0;
     return hint_ ? std::max(0.0, *hint_ - now) : std::numeric_limits<double>::infinity();

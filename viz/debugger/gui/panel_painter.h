@@ -6,9 +6,9 @@ struct ImDrawData;
 
 namespace kerf {
 
-/// Draws what Dear ImGui has laid out, through the one table of GL functions: the packaged backends bring a
-/// loader of their own, which finds no libGL under OSMesa. The context that made it must be current in every
-/// call and when it dies.
+/// Draws the layout of Dear ImGui through the one table of GL functions: the packaged backends have a loader
+/// of their own, which finds no libGL under OSMesa. Its context must be current in every call and when it
+/// dies.
 class PanelPainter {
  public:
   /// Takes the typeface's picture from the current ImGui context.
@@ -17,7 +17,7 @@ class PanelPainter {
   PanelPainter(const PanelPainter&) = delete;
   PanelPainter& operator=(const PanelPainter&) = delete;
 
-  /// Draws into the framebuffer that is bound, of which row 0 is the top.
+  /// Draws into the bound framebuffer; row 0 is the top.
   void draw(const ImDrawData& data) const;
 
  private:

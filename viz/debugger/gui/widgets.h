@@ -13,15 +13,15 @@ namespace kerf::widgets {
 /// A button; `name` is its label unless given. `text` is its hint.
 bool button(Gui& gui, const char* label, const char* text = "", const std::string& name = "");
 bool checkbox(Gui& gui, const char* label, bool& value, const char* text = "");
-/// A field for one line of text; true when Enter is pressed. `inside` stands there while it is empty.
+/// A field for one line of text; true when Enter is pressed. `inside` is shown while it is empty.
 bool text_field(Gui& gui, const char* name, std::string& text, const char* inside, float width);
 /// A row of a list that can be chosen.
 bool row(Gui& gui, const std::string& label, const std::string& name, bool selected);
-/// What comes next stands beside the last item if there is room for so much, else below it.
+/// Places the next item beside the last one if there is room for so much, else below it.
 void beside_or_below(float width);
-/// In as many lines as it needs, see `wrap_at_spaces`.
+/// Text in as many lines as needed, see `wrap_at_spaces`.
 void wrapped_text(const std::string& text);
-/// Ends with "..." if it is wider than that.
+/// The text, ending with "..." if it is wider than that.
 std::string elided(const std::string& text, float width);
 /// Shown when the mouse has rested on the last item for a while.
 void hint(const char* text);

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-/// Where a line that is too long ends: at the last space that leaves something before it.
+/// The end of a line that is too long: the last space with a word before it.
 std::size_t end_of_line(std::string_view line, std::size_t columns) {
   const std::size_t space = line.rfind(' ', columns);
   const bool is_indent = space == std::string_view::npos || line.find_first_not_of(' ') > space;

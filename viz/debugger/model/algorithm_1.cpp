@@ -54,7 +54,7 @@ std::string what_was_decided(const Event& event) {
       event.body);
 }
 
-/// Whether the tree was traversed follows from what the scheduler looks at first.
+/// Whether the tree was traversed follows from the scheduler's first tests.
 std::string traversal_text(const Run& run, std::uint32_t pending_before) {
   const Config& config = run.config();
   const std::uint32_t step = run.position().step;

@@ -31,7 +31,7 @@ inline constexpr std::array<std::string_view, 18> kAlgorithm1{
     "defer the remaining events",
 };
 
-/// Where a step's run of Algorithm 1 stands, and what each line decided up to there.
+/// The position in a step's run of Algorithm 1, and the decisions of each line so far.
 struct Algorithm1Trace {
   int line = 0;                         ///< 1 to 18; 0: Algorithm 1 is not at work
   std::array<std::string, 18> decided;  ///< empty: nothing

@@ -13,7 +13,7 @@ class Nearest {
   template <class Search>
   void add(Stop stop, Search search) {
     if (ended_) return;
-    // What lies beyond the nearest so far is of no interest.
+    // Moments beyond the nearest so far do not matter.
     const auto in_reach = [&](std::uint32_t step) {
       if (nearest_ && (forwards_ ? step > nearest_->position.step : step < nearest_->position.step))
         return false;

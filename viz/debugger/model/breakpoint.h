@@ -16,22 +16,23 @@ struct Breakpoint {
   std::uint32_t hits = 0;  ///< times that it stopped the run
 };
 
-/// An expression whose value is watched.
+/// A watched expression and its value.
 struct WatchedValue {
   Expression expression;
   double value = std::numeric_limits<double>::quiet_NaN();  ///< at this moment
-  std::optional<Change> stop{};                             ///< the run stops when it changes so
+  std::optional<Change> stop{};                             ///< the run stops at such a change
   std::uint32_t hits = 0;                                   ///< times that it stopped the run
 };
 
-/// Where a run stops next, and because of which of the two.
+/// The next stop of a run, and its cause.
 struct Stop {
   Position position;
   std::optional<std::size_t> breakpoint;
   std::optional<std::size_t> watch;
 };
 
-/// The next moment, either way, at which an enabled condition holds or a watched value changes as it should.
+/// The next moment, in either direction, at which an enabled condition holds or a watched value changes as
+/// required.
 std::optional<Stop> next_stop(Run& run, const std::vector<Breakpoint>& breakpoints,
                               const std::vector<WatchedValue>& watches, bool forwards,
                               const Run::Progress& progress);

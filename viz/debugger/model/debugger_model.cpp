@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-/// Brute force takes a few milliseconds for so many objects, and grows with their square.
+/// Brute force takes a few milliseconds for so many objects, and its time grows with their square.
 constexpr std::uint32_t kMostForOracle = 8000;
 
 template <class T>
@@ -43,7 +43,7 @@ void DebuggerModel::moved() {
   if (asks_oracle && run_->objects() <= kMostForOracle) (void)ask_oracle();
 }
 
-/// The other run goes where this one stands.
+/// Moves the other run to the moment of this one.
 void DebuggerModel::follow() {
   const Position& here = run_->position();
   const Counterpart counterpart =
@@ -87,7 +87,7 @@ void DebuggerModel::run_to_breakpoint(bool forwards) {
   say("stopped at " + to_string(stop->position) + ": " + count_hit(*stop));
 }
 
-/// Says what has stopped the run.
+/// Says what stopped the run.
 std::string DebuggerModel::count_hit(const Stop& stop) {
   if (stop.breakpoint) {
     Breakpoint& breakpoint = breakpoints[*stop.breakpoint];
@@ -100,7 +100,7 @@ std::string DebuggerModel::count_hit(const Stop& stop) {
   return watch.expression.text() + (becomes_true ? " is true now" : " has changed");
 }
 
-/// `on_long_work`, with a note of whether it has ended the work.
+/// `on_long_work`, which also records whether it ended the work.
 Run::Progress DebuggerModel::noticing(bool& ended) const {
   return [this, &ended](std::uint32_t step) {
     if (!ended && on_long_work) ended = !on_long_work(step);

@@ -14,7 +14,7 @@
 
 namespace kerf {
 
-/// What one wants to see of a step, beside whether pairs are right: asked of the oracle so far.
+/// A noteworthy property of a step, beside wrong pairs: as far as the oracle was asked.
 struct Alarm {
   std::uint32_t step = 0;
   std::uint64_t missed = 0;
@@ -23,12 +23,12 @@ struct Alarm {
   [[nodiscard]] bool is_wrong() const { return missed + extra + twice > 0; }
 };
 
-/// A span of the selected thing's history.
+/// A span of the selection's history.
 struct Ribbon {
   enum class Kind : std::uint8_t {
     life,     ///< a node, from the split that made it to the merge or swap that ended it
     divided,  ///< within its life: it had children
-    listed,   ///< Algorithm 1 wanted an operator at the node ...
+    listed,   ///< Algorithm 1 listed an operator at the node ...
     refused,  ///< ... that did not act
     acted,
     pair,  ///< two objects were one
@@ -38,7 +38,7 @@ struct Ribbon {
   Kind kind = Kind::pair;
 };
 
-/// Everything that the debugger knows and does, without a window: panels and scripts only call it.
+/// The complete state and behaviour of the debugger, without a window: panels and scripts only call it.
 class DebuggerModel {
  public:
   explicit DebuggerModel(std::unique_ptr<Run> run);
@@ -54,14 +54,14 @@ class DebuggerModel {
   /// To the next moment, either way, at which a breakpoint holds or a watched value changes as it should;
   /// says so if there is none.
   void run_to_breakpoint(bool forwards);
-  /// Plays on by so many seconds, if it plays.
+  /// Plays on by so many seconds, if it is playing.
   void pass_time(double seconds);
-  /// After so many seconds more it goes on; infinity if it does not play.
+  /// The seconds until it goes on; infinity if it does not play.
   [[nodiscard]] double seconds_to_next() const;
 
   bool playing = false;
-  double speed = 10;                          ///< what is played a second, in steps or events
-  Granularity granularity = Granularity::op;  ///< what `,` and `.` and playing go by
+  double speed = 10;                          ///< steps or events a second
+  Granularity granularity = Granularity::op;  ///< the unit of `,` and `.` and of playing
 
   // Selecting.
   void select(const Selection& selection);
@@ -69,8 +69,8 @@ class DebuggerModel {
   void select_object(ObjectId object, bool makes_pair);
   [[nodiscard]] const Selection& selection() const { return selection_; }
   [[nodiscard]] bool is_selected(NodeId node) const;
-  /// When the selected node lived and what happened to it, or when the selected pair was one: in the whole
-  /// run, what lies below first.
+  /// The lives of the selected node and its operators, or the times when the selected pair was one: in the
+  /// whole run, the lowest first.
   [[nodiscard]] const std::vector<Ribbon>& ribbons();
 
   // Seeing.
@@ -78,7 +78,7 @@ class DebuggerModel {
   /// Hides the selected node or object; shows it again if it was hidden.
   void toggle_hidden();
   void show_all();
-  /// Shows only what is below the selected node; everything if it was isolated.
+  /// Shows only the part below the selected node; everything if it was isolated.
   void toggle_isolated();
   std::optional<std::size_t> hovered_candidate;  ///< of the ballot: its plane is drawn
 
@@ -88,9 +88,9 @@ class DebuggerModel {
   void add_watch(const std::string& expression);
   void remove_breakpoint(std::size_t k);
   void remove_watch(std::size_t k);
-  /// The run stops when the watched value changes so; none: it does not.
+  /// Makes the run stop at such a change of the watched value; none: it does not stop.
   void stop_at_watch(std::size_t k, std::optional<Change> change);
-  /// One at the event that has just happened, or none if there is one.
+  /// Adds a breakpoint at the event that has just happened, or removes it.
   void toggle_breakpoint_here();
   std::vector<Breakpoint> breakpoints;
   [[nodiscard]] const std::vector<WatchedValue>& watches() const { return watches_; }
@@ -103,33 +103,32 @@ class DebuggerModel {
   /// Asks the oracle about the step of the cursor.
   const Alarm& ask_oracle();
   [[nodiscard]] const std::vector<std::optional<Alarm>>& alarms() const { return alarms_; }
-  /// The oracle is asked wherever the cursor stands; off where brute force would take too long.
+  /// Whether the oracle is asked at each step of the cursor; off where brute force would take too long.
   bool asks_oracle = true;
 
-  // Comparing: another run goes where this one goes, also within a step as far as it does the same.
+  // Comparing: another run follows this one, also within a step as far as it does the same.
   void compare_with(std::unique_ptr<Run> other);
   void stop_comparing();
-  /// Is told each step of a search or a rerun; when it returns false, that ends there.
+  /// Called with each step of a search or a rerun; returns false to end it.
   Run::Progress on_long_work;
-  /// Runs it again with something else decided, into `work_folder`, and compares with that. Throws as
-  /// Run::rerun.
+  /// Runs it again with another decision, into `work_folder`, and compares. Throws as Run::rerun.
   void what_if(const WhatIfQuestion& question);
   std::filesystem::path work_folder = ".";
-  /// Goes on in the other run, from where this one stands; this one becomes the other.
+  /// Continues in the other run, at the moment of this one; this one becomes the other.
   void change_over();
   /// Only while comparing.
   [[nodiscard]] const RecordingComparison& comparison();
-  /// Both to the first operator that acted or was refused otherwise; says so if there is none.
+  /// Moves both to the first operator that acted or was refused differently; says so if there is none.
   void go_to_first_different_operator();
   [[nodiscard]] Run* other() { return other_.get(); }
-  /// How the moment of the other run belongs to the one of this.
+  /// How the moment of the other run corresponds to that of this one.
   [[nodiscard]] Counterpart::Match match() const { return match_; }
   [[nodiscard]] const std::vector<Lane>& other_lanes() const { return other_lanes_; }
 
-  /// Where operators undo each other or wait.
+  /// The places where operators undo each other or wait.
   [[nodiscard]] const std::vector<Thrash>& lint(std::uint32_t within);
 
-  std::string message;  ///< the last thing that the user should know
+  std::string message;  ///< the last message for the user
   bool message_is_error = false;
 
  private:
@@ -155,7 +154,7 @@ class DebuggerModel {
   std::set<Position> bookmarks_;
   std::vector<std::optional<Alarm>> alarms_;  ///< by step; none: not asked
   int reruns_ = 0;
-  double due_ = 0;  ///< of what is played, a fraction
+  double due_ = 0;  ///< the fraction of a step or event that playing has not reached yet
 };
 
 }  // namespace kerf

@@ -37,8 +37,8 @@ struct ProjectionStrip {
   double offset = 0;
 };
 
-/// What is to be decided otherwise in a rerun: an operator is refused or takes another candidate, or
-/// parameters change from a step on.
+/// A change for a rerun: an operator is refused or takes another candidate, or parameters change from a step
+/// on.
 struct WhatIfQuestion {
   std::optional<std::uint64_t> event{};
   std::optional<std::size_t> candidate{};  ///< of the event's ballot; none: it is refused
@@ -50,8 +50,8 @@ template <int D>
 class RunOf;
 using RunOfEitherDimension = std::variant<RunOf<2>*, RunOf<3>*>;
 
-/// A recorded run with a place in it, whatever its dimension: what panels show comes from here. Everything
-/// throws std::runtime_error if the recording is damaged.
+/// A recorded run with a position in it, of any dimension: panels get their data here. Everything throws
+/// std::runtime_error if the recording is damaged.
 class Run {
  public:
   using Progress = std::function<bool(std::uint32_t)>;
@@ -60,7 +60,7 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
   virtual ~Run() = default;
-  /// For what depends on the dimension.
+  /// The run by its dimension.
   [[nodiscard]] virtual RunOfEitherDimension self() = 0;
 
   [[nodiscard]] virtual const std::filesystem::path& path() const = 0;
@@ -73,19 +73,19 @@ class Run {
   [[nodiscard]] virtual const Position& position() const = 0;
   /// The event that has just happened; none at the end of a step.
   [[nodiscard]] virtual std::optional<Event> event() const = 0;
-  /// Does nothing if it stands there already.
+  /// Does nothing if it is there already.
   virtual void go(const Position& position) = 0;
-  /// False if there is nothing further that way.
+  /// False if there is nothing further in that direction.
   virtual bool step(Granularity granularity, bool forwards) = 0;
-  /// Which candidate is looked at; none unless one has gone by candidates.
+  /// The present candidate; none unless the run was stepped by candidates.
   [[nodiscard]] virtual std::optional<std::size_t> candidate() const = 0;
   [[nodiscard]] virtual std::optional<std::uint32_t> step_of(std::uint64_t event) const = 0;
-  /// Those of the step at which it stands; none before the first. Valid until it moves.
+  /// The events of the present step; none before the first. Valid until it moves.
   [[nodiscard]] virtual std::span<const Event> events_of_step() const = 0;
-  /// Those of a step of the run. Valid until it moves or is asked of another step.
+  /// The events of any step. Valid until it moves or another step is read.
   [[nodiscard]] virtual std::span<const Event> events_of(std::uint32_t step) const = 0;
   [[nodiscard]] virtual std::uint64_t state_hash() const = 0;
-  /// That of the tree at this moment.
+  /// The configuration at this moment.
   [[nodiscard]] virtual const Config& config() const = 0;
 
   /// The tree's nodes at this moment. Valid until it moves.
@@ -99,40 +99,41 @@ class Run {
   [[nodiscard]] virtual std::optional<NodeId> event_node() const = 0;
   [[nodiscard]] virtual const ProjectionStrip& strip(std::size_t candidate) = 0;
 
-  /// Sentences, a line each. Of what is no more, that.
+  /// Sentences, a line each. Says so if the selection no longer exists.
   [[nodiscard]] virtual std::string explain(const Selection& selection) = 0;
   [[nodiscard]] virtual std::string explain_event(std::uint64_t event) = 0;
-  /// What Algorithm 1 wants of a living node, with the figures.
+  /// What Algorithm 1 would do with a living node, with the figures.
   [[nodiscard]] virtual std::string wish(NodeId node) const = 0;
   [[nodiscard]] virtual std::vector<NodeId> leaves_of(ObjectId object) const = 0;
   [[nodiscard]] virtual std::vector<Event> history(NodeId node) = 0;
-  /// Of a slot of nodes in the whole run, in order; none if it was never used.
+  /// The lives of a slot of nodes in the whole run, in order; none if it was never used.
   [[nodiscard]] virtual std::span<const NodeLife> lives(NodeId node) = 0;
   [[nodiscard]] virtual std::vector<PairChange> history(const Pair& pair) = 0;
-  /// Where operators undo each other or wait, in the whole run.
+  /// The places where operators undo each other or wait, in the whole run.
   [[nodiscard]] virtual std::vector<Thrash> lint(std::uint32_t within) = 0;
-  /// Runs the same requests again, with something else decided, and records that. Throws
-  /// std::invalid_argument, saying why, for what cannot be decided.
+  /// Runs the same requests again, with another decision, and records that. Throws std::invalid_argument,
+  /// with the reason, for an impossible decision.
   virtual void rerun(const WhatIfQuestion& question, const std::filesystem::path& out,
                      const Progress& progress) = 0;
   /// Throws std::runtime_error unless both have the same dimension.
   [[nodiscard]] virtual RecordingComparison compare(Run& other) = 0;
-  /// Step in which an operator last acted on the node, up to now; 0: none has.
+  /// The last step up to now in which an operator acted on the node; 0: none has.
   [[nodiscard]] virtual std::uint32_t last_change(NodeId node) = 0;
 
-  /// The tree's pairs (of an import those of the other engine) against brute force, at the end of the step.
+  /// The tree's pairs (in an import those of the other engine) compared with brute force, at the end of the
+  /// step.
   [[nodiscard]] virtual const PairJudgement& judgement() = 0;
   [[nodiscard]] virtual std::uint64_t judged_pairs() = 0;
 
-  /// The next moment, either way, at which the condition holds; none if there is none or `progress`, told
-  /// each step, has returned false.
+  /// The next moment, in either direction, at which the condition holds; none if there is none or `progress`,
+  /// called with each step, has returned false.
   [[nodiscard]] virtual std::optional<Position> search(const Expression& condition, const Position& from,
                                                        bool forwards, const Progress& progress) = 0;
   /// The same for moments at which its value changes.
   [[nodiscard]] virtual std::optional<Position> search_change(const Expression& expression,
                                                               const Position& from, Change change,
                                                               bool forwards, const Progress& progress) = 0;
-  /// The value of an expression at this moment; NaN for what does not exist.
+  /// The value of an expression at this moment; NaN if it does not exist.
   [[nodiscard]] virtual double value(const Expression& expression) = 0;
 };
 

@@ -60,7 +60,7 @@ class RunOf final : public Run {
                                                       const Progress& progress) override;
   [[nodiscard]] double value(const Expression& expression) override;
 
-  /// The tree and all that belongs to it, for the view.
+  /// The complete state of the tree, for the view.
   [[nodiscard]] const BspState<D>& state() const { return cursor_.state(); }
   /// The plane of a candidate of the ballot.
   [[nodiscard]] Plane<D> plane(std::size_t candidate);
@@ -76,7 +76,7 @@ class RunOf final : public Run {
   Cursor<D> cursor_;
   Search<D> search_;
 
-  // Found when first asked for, forgotten when the cursor moves.
+  // Computed at the first use, dropped when the cursor moves.
   TreeSnapshotOf<D> tree_;
   std::optional<std::vector<CandidateRow>> ballot_;
   std::optional<PairJudgement> judgement_;

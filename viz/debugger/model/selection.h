@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-/// What the user looks at: nothing, a node, an object, or two of them. Outline, view and tables share one.
+/// The user's selection: nothing, a node, an object, or two of them. Outline, view and tables share it.
 using Selection = std::variant<std::monostate, NodeId, ObjectId, Pair>;
 
 /// "n17", "object 5", "pair 12,77" or "nothing": the same words in every panel and in scripts.
@@ -26,7 +26,7 @@ inline std::string to_string(const Selection& selection, const GivenNames& names
 
 inline bool is_nothing(const Selection& selection) { return selection == Selection(); }
 
-/// The node that is selected.
+/// The selected node, if it is one.
 inline std::optional<NodeId> node_in(const Selection& selection) {
   using Answer = std::optional<NodeId>;
   return std::visit(Overloaded{[](NodeId node) { return Answer(node); },
@@ -34,7 +34,7 @@ inline std::optional<NodeId> node_in(const Selection& selection) {
                     selection);
 }
 
-/// The object that is selected by itself.
+/// The selected object, if it is one alone.
 inline std::optional<ObjectId> object_in(const Selection& selection) {
   using Answer = std::optional<ObjectId>;
   return std::visit(Overloaded{[](ObjectId object) { return Answer(object); },

@@ -11,12 +11,12 @@
 
 namespace kerf {
 
-/// What the colour of leaves and of the objects in them tells.
+/// The meaning of the colour of leaves and of the objects in them.
 enum class Tint : std::uint8_t { population, balance, redundancy, cost, age };
 inline constexpr std::array<std::string_view, 5> kTintNames{"population", "balance", "redundancy", "cost",
                                                             "age"};
 
-/// What is shown of the scene, and how.
+/// Which parts of the scene are shown, and how.
 struct ViewSettings {
   LayerSet layers = LayerSet::none()
                         .with(Layer::objects, true)
@@ -27,8 +27,8 @@ struct ViewSettings {
   Tint tint = Tint::population;
   int least_depth = 0;  ///< partitioners of other depths are left out
   int greatest_depth = static_cast<int>(kMaxHeight);
-  std::optional<NodeId> isolated;  ///< only what is below it
-  std::set<NodeId> hidden_nodes;   ///< with all below them
+  std::optional<NodeId> isolated;  ///< only the part below it
+  std::set<NodeId> hidden_nodes;   ///< with everything below them
   std::set<ObjectId> hidden_objects;
   friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };

@@ -22,7 +22,7 @@ void cell(const std::string& text) {
   ImGui::TextUnformatted(text.c_str());
 }
 
-/// A word that a narrow column has room for; the row's hint has the whole reason.
+/// A word that fits a narrow column; the row's hint has the whole reason.
 const char* result_word(Ballot result) {
   switch (result) {
     case Ballot::chosen:

@@ -44,7 +44,7 @@ void draw_breakpoint(PanelContext& context, std::size_t k) {
   if (removed) context.model.remove_breakpoint(k);
 }
 
-/// As short as can be: value and hits stand beside it.
+/// As short as possible: value and hits stand beside it.
 const char* stop_word(const std::optional<Change>& stop) {
   if (!stop) return " - ";
   return stop == Change::any ? "change" : "true";

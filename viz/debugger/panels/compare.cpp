@@ -71,7 +71,7 @@ void draw_difference(PanelContext& context, const char* what,
   widgets::wrapped_text("  other: " + text_of(difference->b, names));
 }
 
-/// An operator that is the first different event, too, is not told twice.
+/// An operator that is also the first different event is not shown twice.
 void draw_operators(PanelContext& context, const RecordingComparison& comparison) {
   if (!comparison.operators || comparison.operators != comparison.events)
     draw_difference(context, "operators", comparison.operators);
@@ -81,7 +81,7 @@ void draw_operators(PanelContext& context, const RecordingComparison& comparison
     context.model.go_to_first_different_operator();
 }
 
-/// Where the other run stands, and whether it has done the same.
+/// The moment of the other run, and whether it has done the same.
 void draw_other_moment(DebuggerModel& model) {
   const Run& other = *model.other();
   const auto event = other.event();

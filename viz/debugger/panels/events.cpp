@@ -50,7 +50,7 @@ void draw_event_row(PanelContext& context, const Event& event) {
   if (pressed) context.model.go({event.step, event.id});
 }
 
-/// The event that has just happened is kept in sight.
+/// Scrolls to the event that has just happened.
 void follow(PanelContext& context, const std::vector<const Event*>& events, float row_height) {
   const Position& now = context.model.run().position();
   if (context.memory.listed == now) return;
@@ -61,7 +61,7 @@ void follow(PanelContext& context, const std::vector<const Event*>& events, floa
   ImGui::SetScrollY(std::max(0.0F, row * row_height - 0.4F * ImGui::GetWindowHeight()));
 }
 
-/// Which events these are, in as many words as there is room for left of `end`.
+/// Says which events these are, in as many words as fit left of `end`.
 void draw_heading(PanelContext& context, std::size_t listed, float end) {
   const Run& run = context.model.run();
   const std::string step = run.names().step(run.position().step);

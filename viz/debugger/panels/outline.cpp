@@ -20,7 +20,7 @@ void toggle_fold(PanelMemory& memory, const TreeSnapshot& tree, NodeId id) {
   if (!set.erase(id)) set.insert(id);
 }
 
-/// What is selected is unfolded down to it.
+/// Unfolds the tree down to the selection.
 void unfold_to(PanelMemory& memory, const TreeSnapshot& tree, NodeId id) {
   for (NodeId above = tree[id].parent; !above.is_none(); above = tree[above].parent)
     if (!is_unfolded(memory, tree, above)) toggle_fold(memory, tree, above);

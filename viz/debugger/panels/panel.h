@@ -9,20 +9,20 @@
 
 namespace kerf {
 
-/// What panels remember between frames that is no business of the model.
+/// The state of panels between frames that does not belong to the model.
 struct PanelMemory {
   bool help = false;
-  bool screenshot = false;     ///< asked for in this frame
+  bool screenshot = false;     ///< requested in this frame
   bool operators_only = true;  ///< the list of events leaves out placed objects
   std::set<NodeId> unfolded;   ///< of the outline, beyond what is unfolded at first
   std::set<NodeId> folded;
   std::string condition;  ///< being typed
   std::string watch;
-  std::string problem;  ///< with what was typed
+  std::string problem;  ///< the error in the typed text
   std::string go_to;
   std::optional<Position> listed;     ///< moment to which the lists have scrolled
   std::optional<Selection> outlined;  ///< what the outline has scrolled to
-  std::string open_tab;               ///< to be opened in the next frame; empty: as it is
+  std::string open_tab;               ///< to open in the next frame; empty: no change
   std::optional<Selection> explained;
   Position explained_at;
   std::string explanation;
@@ -35,7 +35,7 @@ struct PanelMemory {
   int lint_within = 50;
 };
 
-/// What a panel may look at and change.
+/// What a panel may read and change.
 struct PanelContext {
   DebuggerModel& model;
   Gui& gui;

@@ -79,7 +79,7 @@ void draw_lane(PanelContext& context, std::size_t k, const TimeAxis& axis, float
                text.c_str());
 }
 
-/// What the oracle said of steps, what happened to the selected node, and bookmarks.
+/// The oracle's verdicts, the operators at the selected node, and bookmarks.
 void draw_marks(PanelContext& context, const TimeAxis& axis, float top) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   DebuggerModel& model = context.model;
@@ -106,7 +106,7 @@ void draw_marks(PanelContext& context, const TimeAxis& axis, float top) {
                widgets::to_imgui(wrong == 0 ? palette::kFaintInk : palette::kCandidate), text.c_str());
 }
 
-/// How a ribbon is drawn: the share of the row that it leaves free above and below, and its colour.
+/// The look of a ribbon: the share of the row that it leaves free above and below, and its colour.
 struct RibbonLook {
   float margin;
   Color color;
@@ -130,8 +130,8 @@ RibbonLook look_of(Ribbon::Kind kind) {
   return {0, palette::kInk, 1};
 }
 
-/// When the selected node lived, thin as a leaf and thick with children, and operators were at it; or when
-/// the selected objects were a pair.
+/// The lives of the selected node, thin as a leaf and thick with children, and the operators at it; or the
+/// times when the selected objects were a pair.
 void draw_ribbons(PanelContext& context, const TimeAxis& axis, float top) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool nothing = is_nothing(context.model.selection());
@@ -151,7 +151,7 @@ void draw_ribbons(PanelContext& context, const TimeAxis& axis, float top) {
   }
 }
 
-/// Pressed or dragged anywhere over the lanes, the cursor goes there.
+/// A press or drag anywhere over the lanes moves the cursor there.
 void scrub(PanelContext& context, const TimeAxis& axis, float top, float bottom) {
   ImGui::SetCursorScreenPos({axis.left, top});
   ImGui::InvisibleButton("scrubber", {axis.width, bottom - top});

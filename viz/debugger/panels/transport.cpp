@@ -86,7 +86,7 @@ void draw_runs(PanelContext& context) {
   }
 }
 
-/// As much of it as there is room for; the mouse has the rest.
+/// As much of the message as fits; a hint has the rest.
 void draw_message(PanelContext& context, const std::string& message) {
   ImGui::SameLine();
   const Color color = context.model.message_is_error ? palette::kCandidate : palette::kFaintInk;
@@ -96,7 +96,7 @@ void draw_message(PanelContext& context, const std::string& message) {
   if (shown != message) widgets::hint(message.c_str());
 }
 
-/// Where it stands, in words: the same id as in lists, on the command line and in file names.
+/// The present moment in words: the same id as in lists, on the command line and in file names.
 void draw_moment_line(PanelContext& context) {
   const DebuggerModel& model = context.model;
   const Run& run = model.run();

@@ -74,7 +74,7 @@ void draw_text_on(ImDrawList& list, ImVec2 at, const std::string& text, Color co
   list.AddText(at, widgets::to_imgui(color), text.c_str());
 }
 
-/// Above what it names, but within the view.
+/// Above its subject, but within the view.
 ImVec2 label_place(const SceneLabel& label, const PanelArea& area) {
   const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
   return {area.x + std::clamp(label.x + 4, 4.0F, area.width - size.x - 6),

@@ -38,7 +38,7 @@ void draw_decisions(PanelContext& context) {
     ask(context, {.event = event->id, .candidate = k});
 }
 
-/// All parameters with their values here; pressing one puts it into the field.
+/// All parameters with their present values; a click puts one into the field.
 void draw_parameters(PanelContext& context) {
   const Config& config = context.model.run().config();
   ImGui::BeginChild("parameters", {0, 0}, true);

@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-/// Explanations are worked out once for each moment and selection, since some replay the run.
+/// Explanations are computed once for each moment and selection, since some replay the run.
 const std::string& explanation(PanelContext& context) {
   PanelMemory& memory = context.memory;
   DebuggerModel& model = context.model;
@@ -26,7 +26,7 @@ const std::string& explanation(PanelContext& context) {
   return memory.explanation;
 }
 
-/// Nodes and events that the text speaks of, to be gone to.
+/// Links to the nodes and events in the text.
 void draw_links(PanelContext& context, const std::string& text) {
   constexpr std::size_t kMost = 24;
   static const std::regex kName(R"(\b([ne])(\d+)\b)");

@@ -21,7 +21,7 @@ View Orbit<D>::view(int width, int height) const {
   return kerf::frame_all(box_, choice_, all, width, height);
 }
 
-/// The free choice of the camera becomes numbers that can be changed.
+/// Replaces the automatic choices of the camera by numbers, which the mouse can change.
 template <int D>
 void Orbit<D>::settle(int width, int height) {
   const View now = view(width, height);

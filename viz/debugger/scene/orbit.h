@@ -8,14 +8,14 @@ namespace kerf {
 template <int D>
 class Orbit {
  public:
-  /// What is framed until the user moves: all of `box`.
+  /// Frames all of `box` until the user moves the camera.
   void set_box(const Box<D>& box) { box_ = box; }
   [[nodiscard]] View view(int width, int height) const;
 
-  /// Pixels that the mouse went. 2D does not turn: it moves.
+  /// Mouse movement in pixels. The 2D camera does not turn: it moves.
   void turn(double dx, double dy, int width, int height);
   void move(double dx, double dy, int width, int height);
-  /// Wheel clicks; what lies under the mouse stays there in 2D.
+  /// Wheel clicks; in 2D the point under the mouse stays there.
   void zoom(double clicks, double x, double y, int width, int height);
   /// Looks at a box from not too near.
   void look_at(const Box<D>& box, int width, int height);

@@ -31,7 +31,7 @@ double distance_to_outline(const View& view, const Polygon& polygon, const Eigen
   return nearest;
 }
 
-/// The partitioner with a line there; of those that are equally near the higher one, which is drawn thicker.
+/// The partitioner with a line there; among equally near ones the higher, which is drawn thicker.
 template <int D>
 std::optional<NodeId> line_at(const PickableTree<D>& tree, const View& view, const Eigen::Vector2d& pixel) {
   std::optional<NodeId> best;
@@ -57,7 +57,7 @@ std::vector<HalfSpace> sides_of(const PickableTree<D>& tree, NodeId id) {
   return sides;
 }
 
-/// How many times `way` it is to the partitioner within its cell.
+/// The distance to the partitioner within its cell, in multiples of `way`.
 template <int D>
 std::optional<double> distance_to_pane(const PickableTree<D>& tree, NodeId id, const Ray& ray) {
   const HalfSpace plane = half_space(tree.snapshot.plane(id), false);
@@ -80,7 +80,8 @@ std::optional<ObjectId> pick_object(const Ray& ray, std::span<const Body<D>> bod
     const auto hit = distance_to(ray, box);
     if (!hit) continue;
     double rank = D == 3 ? *hit : double{box.extent()[0]} * double{box.extent()[1]};
-    if (bodies[id].mobility == Mobility::fixed) rank += kBehindAll;  // ground and walls are seen through
+    if (bodies[id].mobility == Mobility::fixed)
+      rank += kBehindAll;  // ground and walls do not hide what is behind them
     if (rank >= nearest) continue;
     nearest = rank;
     best = ObjectId{id};

@@ -47,7 +47,7 @@ std::optional<double> distance_to(const Ray& ray, std::span<const HalfSpace> sid
     const double speed = side.normal.dot(ray.way);
     const double room = side.offset - side.normal.dot(ray.start);
     if (std::abs(speed) < 1e-300) {
-      constexpr double kTouch = 1e-6;  // corners are worked out in numbers that are rounded
+      constexpr double kTouch = 1e-6;  // corners have rounding errors
       if (room < -kTouch) return std::nullopt;
     } else if (speed > 0) {
       leave = std::min(leave, room / speed);

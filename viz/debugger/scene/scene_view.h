@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-/// How much of the scene a picture has, and what its colours run to.
+/// The shown part of the scene, and the range of its colours.
 struct ShownCounts {
   std::size_t objects = 0;
   std::size_t all_objects = 0;
@@ -20,10 +20,10 @@ struct ShownCounts {
   std::size_t all_partitioners = 0;
   std::size_t pairs = 0;
   std::size_t all_pairs = 0;
-  double tint_end = 1;  ///< the value that the brightest colour stands for
+  double tint_end = 1;  ///< the value of the brightest colour
 };
 
-/// A word beside something in the scene, at pixels of the view.
+/// A label of something in the scene, at pixels of the view.
 struct SceneLabel {
   float x = 0;
   float y = 0;
@@ -34,7 +34,8 @@ template <int D>
 class SceneViewOf;
 using SceneViewOfEitherDimension = std::variant<const SceneViewOf<2>*, const SceneViewOf<3>*>;
 
-/// The scene of a run at its moment, as the model wants it seen. All calls need the GL context to be current.
+/// The scene of a run at its moment, as the model's settings show it. All calls need the GL context to be
+/// current.
 class SceneView {
  public:
   SceneView() = default;
@@ -43,28 +44,28 @@ class SceneView {
   virtual ~SceneView() = default;
   [[nodiscard]] virtual SceneViewOfEitherDimension self() const = 0;
 
-  /// Draws it anew if anything that is seen has changed. The colours end at `tint_end`.
+  /// Draws the scene again if anything visible has changed. The colours end at `tint_end`.
   virtual void update(const DebuggerModel& model, int width, int height, double tint_end) = 0;
-  /// Where the colours would end if this run were alone.
+  /// The end of the colours for this run alone.
   [[nodiscard]] virtual double own_tint_end(Tint tint) = 0;
-  /// Copies what was drawn, its top left corner to (x, y).
+  /// Copies the picture, its top left corner to (x, y).
   virtual void copy_to(const Framebuffer& target, int x, int y) const = 0;
   [[nodiscard]] virtual const ShownCounts& counts() const = 0;
   [[nodiscard]] virtual const std::vector<SceneLabel>& labels() const = 0;
-  /// Pictures drawn so far; one that nothing has changed is not drawn again.
+  /// The number of pictures drawn so far; an unchanged one is not drawn again.
   [[nodiscard]] virtual std::uint64_t drawn() const = 0;
 
-  /// What is under a pixel of the view: an object if there is one and it is not `node_wanted`, else a node.
+  /// The item under a pixel of the view: an object if there is one and `node_wanted` is false, else a node.
   [[nodiscard]] virtual Selection pick(double x, double y, bool node_wanted) const = 0;
-  /// Where the middle of an object or leaf is seen, or that of an edge of a partitioner.
+  /// The place of the middle of an object or leaf, or of an edge of a partitioner.
   [[nodiscard]] virtual std::optional<SceneLabel> place_of(const Selection& selection) const = 0;
 
   virtual void turn(double dx, double dy) = 0;
   virtual void move(double dx, double dy) = 0;
   virtual void zoom(double clicks, double x, double y) = 0;
-  /// Looks at what is selected; at everything if nothing is.
+  /// Looks at the selection; at everything if there is none.
   virtual void focus(const Selection& selection) = 0;
-  /// Looks from where the other one looks, which must be of the same dimension.
+  /// Copies the camera of the other view, which must be of the same dimension.
   virtual void look_like(const SceneView& other) = 0;
 };
 

@@ -17,7 +17,7 @@
 namespace kerf {
 namespace {
 
-// More would make a picture slow, and nobody could tell them apart.
+// More would make a picture slow, and could not be distinguished.
 constexpr std::size_t kMostObjects = 10'000;
 constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
@@ -41,8 +41,7 @@ SceneViewOf<D>::SceneViewOf(const GlFunctions& gl, RunOf<D>& run)
   find_box();
 }
 
-/// The view must not depend on the way by which one has come to a moment: it holds the boxes of a few moments
-/// spread over the run.
+/// The view must not depend on the way to a moment: it holds the boxes of a few moments spread over the run.
 template <int D>
 void SceneViewOf<D>::find_box() {
   constexpr std::uint32_t kMoments = 4;
@@ -181,7 +180,7 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
   painter_.draw(front, Depth::ignore);
 }
 
-/// Cells are filled in 2D; partitioners within the depths that are wanted, as many as can be told apart.
+/// Cells are filled in 2D; partitioners within the visible depths, as many as can be distinguished.
 template <int D>
 void SceneViewOf<D>::draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch& planes) {
   const ViewSettings& settings = seen_->settings;
@@ -211,7 +210,7 @@ void SceneViewOf<D>::add_label(const Eigen::Vector3d& point, std::string text) {
   if (at) labels_.push_back({static_cast<float>(at->x()), static_cast<float>(at->y()), std::move(text)});
 }
 
-/// Where the event that has just happened took place.
+/// Marks the place of the event that has just happened.
 template <int D>
 void SceneViewOf<D>::draw_event(const DrawContext<D>& frame, Batch& batch) {
   const auto event = run_.event();
@@ -321,7 +320,7 @@ Selection SceneViewOf<D>::pick(double x, double y, bool node_wanted) const {
   return node ? Selection(*node) : Selection();
 }
 
-/// Of a partitioner the middle of an edge, since a point within may be hidden.
+/// For a partitioner the middle of an edge, since a point within may be hidden.
 template <int D>
 Eigen::Vector3d SceneViewOf<D>::middle_of(NodeId id) const {
   const TreeSnapshot::Node& node = snapshot_[id];

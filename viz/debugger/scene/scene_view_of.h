@@ -36,7 +36,7 @@ class SceneViewOf final : public SceneView {
   void look_like(const SceneView& other) override;
 
  private:
-  /// All that decides what a picture looks like.
+  /// Everything that decides the picture.
   struct Seen {
     Position position;
     ViewSettings settings;
@@ -85,15 +85,15 @@ class SceneViewOf final : public SceneView {
   ShownCounts counts_;
   std::vector<SceneLabel> labels_;
 
-  // Of the moment that was drawn last.
+  // Of the last drawing.
   std::optional<Position> moment_;
   std::vector<Body<D>> all_bodies_;
-  std::vector<Body<D>> bodies_;  ///< those that are not shown are absent
+  std::vector<Body<D>> bodies_;  ///< objects that are not shown are absent
   TreeSnapshotOf<D> snapshot_;
   Visibility visible_;
-  std::vector<NodeId> partitioners_;  ///< those that were drawn
+  std::vector<NodeId> partitioners_;  ///< those drawn
   NodeTints tints_;
-  std::optional<std::pair<Position, Tint>> tinted_;  ///< of which `tints_` are
+  std::optional<std::pair<Position, Tint>> tinted_;  ///< of `tints_`
   std::vector<Color> colors_;
   std::vector<Pair> pairs_;
   std::array<Batch, 4> batches_;

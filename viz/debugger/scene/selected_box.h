@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// A scene at a moment, as far as something selected has a place in it.
+/// A scene at a moment, as far as a selection can have a place in it.
 template <int D>
 struct Surroundings {
   const ObjectTable<D>& objects;
@@ -16,7 +16,7 @@ struct Surroundings {
   const Box<D>& bounds;  ///< cells end there
 };
 
-/// What an object, both of a pair or the cell of a node take up; none if they are not there.
+/// The bounds of an object, of both objects of a pair or of the cell of a node; none if they do not exist.
 template <int D>
 std::optional<Box<D>> box_of(const Selection& selection, const Surroundings<D>& scene);
 

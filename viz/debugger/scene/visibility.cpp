@@ -13,7 +13,7 @@ constexpr double kMostStraddlers = 0.1;  // share of the population
 
 double tint_value(Run& run, const TreeSnapshot& tree, NodeId leaf, Tint tint) {
   const double population = tree[leaf].population;
-  // What made the leaf: the partitioner above it.
+  // The partitioner above the leaf, whose operator made it.
   const NodeId maker = tree[leaf].parent.is_none() ? leaf : tree[leaf].parent;
   const Quality quality = tree.quality(maker);
   switch (tint) {
@@ -23,7 +23,7 @@ double tint_value(Run& run, const TreeSnapshot& tree, NodeId leaf, Tint tint) {
       return quality.population == 0 ? 1 : double{balance(quality)};
     case Tint::redundancy:
       return quality.population == 0 ? 0 : static_cast<double>(redundancy(quality)) / quality.population;
-    case Tint::cost:  // pairs that a sweep of the leaf could have to look at
+    case Tint::cost:  // pairs that a sweep of the leaf might have to test
       return 0.5 * population * population;
     case Tint::age:
       return run.position().step - run.last_change(maker);

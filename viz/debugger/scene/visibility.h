@@ -10,7 +10,7 @@
 
 namespace kerf {
 
-/// What of a tree is to be seen: by node, and by object whether a leaf that is seen holds it.
+/// The visible part of a tree: by node, and by object whether a visible leaf holds it.
 struct Visibility {
   std::vector<std::uint8_t> nodes;
   std::vector<std::uint8_t> objects;
@@ -21,11 +21,11 @@ struct Visibility {
 template <int D>
 Visibility find_visible(const Tree<D>& tree, std::size_t objects, const ViewSettings& settings);
 
-/// A value for each living node by what the tint tells, and the one at which the colours should end.
+/// A value for each living node by the meaning of the tint, and the value at which the colours should end.
 struct NodeTints {
   std::vector<float> values;
   double end = 1;
-  /// From 0 to 1, if the colours end there.
+  /// From 0 to 1, for colours that end there.
   [[nodiscard]] float share(NodeId node, double colors_end) const;
 };
 NodeTints find_tints(Run& run, Tint tint);

@@ -1,0 +1,62 @@
+#include <gmock/gmock.h>
+
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/house/project_files.h"
+
+namespace kerf::house {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+// Phrases over which readers stumbled: objects are `it`, pairs are reported.
+const std::regex kStumbling(
+    R"(\b(who|whoever|nobody|somebody|everybody) (is|are|was|has|have|leaves|stays|moves|asks|wants|does|becomes|lies|goes)\b)"
+    R"(|\bpairs? (is|are) told\b|\btells? (the|which|its|of) pairs?\b|What turned out)",
+    std::regex::icase);
+
+/// The part of a line that people read: the comment of a source, all of a page.
+std::string prose_of(const std::filesystem::path& file, const std::string& line) {
+  if (file.extension() == ".md") return line;
+  const std::size_t comment = line.find("//");
+  return comment == std::string::npos ? std::string() : line.substr(comment);
+}
+
+/// This file has the phrases themselves.
+bool has_prose(const std::filesystem::path& file) {
+  return (file.extension() == ".md" || file.extension() == ".h" || file.extension() == ".cpp") &&
+         file.filename() != "plain_english_test.cpp";
+}
+
+/// "file:line: text" of each line with such a phrase.
+std::vector<std::string> stumbling_lines(const std::filesystem::path& file,
+                                         const std::vector<std::string>& lines) {
+  std::vector<std::string> found;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (std::regex_search(prose_of(file, lines[k]), kStumbling))
+      found.push_back(file.string() + ":" + std::to_string(k + 1) + ": " + lines[k]);
+  return found;
+}
+
+TEST(PlainEnglish, IsWhatCommentsAndPagesHave) {
+  std::vector<std::string> found;
+  for (const std::filesystem::path& file : project_files()) {
+    if (!has_prose(file)) continue;
+    for (const std::string& line : stumbling_lines(file, lines_of(file))) found.push_back(line);
+  }
+  EXPECT_THAT(found, IsEmpty());
+}
+
+TEST(PlainEnglish, StumblingPhrasesAreSeen) {
+  const std::vector<std::string> source = {"int a;  // who is asleep", "/// Nobody asks.",
+                                           "// The pair is told.", "int nobody_is = 0;",
+                                           "// It tells its name."};
+  EXPECT_THAT(stumbling_lines("a.h", source), SizeIs(3));
+  EXPECT_THAT(stumbling_lines("a.md", {"Whoever moves it", "the reporter"}), SizeIs(1));
+}
+
+}  // namespace
+}  // namespace kerf::house
