@@ -76,8 +76,9 @@ class NotADatabase : public std::runtime_error {
 /// "file:x?mode=memory" is a name like any other.
 class Database {
  public:
-  /// A new file, written ahead: a reader may look on, and whoever is killed leaves what was committed. Throws
-  /// if the file exists and is not empty, or if somebody is writing one of that name (WriterLock).
+  /// A new file, written ahead: others may read it meanwhile, and if the program is killed, everything
+  /// committed remains. Throws if the file exists and is not empty, or if another process is writing one of
+  /// that name (WriterLock).
   static Database create(const std::filesystem::path& path);
   /// An existing file, read only. While it is being written, SQLite's locks let reader and writer work, and
   /// need a writable folder. A file without a writer is read with its log, if it has one, without a lock and

@@ -25,8 +25,8 @@ std::string bytes_of(const fs::path& file) {
 }
 
 /// Builds the new files of one frame beside their references before one of those is replaced. Ids that no
-/// longer belong to the picture must not stay beside it. The picture comes last: who is stopped in between
-/// still finds a difference.
+/// longer belong to the picture must not stay beside it. The picture comes last: after an
+/// interruption in between the difference is still found.
 void replace(const fs::path& test, const fs::path& reference) {
   std::vector<std::unique_ptr<PartFile>> parts;
   std::vector<fs::path> outdated;

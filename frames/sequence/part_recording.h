@@ -11,8 +11,8 @@ namespace kerf {
 /// is complete. While it is built, and if the process is killed, `recording_at` finds it.
 class PartRecording {
  public:
-  /// Throws std::runtime_error if somebody is making a recording of that name, and std::system_error with
-  /// path and reason.
+  /// Throws std::runtime_error if another process is making a recording of that name, and std::system_error
+  /// with path and reason.
   PartRecording(const std::filesystem::path& final_path, Replace replace);
 
   /// Where it is written.

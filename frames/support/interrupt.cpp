@@ -17,7 +17,7 @@ void handle(int signal, void (*handler)(int), int flags) {
   sigaction(signal, &action, nullptr);
 }
 
-/// Who was started by nohup goes on when its terminal goes away.
+/// A program started by nohup goes on when its terminal closes.
 bool is_ignored(int signal) {
   struct sigaction action = {};
   return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
