@@ -61,12 +61,12 @@ CREATE TABLE their_pairs(step INTEGER, a INTEGER, b INTEGER);
 CREATE INDEX their_pairs_of_step ON their_pairs(step);
 CREATE TABLE their_verdicts(step INTEGER, a INTEGER, b INTEGER, verdict TEXT NOT NULL);
 CREATE INDEX their_verdicts_of_step ON their_verdicts(step);
-CREATE TABLE their_ignored(a INTEGER, b INTEGER, PRIMARY KEY(a, b)) WITHOUT ROWID;
+CREATE TABLE their_ignored(a INTEGER, b INTEGER, PRIMARY KEY(a, b));
 CREATE TABLE their_boxes(
   step INTEGER, object INTEGER, min_x REAL, max_x REAL, min_y REAL, max_y REAL, min_z REAL, max_z REAL,
-  PRIMARY KEY(step, object)) WITHOUT ROWID;
+  PRIMARY KEY(step, object));
 CREATE TABLE their_filters(
-  step INTEGER, object INTEGER, category INTEGER, mask INTEGER, PRIMARY KEY(step, object)) WITHOUT ROWID;
+  step INTEGER, object INTEGER, category INTEGER, mask INTEGER, PRIMARY KEY(step, object));
 )sql";
 
 void write_names(Database& database, const GivenNames& names) {

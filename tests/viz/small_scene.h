@@ -41,9 +41,14 @@ class SmallScene {
   [[nodiscard]] Caption caption() const {
     const auto objects = static_cast<std::uint32_t>(bodies_.size());
     const std::uint32_t step = events_.empty() ? 0 : events_.back().step;
-    return {
-        "small", "kerf", step, objects, objects, tree_.pairs().size(), contacts_.size(), tree_.statistics(),
-        "",      true};
+    return {.scene = "small",
+            .broad_phase = "kerf",
+            .step = step,
+            .objects = objects,
+            .moving = objects,
+            .pairs = tree_.pairs().size(),
+            .contacts = contacts_.size(),
+            .statistics = tree_.statistics()};
   }
 
  private:

@@ -12,6 +12,7 @@
 #include "core/recording/compression.h"
 #include "core/recording/recording_reader.h"
 #include "core/recording/schema.h"
+#include "core/replay/judge_theirs.h"
 #include "core/replay/verify.h"
 #include "tests/support/config_of.h"
 #include "tests/support/dimensions.h"
@@ -43,6 +44,27 @@ std::vector<Pair> other_pairs(std::span<const Pair> pairs) {
   return others;
 }
 
+/// What an import says of names and of what its engine leaves out.
+void add_import(RecordingInfo& info) {
+  std::vector<GivenId> objects;
+  for (std::uint32_t k = 0; k <= 1001; ++k) objects.push_back(GivenId::of(7 * k + 3));
+  std::vector<std::string> steps;
+  for (std::uint32_t k = 1; k <= kKeyframe + 20; ++k) steps.push_back(std::to_string(5000 + k));
+  info.imported = true;
+  info.names = {std::move(objects), std::move(steps)};
+  info.design.ignored = {{{1}, {2}}, {{3}, {4}}};
+}
+
+/// A box in doubles and a filter, of objects that are there.
+template <int D>
+TheirChanges<D> changes_of(const ObjectTable<D>& objects, std::uint32_t step) {
+  TheirChanges<D> changes;
+  for (std::uint32_t k = 0; k < objects.bound() && changes.boxes.size() < 2; ++k)
+    if (objects.is_placed({k})) changes.boxes.push_back({{k}, to_given(objects.box({k}))});
+  for (const auto& change : changes.boxes) changes.filters.push_back({change.object, {step, UINT64_MAX}});
+  return changes;
+}
+
 /// A recording with rows in every table: objects that come and go, a keyframe, another configuration from a
 /// step on, a decision, and another engine's pairs in the first steps.
 template <int D>
@@ -53,13 +75,20 @@ void record_everything(const std::filesystem::path& path) {
   info.changes.back().config.min_balance = 0.4F;
   info.decisions.push_back({1'000'000, Operator::merge, std::nullopt});
   info.decisions.push_back({2'000'000, Operator::split, ChosenPlane{1, 0.5F}});
+  add_import(info);
   Bsp<D, EventLog> tree(info.config, info.volume);
   Recorder<D> recorder(tree, path, info);
+  TheirWorld<D> world;
   test::play_crowd<D>(recorder, kKeyframe + 20, 1, [&](std::uint32_t step) {
     (void)tree.trace().take();
     if (step > 5) return;
     const std::vector<Pair> theirs = other_pairs(recorder.pairs());
-    recorder.add_theirs(theirs, {theirs.size(), 1, 1, 0});
+    std::vector<Pair> truth(recorder.pairs().begin(), recorder.pairs().end());
+    std::ranges::sort(truth);
+    const TheirChanges<D> changes = changes_of(tree.objects(), step);
+    world.apply(changes);
+    recorder.add_theirs(changes);
+    recorder.add_theirs(theirs, judge_theirs<D>(theirs, truth, tree.objects(), world, info.design));
   });
   recorder.finish();
 }

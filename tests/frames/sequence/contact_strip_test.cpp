@@ -18,7 +18,7 @@ Image sheet_of(std::uint32_t frames, int width, int height) {
   ContactStrip strip(frames);
   const Image grey = make_image(width, height, 0xff808080U);
   for (std::uint32_t frame = 0; frame < frames; ++frame) strip.offer(frame, grey);
-  strip.save(folder.path() / "sheet.png");
+  strip.save(folder.path() / "sheet.png", Replace::nothing);
   return read_png(folder.path() / "sheet.png");
 }
 
@@ -40,7 +40,7 @@ std::set<std::uint32_t> colours_of(std::uint32_t frames) {
   ContactStrip strip(frames);
   for (std::uint32_t frame = 0; frame < frames; ++frame)
     strip.offer(frame, make_image(48, 24, frame << 8U | 0xffU));
-  strip.save(folder.path() / "sheet.png");
+  strip.save(folder.path() / "sheet.png", Replace::nothing);
   const Image sheet = read_png(folder.path() / "sheet.png");
   std::set<std::uint32_t> colours;
   for (int y = 0; y < sheet.height; ++y)

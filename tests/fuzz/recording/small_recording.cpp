@@ -57,7 +57,7 @@ void record_small(const std::filesystem::path& path) {
     const std::vector<Event> events = tree.trace().take();
     writer.add(requests, events, row_of(tree, events, next_event));
     if (step == kSmallKeyframe) writer.add(tree.state());
-    if (step < 3) writer.add(tree.pairs(), {tree.pairs().size(), 0, 0, 0});
+    if (step < 3) writer.add(tree.pairs(), std::span<const JudgedPair>());
     next_event += events.size();
   }
   writer.finish();

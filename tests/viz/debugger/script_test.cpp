@@ -30,7 +30,7 @@ class ScriptedDebugger : public testing::Test {
     const auto context = make_offscreen_context();
     Debugger debugger(*context, open_run(file_.path()));
     debugger.model().work_folder = folder_.path();
-    ScriptPlayer player(debugger, 1280, 720, folder_.path() / folder);
+    ScriptPlayer player(debugger, 1280, 720, {.path = folder_.path() / folder});
     try {
       player.play(parse_script(script));
     } catch (const ScriptError& error) {
