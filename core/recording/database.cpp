@@ -132,9 +132,13 @@ std::uint32_t Statement::small(int column) const {
   return static_cast<std::uint32_t>(natural(column, UINT32_MAX));
 }
 
-double Statement::real(int column) const {
+double Statement::real_or_infinite(int column) const {
   expect(column, SQLITE_FLOAT, "no number with a point");
-  const double value = sqlite3_column_double(statement_.get(), column);
+  return sqlite3_column_double(statement_.get(), column);
+}
+
+double Statement::real(int column) const {
+  const double value = real_or_infinite(column);
   if (!std::isfinite(value)) refuse(column, "not finite");
   return value;
 }
@@ -167,7 +171,7 @@ void Statement::put_row(ByteWriter& out) const {
     const int type = sqlite3_column_type(statement_.get(), column);
     out.u8(static_cast<std::uint8_t>(type));
     if (type == SQLITE_INTEGER) out.u64(static_cast<std::uint64_t>(integer(column)));
-    if (type == SQLITE_FLOAT) out.u64(std::bit_cast<std::uint64_t>(real(column)));
+    if (type == SQLITE_FLOAT) out.u64(std::bit_cast<std::uint64_t>(real_or_infinite(column)));
     if (type == SQLITE_TEXT) out.text(text(column));
     if (type == SQLITE_BLOB) out.blob(bytes(column));
   }

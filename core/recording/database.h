@@ -47,6 +47,8 @@ class Statement {
   [[nodiscard]] std::uint32_t small(int column) const;
   /// A finite number.
   [[nodiscard]] double real(int column) const;
+  /// The same, or an infinity.
+  [[nodiscard]] double real_or_infinite(int column) const;
   /// One that was a float.
   [[nodiscard]] float single(int column) const;
   [[nodiscard]] std::string text(int column) const;

@@ -42,8 +42,8 @@ template <int D>
 GivenBox<D> read_box(const Statement& row, int column) {
   GivenBox<D> box;
   for (std::size_t axis = 0; axis < D; ++axis) {
-    box.min[axis] = row.real(column++);
-    box.max[axis] = row.real(column++);
+    box.min[axis] = row.real_or_infinite(column++);
+    box.max[axis] = row.real_or_infinite(column++);
   }
   return box;
 }

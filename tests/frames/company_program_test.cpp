@@ -114,7 +114,7 @@ TEST_F(CompanyProgram, AReaderBreaksNoFilm) {
   ASSERT_NE(reader, nullptr);
   const Outcome outcome = render.wait();
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
-  EXPECT_EQ(RecordingReader<2>(file()).steps(), 381U);
+  EXPECT_EQ(RecordingReader<2>(file()).steps(), 400U);
   EXPECT_EQ(run_kerf({"collect", path("frames")}).exit, 0);
 }
 

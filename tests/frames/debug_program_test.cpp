@@ -52,7 +52,7 @@ TEST_F(DebugProgram, AFailedExpectationIsAnExitCodeAndALine) {
 
 TEST_F(DebugProgram, SaysWhatItNeeds) {
   write("s", "click \"open\n");
-  EXPECT_THAT(run_kerf({"debug", "pile", "--headless"}).err, HasSubstr("give a --script"));
+  EXPECT_THAT(run_kerf({"debug", "pile", "--headless"}).err, HasSubstr("needs a --script"));
   EXPECT_THAT(run_kerf({"debug", "pile", "--headless", "--script", path("s")}).err, HasSubstr("a quote"));
   EXPECT_THAT(run_kerf({"debug", "pile", "--headless", "--script", path("none")}).err,
               HasSubstr("cannot be read"));

@@ -10,6 +10,7 @@
 
 #include "tests/images/reference_frames.h"
 #include "tests/support/recorded_crowd.h"
+#include "tests/support/tampering.h"
 #include "viz/debugger/script.h"
 #include "viz/image/image.h"
 
@@ -40,6 +41,7 @@ void record_timeless(const test::TemporaryRecording& file, const Config& config)
   file.change(
       "UPDATE steps SET place_seconds = 0, sort_seconds = 0, schedule_seconds = 0, operate_seconds = 0, "
       "sweep_seconds = 0");
+  test::reseal(file.path());
 }
 
 /// The debugger on a timeless run. Each panel is a reference of its own, so that a change of one needs one

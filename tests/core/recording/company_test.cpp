@@ -127,7 +127,7 @@ TEST(RecordingCompany, ANameIsAName) {
   for (const std::string& name :
        {std::string("file:x.kerf"), std::string("file:y.kerf?mode=memory"), std::string(":memory:"),
         std::string("-x.kerf"), std::string("a%20b#c?d=e.kerf"), std::string("\xff\xfe bad.kerf"),
-        std::string(245, 'n') + ".kerf"}) {
+        std::string(242, 'n') + ".kerf"}) {
     test::record_crowd<2>(name, kSteps, test::busy_config());
     EXPECT_EQ(files_beside(place.path()), std::vector<std::string>{name});
     EXPECT_EQ(RecordingReader<2>(name).steps(), kSteps);

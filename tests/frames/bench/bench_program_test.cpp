@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Shrink", {"--algorithms", "kerf:shrink=1"}, "it needs a grid"},
         Mistake{"Simulation", {"--simulations", "terain"}, "did you mean 'terrain'?"},
         Mistake{"SimulationAndScene", {"--simulations", "pile", "--scenes", "flat"}, "leave one"},
-        Mistake{"InLoop", {"--simulations", "pile-2d", "--algorithms", "bullet-dbvt"}, "2D broad phase"},
+        Mistake{"InLoop", {"--simulations", "pile-2d", "--algorithms", "colums"}, "2D broad phase"},
         Mistake{"Dimension", {"--dims", "4"}, "from 2 to 3"},
         Mistake{"Objects", {"--objects", "1"}, "whole number from"},
         Mistake{"EmptyName", {"--objects", "1000,,2000"}, "between commas"},

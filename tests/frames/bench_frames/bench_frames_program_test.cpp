@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "core/files/part_file.h"
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
@@ -42,7 +43,12 @@ TEST(BenchFramesProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const std::filesystem::path file = folder.path() / "frames.json";
   Process process(kerf_command(bench_frames(file, "10,20,20")));
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!std::filesystem::exists(file) && std::chrono::steady_clock::now() < give_up)
+  const auto is_saved = [&] {
+    const auto parts = parts_of(file);
+    std::error_code none;
+    return !parts.empty() && std::filesystem::file_size(parts.front(), none) > 0 && !none;
+  };
+  while (!is_saved() && std::chrono::steady_clock::now() < give_up)
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   process.signal(SIGINT);
   const Outcome outcome = process.wait();
