@@ -152,7 +152,11 @@ class Resealer {
   }
   void seal(const TheirRow& theirs) {
     const auto seal = seal_of_theirs(chain_.link(), Database::open(file_), theirs.step);
-    if (seal) note(Chain::Part::theirs, "their_seals", "step", theirs.step, *seal);
+    if (seal) {
+      note(Chain::Part::theirs, "their_seals", "step", theirs.step, *seal);
+    } else {
+      database_.run("DELETE FROM their_seals WHERE step = " + std::to_string(theirs.step));
+    }
   }
   void note(Chain::Part part, const std::string& table, const std::string& key, std::uint32_t step,
             std::uint64_t seal) {
