@@ -93,8 +93,8 @@ template <class Change>
 void keep_last(std::vector<Change>& changes) {
   std::ranges::reverse(changes);
   std::ranges::stable_sort(changes, {}, &Change::object);
-  const auto rest = std::ranges::unique(changes, {}, &Change::object);
-  changes.erase(rest.begin(), rest.end());
+  const auto is_same = [](const Change& a, const Change& b) { return a.object == b.object; };
+  changes.erase(std::unique(changes.begin(), changes.end(), is_same), changes.end());
 }
 
 bool& switch_of(Config& config, Operator op) {

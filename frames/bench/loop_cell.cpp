@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include "core/bsp/bsp.h"
@@ -63,8 +64,8 @@ double median(std::vector<double> values) {
 template <int D>
 class LoopRun {
  public:
-  LoopRun(const LoopPlan& plan, const SceneEntry<D>& entry, const BroadPhaseChoice& choice)
-      : plan_(plan), entry_(entry), choice_(choice), costs_(plan.steps) {}
+  LoopRun(const LoopPlan& plan, const SceneEntry<D>& entry, BroadPhaseChoice choice)
+      : plan_(plan), entry_(entry), choice_(std::move(choice)), costs_(plan.steps) {}
 
   /// False after a request to stop.
   bool round(const CellWatch& watch) {

@@ -9,7 +9,13 @@
 namespace kerf {
 namespace {
 
-enum Column : std::size_t { kStep, kObject, kBounds, kFixed = kBounds + 6, kCategory, kMask, kColumnCount };
+// The columns in the order of `box_columns()`.
+constexpr std::size_t kStep = 0;
+constexpr std::size_t kObject = 1;
+constexpr std::size_t kBounds = 2;
+constexpr std::size_t kFixed = kBounds + 6;
+constexpr std::size_t kCategory = kFixed + 1;
+constexpr std::size_t kMask = kCategory + 1;
 
 constexpr std::size_t min_column(int axis) { return kBounds + 2 * static_cast<std::size_t>(axis); }
 constexpr std::size_t max_column(int axis) { return min_column(axis) + 1; }

@@ -217,7 +217,7 @@ PairDesign design_of(const ImportRequest& request, const Survey& survey) {
 
 std::string range_text(std::size_t count, const std::string& what, const std::string& first,
                        const std::string& last) {
-  const std::string text = std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+  std::string text = std::to_string(count) + " " + what + (count == 1 ? "" : "s");
   if (count == 0) return text;
   return text + " numbered " + first + (count == 1 ? "" : " to " + last);
 }

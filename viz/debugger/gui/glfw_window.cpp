@@ -185,7 +185,7 @@ bool GlfwWindow::goes_on(const std::string& progress) {
 
 double GlfwWindow::seconds() { return glfwGetTime(); }
 
-bool GlfwWindow::wait(double seconds) {
+bool GlfwWindow::wait(double seconds) const {
   if (!has_input() && seconds > 0) {
     glfwWaitEventsTimeout(seconds);
   } else {

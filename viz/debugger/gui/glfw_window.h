@@ -33,7 +33,7 @@ class GlfwWindow final : public GlContext {
   /// Seconds since the program has a window.
   [[nodiscard]] static double seconds();
   /// Waits until the user does something, at most so many seconds. True if a frame has something to take in.
-  bool wait(double seconds);
+  [[nodiscard]] bool wait(double seconds) const;
   [[nodiscard]] bool has_input() const { return !queue_.is_empty(); }
   /// The next frame's share of the user's actions.
   [[nodiscard]] DebuggerInput take_input();
