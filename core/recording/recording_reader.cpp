@@ -188,9 +188,8 @@ std::vector<Pair> RecordingReader<D>::their_pairs(std::uint32_t step) const {
 
 template <int D>
 std::optional<TheirStep> RecordingReader<D>::their_step(std::uint32_t step) const {
-  const auto theirs = read_their_step(database_, step);
-  if (theirs) check_theirs(step);
-  return theirs;
+  if (info_.imported || !rows_.theirs.empty()) check_theirs(step);
+  return read_their_step(database_, step);
 }
 
 template <int D>
@@ -205,8 +204,16 @@ TheirChanges<D> RecordingReader<D>::their_changes(std::uint32_t step) const {
   return read_their_changes<D>(database_, step);
 }
 
+/// What an object was given last may stand in any step up to this one.
+template <int D>
+void RecordingReader<D>::check_theirs_up_to(std::uint32_t step) const {
+  if (!info_.imported) return;
+  for (; theirs_checked_ < std::min(step, steps()); ++theirs_checked_) check_theirs(theirs_checked_ + 1);
+}
+
 template <int D>
 std::optional<GivenBox<D>> RecordingReader<D>::given_box(ObjectId object, std::uint32_t step) const {
+  check_theirs_up_to(step);
   return read_given_box<D>(database_, object, step);
 }
 
@@ -217,6 +224,7 @@ bool RecordingReader<D>::has_filters() const {
 
 template <int D>
 std::optional<GivenFilter> RecordingReader<D>::filter(ObjectId object, std::uint32_t step) const {
+  check_theirs_up_to(step);
   return read_filter(database_, object, step);
 }
 

@@ -92,12 +92,14 @@ class RecordingReader {
   [[nodiscard]] Bytes keyframe_bytes(std::uint32_t step) const;
   void read_block(BlockDecoder<D>& decoder, const BlockRow& block, Span& span) const;
   [[nodiscard]] Span read_span(std::uint32_t keyframe) const;
+  void check_theirs_up_to(std::uint32_t step) const;
 
   Database database_;
   RecordingInfo info_;
   RecordedRows rows_;
   std::optional<ChangedPart> change_;
-  std::list<Span> spans_;  ///< latest used first
+  std::list<Span> spans_;                     ///< latest used first
+  mutable std::uint32_t theirs_checked_ = 0;  ///< up to this step another engine's rows are as written
 };
 
 extern template class RecordingReader<2>;

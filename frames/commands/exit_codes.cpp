@@ -19,7 +19,7 @@ constexpr ExitMeaning kMeanings[] = {
     {"export", "everything was written", ""},
     {"film-diff", "the film is made of two sequences of equal steps, whether they differ or not",
      "the film is made, and a frame has no partner"},
-    {"import", "the recording is complete", ""},
+    {"import", "the recording is complete, whatever the other engine's pairs are", ""},
     {"lint", "nothing was found", "something was found"},
     {"minimize", "a smaller recording shows the condition", "the condition never holds"},
     {"record", "the recording is complete", ""},

@@ -60,10 +60,7 @@ ImportCommand::ImportCommand(CLI::App& program)
       "PAIRS   step,a,b   of the boxes' first step or a later one, also one without boxes\n"
       "        What is wrong with them is then found by `kerf step FILE --to 'missed>0'` and `kerf explain`. "
       "What\n"
-      "        --margin, --ignore and masks declare is counted apart, as ignored.\n"
-      "EXIT    0 imported, whatever their pairs are, 1 a file cannot be read or written, 2 wrong usage or a "
-      "file\n"
-      "        that is refused by its line");
+      "        --margin, --ignore and masks declare is counted apart, as ignored.");
 }
 
 bool ImportCommand::chosen() const { return command_->parsed(); }

@@ -11,6 +11,7 @@
 #include "core/replay/oracle.h"
 #include "frames/import/step_lines.h"
 #include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
 
 namespace kerf {
 namespace {
@@ -48,9 +49,10 @@ class Import {
         tree_(request.config),
         recorder_(tree_, request.out, info_) {}
 
-  void run(BoxLines& boxes) {
+  void run(BoxLines& boxes, const InterruptGuard& interrupt) {
     StepLines lines(boxes, survey_, request_.unite, oddities_);
     for (const GivenStep& step : survey_.steps) {
+      if (interrupt.requested()) throw Interrupted("interrupted: nothing was imported");
       for (const BoxLine& line : lines.next(step)) play(boxes, line, step);
       end_step(step);
     }
@@ -230,10 +232,10 @@ std::string summary(const BoxLines& boxes, const Survey& survey) {
 }
 
 template <int D>
-void import_in(const ImportRequest& request, BoxLines& boxes, const Survey& survey,
-               std::vector<GivenPairs> pairs, Oddities& oddities) {
+void import_in(const ImportRequest& request, const InterruptGuard& interrupt, BoxLines& boxes,
+               const Survey& survey, std::vector<GivenPairs> pairs, Oddities& oddities) {
   Import<D> import(request, survey, std::move(pairs), design_of(request, survey), oddities);
-  import.run(boxes);
+  import.run(boxes, interrupt);
   if (request.strict && oddities.any())
     throw UsageError("--strict: what is odd is an error, and nothing was written\n" + oddities.text());
   std::fputs((summary(boxes, survey) + oddities.text() + import.text()).c_str(), stdout);
@@ -242,6 +244,7 @@ void import_in(const ImportRequest& request, BoxLines& boxes, const Survey& surv
 }  // namespace
 
 void import_boxes(const ImportRequest& request) {
+  const InterruptGuard interrupt;
   if (request.boxes == "-" && request.pairs == "-")
     throw UsageError("boxes and pairs cannot both come from standard input");
   BoxLines boxes(request.boxes);
@@ -250,9 +253,9 @@ void import_boxes(const ImportRequest& request) {
   Oddities oddities;
   const Survey found = survey(boxes, pairs, request.pairs.string(), oddities);
   if (boxes.dimension() == 2) {
-    import_in<2>(request, boxes, found, std::move(pairs), oddities);
+    import_in<2>(request, interrupt, boxes, found, std::move(pairs), oddities);
   } else {
-    import_in<3>(request, boxes, found, std::move(pairs), oddities);
+    import_in<3>(request, interrupt, boxes, found, std::move(pairs), oddities);
   }
 }
 

@@ -21,7 +21,7 @@ struct ImportRequest {
 
 /// Plays the boxes to a tree, records it, judges their pairs by the definition and prints what was
 /// understood, what is odd and what is wrong with the pairs. Throws UsageError that names file and line, or
-/// std::runtime_error if a file cannot be read or written.
+/// std::runtime_error if a file cannot be read or written, or Interrupted.
 void import_boxes(const ImportRequest& request);
 
 }  // namespace kerf

@@ -37,7 +37,9 @@ bool looks_like_recording(const fs::path& file) {
   constexpr std::size_t kPlaceOfId = 68;
   std::array<char, kPlaceOfId + 4> head{};
   std::ifstream stream(file, std::ios::binary);
-  if (!stream.read(head.data(), head.size())) return fs::is_empty(file) && fs::exists(file.string() + "-wal");
+  std::error_code none;  // a name may be too long for a log
+  if (!stream.read(head.data(), head.size()))
+    return fs::is_empty(file) && fs::exists(file.string() + "-wal", none);
   std::uint32_t id = 0;
   for (std::size_t k = kPlaceOfId; k < head.size(); ++k) id = id << 8U | static_cast<std::uint8_t>(head[k]);
   return std::string_view(head.data()).starts_with("SQLite format 3") && id == kRecordingId;
@@ -68,7 +70,8 @@ void Outputs::check_apart_from_inputs(const fs::path& out) const {
   if (!fs::exists(out)) return;
   for (const fs::path& input : inputs_) {
     if (is_same_file(out, input))
-      throw UsageError(out.string() + " is " + input.string() + ", which is read; choose another name");
+      throw UsageError(out.string() + " is the same file as " + input.string() +
+                       ", which is read; choose another name");
     if (fs::is_directory(input) && is_within(resolved(out), resolved(input)))
       throw UsageError(out.string() + " lies in " + input.string() + ", which is read; choose another place");
     if (is_same_file(out, input.string() + "-wal"))

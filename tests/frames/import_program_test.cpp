@@ -1,8 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 
+#include <chrono>
+#include <filesystem>
 #include <fstream>
+#include <thread>
 
+#include "core/files/part_file.h"
 #include "core/recording/recording_reader.h"
 #include "tests/frames/program.h"
 
@@ -10,8 +15,10 @@ namespace kerf {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::kerf_command;
 using ::testing::Not;
 using testing::Outcome;
+using testing::Process;
 using testing::run_kerf;
 using ::testing::StartsWith;
 using testing::TemporaryFolder;
@@ -391,6 +398,20 @@ TEST_F(ImportProgram, TwoImportsAreComparedByTheirPairsToo) {
   const Outcome renamed = run_kerf({"compare", path("b.kerf"), path("c.kerf")});
   EXPECT_EQ(renamed.exit, 1);
   EXPECT_THAT(renamed.out, HasSubstr("names      differ first in step 5000"));
+}
+
+TEST_F(ImportProgram, InterruptedItLeavesNothing) {
+  std::string boxes = "step,object,min_x,max_x,min_y,max_y\n";
+  for (int step = 1; step <= 200'000; ++step) boxes += std::to_string(step) + ",0,0,1,0,1\n";
+  const std::string file = path("a.kerf");
+  Process process(kerf_command({"import", write("boxes.csv", boxes), "-o", file}));
+  for (int wait = 0; wait < 3000 && parts_of(file).empty(); ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  process.signal(SIGINT);
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.exit, 130) << outcome.err;
+  EXPECT_TRUE(parts_of(file).empty());
+  EXPECT_FALSE(std::filesystem::exists(file));
 }
 
 }  // namespace

@@ -111,5 +111,26 @@ TYPED_TEST(TheirRows, WhatMakesNoSenseIsRefused) {
               HasSubstr("step 7 follows step 5000"));
 }
 
+/// What an object was given may stand in an earlier step than the one that is asked about.
+TYPED_TEST(TheirRows, WhatWasGivenIsReadOnlyAsItWasWritten) {
+  constexpr int kD = TypeParam::value;
+  {
+    const RecordingReader<kD> reader(this->file_.path());
+    EXPECT_TRUE(reader.given_box({2}, 3));
+  }
+  this->file_.change("UPDATE their_boxes SET min_x = 0.2 WHERE step = 1 AND object = 2");
+  const RecordingReader<kD> changed(this->file_.path());
+  EXPECT_THROW((void)changed.given_box({2}, 3), std::runtime_error);
+  EXPECT_THROW((void)changed.filter({2}, 3), std::runtime_error);
+}
+
+TYPED_TEST(TheirRows, AStepThatWasJudgedIsMissed) {
+  constexpr int kD = TypeParam::value;
+  this->file_.change("DELETE FROM their_steps");
+  const RecordingReader<kD> reader(this->file_.path());
+  EXPECT_FALSE(reader.their_step(1));
+  EXPECT_THROW((void)reader.their_step(2), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace kerf
