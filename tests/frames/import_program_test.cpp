@@ -1,79 +1,26 @@
+#include "tests/frames/import_program.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include "core/files/part_file.h"
 #include "core/recording/recording_reader.h"
-#include "tests/frames/program.h"
 
 namespace kerf {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::ImportProgram;
 using testing::kerf_command;
 using ::testing::Not;
 using testing::Outcome;
 using testing::Process;
 using testing::run_kerf;
 using ::testing::StartsWith;
-using testing::TemporaryFolder;
-
-/// Imports small files in the manner of bug reports; those of tests/frames/cases are one folder each.
-class ImportProgram : public ::testing::Test {
- protected:
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
-  static std::string given(const std::string& name) {
-    return std::string(KERF_SOURCE_DIR) + "/tests/frames/cases/" + name;
-  }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
-  }
-
-  /// Imports as NAME.kerf; `more` are further arguments.
-  [[nodiscard]] Outcome import(const std::string& name, const std::string& boxes,
-                               const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments{"import", boxes, "-o", path(name + ".kerf"), "--overwrite"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_kerf(arguments);
-  }
-  /// What is printed of an import that works.
-  [[nodiscard]] std::string imported(const std::string& name, const std::string& boxes,
-                                     const std::vector<std::string>& more = {}) const {
-    const Outcome outcome = import(name, boxes, more);
-    EXPECT_EQ(outcome.exit, 0) << outcome.err;
-    return outcome.out;
-  }
-  [[nodiscard]] std::string refused(const std::string& boxes,
-                                    const std::vector<std::string>& more = {}) const {
-    const Outcome outcome = import("refused", boxes, more);
-    EXPECT_EQ(outcome.exit, 2) << outcome.out;
-    EXPECT_FALSE(std::filesystem::exists(path("refused.kerf")));
-    return outcome.err;
-  }
-  [[nodiscard]] std::string explained(const std::string& name, const std::string& step,
-                                      const std::string& pair) const {
-    const Outcome outcome = run_kerf({"explain", path(name + ".kerf"), "--step", step, "--pair", pair});
-    EXPECT_EQ(outcome.exit, 0) << outcome.err;
-    return outcome.out;
-  }
-  [[nodiscard]] std::string exported(const std::string& name, const std::string& what) const {
-    const Outcome outcome = run_kerf({"export", path(name + ".kerf"), what});
-    EXPECT_EQ(outcome.exit, 0) << outcome.err;
-    return outcome.out;
-  }
-  [[nodiscard]] std::string stepped(const std::string& name, const std::string& condition) const {
-    return run_kerf({"step", path(name + ".kerf"), "--to", condition}).out;
-  }
-
- private:
-  TemporaryFolder folder_;
-};
 
 TEST_F(ImportProgram, ColumnsAreFoundByTheirNames) {
   EXPECT_THAT(imported("a", given("header_order/boxes.csv"), {"--pairs", given("header_order/pairs.csv")}),
@@ -124,35 +71,6 @@ TEST_F(ImportProgram, NumbersNearZeroAndWithAPlusAreRead) {
               HasSubstr("'1e400' in column 4, max_x, is too large"));
 }
 
-TEST_F(ImportProgram, PairsAreJudgedInThePrecisionGiven) {
-  const std::string boxes = given("double_far/boxes.csv");
-  EXPECT_THAT(imported("a", boxes, {"--pairs", given("double_far/pairs.csv")}),
-              HasSubstr("1 pairs: 0 missed, 0 extra, 0 twice"));
-  const std::string why = explained("a", "1", "0,1");
-  EXPECT_THAT(why, HasSubstr("0 and 1 are no pair: axis x separates them by 0.05"));
-  EXPECT_THAT(why, HasSubstr("0: x [20000000, 20000000.9]"));
-  EXPECT_THAT(why, HasSubstr("1: x [20000000.95, 20000001.85]"));
-  EXPECT_THAT(why, HasSubstr("rounded outward to floats"));
-  EXPECT_THAT(why, Not(HasSubstr("became a pair")));
-  EXPECT_EQ(run_kerf({"verify", path("a.kerf")}).exit, 0);
-  const std::string told = write("told.csv", "step,a,b\n1,0,1\n1,2,3\n");
-  EXPECT_THAT(imported("b", boxes, {"--pairs", told}), HasSubstr("2 pairs: 0 missed, 1 extra"));
-  const std::string silent = write("silent.csv", "step,a,b\n");
-  EXPECT_THAT(imported("c", boxes, {"--pairs", silent}), HasSubstr("0 pairs: 1 missed, 0 extra"));
-}
-
-TEST_F(ImportProgram, ChangesOfMobilityAreFollowedAndExported) {
-  const std::string out =
-      imported("a", given("type_change/boxes.csv"), {"--pairs", given("type_change/pairs.csv")});
-  EXPECT_THAT(out, HasSubstr("2 pairs: 0 missed, 0 extra"));
-  EXPECT_THAT(out, HasSubstr("odd: 1 changes between fixed and moving"));
-  EXPECT_THAT(out, HasSubstr("line 4: object 1 is moving from step 2 on"));
-  EXPECT_THAT(explained("a", "1", "0,1"), HasSubstr("both are fixed"));
-  EXPECT_THAT(exported("a", "--boxes"), HasSubstr("\n2,1,4,5,0.8,1.8,0\n3,1,"));
-  EXPECT_THAT(imported("b", given("type_change/b.csv"), {"--pairs", given("type_change/bp.csv")}),
-              HasSubstr("1 pairs: 0 missed, 0 extra"));
-}
-
 TEST_F(ImportProgram, ObjectsMayHaveAnyNumberOf64Bits) {
   EXPECT_THAT(imported("a", given("ids_64bit/boxes.csv")),
               HasSubstr("2 objects numbered 2293599400000100004 to 2293599400000100005"));
@@ -201,17 +119,6 @@ TEST_F(ImportProgram, StepsMayBeTimes) {
   EXPECT_THAT(refused(write("e.csv", "nan,0,0,1,0,1\n")), HasSubstr("neither a number nor a time"));
 }
 
-TEST_F(ImportProgram, InvertedBoxesAreCountedAndExplained) {
-  const std::string out =
-      imported("a", given("inverted/boxes.csv"), {"--pairs", given("inverted/pairs.csv")});
-  EXPECT_THAT(out, HasSubstr("odd: 1 boxes that are inverted"));
-  EXPECT_THAT(out, HasSubstr("boxes.csv, line 3: object 1 in step 1"));
-  const std::string why = explained("a", "1", "0,1");
-  EXPECT_THAT(why, HasSubstr("object 1 is in quarantine: its box, x [3, 1]"));
-  EXPECT_THAT(why, HasSubstr("the other engine reported it, though it is none"));
-  EXPECT_THAT(refused(given("inverted/boxes.csv"), {"--strict"}), HasSubstr("line 3: object 1 in step 1"));
-}
-
 TEST_F(ImportProgram, WhatIsOddIsNeverSilent) {
   std::string boxes =
       "step,object,min_x,max_x,min_y,max_y\n1,0,0,1,0,1\n1,1,0,1,,1\n1,2,nan,1,0,1\n1,3,-inf,1,0,1\n";
@@ -246,78 +153,6 @@ TEST_F(ImportProgram, QuotesAndOtherWordsForNumbersAreRead) {
   EXPECT_THAT(refused(write("e.csv", "\"1,0,0,2,0,2\n")), HasSubstr("line 1: a quote is never closed"));
   EXPECT_THAT(refused(write("f.csv", "\"1\"2,0,0,2,0,2\n")),
               HasSubstr("between a closing quote and the next comma"));
-}
-
-TEST_F(ImportProgram, WhatAnEngineFiltersIsDeclaredAndCountedApart) {
-  const std::string pairs = given("filters/pairs.csv");
-  EXPECT_THAT(imported("a", given("filters/boxes.csv"), {"--pairs", pairs}),
-              HasSubstr("1 pairs: 1 missed, 0 extra"));
-  EXPECT_THAT(stepped("a", "missed>0"), HasSubstr("theirs, missed: (0,1)"));
-  const std::string ignore = write("ignore.csv", "a,b\n1,0\n7,9\n");
-  EXPECT_THAT(imported("b", given("filters/boxes.csv"), {"--pairs", pairs, "--ignore", ignore}),
-              HasSubstr("1 pairs: 0 missed, 0 extra, 0 twice, 1 ignored (0 by filters, 1 by the list"));
-  EXPECT_THAT(explained("b", "1", "0,1"), HasSubstr("it is ignored"));
-  EXPECT_THAT(stepped("b", "ignored>0"), HasSubstr("theirs, ignored, listed: (0,1)"));
-  const std::string masked = write("masked.csv",
-                                   "step,object,min_x,max_x,min_y,max_y,category,mask\n"
-                                   "1,0,0,1,0,1,1,2\n1,1,0.9,1.9,0,1,4,7\n1,2,1.8,2.8,0,1,2,6\n");
-  EXPECT_THAT(imported("c", masked, {"--pairs", pairs}), HasSubstr("1 ignored (1 by filters"));
-  EXPECT_THAT(explained("c", "1", "0,1"), HasSubstr("the other engine's masks leave it out"));
-  EXPECT_EQ(run_kerf({"verify", path("c.kerf")}).exit, 0);
-  EXPECT_THAT(run_kerf({"verify", path("c.kerf")}).out, HasSubstr("0 twice, 1 ignored"));
-}
-
-TEST_F(ImportProgram, AMarginIsDeclared) {
-  const std::string boxes = given("fat_pairs/boxes.csv");
-  const std::string pairs = given("fat_pairs/pairs.csv");
-  EXPECT_THAT(imported("a", boxes, {"--pairs", pairs}), HasSubstr("0 missed, 1 extra, 0 twice, 0 ignored"));
-  for (const std::string margin : {"0.025", "0.1", "10%"})
-    EXPECT_THAT(
-        imported("b", boxes, {"--pairs", pairs, "--margin", margin}),
-        HasSubstr("0 missed, 0 extra, 0 twice, 1 ignored (0 by filters, 0 by the list, 1 by the margin)"));
-  EXPECT_THAT(explained("b", "1", "0,1"), HasSubstr("with its margin of 10% on each side"));
-  EXPECT_THAT(imported("c", boxes, {"--pairs", pairs, "--margin", "0.02"}), HasSubstr("1 extra"));
-  EXPECT_THAT(imported("d", boxes, {"--pairs", write("none.csv", "step,a,b\n"), "--margin", "0.1"}),
-              HasSubstr("0 pairs: 0 missed, 0 extra, 0 twice, 0 ignored"));
-  for (const std::string margin : {"x", "-1", "5m", "%", "inf"})
-    EXPECT_THAT(refused(boxes, {"--margin", margin}), HasSubstr("--margin '" + margin + "'"));
-}
-
-TEST_F(ImportProgram, OddPairFilesAreJudgedOrRefusedByLine) {
-  const std::string boxes = given("pair_file/boxes.csv");
-  const std::string out = imported("a", boxes, {"--pairs", given("pair_file/p1.csv")});
-  EXPECT_THAT(out, HasSubstr("5 pairs: 0 missed, 1 extra, 1 twice"));
-  EXPECT_THAT(out, HasSubstr("p1.csv, line 5: object 77 in step 3"));
-  EXPECT_THAT(stepped("a", "extra>0"), HasSubstr("theirs, extra: (0,77)"));
-  const std::string why = explained("a", "3", "0,77");
-  EXPECT_THAT(why, HasSubstr("object 77 is not there\nthe other engine reported it, though it is none"));
-  EXPECT_THAT(explained("a", "1", "0, 1"), HasSubstr("are a pair"));
-  EXPECT_THAT(refused(boxes, {"--pairs", given("pair_file/p2.csv")}),
-              HasSubstr("p2.csv, line 1: its columns are step,a,b"));
-  EXPECT_THAT(imported("c", boxes, {"--pairs", given("pair_file/p3.csv")}),
-              HasSubstr("3 pairs: 0 missed, 0 extra"));
-  EXPECT_THAT(refused(boxes, {"--pairs", given("pair_file/p4.csv")}), HasSubstr("p4.csv is empty"));
-  EXPECT_THAT(refused(boxes, {"--pairs", given("pair_file/p5.csv")}), HasSubstr("separated by blanks"));
-  EXPECT_THAT(refused(boxes, {"--pairs", write("self.csv", "1,0,1\n1,1,1\n")}),
-              HasSubstr("self.csv, line 2"));
-}
-
-TEST_F(ImportProgram, TheirNumbersOfStepsAreShownEverywhere) {
-  const std::string out =
-      imported("a", given("step_offset/boxes.csv"), {"--pairs", given("step_offset/pairs.csv")});
-  EXPECT_THAT(
-      out,
-      StartsWith("2D, 3 steps numbered 5000 to 5002, 2 objects numbered 0 to 1, columns step, object, "));
-  EXPECT_THAT(out, HasSubstr("first wrong in step 5001"));
-  EXPECT_THAT(stepped("a", "missed>0"), StartsWith("step 5001\n  step 5001: "));
-  EXPECT_THAT(explained("a", "5001", "0,1"), HasSubstr("after step 5001, 0 and 1 are a pair"));
-  EXPECT_THAT(explained("a", "5001", "0,1"), HasSubstr("became a pair in step 5000"));
-  EXPECT_THAT(stepped("a", "step==5001"), StartsWith("step 5001\n"));
-  EXPECT_THAT(exported("a", "--boxes"), HasSubstr("\n5002,0,0,2,0,2,0\n"));
-  EXPECT_THAT(exported("a", "--pairs"), HasSubstr("step,a,b\n5000,0,1\n5002,0,1\n"));
-  const Outcome other = run_kerf({"explain", path("a.kerf"), "--step", "1", "--pair", "0,1"});
-  EXPECT_EQ(other.exit, 2);
-  EXPECT_THAT(other.err, HasSubstr("goes from step 5000 to 5002"));
 }
 
 TEST_F(ImportProgram, SeveralBoxesOfAnObjectAreRefusedOrUnited) {
@@ -362,42 +197,6 @@ TEST_F(ImportProgram, StandardInputIsRead) {
     EXPECT_EQ(outcome.exit, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("3 steps numbered 5000 to 5002"));
   }
-}
-
-/// An import, exported and imported again, is the same import.
-TEST_F(ImportProgram, WhatWasGivenSurvivesARoundTrip) {
-  const std::string boxes = write("boxes.csv",
-                                  "step,object,min_x,max_x,min_y,max_y,fixed,category,mask\n"
-                                  "10,-5,0.1,1.1,0,1,1,1,3\n10,7000000000,1.1000000001,2,0,1,0,2,1\n"
-                                  "10,8,1.5,2,0,1,0,,\n"
-                                  "12,-5,0.1,1.1,0,1,0,1,2\n12,8,3,2,0,1,0,,\n"
-                                  "13,8,0.5,1.5,0.25,1,0,,\n13,7000000000,,,,,,,\n"
-                                  "14,,,,,,,,\n15,8,inf,nan,,1,0,,\n");
-  const std::string pairs =
-      write("pairs.csv", "step,a,b\n10,8,7000000000\n10,-5,8\n12,8,-5\n13,8,-5\n13,-5,8\n");
-  (void)imported("a", boxes, {"--pairs", pairs});
-  write("boxes2.csv", exported("a", "--boxes"));
-  write("pairs2.csv", exported("a", "--pairs"));
-  (void)imported("b", path("boxes2.csv"), {"--pairs", path("pairs2.csv")});
-  const Outcome compared = run_kerf({"compare", path("a.kerf"), path("b.kerf")});
-  EXPECT_EQ(compared.exit, 0) << compared.out;
-  EXPECT_EQ(exported("b", "--boxes"), exported("a", "--boxes"));
-  EXPECT_EQ(exported("b", "--pairs"), exported("a", "--pairs"));
-  EXPECT_EQ(run_kerf({"verify", path("b.kerf")}).exit, 0);
-}
-
-TEST_F(ImportProgram, TwoImportsAreComparedByTheirPairsToo) {
-  const std::string boxes = given("step_offset/boxes.csv");
-  (void)imported("a", boxes, {"--pairs", given("step_offset/pairs.csv")});
-  (void)imported("b", boxes, {"--pairs", write("b.csv", "step,a,b\n5000,0,1\n5001,0,1\n5002,0,1\n")});
-  const Outcome compared = run_kerf({"compare", path("a.kerf"), path("b.kerf")});
-  EXPECT_EQ(compared.exit, 1);
-  EXPECT_THAT(compared.out, HasSubstr("theirs     differ first in step 5001\n  only B reported (0,1)\n"));
-  EXPECT_THAT(compared.out, HasSubstr("verdicts   differ first in step 5001\n"));
-  (void)imported("c", given("pair_file/boxes.csv"), {"--pairs", given("pair_file/p3.csv")});
-  const Outcome renamed = run_kerf({"compare", path("b.kerf"), path("c.kerf")});
-  EXPECT_EQ(renamed.exit, 1);
-  EXPECT_THAT(renamed.out, HasSubstr("names      differ first in step 5000"));
 }
 
 TEST_F(ImportProgram, InterruptedItLeavesNothing) {
