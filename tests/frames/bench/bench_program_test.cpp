@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/files/part_file.h"
+#include "frames/bench/ablation.h"
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
@@ -66,6 +67,27 @@ TEST(BenchProgram, MeasuresBroadPhasesInTheLoopOfASimulation) {
   }
   EXPECT_EQ(json["simulations"][5]["dim"], 2);
   EXPECT_THAT(outcome.out, HasSubstr("sort-and-sweep"));
+}
+
+TEST(BenchProgram, MeasuresWhatEachPolicyEarnsInASimulation) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "bench.json").string();
+  const Outcome outcome = run_kerf({"bench", "--ablation", "--simulations", "pile-2d", "--objects", "60",
+                                    "--rounds", "3", "--steps", "20", "--warm-up", "10", "--json", file});
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
+  const auto json = read_json(file);
+  const std::size_t policies = ablated_policies().size();
+  ASSERT_EQ(json["simulations"].size(), 1U) << "only the tuned tree stands in the loop";
+  ASSERT_EQ(json["results"].size(), policies + 1) << "the others get the same boxes";
+  for (const auto& row : json["results"]) {
+    EXPECT_EQ(row["round_ns"].size(), 3U);
+    EXPECT_EQ(row["objects"], json["simulations"][0]["objects"]);
+    EXPECT_EQ(row["pairs"], json["results"][0]["pairs"]);
+    EXPECT_GT(row["median_ns"], 0);
+  }
+  ASSERT_EQ(json["earnings"].size(), policies);
+  for (const auto& earning : json["earnings"]) EXPECT_LT(earning["least"], earning["most"]);
+  EXPECT_THAT(outcome.out, HasSubstr("EACH POLICY WHERE IT EARNS MOST"));
 }
 
 TEST(BenchProgram, MeasuresWhatAnApproximateTreeMissesAndInvents) {
@@ -146,6 +168,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Shrink", {"--algorithms", "kerf:shrink=1"}, "it needs a grid"},
         Mistake{"Simulation", {"--simulations", "terain"}, "did you mean 'terrain'?"},
         Mistake{"SimulationAndScene", {"--simulations", "pile", "--scenes", "flat"}, "leave one"},
+        Mistake{"AblationOfAlgorithms", {"--ablation", "--algorithms", "kerf"}, "leave --algorithms out"},
         Mistake{"InLoop", {"--simulations", "pile-2d", "--algorithms", "colums"}, "2D broad phase"},
         Mistake{"Dimension", {"--dims", "4"}, "from 2 to 3"},
         Mistake{"Objects", {"--objects", "1"}, "whole number from"},
