@@ -144,7 +144,7 @@ TYPED_TEST(Restless, PairsAreTheOraclesWhoeverWakesSleepsShrinksComesOrGoes) {
     crowd.advance();
   }
   EXPECT_GT(most, 30U);
-  EXPECT_LT(most, 150U) << "who sleeps is no longer restless";
+  EXPECT_LT(most, 150U) << "an object at rest is no longer restless";
 }
 
 /// So far apart are the ids that the boxes leave the caches: then candidates are named by places in their
@@ -326,7 +326,7 @@ TYPED_TEST(Restless, WhoLiesStillLosesItsFat) {
     crowd.shake(0.001F);
     tree.step();
   }
-  EXPECT_GT(count_fat(tree), 1100U) << "who moves, however little, has fat";
+  EXPECT_GT(count_fat(tree), 1100U) << "an object that moves, however little, has fat";
   EXPECT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "");
 }
 

@@ -126,7 +126,7 @@ TYPED_TEST(Stream, WhoLeavesItsCellGoesWhereAllWouldGo) {
     }
     EXPECT_LT(least, most);
     if (*free_directions == '1') continue;
-    EXPECT_LT(least, 250U) << "who stays is not sent down again";
+    EXPECT_LT(least, 250U) << "an object that stays is not sent down again";
   }
 }
 

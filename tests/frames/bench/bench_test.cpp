@@ -132,7 +132,7 @@ TEST(BenchTruth, TwoAlgorithmsAgreeOnWhatIsTrueAndBruteForceWithThem) {
   }
 }
 
-/// A broad phase with a bug: it forgets every hundredth pair and tells one twice.
+/// A broad phase with a bug: it forgets every hundredth pair and reports one twice.
 class Forgetful final : public BroadPhase<2> {
  public:
   [[nodiscard]] std::string_view name() const override { return "forgetful"; }

@@ -105,7 +105,7 @@ TEST(ReportProgram, DoesNotMeasureAgainWhatIsKept) {
 TEST(ReportProgram, TakesNothingOverFromAnotherMachine) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "page.html").string();
-  std::ofstream(folder.path() / "page.json") << R"({"owner": "somebody else", "cells": {"a": 1}})";
+  std::ofstream(folder.path() / "page.json") << R"({"owner": "another", "cells": {"a": 1}})";
   const Outcome refused = run_small_report(page, {"hardcases"});
   EXPECT_EQ(refused.exit, kExitUnusable);
   EXPECT_THAT(refused.err, HasSubstr("another machine"));

@@ -85,7 +85,7 @@ TYPED_TEST(BoxOfInterest, AFloorWithoutEndIsCutNearTheCrowd) {
   EXPECT_EQ(count_outside(std::span<const Body<kD>>(bodies), most(bodies)), 0U);
 }
 
-/// A post beside them says nothing of where they are.
+/// A post beside them does not show where they are.
 TYPED_TEST(BoxOfInterest, ASmallFixedObjectDoesNotHideTheCrowd) {
   constexpr int kD = TypeParam::value;
   auto bodies = crowd<kD>();
