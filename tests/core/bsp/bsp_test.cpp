@@ -212,7 +212,7 @@ TYPED_TEST(Bsp, EventsAreNumberedWithoutAGapAndPhasesComeInOrder) {
   }
 }
 
-TYPED_TEST(Bsp, TellsWhichObjectsWerePlaced) {
+TYPED_TEST(Bsp, ReportsWhichObjectsWerePlaced) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD, EventLog> tree(config_of("budget_divisor=0"));
   const auto placements = [&] {

@@ -131,7 +131,7 @@ template <class T>
 class Restless : public testing::Test {};
 TYPED_TEST_SUITE(Restless, Dimensions, DimensionNames);
 
-TYPED_TEST(Restless, PairsAreTheOraclesWhoeverWakesSleepsShrinksComesOrGoes) {
+TYPED_TEST(Restless, PairsAreTheOraclesWhateverWakesSleepsShrinksComesOrGoes) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD> tree(small_leaves());
   Crowd<kD> crowd(1200, {&tree});
@@ -248,7 +248,7 @@ TYPED_TEST(Restless, AStateWithTooFewSkinsGoesOn) {
   }
 }
 
-TYPED_TEST(Restless, StepsOfWhichNobodyAsksThePairsChangeNothingElse) {
+TYPED_TEST(Restless, StepsWithoutPairsChangeNothingElse) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD, EventLog> always(small_leaves());
   kerf::Bsp<kD, EventLog> seldom(small_leaves());
@@ -310,7 +310,7 @@ TYPED_TEST(Restless, ACrowdThatLandsIsKeptSoon) {
   EXPECT_TRUE(keeps(tree));
 }
 
-TYPED_TEST(Restless, WhoLiesStillLosesItsFat) {
+TYPED_TEST(Restless, WhatLiesStillLosesItsFat) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD> tree(small_leaves());
   Crowd<kD> crowd(1200, {&tree}, 2);

@@ -23,7 +23,7 @@ template <class T>
 class MoveBoxes : public EveryKernel<T> {};
 TYPED_TEST_SUITE(MoveBoxes, Dimensions, DimensionNames);
 
-TYPED_TEST(MoveBoxes, TellsWhoLeftAndLeavesTheOddToTheCaller) {
+TYPED_TEST(MoveBoxes, ReturnsWhatLeftAndLeavesTheOddToTheCaller) {
   constexpr int kD = TypeParam::value;
   const auto cube = [](Scalar low, Scalar high) {
     Box<kD> box;
@@ -73,7 +73,7 @@ TYPED_TEST(MoveBoxes, TellsWhoLeftAndLeavesTheOddToTheCaller) {
   }
 }
 
-TYPED_TEST(MoveBoxes, WhoFillsItsFatBoxAndShrinksHasLeftIt) {
+TYPED_TEST(MoveBoxes, WhatFillsItsFatBoxAndShrinksHasLeftIt) {
   constexpr int kD = TypeParam::value;
   Box<kD> whole;
   for (int i = 0; i < kD; ++i) whole.max[i] = 4;
@@ -251,7 +251,7 @@ TYPED_TEST(MoveBoxes, ThreadsMoveAsOneDoes) {
 }
 
 /// An unrequested object requests nothing, but its odd boxes are left to the caller as well.
-TYPED_TEST(MoveBoxes, TheSilentAreMovedAndNotNoted) {
+TYPED_TEST(MoveBoxes, TheUnrequestedAreMovedAndNotNoted) {
   constexpr int kD = TypeParam::value;
   Box<kD> near;
   Box<kD> far;

@@ -205,7 +205,7 @@ TEST(BenchCell, MeasuresEveryAlgorithmAndTheFloor) {
   }
 }
 
-TEST(BenchCell, TellsWhatALibraryCostsWithoutWhatItLacks) {
+TEST(BenchCell, ShowsWhatALibraryCostsWithoutWhatItLacks) {
   CellPlan plan = plan_for("uniform", 2000, {"bullet-dbvt", "fcl-dynamic-tree", "cgal-box-intersection"});
   plan.warm_up = 2;
   plan.steps = 4;

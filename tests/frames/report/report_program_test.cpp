@@ -115,7 +115,7 @@ TEST(ReportProgram, TakesNothingOverFromAnotherMachine) {
   EXPECT_FALSE(read_json(folder.path() / "page.json")["cells"].contains("a"));
 }
 
-TEST(ReportProgram, DoesNotReplaceSomebodyElsesFile) {
+TEST(ReportProgram, DoesNotReplaceAnotherProgramsFile) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "speed.html").string();
   for (const char* const text : {R"({"machine": {}, "results": []})", R"({"owner": 3, "cells": {}})",
