@@ -62,8 +62,8 @@ class World {
   /// std::runtime_error if the broad phase refuses the object.
   ObjectId add(const BodyPlan& plan);
 
-  /// Puts a moving body to the pose and motion of the plan, awake; its shape stays. Takes effect in the next
-  /// `advance()`. Throws std::invalid_argument as `add` does, and for a fixed or unknown body.
+  /// Gives a moving body the pose and motion of the plan and wakes it; its shape stays. Takes effect in the
+  /// next `advance()`. Throws std::invalid_argument as `add` does, and for a fixed or unknown body.
   void place(ObjectId object, const BodyPlan& plan);
   /// Accelerates a moving body for the next step, besides gravity and contacts, and keeps it awake: metres a
   /// second squared. Throws std::invalid_argument for a fixed or unknown body.

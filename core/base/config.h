@@ -63,7 +63,7 @@ struct Config {
   bool leaf_boxes = true;     ///< with byte_sweep: in large worlds leaves have copies of their boxes
   bool exchange = true;       ///< with byte_sweep: new boxes are exchanged with the tree's, not copied, where
                               ///< objects only moved
-  bool dense = true;          ///< where boxes lie dense, bytes tell most pairs without a test of floats
+  bool dense = true;          ///< where boxes lie dense, bytes decide most pairs without a test of floats
 
   friend bool operator==(const Config&, const Config&) = default;
 };

@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// What another program calls an object: any whole number that 64 bits hold, with a sign or without one.
+/// Another program's name of an object: any whole number that 64 bits hold, with a sign or without one.
 struct GivenId {
   bool negative = false;
   std::uint64_t magnitude = 0;

@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-/// When a step was, as another program tells it: a number, or a date with a time of day
+/// When a step was, as another program writes it: a number, or a date with a time of day
 /// ("2024-05-01T12:00:00.016", in seconds since 1970). Nothing for anything else. As long as a number is
 /// whole, 64 bits of it count.
 std::optional<long double> parse_step_time(std::string_view text);

@@ -22,7 +22,7 @@ struct Id {
 
 /// An object of the scene. The caller chooses these numbers; small, dense ones cost least memory.
 using ObjectId = Id<struct ObjectTag>;
-/// A node of the tree. A dead node's number is used again; `NodeRef` tells the two lives apart.
+/// A node of the tree. A dead node's number is used again; `NodeRef` distinguishes the two lives.
 using NodeId = Id<struct NodeTag>;
 
 /// One life of a node: the number together with the generation that it had when it was named.

@@ -5,16 +5,22 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/tuning.h"
+
 namespace kerf {
 
-/// Gives a list memory for `count` elements and keeps its first ones. The room is an eighth and eight more
-/// than needed, so that elements can come and go without another allocation. A list with half as much again
-/// as that, as when objects have left for good, gives the excess back.
+/// The capacity of a list of `count` elements: some more, so that elements can come and go without another
+/// allocation.
+constexpr std::size_t list_room(std::size_t count) {
+  return count + count / tuning::kElementsPerSpare + tuning::kFewSpare;
+}
+
+/// Gives a list the room for `count` elements and keeps its first ones. A list with half as much again, as
+/// when objects have left for good, gives the excess back.
 template <class T>
 void make_list_room(std::vector<T>& list, std::size_t count) {
-  constexpr std::size_t kFew = 8;
-  const std::size_t room = count + count / 8 + kFew;
-  if (count <= list.capacity() && list.capacity() <= room + room / 2 + kFew) return;
+  const std::size_t room = list_room(count);
+  if (count <= list.capacity() && list.capacity() <= room + room / 2 + tuning::kFewSpare) return;
   std::vector<T> moved;
   moved.reserve(room);
   moved.insert(moved.end(), list.begin(),

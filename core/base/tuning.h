@@ -5,7 +5,7 @@
 
 namespace kerf::tuning {
 
-// The numbers of the fast policies that are no parameters of `Config`, each beside what it was measured on.
+// The numbers that are no parameters of `Config`, each beside what it was measured on.
 // This header lies at the bottom, since objects, kernels and tree use it as bsp does. "ns" are nanoseconds an
 // object and step; docs/notes and docs/SPEED.md have the tables. None of these numbers decides which pairs
 // are reported: a bad one costs time. Numbers that a format or an instruction set dictates stand where they
@@ -22,10 +22,10 @@ inline constexpr float kMostSkin = 1.0F / 8;
 /// than `kLateLeave` steps a thinner one. Settled, falling, and the scenes that hop, shake and drift.
 inline constexpr std::uint16_t kSoonLeave = 12;
 inline constexpr std::uint16_t kLateLeave = 200;
-/// Steps that an object stays in the fat box of a flight before it is wrapped anew: two look-ups in so many
-/// steps do not show in any scene.
+/// Steps that an object stays in the fat box of a flight before it gets a smaller one: two look-ups in so
+/// many steps do not show in any scene.
 inline constexpr std::uint32_t kRestSteps = 1024;
-/// Each time that an object leaves soon after it was wrapped doubles that wait, so many times at most.
+/// An object that leaves soon after it got the smaller one doubles that wait, so many times at most.
 inline constexpr std::uint8_t kMostWraps = 5;
 /// Steps from one look at an object that may rest to the next. Scene `pauses` (flies for 20 steps, rests for
 /// 40), 16,000 objects: 16.3 -> 8.7 ns in 2D, 24.2 -> 14.2 in 3D.
@@ -61,7 +61,7 @@ constexpr float many_fast(int dimension) { return dimension == 2 ? 0.4F : 0.15F;
 /// The cost of a step with kept pairs, over that of sweeping, above which keeping ends: an estimate needs
 /// room for its error.
 inline constexpr float kCostlyKeeping = 0.85F;
-/// The mean speed over size below which a step speaks for keeping, and below which the first step does.
+/// The mean speed over size below which a step counts for keeping, and below which the first step does.
 inline constexpr float kCoolSpeed = 0.01F;
 inline constexpr float kMildSpeed = 0.015F;
 /// Cool steps in a row that begin keeping: at first, after keeping has paid well, and at most. Each regret
@@ -98,14 +98,30 @@ inline constexpr std::ptrdiff_t kFewDropped = 16;
 /// copying all of them in each step was a tenth of it at 64,000 objects.
 inline constexpr std::size_t kRestingPerWrong = 8;
 
+// Operators: where a partitioner is sought, and how often.
+
+/// Candidates that look best on a sample and are judged by all objects. Not measured alone.
+inline constexpr std::size_t kConfirmed = 4;
+/// A node of so many samples takes the sample's offset; in smaller ones the best offset of all objects is
+/// sought. Attractors in 3D, 64,000 objects, together with cheaper departures: p99 105 -> 80 ns.
+inline constexpr std::size_t kManySamples = 32;
+/// Doublings of a refused leaf's wait, at first one scheduling interval. Where all objects coincide, a search
+/// in each interval costs more than the sweep.
+inline constexpr std::uint32_t kMostWaits = 4;
+/// When there are too many entries, nodes with the largest shares of straddlers are merged first; below this
+/// share all are. A heap in a fine tree, shed at once: 551 -> 41 ms a step.
+inline constexpr float kLeastStraddling = 1.0F / 64;
+/// Numbers from which on vectors sort. 256 ends: 8.8 us by std::sort, 1.2 by vectors.
+inline constexpr std::size_t kFewToSort = 32;
+
 // Placement.
 
 /// While pairs are kept, all objects are placed in one pass when so many times `stream_share` leave their fat
 /// boxes: leaves must then be swept anew, which need not be for a patch.
 inline constexpr float kStreamFactorIfKept = 4;
-/// Objects of a sample that tells whether most jump, and the sizes by which an object must have moved for
-/// that. Uniform in 2D with 64,000 objects takes 44 -> 36 ns when stayers are looked for first; in teleport,
-/// where most jump, that pass finds few.
+/// Objects of the sample that decides whether most jump, and how many of its sizes an object must have
+/// moved to count as jumping. Uniform in 2D with 64,000 objects takes 44 -> 36 ns when stayers are looked for
+/// first; in teleport, where most jump, that pass finds few.
 inline constexpr std::size_t kJumpSample = 64;
 inline constexpr float kJumpSizes = 6;
 /// Lists that are so many times too long give their memory back. Memory of falling in 3D, 64,000 objects.
@@ -121,15 +137,20 @@ inline constexpr std::size_t kObjectsPerLeaver = 32;
 
 // Memory and threads.
 
-/// Turns of a loop before its use at which a value that lies anywhere is asked for. Falling in 2D, 1,000,000
+/// Lists have room for one element more in so many, and for some more. Not measured alone.
+inline constexpr std::size_t kElementsPerSpare = 8;
+inline constexpr std::size_t kFewSpare = 8;
+/// The same for a leaf that keeps pairs, whose planes of bytes are all copied when it grows.
+inline constexpr std::size_t kEntriesPerSpare = 4;
+/// How many turns of a loop before its use a value at a random place is prefetched. Falling in 2D, 1,000,000
 /// objects: 60 -> 44 ns; twice as far ahead gains nothing more.
 inline constexpr std::size_t kPrefetchAhead = 32;
-/// What a core's own cache holds beside other things, in bytes. Asking ahead costs 2 to 4 % of a step at
+/// What a core's own cache holds beside other things, in bytes. Prefetching costs 2 to 4 % of a step at
 /// 4,250 and 16,000 objects and pays from 64,000 on.
 inline constexpr std::size_t kOwnCache = std::size_t{3} << 18U;
-/// What lies on as few pages as processors keep at hand (about 1,500 of 4 KB), with some to spare. Settled
-/// pile, 1,000,000 objects: gathered boxes take 53 -> 30 ns in 3D, 25 -> 16 in 2D; at 64,000 they gain
-/// nothing.
+/// The size of a table whose pages the processor's address cache holds (about 1,500 of 4 KB), with some to
+/// spare. Settled pile, 1,000,000 objects: gathered boxes take 53 -> 30 ns in 3D, 25 -> 16 in 2D; at 64,000
+/// they gain nothing.
 inline constexpr std::size_t kOwnPages = std::size_t{3} << 20U;
 /// The least length of a list that threads share, of copies or comparisons, and of walks down a tree. Falling
 /// in 2D, 64,000 objects, two threads: walks shared from 64 instead of 512 on, 16.7 -> 15.4 ns, together with
@@ -141,8 +162,27 @@ inline constexpr std::size_t kPiecesPerThread = 8;
 
 // The sweep by bytes.
 
+/// Sums or maxima side by side, each of which waits for its predecessor. Brownian, 4,250 objects: 51.1 ->
+/// 46.4 ns in 3D (AVX-512), with bytes that are made faster.
+inline constexpr std::size_t kChains = 4;
+/// Rows of findings that are confirmed in one go, and findings where rows are spread over a list: what fits
+/// into half of the first cache.
+inline constexpr std::size_t kConfirmRows = 512;
+inline constexpr std::size_t kConfirmListed = 1024;
 /// Sure pairs in a row of 64 entries above which they are separated from those that floats confirm. Scene
 /// dense: above some ten pairs an object it pays, in scenes with four it does not.
 inline constexpr float kSurePerRow = 7;
+
+// The grid of columns, with which ours is compared.
+
+/// Entries that begin within the length of a usual one, in a column: two vectors of AVX2 hold nearly all of
+/// them. 64,000 objects: 118 ns with 11 and 295 with 4 in 3D, 56 and 94 in 2D.
+inline constexpr double kFollowers = 8;
+/// The least cell, over the mean extent of an object.
+inline constexpr double kLeastColumn = 1.0;
+/// Entries of an object in the mean beyond which cells are made larger.
+inline constexpr std::size_t kEntriesInColumns = 6;
+/// Cells along an axis: their table must not outgrow the objects.
+constexpr std::uint32_t most_columns(int dimension) { return dimension == 2 ? 1U << 15U : 1U << 10U; }
 
 }  // namespace kerf::tuning

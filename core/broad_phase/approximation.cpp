@@ -53,12 +53,6 @@ std::string format(float value) {
 
 }  // namespace
 
-bool finds_all(const Approximation& how) { return how.period == 1 && !(how.grid > 0 && how.shrink); }
-
-bool invents_none(const Approximation& how) {
-  return how.filter || (how.period == 1 && how.margin == 0 && how.grid == 0);
-}
-
 void check(const Approximation& how) {
   if (how.period < 1 || how.period > kLongestPeriod)
     throw std::invalid_argument("parameter period: from 1 to 1000000 steps are possible");

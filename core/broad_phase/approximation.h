@@ -29,11 +29,6 @@ struct Approximation {
   friend bool operator==(const Approximation&, const Approximation&) = default;
 };
 
-/// Whether no pair can be missed, whatever the boxes do.
-bool finds_all(const Approximation& how);
-/// Whether every reported pair is a true one.
-bool invents_none(const Approximation& how);
-
 /// Throws std::invalid_argument, naming the parameter and its range, when a value cannot work.
 void check(const Approximation& how);
 

@@ -4,17 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/tuning.h"
+
 namespace kerf {
-namespace {
-
-/// Entries that begin within the length of a usual one, in a column: two vectors of AVX2 hold nearly all of
-/// them.
-constexpr double kFollowers = 8;
-constexpr double kSmallest = 1.0;        ///< cell over the mean extent
-constexpr std::size_t kMostEntries = 6;  ///< per object, in the mean; beyond it cells are made larger
-
-}  // namespace
-
 template <int D>
 void Columns<D>::measure() {
   Box<D> begins = Box<D>::empty();
@@ -37,11 +29,11 @@ void Columns<D>::measure() {
 /// Cells of `size` mean extents, where the scene is wide enough for that.
 template <int D>
 void Columns<D>::lay_out(double size) {
-  const std::uint32_t most = D == 2 ? 1U << 15U : 1U << 10U;
   for (std::size_t k = 0; k < kAcross; ++k) {
     const auto axis = static_cast<std::size_t>(grid_.axes[k + 1]);
     const double length = high_[axis] - low_[axis];
-    const double cells = std::clamp(length / (size * extent_[axis]), 1.0, static_cast<double>(most));
+    const double cells =
+        std::clamp(length / (size * extent_[axis]), 1.0, static_cast<double>(tuning::most_columns(D)));
     // A length of 0 gives NaN; such a scene has one cell.
     const std::uint32_t count = length > 0 ? static_cast<std::uint32_t>(cells) : 1;
     grid_.across[k] = AxisCells(static_cast<Scalar>(low_[axis]), static_cast<Scalar>(high_[axis]), count);
@@ -87,7 +79,7 @@ std::size_t Columns<D>::count_entries() {
     std::size_t count = 1;
     for (std::size_t k = 0; k < kAcross; ++k) count *= reach.last[k] - std::size_t{reach.first[k]} + 1;
     entries += count;
-    if (entries > kMostEntries * this->placed().size() && columns > 1) return entries;
+    if (entries > tuning::kEntriesInColumns * this->placed().size() && columns > 1) return entries;
     for_each_column(reach, [this](std::size_t column, std::uint32_t) { ++ends_[column]; });
   }
   return entries;
@@ -155,9 +147,10 @@ void Columns<D>::find_pairs(PairList& pairs) {
     volume *= relative;
   }
   for (std::size_t k = 0; k < D; ++k) grid_.axes[k] = static_cast<int>((longest + k) % D);
-  lengths = std::pow(kFollowers * volume / static_cast<double>(this->placed().size()), 1.0 / kAcross) - 1;
-  double size = std::max(kSmallest, lengths);
-  for (lay_out(size); count_entries() > kMostEntries * this->placed().size() && ends_.size() > 1;
+  lengths =
+      std::pow(tuning::kFollowers * volume / static_cast<double>(this->placed().size()), 1.0 / kAcross) - 1;
+  double size = std::max(tuning::kLeastColumn, lengths);
+  for (lay_out(size); count_entries() > tuning::kEntriesInColumns * this->placed().size() && ends_.size() > 1;
        lay_out(size))
     size *= 2;
   sort_objects();

@@ -5,7 +5,7 @@
 namespace kerf {
 namespace {
 
-constexpr unsigned kBits = 11;
+constexpr unsigned kBits = 11;  // three passes take all 32 bits
 constexpr std::size_t kBuckets = std::size_t{1} << kBits;
 constexpr std::size_t kPasses = 3;
 

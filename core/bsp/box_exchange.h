@@ -11,9 +11,8 @@ namespace kerf {
 
 /// A step in which all objects moved need not copy the latest boxes into the tree's table: the two tables
 /// exchange their boxes. From then on, until the next requests, the tree's table has the latest boxes, and
-/// the other one those of the step before. Mostly the same objects move again and overwrite them. Only boxes
-/// are exchanged: which objects are there, in quarantine or fixed can be read from either table all the
-/// while.
+/// the other one those of the step before. Mostly the same objects move again and overwrite them. Only
+/// boxes are exchanged: either table always shows which objects are present, in quarantine or fixed.
 template <int D>
 class BoxExchange {
  public:

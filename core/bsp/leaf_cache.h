@@ -7,9 +7,9 @@
 
 namespace kerf {
 
-/// Values derived from the leaves of a tree, by node. Each cache remembers of which life of a node and of
-/// which version of its entries a value is, so that several caches can follow one tree and none of them hides
-/// a change from another. Different leaves can be read and written at the same time.
+/// Values derived from the leaves of a tree, by node. Each cache remembers the node's life and the
+/// version of its entries that a value belongs to, so that several caches can follow one tree and none of
+/// them hides a change from another. Different leaves can be read and written at the same time.
 template <int D, class Value>
 class LeafCache {
  public:

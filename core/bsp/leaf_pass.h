@@ -24,15 +24,15 @@ struct LeafScratch {
 };
 
 /// One visit to each leaf of a tree. Leaves are the unit of parallel work (DESIGN.md, "Fast"): threads take
-/// runs of them, and their pairs are joined in the order of the leaves, so that the number of threads shows
-/// in nothing but the time.
+/// runs of them, and their pairs are joined in the order of the leaves, so that the number of threads
+/// affects only the time.
 template <int D>
 class LeafPass {
  public:
-  /// Appends the pairs of the leaf to the buffer. It may change the leaf, but nothing that others see.
+  /// Appends the pairs of the leaf to the buffer. It may change that leaf and nothing shared.
   using Work = std::function<void(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs)>;
 
-  /// `dense`: bytes may tell pairs without a test of floats.
+  /// `dense`: bytes may decide pairs without a test of floats.
   void run(const Tree<D>& tree, TaskPool& pool, bool dense, const Work& work, PairBuffer& pairs);
 
  private:
@@ -41,7 +41,7 @@ class LeafPass {
 
   std::vector<NodeId> leaves_;
   std::vector<Slice> runs_;        ///< of leaves, by piece
-  std::vector<PairBuffer> found_;  ///< by piece, of pieces whose place among all pairs was not known yet
+  std::vector<PairBuffer> found_;  ///< by piece, until its place among all pairs is known
   std::vector<LeafScratch<D>> scratch_;
 };
 

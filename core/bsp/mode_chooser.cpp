@@ -57,7 +57,7 @@ void ModeChooser::forget() {
   steps_ = against_ = patience_ = 0;
 }
 
-/// A few steps must speak for sweeping, and in the beginning for more, while skins learn how thick they must
+/// A few steps must count for sweeping, and in the beginning for more, while skins learn how thick they must
 /// be.
 void ModeChooser::count_leaving(const Leaving& leaving) {
   ++steps_;
@@ -73,7 +73,7 @@ void ModeChooser::count_motions(const Motions& motions) {
   against_ = some_rest && motions.speed < tuning::kCoolSpeed ? against_ + 1 : 0;
 }
 
-/// Whether skins would last, as far as one step can tell.
+/// Whether skins would last, as far as one step shows.
 bool ModeChooser::are_mild(const Motions& motions) const {
   return motions.fast < tuning::many_fast(dimension_) && motions.speed < tuning::kMildSpeed;
 }

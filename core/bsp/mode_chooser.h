@@ -59,7 +59,7 @@ class ModeChooser {
   bool regrets_ = false;        ///< keeping was too costly in the last step
   bool crowded_ = false;        ///< the last regret was for restless objects, and they are still many
   std::uint32_t steps_ = 0;     ///< decided since the mode changed
-  std::uint32_t against_ = 0;   ///< steps in a row that speak for a change
+  std::uint32_t against_ = 0;   ///< steps in a row that count for a change
   std::uint32_t patience_ = 0;  ///< how many of them it takes to keep pairs; 0: no speed was known yet
 };
 

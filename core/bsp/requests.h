@@ -13,8 +13,8 @@
 
 namespace kerf {
 
-/// What the caller said since the last step: the latest boxes, and the list of changed objects, of which the
-/// tree's table may differ. An object is listed once, whatever is said of it.
+/// The caller's requests since the last step: the latest boxes, and the list of changed objects, for
+/// which the tree's table may differ. An object is listed once, however many requests name it.
 template <int D>
 class Requests {
  public:

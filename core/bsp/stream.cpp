@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/list_room.h"
 #include "core/base/tuning.h"
 #include "core/kernels/divide_list.h"
 #include "core/kernels/prefetch.h"
@@ -41,7 +42,7 @@ void with_intervals(const Tree<D>& tree, const Objects& objects, std::uint32_t d
 
 void make_room(StreamBuffer& buffer, std::size_t size) {
   if (size <= buffer.places.size()) return;
-  const std::size_t room = size + size / 8;
+  const std::size_t room = list_room(size);
   buffer.places.reserve(room);  // no more than that
   buffer.straddle.reserve(room);
   buffer.places.resize(room);

@@ -12,8 +12,8 @@ namespace kerf {
 enum class Replace { nothing, earlier };
 constexpr Replace replace_if(bool earlier) { return earlier ? Replace::earlier : Replace::nothing; }
 
-/// Whether a new file is on the disk before it gets its name. Who makes many small files that can be made
-/// again may let that wait and call `sync_file_system` once.
+/// Whether a new file is on the disk before it gets its name. A program that makes many small files that
+/// can be made again may skip that and call `sync_file_system` once.
 enum class Sync { now, later };
 
 /// A file that is built beside the one that it will be, under a fresh name ("a.kerf.1b2c...part"), and gets

@@ -6,31 +6,23 @@
 #include <string>
 
 #include "core/base/random.h"
+#include "core/geometry/precise.h"
 
 namespace kerf {
 namespace {
 
 // Everything here is +, -, *, / and sqrt on doubles: correctly rounded operations, so every machine agrees.
-template <int D>
-using Point = std::array<double, D>;
 
 template <int D>
-double inner(const Point<D>& a, const Point<D>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < D; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-template <int D>
-void normalize(Point<D>& p) {
+void normalize(Precise<D>& p) {
   const double norm = std::sqrt(inner<D>(p, p));
   for (double& x : p) x /= norm;
 }
 
 template <int D>
-Point<D> random_direction(Random& random) {
+Precise<D> random_direction(Random& random) {
   while (true) {
-    Point<D> p;
+    Precise<D> p;
     for (double& x : p) x = random.uniform(-1, 1);
     const double norm2 = inner<D>(p, p);
     if (norm2 > 1 || norm2 < 1e-4) continue;
@@ -42,26 +34,26 @@ Point<D> random_direction(Random& random) {
 /// |cosine| of the angle to the nearest of `points`, taken as lines: 1 on top of one, 0 at right angles to
 /// all.
 template <int D>
-double nearness(const Point<D>& p, std::span<const Point<D>> points) {
+double nearness(const Precise<D>& p, std::span<const Precise<D>> points) {
   double nearest = 0;
-  for (const Point<D>& q : points) nearest = std::max(nearest, std::abs(inner<D>(p, q)));
+  for (const Precise<D>& q : points) nearest = std::max(nearest, std::abs(inner<D>(p, q)));
   return nearest;
 }
 
 /// The axes, then repeatedly the candidate farthest from all points so far: an even start for the repulsion.
 template <int D>
-std::vector<Point<D>> scatter(std::uint32_t size, Random& random) {
+std::vector<Precise<D>> scatter(std::uint32_t size, Random& random) {
   constexpr int kTries = 16;
-  std::vector<Point<D>> points;
+  std::vector<Precise<D>> points;
   for (std::size_t i = 0; i < D; ++i) {
     points.push_back({});
     points.back()[i] = 1;
   }
   while (points.size() < size) {
-    Point<D> best = random_direction<D>(random);
+    Precise<D> best = random_direction<D>(random);
     double best_nearness = nearness<D>(best, points);
     for (int i = 1; i < kTries; ++i) {
-      const Point<D> candidate = random_direction<D>(random);
+      const Precise<D> candidate = random_direction<D>(random);
       const double near = nearness<D>(candidate, points);
       if (near < best_nearness) {
         best = candidate;
@@ -76,9 +68,9 @@ std::vector<Point<D>> scatter(std::uint32_t size, Random& random) {
 /// Adds to `force` the push that a line through q gives a point p of the sphere: from q and from -q, each
 /// with the inverse square of its distance.
 template <int D>
-void add_push(const Point<D>& p, const Point<D>& q, Point<D>& force) {
+void add_push(const Precise<D>& p, const Precise<D>& q, Precise<D>& force) {
   for (const double sign : {1.0, -1.0}) {
-    Point<D> away;
+    Precise<D> away;
     for (std::size_t i = 0; i < D; ++i) away[i] = p[i] - sign * q[i];
     const double distance2 = std::max(inner<D>(away, away), 1e-12);
     const double scale = 1 / (distance2 * std::sqrt(distance2));
@@ -88,10 +80,10 @@ void add_push(const Point<D>& p, const Point<D>& q, Point<D>& force) {
 
 /// One round of repulsion. Only the axes are fixed; no point moves farther than `reach`.
 template <int D>
-void repel(std::vector<Point<D>>& points, double reach) {
-  const std::vector<Point<D>> before = points;
+void repel(std::vector<Precise<D>>& points, double reach) {
+  const std::vector<Precise<D>> before = points;
   for (std::size_t k = D; k < points.size(); ++k) {
-    Point<D> force{};
+    Precise<D> force{};
     for (std::size_t j = 0; j < before.size(); ++j)
       if (j != k) add_push<D>(before[k], before[j], force);
     const double radial = inner<D>(force, before[k]);
@@ -106,7 +98,7 @@ void repel(std::vector<Point<D>>& points, double reach) {
 
 /// Orders the directions behind the axes: next comes always the one farthest from all before it.
 template <int D>
-void order_by_loneliness(std::vector<Point<D>>& points) {
+void order_by_loneliness(std::vector<Precise<D>>& points) {
   std::vector<double> near(points.size(), 0);
   std::size_t done = 0;
   const auto settle = [&] {
@@ -133,7 +125,7 @@ bool can_divide(const Vector<D>& direction) {
 
 /// The float direction, turned into the hemisphere where the last component that is not 0 is positive.
 template <int D>
-Vector<D> to_hemisphere(const Point<D>& p) {
+Vector<D> to_hemisphere(const Precise<D>& p) {
   Vector<D> v;
   for (int i = 0; i < D; ++i) v[i] = static_cast<Scalar>(p[static_cast<std::size_t>(i)]);
   int last = D - 1;
@@ -150,12 +142,12 @@ DirectionSet<D>::DirectionSet(std::uint32_t size, std::uint64_t seed) {
                                 std::to_string(D) + " and 4096");
   constexpr int kRounds = 40;
   Random random(seed);
-  std::vector<Point<D>> points = scatter<D>(size, random);
+  std::vector<Precise<D>> points = scatter<D>(size, random);
   const double spacing = D == 2 ? 3.0 / size : 2.5 / std::sqrt(static_cast<double>(size));
   for (int round = 0; round < kRounds; ++round)
     repel<D>(points, spacing * static_cast<double>(kRounds - round) / kRounds);
   order_by_loneliness<D>(points);
-  for (const Point<D>& p : points) directions_.push_back(to_hemisphere<D>(p));
+  for (const Precise<D>& p : points) directions_.push_back(to_hemisphere<D>(p));
 }
 
 template <int D>

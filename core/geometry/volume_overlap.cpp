@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/geometry/precise.h"
 #include "core/geometry/volume.h"
 
 namespace kerf {
@@ -8,23 +9,6 @@ namespace {
 // All of this is in double on float input: products of two floats are exact, and the few sums lose far less
 // than the slack that every test grants. A test may only err towards "overlap".
 constexpr double kRoundingSlack = 0x1p-44;
-
-template <int D>
-using Point = std::array<double, D>;
-
-template <int D>
-Point<D> load(const Scalar* p) {
-  Point<D> q;
-  for (std::size_t i = 0; i < D; ++i) q[i] = static_cast<double>(p[i]);
-  return q;
-}
-
-template <int D>
-double inner(const Point<D>& a, const Point<D>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < D; ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 template <int D>
 bool spheres_overlap(const Scalar* a, const Scalar* b) {
@@ -39,17 +23,17 @@ bool spheres_overlap(const Scalar* a, const Scalar* b) {
 
 template <int D>
 struct OrientedBox {
-  explicit OrientedBox(const Scalar* p) : center(load<D>(p)), half(load<D>(p + D + D * D)) {
-    for (std::size_t k = 0; k < D; ++k) axes[k] = load<D>(p + D + static_cast<int>(k) * D);
+  explicit OrientedBox(const Scalar* p) : center(to_precise<D>(p)), half(to_precise<D>(p + D + D * D)) {
+    for (std::size_t k = 0; k < D; ++k) axes[k] = to_precise<D>(p + D + static_cast<int>(k) * D);
   }
-  Point<D> center;
-  std::array<Point<D>, D> axes;
-  Point<D> half;
+  Precise<D> center;
+  std::array<Precise<D>, D> axes;
+  Precise<D> half;
 };
 
 /// Half the length of the projection of the box on an axis that need not have length one.
 template <int D>
-double reach(const OrientedBox<D>& box, const Point<D>& axis) {
+double reach(const OrientedBox<D>& box, const Precise<D>& axis) {
   double sum = 0;
   for (std::size_t k = 0; k < D; ++k) sum += box.half[k] * std::abs(inner<D>(box.axes[k], axis));
   return sum;
@@ -57,22 +41,22 @@ double reach(const OrientedBox<D>& box, const Point<D>& axis) {
 
 /// True only if the axis separates by more than all roundings together. `size` bounds every length involved.
 template <int D>
-bool separates(const Point<D>& axis, const OrientedBox<D>& a, const OrientedBox<D>& b, const Point<D>& apart,
-               double size) {
+bool separates(const Precise<D>& axis, const OrientedBox<D>& a, const OrientedBox<D>& b,
+               const Precise<D>& apart, double size) {
   double axis_size = 0;
   for (const double x : axis) axis_size += std::abs(x);
   const double gap = std::abs(inner<D>(axis, apart)) - (reach<D>(a, axis) + reach<D>(b, axis));
   return gap > kRoundingSlack * axis_size * size;
 }
 
-bool edges_separate(const OrientedBox<2>&, const OrientedBox<2>&, const Point<2>&, double) { return false; }
+bool edges_separate(const OrientedBox<2>&, const OrientedBox<2>&, const Precise<2>&, double) { return false; }
 
-bool edges_separate(const OrientedBox<3>& a, const OrientedBox<3>& b, const Point<3>& apart, double size) {
-  for (const Point<3>& u : a.axes) {
-    for (const Point<3>& v : b.axes) {
+bool edges_separate(const OrientedBox<3>& a, const OrientedBox<3>& b, const Precise<3>& apart, double size) {
+  for (const Precise<3>& u : a.axes) {
+    for (const Precise<3>& v : b.axes) {
       // Each component is the difference of two exact products, so it is right however nearly parallel the
       // edges are.
-      const Point<3> axis{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+      const Precise<3> axis{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
       if (separates<3>(axis, a, b, apart, size)) return true;
     }
   }
@@ -84,15 +68,15 @@ template <int D>
 bool oriented_boxes_overlap(const Scalar* pa, const Scalar* pb) {
   const OrientedBox<D> a(pa);
   const OrientedBox<D> b(pb);
-  Point<D> apart;
+  Precise<D> apart;
   double size = 0;
   for (std::size_t i = 0; i < D; ++i) {
     apart[i] = b.center[i] - a.center[i];
     size += std::abs(apart[i]) + a.half[i] + b.half[i];
   }
-  for (const Point<D>& axis : a.axes)
+  for (const Precise<D>& axis : a.axes)
     if (separates<D>(axis, a, b, apart, size)) return false;
-  for (const Point<D>& axis : b.axes)
+  for (const Precise<D>& axis : b.axes)
     if (separates<D>(axis, a, b, apart, size)) return false;
   return !edges_separate(a, b, apart, size);
 }

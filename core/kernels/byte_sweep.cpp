@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// Whether so much is found that it pays to tell apart what bytes alone make sure of: if boxes of such a mean
+/// Whether so much is found that it pays to separate what bytes alone prove: if boxes of such a mean
 /// length along each axis, in bytes, lay anywhere, more than a few in a row of 64.
 template <std::size_t D>
 HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, std::size_t axis) {

@@ -13,6 +13,7 @@
 #include <cfloat>
 #include <cstdint>
 
+#include "core/base/tuning.h"
 #include "core/kernels/leaf_view.h"
 #include "core/kernels/packed-inl.h"
 
@@ -43,8 +44,7 @@ struct ByteMap {
   }
 };
 
-/// The number of independent sums or maxima: each waits for its predecessor.
-inline constexpr std::size_t kChains = 4;
+using tuning::kChains;
 
 /// Calls `work(i, chain)` for each i below n, in order.
 template <class Work>

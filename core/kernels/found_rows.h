@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/base/tuning.h"
+
 namespace kerf {
 
 /// Of 64 entries: bit k says that entry j + k overlaps entry i as far as bytes show.
@@ -13,10 +15,8 @@ struct FoundRow {
   std::uint32_t j;
 };
 
-/// Rows confirmed in one go, where rows are walked.
-inline constexpr std::size_t kConfirmRows = 512;
-/// Findings confirmed in one go, where each row is spread over a list at once.
-inline constexpr std::size_t kConfirmListed = 1024;
+using tuning::kConfirmListed;  ///< findings, where each row is spread over a list at once
+using tuning::kConfirmRows;    ///< rows, where rows are walked
 
 /// Room for findings that are not confirmed yet.
 struct Findings {

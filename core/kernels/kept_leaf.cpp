@@ -220,7 +220,7 @@ HWY_EXPORT(filter_3);
 template <int D>
 void make_room(KeptLeaf<D>& leaf, std::size_t n) {
   if (n + kPad <= leaf.stride) return;
-  const std::size_t stride = n + n / 4 + kPad;
+  const std::size_t stride = n + n / tuning::kEntriesPerSpare + kPad;
   std::vector<std::uint8_t> planes(stride * 2 * D);
   for (std::size_t k = 0; k < std::size_t{2} * D; ++k)
     std::copy_n(leaf.plane(k), leaf.objects.size(), planes.data() + k * stride);

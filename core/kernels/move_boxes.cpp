@@ -66,7 +66,7 @@ HWY_INLINE void mute(ObjectFlags flags, Packed<D>& asks) {
 }
 
 /// Takes the boxes of the block of neighbours that begins at the k-th request, if their answers are alike:
-/// with fat boxes no object is reported as changed, without them all are. One branch tells. `Unrequested`:
+/// with fat boxes no object is reported as changed, without them all are. One branch decides. `Unrequested`:
 /// some objects may have that flag.
 template <bool Fat, bool Unrequested, int D>
 HWY_INLINE bool take_alike(const MoveRequest<D>& request, std::size_t k, MoveAnswer& answer) {

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 
+#include "core/base/tuning.h"
+
 namespace kerf {
 
 void sort_scalars(std::span<Scalar> scalars) {
-  constexpr std::size_t kFewForVectors = 32;
   for (Scalar& scalar : scalars) scalar += 0.0F;
   if (std::ranges::is_sorted(scalars)) return;
-  if (scalars.size() <= kFewForVectors) {
+  if (scalars.size() <= tuning::kFewToSort) {
     std::ranges::sort(scalars);
     return;
   }

@@ -11,11 +11,11 @@
 
 namespace kerf {
 
-/// A broad phase: it holds boxes and reports which of them overlap.
+/// A broad phase takes boxes and reports which of them overlap.
 ///
 /// Requests take effect at once or in the next `step()`; the pairs of `step()` always agree with the last
-/// box given for each object. The caller chooses the ids, which should be small: see kFreeIds. There is no
-/// way to change a box behind its back.
+/// box given for each object. The caller chooses the ids, which should be small: see kFreeIds. A box
+/// changes only by a request.
 template <int D>
 class BroadPhase {
  public:

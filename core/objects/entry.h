@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// Bits per ancestor: bit k speaks of the ancestor at depth k. The root has depth 0.
+/// Bits per ancestor: bit k stands for the ancestor at depth k. The root has depth 0.
 using DepthMask = std::uint64_t;
 inline constexpr std::uint32_t kMaxHeight = 63;
 

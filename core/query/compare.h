@@ -30,7 +30,7 @@ struct EventDifference {
   friend bool operator==(const EventDifference&, const EventDifference&) = default;
 };
 
-/// The first step of which two other engines, of whom the recordings are, told different pairs.
+/// The first step in which the pairs that two imports' engines reported differ.
 struct TheirDifference {
   std::uint32_t step = 0;
   std::vector<std::string>
@@ -38,7 +38,7 @@ struct TheirDifference {
   std::vector<std::string> only_b;
 };
 
-/// Where two recordings first differ. Steps that only one of them has do not count; `steps` tells of them.
+/// Where two recordings first differ. Steps that only one of them has do not count; `steps` has their number.
 struct RecordingComparison {
   RecordingSummary a;
   RecordingSummary b;

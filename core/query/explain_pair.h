@@ -21,7 +21,8 @@ struct HalfSpaceTest {
   Sides b_sides;
 };
 
-/// Why two objects are a pair at the end of a step, or why not.
+/// Why two objects are a pair at the end of a step, or why not. It has many fields, since it is a record of
+/// all that the explanation says.
 template <int D>
 struct PairExplanation {
   std::uint32_t step = 0;

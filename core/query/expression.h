@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-/// What an expression can ask for by name. Those up to `ignored` are known at the end of each step, the
+/// The values that an expression can name. Those up to `ignored` are known at the end of each step, the
 /// others belong to an event.
 enum class Variable : std::uint8_t {
   step,

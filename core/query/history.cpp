@@ -5,9 +5,9 @@
 namespace kerf {
 namespace {
 
-/// Makes the calls of a step for one of two objects.
+/// Makes the calls of a step for one of two objects, and returns whether there was one.
 template <int D>
-bool follow(const StepRequests<D>& requests, const Pair& pair, ObjectTable<D>& table) {
+bool apply_those_of(const StepRequests<D>& requests, const Pair& pair, ObjectTable<D>& table) {
   bool changed = false;
   for_each_request(requests, table.kind(), [&](const ObjectRequest<D>& request) {
     if (request.object != pair.a && request.object != pair.b) return;
@@ -25,7 +25,7 @@ std::vector<PairChange> pair_history(RecordingReader<D>& recording, const Pair& 
   ObjectTable<D> table(recording.info().volume);
   bool was = false;
   for (std::uint32_t step = 1; step <= up_to; ++step) {
-    if (!follow(recording.step(step).requests, pair, table)) continue;
+    if (!apply_those_of(recording.step(step).requests, pair, table)) continue;
     const bool is = table.is_placed(pair.a) && table.is_placed(pair.b) && table.is_pair(pair.a, pair.b) &&
                     (!recording.info().imported || overlap_as_given(recording, step, table, pair));
     if (is != was) history.push_back({step, is});

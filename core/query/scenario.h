@@ -15,7 +15,7 @@ struct ScenarioStep {
   StepRequests<D> requests;
   Config config;
   std::string name;                         ///< what the other engine calls it, see GivenNames
-  std::optional<std::vector<Pair>> theirs;  ///< somebody else's pairs, if they are known
+  std::optional<std::vector<Pair>> theirs;  ///< another engine's pairs, if they are known
   TheirChanges<D> changes;                  ///< what else they are judged by
 };
 

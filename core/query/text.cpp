@@ -13,7 +13,7 @@ std::string number_text(double x, int digits) {
 }
 
 int digits_apart(std::initializer_list<double> numbers) {
-  constexpr int kMost = 17;  // these tell any two doubles apart
+  constexpr int kMost = 17;  // these distinguish any two doubles
   const auto look_alike = [&](int digits) {
     for (const double x : numbers)
       for (const double y : numbers)

@@ -13,7 +13,7 @@ namespace kerf {
 inline constexpr int kDigits = 6;
 /// A number with up to so many digits, as printf's %g.
 std::string number_text(double x, int digits = kDigits);
-/// How many digits, six at least, it takes that numbers which differ look different.
+/// How many digits, six at least, make numbers that differ look different.
 int digits_apart(std::initializer_list<double> numbers);
 /// "n17"
 std::string node_text(NodeId node);
@@ -24,7 +24,7 @@ std::string interval_text(const Interval& interval, int digits = kDigits);
 /// "x [0, 1]  y [2, 3]"
 template <int D>
 std::string box_text(const Box<D>& box);
-/// With as many digits as tell its bounds and those of another box apart.
+/// With as many digits as distinguish its bounds from those of another box.
 template <int D>
 std::string box_text(const GivenBox<D>& box, const GivenBox<D>& beside);
 /// "0.6 x + 0.8 y = 3.5"

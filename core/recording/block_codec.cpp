@@ -97,7 +97,7 @@ std::uint64_t get_volumes(Columns& columns, VolumeKind kind, const NumberRoom& r
     const std::size_t count = stored_channels<D>(call.kind, kind);
     for (std::uint32_t k = 0; k < call.count; ++k) {
       last += static_cast<std::uint32_t>(unzigzag(columns.objects.number()));
-      if (!room.has({last})) fail_damaged("it speaks of an object " + std::to_string(last));
+      if (!room.has({last})) fail_damaged("it names an object " + std::to_string(last));
       requests.objects.push_back({last});
       for (std::size_t channel = 0; channel < count; ++channel)
         lengths[channel] = columns.lengths[channel].choice(kLengths);
@@ -142,8 +142,7 @@ std::uint64_t BlockEncoder<D>::add_volumes(const StepRequests<D>& requests) {
       if (!room_.has(object))
         throw std::runtime_error(
             "object " + std::to_string(object.value) +
-            " cannot be recorded: its number is far above how many objects there are; number "
-            "them from 0 up");
+            " cannot be recorded: its number is far above how many objects there are; number them from 0 up");
       objects_.varint(zigzag(static_cast<std::int32_t>(object.value - last)));
       last = object.value;
       put_box<D>(requests.boxes[k], values);

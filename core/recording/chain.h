@@ -14,7 +14,7 @@ namespace kerf {
 std::uint64_t hash_words(std::span<const std::uint64_t> words, std::uint64_t seed);
 std::uint64_t hash_bytes(std::span<const std::uint8_t> bytes, std::uint64_t seed);
 
-/// Makes every change of a recording seen. A step's link is a hash of its row, of the link before, and of the
+/// Shows every change of a recording. A step's link is a hash of its row, of the link before, and of the
 /// seals of what was written with the step before. A seal is a hash of such a block, keyframe or rows of
 /// another engine, and of the link of its step. The first link goes on from a hash of what the recording says
 /// of itself; the end of the chain is kept beside `complete`. There is no secret in it: it
@@ -25,7 +25,7 @@ class Chain {
 
   explicit Chain(std::uint64_t head) : link_(head) {}
 
-  /// The link of the next step: of all that its row says but the link itself.
+  /// The link of the next step: of everything in its row but the link itself.
   std::uint64_t add(const StepRow& row);
   /// What the last step was written with; one of each part at most.
   void add(Part part, std::uint64_t seal) { seals_[static_cast<std::size_t>(part)] = seal; }

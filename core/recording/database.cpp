@@ -275,9 +275,8 @@ void Database::close() {
   const int result = sqlite3_exec(database_.get(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
   if (result != SQLITE_OK && result != SQLITE_BUSY) fail(database_.get());
   if (result == SQLITE_BUSY && ask("PRAGMA wal_checkpoint(TRUNCATE)") != 0)
-    throw std::runtime_error(
-        std::string(sqlite3_db_filename(database_.get(), "main")) +
-        ": somebody reads it and does not come to an end; it needs its log, which ends with -wal");
+    throw std::runtime_error(std::string(sqlite3_db_filename(database_.get(), "main")) +
+                             ": another process keeps reading it; it needs its log, which ends with -wal");
   database_.reset();
   lock_.reset();
 }

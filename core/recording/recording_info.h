@@ -27,9 +27,9 @@ struct RecordingInfo {
   VolumeKind volume = VolumeKind::box;
   Config config;                      ///< of the first step, and until it changes
   std::vector<ConfigChange> changes;  ///< by step
-  std::vector<Decision> decisions;    ///< what somebody decided instead of Algorithm 1
+  std::vector<Decision> decisions;    ///< what was decided instead of Algorithm 1
   std::string scene;                  ///< name in the catalogue; of an import the file that it came from
-  bool imported = false;              ///< the boxes come from somebody else's engine
+  bool imported = false;              ///< the boxes come from another engine
   GivenNames names;                   ///< what that engine calls objects and steps
   PairDesign design;                  ///< what it does by design
   std::uint64_t seed = 1;             ///< of the scene

@@ -62,7 +62,7 @@ template <int D>
 RecordingReader<D>::RecordingReader(const std::filesystem::path& path) : RecordingReader(path, AsItIs{}) {
   if (change_)
     throw std::runtime_error(path.string() + " was changed after it was recorded: " + change_->what +
-                             ", is not what was written; `kerf verify` tells more");
+                             ", is not what was written; `kerf verify` says more");
 }
 
 template <int D>

@@ -39,7 +39,7 @@ struct JudgedPair {
 /// The pairs of a step in figures.
 struct TheirStep {
   std::uint64_t pairs = 0;    ///< as they told them
-  std::uint64_t missed = 0;   ///< overlaps that they did not tell
+  std::uint64_t missed = 0;   ///< overlaps that they did not report
   std::uint64_t extra = 0;    ///< told, but no overlap
   std::uint64_t twice = 0;    ///< told again
   std::uint64_t ignored = 0;  ///< neither missed nor extra, by what they do by design

@@ -6,27 +6,11 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/geometry/precise.h"
 #include "core/geometry/slabs.h"
 
 namespace kerf {
 namespace {
-
-template <int D>
-using Point = std::array<double, D>;
-
-template <int D>
-double inner(const Point<D>& a, const Point<D>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < D; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-template <int D>
-Point<D> widened(const Vector<D>& v) {
-  Point<D> p;
-  for (int i = 0; i < D; ++i) p[static_cast<std::size_t>(i)] = static_cast<double>(v[i]);
-  return p;
-}
 
 /// The nearest finite float: rounding may carry a value at the end of the range beyond it.
 Scalar nearest_finite(double x) {
@@ -49,13 +33,13 @@ class PosedShape {
     std::visit([this](const auto& s) { this->take(s); }, shape);
   }
 
-  [[nodiscard]] Extent extent(const Point<D>& direction) const {
+  [[nodiscard]] Extent extent(const Precise<D>& direction) const {
     const double length = std::sqrt(inner<D>(direction, direction));
     const double middle = inner<D>(direction, pose_.position);
-    Point<D> local;  // the direction in the body's frame
+    Precise<D> local;  // the direction in the body's frame
     for (std::size_t k = 0; k < D; ++k) local[k] = inner<D>(direction, pose_.axes[k]);
     Extent along = corners_.empty() ? Extent{} : Extent{kInfinity, -kInfinity};
-    for (const Point<D>& corner : corners_) {
+    for (const Precise<D>& corner : corners_) {
       const double at = inner<D>(local, corner);
       along = {std::min(along.lo, at), std::max(along.hi, at)};
     }
@@ -70,7 +54,7 @@ class PosedShape {
   /// Radius around the body's origin that holds the shape.
   [[nodiscard]] double radius() const {
     double far2 = inner<D>(half_, half_);
-    for (const Point<D>& corner : corners_) far2 = std::max(far2, inner<D>(corner, corner));
+    for (const Precise<D>& corner : corners_) far2 = std::max(far2, inner<D>(corner, corner));
     return (std::sqrt(far2) + radius_ + margin_) * (1 + 0x1p-46);
   }
 
@@ -78,20 +62,20 @@ class PosedShape {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   void take(const Ball& ball) { radius_ = static_cast<double>(ball.radius); }
-  void take(const Brick<D>& brick) { half_ = widened<D>(brick.half); }
+  void take(const Brick<D>& brick) { half_ = to_precise<D>(brick.half); }
   void take(const Outline& outline) {
-    for (const Vector<2>& corner : outline.corners) corners_.push_back(widened(corner));
+    for (const Vector<2>& corner : outline.corners) corners_.push_back(to_precise(corner));
   }
   template <class Mesh>
   void take(const std::shared_ptr<Mesh>& surface) {
-    for (const Vector<3>& vertex : surface->vertices) corners_.push_back(widened(vertex));
+    for (const Vector<3>& vertex : surface->vertices) corners_.push_back(to_precise(vertex));
   }
 
   PrecisePose<D> pose_;
   double margin_;
   double radius_ = 0;
-  Point<D> half_{};
-  std::vector<Point<D>> corners_;
+  Precise<D> half_{};
+  std::vector<Precise<D>> corners_;
 };
 
 template <int D>
@@ -115,11 +99,11 @@ template <int D>
 Volume<D> oriented_bounding_box(const PosedShape<D>& posed, const PrecisePose<D>& pose) {
   std::array<Vector<D>, D> axes;
   std::array<Extent, D> extents;
-  Point<D> middle{};
+  Precise<D> middle{};
   double size = 0;
   for (std::size_t k = 0; k < D; ++k) {
     for (std::size_t i = 0; i < D; ++i) axes[k].value[i] = static_cast<Scalar>(pose.axes[k][i]);
-    extents[k] = posed.extent(widened(axes[k]));
+    extents[k] = posed.extent(to_precise(axes[k]));
     const double along = (extents[k].lo + extents[k].hi) / 2;
     for (std::size_t i = 0; i < D; ++i) middle[i] += along * pose.axes[k][i];
     size += extents[k].hi - extents[k].lo;
@@ -127,9 +111,9 @@ Volume<D> oriented_bounding_box(const PosedShape<D>& posed, const PrecisePose<D>
   Vector<D> center;
   Vector<D> half;
   for (std::size_t i = 0; i < D; ++i) center.value[i] = nearest_finite(middle[i]);
-  const Point<D> floated = widened(center);
+  const Precise<D> floated = to_precise(center);
   for (std::size_t k = 0; k < D; ++k) {
-    const double at = inner<D>(floated, widened(axes[k]));
+    const double at = inner<D>(floated, to_precise(axes[k]));
     const double lost = std::sqrt(inner<D>(floated, floated)) * 0x1p-46 + size * 0x1p-20;
     half.value[k] = round_up(std::max(extents[k].hi - at, at - extents[k].lo) + lost);
   }
@@ -141,8 +125,8 @@ Volume<D> oriented_bounding_box(const PosedShape<D>& posed, const PrecisePose<D>
 template <int D>
 PrecisePose<D> precise(const Pose<D>& pose) {
   PrecisePose<D> result;
-  result.position = widened(pose.position);
-  for (std::size_t k = 0; k < D; ++k) result.axes[k] = widened(pose.axes[k]);
+  result.position = to_precise(pose.position);
+  for (std::size_t k = 0; k < D; ++k) result.axes[k] = to_precise(pose.axes[k]);
   return result;
 }
 
@@ -151,7 +135,7 @@ Volume<D> bound(VolumeKind kind, const Shape<D>& shape, const PrecisePose<D>& po
   const PosedShape<D> posed(shape, pose, margin);
   std::vector<Interval> slabs;
   for (const Vector<D>& direction : slab_directions<D>(kind)) {
-    const Extent extent = posed.extent(widened(direction));
+    const Extent extent = posed.extent(to_precise(direction));
     slabs.push_back({round_down(extent.lo), round_up(extent.hi)});
   }
   Volume<D> volume = make_dop<D>(kind, slabs);  // for every kind the first slabs are the box

@@ -5,7 +5,7 @@ namespace kerf {
 template <int D>
 std::optional<typename MoveBatch<D>::Refusal> MoveBatch<D>::send(BroadPhase<D>& broad_phase) {
   std::optional<Refusal> refusal;
-  // A status speaks of all objects: only where it is not ok is each asked for by itself.
+  // The status covers all objects; only if it is not ok is each moved by itself.
   if (!volumes_.empty() || broad_phase.move_many(objects_, boxes_) != Status::ok)
     refusal = first_refusal(broad_phase);
   objects_.clear();

@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/tuning.h"
 #include "core/kernels/sort_scalars.h"
 
 namespace kerf {
 namespace {
-
-/// A sampled candidate is confirmed on all objects. This many of the best are tried.
-constexpr std::size_t kConfirmed = 4;
-/// In leaves with this many times the sample the sample's offset is used; else the best offset of all objects
-/// is found.
-constexpr std::size_t kManySamples = 32;
 
 /// The offset furthest from both neighbours in the gap [low, high): objects may then move a little without
 /// crossing. Rounding may end on `high`, which belongs to the other side; then the low end serves
@@ -159,7 +154,7 @@ std::optional<ReferencePoint> best_reference_point(std::span<const Interval> int
 
 std::optional<ReferencePoint> good_reference_point(std::span<const Interval> intervals,
                                                    const Config& config) {
-  if (intervals.size() > kManySamples * config.sample) {
+  if (intervals.size() > tuning::kManySamples * config.sample) {
     std::vector<Interval> some;
     some.reserve(config.sample);
     for (std::size_t k = 0; k < config.sample; ++k)
@@ -211,9 +206,9 @@ std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, co
   if (exact) return candidates.front();
 
   const std::vector<ObjectId> all = sample_objects(entries, entries.size());
-  candidates.resize(std::min(candidates.size(), kConfirmed));
+  candidates.resize(std::min(candidates.size(), tuning::kConfirmed));
   for (const Candidate& candidate : candidates) {
-    auto confirmed = all.size() > kManySamples * sampled.size()
+    auto confirmed = all.size() > tuning::kManySamples * sampled.size()
                          ? judge<D>(tree, candidate, all, config, scratch)
                          : best_along<D>(tree, candidate.direction, all, config, scratch);
     if (confirmed) {

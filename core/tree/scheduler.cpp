@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/base/random.h"
+#include "core/base/tuning.h"
 #include "core/tree/balance.h"
 #include "core/tree/criteria.h"
 #include "core/tree/merge.h"
@@ -23,9 +24,8 @@ constexpr std::array kProcessingOrder{Operator::shift_split, Operator::split, Op
 /// divides, as when all objects coincide, a search in each interval would cost more than the sweep.
 template <int D>
 void back_off(Tree<D>& tree, NodeId leaf, const Config& config, std::uint32_t step) {
-  constexpr std::uint32_t kLongest = 4;
   Node<D>& node = tree[leaf];
-  node.retry_step = step + (config.schedule_interval << std::min(node.refusals, kLongest));
+  node.retry_step = step + (config.schedule_interval << std::min(node.refusals, tuning::kMostWaits));
   ++node.refusals;
 }
 
@@ -137,7 +137,7 @@ template <class Trace>
 bool Scheduler<D>::repair(Tree<D>& tree, NodeId id, const Config& config, Reporter<Trace>& reporter) {
   Refusal refusal{};
   std::optional<OperatorActed> event;
-  if (config.balance && !is_refused(tree, Operator::balance, id, reporter))
+  if (config.balance && !refuse_if_decided(tree, Operator::balance, id, reporter))
     event = balance(tree, id, config, refusal);
   if (event) {
     note(*event, reporter);
@@ -186,7 +186,7 @@ bool Scheduler<D>::apply(Tree<D>& tree, Operator op, NodeRef ref, const Config& 
     return false;
   }
   const bool divides = op == Operator::shift_split || op == Operator::split;
-  if (!divides && is_refused(tree, op, ref.node, reporter)) return true;
+  if (!divides && refuse_if_decided(tree, op, ref.node, reporter)) return true;
   if (op == Operator::swap) {
     note(swap(tree, ref.node), reporter);
   } else if (op == Operator::merge) {
@@ -197,10 +197,10 @@ bool Scheduler<D>::apply(Tree<D>& tree, Operator op, NodeRef ref, const Config& 
   return true;
 }
 
-/// Whether a decision refuses this operator; the refusal is then reported.
+/// Refuses the operator if a decision does, and returns whether it did.
 template <int D>
 template <class Trace>
-bool Scheduler<D>::is_refused(const Tree<D>& tree, Operator op, NodeId id, Reporter<Trace>& reporter) {
+bool Scheduler<D>::refuse_if_decided(const Tree<D>& tree, Operator op, NodeId id, Reporter<Trace>& reporter) {
   if (!reporter.refuses(op)) return false;
   refuse(op, tree.ref(id), Refusal::decided, reporter);
   return true;
@@ -213,7 +213,7 @@ void Scheduler<D>::divide_leaf(Tree<D>& tree, Operator op, NodeRef ref, const Co
                                std::uint32_t step, Reporter<Trace>& reporter) {
   Refusal refusal{};
   std::optional<OperatorActed> event;
-  if (op == Operator::shift_split && !is_refused(tree, op, ref.node, reporter))
+  if (op == Operator::shift_split && !refuse_if_decided(tree, op, ref.node, reporter))
     event = shift_split(tree, ref.node, config, refusal);
   if (!event) event = split(tree, ref.node, config, reporter.decision(Operator::split), refusal);
   if (event) {

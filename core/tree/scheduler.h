@@ -59,7 +59,7 @@ class Scheduler {
   bool apply(Tree<D>& tree, Operator op, NodeRef ref, const Config& config, std::uint32_t step,
              Reporter<Trace>& reporter);
   template <class Trace>
-  bool is_refused(const Tree<D>& tree, Operator op, NodeId id, Reporter<Trace>& reporter);
+  bool refuse_if_decided(const Tree<D>& tree, Operator op, NodeId id, Reporter<Trace>& reporter);
   template <class Trace>
   void divide_bulk(Tree<D>& tree, const Config& config, std::uint32_t step, Reporter<Trace>& reporter);
   template <class Trace>

@@ -1,5 +1,6 @@
 #include "core/tree/shed.h"
 
+#include "core/base/tuning.h"
 #include "core/tree/criteria.h"
 #include "core/tree/merge.h"
 
@@ -33,11 +34,10 @@ void merge_straddled(Tree<D>& tree, float share, std::vector<OperatorActed>& eve
 
 template <int D>
 std::vector<OperatorActed> shed_entries(Tree<D>& tree, const Config& config) {
-  constexpr float kLeast = 1.0F / 64;  // below it any straddler is too many
   std::vector<OperatorActed> events;
   if (!exceeds(tree, 2 * config.max_entries)) return events;
   for (float share = config.repair_redundancy; exceeds(tree, config.max_entries); share /= 2)
-    merge_straddled(tree, share < kLeast ? 0 : share, events);
+    merge_straddled(tree, share < tuning::kLeastStraddling ? 0 : share, events);
   return events;
 }
 

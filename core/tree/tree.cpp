@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/list_room.h"
+#include "core/base/tuning.h"
 
 namespace kerf {
 
@@ -55,7 +56,8 @@ void Tree<D>::add_entry(NodeId leaf, ObjectId object, DepthMask straddle) {
   Node<D>& node = nodes_[leaf.index()];
   const std::size_t count = node.entries.size() + 1;
   // Entries come one by one: the room grows by a quarter, so that a growing leaf is not copied too often.
-  if (count > node.entries.capacity()) make_list_room(node.entries, count + count / 8);
+  if (count > node.entries.capacity())
+    make_list_room(node.entries, count + count / tuning::kElementsPerSpare);
   node.entries.push_back({project(node.direction, object), object, straddle});
   node.unsorted = true;
   ++node.version;

@@ -24,7 +24,7 @@ Earning earning_of(const BenchRow& base, const BenchRow& variant) {
 
 std::string line_of(const Earning& earning) {
   std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), "%-14s %dD %8u %2u %-34s %8.1f%% %8.1f%% %8.1f%%\n",
+  std::snprintf(text.data(), text.size(), "%-14s %dD %8u %2u %-44s %8.1f%% %8.1f%% %8.1f%%\n",
                 earning.cell.scene.c_str(), earning.cell.dimension, earning.cell.objects,
                 earning.cell.threads, earning.variant.c_str(), 100 * earning.median, 100 * earning.least,
                 100 * earning.most);
@@ -80,7 +80,7 @@ std::vector<Earning> best_earnings(const std::vector<Earning>& all) {
 
 std::string ablation_table(const std::vector<Earning>& all) {
   std::string text = "WHAT A POLICY EARNS: time without it over time with it, less 1, round by round\n";
-  text += "SCENE          DIM OBJECTS TH WITHOUT                               MEDIAN    LEAST     MOST\n";
+  text += "SCENE          DIM OBJECTS TH WITHOUT                                         MEDIAN    LEAST     MOST\n";
   for (const Earning& earning : all) text += line_of(earning);
   text += "\nEACH POLICY WHERE IT EARNS MOST\n";
   for (const Earning& earning : best_earnings(all)) text += line_of(earning);

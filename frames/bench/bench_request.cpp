@@ -84,8 +84,12 @@ void parse_simulations(const BenchTexts& texts, BenchRequest& request) {
        {std::pair{"--scenes", &texts.scenes}, {"--dims", &texts.dimensions}, {"--threads", &texts.threads}})
     if (!text->empty())
       throw UsageError(std::string(option) + ": --simulations names what is measured; leave one of them out");
-  for (const std::string& name : items("--simulations", texts.simulations))
-    request.simulations.push_back(find_scene(name));
+  if (texts.simulations == "all") {
+    request.simulations = scene_catalog();
+  } else {
+    for (const std::string& name : items("--simulations", texts.simulations))
+      request.simulations.push_back(find_scene(name));
+  }
   request.algorithms = {std::string(kTunedTree), std::string(kPaperTree)};
   if (!texts.algorithms.empty()) request.algorithms = items("--algorithms", texts.algorithms);
   for (const CatalogScene& scene : request.simulations)
@@ -135,8 +139,8 @@ BenchRequest parse_bench_request(const BenchTexts& texts) {
   request.trace = texts.trace;
   request.ablation = texts.ablation;
   if (!texts.ablation) return request;
-  if (!texts.algorithms.empty() || !texts.simulations.empty())
-    throw UsageError("--ablation chooses the algorithms; leave --algorithms and --simulations out");
+  if (!texts.algorithms.empty())
+    throw UsageError("--ablation chooses the algorithms; leave --algorithms out");
   request.algorithms = ablation_algorithms();
   return request;
 }

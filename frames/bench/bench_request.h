@@ -43,7 +43,7 @@ struct BenchRequest {
   std::uint32_t patience = 30;
   std::filesystem::path json;  ///< empty: none
   bool trace = false;
-  bool ablation = false;  ///< the algorithms are the tuned tree and the tree without each of its policies
+  bool ablation = false;  ///< the algorithms are the tuned tree, then the tree without each of its policies
 
   [[nodiscard]] std::uint32_t steps_for(std::uint32_t count) const;
   [[nodiscard]] std::uint32_t warm_up_for(std::uint32_t count) const;

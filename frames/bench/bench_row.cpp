@@ -5,6 +5,14 @@
 
 namespace kerf {
 
+void set_times(BenchRow& row, std::vector<double> each) {
+  std::ranges::sort(each);
+  row.median_ns = percentile(each, 0.5);
+  row.p90_ns = percentile(each, 0.9);
+  row.p99_ns = percentile(each, 0.99);
+  row.max_ns = each.empty() ? 0 : each.back();
+}
+
 double percentile(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return 0;
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));

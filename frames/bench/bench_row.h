@@ -32,7 +32,7 @@ struct BenchRow {
   std::uint64_t rss_bytes = 0;
   std::uint32_t steps = 0;       ///< measured
   std::vector<double> round_ns;  ///< of each complete round the median over its steps
-  std::vector<float> step_ns;    ///< one by one, if that was asked for
+  std::vector<float> step_ns;    ///< one by one, if requested
 };
 
 /// An algorithm without a row, or with one of fewer steps, and the reason.
@@ -41,6 +41,9 @@ struct BenchGap {
   std::string algorithm;
   std::string reason;
 };
+
+/// Sorts the times of the steps and sets `median_ns` to `max_ns` from them.
+void set_times(BenchRow& row, std::vector<double> each);
 
 /// The value that `share` of the sorted numbers do not exceed (nearest rank); 0 if there are none.
 double percentile(const std::vector<double>& sorted, double share);

@@ -35,7 +35,7 @@ struct WatchedStep {
   double loop_ns = 0;  ///< what the broad phase took in the simulation
 };
 
-/// Stands between a scene and its broad phase, measures the broad phase and keeps what it was asked, so that
+/// Stands between a scene and its broad phase, measures the broad phase and keeps its requests, so that
 /// another one can be given the same. Requests reach the broad phase at the beginning of the step.
 template <int D>
 class LoopWatch final : public BroadPhase<D> {

@@ -86,16 +86,12 @@ std::optional<BenchRow> Participant::row(const CellName& cell, bool trace) const
   };
   BenchRow row;
   row.round_ns = per_object(round_medians_);
-  std::vector<double> each = per_object(nanoseconds_);
+  const std::vector<double> each = per_object(nanoseconds_);
   if (each.empty()) return std::nullopt;
   row.cell = cell;
   row.algorithm = name_;
   if (trace) row.step_ns.assign(each.begin(), each.end());
-  std::sort(each.begin(), each.end());
-  row.median_ns = percentile(each, 0.5);
-  row.p90_ns = percentile(each, 0.9);
-  row.p99_ns = percentile(each, 0.99);
-  row.max_ns = each.back();
+  set_times(row, each);
   std::vector<double> native = per_object(native_);
   std::sort(native.begin(), native.end());
   row.native_ns = percentile(native, 0.5);

@@ -29,7 +29,7 @@ template <int D>
 std::vector<std::string> broad_phase_names();
 
 /// The choice called `name`, with parameters and volume for such a scene: the tuned parameters for "kerf",
-/// the paper's without what the scene does not need for "kerf-paper"; boxes for a broad phase that takes
+/// for "kerf-paper" the paper's, without what the scene does not need; boxes for a broad phase that takes
 /// nothing else. Throws UsageError, with a suggestion, unless the scene's dimension has such a broad phase.
 BroadPhaseChoice choose_broad_phase(std::string_view name, const Needs& needs);
 

@@ -75,6 +75,10 @@ LoopPlan plan_for(const BenchRequest& request, const CatalogScene& scene, std::u
   LoopPlan plan;
   plan.scene = scene;
   plan.broad_phases = request.algorithms;
+  if (request.ablation) {
+    plan.broad_phases.resize(1);
+    plan.variants.assign(request.algorithms.begin() + 1, request.algorithms.end());
+  }
   plan.rounds = request.rounds;
   plan.warm_up = request.warm_up_for(objects);
   plan.steps = request.steps_for(objects);
@@ -134,7 +138,11 @@ class Bench {
       for (const std::uint32_t objects : request_.objects) {
         const std::vector<LoopRow> rows = measure_loops(plan_for(request_, scene, objects), watch);
         line_.clear();
-        for (const LoopRow& row : rows) print(as_text(row));
+        for (const LoopRow& row : rows) {
+          print(as_text(row));
+          if (request_.ablation)
+            all_.cells.rows.insert(all_.cells.rows.end(), row.alone.begin(), row.alone.end());
+        }
         all_.loops.insert(all_.loops.end(), rows.begin(), rows.end());
         save(false);
       }
@@ -165,7 +173,8 @@ BenchCommand::BenchCommand(CLI::App& program)
   };
   option("--scenes", texts_.scenes, "Which motions, see below (default all)", "A,B,...");
   option("--simulations", texts_.simulations,
-         "Instead: broad phases in the loop of these scenes of `kerf render`, beside the same boxes alone",
+         "Instead: broad phases in the loop of these scenes of `kerf render` (or all), beside the same boxes "
+         "alone",
          "A,B,...");
   option("--objects", texts_.objects, "How many boxes (default 1000,4250,16000)", "N,N,...");
   option("--dims", texts_.dimensions, "2, 3 or both (default 2,3)", "D,D");
@@ -181,8 +190,9 @@ BenchCommand::BenchCommand(CLI::App& program)
   add_output(*command_, "--json", texts_.json, "Also all figures as JSON, after each cell");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier JSON file");
   command_->add_flag("--ablation", texts_.ablation,
-                     "What each policy of the tuned tree earns: beside it, the tree without the policy");
-  command_->add_flag("--trace", texts_.trace, "The JSON tells the time of each step, too");
+                     "What each policy of the tuned tree earns: beside it, the tree without the policy, in "
+                     "scenes or simulations");
+  command_->add_flag("--trace", texts_.trace, "The JSON has the time of each step, too");
   command_->footer(bench_footer());
 }
 

@@ -27,7 +27,7 @@ constexpr const char* kDiffFooter =
     "GATES   auto   exact, or flip where the draw lists name two rasterisers (the default)\n"
     "        exact  every pixel is the same: for pictures of one rasteriser\n"
     "        ids    the same things were drawn at the same place in the same colours\n"
-    "        flip   nobody would see a difference: FLIP's maximum is small and, where there are ids, they "
+    "        flip   no person would see a difference: FLIP's maximum is small and, where there are ids, they "
     "agree";
 
 DiffRules parse_rules(const std::string& gate, const std::string& limit) {

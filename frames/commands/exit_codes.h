@@ -6,11 +6,11 @@
 
 namespace kerf {
 
-/// What exit codes 0 and 1 of a subcommand say; 2 and 130 say the same of all (docs/EXIT_CODES.md).
+/// What exit codes 0 and 1 of a subcommand mean; 2 and 130 mean the same for all (docs/EXIT_CODES.md).
 struct ExitMeaning {
   std::string_view command;
   std::string_view holds;
-  std::string_view does_not_hold;  ///< empty: the command asks nothing that could be answered with no
+  std::string_view does_not_hold;  ///< empty: the command decides nothing that could fail to hold
 };
 
 /// One row for each subcommand.

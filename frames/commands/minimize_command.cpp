@@ -115,8 +115,7 @@ void check(const Expression& when) {
         part.kind == ExpressionPart::Kind::variable || part.kind == ExpressionPart::Kind::median;
     return names && part.variable >= Variable::step_time && part.variable <= Variable::sweep_time;
   });
-  if (asks_time)
-    throw UsageError("--when: times differ from run to run; give a condition that does not speak of them");
+  if (asks_time) throw UsageError("--when: times differ from run to run; give a condition without them");
 }
 
 Replace check_files(const MinimizeRequest& request, const std::filesystem::path& recording, bool overwrite) {

@@ -26,7 +26,7 @@ std::string step_footer() {
       "EXPR    conditions joined by && || ! ( ), for example\n"
       "          op==merge && depth>8      pair(12,77) enters     plane(n17) moves\n"
       "          redundancy>5%             step_time>2*median     deferred>16 || missed>0\n"
-      "        Numbers may have the units s, ms, us and %. What speaks of events holds right after an event, "
+      "        Numbers may have the units s, ms, us and %. What concerns events holds right after an event, "
       "all\n"
       "        else at the end of a step; what an event does not have is never true of it.\n"
       "THINGS  pair(i,j), pair(i,j) enters, pair(i,j) leaves, plane(nK) moves, node(nK), object(i) moves\n"

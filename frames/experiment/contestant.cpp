@@ -66,7 +66,7 @@ ContestantStep Contestant::step(const StepRequests<3>& requests, bool count) {
   const StepTimer stepping(true);
   subject_->step();
   const double stepped = stepping.milliseconds();
-  // The subjects look at the clock on the wall, which also tells what other programs took of the processor.
+  // The subjects measure wall time, which includes what other programs took of the processor.
   const double arranging = stepped * arranging_seconds(*subject_) / seconds_since(start);
   ContestantStep result;
   result.update = handed_over + arranging;

@@ -21,7 +21,7 @@ constexpr const char* kMethod = R"(
 Each simulation is run once on ODE, with all broad phases side by side: in each step all are given the same boxes, in
 turns, and each is timed by itself. All have to deliver the same pairs, which is checked in each step; so what the paper
 calls the number of pairs is here that of the *candidates* which a structure leaves to be tested (counted each fifth
-step, for those that tell). *Overhead* is the taking over of boxes and all that brings a structure up to date,
+step, for those that count them). *Overhead* is the taking over of boxes and all that brings a structure up to date,
 *collision* the search for pairs; frames a second count narrow phase and dynamics, too, with one broad phase alone in
 the loop. Times are of the processor.
 
@@ -37,7 +37,7 @@ constexpr const char* kAfterVerdicts = R"(
 "Similar" is within a factor of two. Where no other word is said, times are collision and overhead together. Reasons
 are ours, from the code; the figures are this run's.
 
-Not judged: how much QT and SH prune, as ODE tells only the pairs that remain; and what the paper calls reasonable or
+Not judged: how much QT and SH prune, as ODE reports only the pairs that remain; and what the paper calls reasonable or
 substantial.
 )";
 

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-/// Somebody else's run as plain text (see `kerf import --help`).
+/// Another engine's run as plain text (see `kerf import --help`).
 struct ImportRequest {
   std::filesystem::path boxes;   ///< "-": standard input
   std::filesystem::path pairs;   ///< empty: none

@@ -26,7 +26,7 @@ struct SceneLength {
 };
 
 /// Runs the scene with the exact broad phase; in heaps, one object falls again in every second step. Throws
-/// UsageError for a scene that D dimensions do not have or that cannot be so large.
+/// UsageError for a scene that does not exist in D dimensions or cannot be so large.
 template <int D>
 Take<D> record(std::string_view scene, const SceneLength& length, const Poll& poll);
 

@@ -11,7 +11,7 @@
 
 namespace kerf {
 
-/// What is made of the pictures of a sequence beside the pictures.
+/// The files that are made from the pictures of a sequence.
 struct FilmRequest {
   std::filesystem::path video;          ///< empty: none
   std::filesystem::path contact_sheet;  ///< empty: none

@@ -27,7 +27,7 @@ class PartRecording {
   std::filesystem::path keep_as_far_as_it_came();
 
  private:
-  WriterLock lock_;  ///< of the final name: nobody else makes a recording that will have it
+  WriterLock lock_;  ///< of the final name: no other process makes a recording of that name
   PartFile part_;
 };
 

@@ -57,7 +57,7 @@ class RecordingFilm final : public Film {
         stride_(request.steps.stride),
         highlight_steps_(highlight_steps(stride_)) {
     planner_.fix_view_box(setting_.view);
-    if (setting_.leaves_some_out) planner_.tell_outside();
+    if (setting_.leaves_some_out) planner_.name_outside();
     planner_.fix_largest_population(setting_.largest_population);
   }
 

@@ -169,7 +169,7 @@ RecordingSource open_source(const std::filesystem::path& path) {
   });
 }
 
-/// A manifest has to tell it, and a number and an ending have to follow it: names of files may have 255
+/// A manifest has to contain it, and a number and an ending have to follow it: names of files may have 255
 /// bytes.
 std::string name_of_frames(const std::filesystem::path& recording) {
   constexpr std::size_t kLongest = 200;

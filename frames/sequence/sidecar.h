@@ -14,9 +14,4 @@ inline std::filesystem::path draw_list_path(const std::filesystem::path& frame) 
   return std::filesystem::path(frame).replace_extension(".draw.json");
 }
 
-/// Whether a picture lies beside a frame and is none itself.
-inline bool is_sidecar(const std::filesystem::path& path) {
-  return path.extension() == ".png" && path.stem().extension() == ".ids";
-}
-
 }  // namespace kerf

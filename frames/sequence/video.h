@@ -38,7 +38,7 @@ class Video {
   void start(PictureSize size, int frames_per_second);
   /// Closes the pipe and waits; true if ffmpeg was content.
   bool end();
-  /// Of a full disk ffmpeg speaks, and ends as if it were content.
+  /// On a full disk ffmpeg prints an error and still ends with success.
   [[nodiscard]] bool has_complained() const;
   [[noreturn]] void fail();
   [[nodiscard]] std::string last_words() const;

@@ -1,6 +1,5 @@
 #include "frames/support/atomic_file.h"
 
-#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -25,11 +24,6 @@ void copy_file_atomically(const std::filesystem::path& from, const std::filesyst
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   if (!file) throw std::runtime_error("cannot read " + from.string());
   write_file_atomically(to, bytes);
-}
-
-void check_writable(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path)) fail_to_write(path, EISDIR);
-  const PartFile trial(path);
 }
 
 void make_writable_folder(const std::filesystem::path& folder, const std::string& option) {

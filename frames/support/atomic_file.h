@@ -21,9 +21,6 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view t
 /// Writes a copy of `from` in the same way. Throws std::runtime_error also if `from` cannot be read.
 void copy_file_atomically(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Proves that the file could be written now; call it before long work. Throws as writing would.
-void check_writable(const std::filesystem::path& path);
-
 /// Creates `folder` with its parents and proves by a trial file that it can be written.
 /// Throws std::runtime_error with path, reason and the option by which another is chosen.
 void make_writable_folder(const std::filesystem::path& folder, const std::string& option = "--out");

@@ -1,5 +1,3 @@
-#include "sims2d/scenes/attractors.h"
-
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -8,6 +6,7 @@
 #include "core/scene/attractor.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/rain.h"
+#include "sims2d/scenes/scene_entries.h"
 #include "sims2d/scenes/world_scene.h"
 
 namespace kerf::inline sims2d {

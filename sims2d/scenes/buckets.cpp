@@ -1,11 +1,10 @@
-#include "sims2d/scenes/buckets.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "sims2d/scenes/fixed.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/rain_scene.h"
+#include "sims2d/scenes/scene_entries.h"
 
 namespace kerf::inline sims2d {
 namespace {

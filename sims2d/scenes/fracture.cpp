@@ -1,5 +1,3 @@
-#include "sims2d/scenes/fracture.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,6 +6,7 @@
 #include "core/base/random.h"
 #include "core/scene/attractor.h"
 #include "sims2d/scenes/growth.h"
+#include "sims2d/scenes/scene_entries.h"
 #include "sims2d/scenes/world_scene.h"
 
 namespace kerf::inline sims2d {

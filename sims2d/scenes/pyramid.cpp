@@ -1,10 +1,9 @@
-#include "sims2d/scenes/pyramid.h"
-
 #include <algorithm>
 
 #include "core/base/random.h"
 #include "sims2d/scenes/fixed.h"
 #include "sims2d/scenes/growth.h"
+#include "sims2d/scenes/scene_entries.h"
 #include "sims2d/scenes/world_scene.h"
 
 namespace kerf::inline sims2d {

@@ -1,5 +1,3 @@
-#include "sims2d/scenes/rods.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,6 +5,7 @@
 #include "core/base/random.h"
 #include "sims2d/scenes/fixed.h"
 #include "sims2d/scenes/growth.h"
+#include "sims2d/scenes/scene_entries.h"
 #include "sims2d/scenes/world_scene.h"
 
 namespace kerf::inline sims2d {

@@ -2,14 +2,7 @@
 
 #include <array>
 
-#include "sims2d/scenes/attractors.h"
-#include "sims2d/scenes/buckets.h"
-#include "sims2d/scenes/fracture.h"
-#include "sims2d/scenes/pile.h"
-#include "sims2d/scenes/pyramid.h"
-#include "sims2d/scenes/rods.h"
-#include "sims2d/scenes/terrain.h"
-#include "sims2d/scenes/tumbler.h"
+#include "sims2d/scenes/scene_entries.h"
 
 namespace kerf::inline sims2d {
 

@@ -1,5 +1,3 @@
-#include "sims2d/scenes/terrain.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -8,6 +6,7 @@
 #include "sims2d/scenes/fixed.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/rain_scene.h"
+#include "sims2d/scenes/scene_entries.h"
 
 namespace kerf::inline sims2d {
 namespace {

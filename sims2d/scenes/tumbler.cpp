@@ -1,5 +1,3 @@
-#include "sims2d/scenes/tumbler.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include "core/base/random.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/rain.h"
+#include "sims2d/scenes/scene_entries.h"
 #include "sims2d/scenes/world_scene.h"
 
 namespace kerf::inline sims2d {

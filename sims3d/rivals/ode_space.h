@@ -15,7 +15,7 @@ enum class OdeSpaceKind : std::uint8_t { hash, quadtree, sweep_and_prune };
 /// Which boxes the space gets.
 enum class OdeIntake : std::uint8_t {
   checked,  ///< as ObjectTable has them: without quarantined objects, infinities clamped
-  raw,      ///< as given, so that a test shows what ODE makes of NaN and the like
+  raw,      ///< as given, so that a test shows how ODE handles NaN and the like
 };
 
 /// One of ODE's spaces behind our interface: the rival. Each object is a box geom in the space.

@@ -1,8 +1,7 @@
-#include "sims3d/scenes/buckets.h"
-
 #include <cmath>
 
 #include "sims3d/scenes/drop_scene.h"
+#include "sims3d/scenes/scene_entries.h"
 
 namespace kerf {
 namespace {

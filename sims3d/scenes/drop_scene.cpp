@@ -41,10 +41,9 @@ SceneOptions resolve(const SceneOptions& options, std::uint32_t default_objects,
 }
 
 DropScene::DropScene(BroadPhase<3>& broad_phase, const Needs& needs, std::uint64_t seed, Drop drop)
-    : needs_(needs),
+    : WorldScene(broad_phase, needs, seed, drop.physics),
       random_(seed),
       drop_(std::move(drop)),
-      world_(broad_phase, seed, drop_.physics),
       last_height_(drop_.sites.size(), std::numeric_limits<float>::lowest()),
       last_step_(drop_.sites.size(), 0) {
   if (drop_.sites.empty() || drop_.steps == 0 || drop_.objects == 0)
@@ -57,12 +56,11 @@ std::uint32_t DropScene::due(std::uint32_t step) const {
   return static_cast<std::uint32_t>((numerator + drop_.steps - 1) / drop_.steps);
 }
 
-void DropScene::advance() {
+void DropScene::act() {
   const std::uint32_t wanted = due(step() + 1);
   while (dropped_.size() < wanted) drop_one();
   put_back_strays();
   recycle();
-  world_.advance();
 }
 
 /// Keeps a full scene in motion: the oldest object is taken out of the heap and falls again.
@@ -73,7 +71,7 @@ void DropScene::recycle() {
 
 void DropScene::drop_anew(ObjectId object) {
   const Twist motion = random_fall(random_);
-  world_.place(object, next_place(), motion);
+  world().place(object, next_place(), motion);
 }
 
 void DropScene::drop_one() {
@@ -81,7 +79,7 @@ void DropScene::drop_one() {
   const auto axes = random_turn(random_);
   const Twist motion = random_fall(random_);
   const Vector<3> place = nudged(next_place(), dropped_.empty() ? drop_.nudge : 0);
-  dropped_.push_back(world_.add_moving(shape, {place, axes}, motion));
+  dropped_.push_back(world().add_moving(shape, {place, axes}, motion));
 }
 
 /// Uses the poses of the step before: one step late is soon enough.

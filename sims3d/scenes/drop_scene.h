@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/scene/scene.h"
-#include "sims3d/world.h"
+#include "sims3d/scenes/world_scene.h"
 
 namespace kerf {
 
@@ -31,28 +30,21 @@ SceneOptions resolve(const SceneOptions& options, std::uint32_t default_objects,
 /// same number of objects, so that a tree must follow the crowd; when all have had their share it begins
 /// anew. A site that is not yet clear gets its next object so much higher. Fixed objects come first in the
 /// numbering.
-class DropScene final : public Scene<3> {
+class DropScene final : public WorldScene {
  public:
   /// `build` adds the fixed surroundings to the world; it is called once.
   template <class Build>
   DropScene(BroadPhase<3>& broad_phase, const Needs& needs, std::uint64_t seed, Drop drop, Build build)
       : DropScene(broad_phase, needs, seed, std::move(drop)) {
-    build(world_);
+    build(world());
   }
 
-  [[nodiscard]] Needs needs() const override { return needs_; }
-  void advance() override;
-  [[nodiscard]] std::uint32_t step() const override { return world_.step(); }
-  [[nodiscard]] std::span<const Body<3>> bodies() const override { return world_.bodies(); }
-  [[nodiscard]] std::span<const Pair> pairs() const override { return world_.pairs(); }
-  [[nodiscard]] std::span<const Pair> contacts() const override { return world_.contacts(); }
-
-  [[nodiscard]] const World& world() const { return world_; }
   /// The number of objects that had to be put back so far: 0 in a closed scene.
   [[nodiscard]] std::uint32_t put_back() const { return put_back_; }
 
  private:
   DropScene(BroadPhase<3>& broad_phase, const Needs& needs, std::uint64_t seed, Drop drop);
+  void act() override;
   [[nodiscard]] std::uint32_t due(std::uint32_t step) const;
   void drop_one();
   void put_back_strays();
@@ -61,10 +53,8 @@ class DropScene final : public Scene<3> {
   Vector<3> next_place();
   void plan_shower();
 
-  Needs needs_;
   Random random_;
   Drop drop_;
-  World world_;
   std::vector<std::uint32_t> shower_;  // sites in the order of their drops
   std::size_t next_ = 0;
   std::vector<float> last_height_;        // per site, of the object that appeared there last ...

@@ -1,5 +1,3 @@
-#include "sims3d/scenes/fracture.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -8,6 +6,7 @@
 #include "core/scene/attractor.h"
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/random_body.h"
+#include "sims3d/scenes/scene_entries.h"
 #include "sims3d/scenes/world_scene.h"
 
 namespace kerf {

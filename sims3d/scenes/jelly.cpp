@@ -1,5 +1,3 @@
-#include "sims3d/scenes/jelly.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -7,6 +5,7 @@
 #include "core/base/random.h"
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/random_body.h"
+#include "sims3d/scenes/scene_entries.h"
 #include "sims3d/scenes/world_scene.h"
 #include "sims3d/scenes/yard.h"
 

@@ -1,9 +1,8 @@
-#include "sims3d/scenes/projectile.h"
-
 #include <algorithm>
 
 #include "core/base/random.h"
 #include "sims3d/scenes/drop_scene.h"
+#include "sims3d/scenes/scene_entries.h"
 #include "sims3d/scenes/world_scene.h"
 #include "sims3d/scenes/yard.h"
 

@@ -1,11 +1,10 @@
-#include "sims3d/scenes/rods.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/random.h"
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/random_body.h"
+#include "sims3d/scenes/scene_entries.h"
 #include "sims3d/scenes/world_scene.h"
 #include "sims3d/scenes/yard.h"
 

@@ -2,13 +2,7 @@
 
 #include <array>
 
-#include "sims3d/scenes/attractors.h"
-#include "sims3d/scenes/buckets.h"
-#include "sims3d/scenes/fracture.h"
-#include "sims3d/scenes/jelly.h"
-#include "sims3d/scenes/projectile.h"
-#include "sims3d/scenes/rods.h"
-#include "sims3d/scenes/terrain.h"
+#include "sims3d/scenes/scene_entries.h"
 
 namespace kerf {
 

@@ -1,11 +1,10 @@
-#include "sims3d/scenes/terrain.h"
-
 #include <algorithm>
 #include <limits>
 #include <vector>
 
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/hills.h"
+#include "sims3d/scenes/scene_entries.h"
 
 namespace kerf {
 namespace {

@@ -1,4 +1,4 @@
-// Prints what a set of seeded runs comes to: a hash of every pair in its order, of every event, and of every
+// Prints the hashes of a set of seeded runs: of every pair in its order, of every event, and of every
 // state. However the program was compiled, the lines must be the same (tests/determinism/compare_builds);
 // runs of the policies beyond the paper are done with every kernel, and runs of many objects with several
 // numbers of threads, which must agree, too.

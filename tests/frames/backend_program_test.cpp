@@ -46,7 +46,7 @@ TEST_F(WithoutOsmesa, EglDrawsTheSamePictureUnasked) {
   EXPECT_EQ(read_text(out("without") / "pile_000001.png"), read_text(out("with") / "pile_000001.png"));
 }
 
-TEST_F(WithoutOsmesa, WhoAsksForItIsToldWhatToDo) {
+TEST_F(WithoutOsmesa, TheAnswerSaysWhatToDo) {
   const Outcome outcome = render(out("without"), {"--backend", "osmesa"}, hidden());
   EXPECT_NE(outcome.exit, kExitHolds);
   EXPECT_THAT(outcome.err, HasSubstr("libOSMesa.so.8 cannot be loaded; draw with --backend egl"));

@@ -119,7 +119,7 @@ TEST_F(ImportProgram, StepsMayBeTimes) {
   EXPECT_THAT(refused(write("e.csv", "nan,0,0,1,0,1\n")), HasSubstr("neither a number nor a time"));
 }
 
-TEST_F(ImportProgram, WhatIsOddIsNeverSilent) {
+TEST_F(ImportProgram, WhatIsOddIsAlwaysNamed) {
   std::string boxes =
       "step,object,min_x,max_x,min_y,max_y\n1,0,0,1,0,1\n1,1,0,1,,1\n1,2,nan,1,0,1\n1,3,-inf,1,0,1\n";
   for (int object = 10; object < 17; ++object) boxes += "2," + std::to_string(object) + ",5,4,0,1\n";

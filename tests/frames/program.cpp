@@ -7,11 +7,15 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
+
+#include "core/files/part_file.h"
 
 namespace kerf::testing {
 namespace {
@@ -106,6 +110,21 @@ std::vector<std::string> kerf_command(const std::vector<std::string>& arguments)
 
 Outcome run_kerf(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
   return Process(kerf_command(arguments), surroundings).wait();
+}
+
+Outcome interrupt_kerf(const std::vector<std::string>& arguments, const std::function<bool()>& when) {
+  Process process(kerf_command(arguments));
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!when() && std::chrono::steady_clock::now() < give_up)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  process.signal(SIGINT);
+  return process.wait();
+}
+
+bool has_written_part(const std::filesystem::path& file) {
+  const auto parts = parts_of(file);
+  std::error_code none;
+  return !parts.empty() && std::filesystem::file_size(parts.front(), none) > 0 && !none;
 }
 
 }  // namespace kerf::testing

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -67,5 +68,9 @@ class Process {
 /// `kerf` with these arguments.
 std::vector<std::string> kerf_command(const std::vector<std::string>& arguments);
 Outcome run_kerf(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
+/// Interrupts it (SIGINT) when the condition holds, or after a minute.
+Outcome interrupt_kerf(const std::vector<std::string>& arguments, const std::function<bool()>& when);
+/// Whether a part of the file is there that is not empty.
+bool has_written_part(const std::filesystem::path& file);
 
 }  // namespace kerf::testing

@@ -122,7 +122,7 @@ TEST_P(ShardProgram, AFullDiskLeavesNoHalfFrame) {
 
 INSTANTIATE_TEST_SUITE_P(Both, ShardProgram, ::testing::Values("buckets", "pile"));
 
-TEST(ShardUsage, IsToldWhatItNeeds) {
+TEST(ShardUsage, ErrorsSayWhatToDo) {
   const TemporaryFolder folder;
   const std::string recording = folder.path() / "a.kerf";
   ASSERT_EQ(run_kerf({"record", "pile", "--steps", "20", "--objects", "30", "-o", recording}).exit,

@@ -21,7 +21,7 @@ using testing::TemporaryFolder;
 
 constexpr std::uint32_t kKeyframe = 256;
 
-/// What a command may cost that reads a file of a megabyte.
+/// The most that a command may use to read a file of a megabyte.
 constexpr std::uint64_t kMemory = std::uint64_t{2} << 30U;
 constexpr std::uint64_t kSeconds = 60;
 
@@ -43,7 +43,7 @@ Node<2>& some_inner(Nodes& nodes) {
   return *std::ranges::find_if(nodes, [](const Node<2>& node) { return node.alive && !node.is_leaf(); });
 }
 
-/// A block that says that it holds four gigabytes.
+/// A block that claims four gigabytes.
 Bytes boastful_block() {
   Bytes frame = compress(Bytes(100'000, 1));
   std::fill_n(frame.begin() + 5, 4, 0xF0);

@@ -96,7 +96,33 @@ INSTANTIATE_TEST_SUITE_P(
                 "knows only boxes"},
         Mistake{"Seed", {"render", "pile", "--seed", "x"}, "--seed"},
         Mistake{"Video", {"render", "pile", "--video", "film.avi"}, ".mp4"},
-        Mistake{"ContactSheet", {"render", "pile", "--contact-sheet", "sheet"}, ".png"}),
+        Mistake{"ContactSheet", {"render", "pile", "--contact-sheet", "sheet"}, ".png"},
+        Mistake{"BenchScene", {"bench", "--scenes", "bronian"}, "did you mean 'brownian'?"},
+        Mistake{"BenchAlgorithm", {"bench", "--algorithms", "colums"}, "did you mean 'columns'?"},
+        Mistake{
+            "BenchParameter", {"bench", "--algorithms", "kerf:max_hight=3"}, "did you mean 'max_height'?"},
+        Mistake{"BenchPeriod", {"bench", "--algorithms", "kerf:period=0"}, "from 1 to 1000000"},
+        Mistake{"BenchShrink", {"bench", "--algorithms", "kerf:shrink=1"}, "it needs a grid"},
+        Mistake{"BenchSimulation", {"bench", "--simulations", "terain"}, "did you mean 'terrain'?"},
+        Mistake{
+            "BenchSimulationAndScene", {"bench", "--simulations", "pile", "--scenes", "flat"}, "leave one"},
+        Mistake{"BenchAblationOfAlgorithms",
+                {"bench", "--ablation", "--algorithms", "kerf"},
+                "leave --algorithms out"},
+        Mistake{
+            "BenchInLoop", {"bench", "--simulations", "pile-2d", "--algorithms", "colums"}, "2D broad phase"},
+        Mistake{"BenchDimension", {"bench", "--dims", "4"}, "from 2 to 3"},
+        Mistake{"BenchObjects", {"bench", "--objects", "1"}, "whole number from"},
+        Mistake{"BenchEmptyName", {"bench", "--objects", "1000,,2000"}, "between commas"},
+        Mistake{"BenchRounds", {"bench", "--rounds", "0"}, "whole number from 1"},
+        Mistake{"BenchOption", {"bench", "--scnes", "brownian"}, "did you mean '--scenes'?"},
+        Mistake{"ReportSection", {"report", "misssed"}, "did you mean 'missed'?"},
+        Mistake{"ReportObjects", {"report", "--objects", "3"}, "from 20 to 100000"},
+        Mistake{"ReportSteps", {"report", "--steps", "ten"}, "whole number from"},
+        Mistake{"ReportSeeds", {"report", "--seeds", "0"}, "whole number from 1"},
+        Mistake{"ReportPage", {"report", "--out", "page.json"}, "call the page something.html"},
+        Mistake{"ReportNoPage", {"report", "--out", ""}, "needs the name of a file"},
+        Mistake{"ReportOption", {"report", "--objcts", "30"}, "did you mean '--objects'?"}),
     [](const ::testing::TestParamInfo<Mistake>& mistake) { return std::string(mistake.param.name); });
 
 }  // namespace

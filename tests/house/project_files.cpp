@@ -20,7 +20,7 @@ std::string output_of(const std::string& command) {
 }  // namespace
 
 std::vector<std::filesystem::path> project_files() {
-  // The check-out may belong to another user than the one who tests; git would refuse to look at it.
+  // The check-out may belong to another user than the tester's; git would refuse to read it.
   std::istringstream list(output_of("git -c safe.directory='*' -C '" KERF_SOURCE_DIR
                                     "' ls-files --cached --others --exclude-standard"));
   std::vector<std::filesystem::path> files;

@@ -7,7 +7,7 @@
 namespace kerf::house {
 
 /// The project's own files as git knows them, new ones that are not ignored included; paths from the root.
-/// Throws std::runtime_error when git cannot tell.
+/// Throws std::runtime_error when git fails.
 std::vector<std::filesystem::path> project_files();
 
 /// Those of them that are C++.

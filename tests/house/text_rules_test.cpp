@@ -15,7 +15,7 @@ using testing::IsEmpty;
 // Written with brackets, so that this file does not mention what it forbids.
 const std::regex kUnfinished(R"(\b(T[O]DO|F[I]XME|X[X]X|H[A]CK)\b)");
 const std::regex kMachinePath(R"((^|[^\w.}])/(h[o]me|r[o]ot|w[o]rk|U[s]ers|t[m]p)/)");
-// Alternatives of a variant are told apart by visits that name them all (core/base/overloaded.h,
+// Alternatives of a variant are distinguished by visits that name them all (core/base/overloaded.h,
 // core/trace/event_facts.h): one that is added and forgotten somewhere does not compile.
 const std::regex kOneAlternative(
     R"(\b(get_i[f]|holds_alternativ[e])\b|std::ge[t]<(Phase|Object|Operator|Events|All)[A-Z]\w*>)");

@@ -34,7 +34,7 @@ Image cut_out(const Image& image, const PanelArea& area) {
   return part;
 }
 
-/// A run that took no time, for a clock shows something else each time.
+/// A run that took no time: measured times differ from run to run.
 template <int D>
 void record_timeless(const test::TemporaryRecording& file, const Config& config) {
   test::record_crowd<D>(file.path(), 60, config);

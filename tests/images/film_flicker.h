@@ -6,7 +6,7 @@
 
 namespace kerf::test {
 
-/// What the eye is drawn to in a film though nothing happens there.
+/// Changes in a film that draw the eye though nothing happens there.
 struct FilmFlicker {
   std::uint32_t frames = 0;
   /// Pairs of neighbouring frames without highlighted operators whose camera stood still; the pixels that

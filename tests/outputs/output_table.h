@@ -15,7 +15,7 @@ enum class OutputKind {
   temporary,  ///< a folder in which nothing stays
 };
 
-/// An option of a command by which it is told what to write, and a run that writes it.
+/// An option that names an output of a command, and a run that writes it.
 ///
 /// In `arguments` OUT is the output, and these are inputs: RECORDING, FRAMES and OTHER (folders of
 /// sequences), BOXES (CSV), SCRIPT (takes a screenshot called shot), PICTURE and HARD (a folder with the
@@ -34,7 +34,7 @@ inline void PrintTo(const OutputCase& row, std::ostream* out) { *out << row.comm
 /// All of them: a test compares the table with what `kerf COMMAND --help` shows.
 const std::vector<OutputCase>& output_table();
 
-/// Options by which a command is told what to read, "render --camera-path": what else takes a file or folder.
+/// Options that name an input of a command, "render --camera-path": what else takes a file or folder.
 const std::vector<std::string>& input_options();
 
 }  // namespace kerf::testing

@@ -285,7 +285,7 @@ Words commands() {
   return names;
 }
 
-/// An option that names a file or folder is an output or an input: who adds one has to say which.
+/// An option that names a file or folder is an output or an input: a new one must be in one of the tables.
 TEST(OutputOptions, AreAllInTheTable) {
   Words outputs;
   Words inputs;

@@ -7,8 +7,8 @@
 
 namespace kerf::faults {
 
-/// How it is told that an output is the new one and whole: what holds times is never the same twice. A
-/// manifest may also say that it is not complete; then each of its frames may be an earlier one.
+/// How a test sees that an output is the new one and whole: a file with times in it is never the same twice.
+/// A manifest may also say that it is not complete; then each of its frames may be an earlier one.
 enum class Likeness { same_bytes, same_manifest, same_recording, same_lines, same_end };
 
 struct OutputFile {

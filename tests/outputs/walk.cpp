@@ -30,7 +30,7 @@ Files files_below(const fs::path& folder) {
   return files;
 }
 
-/// Also what a killed writer of a recording leaves to say that it writes.
+/// Among them the lock that a killed writer of a recording leaves.
 bool is_part(const fs::path& file) {
   return std::ranges::any_of(file, [](const fs::path& name) {
     std::string text = name.string();
@@ -182,7 +182,7 @@ class Walk {
     if (!is_new && !is_earlier) finding(output.name + " is neither the earlier one nor the new one");
   }
 
-  /// Inputs and what the command has nothing to do with, what goes with the earlier outputs, and what is new.
+  /// Inputs and unrelated files, the files of the earlier outputs, and the new ones.
   template <class Finding>
   void check_others(const Run& run, Fault fault, const Finding& finding) const {
     const std::string& first = scenario_.outputs.front().name;

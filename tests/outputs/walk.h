@@ -18,14 +18,14 @@ struct WalkResult {
   int errors = 0;           ///< runs in which a call failed with EIO
   int full = 0;             ///< with ENOSPC
   int kills = 0;
-  int unharmed = 0;  ///< of all these, runs that were done all the same
+  int unharmed = 0;  ///< of all these, runs that succeeded
   std::vector<std::string> findings;
 };
 
 /// Runs the scenario once as it is, then with a fault of each kind at up to `points` calls, evenly chosen
 /// among all, the first and the last among them. After each run every output must be the earlier one or the
-/// new one, whole; inputs must be as they were; a run that says that it is done must have made all; and one
-/// that ended by itself must leave no part. Throws std::runtime_error if the run fails without a fault.
+/// new one, whole; inputs must be as they were; a run that succeeds must have made all; and one that
+/// ended by itself must leave no part. Throws std::runtime_error if the run fails without a fault.
 WalkResult walk(const Scenario& scenario, std::uint64_t points);
 
 }  // namespace kerf::faults

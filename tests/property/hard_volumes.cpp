@@ -28,13 +28,6 @@ Vector<D> to_vector(const Precise<D>& p) {
   return v;
 }
 
-template <int D>
-Precise<D> to_precise(const Scalar* p) {
-  Precise<D> q;
-  for (std::size_t i = 0; i < D; ++i) q[i] = static_cast<double>(p[i]);
-  return q;
-}
-
 /// Half the shadow of an oriented box on a unit axis.
 template <int D>
 double reach(const std::array<Vector<D>, D>& axes, const Vector<D>& half, const Precise<D>& along) {
@@ -244,7 +237,7 @@ template <int D>
 Volume<D> HardVolumes<D>::dop(const Volume<D>& earlier) {
   std::vector<Interval> slabs;
   const std::size_t count = slab_directions<D>(kind_).size();
-  if (random_.below(2) == 0) {  // each slab on its own: the rule speaks of slabs, not of bodies
+  if (random_.below(2) == 0) {  // each slab on its own: the rule concerns slabs, not bodies
     const bool calm = random_.below(4) != 0;
     for (std::size_t k = 0; k < count; ++k) {
       const Scalar* ends = earlier.extra.data() + 2 * (k - std::min<std::size_t>(k, D));

@@ -2,22 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 
 #include "core/base/random.h"
-#include "core/geometry/vector.h"
+#include "core/geometry/precise.h"
 
 namespace kerf::test {
-
-template <int D>
-using Precise = std::array<double, D>;
-
-template <int D>
-double inner(const Precise<D>& a, const Precise<D>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < D; ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 /// A direction of length one: often a signed axis, else anything.
 template <int D>
@@ -56,13 +45,8 @@ std::array<Vector<D>, D> turned(const std::array<Vector<D>, D>& axes, double ang
 template <int D>
 Precise<D> separating_axis(const std::array<Vector<D>, D>& a, const std::array<Vector<D>, D>& b,
                            Random& random) {
-  const auto load = [](const Vector<D>& v) {
-    Precise<D> p;
-    for (std::size_t i = 0; i < D; ++i) p[i] = static_cast<double>(v.value[i]);
-    return p;
-  };
-  const Precise<D> u = load(a[random.below(D)]);
-  const Precise<D> v = load(b[random.below(D)]);
+  const Precise<D> u = to_precise(a[random.below(D)]);
+  const Precise<D> v = to_precise(b[random.below(D)]);
   const std::uint32_t sort = random.below(4);
   Precise<D> axis = sort == 0 ? u : sort == 1 ? v : random_unit<D>(random);
   if constexpr (D == 3) {

@@ -56,7 +56,7 @@ bool same_runs(const SceneEntry<D>& entry, const SceneOptions& options, int step
   return true;
 }
 
-/// What a scene says of itself must be so from the first step on.
+/// What a scene states of itself must hold from the first step on.
 template <int D>
 void expect_needs_hold(const SceneEntry<D>& entry) {
   BruteForce<D> broad_phase(entry.needs.volume);

@@ -103,7 +103,7 @@ void bind_changed(sqlite3_stmt* row, sqlite3_stmt* update, Random& random) {
   }
 }
 
-/// What tells the rows of a table apart.
+/// What distinguishes the rows of a table.
 std::string key_of(const std::string& table) { return table == "meta" ? "key" : "rowid"; }
 
 Bytes blob(const Writable& database, const std::string& sql) {

@@ -107,7 +107,7 @@ void Debugger::take_in(const DebuggerInput& input, int width, int height) {
   if (input.key && !gui_.is_typing()) take_key(*input.key, input.shift);
   update_views(layout);
   const auto start = std::chrono::steady_clock::now();
-  PanelContext context{model_, gui_, memory_, *view_, other_view_.get()};
+  PanelContext context{model_, gui_, memory_, *view_};
   draw_panels(context, layout);
   gui_.end();
   panel_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -35,17 +35,17 @@ struct ScriptLine {
 /// Lines without comments and empty ones. Throws ScriptError.
 std::vector<ScriptLine> parse_script(std::string_view text);
 
-/// Where pictures go, and whether they replace earlier ones.
+/// The folder of the pictures, and whether they replace earlier ones.
 struct PictureFolder {
   std::filesystem::path path;
   Replace replace = Replace::nothing;
 };
 
-/// Does with a debugger what a user would, line by line. docs/DEBUGGING.md has the commands.
+/// Drives a debugger as a user would, line by line. docs/DEBUGGING.md has the commands.
 class ScriptPlayer {
  public:
   /// The folder is made when the first picture is taken; one that a script takes twice replaces the first.
-  /// `present` is called after each frame, for whoever shows it.
+  /// `present` is called after each frame, so that a window can show it.
   ScriptPlayer(Debugger& debugger, int width, int height, PictureFolder folder,
                std::function<void()> present = {});
 

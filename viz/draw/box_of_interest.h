@@ -8,18 +8,19 @@
 
 namespace kerf {
 
-/// Which bodies a picture is made for.
+/// The bodies that a picture frames.
 enum class Framing {
-  most,  ///< what most of them span: one that fell off or lies far away must not shrink the rest to a dot
+  most,        ///< what most of them span: one that lies far away must not shrink the rest to a dot
   everything,  ///< every finite one
 };
 
-/// What a picture of these bodies should hold; nothing if there is none to be seen.
+/// The box that a picture of these bodies should frame; none if no body is visible.
 ///
-/// `most`: between the tenth smallest and the tenth largest of a hundred lies the bulk. What is fixed counts
-/// unless it reaches beyond a hundred times the bulk, and gives a region around it in which what moves
-/// counts. Where there is none, or the crowd is not in it, what moves counts within two sizes of the bulk
-/// around it. Of what reaches farther only the part near the bulk counts.
+/// `most`: the bulk lies between the tenth smallest and the tenth largest of a hundred. Fixed bodies
+/// count unless they reach beyond a hundred times the bulk; moving ones count within a region around the
+/// fixed ones. Without fixed bodies, or if the crowd lies outside of that region, moving ones count
+/// within two sizes of the bulk around it. Of a body that reaches farther only the part near the bulk
+/// counts.
 template <int D>
 std::optional<Box<D>> box_of_interest(std::span<const Body<D>> bodies, Framing framing);
 

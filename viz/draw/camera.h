@@ -9,7 +9,7 @@
 
 namespace kerf {
 
-/// What the user said of the camera; what was left out is chosen by `frame_all`, from what `framing` says.
+/// The user's settings of the camera; `frame_all` chooses the missing ones, for what `framing` names.
 template <int D>
 struct CameraChoice;
 
@@ -23,7 +23,7 @@ struct CameraChoice<3> {
   std::optional<double> distance;  ///< from the target, in scene units
   std::optional<Eigen::Vector3d> target;
   Framing framing = Framing::most;
-  /// It looks elsewhere than at what is framed.
+  /// Whether it looks elsewhere than at what is framed.
   [[nodiscard]] bool is_aimed() const { return distance || target; }
 };
 
@@ -37,8 +37,8 @@ struct CameraChoice<2> {
 };
 
 /// Reads "yaw=30,pitch=38,fov=35,distance=40,target=0:0:0" (3D) or "center=0:5,width=40" (2D), any part of
-/// it, with or without "all" for Framing::everything, or nothing. Throws std::invalid_argument that says what
-/// was wrong and what can be given.
+/// it, with or without "all" for Framing::everything, or nothing. Throws std::invalid_argument that says
+/// what is wrong and what can be given.
 template <int D>
 CameraChoice<D> parse_camera(std::string_view text);
 

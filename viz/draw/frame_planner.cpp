@@ -31,7 +31,7 @@ const FramePlan<D>& FramePlanner<D>::plan(const FrameInput<D>& input) {
   view_box_.update(input.bodies);
   plan_.bounds = view_box_.box();
   plan_.outside = count_outside(input.bodies, plan_.bounds);
-  plan_.tells_outside |= plan_.outside > 0;
+  plan_.names_outside |= plan_.outside > 0;
   plan_.has_tree = input.tree != nullptr;
   observe(input);
   plan_.placements.clear();

@@ -15,8 +15,8 @@ template <int D>
 struct FramePlan {
   Box<D> bounds;                         ///< that is framed
   std::uint32_t outside = 0;             ///< bodies of which no part lies in it
-  bool tells_outside = false;            ///< the caption says so, also of none: it must not jump
-  bool has_tree = false;                 ///< caption and legend speak of it
+  bool names_outside = false;            ///< the caption has the number, also 0: it must not jump
+  bool has_tree = false;                 ///< caption and legend describe it
   TreeSnapshotOf<D> snapshot;            ///< of the tree
   std::vector<Placement> placements;     ///< by object; empty: objects are not tinted
   std::vector<Highlight> highlights;     ///< newest first
@@ -44,7 +44,7 @@ class FramePlanner {
   /// From now on the view is exactly this box. Throws std::invalid_argument unless it is valid.
   void fix_view_box(const Box<D>& box) { view_box_.fix(box); }
   /// From now on the caption says how many bodies lie outside, also if none does.
-  void tell_outside() { plan_.tells_outside = true; }
+  void name_outside() { plan_.names_outside = true; }
   /// From now on the ramp of populations ends here.
   void fix_largest_population(std::uint32_t population);
   [[nodiscard]] Box<D> view_box() const { return view_box_.box(); }

@@ -39,7 +39,7 @@ std::string ramp_text(const FramePlan<D>& plan) {
 /// A camera that the user has aimed need not show everything.
 template <int D>
 std::optional<std::uint32_t> told_outside(const FramePlan<D>& plan, const CameraChoice<D>& camera) {
-  return plan.tells_outside && !camera.is_aimed() ? std::optional(plan.outside) : std::nullopt;
+  return plan.names_outside && !camera.is_aimed() ? std::optional(plan.outside) : std::nullopt;
 }
 
 }  // namespace

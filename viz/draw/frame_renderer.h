@@ -80,8 +80,8 @@ struct FramePlan;
 /// Draws frames with a GL context of its own; the same inputs in the same order give the same pixels on every
 /// run and for every number of rasteriser threads.
 ///
-/// The view holds everything seen so far and does not follow single objects: it grows in large steps only. To
-/// draw frames out of order (or in several processes), plan them in order with a FramePlanner.
+/// The view contains everything seen so far and does not follow single objects: it grows in large steps only.
+/// To draw frames out of order (or in several processes), plan them in order with a FramePlanner.
 template <int D>
 class FrameRenderer {
  public:

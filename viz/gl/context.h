@@ -22,7 +22,7 @@ class GlContext {
   [[nodiscard]] virtual const GlFunctions& functions() const = 0;
   /// Driver and version, for reports.
   [[nodiscard]] virtual std::string description() const = 0;
-  /// What decides the pixels: the rasteriser and its version, independent of the backend.
+  /// The rasteriser and its version, which decide the pixels whatever the backend.
   [[nodiscard]] std::string rasterizer() const;
 };
 

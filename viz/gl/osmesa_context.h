@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-/// Its library is there and can be loaded.
+/// Whether its library can be loaded.
 bool has_osmesa();
 
 /// Mesa's software rasteriser without a window system. Mesa dropped it after 25.0.

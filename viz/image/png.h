@@ -22,8 +22,8 @@ void write_png(const std::filesystem::path& path, const Image& image, Replace re
 /// The bytes of that file.
 std::vector<std::uint8_t> encode_png(const Image& image);
 
-/// Reads a PNG that is no more than its pixels. Throws std::runtime_error as `read_stored_picture` does, and
-/// for one of which RGBA of 8 bits would not be all: 16 bits a channel, colour profiles, animations.
+/// Reads a PNG that has nothing but pixels of 8 bits. Throws std::runtime_error as `read_stored_picture`
+/// does, and for one with more: 16 bits a channel, colour profiles, animations.
 Image read_png(const std::filesystem::path& path);
 /// The same for a PNG in memory; errors call it `path`.
 Image read_png(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);

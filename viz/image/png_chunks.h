@@ -16,9 +16,9 @@ struct PngChunk {
 };
 
 /// Walks the chunks: they must be whole, undamaged, begin with a header that can be true, and end with IEND
-/// and the file. Returns those that the decoder of the pixels does not look at and that are no remarks, in
-/// their order: what says how pixels are shown (gAMA, iCCP, eXIf), further frames of an animation, and all
-/// that is unknown. Throws std::runtime_error with the path and the reason.
+/// and the file. Returns, in their order, the chunks that the decoder of the pixels ignores and that are
+/// no comments: those that decide how pixels are shown (gAMA, iCCP, eXIf), further frames of an
+/// animation, and unknown ones. Throws std::runtime_error with the path and the reason.
 std::vector<PngChunk> walk_png_chunks(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 
 /// Throws the std::runtime_error that says why a picture cannot be read.

@@ -88,9 +88,8 @@ void write(const ReportRequest& request, const CellStore& store, Page& page) {
       "Scenes in which the broad phase's pairs decide what collides, compared step by step with the run of "
       "the exact broad phase from the same seed. The second run of kerf, and the paper's configuration, "
       "report the same pairs, so their distance is 0 to the last bit; the control differs by one ulp in "
-      "where the first "
-      "object starts. Extra pairs alone leave ODE's runs as they are, but change the order in which Box2D "
-      "solves contacts. Objects are about one unit large.");
+      "where the first object starts. Extra pairs alone leave ODE's runs as they are, but change the order "
+      "in which Box2D solves contacts. Objects are about one unit large.");
   for (const LoopScene& scene : loop_scenes(request.sizes)) write_scene(scene, store, page);
   page.command(command_of(request, "divergence"));
 }

@@ -68,12 +68,9 @@ void write(const ReportRequest& request, const CellStore& store, Page& page) {
   page.paragraph(
       "A scene states its needs and pays for nothing else. The least model has boxes that keep their shape, "
       "moving objects alone, partitioners along the axes, and reports pairs; every other bar adds one need "
-      "to "
-      "it. "
-      "The motion is that of a recorded scene. Time is that of bounding and broad phase, and of the narrow "
-      "phase "
-      "where contacts are wanted. A third axis puts the flat scene into a tree of three dimensions, in which "
-      "the new axis separates nothing.");
+      "to it. The motion is that of a recorded scene. Time is that of bounding and broad phase, and of the "
+      "narrow phase where contacts are wanted. A third axis puts the flat scene into a tree of three "
+      "dimensions, in which the new axis separates nothing.");
   for (const NeedsCell& needs : needs_cells(request.sizes)) write_scene(needs, store, page);
   page.command(command_of(request, "needs"));
 }

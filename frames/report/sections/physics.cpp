@@ -79,13 +79,11 @@ std::vector<Cell> cells(const ReportRequest& request) { return cells_of(loop_sce
 void write(const ReportRequest& request, const CellStore& store, Page& page) {
   page.paragraph(
       "What wrong pairs do to the physics, in the runs of the section before. Penetration is the deepest "
-      "that "
-      "any two bodies were in each other at the steps that were looked at, by the engine's own narrow phase. "
-      "Energy is kinetic (of the middles, without spin) and potential, over weight, so that it is a height; "
-      "the drift is how far its mean over the last quarter lies from that of the exact run of the same seed. "
-      "Both engines damp: energy falls in every run. What falls through a floor goes on falling in 2D, and "
-      "is put "
-      "back above the scene in 3D.");
+      "that any two bodies were in each other at the steps that were looked at, by the engine's own narrow "
+      "phase. Energy is kinetic (of the middles, without spin) and potential, over weight, so that it is a "
+      "height; the drift is how far its mean over the last quarter lies from that of the exact run of the "
+      "same seed. Both engines damp: energy falls in every run. What falls through a floor goes on falling "
+      "in 2D, and is put back above the scene in 3D.");
   for (const LoopScene& scene : loop_scenes(request.sizes)) write_scene(scene, store, page);
   page.command(command_of(request, "physics"));
 }

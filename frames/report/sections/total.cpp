@@ -127,8 +127,7 @@ void write(const ReportRequest& request, const CellStore& store, Page& page) {
   page.paragraph(
       "Scenes recorded once with the exact broad phase; then every setting sees the same motion, and the "
       "narrow phase (Box2D's manifolds, ODE's colliders) tests all of its candidates anew. Contacts are "
-      "those "
-      "among all pairs by brute force. Making the volumes is not counted here.");
+      "those among all pairs by brute force. Making the volumes is not counted here.");
   const std::vector<SceneCell> scenes = scene_cells(request.sizes);
   write_recommendations(scenes, store, page);
   for (const SceneCell& scene : scenes) write_scene(scene, store, page);

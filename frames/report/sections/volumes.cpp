@@ -95,8 +95,7 @@ void write(const ReportRequest& request, const CellStore& store, Page& page) {
   page.paragraph(
       "A tighter volume leaves fewer candidates to the narrow phase, and costs more to make and to place. "
       "The contacts are ODE's in 3D and those of separating axes in 2D; none may be missed. The tree has the "
-      "paper's parameters, with partitioners in free directions; the "
-      "times of steps are the tree's.");
+      "paper's parameters, with partitioners in free directions; the times of steps are the tree's.");
   write_dimension(2, request, store, page);
   write_dimension(3, request, store, page);
   page.command(command_of(request, "volumes"));

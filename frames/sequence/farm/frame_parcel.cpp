@@ -170,7 +170,7 @@ template <int D>
 void write(RawWriter& out, const FramePlan<D>& plan) {
   out.put(plan.bounds);
   out.put(plan.outside);
-  out.put(plan.tells_outside);
+  out.put(plan.names_outside);
   out.put(plan.has_tree);
   out.put(plan.snapshot.root());
   out.put_list(plan.snapshot.nodes());
@@ -188,7 +188,7 @@ FramePlan<D> read_plan(RawReader& in) {
   FramePlan<D> plan;
   plan.bounds = in.get<Box<D>>();
   plan.outside = in.get<std::uint32_t>();
-  plan.tells_outside = in.get<bool>();
+  plan.names_outside = in.get<bool>();
   plan.has_tree = in.get<bool>();
   const auto root = in.get<NodeId>();
   auto nodes = in.get_list<TreeSnapshot::Node>();

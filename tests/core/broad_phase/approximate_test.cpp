@@ -123,15 +123,6 @@ TYPED_TEST(ApproximateTest, AGridThatShrinksMisses) {
   EXPECT_GT(this->walk({.grid = 0.1F, .shrink = true}, 0.2).missed, 0U);
 }
 
-TYPED_TEST(ApproximateTest, SettingsTellWhatTheyRisk) {
-  EXPECT_TRUE(finds_all({}) && invents_none({}));
-  EXPECT_FALSE(finds_all({.period = 2, .margin = 1}));
-  EXPECT_TRUE(finds_all({.grid = 1}));
-  EXPECT_FALSE(finds_all({.grid = 1, .shrink = true}));
-  EXPECT_FALSE(invents_none({.margin = 1}));
-  EXPECT_TRUE(invents_none({.period = 4, .margin = 1, .filter = true}));
-}
-
 TYPED_TEST(ApproximateTest, PlacesInEveryKthStepOnly) {
   constexpr int kD = TestFixture::kDimension;
   auto inner = std::make_unique<Counted<kD>>();

@@ -88,7 +88,7 @@ TYPED_TEST(BoxExchange, ObjectsAreWhereTheyWereMoved) {
   this->step_and_expect_truth();
 }
 
-TYPED_TEST(BoxExchange, WhoDoesNotMoveAgainStaysWhereItIs) {
+TYPED_TEST(BoxExchange, WhatDoesNotMoveAgainStaysWhereItIs) {
   for (const std::uint32_t first : {1U, 100U, 299U, 0U}) {
     this->jump(first, TestFixture::kCount);
     this->expect_truth();
@@ -185,7 +185,7 @@ TYPED_TEST(BoxExchange, KeepingPairsBeginsInAQuietStep) {
   for (int step = 0; step < 40; ++step) this->step_and_expect_truth();
 }
 
-TYPED_TEST(BoxExchange, WhereKeepingWasForbiddenItDoesNotBeginAmongWhoJumps) {
+TYPED_TEST(BoxExchange, WhereKeepingWasForbiddenItDoesNotBeginAmongWhatJumps) {
   this->tree_.set_config(keeping());
   for (int step = 0; step < 40; ++step) this->step_and_expect_truth();
   ASSERT_TRUE(this->tree_.mode() == Mode::kept);

@@ -22,7 +22,7 @@ constexpr const char* kEager =
     "max_redundancy=0.4,schedule_interval=1,budget_divisor=2,min_threshold=4,max_threshold=8";
 
 static_assert(sizeof(kerf::Bsp<3, NoTrace>) + sizeof(EventLog) == sizeof(kerf::Bsp<3, EventLog>),
-              "watching is paid for by those who watch");
+              "a tree without a trace pays nothing for it");
 
 template <class T>
 class Bsp : public testing::Test {};
@@ -212,7 +212,7 @@ TYPED_TEST(Bsp, EventsAreNumberedWithoutAGapAndPhasesComeInOrder) {
   }
 }
 
-TYPED_TEST(Bsp, TellsWhichObjectsWerePlaced) {
+TYPED_TEST(Bsp, ReportsWhichObjectsWerePlaced) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD, EventLog> tree(config_of("budget_divisor=0"));
   const auto placements = [&] {

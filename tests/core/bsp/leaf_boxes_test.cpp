@@ -137,7 +137,7 @@ class Outliers {
   Scalar shift_ = 0;
 };
 
-TYPED_TEST(LeavesWithBoxes, TellThePairsOfLongTables) {
+TYPED_TEST(LeavesWithBoxes, FindThePairsOfLongTables) {
   constexpr int kD = TypeParam::value;
   for (const unsigned threads : {1U, 2U}) {
     Bsp<kD> tree(

@@ -55,7 +55,7 @@ template <class T>
 class Sweep : public testing::Test {};
 TYPED_TEST_SUITE(Sweep, Dimensions, DimensionNames);
 
-TYPED_TEST(Sweep, TellsEachPairOnceInTreesOfRandomPlanes) {
+TYPED_TEST(Sweep, ReportsEachPairOnceInTreesOfRandomPlanes) {
   constexpr int kD = TypeParam::value;
   Random random(2);
   for (int round = 0; round < 60; ++round) {
@@ -67,7 +67,7 @@ TYPED_TEST(Sweep, TellsEachPairOnceInTreesOfRandomPlanes) {
   }
 }
 
-TYPED_TEST(Sweep, TellsTouchingBoxesOnALatticeWithPlanesOnTheirFaces) {
+TYPED_TEST(Sweep, ReportsTouchingBoxesOnALatticeWithPlanesOnTheirFaces) {
   constexpr int kD = TypeParam::value;
   std::vector<Box<kD>> lattice;
   for (int x = 0; x < 5; ++x)
@@ -98,7 +98,7 @@ TYPED_TEST(Sweep, LeavesOutPairsOfFixedObjects) {
       "");
 }
 
-TYPED_TEST(Sweep, TellsAStraddlingPairInTheLeftmostLeafOfBoth) {
+TYPED_TEST(Sweep, ReportsAStraddlingPairInTheLeftmostLeafOfBoth) {
   constexpr int kD = TypeParam::value;
   auto tree = tree_of<kD>(std::vector{slab<kD>(0, 9), slab<kD>(4, 9), slab<kD>(0, 9)});
   plant(tree, tree.root(), 0, 2);  // 0 and 2 straddle, 1 lies right

@@ -108,7 +108,7 @@ class Resting : public testing::Test {
 };
 TYPED_TEST_SUITE(Resting, Dimensions, DimensionNames);
 
-TYPED_TEST(Resting, PairsAreAllToldOnceWhateverLeavesLoseAndGet) {
+TYPED_TEST(Resting, PairsAreAllReportedOnceWhateverLeavesLoseAndGet) {
   for (int k = 0; k < 2000; ++k) {
     const bool many_others = this->random_.below(2) == 0;
     this->step(many_others ? 60 : this->random_.below(3));
@@ -116,7 +116,7 @@ TYPED_TEST(Resting, PairsAreAllToldOnceWhateverLeavesLoseAndGet) {
   }
 }
 
-TYPED_TEST(Resting, PairsAreLaidOutAnewForWhoForgetsThoseOfTheLastStep) {
+TYPED_TEST(Resting, PairsAreLaidOutAnewWithoutThoseOfTheLastStep) {
   for (int k = 0; k < 20; ++k) {
     this->step(5);
     this->pairs_.clear();

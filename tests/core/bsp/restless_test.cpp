@@ -131,7 +131,7 @@ template <class T>
 class Restless : public testing::Test {};
 TYPED_TEST_SUITE(Restless, Dimensions, DimensionNames);
 
-TYPED_TEST(Restless, PairsAreTheOraclesWhoeverWakesSleepsShrinksComesOrGoes) {
+TYPED_TEST(Restless, PairsAreTheOraclesWhateverWakesSleepsShrinksComesOrGoes) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD> tree(small_leaves());
   Crowd<kD> crowd(1200, {&tree});
@@ -144,7 +144,7 @@ TYPED_TEST(Restless, PairsAreTheOraclesWhoeverWakesSleepsShrinksComesOrGoes) {
     crowd.advance();
   }
   EXPECT_GT(most, 30U);
-  EXPECT_LT(most, 150U) << "who sleeps is no longer restless";
+  EXPECT_LT(most, 150U) << "an object at rest is no longer restless";
 }
 
 /// So far apart are the ids that the boxes leave the caches: then candidates are named by places in their
@@ -248,7 +248,7 @@ TYPED_TEST(Restless, AStateWithTooFewSkinsGoesOn) {
   }
 }
 
-TYPED_TEST(Restless, StepsOfWhichNobodyAsksThePairsChangeNothingElse) {
+TYPED_TEST(Restless, StepsWithoutPairsChangeNothingElse) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD, EventLog> always(small_leaves());
   kerf::Bsp<kD, EventLog> seldom(small_leaves());
@@ -310,7 +310,7 @@ TYPED_TEST(Restless, ACrowdThatLandsIsKeptSoon) {
   EXPECT_TRUE(keeps(tree));
 }
 
-TYPED_TEST(Restless, WhoLiesStillLosesItsFat) {
+TYPED_TEST(Restless, WhatLiesStillLosesItsFat) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD> tree(small_leaves());
   Crowd<kD> crowd(1200, {&tree}, 2);
@@ -326,7 +326,7 @@ TYPED_TEST(Restless, WhoLiesStillLosesItsFat) {
     crowd.shake(0.001F);
     tree.step();
   }
-  EXPECT_GT(count_fat(tree), 1100U) << "who moves, however little, has fat";
+  EXPECT_GT(count_fat(tree), 1100U) << "an object that moves, however little, has fat";
   EXPECT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "");
 }
 

@@ -108,7 +108,7 @@ std::vector<std::vector<std::uint32_t>> objects_of_leaves(const Tree<D>& tree) {
   return leaves;
 }
 
-TYPED_TEST(Stream, WhoLeavesItsCellGoesWhereAllWouldGo) {
+TYPED_TEST(Stream, WhatLeavesItsCellGoesWhereAllWouldGo) {
   for (const char* const free_directions : {"0", "1"}) {
     auto tree = TestFixture::grown(300, free_directions);
     std::size_t most = 0;
@@ -126,7 +126,7 @@ TYPED_TEST(Stream, WhoLeavesItsCellGoesWhereAllWouldGo) {
     }
     EXPECT_LT(least, most);
     if (*free_directions == '1') continue;
-    EXPECT_LT(least, 250U) << "who stays is not sent down again";
+    EXPECT_LT(least, 250U) << "an object that stays is not sent down again";
   }
 }
 
@@ -143,7 +143,7 @@ TYPED_TEST(Stream, LeaversAreTheSameForAnyNumberOfThreads) {
   }
 }
 
-TYPED_TEST(Stream, WhatEverybodyNeededIsGivenBackWhenFewLeave) {
+TYPED_TEST(Stream, WhatAllNeededIsGivenBackWhenFewLeave) {
   auto tree = TestFixture::grown(300, "0");
   StreamMemory memory;
   LeavePass<TypeParam::value> pass;
@@ -165,7 +165,7 @@ TYPED_TEST(Stream, WhatEverybodyNeededIsGivenBackWhenFewLeave) {
 }
 
 /// What ends on a partitioner lies left of it, what begins there lies on both sides.
-TYPED_TEST(Stream, WhoTouchesItsCellStaysOnlyIfItEndsThere) {
+TYPED_TEST(Stream, WhatTouchesItsCellStaysOnlyIfItEndsThere) {
   constexpr int kD = TypeParam::value;
   for (const bool ends : {true, false}) {
     auto tree = TestFixture::grown(300, "0");

@@ -83,12 +83,12 @@ TEST_F(PartFiles, WhatHasComeMeanwhileIsNotReplacedUnlessAsked) {
   {
     PartFile part(path("a.txt"), Replace::nothing);
     part.write("new");
-    write("a.txt", "somebody else's");
+    write("a.txt", "another one");
     EXPECT_THAT([&] { part.keep(); }, ::testing::ThrowsMessage<std::system_error>(
                                           HasSubstr("has come meanwhile; what was made is in")));
     left = part.path();
   }
-  EXPECT_EQ(text_of(path("a.txt")), "somebody else's");
+  EXPECT_EQ(text_of(path("a.txt")), "another one");
   EXPECT_EQ(text_of(left), "new") << "an hour's work is not thrown away";
 }
 

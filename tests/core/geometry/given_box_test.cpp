@@ -38,7 +38,7 @@ TEST(GivenBox, NoOverlapIsLostByRounding) {
 
 TEST(GivenBox, WhatCannotBePlacedStaysSo) {
   EXPECT_FALSE(is_valid(round_outward(given(3, 1))));
-  EXPECT_FALSE(is_valid(round_outward(given(1.00000000001, 1)))) << "inverted by less than floats tell";
+  EXPECT_FALSE(is_valid(round_outward(given(1.00000000001, 1)))) << "inverted by less than floats show";
   EXPECT_FALSE(is_valid(round_outward(given(1e300, 1e299))));
   EXPECT_FALSE(is_valid(round_outward(given(kNan, 1))));
   EXPECT_FALSE(is_valid(round_outward(given(0, kNan))));

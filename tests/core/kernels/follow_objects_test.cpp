@@ -57,7 +57,7 @@ template <class T>
 class FollowObjects : public EveryKernel<T> {};
 TYPED_TEST_SUITE(FollowObjects, Dimensions, DimensionNames);
 
-TYPED_TEST(FollowObjects, WhoLiesInTheCellAndIsFastIsFollowedTheRestIsLeftOver) {
+TYPED_TEST(FollowObjects, WhatLiesInTheCellAndIsFastIsFollowedTheRestIsLeftOver) {
   constexpr int kD = TypeParam::value;
   Random random(3);
   std::size_t followed = 0;

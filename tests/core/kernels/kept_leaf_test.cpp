@@ -151,7 +151,7 @@ TYPED_TEST(KeptLeaves, FilterKeepsTouchingBoxesAndDropsSeparatedOnes) {
 }
 
 /// One by one and many at once, while others come.
-TYPED_TEST(KeptLeaves, WhoGoesTakesItsPairsAlong) {
+TYPED_TEST(KeptLeaves, WhatGoesTakesItsPairsAlong) {
   constexpr int kD = TypeParam::value;
   Random random(6);
   const LeafView<kD> all = draw_leaf<kD>(Spread::even, 300, random);

@@ -161,7 +161,7 @@ TYPED_TEST(Kernels, ListsAreDividedAsTheDefinitionSays) {
   }
 }
 
-TYPED_TEST(Kernels, WhoLiesInTheCellAndStraddlesNothingStays) {
+TYPED_TEST(Kernels, WhatLiesInTheCellAndStraddlesNothingStays) {
   constexpr int kD = TypeParam::value;
   constexpr DepthMask kRightOf = 0b0101;
   Random random(12);

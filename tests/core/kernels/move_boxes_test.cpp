@@ -23,7 +23,7 @@ template <class T>
 class MoveBoxes : public EveryKernel<T> {};
 TYPED_TEST_SUITE(MoveBoxes, Dimensions, DimensionNames);
 
-TYPED_TEST(MoveBoxes, TellsWhoLeftAndLeavesTheOddToTheCaller) {
+TYPED_TEST(MoveBoxes, ReturnsWhatLeftAndLeavesTheOddToTheCaller) {
   constexpr int kD = TypeParam::value;
   const auto cube = [](Scalar low, Scalar high) {
     Box<kD> box;
@@ -73,7 +73,7 @@ TYPED_TEST(MoveBoxes, TellsWhoLeftAndLeavesTheOddToTheCaller) {
   }
 }
 
-TYPED_TEST(MoveBoxes, WhoFillsItsFatBoxAndShrinksHasLeftIt) {
+TYPED_TEST(MoveBoxes, WhatFillsItsFatBoxAndShrinksHasLeftIt) {
   constexpr int kD = TypeParam::value;
   Box<kD> whole;
   for (int i = 0; i < kD; ++i) whole.max[i] = 4;
@@ -188,14 +188,14 @@ void expect_at_once_as_one_by_one(const Moved<D>& start, const Requests<D>& requ
   EXPECT_TRUE(fat.empty() || are_equal<D>(at_once.before, expected.before));
 }
 
-/// Any mix in a block: objects that stay, leave, shrink, are silent, wait, are given twice, are unknown, or
-/// have no box.
+/// Any mix in a block: objects that stay, leave, shrink, are unrequested, wait, are given twice, are
+/// unknown, or have no box.
 TYPED_TEST(MoveBoxes, ManyAtOnceAreMovedAsOneByOne) {
   constexpr int kD = TypeParam::value;
   Random random(7);
   for (int round = 0; round < 40; ++round) {
     const double odd = round % 4 == 0 ? 0.3 : 0.02;  // else most blocks have nothing odd
-    const double silent = round % 4 == 1 ? 0.3 : 0;  // then most blocks have a silent object
+    const double quiet = round % 4 == 1 ? 0.3 : 0;   // then most blocks have an unrequested object
     Moved<kD> start;
     std::vector<PackedBox<kD>> fat;
     for (std::uint32_t id = 0; id < 400; ++id) {
@@ -204,7 +204,7 @@ TYPED_TEST(MoveBoxes, ManyAtOnceAreMovedAsOneByOne) {
       const bool fills = random.uniform(0, 1) < 0.3;
       fat.emplace_back(fills ? box : Box<kD>{box.min - all<kD>(0.5F), box.max + all<kD>(0.5F)});
       const std::array<std::uint8_t, 3> attended{flag::kUnrequested, 2, flag::kUnrequested | flag::kChanged};
-      const std::uint8_t usual = random.uniform(0, 1) < silent ? flag::kUnrequested : 0;
+      const std::uint8_t usual = random.uniform(0, 1) < quiet ? flag::kUnrequested : 0;
       start.flags.push_back(random.uniform(0, 1) < odd ? attended[id % 3] : usual);
     }
     const Requests<kD> requests = make_requests(random, start.latest, odd, round % 3 == 0);
@@ -250,8 +250,8 @@ TYPED_TEST(MoveBoxes, ThreadsMoveAsOneDoes) {
   }
 }
 
-/// A silent object asks for nothing, but odd boxes are left to the caller all the same.
-TYPED_TEST(MoveBoxes, TheSilentAreMovedAndNotNoted) {
+/// An unrequested object requests nothing, but its odd boxes are left to the caller as well.
+TYPED_TEST(MoveBoxes, TheUnrequestedAreMovedAndNotNoted) {
   constexpr int kD = TypeParam::value;
   Box<kD> near;
   Box<kD> far;

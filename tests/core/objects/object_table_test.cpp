@@ -96,7 +96,7 @@ template <class T>
 class BruteForce : public testing::Test {};
 TYPED_TEST_SUITE(BruteForce, Dimensions, DimensionNames);
 
-TYPED_TEST(BruteForce, TellsEachOverlapOnceInOrder) {
+TYPED_TEST(BruteForce, ReportsEachOverlapOnceInOrder) {
   constexpr int kD = TypeParam::value;
   kerf::BruteForce<kD> oracle;
   for (std::uint32_t k : {4U, 0U, 2U})  // ids may come in any order and leave gaps
@@ -121,7 +121,7 @@ TYPED_TEST(BruteForce, LeavesOutFixedPairsAndTheQuarantined) {
   EXPECT_EQ(difference(oracle.pairs(), std::vector<Pair>{{{0}, {2}}, {{1}, {2}}}), "");
 }
 
-TEST(PairDifference, NamesWhatIsMissedInventedAndToldAgain) {
+TEST(PairDifference, NamesWhatIsMissedInventedAndReportedAgain) {
   const std::vector<Pair> expected{{{1}, {2}}, {{3}, {4}}};
   EXPECT_EQ(difference(expected, expected), "");
   EXPECT_EQ(difference(std::vector<Pair>{{{3}, {4}}, {{1}, {2}}}, expected), "") << "any order";

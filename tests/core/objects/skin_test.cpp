@@ -113,7 +113,7 @@ TYPED_TEST(Skins, AWrapIsAsThickAsTheSkinOnEverySide) {
   EXPECT_EQ(wrap(cube<kD>(0, kMax), kUsual), cube<kD>(0, kMax));
 }
 
-TEST(Skin, WhoLeavesSoonAfterBeingWrappedIsLeftInPeaceTwiceAsLong) {
+TEST(Skin, WhatLeavesSoonAfterBeingWrappedIsLeftInPeaceTwiceAsLong) {
   Skin skin;
   constexpr std::uint32_t kRest = tuning::kRestSteps;
   skin.left(10, true);
@@ -128,7 +128,7 @@ TEST(Skin, WhoLeavesSoonAfterBeingWrappedIsLeftInPeaceTwiceAsLong) {
   EXPECT_TRUE(skin.is_at_rest(5300 + kRest)) << "it rested for long";
 }
 
-TEST(Skin, WhoWasFastIsRestlessUntilItWasSlowForSomeSteps) {
+TEST(Skin, WhatWasFastIsRestlessUntilItWasSlowForSomeSteps) {
   Skin skin;
   EXPECT_FALSE(skin.is_restless());
   skin.moved(true);
@@ -164,7 +164,7 @@ TYPED_TEST(Skins, WhatWouldOverflowStaysAsItIs) {
   EXPECT_TRUE(contains(fat, cube<kD>(kMax / 2, kMax)));
 }
 
-TEST(Skin, GrowsForWhoLeavesSoonAndThinsForWhoStaysLong) {
+TEST(Skin, GrowsIfItIsLeftSoonAndThinsIfItLasts) {
   Skin skin = kUsual;
   const std::uint8_t first = skin.level;
   skin.since = 100;
@@ -181,7 +181,7 @@ TEST(Skin, GrowsForWhoLeavesSoonAndThinsForWhoStaysLong) {
   EXPECT_EQ(skin.since, 4);
 }
 
-TEST(Skin, WhoHadNoFatTellsNothingOfHowThickItMustBe) {
+TEST(Skin, WithoutFatNothingShowsHowThickItMustBe) {
   Skin skin = kUsual;
   skin.left(5, false);
   skin.left(1000, false);
@@ -189,7 +189,7 @@ TEST(Skin, WhoHadNoFatTellsNothingOfHowThickItMustBe) {
   EXPECT_EQ(skin.since, 1000);
 }
 
-TEST(Skin, WhoHasTheBoxOfTheLastLookIsUnmoved) {
+TEST(Skin, TheBoxOfTheLastLookIsUnmoved) {
   Skin skin;
   EXPECT_FALSE(skin.is_unmoved(7));
   EXPECT_FALSE(skin.is_unmoved(7)) << "to ask is not to look";
@@ -200,7 +200,7 @@ TEST(Skin, WhoHasTheBoxOfTheLastLookIsUnmoved) {
   EXPECT_FALSE(skin.is_unmoved(7));
 }
 
-TYPED_TEST(Skins, FingerprintsTellBoxesApart) {
+TYPED_TEST(Skins, FingerprintsDistinguishBoxes) {
   constexpr int kD = TypeParam::value;
   std::set<std::uint16_t> prints;
   const Box<kD> box = cube<kD>(1, 2);

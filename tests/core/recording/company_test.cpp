@@ -45,8 +45,8 @@ void record_and_die(const fs::path& path) {
   });
 }
 
-/// Readers come while it is written and stay beyond the end. What they have read goes on to be there, and the
-/// file alone has everything.
+/// Readers open it while it is written and stay beyond the end. What they have read stays readable, and
+/// the file alone has everything.
 TEST(RecordingCompany, ReadersDoNotKeepAWriterFromEnding) {
   const TemporaryRecording file;
   const fs::path copy = file.path().parent_path() / "copy.kerf";

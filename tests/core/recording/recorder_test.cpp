@@ -28,7 +28,7 @@ template <class T>
 class Recording : public testing::Test {};
 TYPED_TEST_SUITE(Recording, test::Dimensions, test::DimensionNames);
 
-TYPED_TEST(Recording, TellsEachStepAndEvent) {
+TYPED_TEST(Recording, HasEachStepAndEvent) {
   constexpr int kD = TypeParam::value;
   const TemporaryRecording file;
   Bsp<kD, EventLog> tree(test::busy_config());

@@ -67,7 +67,7 @@ TYPED_TEST(JudgeTheirs, BoxesAreComparedAsTheyWereGiven) {
   EXPECT_THAT(this->judge(right), ElementsAre(judged(3, 4, PairVerdict::missed)));
 }
 
-TYPED_TEST(JudgeTheirs, AMarginExcusesWhatIsToldAndAsksForNothing) {
+TYPED_TEST(JudgeTheirs, AMarginExcusesWhatIsReportedAndAsksForNothing) {
   const PairDesign design{{0.03, 0}, {}};
   EXPECT_THAT(this->judge({this->pair(0, 1), this->pair(1, 2)}, design), IsEmpty());
   EXPECT_THAT(this->judge({this->pair(0, 1), this->pair(1, 2), this->pair(2, 3), this->pair(0, 3)}, design),
@@ -75,7 +75,7 @@ TYPED_TEST(JudgeTheirs, AMarginExcusesWhatIsToldAndAsksForNothing) {
   EXPECT_THAT(this->judge({this->pair(0, 1)}, design), ElementsAre(judged(1, 2, PairVerdict::missed)));
 }
 
-TYPED_TEST(JudgeTheirs, FiltersAndTheListAreIgnoredToldOrNot) {
+TYPED_TEST(JudgeTheirs, FiltersAndTheListAreIgnoredReportedOrNot) {
   this->world_.apply({{}, {{{0}, {1, 6}}, {{1}, {8, 255}}}});
   const PairDesign design{{}, {this->pair(1, 2)}};
   EXPECT_THAT(this->judge({}, design),

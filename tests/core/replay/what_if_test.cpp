@@ -41,7 +41,7 @@ class WhatIf : public testing::Test {
     return std::nullopt;
   }
 
-  /// The run that `info` tells of; it replays and its pairs are exact and those of the first run.
+  /// The run that `info` describes; it replays and its pairs are exact and those of the first run.
   std::shared_ptr<Reader> rerun_as(const RecordingInfo& info) {
     std::filesystem::remove(rerun_.path());
     EXPECT_TRUE(rerun(*reader_, info, rerun_.path()));

@@ -48,7 +48,7 @@ TYPED_TEST(BallotTest, SaysWhyEachCandidateWonOrLost) {
   EXPECT_EQ(entry_of<kD>(entries, 1).result, Ballot::undividing);
 }
 
-TYPED_TEST(BallotTest, UnbalancedAndRedundantPointsAreTold) {
+TYPED_TEST(BallotTest, UnbalancedAndRedundantPointsAreReported) {
   constexpr int kD = TypeParam::value;
   const Config config = test::config_of("free_directions=0");
   std::vector<Box<kD>> boxes;

@@ -153,7 +153,7 @@ TYPED_TEST(Split, RefusesAtTheHeightCap) {
   EXPECT_TRUE(split(tree, child, config_of("max_height=2,min_balance=0"), refusal));
 }
 
-TYPED_TEST(Split, NeverGoesDeeperThanMasksCanTell) {
+TYPED_TEST(Split, NeverGoesDeeperThanMasksReach) {
   constexpr int kD = TypeParam::value;
   std::vector<Box<kD>> halving;  // each plane parts one object from the rest
   for (int k = 0; k < 80; ++k) halving.push_back(slab<kD>(std::ldexp(1.0F, k), std::ldexp(1.5F, k)));

@@ -92,7 +92,7 @@ TYPED_TEST(Validate, ReportsALoop) {
   this->expect_reported("a link leads outside or to a node that is reached already", this->tree.root());
 }
 
-TYPED_TEST(Validate, ReportsALivingNodeThatNobodyReaches) {
+TYPED_TEST(Validate, ReportsALivingNodeThatNoLinkReaches) {
   const NodeId lost = this->tree.make_leaf(NodeId::none(), false, 0);
   this->expect_reported("a node is alive but not reached, or reached but dead", lost);
 }

@@ -132,7 +132,7 @@ TEST(BenchTruth, TwoAlgorithmsAgreeOnWhatIsTrueAndBruteForceWithThem) {
   }
 }
 
-/// A broad phase with a bug: it forgets every hundredth pair and tells one twice.
+/// A broad phase with a bug: it forgets every hundredth pair and reports one twice.
 class Forgetful final : public BroadPhase<2> {
  public:
   [[nodiscard]] std::string_view name() const override { return "forgetful"; }
@@ -205,7 +205,7 @@ TEST(BenchCell, MeasuresEveryAlgorithmAndTheFloor) {
   }
 }
 
-TEST(BenchCell, TellsWhatALibraryCostsWithoutWhatItLacks) {
+TEST(BenchCell, ShowsWhatALibraryCostsWithoutWhatItLacks) {
   CellPlan plan = plan_for("uniform", 2000, {"bullet-dbvt", "fcl-dynamic-tree", "cgal-box-intersection"});
   plan.warm_up = 2;
   plan.steps = 4;

@@ -1,21 +1,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 
-#include <chrono>
-#include <thread>
+#include <algorithm>
 
-#include "core/files/part_file.h"
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
 namespace kerf {
 namespace {
 
+using testing::has_written_part;
 using ::testing::HasSubstr;
-using testing::kerf_command;
+using testing::interrupt_kerf;
 using testing::Outcome;
-using testing::Process;
 using testing::read_json;
 using testing::run_kerf;
 using testing::TemporaryFolder;
@@ -41,17 +38,8 @@ TEST(BenchFramesProgram, PrintsRowsAndWritesJson) {
 TEST(BenchFramesProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "frames.json";
-  Process process(kerf_command(bench_frames(file, "10,20,20")));
-  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  const auto is_saved = [&] {
-    const auto parts = parts_of(file);
-    std::error_code none;
-    return !parts.empty() && std::filesystem::file_size(parts.front(), none) > 0 && !none;
-  };
-  while (!is_saved() && std::chrono::steady_clock::now() < give_up)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  process.signal(SIGINT);
-  const Outcome outcome = process.wait();
+  const Outcome outcome =
+      interrupt_kerf(bench_frames(file, "10,20,20"), [&] { return has_written_part(file); });
   EXPECT_EQ(outcome.exit, kExitInterrupted) << outcome.err;
   const auto json = read_json(file);
   EXPECT_FALSE(json["complete"]);
@@ -64,6 +52,15 @@ TEST(BenchFramesProgram, SaysWhyAFileCannotBeWrittenBeforeItMeasures) {
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("/nowhere/frames.json"));
   EXPECT_EQ(outcome.out, "");
+}
+
+/// The time of three small frames vanishes beside that of starting up, which is measured alone and taken off.
+TEST(BenchFramesProgram, TooFewFramesAreRefused) {
+  const Outcome outcome = run_kerf({"bench-frames", "--sizes", "320x200", "--boxes", "100", "--frames", "3"});
+  EXPECT_EQ(outcome.exit, kExitUnusable);
+  EXPECT_THAT(outcome.err, HasSubstr("3 frames of 320x200 with 100 boxes are too few to measure"));
+  EXPECT_THAT(outcome.err, HasSubstr("--frames"));
+  EXPECT_EQ(std::ranges::count(outcome.out, '\n'), 1) << outcome.out;  // the heading alone
 }
 
 }  // namespace

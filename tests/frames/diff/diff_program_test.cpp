@@ -52,7 +52,7 @@ TEST_F(DiffProgram, SameFoldersEndWithZero) {
   EXPECT_THAT(outcome.out, HasSubstr("3 frames are the same"));
 }
 
-TEST_F(DiffProgram, OneStepOfOneChannelIsADifferenceAndIsTold) {
+TEST_F(DiffProgram, OneStepOfOneChannelIsADifferenceAndIsShown) {
   write_png(in_test(1), spotted(9, 1));
   const Outcome outcome = diff();
   EXPECT_EQ(outcome.exit, 1);
@@ -69,7 +69,7 @@ TEST_F(DiffProgram, TheGateFlipSeesWhatPeopleSee) {
   EXPECT_EQ(diff({"--gate", "flip", "--flip-limit", "1"}).exit, 0);
 }
 
-TEST_F(DiffProgram, MissingAndExtraFramesAreTold) {
+TEST_F(DiffProgram, MissingAndExtraFramesAreNamed) {
   std::filesystem::rename(in_test(2), in_test(7));
   const Outcome outcome = diff();
   EXPECT_EQ(outcome.exit, 1);

@@ -55,7 +55,7 @@ TEST(ExperimentMeans, AreNotMovedByAMomentaryDisturbance) {
   EXPECT_DOUBLE_EQ(means.fps, 100);
 }
 
-TEST(ExperimentMeans, CountAPartOfTheRunAndWhatIsTold) {
+TEST(ExperimentMeans, CountAPartOfTheRunAndWhatIsReported) {
   ExperimentRun run = even_run();
   for (std::size_t k = 30; k < 60; ++k) run[k].contestants[2].collision = 8;
   EXPECT_EQ(means_of(run, contestants()[2], 0, 0.5).collision, 2);
@@ -78,7 +78,7 @@ TEST(ExperimentClaims, AreJudgedByTheFigures) {
   EXPECT_FALSE(holds(runs, 4, "BSP finds the pairs in a much faster way than SH"));
 }
 
-TEST(ExperimentClaims, CandidatesOfWhoTellsNoneAreNotTheFewest) {
+TEST(ExperimentClaims, UnknownCandidatesAreNotTheFewest) {
   ExperimentRuns runs = even_runs();
   for (ExperimentStep& row : runs[1]) {
     row.contestants[index_of("sweep-and-prune")].candidates = 50;

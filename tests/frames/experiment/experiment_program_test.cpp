@@ -2,10 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
-#include <csignal>
 #include <fstream>
-#include <thread>
 
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
@@ -70,12 +67,9 @@ TEST(ExperimentProgram, RefusesAFolderOfAnotherSizeAndDamagedTables) {
 
 TEST(ExperimentProgram, KeepsWhatIsDoneWhenInterrupted) {
   const TemporaryFolder folder;
-  testing::Process process(testing::kerf_command(small_experiment(folder.path(), "2000")));
   const std::filesystem::path first = folder.path() / "simulation-1-terrain.csv";
-  for (int wait = 0; wait < 1200 && !std::filesystem::exists(first); ++wait)
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  process.signal(SIGINT);
-  const Outcome outcome = process.wait();
+  const Outcome outcome = testing::interrupt_kerf(small_experiment(folder.path(), "2000"),
+                                                  [&] { return std::filesystem::exists(first); });
   EXPECT_EQ(outcome.exit, kExitInterrupted) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("the same command goes on"));
   EXPECT_TRUE(std::filesystem::exists(first));

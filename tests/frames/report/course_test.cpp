@@ -56,7 +56,7 @@ TEST(Course, APeriodIsLate) {
   EXPECT_EQ(late["lag_max"], 1);
 }
 
-TEST(Course, AMarginTellsMore) {
+TEST(Course, AMarginReportsMore) {
   const Json figures = figures_of({.margin = 0.3F});
   EXPECT_EQ(figures["missed"], 0);
   EXPECT_EQ(figures["extra"], 1) << "at 1.5 the widened boxes overlap";

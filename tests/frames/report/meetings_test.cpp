@@ -13,7 +13,7 @@ void add(Meetings& meetings, const std::vector<Pair>& truth, const std::vector<P
   meetings.add(truth, told);
 }
 
-TEST(Meetings, WhatIsToldAtOnceHasNoLag) {
+TEST(Meetings, WhatIsReportedAtOnceHasNoLag) {
   Meetings meetings;
   add(meetings, {}, {});
   add(meetings, {kFirst}, {kFirst});
@@ -23,7 +23,7 @@ TEST(Meetings, WhatIsToldAtOnceHasNoLag) {
   EXPECT_EQ(figures["never_share"], 0);
 }
 
-TEST(Meetings, LagIsTheStepsUntilThePairIsTold) {
+TEST(Meetings, LagIsTheStepsUntilThePairIsReported) {
   Meetings meetings;
   add(meetings, {}, {});
   add(meetings, {kFirst}, {});
@@ -36,7 +36,7 @@ TEST(Meetings, LagIsTheStepsUntilThePairIsTold) {
   EXPECT_EQ(figures["never_share"], 0);
 }
 
-TEST(Meetings, WhatIsNeverToldCountsWithAllItsSteps) {
+TEST(Meetings, WhatIsNeverReportedCountsWithAllItsSteps) {
   Meetings meetings;
   add(meetings, {}, {});
   for (int step = 0; step < 3; ++step) add(meetings, {kFirst}, {});

@@ -1,10 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 
-#include <chrono>
 #include <fstream>
-#include <thread>
 
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
@@ -15,12 +12,11 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using testing::interrupt_kerf;
 using ::testing::IsEmpty;
-using testing::kerf_command;
 using testing::look_at;
 using ::testing::Not;
 using testing::Outcome;
-using testing::Process;
 using testing::read_json;
 using testing::read_text;
 using testing::run_kerf;
@@ -105,7 +101,7 @@ TEST(ReportProgram, DoesNotMeasureAgainWhatIsKept) {
 TEST(ReportProgram, TakesNothingOverFromAnotherMachine) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "page.html").string();
-  std::ofstream(folder.path() / "page.json") << R"({"owner": "somebody else", "cells": {"a": 1}})";
+  std::ofstream(folder.path() / "page.json") << R"({"owner": "another", "cells": {"a": 1}})";
   const Outcome refused = run_small_report(page, {"hardcases"});
   EXPECT_EQ(refused.exit, kExitUnusable);
   EXPECT_THAT(refused.err, HasSubstr("another machine"));
@@ -115,7 +111,7 @@ TEST(ReportProgram, TakesNothingOverFromAnotherMachine) {
   EXPECT_FALSE(read_json(folder.path() / "page.json")["cells"].contains("a"));
 }
 
-TEST(ReportProgram, DoesNotReplaceSomebodyElsesFile) {
+TEST(ReportProgram, DoesNotReplaceAnotherProgramsFile) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "speed.html").string();
   for (const char* const text : {R"({"machine": {}, "results": []})", R"({"owner": 3, "cells": {}})",
@@ -134,13 +130,9 @@ TEST(ReportProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const TemporaryFolder folder;
   const std::filesystem::path kept = folder.path() / "page.json";
   const std::filesystem::path page = folder.path() / "page.html";
-  Process process(kerf_command(
-      {"report", "physics", "--objects", "40", "--steps", "60", "--seeds", "1000", "--out", page.string()}));
-  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!std::filesystem::exists(kept) && std::chrono::steady_clock::now() < give_up)
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  process.signal(SIGINT);
-  const Outcome outcome = process.wait();
+  const Outcome outcome = interrupt_kerf(
+      {"report", "physics", "--objects", "40", "--steps", "60", "--seeds", "1000", "--out", page.string()},
+      [&] { return std::filesystem::exists(kept); });
   EXPECT_EQ(outcome.exit, kExitInterrupted) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("are kept in"));
   EXPECT_GE(read_json(kept)["cells"].size(), 1U);
@@ -161,36 +153,6 @@ TEST(ReportProgram, SaysWhereItCannotWrite) {
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("/proc/nowhere"));
 }
-
-struct Mistake {
-  const char* name;
-  std::vector<std::string> arguments;
-  const char* answer;
-};
-
-void PrintTo(const Mistake& mistake, std::ostream* stream) { *stream << mistake.name; }
-
-class ReportMistake : public ::testing::TestWithParam<Mistake> {};
-
-TEST_P(ReportMistake, IsExplained) {
-  std::vector<std::string> arguments = GetParam().arguments;
-  arguments.insert(arguments.begin(), "report");
-  const Outcome outcome = run_kerf(arguments);
-  EXPECT_EQ(outcome.exit, kExitUnusable) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr(GetParam().answer));
-  EXPECT_THAT(outcome.err, HasSubstr("--help"));
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    ReportProgram, ReportMistake,
-    ::testing::Values(Mistake{"Section", {"misssed"}, "did you mean 'missed'?"},
-                      Mistake{"Objects", {"--objects", "3"}, "from 20 to 100000"},
-                      Mistake{"Steps", {"--steps", "ten"}, "whole number from"},
-                      Mistake{"Seeds", {"--seeds", "0"}, "whole number from 1"},
-                      Mistake{"Page", {"--out", "page.json"}, "call the page something.html"},
-                      Mistake{"NoPage", {"--out", ""}, "needs the name of a file"},
-                      Mistake{"Option", {"--objcts", "30"}, "did you mean '--objects'?"}),
-    [](const ::testing::TestParamInfo<Mistake>& mistake) { return std::string(mistake.param.name); });
 
 }  // namespace
 }  // namespace kerf

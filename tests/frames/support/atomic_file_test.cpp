@@ -51,18 +51,6 @@ TEST(AtomicFile, CopiesWholeFilesOrNothing) {
   EXPECT_EQ(folder.files(), (std::vector<std::string>{"a", "b"}));
 }
 
-TEST(AtomicFile, LooksWhetherAFileCanBeWrittenAndTouchesNothing) {
-  const TemporaryFolder folder;
-  const auto file = folder.path() / "speed.json";
-  check_writable(file);
-  EXPECT_TRUE(folder.files().empty());
-  write_file_atomically(file, std::string_view("one"));
-  check_writable(file);
-  EXPECT_EQ(testing::read_text(file), "one");
-  EXPECT_THROW(check_writable(folder.path()), std::runtime_error);
-  EXPECT_THROW(check_writable(file / "below"), std::runtime_error);
-}
-
 TEST(AtomicFile, WritableFolderIsMadeWithItsParentsAndLeftEmpty) {
   const TemporaryFolder folder;
   make_writable_folder(folder.path() / "a" / "b");

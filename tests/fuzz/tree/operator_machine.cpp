@@ -272,8 +272,7 @@ template <int D>
 void OperatorMachine<D>::expect_event(const OperatorActed& event) {
   ++report_.acted[static_cast<std::size_t>(event.op)];
   if (event.op == Operator::swap || event.op == Operator::merge) return;
-  if (!(event.after == quality(tree_, event.node.node)))
-    find("the event tells another quality than the tree");
+  if (!(event.after == quality(tree_, event.node.node))) find("the event has another quality than the tree");
 }
 
 template <int D>

@@ -32,7 +32,7 @@ class Crowd {
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(members_.size()); }
   [[nodiscard]] double world() const { return world_; }
   [[nodiscard]] Box<D> box(std::uint32_t k) const;
-  /// Tells where member k is now.
+  /// Requests the present box of member k.
   void send(std::uint32_t k);
   Random& random() { return random_; }
 

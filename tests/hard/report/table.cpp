@@ -18,7 +18,7 @@ void add_columns(std::vector<Column>& columns) {
     columns.push_back({D, false, rival.flat, std::string(rival.name)});
 }
 
-/// What a user of a rival would tell it: where the objects are at the beginning and how large one usually is.
+/// What a user of a rival would know: where the objects are at the beginning and how large one usually is.
 template <int D>
 RivalHints<D> hints_for(const Script<D>& script) {
   RivalHints<D> hints;

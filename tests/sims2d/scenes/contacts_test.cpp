@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/broad_phase/brute_force.h"
 #include "core/bsp/bsp.h"
 #include "tests/sims2d/box2d_reference.h"
 #include "tests/sims2d/broad_phase_doubles.h"
@@ -71,25 +70,6 @@ TEST_P(SceneContacts, AreNoneWhenTheBroadPhaseIsSilent) {
   }
   for (const Body<2>& body : scene->bodies())
     EXPECT_EQ(body.pose.position[1] < -1, body.mobility == Mobility::moving) << "all fell through the ground";
-}
-
-TEST_P(SceneContacts, ComeFromPairsThatTheOracleConfirms) {
-  Bsp<2> tree;
-  const auto scene = make(tree, {.objects = 400, .steps = 0, .seed = 5});
-  for (int step = 1; step <= 400; ++step) {
-    scene->advance();
-    if (step % 20 != 0) continue;
-    BruteForce<2> oracle;
-    std::uint32_t id = 0;
-    for (const Body<2>& body : scene->bodies())
-      ASSERT_EQ(oracle.insert(ObjectId{id++}, body.box, body.mobility), Status::ok);
-    oracle.step();
-    std::vector<Pair> expected(oracle.pairs().begin(), oracle.pairs().end());
-    std::vector<Pair> found(scene->pairs().begin(), scene->pairs().end());
-    std::sort(expected.begin(), expected.end());
-    std::sort(found.begin(), found.end());
-    ASSERT_EQ(found, expected) << "step " << step;
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SceneContacts, ::testing::ValuesIn(rain_scenes()), scene_name);

@@ -13,7 +13,6 @@
 #include "sims2d/scenes/growth.h"
 #include "tests/sims2d/broad_phase_doubles.h"
 #include "tests/sims2d/scenes/scene_fixture.h"
-#include "tests/sims2d/shapes.h"
 
 namespace kerf::test {
 namespace {
@@ -60,17 +59,6 @@ TEST(SceneNames, AreThoseThatUsersKnow) {
   for (const SceneEntry<2>& entry : scenes_2d()) names.insert(entry.name);
   EXPECT_THAT(names, ::testing::ElementsAre("attractors", "buckets", "fracture", "pile", "pyramid", "rods",
                                             "terrain", "tumbler"));
-}
-
-TEST_P(SceneList, StatesItsNeeds) {
-  BruteForce<2> broad_phase;
-  const auto scene = make(broad_phase, {});
-  EXPECT_EQ(scene->needs().dimension, 2);
-  EXPECT_FALSE(scene->needs().separating[2]);
-  EXPECT_TRUE(scene->needs().fixed_objects);
-  EXPECT_EQ(describe(scene->needs()), describe(GetParam().needs));
-  EXPECT_FALSE(GetParam().summary.empty());
-  EXPECT_FALSE(GetParam().source.empty());
 }
 
 TEST_P(SceneList, GrowsEvenlyToItsNumber) {
@@ -135,18 +123,6 @@ TEST_P(SceneList, MovesNothingFastEnoughToPassThroughAnother) {
     scene->advance();
     for (std::size_t i = 0; i < before.size(); ++i)
       ASSERT_LT(length(scene->bodies()[i].pose.position - before[i].pose.position), 0.5F) << "step " << step;
-  }
-}
-
-TEST_P(SceneList, BoxesHoldTheShapesThatAreDrawn) {
-  Bsp<2> tree;
-  const auto scene = make(tree, {.objects = 200, .steps = 50, .seed = 9});
-  for (int step = 1; step <= 200; ++step) {
-    scene->advance();
-    for (const Body<2>& body : scene->bodies()) {
-      ASSERT_TRUE(is_valid(body.box));
-      for (const Vector<2>& p : rim(body)) ASSERT_TRUE(contains(body.box, Box<2>{p, p})) << "step " << step;
-    }
   }
 }
 

@@ -26,8 +26,8 @@ Pair no_pair(const std::vector<Pair>& truth) {
     if (const Pair pair{{0}, {b}}; !std::ranges::binary_search(truth, pair)) return pair;
 }
 
-/// What an engine tells that is wrong in a few steps: it misses the first pair, tells one that is none, or
-/// the last one again.
+/// What an engine reports that is wrong in a few steps: it misses the first pair, reports one that is
+/// none, or the last one again.
 std::vector<Pair> told(const std::vector<Pair>& truth, std::uint32_t step) {
   std::vector<Pair> pairs = truth;
   if (has(kRepeating, step)) pairs.push_back(pairs.back());

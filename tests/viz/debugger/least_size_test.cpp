@@ -67,7 +67,7 @@ TEST_F(LeastSize, TheCountOfEventsIsBesideItsBox) {
   expect_within(box, layout_panels(kLeastDebuggerWidth, kLeastDebuggerHeight).right_above, "box");
 }
 
-/// Whatever there is to say, it ends within the window.
+/// Every text ends within the window.
 TEST_F(LeastSize, TheStatusLineIsNotClipped) {
   play(kGoToSplit);
   const PanelArea panel = layout_panels(kLeastDebuggerWidth, kLeastDebuggerHeight).transport;

@@ -101,7 +101,7 @@ TYPED_TEST(DebuggerModelTest, TheNearestOfSeveralBreakpointsStops) {
   EXPECT_EQ(model.breakpoints.size(), 3U);
 }
 
-TYPED_TEST(DebuggerModelTest, LongWorkIsToldAndCanBeEnded) {
+TYPED_TEST(DebuggerModelTest, LongWorkIsShownAndCanBeEnded) {
   DebuggerModel& model = this->model();
   std::uint32_t told = 0;
   model.on_long_work = [&](std::uint32_t /*step*/) { return ++told < 10; };

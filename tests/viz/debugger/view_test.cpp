@@ -53,7 +53,7 @@ TEST(DebuggerOrbit, KeepsWhatIsUnderTheMouseWhenZoomingIn2D) {
   EXPECT_NEAR((ray_through(orbit.view(640, 480), 513, 83).start - after.start).norm(), 0, 1e-6);
 }
 
-TEST(DebuggerOrbit, LooksAtWhatItIsTold) {
+TEST(DebuggerOrbit, LooksAtABox) {
   Orbit<3> orbit;
   orbit.set_box(kRoom);
   orbit.look_at({{{2, 1, 2}}, {{3, 2, 3}}}, 640, 480);

@@ -24,7 +24,7 @@ class XDisplay {
   void click(unsigned button);
   /// A key by the name that X11 has for it, down and up.
   void tap(const std::string& key);
-  /// All of it has been sent to the window.
+  /// Waits until all of it was sent to the window.
   void flush();
 
  private:

@@ -85,7 +85,7 @@ TYPED_TEST(BoxOfInterest, AFloorWithoutEndIsCutNearTheCrowd) {
   EXPECT_EQ(count_outside(std::span<const Body<kD>>(bodies), most(bodies)), 0U);
 }
 
-/// A post beside them says nothing of where they are.
+/// A post beside them does not show where they are.
 TYPED_TEST(BoxOfInterest, ASmallFixedObjectDoesNotHideTheCrowd) {
   constexpr int kD = TypeParam::value;
   auto bodies = crowd<kD>();
@@ -93,7 +93,7 @@ TYPED_TEST(BoxOfInterest, ASmallFixedObjectDoesNotHideTheCrowd) {
   EXPECT_EQ(most(bodies), everything(bodies));
 }
 
-TYPED_TEST(BoxOfInterest, OfTwoNobodyKnowsWhichIsTheFarOne) {
+TYPED_TEST(BoxOfInterest, OfTwoNoneIsTheFarOne) {
   constexpr int kD = TypeParam::value;
   const std::vector<Body<kD>> bodies{body_at(test::all<kD>(0), 1), body_at(test::all<kD>(5000), 1)};
   EXPECT_EQ(most(bodies), everything(bodies));

@@ -152,7 +152,7 @@ TYPED_TEST(FrameRendererTest, OperatorsAreNamedInTheScene) {
   EXPECT_NE(image_with(Operator::split), image_with(Operator::shift_split));
 }
 
-/// However many have acted and however long their names, what is said of them ends within the picture.
+/// However many have acted and however long their names, their text ends within the picture.
 TYPED_TEST(FrameRendererTest, WhatActedIsShortenedToThePicture) {
   constexpr int kD = TypeParam::value;
   const test::SmallScene<kD> scene(60);

@@ -62,7 +62,7 @@ TEST(Caption, StandsStillWhileNumbersGrow) {
   }
 }
 
-TEST(Caption, SpeaksOfWhatLiesOutsideOnlyIfItIsTold) {
+TEST(Caption, NamesWhatLiesOutsideOnlyIfAsked) {
   const auto has_outside = [](const std::vector<CaptionItem>& items) {
     return std::ranges::count(items, "outside", &CaptionItem::word);
   };

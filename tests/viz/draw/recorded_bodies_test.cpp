@@ -15,7 +15,7 @@ class RecordedBodies : public testing::Test {};
 TYPED_TEST_SUITE(RecordedBodies, test::Dimensions, test::DimensionNames);
 
 /// An absent object, or one with a broken box, keeps its number, is not drawn, and moves no view.
-TYPED_TEST(RecordedBodies, OnlyWhoIsThereIsDrawnAndCounted) {
+TYPED_TEST(RecordedBodies, OnlyWhatIsPresentIsDrawnAndCounted) {
   constexpr int kD = TypeParam::value;
   ObjectTable<kD> objects(VolumeKind::box);
   (void)objects.insert({0}, test::slab<kD>(0, 1), Mobility::moving);

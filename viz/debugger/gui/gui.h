@@ -37,8 +37,8 @@ class Gui {
   /// it gave them back: Dear ImGui itself reports it a frame late.
   [[nodiscard]] bool is_typing() const;
 
-  /// Records the place of the last item under a name by which scripts find it, if it is visible. Its text,
-  /// `shown`, is a name of it, too, unless another item has that name.
+  /// Records the place of the last item under a name by which scripts find it, if it is visible. Its
+  /// text, `shown`, is a second name unless another item has it.
   void name_last_item(const std::string& name, const std::string& shown = "");
   /// For an item that is only shown: scripts find it, but it is not among the names of what can be pressed.
   void note_last_item(const std::string& shown);

@@ -14,7 +14,7 @@
 
 namespace kerf {
 
-/// A noteworthy property of a step, beside wrong pairs: as far as the oracle was asked.
+/// A noteworthy property of a step. Wrong pairs are among them as far as the oracle was asked.
 struct Alarm {
   std::uint32_t step = 0;
   std::uint64_t missed = 0;
@@ -51,7 +51,7 @@ class DebuggerModel {
   void go(const Position& position);
   void go_to_event(std::uint64_t event);
   void step(Granularity wanted, bool forwards);
-  /// To the next moment, either way, at which a breakpoint holds or a watched value changes as it should;
+  /// To the next moment, either way, at which a breakpoint holds or a watched value makes its change;
   /// says so if there is none.
   void run_to_breakpoint(bool forwards);
   /// Plays on by so many seconds, if it is playing.

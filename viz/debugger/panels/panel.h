@@ -41,7 +41,6 @@ struct PanelContext {
   Gui& gui;
   PanelMemory& memory;
   SceneView& view;
-  SceneView* other_view = nullptr;  ///< of the run that is compared
 };
 
 // Each is one file of this folder and fills the window or tab that has been begun.
