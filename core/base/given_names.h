@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-/// When a step was, as another program tells it: a number, or a date with a time of day
+/// When a step was, as another program writes it: a number, or a date with a time of day
 /// ("2024-05-01T12:00:00.016", in seconds since 1970). Nothing for anything else. As long as a number is
 /// whole, 64 bits of it count.
 std::optional<long double> parse_step_time(std::string_view text);
@@ -32,6 +32,10 @@ class GivenNames {
   /// "1,2", the lesser name first.
   [[nodiscard]] std::string pair(const Pair& pair) const;
   [[nodiscard]] std::string step(std::uint32_t step) const;
+  /// "steps 5000 to 5059"
+  [[nodiscard]] std::string steps(std::uint32_t first, std::uint32_t last) const;
+  /// "step 5000", or "a step after the last" if it is later than all that have names.
+  [[nodiscard]] std::string coming_step(std::uint32_t step) const;
   /// As a number, which is what conditions compare; own numbers where there is no name.
   [[nodiscard]] double step_number(std::uint32_t step) const;
 

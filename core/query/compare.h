@@ -30,11 +30,11 @@ struct EventDifference {
   friend bool operator==(const EventDifference&, const EventDifference&) = default;
 };
 
-/// The first step of which two other engines, of whom the recordings are, told different pairs.
+/// The first step of which two other engines, of whom the recordings are, reported different pairs.
 struct TheirDifference {
   std::uint32_t step = 0;
   std::vector<std::string>
-      only_a;  ///< "1,2", by their names; once for each time that the other told it less often
+      only_a;  ///< "1,2", by their names; once for each time that the other reported it less often
   std::vector<std::string> only_b;
 };
 

@@ -56,7 +56,7 @@ class TreeRival final : public Box2dRival<b2DynamicTree> {
   bool QueryCallback(int32 proxy) {  // NOLINT(readability-identifier-naming): Box2D's name
     const ObjectId other = to_object(holder_.GetUserData(proxy));
     // Of two moving objects the one with the smaller id reports the pair.
-    if (asking_ < other || (is_fixed(other) && asking_ != other)) tell_candidate(asking_, other);
+    if (asking_ < other || (is_fixed(other) && asking_ != other)) report_candidate(asking_, other);
     return true;
   }
 
@@ -106,7 +106,7 @@ class BroadPhaseRival final : public Box2dRival<b2BroadPhase> {
     for (std::size_t k = 0; k < list.size();) {
       const ObjectId other = list[k];
       if (other < object || holder_.TestOverlap(proxies_[object.index()], proxies_[other.index()])) {
-        if (object < other) tell_candidate(object, other);
+        if (object < other) report_candidate(object, other);
         ++k;
         continue;
       }

@@ -47,7 +47,7 @@ class BulletRival final : public RivalBase<3> {
   void collect_pairs() override {
     const btBroadphasePairArray& found = broad_phase_->getOverlappingPairCache()->getOverlappingPairArray();
     for (int i = 0; i < found.size(); ++i)
-      tell_candidate(object_of(*found[i].m_pProxy0), object_of(*found[i].m_pProxy1));
+      report_candidate(object_of(*found[i].m_pProxy0), object_of(*found[i].m_pProxy1));
   }
   static ObjectId object_of(const btBroadphaseProxy& proxy) {
     return {static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(proxy.m_clientObject))};

@@ -48,7 +48,7 @@ class CgalRival final : public RivalBase<D> {
   void find_pairs() override {
     constexpr std::ptrdiff_t kCutoff = 10;  // CGAL's default
     constexpr auto kTopology = CGAL::Box_intersection_d::CLOSED;
-    const auto keep = [this](const CgalBox<D>& a, const CgalBox<D>& b) { this->tell(a.object, b.object); };
+    const auto keep = [this](const CgalBox<D>& a, const CgalBox<D>& b) { this->report(a.object, b.object); };
     fill(moving_, moving_boxes_);
     CGAL::box_self_intersection_d(moving_boxes_.begin(), moving_boxes_.end(), keep, CgalTraits<D>{}, kCutoff,
                                   kTopology);

@@ -137,7 +137,7 @@ class EmbreeRival final : public RivalBase<3> {
           auto& rival = *static_cast<EmbreeRival*>(self);
           for (unsigned i = 0; i < count; ++i)
             if (found[i].primID0 < found[i].primID1)
-              rival.tell(rival.moving_.object(found[i].primID0), rival.moving_.object(found[i].primID1));
+              rival.report(rival.moving_.object(found[i].primID0), rival.moving_.object(found[i].primID1));
         },
         this);
     if (fixed_.empty()) return;
@@ -146,7 +146,7 @@ class EmbreeRival final : public RivalBase<3> {
         [](void* self, RTCCollision* found, unsigned count) {
           auto& rival = *static_cast<EmbreeRival*>(self);
           for (unsigned i = 0; i < count; ++i)
-            rival.tell(rival.moving_.object(found[i].primID0), rival.fixed_.object(found[i].primID1));
+            rival.report(rival.moving_.object(found[i].primID0), rival.fixed_.object(found[i].primID1));
         },
         this);
     check(device_.get());

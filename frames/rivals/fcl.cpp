@@ -71,7 +71,7 @@ class FclRival final : public RivalBase<3> {
     enter();
     manager_->setup();
     manager_->collide(this, [](FclObject* a, FclObject* b, void* self) {
-      static_cast<FclRival*>(self)->tell_candidate(object_of(*a), object_of(*b));
+      static_cast<FclRival*>(self)->report_candidate(object_of(*a), object_of(*b));
       return false;
     });
   }

@@ -68,7 +68,7 @@ void RivalBase<D>::step() {
   const StepTimer timer(true);
   collect_pairs();
   for (const auto& [a, b] : candidates_)
-    if (overlaps(shown(a), shown(b))) tell(a, b);
+    if (overlaps(shown(a), shown(b))) report(a, b);
   added_ = timer.nanoseconds();
 }
 

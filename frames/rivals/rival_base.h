@@ -28,7 +28,7 @@ class RivalBase : public BroadPhase<D>, public AddedWork {
   virtual void add(ObjectId object, const Box<D>& box, bool fixed) = 0;
   virtual void change(ObjectId object, const Box<D>& box) = 0;
   virtual void drop(ObjectId object) = 0;
-  /// The library's search for pairs. Calls `tell` or `tell_candidate` for each reported pair.
+  /// The library's search for pairs. Calls `report` or `report_candidate` for each reported pair.
   virtual void find_pairs() = 0;
   /// Calls them for the pairs that the library keeps and that its caller has to visit.
   virtual void collect_pairs() {}
@@ -38,11 +38,11 @@ class RivalBase : public BroadPhase<D>, public AddedWork {
   [[nodiscard]] bool is_fixed(ObjectId object) const { return fixed_[object.index()] != 0; }
 
   /// Adds a pair that the library guarantees.
-  void tell(ObjectId a, ObjectId b) {
+  void report(ObjectId a, ObjectId b) {
     if ((fixed_[a.index()] & fixed_[b.index()]) == 0) pairs_.push_back(make_pair(a, b));
   }
   /// Adds a pair that the library leaves its caller to test.
-  void tell_candidate(ObjectId a, ObjectId b) { candidates_.push_back({a, b}); }
+  void report_candidate(ObjectId a, ObjectId b) { candidates_.push_back({a, b}); }
 
  private:
   void show(ObjectId object, const Box<D>& given);

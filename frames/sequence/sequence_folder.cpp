@@ -63,6 +63,18 @@ void SequenceFolder::check_free(bool overwrite) const {
                    "sequence with --overwrite, or make what it lacks with --resume");
 }
 
+void SequenceFolder::check_apart(const std::filesystem::path& out) const {
+  if (out.empty()) return;
+  const auto resolved = [](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+  };
+  const std::string file = out.filename().string();
+  const bool is_own = file == kManifestName || is_frame(frame_of(file), name_);
+  if (is_own && resolved(out).parent_path() == resolved(path_ / file).parent_path())
+    throw UsageError(out.string() + " is the name of a file of the sequence in " + path_.string() +
+                     "; choose another name");
+}
+
 KeptFrames SequenceFolder::frames_of(const Manifest& manifest) const {
   if (files_of_sequence().empty()) return {};
   if (!std::filesystem::exists(path_ / kManifestName))

@@ -80,6 +80,23 @@ TEST_P(FramingProgram, WhatLiesFarAwayIsSaidAndSeenIfAskedFor) {
   EXPECT_THAT(read_text(path("all/a_000000.draw.json")), Not(HasSubstr("outside")));
 }
 
+/// Its sides are so far away that floats do not hold them.
+TEST_P(FramingProgram, WhatIsHugeCoversAllThatLiesInIt) {
+  if (GetParam() == 3) GTEST_SKIP() << "in 3D the camera is within it";
+  import("-9e8,9e8,-9e8,9e8", 0);
+  render("1", "f");
+  const auto json = read_json(path("f/a_000000.draw.json"));
+  int left = 640;
+  int right = 0;
+  for (const auto& item : json["items"]) {
+    if (item[0] != "object" || item[1] != 60) continue;
+    left = std::min(left, item[4].get<int>());
+    right = std::max(right, item[6].get<int>());
+  }
+  EXPECT_LE(left, 1);
+  EXPECT_GE(right, 638);
+}
+
 TEST_P(FramingProgram, AnOrdinaryFilmSaysNothing) {
   import("", 0);
   render("1", "f");
