@@ -53,7 +53,7 @@ std::vector<GivenStep> union_of(const std::vector<BoxStep>& boxes, const std::ve
     const std::string where = pairs_name + ", line " + std::to_string(of_step.pairs.front().line);
     const auto check = [&](const GivenStep& step) {
       const std::string conflict = conflict_of(of_step.step, step);
-      if (!conflict.empty()) throw UsageError(where + ": " + conflict + " of the boxes");
+      if (!conflict.empty()) throw UsageError(where + ": " + conflict);
     };
     check(boxes.front().step);
     if (of_step.step.time < boxes.front().step.time)
