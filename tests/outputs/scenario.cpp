@@ -231,7 +231,7 @@ Scenario diff_page_scenario() {
           [](const Path& folder) -> Words {
             return {"diff", folder / "a", folder / "a", "--report", folder / "page", "--overwrite"};
           },
-          {{"page/index.html"}}};
+          {{"page/index.html", Likeness::same_end}}};
 }
 
 Scenario debug_scenario() {
