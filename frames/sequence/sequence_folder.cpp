@@ -111,17 +111,17 @@ void SequenceFolder::put_in_place(const Manifest& manifest) {
   Manifest incomplete = manifest;
   incomplete.complete = false;
   save(incomplete, path_);
-  const std::filesystem::path apart = std::exchange(apart_, {});  // no longer to be given up
-  std::filesystem::remove(apart / kManifestName);
+  std::filesystem::remove(apart_ / kManifestName);
   std::set<std::string> kept{kManifestName};
-  for (const auto& entry : std::filesystem::directory_iterator(apart)) {
+  for (const auto& entry : std::filesystem::directory_iterator(apart_)) {
     const std::string file = entry.path().filename().string();
     std::filesystem::rename(entry.path(), path_ / file);
     kept.insert(file);
   }
   for (const std::filesystem::path& file : files_of_sequence())
     if (!kept.contains(file.filename().string())) std::filesystem::remove(file);
-  std::filesystem::remove(apart);
+  std::filesystem::remove(apart_);
+  apart_.clear();
 }
 
 void SequenceFolder::give_up() const noexcept {
