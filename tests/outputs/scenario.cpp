@@ -258,7 +258,7 @@ Scenario debug_scenario() {
                     folder / "pictures",
                     "--overwrite"};
           },
-          {{"out.kerf", Likeness::same_recording}, {"pictures/shot.png"}}};
+          {{"out.kerf", Likeness::same_recording}, {"pictures/shot.png", Likeness::same_end}}};
 }
 
 Scenario bench_scenario() {
