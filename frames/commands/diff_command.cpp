@@ -74,8 +74,8 @@ void approve(const DiffResult& result) {
   const auto missing =
       std::ranges::count_if(result.frames, [](const FrameDiff& diff) { return diff.frame.is_missing(); });
   if (missing > 0)
-    throw DoesNotHold(counted(static_cast<std::uint64_t>(missing), "reference has", "references have") +
-                      " no frame and " + (missing == 1 ? "was" : "were") + " left alone");
+    throw DoesNotHold(std::to_string(missing) + " of the references " +
+                      (missing == 1 ? "has no frame and was" : "have no frame and were") + " left alone");
 }
 
 }  // namespace

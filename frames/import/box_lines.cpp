@@ -151,7 +151,9 @@ std::string conflict_of(const GivenStep& a, const GivenStep& b) {
   if (a.is_date() != b.is_date())
     return "step " + a.text + " is " + (a.is_date() ? "a date" : "a number") + ", and step " + b.text +
            " is " + (b.is_date() ? "a date" : "a number");
-  if (a.time != b.time || a.text == b.text || plain_number(a.text) == plain_number(b.text)) return "";
+  const std::string plain = plain_number(a.text);
+  const std::string other = plain_number(b.text);
+  if (a.time != b.time || plain.empty() || other.empty() || plain == other) return "";
   return "steps " + a.text + " and " + b.text + " are too near to each other: 64 bits of a number count";
 }
 

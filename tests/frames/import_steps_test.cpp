@@ -43,7 +43,8 @@ class ImportSteps : public ImportProgram {
   /// Pixels that objects cover in a frame.
   [[nodiscard]] int covered(const std::string& frame) const {
     int pixels = 0;
-    for (const auto& item : testing::read_json(path(frame + ".draw.json"))["items"])
+    const auto json = testing::read_json(path(frame + ".draw.json"));
+    for (const auto& item : json["items"])
       if (item[0] == "object") pixels += item[8].get<int>();
     return pixels;
   }
@@ -63,7 +64,7 @@ TEST_F(ImportSteps, LintNamesThem) {
 TEST_F(ImportSteps, VerifyNamesThem) {
   EXPECT_THAT(run({"verify", file()}).out, HasSubstr("replayed 40 steps, "));
   Random random(1);
-  test::change_value(file(), {"steps", "objects", 9}, random);
+  test::change_value(file(), {"steps", "pairs", 9}, random);
   EXPECT_THAT(run({"verify", file()}, 1).out,
               HasSubstr("the row of step 5010, or what was written after step 5009"));
   EXPECT_THAT(run({"explain", file(), "--step", "5003", "--node", "n0"}, 2).err,

@@ -142,7 +142,7 @@ TEST_F(QueryProgram, SaysWhyADecisionCannotBe) {
   EXPECT_THAT(error({"--refuse", "12"}), HasSubstr("is not an event such as e1234"));
   EXPECT_THAT(error({"--take", "e12"}), HasSubstr("is not an event with a candidate"));
   EXPECT_THAT(error({"--from", "7"}), HasSubstr("--from says where --config begins"));
-  EXPECT_THAT(error({"--config", "merge=0", "--from", "61"}), HasSubstr("there is no step 61"));
+  EXPECT_THAT(error({"--config", "merge=0", "--from", "61"}), HasSubstr("goes from step 1 to 60"));
 }
 
 TEST_F(QueryProgram, ExportsATimelineAndTables) {

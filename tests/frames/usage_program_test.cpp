@@ -72,7 +72,7 @@ TEST(UsageProgram, ANameThatBeginsWithADashIsExplained) {
   std::ofstream("-x.kerf") << "x";
   EXPECT_THAT(run_kerf({"verify", "-x.kerf"}).err,
               HasSubstr("'-x.kerf' was taken for an option: write ./-x.kerf"));
-  EXPECT_THAT(run_kerf({"verify", "./-x.kerf"}).err, HasSubstr("./-x.kerf: file is not a database"));
+  EXPECT_THAT(run_kerf({"verify", "./-x.kerf"}).err, HasSubstr("./-x.kerf is no recording of Kerf"));
   std::filesystem::current_path("/");
 }
 
