@@ -40,11 +40,13 @@ std::optional<long double> parse_date(std::string_view text) {
   if (text[4] != '-' || text[7] != '-' || (text[10] != 'T' && text[10] != ' ') || text[13] != ':' ||
       text[16] != ':' || !digits(text, 17, 2))
     return std::nullopt;
-  const auto second = parse_whole<long double>(text.substr(17));
+  const std::string_view seconds = text.substr(17);  // 60: a leap second
+  if (seconds.find_first_not_of("0123456789.") != std::string_view::npos) return std::nullopt;
+  const auto second = parse_whole<long double>(seconds);
   const std::chrono::year_month_day date{std::chrono::year(*year),
                                          std::chrono::month(static_cast<unsigned>(*month)),
                                          std::chrono::day(static_cast<unsigned>(*day))};
-  if (!second || !date.ok() || *hour > 23 || *minute > 59) return std::nullopt;
+  if (!second || *second >= 61 || !date.ok() || *hour > 23 || *minute > 59) return std::nullopt;
   const auto days = std::chrono::sys_days(date).time_since_epoch().count();
   return static_cast<long double>((days * 24 + *hour) * 60 + *minute) * 60 + *second;
 }
@@ -85,6 +87,14 @@ std::string GivenNames::step(std::uint32_t step) const {
   if (steps_.empty()) return std::to_string(step);
   if (step == 0) return "(none yet)";
   return step <= steps_.size() ? steps_[step - 1] : "(after the last)";
+}
+
+std::string GivenNames::steps(std::uint32_t first, std::uint32_t last) const {
+  return "steps " + step(first) + " to " + step(last);
+}
+
+std::string GivenNames::coming_step(std::uint32_t step) const {
+  return !steps_.empty() && step > steps_.size() ? "a step after the last" : "step " + this->step(step);
 }
 
 double GivenNames::step_number(std::uint32_t step) const {

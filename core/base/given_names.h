@@ -32,6 +32,10 @@ class GivenNames {
   /// "1,2", the lesser name first.
   [[nodiscard]] std::string pair(const Pair& pair) const;
   [[nodiscard]] std::string step(std::uint32_t step) const;
+  /// "steps 5000 to 5059"
+  [[nodiscard]] std::string steps(std::uint32_t first, std::uint32_t last) const;
+  /// "step 5000", or "a step after the last" if it is later than all that have names.
+  [[nodiscard]] std::string coming_step(std::uint32_t step) const;
   /// As a number, which is what conditions compare; own numbers where there is no name.
   [[nodiscard]] double step_number(std::uint32_t step) const;
 

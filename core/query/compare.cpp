@@ -68,7 +68,7 @@ bool is_event(const Event& /*any*/) { return true; }
 
 using NamedPair = std::pair<GivenId, GivenId>;
 
-/// Each as often as it was told, sorted.
+/// Each as often as it was reported, sorted.
 std::vector<NamedPair> named(const std::vector<Pair>& pairs, const GivenNames& names) {
   std::vector<NamedPair> result;
   for (const Pair& pair : pairs)

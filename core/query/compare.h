@@ -34,7 +34,7 @@ struct EventDifference {
 struct TheirDifference {
   std::uint32_t step = 0;
   std::vector<std::string>
-      only_a;  ///< "1,2", by their names; once for each time that the other told it less often
+      only_a;  ///< "1,2", by their names; once for each time that the other reported it less often
   std::vector<std::string> only_b;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "core/query/text.h"
 #include "core/tree/criteria.h"
 
@@ -15,16 +16,16 @@ double share_of_straddlers(const Quality& q) {
 }
 
 template <int D>
-std::string leaf_wish(const Tree<D>& tree, NodeId id, const Config& config) {
+std::string leaf_wish(const Tree<D>& tree, NodeId id, const Config& config, const GivenNames& names) {
   const std::uint32_t threshold = split_threshold(tree.objects(), config);
-  const std::string figures = std::to_string(tree[id].population) + " objects, and the threshold for " +
+  const std::string figures = counted(tree[id].population, "object") + ", and the threshold for " +
                               std::to_string(tree.objects()) + " in the scene is " +
                               std::to_string(threshold);
   if (!wants_split(tree, id, config)) return "a leaf that may stay: it has " + figures;
   std::string text = "a leaf that is crowded: it has " + figures;
   if (tree[id].refusals > 0)
-    text += "; " + std::to_string(tree[id].refusals) + " splits were refused, the next is tried from step " +
-            std::to_string(tree[id].retry_step);
+    text += "; " + counted(tree[id].refusals, "split was", "splits were") +
+            " refused, the next is tried from " + names.coming_step(tree[id].retry_step);
   return text;
 }
 
@@ -41,23 +42,23 @@ std::string repair_wish(const Quality& q, const Config& config) {
 }  // namespace
 
 std::string quality_text(const Quality& q) {
-  return std::to_string(q.population) + " objects (" + std::to_string(q.left) + " | " +
-         std::to_string(q.right) + "), balance " + number_text(static_cast<double>(balance(q))) + ", " +
-         std::to_string(redundancy(q)) + " straddlers (" + percent(share_of_straddlers(q)) + ")";
+  return counted(q.population, "object") + " (" + std::to_string(q.left) + " | " + std::to_string(q.right) +
+         "), balance " + number_text(static_cast<double>(balance(q))) + ", " +
+         counted(redundancy(q), "straddler") + " (" + percent(share_of_straddlers(q)) + ")";
 }
 
 template <int D>
-std::string wish_text(const Tree<D>& tree, NodeId id, const Config& config) {
-  if (tree[id].is_leaf()) return leaf_wish(tree, id, config);
+std::string wish_text(const Tree<D>& tree, NodeId id, const Config& config, const GivenNames& names) {
+  if (tree[id].is_leaf()) return leaf_wish(tree, id, config, names);
   if (wants_repair(tree, id, config)) return repair_wish<D>(quality(tree, id), config);
   const std::uint32_t least = merge_threshold(tree.objects(), config);
   if (wants_merge(tree, id, config))
-    return "thin: its " + std::to_string(tree[id].population) + " objects are fewer than the " +
+    return "thin: " + counted(tree[id].population, "object is", "objects are") + " fewer than the " +
            std::to_string(least) + " below which nodes are merged";
   return "good as it is";
 }
 
-template std::string wish_text<2>(const Tree<2>&, NodeId, const Config&);
-template std::string wish_text<3>(const Tree<3>&, NodeId, const Config&);
+template std::string wish_text<2>(const Tree<2>&, NodeId, const Config&, const GivenNames&);
+template std::string wish_text<3>(const Tree<3>&, NodeId, const Config&, const GivenNames&);
 
 }  // namespace kerf

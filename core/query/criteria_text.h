@@ -13,6 +13,6 @@ std::string quality_text(const Quality& quality);
 /// What Algorithm 1 would do with a node, and the figures by which it decides (paper sections 3.2, 5.2 and
 /// 6.1).
 template <int D>
-std::string wish_text(const Tree<D>& tree, NodeId id, const Config& config);
+std::string wish_text(const Tree<D>& tree, NodeId id, const Config& config, const GivenNames& names);
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "core/query/criteria_text.h"
 #include "core/query/history.h"
 #include "core/query/text.h"
@@ -14,14 +15,15 @@ namespace {
 
 /// A merge of a node that is not thin was not the scheduler's: too many entries were shed.
 template <int D>
-std::string reason_of(const BspState<D>& before, const Deed& deed) {
+std::string reason_of(const BspState<D>& before, const Deed& deed, const GivenNames& names) {
   if (!before.tree.is_alive(deed.node))
     return "its node is dead: it was merged, or replaced by a swap, since it was listed";
   const NodeId id = deed.node.node;
-  std::string wish = node_text(id) + " was " + wish_text(before.tree, id, before.config);
+  std::string wish = node_text(id) + " was " + wish_text(before.tree, id, before.config, names);
   if (deed.op == Operator::merge && !wants_merge(before.tree, id, before.config))
-    return wish + "; it was merged because the tree had " + std::to_string(before.tree.entries()) +
-           " entries for " + std::to_string(before.tree.objects()) + " objects";
+    return wish + "; it was merged because the tree had " +
+           counted(before.tree.entries(), "entry", "entries") + " for " +
+           counted(before.tree.objects(), "object");
   if (deed.op == Operator::swap)
     return wish + ", and no shift of its partitioner was good, so that it was listed for a swap";
   return wish;
@@ -80,7 +82,7 @@ EventExplanation<D> explain_event(Replayer<D>& replayer, std::uint64_t id) {
   const auto deed = deed_of(result.event);
   if (!deed) return result;
   const BspState<D> before = state_before(replayer, id);
-  result.reason = reason_of(before, *deed);
+  result.reason = reason_of(before, *deed, replayer.recording().info().names);
   result.scheduled = scheduling_of(replayer.recording(), result.event, *deed);
   result.ballot = ballot_of(before, result.event);
   for (const BallotEntry& entry : result.ballot)

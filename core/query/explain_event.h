@@ -26,6 +26,6 @@ EventExplanation<D> explain_event(Replayer<D>& replayer, std::uint64_t id);
 
 /// The explanation in sentences, a line each.
 template <int D>
-std::string to_text(const EventExplanation<D>& explanation, const GivenNames& names = {});
+std::string to_text(const EventExplanation<D>& explanation, const GivenNames& names);
 
 }  // namespace kerf

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "core/base/counted.h"
 #include "core/query/criteria_text.h"
 #include "core/query/text.h"
 #include "core/tree/criteria.h"
@@ -40,7 +41,7 @@ std::string life_text(const NodeLife& life, const GivenNames& names) {
 
 template <int D>
 std::string kind_text(const NodeExplanation<D>& e) {
-  if (!e.quality) return "leaf with " + std::to_string(e.node.population) + " objects";
+  if (!e.quality) return "leaf with " + counted(e.node.population, "object");
   return "partitioner " + plane_text(e.node.plane) + " over " + quality_text(*e.quality);
 }
 
@@ -60,7 +61,7 @@ NodeExplanation<D> explain_node(Replayer<D>& replayer, std::uint32_t step, NodeI
   result.node = tree[id];
   result.path = path_to(tree, id);
   if (!tree[id].is_leaf()) result.quality = quality(tree, id);
-  result.wish = wish_text(tree, id, replayer.tree().config());
+  result.wish = wish_text(tree, id, replayer.tree().config(), replayer.recording().info().names);
   return result;
 }
 

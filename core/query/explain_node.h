@@ -38,6 +38,6 @@ NodeExplanation<D> explain_node(Replayer<D>& replayer, std::uint32_t step, NodeI
 
 /// The explanation in sentences, a line each.
 template <int D>
-std::string to_text(const NodeExplanation<D>& explanation, const GivenNames& names = {});
+std::string to_text(const NodeExplanation<D>& explanation, const GivenNames& names);
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "core/base/overloaded.h"
 #include "core/query/text.h"
 #include "core/replay/cursor.h"
@@ -158,8 +159,7 @@ template <int D>
 std::string their_text(const PairExplanation<D>& e) {
   if (!e.their_times) return "";
   std::string text = e.their_verdict ? verdict_text(*e.their_verdict, e.margin_declared) : "";
-  if (*e.their_times > 1)
-    text += "the other engine reported it " + std::to_string(*e.their_times) + " times\n";
+  if (*e.their_times > 1) text += "the other engine reported it " + counted(*e.their_times, "time") + "\n";
   return text;
 }
 
@@ -211,8 +211,9 @@ PairExplanation<D> explain_pair(Replayer<D>& replayer, std::uint32_t step, const
   if (result.a_state != ObjectState::placed || result.b_state != ObjectState::placed) return result;
   result.both_fixed = objects.is_fixed(pair.a) && objects.is_fixed(pair.b);
   result.is_pair = objects.is_pair(pair.a, pair.b);
-  result.told = std::ranges::any_of(replayer.tree().pairs(),
-                                    [&](const Pair& told) { return make_pair(told.a, told.b) == pair; });
+  result.reported = std::ranges::any_of(replayer.tree().pairs(), [&](const Pair& reported) {
+    return make_pair(reported.a, reported.b) == pair;
+  });
   compare_boxes(result);
   result.is_given_pair = result.is_pair && result.boxes_overlap;
   walk(replayer.tree().tree(), result);
@@ -237,7 +238,7 @@ std::string absence_text(const PairExplanation<D>& e, const GivenNames& names) {
 template <int D>
 std::string comparison_text(const PairExplanation<D>& e, const GivenNames& names) {
   std::string text = reason_text(e) + "\n" + their_text(e);
-  if (e.told != e.is_pair)
+  if (e.reported != e.is_pair)
     text += "this is a fault of the tree: by the definition it is the other way round\n";
   if (e.is_pair && !e.is_given_pair)
     text +=
@@ -254,7 +255,7 @@ std::string comparison_text(const PairExplanation<D>& e, const GivenNames& names
 
 template <int D>
 std::string to_text(const PairExplanation<D>& e, const GivenNames& names) {
-  const bool is_pair = e.told && (e.is_given_pair || !e.is_pair);
+  const bool is_pair = e.reported && (e.is_given_pair || !e.is_pair);
   std::string text = "after step " + names.step(e.step) + ", " + names.object(e.pair.a) + " and " +
                      names.object(e.pair.b) + (is_pair ? " are a pair" : " are no pair") + ": ";
   const std::string absence = absence_text(e, names);

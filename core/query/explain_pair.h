@@ -32,10 +32,11 @@ struct PairExplanation {
   GivenBox<D> a_box;  ///< as it was given; of an object in quarantine, too
   GivenBox<D> b_box;
   bool both_fixed = false;
-  bool told = false;     ///< the tree told the pair
-  bool is_pair = false;  ///< by the definition, in the tree's floats; anything else than `told` is a fault
-  bool is_given_pair = false;                ///< by the definition, in the precision given
-  std::optional<std::size_t> their_times;    ///< how often the other engine told it, if its pairs are known
+  bool reported = false;  ///< the tree reported the pair
+  bool is_pair =
+      false;  ///< by the definition, in the tree's floats; anything else than `reported` is a fault
+  bool is_given_pair = false;              ///< by the definition, in the precision given
+  std::optional<std::size_t> their_times;  ///< how often the other engine reported it, if its pairs are known
   std::optional<PairVerdict> their_verdict;  ///< none: it is right
   std::optional<GivenFilter> a_filter;       ///< of the other engine, if it is known
   std::optional<GivenFilter> b_filter;
@@ -55,6 +56,6 @@ PairExplanation<D> explain_pair(Replayer<D>& replayer, std::uint32_t step, const
 
 /// The explanation in sentences, a line each.
 template <int D>
-std::string to_text(const PairExplanation<D>& explanation, const GivenNames& names = {});
+std::string to_text(const PairExplanation<D>& explanation, const GivenNames& names);
 
 }  // namespace kerf

@@ -108,10 +108,9 @@ std::vector<Thrash> find_thrash(std::span<const OperatorRow> operators, std::uin
   return finder.finish(last_step);
 }
 
-std::string to_text(const Thrash& thrash) {
+std::string to_text(const Thrash& thrash, const GivenNames& names) {
   const std::string node = "n" + std::to_string(thrash.node.value);
-  const std::string when =
-      "steps " + std::to_string(thrash.first_step) + " to " + std::to_string(thrash.last_step);
+  const std::string when = names.steps(thrash.first_step, thrash.last_step);
   if (thrash.kind == ThrashKind::split_merge_split)
     return node + " was split, merged and split again, " + when;
   if (thrash.kind == ThrashKind::balance_ping_pong)

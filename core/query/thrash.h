@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/given_names.h"
 #include "core/recording/operator_rows.h"
 
 namespace kerf {
@@ -31,7 +32,7 @@ struct Thrash {
 std::vector<Thrash> find_thrash(std::span<const OperatorRow> operators, std::uint32_t last_step,
                                 std::uint32_t steps);
 
-/// "n17 was split, merged and split again in steps 20 to 60".
-std::string to_text(const Thrash& thrash);
+/// "n17 was split, merged and split again, steps 20 to 60".
+std::string to_text(const Thrash& thrash, const GivenNames& names);
 
 }  // namespace kerf

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/base/counted.h"
+
 namespace kerf {
 namespace {
 
@@ -56,7 +58,7 @@ Bytes decompress(std::span<const std::uint8_t> frames) {
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN)
     fail_damaged("a block is no Zstandard frame");
   if (size > kAlwaysBelieved && frames.size() < least_size(size))
-    fail_damaged("a block of " + std::to_string(frames.size()) + " bytes says that it holds " +
+    fail_damaged("a block of " + counted(frames.size(), "byte") + " says that it holds " +
                  std::to_string(size));
   Bytes bytes(size);
   const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), frames.data(), frames.size());

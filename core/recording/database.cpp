@@ -235,7 +235,22 @@ Database Database::open_at_rest(const std::filesystem::path& path) {
   // So SQLite keeps the index of the log in memory. It must not clean up: others may read the same file.
   sqlite3_db_config(database.database_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
   database.execute("PRAGMA locking_mode = EXCLUSIVE");
+  if (has_content(path, "-journal")) database.look_for_journal(path);
   return database;
+}
+
+/// What another program has begun to change SQLite takes back before it reads, which takes a right to write.
+void Database::look_for_journal(const std::filesystem::path& path) {
+  try {
+    execute("PRAGMA schema_version");
+  } catch (const NotADatabase&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(
+        std::string(error.what()) + "; beside it lies " + path.filename().string() +
+        "-journal: another program was changing the recording. `sqlite3 FILE` takes that "
+        "back; if the journal is not of this file, remove it");
+  }
 }
 
 /// A row takes some bytes of the file and some steps of SQLite's machine. Pages that point to one another in
@@ -257,6 +272,15 @@ void Database::trust_nothing(std::uint64_t size) {
 void Database::execute(const std::string& sql) {
   if (sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
     fail(database_.get());
+}
+
+void Database::check_size(const std::filesystem::path& path) const {
+  if (has_content(path, "-wal")) return;
+  const std::uintmax_t size = std::filesystem::file_size(path);
+  const auto whole = static_cast<std::uintmax_t>(ask("PRAGMA page_count") * ask("PRAGMA page_size"));
+  if (size != whole)
+    fail_damaged("its pages take " + std::to_string(whole) + " bytes, and the file has " +
+                 std::to_string(size));
 }
 
 Statement Database::prepare(std::string_view sql) const {

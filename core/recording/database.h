@@ -92,6 +92,9 @@ class Database {
   /// An existing file whose writer was killed, to be ended in order by `close`.
   static Database open_to_end(const std::filesystem::path& path);
 
+  /// Throws std::runtime_error if a file without a log is shorter or longer than its pages. `path`: its own.
+  void check_size(const std::filesystem::path& path) const;
+
   void execute(const std::string& sql);
   [[nodiscard]] Statement prepare(std::string_view sql) const;
   /// The first column of the first row.
@@ -107,6 +110,7 @@ class Database {
   Database(const std::filesystem::path& path, const std::string& name, int flags, const char* vfs = nullptr);
   static Database open_beside_writer(const std::filesystem::path& path);
   static Database open_at_rest(const std::filesystem::path& path);
+  void look_for_journal(const std::filesystem::path& path);
   void trust_nothing(std::uint64_t size);
 
   /// The work left to the statement that was prepared last.

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/recording/compression.h"
 #include "core/recording/keyframe_check.h"
 
@@ -52,8 +53,7 @@ void get_table(ByteReader& in, std::size_t size, ObjectTable<D>& table) {
   const Box<D> invalid = Box<D>::empty();
   const std::size_t bound = in.count(kLeast);
   if (least_keyframe(bound) > size)
-    fail_damaged("a keyframe of " + std::to_string(size) + " bytes says that it has " +
-                 std::to_string(bound) + " objects");
+    fail_damaged("a keyframe of " + counted(size, "byte") + " says that it has " + counted(bound, "object"));
   for (std::uint32_t id = 0; id < bound; ++id) {
     const auto state = static_cast<ObjectState>(in.choice(3));
     const Mobility mobility = in.choice(2) == 0 ? Mobility::moving : Mobility::fixed;

@@ -59,7 +59,7 @@ OperatorRow read_operator(const Statement& row) {
 /// Compares the rows of each step with the hash that the step has of them.
 class RowCheck {
  public:
-  explicit RowCheck(std::span<const StepRow> steps) : steps_(steps) {}
+  RowCheck(std::span<const StepRow> steps, const GivenNames& names) : steps_(steps), names_(names) {}
 
   void add(const OperatorRow& row) {
     while (at_ < steps_.size() && row.event >= steps_[at_].first_event + steps_[at_].events) end_step();
@@ -75,13 +75,14 @@ class RowCheck {
  private:
   void end_step() {
     if (steps_[at_].operators_hash != hash_)
-      fail_damaged("the events of step " + std::to_string(steps_[at_].step) +
+      fail_damaged("the events of step " + names_.step(steps_[at_].step) +
                    " are not those that were written");
     ++at_;
     hash_ = 0;
   }
 
   std::span<const StepRow> steps_;
+  const GivenNames& names_;
   std::size_t at_ = 0;
   std::uint64_t hash_ = 0;
   std::uint64_t next_ = 0;  ///< the least number that the next event may have
@@ -154,12 +155,14 @@ std::uint64_t hash_operator(const OperatorRow& row, std::uint64_t before) {
 std::vector<OperatorRow> read_operators(const std::filesystem::path& recording) {
   Database database = open_recording(recording);
   database.execute("BEGIN");  // rows of one moment, even while it is being written
-  return read_operators(database, read_rows(database).steps);
+  const GivenNames names = read_info(database).names;
+  return read_operators(database, read_rows(database, names).steps, names);
 }
 
-std::vector<OperatorRow> read_operators(const Database& recording, std::span<const StepRow> steps) {
+std::vector<OperatorRow> read_operators(const Database& recording, std::span<const StepRow> steps,
+                                        const GivenNames& names) {
   std::vector<OperatorRow> operators;
-  RowCheck check(steps);
+  RowCheck check(steps, names);
   // A writer may have added more since the steps were read.
   Statement rows = recording.prepare("SELECT * FROM events WHERE step <= ? ORDER BY id");
   rows.bind(1, std::int64_t{steps.empty() ? 0 : steps.back().step});

@@ -53,6 +53,7 @@ std::uint64_t hash_operator(const OperatorRow& row, std::uint64_t before);
 /// steps.
 std::vector<OperatorRow> read_operators(const std::filesystem::path& recording);
 /// The same for an open recording.
-std::vector<OperatorRow> read_operators(const Database& recording, std::span<const StepRow> steps);
+std::vector<OperatorRow> read_operators(const Database& recording, std::span<const StepRow> steps,
+                                        const GivenNames& names);
 
 }  // namespace kerf

@@ -7,8 +7,6 @@
 namespace kerf {
 namespace {
 
-std::string step_name(std::uint32_t step) { return "step " + std::to_string(step); }
-
 std::uint64_t hash_at(const Statement& row, int column) {
   return static_cast<std::uint64_t>(row.integer(column));
 }
@@ -39,22 +37,23 @@ StepRow read_step(const Statement& row) {
   return result;
 }
 
-std::vector<StepRow> read_steps(const Database& recording) {
+std::vector<StepRow> read_steps(const Database& recording, const GivenNames& names) {
   std::vector<StepRow> steps;
   std::uint64_t next_event = 0;
   Statement rows = recording.prepare("SELECT * FROM steps ORDER BY step");
   while (rows.step()) {
     steps.push_back(read_step(rows));
     if (steps.back().step != steps.size())
-      fail_damaged(step_name(static_cast<std::uint32_t>(steps.size())) + " is missing");
+      fail_damaged("step " + names.step(static_cast<std::uint32_t>(steps.size())) + " is missing");
     if (steps.back().first_event != next_event || steps.back().events > INT64_MAX - next_event)
-      fail_damaged("the events of " + step_name(steps.back().step) + " do not follow those before");
+      fail_damaged("the events of step " + names.step(steps.back().step) + " do not follow those before");
     next_event += steps.back().events;
   }
   return steps;
 }
 
-std::vector<BlockRow> read_blocks(const Database& recording, const std::vector<StepRow>& steps) {
+std::vector<BlockRow> read_blocks(const Database& recording, const std::vector<StepRow>& steps,
+                                  const GivenNames& names) {
   std::vector<BlockRow> blocks;
   std::uint64_t next = 1;
   Statement rows =
@@ -63,20 +62,21 @@ std::vector<BlockRow> read_blocks(const Database& recording, const std::vector<S
     const BlockRow block{rows.small(0), rows.small(1), rows.natural(2), hash_at(rows, 3)};
     if (block.first_step > next) break;
     if (block.first_step < next || block.steps == 0 || block.steps > steps.size() + 1 - next)
-      fail_damaged("the block of " + step_name(block.first_step) + " has other steps than there are");
+      fail_damaged("the block of step " + names.step(block.first_step) + " has other steps than there are");
     std::uint64_t changed = 0;
     for (std::uint32_t k = 0; k < block.steps; ++k) changed += steps[next - 1 + k].changed;
     if (changed != block.changed)
-      fail_damaged("the block of " + step_name(block.first_step) + " has other changes than its steps");
+      fail_damaged("the block of step " + names.step(block.first_step) + " has other changes than its steps");
     next += block.steps;
     blocks.push_back(block);
   }
   if (next <= steps.size())
-    fail_damaged("the block of " + step_name(static_cast<std::uint32_t>(next)) + " is missing");
+    fail_damaged("the block of step " + names.step(static_cast<std::uint32_t>(next)) + " is missing");
   return blocks;
 }
 
-std::vector<KeyframeRow> read_keyframes(const Database& recording, const std::vector<BlockRow>& blocks) {
+std::vector<KeyframeRow> read_keyframes(const Database& recording, const std::vector<BlockRow>& blocks,
+                                        const GivenNames& names) {
   std::vector<KeyframeRow> keyframes;
   auto block = blocks.begin();
   Statement rows = recording.prepare("SELECT step, seal FROM keyframes ORDER BY step");
@@ -85,20 +85,21 @@ std::vector<KeyframeRow> read_keyframes(const Database& recording, const std::ve
     const std::uint32_t step = keyframes.back().step;
     while (block != blocks.end() && block->last_step() < step) ++block;
     if (block == blocks.end() || block->last_step() != step)
-      fail_damaged("there is a keyframe of " + step_name(step) + ", where no block ends");
+      fail_damaged("there is a keyframe of step " + names.step(step) + ", where no block ends");
     ++block;
   }
   return keyframes;
 }
 
-std::vector<TheirRow> read_theirs(const Database& recording, std::size_t steps) {
+std::vector<TheirRow> read_theirs(const Database& recording, std::size_t steps, const GivenNames& names) {
   std::vector<TheirRow> theirs;
   std::uint32_t last = 0;
   Statement rows = recording.prepare("SELECT step, seal FROM their_seals ORDER BY step");
   while (rows.step()) {
     theirs.push_back({rows.small(0), hash_at(rows, 1)});
     const std::uint32_t step = theirs.back().step;
-    if (step <= last || step > steps) fail_damaged("there is no " + step_name(step) + " of another engine");
+    if (step <= last || step > steps)
+      fail_damaged("there is no step " + names.step(step) + " of another engine");
     last = step;
   }
   return theirs;
@@ -106,26 +107,28 @@ std::vector<TheirRow> read_theirs(const Database& recording, std::size_t steps) 
 
 }  // namespace
 
-RecordedRows read_rows(const Database& recording) {
+RecordedRows read_rows(const Database& recording, const GivenNames& names) {
   RecordedRows rows;
-  rows.steps = read_steps(recording);
-  rows.blocks = read_blocks(recording, rows.steps);
-  rows.keyframes = read_keyframes(recording, rows.blocks);
-  rows.theirs = read_theirs(recording, rows.steps.size());
+  rows.steps = read_steps(recording, names);
+  rows.blocks = read_blocks(recording, rows.steps, names);
+  rows.keyframes = read_keyframes(recording, rows.blocks, names);
+  rows.theirs = read_theirs(recording, rows.steps.size(), names);
   return rows;
 }
 
-std::optional<ChangedPart> find_change(const Database& recording, const RecordedRows& rows) {
+std::optional<ChangedPart> find_change(const Database& recording, const RecordedRows& rows,
+                                       const GivenNames& names) {
   Chain chain(head_of(recording));
   auto block = rows.blocks.begin();
   auto keyframe = rows.keyframes.begin();
   auto theirs = rows.theirs.begin();
   for (const StepRow& row : rows.steps) {
     if (chain.add(row) != row.link)
-      return ChangedPart{row.step, row.step == 1
-                                       ? "the row of step 1, or what the recording says of itself"
-                                       : "the row of " + step_name(row.step) +
-                                             ", or what was written after " + step_name(row.step - 1)};
+      return ChangedPart{
+          row.step, row.step == 1
+                        ? "the row of step " + names.step(1) + ", or what the recording says of itself"
+                        : "the row of step " + names.step(row.step) + ", or what was written after step " +
+                              names.step(row.step - 1)};
     if (block != rows.blocks.end() && block->last_step() == row.step)
       chain.add(Chain::Part::block, block++->seal);
     if (keyframe != rows.keyframes.end() && keyframe->step == row.step)
@@ -136,7 +139,7 @@ std::optional<ChangedPart> find_change(const Database& recording, const Recorded
   const auto last = static_cast<std::uint32_t>(rows.steps.size());
   const auto end = read_end(recording);
   if (end && *end != chain.end())
-    return ChangedPart{last, "what was written after " + step_name(last) + ", the last one"};
+    return ChangedPart{last, "what was written after step " + names.step(last) + ", the last one"};
   return std::nullopt;
 }
 

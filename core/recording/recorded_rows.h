@@ -41,8 +41,8 @@ struct RecordedRows {
   std::vector<TheirRow> theirs;
 };
 
-/// Throws std::runtime_error for rows that do not fit together.
-RecordedRows read_rows(const Database& recording);
+/// Throws std::runtime_error for rows that do not fit together, with the names of their steps.
+RecordedRows read_rows(const Database& recording, const GivenNames& names);
 
 /// The place where a recording is no longer as it was written.
 struct ChangedPart {
@@ -51,6 +51,7 @@ struct ChangedPart {
 };
 
 /// Follows the chain of a recording (see Chain) from its head to its end.
-std::optional<ChangedPart> find_change(const Database& recording, const RecordedRows& rows);
+std::optional<ChangedPart> find_change(const Database& recording, const RecordedRows& rows,
+                                       const GivenNames& names);
 
 }  // namespace kerf

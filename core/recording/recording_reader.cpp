@@ -10,14 +10,15 @@
 #include "core/recording/keyframe_codec.h"
 #include "core/recording/schema.h"
 #include "core/recording/their_rows.h"
+#include "core/recording/unfinished.h"
 
 namespace kerf {
 namespace {
 
 /// The step in a block must be that of its row.
 template <int D>
-void check_step(const RecordedStep<D>& step, const StepRow& row) {
-  const std::string name = "step " + std::to_string(row.step);
+void check_step(const RecordedStep<D>& step, const StepRow& row, const GivenNames& names) {
+  const std::string name = "step " + names.step(row.step);
   if (step.events.size() != row.events)
     fail_damaged(name + " has other events in its block than its row says");
   if (step.changed != row.changed) fail_damaged(name + " has other changes in its block than its row says");
@@ -25,14 +26,14 @@ void check_step(const RecordedStep<D>& step, const StepRow& row) {
 
 /// The keyframe must be that of its step, as the step's row and the recording say.
 template <int D>
-void check_keyframe(const BspState<D>& state, const StepRow& row, const Config& config) {
+void check_keyframe(const BspState<D>& state, const StepRow& row, const RecordingInfo& info) {
   const auto expect = [&](bool holds, const char* what) {
     if (!holds)
-      fail_damaged("the keyframe of step " + std::to_string(row.step) + " has another " + what +
+      fail_damaged("the keyframe of step " + info.names.step(row.step) + " has another " + what +
                    " than its step");
   };
   expect(state.step == row.step, "number");
-  expect(state.config == config, "configuration");
+  expect(state.config == config_of(info, row.step), "configuration");
   expect(state.next_event == row.first_event + row.events, "last event");
   expect(state.placed == row.statistics.placed, "count of placements");
   expect(state.scheduler.acted() == row.statistics.operators &&
@@ -49,12 +50,12 @@ RecordingInfo read_recording_info(const std::filesystem::path& path) {
 
 template <int D>
 RecordingReader<D>::RecordingReader(const std::filesystem::path& path, AsItIs /*even if changed*/)
-    : database_(open_recording(path)), info_(read_info(database_)) {
+    : path_(recording_at(path)), database_(open_recording(path)), info_(read_info(database_)) {
   if (info_.dimension != D)
     throw std::runtime_error(path.string() + " is a recording in " + std::to_string(info_.dimension) + "D");
   database_.execute("BEGIN");  // rows, blocks and keyframes of one moment, even while it is being written
-  rows_ = read_rows(database_);
-  change_ = find_change(database_, rows_);
+  rows_ = read_rows(database_, info_.names);
+  change_ = find_change(database_, rows_, info_.names);
   database_.execute("COMMIT");  // written data does not change, and a writer that ends need not wait
 }
 
@@ -101,7 +102,7 @@ template <int D>
 BspState<D> RecordingReader<D>::keyframe(std::uint32_t step,
                                          std::shared_ptr<const Projector<D>> projector) const {
   BspState<D> state = decode_keyframe<D>(keyframe_bytes(step), std::move(projector));
-  check_keyframe(state, row(step), config_of(info_, step));
+  check_keyframe(state, row(step), info_);
   return state;
 }
 
@@ -110,18 +111,18 @@ Bytes RecordingReader<D>::keyframe_bytes(std::uint32_t step) const {
   const auto found = std::ranges::lower_bound(rows_.keyframes, step, {}, &KeyframeRow::step);
   Statement data = database_.prepare("SELECT data FROM keyframes WHERE step = ?");
   if (found == rows_.keyframes.end() || found->step != step || !data.bind(1, std::int64_t{step}).step())
-    throw std::runtime_error("the recording has no keyframe at step " + std::to_string(step));
+    throw std::runtime_error("the recording has no keyframe at step " + info_.names.step(step));
   Bytes bytes = data.bytes(0);
   if (seal_of_keyframe(row(step).link, step, bytes) != found->seal)
-    fail_damaged("the keyframe of step " + std::to_string(step) + " is not what was written");
+    fail_damaged("the keyframe of step " + info_.names.step(step) + " is not what was written");
   return bytes;
 }
 
 template <int D>
 const RecordedStep<D>& RecordingReader<D>::step(std::uint32_t step) {
   if (step == 0 || step > steps())
-    throw std::runtime_error("the recording has steps 1 to " + std::to_string(steps()) + ", no step " +
-                             std::to_string(step));
+    throw std::runtime_error("the recording has " + info_.names.steps(1, steps()) + ", no step " +
+                             info_.names.step(step));
   const auto holds = [step](const Span& span) {
     return step >= span.first && step - span.first < span.steps.size();
   };
@@ -130,7 +131,7 @@ const RecordedStep<D>& RecordingReader<D>::step(std::uint32_t step) {
     if (spans_.size() >= kSpans) spans_.pop_back();
     found = spans_.insert(spans_.begin(), read_span(keyframe_before(step - 1)));
     if (!holds(*found))
-      throw std::runtime_error("the recording is damaged: the block of step " + std::to_string(step) +
+      throw std::runtime_error("the recording is damaged: the block of step " + info_.names.step(step) +
                                " is missing");
   }
   spans_.splice(spans_.begin(), spans_, found);
@@ -153,7 +154,7 @@ auto RecordingReader<D>::read_span(std::uint32_t keyframe) const -> Span {
 
 template <int D>
 void RecordingReader<D>::read_block(BlockDecoder<D>& decoder, const BlockRow& block, Span& span) const {
-  const std::string name = " (block of step " + std::to_string(block.first_step) + ")";
+  const std::string name = " (block of step " + info_.names.step(block.first_step) + ")";
   Statement data = database_.prepare("SELECT data FROM blocks WHERE first_step = ?");
   if (!data.bind(1, std::int64_t{block.first_step}).step()) fail_damaged("a block is missing" + name);
   const Bytes bytes = data.bytes(0);
@@ -168,16 +169,18 @@ void RecordingReader<D>::read_block(BlockDecoder<D>& decoder, const BlockRow& bl
   if (span.steps.size() != block.last_step() + 1 - span.first)
     fail_damaged("it has other steps than its row says" + name);
   for (std::uint32_t step = block.first_step; step <= block.last_step(); ++step)
-    check_step(span.steps[step - span.first], row(step));
+    check_step(span.steps[step - span.first], row(step), info_.names);
 }
 
 template <int D>
 void RecordingReader<D>::check_theirs(std::uint32_t step) const {
+  if (step == theirs_asked_) return;
   const auto found = std::ranges::lower_bound(rows_.theirs, step, {}, &TheirRow::step);
   const bool has_seal = found != rows_.theirs.end() && found->step == step;
   const auto seal = seal_of_theirs(row(step).link, database_, step);
   if (seal != (has_seal ? std::optional(found->seal) : std::nullopt))
-    fail_damaged("what step " + std::to_string(step) + " has of another engine is not what was written");
+    fail_damaged("what step " + info_.names.step(step) + " has of another engine is not what was written");
+  theirs_asked_ = step;
 }
 
 template <int D>
@@ -241,6 +244,7 @@ void RecordingReader<D>::check_pages() const {
   Statement check = database_.prepare("PRAGMA quick_check(1)");
   const std::string finding = check.step() ? check.text(0) : "nothing was checked";
   if (finding != "ok") fail_damaged(finding);
+  database_.check_size(path_);
 }
 
 template class RecordingReader<2>;

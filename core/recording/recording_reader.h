@@ -53,7 +53,9 @@ class RecordingReader {
   /// Throws std::runtime_error for an id that the recording does not have.
   Event event(std::uint64_t id);
   /// See `read_operators`.
-  [[nodiscard]] std::vector<OperatorRow> operators() const { return read_operators(database_, rows_.steps); }
+  [[nodiscard]] std::vector<OperatorRow> operators() const {
+    return read_operators(database_, rows_.steps, info_.names);
+  }
   /// Steps that have a keyframe, in order; step 0, which needs none, is not among them.
   [[nodiscard]] std::span<const KeyframeRow> keyframes() const { return rows_.keyframes; }
   [[nodiscard]] bool has_keyframe(std::uint32_t step) const;
@@ -75,7 +77,8 @@ class RecordingReader {
   [[nodiscard]] RecordingSize size() const;
   /// Throws std::runtime_error if a step's data of another engine is not as written.
   void check_theirs(std::uint32_t step) const;
-  /// Throws std::runtime_error if SQLite finds a fault in any page of the file.
+  /// Throws std::runtime_error if SQLite finds a fault in any page of the file, or if the file has other
+  /// bytes beside its pages.
   void check_pages() const;
 
  private:
@@ -94,12 +97,14 @@ class RecordingReader {
   [[nodiscard]] Span read_span(std::uint32_t keyframe) const;
   void check_theirs_up_to(std::uint32_t step) const;
 
+  std::filesystem::path path_;
   Database database_;
   RecordingInfo info_;
   RecordedRows rows_;
   std::optional<ChangedPart> change_;
   std::list<Span> spans_;                     ///< latest used first
   mutable std::uint32_t theirs_checked_ = 0;  ///< up to this step another engine's rows are as written
+  mutable std::uint32_t theirs_asked_ = 0;    ///< and in this one
 };
 
 extern template class RecordingReader<2>;

@@ -27,7 +27,7 @@ class RecordingWriter {
   void add(const BspState<D>& keyframe);
   /// What another engine's last step changes for the judgement of its pairs.
   void add(const TheirChanges<D>& changes);
-  /// Its pairs of the last step, as it told them, and the verdicts on those that are not right.
+  /// Its pairs of the last step, as it reported them, and the verdicts on those that are not right.
   void add(std::span<const Pair> their_pairs, std::span<const JudgedPair> judged);
   /// Ends the recording: it is complete then.
   void finish();

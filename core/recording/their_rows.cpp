@@ -92,7 +92,7 @@ GivenNames read_names(const Database& database) {
   while (step.step()) {
     steps.push_back(step.text(1));
     if (step.integer(0) != as_integer(steps.size()))
-      fail_damaged("step " + std::to_string(steps.size()) + " has no name");
+      fail_damaged("one of its steps has no name");
   }
   try {
     return {std::move(objects), std::move(steps)};
@@ -124,9 +124,9 @@ PairDesign read_design(const Database& database) {
   return design;
 }
 
-void write_theirs(Database& database, std::uint32_t step, std::span<const Pair> told,
+void write_theirs(Database& database, std::uint32_t step, std::span<const Pair> reported,
                   std::span<const JudgedPair> judged) {
-  const TheirStep sum = sum_of(told.size(), judged);
+  const TheirStep sum = sum_of(reported.size(), judged);
   Statement put_sum = database.prepare("INSERT INTO their_steps VALUES(?,?,?,?,?,?)");
   put_sum.bind(1, std::int64_t{step}).bind(2, as_integer(sum.pairs)).bind(3, as_integer(sum.missed));
   put_sum.bind(4, as_integer(sum.extra))
@@ -134,7 +134,7 @@ void write_theirs(Database& database, std::uint32_t step, std::span<const Pair> 
       .bind(6, as_integer(sum.ignored))
       .run();
   Statement put_pair = database.prepare("INSERT INTO their_pairs VALUES(?,?,?)");
-  for (const Pair& pair : told)
+  for (const Pair& pair : reported)
     put_pair.bind(1, std::int64_t{step})
         .bind(2, std::int64_t{pair.a.value})
         .bind(3, std::int64_t{pair.b.value})

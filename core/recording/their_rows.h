@@ -6,7 +6,7 @@
 
 namespace kerf {
 
-/// The tables of an import: what the other engine calls things, what it told and how that was judged.
+/// The tables of an import: what the other engine calls things, what it reported and how that was judged.
 /// Whatever is read is checked; what makes no sense throws std::runtime_error.
 extern const char* const kTheirTables;
 
@@ -16,8 +16,8 @@ GivenNames read_names(const Database& database);
 void write_design(Database& database, const PairDesign& design);
 PairDesign read_design(const Database& database);
 
-/// Their pairs of a step as they told them, and how each compares. Pairs without a verdict are right.
-void write_theirs(Database& database, std::uint32_t step, std::span<const Pair> told,
+/// Their pairs of a step as they reported them, and how each compares. Pairs without a verdict are right.
+void write_theirs(Database& database, std::uint32_t step, std::span<const Pair> reported,
                   std::span<const JudgedPair> judged);
 std::vector<Pair> read_their_pairs(const Database& database, std::uint32_t step);
 std::vector<JudgedPair> read_judged_pairs(const Database& database, std::uint32_t step);

@@ -12,15 +12,15 @@
 
 namespace kerf {
 
-/// How a pair of another engine compares with the definition. `twice` is one more time that it was told;
+/// How a pair of another engine compares with the definition. `twice` is one more time that it was reported;
 /// those from `filtered` on are right by what the engine does by design, and are no fault.
 enum class PairVerdict : std::uint8_t {
-  missed,    ///< an overlap that was not told
-  extra,     ///< told, but no overlap
-  twice,     ///< told again
+  missed,    ///< an overlap that was not reported
+  extra,     ///< reported, but no overlap
+  twice,     ///< reported again
   filtered,  ///< the masks of its objects leave it out
   listed,    ///< declared to be ignored
-  margin,    ///< told, and only the boxes with their margin overlap
+  margin,    ///< reported, and only the boxes with their margin overlap
 };
 inline constexpr std::size_t kVerdicts = 6;
 inline constexpr std::array<std::string_view, kVerdicts> kVerdictNames{"missed",   "extra",  "twice",
@@ -38,15 +38,15 @@ struct JudgedPair {
 
 /// The pairs of a step in figures.
 struct TheirStep {
-  std::uint64_t pairs = 0;    ///< as they told them
+  std::uint64_t pairs = 0;    ///< as they reported them
   std::uint64_t missed = 0;   ///< overlaps that they did not report
-  std::uint64_t extra = 0;    ///< told, but no overlap
-  std::uint64_t twice = 0;    ///< told again
+  std::uint64_t extra = 0;    ///< reported, but no overlap
+  std::uint64_t twice = 0;    ///< reported again
   std::uint64_t ignored = 0;  ///< neither missed nor extra, by what they do by design
   friend bool operator==(const TheirStep&, const TheirStep&) = default;
   TheirStep& operator+=(const TheirStep& other);
 };
-/// `pairs` is how many were told.
+/// `pairs` is how many were reported.
 TheirStep sum_of(std::uint64_t pairs, std::span<const JudgedPair> judged);
 
 /// What an engine's filter says of an object: two objects are a pair if each has a category of the other's

@@ -12,9 +12,9 @@ void put_at(std::vector<T>& all, ObjectId object, const T& value) {
   all[object.index()] = value;
 }
 
-std::vector<Pair> sorted_pairs(std::span<const Pair> told) {
+std::vector<Pair> sorted_pairs(std::span<const Pair> reported) {
   std::vector<Pair> pairs;
-  for (const Pair& pair : told) pairs.push_back(make_pair(pair.a, pair.b));
+  for (const Pair& pair : reported) pairs.push_back(make_pair(pair.a, pair.b));
   std::ranges::sort(pairs);
   return pairs;
 }
@@ -61,11 +61,11 @@ bool TheirWorld<D>::overlap(const ObjectTable<D>& objects, const Pair& pair, con
 }
 
 template <int D>
-std::vector<JudgedPair> judge_theirs(std::span<const Pair> told, std::span<const Pair> truth,
+std::vector<JudgedPair> judge_theirs(std::span<const Pair> reported, std::span<const Pair> truth,
                                      const ObjectTable<D>& objects, const TheirWorld<D>& world,
                                      const PairDesign& design) {
   std::vector<JudgedPair> judged;
-  std::vector<Pair> theirs = sorted_pairs(told);
+  std::vector<Pair> theirs = sorted_pairs(reported);
   for (const Pair& pair : take_repeated(theirs)) judged.push_back({pair, PairVerdict::twice});
   std::vector<Pair> right;
   std::ranges::copy_if(truth, std::back_inserter(right),

@@ -32,7 +32,7 @@ class TheirWorld {
 /// The verdicts on pairs of a step, in the order of the verdicts, then of the pairs: right ones have none.
 /// `truth` are the pairs of the objects' floats, sorted: rounded outward, they lack none.
 template <int D>
-std::vector<JudgedPair> judge_theirs(std::span<const Pair> told, std::span<const Pair> truth,
+std::vector<JudgedPair> judge_theirs(std::span<const Pair> reported, std::span<const Pair> truth,
                                      const ObjectTable<D>& objects, const TheirWorld<D>& world,
                                      const PairDesign& design);
 

@@ -29,9 +29,9 @@ std::vector<Pair> oracle_pairs(const ObjectTable<D>& objects) {
   return pairs;
 }
 
-PairJudgement judge_pairs(std::span<const Pair> told, std::span<const Pair> truth) {
+PairJudgement judge_pairs(std::span<const Pair> reported, std::span<const Pair> truth) {
   std::vector<Pair> sorted;
-  for (const Pair& pair : told) sorted.push_back(make_pair(pair.a, pair.b));
+  for (const Pair& pair : reported) sorted.push_back(make_pair(pair.a, pair.b));
   std::ranges::sort(sorted);
   PairJudgement judgement;
   for (std::size_t k = 1; k < sorted.size(); ++k)

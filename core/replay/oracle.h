@@ -14,15 +14,15 @@ std::vector<Pair> oracle_pairs(const ObjectTable<D>& objects);
 
 /// Reported pairs compared with the true ones; each list is sorted.
 struct PairJudgement {
-  std::vector<Pair> missed;   ///< true, but not told
-  std::vector<Pair> extra;    ///< told, but not true
-  std::vector<Pair> twice;    ///< told again, once for each time
+  std::vector<Pair> missed;   ///< true, but not reported
+  std::vector<Pair> extra;    ///< reported, but not true
+  std::vector<Pair> twice;    ///< reported again, once for each time
   std::vector<Pair> ignored;  ///< of another engine: no fault, by what it does by design
   [[nodiscard]] bool is_exact() const { return missed.empty() && extra.empty() && twice.empty(); }
 };
 
 /// `truth` is sorted; the reported pairs come in any order, each pair's objects too.
-PairJudgement judge_pairs(std::span<const Pair> told, std::span<const Pair> truth);
+PairJudgement judge_pairs(std::span<const Pair> reported, std::span<const Pair> truth);
 
 /// The judgement of another engine's pairs in lists.
 PairJudgement by_verdict(std::span<const JudgedPair> judged);

@@ -21,7 +21,7 @@ struct Position {
 };
 
 /// "e1234" or "step 17": the same text in panels, on the command line and in file names.
-inline std::string to_string(const Position& position, const GivenNames& names = {}) {
+inline std::string to_string(const Position& position, const GivenNames& names) {
   return position.is_end() ? "step " + names.step(position.step) : "e" + std::to_string(position.event);
 }
 

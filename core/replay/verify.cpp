@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "core/recording/keyframe_codec.h"
 #include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
@@ -64,6 +65,7 @@ class Verifier {
   Verdict run(const std::function<bool(std::uint32_t)>& progress) {
     recording_->check_pages();
     verdict_.change = recording_->change();
+    verdict_.names = recording_->info().names;
     operators_ = recording_->operators();
     for (std::uint32_t step = 1; step <= recording_->steps() && !verdict_.divergence; ++step) {
       if (progress && !progress(step)) break;
@@ -102,9 +104,9 @@ class Verifier {
     }
   }
 
-  static std::string name(const std::vector<Event>& events, std::size_t k) {
+  std::string name(const std::vector<Event>& events, std::size_t k) const {
     if (k >= events.size()) return "no further event";
-    std::string text = describe(events[k]);
+    std::string text = describe(events[k], verdict_.names);
     if (const auto* const acted = acted_of(events[k]))
       text += " along direction " + std::to_string(acted->direction) + " from " +
               std::to_string(acted->old_offset) + " to " + std::to_string(acted->new_offset);
@@ -118,7 +120,8 @@ class Verifier {
       if (!row) continue;
       const bool is_same = next_operator_ < operators_.size() && operators_[next_operator_] == *row;
       if (!is_same)
-        return diverge(step, "another row in the table of events, or none", describe(event), event.id);
+        return diverge(step, "another row in the table of events, or none", describe(event, verdict_.names),
+                       event.id);
       ++next_operator_;
     }
     if (next_operator_ < operators_.size() && operators_[next_operator_].step == step)
@@ -138,8 +141,8 @@ class Verifier {
     if (row.state_hash != tree.state_hash())
       diverge(step, "state hash " + to_hex(row.state_hash), to_hex(tree.state_hash()) + how);
     else if (row.pairs_hash != hash_pairs(tree.pairs()))
-      diverge(step, std::to_string(row.pairs) + " pairs",
-              std::to_string(tree.pairs().size()) + " pairs, not the same" + how);
+      diverge(step, counted(row.pairs, "pair"),
+              counted(tree.pairs().size(), "pair") + ", not the same" + how);
   }
 
   /// A seek continues from a keyframe: the following steps must be those of the recording, too.
@@ -177,22 +180,22 @@ class Verifier {
   }
 
   void judge_theirs(std::uint32_t step, const TheirStep& recorded, const std::vector<Pair>* truth) {
-    const std::vector<Pair> told = recording_->their_pairs(step);
+    const std::vector<Pair> reported = recording_->their_pairs(step);
     verdict_.theirs += recorded;
-    if (told.size() != recorded.pairs)
-      diverge(step, std::to_string(recorded.pairs) + " pairs of theirs", std::to_string(told.size()));
-    if (truth != nullptr) compare_verdicts(step, told, *truth, recorded);
+    if (reported.size() != recorded.pairs)
+      diverge(step, counted(recorded.pairs, "pair") + " of theirs", std::to_string(reported.size()));
+    if (truth != nullptr) compare_verdicts(step, reported, *truth, recorded);
   }
 
   /// How their pairs were judged is judged again.
-  void compare_verdicts(std::uint32_t step, const std::vector<Pair>& told, const std::vector<Pair>& truth,
+  void compare_verdicts(std::uint32_t step, const std::vector<Pair>& reported, const std::vector<Pair>& truth,
                         const TheirStep& recorded) {
     const auto judged =
-        kerf::judge_theirs<D>(told, truth, replayer_.tree().objects(), world_, recording_->info().design);
+        kerf::judge_theirs<D>(reported, truth, replayer_.tree().objects(), world_, recording_->info().design);
     const std::vector<JudgedPair> before = recording_->judged_pairs(step);
-    if (judged == before && sum_of(told.size(), judged) == recorded) return;
-    diverge(step, std::to_string(before.size()) + " verdicts on their pairs",
-            std::to_string(judged.size()) + " verdicts, not the same");
+    if (judged == before && sum_of(reported.size(), judged) == recorded) return;
+    diverge(step, counted(before.size(), "verdict") + " on their pairs",
+            counted(judged.size(), "verdict") + ", not the same");
   }
 
   /// What was given in doubles is rounded outward to what the tree was asked.
@@ -204,7 +207,7 @@ class Verifier {
       if (!box || verdict_.divergence || !objects.is_placed(object)) continue;
       if (round_outward(*box) != objects.box(object))
         diverge(step, "another box in doubles",
-                "the box in floats of object " + recording_->info().names.object(object));
+                "the box in floats of object " + verdict_.names.object(object));
     }
   }
 
@@ -212,13 +215,12 @@ class Verifier {
     const std::uint32_t steps = recording_->steps();
     const auto say = [this](const std::string& what) { verdict_.unchecked.push_back(what); };
     say("how long phases took: no replay shows that");
-    if (verdict_.steps < steps)
-      say("steps " + std::to_string(verdict_.steps + 1) + " to " + std::to_string(steps));
+    if (verdict_.steps < steps) say(verdict_.names.steps(verdict_.steps + 1, steps));
     if (verdict_.judged < verdict_.steps)
       say("the pairs of " + std::to_string(verdict_.steps - verdict_.judged) + " of " +
-          std::to_string(verdict_.steps) + " steps by the oracle");
+          counted(verdict_.steps, "step") + " by the oracle");
     if (!recording_->info().complete)
-      say("what came after step " + std::to_string(steps) + ": the recording was not ended in order");
+      say("what came after step " + verdict_.names.step(steps) + ": the recording was not ended in order");
   }
 
   std::shared_ptr<RecordingReader<D>> recording_;

@@ -33,6 +33,7 @@ struct Verdict {
   std::uint64_t twice = 0;
   std::uint32_t first_wrong_step = 0;  ///< of the pairs; 0: none
   TheirStep theirs;                    ///< another engine's, summed over the steps; empty unless imported
+  GivenNames names;                    ///< of the steps
   std::vector<std::string> unchecked;  ///< what was not checked
 
   /// The recording is as it was written, the replay is the recorded run, and its pairs are exact. Faults of

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/base/counted.h"
 #include "core/recording/recorder.h"
 #include "core/recording/schema.h"
 #include "core/replay/cursor.h"
@@ -33,14 +34,14 @@ void check_latest(const RecordingInfo& info, const RecordingReader<D>& recording
   for (const ConfigChange& change : info.changes)
     if (change.step > step)
       throw std::invalid_argument("the recording has another configuration from step " +
-                                  std::to_string(change.step) +
+                                  recording.info().names.step(change.step) +
                                   " on: start from the recording before that change");
 }
 
 template <int D>
 ChosenPlane plane_of(Replayer<D>& replayer, const Event& event, std::size_t candidate) {
   const auto candidates = ballot_of(state_before(replayer, event.id), event);
-  const std::string ballot = name_of(event.id) + " has " + std::to_string(candidates.size()) + " candidates";
+  const std::string ballot = name_of(event.id) + " has " + counted(candidates.size(), "candidate");
   if (candidate >= candidates.size())
     throw std::invalid_argument(ballot + ", counted from 0: there is no candidate " +
                                 std::to_string(candidate));
@@ -59,18 +60,18 @@ bool took_effect(const Decision& decision, const Event& event) {
          acted->new_offset == decision.plane->offset;
 }
 
-std::string why_not(const Decision& decision, const Event& event) {
+std::string why_not(const Decision& decision, const Event& event, const GivenNames& names) {
   const std::string what = name_of(decision.event) + ": the decision had no effect: ";
   if (const auto* const refused = refused_of(event)) return what + std::string(to_string(refused->reason));
-  return what + describe(event) +
+  return what + describe(event, names) +
          ". What sheds entries beyond max_entries cannot be refused; raise max_entries instead";
 }
 
-void check_effect(const std::vector<Decision>& decisions, const std::vector<Event>& events) {
-  for (const Decision& decision : decisions) {
+void check_effect(const RecordingInfo& info, const std::vector<Event>& events) {
+  for (const Decision& decision : info.decisions) {
     const auto event = std::ranges::find(events, decision.event, &Event::id);
     if (event != events.end() && !took_effect(decision, *event))
-      throw std::runtime_error(why_not(decision, *event));
+      throw std::runtime_error(why_not(decision, *event, info.names));
   }
 }
 
@@ -80,7 +81,7 @@ bool rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, Bsp<D
   for (std::uint32_t step = 1; step <= recording.steps() && !(stop && stop()); ++step) {
     apply(recording.step(step).requests, recorder);
     recorder.step();
-    check_effect(info.decisions, tree.trace().take());
+    check_effect(info, tree.trace().take());
     if (info.imported) recorder.add_theirs(recording.their_changes(step));
     if (recording.their_step(step))
       recorder.add_theirs(recording.their_pairs(step), recording.judged_pairs(step));
@@ -95,14 +96,15 @@ template <int D>
 void decide(RecordingInfo& info, Replayer<D>& replayer, std::uint64_t event,
             std::optional<std::size_t> candidate) {
   const Event happened = replayer.recording().event(event);
+  const std::string text = describe(happened, info.names);
   const auto op = decidable(happened);
   if (!op)
-    throw std::invalid_argument(describe(happened) +
+    throw std::invalid_argument(text +
                                 ": not an operator that acts; `kerf step --to 'kind==acted'` finds one");
   if (candidate && *op != Operator::split)
-    throw std::invalid_argument(describe(happened) + ": only a split has candidates to choose from");
+    throw std::invalid_argument(text + ": only a split has candidates to choose from");
   if (!candidate && !has_acted(happened))
-    throw std::invalid_argument(describe(happened) + ": it has not acted, so there is nothing to refuse");
+    throw std::invalid_argument(text + ": it has not acted, so there is nothing to refuse");
   check_latest(info, replayer.recording(), happened.step, event);
   Decision decision{event, *op, std::nullopt};
   if (candidate) decision.plane = plane_of(replayer, happened, *candidate);
@@ -113,8 +115,8 @@ template <int D>
 void change_config(RecordingInfo& info, const RecordingReader<D>& recording, std::uint32_t step,
                    const Config& config) {
   if (step == 0 || step > recording.steps())
-    throw std::invalid_argument("the recording has steps 1 to " + std::to_string(recording.steps()) +
-                                ": there is no step " + std::to_string(step));
+    throw std::invalid_argument("the recording has " + recording.info().names.steps(1, recording.steps()) +
+                                ": there is none to change " + (step == 0 ? "before" : "after") + " them");
   check_latest(info, recording, step - 1, UINT64_MAX);
   if (step == 1) {
     info.config = config;

@@ -1,5 +1,6 @@
 #include "core/trace/event.h"
 
+#include "core/base/counted.h"
 #include "core/base/overloaded.h"
 
 namespace kerf {
@@ -25,15 +26,15 @@ std::string describe(const EventBody& body, const GivenNames& names) {
       Overloaded{
           [](const PhaseBegan& e) { return "phase " + std::string(to_string(e.phase)); },
           [&](const ObjectPlaced& e) {
-            return "object " + names.object(e.object) + " in " + std::to_string(e.leaves) + " leaves";
+            return "object " + names.object(e.object) + " in " + counted(e.leaves, "leaf", "leaves");
           },
           [](const OperatorScheduled& e) {
             return std::string(to_string(e.op)) + " " + name(e.node) + " scheduled";
           },
           acted,
           refused,
-          [](const EventsDeferred& e) { return std::to_string(e.count) + " events deferred"; },
-          [](const AllPlaced& e) { return "all " + std::to_string(e.objects) + " objects placed anew"; },
+          [](const EventsDeferred& e) { return counted(e.count, "event") + " deferred"; },
+          [](const AllPlaced& e) { return "all " + counted(e.objects, "object") + " placed anew"; },
       },
       body);
 }

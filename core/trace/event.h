@@ -102,6 +102,6 @@ struct Event {
 };
 
 /// One line for logs and captions, for example "e17 step 20 split n5: 65 -> 65 (33 | 34)".
-std::string describe(const Event& event, const GivenNames& names = {});
+std::string describe(const Event& event, const GivenNames& names);
 
 }  // namespace kerf

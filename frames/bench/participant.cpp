@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "core/base/counted.h"
+
 namespace kerf {
 namespace {
 
@@ -49,8 +51,9 @@ void Participant::run(std::int64_t first, std::uint32_t count, const CellWatch& 
   for (std::uint32_t k = 0; k < count; ++k) keep(first + k, answers_.step(k));
   const bool last = first + count >= plan_.steps;
   if (spent_ <= plan_.patience || last) return;
-  trouble_ = "left out after " + in_seconds(spent_) + " and " +
-             std::to_string(first + static_cast<std::int64_t>(count + plan_.warm_up)) + " steps";
+  trouble_ =
+      "left out after " + in_seconds(spent_) + " and " +
+      counted(static_cast<std::uint64_t>(first + static_cast<std::int64_t>(count + plan_.warm_up)), "step");
   ask(Request::account, kLongestRequest * plan_.patience, watch);
   bytes_ = answers_.bytes();
   process_.reset();

@@ -42,14 +42,14 @@ void verify_truth(std::span<const Box<D>> boxes, std::uint32_t moving) {
 }
 
 Difference compare(std::span<const Pair> found, std::vector<Pair> truth) {
-  std::vector<Pair> told;
-  told.reserve(found.size());
-  for (const Pair& pair : found) told.push_back(make_pair(pair.a, pair.b));
-  std::sort(told.begin(), told.end());
+  std::vector<Pair> reported;
+  reported.reserve(found.size());
+  for (const Pair& pair : found) reported.push_back(make_pair(pair.a, pair.b));
+  std::sort(reported.begin(), reported.end());
   std::sort(truth.begin(), truth.end());
   Difference difference;
   auto next = truth.begin();
-  for (const Pair& pair : told) {
+  for (const Pair& pair : reported) {
     for (; next != truth.end() && *next < pair; ++next) ++difference.missed;
     if (next != truth.end() && *next == pair) {
       ++next;

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "frames/bench_frames/frame_loops.h"
 #include "frames/bench_frames/timed_process.h"
 #include "frames/commands/output_option.h"
@@ -51,9 +52,9 @@ struct Row {
 std::uint32_t frames_for(std::uint32_t boxes) { return boxes > 50'000 ? 12 : boxes > 5'000 ? 40 : 60; }
 
 [[noreturn]] void refuse(const FrameLoop& loop) {
-  throw std::runtime_error(std::to_string(loop.frames) + " frames of " + std::to_string(loop.size.width) +
-                           "x" + std::to_string(loop.size.height) + " with " + std::to_string(loop.boxes) +
-                           " boxes are too few to measure: they take less than starting up varies by; give "
+  throw std::runtime_error(counted(loop.frames, "frame") + " of " + std::to_string(loop.size.width) + "x" +
+                           std::to_string(loop.size.height) + " with " + counted(loop.boxes, "box", "boxes") +
+                           ": too little to measure, since it takes less than starting up varies by; give "
                            "more --frames, or larger --sizes");
 }
 

@@ -4,9 +4,11 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/base/counted.h"
 #include "frames/commands/output_option.h"
 #include "frames/sequence/collection.h"
 #include "frames/sequence/film_files.h"
+#include "frames/sequence/sequence_folder.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
@@ -56,6 +58,9 @@ void CollectCommand::run() const {
   const std::string gaps = describe_gaps(collection);
   if (!gaps.empty()) throw DoesNotHold(gaps);
   const Manifest& manifest = collection.manifest;
+  if (!out_.empty())
+    for (const std::filesystem::path& out : {film.video, film.contact_sheet})
+      SequenceFolder(out_, manifest.name).check_apart(out);
   FilmFiles files(film, manifest.size, manifest.steps.frames());
   const ProgressLine progress;
   for (const CollectedFrame& frame : collection.frames) {
@@ -67,8 +72,10 @@ void CollectCommand::run() const {
   progress.clear();
   if (!out_.empty()) gather(collection, out_, overwrite_);
   files.finish();
-  std::printf("%s: all %zu frames are there, from %u folders\n", manifest.name.c_str(),
-              collection.frames.size(), collection.folders);
+  const std::size_t frames = collection.frames.size();
+  std::printf("%s: %s there, from %s\n", manifest.name.c_str(),
+              (frames == 1 ? "its only frame is" : "all " + counted(frames, "frame") + " are").c_str(),
+              counted(collection.folders, "folder").c_str());
 }
 
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
@@ -91,6 +92,15 @@ std::string unexpected_argument(const CLI::App& program) {
   return "'" + given + "' is one argument too many";
 }
 
+/// A file whose name begins with a dash is taken for an option.
+std::string dash_hint(const CLI::App& program) {
+  std::error_code none;
+  for (const std::string& given : program.remaining(true))
+    if (given.starts_with("-") && std::filesystem::exists(given, none))
+      return "; '" + given + "' was taken for an option: write ./" + given;
+  return "";
+}
+
 std::string help_hint(const CLI::App& program) {
   const CLI::App& command = chosen_command(program);
   return "\nTry `" + (&command == &program ? "" : program.get_name() + " ") + command.get_name() +
@@ -118,6 +128,8 @@ int run(const CLI::App& program, const Command&... commands) {
     return report(error.what(), kExitInterrupted);
   } catch (const std::bad_alloc&) {
     return report("not enough memory; ask for smaller pictures or fewer objects", kExitUnusable);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return report(with_advice(error.path1().string() + ": " + error.code().message()), kExitUnusable);
   } catch (const std::exception& error) {
     return report(with_advice(error.what()), kExitUnusable);
   }
@@ -156,9 +168,9 @@ int run_command_line(int argc, char** argv) {
     program.exit(help);
     return finish_output();
   } catch (const CLI::ExtrasError&) {
-    return report(unexpected_argument(program) + help_hint(program), kExitUnusable);
+    return report(unexpected_argument(program) + dash_hint(program) + help_hint(program), kExitUnusable);
   } catch (const CLI::ParseError& error) {
-    return report(error.what() + help_hint(program), kExitUnusable);
+    return report(error.what() + dash_hint(program) + help_hint(program), kExitUnusable);
   }
   if (program.get_subcommands().empty()) {
     std::fputs(program.help().c_str(), stderr);

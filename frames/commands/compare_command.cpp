@@ -29,35 +29,41 @@ Json as_json(const RecordingSummary& summary) {
   return json;
 }
 
-Json step_or_null(const std::optional<std::uint32_t>& step) { return step ? Json(*step) : Json(nullptr); }
+/// A step of an import is the text that its engine gave it, any other one is a number.
+Json step_or_null(const std::optional<std::uint32_t>& step, const GivenNames& names) {
+  if (!step) return nullptr;
+  return names.names_steps() ? Json(names.step(*step)) : Json(*step);
+}
 
-std::optional<std::uint32_t> step_of(const std::optional<EventDifference>& difference) {
+template <class Difference>
+std::optional<std::uint32_t> step_of(const std::optional<Difference>& difference) {
   return difference ? std::optional(difference->step) : std::nullopt;
 }
 
 /// The event in one of the two runs; empty if nothing differs, or the run has nothing more.
 std::string text_of(const std::optional<EventDifference>& difference,
-                    std::optional<Event> EventDifference::*run) {
-  return difference && *difference.*run ? describe(*(*difference.*run)) : "";
+                    std::optional<Event> EventDifference::*run, const GivenNames& names) {
+  return difference && *difference.*run ? describe(*(*difference.*run), names) : "";
 }
 
-Json as_json(const RecordingComparison& comparison) {
+Json as_json(const RecordingComparison& comparison, const GivenNames& a, const GivenNames& b) {
+  const auto step = [&a](const std::optional<std::uint32_t>& of) { return step_or_null(of, a); };
   return {{"same", comparison.same()},
           {"first_different",
-           {{"requests", step_or_null(comparison.requests)},
-            {"state", step_or_null(comparison.state)},
-            {"pairs", step_or_null(comparison.pairs)},
-            {"events", step_or_null(step_of(comparison.events))},
-            {"a_event", text_of(comparison.events, &EventDifference::a)},
-            {"b_event", text_of(comparison.events, &EventDifference::b)},
-            {"operators", step_or_null(step_of(comparison.operators))},
-            {"a_operator", text_of(comparison.operators, &EventDifference::a)},
-            {"b_operator", text_of(comparison.operators, &EventDifference::b)},
-            {"theirs", comparison.theirs ? Json(comparison.theirs->step) : Json(nullptr)},
+           {{"requests", step(comparison.requests)},
+            {"state", step(comparison.state)},
+            {"pairs", step(comparison.pairs)},
+            {"events", step(step_of(comparison.events))},
+            {"a_event", text_of(comparison.events, &EventDifference::a, a)},
+            {"b_event", text_of(comparison.events, &EventDifference::b, b)},
+            {"operators", step(step_of(comparison.operators))},
+            {"a_operator", text_of(comparison.operators, &EventDifference::a, a)},
+            {"b_operator", text_of(comparison.operators, &EventDifference::b, b)},
+            {"theirs", step(step_of(comparison.theirs))},
             {"a_theirs", comparison.theirs ? comparison.theirs->only_a : std::vector<std::string>()},
             {"b_theirs", comparison.theirs ? comparison.theirs->only_b : std::vector<std::string>()},
-            {"verdicts", step_or_null(comparison.verdicts)},
-            {"step_names", step_or_null(comparison.step_names)}}},
+            {"verdicts", step(comparison.verdicts)},
+            {"step_names", step(comparison.step_names)}}},
           {"same_object_names", !comparison.object_names},
           {"a", as_json(comparison.a)},
           {"b", as_json(comparison.b)}};
@@ -71,17 +77,17 @@ void print_first(const char* what, const std::optional<std::uint32_t>& step, con
   }
 }
 
-void print_first(const char* what, const std::optional<EventDifference>& difference,
-                 const GivenNames& names) {
-  print_first(what, step_of(difference), names);
+void print_first(const char* what, const std::optional<EventDifference>& difference, const GivenNames& a,
+                 const GivenNames& b) {
+  print_first(what, step_of(difference), a);
   if (!difference) return;
-  const auto text = [&](const std::optional<Event>& event) {
+  const auto text = [](const std::optional<Event>& event, const GivenNames& names) {
     return event ? describe(*event, names) : "nothing more";
   };
-  std::printf("  A: %s\n  B: %s\n", text(difference->a).c_str(), text(difference->b).c_str());
+  std::printf("  A: %s\n  B: %s\n", text(difference->a, a).c_str(), text(difference->b, b).c_str());
 }
 
-/// The first few pairs that only one of two engines told.
+/// The first few pairs that only one of two engines reported.
 void print_only(const char* which, const std::vector<std::string>& pairs) {
   constexpr std::size_t kMost = 10;
   if (pairs.empty()) return;
@@ -95,7 +101,7 @@ void print_only(const char* which, const std::vector<std::string>& pairs) {
 void print_theirs(const RecordingComparison& comparison, const GivenNames& names) {
   print_first("names", comparison.step_names, names);
   if (comparison.object_names) std::printf("%-10s of objects differ\n", "names");
-  print_first("theirs", comparison.theirs ? std::optional(comparison.theirs->step) : std::nullopt, names);
+  print_first("theirs", step_of(comparison.theirs), names);
   if (comparison.theirs) {
     print_only("A", comparison.theirs->only_a);
     print_only("B", comparison.theirs->only_b);
@@ -125,11 +131,11 @@ void print_figures(const RecordingSummary& a, const RecordingSummary& b) {
 void print(const RecordingComparison& comparison, const RecordingInfo& a, const RecordingInfo& b) {
   const GivenNames& names = a.names;
   print_first("requests", comparison.requests, names);
-  print_first("events", comparison.events, names);
+  print_first("events", comparison.events, names, b.names);
   if (comparison.operators && comparison.operators == comparison.events) {
     std::printf("%-10s differ first there, too\n", "operators");
   } else {
-    print_first("operators", comparison.operators, names);
+    print_first("operators", comparison.operators, names, b.names);
   }
   print_first("trees", comparison.state, names);
   print_first("pairs", comparison.pairs, names);
@@ -156,10 +162,12 @@ void CompareCommand::run() const {
         RecordingReader<D> b(b_);
         return compare(*a, b);
       });
+  const RecordingInfo a = read_recording_info(a_);
+  const RecordingInfo b = read_recording_info(b_);
   if (json_) {
-    std::printf("%s\n", as_json(comparison).dump(1).c_str());
+    std::printf("%s\n", as_json(comparison, a.names, b.names).dump(1).c_str());
   } else {
-    print(comparison, read_recording_info(a_), read_recording_info(b_));
+    print(comparison, a, b);
   }
   if (!comparison.same()) throw DoesNotHold("the recordings differ");
 }

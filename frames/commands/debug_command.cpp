@@ -77,7 +77,8 @@ void show_window(const Session& session, const std::vector<ScriptLine>& lines) {
   Debugger debugger(window, open_run(session.file));
   debugger.model().work_folder = session.work_folder;
   debugger.model().on_long_work = [&](std::uint32_t step) {
-    const bool goes_on = window.goes_on("step " + std::to_string(step) + " (Escape ends this)");
+    const bool goes_on =
+        window.goes_on("step " + debugger.model().run().names().step(step) + " (Escape ends this)");
     return goes_on && !interrupt.requested();
   };
   WindowLoop loop(window, debugger);

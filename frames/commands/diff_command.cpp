@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/base/counted.h"
 #include "frames/commands/output_option.h"
 #include "frames/diff/approve.h"
 #include "frames/diff/diff_page.h"
@@ -56,7 +57,7 @@ DiffResult compare(const std::string& reference, const std::string& test, const 
   for (const FramePair& frame : paired.frames) {
     if (interrupt.requested())
       throw Interrupted("interrupted after " + std::to_string(result.frames.size()) + " of " +
-                        std::to_string(paired.frames.size()) + " frames; nothing was proved");
+                        counted(paired.frames.size(), "frame") + "; nothing was proved");
     progress.show("comparing frame " + std::to_string(result.frames.size() + 1) + " of " +
                   std::to_string(paired.frames.size()));
     result.frames.push_back(diff_frame(frame, rules));
@@ -67,14 +68,14 @@ DiffResult compare(const std::string& reference, const std::string& test, const 
 void approve(const DiffResult& result) {
   const std::vector<std::string> approved = approve_frames(result);
   for (const std::string& name : approved) std::fprintf(stderr, "approved %s\n", name.c_str());
-  std::fprintf(stderr, approved.size() == 1 ? "1 frame approved\n" : "%zu frames approved\n",
-               approved.size());
+  std::fprintf(stderr, "%s approved\n", counted(approved.size(), "frame").c_str());
   if (!result.faults.empty())
     throw std::runtime_error("frames were approved, but not all that lies there was compared");
   const auto missing =
       std::ranges::count_if(result.frames, [](const FrameDiff& diff) { return diff.frame.is_missing(); });
   if (missing > 0)
-    throw DoesNotHold(std::to_string(missing) + " of the references have no frame and were left alone");
+    throw DoesNotHold(std::to_string(missing) + " of the references " +
+                      (missing == 1 ? "has no frame and was" : "have no frame and were") + " left alone");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "core/base/counted.h"
 #include "frames/commands/output_option.h"
 #include "frames/experiment/experiment_file.h"
 #include "frames/experiment/experiment_page.h"
@@ -93,7 +94,7 @@ class Experiment {
   [[nodiscard]] std::string interruption(std::size_t running) const {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < runs_.size(); ++k) kept += k != running && !runs_[k].empty() ? 1U : 0U;
-    return "interrupted: " + std::to_string(kept) + " of 4 simulations are in " + folder_.string() +
+    return "interrupted: " + counted_of(kept, 4, "simulation") + " in " + folder_.string() +
            "; the same command goes on from there";
   }
 

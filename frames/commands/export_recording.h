@@ -27,7 +27,7 @@ void export_steps(const RecordingReader<D>& recording, std::ostream& out, const 
 template <int D>
 void export_boxes(RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step);
 
-/// The pairs that another engine told, as `kerf import --pairs` reads them.
+/// The pairs that another engine reported, as `kerf import --pairs` reads them.
 template <int D>
 void export_pairs(const RecordingReader<D>& recording, std::ostream& out, const OnStep& on_step);
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "frames/commands/output_option.h"
 #include "frames/sequence/difference_panels.h"
 #include "frames/sequence/film_files.h"
@@ -110,9 +111,12 @@ void FilmDiffCommand::run() const {
   }
   files->finish();
   progress.clear();
-  std::printf("%s: %zu frames, %u of them different\n", out_.c_str(), frames.size(), different);
+  std::printf("%s: %s, %u of them different\n", out_.c_str(), counted(frames.size(), "frame").c_str(),
+              different);
   const std::size_t alone = report_without_partner(a_, a, b) + report_without_partner(b_, b, a);
-  if (alone > 0) throw DoesNotHold(std::to_string(alone) + " frames have no partner and are not in the film");
+  if (alone > 0)
+    throw DoesNotHold(counted(alone, "frame has", "frames have") + " no partner and " +
+                      (alone == 1 ? "is" : "are") + " not in the film");
 }
 
 }  // namespace kerf

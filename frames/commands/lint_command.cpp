@@ -30,11 +30,14 @@ void LintCommand::run() const {
     if (!given || *given == 0) throw UsageError("--within '" + within_ + "' is no whole number from 1 up");
     within = *given;
   }
-  const std::uint32_t steps = with_recording(file_, [](const auto& recording) { return recording->steps(); });
-  const auto found = find_thrash(read_operators(file_), steps, within);
-  for (const Thrash& thrash : found)
-    std::printf("e%llu  %s\n", static_cast<unsigned long long>(thrash.event), to_text(thrash).c_str());
-  if (!found.empty()) throw DoesNotHold(std::to_string(found.size()) + " found");
+  const std::size_t found = with_recording(file_, [&](const auto& recording) {
+    const auto cases = find_thrash(recording->operators(), recording->steps(), within);
+    for (const Thrash& thrash : cases)
+      std::printf("e%llu  %s\n", static_cast<unsigned long long>(thrash.event),
+                  to_text(thrash, recording->info().names).c_str());
+    return cases.size();
+  });
+  if (found > 0) throw DoesNotHold(std::to_string(found) + " found");
   std::printf("nothing undoes itself, and nothing waits\n");
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/base/counted.h"
 #include "core/query/minimize.h"
 #include "core/query/search.h"
 #include "frames/commands/output_option.h"
@@ -41,7 +42,7 @@ std::optional<Position> first_hit(const std::filesystem::path& path, const Expre
 }
 
 struct SmallRun {
-  Position hit;  ///< where the condition holds
+  std::string hit;  ///< where the condition holds
   std::uint64_t hash = 0;
 };
 
@@ -57,7 +58,7 @@ SmallRun write_recording(const Scenario<D>& scenario, const MinimizeRequest& req
   cursor.go(*hit);
   FrameRenderer<D> renderer({1280, 720, kRecordedLayers, ""});
   picture.write(encode_png(render_moment(cursor, renderer)));
-  return {*hit, reader->rows().back().state_hash};
+  return {to_string(*hit, reader->info().names), reader->rows().back().state_hash};
 }
 
 /// All three are there before one of them gets its name.
@@ -71,13 +72,12 @@ void write_results(const Scenario<D>& scenario, const MinimizeRequest& request) 
   picture.keep();
   test.keep();
   recording.keep();
-  std::printf(
-      "%s: %zu steps, %zu objects, %zu requests, %zu kinds of operators in them; it holds at %s\n%s: a "
-      "picture of that moment\n%s: a C++ "
-      "test\n",
-      request.out.c_str(), scenario.steps.size(), objects_of(scenario).size(), scenario.requests(),
-      acting_operators(scenario).size(), to_string(run.hit).c_str(), request.picture().c_str(),
-      request.test().c_str());
+  std::printf("%s: %s, %s, %s, %s in them; it holds at %s\n%s: a picture of that moment\n%s: a C++ test\n",
+              request.out.c_str(), counted(scenario.steps.size(), "step").c_str(),
+              counted(objects_of(scenario).size(), "object").c_str(),
+              counted(scenario.requests(), "request").c_str(),
+              counted(acting_operators(scenario).size(), "kind of operators", "kinds of operators").c_str(),
+              run.hit.c_str(), request.picture().c_str(), request.test().c_str());
 }
 
 template <int D>
@@ -91,7 +91,7 @@ void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
   std::size_t trials = 0;
   const auto fails = [&](const Scenario<D>& scenario) {
     if (interrupt.requested())
-      throw Interrupted("interrupted after " + std::to_string(trials) + " trials; nothing was written");
+      throw Interrupted("interrupted after " + counted(trials, "trial") + "; nothing was written");
     ++trials;
     const PartRecording trial(request.out, Replace::earlier);
     record(scenario, trial.path());
@@ -104,7 +104,8 @@ void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
         "steps make other events: there is nothing to minimize");
   const Scenario<D> late = start_late<D>(replayer, hit->step, fails);
   const Scenario<D> small = minimize<D>(late, fails);
-  std::printf("%zu trials: from %u steps and %u objects\n", trials, row.step, row.statistics.objects);
+  std::printf("%s: from %s and %s\n", counted(trials, "trial").c_str(), counted(row.step, "step").c_str(),
+              counted(row.statistics.objects, "object").c_str());
   write_results(small, request);
 }
 

@@ -31,7 +31,7 @@ class Times {
     const auto quantile = [this](double q) {
       return times_[static_cast<std::size_t>(q * static_cast<double>(times_.size() - 1))];
     };
-    std::printf("%s: median %.2f ms, p95 %.2f ms, most %.2f ms (%zu times)\n", what, quantile(0.5),
+    std::printf("%s: median %.2f ms, p95 %.2f ms, most %.2f ms (%zu of them)\n", what, quantile(0.5),
                 quantile(0.95), quantile(1), times_.size());
   }
 

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "core/base/counted.h"
 #include "frames/commands/output_option.h"
 #include "frames/page/gnuplot.h"
 #include "frames/report/section.h"
@@ -120,9 +121,8 @@ class Report {
     std::size_t done = 0;
     const Poll poll = [&] {
       if (interrupt.requested())
-        throw Interrupted("interrupted; " + std::to_string(done) + " of " + std::to_string(cells.size()) +
-                          " measurements are kept in " + request_.kept.string() +
-                          ", and the same command goes on from there");
+        throw Interrupted("interrupted; " + counted_of(done, cells.size(), "measurement") + " kept in " +
+                          request_.kept.string() + ", and the same command goes on from there");
     };
     for (const Cell& cell : cells) {
       countdown.begin(cell);

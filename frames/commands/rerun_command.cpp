@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/base/counted.h"
 #include "core/replay/what_if.h"
 #include "frames/commands/output_option.h"
 #include "frames/sequence/part_recording.h"
@@ -43,20 +44,29 @@ EventChoice parse_choice(const std::string& option, const std::string& text, boo
 /// The change given on the command line.
 struct WhatIf {
   std::string config;
-  std::uint32_t from = 1;
+  std::string from;  ///< the first step with it; empty: the first of all
   std::optional<EventChoice> decision;
   std::filesystem::path out;
   Replace replace = Replace::nothing;
 };
 
 template <int D>
+std::uint32_t first_step(const RecordingReader<D>& recording, const std::string& from) {
+  if (from.empty()) return 1;
+  const Position position = parse_position("--from", from, recording);
+  if (!position.is_end()) throw UsageError("--from '" + from + "' is no step");
+  return position.step;
+}
+
+template <int D>
 RecordingInfo what_if(const std::shared_ptr<RecordingReader<D>>& recording, const WhatIf& asked) {
   RecordingInfo info = recording->info();
+  const std::uint32_t from = first_step(*recording, asked.from);
   try {
     Replayer<D> replayer(recording);
     if (asked.decision) decide(info, replayer, asked.decision->event, asked.decision->candidate);
-    const Config config = parse_config("--config", asked.config, config_of(info, asked.from));
-    if (!asked.config.empty()) change_config(info, *recording, asked.from, config);
+    const Config config = parse_config("--config", asked.config, config_of(info, from));
+    if (!asked.config.empty()) change_config(info, *recording, from, config);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -71,7 +81,7 @@ void rerun_recording(const std::shared_ptr<RecordingReader<D>>& recording, const
   const bool whole = rerun(*recording, info, part.path(), [&] { return interrupt.requested(); });
   if (whole) part.keep();
   const std::filesystem::path file = whole ? asked.out : part.keep_as_far_as_it_came();
-  std::printf("%s: %u steps\n", file.c_str(), RecordingReader<D>(file).steps());
+  std::printf("%s: %s\n", file.c_str(), counted(RecordingReader<D>(file).steps(), "step").c_str());
   if (!whole) throw Interrupted("interrupted: what was done is in " + file.string());
 }
 
@@ -85,7 +95,8 @@ RerunCommand::RerunCommand(CLI::App& program)
   add_output(*command_, "-o,--out", out_, "The new recording")->required();
   command_->add_option("--config", config_, "Parameters that change, see `kerf render --help`")
       ->type_name("K=V,...");
-  command_->add_option("--from", from_, "The first step in which --config holds (1)")->type_name("STEP");
+  command_->add_option("--from", from_, "The first step in which --config holds (default: the first)")
+      ->type_name("STEP");
   auto* refuse = command_->add_option("--refuse", refuse_, "The operator of this event does not act")
                      ->type_name("EVENT");
   command_->add_option("--take", take_, "The split of this event divides by that candidate of its ballot")
@@ -108,7 +119,8 @@ void RerunCommand::run() const {
   WhatIf asked{config_, from_, std::nullopt, out_, outputs.replace()};
   if (!refuse_.empty()) asked.decision = parse_choice("--refuse", refuse_, false);
   if (!take_.empty()) asked.decision = parse_choice("--take", take_, true);
-  if (config_.empty() && from_ != 1) throw UsageError("--from says where --config begins: give that, too");
+  if (config_.empty() && !from_.empty())
+    throw UsageError("--from says where --config begins: give that, too");
   (void)parse_config("--config", config_, read_recording_info(file_).config);
   with_recording(file_, [&](auto recording) { rerun_recording(recording, asked); });
 }

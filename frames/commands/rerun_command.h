@@ -23,7 +23,7 @@ class RerunCommand {
   std::string file_;
   std::string out_;
   std::string config_;
-  std::uint32_t from_ = 1;
+  std::string from_;
   std::string refuse_;
   std::string take_;
   bool overwrite_ = false;

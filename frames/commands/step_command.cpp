@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/base/counted.h"
 #include "core/query/expression_words.h"
 #include "core/query/search.h"
 #include "core/replay/cursor.h"
@@ -41,10 +42,10 @@ std::string step_footer() {
 
 void print_row(const StepRow& row, const GivenNames& names) {
   const Statistics& s = row.statistics;
-  std::printf(
-      "  step %s: %u objects, %llu pairs, height %u, %u leaves, redundancy %.4f, %u deferred, %.3f ms\n",
-      names.step(row.step).c_str(), s.objects, static_cast<unsigned long long>(row.pairs), s.height, s.leaves,
-      s.redundancy, s.deferred, 1e3 * row.seconds());
+  std::printf("  step %s: %s, %s, height %u, %s, redundancy %.4f, %u deferred, %.3f ms\n",
+              names.step(row.step).c_str(), counted(s.objects, "object").c_str(),
+              counted(row.pairs, "pair").c_str(), s.height, counted(s.leaves, "leaf", "leaves").c_str(),
+              s.redundancy, s.deferred, 1e3 * row.seconds());
 }
 
 /// Those of another engine's pairs of which there is something to be said, a line for each verdict.

@@ -36,7 +36,7 @@ class TestText {
   std::string run(const std::string& condition, std::uint64_t hash) {
     text_ = head(condition);
     for (std::size_t k = 0; k < scenario_.steps.size(); ++k) {
-      text_ += "  // step " + std::to_string(k + 1) + "\n";
+      text_ += "  // step " + step_name(k) + "\n";
       add_step(scenario_.steps[k].requests);
       if (k > 0 && scenario_.steps[k].config != scenario_.steps[k - 1].config)
         text_ += "  set_config(\"" + to_string(scenario_.steps[k].config) + "\");\n";
@@ -46,6 +46,10 @@ class TestText {
   }
 
  private:
+  [[nodiscard]] std::string step_name(std::size_t k) const {
+    return scenario_.info.names.names_steps() ? scenario_.steps[k].name : std::to_string(k + 1);
+  }
+
   [[nodiscard]] std::string head(const std::string& condition) const {
     const std::string d = std::to_string(D);
     const std::string kind =

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/base/counted.h"
 #include "core/replay/verify.h"
 #include "frames/commands/replay_timings.h"
 #include "frames/support/errors.h"
@@ -22,18 +23,20 @@ std::uint32_t parse_every(const std::string& text) {
   return *every;
 }
 
-void print(const Divergence& divergence) {
+void print(const Divergence& divergence, const GivenNames& names) {
   const std::string event = divergence.event ? ", event e" + std::to_string(*divergence.event) : "";
-  std::printf("diverges first in step %u%s\n  recorded: %s\n  replayed: %s\n", divergence.step, event.c_str(),
-              divergence.recorded.c_str(), divergence.replayed.c_str());
+  std::printf("diverges first in step %s%s\n  recorded: %s\n  replayed: %s\n",
+              names.step(divergence.step).c_str(), event.c_str(), divergence.recorded.c_str(),
+              divergence.replayed.c_str());
 }
 
 void print(const Verdict& verdict, bool oracle) {
-  std::printf("replayed %u steps, %llu events, %llu pairs, %llu keyframes\n", verdict.steps,
-              wide(verdict.events), wide(verdict.pairs), wide(verdict.keyframes));
+  std::printf("replayed %s, %s, %s, %s\n", counted(verdict.steps, "step").c_str(),
+              counted(verdict.events, "event").c_str(), counted(verdict.pairs, "pair").c_str(),
+              counted(verdict.keyframes, "keyframe").c_str());
   if (verdict.change) std::printf("changed after it was recorded: %s\n", verdict.change->what.c_str());
   if (verdict.divergence) {
-    print(*verdict.divergence);
+    print(*verdict.divergence, verdict.names);
   } else if (!verdict.change) {
     std::printf("every event, figure, state hash, keyframe and set of pairs is as recorded\n");
   }
@@ -41,8 +44,9 @@ void print(const Verdict& verdict, bool oracle) {
     std::printf("oracle: %llu missed, %llu extra, %llu twice\n", wide(verdict.missed), wide(verdict.extra),
                 wide(verdict.twice));
   if (const TheirStep& theirs = verdict.theirs; theirs != TheirStep{})
-    std::printf("theirs: %llu pairs, %llu missed, %llu extra, %llu twice, %llu ignored\n", wide(theirs.pairs),
-                wide(theirs.missed), wide(theirs.extra), wide(theirs.twice), wide(theirs.ignored));
+    std::printf("theirs: %s, %llu missed, %llu extra, %llu twice, %llu ignored\n",
+                counted(theirs.pairs, "pair").c_str(), wide(theirs.missed), wide(theirs.extra),
+                wide(theirs.twice), wide(theirs.ignored));
   for (const std::string& what : verdict.unchecked) std::printf("not checked: %s\n", what.c_str());
 }
 
@@ -67,11 +71,12 @@ void VerifyCommand::run() const {
   print(verdict, every != 0);
   if (timings_) print_replay_timings(file_);
   if (interrupt.requested())
-    throw Interrupted("interrupted: the steps after " + std::to_string(verdict.steps) + " were not verified");
+    throw Interrupted("interrupted: the steps after " + verdict.names.step(verdict.steps) +
+                      " were not verified");
   if (verdict.divergence) throw DoesNotHold("the replay is not the run that was recorded");
   if (verdict.change) throw DoesNotHold("the recording was changed after it was written");
   if (!verdict.holds())
-    throw DoesNotHold("pairs are wrong, first in step " + std::to_string(verdict.first_wrong_step));
+    throw DoesNotHold("pairs are wrong, first in step " + verdict.names.step(verdict.first_wrong_step));
 }
 
 }  // namespace kerf

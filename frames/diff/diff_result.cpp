@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "core/base/counted.h"
+
 namespace kerf {
 namespace {
 
@@ -111,16 +113,16 @@ std::string summary_line(const DiffResult& result) {
   const auto count = [&](auto what) { return std::to_string(std::ranges::count_if(result.frames, what)); };
   const auto missing = [](const FrameDiff& diff) { return diff.frame.is_missing(); };
   const auto extra = [](const FrameDiff& diff) { return diff.frame.is_extra(); };
-  const std::string all = std::to_string(result.frames.size());
+  const std::size_t frames = result.frames.size();
+  const std::string all = counted(frames, "frame");
   const std::string gate = ", by the gate '" + std::string(to_string(result.rules.gate)) + "'";
-  if (result.is_same()) return all + (all == "1" ? " frame is the same" : " frames are the same") + gate;
+  if (result.is_same()) return counted(frames, "frame is", "frames are") + " the same" + gate;
   std::string text;
   if (result.count_troubled() > 0)
-    text = std::to_string(result.count_troubled()) + " of " + all + " frames cannot be compared; ";
+    text = std::to_string(result.count_troubled()) + " of " + all + " cannot be compared; ";
   if (!result.faults.empty()) text += "not all that should be there could be compared; ";
   const std::size_t different = result.count_different();
-  text += std::to_string(different) + " of " + all + (all == "1" ? " frame" : " frames") +
-          (different == 1 ? " differs" : " differ");
+  text += std::to_string(different) + " of " + all + (different == 1 ? " differs" : " differ");
   if (std::ranges::any_of(result.frames, missing)) text += ", " + count(missing) + " of them missing";
   if (std::ranges::any_of(result.frames, extra)) text += ", " + count(extra) + " without a reference";
   return text + gate;

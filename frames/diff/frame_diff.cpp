@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/base/counted.h"
 #include "frames/sequence/draw_list_file.h"
 #include "viz/draw/compare_drawn.h"
 #include "viz/image/stored_picture.h"
@@ -14,19 +15,23 @@ std::string size_text(const Image& image) {
   return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
 
+/// "3 of 400 pixels differ"
+std::string differ_text(std::uint64_t different, const Image& image) {
+  return std::to_string(different) + " of " + counted(image.rgba.size() / 4, "pixel") +
+         (different == 1 ? " differs" : " differ");
+}
+
 std::string pixels_text(const PixelComparison& pixels, const Image& image) {
   const PixelBounds& bounds = pixels.bounds;
   char text[200];
-  std::snprintf(text, sizeof text, "%llu of %llu pixels differ, within %dx%d at (%d, %d), by up to %d of 255",
-                static_cast<unsigned long long>(pixels.different),
-                static_cast<unsigned long long>(image.rgba.size() / 4), bounds.right - bounds.left,
-                bounds.bottom - bounds.top, bounds.left, bounds.top, pixels.largest_step);
-  return text;
+  std::snprintf(text, sizeof text, ", within %dx%d at (%d, %d), by up to %d of 255",
+                bounds.right - bounds.left, bounds.bottom - bounds.top, bounds.left, bounds.top,
+                pixels.largest_step);
+  return differ_text(pixels.different, image) + text;
 }
 
 std::string lower_text(std::uint64_t different, const Image& image) {
-  return std::to_string(different) + " of " + std::to_string(image.rgba.size() / 4) +
-         " pixels differ in the lower 8 of their 16 bits";
+  return differ_text(different, image) + " in the lower 8 of their 16 bits";
 }
 
 std::string flip_text(const FlipSummary& flip, double limit) {

@@ -1,5 +1,6 @@
 #include "frames/import/box_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -43,6 +44,18 @@ std::vector<CsvColumn> box_columns() {
   columns.push_back({"category", {"categories", "categorybits", "collisioncategory", "filtercategory"}});
   columns.push_back({"mask", {"masks", "maskbits", "collisionmask", "filtermask", "collideswith"}});
   return columns;
+}
+
+/// Without what may stand before and behind the digits of a number; empty for others, such as 1e3.
+std::string plain_number(std::string text) {
+  const bool is_negative = text.starts_with('-');
+  if (text.find_first_not_of("0123456789.", is_negative ? 1 : 0) != std::string::npos) return "";
+  text.erase(0, std::min(text.find_first_not_of("-0"), text.size()));
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+  }
+  return (is_negative && !text.empty() ? "-" : "") + (text.empty() ? "0" : text);
 }
 
 BoxLine::Oddity oddity_of(const BoxLine& line, int dimension) {
@@ -132,6 +145,16 @@ void BoxLines::read_bounds(BoxLine& line) const {
   } else {
     line.oddity = blank > 0 ? BoxLine::Oddity::half_blank : oddity_of(line, dimension_);
   }
+}
+
+std::string conflict_of(const GivenStep& a, const GivenStep& b) {
+  if (a.is_date() != b.is_date())
+    return "step " + a.text + " is " + (a.is_date() ? "a date" : "a number") + ", and step " + b.text +
+           " is " + (b.is_date() ? "a date" : "a number");
+  const std::string plain = plain_number(a.text);
+  const std::string other = plain_number(b.text);
+  if (a.time != b.time || plain.empty() || other.empty() || plain == other) return "";
+  return "steps " + a.text + " and " + b.text + " are too near to each other: 64 bits of a number count";
 }
 
 CsvColumn step_column() {

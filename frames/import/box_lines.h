@@ -18,7 +18,13 @@ namespace kerf {
 struct GivenStep {
   long double time = 0;
   std::string text;
+
+  [[nodiscard]] bool is_date() const { return text.find(':') != std::string::npos; }
 };
+
+/// What keeps two steps from standing in one run: one is a date and the other is a number, or both are
+/// numbers that differ, but not in the 64 bits that count. Empty: nothing does.
+std::string conflict_of(const GivenStep& a, const GivenStep& b);
 
 /// One line of a table of boxes.
 struct BoxLine {

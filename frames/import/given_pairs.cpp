@@ -60,7 +60,11 @@ std::vector<GivenPairs> read_given_pairs(const std::filesystem::path& path) {
   while (table.next()) {
     GivenStep step = read_step(table, kStepOfPair);
     const auto [found, is_new] = by_time.try_emplace(step.time);
-    if (is_new) found->second.step = std::move(step);
+    if (is_new) {
+      found->second.step = std::move(step);
+    } else if (const std::string conflict = conflict_of(step, found->second.step); !conflict.empty()) {
+      table.reject(conflict);
+    }
     found->second.pairs.push_back(read_pair(table));
   }
   std::vector<GivenPairs> steps;

@@ -7,14 +7,14 @@
 
 namespace kerf {
 
-/// A pair as another engine told it.
+/// A pair as another engine reported it.
 struct GivenPair {
   GivenId a;
   GivenId b;
   std::size_t line = 0;
 };
 
-/// The pairs of one step, in the order in which they were told.
+/// The pairs of one step, in the order in which they were reported.
 struct GivenPairs {
   GivenStep step;
   std::vector<GivenPair> pairs;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "core/recording/recorder.h"
 #include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
@@ -61,10 +62,9 @@ class Import {
 
   [[nodiscard]] std::string text() const {
     if (request_.pairs.empty()) return "";
-    std::string text = "the other engine reported " + std::to_string(sum_.pairs) +
-                       " pairs: " + std::to_string(sum_.missed) + " missed, " + std::to_string(sum_.extra) +
-                       " extra, " + std::to_string(sum_.twice) + " twice, " + std::to_string(sum_.ignored) +
-                       " ignored";
+    std::string text = "the other engine reported " + counted(sum_.pairs, "pair") + ": " +
+                       std::to_string(sum_.missed) + " missed, " + std::to_string(sum_.extra) + " extra, " +
+                       std::to_string(sum_.twice) + " twice, " + std::to_string(sum_.ignored) + " ignored";
     if (sum_.ignored > 0)
       text += " (" + count_text(PairVerdict::filtered) + " by filters, " + count_text(PairVerdict::listed) +
               " by the list, " + count_text(PairVerdict::margin) + " by the margin)";
@@ -165,19 +165,19 @@ class Import {
   }
 
   void judge(const GivenStep& step) {
-    std::vector<Pair> told;
+    std::vector<Pair> reported;
     if (next_pairs_ < pairs_.size() && pairs_[next_pairs_].step.time == step.time)
-      for (const GivenPair& pair : pairs_[next_pairs_++].pairs) told.push_back(told_pair(pair, step));
+      for (const GivenPair& pair : pairs_[next_pairs_++].pairs) reported.push_back(reported_pair(pair, step));
     const auto judged =
-        judge_theirs<D>(told, oracle_pairs(tree_.objects()), tree_.objects(), world_, info_.design);
-    recorder_.add_theirs(told, judged);
-    const TheirStep sum = sum_of(told.size(), judged);
+        judge_theirs<D>(reported, oracle_pairs(tree_.objects()), tree_.objects(), world_, info_.design);
+    recorder_.add_theirs(reported, judged);
+    const TheirStep sum = sum_of(reported.size(), judged);
     sum_ += sum;
     for (const JudgedPair& one : judged) ++verdicts_[static_cast<std::size_t>(one.verdict)];
     if (sum.missed + sum.extra + sum.twice > 0 && first_wrong_.empty()) first_wrong_ = step.text;
   }
 
-  Pair told_pair(const GivenPair& pair, const GivenStep& step) {
+  Pair reported_pair(const GivenPair& pair, const GivenStep& step) {
     for (const GivenId& id : {pair.a, pair.b})
       if (tree_.objects().state(survey_.object(id)) == ObjectState::absent)
         oddities_.note(Oddity::absent_object, [&] {
@@ -219,7 +219,7 @@ PairDesign design_of(const ImportRequest& request, const Survey& survey) {
 
 std::string range_text(std::size_t count, const std::string& what, const std::string& first,
                        const std::string& last) {
-  std::string text = std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+  std::string text = counted(count, what);
   if (count == 0) return text;
   return text + " numbered " + first + (count == 1 ? "" : " to " + last);
 }

@@ -2,20 +2,28 @@
 
 #include <algorithm>
 
+#include "core/base/counted.h"
+
 namespace kerf {
 namespace {
 
+struct Meaning {
+  const char* one;
+  const char* many;
+  const char* more;  ///< for both
+};
+
 /// In the order of the enumeration.
-constexpr std::array<std::string_view, 9> kMeanings{
-    "gaps between steps, at least half as long again as most",
-    "steps with pairs and without a line of boxes: the boxes stay",
-    "boxes that are half blank: the object is in quarantine",
-    "boxes that are not numbers: the object is in quarantine",
-    "boxes that are inverted, min > max: the object is in quarantine",
-    "boxes that reach to infinity",
-    "changes between fixed and moving",
-    "steps in which an object has several boxes, which were united",
-    "pairs with an object that is not there",
+constexpr std::array kMeanings{
+    Meaning{"gap", "gaps", " between steps, at least half as long again as most"},
+    Meaning{"step", "steps", " with pairs and without a line of boxes: the boxes stay"},
+    Meaning{"box that is", "boxes that are", " half blank: the object is in quarantine"},
+    Meaning{"box that is", "boxes that are", " not all numbers: the object is in quarantine"},
+    Meaning{"box that is", "boxes that are", " inverted, min > max: the object is in quarantine"},
+    Meaning{"box that reaches", "boxes that reach", " to infinity"},
+    Meaning{"change", "changes", " between fixed and moving"},
+    Meaning{"step", "steps", " in which an object has several boxes, which were united"},
+    Meaning{"pair", "pairs", " with an object that is not there"},
 };
 
 }  // namespace
@@ -29,7 +37,8 @@ std::string Oddities::text() const {
   for (std::size_t k = 0; k < kKinds; ++k) {
     const Kind& kind = kinds_[k];
     if (kind.count == 0) continue;
-    text += "odd: " + std::to_string(kind.count) + " " + std::string(kMeanings[k]) + "\n";
+    const auto& [one, many, more] = kMeanings[k];
+    text += "odd: " + counted(kind.count, one, many) + more + "\n";
     for (const std::string& place : kind.places) text += "  " + place + "\n";
     if (kind.count > kind.places.size())
       text += "  and " + std::to_string(kind.count - kind.places.size()) + " more\n";

@@ -30,6 +30,9 @@ BoxSurvey read_boxes(BoxLines& lines) {
     GivenStep step = lines.step();
     if (!survey.steps.empty() && step.time < survey.steps.back().step.time)
       lines.reject("step " + step.text + " comes after step " + survey.steps.back().step.text);
+    if (!survey.steps.empty())
+      if (const std::string conflict = conflict_of(step, survey.steps.back().step); !conflict.empty())
+        lines.reject(conflict);
     if (survey.steps.empty() || step.time > survey.steps.back().step.time)
       survey.steps.push_back({std::move(step), lines.table().line()});
     if (const auto object = lines.object()) survey.objects.push_back(*object);
@@ -48,11 +51,17 @@ std::vector<GivenStep> union_of(const std::vector<BoxStep>& boxes, const std::ve
   auto box = boxes.begin();
   for (const GivenPairs& of_step : pairs) {
     const std::string where = pairs_name + ", line " + std::to_string(of_step.pairs.front().line);
+    const auto check = [&](const GivenStep& step) {
+      const std::string conflict = conflict_of(of_step.step, step);
+      if (!conflict.empty()) throw UsageError(where + ": " + conflict);
+    };
+    check(boxes.front().step);
     if (of_step.step.time < boxes.front().step.time)
       throw UsageError(where + ": step " + of_step.step.text +
                        " is before the first one of the boxes, step " + boxes.front().step.text);
     for (; box != boxes.end() && box->step.time < of_step.step.time; ++box) steps.push_back(box->step);
     const bool has_boxes = box != boxes.end() && box->step.time == of_step.step.time;
+    if (has_boxes) check(box->step);
     if (!has_boxes) oddities.note(Oddity::no_boxes, [&] { return where + ": step " + of_step.step.text; });
     steps.push_back(has_boxes ? (box++)->step : of_step.step);
   }

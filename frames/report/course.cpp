@@ -44,7 +44,7 @@ Json judge(const Course<D>& course, BroadPhase<D>& broad_phase, const Poll& poll
   Difference errors;
   Meetings meetings;
   std::uint64_t truth = 0;
-  std::uint64_t told = 0;
+  std::uint64_t reported = 0;
   begin(broad_phase, course);
   for (std::size_t s = 0; s < course.steps.size(); ++s) {
     poll();
@@ -55,12 +55,12 @@ Json judge(const Course<D>& course, BroadPhase<D>& broad_phase, const Poll& poll
     errors.missed += difference.missed;
     errors.extra += difference.extra;
     truth += course.steps[s].truth.size();
-    told += found.size();
+    reported += found.size();
     meetings.add(course.steps[s].truth, found);
   }
   const double of = std::max<double>(1, static_cast<double>(truth));
   Json figures{{"true_pairs", truth},
-               {"told", told},
+               {"reported", reported},
                {"missed", errors.missed},
                {"extra", errors.extra},
                {"missed_share", static_cast<double>(errors.missed) / of},

@@ -30,8 +30,9 @@ template <int D>
 Course<D> record(Motion<D>& motion, std::uint32_t warm_up, std::uint32_t steps, const Poll& poll);
 
 /// Runs a broad phase over the course: once to judge it, then `rounds` times to time it. The figures are
-/// those of `StepTimes` (an object and step), of `Meetings`, and "true_pairs", "told" (the reported pairs),
-/// "missed" and "extra", in all steps that count, with "missed_share" and "extra_share" of the true pairs.
+/// those of `StepTimes` (an object and step), of `Meetings`, and "true_pairs", "reported" (the reported
+/// pairs), "missed" and "extra", in all steps that count, with "missed_share" and "extra_share" of the true
+/// pairs.
 template <int D>
 Json run_course(const Course<D>& course, const std::function<std::unique_ptr<BroadPhase<D>>()>& make,
                 std::uint32_t rounds, const Poll& poll);

@@ -7,16 +7,16 @@
 
 namespace kerf {
 
-void Meetings::add(std::span<const Pair> truth, std::span<const Pair> told) {
+void Meetings::add(std::span<const Pair> truth, std::span<const Pair> reported) {
   next_.clear();
   auto old = open_.begin();
-  auto heard = told.begin();
+  auto heard = reported.begin();
   for (const Pair& pair : truth) {
     for (; old != open_.end() && old->pair < pair; ++old) end(*old);
     const bool is_old = old != open_.end() && old->pair == pair;
     next_.push_back(is_old ? *old++ : Meeting{pair, step_, step_ > 0});
-    while (heard != told.end() && *heard < pair) ++heard;
-    if (heard != told.end() && *heard == pair && next_.back().waits) detect(next_.back());
+    while (heard != reported.end() && *heard < pair) ++heard;
+    if (heard != reported.end() && *heard == pair && next_.back().waits) detect(next_.back());
   }
   for (; old != open_.end(); ++old) end(*old);
   std::swap(open_, next_);

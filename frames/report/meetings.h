@@ -16,7 +16,7 @@ namespace kerf {
 class Meetings {
  public:
   /// The pairs of the next step, both sorted.
-  void add(std::span<const Pair> truth, std::span<const Pair> told);
+  void add(std::span<const Pair> truth, std::span<const Pair> reported);
 
   /// {"meetings", "never_share" (that ended undetected), "lag_mean", "lag_p99", "lag_max" (steps)}.
   [[nodiscard]] Json figures() const;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "core/base/counted.h"
 #include "frames/sequence/sequence_folder.h"
 #include "frames/sequence/sidecar.h"
 #include "frames/support/atomic_file.h"
@@ -100,9 +101,8 @@ std::string describe_gaps(const Collection& collection) {
     shards.insert(index % count);
   }
   if (missing.empty()) return "";
-  std::string text = std::to_string(missing.size()) + " of " +
-                     std::to_string(collection.manifest.steps.frames()) +
-                     " frames are missing: " + ranges_of(missing);
+  std::string text = counted_of(missing.size(), collection.manifest.steps.frames(), "frame") +
+                     " missing: " + ranges_of(missing);
   if (count == 1) return text + "; the same `kerf render` with --resume makes them";
   text += "; `kerf render` makes them with --resume and --shard";
   for (const std::uint32_t shard : shards)

@@ -8,6 +8,7 @@
 
 #include "core/files/part_file.h"
 #include "frames/sequence/sidecar.h"
+#include "frames/support/json_number.h"
 #include "viz/image/png.h"
 
 namespace kerf {
@@ -52,14 +53,14 @@ DrawnKind parse_kind(const std::string& text) {
 
 Drawn parse_item(const Json& json) {
   return {parse_kind(json.at(0)),
-          json.at(1),
-          json.at(2),
+          whole_number<std::uint32_t>(json.at(1), "a"),
+          whole_number<std::uint32_t>(json.at(2), "b"),
           parse_hex(json.at(3)),
-          json.at(8),
-          json.at(4),
-          json.at(5),
-          json.at(6),
-          json.at(7)};
+          whole_number<std::uint32_t>(json.at(8), "pixels"),
+          float_number(json.at(4), "left"),
+          float_number(json.at(5), "top"),
+          float_number(json.at(6), "right"),
+          float_number(json.at(7), "bottom")};
 }
 
 /// One item a line, so that people can read a difference.
@@ -89,7 +90,8 @@ StoredIds parse(const std::filesystem::path& path) {
     stored.rasterizer = json.at("rasterizer");
     for (const Json& item : json.at("items")) stored.ids.list.items.push_back(parse_item(item));
     for (const Json& text : json.at("texts"))
-      stored.ids.list.texts.push_back({text.at(0), text.at(1), text.at(2)});
+      stored.ids.list.texts.push_back(
+          {whole_number<int>(text.at(0), "x"), whole_number<int>(text.at(1), "y"), text.at(2)});
     return stored;
   } catch (const std::exception& error) {
     throw std::runtime_error("cannot read " + path.string() + ": it is no draw list (" + error.what() + ")");

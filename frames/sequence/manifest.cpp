@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "frames/support/atomic_file.h"
+#include "frames/support/json_number.h"
 
 namespace kerf {
 namespace {
@@ -44,13 +45,9 @@ std::uint64_t from_hex(const Json& json) {
   return hash;
 }
 
-/// Puts a whole number into `number`; JSON's own conversion cuts off what does not fit.
 template <class Whole>
 void take(const Json& json, const char* key, Whole& number) {
-  const Json& value = json.at(key);
-  if (!value.is_number_unsigned() || !std::in_range<Whole>(value.get<std::uint64_t>()))
-    throw std::out_of_range(std::string(key) + " is no whole number in range");
-  number = value.get<Whole>();
+  number = whole_number<Whole>(json.at(key), key);
 }
 
 /// The file must lie in the folder itself.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "core/base/counted.h"
 #include "core/recording/recorder.h"
 #include "core/recording/recording_reader.h"
 #include "frames/sequence/part_recording.h"
@@ -28,12 +29,13 @@ void print_summary(const std::filesystem::path& file, double recording, double r
   const RecordingSize size = reader.size();
   const double each =
       size.changed == 0 ? 0 : static_cast<double>(size.blocks) / static_cast<double>(size.changed);
-  std::printf("%s: %u steps, %u objects, %.1f MB (%.1f of them keyframes)\n", file.c_str(), reader.steps(),
-              reader.steps() == 0 ? 0 : reader.rows().back().statistics.objects,
+  const std::uint32_t objects = reader.steps() == 0 ? 0 : reader.rows().back().statistics.objects;
+  std::printf("%s: %s, %s, %.1f MB (%.1f of them keyframes)\n", file.c_str(),
+              counted(reader.steps(), "step").c_str(), counted(objects, "object").c_str(),
               static_cast<double>(std::filesystem::file_size(file)) * 1e-6,
               static_cast<double>(size.keyframes) * 1e-6);
-  std::printf("%.1f bytes for each of %llu boxes that changed; recording took %.1f %% of %.1f s\n", each,
-              static_cast<unsigned long long>(size.changed), 100 * recording / run, run);
+  std::printf("%.1f bytes for each of %s that changed; recording took %.1f %% of %.1f s\n", each,
+              counted(size.changed, "box", "boxes").c_str(), 100 * recording / run, run);
 }
 
 template <int D>
@@ -60,8 +62,8 @@ void record(const SceneEntry<D>& entry, const RenderRequest& request) {
   const std::filesystem::path file = whole ? request.record : part.keep_as_far_as_it_came();
   print_summary<D>(file, recorder.seconds(), run);
   if (!whole)
-    throw Interrupted("interrupted: " + std::to_string(scene->step()) + " of " +
-                      std::to_string(request.steps.last) + " steps are in " + file.string());
+    throw Interrupted("interrupted: " + counted_of(scene->step(), request.steps.last, "step") + " in " +
+                      file.string());
 }
 
 }  // namespace

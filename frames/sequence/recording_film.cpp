@@ -102,8 +102,8 @@ class RecordingFilm final : public Film {
       record.events += recording_->row(s).events;
     record.state_hash = replayer_.tree().state_hash();
     if (record.state_hash != row.state_hash)
-      throw std::runtime_error("the replay differs from the recording at step " + std::to_string(step) +
-                               ": `kerf verify` says more");
+      throw std::runtime_error("the replay differs from the recording at step " +
+                               recording_->info().names.step(step) + ": `kerf verify` says more");
     return record;
   }
 

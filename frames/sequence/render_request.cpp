@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/recording/unfinished.h"
+#include "frames/sequence/recorded_steps.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_config.h"
@@ -240,9 +241,8 @@ RenderRequest parse_recording_request(const RenderTexts& texts) {
   request.name = name_of_frames(request.recording->path);
   const std::uint32_t steps = request.recording->steps;
   request.steps.last = steps;
-  if (!texts.steps.empty()) request.steps = parse_steps(texts.steps);
-  if (request.steps.last > steps)
-    throw UsageError("--steps " + texts.steps + ": the recording ends with step " + std::to_string(steps));
+  if (!texts.steps.empty())
+    request.steps = parse_recorded_steps(texts.steps, request.recording->info.names, steps);
   request.broad_phase.name = tree_of(request.recording->info);
   request.broad_phase.config = request.recording->info.config;
   request.broad_phase.volume = request.recording->info.volume;

@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 
+#include "core/base/counted.h"
 #include "frames/sequence/farm/forked_crew.h"
 #include "frames/sequence/farm/picture_maker.h"
 #include "frames/sequence/farm/solo_crew.h"
@@ -183,8 +184,8 @@ class Sequence {
 
   [[nodiscard]] std::string interruption() const {
     std::string text =
-        "interrupted: " + std::to_string(manifest_.frames.size()) + " of " +
-        std::to_string(manifest_.wanted_frames()) + " frames are in " + folder_.path().string() + "; " +
+        "interrupted: " + counted_of(manifest_.frames.size(), manifest_.wanted_frames(), "frame") + " in " +
+        folder_.path().string() + "; " +
         (folder_.is_apart() ? "the earlier sequence is as it was; render with --resume --out " +
                                   folder_.path().string() + " to make the rest"
                             : "the same command with --resume makes the rest");
@@ -212,6 +213,9 @@ void check_outputs(const RenderRequest& request) {
   outputs.add_folder(request.out);
   outputs.add_recording(request.record);
   add_outputs(request.film, outputs);
+  const SequenceFolder frames(request.out, request.name);
+  for (const std::filesystem::path& out : {request.record, request.film.video, request.film.contact_sheet})
+    frames.check_apart(out);
 }
 
 }  // namespace

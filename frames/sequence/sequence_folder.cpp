@@ -63,6 +63,18 @@ void SequenceFolder::check_free(bool overwrite) const {
                    "sequence with --overwrite, or make what it lacks with --resume");
 }
 
+void SequenceFolder::check_apart(const std::filesystem::path& out) const {
+  if (out.empty()) return;
+  const auto resolved = [](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+  };
+  const std::string file = out.filename().string();
+  const bool is_own = file == kManifestName || is_frame(frame_of(file), name_);
+  if (is_own && resolved(out).parent_path() == resolved(path_ / file).parent_path())
+    throw UsageError(out.string() + " is the name of a file of the sequence in " + path_.string() +
+                     "; choose another name");
+}
+
 KeptFrames SequenceFolder::frames_of(const Manifest& manifest) const {
   if (files_of_sequence().empty()) return {};
   if (!std::filesystem::exists(path_ / kManifestName))
@@ -99,17 +111,17 @@ void SequenceFolder::put_in_place(const Manifest& manifest) {
   Manifest incomplete = manifest;
   incomplete.complete = false;
   save(incomplete, path_);
-  const std::filesystem::path apart = std::exchange(apart_, {});  // no longer to be given up
-  std::filesystem::remove(apart / kManifestName);
+  std::filesystem::remove(apart_ / kManifestName);
   std::set<std::string> kept{kManifestName};
-  for (const auto& entry : std::filesystem::directory_iterator(apart)) {
+  for (const auto& entry : std::filesystem::directory_iterator(apart_)) {
     const std::string file = entry.path().filename().string();
     std::filesystem::rename(entry.path(), path_ / file);
     kept.insert(file);
   }
   for (const std::filesystem::path& file : files_of_sequence())
     if (!kept.contains(file.filename().string())) std::filesystem::remove(file);
-  std::filesystem::remove(apart);
+  std::filesystem::remove(apart_);
+  apart_.clear();
 }
 
 void SequenceFolder::give_up() const noexcept {

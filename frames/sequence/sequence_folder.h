@@ -26,6 +26,8 @@ class SequenceFolder {
   [[nodiscard]] bool is_apart() const { return !apart_.empty(); }
   /// Throws UsageError if it holds a sequence and `overwrite` is false.
   void check_free(bool overwrite) const;
+  /// Throws UsageError if another output would have the name of one of its files. An empty path is no output.
+  void check_apart(const std::filesystem::path& out) const;
   /// The frames that an earlier run of the very same sequence has left; none if there is no folder yet.
   /// Throws UsageError if the folder holds another sequence.
   [[nodiscard]] KeptFrames frames_of(const Manifest& manifest) const;

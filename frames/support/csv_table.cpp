@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/base/counted.h"
 #include "frames/support/errors.h"
 
 namespace kerf {
@@ -46,9 +47,7 @@ Real parse_real(std::string_view text) {
 
 std::string single_quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
-std::string columns_text(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " column" : " columns");
-}
+std::string columns_text(std::size_t count) { return counted(count, "column"); }
 
 }  // namespace
 
@@ -164,6 +163,14 @@ GivenId CsvTable::id(std::size_t column) const {
 }
 
 std::uint64_t CsvTable::bits(std::size_t column) const {
+  const std::string_view given = text(column);
+  if (given.starts_with("0x") || given.starts_with("0X")) {
+    std::uint64_t bits = 0;
+    const auto [end, error] = std::from_chars(given.data() + 2, given.data() + given.size(), bits, 16);
+    if (error != std::errc{} || end != given.data() + given.size())
+      reject(column, "is no hexadecimal number of 64 bits");
+    return bits;
+  }
   const GivenId number = id(column);
   return number.negative ? -number.magnitude : number.magnitude;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_number.h"
 
@@ -34,7 +35,7 @@ void check(const StepRange& range, const std::string& given) {
   if (std::max(range.last, range.stride) > kMaxStep)
     throw UsageError(given + ": at most " + std::to_string(kMaxStep) + " steps");
   if (range.frames() > kMaxFrames) {
-    throw UsageError(given + ": that is " + std::to_string(range.frames()) + " frames, at most " +
+    throw UsageError(given + ": that is " + counted(range.frames(), "frame") + ", at most " +
                      std::to_string(kMaxFrames) + " can be numbered; give a larger N");
   }
 }

@@ -92,7 +92,7 @@ std::string run(const char* name, VolumeKind kind, const Config& config, const C
     bsp.step();
     pairs.add(bsp.pairs().data(), bsp.pairs().size_bytes());
     for (const Event& event : bsp.trace().take()) {
-      const std::string text = describe(event);
+      const std::string text = describe(event, {});
       events.add(text.data(), text.size());
     }
     states.add(bsp.state_hash());

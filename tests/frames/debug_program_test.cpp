@@ -127,6 +127,18 @@ TEST_F(DebugProgram, AFolderThatCannotBeIsNamedBeforeTheWork) {
   EXPECT_EQ(outcome.out, "");
 }
 
+TEST_F(DebugProgram, PicturesStayInTheirFolder) {
+  record();
+  for (const std::string name : {"../a", "/a", "b/a", "\"\""}) {
+    write("s", "screenshot " + name + "\n");
+    const Outcome outcome =
+        run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s"), "-o", path("shots")});
+    EXPECT_EQ(outcome.exit, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("is no name of a picture"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("a.png")));
+}
+
 TEST_F(DebugProgram, WithoutADisplayItSaysWhatToDo) {
   record();
   const std::string command = "unset DISPLAY WAYLAND_DISPLAY; exec \"$0\" debug \"$1\"";

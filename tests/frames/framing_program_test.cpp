@@ -80,6 +80,14 @@ TEST_P(FramingProgram, WhatLiesFarAwayIsSaidAndSeenIfAskedFor) {
   EXPECT_THAT(read_text(path("all/a_000000.draw.json")), Not(HasSubstr("outside")));
 }
 
+/// Its sides are so far away that floats do not hold them.
+TEST_P(FramingProgram, WhatIsHugeCoversAllThatLiesInIt) {
+  if (GetParam() == 3) GTEST_SKIP() << "in 3D the camera is within it";
+  import("-1e9,1e9,-1e9,1e9", 0);
+  render("1", "f");
+  EXPECT_GT(covered("f/a_000000"), 640 * 360 * 2 / 3);
+}
+
 TEST_P(FramingProgram, AnOrdinaryFilmSaysNothing) {
   import("", 0);
   render("1", "f");

@@ -24,7 +24,7 @@ using ::testing::StartsWith;
 
 TEST_F(ImportProgram, ColumnsAreFoundByTheirNames) {
   EXPECT_THAT(imported("a", given("header_order/boxes.csv"), {"--pairs", given("header_order/pairs.csv")}),
-              HasSubstr("1 pairs: 0 missed, 0 extra"));
+              HasSubstr("1 pair: 0 missed, 0 extra"));
   EXPECT_THAT(explained("a", "1", "0,1"), HasSubstr("0: x [0, 2]  y [10, 12]"));
   const std::string aliases = "Time,Body,Lower.X,Lower.Y,Upper.X,Upper.Y,is_static\n1,4,0,10,2,12,1\n";
   EXPECT_THAT(imported("b", write("b.csv", aliases)),
@@ -44,7 +44,7 @@ TEST_F(ImportProgram, ColumnsAreFoundByTheirNames) {
 
 TEST_F(ImportProgram, AByteOrderMarkIsPassedOver) {
   EXPECT_THAT(imported("a", given("bom/boxes.csv"), {"--pairs", given("bom/pairs.csv")}),
-              HasSubstr("1 pairs: 0 missed, 0 extra"));
+              HasSubstr("1 pair: 0 missed, 0 extra"));
   EXPECT_THAT(imported("b", given("bom/nohead.csv")), StartsWith("2D, 1 step numbered 1, 2 objects"));
 }
 
@@ -61,7 +61,7 @@ TEST_F(ImportProgram, DecimalCommasAndOtherSeparatorsAreRefusedWithTheReason) {
 
 TEST_F(ImportProgram, NumbersNearZeroAndWithAPlusAreRead) {
   EXPECT_THAT(imported("a", given("underflow/boxes.csv"), {"--pairs", given("underflow/pairs.csv")}),
-              HasSubstr("1 pairs: 0 missed, 0 extra"));
+              HasSubstr("1 pair: 0 missed, 0 extra"));
   EXPECT_THAT(explained("a", "1", "0,1"), HasSubstr("y [-2.22045e-61, 1]"));
   EXPECT_THAT(imported("b", given("underflow/denormal.csv")), StartsWith("3D, 1 step"));
   EXPECT_THAT(imported("c", given("underflow/plus.csv")), StartsWith("3D, 1 step"));
@@ -117,6 +117,27 @@ TEST_F(ImportProgram, StepsMayBeTimes) {
       "0,1\n";
   EXPECT_THAT(imported("d", write("d.csv", dates)), HasSubstr("to 2024-03-01T00:00:00.000"));
   EXPECT_THAT(refused(write("e.csv", "nan,0,0,1,0,1\n")), HasSubstr("neither a number nor a time"));
+  for (const std::string seconds : {"61", "5e9", "-5", "5x"})
+    EXPECT_THAT(refused(write("f.csv", "2024-02-29T23:59:" + seconds + ",0,0,1,0,1\n")),
+                HasSubstr("neither a number nor a time"));
+}
+
+/// What is not told from another step would be judged with its boxes.
+TEST_F(ImportProgram, StepsThatDoNotFitTogetherAreRefused) {
+  const std::string boxes = write("boxes.csv", "1,0,0,2,0,2\n1,1,1,3,1,3\n2,1,1,3,1,3\n");
+  EXPECT_THAT(refused(write("a.csv", "18446744073709551616,0,0,1,0,1\n18446744073709551617,1,0,1,0,1\n")),
+              HasSubstr("a.csv, line 2: steps 18446744073709551617 and 18446744073709551616 are too near"));
+  const std::string near = write("near.csv", "step,a,b\n1,0,1\n2.00000000000000000000001,0,1\n");
+  EXPECT_THAT(refused(boxes, {"--pairs", near}), HasSubstr("near.csv, line 3: steps 2.0000"));
+  const std::string both = write("both.csv", "step,a,b\n1.00000000000000000000001,0,1\n1,0,1\n");
+  EXPECT_THAT(refused(boxes, {"--pairs", both}), HasSubstr("both.csv, line 3: steps 1 and 1.0000"));
+  const std::string dates = write("dates.csv", "step,a,b\n2024-02-29T23:59:59,0,1\n");
+  EXPECT_THAT(refused(boxes, {"--pairs", dates}),
+              HasSubstr("dates.csv, line 2: step 2024-02-29T23:59:59 is a date, and step 1 is a number"));
+  EXPECT_THAT(refused(write("m.csv", "1,0,0,1,0,1\n2024-02-29T23:59:59,0,0,1,0,1\n")),
+              HasSubstr("is a date"));
+  const std::string same = write("same.csv", "step,a,b\n1.0,0,1\n+1,0,1\n01.00,0,1\n1e0,0,1\n2.0,0,1\n");
+  EXPECT_THAT(imported("s", boxes, {"--pairs", same}), HasSubstr("5 pairs: 0 missed, 0 extra, 3 twice"));
 }
 
 TEST_F(ImportProgram, WhatIsOddIsAlwaysNamed) {
@@ -126,15 +147,15 @@ TEST_F(ImportProgram, WhatIsOddIsAlwaysNamed) {
   boxes += "5,0,0,1,0,1\n";
   const std::string pairs = write("pairs.csv", "1,0,3\n2,0,77\n4,0,3\n");
   const std::string out = imported("a", write("boxes.csv", boxes), {"--pairs", pairs});
-  EXPECT_THAT(out, HasSubstr("odd: 1 boxes that are half blank"));
+  EXPECT_THAT(out, HasSubstr("odd: 1 box that is half blank"));
   EXPECT_THAT(out, HasSubstr("boxes.csv, line 3: object 1 in step 1"));
-  EXPECT_THAT(out, HasSubstr("odd: 1 boxes that are not numbers"));
-  EXPECT_THAT(out, HasSubstr("odd: 1 boxes that reach to infinity"));
+  EXPECT_THAT(out, HasSubstr("odd: 1 box that is not all numbers"));
+  EXPECT_THAT(out, HasSubstr("odd: 1 box that reaches to infinity"));
   EXPECT_THAT(out, HasSubstr("odd: 7 boxes that are inverted"));
   EXPECT_THAT(out, HasSubstr("line 10: object 14 in step 2\n  and 2 more\n"));
-  EXPECT_THAT(out, HasSubstr("odd: 1 gaps between steps"));
+  EXPECT_THAT(out, HasSubstr("odd: 1 gap between steps"));
   EXPECT_THAT(out, HasSubstr("step 4 follows step 2"));
-  EXPECT_THAT(out, HasSubstr("odd: 1 steps with pairs and without a line of boxes"));
+  EXPECT_THAT(out, HasSubstr("odd: 1 step with pairs and without a line of boxes"));
   EXPECT_THAT(out, HasSubstr("pairs.csv, line 2: object 77 in step 2"));
   EXPECT_EQ(import("b", path("boxes.csv"), {"--strict"}).exit, 2);
   EXPECT_FALSE(std::filesystem::exists(path("b.kerf")));
@@ -161,7 +182,7 @@ TEST_F(ImportProgram, SeveralBoxesOfAnObjectAreRefusedOrUnited) {
   EXPECT_THAT(refused(boxes, {"--pairs", pairs}),
               HasSubstr("boxes.csv, line 3: object 0 has a second box in step 1, after that of line 2"));
   const std::string out = imported("a", boxes, {"--pairs", pairs, "--unite"});
-  EXPECT_THAT(out, HasSubstr("1 pairs: 0 missed, 0 extra"));
+  EXPECT_THAT(out, HasSubstr("1 pair: 0 missed, 0 extra"));
   EXPECT_THAT(out, HasSubstr("several boxes, which were united"));
   EXPECT_THAT(exported("a", "--boxes"), HasSubstr("1,0,0,12,0,2,0\n"));
   (void)imported("b", write("b.csv", "1,0,0,1,0,1\n2,0,,,,\n2,0,5,6,0,1\n"));  // it goes, and another comes

@@ -18,7 +18,7 @@ using ImportVerdict = testing::ImportProgram;
 TEST_F(ImportVerdict, PairsAreJudgedInThePrecisionGiven) {
   const std::string boxes = given("double_far/boxes.csv");
   EXPECT_THAT(imported("a", boxes, {"--pairs", given("double_far/pairs.csv")}),
-              HasSubstr("1 pairs: 0 missed, 0 extra, 0 twice"));
+              HasSubstr("1 pair: 0 missed, 0 extra, 0 twice"));
   const std::string why = explained("a", "1", "0,1");
   EXPECT_THAT(why, HasSubstr("0 and 1 are no pair: axis x separates them by 0.05"));
   EXPECT_THAT(why, HasSubstr("0: x [20000000, 20000000.9]"));
@@ -26,8 +26,8 @@ TEST_F(ImportVerdict, PairsAreJudgedInThePrecisionGiven) {
   EXPECT_THAT(why, HasSubstr("rounded outward to floats"));
   EXPECT_THAT(why, Not(HasSubstr("became a pair")));
   EXPECT_EQ(run_kerf({"verify", path("a.kerf")}).exit, 0);
-  const std::string told = write("told.csv", "step,a,b\n1,0,1\n1,2,3\n");
-  EXPECT_THAT(imported("b", boxes, {"--pairs", told}), HasSubstr("2 pairs: 0 missed, 1 extra"));
+  const std::string reported = write("reported.csv", "step,a,b\n1,0,1\n1,2,3\n");
+  EXPECT_THAT(imported("b", boxes, {"--pairs", reported}), HasSubstr("2 pairs: 0 missed, 1 extra"));
   const std::string silent = write("silent.csv", "step,a,b\n");
   EXPECT_THAT(imported("c", boxes, {"--pairs", silent}), HasSubstr("0 pairs: 1 missed, 0 extra"));
 }
@@ -36,18 +36,18 @@ TEST_F(ImportVerdict, ChangesOfMobilityAreFollowedAndExported) {
   const std::string out =
       imported("a", given("type_change/boxes.csv"), {"--pairs", given("type_change/pairs.csv")});
   EXPECT_THAT(out, HasSubstr("2 pairs: 0 missed, 0 extra"));
-  EXPECT_THAT(out, HasSubstr("odd: 1 changes between fixed and moving"));
+  EXPECT_THAT(out, HasSubstr("odd: 1 change between fixed and moving"));
   EXPECT_THAT(out, HasSubstr("line 4: object 1 is moving from step 2 on"));
   EXPECT_THAT(explained("a", "1", "0,1"), HasSubstr("both are fixed"));
   EXPECT_THAT(exported("a", "--boxes"), HasSubstr("\n2,1,4,5,0.8,1.8,0\n3,1,"));
   EXPECT_THAT(imported("b", given("type_change/b.csv"), {"--pairs", given("type_change/bp.csv")}),
-              HasSubstr("1 pairs: 0 missed, 0 extra"));
+              HasSubstr("1 pair: 0 missed, 0 extra"));
 }
 
 TEST_F(ImportVerdict, InvertedBoxesAreCountedAndExplained) {
   const std::string out =
       imported("a", given("inverted/boxes.csv"), {"--pairs", given("inverted/pairs.csv")});
-  EXPECT_THAT(out, HasSubstr("odd: 1 boxes that are inverted"));
+  EXPECT_THAT(out, HasSubstr("odd: 1 box that is inverted"));
   EXPECT_THAT(out, HasSubstr("boxes.csv, line 3: object 1 in step 1"));
   const std::string why = explained("a", "1", "0,1");
   EXPECT_THAT(why, HasSubstr("object 1 is in quarantine: its box, x [3, 1]"));
@@ -58,17 +58,21 @@ TEST_F(ImportVerdict, InvertedBoxesAreCountedAndExplained) {
 TEST_F(ImportVerdict, WhatAnEngineFiltersIsDeclaredAndCountedApart) {
   const std::string pairs = given("filters/pairs.csv");
   EXPECT_THAT(imported("a", given("filters/boxes.csv"), {"--pairs", pairs}),
-              HasSubstr("1 pairs: 1 missed, 0 extra"));
+              HasSubstr("1 pair: 1 missed, 0 extra"));
   EXPECT_THAT(stepped("a", "missed>0"), HasSubstr("theirs, missed: (0,1)"));
   const std::string ignore = write("ignore.csv", "a,b\n1,0\n7,9\n");
   EXPECT_THAT(imported("b", given("filters/boxes.csv"), {"--pairs", pairs, "--ignore", ignore}),
-              HasSubstr("1 pairs: 0 missed, 0 extra, 0 twice, 1 ignored (0 by filters, 1 by the list"));
+              HasSubstr("1 pair: 0 missed, 0 extra, 0 twice, 1 ignored (0 by filters, 1 by the list"));
   EXPECT_THAT(explained("b", "1", "0,1"), HasSubstr("it is ignored"));
   EXPECT_THAT(stepped("b", "ignored>0"), HasSubstr("theirs, ignored, listed: (0,1)"));
   const std::string masked = write("masked.csv",
                                    "step,object,min_x,max_x,min_y,max_y,category,mask\n"
-                                   "1,0,0,1,0,1,1,2\n1,1,0.9,1.9,0,1,4,7\n1,2,1.8,2.8,0,1,2,6\n");
+                                   "1,0,0,1,0,1,1,2\n1,1,0.9,1.9,0,1,0x4,0X7\n1,2,1.8,2.8,0,1,2,6\n");
   EXPECT_THAT(imported("c", masked, {"--pairs", pairs}), HasSubstr("1 ignored (1 by filters"));
+  const std::string heading = "step,object,min_x,max_x,min_y,max_y,category,mask\n1,0,0,1,0,1,1,";
+  for (const std::string mask : {"0x", "0xfg", "0x10000000000000000"})
+    EXPECT_THAT(refused(write("d.csv", heading + mask + "\n")),
+                HasSubstr("is no hexadecimal number of 64 bits"));
   EXPECT_THAT(explained("c", "1", "0,1"), HasSubstr("the other engine's masks leave it out"));
   EXPECT_EQ(run_kerf({"verify", path("c.kerf")}).exit, 0);
   EXPECT_THAT(run_kerf({"verify", path("c.kerf")}).out, HasSubstr("0 twice, 1 ignored"));

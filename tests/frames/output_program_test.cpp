@@ -110,6 +110,30 @@ TEST_F(OutputProgram, ExportLeavesNoHalfFile) {
               HasSubstr("none/steps.csv: No such file"));
 }
 
+/// A contact sheet took the place of a frame, and the manifest still spoke of the frame.
+TEST_F(OutputProgram, NothingElseGetsTheNameOfAFrame) {
+  const std::string frames = path("frames");
+  std::filesystem::create_directory(frames);
+  std::filesystem::create_symlink("frames", path("link"));
+  const std::vector<std::string> render{"render", file("a"),     "--steps", "1:2",  "--size",
+                                        "64x64",  "--overwrite", "--out",   frames, "--contact-sheet"};
+  for (const std::string& sheet :
+       {frames + "/a_000000.png", frames + "/./a_000007.png", path("link/a_000001.ids.png")}) {
+    std::vector<std::string> command = render;
+    command.push_back(sheet);
+    EXPECT_THAT(refusal(command), HasSubstr("is the name of a file of the sequence in"));
+  }
+  EXPECT_THAT(refusal({"render", "pile", "--steps", "1:2", "--size", "64x64", "--out", frames, "--record",
+                       frames + "/frames.json"}),
+              HasSubstr("is the name of a file of the sequence in"));
+  std::vector<std::string> command = render;
+  command.push_back(frames + "/sheet.png");
+  EXPECT_EQ(run_kerf(command).exit, 0);
+  EXPECT_THAT(refusal({"collect", frames, "--out", path("all"), "--contact-sheet", path("all/a_000000.png")}),
+              HasSubstr("is the name of a file of the sequence in"));
+  EXPECT_FALSE(std::filesystem::exists(path("all")));
+}
+
 TEST_F(OutputProgram, ImportKeepsAnEarlierRecordingUntilThereIsANewOne) {
   const std::string before = read_text(file("a"));
   refusal({"import", path("none.csv"), "-o", file("a"), "--overwrite"});

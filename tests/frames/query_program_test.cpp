@@ -142,7 +142,7 @@ TEST_F(QueryProgram, SaysWhyADecisionCannotBe) {
   EXPECT_THAT(error({"--refuse", "12"}), HasSubstr("is not an event such as e1234"));
   EXPECT_THAT(error({"--take", "e12"}), HasSubstr("is not an event with a candidate"));
   EXPECT_THAT(error({"--from", "7"}), HasSubstr("--from says where --config begins"));
-  EXPECT_THAT(error({"--config", "merge=0", "--from", "61"}), HasSubstr("there is no step 61"));
+  EXPECT_THAT(error({"--config", "merge=0", "--from", "61"}), HasSubstr("goes from step 1 to 60"));
 }
 
 TEST_F(QueryProgram, ExportsATimelineAndTables) {
@@ -208,7 +208,7 @@ TEST_F(QueryProgram, TheirPairsAreJudgedToTheirLastStep) {
   ASSERT_EQ(imported.exit, 0) << imported.err;
   EXPECT_THAT(imported.out, HasSubstr("2 steps numbered 10 to 13"));
   EXPECT_THAT(imported.out, HasSubstr("2 pairs: 0 missed, 0 extra"));
-  EXPECT_THAT(imported.out, HasSubstr("odd: 1 steps with pairs and without a line of boxes"));
+  EXPECT_THAT(imported.out, HasSubstr("odd: 1 step with pairs and without a line of boxes"));
   std::ofstream(path("pairs.csv")) << "10,0,1\n9,0,1\n";
   const Outcome early =
       run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("c")});

@@ -154,6 +154,25 @@ INSTANTIATE_TEST_SUITE_P(Damage, TamperedProgram, ::testing::ValuesIn(all_damage
 
 /// The same commands do something with a recording that is whole: a test that only sees refusals proves
 /// nothing.
+/// Another program's journal, and bytes that no page has.
+TEST(TamperedProgram, WhatLiesBesideOrBehindARecordingIsNamed) {
+  const test::TemporaryRecording file;
+  test::record_crowd<2>(file.path(), 12, test::busy_config());
+  const std::string journal = file.path().string() + "-journal";
+  std::ofstream(journal) << std::string(5000, 'x');
+  EXPECT_THAT(run_kerf({"verify", file.path()}).err,
+              HasSubstr("crowd.kerf-journal: another program was changing"));
+  std::filesystem::remove(journal);
+  EXPECT_EQ(run_kerf({"verify", file.path()}).exit, 0);
+  const auto size = std::filesystem::file_size(file.path());
+  for (const auto& other : {size + 1, size - 1}) {
+    std::filesystem::resize_file(file.path(), other);
+    const Outcome outcome = run_kerf({"verify", file.path()});
+    EXPECT_EQ(outcome.exit, 2) << outcome.out;
+    EXPECT_THAT(outcome.err, HasSubstr("and the file has " + std::to_string(other)));
+  }
+}
+
 TEST(TamperedProgram, WholeRecordingsAreRead) {
   const test::TemporaryRecording file;
   test::record_crowd<2>(file.path(), kKeyframe + 20, test::busy_config());

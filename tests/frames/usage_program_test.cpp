@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include <vector>
 
 #include "frames/support/errors.h"
@@ -61,6 +64,23 @@ TEST_P(UsageMistake, IsExplained) {
   EXPECT_THAT(outcome.err, HasSubstr("--help"));
   EXPECT_EQ(outcome.out, "");
   EXPECT_THAT(folder.files(), IsEmpty());
+}
+
+TEST(UsageProgram, ANameThatBeginsWithADashIsExplained) {
+  const TemporaryFolder folder;
+  std::filesystem::current_path(folder.path());
+  std::ofstream("-x.kerf") << "x";
+  EXPECT_THAT(run_kerf({"verify", "-x.kerf"}).err,
+              HasSubstr("'-x.kerf' was taken for an option: write ./-x.kerf"));
+  EXPECT_THAT(run_kerf({"verify", "./-x.kerf"}).err, HasSubstr("./-x.kerf is no recording of Kerf"));
+  std::filesystem::current_path("/");
+}
+
+TEST(UsageProgram, ANameThatIsTooLongIsSaidInTheSystemsWords) {
+  const std::string name(300, 'n');
+  const Outcome outcome = run_kerf({"verify", name});
+  EXPECT_EQ(outcome.exit, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("kerf: " + name + ": File name too long"));
 }
 
 INSTANTIATE_TEST_SUITE_P(

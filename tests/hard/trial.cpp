@@ -44,14 +44,14 @@ std::string to_string(const Pair& pair) {
 }
 
 /// Counts the differences between the reported pairs and the right ones.
-void compare(std::span<const Pair> told, const std::vector<Pair>& right, Trial& trial) {
-  std::vector<Pair> found(told.begin(), told.end());
+void compare(std::span<const Pair> reported, const std::vector<Pair>& right, Trial& trial) {
+  std::vector<Pair> found(reported.begin(), reported.end());
   std::sort(found.begin(), found.end());
   const std::string when = " in step " + std::to_string(trial.steps);
   auto want = right.begin();
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (i > 0 && found[i] == found[i - 1]) {
-      if (trial.twice++ == 0) note(trial, to_string(found[i]) + " told twice" + when);
+      if (trial.twice++ == 0) note(trial, to_string(found[i]) + " reported twice" + when);
       continue;
     }
     for (; want != right.end() && *want < found[i]; ++want)

@@ -20,6 +20,9 @@ const std::regex kMachinePath(R"((^|[^\w.}])/(h[o]me|r[o]ot|w[o]rk|U[s]ers|t[m]p
 const std::regex kOneAlternative(
     R"(\b(get_i[f]|holds_alternativ[e])\b|std::ge[t]<(Phase|Object|Operator|Events|All)[A-Z]\w*>)");
 
+// What another engine recorded is numbered as it numbers it: GivenNames::step, never the number alone.
+const std::regex kStepWithoutName(R"(steps? " \+ std::to_strin[g]|\bsteps? %[u])");
+
 /// "file:line: text" of each line in which `forbidden` occurs.
 std::vector<std::string> lines_with(const std::regex& forbidden) {
   std::vector<std::string> found;
@@ -50,6 +53,16 @@ TEST(TextRules, NothingIsMarkedUnfinished) { EXPECT_THAT(lines_with(kUnfinished)
 TEST(TextRules, NothingNamesAPathOfOneMachine) { EXPECT_THAT(lines_with(kMachinePath), IsEmpty()); }
 
 TEST(TextRules, VariantsAreVisited) { EXPECT_THAT(lines_with(kOneAlternative), IsEmpty()); }
+
+TEST(TextRules, StepsOfRecordingsHaveTheirNames) {
+  std::vector<std::string> found = lines_with(kStepWithoutName);
+  std::erase_if(found, [](const std::string& line) {
+    const auto lies_in = [&](const char* folder) { return line.starts_with(folder); };
+    return !lies_in("core/query/") && !lies_in("core/replay/") && !lies_in("core/recording/") &&
+           !lies_in("viz/debugger/");
+  });
+  EXPECT_THAT(found, IsEmpty());
+}
 
 TEST(TextRules, HeadersHaveAtMost200Lines) { EXPECT_THAT(longer_than(200, ".h"), IsEmpty()); }
 

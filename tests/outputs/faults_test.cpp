@@ -21,7 +21,9 @@ TEST_P(Faults, NothingIsLostAndNothingIsHalf) {
 }
 
 std::string name_of(const ::testing::TestParamInfo<Scenario>& scenario) {
-  return scenario.param.name.substr(0, scenario.param.name.find(' '));
+  std::string name = scenario.param.name;
+  std::erase_if(name, [](char c) { return c == ' ' || c == '-'; });
+  return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, Faults, ::testing::ValuesIn(scenarios()), name_of);

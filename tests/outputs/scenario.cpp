@@ -191,12 +191,109 @@ Scenario export_scenario() {
           {{"out.csv"}}};
 }
 
+/// Two sequences of which one frame differs.
+void render_two(const Path& folder) {
+  record(folder / "in.kerf", "12");
+  run(render(folder / "in.kerf", folder / "a", "9:9:1"));
+  run(with(render(folder / "in.kerf", folder / "b", "9:9:1"), {"--show", "none"}));
+}
+
+Scenario film_diff_scenario() {
+  return {"film-diff",
+          [](const Path& folder) {
+            render_two(folder);
+            write(folder / "film.gif", "an earlier film");
+            write(folder / "sheet.png", "an earlier sheet");
+          },
+          [](const Path& folder) -> Words {
+            return {"film-diff",         folder / "a",      folder / "b",         "-o",
+                    folder / "film.gif", "--contact-sheet", folder / "sheet.png", "--overwrite"};
+          },
+          {{"film.gif"}, {"sheet.png"}}};
+}
+
+Scenario approve_scenario() {
+  return {"diff --approve",
+          render_two,
+          [](const Path& folder) -> Words {
+            return {"diff", folder / "a", folder / "b", "--approve"};
+          },
+          {{"a/in_000000.png"}}};
+}
+
+Scenario diff_page_scenario() {
+  return {"diff --report",
+          [](const Path& folder) {
+            render_two(folder);
+            std::filesystem::create_directory(folder / "page");
+            write(folder / "page/index.html", "an earlier page");
+          },
+          [](const Path& folder) -> Words {
+            return {"diff", folder / "a", folder / "a", "--report", folder / "page", "--overwrite"};
+          },
+          {{"page/index.html", Likeness::same_end}}};
+}
+
+Scenario debug_scenario() {
+  return {"debug",
+          [](const Path& folder) {
+            write(folder / "script", "key end\nscreenshot shot\n");
+            record(folder / "out.kerf", "7");
+            std::filesystem::create_directory(folder / "pictures");
+            write(folder / "pictures/shot.png", "an earlier picture");
+          },
+          [](const Path& folder) -> Words {
+            return {"debug",
+                    "pile",
+                    "--steps",
+                    "12",
+                    "--objects",
+                    "20",
+                    "--record",
+                    folder / "out.kerf",
+                    "--headless",
+                    "--script",
+                    folder / "script",
+                    "-o",
+                    folder / "pictures",
+                    "--overwrite"};
+          },
+          {{"out.kerf", Likeness::same_recording}, {"pictures/shot.png", Likeness::same_end}}};
+}
+
+Scenario bench_scenario() {
+  return {"bench",
+          [](const Path& folder) { write(folder / "bench.json", "an earlier table"); },
+          [](const Path& folder) -> Words {
+            return {"bench",
+                    "--scenes",
+                    "uniform",
+                    "--dims",
+                    "2",
+                    "--objects",
+                    "40",
+                    "--algorithms",
+                    "kerf",
+                    "--rounds",
+                    "1",
+                    "--steps",
+                    "2",
+                    "--warm-up",
+                    "1",
+                    "--json",
+                    folder / "bench.json",
+                    "--overwrite"};
+          },
+          {{"bench.json", Likeness::same_end}}};
+}
+
 }  // namespace
 
 const std::vector<Scenario>& scenarios() {
   static const std::vector<Scenario> kAll{
-      record_scenario(),   import_scenario(), rerun_scenario(),      render_scenario(), collect_scenario(),
-      minimize_scenario(), report_scenario(), experiment_scenario(), step_scenario(),   export_scenario()};
+      record_scenario(),    import_scenario(),  rerun_scenario(),      render_scenario(), collect_scenario(),
+      minimize_scenario(),  report_scenario(),  experiment_scenario(), step_scenario(),   export_scenario(),
+      film_diff_scenario(), approve_scenario(), diff_page_scenario(),  debug_scenario(),  bench_scenario()};
   return kAll;
 }
 

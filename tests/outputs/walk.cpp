@@ -161,10 +161,11 @@ class Walk {
     };
     const bool done = run.outcome.exit == kExitHolds;
     if (done) ++result_.unharmed;
-    if (!done && run.outcome.exit != (fault == Fault::kill ? 128 + SIGKILL : kExitUnusable))
-      finding("wrong exit code");
+    // The process that is killed may be ffmpeg.
+    const bool is_killed = fault == Fault::kill && run.outcome.exit == 128 + SIGKILL;
+    if (!done && !is_killed && run.outcome.exit != kExitUnusable) finding("wrong exit code");
     for (const OutputFile& output : scenario_.outputs) check(output, run, done, finding);
-    check_others(run, fault, finding);
+    check_others(run, is_killed, finding);
   }
 
   template <class Finding>
@@ -184,7 +185,7 @@ class Walk {
 
   /// Inputs and unrelated files, the files of the earlier outputs, and the new ones.
   template <class Finding>
-  void check_others(const Run& run, Fault fault, const Finding& finding) const {
+  void check_others(const Run& run, bool is_killed, const Finding& finding) const {
     const std::string& first = scenario_.outputs.front().name;
     const bool is_earlier =
         run.files.contains(first) && before_.contains(first) && run.files.at(first) == before_.at(first);
@@ -197,7 +198,7 @@ class Walk {
     for (const auto& [name, contents] : run.files) {
       if (before_.contains(name) || after_.contains(name)) continue;
       if (!is_part(name)) finding(name + " is left over");
-      if (is_part(name) && fault != Fault::kill) finding("the part " + name + " is left");
+      if (is_part(name) && !is_killed) finding("the part " + name + " is left");
     }
   }
 

@@ -77,7 +77,7 @@ class TreeRun : public EndlessRun {
     if (judgement.is_exact()) return;
     throw NotExact("the pairs are not exact: " + std::to_string(judgement.missed.size()) + " missed, " +
                    std::to_string(judgement.extra.size()) + " extra, " +
-                   std::to_string(judgement.twice.size()) + " told twice");
+                   std::to_string(judgement.twice.size()) + " reported twice");
   }
 
  protected:

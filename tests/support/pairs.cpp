@@ -36,7 +36,7 @@ std::string difference(std::span<const Pair> found, std::span<const Pair> expect
   std::vector<Pair> once;
   std::unique_copy(have.begin(), have.end(), std::back_inserter(once));
   const std::string text = list("missed", without(want, once)) + list("invented", without(once, want)) +
-                           list("told again", without(have, once));
+                           list("reported again", without(have, once));
   return text.empty() ? text : std::to_string(want.size()) + " pairs expected" + text;
 }
 

@@ -43,9 +43,9 @@ RecordingInfo info_of(const Config& config, VolumeKind volume) {
 
 template <int D>
 void record_crowd(const std::filesystem::path& path, std::uint32_t steps, const Config& config,
-                  const Config& told, VolumeKind volume) {
+                  const Config& claimed, VolumeKind volume) {
   Bsp<D, EventLog> tree(config, volume);
-  Recorder<D> recorder(tree, path, info_of<D>(told, volume));
+  Recorder<D> recorder(tree, path, info_of<D>(claimed, volume));
   play_crowd<D>(recorder, steps, 1, [&](std::uint32_t step) {
     if (step % 2 == 0) (void)tree.trace().take();  // when events are taken does not matter
   });

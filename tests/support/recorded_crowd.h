@@ -74,10 +74,10 @@ void play_crowd(BroadPhase<D>& broad_phase, std::uint32_t steps, std::uint64_t s
   }
 }
 
-/// Records `play_crowd`. The recording says that the tree has the configuration `told`.
+/// Records `play_crowd`. The recording says that the tree has the configuration `claimed`.
 template <int D>
 void record_crowd(const std::filesystem::path& path, std::uint32_t steps, const Config& config,
-                  const Config& told, VolumeKind volume = VolumeKind::box);
+                  const Config& claimed, VolumeKind volume = VolumeKind::box);
 template <int D>
 void record_crowd(const std::filesystem::path& path, std::uint32_t steps, const Config& config) {
   record_crowd<D>(path, steps, config, config);

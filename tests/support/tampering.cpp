@@ -117,9 +117,9 @@ Bytes blob(const Writable& database, const std::string& sql) {
 class Resealer {
  public:
   explicit Resealer(const std::filesystem::path& recording)
-      : rows_(read_rows(Database::open(recording))),
-        chain_(head_of(Database::open(recording))),
-        file_(recording),
+      : reading_(Database::open(recording)),
+        rows_(read_rows(reading_, {})),
+        chain_(head_of(reading_)),
         database_(recording) {}
 
   void run() {
@@ -151,7 +151,7 @@ class Resealer {
          seal_of_keyframe(chain_.link(), keyframe.step, blob(database_, "SELECT data FROM" + where)));
   }
   void seal(const TheirRow& theirs) {
-    const auto seal = seal_of_theirs(chain_.link(), Database::open(file_), theirs.step);
+    const auto seal = seal_of_theirs(chain_.link(), reading_, theirs.step);
     if (seal) {
       note(Chain::Part::theirs, "their_seals", "step", theirs.step, *seal);
     } else {
@@ -164,9 +164,9 @@ class Resealer {
     chain_.add(part, seal);
   }
 
+  Database reading_;  ///< as it was before the seals are changed
   RecordedRows rows_;
   Chain chain_;
-  std::filesystem::path file_;
   Writable database_;
 };
 

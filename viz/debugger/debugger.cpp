@@ -233,12 +233,13 @@ void Debugger::draw_view(PanelContext& context, const PanelLayout& layout) {
         PanelArea part = area;
         if (other_view_) part.width *= 0.5F;
         const std::string name = model_.run().info().scene;
-        draw_view_overlay(context, *view_, part,
-                          other_view_ ? "this run, " + to_string(model_.run().position()) : name);
+        draw_view_overlay(
+            context, *view_, part,
+            other_view_ ? "this run, " + to_string(model_.run().position(), model_.run().names()) : name);
         if (!other_view_ || model_.other() == nullptr) return;  // it may have ended in this frame
         part.x += part.width;
         draw_view_overlay(context, *other_view_, part,
-                          "the other run, " + to_string(model_.other()->position()));
+                          "the other run, " + to_string(model_.other()->position(), model_.other()->names()));
       },
       ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();

@@ -9,8 +9,8 @@ namespace {
 using Facts = std::map<std::string, std::string>;
 
 void add_moment(Facts& facts, const Run& run) {
-  facts["position"] = to_string(run.position());
-  facts["step"] = std::to_string(run.position().step);
+  facts["position"] = to_string(run.position(), run.names());
+  facts["step"] = run.names().step(run.position().step);
   const auto event = run.event();
   facts["event"] = event ? "e" + std::to_string(event->id) : "none";
   facts["deed"] = event ? describe(*event, run.names()) : "none";
@@ -28,9 +28,9 @@ std::string_view match_word(Counterpart::Match match) {
 void add_other(Facts& facts, DebuggerModel& model) {
   const Run* const other = model.other();
   facts["comparing"] = other == nullptr ? "no" : "yes";
-  facts["other"] = other == nullptr ? "none" : to_string(other->position());
+  facts["other"] = other == nullptr ? "none" : to_string(other->position(), other->names());
   const auto event = other == nullptr ? std::nullopt : other->event();
-  facts["other_deed"] = event ? describe(*event) : "none";
+  facts["other_deed"] = event ? describe(*event, other->names()) : "none";
   facts["match"] = other == nullptr ? "none" : match_word(model.match());
 }
 

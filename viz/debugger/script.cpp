@@ -93,14 +93,18 @@ std::string names_of(const std::map<std::string, Value>& known) {
   return names;
 }
 
-/// "object:5" or "node:5".
-std::optional<Selection> named_thing(const std::string& text) {
+/// "object:5", by its name, or "node:5".
+std::optional<Selection> named_thing(const std::string& text, const GivenNames& names) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return std::nullopt;
-  const auto id = number_of<std::uint32_t>(std::string_view(text).substr(colon + 1));
-  if (!id) return std::nullopt;
-  if (text.starts_with("object:")) return ObjectId{*id};
-  return text.starts_with("node:") ? std::optional<Selection>(NodeId{*id}) : std::nullopt;
+  const std::string_view id = std::string_view(text).substr(colon + 1);
+  if (text.starts_with("object:")) {
+    const auto given = parse_given_id(id);
+    const auto object = given ? names.find_object(*given) : std::nullopt;
+    return object ? std::optional<Selection>(*object) : std::nullopt;
+  }
+  const auto node = number_of<std::uint32_t>(id);
+  return node && text.starts_with("node:") ? std::optional<Selection>(NodeId{*node}) : std::nullopt;
 }
 
 bool compare(const std::string& a, const std::string& op, const std::string& b, const ScriptLine& line) {
@@ -196,7 +200,11 @@ void ScriptPlayer::play(const ScriptLine& line) {
       fail(line, "'" + word(1) + "' is no whole number of frames from 0 to " + std::to_string(kMostFrames));
     return frames(*count);
   }
-  if (verb == "screenshot") return take_picture(word(1));
+  if (verb == "screenshot") {
+    if (word(1).empty() || word(1).find('/') != std::string::npos)
+      fail(line, "'" + word(1) + "' is no name of a picture: all of them lie in one folder");
+    return take_picture(word(1));
+  }
   if (verb == "expect") return expect(line);
   if (verb == "remember") {
     remembered_[word(1)] = fact(line, word(2));
@@ -295,10 +303,11 @@ ScriptPlayer::Point ScriptPlayer::place(const ScriptLine& line, const std::strin
     if (!given) fail(line, "after the @ stand two shares such as 0.5,0.25");
     share = *given;
   }
-  if (const auto thing = named_thing(name)) {
+  const GivenNames& given = debugger_.model().run().names();
+  if (const auto thing = named_thing(name, given)) {
     const auto seen = debugger_.view().place_of(*thing);
     const auto view = debugger_.gui().find("view");
-    if (!seen || !view) fail(line, to_string(*thing) + " is not seen");
+    if (!seen || !view) fail(line, to_string(*thing, given) + " is not seen");
     return {view->x + seen->x, view->y + seen->y};
   }
   const auto area = debugger_.gui().find(name);

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "core/base/counted.h"
+
 namespace kerf {
 namespace {
 
@@ -142,8 +144,8 @@ void compare_pixels_of(const Drawn& a, std::uint32_t gone, std::uint32_t come, F
   const std::uint32_t changed = std::max(gone, come);
   if (changed < std::max(kClearlySeen, a.pixels / 50)) return;
   const std::string what = gone >= come ? " is not seen in " + std::to_string(gone) + " of its "
-                                        : " is seen in " + std::to_string(come) + " pixels beside its ";
-  findings.add(Findings::hidden, name_of(a) + what + std::to_string(a.pixels) + " pixels");
+                                        : " is seen in " + counted(come, "pixel") + " beside its ";
+  findings.add(Findings::hidden, name_of(a) + what + counted(a.pixels, "pixel"));
 }
 
 void compare_items(const FrameIds& reference, const FrameIds& test, Findings& findings) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/given_names.h"
 #include "viz/draw/camera_path.h"
 #include "viz/draw/frame_planner.h"
 #include "viz/draw/overlay.h"
@@ -34,6 +35,12 @@ const FrameOptions& checked(const FrameOptions& options) {
 template <int D>
 std::string ramp_text(const FramePlan<D>& plan) {
   return std::to_string(plan.largest_population) + (plan.ramp_is_fixed ? "+" : "");
+}
+
+/// When a frame is, for a camera that moves: by what an import calls the step.
+double time_of(const Caption& caption) {
+  const auto named = parse_step_time(caption.step_name);
+  return named ? static_cast<double>(*named) : static_cast<double>(caption.step);
 }
 
 /// A camera that the user has aimed need not show everything.
@@ -128,7 +135,7 @@ struct FrameRenderer<D>::State {
   const Image& render(const FrameInput<D>& input, const FramePlan<D>& plan) {
     context->make_current();
     std::vector<CaptionItem> caption;
-    const CameraChoice<D> now = camera_path.at(input.caption.step, camera);
+    const CameraChoice<D> now = camera_path.at(time_of(input.caption), camera);
     if (has(Layer::caption)) caption = caption_items(input.caption, plan.has_tree, told_outside(plan, now));
     std::vector<LegendItem> legend;
     if (has(Layer::legend)) legend = legend_items(options.layers, D, plan.has_tree, ramp_text(plan));

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "viz/draw/flow.h"
 #include "viz/draw/overlay.h"
 
@@ -12,8 +13,7 @@ std::string acted_text(const std::vector<Highlight>& highlights, std::size_t sho
   for (std::size_t k = 0; k < shown; ++k) text += (k == 0 ? "acted: " : ", ") + highlights[k].label();
   const std::size_t more = highlights.size() - shown;
   if (more == 0) return text;
-  return shown == 0 ? "acted: " + std::to_string(more) + " operators"
-                    : text + " and " + std::to_string(more) + " more";
+  return shown == 0 ? "acted: " + counted(more, "operator") : text + " and " + std::to_string(more) + " more";
 }
 
 std::string cut_to(const Font& font, int width, std::string text) {

@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "core/base/overloaded.h"
 #include "viz/draw/draw_context.h"
@@ -59,12 +62,38 @@ Polygon inset(const Polygon& polygon, double margin) {
   return result;
 }
 
+/// The part near the view of a box that is so large, or lies so far out, that floats do not hold its sides to
+/// a pixel: neither those of a pose nor OpenGL's. Nothing for any other body.
+std::optional<Polygon> near_part(const DrawContext<2>& context, const Body<2>& body) {
+  constexpr double kPixels = 0.05;
+  const Vector<2>& x = body.pose.axes[0];
+  const bool is_box = std::visit(
+      Overloaded{[](const Brick<2>&) { return true; }, NothingFor<bool, Ball, Outline>()}, body.shape);
+  if (!is_box || x[0] != 1 || x[1] != 0) return std::nullopt;
+  const auto [left, low, right, high] =
+      std::array{body.box.min[0], body.box.min[1], body.box.max[0], body.box.max[1]};
+  const double farthest = std::max({std::abs(left), std::abs(low), std::abs(right), std::abs(high)});
+  const double step = farthest * double{std::numeric_limits<Scalar>::epsilon()};
+  if (step * context.view.pixels_per_unit_at_one < kPixels) return std::nullopt;
+  std::array<double, 2> from{};
+  std::array<double, 2> to{};
+  for (int i = 0; i < 2; ++i) {
+    const double around = double{context.bounds.max[i]} - double{context.bounds.min[i]};
+    const auto side = static_cast<std::size_t>(i);
+    from[side] = std::max(double{body.box.min[i]}, double{context.bounds.min[i]} - around);
+    to[side] = std::min(double{body.box.max[i]}, double{context.bounds.max[i]} + around);
+    if (from[side] > to[side]) return Polygon();
+  }
+  return Polygon{{from[0], from[1], 0}, {to[0], from[1], 0}, {to[0], to[1], 0}, {from[0], to[1], 0}};
+}
+
 /// Shapes are filled twice, dark and then smaller and light: a rim for the price of one more fan.
 void draw_body(const DrawContext<2>& context, std::size_t object, Batch& batch) {
   const Body<2>& body = context.input.bodies[object];
   const double pixels = context.view.pixels_per_unit_at_one;
   const double rim = kRimPixels * context.line_scale;
-  const Polygon polygon = outline(body, pixels);
+  const std::optional<Polygon> near = near_part(context, body);
+  const Polygon polygon = near ? *near : outline(body, pixels);
   if (polygon.size() < 3) return;
   const Color color = object_color(context, object);
   context.begin(batch, DrawnKind::object, static_cast<std::uint32_t>(object));

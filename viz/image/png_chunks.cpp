@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "core/base/counted.h"
 #include "viz/image/png.h"
 #include "viz/image/png_format.h"
 
@@ -43,8 +44,7 @@ void check_header(const std::filesystem::path& path, const std::uint8_t* header,
 /// The bytes of the chunk at `at`, its length, type and checksum included.
 Bytes chunk_at(Bytes bytes, std::size_t at, const std::filesystem::path& path) {
   const auto truncated = [&] {
-    fail_to_read_png(path,
-                     "the file is truncated (it ends after " + std::to_string(bytes.size()) + " bytes)");
+    fail_to_read_png(path, "the file is truncated (it ends after " + counted(bytes.size(), "byte") + ")");
   };
   if (bytes.size() - at < kFrame) truncated();
   const std::size_t length = read_u32(bytes.data() + at);
@@ -84,7 +84,8 @@ std::vector<PngChunk> walk_png_chunks(std::span<const std::uint8_t> bytes,
   }
   check_header(path, header, compressed);
   if (at != bytes.size())
-    fail_to_read_png(path, std::to_string(bytes.size() - at) + " bytes follow the end of the picture");
+    fail_to_read_png(path,
+                     counted(bytes.size() - at, "byte follows", "bytes follow") + " the end of the picture");
   return unseen;
 }
 

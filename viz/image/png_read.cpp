@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <system_error>
@@ -85,16 +86,38 @@ class Decoder {
   [[nodiscard]] int height() const { return static_cast<int>(png_get_image_height(png_, info_)); }
   [[nodiscard]] std::size_t row_bytes() const { return png_get_rowbytes(png_, info_); }
   [[nodiscard]] bool is_deep() const { return png_get_bit_depth(png_, info_) == 16; }
+  [[nodiscard]] bool has_palette() const { return png_get_color_type(png_, info_) == PNG_COLOR_TYPE_PALETTE; }
+  /// The colours of pixels that are numbers of the palette; nothing if it has no such number.
+  [[nodiscard]] std::optional<std::vector<std::uint8_t>> colors_of(
+      const std::vector<std::uint8_t>& numbers) const {
+    png_colorp colors = nullptr;
+    int count = 0;
+    png_bytep opacities = nullptr;
+    int opacity_count = 0;
+    png_get_PLTE(png_, info_, &colors, &count);
+    png_get_tRNS(png_, info_, &opacities, &opacity_count, nullptr);
+    std::vector<std::uint8_t> rgba;
+    rgba.reserve(4 * numbers.size());
+    for (const std::uint8_t number : numbers) {
+      if (number >= count) return std::nullopt;
+      const png_color& color = colors[number];
+      const std::uint8_t opacity = number < opacity_count ? opacities[number] : 0xff;
+      rgba.insert(rgba.end(), {color.red, color.green, color.blue, opacity});
+    }
+    return rgba;
+  }
   /// What libpng said first.
   [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:
+  /// A palette stays one, a byte a pixel: libpng takes for black what is beyond its end.
   void ask_for_rgba() {
+    png_set_interlace_handling(png_);
+    if (has_palette()) return png_set_packing(png_);
     const bool is_deep = png_get_bit_depth(png_, info_) == 16;
     png_set_expand(png_);
     png_set_gray_to_rgb(png_);
     png_set_add_alpha(png_, is_deep ? 0xffffU : 0xffU, PNG_FILLER_AFTER);
-    png_set_interlace_handling(png_);
   }
   static Decoder& self(png_structp png) { return *static_cast<Decoder*>(png_get_error_ptr(png)); }
   static void give_bytes(png_structp png, png_bytep out, std::size_t count) {
@@ -153,7 +176,11 @@ StoredPicture read_stored_picture(std::span<const std::uint8_t> bytes, const std
   picture.image.height = decoder.height();
   std::vector<std::uint8_t> pixels(decoder.row_bytes() * static_cast<std::size_t>(decoder.height()));
   if (!decoder.read_rows(rows_of(pixels, decoder.row_bytes()).data())) damaged();
-  if (decoder.is_deep()) {
+  if (decoder.has_palette()) {
+    auto colors = decoder.colors_of(pixels);
+    if (!colors) fail_to_read_png(path, "it is damaged (a pixel has a colour that is not in its palette)");
+    picture.image.rgba = std::move(*colors);
+  } else if (decoder.is_deep()) {
     part_halves(pixels, picture);
   } else {
     picture.image.rgba = std::move(pixels);

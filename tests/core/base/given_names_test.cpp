@@ -65,6 +65,15 @@ TEST(GivenNames, AreFoundBothWays) {
   EXPECT_EQ(names.step(4), "(after the last)");
 }
 
+TEST(GivenNames, RangesAndComingStepsAreNamed) {
+  const GivenNames names({}, {"5000", "5001.5", "6000"});
+  EXPECT_EQ(names.steps(1, 3), "steps 5000 to 6000");
+  EXPECT_EQ(names.coming_step(2), "step 5001.5");
+  EXPECT_EQ(names.coming_step(4), "a step after the last");
+  EXPECT_EQ(GivenNames().steps(1, 3), "steps 1 to 3");
+  EXPECT_EQ(GivenNames().coming_step(4), "step 4");
+}
+
 TEST(GivenNames, MustRise) {
   EXPECT_THROW(GivenNames({{false, 3}, {false, 3}}, {}), std::invalid_argument);
   EXPECT_THROW(GivenNames({{false, 3}, {true, 3}}, {}), std::invalid_argument);

@@ -56,7 +56,7 @@ TYPED_TEST(PairChangesOfTree, LeadFromTheSetOfAStepToThatOfTheNext) {
     for (const Pair& pair : changes.ended()) ended += pairs.erase(pair);
     for (const Pair& pair : changes.begun()) begun += pairs.insert(pair).second ? 1 : 0;
     ASSERT_EQ(pairs, std::set<Pair>(tree.pairs().begin(), tree.pairs().end())) << "step " << step;
-    ASSERT_EQ(begun - ended, pairs.size()) << "a change was told that is none";
+    ASSERT_EQ(begun - ended, pairs.size()) << "a change was reported that is none";
   }
   EXPECT_GT(ended, 300U);
 }

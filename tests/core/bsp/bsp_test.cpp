@@ -190,7 +190,7 @@ TYPED_TEST(Bsp, EqualRunsHaveEqualHashesPairsAndEvents) {
   const auto events = one.trace().take();
   const auto same = two.trace().take();
   ASSERT_EQ(events.size(), same.size());
-  for (std::size_t i = 0; i < events.size(); ++i) ASSERT_EQ(describe(events[i]), describe(same[i]));
+  for (std::size_t i = 0; i < events.size(); ++i) ASSERT_EQ(describe(events[i], {}), describe(same[i], {}));
 }
 
 TYPED_TEST(Bsp, EventsAreNumberedWithoutAGapAndPhasesComeInOrder) {

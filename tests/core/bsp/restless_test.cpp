@@ -197,7 +197,7 @@ TYPED_TEST(Restless, ACalmCrowdHasNone) {
 template <int D>
 std::vector<std::string> events_of(kerf::Bsp<D, EventLog>& tree) {
   std::vector<std::string> events;
-  for (const Event& event : tree.trace().take()) events.push_back(describe(event));
+  for (const Event& event : tree.trace().take()) events.push_back(describe(event, {}));
   return events;
 }
 

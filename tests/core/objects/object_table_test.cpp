@@ -126,7 +126,7 @@ TEST(PairDifference, NamesWhatIsMissedInventedAndReportedAgain) {
   EXPECT_EQ(difference(expected, expected), "");
   EXPECT_EQ(difference(std::vector<Pair>{{{3}, {4}}, {{1}, {2}}}, expected), "") << "any order";
   EXPECT_EQ(difference(std::vector<Pair>{{{1}, {2}}, {{1}, {2}}, {{5}, {6}}}, expected),
-            "2 pairs expected; 1 missed: 3-4; 1 invented: 5-6; 1 told again: 1-2");
+            "2 pairs expected; 1 missed: 3-4; 1 invented: 5-6; 1 reported again: 1-2");
   EXPECT_FALSE(same_pairs({}, expected));
 }
 

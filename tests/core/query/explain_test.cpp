@@ -51,7 +51,7 @@ TYPED_TEST(Explain, PairsAndNoPairs) {
     const auto why = explain_pair(this->replayer(), 40, pair);
     const bool is = std::ranges::binary_search(truth, pair);
     EXPECT_EQ(why.is_pair, is);
-    EXPECT_EQ(why.told, is);
+    EXPECT_EQ(why.reported, is);
     EXPECT_EQ(why.boxes_overlap, why.margin <= 0);
     EXPECT_EQ(!why.history.empty() && why.history.back().is_pair, is);
     EXPECT_TRUE(!is || why.shared_leaf);
@@ -59,14 +59,14 @@ TYPED_TEST(Explain, PairsAndNoPairs) {
       ++separated_by_planes;
       const HalfSpaceTest<kD>& last = why.tests.back();
       EXPECT_FALSE((last.a_sides.left && last.b_sides.left) || (last.a_sides.right && last.b_sides.right));
-      EXPECT_THAT(to_text(why), HasSubstr("separates them: along its normal"));
+      EXPECT_THAT(to_text(why, {}), HasSubstr("separates them: along its normal"));
     } else {
-      EXPECT_THAT(to_text(why), HasSubstr("where they are compared; together there since e"));
+      EXPECT_THAT(to_text(why, {}), HasSubstr("where they are compared; together there since e"));
     }
   }
   EXPECT_GT(separated_by_planes, 0U);
   const Pair pair = truth.front();
-  EXPECT_THAT(to_text(explain_pair(this->replayer(), 40, pair)),
+  EXPECT_THAT(to_text(explain_pair(this->replayer(), 40, pair), {}),
               HasSubstr("are a pair: their boxes overlap on every axis"));
 }
 
@@ -88,14 +88,14 @@ TYPED_TEST(Explain, TheEventThatBroughtTwoTogether) {
     const auto why = explain_pair(this->replayer(), 50, truth[k]);
     ASSERT_TRUE(why.shared_since);
     cursor.go_to_event(why.shared_since->id);
-    EXPECT_TRUE(together(truth[k], *why.shared_leaf)) << describe(*why.shared_since);
+    EXPECT_TRUE(together(truth[k], *why.shared_leaf)) << describe(*why.shared_since, {});
     ASSERT_TRUE(cursor.backward(Granularity::event));
-    EXPECT_FALSE(together(truth[k], *why.shared_leaf)) << describe(*why.shared_since);
+    EXPECT_FALSE(together(truth[k], *why.shared_leaf)) << describe(*why.shared_since, {});
   }
 }
 
 TYPED_TEST(Explain, ObjectsThatAreNotThereOrInQuarantine) {
-  EXPECT_THAT(to_text(explain_pair(this->replayer(), 40, {{1}, {900}})),
+  EXPECT_THAT(to_text(explain_pair(this->replayer(), 40, {{1}, {900}}), {}),
               HasSubstr("object 900 is not there"));
   Replayer<TypeParam::value> replayer(this->recording_);
   replayer.seek(4);  // in which boxes are broken
@@ -103,7 +103,7 @@ TYPED_TEST(Explain, ObjectsThatAreNotThereOrInQuarantine) {
   for (std::uint32_t id = 0; id < objects.bound(); ++id) {
     if (objects.state({id}) != ObjectState::quarantined) continue;
     const Pair pair = make_pair({id}, {id == 0 ? 1U : 0U});
-    EXPECT_THAT(to_text(explain_pair(this->replayer(), 4, pair)), HasSubstr("is in quarantine"));
+    EXPECT_THAT(to_text(explain_pair(this->replayer(), 4, pair), {}), HasSubstr("is in quarantine"));
     return;
   }
   FAIL() << "no box was broken";
@@ -121,7 +121,7 @@ TYPED_TEST(Explain, NodesAndTheirHistory) {
   EXPECT_EQ(root.quality->population, tree.objects());
   EXPECT_FALSE(root.history.empty());
   for (const Event& event : root.history)
-    EXPECT_THAT(describe(event), HasSubstr("n" + std::to_string(tree.root().value)));
+    EXPECT_THAT(describe(event, {}), HasSubstr("n" + std::to_string(tree.root().value)));
   for_each_node(tree, tree.root(), [&](NodeId id) {
     const auto node = explain_node(this->replayer(), 60, id);
     EXPECT_EQ(node.path.size(), tree[id].depth);
@@ -129,9 +129,9 @@ TYPED_TEST(Explain, NodesAndTheirHistory) {
     ASSERT_EQ(node.lives.size(), tree[id].generation + 1);
     EXPECT_FALSE(node.lives.back().span.last_step);
   });
-  EXPECT_THAT(to_text(root), HasSubstr("from "));
+  EXPECT_THAT(to_text(root, {}), HasSubstr("from "));
   EXPECT_FALSE(explain_node(this->replayer(), 60, {tree.slots() + 5}).alive);
-  EXPECT_THAT(to_text(explain_node(this->replayer(), 60, {tree.slots() + 5})),
+  EXPECT_THAT(to_text(explain_node(this->replayer(), 60, {tree.slots() + 5}), {}),
               HasSubstr("has never been used"));
 }
 
@@ -151,7 +151,7 @@ TYPED_TEST(Explain, WhatTriggeredAnOperator) {
       ASSERT_TRUE(why.scheduled);
       EXPECT_LT(why.scheduled->id, event->id);
       EXPECT_EQ(why.ballot.front().direction, acted->direction);
-      EXPECT_THAT(to_text(why), HasSubstr("; chosen"));
+      EXPECT_THAT(to_text(why, {}), HasSubstr("; chosen"));
     }
     if (acted->op == Operator::balance && ++balances < 8) {
       EXPECT_FALSE(why.scheduled);  // it acts at once

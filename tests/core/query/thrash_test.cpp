@@ -27,7 +27,10 @@ TEST(Thrash, ANodeSplitMergedAndSplitAgainIsFound) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].kind, ThrashKind::split_merge_split);
   EXPECT_EQ(found[0].event, 3U);
-  EXPECT_THAT(to_text(found[0]), HasSubstr("n7 was split, merged and split again, steps 10 to 30"));
+  EXPECT_THAT(to_text(found[0], {}), HasSubstr("n7 was split, merged and split again, steps 10 to 30"));
+  std::vector<std::string> names;
+  for (int step = 1; step <= 100; ++step) names.push_back(std::to_string(4999 + step));
+  EXPECT_THAT(to_text(found[0], GivenNames({}, names)), HasSubstr("steps 5009 to 5029"));
   EXPECT_THAT(find_thrash(rows, 100, 19), IsEmpty()) << "it took longer";
 }
 

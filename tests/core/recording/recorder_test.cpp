@@ -120,9 +120,9 @@ TYPED_TEST(Recording, KeyframesHoldAllThatIsKnownOfSkins) {
 TYPED_TEST(Recording, ADifferentRunIsNamedByStepAndEvent) {
   constexpr int kD = TypeParam::value;
   const TemporaryRecording file;
-  Config told = test::busy_config();
-  told.min_balance = 0.3F;
-  test::record_crowd<kD>(file.path(), 60, test::busy_config(), told);
+  Config claimed = test::busy_config();
+  claimed.min_balance = 0.3F;
+  test::record_crowd<kD>(file.path(), 60, test::busy_config(), claimed);
   const Verdict verdict = verify(file.path());
   ASSERT_TRUE(verdict.divergence);
   ASSERT_TRUE(verdict.divergence->event);

@@ -48,7 +48,7 @@ void go_there_and_back(Cursor<D> cursor) {
   for (std::size_t k = seen.size() - 1; k > 0; --k) {
     ASSERT_TRUE(cursor.backward(Granularity::event));
     ASSERT_EQ(cursor.position(), seen[k - 1].first);
-    ASSERT_EQ(fingerprint(cursor), seen[k - 1].second) << "at " << to_string(cursor.position());
+    ASSERT_EQ(fingerprint(cursor), seen[k - 1].second) << "at " << to_string(cursor.position(), {});
   }
 }
 
@@ -103,7 +103,7 @@ TYPED_TEST(CursorTest, OperatorsAreSeenAtWork) {
     const auto* acted = acted_of(*event);
     if (acted == nullptr) continue;
     seen.insert(acted->op);
-    EXPECT_TRUE(test::is_sound(cursor.state().tree)) << describe(*event);
+    EXPECT_TRUE(test::is_sound(cursor.state().tree)) << describe(*event, {});
     const bool divides = acted->op == Operator::split || acted->op == Operator::shift_split;
     if (!divides) continue;
     const NodeId node = acted->node.node;
@@ -126,11 +126,11 @@ TYPED_TEST(CursorTest, CandidatesAreThoseOfTheOperator) {
     ASSERT_FALSE(cursor.candidates().empty());
     const BallotEntry& first = cursor.candidates().front();
     if (const auto* acted = acted_of(*event)) {
-      EXPECT_EQ(first.result, Ballot::chosen) << describe(*event);
-      EXPECT_EQ(first.direction, acted->direction) << describe(*event);
-      EXPECT_EQ(first.offset, acted->new_offset) << describe(*event);
+      EXPECT_EQ(first.result, Ballot::chosen) << describe(*event, {});
+      EXPECT_EQ(first.direction, acted->direction) << describe(*event, {});
+      EXPECT_EQ(first.offset, acted->new_offset) << describe(*event, {});
     } else {
-      EXPECT_NE(first.result, Ballot::chosen) << describe(*event);
+      EXPECT_NE(first.result, Ballot::chosen) << describe(*event, {});
     }
     ++ballots;
   }

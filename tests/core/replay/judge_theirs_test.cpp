@@ -37,9 +37,9 @@ class JudgeTheirs : public testing::Test {
     (void)objects_.insert(object, round_outward(box), Mobility::moving);
     world_.apply({{{object, box}}, {}});
   }
-  [[nodiscard]] std::vector<JudgedPair> judge(const std::vector<Pair>& told,
+  [[nodiscard]] std::vector<JudgedPair> judge(const std::vector<Pair>& reported,
                                               const PairDesign& design = {}) const {
-    return judge_theirs<kDimension>(told, oracle_pairs(objects_), objects_, world_, design);
+    return judge_theirs<kDimension>(reported, oracle_pairs(objects_), objects_, world_, design);
   }
   static constexpr Pair pair(std::uint32_t a, std::uint32_t b) { return {{a}, {b}}; }
 
@@ -81,7 +81,7 @@ TYPED_TEST(JudgeTheirs, FiltersAndTheListAreIgnoredReportedOrNot) {
   EXPECT_THAT(this->judge({}, design),
               ElementsAre(judged(0, 1, PairVerdict::filtered), judged(1, 2, PairVerdict::listed)));
   EXPECT_THAT(this->judge({this->pair(0, 1), this->pair(1, 2)}, design), IsEmpty())
-      << "told, and they do overlap";
+      << "reported, and they do overlap";
   EXPECT_FALSE(lets_pass({1, 2}, {1, 2}));
   EXPECT_TRUE(lets_pass({1, 2}, {2, 1}));
   EXPECT_FALSE(lets_pass({1, 2}, {2, 2}));

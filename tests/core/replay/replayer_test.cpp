@@ -60,8 +60,8 @@ TYPED_TEST(ReplayerTest, AStepThatIsNotThereIsAnError) {
 
 TEST(Oracle, JudgesMissedExtraAndTwice) {
   const std::vector<Pair> truth{{{1}, {2}}, {{1}, {3}}, {{4}, {5}}};
-  const std::vector<Pair> told{{{3}, {1}}, {{1}, {2}}, {{2}, {1}}, {{7}, {8}}};
-  const PairJudgement judgement = judge_pairs(told, truth);
+  const std::vector<Pair> reported{{{3}, {1}}, {{1}, {2}}, {{2}, {1}}, {{7}, {8}}};
+  const PairJudgement judgement = judge_pairs(reported, truth);
   EXPECT_EQ(judgement.missed, (std::vector<Pair>{{{4}, {5}}}));
   EXPECT_EQ(judgement.extra, (std::vector<Pair>{{{7}, {8}}}));
   EXPECT_EQ(judgement.twice, (std::vector<Pair>{{{1}, {2}}}));

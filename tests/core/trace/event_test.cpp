@@ -12,7 +12,7 @@ namespace {
 
 TEST(DescribeEvent, SaysWhatHappenedInOneLine) {
   const NodeRef node{NodeId{5}, 2};
-  const auto line = [](EventBody body) { return describe(Event{17, 20, body}); };
+  const auto line = [](EventBody body) { return describe(Event{17, 20, body}, {}); };
   EXPECT_EQ(line(PhaseBegan{Phase::operate}), "e17 step 20 phase operate");
   EXPECT_EQ(line(ObjectPlaced{ObjectId{9}, 3}), "e17 step 20 object 9 in 3 leaves");
   EXPECT_EQ(line(OperatorScheduled{Operator::swap, node}), "e17 step 20 swap n5 scheduled");

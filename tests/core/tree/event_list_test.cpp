@@ -39,7 +39,7 @@ TYPED_TEST(EventList, HoldsSixtyFourAndRefusesMore) {
   this->scheduler.traverse(scene.tree, with(""), 10, this->reporter);
   EXPECT_EQ(this->scheduler.pending(), 64U);
   EXPECT_EQ(this->scheduler.refused(), 6U);
-  const auto lines = told(this->reporter);
+  const auto lines = reported(this->reporter);
   ASSERT_EQ(lines.size(), 70U);
   EXPECT_EQ(lines[63], scheduled(Operator::shift_split, scene.node[63]));
   EXPECT_EQ(lines[64], refused(Operator::split, scene.node[64], Refusal::list_full))
@@ -49,7 +49,7 @@ TYPED_TEST(EventList, HoldsSixtyFourAndRefusesMore) {
 TYPED_TEST(EventList, CountsAllKindsTogether) {
   auto scene = scene_of<TypeParam::value>({Cell::thin, Cell::stuck, Cell::crowded, Cell::shifting});
   this->scheduler.traverse(scene.tree, with("event_capacity=2"), 10, this->reporter);
-  EXPECT_THAT(told(this->reporter),
+  EXPECT_THAT(reported(this->reporter),
               ElementsAre(scheduled(Operator::merge, scene.node[0]), scheduled(Operator::swap, scene.node[1]),
                           refused(Operator::split, scene.node[2], Refusal::list_full),
                           refused(Operator::split, scene.node[3], Refusal::list_full)));
@@ -62,9 +62,9 @@ TYPED_TEST(EventList, DropsEventsOfDeadNodes) {
   merge(scene.tree, scene.tree.root());
   sort_phase(scene.tree);
   const std::uint64_t before = hash(scene.tree);
-  told(this->reporter);
+  reported(this->reporter);
   this->scheduler.process(scene.tree, with("budget_divisor=16"), 10, this->reporter);
-  EXPECT_THAT(told(this->reporter),
+  EXPECT_THAT(reported(this->reporter),
               ElementsAre(refused(Operator::shift_split, scene.node[2], Refusal::dead_node),
                           refused(Operator::split, scene.node[0], Refusal::dead_node)))
       << "a dropped event costs no budget";
@@ -81,20 +81,21 @@ TYPED_TEST(EventList, DropsEventsOfNodesThatLiveAgain) {
   const auto& root = scene.tree[scene.tree.root()];
   ASSERT_TRUE(root.left == scene.node[0] || root.left == scene.node[1]) << "the number is used again";
   ASSERT_GT(scene.tree[root.left].population, 6U) << "and a split would be wanted";
-  told(this->reporter);
+  reported(this->reporter);
   this->scheduler.process(scene.tree, with("budget_divisor=1"), 10, this->reporter);
-  EXPECT_THAT(told(this->reporter), ElementsAre(refused(Operator::split, scene.node[0], Refusal::dead_node),
-                                                refused(Operator::split, scene.node[1], Refusal::dead_node)));
+  EXPECT_THAT(reported(this->reporter),
+              ElementsAre(refused(Operator::split, scene.node[0], Refusal::dead_node),
+                          refused(Operator::split, scene.node[1], Refusal::dead_node)));
 }
 
 TYPED_TEST(EventList, DropsEventsThatAreNoLongerNeeded) {
   auto scene = scene_of<TypeParam::value>({Cell::thin, Cell::stuck, Cell::crowded, Cell::shifting});
   this->scheduler.traverse(scene.tree, with(""), 10, this->reporter);
   const std::uint64_t before = hash(scene.tree);
-  told(this->reporter);
+  reported(this->reporter);
   this->scheduler.process(scene.tree, with("min_threshold=7,max_threshold=7,merge_fraction=0,min_balance=0"),
                           10, this->reporter);
-  EXPECT_THAT(told(this->reporter),
+  EXPECT_THAT(reported(this->reporter),
               ElementsAre(refused(Operator::shift_split, scene.node[3], Refusal::not_needed),
                           refused(Operator::split, scene.node[2], Refusal::not_needed),
                           refused(Operator::swap, scene.node[1], Refusal::not_needed),
@@ -115,9 +116,9 @@ TYPED_TEST(EventList, SplitsWhereAShiftIsGoodNoLonger) {
   plant(tree, tree.root(), 0, 8);
   const NodeId leaf = tree[tree.root()].left;
   this->scheduler.traverse(tree, with("min_balance=0.1"), 10, this->reporter);
-  EXPECT_THAT(told(this->reporter), ElementsAre(scheduled(Operator::shift_split, leaf)));
+  EXPECT_THAT(reported(this->reporter), ElementsAre(scheduled(Operator::shift_split, leaf)));
   this->scheduler.process(tree, with("min_balance=0.5"), 10, this->reporter);
-  EXPECT_THAT(told(this->reporter), ElementsAre(acted(Operator::split, leaf, "7", "7 (3 | 4)")));
+  EXPECT_THAT(reported(this->reporter), ElementsAre(acted(Operator::split, leaf, "7", "7 (3 | 4)")));
   EXPECT_EQ(tree[leaf].direction, 1U);
 }
 
@@ -125,11 +126,11 @@ TYPED_TEST(EventList, StandsStillWithoutABudget) {
   auto scene = scene_of<TypeParam::value>({Cell::shiftable, Cell::crowded});
   this->scheduler.traverse(scene.tree, with("budget_divisor=0"), 10, this->reporter);
   this->scheduler.process(scene.tree, with("budget_divisor=0"), 10, this->reporter);
-  EXPECT_THAT(told(this->reporter), IsEmpty()) << "HARD_CASES O5";
+  EXPECT_THAT(reported(this->reporter), IsEmpty()) << "HARD_CASES O5";
   this->scheduler.traverse(scene.tree, with(""), 20, this->reporter);
-  told(this->reporter);
+  reported(this->reporter);
   this->scheduler.process(scene.tree, with("budget_divisor=0"), 20, this->reporter);
-  EXPECT_THAT(told(this->reporter), ElementsAre("1 events deferred"));
+  EXPECT_THAT(reported(this->reporter), ElementsAre("1 event deferred"));
 }
 
 TYPED_TEST(EventList, RefusedSplitIsTriedAgainAfterLongerAndLongerPauses) {
@@ -138,7 +139,7 @@ TYPED_TEST(EventList, RefusedSplitIsTriedAgainAfterLongerAndLongerPauses) {
   for (std::uint32_t step = 1; step <= 700; ++step) {
     this->scheduler.traverse(scene.tree, with(""), step, this->reporter);
     this->scheduler.process(scene.tree, with(""), step, this->reporter);
-    const auto lines = told(this->reporter);
+    const auto lines = reported(this->reporter);
     if (lines.empty()) continue;
     tried.push_back(step);
     EXPECT_THAT(lines, ElementsAre(scheduled(Operator::split, scene.node[0]),
@@ -150,21 +151,21 @@ TYPED_TEST(EventList, RefusedSplitIsTriedAgainAfterLongerAndLongerPauses) {
 TYPED_TEST(EventList, RefusedSplitsCostBudgetAndOthersGoOn) {
   auto scene = scene_of<TypeParam::value>({Cell::lump, Cell::crowded});
   this->scheduler.traverse(scene.tree, with(""), 10, this->reporter);
-  told(this->reporter);
+  reported(this->reporter);
   this->scheduler.process(scene.tree, with(""), 10, this->reporter);
   EXPECT_THAT(
-      told(this->reporter),
-      ElementsAre(refused(Operator::split, scene.node[0], Refusal::no_partitioner), "1 events deferred"));
+      reported(this->reporter),
+      ElementsAre(refused(Operator::split, scene.node[0], Refusal::no_partitioner), "1 event deferred"));
   this->scheduler.process(scene.tree, with(""), 11, this->reporter);
-  EXPECT_THAT(told(this->reporter), Contains(acted(Operator::split, scene.node[1], "7", "7 (3 | 4)")));
+  EXPECT_THAT(reported(this->reporter), Contains(acted(Operator::split, scene.node[1], "7", "7 (3 | 4)")));
 }
 
 TYPED_TEST(EventList, CapsAreReportedByTheirNames) {
   auto scene = scene_of<TypeParam::value>({Cell::shifting, Cell::crowded});
   this->scheduler.traverse(scene.tree, with(""), 10, this->reporter);
-  told(this->reporter);
+  reported(this->reporter);
   this->scheduler.process(scene.tree, with("max_height=1,budget_divisor=1"), 10, this->reporter);
-  EXPECT_THAT(told(this->reporter),
+  EXPECT_THAT(reported(this->reporter),
               ElementsAre(refused(Operator::shift_split, scene.node[0], Refusal::height),
                           refused(Operator::split, scene.node[1], Refusal::height)));
 }

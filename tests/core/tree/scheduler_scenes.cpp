@@ -58,10 +58,10 @@ SchedulerScene<D> scene_of(const std::vector<Cell>& cells) {
   return scene;
 }
 
-std::vector<std::string> told(Reporter<EventLog>& reporter) {
+std::vector<std::string> reported(Reporter<EventLog>& reporter) {
   std::vector<std::string> lines;
   for (const Event& event : reporter.trace().take()) {
-    const std::string line = describe(event);
+    const std::string line = describe(event, {});
     const std::string prefix = "e" + std::to_string(event.id) + " step " + std::to_string(event.step) + " ";
     lines.push_back(line.substr(prefix.size()));
   }

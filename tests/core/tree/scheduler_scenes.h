@@ -36,7 +36,7 @@ template <int D>
 SchedulerScene<D> scene_of(const std::vector<Cell>& cells);
 
 /// One line for each event since the last call: like "split n5 scheduled".
-std::vector<std::string> told(Reporter<EventLog>& reporter);
+std::vector<std::string> reported(Reporter<EventLog>& reporter);
 
 /// "split n5 scheduled".
 std::string scheduled(Operator op, NodeId node);

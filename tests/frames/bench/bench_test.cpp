@@ -30,7 +30,7 @@ TEST(BenchTruth, DoesNotDependOnOrderButOnEachPair) {
   EXPECT_NE(truth_of(pairs), truth);
   pairs = some_pairs();
   pairs.back() = pairs.front();
-  EXPECT_NE(truth_of(pairs), truth) << "one told twice, one missed: the number is the same";
+  EXPECT_NE(truth_of(pairs), truth) << "one reported twice, one missed: the number is the same";
 }
 
 TEST(BenchTruth, ComparesAsSets) {
@@ -83,8 +83,9 @@ class BenchMotion : public ::testing::TestWithParam<const BenchScene*> {
         if (motion->boxes()[k] == before[k]) continue;
         ++changed;
         ASSERT_LT(k, motion->moving());
-        const auto told = motion->moved();
-        ASSERT_TRUE(motion->all_move() || std::find(told.begin(), told.end(), ObjectId{k}) != told.end());
+        const auto reported = motion->moved();
+        ASSERT_TRUE(motion->all_move() ||
+                    std::find(reported.begin(), reported.end(), ObjectId{k}) != reported.end());
       }
       EXPECT_GE(changed, motion->all_move() ? motion->moving() * 9 / 10 : motion->moved().size() / 2);
       pairs += static_cast<double>(true_pairs(motion->boxes(), motion->moving()).size()) / 1000;

@@ -58,7 +58,7 @@ TEST(BenchFramesProgram, SaysWhyAFileCannotBeWrittenBeforeItMeasures) {
 TEST(BenchFramesProgram, TooFewFramesAreRefused) {
   const Outcome outcome = run_kerf({"bench-frames", "--sizes", "320x200", "--boxes", "100", "--frames", "3"});
   EXPECT_EQ(outcome.exit, kExitUnusable);
-  EXPECT_THAT(outcome.err, HasSubstr("3 frames of 320x200 with 100 boxes are too few to measure"));
+  EXPECT_THAT(outcome.err, HasSubstr("3 frames of 320x200 with 100 boxes: too little to measure"));
   EXPECT_THAT(outcome.err, HasSubstr("--frames"));
   EXPECT_EQ(std::ranges::count(outcome.out, '\n'), 1) << outcome.out;  // the heading alone
 }

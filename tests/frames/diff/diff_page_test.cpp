@@ -127,7 +127,7 @@ TEST_F(DiffPage, ApprovingTouchesOnlyWhatFailed) {
   const auto before = std::filesystem::last_write_time(same);
   const Outcome outcome = diff({"--approve"});
   EXPECT_EQ(outcome.exit, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("1 of the references have no frame and were left alone"));
+  EXPECT_THAT(outcome.err, HasSubstr("1 of the references has no frame and was left alone"));
   EXPECT_THAT(outcome.err, HasSubstr("approved differs.png"));
   EXPECT_THAT(outcome.err, HasSubstr("2 frames approved"));
   EXPECT_EQ(std::filesystem::last_write_time(same), before);

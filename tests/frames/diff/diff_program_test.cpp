@@ -57,7 +57,7 @@ TEST_F(DiffProgram, OneStepOfOneChannelIsADifferenceAndIsShown) {
   const Outcome outcome = diff();
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.out,
-              HasSubstr("f1.png: 1 of 1536 pixels differ, within 1x1 at (9, 10), by up to 1 of 255"));
+              HasSubstr("f1.png: 1 of 1536 pixels differs, within 1x1 at (9, 10), by up to 1 of 255"));
   EXPECT_THAT(outcome.out, HasSubstr("(9, 10) #00faf7 -> #01faf7"));
   EXPECT_THAT(outcome.err, HasSubstr("1 of 3 frames differs"));
   EXPECT_EQ(diff({"--gate", "flip"}).exit, 0);

@@ -38,7 +38,7 @@ Json figures_of(const Approximation& how) {
 TEST(Course, AnExactRunMissesNothing) {
   const Json figures = figures_of({});
   EXPECT_EQ(figures["true_pairs"], 3);
-  EXPECT_EQ(figures["told"], 3);
+  EXPECT_EQ(figures["reported"], 3);
   EXPECT_EQ(figures["missed"], 0);
   EXPECT_EQ(figures["extra"], 0);
   EXPECT_EQ(figures["lag_max"], 0);
@@ -51,7 +51,7 @@ TEST(Course, APeriodIsLate) {
   const Json figures = figures_of({.period = 4});
   EXPECT_EQ(figures["missed"], 0) << "the placement of step 4 comes just in time";
   const Json late = figures_of({.period = 5});
-  EXPECT_EQ(late["missed"], 1) << "at 1; from 0.5 on it is told";
+  EXPECT_EQ(late["missed"], 1) << "at 1; from 0.5 on it is reported";
   EXPECT_DOUBLE_EQ(late["missed_share"], 1.0 / 3);
   EXPECT_EQ(late["lag_max"], 1);
 }

@@ -9,8 +9,8 @@ const Pair kFirst{{0}, {1}};
 const Pair kSecond{{0}, {2}};
 const Pair kThird{{3}, {4}};
 
-void add(Meetings& meetings, const std::vector<Pair>& truth, const std::vector<Pair>& told) {
-  meetings.add(truth, told);
+void add(Meetings& meetings, const std::vector<Pair>& truth, const std::vector<Pair>& reported) {
+  meetings.add(truth, reported);
 }
 
 TEST(Meetings, WhatIsReportedAtOnceHasNoLag) {

@@ -17,11 +17,13 @@
 namespace kerf::test {
 namespace {
 
-/// The recording, and a file in which it is changed again and again.
+/// The recording, and a file in which it is changed again and again. Its pages are small: most of its tables
+/// hold a few rows, and each case writes the file anew.
 class Workbench {
  public:
   Workbench() {
     record_small(file_.path());
+    file_.change("PRAGMA page_size = 512; VACUUM");
     std::ifstream stream(file_.path(), std::ios::binary);
     whole_ = {std::istreambuf_iterator<char>(stream), {}};
     for (const std::string& table : tables_of(file_.path()))
@@ -125,10 +127,12 @@ std::string recording_case(CaseBytes bytes) {
   const bool is_forged = in.byte() % 2 == 1;
   bench.restore();
   if (!change(bench, in)) return "";
-  bool holds = false;
-  const bool verified = !is_refused([&] { holds = verify(bench.path(), 4).holds(); });
-  if (verified && holds) return "verify does not see the change";
-  if (!is_forged || is_refused([&] { reseal(bench.path()); })) return "";
+  if (!is_forged) {
+    bool holds = false;
+    const bool verified = !is_refused([&] { holds = verify(bench.path(), 4).holds(); });
+    return verified && holds ? "verify does not see the change" : "";
+  }
+  if (is_refused([&] { reseal(bench.path()); })) return "";
   (void)is_refused([&] { read_all(bench.path()); });
   (void)is_refused([&] { (void)verify(bench.path(), 4); });
   return "";

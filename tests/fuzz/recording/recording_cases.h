@@ -17,7 +17,8 @@ std::string block_case(CaseBytes bytes);
 /// hashes were made right again, read without harm.
 std::string recording_case(CaseBytes bytes);
 
-/// Twelve steps of a few objects, with a keyframe after the sixth and pairs of another engine.
+/// Twelve steps of a few objects, with something in every table: a keyframe after the sixth step, another
+/// configuration from the ninth on, a decision, names, boxes, filters and pairs of another engine.
 void record_small(const std::filesystem::path& path);
 inline constexpr std::uint32_t kSmallKeyframe = 6;
 

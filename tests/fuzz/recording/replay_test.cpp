@@ -4,6 +4,7 @@
 #include "core/replay/verify.h"
 #include "tests/fuzz/recording/recording_cases.h"
 #include "tests/support/recorded_crowd.h"
+#include "tests/support/tampering.h"
 
 namespace kerf::test {
 namespace {
@@ -26,6 +27,7 @@ TEST(RecordingCorpus, TheSmallRecordingHolds) {
   EXPECT_TRUE(verdict.holds());
   EXPECT_EQ(verdict.keyframes, 1U);
   EXPECT_FALSE(RecordingReader<2>(file.path()).operators().empty());
+  for (const std::string& table : tables_of(file.path())) EXPECT_GT(rows_of(file.path(), table), 0U) << table;
 }
 
 }  // namespace

@@ -1,6 +1,12 @@
+#include <algorithm>
+#include <stdexcept>
+
 #include "core/bsp/bsp.h"
 #include "core/bsp/bsp_state.h"
 #include "core/recording/recording_writer.h"
+#include "core/replay/judge_theirs.h"
+#include "core/replay/oracle.h"
+#include "core/trace/event_facts.h"
 #include "tests/fuzz/recording/recording_cases.h"
 #include "tests/support/config_of.h"
 
@@ -39,25 +45,86 @@ StepRow row_of(const Bsp<2, EventLog>& tree, const std::vector<Event>& events, s
   return row;
 }
 
-}  // namespace
-
-void record_small(const std::filesystem::path& path) {
+/// Something in every table.
+RecordingInfo small_info() {
   RecordingInfo info;
   info.dimension = 2;
   info.scene = "small";
+  info.imported = true;
   info.config =
       config_of("directions=16,min_threshold=3,max_threshold=4,schedule_interval=2,max_redundancy=0.3");
+  info.changes.push_back({9, info.config});
+  info.changes.back().config.merge = false;
+  info.design = {{0.05, 0}, {{{1}, {2}}}};
+  std::vector<GivenId> objects;
+  std::vector<std::string> steps;
+  for (std::uint32_t object = 0; object < kObjects; ++object) objects.push_back(GivenId::of(100 + object));
+  for (std::uint32_t step = 1; step <= kSteps; ++step) steps.push_back(std::to_string(5000 + step));
+  info.names = GivenNames(std::move(objects), std::move(steps));
+  return info;
+}
+
+std::vector<Event> run_step(const RecordingInfo& info, std::uint32_t step, Bsp<2, EventLog>& tree) {
+  apply(requests_of(step), tree);
+  tree.set_config(config_of(info, step));
+  tree.step();
+  return tree.trace().take();
+}
+
+/// The first operator that acts does not.
+Decision first_refused(const RecordingInfo& info) {
   Bsp<2, EventLog> tree(info.config);
+  for (std::uint32_t step = 1; step <= kSteps; ++step)
+    for (const Event& event : run_step(info, step, tree))
+      if (const auto* const acted = acted_of(event)) return {event.id, acted->op, std::nullopt};
+  throw std::logic_error("nothing acts in the small recording");
+}
+
+/// A box that floats do not hold, for one step, and a filter.
+TheirChanges<2> changes_of(std::uint32_t step) {
+  constexpr std::uint32_t kObject = 3;
+  TheirChanges<2> changes;
+  if (step == 1) changes.filters.push_back({{kObject}, {2, 1}});
+  if (step == 2) {
+    GivenBox<2> box = to_given(box_at(kObject, step));
+    box.max[0] -= 1e-9;
+    changes.boxes.push_back({{kObject}, box});
+  }
+  if (step == 3) changes.boxes.push_back({{kObject}, std::nullopt});
+  return changes;
+}
+
+/// One pair is missing, and one is reported twice.
+std::vector<Pair> their_pairs(std::span<const Pair> pairs) {
+  std::vector<Pair> theirs(pairs.begin(), pairs.end());
+  for (Pair& pair : theirs) pair = make_pair(pair.a, pair.b);
+  std::ranges::sort(theirs);
+  if (theirs.size() > 1) theirs.front() = theirs.back();
+  return theirs;
+}
+
+}  // namespace
+
+void record_small(const std::filesystem::path& path) {
+  RecordingInfo info = small_info();
+  info.decisions.push_back(first_refused(info));
+  Bsp<2, EventLog> tree(info.config);
+  tree.decide(info.decisions);
   RecordingWriter<2> writer(path, info);
+  TheirWorld<2> world;
   std::uint64_t next_event = 0;
   for (std::uint32_t step = 1; step <= kSteps; ++step) {
-    const StepRequests<2> requests = requests_of(step);
-    apply(requests, tree);
-    tree.step();
-    const std::vector<Event> events = tree.trace().take();
-    writer.add(requests, events, row_of(tree, events, next_event));
+    const std::vector<Event> events = run_step(info, step, tree);
+    writer.add(requests_of(step), events, row_of(tree, events, next_event));
     if (step == kSmallKeyframe) writer.add(tree.state());
-    if (step < 3) writer.add(tree.pairs(), std::span<const JudgedPair>());
+    const TheirChanges<2> changes = changes_of(step);
+    world.apply(changes);
+    writer.add(changes);
+    if (step < 3) {
+      const std::vector<Pair> theirs = their_pairs(tree.pairs());
+      writer.add(theirs,
+                 judge_theirs<2>(theirs, oracle_pairs(tree.objects()), tree.objects(), world, info.design));
+    }
     next_event += events.size();
   }
   writer.finish();

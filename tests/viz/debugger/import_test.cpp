@@ -28,7 +28,7 @@ Pair no_pair(const std::vector<Pair>& truth) {
 
 /// What an engine reports that is wrong in a few steps: it misses the first pair, reports one that is
 /// none, or the last one again.
-std::vector<Pair> told(const std::vector<Pair>& truth, std::uint32_t step) {
+std::vector<Pair> reported(const std::vector<Pair>& truth, std::uint32_t step) {
   std::vector<Pair> pairs = truth;
   if (has(kRepeating, step)) pairs.push_back(pairs.back());
   if (has(kAdding, step)) pairs.push_back(no_pair(truth));
@@ -49,7 +49,7 @@ class ImportedRun : public testing::Test {
     Recorder<kD> recorder(tree, file_.path(), info);
     test::play_crowd<kD>(recorder, kSteps, 3, [&](std::uint32_t step) {
       const std::vector<Pair> truth = oracle_pairs(tree.objects());
-      const std::vector<Pair> theirs = told(truth, step);
+      const std::vector<Pair> theirs = reported(truth, step);
       recorder.add_theirs(theirs, judge_theirs<kD>(theirs, truth, tree.objects(), TheirWorld<kD>(), {}));
     });
     recorder.finish();

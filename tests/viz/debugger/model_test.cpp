@@ -103,11 +103,11 @@ TYPED_TEST(DebuggerModelTest, TheNearestOfSeveralBreakpointsStops) {
 
 TYPED_TEST(DebuggerModelTest, LongWorkIsShownAndCanBeEnded) {
   DebuggerModel& model = this->model();
-  std::uint32_t told = 0;
-  model.on_long_work = [&](std::uint32_t /*step*/) { return ++told < 10; };
+  std::uint32_t calls = 0;
+  model.on_long_work = [&](std::uint32_t /*step*/) { return ++calls < 10; };
   model.add_breakpoint("height>99");
   model.run_to_breakpoint(true);
-  EXPECT_EQ(told, 10U);
+  EXPECT_EQ(calls, 10U);
   EXPECT_EQ(model.run().position(), Position());
   EXPECT_THAT(model.message, HasSubstr("ended before"));
   model.on_long_work = {};
@@ -168,7 +168,7 @@ TYPED_TEST(DebuggerModelTest, OneSelectionAndWhatIsHidden) {
   DebuggerModel& model = this->model();
   model.select_object(ObjectId{5}, false);
   model.select_object(ObjectId{2}, true);
-  EXPECT_EQ(to_string(model.selection()), "pair 2,5");
+  EXPECT_EQ(to_string(model.selection(), {}), "pair 2,5");
   model.select(NodeId{0});
   EXPECT_TRUE(model.is_selected(NodeId{0}));
   model.toggle_hidden();
@@ -257,7 +257,7 @@ TYPED_TEST(DebuggerModelTest, TheOtherRunFollowsBelowTheStep) {
   model.go(Position::end_of(split.step - 1));
   std::vector<std::pair<Position, std::uint64_t>> places;
   for (; model.run().position() < split; model.step(Granularity::event, true)) {
-    ASSERT_EQ(model.match(), Match::same) << to_string(model.run().position());
+    ASSERT_EQ(model.match(), Match::same) << to_string(model.run().position(), {});
     ASSERT_EQ(model.other()->position(), model.run().position());
     ASSERT_EQ(model.other()->state_hash(), model.run().state_hash());
   }

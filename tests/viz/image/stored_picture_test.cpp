@@ -71,11 +71,20 @@ TEST(StoredPicture, PalettesInterlacingAndDepthsAreThePixelsThatTheyStandFor) {
   EXPECT_EQ(read(of(kGrey, 4, repeat("\x33", 8))).image, make_image(16, 16, 0x333333ffU));
 }
 
-/// As browsers have it.
-TEST(StoredPicture, WhatAPaletteDoesNotHaveIsBlack) {
-  PngFile palette = of(kPalette, 8, std::string(16, '\2'));
+/// Programs show it as they like, so that two such pictures cannot be called the same.
+TEST(StoredPicture, WhatAPaletteDoesNotHaveIsRefused) {
+  PngFile palette = of(kPalette, 8, std::string(15, '\1') + '\2');
   palette.before = {{"PLTE", kColor + kColor}};
-  EXPECT_EQ(read(palette).image, make_image(16, 16, 0x000000ffU));
+  EXPECT_THAT(refusal(palette), HasSubstr("a colour that is not in its palette"));
+  PngFile bits = of(kPalette, 4, std::string(7, '\x11') + '\x12');
+  bits.before = palette.before;
+  EXPECT_THAT(refusal(bits), HasSubstr("a colour that is not in its palette"));
+}
+
+TEST(StoredPicture, APaletteHasOpacities) {
+  PngFile palette = of(kPalette, 8, std::string(16, '\0'));
+  palette.before = {{"PLTE", kColor + kColor}, {"tRNS", "\x07"}};
+  EXPECT_EQ(read(palette).image, make_image(16, 16, 0x80123407U));
 }
 
 TEST(StoredPicture, TransparencyByAChunkIsSeen) {

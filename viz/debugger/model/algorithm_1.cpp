@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "core/base/overloaded.h"
 #include "core/trace/event_facts.h"
 
@@ -48,7 +49,7 @@ std::string what_was_decided(const Event& event) {
           [&](const OperatorScheduled& e) { return named(e, " listed"); },
           [&](const OperatorActed& e) { return named(e, " done"); },
           [&](const OperatorRefused& e) { return named(e, " refused: ") + std::string(to_string(e.reason)); },
-          [](const EventsDeferred& e) { return std::to_string(e.count) + " wait for a later step"; },
+          [](const EventsDeferred& e) { return counted(e.count, "waits", "wait") + " for a later step"; },
           NothingFor<std::string, PhaseBegan, ObjectPlaced, AllPlaced>(),
       },
       event.body);
@@ -60,9 +61,9 @@ std::string traversal_text(const Run& run, std::uint32_t pending_before) {
   const std::uint32_t step = run.position().step;
   if (config.budget_divisor == 0) return "operators are switched off";
   if (step % config.schedule_interval != 0)
-    return "no: it is looked at every " + std::to_string(config.schedule_interval) + " steps, next in step " +
-           std::to_string((step / config.schedule_interval + 1) * config.schedule_interval);
-  return std::to_string(pending_before) + " were pending before this step";
+    return "no: it is looked at every " + counted(config.schedule_interval, "step") + ", next in " +
+           run.names().coming_step((step / config.schedule_interval + 1) * config.schedule_interval);
+  return counted(pending_before, "was", "were") + " pending before this step";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/overloaded.h"
+#include "core/base/shortest_text.h"
 #include "core/trace/event_facts.h"
 
 namespace kerf {
@@ -84,7 +85,7 @@ void DebuggerModel::run_to_breakpoint(bool forwards) {
   if (ended) return say("ended before a breakpoint was found");
   if (!stop) return say(forwards ? "no breakpoint holds further on" : "no breakpoint holds further back");
   go(stop->position);
-  say("stopped at " + to_string(stop->position) + ": " + count_hit(*stop));
+  say("stopped at " + to_string(stop->position, run_->names()) + ": " + count_hit(*stop));
 }
 
 /// Says what stopped the run.
@@ -210,8 +211,8 @@ void DebuggerModel::remove_watch(std::size_t k) {
 
 void DebuggerModel::toggle_breakpoint_here() {
   const Position& here = run_->position();
-  const std::string text =
-      here.is_end() ? "step==" + std::to_string(here.step) : "event==" + std::to_string(here.event);
+  const std::string text = here.is_end() ? "step==" + shortest_text(run_->names().step_number(here.step))
+                                         : "event==" + std::to_string(here.event);
   const auto same = [&](const Breakpoint& breakpoint) { return breakpoint.condition.text() == text; };
   if (std::erase_if(breakpoints, same) == 0) add_breakpoint(text);
 }

@@ -163,7 +163,7 @@ std::string RunOf<D>::explain_event(std::uint64_t event) {
 
 template <int D>
 std::string RunOf<D>::wish(NodeId node) const {
-  return wish_text(state().tree, node, state().config);
+  return wish_text(state().tree, node, state().config, names());
 }
 
 template <int D>
@@ -216,7 +216,7 @@ void RunOf<D>::rerun(const WhatIfQuestion& question, const std::filesystem::path
     change_config(changed, *recording_, question.from, wanted);
   }
   std::uint32_t step = 0;
-  (void)kerf::rerun(*recording_, changed, out, [&] { return progress && !progress(step++); });
+  (void)kerf::rerun(*recording_, changed, out, [&] { return progress && !progress(++step); });
 }
 
 template <int D>

@@ -14,7 +14,7 @@ namespace kerf {
 using Selection = std::variant<std::monostate, NodeId, ObjectId, Pair>;
 
 /// "n17", "object 5", "pair 12,77" or "nothing": the same words in every panel and in scripts.
-inline std::string to_string(const Selection& selection, const GivenNames& names = {}) {
+inline std::string to_string(const Selection& selection, const GivenNames& names) {
   return std::visit(Overloaded{
                         [](std::monostate) { return std::string("nothing"); },
                         [](NodeId node) { return "n" + std::to_string(node.value); },

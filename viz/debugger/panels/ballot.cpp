@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/base/counted.h"
 #include "core/query/text.h"
 #include "core/tree/partitioner.h"
 #include "viz/debugger/gui/widgets.h"
@@ -142,7 +143,8 @@ void draw_ballot(PanelContext& context) {
   }
   if (context.memory.ballot_of != model.run().position()) context.memory.kept_candidate.reset();
   context.memory.ballot_of = model.run().position();
-  ImGui::Text("%zu candidates of %s", ballot.size(), to_string(model.run().position()).c_str());
+  ImGui::Text("%s of %s", counted(ballot.size(), "candidate").c_str(),
+              to_string(model.run().position(), model.run().names()).c_str());
   ImGui::SameLine();
   ImGui::TextDisabled("hover one: its plane is drawn");
   const auto hovered = draw_table(context, ballot);

@@ -66,9 +66,8 @@ void draw_difference(PanelContext& context, const char* what,
                      const std::optional<EventDifference>& difference) {
   draw_difference(context, what, difference ? std::optional(difference->step) : std::nullopt);
   if (!difference) return;
-  const GivenNames& names = context.model.run().names();
-  widgets::wrapped_text("  this: " + text_of(difference->a, names));
-  widgets::wrapped_text("  other: " + text_of(difference->b, names));
+  widgets::wrapped_text("  this: " + text_of(difference->a, context.model.run().names()));
+  widgets::wrapped_text("  other: " + text_of(difference->b, context.model.other()->names()));
 }
 
 /// An operator that is also the first different event is not shown twice.

@@ -23,7 +23,8 @@ void draw_lint(PanelContext& context) {
     for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
       const Thrash& thrash = found[static_cast<std::size_t>(k)];
       const std::string id = "e" + std::to_string(thrash.event);
-      if (!widgets::row(context.gui, id + "  " + to_text(thrash), "finding " + std::to_string(k), false))
+      if (!widgets::row(context.gui, id + "  " + to_text(thrash, model.run().names()),
+                        "finding " + std::to_string(k), false))
         continue;
       model.select(thrash.node);
       model.go_to_event(thrash.event);

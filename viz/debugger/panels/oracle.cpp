@@ -1,3 +1,4 @@
+#include "core/base/counted.h"
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
 #include "viz/draw/palette.h"
@@ -41,16 +42,17 @@ void draw_oracle(PanelContext& context) {
     return;
   }
   const PairJudgement& judgement = model.run().judgement();
-  const std::uint64_t told = model.run().judged_pairs();
+  const std::uint64_t reported = model.run().judged_pairs();
   ImGui::TextWrapped("%s of step %s beside all pairs of boxes that overlap, by brute force:",
-                     imported ? "The pairs that the other engine told" : "The tree's pairs", name.c_str());
-  ImGui::Text("told: %llu", static_cast<unsigned long long>(told));
+                     imported ? "The pairs that the other engine reported" : "The tree's pairs",
+                     name.c_str());
+  ImGui::Text("reported: %llu", static_cast<unsigned long long>(reported));
   const std::uint64_t wrong = judgement.extra.size() + judgement.twice.size();
   if (judgement.ignored.empty())
-    ImGui::Text("true: %llu", static_cast<unsigned long long>(told - wrong + judgement.missed.size()));
-  draw_list(context, "missed", "they overlap, and were not told", judgement.missed);
-  draw_list(context, "false", "told, but no overlap", judgement.extra);
-  draw_list(context, "twice", "told again", judgement.twice);
+    ImGui::Text("true: %llu", static_cast<unsigned long long>(reported - wrong + judgement.missed.size()));
+  draw_list(context, "missed", "they overlap, and were not reported", judgement.missed);
+  draw_list(context, "false", "reported, but no overlap", judgement.extra);
+  draw_list(context, "twice", "reported again", judgement.twice);
   if (imported) draw_list(context, "ignored", "no fault, by what was declared", judgement.ignored);
   ImGui::Separator();
   std::size_t asked = 0;
@@ -60,9 +62,8 @@ void draw_oracle(PanelContext& context) {
     alarms += alarm && alarm->is_wrong() ? 1 : 0;
   }
   ImGui::TextWrapped(
-      "%zu steps asked so far, %zu of them wrong. A breakpoint missed>0 || extra>0 || twice>0 asks about "
-      "all.",
-      asked, alarms);
+      "%s asked so far, %zu of them wrong. A breakpoint missed>0 || extra>0 || twice>0 asks about all.",
+      counted(asked, "step").c_str(), alarms);
 }
 
 }  // namespace kerf

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "core/query/text.h"
 #include "core/tree/partitioner.h"
 #include "viz/debugger/gui/widgets.h"
@@ -77,7 +78,8 @@ void draw_outline(PanelContext& context) {
   const TreeSnapshot& tree = model.run().tree();
   ImGui::TextUnformatted("Tree");
   ImGui::SameLine();
-  ImGui::TextDisabled("%u leaves, %u objects", tree.leaves(), model.run().objects());
+  ImGui::TextDisabled("%s, %s", counted(tree.leaves(), "leaf", "leaves").c_str(),
+                      counted(model.run().objects(), "object").c_str());
   ImGui::BeginChild("outline", {0, 0}, true, ImGuiWindowFlags_HorizontalScrollbar);
   const auto selected = node_in(model.selection());
   const bool is_new = context.memory.outlined != model.selection();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/counted.h"
 #include "core/query/text.h"
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
@@ -100,8 +101,7 @@ void draw_marks(PanelContext& context, const TimeAxis& axis, float top) {
     const float x = axis.x_of(mark.step);
     list.AddTriangleFilled({x - 5, top}, {x + 5, top}, {x, top + 9}, widgets::to_imgui(palette::kOperator));
   }
-  const std::string text =
-      wrong == 0 ? "no alarm" : std::to_string(wrong) + (wrong == 1 ? " alarm" : " alarms");
+  const std::string text = wrong == 0 ? "no alarm" : counted(wrong, "alarm");
   list.AddText({axis.left + axis.width + 6, top - 1},
                widgets::to_imgui(wrong == 0 ? palette::kFaintInk : palette::kCandidate), text.c_str());
 }

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <array>
 
+#include "core/base/counted.h"
 #include "core/query/text.h"
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
@@ -72,18 +74,18 @@ void draw_runs(PanelContext& context) {
   ImGui::SameLine();
   if (widgets::button(context.gui, "mark", "bookmark this moment (B)", "bookmark")) model.toggle_bookmark();
   ImGui::SameLine();
-  const bool entered =
-      widgets::text_field(context.gui, "go to", context.memory.go_to, "go to 17 or e1234", 140);
+  const Run& run = model.run();
+  const std::string step_there_is = run.names().step(std::min(run.steps(), 17U));
+  const std::string hint = "go to " + step_there_is + " or e1234";
+  const bool entered = widgets::text_field(context.gui, "go to", context.memory.go_to, hint.c_str(), 140);
   if (!entered || context.memory.go_to.empty()) return;
   const std::string text = context.memory.go_to;
   context.memory.go_to.clear();
-  try {
-    if (text.front() == 'e') return model.go_to_event(std::stoull(text.substr(1)));
-    model.go(Position::end_of(static_cast<std::uint32_t>(std::stoul(text))));
-  } catch (const std::logic_error&) {
-    model.message = "'" + text + "' is neither a step such as 17 nor an event such as e1234";
-    model.message_is_error = true;
-  }
+  const auto event = text.front() == 'e' ? parse_given_id(std::string_view(text).substr(1)) : std::nullopt;
+  if (event && !event->negative) return model.go_to_event(event->magnitude);
+  if (const auto step = run.names().find_step(text)) return model.go(Position::end_of(*step));
+  model.message = "'" + text + "' is neither a step such as " + step_there_is + " nor an event such as e1234";
+  model.message_is_error = true;
 }
 
 /// As much of the message as fits; a hint has the rest.
@@ -107,7 +109,7 @@ void draw_moment_line(PanelContext& context) {
   ImGui::TextColored(widgets::to_vector(palette::kPartitioner), "%s", text.c_str());
   ImGui::SameLine();
   const std::string message = model.message.empty() ? "" : "  " + model.message;
-  const std::string steps = "of " + std::to_string(run.steps()) + " steps";
+  const std::string steps = "of " + counted(run.steps(), "step");
   const std::string with_state = steps + "   state " + to_hex(run.state_hash());
   const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x;
   const bool has_room = ImGui::CalcTextSize((with_state + message).c_str()).x <= room;

@@ -62,7 +62,7 @@ void draw_what_if(PanelContext& context) {
   draw_decisions(context);
   const Position& now = model.run().position();
   const std::uint32_t from = now.step + 1;
-  ImGui::Text("from step %u on", from);
+  ImGui::Text("from %s on", model.run().names().coming_step(from).c_str());
   ImGui::SameLine();
   const bool entered =
       widgets::text_field(context.gui, "assignments", memory.assignments, "min_balance=0.3", -60);

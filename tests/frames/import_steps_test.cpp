@@ -1,0 +1,147 @@
+// What an import says of its steps: as their engine numbered them, by every command.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/frames/import_program.h"
+#include "tests/support/tampering.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using testing::ImportProgram;
+using ::testing::Not;
+using testing::Outcome;
+using testing::run_kerf;
+using ::testing::StartsWith;
+using Words = std::vector<std::string>;
+
+const std::string kConfig = "min_threshold=4,max_threshold=8,schedule_interval=2,budget_divisor=64";
+
+/// A pile of forty steps, which its engine numbered from 5001 on.
+class ImportSteps : public ImportProgram {
+ protected:
+  void SetUp() override {
+    run({"record", "pile", "-o", path("pile.kerf"), "--steps", "40", "--objects", "60", "--grow", "10"});
+    std::istringstream given(run({"export", path("pile.kerf"), "--boxes"}).out);
+    std::string boxes;
+    std::getline(given, boxes);
+    boxes += '\n';
+    for (std::string line; std::getline(given, line);) {
+      const std::size_t comma = line.find(',');
+      boxes += std::to_string(5000 + std::stoi(line.substr(0, comma))) + line.substr(comma) + "\n";
+    }
+    (void)imported("a", write("boxes.csv", boxes), {"--config", kConfig});
+  }
+  [[nodiscard]] std::string file() const { return path("a.kerf"); }
+  /// Pixels that objects cover in a frame.
+  [[nodiscard]] int covered(const std::string& frame) const {
+    int pixels = 0;
+    const auto json = testing::read_json(path(frame + ".draw.json"));
+    for (const auto& item : json["items"])
+      if (item[0] == "object") pixels += item[8].get<int>();
+    return pixels;
+  }
+  static Outcome run(const Words& arguments, int exit = 0) {
+    Outcome outcome = run_kerf(arguments);
+    EXPECT_EQ(outcome.exit, exit) << arguments.front() << ": " << outcome.out << outcome.err;
+    return outcome;
+  }
+};
+
+TEST_F(ImportSteps, LintNamesThem) {
+  const Outcome lint = run({"lint", file(), "--within", "2"}, 1);
+  EXPECT_THAT(lint.out, ContainsRegex("steps 50[0-4][0-9] to 50[0-4][0-9]\n"));
+  EXPECT_THAT(lint.out, Not(ContainsRegex("steps [0-9][0-9]? to")));
+}
+
+TEST_F(ImportSteps, VerifyNamesThem) {
+  EXPECT_THAT(run({"verify", file()}).out, HasSubstr("replayed 40 steps, "));
+  Random random(1);
+  test::change_value(file(), {"steps", "pairs", 9}, random);
+  EXPECT_THAT(run({"verify", file()}, 1).out,
+              HasSubstr("the row of step 5010, or what was written after step 5009"));
+  EXPECT_THAT(run({"explain", file(), "--step", "5003", "--node", "n0"}, 2).err,
+              HasSubstr("the row of step 5010"));
+  test::reseal(file());
+  const Outcome verdict = run({"verify", file()}, 1);
+  EXPECT_THAT(verdict.out, HasSubstr("diverges first in step 5010\n"));
+  EXPECT_THAT(verdict.out, HasSubstr("not checked: steps 5011 to 5040"));
+}
+
+TEST_F(ImportSteps, RerunTakesAndNamesThem) {
+  const Words begin{"rerun", file(), "-o", path("b.kerf"), "--config", kConfig + ",max_threshold=6"};
+  const auto from = [&](const std::string& step) {
+    Words words = begin;
+    words.insert(words.end(), {"--from", step});
+    return words;
+  };
+  EXPECT_THAT(run(from("3"), 2).err, HasSubstr("goes from step 5001 to 5040"));
+  EXPECT_EQ(run(from("5010")).out, path("b.kerf") + ": 40 steps\n");
+  const Outcome again = run(
+      {"rerun", path("b.kerf"), "-o", path("c.kerf"), "--from", "5003", "--config", "max_threshold=7"}, 2);
+  EXPECT_THAT(again.err, HasSubstr("another configuration from step 5010 on"));
+  EXPECT_THAT(run({"rerun", file(), "-o", path("c.kerf"), "--refuse", "e0"}, 2).err,
+              HasSubstr("e0 step 5001 "));
+}
+
+TEST_F(ImportSteps, CompareNamesThem) {
+  run({"rerun", file(), "-o", path("b.kerf"), "--config", "min_threshold=9,max_threshold=20", "--from", "5010"});
+  const Outcome text = run({"compare", file(), path("b.kerf")}, 1);
+  EXPECT_THAT(text.out, ContainsRegex("differ first in step 50[1-4][0-9]"));
+  EXPECT_THAT(text.out, ContainsRegex("B: e[0-9]+ step 50[1-4][0-9] "));
+  const auto json = nlohmann::json::parse(run({"compare", "--json", file(), path("b.kerf")}, 1).out);
+  EXPECT_THAT(json["first_different"]["events"].get<std::string>(), StartsWith("50"));
+  EXPECT_THAT(json["first_different"]["a_event"].get<std::string>(), HasSubstr(" step 50"));
+}
+
+TEST_F(ImportSteps, MinimizeNamesThem) {
+  const Outcome small = run({"minimize", file(), "--when", "pairs>0", "-o", path("small.kerf")});
+  EXPECT_THAT(small.out, ContainsRegex("holds at step 50[0-4][0-9]\n"));
+  EXPECT_THAT(small.out, HasSubstr("small.kerf: 1 step, "));
+  EXPECT_THAT(testing::read_text(path("small.cpp")), ContainsRegex("// step 50[0-4][0-9]\n"));
+}
+
+TEST_F(ImportSteps, RenderTakesThem) {
+  const auto render = [&](const std::string& steps, int exit = 0) {
+    return run({"render", file(), "--steps", steps, "--size", "320x200", "--workers", "0", "--ids", "--out",
+                path("frames"), "--overwrite"},
+               exit);
+  };
+  render("5010:5020:10");
+  EXPECT_THAT(testing::read_text(path("frames/a_000001.draw.json")), HasSubstr("\"5020\""));
+  EXPECT_FALSE(std::filesystem::exists(path("frames/a_000002.png")));
+  EXPECT_THAT(render("3:9", 2).err, HasSubstr("there is no step '3'; the recording has steps 5001 to 5040"));
+  EXPECT_THAT(render("5020:5010", 2).err, HasSubstr("the first step, 5020, comes after the last, 5010"));
+  EXPECT_THAT(render("5001:5002:x", 2).err, HasSubstr("for example 5001:5040:4"));
+}
+
+/// The camera looks elsewhere from a step of theirs on.
+TEST_F(ImportSteps, ACameraPathHasThem) {
+  const std::string camera = write("camera", "5001 center=0:0,width=10\n5020 center=900:900,width=10\n");
+  run({"render", file(), "--steps", "5001:5020:19", "--size", "320x200", "--workers", "0", "--ids", "--out",
+       path("frames"), "--camera-path", camera});
+  EXPECT_GT(covered("frames/a_000000"), 0);
+  EXPECT_EQ(covered("frames/a_000001"), 0);
+}
+
+TEST_F(ImportSteps, TheDebuggerTakesAndNamesThem) {
+  const std::string script =
+      write("script",
+            "click \"go to\"\ntype 5010\nkey enter\nexpect step == 5010\n"
+            "expect position == \"step 5010\"\nkey f9\nexpect breakpoint0 == step==5010\n"
+            "key end\nkey shift+f5\nexpect step == 5010\n"
+            "expect message ~ \"stopped at step 5010\"\n"
+            "click \"go to\"\ntype 17\nkey enter\n"
+            "expect message ~ \"neither a step such as 5017 nor\"\n");
+  run({"debug", file(), "--headless", "--script", script});
+}
+
+}  // namespace
+}  // namespace kerf
