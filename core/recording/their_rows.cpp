@@ -91,8 +91,7 @@ GivenNames read_names(const Database& database) {
   Statement step = database.prepare("SELECT step, name FROM step_names ORDER BY step");
   while (step.step()) {
     steps.push_back(step.text(1));
-    if (step.integer(0) != as_integer(steps.size()))
-      fail_damaged("one of its steps has no name");
+    if (step.integer(0) != as_integer(steps.size())) fail_damaged("one of its steps has no name");
   }
   try {
     return {std::move(objects), std::move(steps)};

@@ -6,12 +6,6 @@
 namespace kerf {
 namespace {
 
-template <class T>
-void put_at(std::vector<T>& all, ObjectId object, const T& value) {
-  if (all.size() <= object.index()) all.resize(object.index() + 1);
-  all[object.index()] = value;
-}
-
 std::vector<Pair> sorted_pairs(std::span<const Pair> reported) {
   std::vector<Pair> pairs;
   for (const Pair& pair : reported) pairs.push_back(make_pair(pair.a, pair.b));
@@ -32,14 +26,15 @@ std::vector<Pair> take_repeated(std::vector<Pair>& pairs) {
 
 template <int D>
 void TheirWorld<D>::apply(const TheirChanges<D>& changes) {
-  for (const auto& [object, box] : changes.boxes) put_at(boxes_, object, box);
-  for (const auto& [object, filter] : changes.filters) put_at(filters_, object, filter);
+  for (const auto& [object, box] : changes.boxes) boxes_[object] = box;
+  for (const auto& [object, filter] : changes.filters) filters_[object] = filter;
 }
 
 template <int D>
 const std::optional<GivenBox<D>>& TheirWorld<D>::given(ObjectId object) const {
   static const std::optional<GivenBox<D>> kNone;
-  return object.index() < boxes_.size() ? boxes_[object.index()] : kNone;
+  const auto found = boxes_.find(object);
+  return found == boxes_.end() ? kNone : found->second;
 }
 
 template <int D>
@@ -50,7 +45,8 @@ GivenBox<D> TheirWorld<D>::box(const ObjectTable<D>& objects, ObjectId object) c
 
 template <int D>
 GivenFilter TheirWorld<D>::filter(ObjectId object) const {
-  return object.index() < filters_.size() ? filters_[object.index()] : GivenFilter{};
+  const auto found = filters_.find(object);
+  return found == filters_.end() ? GivenFilter{} : found->second;
 }
 
 template <int D>

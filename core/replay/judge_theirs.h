@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "core/objects/object_table.h"
@@ -25,8 +26,9 @@ class TheirWorld {
                              const Margin& margin = {}) const;
 
  private:
-  std::vector<std::optional<GivenBox<D>>> boxes_;
-  std::vector<GivenFilter> filters_;
+  // A recording that was forged may name any object: the cost is that of their count.
+  std::unordered_map<ObjectId, std::optional<GivenBox<D>>> boxes_;
+  std::unordered_map<ObjectId, GivenFilter> filters_;
 };
 
 /// The verdicts on pairs of a step, in the order of the verdicts, then of the pairs: right ones have none.

@@ -92,7 +92,8 @@ TEST_F(ImportSteps, RerunTakesAndNamesThem) {
 }
 
 TEST_F(ImportSteps, CompareNamesThem) {
-  run({"rerun", file(), "-o", path("b.kerf"), "--config", "min_threshold=9,max_threshold=20", "--from", "5010"});
+  run({"rerun", file(), "-o", path("b.kerf"), "--config", "min_threshold=9,max_threshold=20", "--from",
+       "5010"});
   const Outcome text = run({"compare", file(), path("b.kerf")}, 1);
   EXPECT_THAT(text.out, ContainsRegex("differ first in step 50[1-4][0-9]"));
   EXPECT_THAT(text.out, ContainsRegex("B: e[0-9]+ step 50[1-4][0-9] "));

@@ -63,6 +63,9 @@ TYPED_TEST(JudgeTheirs, BoxesAreComparedAsTheyWereGiven) {
   ASSERT_TRUE(overlaps(this->objects_.box({3}), this->objects_.box({4})));
   const std::vector<Pair> right{this->pair(0, 1), this->pair(1, 2)};
   EXPECT_THAT(this->judge(right), IsEmpty());
+  const ObjectId forged{4'000'000'000};  // must not cost gigabytes
+  this->world_.apply({{{forged, std::nullopt}}, {{forged, {1, 6}}}});
+  EXPECT_EQ(this->world_.filter(forged), (GivenFilter{1, 6}));
   this->world_.apply({{{{4}, std::nullopt}}, {}});  // from now on the floats say all
   EXPECT_THAT(this->judge(right), ElementsAre(judged(3, 4, PairVerdict::missed)));
 }
