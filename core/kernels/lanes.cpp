@@ -70,10 +70,10 @@ HWY_INLINE Pair* test_vector(const LaneView& lanes, std::size_t j, const Probe<D
     hit = hn::And(hit, hn::Ge(hn::LoadU(f, lanes.max[axis] + j), probe.min[axis]));
   }
   const auto common = hn::And(hn::LoadU(w, lanes.apart + j), probe.apart);
-  const auto told = hn::And(hn::RebindMask(w, hit), hn::Eq(common, hn::Zero(w)));
+  const auto reported = hn::And(hn::RebindMask(w, hit), hn::Eq(common, hn::Zero(w)));
   // No branch in a sweep: a hit is so hard to predict that the stores cost less.
-  if (!Sorted && hn::AllFalse(w, told)) return out;
-  return write_pairs(probe.object, hn::LoadU(w, lanes.object + j), told, out);
+  if (!Sorted && hn::AllFalse(w, reported)) return out;
+  return write_pairs(probe.object, hn::LoadU(w, lanes.object + j), reported, out);
 }
 
 /// Two vectors at a time: most boxes need no more, so that the end of the loop can be predicted.

@@ -62,8 +62,8 @@ HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, st
   const auto own = hn::Set(w, object);
   const std::size_t lanes = hn::Lanes(w);
   for (std::size_t k = 0; k < 64; k += lanes, bits >>= lanes) {
-    const auto told = hn::LoadMaskBits(w, reinterpret_cast<const std::uint8_t*>(&bits));
-    out = write_pairs(own, hn::LoadU(w, others + k), told, out);
+    const auto reported = hn::LoadMaskBits(w, reinterpret_cast<const std::uint8_t*>(&bits));
+    out = write_pairs(own, hn::LoadU(w, others + k), reported, out);
   }
   return out;
 }

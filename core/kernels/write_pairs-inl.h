@@ -16,12 +16,13 @@ HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
 /// Writes the pairs of `object` with the chosen `others`; returns the new end.
-HWY_INLINE Pair* write_pairs(hn::Vec<Words> object, hn::Vec<Words> others, hn::Mask<Words> told, Pair* out) {
+HWY_INLINE Pair* write_pairs(hn::Vec<Words> object, hn::Vec<Words> others, hn::Mask<Words> reported,
+                             Pair* out) {
   const Words w;
-  const auto first = compress_words(others, told);
+  const auto first = compress_words(others, reported);
   hn::StoreInterleaved2(hn::Min(first, object), hn::Max(first, object), w,
                         reinterpret_cast<std::uint32_t*>(out));
-  return out + hn::CountTrue(w, told);
+  return out + hn::CountTrue(w, reported);
 }
 
 }  // namespace kerf::HWY_NAMESPACE

@@ -77,7 +77,7 @@ TYPED_TEST(DebuggerModelTest, EveryKindOfBreakpointStopsBothWays) {
     const Position there = model.run().position();
     ASSERT_EQ(model.breakpoints[0].hits, 1U) << model.message;
     EXPECT_EQ(model.run().value(Expression::parse(text)), 1);
-    EXPECT_THAT(model.message, HasSubstr(to_string(there)));
+    EXPECT_THAT(model.message, HasSubstr(to_string(there, GivenNames{})));
     model.go(Position::end_of(this->kSteps));
     model.step(Granularity::event, true);
     model.run_to_breakpoint(false);
