@@ -122,7 +122,7 @@ TEST_F(ImportProgram, StepsMayBeTimes) {
                 HasSubstr("neither a number nor a time"));
 }
 
-/// What is not told from another step would be judged with its boxes.
+/// A step taken for another would be judged with its boxes.
 TEST_F(ImportProgram, StepsThatDoNotFitTogetherAreRefused) {
   const std::string boxes = write("boxes.csv", "1,0,0,2,0,2\n1,1,1,3,1,3\n2,1,1,3,1,3\n");
   EXPECT_THAT(refused(write("a.csv", "18446744073709551616,0,0,1,0,1\n18446744073709551617,1,0,1,0,1\n")),

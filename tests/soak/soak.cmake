@@ -1,4 +1,4 @@
-# What the default tests try for a moment, `./run soak` tries for as long as it is told.
+# What the default tests try for a moment, `./run soak` tries for as long as one likes.
 kerf_parts(property kerf_recording)
 kerf_tests(property kerf_recording)
 kerf_parts(fuzz/tree kerf_property_parts)
@@ -8,7 +8,7 @@ kerf_tests(fuzz/recording kerf_recording)
 kerf_parts(fuzz/parsers kerf_frames)
 kerf_tests(fuzz/parsers kerf_frames)
 
-# kerf_soak(NAME LIBRARY...) is tests/soak/NAME_soak.cpp, a program that runs for as long as it is told.
+# kerf_soak(NAME LIBRARY...) is tests/soak/NAME_soak.cpp, a program that runs for as long as its command line says.
 find_package(nlohmann_json 3.11 REQUIRED)
 function(kerf_soak name)
   add_executable(kerf_${name}_soak soak/${name}_soak.cpp soak/options.cpp)

@@ -15,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 
 /// A moment of which the test says what is true.
-class Told final : public Moment {
+class Given final : public Moment {
  public:
   std::map<Variable, double> numbers;
   std::vector<Happening> happening;
@@ -30,7 +30,7 @@ class Told final : public Moment {
   }
 };
 
-bool is_true(std::string_view text, const Told& moment = {}) {
+bool is_true(std::string_view text, const Given& moment = {}) {
   return holds(Expression::parse(text), moment);
 }
 
@@ -69,7 +69,7 @@ TEST(Expression, NumbersHaveUnits) {
 }
 
 TEST(Expression, NamesStandForWhatTheMomentSays) {
-  Told moment;
+  Given moment;
   moment.numbers = {{Variable::op, static_cast<double>(Operator::shift_split)},
                     {Variable::depth, 9},
                     {Variable::redundancy, 0.06},
@@ -93,7 +93,7 @@ TEST(Expression, WhatDoesNotExistIsNeverTrue) {
 }
 
 TEST(Expression, ThingsHappenToPairsPlanesNodesAndObjects) {
-  Told moment;
+  Given moment;
   moment.happening = {Happening::pair_enters, Happening::plane_moves};
   EXPECT_TRUE(is_true("pair(12,77) enters", moment));
   EXPECT_FALSE(is_true("pair(12,77) leaves", moment));
