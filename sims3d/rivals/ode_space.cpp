@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "sims3d/rivals/ode_candidates.h"
+
 namespace kerf {
 namespace {
 
@@ -16,22 +18,9 @@ constexpr dReal kThinnest = 4 * std::numeric_limits<dReal>::min();
 constexpr unsigned long kFixed = 1;
 constexpr unsigned long kMoving = 2;
 
-dSpaceID make_space(OdeSpaceKind kind, const Box<3>& bounds) {
-  switch (kind) {
-    case OdeSpaceKind::hash:
-      return dHashSpaceCreate(nullptr);
-    case OdeSpaceKind::quadtree: {
-      const Vector<3> center = bounds.center();
-      const Vector<3> half = bounds.extent() * 0.5F;
-      const dVector3 c{center[0], center[1], center[2]};
-      const dVector3 h{half[0], half[1], half[2]};
-      constexpr int kDepth = 7;  // 4^7 leaves; level 11, as in the paper, takes 400 MB
-      return dQuadTreeSpaceCreate(nullptr, c, h, kDepth);
-    }
-    case OdeSpaceKind::sweep_and_prune:
-      return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY);
-  }
-  return nullptr;
+/// The same box with Y and Z exchanged.
+Box<3> with_exchanged_axes(const Box<3>& box) {
+  return {{{box.min[0], box.min[2], box.min[1]}}, {{box.max[0], box.max[2], box.max[1]}}};
 }
 
 ObjectId object_of(dGeomID geom) {
@@ -44,14 +33,34 @@ void keep_pair(void* pairs, dGeomID a, dGeomID b) {
 
 }  // namespace
 
-OdeSpace::OdeSpace(OdeSpaceKind kind, const Box<3>& bounds, OdeIntake intake) : kind_(kind), intake_(intake) {
+OdeSpace::OdeSpace(OdeSpaceKind kind, const Box<3>& bounds, OdeIntake intake, OdePlane plane)
+    : kind_(kind),
+      intake_(intake),
+      exchanges_axes_(kind == OdeSpaceKind::quadtree && plane == OdePlane::xz),
+      bounds_(exchanges_axes_ ? with_exchanged_axes(bounds) : bounds) {
   const auto lock = library_.enter();
-  space_ = make_space(kind, bounds);
-  if (space_ == nullptr) throw std::runtime_error("ODE cannot make its space");
-  dSpaceSetCleanup(space_, 0);
+  space_ = make_space();
   constexpr dReal kFarAway = 1e30;
   stranger_.reset(dCreateSphere(nullptr, 1));
   dGeomSetPosition(stranger_.get(), kFarAway, kFarAway, kFarAway);
+}
+
+/// An empty one.
+dSpaceID OdeSpace::make_space() const {
+  dSpaceID space = nullptr;
+  if (kind_ == OdeSpaceKind::hash) space = dHashSpaceCreate(nullptr);
+  if (kind_ == OdeSpaceKind::sweep_and_prune) space = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY);
+  if (kind_ == OdeSpaceKind::quadtree) {
+    const Vector<3> center = bounds_.center();
+    const Vector<3> half = bounds_.extent() * 0.5F;
+    const dVector3 c{center[0], center[1], center[2]};
+    const dVector3 h{half[0], half[1], half[2]};
+    constexpr int kDepth = 7;  // 4^7 leaves; level 11, as in the paper, takes 400 MB
+    space = dQuadTreeSpaceCreate(nullptr, c, h, kDepth);
+  }
+  if (space == nullptr) throw std::runtime_error("ODE cannot make its space");
+  dSpaceSetCleanup(space, 0);
+  return space;
 }
 
 OdeSpace::~OdeSpace() {
@@ -76,7 +85,8 @@ void OdeSpace::place(ObjectId object, const Box<3>& given) {
     geom.reset();
     return;
   }
-  const Box<3>& box = raw ? given : objects_.box(object);
+  const Box<3>& latest = raw ? given : objects_.box(object);
+  const Box<3> box = exchanges_axes_ ? with_exchanged_axes(latest) : latest;
   std::array<dReal, 3> center;
   std::array<dReal, 3> size;
   for (int i = 0; i < 3; ++i) {
@@ -131,6 +141,21 @@ void OdeSpace::step() {
   arrange();
   pairs_.clear();
   dSpaceCollide(space_, &pairs_, keep_pair);
+}
+
+double OdeSpace::count_candidates() const {
+  const auto lock = library_.enter();
+  std::vector<OdeBox> boxes;
+  for (const OdeHandle<dxGeom>& geom : geoms_) {
+    if (!geom) continue;
+    OdeBox& box = boxes.emplace_back();
+    dGeomGetAABB(geom.get(), box.bounds.data());
+    box.fixed = dGeomGetCategoryBits(geom.get()) == kFixed;
+  }
+  const std::unique_ptr<dxSpace, void (*)(dSpaceID)> space(make_space(), dSpaceDestroy);
+  if (kind_ == OdeSpaceKind::hash) return count_hash_candidates(space.get(), boxes);
+  if (kind_ == OdeSpaceKind::quadtree) return count_quadtree_candidates(space.get(), boxes);
+  return count_sweep_candidates(space.get(), boxes);
 }
 
 }  // namespace kerf
