@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 
@@ -17,6 +18,15 @@ constexpr dReal kThinnest = 4 * std::numeric_limits<dReal>::min();
 
 constexpr unsigned long kFixed = 1;
 constexpr unsigned long kMoving = 2;
+constexpr unsigned long kMarkerBits = 4;
+/// The data of the geoms that are no objects.
+constexpr std::uintptr_t kMarker = ~std::uintptr_t{0};
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point begin, Clock::time_point end) {
+  return std::chrono::duration<double>(end - begin).count();
+}
 
 /// The same box with Y and Z exchanged.
 Box<3> with_exchanged_axes(const Box<3>& box) {
@@ -29,6 +39,24 @@ ObjectId object_of(dGeomID geom) {
 
 void keep_pair(void* pairs, dGeomID a, dGeomID b) {
   static_cast<std::vector<Pair>*>(pairs)->push_back(make_pair(object_of(a), object_of(b)));
+}
+
+/// The pairs of a search, and when it began and ended.
+struct TimedSearch {
+  std::vector<Pair>* pairs;
+  Clock::time_point begin{};
+  Clock::time_point end{};
+};
+
+void keep_pair_or_time(void* data, dGeomID a, dGeomID b) {
+  TimedSearch& search = *static_cast<TimedSearch*>(data);
+  if (reinterpret_cast<std::uintptr_t>(dGeomGetData(a)) != kMarker) {
+    keep_pair(search.pairs, a, b);
+  } else if (search.begin == Clock::time_point{}) {
+    search.begin = Clock::now();
+  } else {
+    search.end = Clock::now();
+  }
 }
 
 }  // namespace
@@ -66,6 +94,7 @@ dSpaceID OdeSpace::make_space() const {
 OdeSpace::~OdeSpace() {
   const auto lock = library_.enter();
   geoms_.clear();
+  markers_.clear();
   stranger_.reset();
   dSpaceDestroy(space_);
 }
@@ -131,16 +160,48 @@ Status OdeSpace::remove(ObjectId object) {
 /// A query for a geom far away makes the quadtree place the objects that moved.
 void OdeSpace::arrange() {
   if (kind_ != OdeSpaceKind::quadtree) return;
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   dSpaceCollide2(reinterpret_cast<dGeomID>(space_), stranger_.get(), &pairs_, keep_pair);
-  arrange_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  arrange_seconds_ = seconds_between(start, Clock::now());
+}
+
+void OdeSpace::separate_times() {
+  constexpr double kFreePlace = 1e7 + 0.0625;  // in a cell of the finest level
+  const auto lock = library_.enter();
+  if (kind_ != OdeSpaceKind::hash || !markers_.empty()) return;
+  for (const double size : {4096.0, 0.03125})  // larger than any cell; smaller than all
+    for (int k = 0; k < 2; ++k) add_marker(kFreePlace, size);
+}
+
+void OdeSpace::add_marker(double x, double size) {
+  const dGeomID marker = markers_.emplace_back(dCreateBox(space_, size, size, size)).get();
+  dGeomSetData(marker, reinterpret_cast<void*>(kMarker));
+  dGeomSetCategoryBits(marker, kMarkerBits);
+  dGeomSetCollideBits(marker, kMarkerBits);
+  dGeomSetPosition(marker, x, 0.0625, 0.0625);
+}
+
+/// ODE puts what moved last in front of its list, and compares in the order of the list.
+void OdeSpace::search() {
+  for (const OdeHandle<dxGeom>& marker : markers_) {
+    const dReal* at = dGeomGetPosition(marker.get());
+    dGeomSetPosition(marker.get(), at[0], at[1], at[2]);
+  }
+  TimedSearch search{&pairs_};
+  const auto start = Clock::now();
+  dSpaceCollide(space_, &search, keep_pair_or_time);
+  arrange_seconds_ = seconds_between(start, search.begin) + seconds_between(search.end, Clock::now());
 }
 
 void OdeSpace::step() {
   const auto lock = library_.enter();
   arrange();
   pairs_.clear();
-  dSpaceCollide(space_, &pairs_, keep_pair);
+  if (markers_.empty()) {
+    dSpaceCollide(space_, &pairs_, keep_pair);
+  } else {
+    search();
+  }
 }
 
 double OdeSpace::count_candidates() const {

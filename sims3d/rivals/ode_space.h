@@ -42,9 +42,13 @@ class OdeSpace final : public BroadPhase<3> {
   Status remove(ObjectId object) override;
   void step() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_; }
-  /// The seconds that the last `step()` took to bring the quadtree up to date. The other spaces do so while
-  /// they search for pairs, and return 0.
+  /// The seconds that the last `step()` took to bring the structure up to date: the quadtree, or the hash
+  /// table after `separate_times()`. The other spaces do so while they search for pairs, and return 0.
   [[nodiscard]] double arrange_seconds() const { return arrange_seconds_; }
+  /// Of a hash space: from now on the building and clearing of its table are measured apart from the search.
+  /// Two pairs of geoms of our own say when the search begins and ends: ODE compares the one first, the other
+  /// last. No object may come near 1e7 along X.
+  void separate_times();
   /// How many pairs of boxes a `step()` compares with the objects where they are; negative: unknown. Builds a
   /// second space for it.
   [[nodiscard]] double count_candidates() const;
@@ -52,6 +56,8 @@ class OdeSpace final : public BroadPhase<3> {
  private:
   void place(ObjectId object, const Box<3>& given);
   void arrange();
+  void add_marker(double x, double size);
+  void search();
   [[nodiscard]] dSpaceID make_space() const;
 
   OdeLibrary library_;  // first: everything below ends before it does
@@ -63,6 +69,7 @@ class OdeSpace final : public BroadPhase<3> {
   dSpaceID space_;
   std::vector<OdeHandle<dxGeom>> geoms_;
   OdeHandle<dxGeom> stranger_;  ///< far away and in no space
+  std::vector<OdeHandle<dxGeom>> markers_;
   double arrange_seconds_ = 0;
   std::vector<Pair> pairs_;
 };
