@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "frames/page/gnuplot.h"
 #include "frames/page/plot.h"
 #include "frames/page/plot_parts.h"
+#include "frames/page/short_number.h"
 
 namespace kerf {
 namespace {
@@ -17,10 +16,8 @@ constexpr int kAround = 110;
 std::string data_block(const BarPlot& plot) {
   std::string data = "$bars << EOD\n";
   for (std::size_t k = 0; k < plot.bars.size(); ++k) {
-    std::array<char, 32> text{};
     const double value = plot.bars[k].value;
-    std::snprintf(text.data(), text.size(), value < 100 ? "%.3g" : "%.0f", value);
-    data += std::to_string(k) + " " + plot_number(plot.bars[k].value) + " " + text.data() + "\n";
+    data += std::to_string(k) + " " + plot_number(value) + " " + short_number(value) + "\n";
   }
   return data + "EOD\n";
 }
