@@ -118,8 +118,7 @@ std::string curve_swatch(std::size_t look) {
       "<circle cx=\"18\" cy=\"8\" r=\"4\" fill=\"none\"/>",
       "<rect x=\"14\" y=\"4\" width=\"8\" height=\"8\" fill=\"none\"/>",
       "<path d=\"M14 8H22M18 4V12\"/>"};
-  const std::string quoted = series_color(look);
-  const std::string color = quoted.substr(1, quoted.size() - 2);
+  const std::string color = series_hex(look);
   const bool is_reference = look % kCurveLooks == kCurveLooks - 1;
   return "<svg width=\"36\" height=\"16\" fill=\"" + color + "\" stroke=\"" + color +
          "\"><path d=\"M0 8H36\" stroke-width=\"" + plot_number(width_of(look)) + "\"" +

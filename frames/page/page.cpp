@@ -22,7 +22,7 @@ th.text,td.text{white-space:normal;text-align:left;min-width:6rem}tr:target td{b
 .legend{position:sticky;top:0;z-index:1;background:#fff;padding:.3rem 0;border-bottom:1px solid #e0e0da}
 .legend span{margin-right:1.2rem;white-space:nowrap}.legend svg{display:inline;vertical-align:middle;margin-right:.3rem}
 .panels{display:grid;grid-template-columns:1fr 1fr;gap:.4rem}.panels svg{width:100%}
-.values rect.strip{fill:transparent}.values rect.paper{fill:#fff;fill-opacity:.95;stroke:#999}.values path{stroke:#999}
+.values .strip{fill:transparent}.values rect.paper{fill:#fff;fill-opacity:.95;stroke:#999}.values path{stroke:#999}
 .values text{font:11px system-ui,sans-serif}.values path,.values text,.values rect.paper{visibility:hidden;pointer-events:none}
 .values g:hover>path,.values g:hover>text,.values g:hover>rect.paper{visibility:visible}
 code{background:#eeeee9;padding:.1rem .3rem;border-radius:3px;font-size:.85rem}p.command{color:#555;font-size:.9rem}
