@@ -37,7 +37,8 @@ std::vector<std::string> method_words(const ExperimentPlan& plan) {
       "structure "
       "compares their boxes (BSP, LO) and not where it excludes them before (QT, SH, SP).",
       "Overhead is the taking over of boxes and all that brings a structure up to date; collision time is "
-      "the search for pairs. Frames a second count the narrow phase and the dynamics, too, with one broad "
+      "the search for pairs. SP finds its overlaps while it orders its lists, which is overhead here. Frames "
+      "a second count the narrow phase and the dynamics, too, with one broad "
       "phase alone in the loop. Times are of the processor. A figure is the mean of the medians of each "
       "twenty steps of a run; behind it stands its spread over the runs, without the tenth of them at either "
       "end. Counts do not change from repeat to repeat, so they have a sample for each seed only.",

@@ -244,7 +244,8 @@ ClaimVerdict judge(const Claim& claim, const ClaimFigures& figures) {
   for (const Comparison& comparison : claim.comparisons) findings.push_back(examine(comparison, figures));
   verdict.outcome = combine(findings, claim);
   verdict.ours = ours_in(claim);
-  verdict.standing = standing_of(verdict.ours, claim, findings);
+  if (verdict.outcome != Outcome::cannot_be_judged)
+    verdict.standing = standing_of(verdict.ours, claim, findings);
   verdict.figures = figures_of(claim, figures);
   for (const Finding& finding : findings)
     if (!finding.reason.empty() && verdict.reason.find(finding.reason) == std::string::npos)

@@ -13,7 +13,7 @@ inline constexpr std::size_t kCurveLooks = 8;
 /// The axes of a curve plot, in pixels, y downwards.
 struct CurveArea {
   double left = 62;
-  double right = 528;
+  double right = 518;
   double top = 32;
   double bottom = 204;
 };

@@ -233,6 +233,11 @@ TEST(Verdict, WhatOneMissingFigureCannotChangeIsDecided) {
                 .outcome,
             Outcome::cannot_be_judged)
       << "SH may be better or not";
+  const ClaimVerdict open = judged(
+      2, words, Measure::overhead,
+      {{kQt, about(2)}, {kBsp, about(1)}, {kLo, about(3)}, {kSp, {1, 2, 3, 4, 5}}, {kSh, {1, 2, 3, 4, 5}}});
+  EXPECT_EQ(open.outcome, Outcome::cannot_be_judged);
+  EXPECT_EQ(open.standing, Standing::unknown) << "although BSP alone is better here";
   EXPECT_EQ(judged(2, words, Measure::overhead,
                    {{kQt, about(2)}, {kBsp, about(1)}, {kLo, about(3)}, {kSp, about(3)}})
                 .outcome,
