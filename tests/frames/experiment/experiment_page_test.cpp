@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <sstream>
+
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 #include "tests/frames/report/browser.h"
@@ -12,6 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::look_at;
 using ::testing::Not;
+using testing::run_kerf;
 using testing::Sight;
 using testing::TemporaryFolder;
 
@@ -106,6 +110,42 @@ TEST_F(ExperimentPage, AStripLeadsToItsMomentAndTheCommandThatShowsIt) {
   EXPECT_THAT(answer, HasSubstr("true|0|"));
   EXPECT_THAT(answer, HasSubstr("kerf step simulation-1-terrain.kerf --to step=="));
   EXPECT_THAT(testing::read_text(page()), HasSubstr("kerf record terrain -o simulation-1-terrain.kerf"));
+}
+
+/// The words of a command on the page after "kerf", with the recording in the folder of the test.
+std::vector<std::string> words_of(const std::string& text, const std::string& begin, const std::string& file,
+                                  const std::filesystem::path& folder) {
+  const std::size_t at = text.find(begin);
+  std::istringstream words(text.substr(at, text.find('<', at) - at));
+  std::vector<std::string> arguments;
+  for (std::string word; words >> word;) arguments.push_back(word == file ? (folder / word).string() : word);
+  arguments.erase(arguments.begin());
+  return arguments;
+}
+
+/// The recording that the page's command makes is the run: it has the figures of the table at that step.
+TEST_F(ExperimentPage, ItsCommandsShowTheMomentOfTheRun) {
+  const std::string text = testing::read_text(page());
+  const std::string file = "simulation-1-terrain.kerf";
+  ASSERT_EQ(run_kerf(words_of(text, "kerf record terrain", file, folder_->path())).exit, kExitHolds);
+  std::vector<std::string> step =
+      words_of(text, "kerf step " + file + " --to step==53", file, folder_->path());
+  step.resize(step.size() - 2);  // without its picture
+  const testing::Outcome shown = run_kerf(step);
+  ASSERT_EQ(shown.exit, kExitHolds) << shown.err;
+  const std::string answer = seen(R"(return [...document.getElementById("moment-1-53").cells]
+      .map(cell => cell.textContent).join(" ");)")
+                                 .answer;
+  std::istringstream row(answer);
+  std::string number;
+  std::string pairs;
+  std::string contacts;
+  std::string depth;
+  std::string leaves;
+  std::string moving;
+  row >> number >> moving >> pairs >> contacts >> depth >> leaves;
+  EXPECT_EQ(number, "53");
+  EXPECT_THAT(shown.out, HasSubstr(" " + pairs + " pairs, height " + depth + ", " + leaves + " leaves"));
 }
 
 }  // namespace
