@@ -1,5 +1,6 @@
 #include "sims3d/ode_library.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdarg>
 #include <cstddef>
@@ -22,6 +23,22 @@ std::size_t users = 0;
   throw std::runtime_error("ODE reports error " + std::to_string(number) + ": " + text.data());
 }
 
+int open_class = 0;  ///< of geoms; ODE forgets it when it is closed
+
+struct OpenGeomData {
+  std::array<dReal, 6> given;
+  dReal* bounds;
+};
+
+OpenGeomData& data_of(dGeomID geom) { return *static_cast<OpenGeomData*>(dGeomGetClassData(geom)); }
+
+void place_open_geom(dGeomID geom, dReal bounds[6]) {
+  std::ranges::copy(data_of(geom).given, bounds);
+  data_of(geom).bounds = bounds;
+}
+
+dColliderFn* no_collider(int /*other_class*/) { return nullptr; }
+
 void open_library() {
   if (dInitODE2(0) == 0) throw std::runtime_error("ODE cannot be initialised");
   if (dCheckConfiguration("ODE_double_precision") == 0) {
@@ -31,6 +48,8 @@ void open_library() {
   }
   dSetErrorHandler(throw_ode_error);
   dSetDebugHandler(throw_ode_error);
+  const dGeomClass open{sizeof(OpenGeomData), no_collider, place_open_geom, nullptr, nullptr};
+  open_class = dCreateGeomClass(&open);
 }
 
 }  // namespace
@@ -54,5 +73,14 @@ std::unique_lock<std::recursive_mutex> OdeLibrary::enter() const {
   dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
   return lock;
 }
+
+dGeomID OdeLibrary::make_open_geom(const dReal* bounds) const {
+  const auto lock = enter();
+  const dGeomID geom = dCreateGeom(open_class);
+  std::copy_n(bounds, 6, data_of(geom).given.begin());
+  return geom;
+}
+
+dReal* OdeLibrary::bounds_of(dGeomID open_geom) { return data_of(open_geom).bounds; }
 
 }  // namespace kerf

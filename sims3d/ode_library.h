@@ -23,6 +23,11 @@ class OdeLibrary {
   /// random seed and the caches of its mesh collider. Recursive, because a world steps its broad phase while
   /// it works, and the rivals are spaces of ODE.
   [[nodiscard]] std::unique_lock<std::recursive_mutex> enter() const;
+
+  /// A geom in no space with these bounds (min and max of x, y and z), which collides with nothing.
+  [[nodiscard]] dGeomID make_open_geom(const dReal* bounds) const;
+  /// The six numbers of ODE's own that are its box, once a space has computed it.
+  [[nodiscard]] static dReal* bounds_of(dGeomID open_geom);
 };
 
 /// Destroys an object of ODE's; null handles are never passed on.

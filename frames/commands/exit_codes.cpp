@@ -14,7 +14,7 @@ constexpr ExitMeaning kMeanings[] = {
     {"compare", "the recordings are of the same run; times do not count", "the runs differ"},
     {"debug", "the window was closed, or all that the script expects holds", "an expectation does not hold"},
     {"diff", "all frames are the same, or were approved", "a frame differs or has no partner"},
-    {"experiment", "the simulations, figures and page are there, whatever they show", ""},
+    {"experiment", "the runs, figures and pages are there, whatever they show", ""},
     {"explain", "the explanation was printed", ""},
     {"export", "everything was written", ""},
     {"film-diff", "the film is made of two sequences of equal steps, whether they differ or not",

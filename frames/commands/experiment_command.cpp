@@ -7,11 +7,12 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
-#include "core/base/counted.h"
 #include "frames/commands/output_option.h"
 #include "frames/experiment/experiment_file.h"
 #include "frames/experiment/experiment_page.h"
+#include "frames/experiment/experiment_plan.h"
 #include "frames/experiment/experiment_plots.h"
 #include "frames/page/gnuplot.h"
 #include "frames/support/atomic_file.h"
@@ -24,33 +25,37 @@
 namespace kerf {
 namespace {
 
-constexpr const char* kPageName = "experiment.md";
-constexpr ExperimentSize kFullSize{.steps = 6000, .objects = 4250};
+constexpr const char* kTextName = "experiment.md";
+constexpr const char* kPageName = "experiment.html";
+constexpr ExperimentPlan kFullPlan{.size = {.steps = 6000, .objects = 4250}, .seeds = 3, .repeats = 5};
 
-/// Runs the simulations of which there is no file yet.
+/// Makes the runs of which there is no file yet.
 class Experiment {
  public:
-  Experiment(std::filesystem::path folder, const ExperimentSize& size, Replace replace)
-      : folder_(std::move(folder)), size_(size), replace_(replace) {
+  Experiment(std::filesystem::path folder, const ExperimentPlan& plan, Replace replace)
+      : folder_(std::move(folder)), plan_(plan), replace_(replace) {
     const bool forget = replace == Replace::earlier;
-    for (std::size_t k = 0; k < runs_.size(); ++k)
-      if (auto run = load_run(folder_, simulations()[k], size_, forget)) runs_[k] = std::move(*run);
-    for (const ExperimentRun& run : runs_) to_do_ += run.empty() ? size_.steps : 0;
+    if (!forget) refuse_earlier_files(folder_);
+    for (std::uint32_t repeat = 1; repeat <= plan.repeats; ++repeat)
+      for (std::uint32_t k = 0; k < plan.seeds; ++k)
+        for (std::size_t simulation = 0; simulation < runs_.size(); ++simulation)
+          load(simulation, plan.with_seed(k), repeat, forget);
     make_writable_folder(folder_);
   }
 
   void run() {
     const InterruptGuard interrupt;
-    for (std::size_t k = 0; k < runs_.size(); ++k) {
-      if (!runs_[k].empty()) continue;
-      const Simulation& simulation = simulations()[k];
-      runs_[k] = run_simulation(simulation, size_, [&](std::uint32_t step) {
-        show(simulation, step);
+    for (const Place& place : missing_) {
+      const Simulation& simulation = simulations()[place.simulation];
+      TimedRun& run = runs_[place.simulation][place.index];
+      const ExperimentSize size = plan_.with_seed(static_cast<std::uint32_t>(run.seed - plan_.size.seed));
+      run.steps = run_simulation(simulation, size, [&](std::uint32_t step) {
+        show(simulation, run, step);
         return !interrupt.requested();
       });
-      if (interrupt.requested()) throw Interrupted(interruption(k));
-      done_ += size_.steps;
-      save_run(folder_, simulation, size_, runs_[k]);
+      if (interrupt.requested()) throw Interrupted(interruption());
+      save_run(folder_, simulation, size, run.repeat, run.steps);
+      ++done_;
     }
   }
 
@@ -63,10 +68,12 @@ class Experiment {
       figures[k] = std::make_unique<PartFile>(folder_ / kFigureNames[k], replace_);
       files[k] = figures[k]->path();
     }
+    PartFile text(folder_ / kTextName, replace_);
     PartFile page(folder_ / kPageName, replace_);
-    page.write(experiment_page(size_, runs_));
+    text.write(experiment_text(plan_, runs_));
     try {
       plot_experiment(files, runs_);
+      page.write(experiment_page(plan_, runs_));
     } catch (const std::runtime_error&) {
       if (!interrupt.requested()) throw;  // an interrupt stops gnuplot, too
     }
@@ -74,38 +81,53 @@ class Experiment {
       throw Interrupted("interrupted: the simulations are in " + folder_.string() +
                         "; the same command draws the figures");
     for (const auto& figure : figures) figure->keep();
+    text.keep();
     page.keep();
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void show(const Simulation& simulation, std::uint32_t step) const {
-    const double done = done_ + step - 1;
+  /// Of a run that is still to be made.
+  struct Place {
+    std::size_t simulation;
+    std::size_t index;
+  };
+
+  void load(std::size_t simulation, const ExperimentSize& size, std::uint32_t repeat, bool forget) {
+    auto steps = load_run(folder_, simulations()[simulation], size, repeat, forget);
+    if (!steps) missing_.push_back({simulation, runs_[simulation].size()});
+    runs_[simulation].push_back({size.seed, repeat, steps ? std::move(*steps) : ExperimentRun{}});
+  }
+
+  void show(const Simulation& simulation, const TimedRun& run, std::uint32_t step) const {
+    const double all = static_cast<double>(missing_.size()) * plan_.size.steps;
+    const double done = static_cast<double>(done_) * plan_.size.steps + step - 1;
     const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    const int left = done > 0 ? static_cast<int>(seconds * (to_do_ - done) / done) : 0;
-    char text[160];
-    std::snprintf(text, sizeof text, "simulation %d of 4 (%s)  step %u/%u  about %d:%02d left",
-                  simulation.number, std::string(simulation.scene).c_str(), step, size_.steps, left / 60,
+    const int left = done > 0 ? static_cast<int>(seconds * (all - done) / done) : 0;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "run %zu of %zu: simulation %d (%s), seed %llu, repeat %u  step %u/%u  about %d:%02d left",
+                  done_ + 1, missing_.size(), simulation.number, std::string(simulation.scene).c_str(),
+                  static_cast<unsigned long long>(run.seed), run.repeat, step, plan_.size.steps, left / 60,
                   left % 60);
     line_.show(text);
   }
 
-  [[nodiscard]] std::string interruption(std::size_t running) const {
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < runs_.size(); ++k) kept += k != running && !runs_[k].empty() ? 1U : 0U;
-    return "interrupted: " + counted_of(kept, 4, "simulation") + " in " + folder_.string() +
-           "; the same command goes on from there";
+  [[nodiscard]] std::string interruption() const {
+    const std::size_t all = runs_.size() * plan_.runs();
+    return "interrupted: " + std::to_string(all - missing_.size() + done_) + " of " + std::to_string(all) +
+           " runs are in " + folder_.string() + "; the same command goes on from there";
   }
 
   std::filesystem::path folder_;
-  ExperimentSize size_;
+  ExperimentPlan plan_;
   Replace replace_;
   ExperimentRuns runs_;
+  std::vector<Place> missing_;
+  std::size_t done_ = 0;  ///< of the missing ones
   ProgressLine line_;
   Clock::time_point start_ = Clock::now();
-  double to_do_ = 0;  ///< steps
-  double done_ = 0;
 };
 
 }  // namespace
@@ -117,37 +139,51 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
       ->type_name("N");
   command_->add_option("--objects", objects_, "Moving ones at the end (default 2000; the paper: 4250)")
       ->type_name("N");
-  command_->add_flag("--full", full_, "The paper's size: --steps 6000 --objects 4250 (about twenty minutes)");
-  command_->add_option("--seed", seed_, "Of every random choice (default 1)")->type_name("S");
+  command_->add_option("--seeds", seeds_, "Each simulation is run with so many, from --seed on (default 3)")
+      ->type_name("N");
+  command_
+      ->add_option("--repeats", repeats_,
+                   "Each run is repeated so often, one repeat of all after the other (default 1)")
+      ->type_name("N");
+  command_->add_flag(
+      "--full", full_,
+      "The paper's size, and enough runs: --steps 6000 --objects 4250 --seeds 3 --repeats 5 (hours)");
+  command_->add_option("--seed", seed_, "The first one of every random choice (default 1)")->type_name("S");
   add_output(*command_, "--out", out_, "Folder (default out/experiment)", "DIR");
   command_->add_flag("--overwrite", overwrite_,
-                     "Replace an earlier page and its figures, and simulations of another size");
+                     "Replace an earlier page and its figures, and runs of another size");
   command_->footer(
-      "OUTPUT  DIR/experiment.md, which says of each claim of the paper's section 6.2 whether it holds "
-      "here;\n"
-      "        DIR/figure-12 and figure-13, as .svg and .png; DIR/simulation-N-SCENE.csv, a line for each "
-      "step "
-      "and\n        broad phase. Ctrl-C keeps the simulations that are done, and the same command goes on "
-      "from "
-      "there.");
+      "OUTPUT  DIR/experiment.html, which opens offline, and DIR/experiment.md: figures 12 and 13, and of "
+      "each\n"
+      "        statement of the paper's sections 6.2 and 7 whether it holds here; DIR/figure-12 and "
+      "figure-13, as "
+      ".svg and .png;\n        DIR/simulation-N-SCENE-seed-S-repeat-R.csv, a line for each step and broad "
+      "phase. "
+      "Ctrl-C keeps the runs that are done,\n        and the same command goes on from there.");
 }
 
 bool ExperimentCommand::chosen() const { return command_->parsed(); }
 
 void ExperimentCommand::run() const {
-  if (full_ && !(steps_.empty() && objects_.empty()))
-    throw UsageError("--full says the steps and objects already; leave out --steps and --objects");
-  ExperimentSize size = full_ ? kFullSize : ExperimentSize{};
-  if (!steps_.empty()) size.steps = parse_whole<std::uint32_t>("--steps", steps_, 50, 1'000'000);
-  if (!objects_.empty()) size.objects = parse_whole<std::uint32_t>("--objects", objects_, 50, 100'000);
-  if (!seed_.empty()) size.seed = parse_whole<std::uint32_t>("--seed", seed_, 0, UINT32_MAX);
+  if (full_ && !(steps_.empty() && objects_.empty() && seeds_.empty() && repeats_.empty()))
+    throw UsageError(
+        "--full says the steps, objects, seeds and repeats already; leave out --steps, --objects, --seeds "
+        "and "
+        "--repeats");
+  ExperimentPlan plan = full_ ? kFullPlan : ExperimentPlan{};
+  if (!steps_.empty()) plan.size.steps = parse_whole<std::uint32_t>("--steps", steps_, 50, 1'000'000);
+  if (!objects_.empty()) plan.size.objects = parse_whole<std::uint32_t>("--objects", objects_, 50, 100'000);
+  if (!seeds_.empty()) plan.seeds = parse_whole<std::uint32_t>("--seeds", seeds_, 1, 1000);
+  if (!repeats_.empty()) plan.repeats = parse_whole<std::uint32_t>("--repeats", repeats_, 1, 1000);
+  if (!seed_.empty()) plan.size.seed = parse_whole<std::uint32_t>("--seed", seed_, 0, UINT32_MAX);
   require_gnuplot();
   const std::filesystem::path folder = out_.empty() ? "out/experiment" : out_;
   Outputs outputs({}, overwrite_);
   outputs.add_folder(folder);
   for (const char* const figure : kFigureNames) outputs.add_file(folder / figure);
+  outputs.add_file(folder / kTextName);
   outputs.add_file(folder / kPageName);
-  Experiment experiment(folder, size, outputs.replace());
+  Experiment experiment(folder, plan, outputs.replace());
   experiment.run();
   experiment.report();
   std::printf("%s\n", (folder / kPageName).string().c_str());

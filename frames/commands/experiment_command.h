@@ -19,6 +19,8 @@ class ExperimentCommand {
  private:
   CLI::App* command_;
   std::string steps_;
+  std::string seeds_;
+  std::string repeats_;
   std::string objects_;
   std::string seed_;
   std::string out_;

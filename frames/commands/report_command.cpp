@@ -145,6 +145,12 @@ class Report {
         "period (placed every so many steps), margin (boxes widened by so much), filter (kept pairs are held "
         "against the latest boxes), grid (ends of boxes rounded to cells of that size), shrink (rounded "
         "inward).");
+    page.paragraph(
+        "The time of a step is the least of all rounds, since other work on the machine only ever adds; "
+        "error "
+        "bars reach to the mean of the slowest round. Where runs have seeds, figures are medians, and bars "
+        "and "
+        "bands their quartiles. The pointer shows the values of a point.");
     for (const Section* section : sections_) {
       page.section(section->name, section->title);
       section->write(request_, store_, page);

@@ -47,18 +47,23 @@ double list_overlaps(const Tree<3>& tree) {
   return count;
 }
 
-double candidates_of(const BroadPhase<3>& subject) {
-  if (const auto* octree = dynamic_cast<const LooseOctree<3>*>(&subject))
+}  // namespace
+
+Contestant::Contestant(std::unique_ptr<BroadPhase<3>> subject) : subject_(std::move(subject)) {
+  if (auto* space = dynamic_cast<OdeSpace*>(subject_.get())) space->separate_times();
+}
+
+double Contestant::count_candidates() const {
+  if (const auto* octree = dynamic_cast<const LooseOctree<3>*>(subject_.get()))
     return static_cast<double>(octree->candidates());
-  if (const auto* lists = dynamic_cast<const SweepAndPrune<3>*>(&subject))
+  if (const auto* lists = dynamic_cast<const SweepAndPrune<3>*>(subject_.get()))
     return static_cast<double>(lists->candidates());
-  const auto* tree = dynamic_cast<const Bsp<3>*>(&subject);
+  if (const auto* space = dynamic_cast<const OdeSpace*>(subject_.get())) return space->count_candidates();
+  const auto* tree = dynamic_cast<const Bsp<3>*>(subject_.get());
   return tree != nullptr && !tree->config().byte_sweep ? list_overlaps(tree->tree()) : -1;
 }
 
-}  // namespace
-
-ContestantStep Contestant::step(const StepRequests<3>& requests, bool count) {
+ContestantStep Contestant::step(const StepRequests<3>& requests) {
   const StepTimer handing_over(true);
   apply(requests, *subject_);
   const double handed_over = handing_over.milliseconds();
@@ -71,7 +76,6 @@ ContestantStep Contestant::step(const StepRequests<3>& requests, bool count) {
   ContestantStep result;
   result.update = handed_over + arranging;
   result.collision = stepped - arranging;
-  if (count) result.candidates = candidates_of(*subject_);
   if (const auto* tree = dynamic_cast<const Bsp<3>*>(subject_.get())) {
     const Statistics statistics = tree->statistics();
     result.height = statistics.height;

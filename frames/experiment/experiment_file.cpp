@@ -16,13 +16,19 @@ constexpr const char* kColumns =
     "contacts,"
     "rest_ms";
 
-constexpr const char* kTitle = "# kerf experiment,";
+constexpr const char* kTitle = "# kerf experiment";
 
-/// The first line, which identifies a file's simulation and size.
-std::string title(const Simulation& simulation, const ExperimentSize& size) {
-  return kTitle + std::string(" simulation ") + std::to_string(simulation.number) + " (" +
+/// The first line, which identifies a file's format, simulation, size and run.
+std::string title(const Simulation& simulation, const ExperimentSize& size, std::uint32_t repeat) {
+  return kTitle + std::string(" 2, simulation ") + std::to_string(simulation.number) + " (" +
          std::string(simulation.scene) + "), steps " + std::to_string(size.steps) + ", objects " +
-         std::to_string(size.objects) + ", seed " + std::to_string(size.seed);
+         std::to_string(size.objects) + ", seed " + std::to_string(size.seed) + ", repeat " +
+         std::to_string(repeat);
+}
+
+/// "simulation-1-terrain".
+std::string file_stem(const Simulation& simulation) {
+  return "simulation-" + std::to_string(simulation.number) + "-" + std::string(simulation.scene);
 }
 
 void write_step(std::ostream& text, const ExperimentStep& row) {
@@ -76,27 +82,28 @@ void read_line(const std::string& line, ExperimentRun& run) {
 
 }  // namespace
 
-std::filesystem::path run_path(const std::filesystem::path& folder, const Simulation& simulation) {
-  return folder /
-         ("simulation-" + std::to_string(simulation.number) + "-" + std::string(simulation.scene) + ".csv");
+std::filesystem::path run_path(const std::filesystem::path& folder, const Simulation& simulation,
+                               const ExperimentSize& size, std::uint32_t repeat) {
+  return folder / (file_stem(simulation) + "-seed-" + std::to_string(size.seed) + "-repeat-" +
+                   std::to_string(repeat) + ".csv");
 }
 
 void save_run(const std::filesystem::path& folder, const Simulation& simulation, const ExperimentSize& size,
-              const ExperimentRun& run) {
+              std::uint32_t repeat, const ExperimentRun& run) {
   std::ostringstream text;
-  text << title(simulation, size) << '\n' << kColumns << '\n';
+  text << title(simulation, size, repeat) << '\n' << kColumns << '\n';
   for (const ExperimentStep& row : run) write_step(text, row);
-  write_file_atomically(run_path(folder, simulation), text.str());
+  write_file_atomically(run_path(folder, simulation, size, repeat), text.str());
 }
 
 std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const Simulation& simulation,
-                                      const ExperimentSize& size, bool forget) {
-  const std::filesystem::path path = run_path(folder, simulation);
+                                      const ExperimentSize& size, std::uint32_t repeat, bool forget) {
+  const std::filesystem::path path = run_path(folder, simulation, size, repeat);
   std::ifstream file(path);
   if (!file) return std::nullopt;
   std::string line;
   std::getline(file, line);
-  const bool is_of_another = line != title(simulation, size);
+  const bool is_of_another = line != title(simulation, size, repeat);
   if (forget && is_of_another && line.starts_with(kTitle)) return std::nullopt;
   if (is_of_another)
     throw UsageError(
@@ -110,8 +117,18 @@ std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const
     run.clear();
   }
   if (run.size() != size.steps || run.back().contestants.size() != contestants().size())
-    throw std::runtime_error(path.string() + " is damaged; remove it, and the simulation is run again");
+    throw std::runtime_error(path.string() + " is damaged; remove it, and the run is made again");
   return run;
+}
+
+void refuse_earlier_files(const std::filesystem::path& folder) {
+  for (const Simulation& simulation : simulations()) {
+    const std::filesystem::path path = folder / (file_stem(simulation) + ".csv");
+    if (std::filesystem::exists(path))
+      throw UsageError(path.string() +
+                       " is of an earlier kerf, which ran each simulation once; choose another folder with "
+                       "--out, or leave it as it is with --overwrite");
+  }
 }
 
 }  // namespace kerf

@@ -1,112 +1,122 @@
 #include "frames/experiment/experiment_page.h"
 
 #include <array>
-#include <cstdio>
-#include <sstream>
-#include <string>
 
-#include "frames/experiment/claims.h"
 #include "frames/experiment/experiment_file.h"
+#include "frames/experiment/experiment_moments.h"
+#include "frames/experiment/experiment_panels.h"
+#include "frames/experiment/experiment_words.h"
+#include "frames/experiment/run_measures.h"
+#include "frames/experiment/spread.h"
+#include "frames/page/page.h"
 
 namespace kerf {
 namespace {
 
-std::string number(double x, const char* format) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, x);
-  return text.data();
+void write_figure(Page& page, std::size_t left, const ExperimentRuns& runs) {
+  std::vector<LegendEntry> legend;
+  for (const Curve& curve : experiment_legend()) legend.push_back({curve_swatch(curve.look), curve.name});
+  std::array<std::vector<CurvePlot>, 2> columns;
+  for (std::size_t side = 0; side < 2; ++side)
+    columns[side] = experiment_panels(simulations()[left + side], runs[left + side],
+                                      "#" + moment_address(simulations()[left + side], ""));
+  std::vector<std::string> svgs;
+  for (std::size_t row = 0; row < columns[0].size(); ++row)
+    for (std::size_t side = 0; side < 2; ++side)
+      svgs.push_back(
+          draw(columns[side][row], "panel" + std::to_string(left + side + 1) + "-" + std::to_string(row)));
+  page.figure_of_panels(
+      legend, svgs,
+      "Lines are medians of the steps around a point and of all runs, bands the spread over the "
+      "runs. The pointer shows values; a click leads to the moment in the tables below.");
 }
 
-constexpr const char* kMethod = R"(
-Each simulation is run once on ODE, with all broad phases side by side: in each step all are given the same boxes, in
-turns, and each is timed by itself. All have to deliver the same pairs, which is checked in each step; so what the paper
-calls the number of pairs is here that of the *candidates* which a structure leaves to be tested (counted each fifth
-step, for those that count them). *Overhead* is the taking over of boxes and all that brings a structure up to date,
-*collision* the search for pairs; frames a second count narrow phase and dynamics, too, with one broad phase alone in
-the loop. Times are of the processor.
-
-`kerf-paper` is the paper's tree with the paper's parameters (BSP below), `kerf` the tuned one; `ode-quadtree` is QT,
-`ode-hash` SH, `loose-octree` LO, `sweep-and-prune` SP. The number of objects grows in simulations 1 and 4.
-
-![Figure 12](figure-12.svg)
-
-![Figure 13](figure-13.svg)
-)";
-
-constexpr const char* kAfterVerdicts = R"(
-"Similar" is within a factor of two. Where no other word is said, times are collision and overhead together. Reasons
-are ours, from the code; the figures are this run's.
-
-Not judged: how much QT and SH prune, as ODE reports only the pairs that remain; and what the paper calls reasonable or
-substantial.
-)";
-
-void write_introduction(std::ostream& text, const ExperimentSize& size) {
-  text << "# The paper's experiment, run again\n\n"
-       << "Made by `kerf experiment --steps " << size.steps << " --objects " << size.objects << " --seed "
-       << size.seed
-       << "`: figures 12 and 13 of *Broad-Phase Collision Detection Using Semi-Adjusting BSP-trees*, "
-       << "and what its section 6.2 says of them.\n"
-       << kMethod;
-}
-
-/// The contestants that reported wrong pairs, and how often.
-void write_wrong(std::ostream& text, const ExperimentRuns& runs) {
-  text << "\n## Wrong answers\n\n";
-  bool any = false;
-  for (std::size_t run = 0; run < runs.size(); ++run) {
-    for (std::size_t k = 0; k < contestants().size(); ++k) {
-      std::uint64_t pairs = 0;
-      std::size_t steps = 0;
-      for (const ExperimentStep& row : runs[run]) {
-        pairs += row.contestants[k].wrong;
-        steps += row.contestants[k].wrong > 0 ? 1U : 0U;
-      }
-      if (steps == 0) continue;
-      any = true;
-      text << "- " << contestants()[k] << " missed or invented " << pairs << " pairs in " << steps
-           << " steps of simulation " << simulations()[run].number << ".\n";
-    }
+Json means_row(const std::vector<TimedRun>& runs, std::string_view contestant) {
+  Json row{{"paper", std::string(paper_name(contestant))}, {"name", std::string(contestant)}};
+  for (const auto& [key, measure] :
+       {std::pair("frames", Measure::frames), std::pair("pairs", Measure::pairs),
+        std::pair("collision", Measure::collision), std::pair("overhead", Measure::overhead)}) {
+    const auto spread = spread_of(samples_of(runs, contestant, measure));
+    row[key] = spread ? text_of(*spread) : "not counted";
   }
-  text << (any ? "\nBoxes and their order are the same for all: these are the libraries' own.\n"
-               : "None: all delivered the same pairs in every step.\n");
+  return row;
 }
 
-void write_means(std::ostream& text, const Simulation& simulation, const ExperimentRun& run) {
-  text << "\n## Simulation " << simulation.number << ": " << simulation.title << "\n\n"
-       << "Scene `" << simulation.scene << "`, means of the medians of each twenty of " << run.size()
-       << " steps, " << run.back().moving << " moving objects at the end; the steps are in ["
-       << run_path("", simulation).string() << "](" << run_path("", simulation).string() << ").\n\n"
-       << "| broad phase | frames/s | candidates | collision, ms | overhead, ms | together, ms |\n"
-       << "|---|--:|--:|--:|--:|--:|\n";
-  for (const std::string_view name : contestants()) {
-    const Means means = means_of(run, name);
-    text << "| " << name << " | " << number(means.fps, "%.1f") << " | "
-         << (means.candidates < 0 ? "" : number(means.candidates, "%.0f")) << " | "
-         << number(means.collision, "%.3f") << " | " << number(means.update, "%.3f") << " | "
-         << number(means.total(), "%.3f") << " |\n";
+void write_means(Page& page, const Simulation& simulation, const std::vector<TimedRun>& runs) {
+  Json rows = Json::array();
+  for (const std::string_view name : contestants()) rows.push_back(means_row(runs, name));
+  page.table("Simulation " + std::to_string(simulation.number) + ": " + std::string(simulation.title) + ", " +
+                 std::to_string(runs.front().steps.back().moving) + " moving objects at the end",
+             {{"", "paper"},
+              {"broad phase", "name"},
+              {"frames/s", "frames"},
+              {"pairs to test", "pairs"},
+              {"collision, ms", "collision"},
+              {"overhead, ms", "overhead"}},
+             rows, {}, true);
+}
+
+/// Found at a glance in a long table.
+std::string sign_of(Outcome outcome) {
+  constexpr std::array<const char*, 4> kSigns{"\u2714 ", "\u25D0 ", "\u2718 ", "? "};
+  return kSigns[static_cast<std::size_t>(outcome)];
+}
+
+void write_verdicts(Page& page, const ExperimentRuns& runs) {
+  const std::vector<ClaimVerdict> verdicts = judge_all(runs);
+  page.paragraph(count_words(verdicts) + " " + verdict_words());
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < verdicts.size(); ++k) {
+    const Claim& claim = claims()[k];
+    rows.push_back({{"simulation", simulation_words(claim)},
+                    {"section", std::string(claim.section)},
+                    {"words", statement_words(claim)},
+                    {"verdict", sign_of(verdicts[k].outcome) + std::string(name_of(verdicts[k].outcome))},
+                    {"ours", text_of_standing(verdicts[k])},
+                    {"figures", verdicts[k].figures},
+                    {"why", verdicts[k].reason}});
   }
+  page.table("all statements",
+             {{"simulation", "simulation"},
+              {"section", "section"},
+              {.title = "the paper", .key = "words", .wraps = true},
+              {.title = "verdict", .key = "verdict", .wraps = true},
+              {.title = "ours", .key = "ours", .wraps = true},
+              {.title = "figures", .key = "figures", .wraps = true},
+              {.title = "why", .key = "why", .wraps = true}},
+             rows, {}, true);
 }
 
-void write_verdicts(std::ostream& text, const ExperimentRuns& runs) {
-  text << "\n## What the paper says (section 6.2), and what was found\n\n"
-       << "| simulation | the paper | here | figures | if not, why |\n|--:|---|---|---|---|\n";
-  for (const ClaimVerdict& verdict : judge_claims(runs))
-    text << "| " << (verdict.simulation == 0 ? "all" : std::to_string(verdict.simulation)) << " | "
-         << verdict.claim << " | " << (verdict.holds ? "holds" : "**does not hold**") << " | "
-         << verdict.figures << " | " << verdict.reason << " |\n";
-  text << kAfterVerdicts;
+void write_wrong(Page& page, const ExperimentRuns& runs) {
+  const std::vector<std::string> lines = wrong_words(runs);
+  for (const std::string& line : lines) page.paragraph(line);
+  page.paragraph(lines.empty() ? "None: all reported the same pairs in every step."
+                               : "Boxes and their order are the same for all: these are the libraries' own.");
 }
 
 }  // namespace
 
-std::string experiment_page(const ExperimentSize& size, const ExperimentRuns& runs) {
-  std::ostringstream text;
-  write_introduction(text, size);
-  for (std::size_t k = 0; k < runs.size(); ++k) write_means(text, simulations()[k], runs[k]);
-  write_wrong(text, runs);
-  write_verdicts(text, runs);
-  return text.str();
+std::string experiment_page(const ExperimentPlan& plan, const ExperimentRuns& runs) {
+  Page page(
+      std::string(kExperimentTitle),
+      "Figures 12 and 13 of Broad-Phase Collision Detection Using Semi-Adjusting BSP-trees, and what its "
+      "sections 6.2 and 7 say of them");
+  for (const std::string& paragraph : method_words(plan)) page.paragraph(paragraph);
+  page.command(plan.command());
+  for (const std::size_t left : {std::size_t{0}, std::size_t{2}}) {
+    const std::string number = left == 0 ? "12" : "13";
+    page.section("figure-" + number, "Figure " + number);
+    write_figure(page, left, runs);
+  }
+  page.section("means", "Figures");
+  for (std::size_t k = 0; k < runs.size(); ++k) write_means(page, simulations()[k], runs[k]);
+  page.section("statements", "What the paper says, and what was found");
+  write_verdicts(page, runs);
+  page.section("wrong", "Wrong answers");
+  write_wrong(page, runs);
+  page.section("moments", "Moments");
+  for (std::size_t k = 0; k < runs.size(); ++k) write_moments(page, plan, simulations()[k], runs[k]);
+  return page.html();
 }
 
 }  // namespace kerf

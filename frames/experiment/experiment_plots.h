@@ -7,9 +7,6 @@
 
 namespace kerf {
 
-/// By simulation number - 1.
-using ExperimentRuns = std::array<ExperimentRun, 4>;
-
 /// The names of the figures' files.
 inline constexpr std::array<const char*, 4> kFigureNames{"figure-12.svg", "figure-12.png", "figure-13.svg",
                                                          "figure-13.png"};

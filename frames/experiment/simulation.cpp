@@ -23,6 +23,7 @@ constexpr std::array<Simulation, 4> kSimulations{{{1, "terrain", "objects fall i
 
 constexpr std::array<std::string_view, 7> kContestants{
     "kerf-paper", "ode-quadtree", "ode-hash", "loose-octree", "sweep-and-prune", "kerf", "ode-sap"};
+constexpr std::array<std::string_view, 7> kPaperNames{"BSP", "QT", "SH", "LO", "SP", "tuned BSP", "ODE SAP"};
 
 /// Stands in the world's loop and has all contestants do each step.
 class Chorus final : public BroadPhase<3> {
@@ -56,8 +57,11 @@ class Chorus final : public BroadPhase<3> {
     // Each in turn begins, because later ones find warmer caches.
     for (std::size_t k = 0; k < contestants_.size(); ++k) {
       const std::size_t turn = (k + steps_) % contestants_.size();
-      results_[turn] = contestants_[turn].step(requests_, steps_ % kBetweenCounts == 0);
+      results_[turn] = contestants_[turn].step(requests_);
     }
+    // Only when all are timed, since counting leaves the caches full of other things.
+    for (std::size_t k = 0; k < contestants_.size() && steps_ % kBetweenCounts == 0; ++k)
+      results_[k].candidates = contestants_[k].count_candidates();
     ++steps_;
     compare();
     requests_.clear();
@@ -98,6 +102,11 @@ class Chorus final : public BroadPhase<3> {
 
 std::span<const Simulation> simulations() { return kSimulations; }
 std::span<const std::string_view> contestants() { return kContestants; }
+
+std::string_view paper_name(std::string_view contestant) {
+  const auto found = std::ranges::find(kContestants, contestant);
+  return kPaperNames.at(static_cast<std::size_t>(found - kContestants.begin()));
+}
 
 ExperimentRun run_simulation(const Simulation& simulation, const ExperimentSize& size,
                              const std::function<bool(std::uint32_t step)>& watch) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -20,6 +21,8 @@ std::span<const Simulation> simulations();
 /// The broad phases of the experiment: the tree with the paper's parameters and the paper's four rivals, then
 /// the tuned tree and ODE's later space.
 std::span<const std::string_view> contestants();
+/// The paper's name of a contestant: "BSP", "QT", "SH", "LO" or "SP"; a like one for those that it has not.
+std::string_view paper_name(std::string_view contestant);
 
 /// The size of a simulation.
 struct ExperimentSize {
@@ -33,7 +36,7 @@ struct ContestantStep {
   double update = 0;         ///< overhead: taking over the boxes and bringing the structure up to date
   double collision = 0;      ///< finding the pairs
   std::uint64_t wrong = 0;   ///< pairs that it missed, invented or reported twice
-  double candidates = -1;    ///< pairs that its structure left to be tested; negative: unknown
+  double candidates = -1;    ///< pairs whose boxes its structure left to be compared; negative: not counted
   std::uint32_t height = 0;  ///< of a tree, and so are the next two
   std::uint32_t leaves = 0;
   std::uint64_t operators = 0;  ///< so far
@@ -55,6 +58,16 @@ struct ExperimentStep {
 };
 
 using ExperimentRun = std::vector<ExperimentStep>;
+
+/// One of the runs of a simulation.
+struct TimedRun {
+  std::uint64_t seed = 1;
+  std::uint32_t repeat = 1;  ///< from 1
+  ExperimentRun steps;
+};
+
+/// By simulation number - 1; each simulation has the same runs, all seeds of the first repeat first.
+using ExperimentRuns = std::array<std::vector<TimedRun>, 4>;
 
 /// Runs a simulation once with all broad phases side by side: each gets the same boxes in each step, in
 /// turns, and is timed by itself. The world follows the first of them; differences of the others' pairs from

@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "frames/page/gnuplot.h"
 #include "frames/page/plot.h"
 #include "frames/page/plot_parts.h"
+#include "frames/page/short_number.h"
 
 namespace kerf {
 namespace {
@@ -13,14 +12,13 @@ constexpr int kBarPlotWidth = 940;
 constexpr int kRow = 26;
 constexpr int kAround = 110;
 
-/// Row, value, and the value as text.
+/// Row, value, the value as text, and the end of the error bar.
 std::string data_block(const BarPlot& plot) {
   std::string data = "$bars << EOD\n";
   for (std::size_t k = 0; k < plot.bars.size(); ++k) {
-    std::array<char, 32> text{};
     const double value = plot.bars[k].value;
-    std::snprintf(text.data(), text.size(), value < 100 ? "%.3g" : "%.0f", value);
-    data += std::to_string(k) + " " + plot_number(plot.bars[k].value) + " " + text.data() + "\n";
+    data += std::to_string(k) + " " + plot_number(value) + " " + short_number(value) + " " +
+            plot_number(std::max(value, plot.bars[k].most)) + "\n";
   }
   return data + "EOD\n";
 }
@@ -31,7 +29,7 @@ std::string draw(const BarPlot& plot, std::string_view id) {
   double most = 0;
   std::vector<std::string> names;
   for (const BarPlot::Bar& bar : plot.bars) {
-    most = std::max(most, bar.value);
+    most = std::max({most, bar.value, bar.most});
     names.push_back(bar.name);
   }
   const double end = most > 0 ? 1.12 * most : 1;
@@ -41,7 +39,9 @@ std::string draw(const BarPlot& plot, std::string_view id) {
       std::to_string(plot.bars.size()) + ":-1]\nset xrange [0:" + plot_number(end) +
       "]\nset style fill solid 0.85 noborder\nset ytics scale 0 " + names_as_tics(names) + "\n" +
       data_block(plot) + "plot $bars using ($2/2):1:(0):2:($1-0.36):($1+0.36) with boxxyerror lc rgb " +
-      series_color(0) + ", $bars using 2:1:3 with labels left offset 0.5,0";
+      series_color(0) +
+      ", $bars using 2:1:2:4 with xerrorbars ps 0 lw 1 lc rgb '#555555', $bars using 4:1:3 with labels left "
+      "offset 0.5,0";
   return run_gnuplot(script, kBarPlotWidth, kAround + kRow * static_cast<int>(plot.bars.size()), id);
 }
 

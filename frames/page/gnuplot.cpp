@@ -41,12 +41,20 @@ void replace_all(std::string& text, std::string_view from, const std::string& to
     text.replace(at, from.size(), to);
 }
 
+/// Browsers show titles under the pointer; gnuplot's are its commands.
+void drop_titles(std::string& svg) {
+  constexpr std::string_view kEndOfTitle = "</title>";
+  for (std::size_t begin = 0; (begin = svg.find("<title>", begin)) != std::string::npos;)
+    svg.erase(begin, svg.find(kEndOfTitle, begin) + kEndOfTitle.size() - begin);
+}
+
 /// The SVG without what precedes its element, and with ids that are unique to the picture.
 std::string as_element(std::string svg, const std::string& id) {
   const std::size_t begin = svg.find("<svg");
   if (begin == std::string::npos || svg.find("</svg>") == std::string::npos)
     throw std::runtime_error("gnuplot drew nothing; try it in a terminal");
   svg.erase(0, begin);
+  drop_titles(svg);
   for (const char* quote : {"'", "\""}) {
     replace_all(svg, std::string("id=") + quote, std::string("id=") + quote + id + "-");
     replace_all(svg, std::string("href=") + quote + "#", std::string("href=") + quote + "#" + id + "-");

@@ -12,12 +12,19 @@ body{margin:0 auto;max-width:1120px;padding:1.5rem;font:16px/1.5 system-ui,sans-
 h1{margin-bottom:.2rem}h2{margin-top:3rem;border-bottom:2px solid #0072b2;padding-bottom:.2rem}h3{margin-top:2rem}
 nav a{margin-right:1rem;white-space:nowrap}.sub{color:#555}
 figure{margin:1rem 0;background:#fff;border:1px solid #e0e0da;padding:.5rem;overflow-x:auto}
-figure svg{display:block;max-width:100%;height:auto}figcaption{color:#555;font-size:.9rem}
+figure.wide{overflow:visible}figure svg{display:block;max-width:100%;height:auto}figcaption{color:#555;font-size:.9rem}
 .scroll{overflow-x:auto}table{border-collapse:collapse;font-size:.8rem;margin:.5rem 0;white-space:nowrap}
-th,td{padding:.2rem .5rem;text-align:right;border-bottom:1px solid #e4e4de}
+th,td{padding:.2rem .5rem;text-align:right;vertical-align:top;border-bottom:1px solid #e4e4de}
 th{position:sticky;top:0;background:#eeeee9}th:first-child,td:first-child{text-align:left}
 tr.front td{background:#e3f1fa}tr.front td:first-child::before{content:"\25CB\00A0";font-weight:bold}
 details{margin:.5rem 0 1.5rem}summary{cursor:pointer;color:#0072b2}
+th.text,td.text{white-space:normal;text-align:left;min-width:6rem}tr:target td{background:#fff3c4}
+.legend{position:sticky;top:0;z-index:1;background:#fff;padding:.3rem 0;border-bottom:1px solid #e0e0da}
+.legend span{margin-right:1.2rem;white-space:nowrap}.legend svg{display:inline;vertical-align:middle;margin-right:.3rem}
+.panels{display:grid;grid-template-columns:1fr 1fr;gap:.4rem}.panels svg{width:100%}
+.values .strip{fill:transparent}.values rect.paper{fill:#fff;fill-opacity:.95;stroke:#999}.values path{stroke:#999}
+.values text{font:11px system-ui,sans-serif}.values path,.values text,.values rect.paper{visibility:hidden;pointer-events:none}
+.values g:hover>path,.values g:hover>text,.values g:hover>rect.paper{visibility:visible}
 code{background:#eeeee9;padding:.1rem .3rem;border-radius:3px;font-size:.85rem}p.command{color:#555;font-size:.9rem}
 )";
 
@@ -75,20 +82,33 @@ void Page::figure(const std::string& svg, std::string_view caption) {
   body_ += "<figure>\n" + svg + "\n<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
+void Page::figure_of_panels(const std::vector<LegendEntry>& legend, const std::vector<std::string>& svgs,
+                            std::string_view caption) {
+  body_ += "<figure class=\"wide\">\n<div class=\"legend\">";
+  for (const LegendEntry& entry : legend) body_ += "<span>" + entry.svg + escaped(entry.name) + "</span>";
+  body_ += "</div>\n<div class=\"panels\">\n";
+  for (const std::string& svg : svgs) body_ += svg + "\n";
+  body_ += "</div>\n<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+}
+
 void Page::table(std::string_view summary, const std::vector<TableColumn>& columns, const Json& rows,
                  const std::vector<bool>& marked, bool open) {
   body_ += std::string("<details") + (open ? " open" : "") + "><summary>" + escaped(summary) +
            "</summary><div class=\"scroll\"><table>\n<tr>";
-  for (const TableColumn& column : columns) body_ += "<th>" + escaped(column.title) + "</th>";
+  for (const TableColumn& column : columns)
+    body_ += (column.wraps ? "<th class=\"text\">" : "<th>") + escaped(column.title) + "</th>";
   body_ += "</tr>\n";
   for (std::size_t k = 0; k < rows.size(); ++k) row(columns, rows[k], k < marked.size() && marked[k]);
   body_ += "</table></div></details>\n";
 }
 
 void Page::row(const std::vector<TableColumn>& columns, const Json& row, bool marked) {
-  body_ += marked ? "<tr class=\"front\">" : "<tr>";
+  const std::string id =
+      row.contains(kRowId) ? " id=\"" + escaped(row[kRowId].get<std::string>()) + "\"" : "";
+  body_ += "<tr" + id + (marked ? " class=\"front\">" : ">");
   for (const TableColumn& column : columns)
-    body_ += "<td>" + (row.contains(column.key) ? value_text(row[column.key], column) : "") + "</td>";
+    body_ += (column.wraps ? "<td class=\"text\">" : "<td>") +
+             (row.contains(column.key) ? value_text(row[column.key], column) : "") + "</td>";
   body_ += "</tr>\n";
 }
 

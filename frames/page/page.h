@@ -14,9 +14,18 @@ inline constexpr int kShortestDigits = -1;
 /// How a figure of a row is shown.
 struct TableColumn {
   std::string title;
-  std::string key;   ///< in the row; a row without it shows nothing
-  int digits = 0;    ///< behind the point
-  double scale = 1;  ///< the number is multiplied by it first
+  std::string key;     ///< in the row; a row without it shows nothing
+  int digits = 0;      ///< behind the point
+  double scale = 1;    ///< the number is multiplied by it first
+  bool wraps = false;  ///< long text, on the left, in several lines
+};
+
+/// The key of a row's address: links to "#address" lead to the row.
+inline constexpr const char* kRowId = "#";
+
+struct LegendEntry {
+  std::string svg;  ///< how it looks
+  std::string name;
 };
 
 /// Text escaped for an HTML page.
@@ -32,6 +41,9 @@ class Page {
   void paragraph(std::string_view text);
   /// An SVG element with a line below it.
   void figure(const std::string& svg, std::string_view caption);
+  /// A figure of SVG elements in two columns, a row after the other, below a legend that remains in sight.
+  void figure_of_panels(const std::vector<LegendEntry>& legend, const std::vector<std::string>& svgs,
+                        std::string_view caption);
   /// Rows are objects. Marked rows (`marked` is empty or as long as the rows) stand out with a ring. A click
   /// on the summary of a closed table opens it.
   void table(std::string_view summary, const std::vector<TableColumn>& columns, const Json& rows,

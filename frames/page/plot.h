@@ -1,17 +1,27 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace kerf {
 
+/// What a value spreads over: an error bar of a point, a band of a line.
+struct PlotRange {
+  double low = 0;
+  double high = 0;
+};
+
 struct PlotPoint {
   double x = 0;
   double y = 0;
-  std::string label;    ///< beside the point, if there is room; empty: none
+  std::string label{};  ///< beside the point, if there is room; empty: none
   bool marked = false;  ///< with a ring: on the Pareto front
+  std::string name{};   ///< under the pointer, before the values; empty: that of the series
+  std::optional<PlotRange> x_range{};
+  std::optional<PlotRange> y_range{};
 };
 
 enum class PlotStyle : std::uint8_t {
@@ -44,6 +54,7 @@ struct BarPlot {
   struct Bar {
     std::string name;
     double value = 0;
+    double most = 0;  ///< the end of an error bar from the value on; less than the value: none
   };
   std::string title;
   std::string x_label;

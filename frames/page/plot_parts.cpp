@@ -8,12 +8,14 @@
 
 namespace kerf {
 
-std::string series_color(std::size_t k) {
+std::string series_hex(std::size_t k) {
   const Color& color = palette::kSeries[k % palette::kSeries.size()];
   std::array<char, 10> text{};
-  std::snprintf(text.data(), text.size(), "'#%02x%02x%02x'", color.r, color.g, color.b);
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", color.r, color.g, color.b);
   return text.data();
 }
+
+std::string series_color(std::size_t k) { return "'" + series_hex(k) + "'"; }
 
 std::string at_pixel(double pixels, double of) { return " at screen " + plot_number(pixels / of); }
 

@@ -8,7 +8,9 @@ namespace kerf {
 
 // Lines of gnuplot scripts that several kinds of plots share.
 
-/// The k-th colour of a plot, in quotes; see viz/draw/palette.h.
+/// The k-th colour of a plot, "#0072b2"; see viz/draw/palette.h.
+std::string series_hex(std::size_t k);
+/// The same in gnuplot's quotes.
 std::string series_color(std::size_t k);
 /// " at screen X": a place in pixels, of `of` pixels.
 std::string at_pixel(double pixels, double of);

@@ -100,6 +100,8 @@ Json TotalCost<D>::run(const std::function<std::unique_ptr<BroadPhase<D>>()>& ma
   return {{"broad_ns", figures.broad.over(objects).mean},
           {"narrow_ns", figures.narrow.over(objects).mean},
           {"total_ns", total.mean},
+          {"total_ns_low", total.round_low},
+          {"total_ns_high", total.round_high},
           {"p99_ns", total.p99},
           {"max_ns", total.max},
           {"candidates", figures.candidates},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "frames/page/pareto.h"
 
@@ -23,7 +24,27 @@ PlotSeries& series_of(Plot& plot, const std::string& family) {
   return plot.series.back();
 }
 
+/// None if the row does not have it. The figure itself is always in it.
+std::optional<PlotRange> range_of(const Json& row, const std::string& figure, double scale) {
+  if (!row.contains(low_key(figure)) || !row.contains(high_key(figure))) return std::nullopt;
+  const double value = row.at(figure).get<double>();
+  return PlotRange{std::min(value, row.at(low_key(figure)).get<double>()) * scale,
+                   std::max(value, row.at(high_key(figure)).get<double>()) * scale};
+}
+
+PlotPoint point_of(const Json& row, const Trade& trade, bool on_front) {
+  const std::string setting = row.at("setting").get<std::string>();
+  PlotPoint point{error_of(row, trade), time_of(row, trade), on_front ? short_name(setting) : "", on_front,
+                  setting};
+  point.x_range = range_of(row, trade.error, trade.error_scale);
+  point.y_range = range_of(row, trade.time, 1);
+  return point;
+}
+
 }  // namespace
+
+std::string low_key(const std::string& figure) { return figure + "_low"; }
+std::string high_key(const std::string& figure) { return figure + "_high"; }
 
 std::vector<bool> front_of(const Json& rows, const Trade& trade) {
   std::vector<Cost> costs;
@@ -38,11 +59,9 @@ Plot plot_of(const Json& rows, const Trade& trade, const std::string& title, con
   Plot plot{title, trade.error_label, trade.time_label, true, true, {}};
   for (const Json& row : all) series_of(plot, row.at("family").get<std::string>());
   const std::vector<bool> front = front_of(rows, trade);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const std::string label = front[k] ? short_name(rows[k].at("setting").get<std::string>()) : "";
+  for (std::size_t k = 0; k < rows.size(); ++k)
     series_of(plot, rows[k].at("family").get<std::string>())
-        .points.push_back({error_of(rows[k], trade), time_of(rows[k], trade), label, front[k]});
-  }
+        .points.push_back(point_of(rows[k], trade, front[k]));
   return plot;
 }
 

@@ -20,6 +20,10 @@ struct Trade {
 /// The family of rows that are shown for comparison and are no settings: they are never on a front.
 inline constexpr const char* kControl = "control";
 
+/// Where a row has what its figure spreads over, if it does.
+std::string low_key(const std::string& figure);
+std::string high_key(const std::string& figure);
+
 /// For each row whether it is on the Pareto front.
 std::vector<bool> front_of(const Json& rows, const Trade& trade);
 /// The rows as a plot: a series for each "family", rows on the front marked and labelled with their

@@ -216,6 +216,8 @@ void note_times(const Clocks& clocks, double bricks, VolumeFigure& figure) {
   figure.median_ns = tree.median;
   figure.p99_ns = tree.p99;
   figure.max_ns = tree.max;
+  figure.low_ns = tree.round_low;
+  figure.high_ns = tree.round_high;
 }
 
 template <int D>

@@ -23,6 +23,8 @@ struct VolumeFigure {
   double median_ns = 0;
   double p99_ns = 0;
   double max_ns = 0;
+  double low_ns = 0;   ///< mean of the fastest round
+  double high_ns = 0;  ///< and of the slowest
 };
 
 /// The slendernesses to measure: cubes, short and long rods.

@@ -7,7 +7,8 @@ namespace {
 
 std::unique_ptr<BroadPhase<3>> make_space(OdeSpaceKind kind, const RivalHints<3>& hints, Intake intake) {
   return std::make_unique<OdeSpace>(kind, hints.bounds,
-                                    intake == Intake::raw ? OdeIntake::raw : OdeIntake::checked);
+                                    intake == Intake::raw ? OdeIntake::raw : OdeIntake::checked,
+                                    hints.separating[2] ? OdePlane::xz : OdePlane::xy);
 }
 
 }  // namespace

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
+
+#include "sims3d/rivals/ode_candidates.h"
 
 namespace kerf {
 namespace {
@@ -15,23 +18,19 @@ constexpr dReal kThinnest = 4 * std::numeric_limits<dReal>::min();
 
 constexpr unsigned long kFixed = 1;
 constexpr unsigned long kMoving = 2;
+constexpr unsigned long kMarkerBits = 4;
+/// The data of the geoms that are no objects.
+constexpr std::uintptr_t kMarker = ~std::uintptr_t{0};
 
-dSpaceID make_space(OdeSpaceKind kind, const Box<3>& bounds) {
-  switch (kind) {
-    case OdeSpaceKind::hash:
-      return dHashSpaceCreate(nullptr);
-    case OdeSpaceKind::quadtree: {
-      const Vector<3> center = bounds.center();
-      const Vector<3> half = bounds.extent() * 0.5F;
-      const dVector3 c{center[0], center[1], center[2]};
-      const dVector3 h{half[0], half[1], half[2]};
-      constexpr int kDepth = 7;  // 4^7 leaves; level 11, as in the paper, takes 400 MB
-      return dQuadTreeSpaceCreate(nullptr, c, h, kDepth);
-    }
-    case OdeSpaceKind::sweep_and_prune:
-      return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY);
-  }
-  return nullptr;
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point begin, Clock::time_point end) {
+  return std::chrono::duration<double>(end - begin).count();
+}
+
+/// The same box with Y and Z exchanged.
+Box<3> with_exchanged_axes(const Box<3>& box) {
+  return {{{box.min[0], box.min[2], box.min[1]}}, {{box.max[0], box.max[2], box.max[1]}}};
 }
 
 ObjectId object_of(dGeomID geom) {
@@ -42,21 +41,60 @@ void keep_pair(void* pairs, dGeomID a, dGeomID b) {
   static_cast<std::vector<Pair>*>(pairs)->push_back(make_pair(object_of(a), object_of(b)));
 }
 
+/// The pairs of a search, and when it began and ended.
+struct TimedSearch {
+  std::vector<Pair>* pairs;
+  Clock::time_point begin{};
+  Clock::time_point end{};
+};
+
+void keep_pair_or_time(void* data, dGeomID a, dGeomID b) {
+  TimedSearch& search = *static_cast<TimedSearch*>(data);
+  if (reinterpret_cast<std::uintptr_t>(dGeomGetData(a)) != kMarker) {
+    keep_pair(search.pairs, a, b);
+  } else if (search.begin == Clock::time_point{}) {
+    search.begin = Clock::now();
+  } else {
+    search.end = Clock::now();
+  }
+}
+
 }  // namespace
 
-OdeSpace::OdeSpace(OdeSpaceKind kind, const Box<3>& bounds, OdeIntake intake) : kind_(kind), intake_(intake) {
+OdeSpace::OdeSpace(OdeSpaceKind kind, const Box<3>& bounds, OdeIntake intake, OdePlane plane)
+    : kind_(kind),
+      intake_(intake),
+      exchanges_axes_(kind == OdeSpaceKind::quadtree && plane == OdePlane::xz),
+      bounds_(exchanges_axes_ ? with_exchanged_axes(bounds) : bounds) {
   const auto lock = library_.enter();
-  space_ = make_space(kind, bounds);
-  if (space_ == nullptr) throw std::runtime_error("ODE cannot make its space");
-  dSpaceSetCleanup(space_, 0);
+  space_ = make_space();
   constexpr dReal kFarAway = 1e30;
   stranger_.reset(dCreateSphere(nullptr, 1));
   dGeomSetPosition(stranger_.get(), kFarAway, kFarAway, kFarAway);
 }
 
+/// An empty one.
+dSpaceID OdeSpace::make_space() const {
+  dSpaceID space = nullptr;
+  if (kind_ == OdeSpaceKind::hash) space = dHashSpaceCreate(nullptr);
+  if (kind_ == OdeSpaceKind::sweep_and_prune) space = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY);
+  if (kind_ == OdeSpaceKind::quadtree) {
+    const Vector<3> center = bounds_.center();
+    const Vector<3> half = bounds_.extent() * 0.5F;
+    const dVector3 c{center[0], center[1], center[2]};
+    const dVector3 h{half[0], half[1], half[2]};
+    constexpr int kDepth = 7;  // 4^7 leaves; level 11, as in the paper, takes 400 MB
+    space = dQuadTreeSpaceCreate(nullptr, c, h, kDepth);
+  }
+  if (space == nullptr) throw std::runtime_error("ODE cannot make its space");
+  dSpaceSetCleanup(space, 0);
+  return space;
+}
+
 OdeSpace::~OdeSpace() {
   const auto lock = library_.enter();
   geoms_.clear();
+  markers_.clear();
   stranger_.reset();
   dSpaceDestroy(space_);
 }
@@ -76,7 +114,8 @@ void OdeSpace::place(ObjectId object, const Box<3>& given) {
     geom.reset();
     return;
   }
-  const Box<3>& box = raw ? given : objects_.box(object);
+  const Box<3>& latest = raw ? given : objects_.box(object);
+  const Box<3> box = exchanges_axes_ ? with_exchanged_axes(latest) : latest;
   std::array<dReal, 3> center;
   std::array<dReal, 3> size;
   for (int i = 0; i < 3; ++i) {
@@ -121,16 +160,63 @@ Status OdeSpace::remove(ObjectId object) {
 /// A query for a geom far away makes the quadtree place the objects that moved.
 void OdeSpace::arrange() {
   if (kind_ != OdeSpaceKind::quadtree) return;
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   dSpaceCollide2(reinterpret_cast<dGeomID>(space_), stranger_.get(), &pairs_, keep_pair);
-  arrange_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  arrange_seconds_ = seconds_between(start, Clock::now());
+}
+
+void OdeSpace::separate_times() {
+  constexpr double kFreePlace = 1e7 + 0.0625;  // in a cell of the finest level
+  const auto lock = library_.enter();
+  if (kind_ != OdeSpaceKind::hash || !markers_.empty()) return;
+  for (const double size : {4096.0, 0.03125})  // larger than any cell; smaller than all
+    for (int k = 0; k < 2; ++k) add_marker(kFreePlace, size);
+}
+
+void OdeSpace::add_marker(double x, double size) {
+  const dGeomID marker = markers_.emplace_back(dCreateBox(space_, size, size, size)).get();
+  dGeomSetData(marker, reinterpret_cast<void*>(kMarker));
+  dGeomSetCategoryBits(marker, kMarkerBits);
+  dGeomSetCollideBits(marker, kMarkerBits);
+  dGeomSetPosition(marker, x, 0.0625, 0.0625);
+}
+
+/// ODE puts what moved last in front of its list, and compares in the order of the list.
+void OdeSpace::search() {
+  for (const OdeHandle<dxGeom>& marker : markers_) {
+    const dReal* at = dGeomGetPosition(marker.get());
+    dGeomSetPosition(marker.get(), at[0], at[1], at[2]);
+  }
+  TimedSearch search{&pairs_};
+  const auto start = Clock::now();
+  dSpaceCollide(space_, &search, keep_pair_or_time);
+  arrange_seconds_ = seconds_between(start, search.begin) + seconds_between(search.end, Clock::now());
 }
 
 void OdeSpace::step() {
   const auto lock = library_.enter();
   arrange();
   pairs_.clear();
-  dSpaceCollide(space_, &pairs_, keep_pair);
+  if (markers_.empty()) {
+    dSpaceCollide(space_, &pairs_, keep_pair);
+  } else {
+    search();
+  }
+}
+
+double OdeSpace::count_candidates() const {
+  const auto lock = library_.enter();
+  std::vector<OdeBox> boxes;
+  for (const OdeHandle<dxGeom>& geom : geoms_) {
+    if (!geom) continue;
+    OdeBox& box = boxes.emplace_back();
+    dGeomGetAABB(geom.get(), box.bounds.data());
+    box.fixed = dGeomGetCategoryBits(geom.get()) == kFixed;
+  }
+  const std::unique_ptr<dxSpace, void (*)(dSpaceID)> space(make_space(), dSpaceDestroy);
+  if (kind_ == OdeSpaceKind::hash) return count_hash_candidates(space.get(), boxes);
+  if (kind_ == OdeSpaceKind::quadtree) return count_quadtree_candidates(space.get(), boxes);
+  return count_sweep_candidates(space.get(), boxes);
 }
 
 }  // namespace kerf

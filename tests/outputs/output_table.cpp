@@ -79,7 +79,7 @@ const std::vector<OutputCase>& output_table() {
        "--out",
        folder,
        "experiment/experiment.md",
-       {"--steps", "50", "--objects", "50", "--out", "OUT"}},
+       {"--steps", "50", "--objects", "50", "--seeds", "1", "--out", "OUT"}},
       {"report", "--out", file, "page.html", {"hardcases", "--hardcases", "HARD", "--out", "OUT"}},
   };
   return kTable;

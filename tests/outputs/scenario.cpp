@@ -150,20 +150,22 @@ Scenario report_scenario() {
 /// Three of its simulations are done.
 Scenario experiment_scenario() {
   const auto arguments = [](const Path& folder) -> Words {
-    return {"experiment", "--steps", "50", "--objects", "50", "--out", folder, "--overwrite"};
+    return {"experiment", "--steps", "50", "--objects", "50", "--seeds", "1", "--out", folder, "--overwrite"};
   };
-  return {"experiment",
-          [arguments](const Path& folder) {
-            run(arguments(folder));
-            std::filesystem::remove(folder / "simulation-4-buckets.csv");
-            for (const char* const name : {"experiment.md", "figure-12.svg", "figure-13.png"})
-              write(folder / name, "an earlier one");
-          },
-          arguments,
-          {{"experiment.md", Likeness::same_end},
-           {"figure-12.svg", Likeness::same_end},
-           {"figure-13.png", Likeness::same_end},
-           {"simulation-4-buckets.csv", Likeness::same_lines}}};
+  return {
+      "experiment",
+      [arguments](const Path& folder) {
+        run(arguments(folder));
+        std::filesystem::remove(folder / "simulation-4-buckets-seed-1-repeat-1.csv");
+        for (const char* const name : {"experiment.md", "experiment.html", "figure-12.svg", "figure-13.png"})
+          write(folder / name, "an earlier one");
+      },
+      arguments,
+      {{"experiment.md", Likeness::same_end},
+       {"experiment.html", Likeness::same_end},
+       {"figure-12.svg", Likeness::same_end},
+       {"figure-13.png", Likeness::same_end},
+       {"simulation-4-buckets-seed-1-repeat-1.csv", Likeness::same_lines}}};
 }
 
 Scenario step_scenario() {

@@ -16,12 +16,6 @@ std::vector<double> at_sample(const LoopRuns& runs, std::size_t sample) {
   return distances;
 }
 
-/// The value that a quarter (or any other share) of the numbers do not exceed.
-double quantile(std::vector<double> numbers, double share) {
-  std::sort(numbers.begin(), numbers.end());
-  return numbers[static_cast<std::size_t>(share * static_cast<double>(numbers.size() - 1) + 0.5)];
-}
-
 /// The first step at which half of the seeds are farther apart than `distance`; -1: never.
 double parted_at(const LoopRuns& runs, double distance) {
   for (std::size_t k = 0; k < runs.steps.size(); ++k)
@@ -41,6 +35,14 @@ Json row_of(const LoopRuns& runs) {
   return row;
 }
 
+/// The median of the seeds and its quartiles.
+PlotPoint point_at(const LoopRuns& runs, std::size_t sample) {
+  const std::vector<double> distances = at_sample(runs, sample);
+  PlotPoint point{runs.steps[sample], median(distances)};
+  point.y_range = {quantile(distances, 0.25), quantile(distances, 0.75)};
+  return point;
+}
+
 PlotSeries series_of(const LoopRuns& runs) {
   constexpr int kBlack = 7;
   const bool is_control = runs.family == kControl;
@@ -48,14 +50,13 @@ PlotSeries series_of(const LoopRuns& runs) {
                     {},
                     is_control ? PlotStyle::dashed : PlotStyle::line,
                     is_control ? kBlack : -1};
-  for (std::size_t k = 0; k < runs.steps.size(); ++k)
-    series.points.push_back({runs.steps[k], median(at_sample(runs, k)), "", false});
+  for (std::size_t k = 0; k < runs.steps.size(); ++k) series.points.push_back(point_at(runs, k));
   return series;
 }
 
 void write_scene(const LoopScene& scene, const CellStore& store, Page& page) {
   const std::string name = scene.scene + " in " + std::to_string(scene.dimension) + "D";
-  Plot plot{name + ": distance from the exact run, median of seeds",
+  Plot plot{name + ": distance from the exact run, median and quartiles of seeds",
             "step",
             "units of the scene, root mean square",
             false,

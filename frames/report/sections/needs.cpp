@@ -50,7 +50,8 @@ void write_scene(const NeedsCell& needs, const CellStore& store, Page& page) {
   const std::string name = needs.scene + " in " + std::to_string(needs.dimension) + "D";
   BarPlot plot{name + ": what each need costs, switched on alone", "ns a moving object and step, mean", {}};
   for (const Json& row : rows)
-    plot.bars.push_back({row.at("need").get<std::string>(), row.at("mean_ns").get<double>()});
+    plot.bars.push_back(
+        {row.at("need").get<std::string>(), row.at("mean_ns").get<double>(), row.value("mean_ns_high", 0.0)});
   page.heading(name);
   page.figure(draw(plot, "needs-" + needs.scene + std::to_string(needs.dimension)), needs.cell.key);
   page.table("all needs of this plot",

@@ -35,6 +35,8 @@ Json row_of(const VolumeFigure& figure) {
           {"missed", figure.missed},
           {"bound_ns", figure.bound_ns},
           {"total_ns", figure.bound_ns + figure.mean_ns},
+          {"total_ns_low", figure.bound_ns + figure.low_ns},
+          {"total_ns_high", figure.bound_ns + figure.high_ns},
           {"mean_ns", figure.mean_ns},
           {"median_ns", figure.median_ns},
           {"p99_ns", figure.p99_ns},

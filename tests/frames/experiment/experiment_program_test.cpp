@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
@@ -15,48 +16,77 @@ using testing::Outcome;
 using testing::run_kerf;
 using testing::TemporaryFolder;
 
-std::vector<std::string> small_experiment(const std::filesystem::path& out, const char* steps = "60") {
-  return {"experiment", "--steps", steps, "--objects", "60", "--out", out.string()};
+constexpr const char* kFirstRun = "simulation-1-terrain-seed-1-repeat-1.csv";
+
+std::vector<std::string> small_experiment(const std::filesystem::path& out, const char* steps = "60",
+                                          const char* seeds = "1") {
+  return {"experiment", "--steps", steps, "--objects", "60", "--seeds", seeds, "--out", out.string()};
 }
 
 std::string all_tables(const std::filesystem::path& folder) {
   std::string all;
   for (const char* name : {"1-terrain", "2-attractors", "3-fracture", "4-buckets"})
-    all += testing::read_text(folder / ("simulation-" + std::string(name) + ".csv"));
+    all += testing::read_text(folder / ("simulation-" + std::string(name) + "-seed-1-repeat-1.csv"));
   return all;
 }
 
-TEST(ExperimentProgram, MakesPageFiguresAndTablesAndDoesNothingTwice) {
+TEST(ExperimentProgram, MakesPagesFiguresAndTablesAndDoesNothingTwice) {
   const TemporaryFolder folder;
   const Outcome outcome = run_kerf(small_experiment(folder.path()));
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
-  EXPECT_THAT(folder.files(), ::testing::UnorderedElementsAre(
-                                  "experiment.md", "figure-12.png", "figure-12.svg", "figure-13.png",
-                                  "figure-13.svg", "simulation-1-terrain.csv", "simulation-2-attractors.csv",
-                                  "simulation-3-fracture.csv", "simulation-4-buckets.csv"));
+  EXPECT_THAT(folder.files(),
+              ::testing::UnorderedElementsAre(
+                  "experiment.html", "experiment.md", "figure-12.png", "figure-12.svg", "figure-13.png",
+                  "figure-13.svg", kFirstRun, "simulation-2-attractors-seed-1-repeat-1.csv",
+                  "simulation-3-fracture-seed-1-repeat-1.csv", "simulation-4-buckets-seed-1-repeat-1.csv"));
   const std::string page = testing::read_text(folder.path() / "experiment.md");
-  for (const char* word :
-       {"Simulation 4", "ode-quadtree", "holds", "figure-13.svg", "simulation-2-attractors.csv"})
+  for (const char* word : {"Simulation 4", "ode-quadtree", "too few runs: 1", "figure-13.svg", kFirstRun,
+                           "1 repeat of 1 seed", "fewer than"})
     EXPECT_THAT(page, HasSubstr(word));
-  const std::string table = testing::read_text(folder.path() / "simulation-1-terrain.csv");
+  const std::string table = testing::read_text(folder.path() / kFirstRun);
   EXPECT_EQ(std::ranges::count(table, '\n'), 2 + 60 * 7);
   EXPECT_THAT(testing::read_text(folder.path() / "figure-12.svg"), HasSubstr("</svg>"));
 
   // Times are never the same twice: a table that is the same was not made anew.
   const std::string before = all_tables(folder.path());
-  std::filesystem::remove(folder.path() / "simulation-3-fracture.csv");
+  std::filesystem::remove(folder.path() / "simulation-3-fracture-seed-1-repeat-1.csv");
   EXPECT_EQ(run_kerf(small_experiment(folder.path())).exit, kExitUnusable) << "the page is there";
   std::vector<std::string> again = small_experiment(folder.path());
   again.emplace_back("--overwrite");
   ASSERT_EQ(run_kerf(again).exit, kExitHolds);
-  EXPECT_EQ(testing::read_text(folder.path() / "simulation-1-terrain.csv"), table);
+  EXPECT_EQ(testing::read_text(folder.path() / kFirstRun), table);
   EXPECT_NE(all_tables(folder.path()), before);
+}
+
+/// The candidates of all broad phases but the tuned tree are counted, ODE's among them.
+TEST(ExperimentProgram, RunsSeedsAndRepeatsAndCountsCandidates) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments = small_experiment(folder.path(), "50", "2");
+  arguments.insert(arguments.end(), {"--repeats", "2", "--seed", "7"});
+  ASSERT_EQ(run_kerf(arguments).exit, kExitHolds);
+  const auto run = [&](const char* name) {
+    return testing::read_text(folder.path() / ("simulation-2-attractors-" + std::string(name) + ".csv"));
+  };
+  EXPECT_THAT(run("seed-8-repeat-2"), HasSubstr("seed 8, repeat 2"));
+  std::istringstream table(run("seed-7-repeat-1"));
+  std::size_t counted = 0;
+  for (std::string line; std::getline(table, line);) {
+    std::istringstream cells(line);
+    std::vector<std::string> row;
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
+    if (row.size() < 14 || row[0] != "11") continue;
+    EXPECT_EQ(row[5].empty(), row[2] == "kerf") << line;
+    ++counted;
+  }
+  EXPECT_EQ(counted, 7U);
+  EXPECT_THAT(testing::read_text(folder.path() / "experiment.md"), HasSubstr("2 repeats of 2 seeds"));
 }
 
 TEST(ExperimentProgram, RefusesAFolderOfAnotherSizeAndDamagedTables) {
   const TemporaryFolder folder;
-  std::ofstream(folder.path() / "simulation-2-attractors.csv")
-      << "# kerf experiment, simulation 2 (attractors), steps 60, objects 60, seed 1\nstep\n1,2,3\n";
+  std::ofstream(folder.path() / "simulation-2-attractors-seed-1-repeat-1.csv")
+      << "# kerf experiment 2, simulation 2 (attractors), steps 60, objects 60, seed 1, repeat "
+         "1\nstep\n1,2,3\n";
   const Outcome other = run_kerf(small_experiment(folder.path(), "70"));
   EXPECT_EQ(other.exit, kExitUnusable);
   EXPECT_THAT(other.err, HasSubstr("another experiment"));
@@ -65,12 +95,24 @@ TEST(ExperimentProgram, RefusesAFolderOfAnotherSizeAndDamagedTables) {
   EXPECT_THAT(damaged.err, HasSubstr("remove it"));
 }
 
+TEST(ExperimentProgram, RefusesTheFileOfAnEarlierKerf) {
+  const TemporaryFolder folder;
+  const std::filesystem::path earlier = folder.path() / "simulation-2-attractors.csv";
+  std::ofstream(earlier) << "# kerf experiment, simulation 2 (attractors), steps 60, objects 60, seed 1\n";
+  const Outcome outcome = run_kerf(small_experiment(folder.path()));
+  EXPECT_EQ(outcome.exit, kExitUnusable);
+  EXPECT_THAT(outcome.err, HasSubstr("earlier kerf"));
+  EXPECT_THAT(outcome.err, HasSubstr("--out"));
+  EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(folder.path())), 1);
+}
+
 TEST(ExperimentProgram, KeepsWhatIsDoneWhenInterrupted) {
   const TemporaryFolder folder;
-  const std::filesystem::path first = folder.path() / "simulation-1-terrain.csv";
+  const std::filesystem::path first = folder.path() / kFirstRun;
   const Outcome outcome = testing::interrupt_kerf(small_experiment(folder.path(), "2000"),
                                                   [&] { return std::filesystem::exists(first); });
   EXPECT_EQ(outcome.exit, kExitInterrupted) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("of 4 runs are in"));
   EXPECT_THAT(outcome.err, HasSubstr("the same command goes on"));
   EXPECT_TRUE(std::filesystem::exists(first));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "experiment.md"));
@@ -83,6 +125,9 @@ TEST(ExperimentProgram, MistakesAreExplained) {
   const Outcome both = run_kerf({"experiment", "--full", "--steps", "100"});
   EXPECT_EQ(both.exit, kExitUnusable);
   EXPECT_THAT(both.err, HasSubstr("--full"));
+  const Outcome none = run_kerf({"experiment", "--repeats", "0"});
+  EXPECT_EQ(none.exit, kExitUnusable);
+  EXPECT_THAT(none.err, HasSubstr("--repeats '0'"));
 }
 
 }  // namespace

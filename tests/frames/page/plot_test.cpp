@@ -75,6 +75,34 @@ TEST(Plot, IsAnElementWithIdsOfItsOwn) {
   EXPECT_THAT(svg, HasSubstr("mine-gpPt0"));
   EXPECT_THAT(svg, Not(HasSubstr("'gpPt0'")));
   EXPECT_THAT(svg, Not(HasSubstr("<script")));
+  EXPECT_THAT(svg, Not(HasSubstr("<title"))) << "browsers show gnuplot's own names under the pointer";
+}
+
+TEST(Plot, PointsHaveErrorBarsAndValuesUnderThePointer) {
+  Plot plot{"title", "error", "time", true, true, {{"series", {{1, 10}}}}};
+  const std::string without = draw(plot, "p");
+  EXPECT_THAT(without, HasSubstr("time: 10<"));
+  plot.series[0].points[0].name = "a setting";
+  plot.series[0].points[0].y_range = {8, 500};
+  const std::string with = draw(plot, "p");
+  EXPECT_THAT(with, HasSubstr("a setting"));
+  EXPECT_THAT(with, HasSubstr("time: 10 (8 to 500)"));
+  EXPECT_THAT(with, HasSubstr("class=\"strip\""));
+  EXPECT_THAT(without, Not(HasSubstr("p-gnuplot_plot_2")));
+  EXPECT_THAT(with, HasSubstr("p-gnuplot_plot_2")) << "bars are drawn apart from points";
+  EXPECT_THAT(with, HasSubstr(">500<"));
+}
+
+TEST(Plot, LinesHaveBands) {
+  Plot plot{"title", "x", "y", false, false, {{"series", {{1, 10}, {2, 20}}, PlotStyle::line}}};
+  EXPECT_THAT(draw(plot, "p"), Not(HasSubstr("fill-opacity = '0.12'")));
+  for (PlotPoint& point : plot.series[0].points) point.y_range = {point.y - 1, point.y + 1};
+  EXPECT_THAT(draw(plot, "p"), HasSubstr("fill-opacity"));
+}
+
+TEST(Plot, BarsHaveErrorBars) {
+  const std::string svg = draw(BarPlot{"title", "ns", {{"one", 1, 0}, {"two", 2, 40}}}, "bars");
+  EXPECT_THAT(svg, HasSubstr(" 40<")) << "the axis reaches the end of the error bar";
 }
 
 TEST(Plot, OfBarsAndOfCells) {

@@ -49,8 +49,9 @@ TEST(ReportProgram, APageOfAllSectionsStandsAloneInABrowser) {
   const std::string text = read_text(page);
   EXPECT_THAT(text, Not(HasSubstr("src="))) << "nothing is loaded";
   EXPECT_THAT(text, Not(HasSubstr("@import")));
-  for (const char* part : {"kerf report missed --objects 40", "Recommended settings", "period=4:margin=0.1",
-                           "oriented-box", "one ulp aside", "energy drift", "a third axis", "planted-rival"})
+  for (const char* part :
+       {"kerf report missed --objects 40", "Recommended settings", "period=4:margin=0.1", "oriented-box",
+        "one ulp aside", "energy drift", "error bars", "class=\"strip\"", "a third axis", "planted-rival"})
     EXPECT_THAT(text, HasSubstr(part));
   const Sight sight = look_at(page);
   ASSERT_EQ(sight.trouble, "");

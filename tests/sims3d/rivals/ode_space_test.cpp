@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 
 #include "tests/support/checked.h"
@@ -27,6 +28,31 @@ TEST_P(OdeSpaces, FlatBoxesAndPointsHavePairs) {
   insert(3, {{{3, 3, 3}}, {{3, 3, 3}}}, Mobility::moving);
   checked.step();
   EXPECT_EQ(checked.pairs().size(), 3U);
+}
+
+/// The search alone takes longer where every object is compared with all, the building where none is.
+TEST(OdeHashSpace, ItsTablesTimeIsApartFromTheSearch) {
+  constexpr std::uint32_t kObjects = 1500;
+  const auto share_of_table = [](Scalar spacing) {
+    OdeSpace space(OdeSpaceKind::hash, kBounds);
+    space.separate_times();
+    Checked<3> checked(space);
+    for (std::uint32_t k = 0; k < kObjects; ++k) {
+      const Scalar x = spacing * static_cast<Scalar>(k);
+      static_cast<void>(checked.insert({k}, {{{x, 0, 0}}, {{x + 0.4F, 0.4F, 0.4F}}}, Mobility::moving));
+    }
+    checked.step();
+    const auto start = std::chrono::steady_clock::now();
+    space.step();
+    const double whole = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    EXPECT_GT(space.arrange_seconds(), 0);
+    EXPECT_LT(space.arrange_seconds(), whole);
+    return space.arrange_seconds() / whole;
+  };
+  const double crowded = share_of_table(1e-5F);
+  const double sparse = share_of_table(2);
+  EXPECT_LT(crowded, 0.3);
+  EXPECT_GT(sparse, 2 * crowded);
 }
 
 std::string kind_name(const testing::TestParamInfo<OdeSpaceKind>& info) {

@@ -1,0 +1,128 @@
+#include "frames/experiment/experiment_panels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "frames/catalog/algorithm.h"
+#include "frames/experiment/run_measures.h"
+#include "frames/experiment/spread.h"
+
+namespace kerf {
+namespace {
+
+using PanelValue = double (*)(const ExperimentStep&, std::size_t contestant);
+
+/// One panel of a column; a value below zero is no figure.
+struct Panel {
+  const char* title;
+  const char* unit;
+  bool logarithmic;
+  bool trees_only;
+  bool is_time;
+  PanelValue value;
+};
+
+constexpr std::array<Panel, 7> kPanels{
+    {{"frames a second", "", true, false, true, [](const auto& row, std::size_t k) { return row.fps(k); }},
+     {"pairs left to be tested", "", true, false, false,
+      [](const auto& row, std::size_t k) { return row.contestants[k].candidates; }},
+     {"collision time, ms a step", " ms", true, false, true,
+      [](const auto& row, std::size_t k) { return row.contestants[k].collision; }},
+     {"overhead, ms a step", " ms", true, false, true,
+      [](const auto& row, std::size_t k) { return row.contestants[k].update; }},
+     {"depth of the tree", "", false, true, false,
+      [](const auto& row, std::size_t k) { return double{1} * row.contestants[k].height; }},
+     {"leaves of the tree", "", false, true, false,
+      [](const auto& row, std::size_t k) { return double{1} * row.contestants[k].leaves; }},
+     {"operators of the tree so far", "", false, true, false,
+      [](const auto& row, std::size_t k) { return static_cast<double>(row.contestants[k].operators); }}}};
+constexpr std::size_t kPairsPanel = 1;
+
+std::size_t stretch_of(const ExperimentRun& run) {
+  constexpr std::size_t kLeast = 5;  // candidates are counted each fifth step
+  return std::max(kLeast, (run.size() + kCurvePoints - 1) / kCurvePoints);
+}
+
+double median_of(std::span<const ExperimentStep> steps, const StepValue& value) {
+  std::vector<double> values;
+  for (const ExperimentStep& row : steps)
+    if (const double one = value(row); one >= 0) values.push_back(one);
+  const auto spread = spread_of(values);
+  return spread ? spread->median : std::nan("");
+}
+
+/// Runs of different seeds have the same length.
+std::vector<CurvePoint> points_of(const std::vector<TimedRun>& runs, bool is_time, const StepValue& value) {
+  const std::size_t stretch = stretch_of(runs.front().steps);
+  const std::vector<std::uint32_t> steps = curve_steps(runs.front().steps);
+  std::vector<CurvePoint> points;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    std::vector<double> samples;
+    for (const TimedRun& run : runs) {
+      if (!is_time && run.repeat > 1) continue;
+      const std::size_t begin = k * stretch;
+      const std::size_t count = std::min(stretch, run.steps.size() - begin);
+      samples.push_back(median_of(std::span(run.steps).subspan(begin, count), value));
+    }
+    if (const auto spread = spread_of(samples))
+      points.push_back({double{1} * steps[k], spread->median, spread->low, spread->high});
+  }
+  return points;
+}
+
+bool is_tree(std::string_view contestant) { return contestant == kPaperTree || contestant == kTunedTree; }
+
+CurvePlot draw_panel(const Panel& panel, const std::vector<TimedRun>& runs) {
+  CurvePlot plot;
+  plot.x_label = "step";
+  plot.unit = panel.unit;
+  plot.log_y = panel.logarithmic;
+  plot.x_end = static_cast<double>(runs.front().steps.size());
+  for (std::size_t k = 0; k < contestants().size(); ++k) {
+    if (panel.trees_only && !is_tree(contestants()[k])) continue;
+    const StepValue value = [&panel, k](const ExperimentStep& row) { return panel.value(row, k); };
+    plot.curves.push_back(
+        {std::string(paper_name(contestants()[k])), k, points_of(runs, panel.is_time, value)});
+  }
+  return plot;
+}
+
+StepValue true_pairs() {
+  return [](const ExperimentStep& row) { return static_cast<double>(row.pairs); };
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> curve_steps(const ExperimentRun& run) {
+  const std::size_t stretch = stretch_of(run);
+  std::vector<std::uint32_t> steps;
+  for (std::size_t begin = 0; begin < run.size(); begin += stretch)
+    steps.push_back(run[std::min(begin + stretch / 2, run.size() - 1)].step);
+  return steps;
+}
+
+std::vector<Curve> experiment_legend() {
+  std::vector<Curve> legend;
+  for (std::size_t k = 0; k < contestants().size(); ++k)
+    legend.push_back({std::string(paper_name(contestants()[k])), k, {}});
+  legend.push_back({"pairs reported by all", contestants().size(), {}});
+  return legend;
+}
+
+std::vector<CurvePlot> experiment_panels(const Simulation& simulation, const std::vector<TimedRun>& runs,
+                                         const std::string& links) {
+  std::vector<CurvePlot> plots;
+  for (const Panel& panel : kPanels) {
+    CurvePlot& plot = plots.emplace_back(draw_panel(panel, runs));
+    plot.title = "Simulation " + std::to_string(simulation.number) + " (" + std::string(simulation.scene) +
+                 "): " + panel.title;
+    plot.links = links;
+  }
+  plots[kPairsPanel].curves.push_back(
+      {experiment_legend().back().name, contestants().size(), points_of(runs, false, true_pairs())});
+  return plots;
+}
+
+}  // namespace kerf

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frames/experiment/simulation.h"
+#include "frames/page/curve_plot.h"
+
+namespace kerf {
+
+/// How many points the curves have at most; each stands for the steps around it.
+inline constexpr std::size_t kCurvePoints = 60;
+
+/// The panels of one simulation, from top to bottom of its column in the paper's figures 12 and 13: frames a
+/// second, pairs, collision time, overhead, depth, leaves and operators. A point is the median of its steps,
+/// and of all runs; its band is the spread over the runs. Points link to `links` and their step.
+std::vector<CurvePlot> experiment_panels(const Simulation& simulation, const std::vector<TimedRun>& runs,
+                                         const std::string& links);
+
+/// The curves of the legend, without points: the contestants by the paper's names, and the true pairs.
+std::vector<Curve> experiment_legend();
+
+/// The steps of the points.
+std::vector<std::uint32_t> curve_steps(const ExperimentRun& run);
+
+}  // namespace kerf

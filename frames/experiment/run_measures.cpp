@@ -1,0 +1,205 @@
+#include "frames/experiment/run_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "frames/experiment/claim.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// What the measures ask of one contestant in one run.
+class RunOf {
+ public:
+  RunOf(const ExperimentRun& run, std::string_view contestant)
+      : run_(run),
+        index_(
+            static_cast<std::size_t>(std::ranges::find(contestants(), contestant) - contestants().begin())) {}
+
+  /// Steps from `begin` to `end`, parts of the whole; at least one.
+  [[nodiscard]] std::span<const ExperimentStep> part(double begin, double end) const {
+    const auto size = static_cast<double>(run_.size());
+    const std::size_t first = std::min(static_cast<std::size_t>(begin * size), run_.size() - 1);
+    const std::size_t last = std::clamp(static_cast<std::size_t>(end * size), first + 1, run_.size());
+    return std::span(run_).subspan(first, last - first);
+  }
+  [[nodiscard]] double mean(Measure measure, double begin = 0, double end = 1) const {
+    return mean_of_medians(part(begin, end), value_of(measure));
+  }
+  /// The greatest over the least fifth of the last two thirds.
+  [[nodiscard]] double swing(const StepValue& value) const {
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0;
+    for (int k = 0; k < 5; ++k) {
+      const double begin = (5.0 + 2 * k) / 15;
+      const double mean = mean_of_medians(part(begin, begin + 2.0 / 15), value);
+      if (std::isnan(mean)) return kNone;
+      least = std::min(least, mean);
+      most = std::max(most, mean);
+    }
+    return most / least;
+  }
+  [[nodiscard]] double object_pairs(double begin, double end) const {
+    return mean_of_medians(part(begin, end), object_pairs_value());
+  }
+  [[nodiscard]] StepValue object_pairs_value() const {
+    return [pairs = value_of(Measure::pairs)](const ExperimentStep& row) { return pairs(row) / row.moving; };
+  }
+  [[nodiscard]] StepValue value_of(Measure measure) const {
+    switch (measure) {
+      case Measure::frames:
+        return [k = index_](const ExperimentStep& row) { return row.fps(k); };
+      case Measure::pairs:
+        return [k = index_](const ExperimentStep& row) { return row.contestants[k].candidates; };
+      case Measure::collision:
+        return [k = index_](const ExperimentStep& row) { return row.contestants[k].collision; };
+      default:
+        return [k = index_](const ExperimentStep& row) { return row.contestants[k].update; };
+    }
+  }
+  [[nodiscard]] StepValue leaves() const {
+    return [k = index_](const ExperimentStep& row) { return double{1} * row.contestants[k].leaves; };
+  }
+  /// The part of the run before the number of objects begins to grow by a fracture; NaN if it never does.
+  [[nodiscard]] double fracture() const {
+    const auto grown = std::ranges::find_if(
+        run_, [&](const ExperimentStep& row) { return row.moving > run_.front().moving; });
+    return grown == run_.end() || grown == run_.begin()
+               ? kNone
+               : static_cast<double>(grown - run_.begin()) / static_cast<double>(run_.size());
+  }
+  [[nodiscard]] double depth_change() const {
+    constexpr std::size_t kWithin = 10;
+    double most = 0;
+    for (std::size_t k = run_.size() / 3 + kWithin; k < run_.size(); ++k)
+      most = std::max(most, std::abs(depth(k) - depth(k - kWithin)));
+    return most;
+  }
+  /// How many levels the depth rises and falls in a part of the run, and one: no change is a figure, too.
+  [[nodiscard]] double depth_moves(double begin, double end) const {
+    double sum = 1;
+    const std::span<const ExperimentStep> steps = part(begin, end);
+    for (std::size_t k = 1; k < steps.size(); ++k)
+      sum += std::abs(double{1} * steps[k].contestants[index_].height -
+                      double{1} * steps[k - 1].contestants[index_].height);
+    return sum;
+  }
+
+ private:
+  [[nodiscard]] double depth(std::size_t k) const { return run_[k].contestants[index_].height; }
+
+  const ExperimentRun& run_;
+  std::size_t index_;
+};
+
+/// The paper's five.
+std::span<const std::string_view> rivals() { return contestants().first(5); }
+
+double lead_of(const ExperimentRun& run, std::string_view contestant) {
+  double fastest = 0;
+  for (const std::string_view other : rivals())
+    if (other != contestant) fastest = std::max(fastest, RunOf(run, other).mean(Measure::frames));
+  return RunOf(run, contestant).mean(Measure::frames) / fastest;
+}
+
+/// A twentieth of the run after the first fracture is left out: blocks fly apart.
+double after(double fracture) { return std::min(0.9, fracture + 0.05); }
+
+double measure_fracture(const RunOf& run, Measure measure) {
+  const double fracture = run.fracture();
+  if (std::isnan(fracture)) return kNone;
+  const double window = std::min(0.1, fracture);
+  switch (measure) {
+    case Measure::frames_before:
+      return run.mean(Measure::frames, 0, fracture);
+    case Measure::pairs_before:
+      return run.mean(Measure::pairs, 0, fracture);
+    case Measure::frames_gain:
+      return run.mean(Measure::frames, after(fracture), 1) / run.mean(Measure::frames, 0, fracture);
+    case Measure::object_pairs_gain:
+      return run.object_pairs(after(fracture), 1) / run.object_pairs(0, fracture);
+    case Measure::depth_after_fracture:
+      return run.depth_moves(fracture, fracture + window) / run.depth_moves(fracture - window, fracture);
+    case Measure::depth_settling:
+      return run.depth_moves(1 - window, 1) / run.depth_moves(fracture, fracture + window);
+    default:
+      return kNone;
+  }
+}
+
+}  // namespace
+
+double mean_of_medians(std::span<const ExperimentStep> steps, const StepValue& value) {
+  constexpr std::size_t kStretch = 20;
+  double sum = 0;
+  double count = 0;
+  for (std::size_t begin = 0; begin < steps.size(); begin += kStretch) {
+    std::vector<double> values;
+    for (const ExperimentStep& row : steps.subspan(begin, std::min(kStretch, steps.size() - begin)))
+      if (const double one = value(row); one >= 0) values.push_back(one);
+    if (values.empty()) continue;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    sum += *middle;
+    ++count;
+  }
+  return count > 0 ? sum / count : kNone;
+}
+
+double measure(const ExperimentRun& run, std::string_view contestant, Measure measure) {
+  const RunOf one(run, contestant);
+  switch (measure) {
+    case Measure::frames:
+    case Measure::pairs:
+    case Measure::collision:
+    case Measure::overhead:
+      return one.mean(measure);
+    case Measure::lead:
+      return lead_of(run, contestant);
+    case Measure::pairs_growth:
+      return one.mean(Measure::pairs, 0.8, 1) / one.mean(Measure::pairs, 0.2, 0.4);
+    case Measure::collision_growth:
+      return one.mean(Measure::collision, 0.8, 1) / one.mean(Measure::collision, 0.2, 0.4);
+    case Measure::object_pairs_start:
+      return one.object_pairs(0, 0.1) / one.object_pairs(0.5, 1);
+    case Measure::object_pairs_swing:
+      return one.swing(one.object_pairs_value());
+    case Measure::frames_swing:
+      return one.swing(one.value_of(Measure::frames));
+    case Measure::leaves_swing:
+      return one.swing(one.leaves());
+    case Measure::depth_change:
+      return one.depth_change();
+    default:
+      return measure_fracture(one, measure);
+  }
+}
+
+std::vector<double> samples_of(const std::vector<TimedRun>& runs, std::string_view contestant,
+                               Measure measure) {
+  std::vector<double> samples;
+  for (const TimedRun& run : runs)
+    if (traits_of(measure).is_time || run.repeat == 1)
+      samples.push_back(kerf::measure(run.steps, contestant, measure));
+  return samples;
+}
+
+ClaimFigures claim_figures(const ExperimentRuns& runs) {
+  ClaimFigures figures;
+  const auto add = [&](const Quantity& quantity) {
+    auto [place, is_new] = figures.try_emplace(quantity);
+    const std::vector<TimedRun>& of_simulation = runs[static_cast<std::size_t>(quantity.simulation - 1)];
+    if (is_new) place->second = samples_of(of_simulation, quantity.contestant, quantity.measure);
+  };
+  for (const Claim& claim : claims())
+    for (const Comparison& comparison : claim.comparisons) {
+      add(comparison.subject);
+      if (comparison.rival) add(*comparison.rival);
+    }
+  return figures;
+}
+
+}  // namespace kerf

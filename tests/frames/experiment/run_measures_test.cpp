@@ -1,0 +1,155 @@
+#include "frames/experiment/run_measures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "frames/experiment/claim.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::string_view kBsp = "kerf-paper";
+constexpr std::string_view kQt = "ode-quadtree";
+
+std::size_t index_of(std::string_view name) {
+  return static_cast<std::size_t>(std::ranges::find(contestants(), name) - contestants().begin());
+}
+
+/// A run in which all take 1 ms to update and 2 to find pairs and leave 100 candidates.
+ExperimentRun even_run(std::size_t steps = 60) {
+  ExperimentStep row;
+  row.moving = 10;
+  row.rest = 7;
+  row.contestants.assign(contestants().size(), {});
+  for (ContestantStep& one : row.contestants) {
+    one.update = 1;
+    one.collision = 2;
+    one.candidates = 100;
+    one.height = 3;
+    one.leaves = 4;
+  }
+  ExperimentRun run(steps, row);
+  for (std::size_t k = 0; k < steps; ++k) run[k].step = static_cast<std::uint32_t>(k + 1);
+  return run;
+}
+
+ContestantStep& at(ExperimentRun& run, std::size_t step, std::string_view name) {
+  return run[step].contestants[index_of(name)];
+}
+
+/// Steps from `begin` to `end` get the value.
+template <class Member, class Value>
+void set(ExperimentRun& run, std::string_view name, std::size_t begin, std::size_t end, Member member,
+         Value value) {
+  for (std::size_t k = begin; k < end; ++k) at(run, k, name).*member = value;
+}
+
+TEST(RunMeasures, AreNotMovedByAMomentaryDisturbance) {
+  ExperimentRun run = even_run();
+  at(run, 7, kBsp).collision = 500;
+  at(run, 33, kBsp).update = 500;
+  EXPECT_EQ(measure(run, kBsp, Measure::collision), 2);
+  EXPECT_EQ(measure(run, kBsp, Measure::overhead), 1);
+  EXPECT_EQ(measure(run, kBsp, Measure::pairs), 100);
+  EXPECT_DOUBLE_EQ(measure(run, kBsp, Measure::frames), 100);
+}
+
+TEST(RunMeasures, StepsThatAreNotCountedAreNotZero) {
+  ExperimentRun run = even_run();
+  for (std::size_t k = 0; k < run.size(); ++k)
+    if (k % 5 != 0) at(run, k, kQt).candidates = -1;
+  EXPECT_EQ(measure(run, kQt, Measure::pairs), 100);
+  set(run, kQt, 0, run.size(), &ContestantStep::candidates, -1);
+  EXPECT_TRUE(std::isnan(measure(run, kQt, Measure::pairs)));
+  EXPECT_TRUE(std::isnan(measure(run, kQt, Measure::pairs_growth)));
+}
+
+TEST(RunMeasures, GrowthIsOfTheLastFifthOverTheSecond) {
+  ExperimentRun run = even_run(100);
+  set(run, kBsp, 80, 100, &ContestantStep::collision, 6);
+  set(run, kBsp, 20, 40, &ContestantStep::candidates, 50);
+  EXPECT_EQ(measure(run, kBsp, Measure::collision_growth), 3);
+  EXPECT_EQ(measure(run, kBsp, Measure::pairs_growth), 2);
+}
+
+TEST(RunMeasures, TheLeadIsOverTheFastestOther) {
+  ExperimentRun run = even_run();
+  set(run, kBsp, 0, 60, &ContestantStep::collision, 1);  // 9 ms of 10
+  set(run, kQt, 0, 60, &ContestantStep::collision, 12);  // 20 ms
+  EXPECT_DOUBLE_EQ(measure(run, kBsp, Measure::lead), 10.0 / 9);
+  EXPECT_DOUBLE_EQ(measure(run, kQt, Measure::lead), 9.0 / 20);
+}
+
+TEST(RunMeasures, SwingsAreOfTheLastTwoThirds) {
+  ExperimentRun run = even_run(300);
+  set(run, kBsp, 0, 100, &ContestantStep::leaves, 90U);
+  EXPECT_EQ(measure(run, kBsp, Measure::leaves_swing), 1);
+  set(run, kBsp, 220, 300, &ContestantStep::leaves, 12U);
+  EXPECT_EQ(measure(run, kBsp, Measure::leaves_swing), 3);
+  set(run, kBsp, 220, 300, &ContestantStep::candidates, 250);
+  EXPECT_EQ(measure(run, kBsp, Measure::object_pairs_swing), 2.5);
+}
+
+TEST(RunMeasures, ADepthThatJumpsWithinTenSteps) {
+  ExperimentRun run = even_run();
+  EXPECT_EQ(measure(run, kBsp, Measure::depth_change), 0);
+  set(run, kBsp, 50, 60, &ContestantStep::height, 9U);
+  EXPECT_EQ(measure(run, kBsp, Measure::depth_change), 6);
+}
+
+/// Blocks break after 100 of 200 steps.
+ExperimentRun broken_run() {
+  ExperimentRun run = even_run(200);
+  for (std::size_t k = 100; k < 200; ++k) run[k].moving = 20;
+  return run;
+}
+
+TEST(RunMeasures, AFractureDividesTheRun) {
+  ExperimentRun run = broken_run();
+  set(run, kBsp, 0, 100, &ContestantStep::collision, 12);  // 20 ms instead of 10
+  set(run, kBsp, 0, 100, &ContestantStep::candidates, 300);
+  EXPECT_DOUBLE_EQ(measure(run, kBsp, Measure::frames_before), 50);
+  EXPECT_EQ(measure(run, kBsp, Measure::pairs_before), 300);
+  EXPECT_DOUBLE_EQ(measure(run, kBsp, Measure::frames_gain), 2);
+  EXPECT_DOUBLE_EQ(measure(run, kBsp, Measure::object_pairs_gain), (100.0 / 20) / (300.0 / 10));
+}
+
+TEST(RunMeasures, WithoutAFractureThereIsNothingBeforeIt) {
+  const ExperimentRun run = even_run();
+  for (const Measure of :
+       {Measure::frames_before, Measure::pairs_before, Measure::frames_gain, Measure::object_pairs_gain,
+        Measure::depth_after_fracture, Measure::depth_settling})
+    EXPECT_TRUE(std::isnan(measure(run, kBsp, of)));
+}
+
+TEST(RunMeasures, DepthMovesAfterTheFractureAndSettles) {
+  ExperimentRun run = broken_run();
+  for (std::size_t k = 105; k < 113; ++k) at(run, k, kBsp).height = k % 2 == 0 ? 3 : 5;
+  EXPECT_EQ(measure(run, kBsp, Measure::depth_after_fracture), 17);
+  EXPECT_DOUBLE_EQ(measure(run, kBsp, Measure::depth_settling), 1.0 / 17);
+}
+
+TEST(RunMeasures, TimesHaveASampleForEachRunAndCountsForEachSeed) {
+  std::vector<TimedRun> runs;
+  for (const std::uint32_t repeat : {1U, 2U, 3U})
+    for (const std::uint64_t seed : {1U, 2U}) runs.push_back({seed, repeat, even_run()});
+  EXPECT_EQ(samples_of(runs, kBsp, Measure::collision).size(), 6U);
+  EXPECT_EQ(samples_of(runs, kBsp, Measure::pairs).size(), 2U);
+}
+
+TEST(RunMeasures, ThereAreFiguresOfAllThatIsClaimed) {
+  ExperimentRuns runs;
+  for (auto& simulation : runs) simulation.assign(3, {1, 1, broken_run()});
+  const ClaimFigures figures = claim_figures(runs);
+  for (const Claim& claim : claims())
+    for (const Comparison& comparison : claim.comparisons) {
+      ASSERT_TRUE(figures.contains(comparison.subject)) << claim.words;
+      EXPECT_EQ(figures.at(comparison.subject).size(), 3U);
+      EXPECT_TRUE(!comparison.rival || figures.contains(*comparison.rival)) << claim.words;
+    }
+}
+
+}  // namespace
+}  // namespace kerf
