@@ -18,7 +18,7 @@ enum class OutputKind {
 /// An option of a command by which it is told what to write, and a run that writes it.
 ///
 /// In `arguments` OUT is the output, and these are inputs: RECORDING, FRAMES and OTHER (folders of
-/// sequences), BOXES (CSV), SCRIPT (takes a screenshot called shot), PICTURE and HARD (a folder with the
+/// sequences), BOXES (CSV), STUDY, SCRIPT (takes a screenshot called shot), PICTURE and HARD (a folder with the
 /// table of hard cases). SCRATCH is a name that is free.
 struct OutputCase {
   std::string command;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "frames/study/summary.h"
+
+namespace kerf {
+
+/// A figure against the number of objects, a curve for each broad phase, with 95 % confidence intervals as
+/// bars; of one number of objects, a row for each broad phase. An SVG element for a page in which `id` is
+/// unique; empty if no group has the figure. Throws std::runtime_error if gnuplot fails.
+std::string plot_figure(const Comparison& comparison, const std::string& figure, const std::string& label,
+                        std::string_view id);
+
+}  // namespace kerf
