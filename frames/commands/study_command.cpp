@@ -87,7 +87,7 @@ StudyCommand::StudyCommand(CLI::App& program)
   auto* const lists = command_->add_flag("--list", list_, "Print the cells, and which of them are there");
   auto* const joins =
       command_->add_option("--join", folders_, "Put together what is in the folders of all shards");
-  joins->type_name("FOLDER...")->excludes(shard)->excludes(cells)->excludes(lists);
+  joins->type_name("FOLDER")->excludes(shard)->excludes(cells)->excludes(lists);
   command_->add_flag("--overwrite", overwrite_, "Measure anew what is there; replace earlier tables");
   command_->footer(
       "A study is a JSON file with a list of matrices; every combination of their values is a cell:\n"

@@ -31,6 +31,10 @@ struct Place {
   std::vector<std::string> broad_phases{};  ///< those that there are in this dimension
 
   [[nodiscard]] bool is_motion() const { return scene.index() == 0; }
+  [[nodiscard]] bool grows() const {
+    return !is_motion() &&
+           std::visit([](const auto* entry) { return entry->grows; }, std::get<CatalogScene>(scene).entry);
+  }
 };
 
 std::vector<Place> read_places(JsonObject& matrix) {
@@ -121,7 +125,6 @@ RunCell read_run(JsonObject& matrix) {
   RunCell run;
   run.warm_up = static_cast<std::uint32_t>(matrix.number("warm_up", 0, kMaxStep, 32));
   run.steps = static_cast<std::uint32_t>(matrix.number("steps", 1, kMaxStep, 100));
-  run.options.steps = static_cast<std::uint32_t>(matrix.number("grow", 0, kMaxStep, 0));
   run.measures = read_measures(matrix);
   return run;
 }
@@ -168,6 +171,7 @@ std::vector<StudyCell> read_runs(JsonObject& matrix) {
       matrix.numbers("objects", scenes ? 1 : 20, scenes ? kMaxRequestedObjects : kMostMoving, {1000});
   const auto seeds = matrix.numbers("seeds", 0, UINT32_MAX, {1});
   const std::uint64_t repeats = matrix.number("repeats", 1, 10'000, 1);
+  const auto grow = static_cast<std::uint32_t>(matrix.number("grow", 0, kMaxStep, 0));
   RunCell run = read_run(matrix);
   std::vector<StudyCell> cells;
   for (std::uint64_t repeat = 1; repeat <= repeats; ++repeat)
@@ -179,6 +183,7 @@ std::vector<StudyCell> read_runs(JsonObject& matrix) {
             run.dimension = place.dimension;
             run.options.objects = static_cast<std::uint32_t>(count);
             run.options.seed = seed;
+            run.options.steps = place.grows() ? grow : 0;
             run.broad_phase = broad_phase;
             cells.push_back(make_cell(place, run, repeat));
           }

@@ -1,7 +1,6 @@
 #include "frames/study/study_page.h"
 
 #include <set>
-#include <utility>
 
 #include "frames/page/page.h"
 #include "frames/study/study_plot.h"
@@ -11,10 +10,13 @@
 namespace kerf {
 namespace {
 
-constexpr std::pair<const char*, const char*> kPlots[] = {{"total_ms", "milliseconds a step"},
-                                                          {"overhead_ms", "overhead, milliseconds a step"},
-                                                          {"collision_ms", "collision, milliseconds a step"},
-                                                          {"candidates", "candidates a step"}};
+constexpr PlottedFigure kPlots[] = {
+    {"total_ms", "Total", "milliseconds a step", "Overhead and collision together."},
+    {"overhead_ms", "Overhead", "milliseconds a step",
+     "Taking over the boxes and bringing the structure up to date, where the broad phase measures it."},
+    {"collision_ms", "Collision", "milliseconds a step", "Finding the pairs, likewise."},
+    {"candidates", "Candidates", "candidates a step",
+     "Pairs that the structure left to be tested, where the broad phase counts them."}};
 
 const std::vector<TableColumn>& columns() {
   constexpr int kDigits = kShortestDigits;
@@ -67,9 +69,9 @@ std::vector<TableColumn> filled_columns(const Json& rows) {
 
 void write_comparison(const Comparison& comparison, const std::string& id, Page& page) {
   page.section(id, comparison.title);
-  for (const auto& [figure, label] : kPlots) {
-    const std::string svg = plot_figure(comparison, figure, label, id + "-" + figure);
-    if (!svg.empty()) page.figure(svg, label);
+  for (const PlottedFigure& figure : kPlots) {
+    const std::string svg = plot_figure(comparison, figure, id + "-" + figure.key);
+    if (!svg.empty()) page.figure(svg, figure.caption);
   }
   Json rows = Json::array();
   for (const Group& group : comparison.groups) rows.push_back(row_of(group));
