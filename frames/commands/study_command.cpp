@@ -137,7 +137,8 @@ void StudyCommand::print_cells(const Study& study) const {
   const InterruptGuard interrupt;
   const ScratchFolder frames;
   for (const StudyCell* const cell : chosen_cells(study)) {
-    StudyResult result = measure_apart(*cell, frames.path(), [&] { return interrupt.requested(); });
+    StudyResult result =
+        measure_apart(*cell, frames.path(), Replace::nothing, [&] { return interrupt.requested(); });
     if (interrupt.requested()) throw Interrupted("interrupted");
     if (!result.trouble.empty()) throw DoesNotHold(describe({{cell->id, result.trouble}}, 1));
     std::fputs(to_json(make_cell_file(study, *cell, std::move(result.figures))).c_str(), stdout);

@@ -122,7 +122,7 @@ Json read_json_object(const std::string& file) {
   std::ifstream stream(file);
   if (!stream) throw UsageError(file + ": there is no such file that could be read");
   try {
-    const Json json = Json::parse(stream, DoubleKeys(), true, true);
+    Json json = Json::parse(stream, DoubleKeys(), true, true);
     if (!json.is_object()) throw UsageError("the file must hold an object, { ... }");
     return json;
   } catch (const Json::parse_error& error) {

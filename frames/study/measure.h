@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/files/part_file.h"
 #include "frames/study/study.h"
 
 namespace kerf {
@@ -18,10 +19,10 @@ struct Figures {
 /// "pairs" and "candidates" in all measured steps, "pairs_hash" of all pairs in the order of the steps,
 /// "missed" and "extra" beside the oracle, and, after the last step, "bodies", "leaves", "height", "entries"
 /// and "operators" (acted since the beginning). Times are taken in a run of their own. Nothing is written.
-Figures measure(const RunCell& cell, const std::filesystem::path& folder);
+Figures measure(const RunCell& cell, const std::filesystem::path& folder, Replace replace);
 
-/// Renders into `folder`, where frames of an earlier attempt may lie. Counts are "frames" and "pixels_hash",
-/// times are "total_ms".
-Figures measure(const FramesCell& cell, const std::filesystem::path& folder);
+/// Renders into `folder`. Frames of an earlier attempt are kept, or with Replace::earlier drawn anew. Counts
+/// are "frames" and "pixels_hash", times are "total_ms".
+Figures measure(const FramesCell& cell, const std::filesystem::path& folder, Replace replace);
 
 }  // namespace kerf

@@ -8,10 +8,11 @@
 
 namespace kerf {
 
-Figures measure(const FramesCell& cell, const std::filesystem::path& folder) {
+Figures measure(const FramesCell& cell, const std::filesystem::path& folder, Replace replace) {
   RenderTexts texts = cell.texts;
   texts.out = folder;
-  texts.resume = true;
+  texts.resume = replace == Replace::nothing;
+  texts.overwrite = !texts.resume;
   const auto start = std::chrono::steady_clock::now();
   render_sequence(parse_recording_request(texts));
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;

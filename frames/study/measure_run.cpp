@@ -157,7 +157,7 @@ Figures measure_in(const RunCell& cell) {
 
 }  // namespace
 
-Figures measure(const RunCell& cell, const std::filesystem::path& /*folder*/) {
+Figures measure(const RunCell& cell, const std::filesystem::path& /*folder*/, Replace /*replace*/) {
   return cell.dimension == 2 ? measure_in<2>(cell) : measure_in<3>(cell);
 }
 

@@ -32,12 +32,12 @@ std::string interruption(std::size_t done, std::size_t all, const std::filesyste
 
 }  // namespace
 
-StudyResult measure_apart(const StudyCell& cell, const std::filesystem::path& folder,
+StudyResult measure_apart(const StudyCell& cell, const std::filesystem::path& folder, Replace replace,
                           const std::function<bool()>& stop) {
   const Letter letter;
   ChildProcess child([&](char) {
-    const Figures figures =
-        std::visit([&](const auto& work) { return measure(work, frames_path(folder, cell)); }, cell.work);
+    const Figures figures = std::visit(
+        [&](const auto& work) { return measure(work, frames_path(folder, cell), replace); }, cell.work);
     letter.write(Json{figures.counts, figures.times}.dump());
   });
   if (!child.ask(' ', std::chrono::duration<double>(cell.patience), stop)) return {{}, child.trouble()};
@@ -68,7 +68,7 @@ std::vector<Failure> run_cells(const Study& study, const std::vector<const Study
     const auto is_done = [&] { return replace == Replace::nothing && read_cell_file(path, *cell); };
     watch.begin(*cell);
     if (is_done()) continue;
-    StudyResult result = measure_apart(*cell, folder, watch.stop);
+    StudyResult result = measure_apart(*cell, folder, replace, watch.stop);
     if (!result.trouble.empty()) {
       if (watch.stop()) throw Interrupted(interruption(done, cells.size(), folder));
       failures.push_back({cell->id, result.trouble});

@@ -30,7 +30,7 @@ struct StudyWatch {
 
 /// Measures a cell in a process of its own, so that no cell finds what another one has left in memory, and a
 /// library's crash ends its cell alone; so it does when `stop` becomes true. `folder` is for frames.
-StudyResult measure_apart(const StudyCell& cell, const std::filesystem::path& folder,
+StudyResult measure_apart(const StudyCell& cell, const std::filesystem::path& folder, Replace replace,
                           const std::function<bool()>& stop);
 
 /// The cells that have no file in the folder yet, or, with `overwrite`, all. Throws UsageError, as Outputs

@@ -29,7 +29,7 @@ void add_values(const Json& object, const std::vector<std::string>& keys, std::v
 std::string csv_field(const Json& value) {
   if (value.is_null()) return "";
   if (!value.is_string()) return value.dump();
-  const std::string text = value.get<std::string>();
+  std::string text = value.get<std::string>();
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -66,11 +66,11 @@ StudyTable table_of(const JoinedStudy& joined) {
   table.columns.emplace_back("machine");
   for (const JoinedStudy::Cell& cell : joined.cells) {
     std::vector<Json>& row = table.rows.emplace_back();
-    row.push_back(cell.file.id);
+    row.emplace_back(cell.file.id);
     add_values(settings(cell.file), of_settings, row);
     add_values(counts(cell.file), of_counts, row);
     add_values(times(cell.file), of_times, row);
-    row.push_back(cell.file.machine);
+    row.emplace_back(cell.file.machine);
   }
   return table;
 }

@@ -148,6 +148,26 @@ Scenario report_scenario() {
 }
 
 /// Three of its simulations are done.
+Scenario study_scenario() {
+  return {"study",
+          [](const Path& folder) {
+            write(folder / "study.json",
+                  R"({"matrices": [{"motions": "uniform", "dimensions": 2, "objects": 40,
+                "seeds": [1, 2], "warm_up": 1, "steps": 2, "measure": "counts"}]})");
+            run({"study", folder / "study.json", "--out", folder / "cells"});
+            std::filesystem::create_directory(folder / "joined");
+            for (const char* const name : {"cells.csv", "cells.sqlite", "index.html"})
+              write(folder / "joined" / name, "an earlier one");
+          },
+          [](const Path& folder) -> Words {
+            return {"study", folder / "study.json", "--join",     folder / "cells",
+                    "--out", folder / "joined",     "--overwrite"};
+          },
+          {{"joined/cells.csv", Likeness::same_bytes},
+           {"joined/cells.sqlite", Likeness::same_bytes},
+           {"joined/index.html", Likeness::same_lines}}};
+}
+
 Scenario experiment_scenario() {
   const auto arguments = [](const Path& folder) -> Words {
     return {"experiment", "--steps", "50", "--objects", "50", "--out", folder, "--overwrite"};
@@ -194,9 +214,10 @@ Scenario export_scenario() {
 }  // namespace
 
 const std::vector<Scenario>& scenarios() {
-  static const std::vector<Scenario> kAll{
-      record_scenario(),   import_scenario(), rerun_scenario(),      render_scenario(), collect_scenario(),
-      minimize_scenario(), report_scenario(), experiment_scenario(), step_scenario(),   export_scenario()};
+  static const std::vector<Scenario> kAll{record_scenario(), import_scenario(),     rerun_scenario(),
+                                          render_scenario(), collect_scenario(),    minimize_scenario(),
+                                          report_scenario(), experiment_scenario(), study_scenario(),
+                                          step_scenario(),   export_scenario()};
   return kAll;
 }
 
