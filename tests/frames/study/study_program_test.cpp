@@ -78,6 +78,19 @@ TEST(StudyProgram, ErrorsAreCounted) {
   EXPECT_TRUE(exact["times"].empty()) << "nothing asked for them";
 }
 
+/// Five steps have the pairs of the first two and of the three after these.
+TEST(StudyProgram, StepsOfTheWarmUpDoNotCount) {
+  const std::string matrix =
+      R"("motions": ["brownian"], "dimensions": [2], "objects": [60], "broad_phases": ["kerf"], "warm_up": )";
+  const StudyFolder study("{\"matrices\": [{" + matrix + "0, \"steps\": 5}, {" + matrix +
+                          "0, \"steps\": 2}, {" + matrix + "2, \"steps\": 3}]}");
+  ASSERT_EQ(study.run({"-o", "@all"}).exit, kExitHolds);
+  ASSERT_EQ(study.run({"--join", "@all", "-o", "@one"}).exit, kExitHolds);
+  const Database database = Database::open(study.path("one/cells.sqlite"));
+  EXPECT_EQ(database.ask("SELECT pairs FROM cells WHERE steps = 5"),
+            database.ask("SELECT sum(pairs) FROM cells WHERE steps < 5"));
+}
+
 /// Scenes with an engine: every broad phase gets the boxes of the same run.
 TEST(StudyProgram, ScenesOfBothDimensionsAreMeasured) {
   const StudyFolder study(R"({"matrices": [{"scenes": ["buckets-2d", "pile"], "objects": [30], "grow": 8,
