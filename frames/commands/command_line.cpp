@@ -32,6 +32,7 @@
 #include "frames/commands/rerun_command.h"
 #include "frames/commands/scenes_command.h"
 #include "frames/commands/step_command.h"
+#include "frames/commands/study_command.h"
 #include "frames/commands/verify_command.h"
 #include "frames/support/errors.h"
 #include "frames/support/suggest.h"
@@ -161,6 +162,7 @@ int run_command_line(int argc, char** argv) {
   const BenchFramesCommand bench_frames(program);
   const ExperimentCommand experiment(program);
   const ReportCommand report_page(program);
+  const StudyCommand study(program);
   say_exit_codes(program);
   try {
     program.parse(argc, argv);
@@ -177,7 +179,8 @@ int run_command_line(int argc, char** argv) {
     return kExitUnusable;
   }
   return run(program, scenes, render, collector, film_diff, record, import, rerun, verify, debug, step,
-             explain, compare, lint, minimize, exporter, diff, bench, bench_frames, experiment, report_page);
+             explain, compare, lint, minimize, exporter, diff, bench, bench_frames, experiment, report_page,
+             study);
 }
 
 }  // namespace kerf

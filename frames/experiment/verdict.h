@@ -16,7 +16,7 @@ enum class Outcome : std::uint8_t {
 };
 std::string_view name_of(Outcome outcome);
 
-/// How ours stand beside what the paper says: BSP where the statement speaks of it, otherwise LO or SP.
+/// How ours stand beside what the paper says: BSP where the statement names it, otherwise LO or SP.
 enum class Standing : std::uint8_t { as_the_paper, better, worse, mixed, unknown };
 
 struct ClaimVerdict {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "frames/support/atomic_file.h"
+#include "frames/support/hex.h"
 #include "frames/support/json_number.h"
 
 namespace kerf {
@@ -17,12 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kManifestFormat = "kerf-frames-2";
-
-std::string hex(std::uint64_t hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
 
 /// Numbers and truth values as such, so that a reader need not parse text inside the JSON.
 Json config_json(const Config& config) {

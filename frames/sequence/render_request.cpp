@@ -13,7 +13,6 @@
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_config.h"
-#include "frames/support/parse_number.h"
 #include "frames/support/parse_whole.h"
 #include "frames/support/suggest.h"
 #include "frames/support/utf8.h"
@@ -137,18 +136,6 @@ void parse_pictures(const RenderTexts& texts, RenderRequest& request) {
   request.resume = texts.resume;
   if (texts.resume && texts.overwrite)
     throw UsageError("--resume keeps the frames that are there, --overwrite does not; give one of them");
-}
-
-/// "3/8" is the third of eight.
-Shard parse_shard(const std::string& text) {
-  const std::size_t slash = text.find('/');
-  const auto k = parse_number<std::uint32_t>(std::string_view(text).substr(0, slash));
-  const auto n = slash == std::string::npos
-                     ? std::nullopt
-                     : parse_number<std::uint32_t>(std::string_view(text).substr(slash + 1));
-  if (!k || !n || *k == 0 || *k > *n)
-    throw UsageError("--shard '" + text + "' is not K/N, such as 3/8, with K from 1 to N");
-  return {*k - 1, *n};
 }
 
 void parse_shard_of_recording(const RenderTexts& texts, RenderRequest& request) {

@@ -10,6 +10,7 @@
 #include "frames/catalog/scene_catalog.h"
 #include "frames/sequence/film_files.h"
 #include "frames/support/picture_size.h"
+#include "frames/support/shard.h"
 #include "frames/support/step_range.h"
 #include "viz/draw/layers.h"
 #include "viz/gl/backend.h"
@@ -48,14 +49,6 @@ struct RenderTexts {
 /// Drawn at twice the size, with one sample a pixel, and averaged.
 inline constexpr int kSupersampled = 2;
 
-/// Every `count`-th frame of a sequence, from frame `index` on.
-struct Shard {
-  std::uint32_t index = 0;
-  std::uint32_t count = 1;
-  [[nodiscard]] bool has(std::uint32_t frame) const { return frame % count == index; }
-  friend bool operator==(const Shard&, const Shard&) = default;
-};
-
 /// A recording that is rendered.
 struct RecordingSource {
   std::filesystem::path path;
@@ -83,8 +76,8 @@ struct RenderRequest {
   FilmRequest film;
   std::filesystem::path record;  ///< empty: none
   int workers = 1;               ///< drawing processes; 0: this one
-  Shard shard;
-  bool ids = false;  ///< also write what is in each picture, by name
+  Shard shard;                   ///< of the frames
+  bool ids = false;              ///< also write what is in each picture, by name
   bool overwrite = false;
   bool resume = false;  ///< keep frames that exist already
 

@@ -43,6 +43,10 @@ class ExitCodes : public ::testing::Test {
     write("holds", "key End\nexpect step == 20\n");
     write("fails", "key End\nexpect step == 7\n");
     write("broken", "click \"nothing of that name\"\n");
+    write(
+        "study.json",
+        R"({"matrices": [{"motions": "uniform", "dimensions": 2, "objects": 20, "warm_up": 1, "steps": 2}]})");
+    make("study @study.json --shard 1/2 --out @shards");
     damage();
   }
   static void TearDownTestSuite() { folder.reset(); }
@@ -136,6 +140,9 @@ constexpr Case kCases[] = {
     {2, "experiment --steps none --out @experiment2"},
     {0, "report volumes --objects 20 --steps 10 --rounds 1 --seeds 1 --out @page.html"},
     {2, "report nothing --out @page2.html"},
+    {0, "study @study.json --out @study"},
+    {1, "study @study.json --join @shards --out @joined"},
+    {2, "study @none.json"},
 };
 
 TEST_F(ExitCodes, EveryCommandHasItsCodes) {

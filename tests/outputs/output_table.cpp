@@ -80,14 +80,16 @@ const std::vector<OutputCase>& output_table() {
        folder,
        "experiment/experiment.md",
        {"--steps", "50", "--objects", "50", "--seeds", "1", "--out", "OUT"}},
+      {"study", "-o,--out", folder, "study/uniform-2d.40.s1.kerf.r1.a3731467.json", {"STUDY", "-o", "OUT"}},
       {"report", "--out", file, "page.html", {"hardcases", "--hardcases", "HARD", "--out", "OUT"}},
   };
   return kTable;
 }
 
 const std::vector<std::string>& input_options() {
-  static const std::vector<std::string> kOptions{"debug --script", "import --ignore", "import --pairs",
-                                                 "render --camera-path", "report --hardcases"};
+  static const std::vector<std::string> kOptions{"debug --script",     "import --ignore",
+                                                 "import --pairs",     "render --camera-path",
+                                                 "report --hardcases", "study --join"};
   return kOptions;
 }
 

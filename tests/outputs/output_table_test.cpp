@@ -60,6 +60,8 @@ class Inputs {
     run({"export", folder / "in.kerf", "--boxes", "-o", folder / "boxes.csv"});
     std::ofstream(folder / "script") << "screenshot shot\n";
     fs::copy_file(folder / "frames/in_000000.png", folder / "picture.png");
+    std::ofstream(folder / "study.json") << R"({"matrices": [{"motions": "uniform", "dimensions": 2,
+"objects": 40, "broad_phases": "kerf", "warm_up": 1, "steps": 2}]})";
     fs::create_directory(folder / "hard");
     std::ofstream(folder / "hard/hardcases.json")
         << R"({"columns":[{"dimension":2,"who":"kerf","name":"box"}],
@@ -74,7 +76,7 @@ class Inputs {
 const std::map<std::string, std::string>& input_names() {
   static const std::map<std::string, std::string> kNames{
       {"RECORDING", "in.kerf"}, {"FRAMES", "frames"},       {"OTHER", "other"}, {"BOXES", "boxes.csv"},
-      {"SCRIPT", "script"},     {"PICTURE", "picture.png"}, {"HARD", "hard"}};
+      {"SCRIPT", "script"},     {"PICTURE", "picture.png"}, {"HARD", "hard"},   {"STUDY", "study.json"}};
   return kNames;
 }
 

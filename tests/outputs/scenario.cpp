@@ -147,6 +147,26 @@ Scenario report_scenario() {
           {{"page.html", Likeness::same_end}, {"page.json", Likeness::same_end}}};
 }
 
+Scenario study_scenario() {
+  return {"study",
+          [](const Path& folder) {
+            write(folder / "study.json",
+                  R"({"matrices": [{"motions": "uniform", "dimensions": 2, "objects": 40,
+                "seeds": [1, 2], "warm_up": 1, "steps": 2, "measure": "counts"}]})");
+            run({"study", folder / "study.json", "--out", folder / "cells"});
+            std::filesystem::create_directory(folder / "joined");
+            for (const char* const name : {"cells.csv", "cells.sqlite", "index.html"})
+              write(folder / "joined" / name, "an earlier one");
+          },
+          [](const Path& folder) -> Words {
+            return {"study", folder / "study.json", "--join",     folder / "cells",
+                    "--out", folder / "joined",     "--overwrite"};
+          },
+          {{"joined/cells.csv", Likeness::same_bytes},
+           {"joined/cells.sqlite", Likeness::same_bytes},
+           {"joined/index.html", Likeness::same_lines}}};
+}
+
 /// Three of its simulations are done.
 Scenario experiment_scenario() {
   const auto arguments = [](const Path& folder) -> Words {
@@ -293,9 +313,10 @@ Scenario bench_scenario() {
 
 const std::vector<Scenario>& scenarios() {
   static const std::vector<Scenario> kAll{
-      record_scenario(),    import_scenario(),  rerun_scenario(),      render_scenario(), collect_scenario(),
-      minimize_scenario(),  report_scenario(),  experiment_scenario(), step_scenario(),   export_scenario(),
-      film_diff_scenario(), approve_scenario(), diff_page_scenario(),  debug_scenario(),  bench_scenario()};
+      record_scenario(),    import_scenario(),   rerun_scenario(),     render_scenario(),
+      collect_scenario(),   minimize_scenario(), report_scenario(),    experiment_scenario(),
+      step_scenario(),      export_scenario(),   film_diff_scenario(), approve_scenario(),
+      diff_page_scenario(), debug_scenario(),    bench_scenario(),     study_scenario()};
   return kAll;
 }
 

@@ -64,7 +64,7 @@ RawBytes unfiltered_rows(const Image& image, std::size_t channels) {
 /// ISA-L at level 1, whole images at once: a quarter of libdeflate's time (docs/RENDERING.md).
 RawBytes compress(RawBytes& bytes) {
   std::vector<std::uint8_t> level_buffer(ISAL_DEF_LVL1_DEFAULT);
-  isal_zstream stream;
+  isal_zstream stream{};  // its initialisation leaves a part of it as it was, on which it depends
   isal_deflate_stateless_init(&stream);
   stream.level = 1;
   stream.level_buf = level_buffer.data();

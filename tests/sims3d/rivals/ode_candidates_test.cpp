@@ -199,7 +199,7 @@ TEST(OdeCandidates, AreCountedWithoutAnEffectOnTheSpace) {
   }
 }
 
-/// ODE's own quadtree divides X and Y, so that it would tell what is stacked apart and not what lies side by
+/// ODE's own quadtree divides X and Y, so that it would separate what is stacked and not what lies side by
 /// side along Z.
 TEST(OdeCandidates, TheQuadtreeDividesThePlaneOnWhichThingsLie) {
   const Box<3> low{{{1, 1, 1}}, {{2, 2, 2}}};

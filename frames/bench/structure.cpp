@@ -1,0 +1,98 @@
+#include "frames/bench/structure.h"
+
+#include <chrono>
+
+#include "core/broad_phase/loose_octree.h"
+#include "core/broad_phase/sweep_and_prune.h"
+#include "core/bsp/bsp.h"
+#include "frames/rivals/step_timer.h"
+#include "sims3d/rivals/ode_space.h"
+
+namespace kerf {
+namespace {
+
+/// Seconds of the last step that brought the structure up to date; none if it does not measure them.
+template <int D>
+std::optional<double> arranging_seconds(const BroadPhase<D>& subject) {
+  if (const auto* tree = dynamic_cast<const Bsp<D>*>(&subject)) {
+    const Statistics statistics = tree->statistics();
+    double seconds = 0;
+    for (const Phase phase : {Phase::place, Phase::sort, Phase::schedule, Phase::operate})
+      seconds += statistics.phase_seconds[static_cast<std::size_t>(phase)];
+    return seconds;
+  }
+  if (const auto* tabled = dynamic_cast<const Tabled<D>*>(&subject)) return tabled->arrange_seconds();
+  if constexpr (D == 3)
+    if (const auto* space = dynamic_cast<const OdeSpace*>(&subject)) return space->arrange_seconds();
+  return std::nullopt;
+}
+
+/// Pairs of entries whose intervals on their leaf's ordered list overlap, as the paper counts them.
+std::uint64_t overlaps_on(const std::vector<Entry>& entries) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    for (std::size_t k = i + 1; k < entries.size() && entries[k].key.lo <= entries[i].key.hi; ++k) ++count;
+  return count;
+}
+
+template <int D>
+std::uint64_t list_candidates(const Tree<D>& tree) {
+  std::uint64_t count = 0;
+  for_each_node(tree, tree.root(), [&](NodeId id) {
+    if (!tree[id].is_leaf()) return;
+    const std::uint64_t size = tree[id].entries.size();
+    // Too large a leaf has no ordered list.
+    count += tree[id].unsorted ? size * (size - 1) / 2 : overlaps_on(tree[id].entries);
+  });
+  return count;
+}
+
+template <int D>
+std::optional<std::uint64_t> candidates_of(const BroadPhase<D>& subject) {
+  if (const auto* octree = dynamic_cast<const LooseOctree<D>*>(&subject)) return octree->candidates();
+  if (const auto* lists = dynamic_cast<const SweepAndPrune<D>*>(&subject)) return lists->candidates();
+  const auto* tree = dynamic_cast<const Bsp<D>*>(&subject);
+  // Only the paper's way of a step keeps ordered lists.
+  if (tree == nullptr || tree->config().byte_sweep || tree->config().skin > 0) return std::nullopt;
+  return list_candidates(tree->tree());
+}
+
+}  // namespace
+
+template <int D>
+Structure structure_of(const BroadPhase<D>& subject) {
+  Structure structure;
+  structure.candidates = candidates_of(subject);
+  const auto* tree = dynamic_cast<const Bsp<D>*>(&subject);
+  if (tree == nullptr) return structure;
+  const Statistics statistics = tree->statistics();
+  structure.leaves = statistics.leaves;
+  structure.height = statistics.height;
+  structure.entries = statistics.entries;
+  for (const std::uint64_t acted : statistics.operators) structure.operators += acted;
+  return structure;
+}
+
+template <int D>
+SplitCost costed_step(const StepRequests<D>& requests, BroadPhase<D>& subject) {
+  const StepTimer handing_over(true);
+  apply(requests, subject);
+  const double handed_over = handing_over.milliseconds();
+  const auto start = std::chrono::steady_clock::now();
+  const StepTimer stepping(true);
+  subject.step();
+  const double stepped = stepping.milliseconds();
+  const std::chrono::duration<double> on_the_wall = std::chrono::steady_clock::now() - start;
+  SplitCost cost{handed_over + stepped, std::nullopt};
+  // The subjects look at the clock on the wall, which also counts what other programs took of the processor.
+  if (const auto arranging = arranging_seconds(subject))
+    cost.overhead = handed_over + stepped * *arranging / on_the_wall.count();
+  return cost;
+}
+
+template Structure structure_of(const BroadPhase<2>&);
+template Structure structure_of(const BroadPhase<3>&);
+template SplitCost costed_step(const StepRequests<2>&, BroadPhase<2>&);
+template SplitCost costed_step(const StepRequests<3>&, BroadPhase<3>&);
+
+}  // namespace kerf

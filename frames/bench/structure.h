@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/objects/broad_phase.h"
+#include "core/recording/step_requests.h"
+
+namespace kerf {
+
+/// What a broad phase's structure looks like after a step.
+struct Structure {
+  std::optional<std::uint64_t> candidates;  ///< pairs that it left to be tested; none: unknown
+  std::uint32_t leaves = 0;                 ///< of a tree of ours, as all that follows; 0 without a tree
+  std::uint32_t height = 0;
+  std::uint64_t entries = 0;
+  std::uint64_t operators = 0;  ///< acted since the beginning
+};
+template <int D>
+Structure structure_of(const BroadPhase<D>& subject);
+
+/// What a step cost, in milliseconds.
+struct SplitCost {
+  double total = 0;
+  std::optional<double> overhead;  ///< taking over the boxes and bringing the structure up to date; none: the
+                                   ///< broad phase does not measure this
+  [[nodiscard]] std::optional<double> collision() const {
+    return overhead ? std::optional(total - *overhead) : std::nullopt;
+  }
+};
+/// Passes on the requests and does a step in this thread.
+template <int D>
+SplitCost costed_step(const StepRequests<D>& requests, BroadPhase<D>& subject);
+
+}  // namespace kerf

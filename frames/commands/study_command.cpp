@@ -1,0 +1,194 @@
+#include "frames/commands/study_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "frames/commands/output_option.h"
+#include "frames/page/gnuplot.h"
+#include "frames/study/join.h"
+#include "frames/study/study_page.h"
+#include "frames/study/study_run.h"
+#include "frames/study/study_table.h"
+#include "frames/support/atomic_file.h"
+#include "frames/support/errors.h"
+#include "frames/support/hex.h"
+#include "frames/support/interrupt.h"
+#include "frames/support/progress_line.h"
+#include "frames/support/scratch_folder.h"
+#include "frames/support/shard.h"
+#include "frames/support/suggest.h"
+
+namespace kerf {
+namespace {
+
+/// "cell 12/200  about 1:20 left  falling-3d..."
+class StudyProgress {
+ public:
+  explicit StudyProgress(std::size_t cells) : cells_(cells) {}
+  void begin(const StudyCell& cell) {
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    char left[48] = "";
+    if (begun_ > 0) {
+      const auto done = static_cast<double>(begun_);
+      const int rest = static_cast<int>(seconds * (static_cast<double>(cells_) - done) / done);
+      std::snprintf(left, sizeof left, "  about %d:%02d left", rest / 60, rest % 60);
+    }
+    line_.show("cell " + std::to_string(++begun_) + "/" + std::to_string(cells_) + left + "  " + cell.id);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::size_t cells_;
+  std::size_t begun_ = 0;
+  ProgressLine line_;
+  Clock::time_point start_ = Clock::now();
+};
+
+std::string describe(const std::vector<Failure>& failures, std::size_t asked) {
+  std::string text = std::to_string(failures.size()) + " of " + std::to_string(asked) +
+                     " cells could not be measured, the others are there:";
+  for (const Failure& failure : failures) text += "\n  " + failure.id + ": " + failure.reason;
+  return text;
+}
+
+/// The files of a joined study: all are there before one of them gets its name.
+void write_joined(const Study& study, const JoinedStudy& joined, const std::filesystem::path& folder,
+                  const std::string& command, Replace replace) {
+  const StudyTable table = table_of(joined);
+  PartFile csv(folder / "cells.csv", replace);
+  csv.write(to_csv(table));
+  PartFile sqlite(folder / "cells.sqlite", replace);
+  write_sqlite(table, sqlite.path());
+  PartFile page(folder / "index.html", replace);
+  page.write(study_page(study, joined, command));
+  csv.keep();
+  sqlite.keep();
+  page.keep();
+}
+
+}  // namespace
+
+StudyCommand::StudyCommand(CLI::App& program)
+    : command_(program.add_subcommand("study", "Measure a matrix of cells, on one machine or on many")) {
+  command_->add_option("STUDY", file_, "The matrix, see below")->type_name("")->required();
+  add_output(*command_, "-o,--out", out_,
+             "The folder of the cells (default out/STUDY); with --join that of the tables and the page",
+             "DIR");
+  auto* const shard = command_->add_option("--shard", shard_, "Only every N-th cell, the K-th first");
+  shard->type_name("K/N");
+  auto* const cells = command_->add_option(
+      "--cell", cells_, "Only this cell; without --out its figures are printed and not kept");
+  cells->type_name("ID");
+  auto* const lists = command_->add_flag("--list", list_, "Print the cells, and which of them are there");
+  auto* const joins =
+      command_->add_option("--join", folders_, "Put together what is in the folders of all shards");
+  joins->type_name("FOLDER")->excludes(shard)->excludes(cells)->excludes(lists);
+  command_->add_flag("--overwrite", overwrite_, "Measure anew what is there; replace earlier tables");
+  command_->footer(
+      "A study is a JSON file with a list of matrices; every combination of their values is a cell:\n"
+      "  {\"matrices\": [{\"motions\": [\"falling\"], \"dimensions\": [2, 3], \"objects\": [1000, 4000],\n"
+      "                 \"seeds\": [1, 2, 3], \"broad_phases\": [\"kerf\", \"columns\"], \"repeats\": 5}]}\n"
+      "docs/STUDIES.md has all keys. A cell that is there is not measured again: after an interruption the\n"
+      "same command goes on. --join writes cells.csv, cells.sqlite and index.html.");
+}
+
+bool StudyCommand::chosen() const { return command_->parsed(); }
+
+void StudyCommand::run() const {
+  const Study study = read_study(file_);
+  if (!folders_.empty()) return join_shards(study);
+  if (list_) return list(study);
+  if (!cells_.empty() && out_.empty()) return print_cells(study);
+  measure(study);
+}
+
+std::vector<const StudyCell*> StudyCommand::chosen_cells(const Study& study) const {
+  const Shard shard = shard_.empty() ? Shard{} : parse_shard(shard_);
+  std::vector<std::string> ids;
+  for (const StudyCell& cell : study.cells) ids.push_back(cell.id);
+  for (const std::string& id : cells_)
+    if (std::ranges::find(ids, id) == ids.end())
+      throw UsageError("--cell '" + id + "' is no cell of " + study.file + "; --list prints them");
+  std::vector<const StudyCell*> chosen;
+  for (std::size_t k = 0; k < study.cells.size(); ++k) {
+    const bool named = cells_.empty() || std::ranges::find(cells_, ids[k]) != cells_.end();
+    if (named && shard.has(k)) chosen.push_back(&study.cells[k]);
+  }
+  return chosen;
+}
+
+std::filesystem::path StudyCommand::cells_folder(const Study& study) const {
+  return out_.empty() ? std::filesystem::path("out") / study.name : std::filesystem::path(out_);
+}
+
+void StudyCommand::list(const Study& study) const {
+  const std::filesystem::path folder = cells_folder(study);
+  for (const StudyCell* const cell : chosen_cells(study))
+    std::printf("%s  %s\n", cell->id.c_str(),
+                read_cell_file(cell_path(folder, *cell), *cell) ? "there" : "missing");
+}
+
+void StudyCommand::print_cells(const Study& study) const {
+  const InterruptGuard interrupt;
+  const ScratchFolder frames;
+  for (const StudyCell* const cell : chosen_cells(study)) {
+    StudyResult result =
+        measure_apart(*cell, frames.path(), Replace::nothing, [&] { return interrupt.requested(); });
+    if (interrupt.requested()) throw Interrupted("interrupted");
+    if (!result.trouble.empty()) throw DoesNotHold(describe({{cell->id, result.trouble}}, 1));
+    std::fputs(to_json(make_cell_file(study, *cell, std::move(result.figures))).c_str(), stdout);
+  }
+}
+
+void StudyCommand::measure(const Study& study) const {
+  const std::filesystem::path folder = cells_folder(study);
+  const auto asked = chosen_cells(study);
+  Outputs outputs({study.file}, overwrite_);
+  outputs.add_folder(folder);
+  const auto cells = cells_to_do(asked, folder, overwrite_);
+  make_writable_folder(folder);
+  std::vector<Failure> failures;
+  {
+    const InterruptGuard interrupt;
+    StudyProgress progress(cells.size());
+    failures = run_cells(
+        study, cells, folder, outputs.replace(),
+        {[&](const StudyCell& cell) { progress.begin(cell); }, [&] { return interrupt.requested(); }});
+  }
+  if (!failures.empty()) throw DoesNotHold(describe(failures, asked.size()));
+  std::printf("%s: %zu of %zu cells are in %s, %zu of them new\n", study.name.c_str(), asked.size(),
+              study.cells.size(), folder.c_str(), cells.size());
+}
+
+void StudyCommand::join_shards(const Study& study) const {
+  if (out_.empty()) throw UsageError("--join needs a folder for what it writes: give one with --out");
+  const std::filesystem::path folder = out_;
+  const std::vector<std::filesystem::path> shards(folders_.begin(), folders_.end());
+  std::vector<std::filesystem::path> inputs = shards;
+  inputs.emplace_back(study.file);
+  Outputs outputs(inputs, overwrite_);
+  outputs.add_folder(folder);
+  for (const char* const name : {"cells.csv", "cells.sqlite", "index.html"}) outputs.add_file(folder / name);
+  const JoinedStudy joined = join(study, shards);
+  if (joined.cells.empty()) throw DoesNotHold("none of the cells of " + study.file + " is there");
+  require_gnuplot();
+  make_writable_folder(folder);
+  std::string command = "kerf study " + study.file + " --join";
+  for (const std::string& shard : folders_) command += " " + shard;
+  write_joined(study, joined, folder, command + " --out " + out_, outputs.replace());
+  for (const auto& sequence : gather_frames(joined, folder, overwrite_))
+    std::printf("%s: all frames\n", sequence.c_str());
+  std::printf("%s: %zu of %zu cells, counts %s\n", folder.c_str(), joined.cells.size(), study.cells.size(),
+              hex(counts_hash(joined)).c_str());
+  if (joined.doubles > 0) std::printf("%zu are there more than once, with equal counts\n", joined.doubles);
+  if (joined.strangers > 0) std::printf("%zu files are of no cell of the study\n", joined.strangers);
+  const std::string missing = describe_missing(study, joined);
+  if (!missing.empty()) throw DoesNotHold(missing);
+}
+
+}  // namespace kerf

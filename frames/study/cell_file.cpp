@@ -1,0 +1,66 @@
+#include "frames/study/cell_file.h"
+
+#include <fstream>
+#include <utility>
+
+#include "frames/support/machine.h"
+#include "frames/support/version.h"
+
+namespace kerf {
+namespace {
+
+constexpr const char* kCellFormat = "kerf-cell-1";
+
+bool is_cell(const Json& json) {
+  if (!json.is_object() || json.value("format", Json()) != kCellFormat) return false;
+  for (const char* const key : {"id", "machine", "command"})
+    if (!json.contains(key) || !json[key].is_string()) return false;
+  for (const char* const key : {"cell", "counts", "times"})
+    if (!json.contains(key) || !json[key].is_object()) return false;
+  return true;
+}
+
+}  // namespace
+
+std::filesystem::path cell_path(const std::filesystem::path& folder, const StudyCell& cell) {
+  return folder / (cell.id + ".json");
+}
+
+std::filesystem::path frames_path(const std::filesystem::path& folder, const StudyCell& cell) {
+  return folder / cell.id;
+}
+
+CellFile make_cell_file(const Study& study, const StudyCell& cell, Figures figures) {
+  return {cell.id, cell.settings, std::move(figures),
+          describe_machine().value("processor", "unknown") + ", kerf " + version(),
+          "kerf study " + study.file + " --cell " + cell.id};
+}
+
+std::string to_json(const CellFile& file) {
+  constexpr int kIndent = 1;
+  return Json{{"format", kCellFormat},       {"id", file.id},
+              {"cell", file.settings},       {"counts", file.figures.counts},
+              {"times", file.figures.times}, {"machine", file.machine},
+              {"command", file.command}}
+             .dump(kIndent) +
+         "\n";
+}
+
+bool is_equal(const Json& a, const Json& b) { return nlohmann::json(a) == nlohmann::json(b); }
+
+std::optional<CellFile> read_cell_file(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) return std::nullopt;
+  const Json json = Json::parse(stream, nullptr, false);
+  if (!is_cell(json)) return std::nullopt;
+  return CellFile{
+      json["id"], json["cell"], {json["counts"], json["times"]}, json["machine"], json["command"]};
+}
+
+std::optional<CellFile> read_cell_file(const std::filesystem::path& file, const StudyCell& cell) {
+  auto found = read_cell_file(file);
+  if (found && (found->id != cell.id || !is_equal(found->settings, cell.settings))) return std::nullopt;
+  return found;
+}
+
+}  // namespace kerf

@@ -1,0 +1,25 @@
+#include <chrono>
+
+#include "core/recording/chain.h"
+#include "frames/sequence/manifest.h"
+#include "frames/sequence/sequence.h"
+#include "frames/study/measure.h"
+#include "frames/support/hex.h"
+
+namespace kerf {
+
+Figures measure(const FramesCell& cell, const std::filesystem::path& folder, Replace replace) {
+  RenderTexts texts = cell.texts;
+  texts.out = folder;
+  texts.resume = replace == Replace::nothing;
+  texts.overwrite = !texts.resume;
+  const auto start = std::chrono::steady_clock::now();
+  render_sequence(parse_recording_request(texts));
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  const Manifest manifest = read_manifest(folder);
+  std::uint64_t hash = 0;
+  for (const FrameRecord& frame : manifest.frames) hash = hash_words({&frame.pixel_hash, 1}, hash);
+  return {{{"frames", manifest.frames.size()}, {"pixels_hash", hex(hash)}}, {{"total_ms", taken.count()}}};
+}
+
+}  // namespace kerf

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <optional>
+
+#include "core/broad_phase/all_pairs.h"
+#include "core/broad_phase/sort_and_sweep.h"
+#include "core/recording/chain.h"
+#include "frames/bench/bench_row.h"
+#include "frames/bench/structure.h"
+#include "frames/bench/truth.h"
+#include "frames/study/feed.h"
+#include "frames/study/measure.h"
+#include "frames/support/hex.h"
+
+namespace kerf {
+namespace {
+
+/// Steps that are computed before the broad phase does them in a row: their computation would leave it cold
+/// caches. Fewer if their boxes take more memory than this.
+constexpr std::size_t kBlock = 16;
+constexpr std::size_t kBlockBytes = std::size_t{128} << 20U;
+
+/// Calls `visit(requests, measured)` for each step of a cell, after the warm-up with `measured` true.
+template <int D, class Visit>
+void for_each_step(const RunCell& cell, Feed<D>& feed, Visit visit) {
+  visit(feed.begin(), false);
+  const std::uint64_t last = std::uint64_t{cell.warm_up} + cell.steps;
+  std::vector<StepRequests<D>> block;
+  for (std::uint64_t done = 0; done < last; done += block.size()) {
+    block.clear();
+    std::size_t bytes = 0;
+    while (block.size() < kBlock && done + block.size() < last && bytes < kBlockBytes) {
+      block.push_back(feed.next());
+      bytes += block.back().boxes.size() * sizeof(Box<D>);
+    }
+    for (std::size_t k = 0; k < block.size(); ++k) visit(block[k], done + k >= cell.warm_up);
+  }
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// No clock knows more of milliseconds than this.
+double to_nanoseconds(double milliseconds) { return std::round(milliseconds * 1e6) / 1e6; }
+
+template <int D>
+Json timed_run(const RunCell& cell) {
+  const auto feed = make_feed<D>(cell);
+  const auto subject = feed->make_subject(cell.broad_phase);
+  std::vector<double> total;
+  std::vector<double> overhead;
+  for_each_step<D>(cell, *feed, [&](const StepRequests<D>& requests, bool measured) {
+    const SplitCost cost = costed_step(requests, *subject);
+    if (!measured) return;
+    total.push_back(cost.total);
+    if (cost.overhead) overhead.push_back(*cost.overhead);
+  });
+  Json times;
+  times["total_ms"] = to_nanoseconds(mean(total));
+  times["overhead_ms"] = overhead.empty() ? Json() : Json(to_nanoseconds(mean(overhead)));
+  times["collision_ms"] = overhead.empty() ? Json() : Json(to_nanoseconds(mean(total) - mean(overhead)));
+  std::ranges::sort(total);
+  times["median_ms"] = to_nanoseconds(percentile(total, 0.5));
+  times["worst_ms"] = to_nanoseconds(total.back());
+  return times;
+}
+
+/// Each object is tested against each, or swept where that would take too long.
+template <int D>
+std::unique_ptr<BroadPhase<D>> make_oracle(std::uint32_t objects) {
+  constexpr std::uint32_t kMostTested = 5000;
+  if (objects <= kMostTested) return std::make_unique<AllPairs<D>>();
+  return std::make_unique<SortAndSweep<D>>();
+}
+
+/// Counts over the measured steps.
+template <int D>
+class Counts {
+ public:
+  explicit Counts(const RunCell& cell) {
+    if (cell.measures.errors) oracle_ = make_oracle<D>(cell.options.objects);
+  }
+  /// The requests of every step.
+  void prepare(const StepRequests<D>& requests) {
+    for (const Call& call : requests.calls)
+      if (is_insert(call.kind))
+        bodies_ += call.count;
+      else if (call.kind == RequestKind::remove)
+        bodies_ -= call.count;
+    if (!oracle_) return;
+    apply(requests, *oracle_);
+    oracle_->step();
+  }
+  void add(const BroadPhase<D>& subject) {
+    const Truth found = truth_of(subject.pairs());
+    pairs_ += found.pairs;
+    const std::uint64_t words[] = {found.pairs, found.checksum};
+    hash_ = hash_words(words, hash_);
+    structure_ = structure_of(subject);
+    if (structure_.candidates) candidates_ += *structure_.candidates;
+    if (!oracle_) return;
+    const Difference difference =
+        compare(subject.pairs(), {oracle_->pairs().begin(), oracle_->pairs().end()});
+    errors_.missed += difference.missed;
+    errors_.extra += difference.extra;
+  }
+  [[nodiscard]] Json json(const Measures& measures) const {
+    Json counts{{"bodies", bodies_}, {"pairs", pairs_}, {"pairs_hash", hex(hash_)}};
+    if (measures.counts) {
+      counts["candidates"] = structure_.candidates ? Json(candidates_) : Json();
+      const bool is_tree = structure_.leaves > 0;
+      counts["leaves"] = is_tree ? Json(structure_.leaves) : Json();
+      counts["height"] = is_tree ? Json(structure_.height) : Json();
+      counts["entries"] = is_tree ? Json(structure_.entries) : Json();
+      counts["operators"] = is_tree ? Json(structure_.operators) : Json();
+    }
+    if (!oracle_) return counts;
+    counts["missed"] = errors_.missed;
+    counts["extra"] = errors_.extra;
+    return counts;
+  }
+
+ private:
+  std::unique_ptr<BroadPhase<D>> oracle_;
+  std::uint64_t bodies_ = 0;
+  std::uint64_t pairs_ = 0;
+  std::uint64_t hash_ = 0;
+  std::uint64_t candidates_ = 0;
+  Structure structure_;
+  Difference errors_;
+};
+
+template <int D>
+Json counted_run(const RunCell& cell) {
+  const auto feed = make_feed<D>(cell);
+  const auto subject = feed->make_subject(cell.broad_phase);
+  Counts<D> counts(cell);
+  for_each_step<D>(cell, *feed, [&](const StepRequests<D>& requests, bool measured) {
+    counts.prepare(requests);
+    apply(requests, *subject);
+    subject->step();
+    if (measured) counts.add(*subject);
+  });
+  return counts.json(cell.measures);
+}
+
+template <int D>
+Figures measure_in(const RunCell& cell) {
+  Figures figures;
+  if (cell.measures.counts || cell.measures.errors) figures.counts = counted_run<D>(cell);
+  if (cell.measures.times) figures.times = timed_run<D>(cell);
+  return figures;
+}
+
+}  // namespace
+
+Figures measure(const RunCell& cell, const std::filesystem::path& /*folder*/, Replace /*replace*/) {
+  return cell.dimension == 2 ? measure_in<2>(cell) : measure_in<3>(cell);
+}
+
+}  // namespace kerf
