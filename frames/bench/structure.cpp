@@ -47,17 +47,21 @@ std::uint64_t list_candidates(const Tree<D>& tree) {
   return count;
 }
 
+}  // namespace
+
 template <int D>
 std::optional<std::uint64_t> candidates_of(const BroadPhase<D>& subject) {
   if (const auto* octree = dynamic_cast<const LooseOctree<D>*>(&subject)) return octree->candidates();
   if (const auto* lists = dynamic_cast<const SweepAndPrune<D>*>(&subject)) return lists->candidates();
+  if constexpr (D == 3)
+    if (const auto* space = dynamic_cast<const OdeSpace*>(&subject))
+      if (const double count = space->count_candidates(); count >= 0)
+        return static_cast<std::uint64_t>(count);
   const auto* tree = dynamic_cast<const Bsp<D>*>(&subject);
   // Only the paper's way of a step keeps ordered lists.
-  if (tree == nullptr || tree->config().byte_sweep || tree->config().skin > 0) return std::nullopt;
+  if (tree == nullptr || tree->config().byte_sweep) return std::nullopt;
   return list_candidates(tree->tree());
 }
-
-}  // namespace
 
 template <int D>
 Structure structure_of(const BroadPhase<D>& subject) {
@@ -71,6 +75,12 @@ Structure structure_of(const BroadPhase<D>& subject) {
   structure.entries = statistics.entries;
   for (const std::uint64_t acted : statistics.operators) structure.operators += acted;
   return structure;
+}
+
+template <int D>
+void measure_parts(BroadPhase<D>& subject) {
+  if constexpr (D == 3)
+    if (auto* space = dynamic_cast<OdeSpace*>(&subject)) space->separate_times();
 }
 
 template <int D>
@@ -92,6 +102,10 @@ SplitCost costed_step(const StepRequests<D>& requests, BroadPhase<D>& subject) {
 
 template Structure structure_of(const BroadPhase<2>&);
 template Structure structure_of(const BroadPhase<3>&);
+template std::optional<std::uint64_t> candidates_of(const BroadPhase<2>&);
+template std::optional<std::uint64_t> candidates_of(const BroadPhase<3>&);
+template void measure_parts(BroadPhase<2>&);
+template void measure_parts(BroadPhase<3>&);
 template SplitCost costed_step(const StepRequests<2>&, BroadPhase<2>&);
 template SplitCost costed_step(const StepRequests<3>&, BroadPhase<3>&);
 

@@ -18,6 +18,9 @@ struct Structure {
 };
 template <int D>
 Structure structure_of(const BroadPhase<D>& subject);
+/// `Structure::candidates` alone.
+template <int D>
+std::optional<std::uint64_t> candidates_of(const BroadPhase<D>& subject);
 
 /// What a step cost, in milliseconds.
 struct SplitCost {
@@ -28,6 +31,9 @@ struct SplitCost {
     return overhead ? std::optional(total - *overhead) : std::nullopt;
   }
 };
+/// Has the broad phase measure its parts apart, where it does so only when asked (ODE's hash space).
+template <int D>
+void measure_parts(BroadPhase<D>& subject);
 /// Passes on the requests and does a step in this thread.
 template <int D>
 SplitCost costed_step(const StepRequests<D>& requests, BroadPhase<D>& subject);

@@ -50,6 +50,7 @@ template <int D>
 Json timed_run(const RunCell& cell) {
   const auto feed = make_feed<D>(cell);
   const auto subject = feed->make_subject(cell.broad_phase);
+  measure_parts(*subject);
   std::vector<double> total;
   std::vector<double> overhead;
   for_each_step<D>(cell, *feed, [&](const StepRequests<D>& requests, bool measured) {
