@@ -10,7 +10,7 @@ namespace {
 
 using enum Measure;
 using enum Relation;
-using Names = std::initializer_list<std::string_view>;
+using NameList = std::initializer_list<std::string_view>;
 
 constexpr std::string_view kBsp = kPaperTree;
 constexpr std::string_view kQt = "ode-quadtree";
@@ -21,8 +21,8 @@ constexpr std::string_view kSp = "sweep-and-prune";
 constexpr std::string_view kNoFigure = "its words name no figure";
 
 /// Each subject against each rival.
-std::vector<Comparison> each(int simulation, Measure measure, Names subjects, Relation relation,
-                             Names rivals) {
+std::vector<Comparison> each(int simulation, Measure measure, NameList subjects, Relation relation,
+                             NameList rivals) {
   std::vector<Comparison> comparisons;
   for (const std::string_view subject : subjects)
     for (const std::string_view rival : rivals)
@@ -31,7 +31,7 @@ std::vector<Comparison> each(int simulation, Measure measure, Names subjects, Re
 }
 
 /// Each subject against a number.
-std::vector<Comparison> each(int simulation, Measure measure, Names subjects, Relation relation,
+std::vector<Comparison> each(int simulation, Measure measure, NameList subjects, Relation relation,
                              double number) {
   std::vector<Comparison> comparisons;
   for (const std::string_view subject : subjects)
