@@ -67,7 +67,7 @@ std::vector<TableColumn> filled_columns(const Json& rows) {
   return filled;
 }
 
-void write_comparison(const Comparison& comparison, const std::string& id, Page& page) {
+void write_comparison(const StudyComparison& comparison, const std::string& id, Page& page) {
   page.section(id, comparison.title);
   for (const PlottedFigure& figure : kPlots) {
     const std::string svg = plot_figure(comparison, figure, id + "-" + figure.key);
@@ -101,7 +101,7 @@ std::string study_page(const Study& study, const JoinedStudy& joined, const std:
   page.paragraph("All settings and counts have the hash " + hex(counts_hash(joined)) +
                  "; it does not depend on who measured them.");
   std::size_t number = 0;
-  for (const Comparison& comparison : comparisons(joined))
+  for (const StudyComparison& comparison : comparisons(joined))
     write_comparison(comparison, "s" + std::to_string(++number), page);
   page.command(command);
   return page.html();

@@ -27,7 +27,7 @@ struct Curve {
 
 /// A curve for each broad phase that has the figure; the machine is named if there are several. Each has a
 /// colour by its place among all, so that it has the same one in all figures.
-std::vector<Curve> curves_of(const Comparison& comparison, const std::string& figure) {
+std::vector<Curve> curves_of(const StudyComparison& comparison, const std::string& figure) {
   std::set<std::string> machines;
   for (const Group& group : comparison.groups) machines.insert(group.machine);
   std::vector<Curve> curves;
@@ -127,7 +127,7 @@ std::string plot_rows(const std::vector<Curve>& curves, const PlottedFigure& fig
 
 }  // namespace
 
-std::string plot_figure(const Comparison& comparison, const PlottedFigure& figure, std::string_view id) {
+std::string plot_figure(const StudyComparison& comparison, const PlottedFigure& figure, std::string_view id) {
   const std::vector<Curve> curves = curves_of(comparison, figure.key);
   if (curves.empty()) return "";
   const bool several =

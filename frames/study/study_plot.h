@@ -18,6 +18,6 @@ struct PlottedFigure {
 /// A figure against the number of objects, a curve for each broad phase, with 95 % confidence intervals as
 /// bars, which end at 0; of one number of objects, a row for each broad phase. An SVG element for a page in
 /// which `id` is unique; empty if no group has the figure. Throws std::runtime_error if gnuplot fails.
-std::string plot_figure(const Comparison& comparison, const PlottedFigure& figure, std::string_view id);
+std::string plot_figure(const StudyComparison& comparison, const PlottedFigure& figure, std::string_view id);
 
 }  // namespace kerf

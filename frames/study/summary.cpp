@@ -45,16 +45,16 @@ std::optional<Estimate> Group::estimate(const std::string& figure) const {
   return estimate_of_seeds(found->second);
 }
 
-std::vector<Comparison> comparisons(const JoinedStudy& joined) {
-  std::vector<Comparison> all;
+std::vector<StudyComparison> comparisons(const JoinedStudy& joined) {
+  std::vector<StudyComparison> all;
   for (const JoinedStudy::Cell& cell : joined.cells) {
     if (cell.cell->is_frames()) continue;
     const Json& settings = cell.file.settings;
-    const Comparison none{title_of(settings), settings.value("measure", ""), {}};
-    const auto same_title = [&](const Comparison& other) {
+    const StudyComparison none{title_of(settings), settings.value("measure", ""), {}};
+    const auto same_title = [&](const StudyComparison& other) {
       return other.title == none.title && other.measures == none.measures;
     };
-    Comparison& comparison = find_or_add(all, same_title, none);
+    StudyComparison& comparison = find_or_add(all, same_title, none);
     Group fresh;
     fresh.broad_phase = settings.value("broad_phase", "");
     fresh.machine = cell.file.machine;

@@ -30,13 +30,13 @@ class Group {
 
 /// What can be compared: a motion or scene in a dimension, with the same steps and
 /// measures.
-struct Comparison {
+struct StudyComparison {
   std::string title;
   std::string measures;
   std::vector<Group> groups;  ///< in the order of the study
 };
 
 /// The comparisons of all cells that are no frames, in the order of the study.
-std::vector<Comparison> comparisons(const JoinedStudy& joined);
+std::vector<StudyComparison> comparisons(const JoinedStudy& joined);
 
 }  // namespace kerf
