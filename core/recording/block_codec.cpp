@@ -64,9 +64,16 @@ std::vector<Call> get_calls(ByteReader& in) {
   return calls;
 }
 
-std::uint64_t inserts_in(const std::vector<Call>& calls) {
+/// How many objects the calls insert. They cannot name more than `objects`: those that are there or, in a
+/// block, the bytes that are left for their numbers.
+std::uint64_t inserts_in(const std::vector<Call>& calls, std::size_t objects) {
   std::uint64_t inserts = 0;
-  for (const Call& call : calls) inserts += is_insert(call.kind) ? call.count : 0;
+  std::uint64_t all = 0;
+  for (const Call& call : calls) {
+    all += call.count;
+    inserts += is_insert(call.kind) ? call.count : 0;
+  }
+  if (all > objects) fail_damaged("its calls name more objects than it has");
   return inserts;
 }
 
@@ -124,7 +131,7 @@ std::uint64_t BlockEncoder<D>::add(const StepRequests<D>& requests, std::span<co
   ++steps_;
   put_calls(requests.calls, calls_);
   put_events(events, events_);
-  room_.insert(inserts_in(requests.calls));
+  room_.insert(inserts_in(requests.calls, requests.objects.size()));
   return add_volumes(requests);
 }
 
@@ -187,7 +194,7 @@ void BlockDecoder<D>::read(std::span<const std::uint8_t> block, std::uint32_t fi
   for (std::size_t k = 0; k < count; ++k) {
     RecordedStep<D> step;
     step.requests.calls = get_calls(columns.calls);
-    room_.insert(inserts_in(step.requests.calls));
+    room_.insert(inserts_in(step.requests.calls, columns.objects.left()));
     step.changed = get_volumes(columns, kind_, room_, predictor_, step.requests);
     step.events = get_events(columns.events, first_step + static_cast<std::uint32_t>(k), first_event);
     first_event += step.events.size();

@@ -93,6 +93,8 @@ class ByteReader {
   }
   std::span<const std::uint8_t> blob() { return take(count()); }
   [[nodiscard]] bool empty() const { return rest_.empty(); }
+  /// How many bytes have not been read.
+  [[nodiscard]] std::size_t left() const { return rest_.size(); }
 
  private:
   std::span<const std::uint8_t> take(std::size_t size) {

@@ -104,7 +104,7 @@ class Verifier {
     }
   }
 
-  std::string name(const std::vector<Event>& events, std::size_t k) const {
+  [[nodiscard]] std::string name(const std::vector<Event>& events, std::size_t k) const {
     if (k >= events.size()) return "no further event";
     std::string text = describe(events[k], verdict_.names);
     if (const auto* const acted = acted_of(events[k]))

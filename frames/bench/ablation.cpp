@@ -80,7 +80,9 @@ std::vector<Earning> best_earnings(const std::vector<Earning>& all) {
 
 std::string ablation_table(const std::vector<Earning>& all) {
   std::string text = "WHAT A POLICY EARNS: time without it over time with it, less 1, round by round\n";
-  text += "SCENE          DIM OBJECTS TH WITHOUT                                         MEDIAN    LEAST     MOST\n";
+  text +=
+      "SCENE          DIM OBJECTS TH WITHOUT                                         MEDIAN    LEAST     "
+      "MOST\n";
   for (const Earning& earning : all) text += line_of(earning);
   text += "\nEACH POLICY WHERE IT EARNS MOST\n";
   for (const Earning& earning : best_earnings(all)) text += line_of(earning);

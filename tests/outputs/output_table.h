@@ -18,8 +18,8 @@ enum class OutputKind {
 /// An option that names an output of a command, and a run that writes it.
 ///
 /// In `arguments` OUT is the output, and these are inputs: RECORDING, FRAMES and OTHER (folders of
-/// sequences), BOXES (CSV), STUDY, SCRIPT (takes a screenshot called shot), PICTURE and HARD (a folder with the
-/// table of hard cases). SCRATCH is a name that is free.
+/// sequences), BOXES (CSV), STUDY, SCRIPT (takes a screenshot called shot), PICTURE and HARD (a folder with
+/// the table of hard cases). SCRATCH is a name that is free.
 struct OutputCase {
   std::string command;
   std::string option;  ///< as the help has it
