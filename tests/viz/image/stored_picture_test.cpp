@@ -71,14 +71,17 @@ TEST(StoredPicture, PalettesInterlacingAndDepthsAreThePixelsThatTheyStandFor) {
   EXPECT_EQ(read(of(kGrey, 4, repeat("\x33", 8))).image, make_image(16, 16, 0x333333ffU));
 }
 
-/// Programs show it as they like, so that two such pictures cannot be called the same.
+/// Programs show it as they like, so that two such pictures cannot be called the same. A later libpng
+/// refuses it before we do.
 TEST(StoredPicture, WhatAPaletteDoesNotHaveIsRefused) {
+  const auto names_it =
+      ::testing::AnyOf(HasSubstr("a colour that is not in its palette"), HasSubstr("palette index"));
   PngFile palette = of(kPalette, 8, std::string(15, '\1') + '\2');
   palette.before = {{"PLTE", kColor + kColor}};
-  EXPECT_THAT(refusal(palette), HasSubstr("a colour that is not in its palette"));
+  EXPECT_THAT(refusal(palette), names_it);
   PngFile bits = of(kPalette, 4, std::string(7, '\x11') + '\x12');
   bits.before = palette.before;
-  EXPECT_THAT(refusal(bits), HasSubstr("a colour that is not in its palette"));
+  EXPECT_THAT(refusal(bits), names_it);
 }
 
 TEST(StoredPicture, APaletteHasOpacities) {
