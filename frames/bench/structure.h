@@ -26,10 +26,7 @@ std::optional<std::uint64_t> candidates_of(const BroadPhase<D>& subject);
 struct SplitCost {
   double total = 0;
   std::optional<double> overhead;  ///< taking over the boxes and bringing the structure up to date; none: the
-                                   ///< broad phase does not measure this
-  [[nodiscard]] std::optional<double> collision() const {
-    return overhead ? std::optional(total - *overhead) : std::nullopt;
-  }
+                                   ///< broad phase does not measure this. The rest is the search for pairs
 };
 /// Has the broad phase measure its parts apart, where it does so only when asked (ODE's hash space).
 template <int D>

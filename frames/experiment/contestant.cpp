@@ -19,7 +19,7 @@ double Contestant::count_candidates() const {
 ContestantStep Contestant::step(const StepRequests<3>& requests) {
   const SplitCost cost = costed_step(requests, *subject_);
   ContestantStep result;
-  result.update = cost.overhead.value_or(0);
+  result.update = cost.overhead.value();  // all contestants measure it
   result.collision = cost.total - result.update;
   if (const auto* tree = dynamic_cast<const Bsp<3>*>(subject_.get())) {
     const Statistics statistics = tree->statistics();

@@ -5,13 +5,10 @@
 #include <numeric>
 
 namespace kerf {
-namespace {
 
 double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
-
-}  // namespace
 
 double student_quantile(std::size_t degrees) {
   constexpr std::array<double, 10> kFew{12.7062, 4.30265, 3.18245, 2.77645, 2.57058,

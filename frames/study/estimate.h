@@ -7,6 +7,9 @@
 
 namespace kerf {
 
+/// Of values of which there is at least one.
+double mean_of(const std::vector<double>& values);
+
 /// A mean with its 95 % confidence interval, mean +- half (Student's t).
 struct Estimate {
   double mean = 0;

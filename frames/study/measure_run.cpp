@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <optional>
 
 #include "core/broad_phase/all_pairs.h"
@@ -10,6 +9,7 @@
 #include "frames/bench/bench_row.h"
 #include "frames/bench/structure.h"
 #include "frames/bench/truth.h"
+#include "frames/study/estimate.h"
 #include "frames/study/feed.h"
 #include "frames/study/measure.h"
 #include "frames/support/hex.h"
@@ -39,10 +39,6 @@ void for_each_step(const RunCell& cell, Feed<D>& feed, Visit visit) {
   }
 }
 
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 /// No clock knows more of milliseconds than this.
 double to_nanoseconds(double milliseconds) { return std::round(milliseconds * 1e6) / 1e6; }
 
@@ -60,9 +56,10 @@ Json timed_run(const RunCell& cell) {
     if (cost.overhead) overhead.push_back(*cost.overhead);
   });
   Json times;
-  times["total_ms"] = to_nanoseconds(mean(total));
-  times["overhead_ms"] = overhead.empty() ? Json() : Json(to_nanoseconds(mean(overhead)));
-  times["collision_ms"] = overhead.empty() ? Json() : Json(to_nanoseconds(mean(total) - mean(overhead)));
+  times["total_ms"] = to_nanoseconds(mean_of(total));
+  times["overhead_ms"] = overhead.empty() ? Json() : Json(to_nanoseconds(mean_of(overhead)));
+  times["collision_ms"] =
+      overhead.empty() ? Json() : Json(to_nanoseconds(mean_of(total) - mean_of(overhead)));
   std::ranges::sort(total);
   times["median_ms"] = to_nanoseconds(percentile(total, 0.5));
   times["worst_ms"] = to_nanoseconds(total.back());
