@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -16,11 +15,11 @@
 #include "frames/experiment/experiment_plots.h"
 #include "frames/page/gnuplot.h"
 #include "frames/support/atomic_file.h"
+#include "frames/support/countdown.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
 #include "frames/support/parse_whole.h"
-#include "frames/support/progress_line.h"
 
 namespace kerf {
 namespace {
@@ -86,8 +85,6 @@ class Experiment {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   /// Of a run that is still to be made.
   struct Place {
     std::size_t simulation;
@@ -103,15 +100,12 @@ class Experiment {
   void show(const Simulation& simulation, const TimedRun& run, std::uint32_t step) const {
     const double all = static_cast<double>(missing_.size()) * plan_.size.steps;
     const double done = static_cast<double>(done_) * plan_.size.steps + step - 1;
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    const int left = done > 0 ? static_cast<int>(seconds * (all - done) / done) : 0;
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "run %zu of %zu: simulation %d (%s), seed %llu, repeat %u  step %u/%u  about %d:%02d left",
-                  done_ + 1, missing_.size(), simulation.number, std::string(simulation.scene).c_str(),
-                  static_cast<unsigned long long>(run.seed), run.repeat, step, plan_.size.steps, left / 60,
-                  left % 60);
-    line_.show(text);
+    const std::string left = stint_.left(done, all);
+    line_.show("run " + std::to_string(done_ + 1) + " of " + std::to_string(missing_.size()) +
+               ": simulation " + std::to_string(simulation.number) + " (" + std::string(simulation.scene) +
+               "), seed " + std::to_string(run.seed) + ", repeat " + std::to_string(run.repeat) + "  step " +
+               std::to_string(step) + "/" + std::to_string(plan_.size.steps) +
+               (left.empty() ? "" : "  about ") + left);
   }
 
   [[nodiscard]] std::string interruption() const {
@@ -127,7 +121,7 @@ class Experiment {
   std::vector<Place> missing_;
   std::size_t done_ = 0;  ///< of the missing ones
   ProgressLine line_;
-  Clock::time_point start_ = Clock::now();
+  Stint stint_;
 };
 
 }  // namespace

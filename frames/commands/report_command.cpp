@@ -1,11 +1,7 @@
 #include "frames/commands/report_command.h"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <cstdio>
 
 #include "core/base/counted.h"
@@ -13,6 +9,7 @@
 #include "frames/page/gnuplot.h"
 #include "frames/report/section.h"
 #include "frames/support/atomic_file.h"
+#include "frames/support/countdown.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/machine.h"
@@ -41,48 +38,6 @@ std::string report_footer() {
          "and\nthe same command goes on from there. The page loads nothing from anywhere; its plots are "
          "gnuplot's.";
 }
-
-/// A line on the terminal that is overwritten: the present measurement, and an estimate of the time left.
-/// Silent unless standard error is a terminal.
-class Countdown {
- public:
-  explicit Countdown(const std::vector<Cell>& cells) : cells_(cells) {
-    for (const Cell& cell : cells) all_ += cell.work;
-  }
-  ~Countdown() {
-    if (shown_) std::fputs("\r\033[K", stderr);
-  }
-  Countdown(const Countdown&) = delete;
-  Countdown& operator=(const Countdown&) = delete;
-
-  /// The next of the cells begins.
-  void begin(const Cell& cell) {
-    ++begun_;
-    if (shown_)
-      std::fprintf(stderr, "\r\033[K%zu/%zu%s  %s", begun_, cells_.size(), time_left().c_str(),
-                   cell.key.c_str());
-    done_ += cell.work;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  [[nodiscard]] std::string time_left() const {
-    if (done_ == 0) return "";
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    const int left = static_cast<int>(seconds / done_ * (all_ - done_));
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "  about %d:%02d left", left / 60, left % 60);
-    return text.data();
-  }
-
-  const std::vector<Cell>& cells_;
-  double all_ = 0;
-  double done_ = 0;
-  std::size_t begun_ = 0;
-  bool shown_ = isatty(STDERR_FILENO) == 1;
-  Clock::time_point start_ = Clock::now();
-};
 
 /// Measures and shows the chosen sections.
 class Report {
@@ -116,7 +71,9 @@ class Report {
   }
   void measure() {
     const std::vector<Cell> cells = missing();
-    Countdown countdown(cells);
+    double work = 0;
+    for (const Cell& cell : cells) work += cell.work;
+    Countdown countdown(cells.size(), work);
     const InterruptGuard interrupt;
     std::size_t done = 0;
     const Poll poll = [&] {
@@ -125,7 +82,7 @@ class Report {
                           request_.kept.string() + ", and the same command goes on from there");
     };
     for (const Cell& cell : cells) {
-      countdown.begin(cell);
+      countdown.begin(cell.key, cell.work);
       store_.put(cell.key, cell.measure(poll));
       ++done;
     }

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <optional>
 #include <utility>
@@ -14,40 +13,16 @@
 #include "frames/study/study_run.h"
 #include "frames/study/study_table.h"
 #include "frames/support/atomic_file.h"
+#include "frames/support/countdown.h"
 #include "frames/support/errors.h"
 #include "frames/support/hex.h"
 #include "frames/support/interrupt.h"
-#include "frames/support/progress_line.h"
 #include "frames/support/scratch_folder.h"
 #include "frames/support/shard.h"
 #include "frames/support/suggest.h"
 
 namespace kerf {
 namespace {
-
-/// "cell 12/200  about 1:20 left  falling-3d..."
-class StudyProgress {
- public:
-  explicit StudyProgress(std::size_t cells) : cells_(cells) {}
-  void begin(const StudyCell& cell) {
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    char left[48] = "";
-    if (begun_ > 0) {
-      const auto done = static_cast<double>(begun_);
-      const int rest = static_cast<int>(seconds * (static_cast<double>(cells_) - done) / done);
-      std::snprintf(left, sizeof left, "  about %d:%02d left", rest / 60, rest % 60);
-    }
-    line_.show("cell " + std::to_string(++begun_) + "/" + std::to_string(cells_) + left + "  " + cell.id);
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  std::size_t cells_;
-  std::size_t begun_ = 0;
-  ProgressLine line_;
-  Clock::time_point start_ = Clock::now();
-};
 
 std::string describe(const std::vector<Failure>& failures, std::size_t asked) {
   std::string text = std::to_string(failures.size()) + " of " + std::to_string(asked) +
@@ -155,10 +130,10 @@ void StudyCommand::measure(const Study& study) const {
   std::vector<Failure> failures;
   {
     const InterruptGuard interrupt;
-    StudyProgress progress(cells.size());
+    Countdown countdown(cells.size(), static_cast<double>(cells.size()));
     failures = run_cells(
         study, cells, folder, outputs.replace(),
-        {[&](const StudyCell& cell) { progress.begin(cell); }, [&] { return interrupt.requested(); }});
+        {[&](const StudyCell& cell) { countdown.begin(cell.id, 1); }, [&] { return interrupt.requested(); }});
   }
   if (!failures.empty()) throw DoesNotHold(describe(failures, asked.size()));
   std::printf("%s: %zu of %zu cells are in %s, %zu of them new\n", study.name.c_str(), asked.size(),

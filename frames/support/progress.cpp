@@ -16,12 +16,10 @@ void Progress::update(std::uint32_t frames, std::uint32_t step) {
   const Clock::time_point now = Clock::now();
   if (!line_.is_shown() || now - last_ < kBetweenUpdates) return;
   last_ = now;
-  const double seconds = std::chrono::duration<double>(now - start_).count();
-  const double left = seconds * (steps_.last - step) / step;
   std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "frame %u/%u  step %u/%u  %.1f frames/s  %d:%02d left", frames,
-                steps_.frames(), step, steps_.last, frames / seconds, static_cast<int>(left) / 60,
-                static_cast<int>(left) % 60);
+  std::snprintf(text.data(), text.size(), "frame %u/%u  step %u/%u  %.1f frames/s  %s", frames,
+                steps_.frames(), step, steps_.last, frames / stint_.seconds(),
+                stint_.left(step, steps_.last).c_str());
   line_.show(text.data());
 }
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstdint>
 
-#include "frames/support/progress_line.h"
+#include "frames/support/countdown.h"
 #include "frames/support/step_range.h"
 
 namespace kerf {
@@ -22,7 +22,7 @@ class Progress {
 
   StepRange steps_;
   ProgressLine line_;
-  Clock::time_point start_ = Clock::now();
+  Stint stint_;
   Clock::time_point last_{};
 };
 
