@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "frames/page/axis.h"
 #include "frames/page/gnuplot.h"
 #include "frames/page/label_places.h"
@@ -100,9 +102,43 @@ TEST(Plot, LinesHaveBands) {
   EXPECT_THAT(draw(plot, "p"), HasSubstr("fill-opacity"));
 }
 
+/// What gnuplot drew as that plot, without the values under the pointer.
+std::string drawn_as(const std::string& svg, const std::string& group) {
+  const std::size_t begin = svg.find("\"" + group + "\"");
+  if (begin == std::string::npos) return "";
+  return svg.substr(begin, std::min(svg.find("<g id=", begin), svg.find("<g class=", begin)) - begin);
+}
+
+/// The axes are the same: a larger spread stands beside it.
+TEST(Plot, ErrorBarsReachAsFarAsTheSpread) {
+  const auto points = [](PlotRange x, PlotRange y) {
+    PlotPoint spread{1, 10};
+    spread.x_range = x;
+    spread.y_range = y;
+    PlotPoint widest{1, 10};
+    widest.x_range = {0.01, 100};
+    widest.y_range = {0.1, 1000};
+    const Plot plot{"title", "error", "time", true, true, {{"series", {spread, widest}}}};
+    return drawn_as(draw(plot, "p"), "p-gnuplot_plot_1");
+  };
+  const std::string narrow = points({0.5, 2}, {5, 20});
+  ASSERT_NE(narrow, "");
+  EXPECT_NE(points({0.2, 2}, {5, 20}), narrow);
+  EXPECT_NE(points({0.5, 4}, {5, 20}), narrow);
+  EXPECT_NE(points({0.5, 2}, {2, 20}), narrow);
+  EXPECT_NE(points({0.5, 2}, {5, 40}), narrow);
+  EXPECT_EQ(points({0.5, 2}, {5, 20}), narrow);
+}
+
 TEST(Plot, BarsHaveErrorBars) {
-  const std::string svg = draw(BarPlot{"title", "ns", {{"one", 1, 0}, {"two", 2, 40}}}, "bars");
-  EXPECT_THAT(svg, HasSubstr(" 40<")) << "the axis reaches the end of the error bar";
+  const auto bars = [](double most) {
+    return draw(BarPlot{"title", "ns", {{"one", 1, most}, {"two", 2, 40}}}, "bars");
+  };
+  EXPECT_THAT(bars(0), HasSubstr(" 40<")) << "the axis reaches the end of the error bar";
+  const std::string none = drawn_as(bars(0), "bars-gnuplot_plot_2");
+  ASSERT_NE(none, "");
+  EXPECT_NE(drawn_as(bars(20), "bars-gnuplot_plot_2"), none);
+  EXPECT_EQ(drawn_as(bars(1), "bars-gnuplot_plot_2"), none);
 }
 
 TEST(Plot, OfBarsAndOfCells) {
