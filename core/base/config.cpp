@@ -28,6 +28,8 @@ const std::array kParameters{
     Parameter{{"min_balance", "below it a node is unbalanced", 0, 1}, &Config::min_balance},
     Parameter{{"max_redundancy", "straddlers of a partitioner over its population", 0, 1},
               &Config::max_redundancy},
+    Parameter{{"scene_redundancy", "1: max_redundancy is a share of the scene's objects", 0, 1},
+              &Config::scene_redundancy},
     Parameter{{"repair_redundancy", "above it a node is repaired like an unbalanced one", 0, 1},
               &Config::repair_redundancy},
     Parameter{{"min_threshold", "smallest split threshold", 1, kAny}, &Config::min_threshold},
@@ -44,6 +46,11 @@ const std::array kParameters{
     Parameter{{"merge", "0: only entries beyond their cap are merged away", 0, 1}, &Config::merge},
     Parameter{{"balance", "0: an unbalanced node is swapped at once", 0, 1}, &Config::balance},
     Parameter{{"swap", "0: a node that cannot be balanced stays as it is", 0, 1}, &Config::swap},
+    Parameter{{"swap_share", "objects that a swap may insert into the heavier subtree, over its own", 0, 1},
+              &Config::swap_share},
+    Parameter{
+        {"swap_rest", "scheduling intervals in which a leaf that a swap moved up is not split", 0, 1000},
+        &Config::swap_rest},
     Parameter{{"max_height", "no split at or below this depth", 0, 63}, &Config::max_height},
     Parameter{
         {"max_entries",
@@ -67,7 +74,6 @@ const std::array kParameters{
               &Config::resting_pairs},
     Parameter{{"leaf_boxes", "0: leaves have no copies of their boxes in large worlds", 0, 1},
               &Config::leaf_boxes},
-    Parameter{{"exchange", "0: new boxes are copied into the tree's table", 0, 1}, &Config::exchange},
     Parameter{{"dense", "0: floats confirm all that bytes find", 0, 1}, &Config::dense},
 };
 
@@ -149,6 +155,7 @@ Config tuned_config() {
   config.min_balance = 0.33F;
   config.max_redundancy = 0.35F;
   config.repair_redundancy = 0.6F;
+  config.swap_share = 1;
   config.min_threshold = 1024;
   config.max_threshold = 1024;
   config.event_capacity = 16;

@@ -18,6 +18,8 @@ struct Config {
   // Goodness (sections 3.2 and 6.1).
   float min_balance = 0.5F;       ///< below it a node is unbalanced (6.1)
   float max_redundancy = 0.025F;  ///< straddlers of a partitioner over its population (6.1)
+  bool scene_redundancy = false;  ///< true: over the objects of the scene (6.1: "a 2.5% increase on the
+                                  ///< number of objects")
 
   float repair_redundancy =
       0.5F;  ///< above it a node is repaired like an unbalanced one (ours: the paper names no cure)
@@ -38,6 +40,11 @@ struct Config {
   bool merge = true;        ///< off: only entries beyond their cap are merged away
   bool balance = true;      ///< without it, an unbalanced node is swapped at once
   bool swap = true;         ///< without it, a node that cannot be balanced stays as it is
+
+  // When a swap acts, and what follows it (4.5).
+  float swap_share = 0.1F;  ///< objects that a swap may insert into the heavier subtree, over those that it
+                            ///< has (4.5: the other one "is nearly empty"); 1: whenever balancing fails
+  std::uint32_t swap_rest = 0;  ///< scheduling intervals in which a leaf that a swap moved up is not split
 
   // Limits that the paper asks for without a number (sections 6.2 and 7).
   std::uint32_t max_height = 40;   ///< no split below this depth; at most 63
@@ -61,8 +68,6 @@ struct Config {
                               ///< each is placed anew in each step
   bool resting_pairs = true;  ///< with skin: pairs of objects without fat are reported without a test
   bool leaf_boxes = true;     ///< with byte_sweep: in large worlds leaves have copies of their boxes
-  bool exchange = true;       ///< with byte_sweep: new boxes are exchanged with the tree's, not copied, where
-                              ///< objects only moved
   bool dense = true;          ///< where boxes lie dense, bytes decide most pairs without a test of floats
 
   friend bool operator==(const Config&, const Config&) = default;

@@ -124,7 +124,6 @@ void Bsp<D, Trace>::choose_mode() {
 /// Brings the tree's entries up to date with the requests.
 template <int D, class Trace>
 void Bsp<D, Trace>::place() {
-  requests_.begin_step(tree_.table, *workers_.pool);
   const Mode before = modes_.mode();
   choose_mode();
   const Mode mode = modes_.mode();

@@ -66,7 +66,7 @@ class Bsp final : public BroadPhase<D> {
   [[nodiscard]] const Tree<D>& tree() const { return tree_; }
   /// The objects as the caller sees them, up to the next request or step; the tree's own table follows in
   /// `step()` and may have fat boxes.
-  [[nodiscard]] const ObjectTable<D>& objects() const { return requests_.objects(tree_.table); }
+  [[nodiscard]] const ObjectTable<D>& objects() const { return requests_.latest(); }
   [[nodiscard]] Statistics statistics() const;
   /// How the last step found its pairs.
   [[nodiscard]] Mode mode() const { return modes_.mode(); }

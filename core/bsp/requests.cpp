@@ -25,12 +25,12 @@ template <int D>
 Status Requests<D>::move(ObjectId object, const Volume<D>& volume, const Receiver& tree) {
   if (kind() == VolumeKind::box && volume.kind == VolumeKind::box)
     return move_many({&object, 1}, {&volume.box, 1}, tree);
-  return note(object, writable(tree).move(object, volume), tree.keeps);
+  return note(object, latest_.move(object, volume), tree.keeps);
 }
 
 template <int D>
 Status Requests<D>::remove(ObjectId object, const Receiver& tree) {
-  return note(object, writable(tree).remove(object), tree.keeps);
+  return note(object, latest_.remove(object), tree.keeps);
 }
 
 template <int D>
@@ -39,7 +39,6 @@ Status Requests<D>::move_many(std::span<const ObjectId> objects, std::span<const
   ObjectId* const changed = changed_.reserve(objects.size());
   PackedBox<D>* const before = tree.keeps ? before_.reserve(objects.size()) : nullptr;
   std::uint32_t* const left_over = left_over_.reserve(objects.size());
-  exchange_.end(latest_, tree.table, objects, tree.pool);
   if (kind() != VolumeKind::box) {
     Status first = Status::ok;
     for (std::size_t k = 0; k < objects.size(); ++k) {
@@ -83,7 +82,7 @@ void Requests<D>::add(ObjectId object, ObjectFlags flags, const PackedBox<D>& be
 template <int D>
 void Requests<D>::finish_step(std::span<const Skin> skins, TaskPool& pool) {
   settle(skins, pool);
-  exchange_.take(changed_);
+  changed_.clear();
   before_.clear();
   only_moves_ = true;
 }
@@ -115,7 +114,6 @@ void Requests<D>::end_following() {
 template <int D>
 void Requests<D>::restore(const ObjectTable<D>& latest, std::span<const Skin> skins) {
   latest_ = latest;
-  exchange_.forget();
   changed_.clear();
   before_.clear();
   only_moves_ = true;

@@ -6,7 +6,6 @@
 
 #include "core/base/append_buffer.h"
 #include "core/base/task_pool.h"
-#include "core/bsp/box_exchange.h"
 #include "core/objects/object_flags.h"
 #include "core/objects/object_table.h"
 #include "core/objects/skin.h"
@@ -30,20 +29,15 @@ class Requests {
   // Of the caller.
   template <class Bound>
   Status insert(ObjectId object, const Bound& bound, Mobility mobility, const Receiver& tree) {
-    return note(object, writable(tree).insert(object, bound, mobility), tree.keeps);
+    return note(object, latest_.insert(object, bound, mobility), tree.keeps);
   }
   Status move(ObjectId object, const Volume<D>& volume, const Receiver& tree);
   Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes, const Receiver& tree);
   Status remove(ObjectId object, const Receiver& tree);
   [[nodiscard]] VolumeKind kind() const { return latest_.kind(); }
-  /// The table that has the latest boxes: ours, or the tree's while boxes are exchanged.
-  [[nodiscard]] const ObjectTable<D>& objects(const ObjectTable<D>& tree) const {
-    return exchange_.is_open() ? tree : latest_;
-  }
-
-  // Of a step. The first call of each must be `begin_step`, the last one `finish_step`.
-  void begin_step(const ObjectTable<D>& tree, TaskPool& pool) { exchange_.end(latest_, tree, {}, pool); }
   [[nodiscard]] const ObjectTable<D>& latest() const { return latest_; }
+
+  // Of a step. The last call of each must be `finish_step`.
   [[nodiscard]] std::span<const ObjectId> changed() const { return changed_.all(); }
   /// While pairs are kept: the boxes from which the changed objects moved, in the same order.
   [[nodiscard]] std::span<const PackedBox<D>> before() const { return before_.all(); }
@@ -59,8 +53,6 @@ class Requests {
   void add(ObjectId object, ObjectFlags flags, const PackedBox<D>& before);
   /// There are flags for all objects from now on.
   void make_room() { flags_.resize(latest_.bound(), flag::kUnplaced); }
-  /// Gives the latest boxes to the tree's table, which differs in nothing but the boxes of changed objects.
-  void exchange(ObjectTable<D>& tree) { exchange_.begin(latest_, tree); }
   /// The flags of an object of which nothing is pending. `skins`: of all objects while pairs are kept, else
   /// none.
   [[nodiscard]] ObjectFlags flags_at_rest(ObjectId object, std::span<const Skin> skins) const {
@@ -76,17 +68,11 @@ class Requests {
   void restore(const ObjectTable<D>& latest, std::span<const Skin> skins);
 
  private:
-  /// The latest boxes, to be written.
-  ObjectTable<D>& writable(const Receiver& tree) {
-    exchange_.end(latest_, tree.table, {}, tree.pool);
-    return latest_;
-  }
   Status note(ObjectId object, Status status, bool keeps);
   Status move_left_over(std::span<const ObjectId> objects, std::span<const Box<D>> boxes, bool keeps);
   void settle(std::span<const Skin> skins, TaskPool& pool);
 
   ObjectTable<D> latest_;           ///< as the caller sees the objects; the tree's table follows in a step
-  BoxExchange<D> exchange_;         ///< between these two
   std::vector<ObjectFlags> flags_;  ///< by object
   AppendBuffer<ObjectId> changed_;
   AppendBuffer<PackedBox<D>> before_;

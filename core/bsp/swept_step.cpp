@@ -12,7 +12,7 @@
 namespace kerf {
 
 /// If no object came or went, those that still lie in their leaf's cell are looked for first, unless most
-/// jump. The boxes are exchanged, not copied, if the tree's table differs in nothing else.
+/// jump. Where objects only moved, the tables differ in nothing but boxes.
 template <int D>
 template <class Trace>
 std::uint64_t SweptStep<D>::place_all(const StepContext<D>& step, Mode before, Mode mode,
@@ -21,8 +21,8 @@ std::uint64_t SweptStep<D>::place_all(const StepContext<D>& step, Mode before, M
   Requests<D>& requests = step.requests;
   StreamMemory& memory = step.workers.stream_memory;
   const bool many_stay = requests.are_moves() && !most_jump(requests.latest(), tree.table);
-  if (requests.are_moves() && before == Mode::swept && step.config.exchange) {
-    requests.exchange(tree.table);
+  if (requests.are_moves() && before == Mode::swept) {
+    tree.table.copy_boxes(requests.latest(), step.pool());
   } else {
     tree.table.copy_all(requests.latest(), step.pool());
   }

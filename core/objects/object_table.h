@@ -50,8 +50,6 @@ class ObjectTable {
   void copy_all(const ObjectTable& from, TaskPool& pool);
   /// Copies the boxes of a table with the same objects.
   void copy_boxes(const ObjectTable& from, TaskPool& pool);
-  /// Exchanges the boxes with such a table.
-  void swap_boxes(ObjectTable& other) { boxes_.swap(other.boxes_); }
 
   /// One more than the largest id ever used: the size for arrays kept per object.
   [[nodiscard]] std::size_t bound() const { return boxes_.size(); }

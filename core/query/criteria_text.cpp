@@ -1,7 +1,5 @@
 #include "core/query/criteria_text.h"
 
-#include <algorithm>
-
 #include "core/base/counted.h"
 #include "core/query/text.h"
 #include "core/tree/criteria.h"
@@ -30,13 +28,13 @@ std::string leaf_wish(const Tree<D>& tree, NodeId id, const Config& config, cons
 }
 
 template <int D>
-std::string repair_wish(const Quality& q, const Config& config) {
+std::string repair_wish(const Tree<D>& tree, NodeId id, const Config& config) {
+  const Quality q = quality(tree, id);
   if (balance(q) < config.min_balance)
     return "unbalanced: its balance " + number_text(static_cast<double>(balance(q))) + " is below " +
            number_text(static_cast<double>(config.min_balance));
-  const auto accepted = static_cast<double>(std::max(config.repair_redundancy, config.max_redundancy));
   return "cut through: " + percent(share_of_straddlers(q)) + " of its objects are on both sides, more than " +
-         percent(accepted);
+         percent(static_cast<double>(repair_limit(tree, id, config)));
 }
 
 }  // namespace
@@ -50,7 +48,7 @@ std::string quality_text(const Quality& q) {
 template <int D>
 std::string wish_text(const Tree<D>& tree, NodeId id, const Config& config, const GivenNames& names) {
   if (tree[id].is_leaf()) return leaf_wish(tree, id, config, names);
-  if (wants_repair(tree, id, config)) return repair_wish<D>(quality(tree, id), config);
+  if (wants_repair(tree, id, config)) return repair_wish(tree, id, config);
   const std::uint32_t least = merge_threshold(tree.objects(), config);
   if (wants_merge(tree, id, config))
     return "thin: " + counted(tree[id].population, "object is", "objects are") + " fewer than the " +

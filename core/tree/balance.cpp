@@ -50,7 +50,7 @@ std::optional<OperatorActed> balance(Tree<D>& tree, NodeId inner, const Config& 
   const Scalar old_offset = tree[inner].plane.offset;
   const std::vector<Stored> stored = collect(tree, inner);
   const std::vector<Interval> intervals = project_all(tree, tree[inner].direction, stored);
-  const std::optional<ReferencePoint> point = good_reference_point(intervals, config);
+  const std::optional<ReferencePoint> point = good_reference_point(intervals, config_at(tree, inner, config));
   if (!point) {
     refusal = Refusal::no_partitioner;
     return std::nullopt;

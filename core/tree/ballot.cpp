@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/tree/criteria.h"
+
 namespace kerf {
 namespace {
 
@@ -101,8 +103,9 @@ std::string_view to_string(Ballot ballot) {
 
 template <int D>
 std::vector<BallotEntry> ballot(const Tree<D>& tree, Operator op, NodeId node, const Config& config) {
-  if (op == Operator::split) return ballot_of_split(tree, node, config);
-  if (op == Operator::shift_split || op == Operator::balance) return ballot_of_shift(tree, node, config);
+  const Config here = config_at(tree, node, config);
+  if (op == Operator::split) return ballot_of_split(tree, node, here);
+  if (op == Operator::shift_split || op == Operator::balance) return ballot_of_shift(tree, node, here);
   return {};
 }
 

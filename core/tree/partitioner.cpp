@@ -5,6 +5,7 @@
 
 #include "core/base/tuning.h"
 #include "core/kernels/sort_scalars.h"
+#include "core/tree/criteria.h"
 
 namespace kerf {
 namespace {
@@ -185,7 +186,8 @@ std::uint32_t directions_tried(const Tree<D>& tree, NodeId leaf, const Config& c
 }
 
 template <int D>
-std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, const Config& config) {
+std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, const Config& scene) {
+  const Config config = config_at(tree, leaf, scene);
   const std::vector<Entry>& entries = tree[leaf].entries;
   const std::vector<ObjectId> sampled = sampled_objects(tree, leaf, config);
   const bool exact = sampled.size() == entries.size();

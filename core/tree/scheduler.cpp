@@ -36,7 +36,7 @@ bool still_wanted(const Tree<D>& tree, Operator op, NodeId id, const Config& con
     case Operator::split:
       return wants_split(tree, id, config);
     case Operator::swap:
-      return config.swap && wants_repair(tree, id, config);
+      return wants_swap(tree, id, config);
     case Operator::balance:
       return config.balance && wants_repair(tree, id, config);
     case Operator::merge:
@@ -141,10 +141,11 @@ bool Scheduler<D>::repair(Tree<D>& tree, NodeId id, const Config& config, Report
     event = balance(tree, id, config, refusal);
   if (event) {
     note(*event, reporter);
-  } else if (config.swap) {
-    schedule(tree, Operator::swap, id, config, reporter);
+    return true;
   }
-  return event || config.swap;
+  if (!wants_swap(tree, id, config)) return false;
+  schedule(tree, Operator::swap, id, config, reporter);
+  return true;
 }
 
 template <int D>
@@ -188,7 +189,10 @@ bool Scheduler<D>::apply(Tree<D>& tree, Operator op, NodeRef ref, const Config& 
   const bool divides = op == Operator::shift_split || op == Operator::split;
   if (!divides && refuse_if_decided(tree, op, ref.node, reporter)) return true;
   if (op == Operator::swap) {
+    const NodeId heavy = heavier_child(tree, ref.node);
     note(swap(tree, ref.node), reporter);
+    if (config.swap_rest > 0 && tree[heavy].is_leaf())
+      tree[heavy].retry_step = step + config.swap_rest * config.schedule_interval;
   } else if (op == Operator::merge) {
     note(merge(tree, ref.node), reporter);
   } else {

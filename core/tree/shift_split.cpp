@@ -1,5 +1,6 @@
 #include "core/tree/shift_split.h"
 
+#include "core/tree/criteria.h"
 #include "core/tree/split.h"
 
 namespace kerf {
@@ -12,7 +13,7 @@ std::optional<ReferencePoint> shifted_partitioner(const Tree<D>& tree, NodeId le
   intervals.reserve(node.entries.size());
   for (const Entry& entry : node.entries)
     intervals.push_back(node.unsorted ? tree.project(node.direction, entry.object) : entry.key);
-  return best_reference_point(intervals, config);
+  return best_reference_point(intervals, config_at(tree, leaf, config));
 }
 
 template <int D>

@@ -62,9 +62,8 @@ OperatorActed swap(Tree<D>& tree, NodeId inner) {
   const std::uint32_t depth = tree[inner].depth;
   const std::uint32_t direction = tree[inner].direction;
   const Scalar offset = tree[inner].plane.offset;
-  const bool left_heavy = before.left >= before.right;
-  const NodeId heavy = left_heavy ? tree[inner].left : tree[inner].right;
-  const NodeId light = left_heavy ? tree[inner].right : tree[inner].left;
+  const NodeId heavy = heavier_child(tree, inner);
+  const NodeId light = heavy == tree[inner].left ? tree[inner].right : tree[inner].left;
 
   const std::vector<Stored> homeless = only_in(tree, light, depth);
   release_below(tree, light);

@@ -5,6 +5,13 @@
 
 namespace kerf {
 
+/// The child that takes the node's place.
+template <int D>
+NodeId heavier_child(const Tree<D>& tree, NodeId inner) {
+  const Node<D>& node = tree[inner];
+  return tree[node.left].population >= tree[node.right].population ? node.left : node.right;
+}
+
 /// The swap operator (paper section 4.5): a node whose partitioner cannot be repaired is deleted and replaced
 /// by the root of its more populous subtree, into which the objects of the other subtree are inserted.
 ///

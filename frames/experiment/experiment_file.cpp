@@ -20,7 +20,7 @@ constexpr const char* kTitle = "# kerf experiment";
 
 /// The first line, which identifies a file's format, simulation, size and run.
 std::string title(const Simulation& simulation, const ExperimentSize& size, std::uint32_t repeat) {
-  return kTitle + std::string(" 2, simulation ") + std::to_string(simulation.number) + " (" +
+  return kTitle + std::string(" 3, simulation ") + std::to_string(simulation.number) + " (" +
          std::string(simulation.scene) + "), steps " + std::to_string(size.steps) + ", objects " +
          std::to_string(size.objects) + ", seed " + std::to_string(size.seed) + ", repeat " +
          std::to_string(repeat);

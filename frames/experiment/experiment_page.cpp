@@ -2,10 +2,12 @@
 
 #include <array>
 
+#include "frames/catalog/algorithm.h"
 #include "frames/experiment/experiment_file.h"
 #include "frames/experiment/experiment_moments.h"
 #include "frames/experiment/experiment_panels.h"
 #include "frames/experiment/experiment_words.h"
+#include "frames/experiment/reading.h"
 #include "frames/experiment/run_measures.h"
 #include "frames/experiment/spread.h"
 #include "frames/page/page.h"
@@ -13,22 +15,78 @@
 namespace kerf {
 namespace {
 
-void write_figure(Page& page, std::size_t left, const ExperimentRuns& runs) {
+/// Two columns of panels; their ids begin with `name`.
+void write_columns(Page& page, const std::array<std::vector<CurvePlot>, 2>& columns,
+                   const std::vector<Curve>& curves, const std::string& name, const std::string& last_words) {
   std::vector<LegendEntry> legend;
-  for (const Curve& curve : experiment_legend()) legend.push_back({curve_swatch(curve.look), curve.name});
+  for (const Curve& curve : curves) legend.push_back({curve_swatch(curve.look), curve.name});
+  std::vector<std::string> svgs;
+  for (std::size_t row = 0; row < columns[0].size(); ++row)
+    for (std::size_t side = 0; side < 2; ++side)
+      svgs.push_back(draw(columns[side][row], name + std::to_string(side + 1) + "-" + std::to_string(row)));
+  page.figure_of_panels(
+      legend, svgs,
+      "Lines are medians of the steps around a point and of all runs, bands the spread over "
+      "the runs. The pointer shows values" +
+          last_words);
+}
+
+void write_figure(Page& page, std::size_t left, const ExperimentRuns& runs) {
   std::array<std::vector<CurvePlot>, 2> columns;
   for (std::size_t side = 0; side < 2; ++side)
     columns[side] = experiment_panels(simulations()[left + side], runs[left + side],
                                       "#" + moment_address(simulations()[left + side], ""));
-  std::vector<std::string> svgs;
-  for (std::size_t row = 0; row < columns[0].size(); ++row)
+  write_columns(page, columns, experiment_legend(), "panel" + std::to_string(left) + "-",
+                "; a click leads to the moment in the tables below.");
+}
+
+Json reading_row(const Reading& reading, std::size_t simulation, const std::vector<TimedRun>& runs) {
+  const ReadingCells cells = reading_cells(reading, runs);
+  return {{"simulation", std::to_string(simulation + 1)},
+          {"reading", std::string(reading.label)},
+          {"leaves", cells.leaves},
+          {"depth", cells.depth},
+          {"change", cells.depth_change},
+          {"swing", cells.leaves_swing},
+          {"pairs", cells.pairs},
+          {"collision", cells.collision},
+          {"overhead", cells.overhead}};
+}
+
+void write_readings(Page& page, const ExperimentRuns& runs) {
+  for (const std::string& paragraph : reading_words()) page.paragraph(paragraph);
+  Json counts = Json::array();
+  for (const Reading& reading : readings())
+    counts.push_back({{"reading", std::string(reading.label)},
+                      {"name", std::string(reading.contestant)},
+                      {"words", std::string(reading.words)},
+                      {"found", count_words(judge_all(runs, reading.contestant))}});
+  page.table("what each reading is, and how many statements hold with it",
+             {{"reading", "reading"},
+              {.title = "broad phase", .key = "name", .wraps = true},
+              {.title = "the paper's words, and how they are read", .key = "words", .wraps = true},
+              {.title = "statements", .key = "found", .wraps = true}},
+             counts, {}, true);
+  for (const std::size_t left : {std::size_t{0}, std::size_t{2}}) {
+    std::array<std::vector<CurvePlot>, 2> columns;
     for (std::size_t side = 0; side < 2; ++side)
-      svgs.push_back(
-          draw(columns[side][row], "panel" + std::to_string(left + side + 1) + "-" + std::to_string(row)));
-  page.figure_of_panels(
-      legend, svgs,
-      "Lines are medians of the steps around a point and of all runs, bands the spread over the "
-      "runs. The pointer shows values; a click leads to the moment in the tables below.");
+      columns[side] = reading_panels(simulations()[left + side], runs[left + side]);
+    write_columns(page, columns, reading_legend(), "reading" + std::to_string(left) + "-", ".");
+  }
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    for (const Reading& reading : readings()) rows.push_back(reading_row(reading, k, runs[k]));
+  page.table("leaves and depth after the first third of the first run, and figures of all runs",
+             {{"simulation", "simulation"},
+              {"reading", "reading"},
+              {"leaves", "leaves"},
+              {"depth", "depth"},
+              {"greatest change of depth in ten steps", "change"},
+              {"leaves, greatest over least fifth", "swing"},
+              {"pairs to test", "pairs"},
+              {"collision, ms", "collision"},
+              {"overhead, ms", "overhead"}},
+             rows, {}, true);
 }
 
 Json means_row(const std::vector<TimedRun>& runs, std::string_view contestant) {
@@ -44,7 +102,7 @@ Json means_row(const std::vector<TimedRun>& runs, std::string_view contestant) {
 
 void write_means(Page& page, const Simulation& simulation, const std::vector<TimedRun>& runs) {
   Json rows = Json::array();
-  for (const std::string_view name : contestants()) rows.push_back(means_row(runs, name));
+  for (const std::string_view name : contestants_in_figures()) rows.push_back(means_row(runs, name));
   page.table("Simulation " + std::to_string(simulation.number) + ": " + std::string(simulation.title) + ", " +
                  std::to_string(runs.front().steps.back().moving) + " moving objects at the end",
              {{"", "paper"},
@@ -63,7 +121,7 @@ std::string sign_of(Outcome outcome) {
 }
 
 void write_verdicts(Page& page, const ExperimentRuns& runs) {
-  const std::vector<ClaimVerdict> verdicts = judge_all(runs);
+  const std::vector<ClaimVerdict> verdicts = judge_all(runs, kPaperTree);
   page.paragraph(count_words(verdicts) + " " + verdict_words());
   Json rows = Json::array();
   for (std::size_t k = 0; k < verdicts.size(); ++k) {
@@ -112,6 +170,8 @@ std::string experiment_page(const ExperimentPlan& plan, const ExperimentRuns& ru
   for (std::size_t k = 0; k < runs.size(); ++k) write_means(page, simulations()[k], runs[k]);
   page.section("statements", "What the paper says, and what was found");
   write_verdicts(page, runs);
+  page.section("readings", "The paper's tree in other readings");
+  write_readings(page, runs);
   page.section("wrong", "Wrong answers");
   write_wrong(page, runs);
   page.section("moments", "Moments");

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "frames/catalog/algorithm.h"
+#include "frames/experiment/reading.h"
 #include "frames/experiment/run_measures.h"
 #include "frames/experiment/spread.h"
 
@@ -39,6 +41,7 @@ constexpr std::array<Panel, 7> kPanels{
      {"operators of the tree so far", "", false, true, false,
       [](const auto& row, std::size_t k) { return static_cast<double>(row.contestants[k].operators); }}}};
 constexpr std::size_t kPairsPanel = 1;
+constexpr std::array<std::size_t, 4> kReadingPanels{4, 5, kPairsPanel, 3};
 
 std::size_t stretch_of(const ExperimentRun& run) {
   constexpr std::size_t kLeast = 5;  // candidates are counted each fifth step
@@ -74,19 +77,23 @@ std::vector<CurvePoint> points_of(const std::vector<TimedRun>& runs, bool is_tim
 
 bool is_tree(std::string_view contestant) { return contestant == kPaperTree || contestant == kTunedTree; }
 
-CurvePlot draw_panel(const Panel& panel, const std::vector<TimedRun>& runs) {
+/// A plot of a panel's kind without curves.
+CurvePlot empty_plot(const Panel& panel, const Simulation& simulation, const std::vector<TimedRun>& runs) {
   CurvePlot plot;
+  plot.title = "Simulation " + std::to_string(simulation.number) + " (" + std::string(simulation.scene) +
+               "): " + panel.title;
   plot.x_label = "step";
   plot.unit = panel.unit;
   plot.log_y = panel.logarithmic;
   plot.x_end = static_cast<double>(runs.front().steps.size());
-  for (std::size_t k = 0; k < contestants().size(); ++k) {
-    if (panel.trees_only && !is_tree(contestants()[k])) continue;
-    const StepValue value = [&panel, k](const ExperimentStep& row) { return panel.value(row, k); };
-    plot.curves.push_back(
-        {std::string(paper_name(contestants()[k])), k, points_of(runs, panel.is_time, value)});
-  }
   return plot;
+}
+
+std::vector<CurvePoint> points_of(const std::vector<TimedRun>& runs, const Panel& panel,
+                                  std::string_view contestant) {
+  const auto k =
+      static_cast<std::size_t>(std::ranges::find(contestants(), contestant) - contestants().begin());
+  return points_of(runs, panel.is_time, [&](const ExperimentStep& row) { return panel.value(row, k); });
 }
 
 StepValue true_pairs() {
@@ -105,9 +112,15 @@ std::vector<std::uint32_t> curve_steps(const ExperimentRun& run) {
 
 std::vector<Curve> experiment_legend() {
   std::vector<Curve> legend;
-  for (std::size_t k = 0; k < contestants().size(); ++k)
-    legend.push_back({std::string(paper_name(contestants()[k])), k, {}});
-  legend.push_back({"pairs reported by all", contestants().size(), {}});
+  for (const std::string_view name : contestants_in_figures())
+    legend.push_back({std::string(paper_name(name)), legend.size(), {}});
+  legend.push_back({"pairs reported by all", legend.size(), {}});
+  return legend;
+}
+
+std::vector<Curve> reading_legend() {
+  std::vector<Curve> legend;
+  for (const Reading& reading : readings()) legend.push_back({std::string(reading.label), legend.size(), {}});
   return legend;
 }
 
@@ -115,13 +128,31 @@ std::vector<CurvePlot> experiment_panels(const Simulation& simulation, const std
                                          const std::string& links) {
   std::vector<CurvePlot> plots;
   for (const Panel& panel : kPanels) {
-    CurvePlot& plot = plots.emplace_back(draw_panel(panel, runs));
-    plot.title = "Simulation " + std::to_string(simulation.number) + " (" + std::string(simulation.scene) +
-                 "): " + panel.title;
+    CurvePlot& plot = plots.emplace_back(empty_plot(panel, simulation, runs));
     plot.links = links;
+    for (Curve& curve : experiment_legend()) {
+      if (curve.look == contestants_in_figures().size()) continue;
+      const std::string_view contestant = contestants_in_figures()[curve.look];
+      if (panel.trees_only && !is_tree(contestant)) continue;
+      curve.points = points_of(runs, panel, contestant);
+      plot.curves.push_back(std::move(curve));
+    }
   }
-  plots[kPairsPanel].curves.push_back(
-      {experiment_legend().back().name, contestants().size(), points_of(runs, false, true_pairs())});
+  Curve reported = experiment_legend().back();
+  reported.points = points_of(runs, false, true_pairs());
+  plots[kPairsPanel].curves.push_back(std::move(reported));
+  return plots;
+}
+
+std::vector<CurvePlot> reading_panels(const Simulation& simulation, const std::vector<TimedRun>& runs) {
+  std::vector<CurvePlot> plots;
+  for (const std::size_t k : kReadingPanels) {
+    CurvePlot& plot = plots.emplace_back(empty_plot(kPanels[k], simulation, runs));
+    for (Curve& curve : reading_legend()) {
+      curve.points = points_of(runs, kPanels[k], readings()[curve.look].contestant);
+      plot.curves.push_back(std::move(curve));
+    }
+  }
   return plots;
 }
 

@@ -17,7 +17,14 @@ inline constexpr std::size_t kCurvePoints = 60;
 std::vector<CurvePlot> experiment_panels(const Simulation& simulation, const std::vector<TimedRun>& runs,
                                          const std::string& links);
 
-/// The curves of the legend, without points: the contestants by the paper's names, and the true pairs.
+/// Of one simulation in all readings of the paper's tree: depth, leaves, pairs and overhead.
+std::vector<CurvePlot> reading_panels(const Simulation& simulation, const std::vector<TimedRun>& runs);
+
+/// The curves of their legend, without points.
+std::vector<Curve> reading_legend();
+
+/// The curves of the legend of `experiment_panels`, without points: the contestants by the paper's names, and
+/// the true pairs.
 std::vector<Curve> experiment_legend();
 
 /// The steps of the points.

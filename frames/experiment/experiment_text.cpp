@@ -1,6 +1,7 @@
 #include <sstream>
 #include <string>
 
+#include "frames/catalog/algorithm.h"
 #include "frames/experiment/experiment_file.h"
 #include "frames/experiment/experiment_page.h"
 #include "frames/experiment/experiment_words.h"
@@ -33,7 +34,7 @@ void write_means(std::ostream& text, const ExperimentPlan& plan, const Simulatio
        << " moving objects at the end; the steps of the first run are in [" << file << "](" << file
        << ").\n\n| | broad phase | frames/s | pairs to test | collision, ms | overhead, ms |\n"
        << "|---|---|--:|--:|--:|--:|\n";
-  for (const std::string_view name : contestants()) {
+  for (const std::string_view name : contestants_in_figures()) {
     text << "| " << paper_name(name) << " | " << name;
     for (const Measure measure : {Measure::frames, Measure::pairs, Measure::collision, Measure::overhead})
       text << " | " << cell(runs, name, measure);
@@ -50,7 +51,7 @@ void write_wrong(std::ostream& text, const ExperimentRuns& runs) {
 }
 
 void write_verdicts(std::ostream& text, const ExperimentRuns& runs) {
-  const std::vector<ClaimVerdict> verdicts = judge_all(runs);
+  const std::vector<ClaimVerdict> verdicts = judge_all(runs, kPaperTree);
   text << "\n## What the paper says, and what was found\n\n"
        << count_words(verdicts) << " " << verdict_words()
        << "\n\n| simulation | section | the paper | verdict | ours | figures | why |\n"
@@ -63,6 +64,29 @@ void write_verdicts(std::ostream& text, const ExperimentRuns& runs) {
   }
 }
 
+void write_readings(std::ostream& text, const ExperimentRuns& runs) {
+  text << "\n## The paper's tree in other readings\n\n";
+  for (const std::string& paragraph : reading_words()) text << paragraph << "\n\n";
+  text << "| reading | broad phase | the paper's words, and how they are read | statements "
+          "|\n|---|---|---|---|\n";
+  for (const Reading& reading : readings())
+    text << "| " << reading.label << " | " << reading.contestant << " | " << reading.words << " | "
+         << count_words(judge_all(runs, reading.contestant)) << " |\n";
+  text << "\n| simulation | reading | leaves | depth | greatest change of depth in ten steps | leaves, "
+          "greatest "
+          "over least fifth | pairs to test | collision, ms | overhead, ms |\n"
+       << "|--:|---|--:|--:|--:|--:|--:|--:|--:|\n";
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    for (const Reading& reading : readings()) {
+      const ReadingCells cells = reading_cells(reading, runs[k]);
+      text << "| " << k + 1 << " | " << reading.label;
+      for (const std::string& one : {cells.leaves, cells.depth, cells.depth_change, cells.leaves_swing,
+                                     cells.pairs, cells.collision, cells.overhead})
+        text << " | " << one;
+      text << " |\n";
+    }
+}
+
 }  // namespace
 
 std::string experiment_text(const ExperimentPlan& plan, const ExperimentRuns& runs) {
@@ -70,6 +94,7 @@ std::string experiment_text(const ExperimentPlan& plan, const ExperimentRuns& ru
   write_introduction(text, plan);
   for (std::size_t k = 0; k < runs.size(); ++k) write_means(text, plan, simulations()[k], runs[k]);
   write_wrong(text, runs);
+  write_readings(text, runs);
   write_verdicts(text, runs);
   return text.str();
 }

@@ -92,6 +92,30 @@ std::string count_words(const std::vector<ClaimVerdict>& verdicts) {
          " the opposite is found, and " + count(Outcome::cannot_be_judged) + " cannot be judged.";
 }
 
+std::vector<std::string> reading_words() {
+  return {
+      "The paper leaves some questions open. Each answer that its words allow ran beside the others, on the "
+      "same boxes; the first is what BSP is above, and docs/DESIGN.md says why."};
+}
+
+ReadingCells reading_cells(const Reading& reading, const std::vector<TimedRun>& runs) {
+  const ReadingShape shape = shape_of(runs.front().steps, reading.contestant);
+  const auto range = [](double least, double most) {
+    return short_number(least) + " to " + short_number(most);
+  };
+  const auto text = [&](Measure measure) {
+    const auto spread = spread_of(samples_of(runs, reading.contestant, measure));
+    return spread ? text_of(*spread) : "";
+  };
+  return {range(shape.least_leaves, shape.most_leaves),
+          range(shape.least_depth, shape.most_depth),
+          text(Measure::depth_change),
+          text(Measure::leaves_swing),
+          text(Measure::pairs),
+          text(Measure::collision),
+          text(Measure::overhead)};
+}
+
 std::string statement_words(const Claim& claim) {
   const bool has_reading = !claim.comparisons.empty() && !claim.note.empty();
   return std::string(claim.words) + (has_reading ? " (" + std::string(claim.note) + ")" : "");
@@ -101,8 +125,8 @@ std::string simulation_words(const Claim& claim) {
   return claim.simulation == 0 ? "all" : std::to_string(claim.simulation);
 }
 
-std::vector<ClaimVerdict> judge_all(const ExperimentRuns& runs) {
-  const ClaimFigures figures = claim_figures(runs);
+std::vector<ClaimVerdict> judge_all(const ExperimentRuns& runs, std::string_view tree) {
+  const ClaimFigures figures = claim_figures(runs, tree);
   std::vector<ClaimVerdict> verdicts;
   for (const Claim& claim : claims()) verdicts.push_back(judge(claim, figures));
   return verdicts;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "frames/experiment/experiment_plan.h"
+#include "frames/experiment/reading.h"
 #include "frames/experiment/simulation.h"
 #include "frames/experiment/verdict.h"
 
@@ -27,13 +28,28 @@ std::vector<std::string> wrong_words(const ExperimentRuns& runs);
 /// "12 hold, 5 partly, 8 the opposite, 9 cannot be judged".
 std::string count_words(const std::vector<ClaimVerdict>& verdicts);
 
+/// What the readings of the paper's tree are about.
+std::vector<std::string> reading_words();
+
+/// The figures of one reading in one simulation, as text.
+struct ReadingCells {
+  std::string leaves;  ///< "10 to 59", after the first third of the first run; the next likewise
+  std::string depth;
+  std::string depth_change;
+  std::string leaves_swing;
+  std::string pairs;
+  std::string collision;
+  std::string overhead;
+};
+ReadingCells reading_cells(const Reading& reading, const std::vector<TimedRun>& runs);
+
 /// The paper's words, and how they are read.
 std::string statement_words(const Claim& claim);
 
 /// "1", or "all" for a claim on several.
 std::string simulation_words(const Claim& claim);
 
-/// Of all claims, in their order.
-std::vector<ClaimVerdict> judge_all(const ExperimentRuns& runs);
+/// Of all claims, in their order, with that reading of the paper's tree for BSP.
+std::vector<ClaimVerdict> judge_all(const ExperimentRuns& runs, std::string_view tree);
 
 }  // namespace kerf

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "frames/catalog/algorithm.h"
 #include "frames/experiment/claim.h"
 
 namespace kerf {
@@ -101,7 +102,8 @@ std::span<const std::string_view> rivals() { return contestants().first(5); }
 double lead_of(const ExperimentRun& run, std::string_view contestant) {
   double fastest = 0;
   for (const std::string_view other : rivals())
-    if (other != contestant) fastest = std::max(fastest, RunOf(run, other).mean(Measure::frames));
+    if (other != contestant && !(other == kPaperTree && contestant.starts_with(kPaperTree)))
+      fastest = std::max(fastest, RunOf(run, other).mean(Measure::frames));
   return RunOf(run, contestant).mean(Measure::frames) / fastest;
 }
 
@@ -187,12 +189,13 @@ std::vector<double> samples_of(const std::vector<TimedRun>& runs, std::string_vi
   return samples;
 }
 
-ClaimFigures claim_figures(const ExperimentRuns& runs) {
+ClaimFigures claim_figures(const ExperimentRuns& runs, std::string_view tree) {
   ClaimFigures figures;
   const auto add = [&](const Quantity& quantity) {
     auto [place, is_new] = figures.try_emplace(quantity);
     const std::vector<TimedRun>& of_simulation = runs[static_cast<std::size_t>(quantity.simulation - 1)];
-    if (is_new) place->second = samples_of(of_simulation, quantity.contestant, quantity.measure);
+    const std::string_view contestant = quantity.contestant == kPaperTree ? tree : quantity.contestant;
+    if (is_new) place->second = samples_of(of_simulation, contestant, quantity.measure);
   };
   for (const Claim& claim : claims())
     for (const Comparison& comparison : claim.comparisons) {

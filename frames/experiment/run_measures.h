@@ -24,7 +24,7 @@ double measure(const ExperimentRun& run, std::string_view contestant, Measure me
 std::vector<double> samples_of(const std::vector<TimedRun>& runs, std::string_view contestant,
                                Measure measure);
 
-/// Of all quantities of which the claims speak.
-ClaimFigures claim_figures(const ExperimentRuns& runs);
+/// Of all quantities of which the claims speak, with that reading of the paper's tree for BSP.
+ClaimFigures claim_figures(const ExperimentRuns& runs, std::string_view tree);
 
 }  // namespace kerf

@@ -11,6 +11,7 @@
 #include "frames/catalog/broad_phase_choice.h"
 #include "frames/catalog/scene_catalog.h"
 #include "frames/experiment/contestant.h"
+#include "frames/experiment/reading.h"
 #include "frames/rivals/step_timer.h"
 
 namespace kerf {
@@ -25,13 +26,22 @@ constexpr std::array<std::string_view, 7> kContestants{
     "kerf-paper", "ode-quadtree", "ode-hash", "loose-octree", "sweep-and-prune", "kerf", "ode-sap"};
 constexpr std::array<std::string_view, 7> kPaperNames{"BSP", "QT", "SH", "LO", "SP", "tuned BSP", "ODE SAP"};
 
+/// Parameters behind the colons of a reading's name, on top of the paper's.
+Config config_of_reading(std::string_view contestant) {
+  std::string parameters(contestant.substr(std::min(contestant.size(), kPaperTree.size() + 1)));
+  std::ranges::replace(parameters, ':', ',');
+  Config config;
+  if (!parameters.empty()) kerf::apply(config, parameters);
+  return config;
+}
+
 /// Stands in the world's loop and has all contestants do each step.
 class Chorus final : public BroadPhase<3> {
  public:
   Chorus(const SceneEntry<3>& entry, const SceneOptions& options) {
-    for (const std::string_view name : kContestants) {
-      BroadPhaseChoice choice = choose_broad_phase(name, entry.needs);
-      if (name == kPaperTree) choice.config = Config{};
+    for (const std::string_view name : kerf::contestants()) {
+      BroadPhaseChoice choice = choose_broad_phase(name.substr(0, name.find(':')), entry.needs);
+      if (choice.name == kPaperTree) choice.config = config_of_reading(name);
       contestants_.emplace_back(make_broad_phase<3>(choice, entry, options));
     }
   }
@@ -101,7 +111,16 @@ class Chorus final : public BroadPhase<3> {
 }  // namespace
 
 std::span<const Simulation> simulations() { return kSimulations; }
-std::span<const std::string_view> contestants() { return kContestants; }
+std::span<const std::string_view> contestants() {
+  static const std::vector<std::string_view> kAll = [] {
+    std::vector<std::string_view> names(kContestants.begin(), kContestants.end());
+    for (const Reading& reading : readings().subspan(1)) names.push_back(reading.contestant);
+    return names;
+  }();
+  return kAll;
+}
+
+std::span<const std::string_view> contestants_in_figures() { return kContestants; }
 
 std::string_view paper_name(std::string_view contestant) {
   const auto found = std::ranges::find(kContestants, contestant);

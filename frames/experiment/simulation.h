@@ -19,9 +19,12 @@ struct Simulation {
 std::span<const Simulation> simulations();
 
 /// The broad phases of the experiment: the tree with the paper's parameters and the paper's four rivals, then
-/// the tuned tree and ODE's later space.
+/// the tuned tree and ODE's later space; behind these the paper's tree in its other readings.
 std::span<const std::string_view> contestants();
-/// The paper's name of a contestant: "BSP", "QT", "SH", "LO" or "SP"; a like one for those that it has not.
+/// Those before the other readings.
+std::span<const std::string_view> contestants_in_figures();
+/// The paper's name of a contestant in figures: "BSP", "QT", "SH", "LO" or "SP"; a like one for those that it
+/// has not.
 std::string_view paper_name(std::string_view contestant);
 
 /// The size of a simulation.

@@ -31,7 +31,7 @@ class OperatorMoments {
  public:
   OperatorMoments()
       : tree_(config_of("min_threshold=8,max_threshold=12,schedule_interval=2,budget_divisor=1,"
-                        "max_redundancy=0.3,merge_fraction=0.75")) {
+                        "max_redundancy=0.3,swap_share=1,merge_fraction=0.75")) {
     Random random(11);
     for (std::uint32_t i = 0; i < kBoxes; ++i) {
       Body<D> body;

@@ -20,7 +20,7 @@ class SceneStill {
   explicit SceneStill(const std::string& name, std::uint32_t objects = 140, std::uint32_t steps = 60)
       : name_(name),
         tree_(config_of("min_threshold=12,max_threshold=24,schedule_interval=4,budget_divisor=2,"
-                        "max_redundancy=0.3")) {
+                        "max_redundancy=0.3,swap_share=1")) {
     const auto* entry = std::get<const SceneEntry<D>*>(find_scene(name).entry);
     SceneOptions options;
     options.objects = objects;

@@ -28,7 +28,7 @@ void TemporaryRecording::change(const std::string& sql) const {
 Config busy_config() {
   return config_of(
       "directions=24,min_threshold=6,max_threshold=10,schedule_interval=2,max_redundancy=0.2,repair_"
-      "redundancy=0.3");
+      "redundancy=0.3,swap_share=1");
 }
 
 template <int D>

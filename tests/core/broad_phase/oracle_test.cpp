@@ -36,8 +36,8 @@ constexpr std::array kConfigs{
     KERF_FAST "skin=8,stream_share=0", KERF_FAST "skin=0,stream_share=1",
     KERF_FAST "skin=0,stream_share=0,free_directions=1",
     // Without the parts of these policies.
-    KERF_FAST "skin=8,stream_share=0.06,restless=0,resting_pairs=0,leaf_boxes=0,exchange=0,dense=0",
-    KERF_FAST "skin=0,stream_share=0.06,leaf_boxes=0,exchange=0,dense=0"};
+    KERF_FAST "skin=8,stream_share=0.06,restless=0,resting_pairs=0,leaf_boxes=0,dense=0",
+    KERF_FAST "skin=0,stream_share=0.06,leaf_boxes=0,dense=0"};
 #undef KERF_FAST
 
 template <class T>

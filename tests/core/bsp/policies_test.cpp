@@ -20,11 +20,9 @@ namespace kerf::test {
 namespace {
 
 constexpr std::array kSwitchedOff{
-    "byte_sweep=0",   "skin=0",
-    "stream_share=1", "bulk_factor=0",
-    "restless=0",     "resting_pairs=0",
-    "leaf_boxes=0",   "exchange=0",
-    "dense=0",        "restless=0,resting_pairs=0,leaf_boxes=0,exchange=0,dense=0"};
+    "byte_sweep=0",  "skin=0",     "stream_share=1",
+    "bulk_factor=0", "restless=0", "resting_pairs=0",
+    "leaf_boxes=0",  "dense=0",    "restless=0,resting_pairs=0,leaf_boxes=0,dense=0"};
 
 /// The tuned configuration with leaves of so many objects, without a policy.
 Config tuned_without(std::string_view policy, std::uint32_t threshold = 16) {
@@ -149,20 +147,6 @@ TYPED_TEST(Policies, WithoutDenseLeavesPairsComeInTheOrderOfTheBytes) {
   const Config without = tuned_without("skin=0,dense=0", 1024);
   EXPECT_FALSE(this->is_order_the_same(with, without, 2.5, all_move));
   EXPECT_TRUE(this->is_order_the_same(with, without, 200, all_move)) << "no leaf is dense";
-}
-
-TYPED_TEST(Policies, WithoutTheExchangeBoxesAreCopied) {
-  constexpr int kD = TypeParam::value;
-  for (const bool exchange : {true, false}) {
-    Bsp<kD> tree(tuned_without(exchange ? "skin=0" : "skin=0,exchange=0"));
-    MovingBoxes<kD> crowd(tree, 20, 1, 3);
-    crowd.add(100);
-    for (int step = 0; step < 3; ++step) {
-      crowd.bounce(1);
-      tree.step();
-    }
-    EXPECT_EQ(&tree.objects() == &tree.tree().table, exchange);
-  }
 }
 
 /// One object with so high an id that the table of boxes is long.

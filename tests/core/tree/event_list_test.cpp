@@ -46,6 +46,15 @@ TYPED_TEST(EventList, HoldsSixtyFourAndRefusesMore) {
       << "no point is looked for in vain, so that the kind of split is not known";
 }
 
+TYPED_TEST(EventList, RefusesSwapsAndMergesWhenItIsFull) {
+  auto scene = scene_of<TypeParam::value>({Cell::stuck, Cell::thin, Cell::stuck, Cell::thin});
+  this->scheduler.traverse(scene.tree, with("event_capacity=2"), 10, this->reporter);
+  EXPECT_THAT(reported(this->reporter),
+              ElementsAre(scheduled(Operator::swap, scene.node[0]), scheduled(Operator::merge, scene.node[1]),
+                          refused(Operator::swap, scene.node[2], Refusal::list_full),
+                          refused(Operator::merge, scene.node[3], Refusal::list_full)));
+}
+
 TYPED_TEST(EventList, CountsAllKindsTogether) {
   auto scene = scene_of<TypeParam::value>({Cell::thin, Cell::stuck, Cell::crowded, Cell::shifting});
   this->scheduler.traverse(scene.tree, with("event_capacity=2"), 10, this->reporter);

@@ -5,9 +5,11 @@
 #include <gmock/gmock.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/tree/hash.h"
+#include "core/tree/swap.h"
 #include "tests/core/tree/scheduler_scenes.h"
 #include "tests/support/config_of.h"
 #include "tests/support/dimensions.h"
@@ -205,6 +207,19 @@ TYPED_TEST(Algorithm1, Lines14To17ProcessByKindAndOldestFirst) {
                                                     acted(Operator::merge, node[0], "2 (1 | 1)", "2"),
                                                     acted(Operator::merge, node[4], "2 (1 | 1)", "2")));
   EXPECT_EQ(this->scheduler.pending(), 0U);
+}
+
+TYPED_TEST(Algorithm1, ALeafThatASwapMovedUpRests) {
+  for (const auto& [config, retry] : {std::pair{"", 0U}, std::pair{"swap_rest=3,schedule_interval=5", 25U}}) {
+    auto scene = scene_of<TypeParam::value>({Cell::calm, Cell::stuck});
+    const NodeId heavy = heavier_child(scene.tree, scene.node[1]);
+    ASSERT_TRUE(scene.tree[heavy].is_leaf());
+    this->scheduler = {};
+    this->traverse(scene);
+    this->process(scene, config);
+    EXPECT_EQ(this->scheduler.acted()[static_cast<std::size_t>(Operator::swap)], 1U);
+    EXPECT_EQ(scene.tree[heavy].retry_step, retry) << config;
+  }
 }
 
 TYPED_TEST(Algorithm1, Line13GivesOneSixteenthOfTheListAndLine18DefersTheRest) {

@@ -56,7 +56,7 @@ TEST_F(ExperimentPage, StandsAloneInABrowser) {
     EXPECT_GT(picture.shapes, 20U);
     ++panels;
   }
-  EXPECT_EQ(panels, 28U) << "seven rows for each of four simulations";
+  EXPECT_EQ(panels, 44U) << "seven rows, and four of the readings, for each of four simulations";
 }
 
 TEST_F(ExperimentPage, StatementsHaveVerdicts) {

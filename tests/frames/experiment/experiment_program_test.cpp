@@ -41,10 +41,10 @@ TEST(ExperimentProgram, MakesPagesFiguresAndTablesAndDoesNothingTwice) {
                   "simulation-3-fracture-seed-1-repeat-1.csv", "simulation-4-buckets-seed-1-repeat-1.csv"));
   const std::string page = testing::read_text(folder.path() / "experiment.md");
   for (const char* word : {"Simulation 4", "ode-quadtree", "too few runs: 1", "figure-13.svg", kFirstRun,
-                           "1 repeat of 1 seed", "fewer than"})
+                           "1 repeat of 1 seed", "fewer than", "kerf-paper:swap_share=1"})
     EXPECT_THAT(page, HasSubstr(word));
   const std::string table = testing::read_text(folder.path() / kFirstRun);
-  EXPECT_EQ(std::ranges::count(table, '\n'), 2 + 60 * 7);
+  EXPECT_EQ(std::ranges::count(table, '\n'), 2 + 60 * 14);
   EXPECT_THAT(testing::read_text(folder.path() / "figure-12.svg"), HasSubstr("</svg>"));
 
   // Times are never the same twice: a table that is the same was not made anew.
@@ -78,14 +78,14 @@ TEST(ExperimentProgram, RunsSeedsAndRepeatsAndCountsCandidates) {
     EXPECT_EQ(row[5].empty(), row[2] == "kerf") << line;
     ++counted;
   }
-  EXPECT_EQ(counted, 7U);
+  EXPECT_EQ(counted, 14U) << "seven readings are among them";
   EXPECT_THAT(testing::read_text(folder.path() / "experiment.md"), HasSubstr("2 repeats of 2 seeds"));
 }
 
 TEST(ExperimentProgram, RefusesAFolderOfAnotherSizeAndDamagedTables) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "simulation-2-attractors-seed-1-repeat-1.csv")
-      << "# kerf experiment 2, simulation 2 (attractors), steps 60, objects 60, seed 1, repeat "
+      << "# kerf experiment 3, simulation 2 (attractors), steps 60, objects 60, seed 1, repeat "
          "1\nstep\n1,2,3\n";
   const Outcome other = run_kerf(small_experiment(folder.path(), "70"));
   EXPECT_EQ(other.exit, kExitUnusable);

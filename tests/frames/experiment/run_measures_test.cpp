@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "frames/experiment/claim.h"
+#include "frames/experiment/reading.h"
 
 namespace kerf {
 namespace {
@@ -139,10 +141,39 @@ TEST(RunMeasures, TimesHaveASampleForEachRunAndCountsForEachSeed) {
   EXPECT_EQ(samples_of(runs, kBsp, Measure::pairs).size(), 2U);
 }
 
+TEST(RunMeasures, AReadingStandsForTheTree) {
+  const std::string_view other = readings().back().contestant;
+  ExperimentRun run = even_run();
+  set(run, kBsp, 0, run.size(), &ContestantStep::collision, 5);
+  set(run, other, 0, run.size(), &ContestantStep::collision, 3);
+  set(run, other, 30, 45, &ContestantStep::leaves, 9U);
+  ExperimentRuns runs;
+  for (auto& simulation : runs) simulation.assign(3, {1, 1, run});
+  const Quantity quantity{1, kBsp, Measure::collision};
+  EXPECT_EQ(claim_figures(runs, kBsp).at(quantity).front(), 5);
+  EXPECT_EQ(claim_figures(runs, other).at(quantity).front(), 3);
+  EXPECT_DOUBLE_EQ(measure(run, other, Measure::lead), measure(run, other, Measure::frames) / 100)
+      << "its rivals are the paper's, not the tree itself";
+  EXPECT_EQ(shape_of(run, other).most_leaves, 9);
+  EXPECT_EQ(shape_of(run, other).least_leaves, 4);
+  EXPECT_EQ(shape_of(run, kBsp).most_leaves, 4);
+}
+
+TEST(RunMeasures, ReadingsDifferFromEachOther) {
+  std::set<std::string_view> names;
+  std::set<std::string_view> labels;
+  for (const Reading& reading : readings()) {
+    EXPECT_TRUE(names.insert(reading.contestant).second) << reading.contestant;
+    EXPECT_TRUE(labels.insert(reading.label).second) << reading.label;
+    EXPECT_EQ(std::ranges::count(contestants(), reading.contestant), 1) << reading.contestant;
+  }
+  EXPECT_EQ(readings().front().contestant, kBsp);
+}
+
 TEST(RunMeasures, ThereAreFiguresOfAllThatIsClaimed) {
   ExperimentRuns runs;
   for (auto& simulation : runs) simulation.assign(3, {1, 1, broken_run()});
-  const ClaimFigures figures = claim_figures(runs);
+  const ClaimFigures figures = claim_figures(runs, kBsp);
   for (const Claim& claim : claims())
     for (const Comparison& comparison : claim.comparisons) {
       ASSERT_TRUE(figures.contains(comparison.subject)) << claim.words;

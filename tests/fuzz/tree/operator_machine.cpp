@@ -189,7 +189,8 @@ void OperatorMachine<D>::divide_leaf(Operator op) {
                                            : shift_split(tree_, leaf, config_, refusal);
   if (!event) return refused_without_trace(before, op);
   expect_event(*event);
-  if (tree_[leaf].is_leaf() || !is_good(quality(tree_, leaf), config_)) find("a division that is not good");
+  if (tree_[leaf].is_leaf() || !is_good(quality(tree_, leaf), config_at(tree_, leaf, config_)))
+    find("a division that is not good");
 }
 
 template <int D>
@@ -203,7 +204,8 @@ void OperatorMachine<D>::change_inner(Operator op) {
     const auto event = balance(tree_, inner, config_, refusal);
     if (!event) return refused_without_trace(before, op);
     expect_event(*event);
-    if (!is_good(quality(tree_, inner), config_)) find("a balanced node that is not good");
+    if (!is_good(quality(tree_, inner), config_at(tree_, inner, config_)))
+      find("a balanced node that is not good");
     return;
   }
   const NodeRef ref = tree_.ref(inner);
