@@ -14,7 +14,7 @@ namespace kerf {
 
 /// Writes a recording (docs/RECORDING.md). It commits at least once a second and every 25 steps; committed
 /// data remains whatever happens to the program. Throws std::runtime_error with the file and the reason, a
-/// full disk for example.
+/// full disk for example. Its thirteen fields are what is under way between two commits.
 template <int D>
 class RecordingWriter {
  public:

@@ -2,17 +2,15 @@
 
 #include <array>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "frames/bench/ablation.h"
 #include "frames/bench/loop_report.h"
 #include "frames/catalog/algorithm.h"
+#include "frames/support/json.h"
 #include "frames/support/machine.h"
 
 namespace kerf {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 template <class... Values>
 std::string format(const char* pattern, Values... values) {

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
+#include "frames/support/json.h"
 #include "frames/support/machine.h"
 #include "frames/support/outputs.h"
 #include "frames/support/parse_whole.h"
@@ -24,8 +24,6 @@
 
 namespace kerf {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The first frames include starting up; they are measured alone and subtracted.
 constexpr std::uint32_t kWarmUp = 4;

@@ -3,17 +3,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "core/query/compare.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
+#include "frames/support/json.h"
 
 namespace kerf {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json as_json(const RecordingSummary& summary) {
   Json json{{"steps", summary.steps}};

@@ -1,6 +1,5 @@
 #include "frames/commands/export_recording.h"
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 #include <unordered_map>
@@ -8,12 +7,11 @@
 #include "core/base/shortest_text.h"
 #include "core/replay/judge_theirs.h"
 #include "core/trace/event_facts.h"
+#include "frames/support/json.h"
 #include "frames/support/utf8.h"
 
 namespace kerf {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kMicro = 1e6;
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/counted.h"
+#include "core/base/given_names.h"
 #include "frames/commands/output_option.h"
 #include "frames/sequence/difference_panels.h"
 #include "frames/sequence/film_files.h"
@@ -24,12 +25,24 @@ namespace {
 
 constexpr int kPanelWidth = 640;
 
-using FramesByStep = std::map<std::uint32_t, std::filesystem::path>;
+struct FrameOfStep {
+  std::string step;  ///< as the caption shows it
+  std::filesystem::path path;
+};
+
+/// By the number or time of the step.
+using FramesByStep = std::map<long double, FrameOfStep>;
 
 FramesByStep frames_of(const std::filesystem::path& folder) {
   FramesByStep frames;
-  for (const FrameRecord& frame : read_manifest(folder).frames)
-    frames.emplace(frame.step, folder / frame.file);
+  for (const FrameRecord& frame : read_manifest(folder).frames) {
+    const std::string step = frame.given_step.empty() ? std::to_string(frame.step) : frame.given_step;
+    const auto time = parse_step_time(step);
+    if (!time)
+      throw UsageError((folder / kManifestName).string() + ": '" + step +
+                       "' is no step; render the frames anew");
+    frames.emplace(*time, FrameOfStep{step, folder / frame.file});
+  }
   return frames;
 }
 
@@ -41,8 +54,8 @@ struct Couple {
 /// The pictures of the steps that both have.
 std::vector<Couple> common_frames(const FramesByStep& a, const FramesByStep& b) {
   std::vector<Couple> common;
-  for (const auto& [step, path] : a)
-    if (const auto other = b.find(step); other != b.end()) common.push_back({path, other->second});
+  for (const auto& [time, frame] : a)
+    if (const auto other = b.find(time); other != b.end()) common.push_back({frame.path, other->second.path});
   return common;
 }
 
@@ -50,10 +63,11 @@ std::vector<Couple> common_frames(const FramesByStep& a, const FramesByStep& b) 
 std::size_t report_without_partner(const std::string& folder, const FramesByStep& frames,
                                    const FramesByStep& other) {
   std::size_t count = 0;
-  for (const auto& [step, path] : frames) {
-    if (other.contains(step)) continue;
+  for (const auto& [time, frame] : frames) {
+    if (other.contains(time)) continue;
     ++count;
-    std::printf("%s: step %u is in %s alone\n", path.filename().c_str(), step, folder.c_str());
+    std::printf("%s: step %s is in %s alone\n", frame.path.filename().c_str(), frame.step.c_str(),
+                folder.c_str());
   }
   return count;
 }
@@ -80,7 +94,8 @@ FilmDiffCommand::FilmDiffCommand(CLI::App& program)
   command_->footer(
       "A is left, B in the middle; right of them A is shown pale, with what differs in red: the more, the "
       "redder.\n"
-      "Frames of equal steps are compared. `kerf diff` judges pictures.");
+      "Frames of equal steps are compared, of imports by the other engine's numbers. `kerf diff` judges "
+      "pictures.");
 }
 
 bool FilmDiffCommand::chosen() const { return command_->parsed(); }

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "core/base/counted.h"
+#include "frames/support/json.h"
 
 namespace kerf {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kShownReasons = 24;
 

@@ -204,13 +204,23 @@ class Import {
 };
 
 /// Objects that the run does not have make no pair in it.
-PairDesign design_of(const ImportRequest& request, const Survey& survey) {
+PairDesign design_of(const ImportRequest& request, const Survey& survey, Oddities& oddities) {
   PairDesign design{request.margin, {}};
   if (request.ignore.empty()) return design;
+  const auto find = [&](const GivenId& id) {
+    const auto found = survey.names.find_object(id);  // without names every number is one
+    return found && found->index() < survey.objects ? found : std::nullopt;
+  };
   for (const GivenPair& pair : read_ignored_pairs(request.ignore)) {
-    const auto a = survey.names.find_object(pair.a);
-    const auto b = survey.names.find_object(pair.b);
-    if (a && b) design.ignored.push_back(make_pair(*a, *b));
+    const auto a = find(pair.a);
+    const auto b = find(pair.b);
+    if (a && b)
+      design.ignored.push_back(make_pair(*a, *b));
+    else
+      oddities.note(Oddity::unknown_ignored, [&] {
+        return request.ignore.string() + ", line " + std::to_string(pair.line) + ": object " +
+               to_string(a ? pair.b : pair.a);
+      });
   }
   std::ranges::sort(design.ignored);
   design.ignored.erase(std::unique(design.ignored.begin(), design.ignored.end()), design.ignored.end());
@@ -234,7 +244,7 @@ std::string summary(const BoxLines& boxes, const Survey& survey) {
 template <int D>
 void import_in(const ImportRequest& request, const InterruptGuard& interrupt, BoxLines& boxes,
                const Survey& survey, std::vector<GivenPairs> pairs, Oddities& oddities) {
-  Import<D> import(request, survey, std::move(pairs), design_of(request, survey), oddities);
+  Import<D> import(request, survey, std::move(pairs), design_of(request, survey, oddities), oddities);
   import.run(boxes, interrupt);
   if (request.strict && oddities.any())
     throw UsageError("--strict: what is odd is an error, and nothing was written\n" + oddities.text());

@@ -24,6 +24,7 @@ constexpr std::array kMeanings{
     Meaning{"change", "changes", " between fixed and moving"},
     Meaning{"step", "steps", " in which an object has several boxes, which were united"},
     Meaning{"pair", "pairs", " with an object that is not there"},
+    Meaning{"pair", "pairs", " to be ignored with an object that the run does not have"},
 };
 
 }  // namespace

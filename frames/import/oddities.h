@@ -20,6 +20,7 @@ enum class Oddity : std::uint8_t {
   mobility,
   united,
   absent_object,
+  unknown_ignored,
 };
 
 /// Counts what is odd, and keeps where the first five of each kind are.
@@ -41,7 +42,7 @@ class Oddities {
 
  private:
   static constexpr std::size_t kNamed = 5;
-  static constexpr std::size_t kKinds = static_cast<std::size_t>(Oddity::absent_object) + 1;
+  static constexpr std::size_t kKinds = static_cast<std::size_t>(Oddity::unknown_ignored) + 1;
   struct Kind {
     std::size_t count = 0;
     std::vector<std::string> places;

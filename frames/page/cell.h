@@ -2,13 +2,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 
-namespace kerf {
+#include "frames/support/json.h"
 
-/// Figures as stored and shown: objects of numbers and words.
-using Json = nlohmann::ordered_json;
+namespace kerf {
 
 /// Long work calls this often: throws Interrupted when the user stops the program.
 using Poll = std::function<void()>;

@@ -3,18 +3,16 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "core/files/part_file.h"
 #include "frames/sequence/sidecar.h"
+#include "frames/support/json.h"
 #include "frames/support/json_number.h"
 #include "viz/image/png.h"
 
 namespace kerf {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kDrawListFormat = "kerf-draw-1";
 

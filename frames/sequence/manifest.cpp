@@ -3,19 +3,17 @@
 #include <charconv>
 #include <cstdio>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "frames/support/atomic_file.h"
 #include "frames/support/hex.h"
+#include "frames/support/json.h"
 #include "frames/support/json_number.h"
 
 namespace kerf {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kManifestFormat = "kerf-frames-2";
 
@@ -63,6 +61,7 @@ Json frame_json(const FrameRecord& frame, bool knows_contacts) {
                {"step", frame.step},
                {"objects", frame.objects},
                {"pairs", frame.pairs}};
+  if (!frame.given_step.empty()) json["given_step"] = frame.given_step;
   if (knows_contacts) json["contacts"] = frame.contacts;
   json.update(Json{{"height", frame.height},
                    {"leaves", frame.leaves},
@@ -79,6 +78,7 @@ FrameRecord frame_of(const Json& json) {
   take(json, "index", frame.index);
   json.at("file").get_to(frame.file);
   take(json, "step", frame.step);
+  if (json.contains("given_step")) json.at("given_step").get_to(frame.given_step);
   take(json, "objects", frame.objects);
   take(json, "pairs", frame.pairs);
   if (json.contains("contacts")) take(json, "contacts", frame.contacts);

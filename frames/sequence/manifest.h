@@ -20,6 +20,7 @@ struct FrameRecord {
   std::uint32_t index = 0;     ///< in the whole sequence, from 0
   std::string file;            ///< name inside the sequence's folder
   std::uint32_t step = 0;      ///< steps done
+  std::string given_step;      ///< what another engine calls this step; empty: it has no other name
   std::uint32_t objects = 0;   ///< fixed ones included
   std::uint64_t pairs = 0;     ///< candidates of that step
   std::uint64_t contacts = 0;  ///< those of them that touch

@@ -92,6 +92,7 @@ class RecordingFilm final : public Film {
     const StepRow& row = recording_->row(step);
     FrameRecord record;
     record.step = step;
+    record.given_step = given_step_name(recording_->info().names, step);
     record.objects = row.statistics.objects;
     record.pairs = row.pairs;
     record.height = row.statistics.height;

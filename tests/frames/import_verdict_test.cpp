@@ -63,6 +63,12 @@ TEST_F(ImportVerdict, WhatAnEngineFiltersIsDeclaredAndCountedApart) {
   const std::string ignore = write("ignore.csv", "a,b\n1,0\n7,9\n");
   EXPECT_THAT(imported("b", given("filters/boxes.csv"), {"--pairs", pairs, "--ignore", ignore}),
               HasSubstr("1 pair: 0 missed, 0 extra, 0 twice, 1 ignored (0 by filters, 1 by the list"));
+  const std::string unknown = "odd: 1 pair to be ignored with an object that the run does not have\n  " +
+                              ignore + ", line 3: object 7\n";
+  EXPECT_THAT(imported("e", given("filters/boxes.csv"), {"--pairs", pairs, "--ignore", ignore}),
+              HasSubstr(unknown));
+  EXPECT_THAT(refused(given("filters/boxes.csv"), {"--pairs", pairs, "--ignore", ignore, "--strict"}),
+              HasSubstr(unknown));
   EXPECT_THAT(explained("b", "1", "0,1"), HasSubstr("it is ignored"));
   EXPECT_THAT(stepped("b", "ignored>0"), HasSubstr("theirs, ignored, listed: (0,1)"));
   const std::string masked = write("masked.csv",

@@ -89,6 +89,33 @@ TEST(FilmDiffProgram, ShowsWhatDiffers) {
               HasSubstr("exists already"));
 }
 
+/// An object that goes its way, seen by two engines that count steps from different numbers on.
+TEST(VideoProgram, FramesOfImportsMeetByTheStepsOfTheirEngines) {
+  const TemporaryFolder folder;
+  const auto render_from = [&](const std::string& name, int first) {
+    std::string csv = "step,object,min_x,max_x,min_y,max_y\n";
+    for (int step = first; step < first + 4; ++step)
+      csv += std::to_string(step) + ",1," + std::to_string(step) + "," + std::to_string(step + 1) + ",0,1\n" +
+             std::to_string(step) + ",2,0,40,5,6\n";
+    std::ofstream(folder.path() / (name + ".csv")) << csv;
+    const std::string recording = folder.path() / (name + ".kerf");
+    EXPECT_EQ(run_kerf({"import", folder.path() / (name + ".csv"), "-o", recording}).exit, kExitHolds);
+    EXPECT_EQ(
+        run_kerf({"render", recording, "--steps", std::to_string(first) + ":" + std::to_string(first + 3),
+                  "--size", "96x64", "--camera", "all", "--show", "objects", "--out", folder.path() / name})
+            .exit,
+        kExitHolds);
+  };
+  render_from("a", 10);
+  render_from("b", 12);
+  const Outcome outcome =
+      run_kerf({"film-diff", folder.path() / "a", folder.path() / "b", "-o", folder.path() / "diff.mp4"});
+  EXPECT_EQ(outcome.exit, kExitDoesNotHold) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("2 frames, "));
+  for (const char* const step : {"step 10 is in", "step 11 is in", "step 14 is in", "step 15 is in"})
+    EXPECT_THAT(outcome.out, HasSubstr(step));
+}
+
 TEST(VideoProgram, WithoutFfmpegNothingIsStarted) {
   const TemporaryFolder folder;
   const Outcome outcome = run_kerf(film(folder, "pile.mp4"), {0, "/nowhere"});
