@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "frames/commands/output_option.h"
 #include "frames/experiment/experiment_file.h"
 #include "frames/experiment/experiment_page.h"
@@ -20,6 +21,7 @@
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
 #include "frames/support/parse_whole.h"
+#include "frames/support/shard.h"
 
 namespace kerf {
 namespace {
@@ -28,11 +30,11 @@ constexpr const char* kTextName = "experiment.md";
 constexpr const char* kPageName = "experiment.html";
 constexpr ExperimentPlan kFullPlan{.size = {.steps = 6000, .objects = 4250}, .seeds = 3, .repeats = 5};
 
-/// Makes the runs of which there is no file yet.
+/// Makes the runs of a shard of which there is no file yet.
 class Experiment {
  public:
-  Experiment(std::filesystem::path folder, const ExperimentPlan& plan, Replace replace)
-      : folder_(std::move(folder)), plan_(plan), replace_(replace) {
+  Experiment(std::filesystem::path folder, const ExperimentPlan& plan, const Shard& shard, Replace replace)
+      : folder_(std::move(folder)), plan_(plan), shard_(shard), replace_(replace) {
     const bool forget = replace == Replace::earlier;
     if (!forget) refuse_earlier_files(folder_);
     for (std::uint32_t repeat = 1; repeat <= plan.repeats; ++repeat)
@@ -56,6 +58,11 @@ class Experiment {
       save_run(folder_, simulation, size, run.repeat, run.steps);
       ++done_;
     }
+  }
+
+  [[nodiscard]] std::string shard_words(const std::string& shard) const {
+    return counted(done_, "run") + " of shard " + shard + " made in " + folder_.string() +
+           "; when all shards are there, the same command without --shard writes the pages";
   }
 
   /// All files are there before one of them gets its name.
@@ -93,7 +100,10 @@ class Experiment {
 
   void load(std::size_t simulation, const ExperimentSize& size, std::uint32_t repeat, bool forget) {
     auto steps = load_run(folder_, simulations()[simulation], size, repeat, forget);
-    if (!steps) missing_.push_back({simulation, runs_[simulation].size()});
+    // Simulations take differently long: each shard gets some of each.
+    const auto turn = static_cast<std::uint32_t>(simulation + runs_[simulation].size());
+    if (steps) ++kept_;
+    if (!steps && shard_.has(turn)) missing_.push_back({simulation, runs_[simulation].size()});
     runs_[simulation].push_back({size.seed, repeat, steps ? std::move(*steps) : ExperimentRun{}});
   }
 
@@ -110,15 +120,17 @@ class Experiment {
 
   [[nodiscard]] std::string interruption() const {
     const std::size_t all = runs_.size() * plan_.runs();
-    return "interrupted: " + std::to_string(all - missing_.size() + done_) + " of " + std::to_string(all) +
-           " runs are in " + folder_.string() + "; the same command goes on from there";
+    return "interrupted: " + std::to_string(kept_ + done_) + " of " + std::to_string(all) + " runs are in " +
+           folder_.string() + "; the same command goes on from there";
   }
 
   std::filesystem::path folder_;
   ExperimentPlan plan_;
+  Shard shard_;
   Replace replace_;
   ExperimentRuns runs_;
   std::vector<Place> missing_;
+  std::size_t kept_ = 0;  ///< runs that were there
   std::size_t done_ = 0;  ///< of the missing ones
   ProgressLine line_;
   Stint stint_;
@@ -144,6 +156,10 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
       "The paper's size, and enough runs: --steps 6000 --objects 4250 --seeds 3 --repeats 5 (hours)");
   command_->add_option("--seed", seed_, "The first one of every random choice (default 1)")->type_name("S");
   add_output(*command_, "--out", out_, "Folder (default out/experiment)", "DIR");
+  command_
+      ->add_option("--shard", shard_,
+                   "Only every N-th run, the K-th first, and no pages: on other machines, in one folder")
+      ->type_name("K/N");
   command_->add_flag("--overwrite", overwrite_,
                      "Replace an earlier page and its figures, and runs of another size");
   command_->footer(
@@ -170,14 +186,20 @@ void ExperimentCommand::run() const {
   if (!seeds_.empty()) plan.seeds = parse_whole<std::uint32_t>("--seeds", seeds_, 1, 1000);
   if (!repeats_.empty()) plan.repeats = parse_whole<std::uint32_t>("--repeats", repeats_, 1, 1000);
   if (!seed_.empty()) plan.size.seed = parse_whole<std::uint32_t>("--seed", seed_, 0, UINT32_MAX);
-  require_gnuplot();
   const std::filesystem::path folder = out_.empty() ? "out/experiment" : out_;
   Outputs outputs({}, overwrite_);
   outputs.add_folder(folder);
+  if (!shard_.empty()) {
+    Experiment experiment(folder, plan, parse_shard(shard_), outputs.replace());
+    experiment.run();
+    std::printf("%s\n", experiment.shard_words(shard_).c_str());
+    return;
+  }
+  require_gnuplot();
   for (const char* const figure : kFigureNames) outputs.add_file(folder / figure);
   outputs.add_file(folder / kTextName);
   outputs.add_file(folder / kPageName);
-  Experiment experiment(folder, plan, outputs.replace());
+  Experiment experiment(folder, plan, Shard{}, outputs.replace());
   experiment.run();
   experiment.report();
   std::printf("%s\n", (folder / kPageName).string().c_str());

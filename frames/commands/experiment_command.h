@@ -24,6 +24,7 @@ class ExperimentCommand {
   std::string objects_;
   std::string seed_;
   std::string out_;
+  std::string shard_;
   bool full_ = false;
   bool overwrite_ = false;
 };

@@ -82,6 +82,29 @@ TEST(ExperimentProgram, RunsSeedsAndRepeatsAndCountsCandidates) {
   EXPECT_THAT(testing::read_text(folder.path() / "experiment.md"), HasSubstr("2 repeats of 2 seeds"));
 }
 
+/// Each run is made by one shard, and the pages are those of one command.
+TEST(ExperimentProgram, ShardsMakeTheRunsOfOneExperiment) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> whole = small_experiment(folder.path(), "50", "2");
+  std::size_t files = 0;
+  for (const char* const shard : {"1/3", "2/3", "3/3"}) {
+    std::vector<std::string> part = whole;
+    part.insert(part.end(), {"--shard", shard});
+    const Outcome outcome = run_kerf(part);
+    ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr(std::string(" of shard ") + shard));
+    const std::size_t now = folder.files().size();
+    EXPECT_GE(now, files + 2) << "eight runs, two or three for each";
+    files = now;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "experiment.html"));
+  }
+  EXPECT_EQ(files, 8U);
+  const std::string before = all_tables(folder.path());
+  ASSERT_EQ(run_kerf(whole).exit, kExitHolds);
+  EXPECT_EQ(all_tables(folder.path()), before) << "no run was made anew";
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "experiment.html"));
+}
+
 TEST(ExperimentProgram, RefusesAFolderOfAnotherSizeAndDamagedTables) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "simulation-2-attractors-seed-1-repeat-1.csv")
