@@ -40,32 +40,50 @@ void write_figure(Page& page, std::size_t left, const ExperimentRuns& runs) {
                 "; a click leads to the moment in the tables below.");
 }
 
-Json reading_row(const Reading& reading, std::size_t simulation, const std::vector<TimedRun>& runs) {
+Json reading_row(const Reading& reading, const std::vector<TimedRun>& runs) {
   const ReadingCells cells = reading_cells(reading, runs);
-  return {{"simulation", std::to_string(simulation + 1)},
-          {"reading", std::string(reading.label)},
-          {"leaves", cells.leaves},
-          {"depth", cells.depth},
-          {"change", cells.depth_change},
-          {"swing", cells.leaves_swing},
-          {"pairs", cells.pairs},
-          {"collision", cells.collision},
-          {"overhead", cells.overhead}};
+  return {{"reading", std::string(reading.label)}, {"leaves", cells.leaves},      {"depth", cells.depth},
+          {"change", cells.depth_change},          {"swing", cells.leaves_swing}, {"pairs", cells.pairs},
+          {"collision", cells.collision},          {"overhead", cells.overhead}};
+}
+
+void write_reading_figures(Page& page, const Simulation& simulation, const std::vector<TimedRun>& runs) {
+  Json rows = Json::array();
+  for (const Reading& reading : readings()) rows.push_back(reading_row(reading, runs));
+  page.table("Simulation " + std::to_string(simulation.number) +
+                 ": leaves and depth after the first third of the first run, and figures of all runs",
+             {{"reading", "reading"},
+              {"leaves", "leaves"},
+              {"depth", "depth"},
+              {.title = "change of depth in ten steps", .key = "change", .wraps = true},
+              {.title = "leaves, greatest over least fifth", .key = "swing", .wraps = true},
+              {"pairs to test", "pairs"},
+              {"collision, ms", "collision"},
+              {"overhead, ms", "overhead"}},
+             rows, {}, true);
 }
 
 void write_readings(Page& page, const ExperimentRuns& runs) {
   for (const std::string& paragraph : reading_words()) page.paragraph(paragraph);
   Json counts = Json::array();
-  for (const Reading& reading : readings())
+  for (const Reading& reading : readings()) {
+    const auto [holds, partly, opposite, not_judged] = count_outcomes(judge_all(runs, reading.contestant));
     counts.push_back({{"reading", std::string(reading.label)},
                       {"name", std::string(reading.contestant)},
                       {"words", std::string(reading.words)},
-                      {"found", count_words(judge_all(runs, reading.contestant))}});
+                      {"holds", holds},
+                      {"partly", partly},
+                      {"opposite", opposite},
+                      {"not judged", not_judged}});
+  }
   page.table("what each reading is, and how many statements hold with it",
              {{"reading", "reading"},
               {.title = "broad phase", .key = "name", .wraps = true},
               {.title = "the paper's words, and how they are read", .key = "words", .wraps = true},
-              {.title = "statements", .key = "found", .wraps = true}},
+              {"hold", "holds"},
+              {"partly", "partly"},
+              {"opposite", "opposite"},
+              {.title = "cannot be judged", .key = "not judged", .wraps = true}},
              counts, {}, true);
   for (const std::size_t left : {std::size_t{0}, std::size_t{2}}) {
     std::array<std::vector<CurvePlot>, 2> columns;
@@ -73,20 +91,7 @@ void write_readings(Page& page, const ExperimentRuns& runs) {
       columns[side] = reading_panels(simulations()[left + side], runs[left + side]);
     write_columns(page, columns, reading_legend(), "reading" + std::to_string(left) + "-", ".");
   }
-  Json rows = Json::array();
-  for (std::size_t k = 0; k < runs.size(); ++k)
-    for (const Reading& reading : readings()) rows.push_back(reading_row(reading, k, runs[k]));
-  page.table("leaves and depth after the first third of the first run, and figures of all runs",
-             {{"simulation", "simulation"},
-              {"reading", "reading"},
-              {"leaves", "leaves"},
-              {"depth", "depth"},
-              {"greatest change of depth in ten steps", "change"},
-              {"leaves, greatest over least fifth", "swing"},
-              {"pairs to test", "pairs"},
-              {"collision, ms", "collision"},
-              {"overhead, ms", "overhead"}},
-             rows, {}, true);
+  for (std::size_t k = 0; k < runs.size(); ++k) write_reading_figures(page, simulations()[k], runs[k]);
 }
 
 Json means_row(const std::vector<TimedRun>& runs, std::string_view contestant) {

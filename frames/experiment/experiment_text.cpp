@@ -67,11 +67,14 @@ void write_verdicts(std::ostream& text, const ExperimentRuns& runs) {
 void write_readings(std::ostream& text, const ExperimentRuns& runs) {
   text << "\n## The paper's tree in other readings\n\n";
   for (const std::string& paragraph : reading_words()) text << paragraph << "\n\n";
-  text << "| reading | broad phase | the paper's words, and how they are read | statements "
-          "|\n|---|---|---|---|\n";
-  for (const Reading& reading : readings())
-    text << "| " << reading.label << " | " << reading.contestant << " | " << reading.words << " | "
-         << count_words(judge_all(runs, reading.contestant)) << " |\n";
+  text << "| reading | broad phase | the paper's words, and how they are read | hold | partly | opposite | "
+          "cannot be judged |\n|---|---|---|--:|--:|--:|--:|\n";
+  for (const Reading& reading : readings()) {
+    text << "| " << reading.label << " | " << reading.contestant << " | " << reading.words;
+    for (const std::size_t count : count_outcomes(judge_all(runs, reading.contestant)))
+      text << " | " << count;
+    text << " |\n";
+  }
   text << "\n| simulation | reading | leaves | depth | greatest change of depth in ten steps | leaves, "
           "greatest "
           "over least fifth | pairs to test | collision, ms | overhead, ms |\n"

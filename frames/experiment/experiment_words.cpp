@@ -83,13 +83,17 @@ std::vector<std::string> wrong_words(const ExperimentRuns& runs) {
   return lines;
 }
 
+std::array<std::size_t, 4> count_outcomes(const std::vector<ClaimVerdict>& verdicts) {
+  std::array<std::size_t, 4> counts{};
+  for (const ClaimVerdict& verdict : verdicts) ++counts[static_cast<std::size_t>(verdict.outcome)];
+  return counts;
+}
+
 std::string count_words(const std::vector<ClaimVerdict>& verdicts) {
-  const auto count = [&](Outcome outcome) {
-    return std::to_string(std::ranges::count(verdicts, outcome, &ClaimVerdict::outcome));
-  };
-  return "Of " + std::to_string(verdicts.size()) + " statements " + count(Outcome::holds) + " hold, " +
-         count(Outcome::partly) + " hold partly, of " + count(Outcome::opposite) +
-         " the opposite is found, and " + count(Outcome::cannot_be_judged) + " cannot be judged.";
+  const auto [holds, partly, opposite, not_judged] = count_outcomes(verdicts);
+  return "Of " + std::to_string(verdicts.size()) + " statements " + std::to_string(holds) + " hold, " +
+         std::to_string(partly) + " hold partly, of " + std::to_string(opposite) +
+         " the opposite is found, and " + std::to_string(not_judged) + " cannot be judged.";
 }
 
 std::vector<std::string> reading_words() {

@@ -25,6 +25,9 @@ std::string verdict_words();
 /// A line for each contestant and simulation with wrong pairs; empty if there are none.
 std::vector<std::string> wrong_words(const ExperimentRuns& runs);
 
+/// How many verdicts have each outcome, in the order of the enumeration.
+std::array<std::size_t, 4> count_outcomes(const std::vector<ClaimVerdict>& verdicts);
+
 /// "12 hold, 5 partly, 8 the opposite, 9 cannot be judged".
 std::string count_words(const std::vector<ClaimVerdict>& verdicts);
 
