@@ -49,6 +49,28 @@ bool same_node(const Highlight& a, const Highlight& b) { return a.acted.node == 
 
 double Highlight::strength() const { return 1.0 - 0.75 * std::min(age, lifetime) / lifetime; }
 
+std::string Highlight::sentence() const {
+  const std::string name = "n" + std::to_string(acted.node.node.value);
+  const auto halves = [](const Quality& q, const char* between) {
+    return std::to_string(q.left) + between + std::to_string(q.right);
+  };
+  switch (acted.op) {
+    case Operator::split:
+      return "leaf " + name + " got crowded: split into " + halves(acted.after, " and ");
+    case Operator::shift_split:
+      return "leaf " + name + " got crowded: split along its parent's plane into " +
+             halves(acted.after, " and ");
+    case Operator::merge:
+      return "node " + name + " was dissolved into a leaf of " + std::to_string(acted.after.population);
+    case Operator::balance:
+      return "node " + name + " divided badly (" + halves(acted.before, " | ") + "): its plane moved, now " +
+             halves(acted.after, " | ");
+    case Operator::swap:
+      return "node " + name + " divided badly (" + halves(acted.before, " | ") + "): its plane was removed";
+  }
+  return "";
+}
+
 std::string Highlight::label() const {
   return std::string(to_string(acted.op)) + " n" + std::to_string(acted.node.node.value);
 }

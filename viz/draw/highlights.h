@@ -23,6 +23,8 @@ struct Highlight {
   std::optional<Eigen::Vector3d> anchor;
   [[nodiscard]] double strength() const;    ///< 1 when new, fading with age
   [[nodiscard]] std::string label() const;  ///< "split n5"
+  /// Why it acted and what became of it: "leaf n26 got crowded: split into 61 and 58".
+  [[nodiscard]] std::string sentence() const;
 };
 
 /// The operators to highlight. Cells of nodes that have died since (swap removes its node) are those of the

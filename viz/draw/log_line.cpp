@@ -7,6 +7,14 @@
 namespace kerf {
 namespace {
 
+/// What the first `shown` operators did, and the number of the others.
+std::string sentences(const std::vector<Highlight>& highlights, std::size_t shown) {
+  std::string text = highlights.front().sentence();
+  for (std::size_t k = 1; k < shown; ++k) text += "; " + highlights[k].sentence();
+  const std::size_t more = highlights.size() - shown;
+  return more == 0 ? text : text + "; and " + std::to_string(more) + " more";
+}
+
 /// The names of the first `shown` operators, and the number of the others.
 std::string acted_text(const std::vector<Highlight>& highlights, std::size_t shown) {
   std::string text;
@@ -27,6 +35,8 @@ std::string cut_to(const Font& font, int width, std::string text) {
 std::string log_line(const Font& font, int picture_width, const std::string& note,
                      const std::vector<Highlight>& highlights) {
   const int width = picture_width - 2 * flow::padding(font);
+  for (std::size_t shown = note.empty() ? highlights.size() : 0; shown > 0; --shown)
+    if (std::string text = sentences(highlights, shown); font.width(text) <= width) return text;
   const std::string begin = note.empty() || highlights.empty() ? note : note + "   ";
   for (std::size_t shown = highlights.size(); shown > 0; --shown)
     if (std::string text = begin + acted_text(highlights, shown); font.width(text) <= width) return text;

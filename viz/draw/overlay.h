@@ -55,8 +55,9 @@ std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tr
 Layout make_layout(const Font& font, int width, int height, const std::vector<CaptionItem>& caption,
                    bool has_log, const std::vector<LegendItem>& legend);
 
-/// The note and the recent operators, newest first, in one line. Operators without room are counted ("and 3
-/// more"); a note that is too long itself ends with "...".
+/// The note and the recent operators, newest first, in one line. Without a note they have sentences, beside
+/// one or where no sentence has room their names. Operators without room are counted ("and 3 more"); a note
+/// that is too long itself ends with "...".
 std::string log_line(const Font& font, int picture_width, const std::string& note,
                      const std::vector<Highlight>& highlights);
 

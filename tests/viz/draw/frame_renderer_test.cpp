@@ -158,7 +158,7 @@ TYPED_TEST(FrameRendererTest, WhatActedIsShortenedToThePicture) {
   const test::SmallScene<kD> scene(60);
   std::vector<Event> events;
   for (std::uint32_t k = 0; k < 8; ++k)
-    events.push_back({k, 5, OperatorActed{Operator::shift_split, {{1000 + k}, 0}, {}, {}, 0, 3, 6}});
+    events.push_back({k, 5, OperatorActed{Operator::shift_split, {{1000 + k}, 0}, {}, {16, 9, 7}, 0, 3, 6}});
   FrameInput<kD> input = scene.input();
   input.events = events;
   input.caption.step = 5;
@@ -174,9 +174,12 @@ TYPED_TEST(FrameRendererTest, WhatActedIsShortenedToThePicture) {
     std::string log;
     for (const DrawnText& text : renderer.ids().list.texts) {
       EXPECT_LE(text.x + font.width(text.text), 640) << text.text;
-      if (text.text.find("acted: ") != std::string::npos) log = text.text;
+      if (text.text.ends_with(" more")) log = text.text;
     }
-    EXPECT_TRUE(log.starts_with(note + (note.empty() ? "" : "   ") + "acted: shift-split n1007")) << log;
+    const std::string begin = note.empty()
+                                  ? "leaf n1007 got crowded: split along its parent's plane into 9 and 7"
+                                  : note + "   acted: shift-split n1007";
+    EXPECT_TRUE(log.starts_with(begin)) << log;
     EXPECT_TRUE(log.ends_with(" more")) << log;
   }
 }

@@ -49,6 +49,23 @@ TYPED_TEST(HighlightsTest, LivingNodeShowsItsCellAndPlanes) {
   EXPECT_EQ(shown.strength(), 1);
 }
 
+TEST(HighlightSentences, SayWhyAnOperatorActedAndWhatBecame) {
+  const auto sentence = [](Operator op, const Quality& before, const Quality& after) {
+    Highlight highlight;
+    highlight.acted = {op, {{26}, 0}, before, after, 0, 0, 0};
+    return highlight.sentence();
+  };
+  EXPECT_EQ(sentence(Operator::split, {119, 0, 0}, {119, 61, 58}),
+            "leaf n26 got crowded: split into 61 and 58");
+  EXPECT_EQ(sentence(Operator::shift_split, {119, 0, 0}, {119, 61, 58}),
+            "leaf n26 got crowded: split along its parent's plane into 61 and 58");
+  EXPECT_EQ(sentence(Operator::balance, {90, 70, 21}, {90, 46, 45}),
+            "node n26 divided badly (70 | 21): its plane moved, now 46 | 45");
+  EXPECT_EQ(sentence(Operator::swap, {120, 118, 3}, {120, 60, 60}),
+            "node n26 divided badly (118 | 3): its plane was removed");
+  EXPECT_EQ(sentence(Operator::merge, {12, 7, 5}, {12, 0, 0}), "node n26 was dissolved into a leaf of 12");
+}
+
 TYPED_TEST(HighlightsTest, DeadNodeKeepsItsLastCellWhileItFades) {
   constexpr int kD = TypeParam::value;
   Fixture<kD> f;
