@@ -6,7 +6,7 @@
 #include "frames/bench/ablation.h"
 #include "frames/bench/loop_report.h"
 #include "frames/catalog/algorithm.h"
-#include "frames/support/json.h"
+#include "frames/page/json.h"
 #include "frames/support/machine.h"
 
 namespace kerf {

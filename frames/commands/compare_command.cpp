@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "core/query/compare.h"
+#include "frames/page/json.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
-#include "frames/support/json.h"
 
 namespace kerf {
 namespace {

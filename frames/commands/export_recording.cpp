@@ -7,7 +7,7 @@
 #include "core/base/shortest_text.h"
 #include "core/replay/judge_theirs.h"
 #include "core/trace/event_facts.h"
-#include "frames/support/json.h"
+#include "frames/page/json.h"
 #include "frames/support/utf8.h"
 
 namespace kerf {

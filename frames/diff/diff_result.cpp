@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "core/base/counted.h"
-#include "frames/support/json.h"
+#include "frames/page/json.h"
 
 namespace kerf {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "frames/support/json.h"
+#include "frames/page/json.h"
 
 namespace kerf {
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "core/files/part_file.h"
+#include "frames/page/json.h"
 #include "frames/sequence/sidecar.h"
-#include "frames/support/json.h"
 #include "frames/support/json_number.h"
 #include "viz/image/png.h"
 

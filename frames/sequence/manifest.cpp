@@ -7,9 +7,9 @@
 #include <system_error>
 #include <utility>
 
+#include "frames/page/json.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/hex.h"
-#include "frames/support/json.h"
 #include "frames/support/json_number.h"
 
 namespace kerf {
