@@ -72,7 +72,7 @@ class LeafPasses : public testing::Test {};
 TYPED_TEST_SUITE(LeafPasses, Dimensions, DimensionNames);
 
 /// Where one thread is late with its leaves, the pairs of later ones wait for theirs.
-TYPED_TEST(LeafPasses, JoinPairsInTheOrderOfLeavesWhoeverIsLate) {
+TYPED_TEST(LeafPasses, JoinPairsInTheOrderOfLeavesWhicheverThreadIsLate) {
   constexpr int kD = TypeParam::value;
   TaskPool pool(2);
   const auto count = static_cast<std::uint32_t>(pool.pieces());
