@@ -24,6 +24,7 @@ std::string render_footer() {
       "LAYERS  " + layer_names() +
       "\n        a list of these, 'all' or 'none', or changes such as +leaves,-legend"
       "\nCAMERA  3D: yaw=30,pitch=25,fov=35,distance=40,target=0:0:0   2D: center=0:5,width=40"
+      "\n        3D also top, front, side or iso: --camera iso,fov=20"
       "\n        any part of it; what is left out is chosen so that what most objects span is seen, and the"
       "\n        caption says how many lie outside. With 'all' everything is: --camera all or all,yaw=60"
       "\nPATH    a key frame a line: a step and what is said of the camera from then on, 120 yaw=90,pitch=20"

@@ -12,6 +12,19 @@
 namespace kerf {
 namespace {
 
+struct CameraPreset {
+  std::string_view name;
+  double yaw;
+  double pitch;
+};
+
+const CameraPreset* preset_called(std::string_view name) {
+  static constexpr std::array<CameraPreset, 4> kPresets{
+      {{"top", 0, 90}, {"front", 0, 0}, {"side", 90, 0}, {"iso", 45, 35.264}}};
+  const auto* const found = std::ranges::find(kPresets, name, &CameraPreset::name);
+  return found == kPresets.end() ? nullptr : found;
+}
+
 constexpr double kMargin = 0.96;  // the part of the viewport that the framed box uses
 
 [[noreturn]] void fail(const std::string& what, std::string_view valid) {
@@ -50,7 +63,7 @@ void parse_assignments(std::string_view text, std::string_view valid, Set set) {
   while (!text.empty()) {
     const std::size_t comma = text.find(',');
     const std::string_view item = text.substr(0, comma);
-    const std::size_t equals = item == "all" ? item.size() : item.find('=');
+    const std::size_t equals = item == "all" || is_direction(item) ? item.size() : item.find('=');
     if (equals == std::string_view::npos) fail("\"" + std::string(item) + "\" is not KEY=VALUE", valid);
     if (!set(item.substr(0, equals), item.substr(std::min(equals + 1, item.size()))))
       fail("unknown key \"" + std::string(item.substr(0, equals)) + "\"", valid);
@@ -132,13 +145,19 @@ Eigen::Vector3d place_eye(const Box<3>& box, const CameraChoice<3>& choice, cons
 
 }  // namespace
 
+bool is_direction(std::string_view word) { return preset_called(word) != nullptr; }
+
 template <>
 CameraChoice<3> parse_camera<3>(std::string_view text) {
-  constexpr std::string_view kValid = "all,yaw=DEGREES,pitch=-89..90,fov=5..120,distance=UNITS,target=X:Y:Z";
+  constexpr std::string_view kValid =
+      "all,top|front|side|iso,yaw=DEGREES,pitch=-89..90,fov=5..120,distance=UNITS,target=X:Y:Z";
   CameraChoice<3> choice;
   parse_assignments(text, kValid, [&](std::string_view key, std::string_view value) {
     if (key == "all" && value.empty()) {
       choice.framing = Framing::everything;
+    } else if (const CameraPreset* const preset = preset_called(key); preset != nullptr && value.empty()) {
+      choice.yaw = preset->yaw;
+      choice.pitch = preset->pitch;
     } else if (key == "yaw") {
       choice.yaw = parse_between(key, value, -3600, 3600, kValid);
     } else if (key == "pitch") {

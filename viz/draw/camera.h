@@ -13,8 +13,8 @@ namespace kerf {
 template <int D>
 struct CameraChoice;
 
-/// Orbit camera, z up. Angles in degrees: yaw 0 looks along +y, pitch 90 straight down; fov is the vertical
-/// one.
+/// Orbit camera, y up. Angles in degrees: yaw 0 looks along -z, 90 along -x, pitch 90 straight down; fov is
+/// the vertical one.
 template <>
 struct CameraChoice<3> {
   double yaw = 30;
@@ -37,10 +37,14 @@ struct CameraChoice<2> {
 };
 
 /// Reads "yaw=30,pitch=38,fov=35,distance=40,target=0:0:0" (3D) or "center=0:5,width=40" (2D), any part of
-/// it, with or without "all" for Framing::everything, or nothing. Throws std::invalid_argument that says
-/// what is wrong and what can be given.
+/// it, with or without "all" for Framing::everything and, in 3D, a direction "top", "front", "side" or "iso"
+/// (all axes alike), or nothing; what comes later replaces what came before. Throws std::invalid_argument
+/// that says what is wrong and what can be given.
 template <int D>
 CameraChoice<D> parse_camera(std::string_view text);
+
+/// Whether the word stands for yaw and pitch in 3D: "top", "front", "side" or "iso".
+bool is_direction(std::string_view word);
 
 /// A rectangle of the picture in pixels, y down.
 struct Viewport {

@@ -58,9 +58,11 @@ std::string_view trimmed(std::string_view text) {
 }
 
 bool gives(std::string_view camera, std::string_view key) {
+  const bool is_angle = key == "yaw" || key == "pitch";
   for (std::string_view rest = camera;;) {
-    if (rest.substr(0, rest.find('=')) == key) return true;
     const std::size_t comma = rest.find(',');
+    const std::string_view word = rest.substr(0, comma);
+    if (word.substr(0, word.find('=')) == key || (is_angle && is_direction(word))) return true;
     if (comma == std::string_view::npos) return false;
     rest.remove_prefix(comma + 1);
   }

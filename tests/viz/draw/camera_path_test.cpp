@@ -27,6 +27,14 @@ TEST(CameraPath, GoesThroughItsKeyFramesAndStandsStillOutside) {
   EXPECT_FALSE(path.at(1, fixed).target.has_value());
 }
 
+TEST(CameraPath, ADirectionIsBothOfItsAngles) {
+  const CameraPath<3> path("10 top\n20 fov=40,side");
+  EXPECT_DOUBLE_EQ(path.at(10, {}).pitch, 90);
+  EXPECT_DOUBLE_EQ(path.at(10, {}).yaw, 0);
+  EXPECT_DOUBLE_EQ(path.at(20, {}).pitch, 0);
+  EXPECT_DOUBLE_EQ(path.at(20, {}).yaw, 90);
+}
+
 TEST(CameraPath, IsSmoothAndNeverOvershoots) {
   const CameraPath<2> path("0 width=1\n10 width=100\n20 width=100\n30 width=10");
   double before = 1;

@@ -119,6 +119,13 @@ TEST(Camera, TheWordAllAsksForEverything) {
   EXPECT_TRUE(parse_camera<2>("width=60").is_aimed());
   EXPECT_THROW(parse_camera<2>("all=1"), std::invalid_argument);
   EXPECT_THROW(parse_camera<3>("all,"), std::invalid_argument);
+  EXPECT_EQ(parse_camera<3>("top").pitch, 90);
+  EXPECT_EQ(parse_camera<3>("side,all").yaw, 90);
+  EXPECT_EQ(parse_camera<3>("side,all").framing, Framing::everything);
+  EXPECT_EQ(parse_camera<3>("iso,yaw=60").yaw, 60);
+  EXPECT_NEAR(parse_camera<3>("iso,yaw=60").pitch, 35.264, 1e-9);
+  EXPECT_THROW(parse_camera<3>("iso=3"), std::invalid_argument);
+  EXPECT_THROW(parse_camera<2>("top"), std::invalid_argument);
 }
 
 }  // namespace
