@@ -97,8 +97,8 @@ TYPED_TEST(ImportedRun, TheOracleMarksWhatIsWrongAndNothingElse) {
   DebuggerModel& model = this->model();
   for (std::uint32_t step = 1; step <= kSteps; ++step) {
     model.go(Position::end_of(step));
-    ASSERT_TRUE(model.alarms()[step].has_value());
-    const Alarm& alarm = *model.alarms()[step];
+    ASSERT_TRUE(model.alarms().contains(step));
+    const Alarm& alarm = model.alarms().at(step);
     EXPECT_EQ(alarm.missed, has(kMissing, step) ? 1U : 0U) << step;
     EXPECT_EQ(alarm.extra, has(kAdding, step) ? 1U : 0U) << step;
     EXPECT_EQ(alarm.twice, has(kRepeating, step) ? 1U : 0U) << step;

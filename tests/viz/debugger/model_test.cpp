@@ -209,8 +209,8 @@ TYPED_TEST(DebuggerModelTest, RibbonsAreTheHistoryOfWhatIsSelected) {
 TYPED_TEST(DebuggerModelTest, TheOracleFindsNothingInAnExactTree) {
   DebuggerModel& model = this->model();
   model.go(Position::end_of(40));
-  ASSERT_TRUE(model.alarms()[40].has_value());
-  EXPECT_FALSE(model.alarms()[40]->is_wrong());
+  ASSERT_TRUE(model.alarms().contains(40));
+  EXPECT_FALSE(model.alarms().at(40).is_wrong());
   EXPECT_EQ(model.run().judged_pairs(), model.run().pairs().size());
 }
 
@@ -326,17 +326,6 @@ TEST(OpenRun, SaysWhatCannotBeRead) {
   const auto path = folder.path() / "text";
   std::ofstream(path) << "no recording";
   EXPECT_THROW((void)open_run(path), std::runtime_error);
-}
-
-TEST(Lanes, NoPeakIsLostWhereStepsShareAColumn) {
-  Lane lane{"peak", std::vector<float>(1000, 1.0F), 9};
-  lane.values[537] = 9;
-  const auto columns = columns_of(lane, 100);
-  ASSERT_EQ(columns.size(), 100U);
-  EXPECT_EQ(columns[53].greatest, 9);
-  EXPECT_EQ(columns[53].least, 1);
-  EXPECT_EQ(columns_of(lane, 3000).size(), 3000U);
-  EXPECT_EQ(columns_of(Lane{}, 10).size(), 0U);
 }
 
 }  // namespace

@@ -19,6 +19,9 @@ enum class Key : std::uint8_t {
   i,
   b,
   o,
+  c,
+  m,
+  r,
   question,
   escape,
   enter,
@@ -27,6 +30,10 @@ enum class Key : std::uint8_t {
   left,
   right,
   tab,
+  up,
+  down,
+  plus,
+  minus,
   f1,
   f5,
   f9,
@@ -40,6 +47,7 @@ struct DebuggerInput {
   float mouse_y = -1;
   std::array<bool, 3> buttons{};  ///< left, right, middle: held now
   float wheel = 0;
+  float sideways = 0;  ///< turns of a wheel to the side, positive to the left
   bool shift = false;
   bool control = false;
   std::optional<Key> key;     ///< that went down
@@ -48,7 +56,7 @@ struct DebuggerInput {
 
   /// Ends what lasts for one frame; what is held stays.
   void end_frame() {
-    wheel = 0;
+    wheel = sideways = 0;
     key.reset();
     text.clear();
   }

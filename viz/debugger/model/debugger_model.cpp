@@ -28,7 +28,8 @@ Ribbon::Kind kind_of(const Event& event) {
 }  // namespace
 
 DebuggerModel::DebuggerModel(std::unique_ptr<Run> run)
-    : run_(std::move(run)), lanes_(make_lanes(run_->rows())), alarms_(run_->steps() + 1) {
+    : run_(std::move(run)), lanes_(make_lanes(run_->rows())) {
+  timeline.window = TimeWindow(run_->steps());
   moved();
 }
 
@@ -39,6 +40,7 @@ void DebuggerModel::say(std::string text, bool is_error) {
 
 void DebuggerModel::moved() {
   hovered_candidate.reset();
+  timeline.window.reveal(time_of(run_->position(), run_->rows()));
   if (other_) follow();
   for (WatchedValue& watch : watches_) watch.value = run_->value(watch.expression);
   if (asks_oracle && run_->objects() <= kMostForOracle) (void)ask_oracle();
@@ -221,12 +223,27 @@ void DebuggerModel::toggle_bookmark() { toggle(bookmarks_, run_->position()); }
 
 const Alarm& DebuggerModel::ask_oracle() {
   const std::uint32_t step = run_->position().step;
-  std::optional<Alarm>& alarm = alarms_[step];
-  if (!alarm) {
-    const PairJudgement& judgement = run_->judgement();
-    alarm = Alarm{step, judgement.missed.size(), judgement.extra.size(), judgement.twice.size()};
-  }
-  return *alarm;
+  const auto asked = alarms_.find(step);
+  if (asked != alarms_.end()) return asked->second;
+  const PairJudgement& judgement = run_->judgement();
+  const Alarm alarm{step, judgement.missed.size(), judgement.extra.size(), judgement.twice.size()};
+  if (alarm.is_wrong()) wrong_steps_.insert(step);
+  return alarms_.emplace(step, alarm).first->second;
+}
+
+void DebuggerModel::zoom_lanes(double factor) {
+  TimeWindow& window = timeline.window;
+  const double now = time_of(run_->position(), run_->rows());
+  const bool is_seen = window.first() <= now && now <= window.last();
+  const double around = is_seen ? now : window.first() + 0.5 * window.span();
+  window.zoom(factor, around, least_span(around, run_->rows()));
+}
+
+void DebuggerModel::go_to_extreme(bool greatest) {
+  const Lane& lane = lanes_[timeline.lane];
+  const std::uint32_t step = greatest ? lane.greatest_step() : lane.least_step();
+  if (step == 0) return say("the lane " + std::string(lane.name()) + " has no values");
+  go(Position::end_of(step));
 }
 
 void DebuggerModel::compare_with(std::unique_ptr<Run> other) {
@@ -252,7 +269,10 @@ void DebuggerModel::change_over() {
   std::swap(lanes_, other_lanes_);
   comparison_.reset();
   findings_.reset();
-  alarms_.assign(run_->steps() + 1, std::nullopt);
+  alarms_.clear();
+  wrong_steps_.clear();
+  const TimeWindow seen = std::exchange(timeline.window, TimeWindow(run_->steps()));
+  if (!seen.shows_all()) timeline.window.show(seen.first(), seen.last());
   select({});
   moved();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -10,6 +11,7 @@
 #include "viz/debugger/model/breakpoint.h"
 #include "viz/debugger/model/lanes.h"
 #include "viz/debugger/model/run.h"
+#include "viz/debugger/model/timeline.h"
 #include "viz/debugger/model/view_settings.h"
 
 namespace kerf {
@@ -75,6 +77,11 @@ class DebuggerModel {
 
   // Seeing.
   ViewSettings view;
+  Timeline timeline;
+  /// Magnifies the lanes by a factor around the present moment, or around their middle if it is not seen.
+  void zoom_lanes(double factor);
+  /// Moves the cursor to the greatest or least value of the chosen lane.
+  void go_to_extreme(bool greatest);
   /// Hides the selected node or object; shows it again if it was hidden.
   void toggle_hidden();
   void show_all();
@@ -102,7 +109,9 @@ class DebuggerModel {
   // Judging.
   /// Asks the oracle about the step of the cursor.
   const Alarm& ask_oracle();
-  [[nodiscard]] const std::vector<std::optional<Alarm>>& alarms() const { return alarms_; }
+  /// By step; only of those that were asked about.
+  [[nodiscard]] const std::map<std::uint32_t, Alarm>& alarms() const { return alarms_; }
+  [[nodiscard]] const std::set<std::uint32_t>& wrong_steps() const { return wrong_steps_; }
   /// Whether the oracle is asked at each step of the cursor; off where brute force would take too long.
   bool asks_oracle = true;
 
@@ -152,7 +161,8 @@ class DebuggerModel {
   std::optional<std::vector<Ribbon>> ribbons_;  ///< of the selection
   std::vector<WatchedValue> watches_;
   std::set<Position> bookmarks_;
-  std::vector<std::optional<Alarm>> alarms_;  ///< by step; none: not asked
+  std::map<std::uint32_t, Alarm> alarms_;
+  std::set<std::uint32_t> wrong_steps_;
   int reruns_ = 0;
   double due_ = 0;  ///< the fraction of a step or event that playing has not reached yet
 };

@@ -22,6 +22,9 @@ constexpr std::array kKeys{
     KeyHelp{"H", "hide what is selected, or show it again"},
     KeyHelp{"I", "only what is below the selected node"},
     KeyHelp{"Esc", "select nothing; close this"},
+    KeyHelp{"+ and -", "lanes: magnify around this moment, show more; R: the whole run"},
+    KeyHelp{"Left, Right", "lanes: pan; Up, Down: choose a lane"},
+    KeyHelp{"M, Shift+M", "to the maximum, to the minimum of the chosen lane; C: clip outliers or not"},
     KeyHelp{"F12", "save a picture, named by the moment"},
     KeyHelp{"F1, ?", "this help"},
     KeyHelp{"", ""},
@@ -30,7 +33,8 @@ constexpr std::array kKeys{
     KeyHelp{"Wheel", "nearer and farther"},
     KeyHelp{"Double click", "select an object; with Shift a second one: a pair; beside objects a node"},
     KeyHelp{"Ctrl+double", "select a node: the partitioner with a line there, or the leaf"},
-    KeyHelp{"Drag below", "scrub through the run"},
+    KeyHelp{"Lanes, below", "left drag: scrub; right or middle drag: pan; wheel: magnify at the mouse"},
+    KeyHelp{"", "Shift+wheel or sideways: pan; the map below them: drag the window"},
 };
 
 }  // namespace

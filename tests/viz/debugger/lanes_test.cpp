@@ -1,0 +1,217 @@
+#include "viz/debugger/model/lanes.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/random.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::ElementsAre;
+
+constexpr float kAbsent = std::numeric_limits<float>::quiet_NaN();
+
+LaneRange by_reading_all(const std::vector<float>& values, std::size_t first, std::size_t last) {
+  LaneRange range;
+  for (std::size_t k = first; k < std::min(last, values.size()); ++k)
+    if (std::isfinite(values[k])) range.add({values[k], values[k]});
+  return range;
+}
+
+std::vector<float> rough_values(std::size_t count) {
+  Random random(5);
+  std::vector<float> values;
+  for (std::size_t k = 0; k < count; ++k)
+    values.push_back(random.bits() % 7 == 0 ? kAbsent : static_cast<float>(random.bits() % 1000));
+  return values;
+}
+
+TEST(LanePyramid, AnyStretchHasTheExtremesOfItsValues) {
+  for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 63U, 64U, 65U, 130U}) {
+    const std::vector<float> values = rough_values(count);
+    const LanePyramid pyramid(values);
+    for (std::size_t first = 0; first <= count + 1; ++first)
+      for (std::size_t last = 0; last <= count + 2; ++last)
+        ASSERT_EQ(pyramid.range(first, last), by_reading_all(values, first, last))
+            << count << ": " << first << " to " << last;
+  }
+}
+
+TEST(LanePyramid, AStretchOfAHundredThousandStepsIsFewBlocks) {
+  constexpr std::size_t kCount = 100'000;
+  const LanePyramid pyramid(rough_values(kCount));
+  for (std::size_t first = 0; first < kCount; first += 777) {
+    std::size_t blocks = 0;
+    pyramid.for_each_block(first, kCount - first / 3, [&](const LaneRange&) { ++blocks; });
+    EXPECT_LE(blocks, 6 * 2 * LanePyramid::kBlock) << first;
+  }
+}
+
+TEST(Lanes, NoPeakIsLostWhereStepsShareAColumn) {
+  std::vector<float> values(1000, 1.0F);
+  values[537] = 9;
+  const Lane lane("peak", values);
+  const TimeWindow all(1000);
+  const auto columns = lane.columns(all, 100);
+  ASSERT_EQ(columns.size(), 100U);
+  EXPECT_EQ(columns[53], (LaneRange{1, 9}));
+  EXPECT_EQ(std::ranges::count(columns, LaneRange{1, 1}), 99);
+  EXPECT_EQ(lane.columns(all, 3000).size(), 3000U);
+  TimeWindow part = all;
+  part.show(530, 540);
+  const auto seen = lane.columns(part, 20);
+  EXPECT_EQ(std::ranges::count(seen, LaneRange{9, 9}), 2) << "each of ten steps has two columns";
+  EXPECT_EQ(seen[14], (LaneRange{9, 9}));
+  EXPECT_EQ(lane.columns(all, 100), columns) << "columns of another window are not kept for this one";
+}
+
+TEST(Lanes, EachStepIsInAColumnWhateverIsSeen) {
+  Random random(3);
+  for (int k = 0; k < 200; ++k) {
+    TimeWindow window(1 + random.below(5000));
+    window.zoom(1 + random.uniform(0, 50), random.uniform(0, window.whole()), 0.01);
+    const std::size_t columns = 1 + random.below(900);
+    std::uint32_t reached = window.column(0, columns).before;
+    EXPECT_LE(reached, window.first());
+    for (std::size_t column = 0; column < columns; ++column) {
+      const TimeWindow::Column steps = window.column(column, columns);
+      ASSERT_LE(steps.before, reached) << "no step is left out";
+      ASSERT_LT(steps.before, steps.last);
+      reached = steps.last;
+    }
+    EXPECT_GE(reached, std::floor(window.last()));
+    EXPECT_LE(reached, window.whole());
+  }
+}
+
+TEST(Lanes, ExtremesAreAtTheirFirstSteps) {
+  const Lane lane("values", {kAbsent, 3, 1, 7, 1, 7, kAbsent});
+  EXPECT_EQ(lane.least_step(), 3U);
+  EXPECT_EQ(lane.greatest_step(), 4U);
+  EXPECT_EQ(lane.value(1), std::nullopt);
+  EXPECT_EQ(lane.value(2), 3.0);
+  EXPECT_EQ(lane.value(0), std::nullopt);
+  EXPECT_EQ(lane.value(8), std::nullopt);
+  EXPECT_EQ(lane.range(2, 3), (LaneRange{1, 3}));
+  EXPECT_TRUE(lane.range(1, 1).is_absent());
+}
+
+TEST(Lanes, OutliersAreClippedAtThe99thPercentileAndCounted) {
+  std::vector<float> values(300, 2.0F);
+  values[10] = 50;
+  values[20] = 60;
+  values[30] = 3;
+  const Lane lane("outliers", values);
+  EXPECT_EQ(lane.scale_end(true), 2);
+  EXPECT_EQ(lane.above(), 3U);
+  EXPECT_EQ(lane.scale_end(false), 60);
+  values[10] = values[20] = 4;
+  EXPECT_EQ(Lane("even", values).scale_end(true), 4) << "twice the percentile is no outlier";
+  EXPECT_EQ(Lane("even", values).above(), 0U);
+  std::vector<float> rare(300, 0.0F);
+  rare[7] = 5;
+  EXPECT_EQ(Lane("rare", rare).scale_end(true), 5) << "a scale that ends at 0 shows nothing";
+}
+
+TEST(Lanes, AnEmptyRunAndAbsentValuesHaveNoExtremesAndNoNan) {
+  for (const std::vector<float>& values : {std::vector<float>{}, std::vector<float>(5, kAbsent)}) {
+    const Lane lane("absent", values);
+    EXPECT_EQ(lane.least_step(), 0U);
+    EXPECT_EQ(lane.greatest_step(), 0U);
+    EXPECT_EQ(lane.scale_end(true), 0);
+    EXPECT_EQ(lane.scale_end(false), 0);
+    EXPECT_EQ(lane.above(), 0U);
+    for (const LaneRange& column : lane.columns(TimeWindow(static_cast<std::uint32_t>(values.size())), 40))
+      EXPECT_TRUE(column.is_absent());
+  }
+  EXPECT_EQ(make_lanes({}).size(), 6U);
+}
+
+std::vector<StepRow> rows_with_events(const std::vector<std::uint64_t>& events) {
+  std::vector<StepRow> rows(events.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].step = static_cast<std::uint32_t>(k + 1);
+    rows[k].events = events[k];
+    rows[k].first_event = k == 0 ? 0 : rows[k - 1].first_event + rows[k - 1].events;
+  }
+  return rows;
+}
+
+TEST(TimeWindow, ZoomKeepsTheTimeAtTheMouseAndStaysWithinTheRun) {
+  TimeWindow window(100'000);
+  window.zoom(1000, 40'000, 0.1);
+  EXPECT_NEAR(window.span(), 100, 1e-9);
+  EXPECT_NEAR((40'000 - window.first()) / window.span(), 0.4, 1e-9);
+  window.zoom(1e9, 40'000, 0.1);
+  EXPECT_NEAR(window.span(), 0.1, 1e-9);
+  window.pan(-1e9);
+  EXPECT_EQ(window.first(), 0);
+  window.pan(1e9);
+  EXPECT_NEAR(window.last(), 100'000, 1e-9);
+  window.zoom(1e-9, 7, 0.1);
+  EXPECT_TRUE(window.shows_all());
+  EXPECT_EQ(window, TimeWindow(100'000));
+}
+
+TEST(TimeWindow, ItFollowsAMomentThatLeavesIt) {
+  TimeWindow window(1000);
+  window.show(100, 200);
+  window.reveal(150);
+  EXPECT_EQ(window.first(), 100);
+  window.reveal(201);
+  EXPECT_LE(window.first(), 201);
+  EXPECT_GE(window.last(), 201);
+  EXPECT_EQ(window.span(), 100);
+  window.reveal(3);
+  EXPECT_EQ(window.first(), 0);
+}
+
+TEST(TimeWindow, MomentsHaveTimesAndTimesMoments) {
+  const auto rows = rows_with_events({3, 0, 9});
+  for (const Position& moment : {Position::end_of(0), Position{1, 0}, Position{1, 2}, Position::end_of(1),
+                                 Position::end_of(2), Position{3, 3}, Position{3, 11}, Position::end_of(3)})
+    EXPECT_EQ(moment_at(time_of(moment, rows), 1000, rows), moment) << to_string(moment, {});
+  EXPECT_EQ(time_of({1, 1}, rows), 0.5);
+  EXPECT_EQ(moment_at(0.5, 15, rows), Position::end_of(1)) << "its events are not apart yet";
+  EXPECT_EQ(moment_at(0.5, 16, rows), (Position{1, 1}));
+  EXPECT_EQ(moment_at(99, 1000, rows), Position::end_of(3));
+  EXPECT_EQ(moment_at(-9, 1000, rows), Position::end_of(0));
+  EXPECT_EQ(moment_at(0.5, 1000, {}), Position::end_of(0));
+}
+
+TEST(TimeWindow, TheHighestMagnificationShowsAFewEvents) {
+  const auto rows = rows_with_events({3, 5999});
+  EXPECT_EQ(least_span(0.5, rows), 1);
+  EXPECT_NEAR(least_span(1.5, rows), 0.001, 1e-9);
+  EXPECT_EQ(least_span(0, {}), 1);
+}
+
+TEST(TimeWindow, AnAxisHasRoundNumbers) {
+  EXPECT_THAT(axis_steps(TimeWindow(100), 5, {}), ElementsAre(0, 20, 40, 60, 80, 100));
+  TimeWindow window(100'000);
+  EXPECT_THAT(axis_steps(window, 4, {}), ElementsAre(0, 50'000, 100'000));
+  window.show(4321.5, 4324.5);
+  EXPECT_THAT(axis_steps(window, 10, {}), ElementsAre(4322, 4323, 4324));
+  window.show(4321.2, 4321.4);
+  EXPECT_TRUE(axis_steps(window, 10, {}).empty());
+  EXPECT_THAT(axis_steps(TimeWindow(0), 10, {}), ElementsAre(0, 1));
+}
+
+TEST(TimeWindow, AnAxisIsRoundInTheOtherEnginesSteps) {
+  std::vector<std::string> steps;
+  for (int k = -25; k < 35; ++k) steps.push_back(std::to_string(k));
+  const GivenNames counted({}, steps);
+  std::vector<std::string> labels;
+  for (const std::uint32_t step : axis_steps(TimeWindow(60), 6, counted))
+    labels.push_back(counted.step(step));
+  EXPECT_THAT(labels, ElementsAre("-20", "-10", "0", "10", "20", "30"));
+  const GivenNames gaps({}, {"3", "7", "20"});
+  EXPECT_THAT(axis_steps(TimeWindow(3), 3, gaps), ElementsAre(1, 2, 3)) << "step 0 has no name";
+}
+
+}  // namespace
+}  // namespace kerf
