@@ -3,6 +3,17 @@
 #include "viz/debugger/debugger.h"
 
 namespace kerf {
+namespace {
+
+/// 1 is the first kind, 0 the tenth.
+EventKind kind_of_digit(int digit) { return static_cast<EventKind>((digit + 9) % 10); }
+
+EventKind neighbour(EventKind kind, bool next) {
+  const std::size_t count = kEventKindNames.size();
+  return static_cast<EventKind>((static_cast<std::size_t>(kind) + (next ? 1 : count - 1)) % count);
+}
+
+}  // namespace
 
 void Debugger::take_key(Key key, bool shift) {
   switch (key) {
@@ -67,7 +78,13 @@ void Debugger::take_time_key(Key key, bool shift) {
       return;
     case Key::r:
       return timeline.window.show_all();
+    case Key::k:
+      timeline.kind = neighbour(timeline.kind, !shift);
+      return;
+    case Key::n:
+      return model_.go_to_kind(timeline.kind, !shift);
     default:
+      if (const auto digit = digit_of(key)) model_.go_to_kind(kind_of_digit(*digit), !shift);
       return;
   }
 }

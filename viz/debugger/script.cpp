@@ -85,8 +85,15 @@ const std::map<std::string, Key>& key_names() {
                                                  {"right", Key::right}, {"up", Key::up},
                                                  {"down", Key::down},   {"+", Key::plus},
                                                  {"-", Key::minus},     {"c", Key::c},
-                                                 {"m", Key::m},         {"r", Key::r}};
+                                                 {"m", Key::m},         {"k", Key::k},
+                                                 {"n", Key::n},         {"r", Key::r}};
   return kNames;
+}
+
+std::optional<Key> key_called(const std::string& name) {
+  if (name.size() == 1 && name[0] >= '0' && name[0] <= '9') return key_of_digit(name[0] - '0');
+  const auto found = key_names().find(name);
+  return found == key_names().end() ? std::nullopt : std::optional(found->second);
 }
 
 /// All names, each after a space.
@@ -271,11 +278,10 @@ void ScriptPlayer::press(const ScriptLine& line, const std::string& text) {
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const bool shift = name.starts_with("shift+");
   if (shift) name.erase(0, 6);
-  const auto found = key_names().find(name);
-  if (found == key_names().end())
-    fail(line, "there is no key '" + text + "'; there are" + names_of(key_names()));
+  const auto key = key_called(name);
+  if (!key) fail(line, "there is no key '" + text + "'; there are 0 to 9" + names_of(key_names()));
   input_.shift = shift;
-  input_.key = found->second;
+  input_.key = key;
   frames(1);
   input_.shift = false;
   frames(2);

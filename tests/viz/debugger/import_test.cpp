@@ -93,6 +93,20 @@ TYPED_TEST(ImportedRun, BreakpointsStopWhereTheirPairsAreWrongBothWays) {
   }
 }
 
+TYPED_TEST(ImportedRun, TheNextAlarmIsFoundWithoutAskingTheOracleFirst) {
+  DebuggerModel& model = this->model();
+  model.asks_oracle = false;
+  const Steps alarms{7, 12, 20, 30, 41, kSteps};
+  for (const std::uint32_t step : alarms) {
+    model.go_to_kind(EventKind::alarm, true);
+    EXPECT_EQ(model.run().position(), Position::end_of(step));
+  }
+  model.go_to_kind(EventKind::alarm, true);
+  EXPECT_EQ(model.message, "nothing of the kind 'alarm' further on");
+  model.go_to_kind(EventKind::alarm, false);
+  EXPECT_EQ(model.run().position(), Position::end_of(41));
+}
+
 TYPED_TEST(ImportedRun, TheOracleMarksWhatIsWrongAndNothingElse) {
   DebuggerModel& model = this->model();
   for (std::uint32_t step = 1; step <= kSteps; ++step) {

@@ -164,6 +164,31 @@ TYPED_TEST(DebuggerModelTest, AWatchStopsTheRunWhereItsValueChangesBothWays) {
   EXPECT_EQ(model.run().position(), Position::end_of(59)) << "it is only watched again";
 }
 
+TYPED_TEST(DebuggerModelTest, EveryEventIsReachedByItsKindBothWays) {
+  DebuggerModel& model = this->model();
+  for (const EventKind kind :
+       {EventKind::balance, EventKind::shift_split, EventKind::split, EventKind::swap, EventKind::merge,
+        EventKind::refused, EventKind::scheduled, EventKind::deferred, EventKind::placed, EventKind::phase}) {
+    SCOPED_TRACE(to_string(kind));
+    std::vector<Position> expected;
+    for (std::uint32_t step = 1; step <= this->kSteps; ++step)
+      for (const Event& event : model.run().events_of(step))
+        if (kind_of_event(event) == kind) expected.push_back({step, event.id});
+    EXPECT_EQ(expected.empty(), kind == EventKind::merge) << "the crowd leaves no node empty";
+    if (expected.size() > 40) expected.resize(40);
+    model.go({});
+    for (const Position& there : expected) {
+      model.go_to_kind(kind, true);
+      ASSERT_EQ(model.run().position(), there);
+      ASSERT_EQ(model.timeline.kind, kind);
+    }
+    for (; expected.size() > 1; expected.pop_back()) {
+      ASSERT_EQ(model.run().position(), expected.back());
+      model.go_to_kind(kind, false);
+    }
+  }
+}
+
 TYPED_TEST(DebuggerModelTest, OneSelectionAndWhatIsHidden) {
   DebuggerModel& model = this->model();
   model.select_object(ObjectId{5}, false);

@@ -271,6 +271,54 @@ expect lane_scale !~ nan
   }
 }
 
+TEST(TimelinePanel, KeysAndButtonsGoToEachKindOfMoment) {
+  TimelineDriver driver;
+  EXPECT_EQ(driver.play(R"(
+key 3
+expect deed ~ split
+remember first event
+key 3
+expect event != $first
+key shift+3
+expect event == $first
+key shift+3
+expect event == $first
+expect message == "nothing of the kind 'split' further back"
+key 1
+expect kind == balance
+expect deed ~ balance
+key n
+expect deed ~ balance
+remember balance event
+click "next of kind"
+expect event != $balance
+click "previous of kind"
+expect event == $balance
+click kind
+click "kind placed"
+expect kind == placed
+key n
+expect event != $balance
+key shift+n
+expect event != $balance
+key K
+expect kind == phase
+key n
+expect deed ~ phase
+key Home
+key B
+key End
+key B
+key shift+0
+expect step == 0
+key 0
+expect step == 60
+key 9
+expect message == "nothing of the kind 'alarm' further on"
+)"),
+            "");
+}
+
 /// Of every size: parts lie within the panel, and none lies over another.
 TEST(TimelinePanel, PartsDoNotOverlap) {
   for (const auto& [width, height] : {std::pair(960, 600), std::pair(1280, 720), std::pair(1920, 1080)}) {

@@ -18,6 +18,7 @@ std::string last_error() {
 }
 
 std::optional<Key> key_of(int key) {
+  if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return key_of_digit(key - GLFW_KEY_0);
   static const std::map<int, Key> kKeys{{GLFW_KEY_SPACE, Key::space},
                                         {GLFW_KEY_COMMA, Key::comma},
                                         {GLFW_KEY_PERIOD, Key::period},
@@ -29,7 +30,9 @@ std::optional<Key> key_of(int key) {
                                         {GLFW_KEY_B, Key::b},
                                         {GLFW_KEY_O, Key::o},
                                         {GLFW_KEY_C, Key::c},
+                                        {GLFW_KEY_K, Key::k},
                                         {GLFW_KEY_M, Key::m},
+                                        {GLFW_KEY_N, Key::n},
                                         {GLFW_KEY_R, Key::r},
                                         {GLFW_KEY_ESCAPE, Key::escape},
                                         {GLFW_KEY_ENTER, Key::enter},

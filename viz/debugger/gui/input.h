@@ -34,12 +34,31 @@ enum class Key : std::uint8_t {
   down,
   plus,
   minus,
+  digit_0,  // to 9, in order
+  digit_1,
+  digit_2,
+  digit_3,
+  digit_4,
+  digit_5,
+  digit_6,
+  digit_7,
+  digit_8,
+  digit_9,
+  n,
+  k,
   f1,
   f5,
   f9,
   f12,
   count,
 };
+
+/// The digit of a key; none if it has another meaning.
+constexpr std::optional<int> digit_of(Key key) {
+  if (key < Key::digit_0 || key > Key::digit_9) return std::nullopt;
+  return static_cast<int>(key) - static_cast<int>(Key::digit_0);
+}
+constexpr Key key_of_digit(int digit) { return static_cast<Key>(static_cast<int>(Key::digit_0) + digit); }
 
 /// The user's actions since the last frame, from a window or from a script.
 struct DebuggerInput {

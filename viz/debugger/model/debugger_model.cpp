@@ -1,6 +1,7 @@
 #include "viz/debugger/model/debugger_model.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -20,7 +21,14 @@ void toggle(std::set<T>& set, const T& item) {
   if (!set.erase(item)) set.insert(item);
 }
 
-Ribbon::Kind kind_of(const Event& event) {
+/// The item after or before a moment.
+std::optional<Position> beside(const std::set<Position>& items, const Position& moment, bool forwards) {
+  const auto next = forwards ? items.upper_bound(moment) : items.lower_bound(moment);
+  if (forwards) return next == items.end() ? std::nullopt : std::optional(*next);
+  return next == items.begin() ? std::nullopt : std::optional(*std::prev(next));
+}
+
+Ribbon::Kind kind_of_ribbon(const Event& event) {
   if (has_acted(event)) return Ribbon::Kind::acted;
   return is_outcome(event) ? Ribbon::Kind::refused : Ribbon::Kind::listed;
 }
@@ -90,6 +98,28 @@ void DebuggerModel::run_to_breakpoint(bool forwards) {
   say("stopped at " + to_string(stop->position, run_->names()) + ": " + count_hit(*stop));
 }
 
+std::optional<Position> DebuggerModel::find_kind(EventKind kind, bool forwards,
+                                                 const Run::Progress& progress) {
+  const Position& here = run_->position();
+  if (kind == EventKind::bookmark) return beside(bookmarks_, here, forwards);
+  if (kind != EventKind::alarm || run_->info().imported)
+    return find_event(*run_, kind, here, forwards, progress);
+  std::set<Position> wrong;
+  for (const std::uint32_t step : wrong_steps_) wrong.insert(Position::end_of(step));
+  return beside(wrong, here, forwards);
+}
+
+void DebuggerModel::go_to_kind(EventKind kind, bool forwards) {
+  timeline.kind = kind;
+  bool ended = false;
+  const auto found = find_kind(kind, forwards, noticing(ended));
+  const std::string name(to_string(kind));
+  if (ended) return say("ended before the kind '" + name + "' was found");
+  if (!found) return say("nothing of the kind '" + name + (forwards ? "' further on" : "' further back"));
+  go(*found);
+  say(name + " at " + to_string(*found, run_->names()));
+}
+
 /// Says what stopped the run.
 std::string DebuggerModel::count_hit(const Stop& stop) {
   if (stop.breakpoint) {
@@ -138,7 +168,7 @@ void DebuggerModel::add_node_ribbons(NodeId node) {
     for (const LifeSpan& span : life.divided) add(span, Ribbon::Kind::divided);
   }
   for (const Event& event : run_->history(node))
-    ribbons_->push_back({event.step, event.step, kind_of(event)});
+    ribbons_->push_back({event.step, event.step, kind_of_ribbon(event)});
 }
 
 void DebuggerModel::add_pair_ribbons(const Pair& pair) {

@@ -56,6 +56,8 @@ class DebuggerModel {
   /// To the next moment, either way, at which a breakpoint holds or a watched value makes its change;
   /// says so if there is none.
   void run_to_breakpoint(bool forwards);
+  /// To the next moment of that kind, either way, and chooses the kind; says so if there is none.
+  void go_to_kind(EventKind kind, bool forwards);
   /// Plays on by so many seconds, if it is playing.
   void pass_time(double seconds);
   /// The seconds until it goes on; infinity if it does not play.
@@ -142,6 +144,8 @@ class DebuggerModel {
 
  private:
   std::string count_hit(const Stop& stop);
+  [[nodiscard]] std::optional<Position> find_kind(EventKind kind, bool forwards,
+                                                  const Run::Progress& progress);
   [[nodiscard]] Run::Progress noticing(bool& ended) const;
   void moved();
   void add_node_ribbons(NodeId node);

@@ -25,6 +25,8 @@ constexpr std::array kKeys{
     KeyHelp{"+ and -", "lanes: magnify around this moment, show more; R: the whole run"},
     KeyHelp{"Left, Right", "lanes: pan; Up, Down: choose a lane"},
     KeyHelp{"M, Shift+M", "to the maximum, to the minimum of the chosen lane; C: clip outliers or not"},
+    KeyHelp{"1 to 9, 0", "to the next of a kind, see the list above the lanes; with Shift back"},
+    KeyHelp{"N, Shift+N", "to the next, to the last of the chosen kind; K: choose another"},
     KeyHelp{"F12", "save a picture, named by the moment"},
     KeyHelp{"F1, ?", "this help"},
     KeyHelp{"", ""},

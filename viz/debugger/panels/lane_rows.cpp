@@ -13,6 +13,7 @@ std::string short_value(const std::optional<double>& value) {
   if (!value) return "-";
   if (std::abs(*value) >= 1e6) return number_text(*value / 1e6, 4) + "M";
   if (std::abs(*value) >= 1e5) return number_text(*value / 1e3, 4) + "k";
+  if (*value != 0 && std::abs(*value) < 1e-3) return number_text(*value, 2);
   return number_text(std::round(*value * 1000) / 1000, 5);
 }
 
@@ -128,8 +129,10 @@ void draw_lane(PanelContext& context, std::size_t k, const TimeAxis& axis, LaneB
   const ImU32 color = widgets::to_imgui(palette::kSeries[k % 6], other == nullptr ? 0.75 : 0.45);
   draw_curve(lane, band, axis, color, true);
   if (other != nullptr) draw_curve(*other, band, axis, widgets::to_imgui(palette::kInk), false);
-  draw_extreme_mark(axis, band, lane.greatest_step(), true);
-  draw_extreme_mark(axis, band, lane.least_step(), false);
+  if (lane.greatest_step() != lane.least_step()) {
+    draw_extreme_mark(axis, band, lane.greatest_step(), true);
+    draw_extreme_mark(axis, band, lane.least_step(), false);
+  }
   draw_name(context, k, band);
   draw_values(context, k, axis, band);
 }

@@ -1,8 +1,9 @@
 #include "viz/debugger/panels/timeline_rows.h"
 
 namespace kerf {
+namespace {
 
-void draw_timeline_tools(PanelContext& context) {
+void draw_zoom(PanelContext& context) {
   DebuggerModel& model = context.model;
   if (widgets::button(context.gui, "-", "show more of the run (-)", "zoom out"))
     model.zoom_lanes(1 / kZoomOfKey);
@@ -11,6 +12,44 @@ void draw_timeline_tools(PanelContext& context) {
     model.zoom_lanes(kZoomOfKey);
   ImGui::SameLine();
   if (widgets::button(context.gui, "whole run", "show all of it (R)")) model.timeline.window.show_all();
+}
+
+/// "3 split": the digit is its key.
+std::string kind_label(std::size_t k) {
+  const std::string key = k < 10 ? std::to_string((k + 1) % 10) : " ";
+  return key + " " + std::string(kEventKindNames[k]);
+}
+
+void draw_kinds(PanelContext& context) {
+  DebuggerModel& model = context.model;
+  EventKind& chosen = model.timeline.kind;
+  if (widgets::button(context.gui, "<", "back to the last of this kind (Shift+N, or Shift and its digit)",
+                      "previous of kind"))
+    model.go_to_kind(chosen, false);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(132);
+  const bool open = ImGui::BeginCombo("##kind", kind_label(static_cast<std::size_t>(chosen)).c_str(),
+                                      ImGuiComboFlags_HeightLargest);
+  context.gui.name_last_item("kind");
+  if (open) {
+    for (std::size_t k = 0; k < kEventKindNames.size(); ++k) {
+      const auto kind = static_cast<EventKind>(k);
+      if (widgets::row(context.gui, kind_label(k), "kind " + std::string(to_string(kind)), kind == chosen))
+        chosen = kind;
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::SameLine();
+  if (widgets::button(context.gui, ">", "on to the next of this kind (N, or its digit)", "next of kind"))
+    model.go_to_kind(chosen, true);
+}
+
+}  // namespace
+
+void draw_timeline_tools(PanelContext& context) {
+  draw_zoom(context);
+  ImGui::SameLine(0, 18);
+  draw_kinds(context);
 }
 
 }  // namespace kerf
