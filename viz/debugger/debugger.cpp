@@ -63,7 +63,7 @@ PanelLayout layout_panels(int width, int height) {
   const auto h = static_cast<float>(height);
   const float left = std::floor(std::clamp(0.19F * w, 210.0F, 330.0F));
   const float right = std::floor(std::clamp(0.335F * w, kTabs, 560.0F));
-  const float below = std::floor(std::clamp(0.28F * h, 200.0F, 300.0F));
+  const float below = std::floor(std::clamp(0.28F * h, 212.0F, 300.0F));
   constexpr float kTop = 58;
   const float tools = w - left - right < kToolsInTwoRows ? 82 : 58;
   const float middle = h - kTop - below;

@@ -67,6 +67,10 @@ void add_lanes(Facts& facts, const DebuggerModel& model) {
   const Lane& lane = model.lanes()[timeline.lane];
   facts["lanes_from"] = number_text(timeline.window.first(), 10);
   facts["lanes_to"] = number_text(timeline.window.last(), 10);
+  facts["loops"] = timeline.loops ? "yes" : "no";
+  facts["range"] = timeline.range ? to_text(figures_of(*timeline.range, model.run().rows(), model.lanes()),
+                                            model.run().names())
+                                  : "none";
   facts["kind"] = to_string(timeline.kind);
   facts["lane"] = lane.name();
   facts["lane_min"] = value_text(lane.value(lane.least_step()));

@@ -37,8 +37,9 @@ void Debugger::take_key(Key key, bool shift) {
     case Key::o:
       return static_cast<void>(model_.ask_oracle());
     case Key::escape:
-      if (!std::exchange(memory_.help, false)) model_.select({});
-      return;
+      if (std::exchange(memory_.help, false)) return;
+      model_.select({});
+      return model_.drop_range();
     case Key::f5:
       return model_.run_to_breakpoint(!shift);
     case Key::f9:
@@ -77,7 +78,13 @@ void Debugger::take_time_key(Key key, bool shift) {
       timeline.clips = !timeline.clips;
       return;
     case Key::r:
-      return timeline.window.show_all();
+      return model_.show_range();
+    case Key::s:
+      return model_.begin_range();
+    case Key::e:
+      return model_.end_range();
+    case Key::l:
+      return model_.toggle_loop();
     case Key::k:
       timeline.kind = neighbour(timeline.kind, !shift);
       return;

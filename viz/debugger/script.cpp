@@ -86,7 +86,9 @@ const std::map<std::string, Key>& key_names() {
                                                  {"down", Key::down},   {"+", Key::plus},
                                                  {"-", Key::minus},     {"c", Key::c},
                                                  {"m", Key::m},         {"k", Key::k},
-                                                 {"n", Key::n},         {"r", Key::r}};
+                                                 {"n", Key::n},         {"s", Key::s},
+                                                 {"e", Key::e},         {"l", Key::l},
+                                                 {"r", Key::r}};
   return kNames;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/random.h"
+#include "viz/debugger/model/step_span.h"
 
 namespace kerf {
 namespace {
@@ -131,6 +132,60 @@ TEST(Lanes, AnEmptyRunAndAbsentValuesHaveNoExtremesAndNoNan) {
   EXPECT_EQ(make_lanes({}).size(), 6U);
 }
 
+TEST(StepSpan, AreTheStepsThatTwoTimesLieAround) {
+  EXPECT_EQ(steps_between(2.5, 4.5, 10), (StepSpan{3, 5}));
+  EXPECT_EQ(steps_between(4.5, 2.5, 10), (StepSpan{3, 5}));
+  EXPECT_EQ(steps_between(2, 4, 10), (StepSpan{3, 4}));
+  EXPECT_EQ(steps_between(1.95, 4.05, 10), (StepSpan{3, 4}));
+  EXPECT_EQ(steps_between(2, 2, 10), (StepSpan{3, 3}));
+  EXPECT_EQ(steps_between(10, 10, 10), (StepSpan{10, 10}));
+  EXPECT_EQ(steps_between(-5, 50, 10), (StepSpan{1, 10}));
+}
+
+TEST(StepSpan, FiguresAreThoseOfReadingEachStep) {
+  Random random(9);
+  std::vector<StepRow> rows(200);
+  std::array<std::uint64_t, kOperatorCount> acted{};
+  for (StepRow& row : rows) {
+    for (std::uint64_t& count : acted) count += random.below(3);
+    row.statistics.operators = acted;
+    row.pairs = random.below(900);
+    row.statistics.height = random.below(12);
+    row.statistics.redundancy = random.unit();
+    row.statistics.phase_seconds[2] = random.unit();
+  }
+  const std::vector<Lane> lanes = make_lanes(rows);
+  for (const StepSpan span : {StepSpan{1, 1}, StepSpan{1, 200}, StepSpan{17, 93}, StepSpan{200, 200}}) {
+    const SpanFigures figures = figures_of(span, rows, lanes);
+    SpanFigures read;
+    for (std::uint32_t step = span.first; step <= span.last; ++step) {
+      const StepRow& row = rows[step - 1];
+      for (std::size_t k = 0; k < acted.size(); ++k)
+        read.operators[k] +=
+            row.statistics.operators[k] - (step == 1 ? 0 : rows[step - 2].statistics.operators[k]);
+      read.pairs.add({static_cast<float>(row.pairs), static_cast<float>(row.pairs)});
+      const auto height = static_cast<float>(row.statistics.height);
+      read.height.add({height, height});
+      const auto percent = static_cast<float>(100 * row.statistics.redundancy);
+      read.redundancy.add({percent, percent});
+      read.seconds += row.seconds();
+    }
+    EXPECT_EQ(figures.operators, read.operators);
+    EXPECT_EQ(figures.pairs, read.pairs);
+    EXPECT_EQ(figures.height, read.height);
+    EXPECT_EQ(figures.redundancy, read.redundancy);
+    EXPECT_NEAR(figures.seconds, read.seconds, 1e-4);
+  }
+}
+
+TEST(StepSpan, AbsentFiguresAreADash) {
+  std::vector<StepRow> rows(2);
+  rows[0].statistics.redundancy = std::numeric_limits<double>::quiet_NaN();
+  rows[0].statistics.phase_seconds[0] = std::numeric_limits<double>::infinity();
+  const std::string text = to_text(figures_of({1, 1}, rows, make_lanes(rows)), {});
+  EXPECT_EQ(text, "1 step: no operator; pairs 0; height 0; redundancy -; 0 ms; steps 1 to 1");
+}
+
 std::vector<StepRow> rows_with_events(const std::vector<std::uint64_t>& events) {
   std::vector<StepRow> rows(events.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -198,6 +253,8 @@ TEST(TimeWindow, AnAxisHasRoundNumbers) {
   EXPECT_THAT(axis_steps(window, 10, {}), ElementsAre(4322, 4323, 4324));
   window.show(4321.2, 4321.4);
   EXPECT_TRUE(axis_steps(window, 10, {}).empty());
+  window.show(4321.5, 4338.5);
+  EXPECT_THAT(axis_steps(window, 1, {}), ElementsAre(4338)) << "the round numbers are outside";
   EXPECT_THAT(axis_steps(TimeWindow(0), 10, {}), ElementsAre(0, 1));
 }
 

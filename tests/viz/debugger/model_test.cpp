@@ -252,6 +252,29 @@ TYPED_TEST(DebuggerModelTest, PlayingGoesOnWithTime) {
   EXPECT_FALSE(model.playing) << "it stops at the end";
 }
 
+TYPED_TEST(DebuggerModelTest, PlayingByOperatorsStaysInItsRange) {
+  DebuggerModel& model = this->model();
+  model.timeline.range = StepSpan{20, 24};
+  model.toggle_loop();
+  model.granularity = Granularity::op;
+  std::vector<Position> expected;
+  for (std::uint32_t step = 20; step <= 24; ++step)
+    for (const Event& event : model.run().events_of(step))
+      if (is_outcome(event)) expected.push_back({step, event.id});
+  ASSERT_GT(expected.size(), 2U);
+  model.playing = true;
+  for (int round = 0; round < 2; ++round)
+    for (const Position& there : expected) {
+      model.pass_time(1 / model.speed);
+      ASSERT_EQ(model.run().position(), there);
+    }
+  model.timeline.range = StepSpan{1, 1};
+  model.pass_time(1 / model.speed);
+  EXPECT_FALSE(model.playing) << "no operator acts in the first step";
+  EXPECT_EQ(model.run().position(), Position());
+  EXPECT_THAT(model.message, HasSubstr("the range has nothing"));
+}
+
 TYPED_TEST(DebuggerModelTest, WhatIfRefusesAnOperatorAndComparesFromThere) {
   DebuggerModel& model = this->model();
   model.go(this->first("op==split && kind==acted"));

@@ -1,58 +1,11 @@
 #include <gmock/gmock.h>
 
-#include <optional>
-
-#include "core/replay/judge_theirs.h"
-#include "core/replay/oracle.h"
-#include "tests/support/recorded_crowd.h"
-#include "viz/debugger/script.h"
+#include "tests/viz/debugger/timeline_driver.h"
 
 namespace kerf {
 namespace {
 
-constexpr std::uint32_t kSteps = 60;
-
-/// The debugger on a crowd of so many steps.
-class TimelineDriver {
- public:
-  explicit TimelineDriver(std::uint32_t steps = kSteps) {
-    Bsp<2, EventLog> tree(test::busy_config());
-    Recorder<2> recorder(tree, file_.path(), test::info_of<2>(test::busy_config()));
-    test::play_crowd<2>(recorder, steps, 3, [](std::uint32_t) {});
-    recorder.finish();
-    debugger_.emplace(*context_, open_run(file_.path()));
-  }
-  /// An import whose steps have names.
-  explicit TimelineDriver(const std::vector<std::string>& names) {
-    Bsp<2, EventLog> tree(test::busy_config());
-    RecordingInfo info = test::info_of<2>(test::busy_config());
-    info.imported = true;
-    info.names = GivenNames({}, names);
-    Recorder<2> recorder(tree, file_.path(), info);
-    test::play_crowd<2>(recorder, static_cast<std::uint32_t>(names.size()), 3, [&](std::uint32_t) {
-      const std::vector<Pair> truth = oracle_pairs(tree.objects());
-      recorder.add_theirs(truth, judge_theirs<2>(truth, truth, tree.objects(), TheirWorld<2>(), {}));
-    });
-    recorder.finish();
-    debugger_.emplace(*context_, open_run(file_.path()));
-  }
-
-  /// What the script failed with; empty if it did not.
-  std::string play(const std::string& script, int width = 1280, int height = 720) {
-    try {
-      ScriptPlayer(*debugger_, width, height, {}).play(parse_script(script));
-    } catch (const ScriptError& error) {
-      return error.what();
-    }
-    return "";
-  }
-  [[nodiscard]] Debugger& debugger() { return *debugger_; }
-
- private:
-  test::TemporaryRecording file_;
-  std::unique_ptr<GlContext> context_ = make_offscreen_context();
-  std::optional<Debugger> debugger_;
-};
+using test::TimelineDriver;
 
 TEST(TimelinePanel, TheWheelZoomsAtTheMouseAndPansSideways) {
   TimelineDriver driver;
@@ -261,62 +214,22 @@ click "max operators"
 click "min step ms"
 key Left
 key C
+key S
+key E
+key L
+key Space
+wait 20
+drag scrubber@0.2,0.5 scrubber@0.5,0.5 shift
+expect range !~ nan
+key Escape
 expect message !~ nan
 expect lane_max !~ nan
 expect lane_scale !~ nan
 )"),
               "");
-    EXPECT_EQ(driver.play("expect step == " + std::to_string(steps)), "");
+    EXPECT_EQ(driver.play("key End\nexpect step == " + std::to_string(steps)), "");
     EXPECT_EQ(driver.play(steps == 0 ? "expect lane_max == none" : "expect lane_max != none"), "");
   }
-}
-
-TEST(TimelinePanel, KeysAndButtonsGoToEachKindOfMoment) {
-  TimelineDriver driver;
-  EXPECT_EQ(driver.play(R"(
-key 3
-expect deed ~ split
-remember first event
-key 3
-expect event != $first
-key shift+3
-expect event == $first
-key shift+3
-expect event == $first
-expect message == "nothing of the kind 'split' further back"
-key 1
-expect kind == balance
-expect deed ~ balance
-key n
-expect deed ~ balance
-remember balance event
-click "next of kind"
-expect event != $balance
-click "previous of kind"
-expect event == $balance
-click kind
-click "kind placed"
-expect kind == placed
-key n
-expect event != $balance
-key shift+n
-expect event != $balance
-key K
-expect kind == phase
-key n
-expect deed ~ phase
-key Home
-key B
-key End
-key B
-key shift+0
-expect step == 0
-key 0
-expect step == 60
-key 9
-expect message == "nothing of the kind 'alarm' further on"
-)"),
-            "");
 }
 
 /// Of every size: parts lie within the panel, and none lies over another.
@@ -324,12 +237,17 @@ TEST(TimelinePanel, PartsDoNotOverlap) {
   for (const auto& [width, height] : {std::pair(960, 600), std::pair(1280, 720), std::pair(1920, 1080)}) {
     SCOPED_TRACE(width);
     TimelineDriver driver;
-    EXPECT_EQ(driver.play("key End\nhover 5,300\nwait 2", width, height), "");
+    EXPECT_EQ(driver.play("drag scrubber@0.1,0.5 scrubber@0.9,0.5 shift\nkey End\nhover 5,300\nwait 2", width,
+                          height),
+              "");
     const PanelArea panel = layout_panels(width, height).timeline;
     std::vector<std::pair<std::string, PanelArea>> parts;
     for (const auto& [name, area] : driver.debugger().gui().named())
       if (area.y >= panel.y) parts.emplace_back(name, area);
-    ASSERT_GT(parts.size(), 20U);
+    const auto figures = driver.debugger().gui().find("range figures");
+    ASSERT_TRUE(figures);
+    parts.emplace_back("range figures", *figures);
+    ASSERT_GT(parts.size(), 25U);
     for (const auto& [name, area] : parts) {
       EXPECT_GE(area.x, panel.x) << name;
       EXPECT_LE(area.x + area.width, panel.x + panel.width) << name;

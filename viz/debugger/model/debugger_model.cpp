@@ -147,7 +147,26 @@ void DebuggerModel::pass_time(double seconds) {
     return;
   }
   due_ += seconds * speed;
-  for (; due_ >= 1 && playing; due_ -= 1) step(granularity, true);
+  for (; due_ >= 1 && playing; due_ -= 1) play_on();
+}
+
+/// One step or event further; from the end of a range that loops to its beginning.
+void DebuggerModel::play_on() {
+  if (!timeline.loops || !timeline.range) return step(granularity, true);
+  const Position begin = Position::end_of(timeline.range->first - 1);
+  const Position end = Position::end_of(timeline.range->last);
+  const auto goes_on = [&] { return run_->step(granularity, true) && run_->position() <= end; };
+  const bool is_inside = begin <= run_->position() && run_->position() < end;
+  if (!is_inside || !goes_on()) {
+    run_->go(begin);
+    playing = goes_on();
+    if (!playing) {
+      run_->go(begin);
+      say("the range has nothing of what is chosen beside `play`");
+    }
+  }
+  moved();
+  hovered_candidate = run_->candidate();
 }
 
 double DebuggerModel::seconds_to_next() const {
@@ -269,6 +288,40 @@ void DebuggerModel::zoom_lanes(double factor) {
   window.zoom(factor, around, least_span(around, run_->rows()));
 }
 
+/// The step of this moment that a range can begin or end at; none in an empty run.
+std::optional<std::uint32_t> DebuggerModel::step_of_range() {
+  if (run_->steps() > 0) return std::max(1U, run_->position().step);
+  say("the run has no steps to select");
+  return std::nullopt;
+}
+
+void DebuggerModel::begin_range() {
+  const auto step = step_of_range();
+  if (step) timeline.range = StepSpan{*step, std::max(*step, timeline.range ? timeline.range->last : *step)};
+}
+
+void DebuggerModel::end_range() {
+  const auto step = step_of_range();
+  if (step) timeline.range = StepSpan{std::min(*step, timeline.range ? timeline.range->first : *step), *step};
+}
+
+void DebuggerModel::drop_range() {
+  timeline.range.reset();
+  timeline.loops = false;
+}
+
+void DebuggerModel::toggle_loop() {
+  if (!timeline.range)
+    return say("select a range first: S and E at its ends, or Shift and a drag over the lanes");
+  timeline.loops = !timeline.loops;
+}
+
+void DebuggerModel::show_range() {
+  const TimeWindow seen = timeline.window;
+  if (timeline.range) timeline.window.show(timeline.range->first - 1.0, timeline.range->last);
+  if (!timeline.range || seen == timeline.window) timeline.window.show_all();
+}
+
 void DebuggerModel::go_to_extreme(bool greatest) {
   const Lane& lane = lanes_[timeline.lane];
   const std::uint32_t step = greatest ? lane.greatest_step() : lane.least_step();
@@ -302,6 +355,7 @@ void DebuggerModel::change_over() {
   alarms_.clear();
   wrong_steps_.clear();
   const TimeWindow seen = std::exchange(timeline.window, TimeWindow(run_->steps()));
+  if (timeline.range && timeline.range->last > run_->steps()) drop_range();
   if (!seen.shows_all()) timeline.window.show(seen.first(), seen.last());
   select({});
   moved();

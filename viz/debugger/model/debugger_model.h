@@ -82,6 +82,14 @@ class DebuggerModel {
   Timeline timeline;
   /// Magnifies the lanes by a factor around the present moment, or around their middle if it is not seen.
   void zoom_lanes(double factor);
+  /// Lets the selected range begin or end at the step of this moment.
+  void begin_range();
+  void end_range();
+  void drop_range();
+  /// Plays in the selected range over and over, or no longer.
+  void toggle_loop();
+  /// Shows the selected range; the whole run if there is none, or it is what is shown.
+  void show_range();
   /// Moves the cursor to the greatest or least value of the chosen lane.
   void go_to_extreme(bool greatest);
   /// Hides the selected node or object; shows it again if it was hidden.
@@ -148,6 +156,8 @@ class DebuggerModel {
                                                   const Run::Progress& progress);
   [[nodiscard]] Run::Progress noticing(bool& ended) const;
   void moved();
+  void play_on();
+  [[nodiscard]] std::optional<std::uint32_t> step_of_range();
   void add_node_ribbons(NodeId node);
   void add_pair_ribbons(const Pair& pair);
   void follow();

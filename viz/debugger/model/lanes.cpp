@@ -26,6 +26,9 @@ float percentile_99(std::vector<float>& values) {
 
 Lane::Lane(std::string_view name, std::vector<float> values)
     : name_(name), values_(std::move(values)), pyramid_(values_) {
+  sums_.reserve(values_.size() + 1);
+  sums_.push_back(0);
+  for (const float x : values_) sums_.push_back(sums_.back() + (std::isfinite(x) ? double{x} : 0));
   find_extremes();
   find_outliers();
 }
@@ -58,6 +61,12 @@ std::optional<double> Lane::value(std::uint32_t step) const {
 
 LaneRange Lane::range(std::uint32_t first, std::uint32_t last) const {
   return pyramid_.range(std::max(1U, first) - 1, last);
+}
+
+double Lane::sum(std::uint32_t first, std::uint32_t last) const {
+  const std::size_t end = std::min<std::size_t>(last, values_.size());
+  const std::size_t begin = std::min<std::size_t>(std::max(1U, first) - 1, end);
+  return end == 0 ? 0 : sums_[end] - sums_[begin];
 }
 
 const std::vector<LaneRange>& Lane::columns(const TimeWindow& window, std::size_t columns) const {

@@ -25,6 +25,8 @@ class Lane {
   [[nodiscard]] std::optional<double> value(std::uint32_t step) const;
   /// Of a stretch of steps, both ends included.
   [[nodiscard]] LaneRange range(std::uint32_t first, std::uint32_t last) const;
+  /// Without the absent ones.
+  [[nodiscard]] double sum(std::uint32_t first, std::uint32_t last) const;
   /// The first steps with the least and the greatest value; 0 if all are absent.
   [[nodiscard]] std::uint32_t least_step() const { return least_step_; }
   [[nodiscard]] std::uint32_t greatest_step() const { return greatest_step_; }
@@ -46,6 +48,7 @@ class Lane {
   std::string_view name_;
   std::vector<float> values_;
   LanePyramid pyramid_;
+  std::vector<double> sums_;  ///< number k is of the first k values
   std::uint32_t least_step_ = 0;
   std::uint32_t greatest_step_ = 0;
   float greatest_ = 0;
@@ -57,6 +60,10 @@ class Lane {
   };
   mutable std::array<Columns, 2> columns_;  ///< of the whole run, and of the part last seen
 };
+
+/// The lanes in their order.
+enum class LaneOf : std::uint8_t { operators, pairs, height, redundancy, milliseconds, deferred };
+constexpr std::size_t index_of(LaneOf lane) { return static_cast<std::size_t>(lane); }
 
 /// Operators that acted, pairs, height, redundancy (%), time (ms) and deferred events of each step.
 std::vector<Lane> make_lanes(std::span<const StepRow> rows);

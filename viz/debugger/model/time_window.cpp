@@ -110,7 +110,8 @@ std::vector<std::uint32_t> axis_steps(const TimeWindow& window, std::size_t most
   // Rounded up for names below zero, too.
   std::int64_t next = first / spacing * spacing;
   if (next < first) next += spacing;
-  for (; next <= last; next += spacing)
+  if (next > last) next = last;
+  for (; first <= next && next <= last; next += spacing)
     if (next != shift || !names.names_steps()) steps.push_back(static_cast<std::uint32_t>(next - shift));
   return steps;
 }

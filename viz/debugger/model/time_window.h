@@ -74,8 +74,8 @@ bool events_are_apart(double pixels_per_step, std::uint64_t events);
 /// The least span of a window: it shows a few events of the step at that time.
 double least_span(double time, std::span<const StepRow> rows);
 
-/// The steps that an axis labels, `most` at most: round numbers in the step's names where these are whole
-/// numbers that count up by one, else in the steps' own numbers.
+/// The steps that an axis labels, `most` at most, one at least if any ends in the window: round numbers in
+/// the step's names where these are whole numbers that count up by one, else in the steps' own numbers.
 std::vector<std::uint32_t> axis_steps(const TimeWindow& window, std::size_t most, const GivenNames& names);
 
 }  // namespace kerf

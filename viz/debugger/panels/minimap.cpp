@@ -44,6 +44,11 @@ void draw_minimap(PanelContext& context, const TimeAxis& axis, float top) {
   const std::string name = "map: " + std::string(model.lanes()[model.timeline.lane].name());
   draw_row_ground(whole, top, kTimelineRow, name, palette::kFaintInk);
   draw_whole_run(context, whole, top);
+  if (const auto& range = model.timeline.range)
+    list.AddRectFilled(
+        {whole.x_of(range->first - 1.0), top},
+        {std::max(whole.x_of(range->first - 1.0) + 2, whole.x_of(range->last)), top + kTimelineRow - 1},
+        widgets::to_imgui(palette::kOperator, 0.3));
   const float left = whole.x_of(model.timeline.window.first());
   const float right = std::max(left + 3, whole.x_of(model.timeline.window.last()));
   list.AddRectFilled({left, top}, {right, top + kTimelineRow - 1}, widgets::to_imgui(palette::kMoving, 0.3));

@@ -34,7 +34,26 @@ void turn_wheel(TimeWindow& window, const TimeAxis& axis, std::span<const StepRo
     window.zoom(std::pow(kZoomOfWheel, double{io.MouseWheel}), time, least_span(time, rows));
 }
 
-/// Over the lanes a left drag moves the cursor, a right or middle drag pans.
+/// A drag with Shift selects the steps between its ends; a press without a drag selects one.
+void select_range(PanelContext& context, double time) {
+  DebuggerModel& model = context.model;
+  if (ImGui::IsItemActivated()) context.memory.range_from = time;
+  if (context.memory.range_from && model.run().steps() > 0)
+    model.timeline.range = steps_between(*context.memory.range_from, time, model.run().steps());
+}
+
+/// The selected range over the rows.
+void draw_range(const DebuggerModel& model, const TimeAxis& axis, float top, float bottom) {
+  if (!model.timeline.range) return;
+  const float left = std::max(axis.left, axis.x_of(model.timeline.range->first - 1.0));
+  const float right = std::min(axis.right(), axis.x_of(model.timeline.range->last));
+  if (left >= right) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({left, top}, {right, bottom}, widgets::to_imgui(palette::kOperator, 0.1));
+  list.AddRect({left, top}, {right, bottom}, widgets::to_imgui(palette::kOperator, 0.5));
+}
+
+/// Over the lanes a left drag moves the cursor or, with Shift, selects; a right or middle drag pans.
 void use_lanes(PanelContext& context, const TimeAxis& axis, float top, float bottom) {
   constexpr auto kButtons = ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                             ImGuiButtonFlags_MouseButtonMiddle;
@@ -51,7 +70,10 @@ void use_lanes(PanelContext& context, const TimeAxis& axis, float top, float bot
   const Position there = moment_at(time, axis.scale.pixels_per_step(), rows);
   if (ImGui::IsItemActive() && pans)
     model.timeline.window.pan(-double{io.MouseDelta.x} / axis.scale.pixels_per_step());
-  if (ImGui::IsItemActive() && !pans && io.MouseDown[0]) model.go(there);
+  if (!io.MouseDown[0]) context.memory.range_from.reset();
+  const bool selects = io.KeyShift || context.memory.range_from;
+  if (ImGui::IsItemActive() && !pans && selects) select_range(context, time);
+  if (ImGui::IsItemActive() && !pans && !selects) model.go(there);
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) show_moment(model, there);
 }
 
@@ -71,6 +93,7 @@ void draw_timeline(PanelContext& context) {
   draw_ribbons(context, axis, y + 2 * kTimelineRow);
   const float end_of_rows = y + 3 * kTimelineRow - 1;
   draw_time_ruler(context, axis, origin.y - 1, end_of_rows);
+  draw_range(model, axis, origin.y + kTimelineRow - 3, end_of_rows);
   const double now = time_of(model.run().position(), model.run().rows());
   const float x = axis.x_of(now);
   if (axis.has(now))

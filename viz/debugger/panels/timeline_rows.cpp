@@ -50,6 +50,14 @@ Color color_of_kind(EventKind kind) {
   return kind == EventKind::refused ? palette::kCandidate : palette::kFaintInk;
 }
 
+/// "e17 split", "e18 phase sweep"
+std::string event_label(const Event& event) {
+  const auto phase = phase_of(event);
+  const std::string_view kind = to_string(kind_of_event(event));
+  return "e" + std::to_string(event.id) + " " + std::string(kind) +
+         (phase ? " " + std::string(to_string(*phase)) : "");
+}
+
 /// Each event of a step as a line, with its id and what it is where there is room.
 void draw_events_of_step(PanelContext& context, const TimeAxis& axis, const StepRow& row, float top) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -62,13 +70,12 @@ void draw_events_of_step(PanelContext& context, const TimeAxis& axis, const Step
     const EventKind kind = kind_of_event(event);
     list.AddRectFilled({x - 1, top + (is_outcome(event) ? 0.0F : 5.0F)}, {x + 1, top + kTimelineRow - 1},
                        widgets::to_imgui(color_of_kind(kind)));
-    const auto phase = phase_of(event);
-    const std::string text =
-        "e" + std::to_string(event.id) + " " +
-        (phase ? "phase " + std::string(to_string(*phase)) : std::string(to_string(kind)));
-    const float width = ImGui::CalcTextSize(text.c_str()).x;
-    if (width + 10 < room && x + 4 + width < axis.right())
+    for (const std::string& text : {event_label(event), "e" + std::to_string(event.id)}) {
+      const float width = ImGui::CalcTextSize(text.c_str()).x;
+      if (width + 10 > room || x + 4 + width > axis.right()) continue;
       list.AddText({x + 4, top - 1}, widgets::to_imgui(palette::kInk), text.c_str());
+      break;
+    }
   }
 }
 
@@ -125,8 +132,12 @@ void draw_time_ruler(PanelContext& context, const TimeAxis& axis, float top, flo
   const std::size_t letters = std::max(names.step(1).size(), names.step(run.steps()).size());
   const float wide = ImGui::CalcTextSize("m").x * static_cast<float>(letters) + 24;
   RulerLabels labels(axis, top);
-  for (const std::uint32_t step :
-       axis_steps(axis.scale.window, static_cast<std::size_t>(axis.width() / wide), names)) {
+  const auto steps = axis_steps(axis.scale.window, static_cast<std::size_t>(axis.width() / wide), names);
+  if (steps.empty()) {
+    const auto step = static_cast<std::uint32_t>(axis.scale.window.last()) + 1;
+    labels.place(axis.left + 0.5F * axis.width(), "within step " + names.step(step), palette::kInk);
+  }
+  for (const std::uint32_t step : steps) {
     if (step > run.steps()) break;
     const float tick = axis.x_of(step);
     list.AddLine({tick, top + kTimelineRow - 3}, {tick, bottom}, widgets::to_imgui(palette::kFaintInk, 0.25));

@@ -44,12 +44,42 @@ void draw_kinds(PanelContext& context) {
     model.go_to_kind(chosen, true);
 }
 
+/// The figures of the selected range, beside the buttons or below them.
+void draw_figures(PanelContext& context) {
+  const DebuggerModel& model = context.model;
+  const std::string text =
+      to_text(figures_of(*model.timeline.range, model.run().rows(), model.lanes()), model.run().names());
+  widgets::beside_or_below(ImGui::CalcTextSize(text.c_str()).x);
+  const std::string shown = widgets::elided(text, ImGui::GetContentRegionAvail().x);
+  ImGui::TextUnformatted(shown.c_str());
+  context.gui.note_last_item("range figures");
+  if (shown != text) widgets::hint(text.c_str());
+}
+
+void draw_range_tools(PanelContext& context) {
+  DebuggerModel& model = context.model;
+  if (!model.timeline.range) {
+    ImGui::TextDisabled("Shift and a drag, or S and E: select steps");
+    return;
+  }
+  bool loops = model.timeline.loops;
+  if (widgets::checkbox(context.gui, "loop", loops, "play the range over and over (L)")) model.toggle_loop();
+  ImGui::SameLine();
+  if (widgets::button(context.gui, "show range", "magnify it; again: the whole run (R)")) model.show_range();
+  ImGui::SameLine();
+  const bool drops = widgets::button(context.gui, "x", "select no range (Esc)", "drop range");
+  draw_figures(context);
+  if (drops) model.drop_range();
+}
+
 }  // namespace
 
 void draw_timeline_tools(PanelContext& context) {
   draw_zoom(context);
   ImGui::SameLine(0, 18);
   draw_kinds(context);
+  ImGui::SameLine(0, 18);
+  draw_range_tools(context);
 }
 
 }  // namespace kerf

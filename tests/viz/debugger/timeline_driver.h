@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/replay/judge_theirs.h"
+#include "core/replay/oracle.h"
+#include "tests/support/recorded_crowd.h"
+#include "viz/debugger/script.h"
+
+namespace kerf::test {
+
+/// The debugger on a crowd of so many steps.
+class TimelineDriver {
+ public:
+  explicit TimelineDriver(std::uint32_t steps = 60) {
+    Bsp<2, EventLog> tree(busy_config());
+    Recorder<2> recorder(tree, file_.path(), info_of<2>(busy_config()));
+    play_crowd<2>(recorder, steps, 3, [](std::uint32_t) {});
+    recorder.finish();
+    debugger_.emplace(*context_, open_run(file_.path()));
+  }
+  /// An import whose steps have names.
+  explicit TimelineDriver(const std::vector<std::string>& names) {
+    Bsp<2, EventLog> tree(busy_config());
+    RecordingInfo info = info_of<2>(busy_config());
+    info.imported = true;
+    info.names = GivenNames({}, names);
+    Recorder<2> recorder(tree, file_.path(), info);
+    play_crowd<2>(recorder, static_cast<std::uint32_t>(names.size()), 3, [&](std::uint32_t) {
+      const std::vector<Pair> truth = oracle_pairs(tree.objects());
+      recorder.add_theirs(truth, judge_theirs<2>(truth, truth, tree.objects(), TheirWorld<2>(), {}));
+    });
+    recorder.finish();
+    debugger_.emplace(*context_, open_run(file_.path()));
+  }
+
+  /// What the script failed with; empty if it did not.
+  std::string play(const std::string& script, int width = 1280, int height = 720) {
+    try {
+      ScriptPlayer(*debugger_, width, height, {}).play(parse_script(script));
+    } catch (const ScriptError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  [[nodiscard]] Debugger& debugger() { return *debugger_; }
+
+ private:
+  TemporaryRecording file_;
+  std::unique_ptr<GlContext> context_ = make_offscreen_context();
+  std::optional<Debugger> debugger_;
+};
+
+}  // namespace kerf::test
