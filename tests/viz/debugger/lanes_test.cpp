@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/base/random.h"
+#include "viz/debugger/model/ribbons.h"
 #include "viz/debugger/model/step_span.h"
 
 namespace kerf {
@@ -67,6 +68,8 @@ TEST(Lanes, NoPeakIsLostWhereStepsShareAColumn) {
   const auto seen = lane.columns(part, 20);
   EXPECT_EQ(std::ranges::count(seen, LaneRange{9, 9}), 2) << "each of ten steps has two columns";
   EXPECT_EQ(seen[14], (LaneRange{9, 9}));
+  part.pan(-10);
+  EXPECT_EQ(std::ranges::count(lane.columns(part, 20), LaneRange{1, 1}), 20) << "seen is another part";
   EXPECT_EQ(lane.columns(all, 100), columns) << "columns of another window are not kept for this one";
 }
 
@@ -184,6 +187,23 @@ TEST(StepSpan, AbsentFiguresAreADash) {
   rows[0].statistics.phase_seconds[0] = std::numeric_limits<double>::infinity();
   const std::string text = to_text(figures_of({1, 1}, rows, make_lanes(rows)), {});
   EXPECT_EQ(text, "1 step: no operator; pairs 0; height 0; redundancy -; 0 ms; steps 1 to 1");
+}
+
+TEST(Ribbons, NoMoreAreDrawnThanThereArePixels) {
+  using Kind = Ribbon::Kind;
+  std::vector<Ribbon> ribbons{{1, 100'000, Kind::life}};
+  for (std::uint32_t step = 1; step <= 100'000; ++step)
+    ribbons.push_back({step, step, step % 2 == 0 ? Kind::acted : Kind::listed});
+  TimeScale scale{TimeWindow(100'000), 900};
+  const auto seen = thin_out(ribbons, scale);
+  EXPECT_LE(seen.size(), 2 * 901U + 1);
+  std::vector<int> pixels(900);
+  for (const Ribbon& ribbon : seen)
+    if (ribbon.kind == Kind::acted) ++pixels[static_cast<std::size_t>(scale.x_of(ribbon.begin()))];
+  EXPECT_EQ(std::ranges::count(pixels, 0), 0) << "no pixel of those is left out";
+  EXPECT_EQ(seen[0], ribbons[0]);
+  scale.window.show(10, 20);
+  EXPECT_EQ(thin_out(ribbons, scale).size(), 1 + 10U) << "those that reach into the window";
 }
 
 std::vector<StepRow> rows_with_events(const std::vector<std::uint64_t>& events) {

@@ -8,18 +8,21 @@
 #include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
 #include "tests/support/recorded_crowd.h"
+#include "tests/support/tampering.h"
 #include "viz/debugger/script.h"
 
 namespace kerf::test {
 
-/// The debugger on a crowd of so many steps.
+/// The debugger on a crowd of so many steps, whose recording may be changed.
 class TimelineDriver {
  public:
-  explicit TimelineDriver(std::uint32_t steps = 60) {
+  explicit TimelineDriver(std::uint32_t steps = 60, const std::string& sql = "") {
     Bsp<2, EventLog> tree(busy_config());
     Recorder<2> recorder(tree, file_.path(), info_of<2>(busy_config()));
     play_crowd<2>(recorder, steps, 3, [](std::uint32_t) {});
     recorder.finish();
+    if (!sql.empty()) file_.change(sql);
+    if (!sql.empty()) reseal(file_.path());
     debugger_.emplace(*context_, open_run(file_.path()));
   }
   /// An import whose steps have names.

@@ -70,7 +70,10 @@ drag minimap@0.5,0.5 minimap@0.75,0.5
 expect lanes_from > 37
 expect lanes_from < 38
 expect step == 0
-hover minimap@0.5,0.5
+remember from lanes_from
+hover minimap@0.3,0.5
+hover minimap@0.6,0.5
+expect lanes_from == $from
 wheel -40
 expect lanes_to == 60
 )"),
@@ -232,11 +235,33 @@ expect lane_scale !~ nan
   }
 }
 
+/// A step of 120 has ten times the redundancy of the others.
+constexpr const char* kOutliers =
+    "UPDATE steps SET redundancy = 0.01; UPDATE steps SET redundancy = 0.1 WHERE step = 7";
+
+TEST(TimelinePanel, ALaneWithOutliersSaysSoAndShowsThemOnRequest) {
+  TimelineDriver driver(120, kOutliers);
+  EXPECT_EQ(driver.play(R"(
+click "lane redundancy %"
+expect lane_above == 1
+expect lane_scale == 1
+expect lane_max == 10
+click "1 above p99"
+expect lane_above == 0
+expect lane_scale == 10
+key C
+expect lane_above == 1
+key M
+expect step == 7
+)"),
+            "");
+}
+
 /// Of every size: parts lie within the panel, and none lies over another.
 TEST(TimelinePanel, PartsDoNotOverlap) {
   for (const auto& [width, height] : {std::pair(960, 600), std::pair(1280, 720), std::pair(1920, 1080)}) {
     SCOPED_TRACE(width);
-    TimelineDriver driver;
+    TimelineDriver driver(120, kOutliers);
     EXPECT_EQ(driver.play("drag scrubber@0.1,0.5 scrubber@0.9,0.5 shift\nkey End\nhover 5,300\nwait 2", width,
                           height),
               "");

@@ -1,7 +1,6 @@
 #include "viz/debugger/model/debugger_model.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -19,13 +18,6 @@ constexpr std::uint32_t kMostForOracle = 8000;
 template <class T>
 void toggle(std::set<T>& set, const T& item) {
   if (!set.erase(item)) set.insert(item);
-}
-
-/// The item after or before a moment.
-std::optional<Position> beside(const std::set<Position>& items, const Position& moment, bool forwards) {
-  const auto next = forwards ? items.upper_bound(moment) : items.lower_bound(moment);
-  if (forwards) return next == items.end() ? std::nullopt : std::optional(*next);
-  return next == items.begin() ? std::nullopt : std::optional(*std::prev(next));
 }
 
 Ribbon::Kind kind_of_ribbon(const Event& event) {
@@ -98,28 +90,6 @@ void DebuggerModel::run_to_breakpoint(bool forwards) {
   say("stopped at " + to_string(stop->position, run_->names()) + ": " + count_hit(*stop));
 }
 
-std::optional<Position> DebuggerModel::find_kind(EventKind kind, bool forwards,
-                                                 const Run::Progress& progress) {
-  const Position& here = run_->position();
-  if (kind == EventKind::bookmark) return beside(bookmarks_, here, forwards);
-  if (kind != EventKind::alarm || run_->info().imported)
-    return find_event(*run_, kind, here, forwards, progress);
-  std::set<Position> wrong;
-  for (const std::uint32_t step : wrong_steps_) wrong.insert(Position::end_of(step));
-  return beside(wrong, here, forwards);
-}
-
-void DebuggerModel::go_to_kind(EventKind kind, bool forwards) {
-  timeline.kind = kind;
-  bool ended = false;
-  const auto found = find_kind(kind, forwards, noticing(ended));
-  const std::string name(to_string(kind));
-  if (ended) return say("ended before the kind '" + name + "' was found");
-  if (!found) return say("nothing of the kind '" + name + (forwards ? "' further on" : "' further back"));
-  go(*found);
-  say(name + " at " + to_string(*found, run_->names()));
-}
-
 /// Says what stopped the run.
 std::string DebuggerModel::count_hit(const Stop& stop) {
   if (stop.breakpoint) {
@@ -150,31 +120,15 @@ void DebuggerModel::pass_time(double seconds) {
   for (; due_ >= 1 && playing; due_ -= 1) play_on();
 }
 
-/// One step or event further; from the end of a range that loops to its beginning.
-void DebuggerModel::play_on() {
-  if (!timeline.loops || !timeline.range) return step(granularity, true);
-  const Position begin = Position::end_of(timeline.range->first - 1);
-  const Position end = Position::end_of(timeline.range->last);
-  const auto goes_on = [&] { return run_->step(granularity, true) && run_->position() <= end; };
-  const bool is_inside = begin <= run_->position() && run_->position() < end;
-  if (!is_inside || !goes_on()) {
-    run_->go(begin);
-    playing = goes_on();
-    if (!playing) {
-      run_->go(begin);
-      say("the range has nothing of what is chosen beside `play`");
-    }
-  }
-  moved();
-  hovered_candidate = run_->candidate();
-}
-
 double DebuggerModel::seconds_to_next() const {
   return playing ? (1 - due_) / speed : std::numeric_limits<double>::infinity();
 }
 
 void DebuggerModel::select(const Selection& selection) {
-  if (selection_ != selection) ribbons_.reset();
+  if (selection_ != selection) {
+    ribbons_.reset();
+    shown_ribbons_.reset();
+  }
   selection_ = selection;
 }
 
@@ -205,6 +159,12 @@ const std::vector<Ribbon>& DebuggerModel::ribbons() {
                         NothingFor<void, std::monostate, ObjectId>()},
              selection_);
   return *ribbons_;
+}
+
+const std::vector<Ribbon>& DebuggerModel::shown_ribbons(const TimeScale& scale) {
+  if (!shown_ribbons_ || shown_scale_ != scale) shown_ribbons_ = thin_out(ribbons(), scale);
+  shown_scale_ = scale;
+  return *shown_ribbons_;
 }
 
 void DebuggerModel::select_object(ObjectId object, bool makes_pair) {
@@ -278,55 +238,6 @@ const Alarm& DebuggerModel::ask_oracle() {
   const Alarm alarm{step, judgement.missed.size(), judgement.extra.size(), judgement.twice.size()};
   if (alarm.is_wrong()) wrong_steps_.insert(step);
   return alarms_.emplace(step, alarm).first->second;
-}
-
-void DebuggerModel::zoom_lanes(double factor) {
-  TimeWindow& window = timeline.window;
-  const double now = time_of(run_->position(), run_->rows());
-  const bool is_seen = window.first() <= now && now <= window.last();
-  const double around = is_seen ? now : window.first() + 0.5 * window.span();
-  window.zoom(factor, around, least_span(around, run_->rows()));
-}
-
-/// The step of this moment that a range can begin or end at; none in an empty run.
-std::optional<std::uint32_t> DebuggerModel::step_of_range() {
-  if (run_->steps() > 0) return std::max(1U, run_->position().step);
-  say("the run has no steps to select");
-  return std::nullopt;
-}
-
-void DebuggerModel::begin_range() {
-  const auto step = step_of_range();
-  if (step) timeline.range = StepSpan{*step, std::max(*step, timeline.range ? timeline.range->last : *step)};
-}
-
-void DebuggerModel::end_range() {
-  const auto step = step_of_range();
-  if (step) timeline.range = StepSpan{std::min(*step, timeline.range ? timeline.range->first : *step), *step};
-}
-
-void DebuggerModel::drop_range() {
-  timeline.range.reset();
-  timeline.loops = false;
-}
-
-void DebuggerModel::toggle_loop() {
-  if (!timeline.range)
-    return say("select a range first: S and E at its ends, or Shift and a drag over the lanes");
-  timeline.loops = !timeline.loops;
-}
-
-void DebuggerModel::show_range() {
-  const TimeWindow seen = timeline.window;
-  if (timeline.range) timeline.window.show(timeline.range->first - 1.0, timeline.range->last);
-  if (!timeline.range || seen == timeline.window) timeline.window.show_all();
-}
-
-void DebuggerModel::go_to_extreme(bool greatest) {
-  const Lane& lane = lanes_[timeline.lane];
-  const std::uint32_t step = greatest ? lane.greatest_step() : lane.least_step();
-  if (step == 0) return say("the lane " + std::string(lane.name()) + " has no values");
-  go(Position::end_of(step));
 }
 
 void DebuggerModel::compare_with(std::unique_ptr<Run> other) {

@@ -10,6 +10,7 @@
 #include "core/query/counterpart.h"
 #include "viz/debugger/model/breakpoint.h"
 #include "viz/debugger/model/lanes.h"
+#include "viz/debugger/model/ribbons.h"
 #include "viz/debugger/model/run.h"
 #include "viz/debugger/model/timeline.h"
 #include "viz/debugger/model/view_settings.h"
@@ -23,21 +24,6 @@ struct Alarm {
   std::uint64_t extra = 0;
   std::uint64_t twice = 0;
   [[nodiscard]] bool is_wrong() const { return missed + extra + twice > 0; }
-};
-
-/// A span of the selection's history.
-struct Ribbon {
-  enum class Kind : std::uint8_t {
-    life,     ///< a node, from the split that made it to the merge or swap that ended it
-    divided,  ///< within its life: it had children
-    listed,   ///< Algorithm 1 listed an operator at the node ...
-    refused,  ///< ... that did not act
-    acted,
-    pair,  ///< two objects were one
-  };
-  std::uint32_t first_step = 0;  ///< 0: from the beginning
-  std::uint32_t last_step = 0;
-  Kind kind = Kind::pair;
 };
 
 /// The complete state and behaviour of the debugger, without a window: panels and scripts only call it.
@@ -76,6 +62,8 @@ class DebuggerModel {
   /// The lives of the selected node and its operators, or the times when the selected pair was one: in the
   /// whole run, the lowest first.
   [[nodiscard]] const std::vector<Ribbon>& ribbons();
+  /// Those that can be seen, see `thin_out`. Kept until the scale or the selection changes.
+  [[nodiscard]] const std::vector<Ribbon>& shown_ribbons(const TimeScale& scale);
 
   // Seeing.
   ViewSettings view;
@@ -173,6 +161,8 @@ class DebuggerModel {
   std::uint32_t findings_within_ = 0;
   Selection selection_;
   std::optional<std::vector<Ribbon>> ribbons_;  ///< of the selection
+  std::optional<std::vector<Ribbon>> shown_ribbons_;
+  TimeScale shown_scale_;
   std::vector<WatchedValue> watches_;
   std::set<Position> bookmarks_;
   std::map<std::uint32_t, Alarm> alarms_;

@@ -59,6 +59,7 @@ struct TimeScale {
   [[nodiscard]] double pixels_per_step() const { return width / window.span(); }
   [[nodiscard]] double x_of(double time) const { return (time - window.first()) * pixels_per_step(); }
   [[nodiscard]] double time_at(double x) const { return window.first() + x / pixels_per_step(); }
+  friend bool operator==(const TimeScale&, const TimeScale&) = default;
 };
 
 inline constexpr double kZoomOfWheel = 1.25;  ///< a turn of the wheel magnifies by so much

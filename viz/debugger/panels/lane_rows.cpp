@@ -62,7 +62,7 @@ bool text_button(PanelContext& context, const PanelArea& area, const std::string
                  const std::string& name, Color ink, const std::string& hint) {
   ImGui::SetCursorScreenPos({area.x, area.y});
   const bool pressed = ImGui::InvisibleButton(name.c_str(), {area.width, area.height});
-  context.gui.name_last_item(name);
+  context.gui.name_last_item(name, text);
   const float y = area.y + 0.5F * (area.height - kLetterHeight);
   if (ImGui::IsItemHovered()) ink = palette::kOperator;
   ImGui::GetWindowDrawList()->AddText({area.x, y}, widgets::to_imgui(ink), text.c_str());

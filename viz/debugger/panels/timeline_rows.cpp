@@ -202,19 +202,10 @@ void draw_ribbons(PanelContext& context, const TimeAxis& axis, float top) {
       nothing ? "selected" : to_string(context.model.selection(), context.model.run().names());
   draw_row_ground(axis, top, kTimelineRow, widgets::elided(name, kTimelineNames - 8),
                   nothing ? palette::kFaintInk : palette::kInk);
-  const TimeWindow& window = axis.scale.window;
-  float drawn_to = 0;
-  std::optional<Ribbon::Kind> drawn;
-  for (const Ribbon& ribbon : context.model.ribbons()) {
-    const double begin = std::max(0.0, ribbon.first_step - 1.0);
-    if (begin > window.last() || ribbon.last_step < window.first()) continue;
+  for (const Ribbon& ribbon : context.model.shown_ribbons(axis.scale)) {
     const RibbonLook look = look_of(ribbon.kind);
-    const float left = std::max(axis.left, axis.x_of(begin));
+    const float left = std::max(axis.left, axis.x_of(ribbon.begin()));
     const float right = std::min(axis.right(), std::max(left + 2, axis.x_of(ribbon.last_step)));
-    // Many in one column of pixels are drawn once.
-    if (drawn == ribbon.kind && right <= drawn_to) continue;
-    drawn = ribbon.kind;
-    drawn_to = right;
     const float margin = 1 + std::round(look.margin * (kTimelineRow - 3));
     list.AddRectFilled({left, top + margin}, {right, top + kTimelineRow - 1 - margin},
                        widgets::to_imgui(look.color, look.alpha));
