@@ -100,7 +100,7 @@ void draw_values(PanelContext& context, std::size_t k, const TimeAxis& axis, con
   const std::string name(lane.name());
   float x = axis.right() + 6;
   const std::string now = short_value(lane.value(model.run().position().step));
-  ImGui::GetWindowDrawList()->AddText({x, band.top + 0.5F * (band.height - kLetterHeight)},
+  ImGui::GetWindowDrawList()->AddText({x, band.top + 0.5F * (band.height - 1 - kLetterHeight)},
                                       widgets::to_imgui(palette::kInk), now.c_str());
   for (const bool greatest : {false, true}) {
     x += kTimelineValue;

@@ -23,7 +23,7 @@ std::string kind_label(std::size_t k) {
 void draw_kinds(PanelContext& context) {
   DebuggerModel& model = context.model;
   EventKind& chosen = model.timeline.kind;
-  if (widgets::button(context.gui, "<", "back to the last of this kind (Shift+N, or Shift and its digit)",
+  if (widgets::button(context.gui, "<", "back to the previous of this kind (Shift+N, or Shift and its digit)",
                       "previous of kind"))
     model.go_to_kind(chosen, false);
   ImGui::SameLine();
