@@ -13,6 +13,11 @@
 
 namespace kerf::test {
 
+/// Two objects at rest, so that many steps take little time.
+struct LongRun {
+  std::uint32_t steps = 0;
+};
+
 /// The debugger on a crowd of so many steps, whose recording may be changed.
 class TimelineDriver {
  public:
@@ -23,6 +28,17 @@ class TimelineDriver {
     recorder.finish();
     if (!sql.empty()) file_.change(sql);
     if (!sql.empty()) reseal(file_.path());
+    debugger_.emplace(*context_, open_run(file_.path()));
+  }
+  explicit TimelineDriver(const LongRun& run) {
+    Bsp<2, EventLog> tree(busy_config());
+    Recorder<2> recorder(tree, file_.path(), info_of<2>(busy_config()));
+    for (const std::uint32_t k : {0U, 1U}) {
+      const auto x = 0.5F * static_cast<float>(k);
+      (void)recorder.insert(ObjectId{k}, Box<2>{{x, 0}, {x + 1, 1}}, Mobility::moving);
+    }
+    for (std::uint32_t step = 0; step < run.steps; ++step) recorder.step();
+    recorder.finish();
     debugger_.emplace(*context_, open_run(file_.path()));
   }
   /// An import whose steps have names.

@@ -162,6 +162,29 @@ expect event != $event
             "");
 }
 
+TEST(TimelinePanel, ALongRunIsSeenAsAWholeAndByEvents) {
+  TimelineDriver driver(test::LongRun{100'000});
+  EXPECT_EQ(driver.play(R"(
+expect lanes_to == 100000
+hover scrubber@0.5,0.5
+wheel 80
+expect lanes_from > 49998
+expect lanes_to < 50002
+drag scrubber@0.3,0.5 scrubber@0.4,0.5
+expect event != none
+expect step > 49998
+expect step < 50002
+key End
+expect lanes_to == 100000
+expect lanes_from > 99990
+wheel -80
+expect lanes_from == 0
+drag scrubber@0.2,0.5 scrubber@0.6,0.5 shift
+expect range ~ "pairs 1; height 0;"
+)"),
+            "");
+}
+
 TEST(TimelinePanel, TheLanesFollowTheMoment) {
   TimelineDriver driver;
   EXPECT_EQ(driver.play(R"(

@@ -86,7 +86,7 @@ void draw_name(PanelContext& context, std::size_t k, const LaneBand& band) {
   const std::string hint = "The scale ends at the 99th percentile, " +
                            number_text(double{lane.scale_end(true)}) + "; " +
                            counted(lane.above(), "step is", "steps are") +
-                           " above it and have a cap. Press: scales end at the maximum (C)";
+                           " above it and have a cap.\nPress: scales end at the maximum (C)";
   const std::string full = "to maximum";
   const std::string& shown = timeline.clips ? above : full;
   if (text_button(context, {left + kTimelineNames - 16 - width, band.top, width, band.height - 1}, shown,
