@@ -102,6 +102,10 @@ TEST(ReferencePanels, PanelsOfTheDebugger) {
   EXPECT_EQ(still.compare("view-3d", kLayout.view), "");
   EXPECT_EQ(still.compare("tools", kLayout.tools), "");
   EXPECT_EQ(still.compare("lanes", kLayout.timeline), "");
+  still.play("drag scrubber@0.3,0.5 scrubber@0.4,0.5 shift\nkey R\nkey L\nhover 5,300\nwait 2");
+  EXPECT_EQ(still.compare("lanes-range", kLayout.timeline), "");
+  still.play("key +\nkey +\nkey +\nkey +\nkey B\nclick n0\nhover 5,300\nwait 2");
+  EXPECT_EQ(still.compare("lanes-events", kLayout.timeline), "");
 }
 
 TEST(ReferencePanels, TabsOfTheDebugger) {

@@ -63,7 +63,7 @@ PanelLayout layout_panels(int width, int height) {
   const auto h = static_cast<float>(height);
   const float left = std::floor(std::clamp(0.19F * w, 210.0F, 330.0F));
   const float right = std::floor(std::clamp(0.335F * w, kTabs, 560.0F));
-  const float below = std::floor(std::clamp(0.22F * h, 140.0F, 230.0F));
+  const float below = std::floor(std::clamp(0.28F * h, 212.0F, 300.0F));
   constexpr float kTop = 58;
   const float tools = w - left - right < kToolsInTwoRows ? 82 : 58;
   const float middle = h - kTop - below;
@@ -142,46 +142,6 @@ void Debugger::report(std::string message, bool is_error) {
   model_.message_is_error = is_error;
 }
 
-void Debugger::take_key(Key key, bool shift) {
-  switch (key) {
-    case Key::space:
-      model_.playing = !model_.playing;
-      return;
-    case Key::comma:
-    case Key::period:
-      return model_.step(shift ? Granularity::step : model_.granularity, key == Key::period);
-    case Key::home:
-    case Key::end:
-      return model_.step(Granularity::run, key == Key::end);
-    case Key::f:
-      return view_->focus(model_.selection());
-    case Key::h:
-      return model_.toggle_hidden();
-    case Key::i:
-      return model_.toggle_isolated();
-    case Key::b:
-      return model_.toggle_bookmark();
-    case Key::o:
-      return static_cast<void>(model_.ask_oracle());
-    case Key::escape:
-      if (!std::exchange(memory_.help, false)) model_.select({});
-      return;
-    case Key::f5:
-      return model_.run_to_breakpoint(!shift);
-    case Key::f9:
-      return model_.toggle_breakpoint_here();
-    case Key::f12:
-      memory_.screenshot = true;
-      return;
-    case Key::f1:
-    case Key::question:
-      memory_.help = !memory_.help;
-      return;
-    default:
-      return;
-  }
-}
-
 /// The compared run is seen beside this one, from the same place and in the same colours.
 void Debugger::update_views(const PanelLayout& layout) {
   Run* const other = model_.other();
@@ -218,7 +178,8 @@ void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
   in_window("tools", layout.tools, [&] { draw_view_tools(context); });
   draw_view(context, layout);
   in_window(
-      "timeline", layout.timeline, [&] { draw_timeline(context); }, ImGuiWindowFlags_NoScrollbar);
+      "timeline", layout.timeline, [&] { draw_timeline(context); },
+      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   draw_help(context);
 }
 

@@ -63,6 +63,7 @@ class Debugger {
 
  private:
   void take_key(Key key, bool shift);
+  void take_time_key(Key key, bool shift);
   void update_views(const PanelLayout& layout);
   void draw_panels(PanelContext& context, const PanelLayout& layout);
   void draw_view(PanelContext& context, const PanelLayout& layout);

@@ -60,6 +60,25 @@ void add_stops(Facts& facts, const DebuggerModel& model) {
   }
 }
 
+std::string value_text(const std::optional<double>& value) { return value ? number_text(*value) : "none"; }
+
+void add_lanes(Facts& facts, const DebuggerModel& model) {
+  const Timeline& timeline = model.timeline;
+  const Lane& lane = model.lanes()[timeline.lane];
+  facts["lanes_from"] = number_text(timeline.window.first(), 10);
+  facts["lanes_to"] = number_text(timeline.window.last(), 10);
+  facts["loops"] = timeline.loops ? "yes" : "no";
+  facts["range"] = timeline.range ? to_text(figures_of(*timeline.range, model.run().rows(), model.lanes()),
+                                            model.run().names())
+                                  : "none";
+  facts["kind"] = to_string(timeline.kind);
+  facts["lane"] = lane.name();
+  facts["lane_min"] = value_text(lane.value(lane.least_step()));
+  facts["lane_max"] = value_text(lane.value(lane.greatest_step()));
+  facts["lane_scale"] = number_text(double{lane.scale_end(timeline.clips)});
+  facts["lane_above"] = std::to_string(timeline.clips ? lane.above() : 0);
+}
+
 }  // namespace
 
 std::map<std::string, std::string> Debugger::facts() {
@@ -69,6 +88,7 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["other_tint_end"] = other_view_ ? number_text(other_view_->counts().tint_end) : "none";
   add_stops(facts, model_);
   add_other(facts, model_);
+  add_lanes(facts, model_);
   facts["selection"] = to_string(model_.selection(), model_.run().names());
   facts["playing"] = model_.playing ? "yes" : "no";
   facts["bookmarks"] = std::to_string(model_.bookmarks().size());

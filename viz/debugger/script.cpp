@@ -81,8 +81,21 @@ const std::map<std::string, Key>& key_names() {
                                                  {"enter", Key::enter}, {"backspace", Key::backspace},
                                                  {"f1", Key::f1},       {"f5", Key::f5},
                                                  {"f9", Key::f9},       {"f12", Key::f12},
-                                                 {"delete", Key::del}};
+                                                 {"delete", Key::del},  {"left", Key::left},
+                                                 {"right", Key::right}, {"up", Key::up},
+                                                 {"down", Key::down},   {"+", Key::plus},
+                                                 {"-", Key::minus},     {"c", Key::c},
+                                                 {"m", Key::m},         {"k", Key::k},
+                                                 {"n", Key::n},         {"s", Key::s},
+                                                 {"e", Key::e},         {"l", Key::l},
+                                                 {"r", Key::r}};
   return kNames;
+}
+
+std::optional<Key> key_called(const std::string& name) {
+  if (name.size() == 1 && name[0] >= '0' && name[0] <= '9') return key_of_digit(name[0] - '0');
+  const auto found = key_names().find(name);
+  return found == key_names().end() ? std::nullopt : std::optional(found->second);
 }
 
 /// All names, each after a space.
@@ -105,6 +118,15 @@ std::optional<Selection> named_thing(const std::string& text, const GivenNames& 
   }
   const auto node = number_of<std::uint32_t>(id);
   return node && text.starts_with("node:") ? std::optional<Selection>(NodeId{*node}) : std::nullopt;
+}
+
+const std::string& word_of(const ScriptLine& line, std::size_t k) {
+  if (k >= line.words.size()) fail(line, "something is missing after '" + line.words.back() + "'");
+  return line.words[k];
+}
+
+bool has_word(const ScriptLine& line, std::size_t k, std::string_view word) {
+  return k < line.words.size() && line.words[k] == word;
 }
 
 bool compare(const std::string& a, const std::string& op, const std::string& b, const ScriptLine& line) {
@@ -161,15 +183,12 @@ void ScriptPlayer::frames(int count) {
 
 void ScriptPlayer::play(const ScriptLine& line) {
   const std::string& verb = line.words[0];
-  const auto word = [&](std::size_t k) -> const std::string& {
-    if (k >= line.words.size()) fail(line, "something is missing after '" + line.words.back() + "'");
-    return line.words[k];
-  };
+  const auto word = [&](std::size_t k) -> const std::string& { return word_of(line, k); };
   if (verb == "key") return press(line, word(1));
   if (verb == "click") return click(place(line, word(1)), 0, 1);
   if (verb == "double") {
-    input_.shift = line.words.size() > 2 && line.words[2] == "shift";
-    input_.control = line.words.size() > 2 && line.words[2] == "ctrl";
+    input_.shift = has_word(line, 2, "shift");
+    input_.control = has_word(line, 2, "ctrl");
     click(place(line, word(1)), 0, 2);
     input_.shift = input_.control = false;
     return frames(1);
@@ -180,16 +199,8 @@ void ScriptPlayer::play(const ScriptLine& line) {
     input_.mouse_y = point.y;
     return frames(2);
   }
-  if (verb == "drag") {
-    const bool right = line.words.size() > 3 && line.words[3] == "right";
-    return drag(place(line, word(1)), place(line, word(2)), right ? 1 : 0);
-  }
-  if (verb == "wheel") {
-    const auto turns = extent_of(word(1));
-    if (!turns) fail(line, "'" + word(1) + "' is no number of turns such as 2 or -0.5");
-    input_.wheel = *turns;
-    return frames(2);
-  }
+  if (verb == "drag") return drag(line);
+  if (verb == "wheel") return turn_wheel(line);
   if (verb == "type") {
     input_.text = word(1);
     return frames(2);
@@ -229,12 +240,16 @@ void ScriptPlayer::click(const Point& point, int button, int times) {
   frames(1);
 }
 
-void ScriptPlayer::drag(const Point& from, const Point& to, int button) {
+void ScriptPlayer::drag(const ScriptLine& line) {
   constexpr int kSteps = 8;
+  const Point from = place(line, word_of(line, 1));
+  const Point to = place(line, word_of(line, 2));
+  const std::size_t button = has_word(line, 3, "right") ? 1 : has_word(line, 3, "middle") ? 2 : 0;
+  input_.shift = has_word(line, 3, "shift");
   input_.mouse_x = from.x;
   input_.mouse_y = from.y;
   frames(2);
-  input_.buttons[static_cast<std::size_t>(button)] = true;
+  input_.buttons[button] = true;
   frames(1);
   for (int k = 1; k <= kSteps; ++k) {
     const float share = static_cast<float>(k) / kSteps;
@@ -242,8 +257,21 @@ void ScriptPlayer::drag(const Point& from, const Point& to, int button) {
     input_.mouse_y = from.y + share * (to.y - from.y);
     frames(1);
   }
-  input_.buttons[static_cast<std::size_t>(button)] = false;
-  frames(2);
+  input_.buttons[button] = false;
+  frames(1);
+  input_.shift = false;
+  frames(1);
+}
+
+void ScriptPlayer::turn_wheel(const ScriptLine& line) {
+  const std::string& text = word_of(line, 1);
+  const auto turns = extent_of(text);
+  if (!turns) fail(line, "'" + text + "' is no number of turns such as 2 or -0.5");
+  (has_word(line, 2, "sideways") ? input_.sideways : input_.wheel) = *turns;
+  input_.shift = has_word(line, 2, "shift");
+  frames(1);
+  input_.shift = false;
+  frames(1);
 }
 
 void ScriptPlayer::press(const ScriptLine& line, const std::string& text) {
@@ -252,11 +280,10 @@ void ScriptPlayer::press(const ScriptLine& line, const std::string& text) {
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const bool shift = name.starts_with("shift+");
   if (shift) name.erase(0, 6);
-  const auto found = key_names().find(name);
-  if (found == key_names().end())
-    fail(line, "there is no key '" + text + "'; there are" + names_of(key_names()));
+  const auto key = key_called(name);
+  if (!key) fail(line, "there is no key '" + text + "'; there are 0 to 9" + names_of(key_names()));
   input_.shift = shift;
-  input_.key = found->second;
+  input_.key = key;
   frames(1);
   input_.shift = false;
   frames(2);

@@ -61,7 +61,8 @@ class ScriptPlayer {
   void play(const ScriptLine& line);
   void frames(int count);
   void click(const Point& point, int button, int times);
-  void drag(const Point& from, const Point& to, int button);
+  void drag(const ScriptLine& line);
+  void turn_wheel(const ScriptLine& line);
   void press(const ScriptLine& line, const std::string& text);
   void take_picture(const std::string& name);
   void expect(const ScriptLine& line);

@@ -26,7 +26,7 @@ std::optional<Layer> find_layer(std::string_view name) {
   throw std::invalid_argument(message);
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_outer_spaces(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   return text;
@@ -58,7 +58,7 @@ LayerSet LayerSet::parse(std::string_view text, LayerSet base) {
   bool first = true;
   for (bool more = true; more; first = false) {
     const std::size_t comma = text.find(',');
-    apply_item(layers, trimmed(text.substr(0, comma)), first);
+    apply_item(layers, without_outer_spaces(text.substr(0, comma)), first);
     more = comma != std::string_view::npos;
     if (more) text.remove_prefix(comma + 1);
   }

@@ -93,12 +93,26 @@ TYPED_TEST(ImportedRun, BreakpointsStopWhereTheirPairsAreWrongBothWays) {
   }
 }
 
+TYPED_TEST(ImportedRun, TheNextAlarmIsFoundWithoutAskingTheOracleFirst) {
+  DebuggerModel& model = this->model();
+  model.asks_oracle = false;
+  const Steps alarms{7, 12, 20, 30, 41, kSteps};
+  for (const std::uint32_t step : alarms) {
+    model.go_to_kind(EventKind::alarm, true);
+    EXPECT_EQ(model.run().position(), Position::end_of(step));
+  }
+  model.go_to_kind(EventKind::alarm, true);
+  EXPECT_EQ(model.message, "nothing of the kind 'alarm' further on");
+  model.go_to_kind(EventKind::alarm, false);
+  EXPECT_EQ(model.run().position(), Position::end_of(41));
+}
+
 TYPED_TEST(ImportedRun, TheOracleMarksWhatIsWrongAndNothingElse) {
   DebuggerModel& model = this->model();
   for (std::uint32_t step = 1; step <= kSteps; ++step) {
     model.go(Position::end_of(step));
-    ASSERT_TRUE(model.alarms()[step].has_value());
-    const Alarm& alarm = *model.alarms()[step];
+    ASSERT_TRUE(model.alarms().contains(step));
+    const Alarm& alarm = model.alarms().at(step);
     EXPECT_EQ(alarm.missed, has(kMissing, step) ? 1U : 0U) << step;
     EXPECT_EQ(alarm.extra, has(kAdding, step) ? 1U : 0U) << step;
     EXPECT_EQ(alarm.twice, has(kRepeating, step) ? 1U : 0U) << step;

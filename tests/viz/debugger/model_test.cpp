@@ -164,6 +164,31 @@ TYPED_TEST(DebuggerModelTest, AWatchStopsTheRunWhereItsValueChangesBothWays) {
   EXPECT_EQ(model.run().position(), Position::end_of(59)) << "it is only watched again";
 }
 
+TYPED_TEST(DebuggerModelTest, EveryEventIsReachedByItsKindBothWays) {
+  DebuggerModel& model = this->model();
+  for (const EventKind kind :
+       {EventKind::balance, EventKind::shift_split, EventKind::split, EventKind::swap, EventKind::merge,
+        EventKind::refused, EventKind::scheduled, EventKind::deferred, EventKind::placed, EventKind::phase}) {
+    SCOPED_TRACE(to_string(kind));
+    std::vector<Position> expected;
+    for (std::uint32_t step = 1; step <= this->kSteps; ++step)
+      for (const Event& event : model.run().events_of(step))
+        if (kind_of_event(event) == kind) expected.push_back({step, event.id});
+    EXPECT_EQ(expected.empty(), kind == EventKind::merge) << "the crowd leaves no node empty";
+    if (expected.size() > 40) expected.resize(40);
+    model.go({});
+    for (const Position& there : expected) {
+      model.go_to_kind(kind, true);
+      ASSERT_EQ(model.run().position(), there);
+      ASSERT_EQ(model.timeline.kind, kind);
+    }
+    for (; expected.size() > 1; expected.pop_back()) {
+      ASSERT_EQ(model.run().position(), expected.back());
+      model.go_to_kind(kind, false);
+    }
+  }
+}
+
 TYPED_TEST(DebuggerModelTest, OneSelectionAndWhatIsHidden) {
   DebuggerModel& model = this->model();
   model.select_object(ObjectId{5}, false);
@@ -209,8 +234,8 @@ TYPED_TEST(DebuggerModelTest, RibbonsAreTheHistoryOfWhatIsSelected) {
 TYPED_TEST(DebuggerModelTest, TheOracleFindsNothingInAnExactTree) {
   DebuggerModel& model = this->model();
   model.go(Position::end_of(40));
-  ASSERT_TRUE(model.alarms()[40].has_value());
-  EXPECT_FALSE(model.alarms()[40]->is_wrong());
+  ASSERT_TRUE(model.alarms().contains(40));
+  EXPECT_FALSE(model.alarms().at(40).is_wrong());
   EXPECT_EQ(model.run().judged_pairs(), model.run().pairs().size());
 }
 
@@ -225,6 +250,29 @@ TYPED_TEST(DebuggerModelTest, PlayingGoesOnWithTime) {
   EXPECT_EQ(model.run().position(), Position::end_of(6));
   model.pass_time(100);
   EXPECT_FALSE(model.playing) << "it stops at the end";
+}
+
+TYPED_TEST(DebuggerModelTest, PlayingByOperatorsStaysInItsRange) {
+  DebuggerModel& model = this->model();
+  model.timeline.range = StepSpan{20, 24};
+  model.toggle_loop();
+  model.granularity = Granularity::op;
+  std::vector<Position> expected;
+  for (std::uint32_t step = 20; step <= 24; ++step)
+    for (const Event& event : model.run().events_of(step))
+      if (is_outcome(event)) expected.push_back({step, event.id});
+  ASSERT_GT(expected.size(), 2U);
+  model.playing = true;
+  for (int round = 0; round < 2; ++round)
+    for (const Position& there : expected) {
+      model.pass_time(1 / model.speed);
+      ASSERT_EQ(model.run().position(), there);
+    }
+  model.timeline.range = StepSpan{1, 1};
+  model.pass_time(1 / model.speed);
+  EXPECT_FALSE(model.playing) << "no operator acts in the first step";
+  EXPECT_EQ(model.run().position(), Position());
+  EXPECT_THAT(model.message, HasSubstr("the range has nothing"));
 }
 
 TYPED_TEST(DebuggerModelTest, WhatIfRefusesAnOperatorAndComparesFromThere) {
@@ -326,17 +374,6 @@ TEST(OpenRun, SaysWhatCannotBeRead) {
   const auto path = folder.path() / "text";
   std::ofstream(path) << "no recording";
   EXPECT_THROW((void)open_run(path), std::runtime_error);
-}
-
-TEST(Lanes, NoPeakIsLostWhereStepsShareAColumn) {
-  Lane lane{"peak", std::vector<float>(1000, 1.0F), 9};
-  lane.values[537] = 9;
-  const auto columns = columns_of(lane, 100);
-  ASSERT_EQ(columns.size(), 100U);
-  EXPECT_EQ(columns[53].greatest, 9);
-  EXPECT_EQ(columns[53].least, 1);
-  EXPECT_EQ(columns_of(lane, 3000).size(), 3000U);
-  EXPECT_EQ(columns_of(Lane{}, 10).size(), 0U);
 }
 
 }  // namespace

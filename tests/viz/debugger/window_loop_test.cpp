@@ -95,6 +95,26 @@ TEST_F(DebuggerWindow, SeesEveryTurnOfTheWheel) {
   EXPECT_EQ(debugger_->picture().rgba, back.rgba);
 }
 
+TEST_F(DebuggerWindow, SeesTheKeysAndTheWheelsOfTheLanes) {
+  for (const char* const key : {"KP_Add", "KP_Add", "KP_Add", "minus", "Down"}) display_.tap(key);
+  take_in();
+  EXPECT_EQ(fact("lanes_to"), "30");
+  EXPECT_EQ(fact("lane"), "pairs");
+  move_to("scrubber");
+  display_.click(7);  // a wheel to the right
+  display_.click(7);
+  take_in();
+  EXPECT_EQ(fact("lanes_from"), "6");
+  display_.click(6);
+  take_in();
+  EXPECT_EQ(fact("lanes_from"), "3");
+  for (const char* const key : {"3", "s", "e", "l"}) display_.tap(key);
+  take_in();
+  EXPECT_THAT(fact("deed"), testing::HasSubstr("split"));
+  EXPECT_THAT(fact("range"), testing::HasSubstr("1 step: "));
+  EXPECT_EQ(fact("loops"), "yes");
+}
+
 /// At rest it used to draw 20 frames a second, half a core without a graphics card.
 TEST_F(DebuggerWindow, DrawsNothingWhenNothingMoves) {
   display_.move(640, 360);

@@ -18,7 +18,7 @@ class XDisplay {
   XDisplay& operator=(const XDisplay&) = delete;
 
   void move(float x, float y);
-  /// 1 left, 3 right, 4 and 5 the wheel.
+  /// 1 left, 3 right, 4 and 5 the wheel, 6 and 7 a wheel to the left and right.
   void press(unsigned button);
   void release(unsigned button);
   void click(unsigned button);

@@ -18,6 +18,7 @@ std::string last_error() {
 }
 
 std::optional<Key> key_of(int key) {
+  if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return key_of_digit(key - GLFW_KEY_0);
   static const std::map<int, Key> kKeys{{GLFW_KEY_SPACE, Key::space},
                                         {GLFW_KEY_COMMA, Key::comma},
                                         {GLFW_KEY_PERIOD, Key::period},
@@ -28,6 +29,14 @@ std::optional<Key> key_of(int key) {
                                         {GLFW_KEY_I, Key::i},
                                         {GLFW_KEY_B, Key::b},
                                         {GLFW_KEY_O, Key::o},
+                                        {GLFW_KEY_C, Key::c},
+                                        {GLFW_KEY_S, Key::s},
+                                        {GLFW_KEY_E, Key::e},
+                                        {GLFW_KEY_L, Key::l},
+                                        {GLFW_KEY_K, Key::k},
+                                        {GLFW_KEY_M, Key::m},
+                                        {GLFW_KEY_N, Key::n},
+                                        {GLFW_KEY_R, Key::r},
                                         {GLFW_KEY_ESCAPE, Key::escape},
                                         {GLFW_KEY_ENTER, Key::enter},
                                         {GLFW_KEY_KP_ENTER, Key::enter},
@@ -36,6 +45,8 @@ std::optional<Key> key_of(int key) {
                                         {GLFW_KEY_LEFT, Key::left},
                                         {GLFW_KEY_RIGHT, Key::right},
                                         {GLFW_KEY_TAB, Key::tab},
+                                        {GLFW_KEY_UP, Key::up},
+                                        {GLFW_KEY_DOWN, Key::down},
                                         {GLFW_KEY_F1, Key::f1},
                                         {GLFW_KEY_F5, Key::f5},
                                         {GLFW_KEY_F9, Key::f9},
@@ -71,14 +82,16 @@ std::string utf8_of(unsigned code) {
   return {byte(0xF0U | (code >> 18U)), six_bits(12), six_bits(6), six_bits(0)};
 }
 
-/// '?' lies elsewhere on every keyboard, so it is recognised by its letter.
+/// These lie elsewhere on every keyboard, so they are recognised by their letters.
 void note_letter(GLFWwindow* window, unsigned code) {
   if (code == '?') note(window, KeyTap{Key::question, false});
+  if (code == '+') note(window, KeyTap{Key::plus, false});
+  if (code == '-') note(window, KeyTap{Key::minus, false});
   note(window, TypedText{utf8_of(code)});
 }
 
-void note_wheel(GLFWwindow* window, double /*x*/, double y) {
-  note(window, WheelTurn{static_cast<float>(y)});
+void note_wheel(GLFWwindow* window, double x, double y) {
+  note(window, WheelTurn{static_cast<float>(y), static_cast<float>(x)});
 }
 
 void note_button(GLFWwindow* window, int button, int action, int /*mods*/) {

@@ -113,6 +113,7 @@ void Gui::begin(const DebuggerInput& input, int width, int height) {
   io.MousePos = {input.mouse_x, input.mouse_y};
   for (std::size_t k = 0; k < input.buttons.size(); ++k) io.MouseDown[k] = input.buttons[k];
   io.MouseWheel = input.wheel;
+  io.MouseWheelH = input.sideways;
   io.KeyShift = input.shift;
   io.KeyCtrl = input.control;
   for (int key = 0; key < static_cast<int>(Key::count); ++key) io.KeysDown[key] = false;

@@ -19,6 +19,9 @@ enum class Key : std::uint8_t {
   i,
   b,
   o,
+  c,
+  m,
+  r,
   question,
   escape,
   enter,
@@ -27,6 +30,25 @@ enum class Key : std::uint8_t {
   left,
   right,
   tab,
+  up,
+  down,
+  plus,
+  minus,
+  digit_0,  // to 9, in order
+  digit_1,
+  digit_2,
+  digit_3,
+  digit_4,
+  digit_5,
+  digit_6,
+  digit_7,
+  digit_8,
+  digit_9,
+  n,
+  k,
+  s,
+  e,
+  l,
   f1,
   f5,
   f9,
@@ -34,12 +56,20 @@ enum class Key : std::uint8_t {
   count,
 };
 
+/// The digit of a key; none if it has another meaning.
+constexpr std::optional<int> digit_of(Key key) {
+  if (key < Key::digit_0 || key > Key::digit_9) return std::nullopt;
+  return static_cast<int>(key) - static_cast<int>(Key::digit_0);
+}
+constexpr Key key_of_digit(int digit) { return static_cast<Key>(static_cast<int>(Key::digit_0) + digit); }
+
 /// The user's actions since the last frame, from a window or from a script.
 struct DebuggerInput {
   float mouse_x = -1;
   float mouse_y = -1;
   std::array<bool, 3> buttons{};  ///< left, right, middle: held now
   float wheel = 0;
+  float sideways = 0;  ///< turns of a wheel to the side, positive to the left
   bool shift = false;
   bool control = false;
   std::optional<Key> key;     ///< that went down
@@ -48,7 +78,7 @@ struct DebuggerInput {
 
   /// Ends what lasts for one frame; what is held stays.
   void end_frame() {
-    wheel = 0;
+    wheel = sideways = 0;
     key.reset();
     text.clear();
   }

@@ -64,7 +64,10 @@ void InputQueue::apply(const UserAction& action) {
                    input_.mouse_y = move.y;
                  },
                  [this](const ButtonChange& change) { input_.buttons[change.button] = change.down; },
-                 [this](const WheelTurn& turn) { input_.wheel += turn.clicks; },
+                 [this](const WheelTurn& turn) {
+                   input_.wheel += turn.clicks;
+                   input_.sideways += turn.sideways;
+                 },
                  [this](const KeyTap& tap) { input_.key = tap.key; },
                  [this](const TypedText& text) { input_.text += text.utf8; },
              },

@@ -20,6 +20,7 @@ struct ButtonChange {
 };
 struct WheelTurn {
   float clicks = 0;
+  float sideways = 0;
 };
 struct KeyTap {
   Key key = Key::space;

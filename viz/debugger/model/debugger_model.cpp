@@ -20,7 +20,7 @@ void toggle(std::set<T>& set, const T& item) {
   if (!set.erase(item)) set.insert(item);
 }
 
-Ribbon::Kind kind_of(const Event& event) {
+Ribbon::Kind kind_of_ribbon(const Event& event) {
   if (has_acted(event)) return Ribbon::Kind::acted;
   return is_outcome(event) ? Ribbon::Kind::refused : Ribbon::Kind::listed;
 }
@@ -28,7 +28,8 @@ Ribbon::Kind kind_of(const Event& event) {
 }  // namespace
 
 DebuggerModel::DebuggerModel(std::unique_ptr<Run> run)
-    : run_(std::move(run)), lanes_(make_lanes(run_->rows())), alarms_(run_->steps() + 1) {
+    : run_(std::move(run)), lanes_(make_lanes(run_->rows())) {
+  timeline.window = TimeWindow(run_->steps());
   moved();
 }
 
@@ -39,6 +40,7 @@ void DebuggerModel::say(std::string text, bool is_error) {
 
 void DebuggerModel::moved() {
   hovered_candidate.reset();
+  timeline.window.reveal(time_of(run_->position(), run_->rows()));
   if (other_) follow();
   for (WatchedValue& watch : watches_) watch.value = run_->value(watch.expression);
   if (asks_oracle && run_->objects() <= kMostForOracle) (void)ask_oracle();
@@ -115,7 +117,7 @@ void DebuggerModel::pass_time(double seconds) {
     return;
   }
   due_ += seconds * speed;
-  for (; due_ >= 1 && playing; due_ -= 1) step(granularity, true);
+  for (; due_ >= 1 && playing; due_ -= 1) play_on();
 }
 
 double DebuggerModel::seconds_to_next() const {
@@ -123,7 +125,10 @@ double DebuggerModel::seconds_to_next() const {
 }
 
 void DebuggerModel::select(const Selection& selection) {
-  if (selection_ != selection) ribbons_.reset();
+  if (selection_ != selection) {
+    ribbons_.reset();
+    shown_ribbons_.reset();
+  }
   selection_ = selection;
 }
 
@@ -136,7 +141,7 @@ void DebuggerModel::add_node_ribbons(NodeId node) {
     for (const LifeSpan& span : life.divided) add(span, Ribbon::Kind::divided);
   }
   for (const Event& event : run_->history(node))
-    ribbons_->push_back({event.step, event.step, kind_of(event)});
+    ribbons_->push_back({event.step, event.step, kind_of_ribbon(event)});
 }
 
 void DebuggerModel::add_pair_ribbons(const Pair& pair) {
@@ -154,6 +159,12 @@ const std::vector<Ribbon>& DebuggerModel::ribbons() {
                         NothingFor<void, std::monostate, ObjectId>()},
              selection_);
   return *ribbons_;
+}
+
+const std::vector<Ribbon>& DebuggerModel::shown_ribbons(const TimeScale& scale) {
+  if (!shown_ribbons_ || shown_scale_ != scale) shown_ribbons_ = thin_out(ribbons(), scale);
+  shown_scale_ = scale;
+  return *shown_ribbons_;
 }
 
 void DebuggerModel::select_object(ObjectId object, bool makes_pair) {
@@ -221,12 +232,12 @@ void DebuggerModel::toggle_bookmark() { toggle(bookmarks_, run_->position()); }
 
 const Alarm& DebuggerModel::ask_oracle() {
   const std::uint32_t step = run_->position().step;
-  std::optional<Alarm>& alarm = alarms_[step];
-  if (!alarm) {
-    const PairJudgement& judgement = run_->judgement();
-    alarm = Alarm{step, judgement.missed.size(), judgement.extra.size(), judgement.twice.size()};
-  }
-  return *alarm;
+  const auto asked = alarms_.find(step);
+  if (asked != alarms_.end()) return asked->second;
+  const PairJudgement& judgement = run_->judgement();
+  const Alarm alarm{step, judgement.missed.size(), judgement.extra.size(), judgement.twice.size()};
+  if (alarm.is_wrong()) wrong_steps_.insert(step);
+  return alarms_.emplace(step, alarm).first->second;
 }
 
 void DebuggerModel::compare_with(std::unique_ptr<Run> other) {
@@ -252,7 +263,11 @@ void DebuggerModel::change_over() {
   std::swap(lanes_, other_lanes_);
   comparison_.reset();
   findings_.reset();
-  alarms_.assign(run_->steps() + 1, std::nullopt);
+  alarms_.clear();
+  wrong_steps_.clear();
+  const TimeWindow seen = std::exchange(timeline.window, TimeWindow(run_->steps()));
+  if (timeline.range && timeline.range->last > run_->steps()) drop_range();
+  if (!seen.shows_all()) timeline.window.show(seen.first(), seen.last());
   select({});
   moved();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -9,7 +10,9 @@
 #include "core/query/counterpart.h"
 #include "viz/debugger/model/breakpoint.h"
 #include "viz/debugger/model/lanes.h"
+#include "viz/debugger/model/ribbons.h"
 #include "viz/debugger/model/run.h"
+#include "viz/debugger/model/timeline.h"
 #include "viz/debugger/model/view_settings.h"
 
 namespace kerf {
@@ -21,21 +24,6 @@ struct Alarm {
   std::uint64_t extra = 0;
   std::uint64_t twice = 0;
   [[nodiscard]] bool is_wrong() const { return missed + extra + twice > 0; }
-};
-
-/// A span of the selection's history.
-struct Ribbon {
-  enum class Kind : std::uint8_t {
-    life,     ///< a node, from the split that made it to the merge or swap that ended it
-    divided,  ///< within its life: it had children
-    listed,   ///< Algorithm 1 listed an operator at the node ...
-    refused,  ///< ... that did not act
-    acted,
-    pair,  ///< two objects were one
-  };
-  std::uint32_t first_step = 0;  ///< 0: from the beginning
-  std::uint32_t last_step = 0;
-  Kind kind = Kind::pair;
 };
 
 /// The complete state and behaviour of the debugger, without a window: panels and scripts only call it.
@@ -54,6 +42,8 @@ class DebuggerModel {
   /// To the next moment, either way, at which a breakpoint holds or a watched value makes its change;
   /// says so if there is none.
   void run_to_breakpoint(bool forwards);
+  /// To the next moment of that kind, either way, and chooses the kind; says so if there is none.
+  void go_to_kind(EventKind kind, bool forwards);
   /// Plays on by so many seconds, if it is playing.
   void pass_time(double seconds);
   /// The seconds until it goes on; infinity if it does not play.
@@ -72,9 +62,24 @@ class DebuggerModel {
   /// The lives of the selected node and its operators, or the times when the selected pair was one: in the
   /// whole run, the lowest first.
   [[nodiscard]] const std::vector<Ribbon>& ribbons();
+  /// Those that can be seen, see `thin_out`. Kept until the scale or the selection changes.
+  [[nodiscard]] const std::vector<Ribbon>& shown_ribbons(const TimeScale& scale);
 
   // Seeing.
   ViewSettings view;
+  Timeline timeline;
+  /// Magnifies the lanes by a factor around the present moment, or around their middle if it is not seen.
+  void zoom_lanes(double factor);
+  /// Lets the selected range begin or end at the step of this moment.
+  void begin_range();
+  void end_range();
+  void drop_range();
+  /// Plays in the selected range over and over, or no longer.
+  void toggle_loop();
+  /// Shows the selected range; the whole run if there is none, or it is what is shown.
+  void show_range();
+  /// Moves the cursor to the greatest or least value of the chosen lane.
+  void go_to_extreme(bool greatest);
   /// Hides the selected node or object; shows it again if it was hidden.
   void toggle_hidden();
   void show_all();
@@ -102,7 +107,9 @@ class DebuggerModel {
   // Judging.
   /// Asks the oracle about the step of the cursor.
   const Alarm& ask_oracle();
-  [[nodiscard]] const std::vector<std::optional<Alarm>>& alarms() const { return alarms_; }
+  /// By step; only of those that were asked about.
+  [[nodiscard]] const std::map<std::uint32_t, Alarm>& alarms() const { return alarms_; }
+  [[nodiscard]] const std::set<std::uint32_t>& wrong_steps() const { return wrong_steps_; }
   /// Whether the oracle is asked at each step of the cursor; off where brute force would take too long.
   bool asks_oracle = true;
 
@@ -133,8 +140,12 @@ class DebuggerModel {
 
  private:
   std::string count_hit(const Stop& stop);
+  [[nodiscard]] std::optional<Position> find_kind(EventKind kind, bool forwards,
+                                                  const Run::Progress& progress);
   [[nodiscard]] Run::Progress noticing(bool& ended) const;
   void moved();
+  void play_on();
+  [[nodiscard]] std::optional<std::uint32_t> step_of_range();
   void add_node_ribbons(NodeId node);
   void add_pair_ribbons(const Pair& pair);
   void follow();
@@ -150,9 +161,12 @@ class DebuggerModel {
   std::uint32_t findings_within_ = 0;
   Selection selection_;
   std::optional<std::vector<Ribbon>> ribbons_;  ///< of the selection
+  std::optional<std::vector<Ribbon>> shown_ribbons_;
+  TimeScale shown_scale_;
   std::vector<WatchedValue> watches_;
   std::set<Position> bookmarks_;
-  std::vector<std::optional<Alarm>> alarms_;  ///< by step; none: not asked
+  std::map<std::uint32_t, Alarm> alarms_;
+  std::set<std::uint32_t> wrong_steps_;
   int reruns_ = 0;
   double due_ = 0;  ///< the fraction of a step or event that playing has not reached yet
 };

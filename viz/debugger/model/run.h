@@ -15,6 +15,7 @@
 #include "core/query/node_lives.h"
 #include "core/query/search.h"
 #include "core/query/thrash.h"
+#include "core/recording/operator_rows.h"
 #include "core/recording/recording_info.h"
 #include "core/replay/oracle.h"
 #include "core/replay/position.h"
@@ -109,6 +110,8 @@ class Run {
   /// The lives of a slot of nodes in the whole run, in order; none if it was never used.
   [[nodiscard]] virtual std::span<const NodeLife> lives(NodeId node) = 0;
   [[nodiscard]] virtual std::vector<PairChange> history(const Pair& pair) = 0;
+  /// All that were listed, acted or were refused in the whole run, in order.
+  [[nodiscard]] virtual const std::vector<OperatorRow>& operators() = 0;
   /// The places where operators undo each other or wait, in the whole run.
   [[nodiscard]] virtual std::vector<Thrash> lint(std::uint32_t within) = 0;
   /// Runs the same requests again, with another decision, and records that. Throws std::invalid_argument,

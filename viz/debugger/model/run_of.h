@@ -46,6 +46,7 @@ class RunOf final : public Run {
   [[nodiscard]] std::vector<Event> history(NodeId node) override;
   [[nodiscard]] std::span<const NodeLife> lives(NodeId node) override;
   [[nodiscard]] std::vector<PairChange> history(const Pair& pair) override;
+  [[nodiscard]] const std::vector<OperatorRow>& operators() override;
   [[nodiscard]] std::vector<Thrash> lint(std::uint32_t within) override;
   void rerun(const WhatIfQuestion& question, const std::filesystem::path& out,
              const Progress& progress) override;
@@ -67,7 +68,6 @@ class RunOf final : public Run {
 
  private:
   void moved();
-  const std::vector<OperatorRow>& operators();
   [[nodiscard]] ProjectionStrip make_strip(std::size_t candidate);
   [[nodiscard]] std::string explain_object(ObjectId object) const;
 

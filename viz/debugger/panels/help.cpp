@@ -21,7 +21,13 @@ constexpr std::array kKeys{
     KeyHelp{"F", "look at what is selected; with nothing selected, at everything"},
     KeyHelp{"H", "hide what is selected, or show it again"},
     KeyHelp{"I", "only what is below the selected node"},
-    KeyHelp{"Esc", "select nothing; close this"},
+    KeyHelp{"Esc", "select nothing, no range; close this"},
+    KeyHelp{"+ and -", "lanes: magnify around this moment, show more; R: the whole run"},
+    KeyHelp{"Left, Right", "lanes: pan; Up, Down: choose a lane"},
+    KeyHelp{"S, E", "range: starts, ends here (or Shift and a left drag); L: loop it; R: show it"},
+    KeyHelp{"M, Shift+M", "to the maximum, to the minimum of the chosen lane; C: clip outliers or not"},
+    KeyHelp{"1 to 9, 0", "to the next of a kind, see the list above the lanes; with Shift back"},
+    KeyHelp{"N, Shift+N", "to the next, to the previous of the chosen kind; K: choose another"},
     KeyHelp{"F12", "save a picture, named by the moment"},
     KeyHelp{"F1, ?", "this help"},
     KeyHelp{"", ""},
@@ -30,7 +36,8 @@ constexpr std::array kKeys{
     KeyHelp{"Wheel", "nearer and farther"},
     KeyHelp{"Double click", "select an object; with Shift a second one: a pair; beside objects a node"},
     KeyHelp{"Ctrl+double", "select a node: the partitioner with a line there, or the leaf"},
-    KeyHelp{"Drag below", "scrub through the run"},
+    KeyHelp{"Lanes, below", "left drag: scrub; right or middle drag: pan; wheel: magnify at the mouse"},
+    KeyHelp{"", "Shift+wheel or sideways: pan; the map below them: drag the window"},
 };
 
 }  // namespace

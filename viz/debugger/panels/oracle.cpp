@@ -34,7 +34,7 @@ void draw_oracle(PanelContext& context) {
   const std::uint32_t step = model.run().position().step;
   const std::string name = model.run().names().step(step);
   const bool imported = model.run().info().imported;
-  if (!model.alarms()[step]) {
+  if (!model.alarms().contains(step)) {
     ImGui::TextWrapped("Brute force has not been asked about step %s: with so many objects it takes a while.",
                        name.c_str());
     if (widgets::button(context.gui, "ask the oracle", "compare with every pair of boxes (O)"))
@@ -55,15 +55,9 @@ void draw_oracle(PanelContext& context) {
   draw_list(context, "twice", "reported again", judgement.twice);
   if (imported) draw_list(context, "ignored", "no fault, by what was declared", judgement.ignored);
   ImGui::Separator();
-  std::size_t asked = 0;
-  std::size_t alarms = 0;
-  for (const auto& alarm : model.alarms()) {
-    asked += alarm ? 1 : 0;
-    alarms += alarm && alarm->is_wrong() ? 1 : 0;
-  }
   ImGui::TextWrapped(
       "%s asked so far, %zu of them wrong. A breakpoint missed>0 || extra>0 || twice>0 asks about all.",
-      counted(asked, "step").c_str(), alarms);
+      counted(model.alarms().size(), "step").c_str(), model.wrong_steps().size());
 }
 
 }  // namespace kerf

@@ -33,6 +33,7 @@ struct PanelMemory {
   std::string assignments;  ///< of "what if"
   std::string problem_of_what_if;
   int lint_within = 50;
+  std::optional<double> range_from;  ///< the time at which a drag over the lanes began to select a range
 };
 
 /// What a panel may read and change.

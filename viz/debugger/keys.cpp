@@ -1,0 +1,99 @@
+#include <utility>
+
+#include "viz/debugger/debugger.h"
+
+namespace kerf {
+namespace {
+
+/// 1 is the first kind, 0 the tenth.
+EventKind kind_of_digit(int digit) { return static_cast<EventKind>((digit + 9) % 10); }
+
+EventKind neighbour(EventKind kind, bool next) {
+  const std::size_t count = kEventKindNames.size();
+  return static_cast<EventKind>((static_cast<std::size_t>(kind) + (next ? 1 : count - 1)) % count);
+}
+
+}  // namespace
+
+void Debugger::take_key(Key key, bool shift) {
+  switch (key) {
+    case Key::space:
+      model_.playing = !model_.playing;
+      return;
+    case Key::comma:
+    case Key::period:
+      return model_.step(shift ? Granularity::step : model_.granularity, key == Key::period);
+    case Key::home:
+    case Key::end:
+      return model_.step(Granularity::run, key == Key::end);
+    case Key::f:
+      return view_->focus(model_.selection());
+    case Key::h:
+      return model_.toggle_hidden();
+    case Key::i:
+      return model_.toggle_isolated();
+    case Key::b:
+      return model_.toggle_bookmark();
+    case Key::o:
+      return static_cast<void>(model_.ask_oracle());
+    case Key::escape:
+      if (std::exchange(memory_.help, false)) return;
+      model_.select({});
+      return model_.drop_range();
+    case Key::f5:
+      return model_.run_to_breakpoint(!shift);
+    case Key::f9:
+      return model_.toggle_breakpoint_here();
+    case Key::f12:
+      memory_.screenshot = true;
+      return;
+    case Key::f1:
+    case Key::question:
+      memory_.help = !memory_.help;
+      return;
+    default:
+      return take_time_key(key, shift);
+  }
+}
+
+/// The keys of the lanes below.
+void Debugger::take_time_key(Key key, bool shift) {
+  Timeline& timeline = model_.timeline;
+  const std::size_t lanes = model_.lanes().size();
+  switch (key) {
+    case Key::plus:
+      return model_.zoom_lanes(kZoomOfKey);
+    case Key::minus:
+      return model_.zoom_lanes(1 / kZoomOfKey);
+    case Key::left:
+    case Key::right:
+      return timeline.window.pan((key == Key::right ? kPanOfWheel : -kPanOfWheel) * timeline.window.span());
+    case Key::up:
+    case Key::down:
+      timeline.lane = (timeline.lane + (key == Key::down ? 1 : lanes - 1)) % lanes;
+      return;
+    case Key::m:
+      return model_.go_to_extreme(!shift);
+    case Key::c:
+      timeline.clips = !timeline.clips;
+      return;
+    case Key::r:
+      return model_.show_range();
+    case Key::s:
+      return model_.begin_range();
+    case Key::e:
+      return model_.end_range();
+    case Key::l:
+      return model_.toggle_loop();
+    case Key::k:
+      timeline.kind = neighbour(timeline.kind, !shift);
+      return;
+    case Key::n:
+      return model_.go_to_kind(timeline.kind, !shift);
+    default:
+      if (const auto digit = digit_of(key)) model_.go_to_kind(kind_of_digit(*digit), !shift);
+      return;
+  }
+}
+
+}  // namespace kerf
