@@ -17,15 +17,20 @@ using testing::read_json;
 using testing::run_kerf;
 using testing::TemporaryFolder;
 
-/// Enough frames to be measured also beside other tests.
-std::vector<std::string> bench_frames(const std::string& json, const std::string& boxes) {
-  return {"bench-frames", "--sizes", "320x240", "--boxes", boxes, "--frames", "300", "--json", json};
+std::vector<std::string> bench_frames(const std::string& json, const std::string& boxes,
+                                      const std::string& frames = "300") {
+  return {"bench-frames", "--sizes", "320x240", "--boxes", boxes, "--frames", frames, "--json", json};
 }
 
 TEST(BenchFramesProgram, PrintsRowsAndWritesJson) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "frames.json";
-  const Outcome outcome = run_kerf(bench_frames(file, "10,20"));
+  Outcome outcome;
+  for (const char* const frames : {"300", "2000", "10000"}) {  // beside other work few can be too few
+    outcome = run_kerf(bench_frames(file, "10,20", frames));
+    if (outcome.exit == kExitHolds) break;
+    EXPECT_THAT(outcome.err, HasSubstr("too little to measure"));
+  }
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("pipeline"));
   const auto json = read_json(file);

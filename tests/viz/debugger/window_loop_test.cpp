@@ -149,8 +149,10 @@ TEST_F(DebuggerWindow, PlaysAtItsSpeedWithoutInput) {
   const double steps = debugger_->model().run().position().step;
   EXPECT_LE(steps, 4 * (window_->seconds() - start) + 1);
   EXPECT_GE(steps, 3);
-  // The key goes down and up, each in a frame of its own that then settles, and a hint may be drawn.
-  EXPECT_LE(frames, steps + 2 * (1 + Pace::kSettling) + 1) << "a frame for each step";
+  // The key goes down and up, each in a frame of its own that then settles; a hint and what a busy window
+  // system asks for may be drawn.
+  constexpr int kOthers = 4;
+  EXPECT_LE(frames, steps + 2 * (1 + Pace::kSettling) + kOthers) << "a frame for each step";
 }
 
 }  // namespace
