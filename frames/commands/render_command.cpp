@@ -23,6 +23,7 @@ std::string render_footer() {
   std::string text =
       "LAYERS  " + layer_names() +
       "\n        a list of these, 'all' or 'none', or changes such as +leaves,-legend"
+      "\nSTEPS   of imports as the other engine numbers them; dates, which have colons themselves: A..B..N"
       "\nCAMERA  3D: yaw=30,pitch=25,fov=35,distance=40,target=0:0:0   2D: center=0:5,width=40"
       "\n        3D also top, front, side or iso: --camera iso,fov=20"
       "\n        any part of it; what is left out is chosen so that what most objects span is seen, and the"

@@ -9,15 +9,14 @@
 namespace kerf {
 namespace {
 
-std::vector<std::string> between_colons(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == ':') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
+std::vector<std::string> parts_of(const std::string& text, const std::string& separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find(separator); end != std::string::npos; end = text.find(separator, begin)) {
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + separator.size();
   }
+  parts.push_back(text.substr(begin));
   return parts;
 }
 
@@ -26,13 +25,15 @@ bool has_dates(const GivenNames& names) {
                              [](const std::string& name) { return name.find(':') != std::string::npos; });
 }
 
-StepRange parse_named(const std::string& text, const GivenNames& names) {
+/// `between` stands between the parts of "A:B:N".
+StepRange parse_named(const std::string& text, const GivenNames& names, const std::string& between) {
   const std::string given = "--steps '" + text + "'";
-  const std::vector<std::string> parts = between_colons(text);
+  const std::vector<std::string> parts = parts_of(text, between);
   const auto stride = parts.size() == 3 ? parse_number<std::uint32_t>(parts[2]) : 1U;
   if (parts.size() > 3 || !stride)
-    throw UsageError(given + " is not A:B:N (steps A to B, a frame every N), for example " + names.step(1) +
-                     ":" + names.step(static_cast<std::uint32_t>(names.steps().size())) + ":4");
+    throw UsageError(given + " is not A" + between + "B" + between +
+                     "N (steps A to B, a frame every N), for example " + names.step(1) + between +
+                     names.step(static_cast<std::uint32_t>(names.steps().size())) + between + "4");
   const auto find = [&](const std::string& name) {
     const auto step = names.find_step(name);
     if (step) return *step;
@@ -50,8 +51,10 @@ StepRange parse_named(const std::string& text, const GivenNames& names) {
 }  // namespace
 
 StepRange parse_recorded_steps(const std::string& text, const GivenNames& names, std::uint32_t steps) {
-  const bool is_named = names.names_steps() && !has_dates(names);
-  const StepRange range = is_named ? parse_named(text, names) : parse_steps(text);
+  const bool are_dates = has_dates(names);
+  const bool is_named =
+      names.names_steps() && (!are_dates || names.find_step(text) || text.find("..") != std::string::npos);
+  const StepRange range = is_named ? parse_named(text, names, are_dates ? ".." : ":") : parse_steps(text);
   if (range.last > steps)
     throw UsageError("--steps '" + text + "': the recording ends with step " +
                      (is_named ? names.step(steps) : std::to_string(steps)));

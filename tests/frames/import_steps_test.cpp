@@ -123,6 +123,30 @@ TEST_F(ImportSteps, RenderTakesThem) {
   EXPECT_THAT(render("5001:5002:x", 2).err, HasSubstr("for example 5001:5040:4"));
 }
 
+TEST_F(ImportSteps, RenderTakesDatesBetweenDots) {
+  std::string csv = "step,object,min_x,max_x,min_y,max_y\n";
+  for (int second = 0; second < 8; ++second)
+    csv += "2024-05-01T12:00:0" + std::to_string(second) + ",1,0,1,0," + std::to_string(second + 1) + "\n";
+  run({"import", write("dates.csv", csv), "-o", path("dates.kerf")});
+  const auto steps_of = [&](const std::string& steps) {
+    run({"render", path("dates.kerf"), "--steps", steps, "--size", "96x64", "--workers", "0", "--out",
+         path("frames"), "--overwrite"});
+    const auto made = nlohmann::json::parse(testing::read_text(path("frames/frames.json")));
+    std::string shown;
+    for (const auto& frame : made["frames"]) shown += frame["given_step"].get<std::string>().substr(18) + " ";
+    return shown;
+  };
+  EXPECT_EQ(steps_of("2024-05-01T12:00:02..2024-05-01T12:00:06..2"), "2 4 6 ");
+  EXPECT_EQ(steps_of("2024-05-01T12:00:05..2024-05-01T12:00:06"), "5 6 ");
+  EXPECT_EQ(steps_of("2024-05-01T12:00:01"), "0 1 ");
+  EXPECT_EQ(steps_of("2:3"), "1 2 ") << "numbers count from 1";
+  EXPECT_THAT(run({"render", path("dates.kerf"), "--steps", "2024-05-01T12:00:02..2025-05-01T12:00:06",
+                   "--out", path("frames")},
+                  2)
+                  .err,
+              HasSubstr("there is no step '2025-05-01T12:00:06'"));
+}
+
 /// The camera looks elsewhere from a step of theirs on.
 TEST_F(ImportSteps, ACameraPathHasThem) {
   const std::string camera = write("camera", "5001 center=0:0,width=10\n5020 center=900:900,width=10\n");
