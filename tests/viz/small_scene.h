@@ -18,8 +18,8 @@ template <int D>
 class SmallScene {
  public:
   explicit SmallScene(std::uint32_t objects = 300)
-      : tree_(config_of(
-            "min_threshold=16,max_threshold=16,schedule_interval=1,budget_divisor=1,max_redundancy=0.4,swap_share=1")) {
+      : tree_(config_of("min_threshold=16,max_threshold=16,schedule_interval=1,budget_divisor=1,max_"
+                        "redundancy=0.4,swap_share=1")) {
     Random random(5);
     for (std::uint32_t i = 0; i < objects; ++i) add(random, i);
     for (int step = 0; step < 30; ++step) {
