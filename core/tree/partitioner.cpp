@@ -186,17 +186,17 @@ std::uint32_t directions_tried(const Tree<D>& tree, NodeId leaf, const Config& c
 }
 
 template <int D>
-std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, const Config& scene) {
-  const Config config = config_at(tree, leaf, scene);
+std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, const Config& config) {
+  const Config here = config_at(tree, leaf, config);
   const std::vector<Entry>& entries = tree[leaf].entries;
-  const std::vector<ObjectId> sampled = sampled_objects(tree, leaf, config);
+  const std::vector<ObjectId> sampled = sampled_objects(tree, leaf, here);
   const bool exact = sampled.size() == entries.size();
-  const std::uint32_t tries = directions_tried(tree, leaf, config);
+  const std::uint32_t tries = directions_tried(tree, leaf, here);
 
   std::vector<Candidate> candidates;
   std::vector<Interval> scratch;
   for (std::uint32_t direction = 0; direction < tries; ++direction) {
-    if (auto candidate = best_along<D>(tree, direction, sampled, config, scratch)) {
+    if (auto candidate = best_along<D>(tree, direction, sampled, here, scratch)) {
       candidate->exact = exact;
       candidates.push_back(*candidate);
     }
@@ -211,8 +211,8 @@ std::optional<Candidate> choose_partitioner(const Tree<D>& tree, NodeId leaf, co
   candidates.resize(std::min(candidates.size(), tuning::kConfirmed));
   for (const Candidate& candidate : candidates) {
     auto confirmed = all.size() > tuning::kManySamples * sampled.size()
-                         ? judge<D>(tree, candidate, all, config, scratch)
-                         : best_along<D>(tree, candidate.direction, all, config, scratch);
+                         ? judge<D>(tree, candidate, all, here, scratch)
+                         : best_along<D>(tree, candidate.direction, all, here, scratch);
     if (confirmed) {
       confirmed->exact = true;
       return confirmed;
