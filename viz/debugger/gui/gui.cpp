@@ -122,6 +122,8 @@ void Gui::begin(const DebuggerInput& input, int width, int height) {
   named_.clear();
   shown_.clear();
   ImGui::NewFrame();
+  io.KeyShift = input.shift;  // since 1.87 a new frame takes modifiers from key events alone
+  io.KeyCtrl = input.control;
 }
 
 void Gui::end() { ImGui::Render(); }
