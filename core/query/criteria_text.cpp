@@ -1,5 +1,7 @@
 #include "core/query/criteria_text.h"
 
+#include <algorithm>
+
 #include "core/base/counted.h"
 #include "core/query/text.h"
 #include "core/tree/criteria.h"
@@ -46,7 +48,7 @@ std::string quality_text(const Quality& q) {
 }
 
 template <int D>
-std::string wish_text(const Tree<D>& tree, NodeId id, const Config& config, const GivenNames& names) {
+std::string criterion_text(const Tree<D>& tree, NodeId id, const Config& config, const GivenNames& names) {
   if (tree[id].is_leaf()) return leaf_wish(tree, id, config, names);
   if (wants_repair(tree, id, config)) return repair_wish(tree, id, config);
   const std::uint32_t least = merge_threshold(tree.objects(), config);
@@ -56,7 +58,22 @@ std::string wish_text(const Tree<D>& tree, NodeId id, const Config& config, cons
   return "good as it is";
 }
 
-template std::string wish_text<2>(const Tree<2>&, NodeId, const Config&, const GivenNames&);
-template std::string wish_text<3>(const Tree<3>&, NodeId, const Config&, const GivenNames&);
+template <int D>
+std::string wish_text(const Tree<D>& tree, NodeId id, const Config& config, const GivenNames& names) {
+  std::string text = criterion_text(tree, id, config, names);
+  if (!config.swap || !wants_repair(tree, id, config) || wants_swap(tree, id, config)) return text;
+  const Quality q = quality(tree, id);
+  const std::uint32_t heavy = std::max(q.left, q.right);
+  return text + "; if no shift of its partitioner is good it stays, since a swap would insert " +
+         std::to_string(q.population - heavy) + " objects beside " + std::to_string(heavy) + ", more than " +
+         percent(static_cast<double>(config.swap_share));
+}
+
+#define KERF_INSTANTIATE(D)                                                                         \
+  template std::string criterion_text<D>(const Tree<D>&, NodeId, const Config&, const GivenNames&); \
+  template std::string wish_text<D>(const Tree<D>&, NodeId, const Config&, const GivenNames&);
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
 
 }  // namespace kerf

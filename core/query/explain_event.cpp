@@ -19,7 +19,7 @@ std::string reason_of(const BspState<D>& before, const Deed& deed, const GivenNa
   if (!before.tree.is_alive(deed.node))
     return "its node is dead: it was merged, or replaced by a swap, since it was listed";
   const NodeId id = deed.node.node;
-  std::string wish = node_text(id) + " was " + wish_text(before.tree, id, before.config, names);
+  std::string wish = node_text(id) + " was " + criterion_text(before.tree, id, before.config, names);
   if (deed.op == Operator::merge && !wants_merge(before.tree, id, before.config))
     return wish + "; it was merged because the tree had " +
            counted(before.tree.entries(), "entry", "entries") + " for " +

@@ -64,6 +64,14 @@ TEST(TextRules, StepsOfRecordingsHaveTheirNames) {
   EXPECT_THAT(found, IsEmpty());
 }
 
+/// What patch, an editor or a merge leaves behind.
+TEST(TextRules, NoFileIsLeftBehind) {
+  const std::regex left_behind(R"(.*(\.(orig|rej|bak|swp|tmp)|~))");
+  std::vector<std::filesystem::path> found = project_files();
+  std::erase_if(found, [&](const auto& file) { return !std::regex_match(file.string(), left_behind); });
+  EXPECT_THAT(found, IsEmpty());
+}
+
 TEST(TextRules, HeadersHaveAtMost200Lines) { EXPECT_THAT(longer_than(200, ".h"), IsEmpty()); }
 
 TEST(TextRules, SourcesHaveAtMost400Lines) { EXPECT_THAT(longer_than(400, ".cpp"), IsEmpty()); }

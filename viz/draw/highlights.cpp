@@ -58,7 +58,7 @@ std::string Highlight::sentence() const {
     case Operator::split:
       return "leaf " + name + " got crowded: split into " + halves(acted.after, " and ");
     case Operator::shift_split:
-      return "leaf " + name + " got crowded: split along its parent's plane into " +
+      return "leaf " + name + " got crowded: split parallel to its parent's plane into " +
              halves(acted.after, " and ");
     case Operator::merge:
       return "node " + name + " was dissolved into a leaf of " + std::to_string(acted.after.population);

@@ -176,9 +176,9 @@ TYPED_TEST(FrameRendererTest, WhatActedIsShortenedToThePicture) {
       EXPECT_LE(text.x + font.width(text.text), 640) << text.text;
       if (text.text.ends_with(" more")) log = text.text;
     }
-    const std::string begin = note.empty()
-                                  ? "leaf n1007 got crowded: split along its parent's plane into 9 and 7"
-                                  : note + "   acted: shift-split n1007";
+    const std::string begin =
+        note.empty() ? "leaf n1007 got crowded: split parallel to its parent's plane into 9 and 7"
+                     : note + "   acted: shift-split n1007";
     EXPECT_TRUE(log.starts_with(begin)) << log;
     EXPECT_TRUE(log.ends_with(" more")) << log;
   }

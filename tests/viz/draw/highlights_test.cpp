@@ -58,7 +58,7 @@ TEST(HighlightSentences, SayWhyAnOperatorActedAndWhatBecame) {
   EXPECT_EQ(sentence(Operator::split, {119, 0, 0}, {119, 61, 58}),
             "leaf n26 got crowded: split into 61 and 58");
   EXPECT_EQ(sentence(Operator::shift_split, {119, 0, 0}, {119, 61, 58}),
-            "leaf n26 got crowded: split along its parent's plane into 61 and 58");
+            "leaf n26 got crowded: split parallel to its parent's plane into 61 and 58");
   EXPECT_EQ(sentence(Operator::balance, {90, 70, 21}, {90, 46, 45}),
             "node n26 divided badly (70 | 21): its plane moved, now 46 | 45");
   EXPECT_EQ(sentence(Operator::swap, {120, 118, 3}, {120, 60, 60}),
