@@ -43,7 +43,9 @@ std::string report_footer() {
 class Report {
  public:
   Report(const ReportRequest& request, Replace replace)
-      : request_(request), replace_(replace), store_(request.kept, request.fresh || request.overwrite) {
+      : request_(request),
+        replace_(replace),
+        store_(request.kept, request.shard, request.fresh || request.overwrite) {
     if (request.fresh) store_.clear();
     for (const Section& section : report_sections())
       if (std::ranges::find(request.sections, section.name) != request.sections.end())
@@ -51,25 +53,38 @@ class Report {
   }
 
   void run() {
-    require_gnuplot();
+    const bool is_shard = request_.shard.count > 1;
+    if (!is_shard) require_gnuplot();
     make_writable_folder(std::filesystem::absolute(request_.out).parent_path());
-    measure();
+    const std::size_t made = measure();
+    if (is_shard) {
+      std::printf(
+          "%s made, kept in %s; when all shards are there, the same command without --shard writes "
+          "the page\n",
+          counted(made, "measurement").c_str(), store_.file().c_str());
+      return;
+    }
+    store_.join();
     write_file_atomically(request_.out, page().html(), replace_);
     std::printf("%s\n", std::filesystem::absolute(request_.out).c_str());
   }
 
  private:
-  /// The cells that are not measured yet, each once.
+  /// The cells of the shard that are not measured yet, each once.
   [[nodiscard]] std::vector<Cell> missing() const {
     std::vector<Cell> cells;
     for (const Section* section : sections_)
       for (Cell& cell : section->cells(request_)) {
         const auto same = [&](const Cell& other) { return other.key == cell.key; };
-        if (!store_.has(cell.key) && std::ranges::none_of(cells, same)) cells.push_back(std::move(cell));
+        if (std::ranges::none_of(cells, same)) cells.push_back(std::move(cell));
       }
-    return cells;
+    std::vector<Cell> missing;
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      if (request_.shard.has(k) && !store_.has(cells[k].key)) missing.push_back(std::move(cells[k]));
+    return missing;
   }
-  void measure() {
+  /// How many were missing.
+  std::size_t measure() {
     const std::vector<Cell> cells = missing();
     double work = 0;
     for (const Cell& cell : cells) work += cell.work;
@@ -79,13 +94,14 @@ class Report {
     const Poll poll = [&] {
       if (interrupt.requested())
         throw Interrupted("interrupted; " + counted_of(done, cells.size(), "measurement") + " kept in " +
-                          request_.kept.string() + ", and the same command goes on from there");
+                          store_.file().string() + ", and the same command goes on from there");
     };
     for (const Cell& cell : cells) {
       countdown.begin(cell.key, cell.work);
       store_.put(cell.key, cell.measure(poll));
       ++done;
     }
+    return done;
   }
   [[nodiscard]] Page page() const {
     const Json machine = describe_machine();
@@ -137,6 +153,11 @@ ReportCommand::ReportCommand(CLI::App& program)
   option("--steps", texts_.steps, "Steps of every motion and scene (default 100 and 250)");
   option("--rounds", texts_.rounds, "How often timed runs are repeated (default 3)");
   option("--seeds", texts_.seeds, "Seeds of scenes in which pairs decide what moves (default 16)");
+  command_
+      ->add_option(
+          "--shard", texts_.shard,
+          "Only every N-th measurement, the K-th first, and no page: on like machines, in one folder")
+      ->type_name("K/N");
   command_->add_option("--hardcases", texts_.hardcases, "Where ./run hardcases wrote its table")
       ->type_name("FOLDER")
       ->capture_default_str();
@@ -150,7 +171,7 @@ bool ReportCommand::chosen() const { return command_->parsed(); }
 void ReportCommand::run() const {
   const ReportRequest request = parse_report_request(texts_, section_names());
   Outputs outputs({request.hardcases}, request.overwrite);
-  outputs.add_file(request.out);
+  if (request.shard.count == 1) outputs.add_file(request.out);
   Report(request, outputs.replace()).run();
 }
 

@@ -20,7 +20,7 @@ constexpr const char* kTitle = "# kerf experiment";
 
 /// The first line, which identifies a file's format, simulation, size and run.
 std::string title(const Simulation& simulation, const ExperimentSize& size, std::uint32_t repeat) {
-  return kTitle + std::string(" 3, simulation ") + std::to_string(simulation.number) + " (" +
+  return kTitle + std::string(" 4, simulation ") + std::to_string(simulation.number) + " (" +
          std::string(simulation.scene) + "), steps " + std::to_string(size.steps) + ", objects " +
          std::to_string(size.objects) + ", seed " + std::to_string(size.seed) + ", repeat " +
          std::to_string(repeat);
@@ -32,7 +32,7 @@ std::string file_stem(const Simulation& simulation) {
 }
 
 void write_step(std::ostream& text, const ExperimentStep& row) {
-  for (std::size_t k = 0; k < contestants().size(); ++k) {
+  for (std::size_t k = 0; k < row.contestants.size(); ++k) {
     const ContestantStep& one = row.contestants[k];
     text << row.step << ',' << row.moving << ',' << contestants()[k] << ',' << row.fps(k) << ',' << row.pairs
          << ',';
@@ -55,11 +55,12 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 std::uint64_t whole(const std::string& cell) { return cell.empty() ? 0 : std::stoull(cell); }
 
-/// Adds a line to its step. Throws std::logic_error for an invalid line.
-void read_line(const std::string& line, ExperimentRun& run) {
+/// Adds a line to its step, which has a line for each of the names. Throws std::logic_error for an invalid
+/// line.
+void read_line(const std::string& line, std::span<const std::string_view> names, ExperimentRun& run) {
   const std::vector<std::string> cells = cells_of(line);
-  const std::size_t contestant = run.empty() ? 0 : run.back().contestants.size() % contestants().size();
-  if (cells.size() != 14 || cells[2] != contestants()[contestant])
+  const std::size_t contestant = run.empty() ? 0 : run.back().contestants.size() % names.size();
+  if (cells.size() != 14 || cells[2] != names[contestant])
     throw std::invalid_argument("not a line of an experiment");
   if (contestant == 0) {
     ExperimentStep& row = run.emplace_back();
@@ -109,14 +110,15 @@ std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const
     throw UsageError(
         path.string() +
         " is of another experiment; choose another folder with --out, or replace it with --overwrite");
+  const std::span<const std::string_view> names = contestants_in(repeat);
   ExperimentRun run;
   try {
     std::getline(file, line);
-    while (std::getline(file, line)) read_line(line, run);
+    while (std::getline(file, line)) read_line(line, names, run);
   } catch (const std::logic_error&) {
     run.clear();
   }
-  if (run.size() != size.steps || run.back().contestants.size() != contestants().size())
+  if (run.size() != size.steps || run.back().contestants.size() != names.size())
     throw std::runtime_error(path.string() + " is damaged; remove it, and the run is made again");
   return run;
 }

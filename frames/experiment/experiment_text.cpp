@@ -97,7 +97,7 @@ std::string experiment_text(const ExperimentPlan& plan, const ExperimentRuns& ru
   write_introduction(text, plan);
   for (std::size_t k = 0; k < runs.size(); ++k) write_means(text, plan, simulations()[k], runs[k]);
   write_wrong(text, runs);
-  write_readings(text, runs);
+  write_readings(text, first_repeats(runs));
   write_verdicts(text, runs);
   return text.str();
 }

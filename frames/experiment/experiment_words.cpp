@@ -33,7 +33,8 @@ std::vector<std::string> method_words(const ExperimentPlan& plan) {
       "turns, and each is timed by itself. All have to report the same pairs, which is checked in each step. "
       "So what the paper calls the number of pairs is here the number of pairs whose boxes a structure "
       "leaves "
-      "to be compared, counted in each fifth step. Pairs of two fixed objects are among them where a "
+      "to be compared, counted in each fifth step of the first repeat. Pairs of two fixed objects are among "
+      "them where a "
       "structure "
       "compares their boxes (BSP, LO) and not where it excludes them before (QT, SH, SP).",
       "Overhead is the taking over of boxes and all that brings a structure up to date; collision time is "
@@ -72,6 +73,7 @@ std::vector<std::string> wrong_words(const ExperimentRuns& runs) {
       std::size_t steps = 0;
       for (const TimedRun& run : runs[simulation])
         for (const ExperimentStep& row : run.steps) {
+          if (k >= row.contestants.size()) continue;
           pairs += row.contestants[k].wrong;
           steps += row.contestants[k].wrong > 0 ? 1U : 0U;
         }
@@ -99,7 +101,8 @@ std::string count_words(const std::vector<ClaimVerdict>& verdicts) {
 std::vector<std::string> reading_words() {
   return {
       "The paper leaves some questions open. Each answer that its words allow ran beside the others, on the "
-      "same boxes; the first is what BSP is above, and docs/DESIGN.md says why."};
+      "same boxes, in the first repeat of each seed; the first is what BSP is above, and docs/DESIGN.md says "
+      "why. Statements are counted over these runs alone, so that all readings have the same."};
 }
 
 ReadingCells reading_cells(const Reading& reading, const std::vector<TimedRun>& runs) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -38,8 +39,9 @@ Config config_of_reading(std::string_view contestant) {
 /// Stands in the world's loop and has all contestants do each step.
 class Chorus final : public BroadPhase<3> {
  public:
-  Chorus(const SceneEntry<3>& entry, const SceneOptions& options) {
-    for (const std::string_view name : kerf::contestants()) {
+  Chorus(const SceneEntry<3>& entry, const SceneOptions& options, std::uint32_t repeat)
+      : counts_(repeat == 1) {
+    for (const std::string_view name : contestants_in(repeat)) {
       BroadPhaseChoice choice = choose_broad_phase(name.substr(0, name.find(':')), entry.needs);
       if (choice.name == kPaperTree) choice.config = config_of_reading(name);
       contestants_.emplace_back(make_broad_phase<3>(choice, entry, options));
@@ -70,8 +72,9 @@ class Chorus final : public BroadPhase<3> {
       results_[turn] = contestants_[turn].step(requests_);
     }
     // Only when all are timed, since counting leaves the caches full of other things.
-    for (std::size_t k = 0; k < contestants_.size() && steps_ % kBetweenCounts == 0; ++k)
-      results_[k].candidates = contestants_[k].count_candidates();
+    if (counts_ && steps_ % kBetweenCounts == 0)
+      for (std::size_t k = 0; k < contestants_.size(); ++k)
+        results_[k].candidates = contestants_[k].count_candidates();
     ++steps_;
     compare();
     requests_.clear();
@@ -106,6 +109,7 @@ class Chorus final : public BroadPhase<3> {
   std::vector<ContestantStep> results_;
   double milliseconds_ = 0;
   std::uint32_t steps_ = 0;
+  bool counts_;
 };
 
 }  // namespace
@@ -122,18 +126,30 @@ std::span<const std::string_view> contestants() {
 
 std::span<const std::string_view> contestants_in_figures() { return kContestants; }
 
+std::span<const std::string_view> contestants_in(std::uint32_t repeat) {
+  return repeat == 1 ? contestants() : contestants_in_figures();
+}
+
 std::string_view paper_name(std::string_view contestant) {
   const auto found = std::ranges::find(kContestants, contestant);
   return kPaperNames.at(static_cast<std::size_t>(found - kContestants.begin()));
 }
 
-ExperimentRun run_simulation(const Simulation& simulation, const ExperimentSize& size,
+ExperimentRuns first_repeats(const ExperimentRuns& runs) {
+  ExperimentRuns first;
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    std::ranges::copy_if(runs[k], std::back_inserter(first[k]),
+                         [](const TimedRun& run) { return run.repeat == 1; });
+  return first;
+}
+
+ExperimentRun run_simulation(const Simulation& simulation, const ExperimentSize& size, std::uint32_t repeat,
                              const std::function<bool(std::uint32_t step)>& watch) {
   const CatalogScene found = find_scene(simulation.scene);
   const SceneEntry<3>& entry = *std::get<const SceneEntry<3>*>(found.entry);
   SceneOptions options{.objects = size.objects, .seed = size.seed};
   if (entry.grows) options.steps = size.steps;
-  Chorus chorus(entry, options);
+  Chorus chorus(entry, options, repeat);
   const std::unique_ptr<Scene<3>> scene = entry.make(chorus, options);
   ExperimentRun run;
   for (std::uint32_t step = 1; step <= size.steps && watch(step); ++step) {

@@ -23,6 +23,8 @@ std::span<const Simulation> simulations();
 std::span<const std::string_view> contestants();
 /// Those before the other readings.
 std::span<const std::string_view> contestants_in_figures();
+/// Those of a repeat: the other readings run in the first one only, since it is their counts that are asked.
+std::span<const std::string_view> contestants_in(std::uint32_t repeat);
 /// The paper's name of a contestant in figures: "BSP", "QT", "SH", "LO" or "SP"; a like one for those that it
 /// has not.
 std::string_view paper_name(std::string_view contestant);
@@ -52,7 +54,7 @@ struct ExperimentStep {
   std::uint64_t pairs = 0;  ///< the true pairs
   std::uint64_t contacts = 0;
   double rest = 0;                          ///< milliseconds of narrow phase and dynamics
-  std::vector<ContestantStep> contestants;  ///< in the order of `contestants()`
+  std::vector<ContestantStep> contestants;  ///< in the order of `contestants()`, those of the repeat
 
   /// Frames a second with only that broad phase in the loop.
   [[nodiscard]] double fps(std::size_t contestant) const {
@@ -72,10 +74,14 @@ struct TimedRun {
 /// By simulation number - 1; each simulation has the same runs, all seeds of the first repeat first.
 using ExperimentRuns = std::array<std::vector<TimedRun>, 4>;
 
+/// Those that all readings have.
+ExperimentRuns first_repeats(const ExperimentRuns& runs);
+
 /// Runs a simulation once with all broad phases side by side: each gets the same boxes in each step, in
 /// turns, and is timed by itself. The world follows the first of them; differences of the others' pairs from
-/// its pairs are counted. `watch(step)` is called before each step and ends the run by returning false.
-ExperimentRun run_simulation(const Simulation& simulation, const ExperimentSize& size,
+/// its pairs are counted. Candidates are counted in the first repeat, since later ones have the same.
+/// `watch(step)` is called before each step and ends the run by returning false.
+ExperimentRun run_simulation(const Simulation& simulation, const ExperimentSize& size, std::uint32_t repeat,
                              const std::function<bool(std::uint32_t step)>& watch);
 
 }  // namespace kerf

@@ -16,7 +16,7 @@ constexpr ReportSizes kFull{.objects = 4250,
                             .need_objects = 4250,
                             .loop_objects = 1000,
                             .loop_steps = 1500,
-                            .seeds = 32};
+                            .seeds = 16};
 
 /// The named sections, each once, in the order of the page; all if none is named.
 std::vector<std::string> chosen(const std::vector<std::string>& named,
@@ -66,6 +66,7 @@ ReportRequest parse_report_request(const ReportTexts& texts, const std::vector<s
   request.kept = std::filesystem::path(texts.out).replace_extension(".json");
   if (request.kept == request.out)
     throw UsageError("--out '" + texts.out + "': the figures are kept there; call the page something.html");
+  if (!texts.shard.empty()) request.shard = parse_shard(texts.shard);
   request.hardcases = texts.hardcases;
   request.fresh = texts.fresh;
   request.overwrite = texts.overwrite;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "frames/support/shard.h"
+
 namespace kerf {
 
 /// The options of `kerf report` as the user typed them; empty: not given.
@@ -16,6 +18,7 @@ struct ReportTexts {
   std::string steps;
   std::string rounds;
   std::string seeds;
+  std::string shard;
   bool full = false;
   bool fresh = false;
   bool overwrite = false;
@@ -39,6 +42,7 @@ struct ReportRequest {
   ReportSizes sizes;
   std::filesystem::path out;        ///< the page
   std::filesystem::path kept;       ///< the figures, beside it
+  Shard shard;                      ///< of the measurements; of several, none writes the page
   std::filesystem::path hardcases;  ///< the folder of `./run hardcases`
   bool fresh = false;               ///< figures of an earlier run are discarded
   bool overwrite = false;           ///< so are those of another machine or version, and the page is replaced

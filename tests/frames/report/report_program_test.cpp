@@ -99,6 +99,38 @@ TEST(ReportProgram, DoesNotMeasureAgainWhatIsKept) {
   EXPECT_THAT(read_text(page), Not(HasSubstr("987654321")));
 }
 
+/// Each measurement is made by one shard, and the page's own file has all of them in the end.
+TEST(ReportProgram, ShardsMakeTheMeasurementsOfOnePage) {
+  const TemporaryFolder folder;
+  const std::string page = (folder.path() / "page.html").string();
+  const auto keys = [&](const char* name) {
+    std::vector<std::string> found;
+    const auto json = read_json(folder.path() / name);
+    for (const auto& [key, cell] : json["cells"].items()) found.push_back(key);
+    return found;
+  };
+  const auto kept = [&] { return keys("page.json"); };
+  ASSERT_EQ(run_small_report(page, {"missed", "volumes", "--shard", "1/2"}).exit, kExitHolds);
+  EXPECT_FALSE(std::filesystem::exists(page));
+  const std::vector<std::string> first = keys("page.shard-1-of-2.json");
+  EXPECT_THAT(run_small_report(page, {"missed", "volumes", "--shard", "1/2"}).out,
+              HasSubstr("0 measurements"));
+  // A shard's figures would show on the page.
+  auto figures = read_json(folder.path() / "page.shard-1-of-2.json");
+  const std::string last = first.back();
+  ASSERT_THAT(last, HasSubstr("volumes"));
+  figures["cells"][last][0]["contacts"] = 987654321;
+  std::ofstream(folder.path() / "page.shard-1-of-2.json") << figures;
+  const Outcome second = run_small_report(page, {"missed", "volumes", "--shard", "2/2"});
+  ASSERT_EQ(second.exit, kExitHolds) << second.err;
+  EXPECT_THAT(second.out, HasSubstr("page.shard-2-of-2.json"));
+  ASSERT_EQ(run_small_report(page, {"missed", "volumes"}).exit, kExitHolds);
+  EXPECT_THAT(read_text(page), HasSubstr("987654321"));
+  EXPECT_THAT(kept(), ::testing::IsSupersetOf(first));
+  EXPECT_GT(kept().size(), first.size());
+  EXPECT_THAT(folder.files(), ::testing::SizeIs(2)) << "the page and its figures";
+}
+
 TEST(ReportProgram, TakesNothingOverFromAnotherMachine) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "page.html").string();
