@@ -35,6 +35,8 @@ std::uint64_t overlaps_on(const std::vector<Entry>& entries) {
   return count;
 }
 
+}  // namespace
+
 template <int D>
 std::uint64_t list_candidates(const Tree<D>& tree) {
   std::uint64_t count = 0;
@@ -46,8 +48,6 @@ std::uint64_t list_candidates(const Tree<D>& tree) {
   });
   return count;
 }
-
-}  // namespace
 
 template <int D>
 std::optional<std::uint64_t> candidates_of(const BroadPhase<D>& subject) {
@@ -100,6 +100,8 @@ SplitCost costed_step(const StepRequests<D>& requests, BroadPhase<D>& subject) {
   return cost;
 }
 
+template std::uint64_t list_candidates(const Tree<2>&);
+template std::uint64_t list_candidates(const Tree<3>&);
 template Structure structure_of(const BroadPhase<2>&);
 template Structure structure_of(const BroadPhase<3>&);
 template std::optional<std::uint64_t> candidates_of(const BroadPhase<2>&);

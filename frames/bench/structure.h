@@ -5,6 +5,7 @@
 
 #include "core/objects/broad_phase.h"
 #include "core/recording/step_requests.h"
+#include "core/tree/tree.h"
 
 namespace kerf {
 
@@ -21,6 +22,10 @@ Structure structure_of(const BroadPhase<D>& subject);
 /// `Structure::candidates` alone.
 template <int D>
 std::optional<std::uint64_t> candidates_of(const BroadPhase<D>& subject);
+
+/// Pairs of a tree that were left to be tested in a step with the paper's ordered lists.
+template <int D>
+std::uint64_t list_candidates(const Tree<D>& tree);
 
 /// What a step cost, in milliseconds.
 struct SplitCost {

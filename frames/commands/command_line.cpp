@@ -22,6 +22,7 @@
 #include "frames/commands/experiment_command.h"
 #include "frames/commands/explain_command.h"
 #include "frames/commands/export_command.h"
+#include "frames/commands/film_command.h"
 #include "frames/commands/film_diff_command.h"
 #include "frames/commands/import_command.h"
 #include "frames/commands/lint_command.h"
@@ -145,6 +146,7 @@ int run_command_line(int argc, char** argv) {
   const ScenesCommand scenes(program);
   const RenderCommand render(program);
   const CollectCommand collector(program);
+  const FilmCommand film(program);
   const FilmDiffCommand film_diff(program);
   const RecordCommand record(program);
   const ImportCommand import(program);
@@ -178,7 +180,7 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUnusable;
   }
-  return run(program, scenes, render, collector, film_diff, record, import, rerun, verify, debug, step,
+  return run(program, scenes, render, collector, film, film_diff, record, import, rerun, verify, debug, step,
              explain, compare, lint, minimize, exporter, diff, bench, bench_frames, experiment, report_page,
              study);
 }

@@ -131,7 +131,7 @@ std::filesystem::path DebugCommand::recording(const std::filesystem::path& scrat
   if (texts.steps.empty()) texts.steps = "300";
   if (!is_kept) texts.record = scratch / "run.kerf";
   try {
-    record_scene(parse_request(texts));
+    record_scene(parse_request(texts), is_kept ? CostOfRecording::printed : CostOfRecording::silent);
   } catch (const Interrupted&) {
     if (is_kept) throw;
     throw Interrupted("interrupted while recording " + texts.scene +

@@ -17,6 +17,7 @@ constexpr ExitMeaning kMeanings[] = {
     {"experiment", "the runs, figures and pages are there, whatever they show", ""},
     {"explain", "the explanation was printed", ""},
     {"export", "everything was written", ""},
+    {"film", "the film is made", ""},
     {"film-diff", "the film is made of two sequences of equal steps, whether they differ or not",
      "the film is made, and a frame has no partner"},
     {"import", "the recording is complete, whatever the other engine's pairs are", ""},

@@ -39,7 +39,7 @@ void print_summary(const std::filesystem::path& file, double recording, double r
 }
 
 template <int D>
-void record(const SceneEntry<D>& entry, const RenderRequest& request) {
+void record(const SceneEntry<D>& entry, const RenderRequest& request, CostOfRecording cost) {
   const InterruptGuard interrupt;
   const auto start = std::chrono::steady_clock::now();
   const RecordingInfo info = recording_info(request);
@@ -60,7 +60,7 @@ void record(const SceneEntry<D>& entry, const RenderRequest& request) {
   const bool whole = scene->step() == request.steps.last;
   if (whole) part.keep();
   const std::filesystem::path file = whole ? request.record : part.keep_as_far_as_it_came();
-  print_summary<D>(file, recorder.seconds(), run);
+  if (cost == CostOfRecording::printed) print_summary<D>(file, recorder.seconds(), run);
   if (!whole)
     throw Interrupted("interrupted: " + counted_of(scene->step(), request.steps.last, "step") + " in " +
                       file.string());
@@ -68,10 +68,10 @@ void record(const SceneEntry<D>& entry, const RenderRequest& request) {
 
 }  // namespace
 
-void record_scene(const RenderRequest& request) {
+void record_scene(const RenderRequest& request, CostOfRecording cost) {
   Outputs({}, request.overwrite).add_recording(request.record);
   try {
-    std::visit([&](const auto* entry) { record(*entry, request); }, request.scene.entry);
+    std::visit([&](const auto* entry) { record(*entry, request, cost); }, request.scene.entry);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

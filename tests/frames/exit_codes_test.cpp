@@ -129,6 +129,8 @@ constexpr Case kCases[] = {
     {0, "diff @frames @frames"},
     {1, "diff @frames @shard"},
     {2, "diff @frames @none"},
+    {0, "film @a.kerf -o @story.gif --seconds 2 --fps 5 --size 640x360"},
+    {2, "film @none.kerf -o @story2.gif"},
     {0, "film-diff @frames @frames -o @f.gif"},
     {1, "film-diff @frames @fewer -o @f2.gif"},
     {2, "film-diff @frames @none -o @f3.gif"},

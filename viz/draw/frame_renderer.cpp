@@ -26,6 +26,9 @@ const FrameOptions& checked(const FrameOptions& options) {
                                 " pixels cannot be drawn; each side can be " + std::to_string(kMinFrameSide) +
                                 " to " + std::to_string(kMaxFrameSide));
   }
+  const Margins& margins = options.margins;
+  if (margins.left + margins.right >= options.width || margins.top + margins.bottom >= options.height)
+    throw std::invalid_argument("the margins leave nothing of the picture to its scene");
   if (options.samples != 0 && options.samples != 1 && options.samples != 4)
     throw std::invalid_argument("a pixel can have 1 or 4 samples, or 0 for a choice, not " +
                                 std::to_string(options.samples));
@@ -35,6 +38,14 @@ const FrameOptions& checked(const FrameOptions& options) {
 template <int D>
 std::string ramp_text(const FramePlan<D>& plan) {
   return std::to_string(plan.largest_population) + (plan.ramp_is_fixed ? "+" : "");
+}
+
+Layout within(const Margins& margins, Layout layout) {
+  layout.scene.left += margins.left;
+  layout.scene.top += margins.top;
+  layout.scene.width -= margins.left + margins.right;
+  layout.scene.height -= margins.top + margins.bottom;
+  return layout;
 }
 
 /// When a frame is, for a camera that moves: by what an import calls the step.
@@ -128,6 +139,7 @@ struct FrameRenderer<D>::State {
                                      has(Layer::operators) ? newest : std::vector<Highlight>{});
     draw_caption(frame.view, font, layout, caption, log, overlay);
     draw_legend(frame.view, font, layout, legend, frame.line_scale, overlay);
+    if (sketch) sketch(frame.view, font, overlay);
     painter.draw(overlay.shapes, Depth::ignore);
     painter.draw(overlay.text, frame.view);
   }
@@ -140,7 +152,8 @@ struct FrameRenderer<D>::State {
     std::vector<LegendItem> legend;
     if (has(Layer::legend)) legend = legend_items(options.layers, D, plan.has_tree, ramp_text(plan));
     const bool has_log = !caption.empty() && (has(Layer::operators) || !input.caption.note.empty());
-    const Layout layout = make_layout(font, options.width, options.height, caption, has_log, legend);
+    const Layout layout =
+        within(options.margins, make_layout(font, options.width, options.height, caption, has_log, legend));
     const View view = frame_all(plan.bounds, now, layout.scene, options.width, options.height);
     const double line_scale = std::clamp(options.height / 720.0, 0.6, 8.0);
     const DrawContext<D> frame{input,
@@ -181,6 +194,7 @@ struct FrameRenderer<D>::State {
   Batch id_overlay;
   FrameIds ids;
   Tamper tamper;
+  Sketch sketch;
   Overlay overlay;
   Image image;
 };
@@ -221,6 +235,16 @@ template <int D>
 void FrameRenderer<D>::set_layers(LayerSet layers) {
   state_->options.layers = layers;
   state_->planner.set_layers(layers);
+}
+
+template <int D>
+void FrameRenderer<D>::set_camera(const CameraChoice<D>& camera) {
+  state_->camera = camera;
+}
+
+template <int D>
+void FrameRenderer<D>::set_sketch(Sketch sketch) {
+  state_->sketch = std::move(sketch);
 }
 
 template <int D>

@@ -58,6 +58,14 @@ inline constexpr std::size_t kManyBodies = 2000;
 inline constexpr int kMinFrameSide = 64;
 inline constexpr int kMaxFrameSide = 8192;
 
+/// Pixels at the edges of a picture that the scene leaves free.
+struct Margins {
+  int left = 0;
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
+};
+
 struct FrameOptions {
   int width = 1280;  ///< kMinFrameSide to kMaxFrameSide, as height
   int height = 720;
@@ -68,7 +76,15 @@ struct FrameOptions {
   bool ids = false;           ///< also record what was drawn and where, see `FrameIds`
   std::string camera_path{};  ///< see CameraPath; empty: the camera stands still
   GlBackend backend = GlBackend::any;
+  Margins margins{};  ///< for pictures without caption and legend, which would keep the whole width
 };
+
+struct View;
+struct Overlay;
+class Font;
+
+/// Draws into a picture what lies above its scene, for example in its margins.
+using Sketch = std::function<void(const View& view, const Font& font, Overlay& overlay)>;
 
 /// Called with the triangles of a scene (back, glass, lines, front) before they are drawn. Tests plant bugs
 /// with it.
@@ -76,6 +92,8 @@ using Tamper = std::function<void(std::span<Batch> batches, const DrawList& list
 
 template <int D>
 struct FramePlan;
+template <int D>
+struct CameraChoice;
 
 /// Draws frames with a GL context of its own; the same inputs in the same order give the same pixels on every
 /// run and for every number of rasteriser threads.
@@ -102,6 +120,10 @@ class FrameRenderer {
   /// The box that the last frame showed, for the other renderers of a sequence.
   [[nodiscard]] Box<D> view_box() const;
   void set_layers(LayerSet layers);
+  /// From now on this is the camera, where no path moves it.
+  void set_camera(const CameraChoice<D>& camera);
+  /// What the next frames have above their scene.
+  void set_sketch(Sketch sketch);
 
   /// Of the last frame; empty unless the options ask for it.
   [[nodiscard]] const FrameIds& ids() const;

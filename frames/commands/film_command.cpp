@@ -1,0 +1,49 @@
+#include "frames/commands/film_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include "frames/commands/output_option.h"
+#include "frames/story/story.h"
+
+namespace kerf {
+
+FilmCommand::FilmCommand(CLI::App& program)
+    : command_(program.add_subcommand("film", "A short film of a run, to share: scene, tree and tests")) {
+  RenderTexts& texts = texts_.pictures;
+  const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
+    return command_->add_option(name, text, meaning)->type_name(type);
+  };
+  option("SCENE|FILE", texts.scene, "A scene of `kerf scenes`, or a recording", "")->required();
+  add_output(*command_, "-o,--out", texts.video, "The film (.mp4, .mkv, .mov, .webm, .gif, .apng)")
+      ->required();
+  add_output(*command_, "--still", texts_.still, "Also its picture of the largest operator, a .png");
+  option("--seconds", texts_.seconds, "How long it is (default 60)", "N");
+  option("--fps", texts.fps, "Frames a second (default 60)", "N");
+  option("--size", texts.size, "Width and height in pixels (default 1920x1080)", "WxH");
+  option("--steps", texts.steps, "Of a scene how many (default 800), of a recording which (default all)",
+         "A:B");
+  option("--beside", texts_.beside, "The second curve: loose-octree (default), sweep-and-prune or none",
+         "NAME");
+  option("--objects", texts.objects, "Of a scene: moving objects at the end (default: its own)", "N");
+  option("--grow", texts.grow, "Of a scene: steps until all objects are there", "STEPS");
+  option("--broad-phase", texts.broad_phase, "Of a scene: kerf-paper (default) or kerf, the tuned tree",
+         "NAME");
+  option("--config", texts.config, "Of a scene: parameters of the tree, see `kerf render --help`", "K=V,...");
+  option("--seed", texts.seed, "Of a scene: of every random choice (default 1)", "S");
+  option("--show", texts.show, "Layers (default objects,leaves,partitioners,operators)", "LAYERS");
+  option("--camera", texts.camera, "From where, in the middle of the film, see `kerf render --help`", "TEXT");
+  option("--workers", texts.workers, "Processes that draw; 0: this one alone (default: one a core)", "N");
+  command_->add_flag("--overwrite", texts.overwrite, "Replace an earlier film and picture");
+  command_->footer(
+      "The scene is left, the camera goes slowly around it. Right are the tree as an icicle (a bar is as "
+      "wide\n"
+      "as its node has objects) and the tests that each broad phase makes, step by step. Time stands still "
+      "at\n"
+      "the operators on the largest nodes, while their planes move.");
+}
+
+bool FilmCommand::chosen() const { return command_->parsed(); }
+
+void FilmCommand::run() const { make_story(parse_story_request(texts_)); }
+
+}  // namespace kerf

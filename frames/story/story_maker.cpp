@@ -1,0 +1,112 @@
+#include "frames/story/story_maker.h"
+
+#include <stdexcept>
+
+#include "frames/sequence/farm/frame_parcel.h"
+#include "frames/story/slide_plane.h"
+#include "frames/support/errors.h"
+#include "frames/support/raw_bytes.h"
+#include "viz/draw/camera.h"
+#include "viz/draw/frame_renderer.h"
+#include "viz/image/png.h"
+
+namespace kerf {
+namespace {
+
+StoryInsert unpack_story(RawReader& in) {
+  StoryInsert insert;
+  insert.title = in.get_text();
+  insert.figures = in.get_text();
+  insert.sentence = in.get_text();
+  insert.acting = in.get<std::optional<NodeId>>();
+  insert.moment = in.get<std::optional<StoryMoment>>();
+  insert.progress = in.get<double>();
+  insert.turn = in.get<double>();
+  insert.step = in.get<std::uint32_t>();
+  insert.levels = in.get<std::uint32_t>();
+  insert.curves.resize(in.get<std::size_t>());
+  for (StoryCurve& curve : insert.curves) {
+    curve.name = in.get_text();
+    curve.color = in.get<Color>();
+    curve.values = in.get_list<float>();
+  }
+  return insert;
+}
+
+FrameOptions story_options(const RenderRequest& request) {
+  FrameOptions options;
+  options.width = request.size.width;
+  options.height = request.size.height;
+  options.layers = request.layers;
+  options.camera = request.camera;
+  options.camera_path = request.camera_path;
+  options.backend = request.backend;
+  options.margins = story_margins(options.width, options.height);
+  return options;
+}
+
+template <int D>
+class StoryMaker final : public FrameMaker {
+ public:
+  explicit StoryMaker(const RenderRequest& request)
+      : camera_(parse_camera<D>(request.camera)), renderer_(story_options(request)) {}
+
+  Made make(const std::string& /*file*/, std::span<const std::uint8_t> parcel,
+            std::optional<std::uint64_t> /*kept*/) override {
+    RawReader in(parcel);
+    const StoryInsert insert = unpack_story(in);
+    FrameParcel<D> frame = unpack<D>(in.get_list<std::uint8_t>());
+    if (insert.moment) slide_plane(frame.plan, *insert.moment, insert.progress);
+    if constexpr (D == 3) {
+      CameraChoice<3> turned = camera_;
+      turned.yaw += insert.turn;
+      renderer_.set_camera(turned);
+    }
+    const StoryPanels panels{
+        insert.title,  insert.figures, insert.sentence, &frame.plan.snapshot, frame.plan.largest_population,
+        insert.levels, insert.acting,  &insert.curves,  insert.step};
+    renderer_.set_sketch([&](const View& view, const Font& font, Overlay& overlay) {
+      draw_story(view, font, panels, overlay);
+    });
+    const Image& image = renderer_.render(frame.input(), frame.plan);
+    return {pixel_hash(image), &image};
+  }
+
+ private:
+  CameraChoice<D> camera_;
+  FrameRenderer<D> renderer_;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> pack_story(const StoryInsert& insert, const std::vector<std::uint8_t>& frame) {
+  RawWriter out;
+  out.put_text(insert.title);
+  out.put_text(insert.figures);
+  out.put_text(insert.sentence);
+  out.put(insert.acting);
+  out.put(insert.moment);
+  out.put(insert.progress);
+  out.put(insert.turn);
+  out.put(insert.step);
+  out.put(insert.levels);
+  out.put(insert.curves.size());
+  for (const StoryCurve& curve : insert.curves) {
+    out.put_text(curve.name);
+    out.put(curve.color);
+    out.put_list(std::span<const float>(curve.values));
+  }
+  out.put_list(std::span<const std::uint8_t>(frame));
+  return out.take();
+}
+
+std::unique_ptr<FrameMaker> make_story_maker(const StoryRequest& request) {
+  try {
+    if (request.pictures.dimension() == 2) return std::make_unique<StoryMaker<2>>(request.pictures);
+    return std::make_unique<StoryMaker<3>>(request.pictures);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,86 @@
+#include "viz/draw/story.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/viz/small_scene.h"
+
+namespace kerf {
+namespace {
+
+/// A story's picture, with its texts.
+class StoryPicture : public testing::Test {
+ protected:
+  void draw(int width, int height, const std::string& sentence) {
+    FrameOptions options;
+    options.width = width;
+    options.height = height;
+    options.ids = true;
+    options.layers = LayerSet::parse("objects,partitioners");
+    options.margins = story_margins(width, height);
+    FrameRenderer<3> renderer(options);
+    tree.assign(&scene.tree());
+    const std::vector<StoryCurve> curves{{"each with each", {90, 90, 90}, {1e6F, 1e6F, 1e6F, 1e6F}},
+                                         {"our tree", {0, 114, 178}, {1000, -1, 4000, 3000}}};
+    const StoryPanels panels{"small", "step 3", sentence, &tree, 64, 12, tree.root(), &curves, 3};
+    renderer.set_sketch([&](const View& view, const Font& font, Overlay& overlay) {
+      draw_story(view, font, panels, overlay);
+    });
+    picture = renderer.render(scene.input());
+    texts = renderer.ids().list.texts;
+    font_width = Font(font_pixels(height)).advance();
+  }
+
+  test::SmallScene<3> scene;
+  TreeSnapshotOf<3> tree;
+  Image picture;
+  std::vector<DrawnText> texts;
+  int font_width = 0;
+};
+
+TEST_F(StoryPicture, TextsStayInsideThePictureAndOutOfTheScene) {
+  for (const auto& [width, height] : {std::pair(640, 360), std::pair(1920, 1080)}) {
+    draw(width, height,
+         "Step 604: leaf n26 got crowded: split parallel to its parent's plane into 61 and 58");
+    const Margins margins = story_margins(width, height);
+    ASSERT_GE(texts.size(), 10U);
+    for (const DrawnText& text : texts) {
+      const int right = text.x + font_width * static_cast<int>(text.text.size());
+      EXPECT_GE(text.x, 0) << text.text;
+      EXPECT_LE(right, text.x < width - margins.right ? width - margins.right : width) << text.text;
+      EXPECT_LE(text.y + 2 * font_width, height) << text.text;
+      const bool in_scene = text.y > margins.top && text.y < height - margins.bottom;
+      EXPECT_TRUE(!in_scene || text.x >= width - margins.right) << text.text;
+    }
+  }
+}
+
+/// The value of a step that was not counted is the one before.
+TEST_F(StoryPicture, ShowsTheValuesOfTheStep) {
+  draw(1280, 720, "");
+  std::vector<std::string> words;
+  for (const DrawnText& text : texts) words.push_back(text.text);
+  EXPECT_THAT(words, testing::IsSupersetOf({"1,000,000", "4,000", "each with each", "1k", "1M"}));
+}
+
+TEST_F(StoryPicture, TheIcicleHasTheColoursOfItsLeavesAndTheRimOfTheActingNode) {
+  draw(1280, 720, "");
+  std::size_t acting = 0;
+  const Margins margins = story_margins(1280, 720);
+  for (int y = 0; y < 720; ++y)
+    for (int x = 1280 - margins.right; x < 1280; ++x) {
+      const std::uint8_t* p = picture.pixel(x, y);
+      if (p[0] > 180 && p[1] < 60 && p[2] > 90) ++acting;
+    }
+  EXPECT_GT(acting, 400U) << "the root is as wide as the panel";
+}
+
+TEST(StoryNumbers, HaveCommas) {
+  EXPECT_EQ(with_commas(0), "0");
+  EXPECT_EQ(with_commas(999), "999");
+  EXPECT_EQ(with_commas(1000), "1,000");
+  EXPECT_EQ(with_commas(1124250), "1,124,250");
+}
+
+}  // namespace
+}  // namespace kerf
