@@ -230,6 +230,9 @@ void make_story(const StoryRequest& request) {
                   request.pictures.overwrite);
   add_outputs(request.pictures.film, outputs);
   outputs.add_file(request.still);
+  make_writable_folder(std::filesystem::absolute(request.pictures.film.video).parent_path());
+  if (!request.still.empty())
+    make_writable_folder(std::filesystem::absolute(request.still).parent_path(), "--still");
   Story(request).run();
 }
 

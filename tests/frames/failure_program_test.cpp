@@ -310,6 +310,8 @@ INSTANTIATE_TEST_SUITE_P(
     FailureProgram, UnwritablePlace,
     ::testing::Values(
         Unwritable{"Diff", {"diff", "FRAMES", "FRAMES", "--report", "/proc/no"}, "--report"},
+        Unwritable{"Film", {"film", "FILE", "-o", "/proc/no/a.mp4"}, "--out"},
+        Unwritable{"FilmStill", {"film", "FILE", "-o", "FILM", "--still", "/proc/no/a.png"}, "--still"},
         Unwritable{"FilmDiff", {"film-diff", "FRAMES", "FRAMES", "-o", "/proc/no/a.mp4"}, "--out"},
         Unwritable{"FilmDiffSheet",
                    {"film-diff", "FRAMES", "FRAMES", "-o", "FILM", "--contact-sheet", "/proc/no/a.png"},

@@ -64,11 +64,12 @@ TEST(ReadmeProgram, TheCommandsOfTheFirstFiveMinutesWork) {
   std::ofstream(folder.path() / "boxes.csv") << csv[0];
   std::ofstream(folder.path() / "pairs.csv") << csv[1];
   const std::vector<std::string> commands = blocks(text, "sh");
-  ASSERT_THAT(commands, SizeIs(3));
+  ASSERT_THAT(commands, SizeIs(4));
   const Outcome outcome = run_script(joined(commands), folder.path());
   EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("1 missed, 1 extra"));
-  for (const char* file : {"buckets.mp4", "out/buckets/frames.json", "pile.kerf", "split.png", "theirs.kerf"})
+  for (const char* file :
+       {"buckets.mp4", "terrain.mp4", "out/buckets/frames.json", "pile.kerf", "split.png", "theirs.kerf"})
     EXPECT_TRUE(std::filesystem::exists(folder.path() / file)) << file;
 }
 

@@ -234,6 +234,25 @@ Scenario film_diff_scenario() {
           {{"film.gif"}, {"sheet.png"}}};
 }
 
+Scenario film_scenario() {
+  return {"film",
+          [](const Path& folder) {
+            record(folder / "in.kerf", "12");
+            write(folder / "film.gif", "an earlier film");
+            write(folder / "still.png", "an earlier picture");
+          },
+          [](const Path& folder) -> Words {
+            return {"film",       folder / "in.kerf",
+                    "-o",         folder / "film.gif",
+                    "--still",    folder / "still.png",
+                    "--size",     "640x360",
+                    "--seconds",  "2",
+                    "--fps",      "2",
+                    "--overwrite"};
+          },
+          {{"film.gif"}, {"still.png"}}};
+}
+
 Scenario approve_scenario() {
   return {"diff --approve",
           render_two,
@@ -312,11 +331,12 @@ Scenario bench_scenario() {
 }  // namespace
 
 const std::vector<Scenario>& scenarios() {
-  static const std::vector<Scenario> kAll{
-      record_scenario(),    import_scenario(),   rerun_scenario(),     render_scenario(),
-      collect_scenario(),   minimize_scenario(), report_scenario(),    experiment_scenario(),
-      step_scenario(),      export_scenario(),   film_diff_scenario(), approve_scenario(),
-      diff_page_scenario(), debug_scenario(),    bench_scenario(),     study_scenario()};
+  static const std::vector<Scenario> kAll{record_scenario(),  import_scenario(),     rerun_scenario(),
+                                          render_scenario(),  collect_scenario(),    minimize_scenario(),
+                                          report_scenario(),  experiment_scenario(), step_scenario(),
+                                          export_scenario(),  film_diff_scenario(),  film_scenario(),
+                                          approve_scenario(), diff_page_scenario(),  debug_scenario(),
+                                          bench_scenario(),   study_scenario()};
   return kAll;
 }
 
