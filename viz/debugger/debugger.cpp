@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "viz/debugger/gui/widgets.h"
 #include "viz/draw/palette.h"
@@ -67,12 +68,14 @@ PanelLayout layout_panels(int width, int height) {
   constexpr float kTop = 58;
   const float tools = w - left - right < kToolsInTwoRows ? 82 : 58;
   const float middle = h - kTop - below;
-  const float half_left = std::floor(0.62F * middle);
+  const float outline = std::floor(0.4F * middle);
+  const float icicle = std::floor(0.24F * middle);
   const float half_right = std::floor(0.36F * middle);
   PanelLayout layout;
   layout.transport = {0, 0, w, kTop};
-  layout.left_above = {0, kTop, left, half_left};
-  layout.left_below = {0, kTop + half_left, left, middle - half_left};
+  layout.left_above = {0, kTop, left, outline};
+  layout.left_middle = {0, kTop + outline, left, icicle};
+  layout.left_below = {0, kTop + outline + icicle, left, middle - outline - icicle};
   layout.right_above = {w - right, kTop, right, half_right};
   layout.right_below = {w - right, kTop + half_right, right, middle - half_right};
   layout.tools = {left, kTop, w - left - right, tools};
@@ -154,8 +157,8 @@ void Debugger::update_views(const PanelLayout& layout) {
   const int width = static_cast<int>(layout.view.width) / (other == nullptr ? 1 : 2);
   const int height = static_cast<int>(layout.view.height);
   const Tint tint = model_.view.tint;
-  double tint_end = view_->own_tint_end(tint);
-  if (other_view_) tint_end = std::max(tint_end, other_view_->own_tint_end(tint));
+  double tint_end = view_->tints(tint).end;
+  if (other_view_) tint_end = std::max(tint_end, other_view_->tints(tint).end);
   view_->update(model_, width, height, tint_end);
   if (!other_view_) return;
   other_view_->look_like(*view_);
@@ -166,6 +169,9 @@ void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
   const std::string wanted_tab = memory_.open_tab;
   in_window("transport", layout.transport, [&] { draw_transport(context); });
   in_window("tree", layout.left_above, [&] { draw_outline(context); });
+  in_window(
+      "icicle", layout.left_middle, [&] { draw_icicle(context); },
+      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   in_window("breakpoints", layout.left_below, [&] { draw_breakpoints(context); });
   in_window("events", layout.right_above, [&] { draw_events(context); });
   in_window("inspector", layout.right_below, [&] {
@@ -181,6 +187,7 @@ void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
       "timeline", layout.timeline, [&] { draw_timeline(context); },
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   draw_help(context);
+  model_.hovered_node = std::exchange(memory_.hovered_node, std::nullopt);
 }
 
 void Debugger::draw_view(PanelContext& context, const PanelLayout& layout) {

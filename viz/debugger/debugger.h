@@ -22,6 +22,7 @@ inline constexpr int kLeastDebuggerHeight = 600;
 struct PanelLayout {
   PanelArea transport;
   PanelArea left_above;
+  PanelArea left_middle;
   PanelArea left_below;
   PanelArea right_above;
   PanelArea right_below;
@@ -64,6 +65,7 @@ class Debugger {
  private:
   void take_key(Key key, bool shift);
   void take_time_key(Key key, bool shift);
+  void take_tree_key(Key key, bool shift);
   void update_views(const PanelLayout& layout);
   void draw_panels(PanelContext& context, const PanelLayout& layout);
   void draw_view(PanelContext& context, const PanelLayout& layout);

@@ -96,6 +96,8 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["alone"] = model_.view.isolated ? "n" + std::to_string(model_.view.isolated->value) : "none";
   facts["colour"] = kTintNames[static_cast<std::size_t>(model_.view.tint)];
   facts["layers"] = to_string(model_.view.layers);
+  facts["hovered_node"] = model_.hovered_node ? "n" + std::to_string(model_.hovered_node->value) : "none";
+  facts["icicle"] = memory_.before_operator ? "before" : "now";
   facts["help"] = memory_.help ? "yes" : "no";
   facts["explanation"] = memory_.explanation;
   facts["problem"] = memory_.problem;

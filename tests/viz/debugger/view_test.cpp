@@ -8,6 +8,7 @@
 #include "viz/debugger/scene/orbit.h"
 #include "viz/debugger/scene/pick.h"
 #include "viz/debugger/scene/ray.h"
+#include "viz/debugger/scene/tints.h"
 #include "viz/debugger/scene/visibility.h"
 #include "viz/draw/clip.h"
 #include "viz/draw/recorded_bodies.h"
@@ -182,7 +183,8 @@ TEST(DebuggerVisibility, TintsGoFromNothingToOne) {
   RunOf<2> run(file.path());
   run.go(Position::end_of(60));
   for (const Tint tint : {Tint::population, Tint::balance, Tint::redundancy, Tint::cost, Tint::age}) {
-    const NodeTints tints = find_tints(run, tint);
+    const auto changes = last_changes(run.operators(), run.position(), run.tree().nodes().size());
+    const NodeTints tints = find_tints({run.tree(), 60, changes}, tint);
     float most = 0;
     for (std::uint32_t id = 0; id < tints.values.size(); ++id) {
       const float share = tints.share(NodeId{id}, tints.end);

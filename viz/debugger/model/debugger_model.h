@@ -86,6 +86,7 @@ class DebuggerModel {
   /// Shows only the part below the selected node; everything if it was isolated.
   void toggle_isolated();
   std::optional<std::size_t> hovered_candidate;  ///< of the ballot: its plane is drawn
+  std::optional<NodeId> hovered_node;            ///< under the mouse in a panel: marked in the others, too
 
   // Stopping.
   /// Throws std::invalid_argument that says what is wrong with the condition.

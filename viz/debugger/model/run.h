@@ -120,8 +120,9 @@ class Run {
                      const Progress& progress) = 0;
   /// Throws std::runtime_error unless both have the same dimension.
   [[nodiscard]] virtual RecordingComparison compare(Run& other) = 0;
-  /// The last step up to now in which an operator acted on the node; 0: none has.
-  [[nodiscard]] virtual std::uint32_t last_change(NodeId node) = 0;
+  /// The tree just before an event. Valid until another event is asked for. Throws std::runtime_error if the
+  /// recording does not have it.
+  [[nodiscard]] virtual const TreeSnapshot& tree_before(std::uint64_t event) = 0;
 
   /// The tree's pairs (in an import those of the other engine) compared with brute force, at the end of the
   /// step.

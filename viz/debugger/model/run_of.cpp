@@ -230,13 +230,12 @@ RecordingComparison RunOf<D>::compare(Run& other) {
 }
 
 template <int D>
-std::uint32_t RunOf<D>::last_change(NodeId node) {
-  std::uint32_t last = 0;
-  for (const OperatorRow& row : operators()) {
-    if (row.step > position().step || row.event > position().event) break;
-    if (row.node.node == node && row.kind == OperatorRow::Kind::acted) last = row.step;
-  }
-  return last;
+const TreeSnapshotOf<D>& RunOf<D>::tree_before(std::uint64_t event) {
+  if (before_of_ == event) return before_;
+  const BspState<D> state = state_before(cursor_.replayer(), event);
+  before_.assign(&state.tree);
+  before_of_ = event;
+  return before_;
 }
 
 template <int D>

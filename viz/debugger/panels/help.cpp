@@ -21,6 +21,8 @@ constexpr std::array kKeys{
     KeyHelp{"F", "look at what is selected; with nothing selected, at everything"},
     KeyHelp{"H", "hide what is selected, or show it again"},
     KeyHelp{"I", "only what is below the selected node"},
+    KeyHelp{"U, D, X", "tree: select the parent, a child (with Shift the right one), the sibling"},
+    KeyHelp{"A", "icicle: the tree before the last operator that acted, or now"},
     KeyHelp{"Esc", "select nothing, no range; close this"},
     KeyHelp{"+ and -", "lanes: magnify around this moment, show more; R: the whole run"},
     KeyHelp{"Left, Right", "lanes: pan; Up, Down: choose a lane"},
