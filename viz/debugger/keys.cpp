@@ -56,18 +56,21 @@ void Debugger::take_key(Key key, bool shift) {
     case Key::u:
     case Key::d:
     case Key::x:
+    case Key::t:
+    case Key::j:
       return take_tree_key(key, shift);
     default:
       return take_time_key(key, shift);
   }
 }
 
-/// The keys of the tree at the left.
+/// The keys of the tree, the tables and an object's lanes.
 void Debugger::take_tree_key(Key key, bool shift) {
-  if (key == Key::a) {
-    memory_.before_operator = !memory_.before_operator;
-    return;
-  }
+  if (key == Key::a) memory_.before_operator = !memory_.before_operator;
+  if (key == Key::t) memory_.open_tab = "Tables";
+  if (key == Key::t) memory_.lists_pairs = shift;
+  if (key == Key::j) model_.show_object_lanes();
+  if (key == Key::a || key == Key::t || key == Key::j) return;
   const TreeWay down = shift ? TreeWay::right : TreeWay::left;
   const TreeWay way = key == Key::u ? TreeWay::up : key == Key::d ? down : TreeWay::across;
   if (const auto node = neighbour_of(model_.run().tree(), node_in(model_.selection()), way))

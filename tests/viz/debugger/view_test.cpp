@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/tree/partitioner.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 #include "viz/debugger/model/run_of.h"
@@ -196,6 +197,18 @@ TEST(DebuggerVisibility, TintsGoFromNothingToOne) {
     }
     EXPECT_GT(most, 0) << static_cast<int>(tint);
   }
+}
+
+TEST(DebuggerVisibility, APartitionerHasTheTintOfTheFullestLeafBelowIt) {
+  const test::TemporaryRecording file;
+  test::record_crowd<2>(file.path(), 60, test::busy_config());
+  RunOf<2> run(file.path());
+  run.go(Position::end_of(60));
+  const TreeSnapshot& tree = run.tree();
+  const NodeTints full = find_tints({tree, 60, {}}, Tint::population);
+  const NodeTints balanced = find_tints({tree, 60, {}}, Tint::balance);
+  EXPECT_EQ(full.values[tree.root().index()], static_cast<float>(tree.largest_leaf()));
+  EXPECT_EQ(balanced.values[tree.root().index()], balance(tree.quality(tree.root())));
 }
 
 }  // namespace

@@ -202,6 +202,8 @@ bool GlfwWindow::goes_on(const std::string& progress) {
   return !queue_.take_tap(Key::escape) && !should_close();
 }
 
+void GlfwWindow::copy(const std::string& text) { glfwSetClipboardString(window_.get(), text.c_str()); }
+
 double GlfwWindow::seconds() { return glfwGetTime(); }
 
 bool GlfwWindow::wait(double seconds) const {

@@ -21,6 +21,8 @@
 #include "core/replay/position.h"
 #include "core/tree/ballot.h"
 #include "core/tree/tree_snapshot.h"
+#include "viz/debugger/model/object_course.h"
+#include "viz/debugger/model/pair_figures.h"
 #include "viz/debugger/model/selection.h"
 
 namespace kerf {
@@ -92,6 +94,10 @@ class Run {
   /// The tree's nodes at this moment. Valid until it moves.
   [[nodiscard]] virtual const TreeSnapshot& tree() = 0;
   [[nodiscard]] virtual std::span<const Pair> pairs() const = 0;
+  /// Of each of the pairs.
+  [[nodiscard]] virtual std::vector<PairFigures> pair_figures() = 0;
+  /// See `find_course`.
+  [[nodiscard]] virtual ObjectCourse course(ObjectId object, const Progress& progress) = 0;
   [[nodiscard]] virtual std::uint32_t objects() const = 0;
   [[nodiscard]] virtual std::uint32_t deferred() const = 0;
 

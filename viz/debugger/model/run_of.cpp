@@ -75,6 +75,18 @@ const TreeSnapshotOf<D>& RunOf<D>::tree() {
   return tree_;
 }
 
+/// In the middle of a step the pairs are still those of the step before.
+template <int D>
+std::vector<PairFigures> RunOf<D>::pair_figures() {
+  const Position& now = position();
+  return find_pair_figures(state(), cursor_.replayer(), now.is_end() ? now.step : now.step - 1);
+}
+
+template <int D>
+ObjectCourse RunOf<D>::course(ObjectId object, const Progress& progress) {
+  return find_course(*recording_, object, progress);
+}
+
 template <int D>
 const std::vector<CandidateRow>& RunOf<D>::ballot() {
   if (ballot_) return *ballot_;

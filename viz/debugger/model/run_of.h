@@ -34,6 +34,8 @@ class RunOf final : public Run {
   [[nodiscard]] const Config& config() const override { return state().config; }
   [[nodiscard]] const TreeSnapshotOf<D>& tree() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return state().pairs; }
+  [[nodiscard]] std::vector<PairFigures> pair_figures() override;
+  [[nodiscard]] ObjectCourse course(ObjectId object, const Progress& progress) override;
   [[nodiscard]] std::uint32_t objects() const override { return state().latest.size(); }
   [[nodiscard]] std::uint32_t deferred() const override { return state().scheduler.pending(); }
   [[nodiscard]] const std::vector<CandidateRow>& ballot() override;

@@ -23,6 +23,8 @@ constexpr std::array kKeys{
     KeyHelp{"I", "only what is below the selected node"},
     KeyHelp{"U, D, X", "tree: select the parent, a child (with Shift the right one), the sibling"},
     KeyHelp{"A", "icicle: the tree before the last operator that acted, or now"},
+    KeyHelp{"T, Shift+T", "the table of nodes, of pairs"},
+    KeyHelp{"J", "lanes of the selected object (in a short run they come by themselves)"},
     KeyHelp{"Esc", "select nothing, no range; close this"},
     KeyHelp{"+ and -", "lanes: magnify around this moment, show more; R: the whole run"},
     KeyHelp{"Left, Right", "lanes: pan; Up, Down: choose a lane"},

@@ -131,7 +131,8 @@ void use_icicle(PanelContext& context, const IcicleState& icicle, const IcicleGr
 
 /// What the tree is of, in as many words as fit.
 std::string heading_of(const IcicleState& icicle, bool before, float room) {
-  if (!before) return "by population";
+  const std::string plain = "by population";
+  if (!before) return ImGui::CalcTextSize(plain.c_str()).x <= room ? plain : "";
   if (!icicle.last) return "no operator yet";
   const std::string text = "before e" + std::to_string(icicle.last->event);
   const std::string more = text + " " + std::string(to_string(icicle.last->op)) + " n" +

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <set>
 #include <string>
 
 #include "viz/debugger/gui/gui.h"
 #include "viz/debugger/model/debugger_model.h"
 #include "viz/debugger/model/icicle_state.h"
+#include "viz/debugger/model/table_keeper.h"
 #include "viz/debugger/scene/scene_view.h"
 
 namespace kerf {
@@ -34,6 +36,13 @@ struct PanelMemory {
   std::string assignments;  ///< of "what if"
   std::string problem_of_what_if;
   int lint_within = 50;
+  TableKeeper table;
+  bool lists_pairs = false;                 ///< the table is of pairs, not of nodes
+  std::array<TableOrder, 2> table_order{};  ///< of nodes, of pairs
+  std::string table_filter;
+  std::optional<Selection> tabled;          ///< what the table has scrolled to
+  std::string copied;                       ///< the last text that was copied
+  std::optional<std::string> to_clipboard;  ///< not taken yet
   IcicleKeeper icicle;
   bool before_operator = false;        ///< the icicle shows the tree before the last operator
   std::optional<NodeId> hovered_node;  ///< under the mouse in this frame
@@ -65,6 +74,7 @@ void draw_oracle(PanelContext& context);
 void draw_what_if(PanelContext& context);
 void draw_compare(PanelContext& context);
 void draw_lint(PanelContext& context);
+void draw_tables(PanelContext& context);
 void draw_view_tools(PanelContext& context);
 void draw_view_overlay(PanelContext& context, const SceneView& view, const PanelArea& area,
                        const std::string& title);
