@@ -299,7 +299,7 @@ TEST(TimelinePanel, PartsDoNotOverlap) {
     ASSERT_GT(parts.size(), 25U);
     for (const auto& [name, area] : parts) {
       EXPECT_GE(area.x, panel.x) << name;
-      EXPECT_GE(area.height, name.starts_with("lane ") ? 14 : 1) << name;  // letters fit
+      EXPECT_GE(area.height, name.starts_with("lane ") ? 12 : 1) << name;  // letters fit
       EXPECT_LE(area.x + area.width, panel.x + panel.width) << name;
       EXPECT_LE(area.y + area.height, panel.y + panel.height) << name;
       for (const auto& [other, place] : parts) {
