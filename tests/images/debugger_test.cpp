@@ -97,6 +97,7 @@ TEST(ReferencePanels, PanelsOfTheDebugger) {
   still.play(kGoToSplit);
   EXPECT_EQ(still.compare("transport", kLayout.transport), "");
   EXPECT_EQ(still.compare("tree", kLayout.left_above), "");
+  EXPECT_EQ(still.compare("icicle", kLayout.left_middle), "");
   EXPECT_EQ(still.compare("breakpoints", kLayout.left_below), "");
   EXPECT_EQ(still.compare("events", kLayout.right_above), "");
   EXPECT_EQ(still.compare("view-3d", kLayout.view), "");
@@ -124,7 +125,16 @@ TEST(ReferencePanels, TabsOfTheDebugger) {
   EXPECT_EQ(compare_tab("oracle"), "");
   still.play("click \"tab Lint\"\nhover 5,300\nwait 2");
   EXPECT_EQ(compare_tab("lint"), "");
-  still.play("double object:3\ndouble object:7 shift\nclick \"tab Why\"\nhover 5,300\nwait 2");
+  still.play("key End\nkey T\nclick \"sort cost\"\nclick \"row n1\"\nhover 5,300\nwait 2");
+  EXPECT_EQ(compare_tab("tables-nodes"), "");
+  EXPECT_EQ(still.compare("icicle-selected", kLayout.left_middle), "");
+  still.play("key Escape\nkey shift+T\nclick \"sort age\"\nhover 5,300\nwait 2");
+  EXPECT_EQ(compare_tab("tables-pairs"), "");
+  still.play("double object:40\nhover 5,300\nwait 2");
+  EXPECT_EQ(still.compare("lanes-object", layout_panels(kWidth, kHeight, kLanesOfRun + 3).timeline), "");
+  still.play(std::string("key Escape\nkey Home\nkey F5\nkey A\nhover 5,300\nwait 2\nexpect deed ~ split"));
+  EXPECT_EQ(still.compare("icicle-before", kLayout.left_middle), "");
+  still.play("key A\ndouble object:3\ndouble object:7 shift\nclick \"tab Why\"\nhover 5,300\nwait 2");
   EXPECT_EQ(compare_tab("why-pair"), "");
 }
 

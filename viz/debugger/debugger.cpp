@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "viz/debugger/gui/widgets.h"
 #include "viz/draw/palette.h"
@@ -17,8 +18,11 @@ constexpr auto kFixedWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoR
                               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 constexpr double kLongestPause = 0.25;  // seconds by which a run that plays can be late and catches up
-constexpr float kTabs = 368;            // the width of all tabs side by side
-constexpr float kToolsInTwoRows = 580;  // the width of the view's tools in two rows; below it they take three
+constexpr float kLeastLane = 15;        // the height of a lane with a line of text
+constexpr float kTabs = 418;            // the width of all tabs side by side
+constexpr float kToolsInTwoRows =
+    580;                              // the width of the view's tools in two rows; below it they take three,
+constexpr float kToolsInThree = 380;  // and below this one four
 
 /// A window that fills an area exactly.
 template <class Draw>
@@ -51,6 +55,7 @@ void draw_tabs(PanelContext& context) {
     draw_tab(context, "What if", draw_what_if);
     draw_tab(context, "Compare", draw_compare);
     draw_tab(context, "Lint", draw_lint);
+    draw_tab(context, "Tables", draw_tables);
     ImGui::EndTabBar();
   }
   ImGui::GetStyle().ItemInnerSpacing = usual;
@@ -58,21 +63,25 @@ void draw_tabs(PanelContext& context) {
 
 }  // namespace
 
-PanelLayout layout_panels(int width, int height) {
+PanelLayout layout_panels(int width, int height, std::size_t lanes) {
   const auto w = static_cast<float>(width);
   const auto h = static_cast<float>(height);
   const float left = std::floor(std::clamp(0.19F * w, 210.0F, 330.0F));
   const float right = std::floor(std::clamp(0.335F * w, kTabs, 560.0F));
-  const float below = std::floor(std::clamp(0.28F * h, 212.0F, 300.0F));
+  const float least = 212.0F + kLeastLane * static_cast<float>(std::max(lanes, kLanesOfRun) - kLanesOfRun);
+  const float below = std::floor(std::clamp(0.28F * h, least, 300.0F));
   constexpr float kTop = 58;
-  const float tools = w - left - right < kToolsInTwoRows ? 82 : 58;
+  const float room = w - left - right;
+  const float tools = room < kToolsInThree ? 106 : room < kToolsInTwoRows ? 82 : 58;
   const float middle = h - kTop - below;
-  const float half_left = std::floor(0.62F * middle);
+  const float outline = std::floor(0.4F * middle);
+  const float icicle = std::floor(0.24F * middle);
   const float half_right = std::floor(0.36F * middle);
   PanelLayout layout;
   layout.transport = {0, 0, w, kTop};
-  layout.left_above = {0, kTop, left, half_left};
-  layout.left_below = {0, kTop + half_left, left, middle - half_left};
+  layout.left_above = {0, kTop, left, outline};
+  layout.left_middle = {0, kTop + outline, left, icicle};
+  layout.left_below = {0, kTop + outline + icicle, left, middle - outline - icicle};
   layout.right_above = {w - right, kTop, right, half_right};
   layout.right_below = {w - right, kTop + half_right, right, middle - half_right};
   layout.tools = {left, kTop, w - left - right, tools};
@@ -100,7 +109,8 @@ void Debugger::take_in(const DebuggerInput& input, int width, int height) {
   if (width != width_ || height != height_) framebuffer_.emplace(context_.functions(), width, height, 1);
   width_ = width;
   height_ = height;
-  const PanelLayout layout = layout_panels(width, height);
+  layout_ = layout_panels(width, height, model_.lanes().size());
+  const PanelLayout& layout = layout_;
   // After long work it does not make up for all of the time.
   model_.pass_time(std::min(input.seconds, kLongestPause + model_.seconds_to_next()));
   gui_.begin(input, width, height);
@@ -114,7 +124,7 @@ void Debugger::take_in(const DebuggerInput& input, int width, int height) {
 }
 
 void Debugger::draw() {
-  const PanelLayout layout = layout_panels(width_, height_);
+  const PanelLayout& layout = layout_;
   framebuffer_->bind();
   const auto& gl = context_.functions();
   gl.ClearColor(0.93F, 0.93F, 0.91F, 1);
@@ -137,6 +147,10 @@ const Image& Debugger::picture() {
 
 bool Debugger::takes_screenshot() { return std::exchange(memory_.screenshot, false); }
 
+std::optional<std::string> Debugger::take_copied() {
+  return std::exchange(memory_.to_clipboard, std::nullopt);
+}
+
 void Debugger::report(std::string message, bool is_error) {
   model_.message = std::move(message);
   model_.message_is_error = is_error;
@@ -154,8 +168,8 @@ void Debugger::update_views(const PanelLayout& layout) {
   const int width = static_cast<int>(layout.view.width) / (other == nullptr ? 1 : 2);
   const int height = static_cast<int>(layout.view.height);
   const Tint tint = model_.view.tint;
-  double tint_end = view_->own_tint_end(tint);
-  if (other_view_) tint_end = std::max(tint_end, other_view_->own_tint_end(tint));
+  double tint_end = view_->tints(tint).end;
+  if (other_view_) tint_end = std::max(tint_end, other_view_->tints(tint).end);
   view_->update(model_, width, height, tint_end);
   if (!other_view_) return;
   other_view_->look_like(*view_);
@@ -166,6 +180,9 @@ void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
   const std::string wanted_tab = memory_.open_tab;
   in_window("transport", layout.transport, [&] { draw_transport(context); });
   in_window("tree", layout.left_above, [&] { draw_outline(context); });
+  in_window(
+      "icicle", layout.left_middle, [&] { draw_icicle(context); },
+      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   in_window("breakpoints", layout.left_below, [&] { draw_breakpoints(context); });
   in_window("events", layout.right_above, [&] { draw_events(context); });
   in_window("inspector", layout.right_below, [&] {
@@ -181,6 +198,7 @@ void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
       "timeline", layout.timeline, [&] { draw_timeline(context); },
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   draw_help(context);
+  model_.hovered_node = std::exchange(memory_.hovered_node, std::nullopt);
 }
 
 void Debugger::draw_view(PanelContext& context, const PanelLayout& layout) {

@@ -22,6 +22,7 @@ inline constexpr int kLeastDebuggerHeight = 600;
 struct PanelLayout {
   PanelArea transport;
   PanelArea left_above;
+  PanelArea left_middle;
   PanelArea left_below;
   PanelArea right_above;
   PanelArea right_below;
@@ -29,7 +30,8 @@ struct PanelLayout {
   PanelArea view;
   PanelArea timeline;
 };
-PanelLayout layout_panels(int width, int height);
+/// With so many lanes; those of a selected object need more room than those of the run alone.
+PanelLayout layout_panels(int width, int height, std::size_t lanes = kLanesOfRun);
 
 /// The debugger: user input goes in, a picture comes out, one frame at a time. It does not depend on whether
 /// a window or a script drives it, and draws the same in both.
@@ -52,6 +54,8 @@ class Debugger {
   [[nodiscard]] bool wants_screenshot() const { return memory_.screenshot; }
   /// The same, once for each picture.
   bool takes_screenshot();
+  /// A text for the clipboard, once for each that the user has copied.
+  std::optional<std::string> take_copied();
   /// Reports the result of a request, or why it failed.
   void report(std::string message, bool is_error);
 
@@ -64,6 +68,7 @@ class Debugger {
  private:
   void take_key(Key key, bool shift);
   void take_time_key(Key key, bool shift);
+  void take_tree_key(Key key, bool shift);
   void update_views(const PanelLayout& layout);
   void draw_panels(PanelContext& context, const PanelLayout& layout);
   void draw_view(PanelContext& context, const PanelLayout& layout);
@@ -77,6 +82,7 @@ class Debugger {
   const Run* run_;              ///< the run of `view_`
   const Run* other_ = nullptr;  ///< the run of `other_view_`
   PanelMemory memory_;
+  PanelLayout layout_;  ///< of the last frame
   std::optional<Framebuffer> framebuffer_;
   int width_ = 0;
   int height_ = 0;

@@ -96,6 +96,14 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["alone"] = model_.view.isolated ? "n" + std::to_string(model_.view.isolated->value) : "none";
   facts["colour"] = kTintNames[static_cast<std::size_t>(model_.view.tint)];
   facts["layers"] = to_string(model_.view.layers);
+  facts["hovered_node"] = model_.hovered_node ? "n" + std::to_string(model_.hovered_node->value) : "none";
+  facts["icicle"] = memory_.before_operator ? "before" : "now";
+  facts["copied"] = memory_.copied;
+  facts["table"] = memory_.lists_pairs ? "pairs" : "nodes";
+  const TableKeeper& kept = memory_.table;
+  facts["table_rows"] = std::to_string(kept.rows().size());
+  facts["table_first"] = kept.rows().empty() ? "none" : kept.table().rows[kept.rows()[0]].name;
+  facts["lanes"] = std::to_string(model_.lanes().size());
   facts["help"] = memory_.help ? "yes" : "no";
   facts["explanation"] = memory_.explanation;
   facts["problem"] = memory_.problem;

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "viz/debugger/debugger.h"
+#include "viz/debugger/model/tree_walk.h"
 
 namespace kerf {
 namespace {
@@ -51,9 +52,29 @@ void Debugger::take_key(Key key, bool shift) {
     case Key::question:
       memory_.help = !memory_.help;
       return;
+    case Key::a:
+    case Key::u:
+    case Key::d:
+    case Key::x:
+    case Key::t:
+    case Key::j:
+      return take_tree_key(key, shift);
     default:
       return take_time_key(key, shift);
   }
+}
+
+/// The keys of the tree, the tables and an object's lanes.
+void Debugger::take_tree_key(Key key, bool shift) {
+  if (key == Key::a) memory_.before_operator = !memory_.before_operator;
+  if (key == Key::t) memory_.open_tab = "Tables";
+  if (key == Key::t) memory_.lists_pairs = shift;
+  if (key == Key::j) model_.show_object_lanes();
+  if (key == Key::a || key == Key::t || key == Key::j) return;
+  const TreeWay down = shift ? TreeWay::right : TreeWay::left;
+  const TreeWay way = key == Key::u ? TreeWay::up : key == Key::d ? down : TreeWay::across;
+  if (const auto node = neighbour_of(model_.run().tree(), node_in(model_.selection()), way))
+    model_.select(*node);
 }
 
 /// The keys of the lanes below.

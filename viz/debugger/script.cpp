@@ -88,7 +88,10 @@ const std::map<std::string, Key>& key_names() {
                                                  {"m", Key::m},         {"k", Key::k},
                                                  {"n", Key::n},         {"s", Key::s},
                                                  {"e", Key::e},         {"l", Key::l},
-                                                 {"r", Key::r}};
+                                                 {"r", Key::r},         {"a", Key::a},
+                                                 {"u", Key::u},         {"d", Key::d},
+                                                 {"x", Key::x},         {"t", Key::t},
+                                                 {"j", Key::j}};
   return kNames;
 }
 

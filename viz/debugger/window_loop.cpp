@@ -30,6 +30,7 @@ bool WindowLoop::turn() {
   if (until_due(now) > 0) return false;
   last_ = now;
   take_in();
+  if (const auto text = debugger_.take_copied()) window_.copy(*text);
   debugger_.draw();
   present();
   pace_.drawn(now);

@@ -114,7 +114,7 @@ std::map<std::uint32_t, std::uint32_t> count_gone(const Ids& ids, const std::vec
 }
 
 /// Collects findings, the gravest first.
-class Findings {
+class DrawnFindings {
  public:
   enum Gravity { missing, extra, recolored, moved, hidden, texts };
   static constexpr std::size_t kGravities = 6;
@@ -130,25 +130,26 @@ class Findings {
 };
 
 /// Compares an item that both pictures have; true if there is a finding.
-bool compare_item(const Drawn& a, const Drawn& b, Findings& findings) {
+bool compare_item(const Drawn& a, const Drawn& b, DrawnFindings& findings) {
   const bool same_color = a.color == b.color;
   if (!same_color) {
     const char* verb = a.kind == DrawnKind::leaf ? " tinted from " : " recoloured from ";
-    findings.add(Findings::recolored, name_of(a) + verb + color_text(a.color) + " to " + color_text(b.color));
+    findings.add(DrawnFindings::recolored,
+                 name_of(a) + verb + color_text(a.color) + " to " + color_text(b.color));
   }
-  if (!same_place(a, b)) findings.add(Findings::moved, name_of(a) + shift_text(a, b));
+  if (!same_place(a, b)) findings.add(DrawnFindings::moved, name_of(a) + shift_text(a, b));
   return !same_color || !same_place(a, b);
 }
 
-void compare_pixels_of(const Drawn& a, std::uint32_t gone, std::uint32_t come, Findings& findings) {
+void compare_pixels_of(const Drawn& a, std::uint32_t gone, std::uint32_t come, DrawnFindings& findings) {
   const std::uint32_t changed = std::max(gone, come);
   if (changed < std::max(kClearlySeen, a.pixels / 50)) return;
   const std::string what = gone >= come ? " is not seen in " + std::to_string(gone) + " of its "
                                         : " is seen in " + counted(come, "pixel") + " beside its ";
-  findings.add(Findings::hidden, name_of(a) + what + counted(a.pixels, "pixel"));
+  findings.add(DrawnFindings::hidden, name_of(a) + what + counted(a.pixels, "pixel"));
 }
 
-void compare_items(const FrameIds& reference, const FrameIds& test, Findings& findings) {
+void compare_items(const FrameIds& reference, const FrameIds& test, DrawnFindings& findings) {
   const Ids ids = align(reference, test);
   const auto gone = count_gone(ids, ids.reference, ids.test);
   const auto come = count_gone(ids, ids.test, ids.reference);
@@ -162,31 +163,31 @@ void compare_items(const FrameIds& reference, const FrameIds& test, Findings& fi
     const Drawn& a = reference.list.items[item - 1];
     const auto same = others.find(key);
     if (same == others.end()) {
-      findings.add(Findings::missing, name_of(a) + " missing");
+      findings.add(DrawnFindings::missing, name_of(a) + " missing");
     } else if (!compare_item(a, test.list.items[same->second - 1], findings)) {
       compare_pixels_of(a, count(gone, item), count(come, item), findings);
     }
   }
   for (const auto& [key, item] : others)
-    if (!own.contains(key)) findings.add(Findings::extra, name_of(test.list.items[item - 1]) + " extra");
+    if (!own.contains(key)) findings.add(DrawnFindings::extra, name_of(test.list.items[item - 1]) + " extra");
 }
 
-void compare_texts(const DrawList& reference, const DrawList& test, Findings& findings) {
+void compare_texts(const DrawList& reference, const DrawList& test, DrawnFindings& findings) {
   std::map<std::pair<int, int>, std::pair<std::string, std::string>> texts;
   for (const DrawnText& text : reference.texts) texts[{text.y, text.x}].first = text.text;
   for (const DrawnText& text : test.texts) texts[{text.y, text.x}].second = text.text;
   for (const auto& [place, text] : texts) {
     if (text.first == text.second) continue;
-    findings.add(Findings::texts, "text at (" + std::to_string(place.second) + ", " +
-                                      std::to_string(place.first) + ") is '" + text.second + "' and not '" +
-                                      text.first + "'");
+    findings.add(DrawnFindings::texts, "text at (" + std::to_string(place.second) + ", " +
+                                           std::to_string(place.first) + ") is '" + text.second +
+                                           "' and not '" + text.first + "'");
   }
 }
 
 }  // namespace
 
 std::vector<std::string> compare_drawn(const FrameIds& reference, const FrameIds& test) {
-  Findings findings;
+  DrawnFindings findings;
   compare_items(reference, test, findings);
   compare_texts(reference.list, test.list, findings);
   return findings.all();

@@ -45,9 +45,11 @@ void expect_within(const PanelArea& part, const PanelArea& panel, const std::str
 TEST_F(LeastSize, EveryTabCanBePressed) {
   EXPECT_NO_THROW(play(kGoToSplit));
   const PanelArea panel = layout_panels(kLeastDebuggerWidth, kLeastDebuggerHeight).right_below;
-  for (const char* const name : {"Lint", "Compare", "What if", "Oracle", "Algorithm", "Ballot", "Why"}) {
+  for (const char* const name :
+       {"Tables", "Lint", "Compare", "What if", "Oracle", "Algorithm", "Ballot", "Why"}) {
     EXPECT_NO_THROW(play("click \"tab " + std::string(name) + "\"\nwait 2"));
-    for (const char* const other : {"Why", "Ballot", "Algorithm", "Oracle", "What if", "Compare", "Lint"})
+    for (const char* const other :
+         {"Why", "Ballot", "Algorithm", "Oracle", "What if", "Compare", "Lint", "Tables"})
       expect_within(part("tab " + std::string(other)), panel, std::string(other) + " beside " + name);
   }
 }

@@ -285,10 +285,11 @@ TEST(TimelinePanel, PartsDoNotOverlap) {
   for (const auto& [width, height] : {std::pair(960, 600), std::pair(1280, 720), std::pair(1920, 1080)}) {
     SCOPED_TRACE(width);
     TimelineDriver driver(120, kOutliers);
+    driver.debugger().model().select(ObjectId{3});  // which has lanes, too
     EXPECT_EQ(driver.play("drag scrubber@0.1,0.5 scrubber@0.9,0.5 shift\nkey End\nhover 5,300\nwait 2", width,
                           height),
               "");
-    const PanelArea panel = layout_panels(width, height).timeline;
+    const PanelArea panel = layout_panels(width, height, kLanesOfRun + 3).timeline;
     std::vector<std::pair<std::string, PanelArea>> parts;
     for (const auto& [name, area] : driver.debugger().gui().named())
       if (area.y >= panel.y) parts.emplace_back(name, area);
@@ -298,6 +299,7 @@ TEST(TimelinePanel, PartsDoNotOverlap) {
     ASSERT_GT(parts.size(), 25U);
     for (const auto& [name, area] : parts) {
       EXPECT_GE(area.x, panel.x) << name;
+      EXPECT_GE(area.height, name.starts_with("lane ") ? 12 : 1) << name;  // letters fit
       EXPECT_LE(area.x + area.width, panel.x + panel.width) << name;
       EXPECT_LE(area.y + area.height, panel.y + panel.height) << name;
       for (const auto& [other, place] : parts) {

@@ -2,12 +2,14 @@
 
 #include <cmath>
 
+#include "core/tree/partitioner.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 #include "viz/debugger/model/run_of.h"
 #include "viz/debugger/scene/orbit.h"
 #include "viz/debugger/scene/pick.h"
 #include "viz/debugger/scene/ray.h"
+#include "viz/debugger/scene/tints.h"
 #include "viz/debugger/scene/visibility.h"
 #include "viz/draw/clip.h"
 #include "viz/draw/recorded_bodies.h"
@@ -182,7 +184,8 @@ TEST(DebuggerVisibility, TintsGoFromNothingToOne) {
   RunOf<2> run(file.path());
   run.go(Position::end_of(60));
   for (const Tint tint : {Tint::population, Tint::balance, Tint::redundancy, Tint::cost, Tint::age}) {
-    const NodeTints tints = find_tints(run, tint);
+    const auto changes = last_changes(run.operators(), run.position(), run.tree().nodes().size());
+    const NodeTints tints = find_tints({run.tree(), 60, changes}, tint);
     float most = 0;
     for (std::uint32_t id = 0; id < tints.values.size(); ++id) {
       const float share = tints.share(NodeId{id}, tints.end);
@@ -194,6 +197,18 @@ TEST(DebuggerVisibility, TintsGoFromNothingToOne) {
     }
     EXPECT_GT(most, 0) << static_cast<int>(tint);
   }
+}
+
+TEST(DebuggerVisibility, APartitionerHasTheTintOfTheFullestLeafBelowIt) {
+  const test::TemporaryRecording file;
+  test::record_crowd<2>(file.path(), 60, test::busy_config());
+  RunOf<2> run(file.path());
+  run.go(Position::end_of(60));
+  const TreeSnapshot& tree = run.tree();
+  const NodeTints full = find_tints({tree, 60, {}}, Tint::population);
+  const NodeTints balanced = find_tints({tree, 60, {}}, Tint::balance);
+  EXPECT_EQ(full.values[tree.root().index()], static_cast<float>(tree.largest_leaf()));
+  EXPECT_EQ(balanced.values[tree.root().index()], balance(tree.quality(tree.root())));
 }
 
 }  // namespace

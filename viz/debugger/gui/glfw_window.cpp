@@ -37,6 +37,12 @@ std::optional<Key> key_of(int key) {
                                         {GLFW_KEY_M, Key::m},
                                         {GLFW_KEY_N, Key::n},
                                         {GLFW_KEY_R, Key::r},
+                                        {GLFW_KEY_A, Key::a},
+                                        {GLFW_KEY_U, Key::u},
+                                        {GLFW_KEY_D, Key::d},
+                                        {GLFW_KEY_X, Key::x},
+                                        {GLFW_KEY_T, Key::t},
+                                        {GLFW_KEY_J, Key::j},
                                         {GLFW_KEY_ESCAPE, Key::escape},
                                         {GLFW_KEY_ENTER, Key::enter},
                                         {GLFW_KEY_KP_ENTER, Key::enter},
@@ -195,6 +201,8 @@ bool GlfwWindow::goes_on(const std::string& progress) {
   glfwPollEvents();
   return !queue_.take_tap(Key::escape) && !should_close();
 }
+
+void GlfwWindow::copy(const std::string& text) { glfwSetClipboardString(window_.get(), text.c_str()); }
 
 double GlfwWindow::seconds() { return glfwGetTime(); }
 

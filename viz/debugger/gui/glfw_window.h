@@ -30,6 +30,8 @@ class GlfwWindow final : public GlContext {
   /// Call it now and then in long work: it shows `progress` as title, responds to the display, and returns
   /// false once the user has pressed Escape or closes the window.
   [[nodiscard]] bool goes_on(const std::string& progress);
+  /// Puts a text into the clipboard of the display.
+  void copy(const std::string& text);
   /// Seconds since the program has a window.
   [[nodiscard]] static double seconds();
   /// Waits until the user does something, at most so many seconds. True if a frame has something to take in.

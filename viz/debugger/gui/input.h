@@ -49,6 +49,12 @@ enum class Key : std::uint8_t {
   s,
   e,
   l,
+  a,  // the tree and the tables
+  u,
+  d,
+  x,
+  t,
+  j,
   f1,
   f5,
   f9,

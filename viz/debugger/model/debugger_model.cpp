@@ -15,6 +15,9 @@ namespace {
 /// Brute force takes a few milliseconds for so many objects, and its time grows with their square.
 constexpr std::uint32_t kMostForOracle = 8000;
 
+/// Objects times steps: with more of them the lanes of an object take longer than a second.
+constexpr std::uint64_t kMostForLanes = 3'000'000;
+
 template <class T>
 void toggle(std::set<T>& set, const T& item) {
   if (!set.erase(item)) set.insert(item);
@@ -125,11 +128,13 @@ double DebuggerModel::seconds_to_next() const {
 }
 
 void DebuggerModel::select(const Selection& selection) {
-  if (selection_ != selection) {
-    ribbons_.reset();
-    shown_ribbons_.reset();
-  }
+  if (selection_ == selection) return;
+  ribbons_.reset();
+  shown_ribbons_.reset();
+  drop_object_lanes();
   selection_ = selection;
+  const std::uint64_t work = std::uint64_t{run_->steps()} * run_->objects();
+  if (object_in(selection_) && work <= kMostForLanes) show_object_lanes();
 }
 
 void DebuggerModel::add_node_ribbons(NodeId node) {
@@ -154,10 +159,11 @@ void DebuggerModel::add_pair_ribbons(const Pair& pair) {
 const std::vector<Ribbon>& DebuggerModel::ribbons() {
   if (ribbons_) return *ribbons_;
   ribbons_.emplace();
-  std::visit(Overloaded{[&](NodeId node) { add_node_ribbons(node); },
-                        [&](const Pair& pair) { add_pair_ribbons(pair); },
-                        NothingFor<void, std::monostate, ObjectId>()},
-             selection_);
+  std::visit(
+      Overloaded{[&](NodeId node) { add_node_ribbons(node); },
+                 [&](const Pair& pair) { add_pair_ribbons(pair); },
+                 [&](ObjectId /*object*/) { add_object_ribbons(); }, NothingFor<void, std::monostate>()},
+      selection_);
   return *ribbons_;
 }
 
@@ -259,6 +265,7 @@ void DebuggerModel::what_if(const WhatIfQuestion& question) {
 
 void DebuggerModel::change_over() {
   if (!other_) return;
+  select({});  // its lanes are of this run
   std::swap(run_, other_);
   std::swap(lanes_, other_lanes_);
   comparison_.reset();
@@ -268,7 +275,6 @@ void DebuggerModel::change_over() {
   const TimeWindow seen = std::exchange(timeline.window, TimeWindow(run_->steps()));
   if (timeline.range && timeline.range->last > run_->steps()) drop_range();
   if (!seen.shows_all()) timeline.window.show(seen.first(), seen.last());
-  select({});
   moved();
 }
 

@@ -33,6 +33,7 @@ class DebuggerModel {
 
   [[nodiscard]] Run& run() { return *run_; }
   [[nodiscard]] const Run& run() const { return *run_; }
+  /// Those of the run, then those of the selected object, if they are shown.
   [[nodiscard]] const std::vector<Lane>& lanes() const { return lanes_; }
 
   // Going.
@@ -59,8 +60,11 @@ class DebuggerModel {
   void select_object(ObjectId object, bool makes_pair);
   [[nodiscard]] const Selection& selection() const { return selection_; }
   [[nodiscard]] bool is_selected(NodeId node) const;
-  /// The lives of the selected node and its operators, or the times when the selected pair was one: in the
-  /// whole run, the lowest first.
+  /// Shows the selected object's lanes: the leaves that hold it, its pairs, its speed. In a run that is short
+  /// enough a selection does so by itself.
+  void show_object_lanes();
+  /// The lives of the selected node and its operators, or the times when the selected pair was one, or when
+  /// the object with lanes was there: in the whole run, the lowest first.
   [[nodiscard]] const std::vector<Ribbon>& ribbons();
   /// Those that can be seen, see `thin_out`. Kept until the scale or the selection changes.
   [[nodiscard]] const std::vector<Ribbon>& shown_ribbons(const TimeScale& scale);
@@ -86,6 +90,7 @@ class DebuggerModel {
   /// Shows only the part below the selected node; everything if it was isolated.
   void toggle_isolated();
   std::optional<std::size_t> hovered_candidate;  ///< of the ballot: its plane is drawn
+  std::optional<NodeId> hovered_node;            ///< under the mouse in a panel: marked in the others, too
 
   // Stopping.
   /// Throws std::invalid_argument that says what is wrong with the condition.
@@ -148,6 +153,8 @@ class DebuggerModel {
   [[nodiscard]] std::optional<std::uint32_t> step_of_range();
   void add_node_ribbons(NodeId node);
   void add_pair_ribbons(const Pair& pair);
+  void add_object_ribbons();
+  void drop_object_lanes();
   void follow();
   void say(std::string text, bool is_error = false);
 

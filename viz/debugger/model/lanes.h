@@ -64,6 +64,7 @@ class Lane {
 /// The lanes in their order.
 enum class LaneOf : std::uint8_t { operators, pairs, height, redundancy, milliseconds, deferred };
 constexpr std::size_t index_of(LaneOf lane) { return static_cast<std::size_t>(lane); }
+inline constexpr std::size_t kLanesOfRun = index_of(LaneOf::deferred) + 1;
 
 /// Operators that acted, pairs, height, redundancy (%), time (ms) and deferred events of each step.
 std::vector<Lane> make_lanes(std::span<const StepRow> rows);

@@ -21,6 +21,8 @@
 #include "core/replay/position.h"
 #include "core/tree/ballot.h"
 #include "core/tree/tree_snapshot.h"
+#include "viz/debugger/model/object_course.h"
+#include "viz/debugger/model/pair_figures.h"
 #include "viz/debugger/model/selection.h"
 
 namespace kerf {
@@ -92,6 +94,10 @@ class Run {
   /// The tree's nodes at this moment. Valid until it moves.
   [[nodiscard]] virtual const TreeSnapshot& tree() = 0;
   [[nodiscard]] virtual std::span<const Pair> pairs() const = 0;
+  /// Of each of the pairs.
+  [[nodiscard]] virtual std::vector<PairFigures> pair_figures() = 0;
+  /// See `find_course`.
+  [[nodiscard]] virtual ObjectCourse course(ObjectId object, const Progress& progress) = 0;
   [[nodiscard]] virtual std::uint32_t objects() const = 0;
   [[nodiscard]] virtual std::uint32_t deferred() const = 0;
 
@@ -120,8 +126,9 @@ class Run {
                      const Progress& progress) = 0;
   /// Throws std::runtime_error unless both have the same dimension.
   [[nodiscard]] virtual RecordingComparison compare(Run& other) = 0;
-  /// The last step up to now in which an operator acted on the node; 0: none has.
-  [[nodiscard]] virtual std::uint32_t last_change(NodeId node) = 0;
+  /// The tree just before an event. Valid until another event is asked for. Throws std::runtime_error if the
+  /// recording does not have it.
+  [[nodiscard]] virtual const TreeSnapshot& tree_before(std::uint64_t event) = 0;
 
   /// The tree's pairs (in an import those of the other engine) compared with brute force, at the end of the
   /// step.

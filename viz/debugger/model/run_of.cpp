@@ -75,6 +75,18 @@ const TreeSnapshotOf<D>& RunOf<D>::tree() {
   return tree_;
 }
 
+/// In the middle of a step the pairs are still those of the step before.
+template <int D>
+std::vector<PairFigures> RunOf<D>::pair_figures() {
+  const Position& now = position();
+  return find_pair_figures(state(), cursor_.replayer(), now.is_end() ? now.step : now.step - 1);
+}
+
+template <int D>
+ObjectCourse RunOf<D>::course(ObjectId object, const Progress& progress) {
+  return find_course(*recording_, object, progress);
+}
+
 template <int D>
 const std::vector<CandidateRow>& RunOf<D>::ballot() {
   if (ballot_) return *ballot_;
@@ -230,13 +242,12 @@ RecordingComparison RunOf<D>::compare(Run& other) {
 }
 
 template <int D>
-std::uint32_t RunOf<D>::last_change(NodeId node) {
-  std::uint32_t last = 0;
-  for (const OperatorRow& row : operators()) {
-    if (row.step > position().step || row.event > position().event) break;
-    if (row.node.node == node && row.kind == OperatorRow::Kind::acted) last = row.step;
-  }
-  return last;
+const TreeSnapshotOf<D>& RunOf<D>::tree_before(std::uint64_t event) {
+  if (before_of_ == event) return before_;
+  const BspState<D> state = state_before(cursor_.replayer(), event);
+  before_.assign(&state.tree);
+  before_of_ = event;
+  return before_;
 }
 
 template <int D>

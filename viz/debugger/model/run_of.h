@@ -34,6 +34,8 @@ class RunOf final : public Run {
   [[nodiscard]] const Config& config() const override { return state().config; }
   [[nodiscard]] const TreeSnapshotOf<D>& tree() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return state().pairs; }
+  [[nodiscard]] std::vector<PairFigures> pair_figures() override;
+  [[nodiscard]] ObjectCourse course(ObjectId object, const Progress& progress) override;
   [[nodiscard]] std::uint32_t objects() const override { return state().latest.size(); }
   [[nodiscard]] std::uint32_t deferred() const override { return state().scheduler.pending(); }
   [[nodiscard]] const std::vector<CandidateRow>& ballot() override;
@@ -51,7 +53,7 @@ class RunOf final : public Run {
   void rerun(const WhatIfQuestion& question, const std::filesystem::path& out,
              const Progress& progress) override;
   [[nodiscard]] RecordingComparison compare(Run& other) override;
-  [[nodiscard]] std::uint32_t last_change(NodeId node) override;
+  [[nodiscard]] const TreeSnapshotOf<D>& tree_before(std::uint64_t event) override;
   [[nodiscard]] const PairJudgement& judgement() override;
   [[nodiscard]] std::uint64_t judged_pairs() override;
   [[nodiscard]] std::optional<Position> search(const Expression& condition, const Position& from,
@@ -86,6 +88,8 @@ class RunOf final : public Run {
   ProjectionStrip strip_;
   std::optional<std::vector<OperatorRow>> operators_;  ///< of the whole run
   std::optional<std::vector<std::vector<NodeLife>>> lives_;
+  TreeSnapshotOf<D> before_;
+  std::optional<std::uint64_t> before_of_;  ///< the event of `before_`
 };
 
 extern template class RunOf<2>;

@@ -121,7 +121,8 @@ void draw_lane(PanelContext& context, std::size_t k, const TimeAxis& axis, LaneB
   DebuggerModel& model = context.model;
   const Lane& lane = model.lanes()[k];
   const bool clips = model.timeline.clips;
-  const Lane* const other = model.other() == nullptr ? nullptr : &model.other_lanes()[k];
+  const bool compares = model.other() != nullptr && k < model.other_lanes().size();
+  const Lane* const other = compares ? &model.other_lanes()[k] : nullptr;
   band.scale = lane.scale_end(clips);
   if (other != nullptr) band.scale = std::max(band.scale, other->scale_end(clips));
   ImGui::GetWindowDrawList()->AddRectFilled({axis.left, band.top}, {axis.right(), band.bottom()},

@@ -41,13 +41,12 @@ std::vector<NodeId> unfolded_rows(const PanelMemory& memory, const TreeSnapshot&
   return rows;
 }
 
-std::string row_text(const TreeSnapshot& tree, NodeId id) {
-  std::string text = std::to_string(tree[id].population);
-  if (tree[id].is_leaf()) return "leaf " + text;
-  const Quality quality = tree.quality(id);
-  char figures[64];
-  std::snprintf(figures, sizeof figures, "  bal %.2f  cut %u", double{balance(quality)}, redundancy(quality));
-  return text + figures;
+/// The row of the node under the mouse in the icicle.
+void mark_row() {
+  const ImVec2 least = ImGui::GetCursorScreenPos();
+  const ImVec2 size{ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight()};
+  ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + size.x, least.y + size.y},
+                                            ImGui::GetColorU32(ImGuiCol_HeaderHovered));
 }
 
 void draw_row(PanelContext& context, const TreeSnapshot& tree, NodeId id) {
@@ -66,12 +65,23 @@ void draw_row(PanelContext& context, const TreeSnapshot& tree, NodeId id) {
   ImGui::PushStyleColor(ImGuiCol_Text, widgets::to_vector(color));
   const std::string marks =
       std::string(hidden ? " hidden" : "") + (model.view.isolated == id ? " alone" : "");
-  if (widgets::row(context.gui, name + " " + row_text(tree, id) + marks, name, model.is_selected(id)))
+  if (model.hovered_node == id) mark_row();
+  if (widgets::row(context.gui, name + " " + node_words(tree, id) + marks, name, model.is_selected(id)))
     model.select(id);
+  if (ImGui::IsItemHovered()) context.memory.hovered_node = id;
   ImGui::PopStyleColor();
 }
 
 }  // namespace
+
+std::string node_words(const TreeSnapshot& tree, NodeId id) {
+  std::string text = std::to_string(tree[id].population);
+  if (tree[id].is_leaf()) return "leaf " + text;
+  const Quality quality = tree.quality(id);
+  char figures[64];
+  std::snprintf(figures, sizeof figures, "  bal %.2f  cut %u", double{balance(quality)}, redundancy(quality));
+  return text + figures;
+}
 
 void draw_outline(PanelContext& context) {
   DebuggerModel& model = context.model;

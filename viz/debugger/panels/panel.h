@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <set>
 #include <string>
 
 #include "viz/debugger/gui/gui.h"
 #include "viz/debugger/model/debugger_model.h"
+#include "viz/debugger/model/icicle_state.h"
+#include "viz/debugger/model/table_keeper.h"
 #include "viz/debugger/scene/scene_view.h"
 
 namespace kerf {
@@ -33,7 +36,17 @@ struct PanelMemory {
   std::string assignments;  ///< of "what if"
   std::string problem_of_what_if;
   int lint_within = 50;
-  std::optional<double> range_from;  ///< the time at which a drag over the lanes began to select a range
+  TableKeeper table;
+  bool lists_pairs = false;                 ///< the table is of pairs, not of nodes
+  std::array<TableOrder, 2> table_order{};  ///< of nodes, of pairs
+  std::string table_filter;
+  std::optional<Selection> tabled;          ///< what the table has scrolled to
+  std::string copied;                       ///< the last text that was copied
+  std::optional<std::string> to_clipboard;  ///< not taken yet
+  IcicleKeeper icicle;
+  bool before_operator = false;        ///< the icicle shows the tree before the last operator
+  std::optional<NodeId> hovered_node;  ///< under the mouse in this frame
+  std::optional<double> range_from;    ///< the time at which a drag over the lanes began to select a range
 };
 
 /// What a panel may read and change.
@@ -44,10 +57,14 @@ struct PanelContext {
   SceneView& view;
 };
 
+/// "leaf 23", or the population, balance and straddlers of a partitioner: the same words in every panel.
+std::string node_words(const TreeSnapshot& tree, NodeId id);
+
 // Each is one file of this folder and fills the window or tab that has been begun.
 void draw_transport(PanelContext& context);
 void draw_timeline(PanelContext& context);
 void draw_outline(PanelContext& context);
+void draw_icicle(PanelContext& context);
 void draw_breakpoints(PanelContext& context);
 void draw_events(PanelContext& context);
 void draw_why(PanelContext& context);
@@ -57,6 +74,7 @@ void draw_oracle(PanelContext& context);
 void draw_what_if(PanelContext& context);
 void draw_compare(PanelContext& context);
 void draw_lint(PanelContext& context);
+void draw_tables(PanelContext& context);
 void draw_view_tools(PanelContext& context);
 void draw_view_overlay(PanelContext& context, const SceneView& view, const PanelArea& area,
                        const std::string& title);

@@ -13,6 +13,7 @@ constexpr std::array kLayers{Layer::objects, Layer::partitioners, Layer::leaves,
                              Layer::operators};
 
 constexpr float kTintChoice = 105;
+constexpr float kDepths = 110;
 
 float text_width(const char* text) { return ImGui::CalcTextSize(text).x; }
 
@@ -98,10 +99,10 @@ void draw_view_tools(PanelContext& context) {
     model.toggle_isolated();
   ImGui::SameLine();
   if (widgets::button(context.gui, "show all", "nothing hidden, nothing alone")) model.show_all();
-  ImGui::SameLine();
+  widgets::beside_or_below(text_width("depth") + ImGui::GetStyle().ItemSpacing.x + kDepths);
   ImGui::TextDisabled("depth");
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(110);
+  ImGui::SetNextItemWidth(kDepths);
   ImGui::DragIntRange2("##depth", &settings.least_depth, &settings.greatest_depth, 0.2F, 0,
                        static_cast<int>(kMaxHeight), "%d to", "%d");
   context.gui.name_last_item("depth");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "viz/debugger/model/debugger_model.h"
+#include "viz/debugger/scene/tints.h"
 #include "viz/gl/framebuffer.h"
 
 namespace kerf {
@@ -46,8 +47,8 @@ class SceneView {
 
   /// Draws the scene again if anything visible has changed. The colours end at `tint_end`.
   virtual void update(const DebuggerModel& model, int width, int height, double tint_end) = 0;
-  /// The end of the colours for this run alone.
-  [[nodiscard]] virtual double own_tint_end(Tint tint) = 0;
+  /// The values that colour the nodes at this moment; their end is for this run alone.
+  [[nodiscard]] virtual const NodeTints& tints(Tint tint) = 0;
   /// Copies the picture, its top left corner to (x, y).
   virtual void copy_to(const Framebuffer& target, int x, int y) const = 0;
   [[nodiscard]] virtual const ShownCounts& counts() const = 0;

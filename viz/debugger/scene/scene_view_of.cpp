@@ -29,10 +29,6 @@ bool is_sampled(std::size_t object, double share) {
   return static_cast<double>(mixed) < share * 4294967296.0;
 }
 
-Color tint_color(float value) {
-  return palette::population_color(static_cast<std::uint32_t>(value * 1000), 1000);
-}
-
 }  // namespace
 
 template <int D>
@@ -57,16 +53,20 @@ void SceneViewOf<D>::find_box() {
 }
 
 template <int D>
-double SceneViewOf<D>::own_tint_end(Tint tint) {
+const NodeTints& SceneViewOf<D>::tints(Tint tint) {
   const std::pair wanted{run_.position(), tint};
-  if (tinted_ != wanted) tints_ = find_tints(run_, tint);
+  if (tinted_ == wanted) return tints_;
+  const TreeSnapshot& tree = run_.tree();
+  std::vector<std::uint32_t> changes;
+  if (tint == Tint::age) changes = last_changes(run_.operators(), run_.position(), tree.nodes().size());
+  tints_ = find_tints({tree, run_.position().step, changes}, tint);
   tinted_ = wanted;
-  return tints_.end;
+  return tints_;
 }
 
 template <int D>
 Color SceneViewOf<D>::color_of_leaf(NodeId leaf) const {
-  return tint_color(tints_.share(leaf, seen_->tint_end));
+  return tints_.color(leaf, seen_->tint_end);
 }
 
 template <int D>
@@ -76,6 +76,7 @@ void SceneViewOf<D>::update(const DebuggerModel& model, int width, int height, d
   const Seen seen{run_.position(),
                   model.view,
                   model.selection(),
+                  model.hovered_node,
                   model.hovered_candidate,
                   orbit_.view(width_, height_),
                   tint_end,
@@ -129,7 +130,7 @@ void SceneViewOf<D>::choose_bodies() {
 
 template <int D>
 void SceneViewOf<D>::choose_colors() {
-  (void)own_tint_end(seen_->settings.tint);
+  (void)tints(seen_->settings.tint);
   counts_.tint_end = seen_->tint_end;
   colors_.assign(bodies_.size(), palette::kMoving);
   const bool tinted = seen_->settings.layers.has(Layer::leaves);
@@ -235,6 +236,8 @@ void SceneViewOf<D>::draw_selection(const DrawContext<D>& frame, Batch& batch) {
                  [&](const Pair& pair) { draw_pair(frame, pair, batch); },
              },
              seen_->selection);
+  if (seen_->hovered && node_in(seen_->selection) != seen_->hovered)
+    draw_hovered(frame, *seen_->hovered, batch);
 }
 
 template <int D>
@@ -258,6 +261,13 @@ void SceneViewOf<D>::draw_node(const DrawContext<D>& frame, NodeId id, Batch& ba
   const Polygon plane = partitioner_in_cell(snapshot_, id, box_);
   add_polygon(batch, frame.view, plane, with_alpha(palette::kSeries[4], 0.25));
   add_outline(batch, frame.view, plane, {palette::kSeries[4], 4 * frame.line_scale});
+}
+
+template <int D>
+void SceneViewOf<D>::draw_hovered(const DrawContext<D>& frame, NodeId id, Batch& batch) {
+  if (!snapshot_.is_alive(id)) return;
+  const Stroke stroke{palette::kInk, 1.5 * frame.line_scale};
+  for (const Polygon& face : cell_faces(snapshot_, id, box_)) add_outline(batch, frame.view, face, stroke);
 }
 
 template <int D>

@@ -22,7 +22,7 @@ class SceneViewOf final : public SceneView {
 
   [[nodiscard]] SceneViewOfEitherDimension self() const override { return this; }
   void update(const DebuggerModel& model, int width, int height, double tint_end) override;
-  [[nodiscard]] double own_tint_end(Tint tint) override;
+  [[nodiscard]] const NodeTints& tints(Tint tint) override;
   void copy_to(const Framebuffer& target, int x, int y) const override;
   [[nodiscard]] const ShownCounts& counts() const override { return counts_; }
   [[nodiscard]] const std::vector<SceneLabel>& labels() const override { return labels_; }
@@ -41,6 +41,7 @@ class SceneViewOf final : public SceneView {
     Position position;
     ViewSettings settings;
     Selection selection;
+    std::optional<NodeId> hovered;
     std::optional<std::size_t> candidate;
     View view;
     double tint_end = 1;
@@ -48,7 +49,7 @@ class SceneViewOf final : public SceneView {
     int height = 0;
     friend bool operator==(const Seen& a, const Seen& b) {
       return a.position == b.position && a.settings == b.settings && a.selection == b.selection &&
-             a.candidate == b.candidate && a.tint_end == b.tint_end &&
+             a.hovered == b.hovered && a.candidate == b.candidate && a.tint_end == b.tint_end &&
              a.view.clip_from_world == b.view.clip_from_world && a.width == b.width && a.height == b.height;
     }
   };
@@ -63,6 +64,7 @@ class SceneViewOf final : public SceneView {
   void draw_event(const DrawContext<D>& frame, Batch& batch);
   void draw_selection(const DrawContext<D>& frame, Batch& batch);
   void draw_node(const DrawContext<D>& frame, NodeId id, Batch& batch);
+  void draw_hovered(const DrawContext<D>& frame, NodeId id, Batch& batch);
   void draw_object(const DrawContext<D>& frame, ObjectId id, Batch& batch);
   void draw_candidate(const DrawContext<D>& frame, std::size_t candidate, Batch& batch);
   void add_label(const Eigen::Vector3d& point, std::string text);

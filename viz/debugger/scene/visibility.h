@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/tree/tree.h"
-#include "viz/debugger/model/run.h"
 #include "viz/debugger/model/view_settings.h"
 
 namespace kerf {
@@ -20,14 +19,5 @@ struct Visibility {
 
 template <int D>
 Visibility find_visible(const Tree<D>& tree, std::size_t objects, const ViewSettings& settings);
-
-/// A value for each living node by the meaning of the tint, and the value at which the colours should end.
-struct NodeTints {
-  std::vector<float> values;
-  double end = 1;
-  /// From 0 to 1, for colours that end there.
-  [[nodiscard]] float share(NodeId node, double colors_end) const;
-};
-NodeTints find_tints(Run& run, Tint tint);
 
 }  // namespace kerf

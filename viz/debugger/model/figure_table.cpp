@@ -1,0 +1,123 @@
+#include "viz/debugger/model/figure_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/base/shortest_text.h"
+#include "core/query/text.h"
+#include "viz/debugger/model/node_figures.h"
+
+namespace kerf {
+namespace {
+
+constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
+
+bool has_word(const FigureTable::Row& row, const std::string& text, bool whole) {
+  const auto fits = [&](const std::string& word) { return whole ? word == text : word.starts_with(text); };
+  return fits(row.name) || std::ranges::any_of(row.words, fits);
+}
+
+/// Numbers by their size, those that are none at the end.
+bool is_before(double a, double b, bool falling) {
+  if (std::isnan(a) || std::isnan(b)) return !std::isnan(a) && std::isnan(b);
+  return falling ? b < a : a < b;
+}
+
+/// A name with a comma in quotes.
+std::string csv_text(const std::string& text) {
+  return text.find(',') == std::string::npos ? text : '"' + text + '"';
+}
+
+FigureTable::Row row_of_pair(Run& run, const Pair& pair, const PairFigures& figures) {
+  const TreeSnapshot& tree = run.tree();
+  const GivenNames& names = run.names();
+  FigureTable::Row row{pair, names.pair(pair), {names.object(pair.a), names.object(pair.b)}, {}};
+  const bool has_leaf = tree.is_alive(figures.leaf);
+  if (has_leaf) row.words.push_back(node_text(figures.leaf));
+  const auto of_leaf = [&](std::uint32_t figure) {
+    return has_leaf ? static_cast<double>(figure) : kNoFigure;
+  };
+  row.figures = {of_leaf(figures.leaf.value), of_leaf(has_leaf ? tree[figures.leaf].population : 0),
+                 figures.overlap, static_cast<double>(figures.age)};
+  return row;
+}
+
+}  // namespace
+
+FigureTable table_of_nodes(Run& run) {
+  FigureTable table{{"node", "depth", "population", "balance", "cut %", "cost", "age"}, {}};
+  const TreeSnapshot& tree = run.tree();
+  const auto changes = last_changes(run.operators(), run.position(), tree.nodes().size());
+  const auto figures = find_figures({tree, run.position().step, changes});
+  for (std::uint32_t k = 0; k < tree.nodes().size(); ++k) {
+    const NodeId id{k};
+    if (!tree.is_alive(id)) continue;
+    const bool is_leaf = tree[id].is_leaf();
+    const NodeFigures& of = figures[k];
+    table.rows.push_back(
+        {id,
+         node_text(id),
+         {std::to_string(k), is_leaf ? "leaf" : "partitioner"},
+         {static_cast<double>(tree[id].depth), of.population, is_leaf ? kNoFigure : of.balance,
+          is_leaf ? kNoFigure : 100 * of.redundancy, of.cost, of.age}});
+  }
+  return table;
+}
+
+FigureTable table_of_pairs(Run& run) {
+  FigureTable table{{"pair", "leaf", "population", "overlap", "age"}, {}};
+  const std::vector<PairFigures> figures = run.pair_figures();
+  const std::span<const Pair> pairs = run.pairs();
+  std::vector<std::size_t> order(pairs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t k) { return pairs[k]; });
+  for (const std::size_t k : order) table.rows.push_back(row_of_pair(run, pairs[k], figures[k]));
+  return table;
+}
+
+std::vector<std::size_t> find_rows(const FigureTable& table, const std::string& text,
+                                   const TableOrder& order) {
+  const auto has = [&](bool whole) {
+    return [&text, whole](const FigureTable::Row& row) { return has_word(row, text, whole); };
+  };
+  const bool whole = std::ranges::any_of(table.rows, has(true));
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < table.rows.size(); ++k)
+    if (text.empty() || has_word(table.rows[k], text, whole)) rows.push_back(k);
+  if (order.column == 0) {
+    if (order.falling) std::ranges::reverse(rows);
+    return rows;
+  }
+  const auto figure = [&](std::size_t row) { return table.rows[row].figures[order.column - 1]; };
+  std::ranges::stable_sort(
+      rows, [&](std::size_t a, std::size_t b) { return is_before(figure(a), figure(b), order.falling); });
+  return rows;
+}
+
+std::string cell_text(const FigureTable& table, std::size_t row, std::size_t column) {
+  const FigureTable::Row& of = table.rows[row];
+  if (column == 0) return of.name;
+  const double figure = of.figures[column - 1];
+  if (std::isnan(figure)) return "-";
+  if (table.columns[column] == "leaf") return "n" + number_text(figure);
+  const bool is_of_pair = table.columns[0] == "pair";
+  if (is_of_pair && table.columns[column] == "age" && figure >= kOldestPair) return number_text(figure) + "+";
+  return number_text(std::round(figure * 1000) / 1000);
+}
+
+std::string to_csv(const FigureTable& table, const std::vector<std::size_t>& rows) {
+  std::string csv;
+  for (std::size_t k = 0; k < table.columns.size(); ++k) csv += (k > 0 ? "," : "") + table.columns[k];
+  csv += '\n';
+  for (const std::size_t row : rows) {
+    csv += csv_text(table.rows[row].name);
+    for (const double figure : table.rows[row].figures)
+      csv += "," + (std::isnan(figure) ? std::string() : shortest_text(figure));
+    csv += '\n';
+  }
+  return csv;
+}
+
+}  // namespace kerf

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "viz/debugger/model/run.h"
+
+namespace kerf {
+
+/// Nodes or pairs of a moment in rows of figures.
+struct FigureTable {
+  struct Row {
+    Selection item;
+    std::string name;                ///< "n17" or "12,77": what the first column shows
+    std::vector<std::string> words;  ///< other texts by which it is found
+    std::vector<double> figures;     ///< one for each further column; not a number: there is none
+  };
+  std::vector<std::string> columns;
+  std::vector<Row> rows;  ///< by id
+};
+
+/// The living nodes: depth, population, balance, straddlers in percent, cost, age (see NodeFigures).
+FigureTable table_of_nodes(Run& run);
+/// The pairs: leaf in which they are compared, its population, the least overlap of the boxes, steps since
+/// they became one (see PairFigures).
+FigureTable table_of_pairs(Run& run);
+
+/// By which column rows are ordered.
+struct TableOrder {
+  std::size_t column = 0;
+  bool falling = false;
+  friend bool operator==(const TableOrder&, const TableOrder&) = default;
+};
+
+/// The rows that are found by a text, in an order: those with a word that is the text, or, if there is none,
+/// those with a word that begins with it; all for an empty text. Rows without a figure come last.
+std::vector<std::size_t> find_rows(const FigureTable& table, const std::string& text,
+                                   const TableOrder& order);
+
+/// What a cell shows.
+std::string cell_text(const FigureTable& table, std::size_t row, std::size_t column);
+/// Comma-separated values: a line of column names, then a line for each of the rows, with all digits.
+std::string to_csv(const FigureTable& table, const std::vector<std::size_t>& rows);
+
+}  // namespace kerf
