@@ -24,6 +24,8 @@
 namespace kerf {
 namespace {
 
+constexpr const char* kSceneOfTour = "pile";
+
 constexpr const char* kDebugFooter =
     "SCENE is recorded first, into a temporary file; FILE is what `kerf record` or `kerf import` wrote.\n"
     "In the window, F1 shows the keys. docs/DEBUGGING.md is a guide, and has the commands of scripts.";
@@ -47,6 +49,8 @@ void add_pictures(const std::vector<ScriptLine>& lines, const std::filesystem::p
 /// What one sitting with the debugger needs.
 struct Session {
   std::filesystem::path file;
+  std::string name;      ///< as the user named it
+  bool is_tour = false;  ///< of a scene of our own, since none was named
   std::filesystem::path work_folder;
   PictureFolder pictures;
   PictureSize size;
@@ -73,8 +77,10 @@ void save_picture(Debugger& debugger, const PictureFolder& folder) {
 
 void show_window(const Session& session, const std::vector<ScriptLine>& lines) {
   const InterruptGuard interrupt;
-  GlfwWindow window("kerf debug " + session.file.string(), session.size.width, session.size.height);
-  Debugger debugger(window, open_run(session.file));
+  std::unique_ptr<Run> run = open_run(session.file);
+  const std::string title = run->info().scene + " - kerf debug " + session.name;
+  GlfwWindow window(title, session.size.width, session.size.height);
+  Debugger debugger(window, std::move(run));
   debugger.model().work_folder = session.work_folder;
   debugger.model().on_long_work = [&](std::uint32_t step) {
     const bool goes_on =
@@ -88,6 +94,8 @@ void show_window(const Session& session, const std::vector<ScriptLine>& lines) {
     }).play(lines);
     return;
   }
+  debugger.welcome();
+  if (session.is_tour) debugger.begin_tour();
   while (!window.should_close() && !interrupt.requested())
     if (loop.turn() && debugger.takes_screenshot()) save_picture(debugger, session.pictures);
 }
@@ -99,7 +107,7 @@ DebugCommand::DebugCommand(CLI::App& program)
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
   };
-  option("SCENE|FILE", texts_.scene, "A scene of `kerf scenes`, or a recording", "")->required();
+  option("SCENE|FILE", texts_.scene, "A scene of `kerf scenes`, or a recording (default: a tour of one)", "");
   option("--steps", texts_.steps, "Of a scene: how many are recorded (default 300)", "N");
   option("--objects", texts_.objects, "Of a scene: moving objects (default: the scene's own)", "N");
   option("--grow", texts_.grow, "Of a scene: steps until all objects are there", "STEPS");
@@ -118,15 +126,18 @@ DebugCommand::DebugCommand(CLI::App& program)
   command_->footer(kDebugFooter);
 }
 
+bool DebugCommand::is_tour() const { return texts_.scene.empty(); }
+
 bool DebugCommand::chosen() const { return command_->parsed(); }
 
 std::filesystem::path DebugCommand::recording(const std::filesystem::path& scratch) const {
-  if (names_recording(texts_)) {
+  if (!is_tour() && names_recording(texts_)) {
     refuse_scene_options(texts_);
     refuse_of_recording(texts_, "--steps", texts_.steps);
     return texts_.scene;
   }
   RenderTexts texts = texts_;
+  if (is_tour()) texts.scene = kSceneOfTour;
   const bool is_kept = !texts.record.empty();
   if (texts.steps.empty()) texts.steps = "300";
   if (!is_kept) texts.record = scratch / "run.kerf";
@@ -153,7 +164,7 @@ void DebugCommand::run() const {
   if (size.width < kLeastDebuggerWidth || size.height < kLeastDebuggerHeight)
     throw UsageError("--size " + texts_.size + ": the panels need at least " +
                      std::to_string(kLeastDebuggerWidth) + "x" + std::to_string(kLeastDebuggerHeight));
-  Outputs outputs({script_, names_recording(texts_) ? texts_.scene : ""}, texts_.overwrite);
+  Outputs outputs({script_, !is_tour() && names_recording(texts_) ? texts_.scene : ""}, texts_.overwrite);
   const PictureFolder pictures{out_.empty() ? "." : out_, outputs.replace()};
   outputs.add_recording(texts_.record);
   add_pictures(lines, pictures.path, outputs);
@@ -161,7 +172,8 @@ void DebugCommand::run() const {
   const ScratchFolder scratch;
   const std::filesystem::path file = recording(scratch.path());
   tune_allocator_for_rendering();
-  const Session session{file, scratch.path(), pictures, size};
+  const Session session{file, is_tour() ? kSceneOfTour : texts_.scene, is_tour(), scratch.path(), pictures,
+                        size};
   try {
     if (headless_) {
       play_headless(session, lines);

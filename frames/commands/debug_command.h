@@ -22,6 +22,8 @@ class DebugCommand {
 
  private:
   /// The given recording, or one made of the scene, below `scratch` unless it is to be kept.
+  /// No scene is named: a tour of one of ours begins.
+  [[nodiscard]] bool is_tour() const;
   [[nodiscard]] std::filesystem::path recording(const std::filesystem::path& scratch) const;
 
   CLI::App* command_;

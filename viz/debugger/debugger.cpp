@@ -24,9 +24,10 @@ constexpr float kToolsInTwoRows =
     580;                              // the width of the view's tools in two rows; below it they take three,
 constexpr float kToolsInThree = 380;  // and below this one four
 
-/// A window that fills an area exactly.
+/// A window that fills an area exactly, which is named for the tour and for scripts.
 template <class Draw>
-void in_window(const char* name, const PanelArea& area, Draw draw, int flags = 0) {
+void in_window(Gui& gui, const char* name, const PanelArea& area, Draw draw, int flags = 0) {
+  gui.name_area(std::string("panel ") + name, area);
   ImGui::SetNextWindowPos({area.x, area.y});
   ImGui::SetNextWindowSize({area.width, area.height});
   if (ImGui::Begin(name, nullptr, kFixedWindow | flags)) draw();
@@ -145,6 +146,11 @@ const Image& Debugger::picture() {
   return image_;
 }
 
+void Debugger::welcome() {
+  model_.go_to_opening();
+  memory_.welcome = true;
+}
+
 bool Debugger::takes_screenshot() { return std::exchange(memory_.screenshot, false); }
 
 std::optional<std::string> Debugger::take_copied() {
@@ -178,25 +184,28 @@ void Debugger::update_views(const PanelLayout& layout) {
 
 void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
   const std::string wanted_tab = memory_.open_tab;
-  in_window("transport", layout.transport, [&] { draw_transport(context); });
-  in_window("tree", layout.left_above, [&] { draw_outline(context); });
+  memory_.under_mouse = {};
+  in_window(gui_, "transport", layout.transport, [&] { draw_transport(context); });
+  in_window(gui_, "tree", layout.left_above, [&] { draw_outline(context); });
   in_window(
-      "icicle", layout.left_middle, [&] { draw_icicle(context); },
+      gui_, "icicle", layout.left_middle, [&] { draw_icicle(context); },
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  in_window("breakpoints", layout.left_below, [&] { draw_breakpoints(context); });
-  in_window("events", layout.right_above, [&] { draw_events(context); });
-  in_window("inspector", layout.right_below, [&] {
+  in_window(gui_, "breakpoints", layout.left_below, [&] { draw_breakpoints(context); });
+  in_window(gui_, "events", layout.right_above, [&] { draw_events(context); });
+  in_window(gui_, "inspector", layout.right_below, [&] {
     const ImVec2 usual = ImGui::GetStyle().FramePadding;
     ImGui::GetStyle().FramePadding = {3, usual.y};  // all tabs side by side
     draw_tabs(context);
     ImGui::GetStyle().FramePadding = usual;
   });
   if (memory_.open_tab == wanted_tab) memory_.open_tab.clear();
-  in_window("tools", layout.tools, [&] { draw_view_tools(context); });
+  in_window(gui_, "tools", layout.tools, [&] { draw_view_tools(context); });
   draw_view(context, layout);
   in_window(
-      "timeline", layout.timeline, [&] { draw_timeline(context); },
+      gui_, "timeline", layout.timeline, [&] { draw_timeline(context); },
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  draw_welcome(context);
+  draw_tour(context);
   draw_help(context);
   model_.hovered_node = std::exchange(memory_.hovered_node, std::nullopt);
 }
@@ -206,7 +215,7 @@ void Debugger::draw_view(PanelContext& context, const PanelLayout& layout) {
   gui_.name_area("view", area);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   in_window(
-      "view", area,
+      gui_, "view", area,
       [&] {
         use_mouse(context, area);
         PanelArea part = area;
@@ -222,6 +231,19 @@ void Debugger::draw_view(PanelContext& context, const PanelLayout& layout) {
       },
       ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
+}
+
+/// What is under the mouse: an object, else a pair, else a node.
+void Debugger::draw_hovered_thing(PanelContext& context, double x, double y) {
+  Selection thing = view_->pick(x, y, ImGui::GetIO().KeyCtrl);
+  if (const auto pair = object_in(thing) ? std::nullopt : view_->pick_pair(x, y)) thing = *pair;
+  memory_.under_mouse = thing;
+  if (is_nothing(thing)) return;
+  if (const auto node = node_in(thing)) memory_.hovered_node = node;
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(thing_words(model_.run(), thing).c_str());
+  context.gui.note_last_item("under the mouse");
+  ImGui::EndTooltip();
 }
 
 void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
@@ -240,7 +262,13 @@ void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
   const double x = double{io.MousePos.x - area.x};
   const double y = double{io.MousePos.y - area.y};
   if (hovered && io.MouseWheel != 0) view_->zoom(double{io.MouseWheel}, x, y);
-  if (!hovered || !ImGui::IsMouseDoubleClicked(0)) return;
+  if (!hovered) return;
+  if (!io.MouseDown[0] && !io.MouseDown[1]) draw_hovered_thing(context, x, y);
+  // A click that did not turn the view; the second one of a double click says nothing new.
+  constexpr float kStill = 4;
+  const bool clicked = ImGui::IsMouseReleased(0) && io.MouseClickedLastCount[0] == 1 &&
+                       io.MouseDragMaxDistanceSqr[0] < kStill * kStill;
+  if (!clicked) return;
   const Selection picked = view_->pick(x, y, io.KeyCtrl);
   if (const auto object = object_in(picked)) {
     context.model.select_object(*object, io.KeyShift);

@@ -59,6 +59,11 @@ class Debugger {
   /// Reports the result of a request, or why it failed.
   void report(std::string message, bool is_error);
 
+  /// As a window opens: at a moment with a tree to look at, and with what is seen in words.
+  void welcome();
+  /// Begins the tour.
+  void begin_tour() { memory_.tour = 0; }
+
   [[nodiscard]] DebuggerModel& model() { return model_; }
   [[nodiscard]] const Gui& gui() const { return gui_; }
   [[nodiscard]] const SceneView& view() const { return *view_; }
@@ -72,6 +77,7 @@ class Debugger {
   void update_views(const PanelLayout& layout);
   void draw_panels(PanelContext& context, const PanelLayout& layout);
   void draw_view(PanelContext& context, const PanelLayout& layout);
+  void draw_hovered_thing(PanelContext& context, double x, double y);
   void use_mouse(PanelContext& context, const PanelArea& area);
 
   GlContext& context_;

@@ -104,6 +104,10 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["table_rows"] = std::to_string(kept.rows().size());
   facts["table_first"] = kept.rows().empty() ? "none" : kept.table().rows[kept.rows()[0]].name;
   facts["lanes"] = std::to_string(model_.lanes().size());
+  facts["welcome"] = memory_.welcome ? "yes" : "no";
+  facts["tour"] = memory_.tour ? std::to_string(*memory_.tour + 1) : "none";
+  facts["under_mouse"] =
+      is_nothing(memory_.under_mouse) ? "nothing" : thing_words(model_.run(), memory_.under_mouse);
   facts["help"] = memory_.help ? "yes" : "no";
   facts["explanation"] = memory_.explanation;
   facts["problem"] = memory_.problem;

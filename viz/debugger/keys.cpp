@@ -39,12 +39,20 @@ void Debugger::take_key(Key key, bool shift) {
       return static_cast<void>(model_.ask_oracle());
     case Key::escape:
       if (std::exchange(memory_.help, false)) return;
+      if (std::exchange(memory_.tour, std::nullopt)) return;
+      if (std::exchange(memory_.welcome, false)) return;
       model_.select({});
       return model_.drop_range();
     case Key::f5:
       return model_.run_to_breakpoint(!shift);
     case Key::f9:
       return model_.toggle_breakpoint_here();
+    case Key::enter:
+      if (memory_.tour) ++*memory_.tour;
+      return;
+    case Key::g:
+      memory_.welcome = !memory_.welcome;
+      return;
     case Key::f12:
       memory_.screenshot = true;
       return;

@@ -91,7 +91,7 @@ const std::map<std::string, Key>& key_names() {
                                                  {"r", Key::r},         {"a", Key::a},
                                                  {"u", Key::u},         {"d", Key::d},
                                                  {"x", Key::x},         {"t", Key::t},
-                                                 {"j", Key::j}};
+                                                 {"j", Key::j},         {"g", Key::g}};
   return kNames;
 }
 
@@ -188,11 +188,14 @@ void ScriptPlayer::play(const ScriptLine& line) {
   const std::string& verb = line.words[0];
   const auto word = [&](std::size_t k) -> const std::string& { return word_of(line, k); };
   if (verb == "key") return press(line, word(1));
-  if (verb == "click") return click(place(line, word(1)), 0, 1);
-  if (verb == "double") {
+  if (verb == "welcome") {
+    debugger_.welcome();
+    return frames(2);
+  }
+  if (verb == "click" || verb == "double") {
     input_.shift = has_word(line, 2, "shift");
     input_.control = has_word(line, 2, "ctrl");
-    click(place(line, word(1)), 0, 2);
+    click(place(line, word(1)), 0, verb == "double" ? 2 : 1);
     input_.shift = input_.control = false;
     return frames(1);
   }
@@ -224,9 +227,9 @@ void ScriptPlayer::play(const ScriptLine& line) {
     remembered_[word(1)] = fact(line, word(2));
     return;
   }
-  fail(line,
-       "'" + verb +
-           "' is none of key, click, double, hover, drag, wheel, type, wait, screenshot, expect, remember");
+  fail(line, "'" + verb +
+                 "' is none of key, click, double, hover, drag, wheel, type, wait, screenshot, expect, "
+                 "remember, welcome");
 }
 
 /// As a person does it: the mouse is there before the click, and stays for a frame after it.

@@ -61,6 +61,10 @@ void draw_partitioner(const DrawContext<D>& context, NodeId id, Batch& batch);
 template <int D>
 void draw_partitioners(const DrawContext<D>& context, Batch& batch);
 
+/// The line of a pair that `draw_pairs` draws, in the scene.
+template <int D>
+std::pair<Eigen::Vector3d, Eigen::Vector3d> pair_line(const View& view, const Body<D>& a, const Body<D>& b);
+
 /// Candidate pairs and contacts.
 template <int D>
 void draw_pairs(const DrawContext<D>& context, Batch& batch);

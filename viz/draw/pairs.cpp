@@ -65,6 +65,14 @@ Eigen::Vector3d towards_eye(const View& view, const Eigen::Vector3d& p, double d
 }
 
 template <int D>
+Line seen_line(const View& view, const Body<D>& a, const Body<D>& b) {
+  const Line line = line_between(a, b);
+  if (D == 2) return line;
+  const double lift = 0.9 * std::min(largest_extent(a.box), largest_extent(b.box));
+  return {towards_eye(view, line.a, lift), towards_eye(view, line.b, lift)};
+}
+
+template <int D>
 void draw_pair(const DrawContext<D>& context, const Pair& pair, bool is_contact, Batch& batch) {
   const auto bodies = context.input.bodies;
   if (pair.a.index() >= bodies.size() || pair.b.index() >= bodies.size()) return;
@@ -72,11 +80,7 @@ void draw_pair(const DrawContext<D>& context, const Pair& pair, bool is_contact,
   const Body<D>& b = bodies[pair.b.index()];
   if (!is_drawable(a) || !is_drawable(b)) return;
   context.begin(batch, DrawnKind::pair, pair.a.value, pair.b.value);
-  Line line = line_between(a, b);
-  if constexpr (D == 3) {
-    const double lift = 0.9 * std::min(largest_extent(a.box), largest_extent(b.box));
-    line = {towards_eye(context.view, line.a, lift), towards_eye(context.view, line.b, lift)};
-  }
+  const Line line = seen_line(context.view, a, b);
   const Eigen::Vector3d middle = 0.5 * (line.a + line.b);
   const double pixels =
       std::min(largest_extent(a.box), largest_extent(b.box)) * context.view.pixels_per_unit(middle);
@@ -94,6 +98,12 @@ void draw_pair(const DrawContext<D>& context, const Pair& pair, bool is_contact,
 }  // namespace
 
 template <int D>
+std::pair<Eigen::Vector3d, Eigen::Vector3d> pair_line(const View& view, const Body<D>& a, const Body<D>& b) {
+  const Line line = seen_line(view, a, b);
+  return {line.a, line.b};
+}
+
+template <int D>
 void draw_pairs(const DrawContext<D>& context, Batch& batch) {
   const auto contacts = context.has(Layer::contacts) ? context.input.contacts : std::span<const Pair>();
   if (context.has(Layer::pairs)) {
@@ -103,6 +113,8 @@ void draw_pairs(const DrawContext<D>& context, Batch& batch) {
   for (const Pair& pair : contacts) draw_pair(context, pair, true, batch);
 }
 
+template std::pair<Eigen::Vector3d, Eigen::Vector3d> pair_line(const View&, const Body<2>&, const Body<2>&);
+template std::pair<Eigen::Vector3d, Eigen::Vector3d> pair_line(const View&, const Body<3>&, const Body<3>&);
 template void draw_pairs<2>(const DrawContext<2>&, Batch&);
 template void draw_pairs<3>(const DrawContext<3>&, Batch&);
 

@@ -241,7 +241,6 @@ TYPED_TEST(DebuggerModelTest, TheOracleFindsNothingInAnExactTree) {
 
 TYPED_TEST(DebuggerModelTest, PlayingGoesOnWithTime) {
   DebuggerModel& model = this->model();
-  model.granularity = Granularity::step;
   model.speed = 10;
   model.playing = true;
   model.pass_time(0.55);
@@ -256,7 +255,7 @@ TYPED_TEST(DebuggerModelTest, PlayingByOperatorsStaysInItsRange) {
   DebuggerModel& model = this->model();
   model.timeline.range = StepSpan{20, 24};
   model.toggle_loop();
-  model.granularity = Granularity::op;
+  model.plays_by = Granularity::op;
   std::vector<Position> expected;
   for (std::uint32_t step = 20; step <= 24; ++step)
     for (const Event& event : model.run().events_of(step))

@@ -116,16 +116,12 @@ drag scrubber@0.2,0.5 scrubber@0.25,0.5 shift
 expect range ~ "steps 13 to 15"
 key L
 expect loops == yes
-click granularity
-click "by step"
 key Space
-wait 7      # 10 a second, and 60 frames: it comes from before the range
+wait 2      # 25 steps and 60 frames a second: it comes from before the range
 expect step == 13
-wait 6
-expect step == 14
-wait 6
+wait 12
 expect step == 15
-wait 6
+wait 2
 expect step == 13
 click loop
 wait 30

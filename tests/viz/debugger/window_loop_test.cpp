@@ -139,7 +139,6 @@ TEST_F(DebuggerWindow, AHintComesThoughTheMouseRests) {
 
 /// At one step in a quarter of a second; a busy machine may be late, but neither ahead nor at a stand.
 TEST_F(DebuggerWindow, PlaysAtItsSpeedWithoutInput) {
-  debugger_->model().granularity = Granularity::step;
   debugger_->model().speed = 4;
   display_.tap("space");
   display_.flush();

@@ -55,6 +55,7 @@ enum class Key : std::uint8_t {
   x,
   t,
   j,
+  g,  // the legend
   f1,
   f5,
   f9,

@@ -66,6 +66,17 @@ void DebuggerModel::go(const Position& position) {
   moved();
 }
 
+std::uint32_t opening_step(std::span<const StepRow> rows) {
+  std::uint32_t most = 0;
+  for (const StepRow& row : rows) most = std::max(most, row.statistics.leaves);
+  const auto grown = std::ranges::find_if(rows, [&](const StepRow& row) {
+    return 5 * std::uint64_t{row.statistics.leaves} >= 4 * std::uint64_t{most};
+  });
+  return grown == rows.end() ? 0 : grown->step;
+}
+
+void DebuggerModel::go_to_opening() { go(Position::end_of(opening_step(run_->rows()))); }
+
 void DebuggerModel::go_to_event(std::uint64_t event) {
   const auto step = run_->step_of(event);
   if (!step) return say("the recording has no event e" + std::to_string(event), true);

@@ -26,6 +26,12 @@ struct Alarm {
   [[nodiscard]] bool is_wrong() const { return missed + extra + twice > 0; }
 };
 
+/// Steps of a scene in a second of its own time (paper section 6.2).
+inline constexpr double kStepsOfScene = 25;
+
+/// The first step at which the tree has four fifths of the leaves that it ever has; 0 of a run without steps.
+std::uint32_t opening_step(std::span<const StepRow> rows);
+
 /// The complete state and behaviour of the debugger, without a window: panels and scripts only call it.
 class DebuggerModel {
  public:
@@ -50,9 +56,13 @@ class DebuggerModel {
   /// The seconds until it goes on; infinity if it does not play.
   [[nodiscard]] double seconds_to_next() const;
 
+  /// To the end of a step at which the tree has grown, see `opening_step`.
+  void go_to_opening();
+
   bool playing = false;
-  double speed = 10;                          ///< steps or events a second
-  Granularity granularity = Granularity::op;  ///< the unit of `,` and `.` and of playing
+  double speed = kStepsOfScene;               ///< steps or events a second
+  Granularity granularity = Granularity::op;  ///< the unit of `,` and `.`
+  Granularity plays_by = Granularity::step;   ///< the unit of playing
 
   // Selecting.
   void select(const Selection& selection);

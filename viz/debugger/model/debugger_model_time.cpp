@@ -39,16 +39,16 @@ void DebuggerModel::go_to_kind(EventKind kind, bool forwards) {
 
 /// One step or event further; from the end of a range that loops to its beginning.
 void DebuggerModel::play_on() {
-  if (!timeline.loops || !timeline.range) return step(granularity, true);
+  if (!timeline.loops || !timeline.range) return step(plays_by, true);
   const Position begin = Position::end_of(timeline.range->first - 1);
   const Position end = Position::end_of(timeline.range->last);
-  const auto goes_on = [&] { return run_->step(granularity, true) && run_->position() <= end; };
+  const auto goes_on = [&] { return run_->step(plays_by, true) && run_->position() <= end; };
   if (run_->position() < begin || !goes_on()) {
     run_->go(begin);
     playing = goes_on();
     if (!playing) {
       run_->go(begin);
-      say("the range has nothing of what is chosen beside `play`");
+      say("the range has nothing to play");
     }
   }
   moved();

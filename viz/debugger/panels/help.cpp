@@ -11,7 +11,7 @@ struct KeyHelp {
   const char* meaning;
 };
 constexpr std::array kKeys{
-    KeyHelp{"Space", "play, pause"},
+    KeyHelp{"Space", "play by steps, pause"},
     KeyHelp{", and .", "back and on, by operator (or what is chosen above)"},
     KeyHelp{"Shift+, and .", "a whole step back and on"},
     KeyHelp{"Home, End", "to the start, to the end"},
@@ -25,6 +25,7 @@ constexpr std::array kKeys{
     KeyHelp{"A", "icicle: the tree before the last operator that acted, or now"},
     KeyHelp{"T, Shift+T", "the table of nodes, of pairs"},
     KeyHelp{"J", "lanes of the selected object (in a short run they come by themselves)"},
+    KeyHelp{"G", "what is seen, in words, and what colours mean"},
     KeyHelp{"Esc", "select nothing, no range; close this"},
     KeyHelp{"+ and -", "lanes: magnify around this moment, show more; R: the whole run"},
     KeyHelp{"Left, Right", "lanes: pan; Up, Down: choose a lane"},
@@ -38,8 +39,8 @@ constexpr std::array kKeys{
     KeyHelp{"Left drag", "turn the view (2D: move it)"},
     KeyHelp{"Right drag", "move the view"},
     KeyHelp{"Wheel", "nearer and farther"},
-    KeyHelp{"Double click", "select an object; with Shift a second one: a pair; beside objects a node"},
-    KeyHelp{"Ctrl+double", "select a node: the partitioner with a line there, or the leaf"},
+    KeyHelp{"Click", "select an object; with Shift a second one: a pair; beside objects a node"},
+    KeyHelp{"Ctrl+click", "select a node: the partitioner with a line there, or the leaf"},
     KeyHelp{"Lanes, below", "left drag: scrub; right or middle drag: pan; wheel: magnify at the mouse"},
     KeyHelp{"", "Shift+wheel or sideways: pan; the map below them: drag the window"},
 };
@@ -61,6 +62,11 @@ void draw_help(PanelContext& context) {
     }
     ImGui::Spacing();
     if (widgets::button(context.gui, "close")) context.memory.help = false;
+    ImGui::SameLine();
+    if (widgets::button(context.gui, "tour", "seven stops, each with a look at this run")) {
+      context.memory.help = false;
+      context.memory.tour = 0;
+    }
   }
   ImGui::End();
 }

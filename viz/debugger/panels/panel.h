@@ -15,9 +15,13 @@ namespace kerf {
 /// The state of panels between frames that does not belong to the model.
 struct PanelMemory {
   bool help = false;
-  bool screenshot = false;     ///< requested in this frame
-  bool operators_only = true;  ///< the list of events leaves out placed objects
-  std::set<NodeId> unfolded;   ///< of the outline, beyond what is unfolded at first
+  bool welcome = false;               ///< what is seen, in words, and the legend
+  std::optional<std::size_t> tour;    ///< the stop of the tour; none: there is no tour
+  std::optional<std::size_t> toured;  ///< the stop that has been set up
+  Selection under_mouse;              ///< in the view
+  bool screenshot = false;            ///< requested in this frame
+  bool operators_only = true;         ///< the list of events leaves out placed objects
+  std::set<NodeId> unfolded;          ///< of the outline, beyond what is unfolded at first
   std::set<NodeId> folded;
   std::string condition;  ///< being typed
   std::string watch;
@@ -60,6 +64,9 @@ struct PanelContext {
 /// "leaf 23", or the population, balance and straddlers of a partitioner: the same words in every panel.
 std::string node_words(const TreeSnapshot& tree, NodeId id);
 
+/// What the mouse is over, in a line: "object 12: 3 pairs".
+std::string thing_words(Run& run, const Selection& thing);
+
 // Each is one file of this folder and fills the window or tab that has been begun.
 void draw_transport(PanelContext& context);
 void draw_timeline(PanelContext& context);
@@ -78,6 +85,8 @@ void draw_tables(PanelContext& context);
 void draw_view_tools(PanelContext& context);
 void draw_view_overlay(PanelContext& context, const SceneView& view, const PanelArea& area,
                        const std::string& title);
+void draw_welcome(PanelContext& context);
+void draw_tour(PanelContext& context);
 void draw_help(PanelContext& context);
 
 }  // namespace kerf

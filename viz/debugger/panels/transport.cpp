@@ -29,7 +29,8 @@ void draw_steps(PanelContext& context) {
   go("<<", "step back", "one step back (Shift+,)", Granularity::step, false);
   go("<", "back", "back by what is chosen on the right (,)", model.granularity, false);
   const char* const label = model.playing ? "pause" : "play ";
-  if (widgets::button(context.gui, label, "play and pause (Space)", "play")) model.playing = !model.playing;
+  if (widgets::button(context.gui, label, "play and pause, step by step (Space)", "play"))
+    model.playing = !model.playing;
   ImGui::SameLine();
   go(">", "forward", "on by what is chosen on the right (.)", model.granularity, true);
   go(">>", "step forward", "one step on (Shift+.)", Granularity::step, true);
@@ -56,10 +57,10 @@ void draw_granularity(PanelContext& context) {
   ImGui::SameLine();
   auto speed = static_cast<float>(context.model.speed);
   ImGui::SetNextItemWidth(110);
-  if (ImGui::SliderFloat("##speed", &speed, 1, 200, "%.0f a second", ImGuiSliderFlags_Logarithmic))
+  if (ImGui::SliderFloat("##speed", &speed, 1, 200, "%.0f steps/s", ImGuiSliderFlags_Logarithmic))
     context.model.speed = double{speed};
   context.gui.name_last_item("speed");
-  widgets::hint("how fast it plays");
+  widgets::hint("how fast it plays; a scene has 25 steps in a second");
 }
 
 void draw_runs(PanelContext& context) {

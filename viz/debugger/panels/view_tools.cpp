@@ -99,6 +99,9 @@ void draw_view_tools(PanelContext& context) {
     model.toggle_isolated();
   ImGui::SameLine();
   if (widgets::button(context.gui, "show all", "nothing hidden, nothing alone")) model.show_all();
+  widgets::beside_or_below(text_width("legend") + 2 * ImGui::GetStyle().FramePadding.x);
+  if (widgets::button(context.gui, "legend", "what is seen, in words, and what colours mean (G)"))
+    context.memory.welcome = !context.memory.welcome;
   widgets::beside_or_below(text_width("depth") + ImGui::GetStyle().ItemSpacing.x + kDepths);
   ImGui::TextDisabled("depth");
   ImGui::SameLine();

@@ -65,7 +65,7 @@ void draw_why(PanelContext& context) {
   if (text.empty()) {
     ImGui::TextWrapped(
         "%s",
-        "Select a node in the tree or an object in the view (double click; with Shift a second one "
+        "Select a node in the tree or an object in the view (click; with Shift a second one "
         "makes a pair), or go to an event: here stands why it is so.");
     return;
   }

@@ -58,6 +58,8 @@ class SceneView {
 
   /// The item under a pixel of the view: an object if there is one and `node_wanted` is false, else a node.
   [[nodiscard]] virtual Selection pick(double x, double y, bool node_wanted) const = 0;
+  /// The pair whose line is within a few pixels of one of the view.
+  [[nodiscard]] virtual std::optional<Pair> pick_pair(double x, double y) const = 0;
   /// The place of the middle of an object or leaf, or of an edge of a partitioner.
   [[nodiscard]] virtual std::optional<SceneLabel> place_of(const Selection& selection) const = 0;
 

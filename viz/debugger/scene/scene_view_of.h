@@ -28,6 +28,7 @@ class SceneViewOf final : public SceneView {
   [[nodiscard]] const std::vector<SceneLabel>& labels() const override { return labels_; }
   [[nodiscard]] std::uint64_t drawn() const override { return drawn_; }
   [[nodiscard]] Selection pick(double x, double y, bool node_wanted) const override;
+  [[nodiscard]] std::optional<Pair> pick_pair(double x, double y) const override;
   [[nodiscard]] std::optional<SceneLabel> place_of(const Selection& selection) const override;
   void turn(double dx, double dy) override { orbit_.turn(dx, dy, width_, height_); }
   void move(double dx, double dy) override { orbit_.move(dx, dy, width_, height_); }

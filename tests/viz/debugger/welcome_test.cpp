@@ -1,0 +1,150 @@
+#include <gmock/gmock.h>
+
+#include "tests/viz/debugger/timeline_driver.h"
+
+namespace kerf {
+namespace {
+
+using test::TimelineDriver;
+
+StepRow row_with(std::uint32_t step, std::uint32_t leaves) {
+  StepRow row;
+  row.step = step;
+  row.statistics.leaves = leaves;
+  return row;
+}
+
+TEST(DebuggerOpening, IsTheFirstStepWithAGrownTree) {
+  const std::vector<StepRow> rows{row_with(1, 1), row_with(2, 7), row_with(3, 8), row_with(4, 10),
+                                  row_with(5, 9)};
+  EXPECT_EQ(opening_step(rows), 3U);
+  EXPECT_EQ(opening_step({}), 0U);
+}
+
+TEST(DebuggerWelcome, SaysWhatIsSeenUntilItIsClosed) {
+  TimelineDriver driver;
+  EXPECT_EQ(driver.play(R"(
+expect welcome == no
+expect step == 0
+welcome
+expect welcome == yes
+expect step > 0
+key Escape
+expect welcome == no
+key G
+expect welcome == yes
+click "close welcome"
+expect welcome == no
+click legend
+expect welcome == yes
+click "welcome tour"
+expect welcome == no
+expect tour == 1
+)"),
+            "");
+}
+
+/// Seven stops, each of which frames a part of the window that is there.
+TEST(DebuggerTour, LeadsThroughTheWindow) {
+  TimelineDriver driver;
+  EXPECT_EQ(driver.play(R"(
+key F1
+click tour
+expect help == no
+expect tour == 1
+expect step > 0
+key Enter
+expect tour == 2
+click "next stop"
+expect tour == 3
+expect selection ~ n
+key Enter
+expect tour == 4
+expect deed ~ "split"
+key Enter
+expect tour == 5
+expect candidates > 1
+click "stop before"
+expect tour == 4
+key Enter
+key Enter
+expect tour == 6
+expect selection ~ pair
+wait 2
+expect explanation ~ "pair:"
+key Enter
+expect tour == 7
+expect selection == nothing
+click "next stop"
+expect tour == none
+key F1
+click tour
+key Escape
+expect tour == none
+)"),
+            "");
+}
+
+/// One click selects; a drag turns the view and selects nothing.
+TEST(DebuggerView, AClickSelectsAndADragDoesNot) {
+  TimelineDriver driver;
+  EXPECT_EQ(driver.play(R"(
+key End
+click object:3
+expect selection == "object 3"
+wait 40
+click object:7 shift
+expect selection == "pair 3,7"
+key Escape
+wait 40
+drag object:3 view@0.5,0.5
+expect selection == nothing
+wait 40
+click node:0 ctrl
+expect selection == n0
+)"),
+            "");
+}
+
+TEST(DebuggerView, TheMouseSaysWhatIsBelowIt) {
+  TimelineDriver driver;
+  EXPECT_EQ(driver.play(R"(
+key End
+hover object:3
+expect under_mouse ~ "object 3: "
+expect under_mouse ~ "pair"
+hover 5,5
+expect under_mouse == nothing
+click objects
+hover node:0
+expect under_mouse ~ n
+)"),
+            "");
+}
+
+TEST(DebuggerView, ThePairBelowTheMouseIsTheOneOfTheLine) {
+  TimelineDriver driver;
+  ASSERT_EQ(driver.play("key End\nwait 2"), "");
+  const auto pairs = driver.debugger().model().run().pairs();
+  ASSERT_FALSE(pairs.empty());
+  const SceneView& view = driver.debugger().view();
+  std::size_t found = 0;
+  for (const Pair& pair : pairs) {
+    const auto a = view.place_of(pair.a);
+    const auto b = view.place_of(pair.b);
+    if (!a || !b) continue;
+    const auto there = view.pick_pair(double{a->x + b->x} / 2, double{a->y + b->y} / 2);
+    found += there == pair ? 1U : 0U;
+  }
+  EXPECT_GT(2 * found, pairs.size()) << "others may lie on the same place";
+  EXPECT_FALSE(view.pick_pair(-100, -100));
+}
+
+/// A second of playing is a second of the scene.
+TEST(DebuggerTransport, PlaysByStepsAtTheSpeedOfTheScene) {
+  TimelineDriver driver;
+  EXPECT_EQ(driver.play("key Space\nwait 59\nexpect step >= 23\nexpect step <= 25"), "");
+}
+
+}  // namespace
+}  // namespace kerf

@@ -1,0 +1,119 @@
+#include <array>
+
+#include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/panel.h"
+#include "viz/draw/palette.h"
+
+namespace kerf {
+namespace {
+
+/// A stop shows a part of the window at a moment worth a look.
+struct TourStop {
+  const char* title;
+  const char* text;
+  const char* panel;  ///< that is framed
+  void (*set_up)(PanelContext& context);
+};
+
+void select_root(PanelContext& context) { context.model.select(context.model.run().tree().root()); }
+
+void go_to_a_split(PanelContext& context) {
+  context.model.go({});
+  context.model.go_to_kind(EventKind::split, true);
+}
+
+void select_a_pair(PanelContext& context) {
+  context.model.go_to_opening();
+  const auto pairs = context.model.run().pairs();
+  if (!pairs.empty()) context.model.select(pairs.front());
+  context.memory.open_tab = "Why";
+}
+
+constexpr std::array<TourStop, 7> kStops{
+    {{"The scene",
+      "Objects are coloured as the leaves that hold them, blue planes divide the space, lines are pairs. "
+      "Drag to "
+      "turn it, the wheel goes nearer, and the mouse over something says what it is.",
+      "panel view", [](PanelContext& context) { context.model.go_to_opening(); }},
+     {"Time",
+      "A lane for each figure of the run: drag to go there, the wheel magnifies. A click on a maximum at the "
+      "right "
+      "goes to it.",
+      "panel timeline", [](PanelContext& context) { context.model.go_to_opening(); }},
+     {"The tree",
+      "A bar is a node, as wide as it has objects; below it lie its children. The root is selected: its "
+      "plane is "
+      "marked in the scene, and its life in the lowest lane.",
+      "panel icicle", select_root},
+     {"An operator",
+      "The first split: a leaf had too many objects. `.` and `,` go from operator to operator, and the list "
+      "has all "
+      "events of the step.",
+      "panel events", go_to_a_split},
+     {"The choice",
+      "Each row is a plane that could have been taken, with the figures by which it was judged. Press one, "
+      "and the "
+      "scene shows it.",
+      "panel inspector",
+      [](PanelContext& context) {
+        go_to_a_split(context);
+        context.memory.open_tab = "Ballot";
+      }},
+     {"Why",
+      "Two objects are selected, a pair. Here stands why they are one, in which leaf they met, and since "
+      "when.",
+      "panel inspector", select_a_pair},
+     {"Stop when",
+      "Type a condition, for example `op==merge && depth>2` or `pairs>100`, and press F5: the run stops "
+      "where it "
+      "holds. Shift+F5 searches backwards. F1 has all keys.",
+      "panel breakpoints", [](PanelContext& context) { context.model.select({}); }}}};
+
+void frame_panel(PanelContext& context, const char* name) {
+  const auto area = context.gui.find(name);
+  if (!area) return;
+  ImGui::GetForegroundDrawList()->AddRect({area->x + 1, area->y + 1},
+                                          {area->x + area->width - 1, area->y + area->height - 1},
+                                          widgets::to_imgui(palette::kOperator), 0, 0, 3);
+}
+
+void draw_buttons(PanelContext& context) {
+  std::optional<std::size_t>& tour = context.memory.tour;
+  const bool is_last = *tour + 1 == kStops.size();
+  if (widgets::button(context.gui, is_last ? "end" : "next", "Enter", "next stop")) ++*tour;
+  ImGui::SameLine();
+  if (tour != 0 && widgets::button(context.gui, "back", "", "stop before")) --*tour;
+  ImGui::SameLine();
+  ImGui::TextDisabled("Enter goes on, Esc ends the tour");
+}
+
+}  // namespace
+
+void draw_tour(PanelContext& context) {
+  PanelMemory& memory = context.memory;
+  if (memory.tour && *memory.tour >= kStops.size()) memory.tour.reset();
+  if (!memory.tour) {
+    memory.toured.reset();
+    return;
+  }
+  const TourStop& stop = kStops[*memory.tour];
+  if (memory.toured != memory.tour) stop.set_up(context);
+  memory.toured = memory.tour;
+  frame_panel(context, stop.panel);
+  const auto view = context.gui.find("view");
+  if (!view) return;
+  ImGui::SetNextWindowPos({view->x + 0.5F * view->width, view->y + 8}, ImGuiCond_Always, {0.5F, 0});
+  ImGui::SetNextWindowSize({std::min(460.0F, view->width - 16), 0});
+  constexpr auto kFlags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+  const std::string title = std::to_string(*memory.tour + 1) + " of " + std::to_string(kStops.size()) + ": " +
+                            stop.title + "###tour";
+  if (ImGui::Begin(title.c_str(), nullptr, kFlags)) {
+    widgets::wrapped_text(stop.text);
+    ImGui::Spacing();
+    draw_buttons(context);
+  }
+  ImGui::End();
+}
+
+}  // namespace kerf

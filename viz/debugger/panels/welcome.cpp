@@ -1,0 +1,105 @@
+#include <array>
+
+#include "core/base/counted.h"
+#include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/panel.h"
+#include "viz/draw/palette.h"
+
+namespace kerf {
+namespace {
+
+/// A mark of the legend: how it looks, and what it stands for.
+enum class Mark : std::uint8_t { filled, framed, line };
+struct LegendRow {
+  Mark mark;
+  Color color;
+  const char* text;
+};
+constexpr std::array kLegendRows{
+    LegendRow{Mark::filled, Color{33, 144, 141}, "object, coloured as its leaf (see colour)"},
+    LegendRow{Mark::filled, palette::kStraddler, "straddler: it lies in several leaves"},
+    LegendRow{Mark::filled, palette::kFixed, "fixed object"},
+    LegendRow{Mark::framed, palette::kPartitioner, "partitioner: it divides its node's objects"},
+    LegendRow{Mark::line, palette::kCandidate, "pair: the boxes of two objects overlap"},
+    LegendRow{Mark::framed, palette::kOperator, "where the last operator acted; a selected object"},
+    LegendRow{Mark::framed, palette::kSeries[4], "selected node"},
+    LegendRow{Mark::framed, palette::kInk, "node under the mouse"}};
+
+void draw_mark(const LegendRow& row) {
+  constexpr float kWide = 16;
+  constexpr float kHigh = 11;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 a{at.x, at.y + 2};
+  const ImVec2 b{at.x + kWide, at.y + 2 + kHigh};
+  const ImU32 color = widgets::to_imgui(row.color);
+  if (row.mark == Mark::filled) {
+    list.AddRectFilled(a, b, color);
+    list.AddRect(a, b, widgets::to_imgui(palette::kFaintInk));
+  } else if (row.mark == Mark::framed) {
+    list.AddRectFilled(a, b, widgets::to_imgui(row.color, 0.2));
+    list.AddRect(a, b, color, 0, 0, 2);
+  } else {
+    list.AddLine({a.x, 0.5F * (a.y + b.y)}, {b.x, 0.5F * (a.y + b.y)}, color, 2);
+  }
+  ImGui::Dummy({kWide + 6, kHigh});
+  ImGui::SameLine(0, 0);
+  ImGui::TextUnformatted(row.text);
+}
+
+/// What is seen at this moment, in three sentences.
+std::array<std::string, 3> sentences(Run& run) {
+  const TreeSnapshot& tree = run.tree();
+  std::uint32_t deepest = 0;
+  for (const TreeSnapshot::Node& node : tree.nodes())
+    if (node.alive) deepest = std::max(deepest, node.depth);
+  const std::uint64_t objects = run.objects();
+  const std::uint64_t all = objects * (objects > 0 ? objects - 1 : 0) / 2;
+  return {"Step " + run.names().step(run.position().step) + " of " + counted(run.steps(), "step") + ": " +
+              counted(run.objects(), "object") + ", each in a box, of which " +
+              counted(run.pairs().size(), "pair overlaps", "pairs overlap") + ".",
+          "The tree has " + counted(tree.leaves(), "leaf", "leaves") + ", down to depth " +
+              std::to_string(deepest) + "; only boxes that share a leaf are tested, not all " +
+              std::to_string(all) + " pairs.",
+          "Space plays on; a click on an object, a plane or a bar says why it is so."};
+}
+
+}  // namespace
+
+void draw_welcome(PanelContext& context) {
+  if (!context.memory.welcome) return;
+  const auto place = context.gui.find("panel inspector");
+  if (!place) return;
+  ImGui::SetNextWindowPos({place->x, place->y}, ImGuiCond_Always);
+  ImGui::SetNextWindowSize({place->width, 0});
+  constexpr auto kFlags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+  const std::string title = context.model.run().info().scene + "###welcome";
+  if (ImGui::Begin(title.c_str(), &context.memory.welcome, kFlags)) {
+    for (const std::string& sentence : sentences(context.model.run())) widgets::wrapped_text(sentence);
+    ImGui::Spacing();
+    for (const LegendRow& row : kLegendRows) draw_mark(row);
+    ImGui::Spacing();
+    if (widgets::button(context.gui, "tour", "seven stops, each with a look at this run", "welcome tour")) {
+      context.memory.tour = 0;
+      context.memory.welcome = false;
+    }
+    ImGui::SameLine();
+    if (widgets::button(context.gui, "close", "G shows it again", "close welcome"))
+      context.memory.welcome = false;
+  }
+  ImGui::End();
+}
+
+std::string thing_words(Run& run, const Selection& thing) {
+  const std::string name = to_string(thing, run.names());
+  if (const auto node = node_in(thing))
+    return run.tree().is_alive(*node) ? name + " " + node_words(run.tree(), *node) : name;
+  const auto object = object_in(thing);
+  if (!object) return name;
+  std::size_t pairs = 0;
+  for (const Pair& pair : run.pairs()) pairs += pair.a == *object || pair.b == *object ? 1U : 0U;
+  return name + ": " + counted(pairs, "pair");
+}
+
+}  // namespace kerf
