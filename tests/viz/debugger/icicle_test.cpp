@@ -125,5 +125,31 @@ TEST_F(DebuggerIcicle, TheSceneMarksTheNodeUnderTheMouse) {
             "");
 }
 
+Image view_of(TimelineDriver& driver) {
+  const PanelArea area = layout_panels(1280, 720).view;
+  const Image& all = driver.debugger().picture();
+  Image part = make_image(static_cast<int>(area.width), static_cast<int>(area.height));
+  for (int y = 0; y < part.height; ++y)
+    std::copy_n(all.pixel(static_cast<int>(area.x), static_cast<int>(area.y) + y), part.stride(),
+                part.rgba.begin() + static_cast<std::ptrdiff_t>(part.stride()) * y);
+  return part;
+}
+
+TEST_F(DebuggerIcicle, OperatorsOfTheLastStepsAreSeenInTheScene) {
+  const auto differs_without_operators = [&] {
+    EXPECT_EQ(driver().play("hover 5,400\nwait 3"), "");
+    const Image with = view_of(driver());
+    EXPECT_EQ(driver().play("click operators\nhover 5,400\nwait 3"), "");
+    const Image without = view_of(driver());
+    EXPECT_EQ(driver().play("click operators"), "");
+    return with.rgba != without.rgba;
+  };
+  model().go(Position::end_of(run().position().step));
+  ASSERT_FALSE(recent_operators(run()).empty());
+  EXPECT_TRUE(differs_without_operators());
+  model().go({});
+  EXPECT_FALSE(differs_without_operators());
+}
+
 }  // namespace
 }  // namespace kerf

@@ -116,6 +116,18 @@ TEST_F(DebuggerWindow, SeesTheKeysAndTheWheelsOfTheLanes) {
 }
 
 /// At rest it used to draw 20 frames a second, half a core without a graphics card.
+TEST_F(DebuggerWindow, SeesTheKeysOfTheTreeAndFillsTheClipboard) {
+  for (const char* const key : {"d", "d", "x", "u", "a", "t"}) display_.tap(key);
+  take_in();
+  EXPECT_EQ(fact("selection"), "n0");
+  EXPECT_EQ(fact("icicle"), "before");
+  move_to("copy table");
+  display_.click(1);
+  take_in();
+  EXPECT_THAT(window_->clipboard(), testing::HasSubstr("node,depth,population"));
+  EXPECT_EQ(window_->clipboard(), fact("copied"));
+}
+
 TEST_F(DebuggerWindow, DrawsNothingWhenNothingMoves) {
   display_.move(640, 360);
   display_.flush();

@@ -205,6 +205,11 @@ bool GlfwWindow::goes_on(const std::string& progress) {
 
 void GlfwWindow::copy(const std::string& text) { glfwSetClipboardString(window_.get(), text.c_str()); }
 
+std::string GlfwWindow::clipboard() const {
+  const char* const text = glfwGetClipboardString(window_.get());
+  return text == nullptr ? "" : text;
+}
+
 double GlfwWindow::seconds() { return glfwGetTime(); }
 
 bool GlfwWindow::wait(double seconds) const {

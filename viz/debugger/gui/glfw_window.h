@@ -32,6 +32,8 @@ class GlfwWindow final : public GlContext {
   [[nodiscard]] bool goes_on(const std::string& progress);
   /// Puts a text into the clipboard of the display.
   void copy(const std::string& text);
+  /// The text in it; empty if it has none.
+  [[nodiscard]] std::string clipboard() const;
   /// Seconds since the program has a window.
   [[nodiscard]] static double seconds();
   /// Waits until the user does something, at most so many seconds. True if a frame has something to take in.

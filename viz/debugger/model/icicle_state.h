@@ -32,6 +32,9 @@ class IcicleKeeper {
  public:
   const IcicleState& icicle(Run& run, const Selection& selection, bool before);
 
+  /// The last one.
+  [[nodiscard]] const IcicleState& kept() const { return icicle_; }
+
  private:
   const Run* run_ = nullptr;
   Position position_;

@@ -46,6 +46,12 @@ void frame_bar(const PanelArea& place, Color color, float width) {
                                       widgets::to_imgui(color), 0, 0, width);
 }
 
+/// Letters are white on the dark half of the colours.
+Color ink_on(Color ground) {
+  const int light = (3 * ground.r + 6 * ground.g + ground.b) / 10;
+  return light < 115 ? Color{255, 255, 255} : palette::kInk;
+}
+
 void fill_bar(PanelContext& context, const IcicleBar& bar, const PanelArea& place, Color color) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float gap_x = place.width >= 4 ? 1.0F : 0.0F;
@@ -57,7 +63,7 @@ void fill_bar(PanelContext& context, const IcicleBar& bar, const PanelArea& plac
   const bool has_room = place.height >= kNameHeight && ImGui::CalcTextSize(name.c_str()).x + 4 <= place.width;
   if (has_room)
     list.AddText({place.x + 3, place.y + std::floor(0.5F * (place.height - 15))},
-                 widgets::to_imgui(palette::kInk), name.c_str());
+                 widgets::to_imgui(ink_on(color)), name.c_str());
   if (place.width >= kNamedBar) context.gui.name_area("bar " + name, place);
 }
 

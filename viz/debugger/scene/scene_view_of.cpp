@@ -6,6 +6,7 @@
 
 #include "core/base/overloaded.h"
 #include "core/query/text.h"
+#include "viz/debugger/model/recent_operators.h"
 #include "viz/debugger/scene/pick.h"
 #include "viz/debugger/scene/ray.h"
 #include "viz/debugger/scene/selected_box.h"
@@ -220,12 +221,25 @@ void SceneViewOf<D>::add_label(const Eigen::Vector3d& point, std::string text) {
   if (at) labels_.push_back({static_cast<float>(at->x()), static_cast<float>(at->y()), std::move(text)});
 }
 
+/// At the end of a step: the cells of the nodes on which operators acted in it, and paler those of the steps
+/// before.
+template <int D>
+void SceneViewOf<D>::draw_recent(const DrawContext<D>& frame, Batch& batch) {
+  for (const auto& [node, strength] : recent_operators(run_)) {
+    if (visible_.nodes[node.index()] == 0) continue;
+    const Color color = mix(palette::kGround, palette::kOperator, strength);
+    for (const Polygon& face : cell_faces(snapshot_, node, box_))
+      add_outline(batch, frame.view, face, {color, (0.5 + 1.5 * strength) * frame.line_scale});
+  }
+}
+
 /// Marks the place of the event that has just happened.
 template <int D>
 void SceneViewOf<D>::draw_event(const DrawContext<D>& frame, Batch& batch) {
   const auto event = run_.event();
   const auto node = run_.event_node();
-  if (!event || !node || !snapshot_.is_alive(*node)) return;
+  if (!event) return draw_recent(frame, batch);
+  if (!node || !snapshot_.is_alive(*node)) return;
   const Stroke stroke{palette::kOperator, 2 * frame.line_scale};
   Eigen::Vector3d top = to_point(box_.min);
   for (const Polygon& face : cell_faces(snapshot_, *node, box_)) {

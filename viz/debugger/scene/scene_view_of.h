@@ -62,6 +62,7 @@ class SceneViewOf final : public SceneView {
   void choose_colors();
   void draw(const DebuggerModel& model);
   void draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch& planes);
+  void draw_recent(const DrawContext<D>& frame, Batch& batch);
   void draw_event(const DrawContext<D>& frame, Batch& batch);
   void draw_selection(const DrawContext<D>& frame, Batch& batch);
   void draw_node(const DrawContext<D>& frame, NodeId id, Batch& batch);
