@@ -137,7 +137,15 @@ std::filesystem::path DebugCommand::recording(const std::filesystem::path& scrat
     return texts_.scene;
   }
   RenderTexts texts = texts_;
-  if (is_tour()) texts.scene = kSceneOfTour;
+  if (is_tour()) {
+    texts.scene = kSceneOfTour;
+    const auto unless_given = [](std::string& text, const char* value) {
+      if (text.empty()) text = value;
+    };
+    unless_given(texts.objects, "300");
+    unless_given(texts.grow, "80");
+    unless_given(texts.steps, "150");
+  }
   const bool is_kept = !texts.record.empty();
   if (texts.steps.empty()) texts.steps = "300";
   if (!is_kept) texts.record = scratch / "run.kerf";

@@ -89,15 +89,18 @@ expect tour == none
 TEST(DebuggerView, AClickSelectsAndADragDoesNot) {
   TimelineDriver driver;
   EXPECT_EQ(driver.play(R"(
-key End
-click object:3
-expect selection == "object 3"
+click "go to"
+type 20
+key Enter
+key Escape
+click object:40
+expect selection == "object 40"
 wait 40
-click object:7 shift
-expect selection == "pair 3,7"
+click object:41 shift
+expect selection == "pair 40,41"
 key Escape
 wait 40
-drag object:3 view@0.5,0.5
+drag object:40 view@0.5,0.5
 expect selection == nothing
 wait 40
 click node:0 ctrl
@@ -109,9 +112,12 @@ expect selection == n0
 TEST(DebuggerView, TheMouseSaysWhatIsBelowIt) {
   TimelineDriver driver;
   EXPECT_EQ(driver.play(R"(
-key End
-hover object:3
-expect under_mouse ~ "object 3: "
+click "go to"
+type 20
+key Enter
+key Escape
+hover object:40
+expect under_mouse ~ "object 40: "
 expect under_mouse ~ "pair"
 hover 5,5
 expect under_mouse == nothing

@@ -4,6 +4,7 @@
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
 #include "viz/draw/palette.h"
+#include "viz/draw/story.h"
 
 namespace kerf {
 namespace {
@@ -60,7 +61,7 @@ std::array<std::string, 3> sentences(Run& run) {
               counted(run.pairs().size(), "pair overlaps", "pairs overlap") + ".",
           "The tree has " + counted(tree.leaves(), "leaf", "leaves") + ", down to depth " +
               std::to_string(deepest) + "; only boxes that share a leaf are tested, not all " +
-              std::to_string(all) + " pairs.",
+              with_commas(all) + " pairs.",
           "Space plays on; a click on an object, a plane or a bar says why it is so."};
 }
 

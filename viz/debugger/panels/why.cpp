@@ -63,10 +63,9 @@ void draw_why(PanelContext& context) {
   }
   const std::string text = explanation(context);
   if (text.empty()) {
-    ImGui::TextWrapped(
-        "%s",
-        "Select a node in the tree or an object in the view (click; with Shift a second one "
-        "makes a pair), or go to an event: here stands why it is so.");
+    ImGui::TextWrapped("%s",
+                       "Select a node in the tree or an object in the view (click; with Shift a second one "
+                       "makes a pair), or go to an event: here stands why it is so.");
     return;
   }
   widgets::wrapped_text(text);

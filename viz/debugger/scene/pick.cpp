@@ -111,8 +111,29 @@ std::optional<NodeId> pick_node(const PickableTree<D>& tree, const View& view, d
   return best;
 }
 
+template <int D>
+std::optional<Pair> pick_pair(std::span<const Pair> pairs, std::span<const Body<D>> bodies, const View& view,
+                              double x, double y) {
+  std::optional<Pair> nearest;
+  double least = kNearLine;
+  for (const Pair& pair : pairs) {
+    const auto [a, b] = pair_line<D>(view, bodies[pair.a.index()], bodies[pair.b.index()]);
+    const auto from = view.project(a);
+    const auto to = view.project(b);
+    if (!from || !to) continue;
+    const double away = distance_to_segment({x, y}, *from, *to);
+    if (away < least) nearest = pair;
+    least = std::min(least, away);
+  }
+  return nearest;
+}
+
 template std::optional<ObjectId> pick_object<2>(const Ray&, std::span<const Body<2>>);
 template std::optional<ObjectId> pick_object<3>(const Ray&, std::span<const Body<3>>);
+template std::optional<Pair> pick_pair<2>(std::span<const Pair>, std::span<const Body<2>>, const View&,
+                                          double, double);
+template std::optional<Pair> pick_pair<3>(std::span<const Pair>, std::span<const Body<3>>, const View&,
+                                          double, double);
 template std::optional<NodeId> pick_node<2>(const PickableTree<2>&, const View&, double, double);
 template std::optional<NodeId> pick_node<3>(const PickableTree<3>&, const View&, double, double);
 

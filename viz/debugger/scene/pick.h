@@ -13,6 +13,11 @@ namespace kerf {
 template <int D>
 std::optional<ObjectId> pick_object(const Ray& ray, std::span<const Body<D>> bodies);
 
+/// The pair whose line, as it is drawn, is the nearest within a few pixels of one.
+template <int D>
+std::optional<Pair> pick_pair(std::span<const Pair> pairs, std::span<const Body<D>> bodies, const View& view,
+                              double x, double y);
+
 /// The visible part of a tree, for picking.
 template <int D>
 struct PickableTree {

@@ -22,21 +22,12 @@ namespace {
 constexpr std::size_t kMostObjects = 10'000;
 constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
-constexpr double kPairReach = 4;  // pixels from its line at which a pair is found
 constexpr double kCellAlpha = 0.5;
 
 /// Whether an object is among the `share` that is drawn: spread evenly, and the same in every picture.
 bool is_sampled(std::size_t object, double share) {
   const auto mixed = static_cast<std::uint32_t>(object * 2654435769U);
   return static_cast<double>(mixed) < share * 4294967296.0;
-}
-
-/// Of a point from a segment.
-double distance_to(const Eigen::Vector2d& point, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  const Eigen::Vector2d way = b - a;
-  const double length = way.squaredNorm();
-  const double part = length > 0 ? std::clamp((point - a).dot(way) / length, 0.0, 1.0) : 0;
-  return (point - (a + part * way)).norm();
 }
 
 }  // namespace
@@ -356,18 +347,7 @@ Selection SceneViewOf<D>::pick(double x, double y, bool node_wanted) const {
 template <int D>
 std::optional<Pair> SceneViewOf<D>::pick_pair(double x, double y) const {
   if (!seen_) return std::nullopt;
-  std::optional<Pair> nearest;
-  double least = kPairReach;
-  for (const Pair& pair : pairs_) {
-    const auto [a, b] = pair_line<D>(seen_->view, bodies_[pair.a.index()], bodies_[pair.b.index()]);
-    const auto from = seen_->view.project(a);
-    const auto to = seen_->view.project(b);
-    if (!from || !to) continue;
-    const double away = distance_to({x, y}, *from, *to);
-    if (away < least) nearest = pair;
-    least = std::min(least, away);
-  }
-  return nearest;
+  return kerf::pick_pair<D>(pairs_, bodies_, seen_->view, x, y);
 }
 
 /// For a partitioner the middle of an edge, since a point within may be hidden.
