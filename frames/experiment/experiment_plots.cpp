@@ -15,7 +15,7 @@ std::string placed(std::string script, double x, double y, double width, double 
   return script.insert(script.find("set encoding"), "set origin " + plot_number(x) + "," + plot_number(y) +
                                                         "\nset size " + plot_number(width) + "," +
                                                         plot_number(height) +
-                                                        "\nset lmargin 9\nset rmargin 2\n");
+                                                        "\nset lmargin 9\nset rmargin 4\n");
 }
 
 /// Two columns of panels below a legend.

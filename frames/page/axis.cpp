@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "frames/page/gnuplot.h"
+#include "frames/page/short_number.h"
 
 namespace kerf {
 namespace {
@@ -57,7 +58,7 @@ std::string Axis::log_tics() const {
     for (const double digit : digits_for(std::log10(high_ / low_))) {
       const double at = std::stod(plot_number(digit) + "e" + std::to_string(power));
       if (at < first_tic_ || at > high_) continue;
-      tics += (tics.empty() ? "" : ", ") + in_quotes(plot_number(at)) + " " + plot_number(at);
+      tics += (tics.empty() ? "" : ", ") + in_quotes(short_number(at)) + " " + plot_number(at);
     }
   return tics;
 }
