@@ -206,6 +206,7 @@ void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   draw_welcome(context);
   draw_tour(context);
+  draw_search(context);
   draw_help(context);
   model_.hovered_node = std::exchange(memory_.hovered_node, std::nullopt);
 }

@@ -108,6 +108,7 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["tour"] = memory_.tour ? std::to_string(*memory_.tour + 1) : "none";
   facts["under_mouse"] =
       is_nothing(memory_.under_mouse) ? "nothing" : thing_words(model_.run(), memory_.under_mouse);
+  facts["search"] = memory_.search.is_open ? "open: " + memory_.search.text : "closed";
   facts["help"] = memory_.help ? "yes" : "no";
   facts["explanation"] = memory_.explanation;
   facts["problem"] = memory_.problem;

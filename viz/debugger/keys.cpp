@@ -50,6 +50,8 @@ void Debugger::take_key(Key key, bool shift) {
     case Key::enter:
       if (memory_.tour) ++*memory_.tour;
       return;
+    case Key::p:
+      return open_search(memory_.search);
     case Key::g:
       memory_.welcome = !memory_.welcome;
       return;

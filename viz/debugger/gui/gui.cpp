@@ -70,6 +70,8 @@ void map_keys(ImGuiIO& io) {
   map(ImGuiKey_Delete, Key::del);
   map(ImGuiKey_LeftArrow, Key::left);
   map(ImGuiKey_RightArrow, Key::right);
+  map(ImGuiKey_UpArrow, Key::up);
+  map(ImGuiKey_DownArrow, Key::down);
   map(ImGuiKey_Tab, Key::tab);
 }
 

@@ -56,6 +56,7 @@ enum class Key : std::uint8_t {
   t,
   j,
   g,  // the legend
+  p,  // the search
   f1,
   f5,
   f9,

@@ -104,6 +104,15 @@ void DebuggerModel::run_to_breakpoint(bool forwards) {
   say("stopped at " + to_string(stop->position, run_->names()) + ": " + count_hit(*stop));
 }
 
+void DebuggerModel::go_to_condition(const std::string& condition, bool forwards) {
+  bool ended = false;
+  const auto stop = next_stop(*run_, {{Expression::parse(condition)}}, {}, forwards, noticing(ended));
+  if (ended) return say("ended before the condition was found to hold");
+  if (!stop) return say(condition + (forwards ? " holds nowhere further on" : " holds nowhere further back"));
+  go(stop->position);
+  say(condition + " holds");
+}
+
 /// Says what stopped the run.
 std::string DebuggerModel::count_hit(const Stop& stop) {
   if (stop.breakpoint) {

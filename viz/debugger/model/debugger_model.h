@@ -49,6 +49,9 @@ class DebuggerModel {
   /// To the next moment, either way, at which a breakpoint holds or a watched value makes its change;
   /// says so if there is none.
   void run_to_breakpoint(bool forwards);
+  /// To the next moment, either way, at which the condition holds; says so if there is none. Throws
+  /// std::invalid_argument that says what is wrong with it.
+  void go_to_condition(const std::string& condition, bool forwards);
   /// To the next moment of that kind, either way, and chooses the kind; says so if there is none.
   void go_to_kind(EventKind kind, bool forwards);
   /// Plays on by so many seconds, if it is playing.

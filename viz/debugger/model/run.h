@@ -99,6 +99,8 @@ class Run {
   /// See `find_course`.
   [[nodiscard]] virtual ObjectCourse course(ObjectId object, const Progress& progress) = 0;
   [[nodiscard]] virtual std::uint32_t objects() const = 0;
+  /// Whether an object is there at this moment.
+  [[nodiscard]] virtual bool has(ObjectId object) const = 0;
   [[nodiscard]] virtual std::uint32_t deferred() const = 0;
 
   [[nodiscard]] virtual const std::vector<CandidateRow>& ballot() = 0;

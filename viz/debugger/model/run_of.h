@@ -37,6 +37,7 @@ class RunOf final : public Run {
   [[nodiscard]] std::vector<PairFigures> pair_figures() override;
   [[nodiscard]] ObjectCourse course(ObjectId object, const Progress& progress) override;
   [[nodiscard]] std::uint32_t objects() const override { return state().latest.size(); }
+  [[nodiscard]] bool has(ObjectId object) const override { return state().latest.is_placed(object); }
   [[nodiscard]] std::uint32_t deferred() const override { return state().scheduler.pending(); }
   [[nodiscard]] const std::vector<CandidateRow>& ballot() override;
   [[nodiscard]] std::optional<NodeId> event_node() const override;

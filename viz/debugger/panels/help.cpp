@@ -25,6 +25,7 @@ constexpr std::array kKeys{
     KeyHelp{"A", "icicle: the tree before the last operator that acted, or now"},
     KeyHelp{"T, Shift+T", "the table of nodes, of pairs"},
     KeyHelp{"J", "lanes of the selected object (in a short run they come by themselves)"},
+    KeyHelp{"P, Ctrl+P", "search: nodes, objects, pairs, events, steps, conditions, commands"},
     KeyHelp{"G", "what is seen, in words, and what colours mean"},
     KeyHelp{"Esc", "select nothing, no range; close this"},
     KeyHelp{"+ and -", "lanes: magnify around this moment, show more; R: the whole run"},

@@ -12,16 +12,33 @@
 
 namespace kerf {
 
+/// The search box.
+struct SearchMemory {
+  bool is_open = false;
+  bool begins = false;  ///< it takes the keys in the next frame
+  std::string text;
+  int completions = 0;
+  std::size_t chosen = 0;            ///< of what was found
+  std::vector<std::string> history;  ///< the latest first
+};
+
+inline void open_search(SearchMemory& search) {
+  search.is_open = search.begins = true;
+  search.text.clear();
+  search.chosen = 0;
+}
+
 /// The state of panels between frames that does not belong to the model.
 struct PanelMemory {
   bool help = false;
   bool welcome = false;               ///< what is seen, in words, and the legend
   std::optional<std::size_t> tour;    ///< the stop of the tour; none: there is no tour
   std::optional<std::size_t> toured;  ///< the stop that has been set up
-  Selection under_mouse;              ///< in the view
-  bool screenshot = false;            ///< requested in this frame
-  bool operators_only = true;         ///< the list of events leaves out placed objects
-  std::set<NodeId> unfolded;          ///< of the outline, beyond what is unfolded at first
+  SearchMemory search;
+  Selection under_mouse;       ///< in the view
+  bool screenshot = false;     ///< requested in this frame
+  bool operators_only = true;  ///< the list of events leaves out placed objects
+  std::set<NodeId> unfolded;   ///< of the outline, beyond what is unfolded at first
   std::set<NodeId> folded;
   std::string condition;  ///< being typed
   std::string watch;
@@ -87,6 +104,7 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
                        const std::string& title);
 void draw_welcome(PanelContext& context);
 void draw_tour(PanelContext& context);
+void draw_search(PanelContext& context);
 void draw_help(PanelContext& context);
 
 }  // namespace kerf

@@ -128,6 +128,10 @@ void draw_transport(PanelContext& context) {
   ImGui::SameLine(0, 18);
   if (widgets::button(context.gui, "picture", "save what is seen (F12)")) context.memory.screenshot = true;
   ImGui::SameLine();
+  if (widgets::button(context.gui, "search",
+                      "nodes, objects, pairs, events, steps, conditions, commands (P or Ctrl+P)"))
+    open_search(context.memory.search);
+  ImGui::SameLine();
   if (widgets::button(context.gui, "help", "keys and mouse (F1 or ?)")) context.memory.help = true;
   draw_moment_line(context);
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viz/debugger/model/debugger_model.h"
+
+namespace kerf {
+
+/// Something that a search leads to.
+struct Hit {
+  std::string text;  ///< what is searched for, whole: "n17", "step 40", "next split"
+  std::string note;  ///< what it is or does, or its key
+  std::function<void(DebuggerModel&)> go;
+};
+
+/// What the words of a query name at this moment: nodes (n17), objects, pairs (12,77), events (e1234), steps,
+/// commands of which all words are part, and for a condition (op==merge && depth>8) its next and previous
+/// moment and a breakpoint. Things come first.
+std::vector<Hit> find_hits(DebuggerModel& model, std::string_view query);
+
+}  // namespace kerf

@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/model/find_hits.h"
+#include "viz/debugger/panels/panel.h"
+#include "viz/draw/palette.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t kMostHits = 12;      // rows that have room
+constexpr std::size_t kMostQueries = 100;  // of the history
+
+bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+
+/// Up and Down choose a row; without a query they go through the history.
+void move_choice(SearchMemory& search, std::size_t rows) {
+  const int way = is_pressed(ImGuiKey_DownArrow) ? 1 : is_pressed(ImGuiKey_UpArrow) ? -1 : 0;
+  if (way == 0 || rows == 0) return;
+  search.chosen = (search.chosen + rows + static_cast<std::size_t>(way + static_cast<int>(rows))) % rows;
+}
+
+void remember_query(SearchMemory& search) {
+  std::erase(search.history, search.text);
+  search.history.insert(search.history.begin(), search.text);
+  if (search.history.size() > kMostQueries) search.history.pop_back();
+}
+
+void follow_hit(PanelContext& context, const Hit& hit) {
+  SearchMemory& search = context.memory.search;
+  if (!search.text.empty()) remember_query(search);
+  search.is_open = false;
+  try {
+    hit.go(context.model);
+  } catch (const std::invalid_argument& error) {
+    context.model.message = error.what();
+    context.model.message_is_error = true;
+  }
+}
+
+/// Earlier queries come back by their first hit.
+std::vector<Hit> hits_of_history(DebuggerModel& model, const SearchMemory& search) {
+  std::vector<Hit> hits;
+  for (const std::string& query : search.history)
+    if (std::vector<Hit> found = find_hits(model, query); !found.empty())
+      hits.push_back({query, "searched before", std::move(found.front().go)});
+  return hits;
+}
+
+void draw_hits(PanelContext& context, const std::vector<Hit>& hits) {
+  SearchMemory& search = context.memory.search;
+  const std::size_t first = search.chosen < kMostHits ? 0 : search.chosen - kMostHits + 1;
+  for (std::size_t k = first; k < std::min(hits.size(), first + kMostHits); ++k) {
+    if (widgets::row(context.gui, hits[k].text, "hit " + std::to_string(k), k == search.chosen))
+      return follow_hit(context, hits[k]);
+    ImGui::SameLine(280);
+    ImGui::TextDisabled("%s", hits[k].note.c_str());
+  }
+  if (hits.empty()) ImGui::TextDisabled("nothing of that name here");
+  if (hits.size() > kMostHits) ImGui::TextDisabled("%zu in all", hits.size());
+}
+
+}  // namespace
+
+void draw_search(PanelContext& context) {
+  SearchMemory& search = context.memory.search;
+  if (!search.is_open) return;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5F * screen.x, 64}, ImGuiCond_Always, {0.5F, 0});
+  ImGui::SetNextWindowSize({480, 0});
+  constexpr auto kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_NoSavedSettings;
+  ImGui::SetNextWindowFocus();
+  if (ImGui::Begin("search", nullptr, kFlags)) {
+    std::vector<Hit> hits = find_hits(context.model, search.text);
+    if (search.text.empty()) {
+      std::vector<Hit> earlier = hits_of_history(context.model, search);
+      earlier.insert(earlier.end(), hits.begin(), hits.end());
+      hits = std::move(earlier);
+    }
+    move_choice(search, hits.size());
+    search.chosen = std::min(search.chosen, hits.empty() ? 0 : hits.size() - 1);
+    const std::string before = search.text;
+    if (is_pressed(ImGuiKey_Tab) && !hits.empty()) {
+      search.text = hits[search.chosen].text;
+      ++search.completions;  // a new field: one that has the keys keeps its own text
+      search.begins = true;
+    }
+    ImGui::PushID(search.completions);
+    if (std::exchange(search.begins, false)) ImGui::SetKeyboardFocusHere();
+    const bool entered = widgets::text_field(context.gui, "search text", search.text,
+                                             "node, object, pair, event, step, condition, command", -1);
+    ImGui::PopID();
+    if (search.text != before) search.chosen = 0;
+    draw_hits(context, hits);
+    if (is_pressed(ImGuiKey_Escape)) search.is_open = false;
+    if (entered && !hits.empty() && search.is_open) follow_hit(context, hits[search.chosen]);
+  }
+  ImGui::End();
+}
+
+}  // namespace kerf
