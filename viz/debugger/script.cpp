@@ -91,7 +91,8 @@ const std::map<std::string, Key>& key_names() {
                                                  {"r", Key::r},         {"a", Key::a},
                                                  {"u", Key::u},         {"d", Key::d},
                                                  {"x", Key::x},         {"t", Key::t},
-                                                 {"j", Key::j},         {"g", Key::g}};
+                                                 {"j", Key::j},         {"g", Key::g},
+                                                 {"w", Key::w}};
   return kNames;
 }
 

@@ -56,6 +56,7 @@ enum class Key : std::uint8_t {
   t,
   j,
   g,  // the legend
+  w,  // errors
   f1,
   f5,
   f9,

@@ -13,6 +13,11 @@ namespace kerf {
 template <int D>
 std::optional<ObjectId> pick_object(const Ray& ray, std::span<const Body<D>> bodies);
 
+/// The pair whose line, as `draw_pairs` draws it, is nearest to a pixel and within a few of it.
+template <int D>
+std::optional<Pair> pick_pair(std::span<const Pair> pairs, std::span<const Body<D>> bodies, const View& view,
+                              const Eigen::Vector2d& pixel);
+
 /// The visible part of a tree, for picking.
 template <int D>
 struct PickableTree {
