@@ -182,7 +182,7 @@ std::vector<std::pair<std::uint32_t, TheirStep>> read_their_steps(const Database
       database.prepare("SELECT step, pairs, missed, extra, twice, ignored FROM their_steps ORDER BY step");
   while (rows.step()) {
     const std::int64_t step = rows.integer(0);
-    if (step < 1 || step > std::int64_t{UINT32_MAX}) fail_damaged("there is no step " + std::to_string(step));
+    if (step < 1 || step > std::int64_t{UINT32_MAX}) fail_damaged("it judges a step that cannot be");
     sums.emplace_back(static_cast<std::uint32_t>(step), read_sum(rows, 1));
   }
   return sums;

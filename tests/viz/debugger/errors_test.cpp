@@ -15,11 +15,14 @@ using test::TimelineDriver;
 /// Pixels of exactly that colour in the view.
 std::size_t pixels_of(Debugger& debugger, Color color) {
   const Image& image = debugger.picture();
-  const PanelLayout layout = layout_panels(image.width(), image.height());
+  const PanelLayout layout = layout_panels(image.width, image.height);
   std::size_t count = 0;
   for (int y = 0; y < static_cast<int>(layout.view.height); ++y)
-    for (int x = 0; x < static_cast<int>(layout.view.width); ++x)
-      count += image.at(x + static_cast<int>(layout.view.x), y + static_cast<int>(layout.view.y)) == color;
+    for (int x = 0; x < static_cast<int>(layout.view.width); ++x) {
+      const std::uint8_t* const p =
+          image.pixel(x + static_cast<int>(layout.view.x), y + static_cast<int>(layout.view.y));
+      count += p[0] == color.r && p[1] == color.g && p[2] == color.b ? 1U : 0U;
+    }
   return count;
 }
 
@@ -103,7 +106,18 @@ key Enter
             "");
 }
 
-TEST_F(ErrorsOfOthers, AreInTheLegendAndUnderTheMouse) {
+TEST_F(ErrorsOfOthers, AreNamedUnderTheMouse) {
+  kerf::Run& run = driver().debugger().model().run();
+  run.go(Position::end_of(40));
+  const PairJudgement judgement = run.judgement();
+  EXPECT_THAT(thing_words(run, judgement.missed.at(0)), testing::EndsWith(": missed by the other engine"));
+  EXPECT_THAT(thing_words(run, judgement.extra.at(0)), testing::HasSubstr("reported by the other engine"));
+  run.go(Position::end_of(38));
+  EXPECT_THAT(thing_words(run, judgement.extra.at(0)), testing::StartsWith("pair "));
+  EXPECT_THAT(thing_words(run, judgement.extra.at(0)), testing::Not(testing::HasSubstr(":")));
+}
+
+TEST_F(ErrorsOfOthers, AreInTheLegendOfAnImportOnly) {
   EXPECT_EQ(driver().play("welcome\nwait 2"), "");
   EXPECT_TRUE(driver().debugger().gui().find("legend missed").has_value());
   TimelineDriver own;

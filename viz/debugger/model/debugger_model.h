@@ -17,7 +17,7 @@
 
 namespace kerf {
 
-/// The wrong pairs of a step.
+/// How many wrong pairs a step has.
 struct Alarm {
   std::uint32_t step = 0;
   std::uint64_t missed = 0;
@@ -127,7 +127,6 @@ class DebuggerModel {
   [[nodiscard]] const std::set<std::uint32_t>& wrong_steps() const { return wrong_steps_; }
   /// Whether the oracle is asked at each step of the cursor; off where brute force would take too long.
   bool asks_oracle = true;
-
   /// The number of the wrong pair of the run that is selected in its step; none if there is no such one.
   [[nodiscard]] std::optional<std::size_t> wrong_pair();
   /// To the step of a wrong pair of the run, and selects it.
