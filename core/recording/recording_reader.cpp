@@ -196,6 +196,13 @@ std::optional<TheirStep> RecordingReader<D>::their_step(std::uint32_t step) cons
 }
 
 template <int D>
+std::vector<std::pair<std::uint32_t, TheirStep>> RecordingReader<D>::their_steps() const {
+  auto sums = read_their_steps(database_);
+  while (!sums.empty() && sums.back().first > steps()) sums.pop_back();  // still being written
+  return sums;
+}
+
+template <int D>
 std::vector<JudgedPair> RecordingReader<D>::judged_pairs(std::uint32_t step) const {
   check_theirs(step);
   return read_judged_pairs(database_, step);

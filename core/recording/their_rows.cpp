@@ -18,6 +18,12 @@ std::uint64_t read_count(const Statement& row, int column) {
   return static_cast<std::uint64_t>(value);
 }
 
+/// Five columns from `column` on.
+TheirStep read_sum(const Statement& row, int column) {
+  return {read_count(row, column), read_count(row, column + 1), read_count(row, column + 2),
+          read_count(row, column + 3), read_count(row, column + 4)};
+}
+
 ObjectId read_object(const Statement& row, int column) {
   const std::int64_t value = row.integer(column);
   if (value < 0 || value >= std::int64_t{UINT32_MAX})
@@ -167,8 +173,19 @@ std::optional<TheirStep> read_their_step(const Database& database, std::uint32_t
   Statement row =
       database.prepare("SELECT pairs, missed, extra, twice, ignored FROM their_steps WHERE step = ?");
   if (!row.bind(1, std::int64_t{step}).step()) return std::nullopt;
-  return TheirStep{read_count(row, 0), read_count(row, 1), read_count(row, 2), read_count(row, 3),
-                   read_count(row, 4)};
+  return read_sum(row, 0);
+}
+
+std::vector<std::pair<std::uint32_t, TheirStep>> read_their_steps(const Database& database) {
+  std::vector<std::pair<std::uint32_t, TheirStep>> sums;
+  Statement rows =
+      database.prepare("SELECT step, pairs, missed, extra, twice, ignored FROM their_steps ORDER BY step");
+  while (rows.step()) {
+    const std::int64_t step = rows.integer(0);
+    if (step < 1 || step > std::int64_t{UINT32_MAX}) fail_damaged("it judges a step that cannot be");
+    sums.emplace_back(static_cast<std::uint32_t>(step), read_sum(rows, 1));
+  }
+  return sums;
 }
 
 template <int D>

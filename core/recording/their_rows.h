@@ -22,6 +22,8 @@ void write_theirs(Database& database, std::uint32_t step, std::span<const Pair> 
 std::vector<Pair> read_their_pairs(const Database& database, std::uint32_t step);
 std::vector<JudgedPair> read_judged_pairs(const Database& database, std::uint32_t step);
 std::optional<TheirStep> read_their_step(const Database& database, std::uint32_t step);
+/// Of all steps that have one, by step.
+std::vector<std::pair<std::uint32_t, TheirStep>> read_their_steps(const Database& database);
 
 template <int D>
 void write_changes(Database& database, std::uint32_t step, const TheirChanges<D>& changes);

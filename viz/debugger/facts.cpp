@@ -41,6 +41,8 @@ void add_view(Facts& facts, const SceneView& view) {
   facts["all_objects"] = std::to_string(counts.all_objects);
   facts["drawn_partitioners"] = std::to_string(counts.partitioners);
   facts["drawn_pairs"] = std::to_string(counts.pairs);
+  facts["drawn_missed"] = std::to_string(counts.missed);
+  facts["drawn_extra"] = std::to_string(counts.extra);
   for (const SceneLabel& label : view.labels()) facts["labels"] += label.text + "; ";
   facts["tint_end"] = number_text(counts.tint_end);
   facts["pictures"] = std::to_string(view.drawn());
@@ -58,6 +60,15 @@ void add_stops(Facts& facts, const DebuggerModel& model) {
     facts["watch_hits" + std::to_string(k)] = std::to_string(model.watches()[k].hits);
     facts["watch" + std::to_string(k)] = std::isnan(value) ? "none" : number_text(value);
   }
+}
+
+/// Errors of another engine are of the whole run.
+void add_errors(Facts& facts, DebuggerModel& model) {
+  const auto error = model.wrong_pair();
+  facts["errors"] = std::to_string(model.run().wrong_pairs().size());
+  facts["error"] = error ? std::to_string(*error + 1) : "none";
+  facts["judged_steps"] = std::to_string(model.alarms().size());
+  facts["wrong_steps"] = std::to_string(model.wrong_steps().size());
 }
 
 std::string value_text(const std::optional<double>& value) { return value ? number_text(*value) : "none"; }
@@ -89,6 +100,7 @@ std::map<std::string, std::string> Debugger::facts() {
   add_stops(facts, model_);
   add_other(facts, model_);
   add_lanes(facts, model_);
+  add_errors(facts, model_);
   facts["selection"] = to_string(model_.selection(), model_.run().names());
   facts["playing"] = model_.playing ? "yes" : "no";
   facts["bookmarks"] = std::to_string(model_.bookmarks().size());
@@ -99,7 +111,7 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["hovered_node"] = model_.hovered_node ? "n" + std::to_string(model_.hovered_node->value) : "none";
   facts["icicle"] = memory_.before_operator ? "before" : "now";
   facts["copied"] = memory_.copied;
-  facts["table"] = memory_.lists_pairs ? "pairs" : "nodes";
+  facts["table"] = kTableNames[static_cast<std::size_t>(memory_.table_of)];
   const TableKeeper& kept = memory_.table;
   facts["table_rows"] = std::to_string(kept.rows().size());
   facts["table_first"] = kept.rows().empty() ? "none" : kept.table().rows[kept.rows()[0]].name;

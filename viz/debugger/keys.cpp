@@ -35,6 +35,9 @@ void Debugger::take_key(Key key, bool shift) {
       return model_.toggle_isolated();
     case Key::b:
       return model_.toggle_bookmark();
+    case Key::w:
+      if (model_.go_to_error(!shift)) view_->focus(model_.selection());
+      return;
     case Key::o:
       return static_cast<void>(model_.ask_oracle());
     case Key::escape:
@@ -78,7 +81,7 @@ void Debugger::take_key(Key key, bool shift) {
 void Debugger::take_tree_key(Key key, bool shift) {
   if (key == Key::a) memory_.before_operator = !memory_.before_operator;
   if (key == Key::t) memory_.open_tab = "Tables";
-  if (key == Key::t) memory_.lists_pairs = shift;
+  if (key == Key::t) memory_.table_of = shift ? TableOf::pairs : TableOf::nodes;
   if (key == Key::j) model_.show_object_lanes();
   if (key == Key::a || key == Key::t || key == Key::j) return;
   const TreeWay down = shift ? TreeWay::right : TreeWay::left;

@@ -92,7 +92,8 @@ const std::map<std::string, Key>& key_names() {
                                                  {"u", Key::u},         {"d", Key::d},
                                                  {"x", Key::x},         {"t", Key::t},
                                                  {"j", Key::j},         {"g", Key::g},
-                                                 {"p", Key::p},         {"tab", Key::tab}};
+                                                 {"p", Key::p},         {"tab", Key::tab},
+                                                 {"w", Key::w}};
   return kNames;
 }
 

@@ -23,6 +23,9 @@ inline constexpr Color kCandidate{213, 94, 0};     // vermillion, dashed
 inline constexpr Color kContact{20, 20, 20};       // black, solid, with a marker
 inline constexpr Color kOperator{204, 0, 120};     // a strong relative of reddish purple
 
+inline constexpr Color kMissed{230, 0, 0};   // an error, edged in ink: an overlap that was not reported
+inline constexpr Color kExtra{255, 214, 0};  // an error, edged in ink: a pair that is none
+
 /// The lines of a plot, the easiest to distinguish first: Okabe and Ito's set, black last.
 inline constexpr std::array<Color, 8> kSeries{{{0, 114, 178},
                                                {213, 94, 0},

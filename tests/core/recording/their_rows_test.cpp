@@ -78,6 +78,7 @@ TYPED_TEST(TheirRows, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(reader.judged_pairs(2), this->judged_);
   EXPECT_EQ(reader.their_step(2), (TheirStep{2, 0, 1, 0, 1}));
   EXPECT_FALSE(reader.their_step(1));
+  EXPECT_THAT(reader.their_steps(), ElementsAre(std::pair(2U, TheirStep{2, 0, 1, 0, 1})));
   EXPECT_EQ(reader.given_box({1}, 2), this->box());
   EXPECT_FALSE(reader.given_box({1}, 3)) << "then the floats say all";
   EXPECT_FALSE(reader.given_box({0}, 3));

@@ -7,6 +7,7 @@
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 #include "viz/debugger/model/debugger_model.h"
+#include "viz/debugger/model/figure_table.h"
 
 namespace kerf {
 namespace {
@@ -105,6 +106,78 @@ TYPED_TEST(ImportedRun, TheNextAlarmIsFoundWithoutAskingTheOracleFirst) {
   EXPECT_EQ(model.message, "nothing of the kind 'alarm' further on");
   model.go_to_kind(EventKind::alarm, false);
   EXPECT_EQ(model.run().position(), Position::end_of(41));
+}
+
+TYPED_TEST(ImportedRun, AllStepsAreJudgedBeforeAnyIsSeen) {
+  DebuggerModel& model = this->model();
+  EXPECT_EQ(model.run().position().step, 0U);
+  for (std::uint32_t step = 1; step <= kSteps; ++step) EXPECT_TRUE(model.alarms().contains(step)) << step;
+  EXPECT_THAT(model.wrong_steps(), testing::ElementsAre(7, 12, 20, 30, 41, kSteps));
+}
+
+TYPED_TEST(ImportedRun, ErrorsAreGoneToOneAfterAnotherBothWays) {
+  DebuggerModel& model = this->model();
+  const std::vector<WrongPair>& all = model.run().wrong_pairs();
+  ASSERT_EQ(all.size(), kMissing.size() + kAdding.size() + kRepeating.size());
+  EXPECT_TRUE(std::ranges::is_sorted(all));
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    ASSERT_TRUE(model.go_to_error(true)) << k;
+    EXPECT_EQ(model.wrong_pair(), k);
+    EXPECT_EQ(model.run().position(), Position::end_of(all[k].step));
+    EXPECT_EQ(model.selection(), Selection(all[k].pair));
+  }
+  EXPECT_FALSE(model.go_to_error(true));
+  EXPECT_EQ(model.message, "there is no error further on");
+  for (std::size_t k = all.size() - 1; k > 0; --k) {
+    ASSERT_TRUE(model.go_to_error(false)) << k;
+    EXPECT_EQ(model.wrong_pair(), k - 1);
+  }
+  EXPECT_FALSE(model.go_to_error(false));
+  EXPECT_EQ(model.message, "there is no error further back");
+}
+
+TYPED_TEST(ImportedRun, ErrorsOfTheStepInSightComeFirst) {
+  DebuggerModel& model = this->model();
+  model.go(Position::end_of(30));
+  ASSERT_TRUE(model.go_to_error(true));
+  EXPECT_EQ(model.run().position().step, 30U);
+  model.select({});
+  ASSERT_TRUE(model.go_to_error(false));
+  EXPECT_EQ(model.run().position().step, 30U);
+  model.select({});
+  model.go(Position::end_of(29));
+  ASSERT_TRUE(model.go_to_error(false));
+  EXPECT_EQ(model.run().position().step, 20U);
+}
+
+TEST(WrongPairs, APairThatIsWrongTwiceInAStepDoesNotHoldUpTheWalk) {
+  const Pair pair{{0}, {1}};
+  const std::vector<WrongPair> all{
+      {2, pair, PairVerdict::extra}, {2, pair, PairVerdict::twice}, {3, pair, PairVerdict::missed}};
+  WrongPairWalk walk;
+  walk.arrive(*walk.beside(all, Position::end_of(2), pair, true));
+  EXPECT_EQ(walk.here(all, Position::end_of(2), pair), 1U);
+  EXPECT_EQ(walk.beside(all, Position::end_of(2), pair, true), 2U);
+  EXPECT_EQ(walk.beside(all, Position::end_of(2), pair, false), 0U);
+  EXPECT_FALSE(walk.here(all, Position::end_of(3), ObjectId{0}));
+}
+
+TYPED_TEST(ImportedRun, TheTableHasTheErrorsOfAllSteps) {
+  kerf::Run& run = this->model().run();
+  const FigureTable table = table_of_errors(run);
+  ASSERT_EQ(table.rows.size(), run.wrong_pairs().size());
+  for (const FigureTable::Row& row : table.rows) {
+    const WrongPair& wrong = run.wrong_pairs()[*row.wrong_pair];
+    EXPECT_EQ(row.item, Selection(wrong.pair));
+    EXPECT_EQ(row.figures[0], wrong.step);
+  }
+  const auto by_step = find_rows(table, "", {1, false});
+  for (std::size_t k = 1; k < by_step.size(); ++k)
+    EXPECT_LE(table.rows[by_step[k - 1]].figures[0], table.rows[by_step[k]].figures[0]);
+  const auto missed = find_rows(table, "missed", {1, false});
+  ASSERT_EQ(missed.size(), kMissing.size());
+  EXPECT_EQ(to_csv(table, missed), "pair,step,verdict\n\"" + table.rows[missed[0]].name + "\",7,missed\n\"" +
+                                       table.rows[missed[1]].name + "\",30,missed\n");
 }
 
 TYPED_TEST(ImportedRun, TheOracleMarksWhatIsWrongAndNothingElse) {

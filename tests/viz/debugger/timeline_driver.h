@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,12 @@ namespace kerf::test {
 
 /// Two objects at rest, so that many steps take little time.
 struct LongRun {
+  std::uint32_t steps = 0;
+};
+
+/// An import of so many steps: in the last two the other engine misses the first pair, and in the last one it
+/// reports what is none, twice.
+struct FaultyImport {
   std::uint32_t steps = 0;
 };
 
@@ -51,6 +58,24 @@ class TimelineDriver {
     play_crowd<2>(recorder, static_cast<std::uint32_t>(names.size()), 3, [&](std::uint32_t) {
       const std::vector<Pair> truth = oracle_pairs(tree.objects());
       recorder.add_theirs(truth, judge_theirs<2>(truth, truth, tree.objects(), TheirWorld<2>(), {}));
+    });
+    recorder.finish();
+    debugger_.emplace(*context_, open_run(file_.path()));
+  }
+
+  explicit TimelineDriver(const FaultyImport& run) {
+    Bsp<2, EventLog> tree(busy_config());
+    RecordingInfo info = info_of<2>(busy_config());
+    info.imported = true;
+    Recorder<2> recorder(tree, file_.path(), info);
+    play_crowd<2>(recorder, run.steps, 3, [&](std::uint32_t step) {
+      const std::vector<Pair> truth = oracle_pairs(tree.objects());
+      std::vector<Pair> theirs = truth;
+      if (step + 1 >= run.steps) theirs.erase(theirs.begin());
+      Pair none{{0}, {1}};
+      while (std::ranges::binary_search(truth, none)) ++none.b.value;
+      if (step == run.steps) theirs.insert(theirs.end(), 2, none);
+      recorder.add_theirs(theirs, judge_theirs<2>(theirs, truth, tree.objects(), TheirWorld<2>(), {}));
     });
     recorder.finish();
     debugger_.emplace(*context_, open_run(file_.path()));

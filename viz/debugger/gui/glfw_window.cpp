@@ -45,6 +45,7 @@ std::optional<Key> key_of(int key) {
                                         {GLFW_KEY_J, Key::j},
                                         {GLFW_KEY_G, Key::g},
                                         {GLFW_KEY_P, Key::p},
+                                        {GLFW_KEY_W, Key::w},
                                         {GLFW_KEY_ESCAPE, Key::escape},
                                         {GLFW_KEY_ENTER, Key::enter},
                                         {GLFW_KEY_KP_ENTER, Key::enter},

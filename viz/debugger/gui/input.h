@@ -57,6 +57,7 @@ enum class Key : std::uint8_t {
   j,
   g,  // the legend
   p,  // the search
+  w,  // errors
   f1,
   f5,
   f9,

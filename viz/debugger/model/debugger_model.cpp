@@ -33,6 +33,7 @@ Ribbon::Kind kind_of_ribbon(const Event& event) {
 DebuggerModel::DebuggerModel(std::unique_ptr<Run> run)
     : run_(std::move(run)), lanes_(make_lanes(run_->rows())) {
   timeline.window = TimeWindow(run_->steps());
+  take_verdicts();
   moved();
 }
 
@@ -256,16 +257,6 @@ void DebuggerModel::toggle_breakpoint_here() {
 
 void DebuggerModel::toggle_bookmark() { toggle(bookmarks_, run_->position()); }
 
-const Alarm& DebuggerModel::ask_oracle() {
-  const std::uint32_t step = run_->position().step;
-  const auto asked = alarms_.find(step);
-  if (asked != alarms_.end()) return asked->second;
-  const PairJudgement& judgement = run_->judgement();
-  const Alarm alarm{step, judgement.missed.size(), judgement.extra.size(), judgement.twice.size()};
-  if (alarm.is_wrong()) wrong_steps_.insert(step);
-  return alarms_.emplace(step, alarm).first->second;
-}
-
 void DebuggerModel::compare_with(std::unique_ptr<Run> other) {
   if (other->info().dimension != run_->info().dimension)
     throw std::runtime_error("a run in 2D and one in 3D cannot be compared");
@@ -290,8 +281,7 @@ void DebuggerModel::change_over() {
   std::swap(lanes_, other_lanes_);
   comparison_.reset();
   findings_.reset();
-  alarms_.clear();
-  wrong_steps_.clear();
+  take_verdicts();
   const TimeWindow seen = std::exchange(timeline.window, TimeWindow(run_->steps()));
   if (timeline.range && timeline.range->last > run_->steps()) drop_range();
   if (!seen.shows_all()) timeline.window.show(seen.first(), seen.last());

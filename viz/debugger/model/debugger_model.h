@@ -17,7 +17,7 @@
 
 namespace kerf {
 
-/// A noteworthy property of a step. Wrong pairs are among them as far as the oracle was asked.
+/// How many wrong pairs a step has.
 struct Alarm {
   std::uint32_t step = 0;
   std::uint64_t missed = 0;
@@ -125,11 +125,18 @@ class DebuggerModel {
   // Judging.
   /// Asks the oracle about the step of the cursor.
   const Alarm& ask_oracle();
-  /// By step; only of those that were asked about.
+  /// By step; only of those that were asked about, in an import of all whose pairs were judged.
   [[nodiscard]] const std::map<std::uint32_t, Alarm>& alarms() const { return alarms_; }
   [[nodiscard]] const std::set<std::uint32_t>& wrong_steps() const { return wrong_steps_; }
   /// Whether the oracle is asked at each step of the cursor; off where brute force would take too long.
   bool asks_oracle = true;
+  /// The number of the wrong pair of the run that is selected in its step; none if there is no such one.
+  [[nodiscard]] std::optional<std::size_t> wrong_pair();
+  /// To the step of a wrong pair of the run, and selects it.
+  void go_to_wrong_pair(std::size_t k);
+  /// To the next or the previous one; without another engine's pairs to a wrong step that was asked about.
+  /// Says so, and returns false, if there is none.
+  bool go_to_error(bool forwards);
 
   // Comparing: another run follows this one, also within a step as far as it does the same.
   void compare_with(std::unique_ptr<Run> other);
@@ -164,6 +171,7 @@ class DebuggerModel {
   void moved();
   void play_on();
   [[nodiscard]] std::optional<std::uint32_t> step_of_range();
+  void take_verdicts();
   void add_node_ribbons(NodeId node);
   void add_pair_ribbons(const Pair& pair);
   void add_object_ribbons();
@@ -187,6 +195,7 @@ class DebuggerModel {
   std::set<Position> bookmarks_;
   std::map<std::uint32_t, Alarm> alarms_;
   std::set<std::uint32_t> wrong_steps_;
+  WrongPairWalk walk_;
   int reruns_ = 0;
   double due_ = 0;  ///< the fraction of a step or event that playing has not reached yet
 };

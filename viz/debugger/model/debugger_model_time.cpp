@@ -19,8 +19,7 @@ std::optional<Position> DebuggerModel::find_kind(EventKind kind, bool forwards,
                                                  const Run::Progress& progress) {
   const Position& here = run_->position();
   if (kind == EventKind::bookmark) return beside(bookmarks_, here, forwards);
-  if (kind != EventKind::alarm || run_->info().imported)
-    return find_event(*run_, kind, here, forwards, progress);
+  if (kind != EventKind::alarm) return find_event(*run_, kind, here, forwards, progress);
   std::set<Position> wrong;
   for (const std::uint32_t step : wrong_steps_) wrong.insert(Position::end_of(step));
   return beside(wrong, here, forwards);

@@ -30,11 +30,10 @@ std::optional<Position> find_operator(const std::vector<OperatorRow>& rows, Even
 }
 
 /// The condition on which the run is searched for events that the table does not have; null: it has none.
-const char* condition_of(EventKind kind, bool imported) {
+const char* condition_of(EventKind kind) {
   if (kind == EventKind::deferred) return "kind==deferred";
   if (kind == EventKind::placed) return "kind==placed || kind==all_placed";
-  if (kind == EventKind::phase) return "kind==phase";
-  return kind == EventKind::alarm && imported ? "missed>0 || extra>0 || twice>0" : nullptr;
+  return kind == EventKind::phase ? "kind==phase" : nullptr;
 }
 
 }  // namespace
@@ -55,7 +54,7 @@ EventKind kind_of_event(const Event& event) {
 std::optional<Position> find_event(Run& run, EventKind kind, const Position& from, bool forwards,
                                    const Run::Progress& progress) {
   if (kind <= EventKind::scheduled) return find_operator(run.operators(), kind, from, forwards);
-  const char* const condition = condition_of(kind, run.info().imported);
+  const char* const condition = condition_of(kind);
   if (condition == nullptr) return std::nullopt;
   return run.search(Expression::parse(condition), from, forwards, progress);
 }

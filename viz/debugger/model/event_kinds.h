@@ -33,8 +33,8 @@ constexpr EventKind kind_of(Operator op) { return static_cast<EventKind>(op); }
 EventKind kind_of_event(const Event& event);
 inline std::string_view to_string(EventKind kind) { return kEventKindNames[static_cast<std::size_t>(kind)]; }
 
-/// The next event of that kind after a moment, or the last before it; none if there is none. An alarm is
-/// found only in an import, whose recording has the verdicts; bookmarks are not the run's.
+/// The next event of that kind after a moment, or the last before it; none if there is none. Alarms and
+/// bookmarks are not events of the run.
 std::optional<Position> find_event(Run& run, EventKind kind, const Position& from, bool forwards,
                                    const Run::Progress& progress);
 

@@ -13,6 +13,7 @@ namespace kerf {
 namespace {
 
 constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
+constexpr std::string_view kVerdictColumn = "verdict";  // its figures stand for words
 
 bool has_word(const FigureTable::Row& row, const std::string& text, bool whole) {
   const auto fits = [&](const std::string& word) { return whole ? word == text : word.starts_with(text); };
@@ -28,6 +29,15 @@ bool is_before(double a, double b, bool falling) {
 /// A name with a comma in quotes.
 std::string csv_text(const std::string& text) {
   return text.find(',') == std::string::npos ? text : '"' + text + '"';
+}
+
+std::string verdict_name(double figure) {
+  return std::string(to_string(static_cast<PairVerdict>(static_cast<int>(figure))));
+}
+
+std::string csv_cell(double figure, const std::string& column) {
+  if (std::isnan(figure)) return "";
+  return column == kVerdictColumn ? verdict_name(figure) : shortest_text(figure);
 }
 
 FigureTable::Row row_of_pair(Run& run, const Pair& pair, const PairFigures& figures) {
@@ -77,6 +87,29 @@ FigureTable table_of_pairs(Run& run) {
   return table;
 }
 
+FigureTable table_of_errors(Run& run) {
+  FigureTable table{{"pair", "step", "verdict"}, {}};
+  const GivenNames& names = run.names();
+  const std::vector<WrongPair>& wrong = run.wrong_pairs();
+  std::vector<std::size_t> order(std::min(kMostErrorRows, wrong.size()));
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return wrong[k].pair; });
+  for (const std::size_t k : order) {
+    const auto& [step, pair, verdict] = wrong[k];
+    table.rows.push_back({pair,
+                          names.pair(pair),
+                          {names.object(pair.a), names.object(pair.b), std::string(to_string(verdict))},
+                          {names.step_number(step), static_cast<double>(verdict)},
+                          k});
+  }
+  return table;
+}
+
+FigureTable make_table(Run& run, TableOf of) {
+  if (of == TableOf::nodes) return table_of_nodes(run);
+  return of == TableOf::pairs ? table_of_pairs(run) : table_of_errors(run);
+}
+
 std::vector<std::size_t> find_rows(const FigureTable& table, const std::string& text,
                                    const TableOrder& order) {
   const auto has = [&](bool whole) {
@@ -102,6 +135,7 @@ std::string cell_text(const FigureTable& table, std::size_t row, std::size_t col
   const double figure = of.figures[column - 1];
   if (std::isnan(figure)) return "-";
   if (table.columns[column] == "leaf") return "n" + number_text(figure);
+  if (table.columns[column] == kVerdictColumn) return verdict_name(figure);
   const bool is_of_pair = table.columns[0] == "pair";
   if (is_of_pair && table.columns[column] == "age" && figure >= kOldestPair) return number_text(figure) + "+";
   return number_text(std::round(figure * 1000) / 1000);
@@ -113,8 +147,8 @@ std::string to_csv(const FigureTable& table, const std::vector<std::size_t>& row
   csv += '\n';
   for (const std::size_t row : rows) {
     csv += csv_text(table.rows[row].name);
-    for (const double figure : table.rows[row].figures)
-      csv += "," + (std::isnan(figure) ? std::string() : shortest_text(figure));
+    for (std::size_t k = 1; k < table.columns.size(); ++k)
+      csv += "," + csv_cell(table.rows[row].figures[k - 1], table.columns[k]);
     csv += '\n';
   }
   return csv;

@@ -1,22 +1,30 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "viz/debugger/model/run.h"
 
 namespace kerf {
 
-/// Nodes or pairs of a moment in rows of figures.
+/// What a table lists.
+enum class TableOf : std::uint8_t { nodes, pairs, errors };
+inline constexpr std::array<std::string_view, 3> kTableNames{"nodes", "pairs", "errors"};
+
+/// Nodes or pairs of a moment, or the wrong pairs of a run, in rows of figures.
 struct FigureTable {
   struct Row {
     Selection item;
-    std::string name;                ///< "n17" or "12,77": what the first column shows
-    std::vector<std::string> words;  ///< other texts by which it is found
-    std::vector<double> figures;     ///< one for each further column; not a number: there is none
+    std::string name;                         ///< "n17" or "12,77": what the first column shows
+    std::vector<std::string> words;           ///< other texts by which it is found
+    std::vector<double> figures;              ///< one for each further column; not a number: there is none
+    std::optional<std::size_t> wrong_pair{};  ///< its number among the run's, in a table of errors
   };
   std::vector<std::string> columns;
-  std::vector<Row> rows;  ///< by id
+  std::vector<Row> rows;  ///< by id, then by step
 };
 
 /// The living nodes: depth, population, balance, straddlers in percent, cost, age (see NodeFigures).
@@ -24,6 +32,12 @@ FigureTable table_of_nodes(Run& run);
 /// The pairs: leaf in which they are compared, its population, the least overlap of the boxes, steps since
 /// they became one (see PairFigures).
 FigureTable table_of_pairs(Run& run);
+
+/// At most so many errors have a row: each takes some memory.
+inline constexpr std::size_t kMostErrorRows = 100'000;
+/// The wrong pairs of an import, of its first steps if they are more than `kMostErrorRows`: step and verdict.
+FigureTable table_of_errors(Run& run);
+FigureTable make_table(Run& run, TableOf of);
 
 /// By which column rows are ordered.
 struct TableOrder {

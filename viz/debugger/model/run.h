@@ -24,6 +24,7 @@
 #include "viz/debugger/model/object_course.h"
 #include "viz/debugger/model/pair_figures.h"
 #include "viz/debugger/model/selection.h"
+#include "viz/debugger/model/wrong_pairs.h"
 
 namespace kerf {
 
@@ -136,6 +137,14 @@ class Run {
   /// step.
   [[nodiscard]] virtual const PairJudgement& judgement() = 0;
   [[nodiscard]] virtual std::uint64_t judged_pairs() = 0;
+  /// Another engine's pairs in figures, of all steps, as an import has them; none of other runs.
+  [[nodiscard]] virtual std::span<const std::pair<std::uint32_t, TheirStep>> their_steps() const = 0;
+  /// Whether it is an import with another engine's pairs.
+  [[nodiscard]] bool has_theirs() const { return !their_steps().empty(); }
+  /// What the other engine got wrong in this step; null if the recording has no verdicts on it.
+  [[nodiscard]] virtual const PairJudgement* their_judgement() = 0;
+  /// Those of them that are wrong, see `find_wrong_pairs`. Read at the first use.
+  [[nodiscard]] virtual const std::vector<WrongPair>& wrong_pairs() = 0;
 
   /// The next moment, in either direction, at which the condition holds; none if there is none or `progress`,
   /// called with each step, has returned false.

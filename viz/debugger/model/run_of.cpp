@@ -31,7 +31,8 @@ RunOf<D>::RunOf(std::filesystem::path path)
     : path_(std::move(path)),
       recording_(std::make_shared<RecordingReader<D>>(path_)),
       cursor_(recording_),
-      search_(recording_) {}
+      search_(recording_),
+      their_steps_(recording_->their_steps()) {}
 
 template <int D>
 void RunOf<D>::moved() {
@@ -270,6 +271,18 @@ template <int D>
 std::uint64_t RunOf<D>::judged_pairs() {
   (void)judgement();
   return judged_pairs_;
+}
+
+template <int D>
+const PairJudgement* RunOf<D>::their_judgement() {
+  const auto step_of = [](const auto& item) { return item.first; };
+  return std::ranges::binary_search(their_steps_, position().step, {}, step_of) ? &judgement() : nullptr;
+}
+
+template <int D>
+const std::vector<WrongPair>& RunOf<D>::wrong_pairs() {
+  if (!wrong_pairs_) wrong_pairs_ = find_wrong_pairs(*recording_);
+  return *wrong_pairs_;
 }
 
 template <int D>

@@ -57,6 +57,11 @@ class RunOf final : public Run {
   [[nodiscard]] const TreeSnapshotOf<D>& tree_before(std::uint64_t event) override;
   [[nodiscard]] const PairJudgement& judgement() override;
   [[nodiscard]] std::uint64_t judged_pairs() override;
+  [[nodiscard]] std::span<const std::pair<std::uint32_t, TheirStep>> their_steps() const override {
+    return their_steps_;
+  }
+  [[nodiscard]] const PairJudgement* their_judgement() override;
+  [[nodiscard]] const std::vector<WrongPair>& wrong_pairs() override;
   [[nodiscard]] std::optional<Position> search(const Expression& condition, const Position& from,
                                                bool forwards, const Progress& progress) override;
   [[nodiscard]] std::optional<Position> search_change(const Expression& expression, const Position& from,
@@ -89,6 +94,8 @@ class RunOf final : public Run {
   ProjectionStrip strip_;
   std::optional<std::vector<OperatorRow>> operators_;  ///< of the whole run
   std::optional<std::vector<std::vector<NodeLife>>> lives_;
+  std::vector<std::pair<std::uint32_t, TheirStep>> their_steps_;
+  std::optional<std::vector<WrongPair>> wrong_pairs_;
   TreeSnapshotOf<D> before_;
   std::optional<std::uint64_t> before_of_;  ///< the event of `before_`
 };

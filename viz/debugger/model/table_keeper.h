@@ -9,13 +9,14 @@ namespace kerf {
 
 /// What a table lists, and in which order.
 struct TableWish {
-  bool pairs = false;
+  TableOf of = TableOf::nodes;
   std::string text;
   TableOrder order;
   friend bool operator==(const TableWish&, const TableWish&) = default;
 };
 
-/// Keeps a table until the run or its moment changes, and its rows until something else is wished.
+/// Keeps a table until the run or, unless it is of the whole run, its moment changes, and its rows until
+/// something else is wished.
 class TableKeeper {
  public:
   void update(Run& run, const TableWish& wish);

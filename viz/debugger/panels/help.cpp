@@ -34,6 +34,7 @@ constexpr std::array kKeys{
     KeyHelp{"M, Shift+M", "to the maximum, to the minimum of the chosen lane; C: clip outliers or not"},
     KeyHelp{"1 to 9, 0", "to the next of a kind, see the list above the lanes; with Shift back"},
     KeyHelp{"N, Shift+N", "to the next, to the previous of the chosen kind; K: choose another"},
+    KeyHelp{"W, Shift+W", "to the next, to the previous error: a wrong pair of an import; else a wrong step"},
     KeyHelp{"F12", "save a picture, named by the moment"},
     KeyHelp{"F1, ?", "this help"},
     KeyHelp{"", ""},

@@ -27,13 +27,50 @@ void draw_list(PanelContext& context, const char* name, const char* meaning, con
   if (pairs.size() > kMost) ImGui::TextDisabled("and %zu more", pairs.size() - kMost);
 }
 
+void draw_error_buttons(PanelContext& context) {
+  DebuggerModel& model = context.model;
+  for (const bool forwards : {false, true}) {
+    if (forwards) ImGui::SameLine();
+    if (widgets::button(context.gui, forwards ? "next error" : "previous error",
+                        forwards
+                            ? "the next wrong pair: goes to its step and selects it (W)"
+                            : "the wrong pair before this one: goes to its step and selects it (Shift+W)") &&
+        model.go_to_error(forwards))
+      context.view.focus(model.selection());
+  }
+  if (!model.run().has_theirs()) return;
+  ImGui::SameLine();
+  if (!widgets::button(context.gui, "all errors", "a table of the wrong pairs of all steps")) return;
+  context.memory.table_of = TableOf::errors;
+  context.memory.open_tab = "Tables";
+}
+
+/// The errors of the whole run, as far as they are known, and ways to them.
+void draw_errors_of_run(PanelContext& context) {
+  DebuggerModel& model = context.model;
+  const bool theirs = model.run().has_theirs();
+  const std::size_t before_first = model.alarms().contains(0) ? 1 : 0;
+  const std::string judged = counted(model.alarms().size() - before_first, "step");
+  widgets::wrapped_text(
+      theirs ? counted(model.run().wrong_pairs().size(), "error") + " of the other engine, in " +
+                   std::to_string(model.wrong_steps().size()) + " of " + judged
+             : judged + " asked so far, " + std::to_string(model.wrong_steps().size()) + " of them wrong");
+  draw_error_buttons(context);
+  if (const auto at = model.wrong_pair()) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("error %zu", *at + 1);
+  }
+  ImGui::Separator();
+}
+
 }  // namespace
 
 void draw_oracle(PanelContext& context) {
   DebuggerModel& model = context.model;
   const std::uint32_t step = model.run().position().step;
   const std::string name = model.run().names().step(step);
-  const bool imported = model.run().info().imported;
+  const bool imported = model.run().has_theirs();
+  draw_errors_of_run(context);
   if (!model.alarms().contains(step)) {
     ImGui::TextWrapped("Brute force has not been asked about step %s: with so many objects it takes a while.",
                        name.c_str());
@@ -54,10 +91,9 @@ void draw_oracle(PanelContext& context) {
   draw_list(context, "false", "reported, but no overlap", judgement.extra);
   draw_list(context, "twice", "reported again", judgement.twice);
   if (imported) draw_list(context, "ignored", "no fault, by what was declared", judgement.ignored);
+  if (imported) return;
   ImGui::Separator();
-  ImGui::TextWrapped(
-      "%s asked so far, %zu of them wrong. A breakpoint missed>0 || extra>0 || twice>0 asks about all.",
-      counted(model.alarms().size(), "step").c_str(), model.wrong_steps().size());
+  ImGui::TextWrapped("A breakpoint missed>0 || extra>0 || twice>0 asks about all steps.");
 }
 
 }  // namespace kerf

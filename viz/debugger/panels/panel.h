@@ -58,10 +58,11 @@ struct PanelMemory {
   std::string problem_of_what_if;
   int lint_within = 50;
   TableKeeper table;
-  bool lists_pairs = false;                 ///< the table is of pairs, not of nodes
-  std::array<TableOrder, 2> table_order{};  ///< of nodes, of pairs
+  TableOf table_of = TableOf::nodes;
+  std::array<TableOrder, 3> table_order{{{}, {}, {1, false}}};  ///< by what they list; errors by step
   std::string table_filter;
   std::optional<Selection> tabled;          ///< what the table has scrolled to
+  std::optional<std::size_t> tabled_error;  ///< the same of errors, by its number
   std::string copied;                       ///< the last text that was copied
   std::optional<std::string> to_clipboard;  ///< not taken yet
   IcicleKeeper icicle;

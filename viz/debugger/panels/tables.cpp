@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "core/base/counted.h"
 #include "viz/debugger/gui/widgets.h"
@@ -11,12 +12,14 @@ constexpr auto kTableFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg | 
                              ImGuiTableFlags_BordersOuter | ImGuiTableFlags_BordersInnerV |
                              ImGuiTableFlags_SizingStretchProp;
 
-/// One of two tables.
-void draw_choice(PanelContext& context, const char* label, bool pairs) {
+/// What can be typed to find rows, by what the table lists.
+constexpr std::array kFindHints{"n17, 17 or leaf", "12, 12,77 or n5", "12, 12,77 or missed"};
+
+void draw_choice(PanelContext& context, TableOf of) {
+  const char* const label = kTableNames[static_cast<std::size_t>(of)].data();
   const ImVec2 size{ImGui::CalcTextSize(label).x, ImGui::GetTextLineHeight()};
   ImGui::AlignTextToFramePadding();
-  if (ImGui::Selectable(label, context.memory.lists_pairs == pairs, 0, size))
-    context.memory.lists_pairs = pairs;
+  if (ImGui::Selectable(label, context.memory.table_of == of, 0, size)) context.memory.table_of = of;
   context.gui.name_last_item(std::string("table ") + label, label);
   ImGui::SameLine(0, 10);
 }
@@ -31,12 +34,13 @@ void copy_table(PanelContext& context) {
 
 void draw_tools_of_table(PanelContext& context) {
   constexpr float kCopy = 68;
-  draw_choice(context, "nodes", false);
-  draw_choice(context, "pairs", true);
+  draw_choice(context, TableOf::nodes);
+  draw_choice(context, TableOf::pairs);
+  if (context.model.run().has_theirs()) draw_choice(context, TableOf::errors);
   const float width = ImGui::GetContentRegionAvail().x - kCopy;
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
   widgets::text_field(context.gui, "find in table", context.memory.table_filter,
-                      context.memory.lists_pairs ? "12, 12,77 or n5" : "n17, 17 or leaf", width);
+                      kFindHints[static_cast<std::size_t>(context.memory.table_of)], width);
   ImGui::PopStyleVar();
   ImGui::SameLine();
   if (widgets::button(context.gui, "copy CSV", "the rows below, for a spreadsheet", "copy table"))
@@ -46,9 +50,10 @@ void draw_tools_of_table(PanelContext& context) {
 /// A click on a header orders by its column; a second one turns the order round.
 void draw_headers(PanelContext& context, const FigureTable& table, TableOrder& order) {
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
-    const int most_first =
-        k == 0 ? ImGuiTableColumnFlags_DefaultSort : ImGuiTableColumnFlags_PreferSortDescending;
-    ImGui::TableSetupColumn(table.columns[k].c_str(), most_first);
+    const bool most_first = k > 0 && context.memory.table_of != TableOf::errors;
+    ImGui::TableSetupColumn(table.columns[k].c_str(),
+                            (k == order.column ? ImGuiTableColumnFlags_DefaultSort : 0) |
+                                (most_first ? ImGuiTableColumnFlags_PreferSortDescending : 0));
   }
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
@@ -69,29 +74,49 @@ void draw_table_row(PanelContext& context, std::size_t row) {
   DebuggerModel& model = context.model;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  const bool pressed = ImGui::Selectable((of.name + "##row").c_str(), model.selection() == of.item,
-                                         ImGuiSelectableFlags_SpanAllColumns);
-  context.gui.name_last_item("row " + of.name);
+  ImGui::PushID(static_cast<int>(row));  // a pair can be wrong in many steps
+  const bool selected = of.wrong_pair ? model.wrong_pair() == of.wrong_pair : model.selection() == of.item;
+  const bool pressed =
+      ImGui::Selectable((of.name + "##row").c_str(), selected, ImGuiSelectableFlags_SpanAllColumns);
+  ImGui::PopID();
+  context.gui.name_last_item("row " + of.name +
+                             (of.wrong_pair ? " at " + cell_text(table, row, 1) : std::string()));
   const auto node = node_in(of.item);
   if (node && ImGui::IsItemHovered()) context.memory.hovered_node = *node;
   for (std::size_t column = 1; column < table.columns.size(); ++column) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(cell_text(table, row, column).c_str());
   }
-  if (pressed) model.select(of.item);
+  if (!pressed) return;
+  if (!of.wrong_pair) return model.select(of.item);
+  model.go_to_wrong_pair(*of.wrong_pair);
+  context.view.focus(of.item);
+}
+
+/// The row of what is selected elsewhere, if that has changed since the table scrolled to it.
+std::optional<std::size_t> row_to_follow(PanelContext& context) {
+  PanelMemory& memory = context.memory;
+  DebuggerModel& model = context.model;
+  const TableKeeper& kept = memory.table;
+  const bool errors = memory.table_of == TableOf::errors;
+  const auto error = errors ? model.wrong_pair() : std::nullopt;
+  if (memory.tabled == model.selection() && (!errors || memory.tabled_error == error)) return std::nullopt;
+  memory.tabled = model.selection();
+  if (errors) memory.tabled_error = error;
+  const auto is_it = [&](std::size_t row) {
+    const FigureTable::Row& of = kept.table().rows[row];
+    return errors ? error && of.wrong_pair == error : of.item == model.selection();
+  };
+  const auto found = std::ranges::find_if(kept.rows(), is_it);
+  if (found == kept.rows().end()) return std::nullopt;
+  return static_cast<std::size_t>(found - kept.rows().begin());
 }
 
 /// Scrolls to what has been selected elsewhere.
 void follow_selection(PanelContext& context, float row_height) {
-  const TableKeeper& kept = context.memory.table;
-  const Selection& selection = context.model.selection();
-  if (context.memory.tabled == selection) return;
-  context.memory.tabled = selection;
-  const auto found = std::ranges::find(kept.rows(), selection, [&](std::size_t row) -> const Selection& {
-    return kept.table().rows[row].item;
-  });
-  if (found == kept.rows().end()) return;
-  const float top = row_height * static_cast<float>(found - kept.rows().begin());
+  const auto row = row_to_follow(context);
+  if (!row) return;
+  const float top = row_height * static_cast<float>(*row);
   const float seen = ImGui::GetScrollY();
   const float room = ImGui::GetWindowHeight() - 2 * row_height;
   if (top < seen || top > seen + room - row_height) ImGui::SetScrollY(std::max(0.0F, top - 0.4F * room));
@@ -101,13 +126,17 @@ void follow_selection(PanelContext& context, float row_height) {
 
 void draw_tables(PanelContext& context) {
   PanelMemory& memory = context.memory;
-  TableOrder& order = memory.table_order[memory.lists_pairs ? 1 : 0];
-  memory.table.update(context.model.run(), {memory.lists_pairs, memory.table_filter, order});
+  Run& run = context.model.run();
+  if (memory.table_of == TableOf::errors && !run.has_theirs()) memory.table_of = TableOf::nodes;
+  const auto of = static_cast<std::size_t>(memory.table_of);
+  TableOrder& order = memory.table_order[of];
+  memory.table.update(run, {memory.table_of, memory.table_filter, order});
   draw_tools_of_table(context);
   const FigureTable& table = memory.table.table();
+  if (of == static_cast<std::size_t>(TableOf::errors) && table.rows.size() < run.wrong_pairs().size())
+    ImGui::TextDisabled("the first %zu of %zu errors", table.rows.size(), run.wrong_pairs().size());
   const float height = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-  if (!ImGui::BeginTable(table.columns[0].c_str(), static_cast<int>(table.columns.size()), kTableFlags))
-    return;
+  if (!ImGui::BeginTable(kTableNames[of].data(), static_cast<int>(table.columns.size()), kTableFlags)) return;
   draw_headers(context, table, order);
   follow_selection(context, height);
   ImGuiListClipper clipper;

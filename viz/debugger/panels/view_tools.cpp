@@ -82,6 +82,24 @@ ImVec2 label_place(const SceneLabel& label, const PanelArea& area) {
           area.y + std::clamp(label.y - 16, 4.0F, area.height - size.y - 4)};
 }
 
+/// A sample of the line that marks an error of another engine in the scene.
+void draw_error_sample(ImDrawList& list, ImVec2 at, Color color) {
+  list.AddLine({at.x, at.y + 7}, {at.x + 16, at.y + 7}, widgets::to_imgui(palette::kInk), 5);
+  list.AddLine({at.x + 1, at.y + 7}, {at.x + 15, at.y + 7}, widgets::to_imgui(color), 2.5F);
+}
+
+/// How many errors of another engine are drawn, below the title.
+void draw_error_counts(ImDrawList& list, const ShownCounts& counts, ImVec2 at) {
+  for (const bool missed : {true, false}) {
+    const std::size_t count = missed ? counts.missed : counts.extra;
+    if (count == 0) continue;
+    draw_text_on(list, {at.x + 22, at.y}, std::to_string(count) + (missed ? " missed" : " extra"),
+                 palette::kInk);
+    draw_error_sample(list, at, missed ? palette::kMissed : palette::kExtra);
+    at.y += ImGui::GetTextLineHeight() + 4;
+  }
+}
+
 }  // namespace
 
 void draw_view_tools(PanelContext& context) {
@@ -128,6 +146,7 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
     drawn = std::to_string(counts.objects) + " of " + std::to_string(counts.all_objects) + " objects drawn";
   draw_text_on(list, {area.x + 8, bottom - line}, drawn, all ? palette::kFaintInk : palette::kCandidate);
   if (!title.empty()) draw_text_on(list, {area.x + 8, area.y + 6}, title, palette::kInk);
+  draw_error_counts(list, counts, {area.x + 8, area.y + 6 + (title.empty() ? 0 : line + 4)});
   const ViewSettings& settings = context.model.view;
   if (settings.layers.has(Layer::leaves)) {
     const float top = bottom - 2 * line - 4;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "core/base/counted.h"
@@ -10,7 +11,7 @@ namespace kerf {
 namespace {
 
 /// A mark of the legend: how it looks, and what it stands for.
-enum class Mark : std::uint8_t { filled, framed, line };
+enum class Mark : std::uint8_t { filled, framed, line, edged, diamond };
 struct LegendRow {
   Mark mark;
   Color color;
@@ -26,6 +27,26 @@ constexpr std::array kLegendRows{
     LegendRow{Mark::framed, palette::kSeries[4], "selected node"},
     LegendRow{Mark::framed, palette::kInk, "node under the mouse"}};
 
+/// Of an import: what the other engine got wrong.
+constexpr std::array kErrorRows{
+    LegendRow{Mark::diamond, palette::kMissed, "error: an overlap that the other engine missed"},
+    LegendRow{Mark::edged, palette::kExtra, "error: the other engine reported what is no pair"}};
+
+/// As in the scene: edged in ink.
+void draw_error_mark(ImDrawList& list, const LegendRow& row, ImVec2 a, ImVec2 b) {
+  const float y = 0.5F * (a.y + b.y);
+  const float middle = 0.5F * (a.x + b.x);
+  const auto fill = [&](Color color, float width, float radius) {
+    const ImU32 ink = widgets::to_imgui(color);
+    list.AddLine({a.x, y}, {b.x, y}, ink, width);
+    if (row.mark == Mark::diamond)
+      list.AddQuadFilled({middle - radius, y}, {middle, y - radius}, {middle + radius, y},
+                         {middle, y + radius}, ink);
+  };
+  fill(palette::kInk, 5, 7);
+  fill(row.color, 2.5F, 5);
+}
+
 void draw_mark(const LegendRow& row) {
   constexpr float kWide = 16;
   constexpr float kHigh = 11;
@@ -40,6 +61,8 @@ void draw_mark(const LegendRow& row) {
   } else if (row.mark == Mark::framed) {
     list.AddRectFilled(a, b, widgets::to_imgui(row.color, 0.2));
     list.AddRect(a, b, color, 0, 0, 2);
+  } else if (row.mark == Mark::edged || row.mark == Mark::diamond) {
+    draw_error_mark(list, row, a, b);
   } else {
     list.AddLine({a.x, 0.5F * (a.y + b.y)}, {b.x, 0.5F * (a.y + b.y)}, color, 2);
   }
@@ -65,6 +88,16 @@ std::array<std::string, 3> sentences(Run& run) {
           "Space plays on; a click on an object, a plane or a bar says why it is so."};
 }
 
+/// What the other engine did with a pair, if that is wrong.
+std::string error_words(Run& run, const Selection& pair) {
+  if (run.their_judgement() == nullptr) return "";
+  const auto is_in = [&](const std::vector<Pair>& pairs) {
+    return std::ranges::any_of(pairs, [&](const Pair& wrong) { return Selection(wrong) == pair; });
+  };
+  if (is_in(run.their_judgement()->missed)) return ": missed by the other engine";
+  return is_in(run.their_judgement()->extra) ? ": reported by the other engine, and no overlap" : "";
+}
+
 }  // namespace
 
 void draw_welcome(PanelContext& context) {
@@ -80,6 +113,11 @@ void draw_welcome(PanelContext& context) {
     for (const std::string& sentence : sentences(context.model.run())) widgets::wrapped_text(sentence);
     ImGui::Spacing();
     for (const LegendRow& row : kLegendRows) draw_mark(row);
+    if (context.model.run().has_theirs())
+      for (const LegendRow& row : kErrorRows) {
+        draw_mark(row);
+        context.gui.name_last_item(row.mark == Mark::diamond ? "legend missed" : "legend extra", row.text);
+      }
     ImGui::Spacing();
     if (widgets::button(context.gui, "tour", "seven stops, each with a look at this run", "welcome tour")) {
       context.memory.tour = 0;
@@ -97,7 +135,7 @@ std::string thing_words(Run& run, const Selection& thing) {
   if (const auto node = node_in(thing))
     return run.tree().is_alive(*node) ? name + " " + node_words(run.tree(), *node) : name;
   const auto object = object_in(thing);
-  if (!object) return name;
+  if (!object) return name + error_words(run, thing);
   std::size_t pairs = 0;
   for (const Pair& pair : run.pairs()) pairs += pair.a == *object || pair.b == *object ? 1U : 0U;
   return name + ": " + counted(pairs, "pair");

@@ -9,7 +9,8 @@
 namespace kerf {
 namespace {
 
-constexpr double kNearLine = 5;  // pixels
+constexpr double kNearLine = 5;   // pixels
+constexpr double kPairReach = 4;  // pixels from its line at which a pair is found
 constexpr double kBehindAll = 1e30;
 constexpr double kFar = std::numeric_limits<double>::max();
 
@@ -113,27 +114,27 @@ std::optional<NodeId> pick_node(const PickableTree<D>& tree, const View& view, d
 
 template <int D>
 std::optional<Pair> pick_pair(std::span<const Pair> pairs, std::span<const Body<D>> bodies, const View& view,
-                              double x, double y) {
+                              const Eigen::Vector2d& pixel) {
   std::optional<Pair> nearest;
-  double least = kNearLine;
+  double least = kPairReach;
   for (const Pair& pair : pairs) {
     const auto [a, b] = pair_line<D>(view, bodies[pair.a.index()], bodies[pair.b.index()]);
     const auto from = view.project(a);
     const auto to = view.project(b);
     if (!from || !to) continue;
-    const double away = distance_to_segment({x, y}, *from, *to);
+    const double away = distance_to_segment(pixel, *from, *to);
     if (away < least) nearest = pair;
     least = std::min(least, away);
   }
   return nearest;
 }
 
+template std::optional<Pair> pick_pair<2>(std::span<const Pair>, std::span<const Body<2>>, const View&,
+                                          const Eigen::Vector2d&);
+template std::optional<Pair> pick_pair<3>(std::span<const Pair>, std::span<const Body<3>>, const View&,
+                                          const Eigen::Vector2d&);
 template std::optional<ObjectId> pick_object<2>(const Ray&, std::span<const Body<2>>);
 template std::optional<ObjectId> pick_object<3>(const Ray&, std::span<const Body<3>>);
-template std::optional<Pair> pick_pair<2>(std::span<const Pair>, std::span<const Body<2>>, const View&,
-                                          double, double);
-template std::optional<Pair> pick_pair<3>(std::span<const Pair>, std::span<const Body<3>>, const View&,
-                                          double, double);
 template std::optional<NodeId> pick_node<2>(const PickableTree<2>&, const View&, double, double);
 template std::optional<NodeId> pick_node<3>(const PickableTree<3>&, const View&, double, double);
 

@@ -13,10 +13,10 @@ namespace kerf {
 template <int D>
 std::optional<ObjectId> pick_object(const Ray& ray, std::span<const Body<D>> bodies);
 
-/// The pair whose line, as it is drawn, is the nearest within a few pixels of one.
+/// The pair whose line, as `draw_pairs` draws it, is nearest to a pixel and within a few of it.
 template <int D>
 std::optional<Pair> pick_pair(std::span<const Pair> pairs, std::span<const Body<D>> bodies, const View& view,
-                              double x, double y);
+                              const Eigen::Vector2d& pixel);
 
 /// The visible part of a tree, for picking.
 template <int D>

@@ -10,6 +10,7 @@
 #include "viz/debugger/scene/pick.h"
 #include "viz/debugger/scene/ray.h"
 #include "viz/debugger/scene/selected_box.h"
+#include "viz/debugger/scene/wrong_pair_lines.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/recorded_bodies.h"
 #include "viz/draw/strokes.h"
@@ -23,12 +24,6 @@ constexpr std::size_t kMostObjects = 10'000;
 constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
 constexpr double kCellAlpha = 0.5;
-
-/// Whether an object is among the `share` that is drawn: spread evenly, and the same in every picture.
-bool is_sampled(std::size_t object, double share) {
-  const auto mixed = static_cast<std::uint32_t>(object * 2654435769U);
-  return static_cast<double>(mixed) < share * 4294967296.0;
-}
 
 }  // namespace
 
@@ -120,13 +115,19 @@ void SceneViewOf<D>::choose_bodies() {
     if (visible_.objects[k] == 0 || !is_sampled(k, share)) bodies_[k] = absent_body<D>();
     if (is_drawable(bodies_[k])) ++counts_.objects;
   }
-  pairs_.clear();
+  const bool wanted_pairs = seen_->settings.layers.has(Layer::pairs);
+  const auto drawable = [&](std::span<const Pair> pairs, std::span<const Body<D>> bodies) {
+    return wanted_pairs ? drawable_pairs(pairs, bodies, visible_.objects, kMostPairs) : std::vector<Pair>();
+  };
+  pairs_ = drawable(run_.pairs(), bodies_);
+  // Errors are not left out where objects are too many to be drawn.
+  const PairJudgement* const theirs = run_.their_judgement();
+  missed_ = theirs == nullptr ? std::vector<Pair>() : drawable(theirs->missed, all_bodies_);
+  extra_ = theirs == nullptr ? std::vector<Pair>() : drawable(theirs->extra, all_bodies_);
   counts_.all_pairs = run_.pairs().size();
-  for (const Pair& pair : run_.pairs()) {
-    if (pairs_.size() >= kMostPairs || !seen_->settings.layers.has(Layer::pairs)) break;
-    if (is_drawable(bodies_[pair.a.index()]) && is_drawable(bodies_[pair.b.index()])) pairs_.push_back(pair);
-  }
   counts_.pairs = pairs_.size();
+  counts_.missed = missed_.size();
+  counts_.extra = extra_.size();
 }
 
 template <int D>
@@ -172,6 +173,7 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
   draw_pairs(frame, lines);
   if (layers.has(Layer::operators)) draw_event(frame, front);
   draw_selection(frame, front);
+  draw_wrong_pairs<D>(frame, {all_bodies_, missed_, extra_}, front);
   if (model.hovered_candidate) draw_candidate(frame, *model.hovered_candidate, front);
   framebuffer_->bind();
   painter_.begin(palette::kGround);
@@ -347,7 +349,9 @@ Selection SceneViewOf<D>::pick(double x, double y, bool node_wanted) const {
 template <int D>
 std::optional<Pair> SceneViewOf<D>::pick_pair(double x, double y) const {
   if (!seen_) return std::nullopt;
-  return kerf::pick_pair<D>(pairs_, bodies_, seen_->view, x, y);
+  for (const std::vector<Pair>* const pairs : {&missed_, &extra_, &pairs_})
+    if (const auto pair = kerf::pick_pair<D>(*pairs, all_bodies_, seen_->view, {x, y})) return pair;
+  return std::nullopt;
 }
 
 /// For a partitioner the middle of an edge, since a point within may be hidden.

@@ -100,6 +100,8 @@ class SceneViewOf final : public SceneView {
   std::optional<std::pair<Position, Tint>> tinted_;  ///< of `tints_`
   std::vector<Color> colors_;
   std::vector<Pair> pairs_;
+  std::vector<Pair> missed_;  ///< by another engine
+  std::vector<Pair> extra_;
   std::array<Batch, 4> batches_;
 };
 

@@ -32,4 +32,9 @@ Visibility find_visible(const Tree<D>& tree, std::size_t objects, const ViewSett
 template Visibility find_visible<2>(const Tree<2>&, std::size_t, const ViewSettings&);
 template Visibility find_visible<3>(const Tree<3>&, std::size_t, const ViewSettings&);
 
+bool is_sampled(std::size_t object, double share) {
+  const auto mixed = static_cast<std::uint32_t>(object * 2654435769U);
+  return static_cast<double>(mixed) < share * 4294967296.0;
+}
+
 }  // namespace kerf

@@ -20,4 +20,7 @@ struct Visibility {
 template <int D>
 Visibility find_visible(const Tree<D>& tree, std::size_t objects, const ViewSettings& settings);
 
+/// Whether an object is among the `share` that is drawn: spread evenly, and the same in every picture.
+bool is_sampled(std::size_t object, double share);
+
 }  // namespace kerf
