@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "viz/debugger/gui/wrap.h"
+#include "viz/draw/palette.h"
 
 namespace kerf::widgets {
 
@@ -57,6 +58,19 @@ void wrapped_text(const std::string& text) {
 std::string elided(const std::string& text, float width) {
   const auto letters = static_cast<std::size_t>(std::max(3.0F, width / ImGui::CalcTextSize("m").x));
   return text.size() <= letters ? text : text.substr(0, letters - 3) + "...";
+}
+
+void draw_error_sample(ImVec2 left, Color color) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 middle{left.x + 8, left.y};
+  const auto fill = [&](Color ink, float width, float radius) {
+    const ImU32 of = to_imgui(ink);
+    list.AddLine(left, {left.x + 16, left.y}, of, width);
+    list.AddQuadFilled({middle.x - radius, middle.y}, {middle.x, middle.y - radius},
+                       {middle.x + radius, middle.y}, {middle.x, middle.y + radius}, of);
+  };
+  fill(palette::kInk, 5, 7);
+  fill(color, 2.5F, 5);
 }
 
 ImU32 to_imgui(Color color, double alpha) {

@@ -25,6 +25,8 @@ void wrapped_text(const std::string& text);
 std::string elided(const std::string& text, float width);
 /// Shown when the mouse has rested on the last item for a while.
 void hint(const char* text);
+/// The line that marks an error of another engine in the scene, 16 pixels wide, from its left end.
+void draw_error_sample(ImVec2 left, Color color);
 ImU32 to_imgui(Color color, double alpha = 1);
 ImVec4 to_vector(Color color);
 

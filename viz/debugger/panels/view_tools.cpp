@@ -82,12 +82,6 @@ ImVec2 label_place(const SceneLabel& label, const PanelArea& area) {
           area.y + std::clamp(label.y - 16, 4.0F, area.height - size.y - 4)};
 }
 
-/// A sample of the line that marks an error of another engine in the scene.
-void draw_error_sample(ImDrawList& list, ImVec2 at, Color color) {
-  list.AddLine({at.x, at.y + 7}, {at.x + 16, at.y + 7}, widgets::to_imgui(palette::kInk), 5);
-  list.AddLine({at.x + 1, at.y + 7}, {at.x + 15, at.y + 7}, widgets::to_imgui(color), 2.5F);
-}
-
 /// How many errors of another engine are drawn, below the title.
 void draw_error_counts(ImDrawList& list, const ShownCounts& counts, ImVec2 at) {
   for (const bool missed : {true, false}) {
@@ -95,7 +89,7 @@ void draw_error_counts(ImDrawList& list, const ShownCounts& counts, ImVec2 at) {
     if (count == 0) continue;
     draw_text_on(list, {at.x + 22, at.y}, std::to_string(count) + (missed ? " missed" : " extra"),
                  palette::kInk);
-    draw_error_sample(list, at, missed ? palette::kMissed : palette::kExtra);
+    widgets::draw_error_sample({at.x, at.y + 7}, missed ? palette::kMissed : palette::kExtra);
     at.y += ImGui::GetTextLineHeight() + 4;
   }
 }

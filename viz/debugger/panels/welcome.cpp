@@ -11,7 +11,7 @@ namespace kerf {
 namespace {
 
 /// A mark of the legend: how it looks, and what it stands for.
-enum class Mark : std::uint8_t { filled, framed, line, edged, diamond };
+enum class Mark : std::uint8_t { filled, framed, line, error };
 struct LegendRow {
   Mark mark;
   Color color;
@@ -29,23 +29,8 @@ constexpr std::array kLegendRows{
 
 /// Of an import: what the other engine got wrong.
 constexpr std::array kErrorRows{
-    LegendRow{Mark::diamond, palette::kMissed, "error: an overlap that the other engine missed"},
-    LegendRow{Mark::edged, palette::kExtra, "error: the other engine reported what is no pair"}};
-
-/// As in the scene: edged in ink.
-void draw_error_mark(ImDrawList& list, const LegendRow& row, ImVec2 a, ImVec2 b) {
-  const float y = 0.5F * (a.y + b.y);
-  const float middle = 0.5F * (a.x + b.x);
-  const auto fill = [&](Color color, float width, float radius) {
-    const ImU32 ink = widgets::to_imgui(color);
-    list.AddLine({a.x, y}, {b.x, y}, ink, width);
-    if (row.mark == Mark::diamond)
-      list.AddQuadFilled({middle - radius, y}, {middle, y - radius}, {middle + radius, y},
-                         {middle, y + radius}, ink);
-  };
-  fill(palette::kInk, 5, 7);
-  fill(row.color, 2.5F, 5);
-}
+    LegendRow{Mark::error, palette::kMissed, "error: an overlap that the other engine missed"},
+    LegendRow{Mark::error, palette::kExtra, "error: the other engine reported what is no pair"}};
 
 void draw_mark(const LegendRow& row) {
   constexpr float kWide = 16;
@@ -61,8 +46,8 @@ void draw_mark(const LegendRow& row) {
   } else if (row.mark == Mark::framed) {
     list.AddRectFilled(a, b, widgets::to_imgui(row.color, 0.2));
     list.AddRect(a, b, color, 0, 0, 2);
-  } else if (row.mark == Mark::edged || row.mark == Mark::diamond) {
-    draw_error_mark(list, row, a, b);
+  } else if (row.mark == Mark::error) {
+    widgets::draw_error_sample({a.x, 0.5F * (a.y + b.y)}, row.color);
   } else {
     list.AddLine({a.x, 0.5F * (a.y + b.y)}, {b.x, 0.5F * (a.y + b.y)}, color, 2);
   }
@@ -116,7 +101,8 @@ void draw_welcome(PanelContext& context) {
     if (context.model.run().has_theirs())
       for (const LegendRow& row : kErrorRows) {
         draw_mark(row);
-        context.gui.name_last_item(row.mark == Mark::diamond ? "legend missed" : "legend extra", row.text);
+        context.gui.name_last_item(row.color == palette::kMissed ? "legend missed" : "legend extra",
+                                   row.text);
       }
     ImGui::Spacing();
     if (widgets::button(context.gui, "tour", "seven stops, each with a look at this run", "welcome tour")) {

@@ -10,19 +10,18 @@ constexpr double kErrorLine = 2.5;  // pixels, and its edges
 constexpr double kErrorEdge = 5;
 constexpr double kErrorDiamond = 6;
 
-/// `marked`: the objects of a missed pair overlap, so that its line can be as short as a point.
+/// The line can be as short as a point: the diamond in its middle is seen all the same.
 template <int D>
 void draw_wrong_pair(const DrawContext<D>& frame, const WrongPairLines<D>& wrong, const Pair& pair,
-                     bool marked, Batch& batch) {
+                     Color color, Batch& batch) {
   const auto [a, b] = pair_line<D>(frame.view, wrong.bodies[pair.a.index()], wrong.bodies[pair.b.index()]);
   const double scale = frame.line_scale;
-  const Color color = marked ? palette::kMissed : palette::kExtra;
   const Eigen::Vector3d middle = 0.5 * (a + b);
   frame.begin(batch, DrawnKind::pair, pair.a.value, pair.b.value);
   add_line(batch, frame.view, a, b, {palette::kInk, kErrorEdge * scale});
-  if (marked) add_diamond(batch, frame.view, middle, (kErrorDiamond + 2) * scale, palette::kInk);
+  add_diamond(batch, frame.view, middle, (kErrorDiamond + 2) * scale, palette::kInk);
   add_line(batch, frame.view, a, b, {color, kErrorLine * scale});
-  if (marked) add_diamond(batch, frame.view, middle, kErrorDiamond * scale, color);
+  add_diamond(batch, frame.view, middle, kErrorDiamond * scale, color);
 }
 
 }  // namespace
@@ -42,8 +41,8 @@ std::vector<Pair> drawable_pairs(std::span<const Pair> pairs, std::span<const Bo
 
 template <int D>
 void draw_wrong_pairs(const DrawContext<D>& frame, const WrongPairLines<D>& wrong, Batch& batch) {
-  for (const Pair& pair : wrong.extra) draw_wrong_pair(frame, wrong, pair, false, batch);
-  for (const Pair& pair : wrong.missed) draw_wrong_pair(frame, wrong, pair, true, batch);
+  for (const Pair& pair : wrong.extra) draw_wrong_pair(frame, wrong, pair, palette::kExtra, batch);
+  for (const Pair& pair : wrong.missed) draw_wrong_pair(frame, wrong, pair, palette::kMissed, batch);
 }
 
 template std::vector<Pair> drawable_pairs<2>(std::span<const Pair>, std::span<const Body<2>>,

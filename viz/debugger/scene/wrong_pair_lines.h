@@ -21,7 +21,7 @@ struct WrongPairLines {
   std::span<const Pair> extra;
 };
 
-/// Lines between their objects that cannot be overlooked: thick, edged in ink, a missed pair with a diamond.
+/// Lines between their objects that cannot be overlooked: thick, edged in ink, with a diamond.
 template <int D>
 void draw_wrong_pairs(const DrawContext<D>& frame, const WrongPairLines<D>& wrong, Batch& batch);
 
