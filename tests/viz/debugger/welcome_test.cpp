@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/viz/debugger/timeline_driver.h"
+#include "viz/debugger/model/opening.h"
 
 namespace kerf {
 namespace {

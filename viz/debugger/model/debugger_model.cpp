@@ -8,6 +8,7 @@
 #include "core/base/overloaded.h"
 #include "core/base/shortest_text.h"
 #include "core/trace/event_facts.h"
+#include "viz/debugger/model/opening.h"
 
 namespace kerf {
 namespace {
@@ -65,15 +66,6 @@ void DebuggerModel::go(const Position& position) {
   if (within == run_->position()) return;
   run_->go(within);
   moved();
-}
-
-std::uint32_t opening_step(std::span<const StepRow> rows) {
-  std::uint32_t most = 0;
-  for (const StepRow& row : rows) most = std::max(most, row.statistics.leaves);
-  const auto grown = std::ranges::find_if(rows, [&](const StepRow& row) {
-    return 5 * std::uint64_t{row.statistics.leaves} >= 4 * std::uint64_t{most};
-  });
-  return grown == rows.end() ? 0 : grown->step;
 }
 
 void DebuggerModel::go_to_opening() { go(Position::end_of(opening_step(run_->rows()))); }

@@ -29,9 +29,6 @@ struct Alarm {
 /// Steps of a scene in a second of its own time (paper section 6.2).
 inline constexpr double kStepsOfScene = 25;
 
-/// The first step at which the tree has four fifths of the leaves that it ever has; 0 of a run without steps.
-std::uint32_t opening_step(std::span<const StepRow> rows);
-
 /// The complete state and behaviour of the debugger, without a window: panels and scripts only call it.
 class DebuggerModel {
  public:
@@ -59,7 +56,7 @@ class DebuggerModel {
   /// The seconds until it goes on; infinity if it does not play.
   [[nodiscard]] double seconds_to_next() const;
 
-  /// To the end of a step at which the tree has grown, see `opening_step`.
+  /// To the end of a step at which the tree has grown, see opening.h.
   void go_to_opening();
 
   bool playing = false;
