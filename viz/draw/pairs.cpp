@@ -66,7 +66,7 @@ Eigen::Vector3d towards_eye(const View& view, const Eigen::Vector3d& p, double d
 
 template <int D>
 Line seen_line(const View& view, const Body<D>& a, const Body<D>& b) {
-  const Line line = line_between(a, b);
+  Line line = line_between(a, b);
   if (D == 2) return line;
   const double lift = 0.9 * std::min(largest_extent(a.box), largest_extent(b.box));
   return {towards_eye(view, line.a, lift), towards_eye(view, line.b, lift)};

@@ -48,6 +48,12 @@ std::string lower(std::string_view text) {
   return result;
 }
 
+/// The next value of an enumeration.
+template <class Enumeration>
+Enumeration following(Enumeration value) {
+  return static_cast<Enumeration>(static_cast<int>(value) + 1);
+}
+
 bool has_all_words(const std::string& name, const std::string& query) {
   std::istringstream words(query);
   for (std::string word; words >> word;)
@@ -111,15 +117,19 @@ void add_commands(const std::string& query, std::vector<Hit>& hits) {
     if (has_all_words(name, query)) hits.push_back({name, key, std::move(go)});
   };
   for (const DebuggerCommand& command : kCommands) add(command.name, command.key, command.go);
-  for (std::size_t k = 0; k < kEventKindNames.size(); ++k)
+  auto kind = EventKind{};
+  for (const std::string_view name : kEventKindNames) {
     for (const bool forwards : {true, false})
-      add((forwards ? "next " : "previous ") + std::string(kEventKindNames[k]), "go there",
-          [kind = static_cast<EventKind>(k), forwards](DebuggerModel& model) {
-            model.go_to_kind(kind, forwards);
-          });
-  for (std::size_t k = 0; k < kTintNames.size(); ++k)
-    add("colour by " + std::string(kTintNames[k]), "scene and icicle",
-        [tint = static_cast<Tint>(k)](DebuggerModel& model) { model.view.tint = tint; });
+      add((forwards ? "next " : "previous ") + std::string(name), "go there",
+          [kind, forwards](DebuggerModel& model) { model.go_to_kind(kind, forwards); });
+    kind = following(kind);
+  }
+  auto tint = Tint{};
+  for (const std::string_view name : kTintNames) {
+    add("colour by " + std::string(name), "scene and icicle",
+        [tint](DebuggerModel& model) { model.view.tint = tint; });
+    tint = following(tint);
+  }
   for (const Layer layer :
        {Layer::objects, Layer::partitioners, Layer::leaves, Layer::pairs, Layer::operators})
     add("show or hide " + std::string(to_string(layer)), "layer of the scene",

@@ -31,7 +31,8 @@ std::string to_text(const WrongPair& wrong, const GivenNames& names) {
 std::optional<std::size_t> WrongPairWalk::here(const std::vector<WrongPair>& all, const Position& position,
                                                const Selection& selection) const {
   if (at_ < all.size() && is_at(all[at_], position, selection)) return at_;
-  const auto [first, last] = std::ranges::equal_range(all, position.step, {}, &WrongPair::step);
+  const auto first = std::ranges::lower_bound(all, position.step, {}, &WrongPair::step);
+  const auto last = std::ranges::upper_bound(all, position.step, {}, &WrongPair::step);
   const auto found =
       std::find_if(first, last, [&](const WrongPair& wrong) { return is_at(wrong, position, selection); });
   return found == last ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
