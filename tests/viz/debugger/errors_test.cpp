@@ -128,6 +128,23 @@ TEST_F(ErrorsOfOthers, AreInTheLegendOfAnImportOnly) {
   EXPECT_FALSE(own.debugger().gui().find("legend missed").has_value());
 }
 
+/// A first walk: open the window, find the step that took longest, find a missed pair, and why it is wrong.
+/// Four actions.
+TEST_F(ErrorsOfOthers, AreFoundAndExplainedInFourActions) {
+  EXPECT_EQ(driver().play(R"(
+welcome
+click "lane step ms"
+key M
+remember longest step
+key W
+wait 2
+expect step != $longest
+expect selection ~ pair
+expect explanation ~ "missed"
+)"),
+            "");
+}
+
 TEST(ErrorsOfOurOwn, AreLookedForOnlyWhereTheOracleWasAsked) {
   TimelineDriver driver;
   EXPECT_EQ(driver.play(R"(
