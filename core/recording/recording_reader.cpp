@@ -198,6 +198,8 @@ std::optional<TheirStep> RecordingReader<D>::their_step(std::uint32_t step) cons
 template <int D>
 std::vector<std::pair<std::uint32_t, TheirStep>> RecordingReader<D>::their_steps() const {
   auto sums = read_their_steps(database_);
+  if (info_.imported || !sums.empty())
+    for (std::uint32_t step = 1; step <= steps(); ++step) check_theirs(step);
   while (!sums.empty() && sums.back().first > steps()) sums.pop_back();  // still being written
   return sums;
 }

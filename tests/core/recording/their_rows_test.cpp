@@ -131,6 +131,26 @@ TYPED_TEST(TheirRows, AStepThatWasJudgedIsMissed) {
   const RecordingReader<kD> reader(this->file_.path());
   EXPECT_FALSE(reader.their_step(1));
   EXPECT_THROW((void)reader.their_step(2), std::runtime_error);
+  EXPECT_THROW((void)reader.their_steps(), std::runtime_error);
+}
+
+/// A changed sum would accuse the other engine, or clear it.
+TYPED_TEST(TheirRows, SumsOfAllStepsAreReadOnlyAsTheyWereWritten) {
+  constexpr int kD = TypeParam::value;
+  this->file_.change("UPDATE their_steps SET extra = 0 WHERE step = 2");
+  const RecordingReader<kD> reader(this->file_.path());
+  EXPECT_THROW((void)reader.their_steps(), std::runtime_error);
+}
+
+/// Nor has a run of our own another engine's verdicts because they were put in.
+TYPED_TEST(TheirRows, SumsInARunOfOurOwnAreRefused) {
+  constexpr int kD = TypeParam::value;
+  const test::TemporaryRecording own;
+  test::record_crowd<kD>(own.path(), 3, test::busy_config());
+  EXPECT_THAT(RecordingReader<kD>(own.path()).their_steps(), IsEmpty());
+  own.change("INSERT INTO their_steps VALUES(2, 5, 1, 0, 0, 0)");
+  const RecordingReader<kD> reader(own.path());
+  EXPECT_THROW((void)reader.their_steps(), std::runtime_error);
 }
 
 }  // namespace
