@@ -15,6 +15,7 @@
 #include "frames/story/story_course.h"
 #include "frames/story/story_maker.h"
 #include "frames/story/story_timeline.h"
+#include "frames/support/atomic_file.h"
 #include "frames/support/countdown.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
@@ -29,14 +30,14 @@ namespace {
 
 constexpr double kTurn = 120;  ///< degrees that the camera turns in the whole film
 
-std::string sentence_of(const StoryMoment& moment) {
+std::string sentence_of(const StoryMoment& moment, const GivenNames& names) {
   Highlight highlight;
   highlight.acted = moment.acted;
-  return "Step " + std::to_string(moment.step) + ": " + highlight.sentence();
+  return "Step " + names.step(moment.step) + ": " + highlight.sentence();
 }
 
-std::string figures_of(const Caption& caption) {
-  return "step " + std::to_string(caption.step) + ", " + with_commas(caption.objects) +
+std::string figures_of(const Caption& caption, const GivenNames& names) {
+  return "step " + names.step(caption.step) + ", " + with_commas(caption.objects) +
          (caption.objects == 1 ? " object, " : " objects, ") + with_commas(caption.pairs) +
          (caption.pairs == 1 ? " pair" : " pairs");
 }
@@ -183,8 +184,8 @@ class Story {
     const FrameParcel<D>& now = between.now();
     StoryInsert insert;
     insert.title = now.caption.scene;
-    insert.figures = figures_of(now.caption);
-    if (last) insert.sentence = sentence_of(*last);
+    insert.figures = figures_of(now.caption, course.names);
+    if (last) insert.sentence = sentence_of(*last, course.names);
     if (frames[k].moment)
       insert.acting = last->acted.node.node;
     else if (!now.plan.highlights.empty() &&
@@ -194,6 +195,7 @@ class Story {
     insert.progress = frames[k].progress;
     insert.turn = kTurn * (static_cast<double>(k) / static_cast<double>(frames.size()) - 0.5);
     insert.step = now.caption.step;
+    insert.ends = {course.names.step(1), course.names.step(request_.pictures.steps.last)};
     insert.levels = course.levels;
     insert.curves = course.curves;
     FrameOrder order;

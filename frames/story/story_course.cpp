@@ -43,6 +43,7 @@ StoryCourse follow(std::shared_ptr<RecordingReader<D>> recording, const StepRang
                    const std::string& beside, const std::function<bool(std::uint32_t)>& go_on) {
   const bool is_tuned = recording->info().config.byte_sweep;
   StoryCourse course;
+  course.names = recording->info().names;
   course.curves = {{"each with each", palette::kSeries[6], {}},
                    {beside, palette::kSeries[1], {}},
                    {is_tuned ? "our tree: in one leaf" : "our tree", palette::kSeries[0], {}}};

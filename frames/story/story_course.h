@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/given_names.h"
 #include "core/trace/event.h"
 #include "frames/sequence/render_request.h"
 #include "viz/draw/story.h"
@@ -21,6 +22,7 @@ struct StoryMoment {
 
 /// What a story has to know of a whole run before its first picture.
 struct StoryCourse {
+  GivenNames names;                    ///< of the steps
   std::vector<StoryCurve> curves;      ///< each pair of objects, the other broad phase, the tree
   std::vector<StoryMoment> operators;  ///< of the steps that are shown
   std::uint32_t levels = 1;            ///< the most that the tree has

@@ -23,6 +23,7 @@ StoryInsert unpack_story(RawReader& in) {
   insert.progress = in.get<double>();
   insert.turn = in.get<double>();
   insert.step = in.get<std::uint32_t>();
+  for (std::string& end : insert.ends) end = in.get_text();
   insert.levels = in.get<std::uint32_t>();
   insert.curves.resize(in.get<std::size_t>());
   for (StoryCurve& curve : insert.curves) {
@@ -62,9 +63,17 @@ class StoryMaker final : public FrameMaker {
       turned.yaw += insert.turn;
       renderer_.set_camera(turned);
     }
-    const StoryPanels panels{
-        insert.title,  insert.figures, insert.sentence, &frame.plan.snapshot, frame.plan.largest_population,
-        insert.levels, insert.acting,  &insert.curves,  insert.step};
+    StoryPanels panels;
+    panels.title = insert.title;
+    panels.figures = insert.figures;
+    panels.sentence = insert.sentence;
+    panels.tree = &frame.plan.snapshot;
+    panels.largest_population = frame.plan.largest_population;
+    panels.levels = insert.levels;
+    panels.acting = insert.acting;
+    panels.curves = &insert.curves;
+    panels.step = insert.step;
+    panels.ends = insert.ends;
     renderer_.set_sketch([&](const View& view, const Font& font, Overlay& overlay) {
       draw_story(view, font, panels, overlay);
     });
@@ -89,6 +98,7 @@ std::vector<std::uint8_t> pack_story(const StoryInsert& insert, const std::vecto
   out.put(insert.progress);
   out.put(insert.turn);
   out.put(insert.step);
+  for (const std::string& end : insert.ends) out.put_text(end);
   out.put(insert.levels);
   out.put(insert.curves.size());
   for (const StoryCurve& curve : insert.curves) {

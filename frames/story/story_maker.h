@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "frames/sequence/farm/frame_order.h"
@@ -21,6 +23,7 @@ struct StoryInsert {
   double progress = 0;                ///< of the moment
   double turn = 0;                    ///< degrees that the camera has turned
   std::uint32_t step = 1;
+  std::array<std::string, 2> ends;  ///< the names of the first and the last step
   std::uint32_t levels = 1;
   std::vector<StoryCurve> curves;
 };

@@ -44,6 +44,7 @@ StoryRequest parse_story_request(const StoryTexts& texts) {
   if (render.size.width < kLeastWidth || render.size.height < kLeastHeight)
     throw UsageError("--size: icicle and curves need 640x360 pixels or more");
   if (render.steps.first == render.steps.last) throw UsageError("--steps: a story needs two steps or more");
+  render.steps.stride = 1;
   render.layers = render.layers.with(Layer::caption, false).with(Layer::legend, false);
   std::uint32_t seconds = 60;
   if (!texts.seconds.empty()) seconds = parse_whole<std::uint32_t>("--seconds", texts.seconds, 2, 3600);

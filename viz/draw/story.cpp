@@ -90,7 +90,8 @@ void draw_icicle(const View& view, const Font& font, const Viewport& place, cons
   const TreeSnapshot& tree = *panels.tree;
   const int line = font.line_height();
   overlay.text.add(font, static_cast<int>(place.left), static_cast<int>(place.top),
-                   "The tree: " + with_commas(tree.leaves()) + " leaves", palette::kInk);
+                   "The tree: " + with_commas(tree.leaves()) + (tree.leaves() == 1 ? " leaf" : " leaves"),
+                   palette::kInk);
   const Viewport bars{place.left, place.top + 1.4 * line, place.width, place.height - 1.4 * line};
   const double row = std::min(1.4 * line, bars.height / std::max(1U, panels.levels));
   std::optional<Viewport> acting;
@@ -159,14 +160,13 @@ void draw_grid(const View& view, const Font& font, const Viewport& place, const 
   }
 }
 
-void draw_steps(const Font& font, const Viewport& place, const std::vector<StoryCurve>& curves,
+void draw_steps(const Font& font, const Viewport& place, const std::array<std::string, 2>& ends,
                 Overlay& overlay) {
   const int y = static_cast<int>(place.top + place.height) + font.line_height() / 3;
   const auto left = static_cast<int>(place.left);
   const auto right = static_cast<int>(place.left + place.width);
-  const std::string last = with_commas(curves.front().values.size());
-  overlay.text.add(font, left, y, "step 1", palette::kFaintInk);
-  overlay.text.add(font, right - font.width(last), y, last, palette::kFaintInk);
+  overlay.text.add(font, left, y, "step " + ends[0], palette::kFaintInk);
+  overlay.text.add(font, right - font.width(ends[1]), y, ends[1], palette::kFaintInk);
 }
 
 void draw_story_curve(const View& view, const StoryScale& scale, const StoryCurve& curve, std::uint32_t step,
@@ -213,7 +213,7 @@ void draw_curves(const View& view, const Font& font, const Viewport& place, cons
                        place.top + place.height - top - 1.5 * line};
   const StoryScale scale(inner, *panels.curves);
   draw_grid(view, font, inner, scale, overlay);
-  draw_steps(font, inner, *panels.curves, overlay);
+  draw_steps(font, inner, panels.ends, overlay);
   for (const StoryCurve& curve : *panels.curves)
     draw_story_curve(view, scale, curve, panels.step, 0.12 * line, overlay);
 }

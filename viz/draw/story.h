@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,7 +32,8 @@ struct StoryPanels {
   std::uint32_t levels = 1;              ///< for which the icicle has room
   std::optional<NodeId> acting;          ///< the node that the sentence is about
   const std::vector<StoryCurve>* curves = nullptr;
-  std::uint32_t step = 1;  ///< up to which the curves are drawn
+  std::uint32_t step = 1;           ///< up to which the curves are drawn
+  std::array<std::string, 2> ends;  ///< the names of the first and the last step of the curves
 };
 
 /// The margins of such a picture: a line above the scene, two below it, and a third of the width at the

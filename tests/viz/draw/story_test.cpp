@@ -22,7 +22,8 @@ class StoryPicture : public testing::Test {
     tree.assign(&scene.tree());
     const std::vector<StoryCurve> curves{{"each with each", {90, 90, 90}, {1e6F, 1e6F, 1e6F, 1e6F}},
                                          {"our tree", {0, 114, 178}, {1000, -1, 4000, 3000}}};
-    const StoryPanels panels{"small", "step 3", sentence, &tree, 64, 12, tree.root(), &curves, 3};
+    const StoryPanels panels{"small", "step 3",    sentence, &tree, 64,
+                             12,      tree.root(), &curves,  3,     {"5000", "5003.5"}};
     renderer.set_sketch([&](const View& view, const Font& font, Overlay& overlay) {
       draw_story(view, font, panels, overlay);
     });
@@ -60,7 +61,8 @@ TEST_F(StoryPicture, ShowsTheValuesOfTheStep) {
   draw(1280, 720, "");
   std::vector<std::string> words;
   for (const DrawnText& text : texts) words.push_back(text.text);
-  EXPECT_THAT(words, testing::IsSupersetOf({"1,000,000", "4,000", "each with each", "1k", "1M"}));
+  EXPECT_THAT(words, testing::IsSupersetOf(
+                         {"1,000,000", "4,000", "each with each", "1k", "1M", "step 5000", "5003.5"}));
 }
 
 TEST_F(StoryPicture, TheIcicleHasTheColoursOfItsLeavesAndTheRimOfTheActingNode) {
