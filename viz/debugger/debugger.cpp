@@ -62,6 +62,23 @@ void draw_tabs(PanelContext& context) {
   ImGui::GetStyle().ItemInnerSpacing = usual;
 }
 
+/// What is under the mouse: an object, else a pair, else a node.
+Selection thing_at(const SceneView& view, double x, double y, bool node_wanted) {
+  const Selection thing = view.pick(x, y, node_wanted);
+  if (node_wanted || object_in(thing)) return thing;
+  const auto pair = view.pick_pair(x, y);
+  return pair ? Selection(*pair) : thing;
+}
+
+void say_what_is_under_mouse(PanelContext& context, const Selection& thing, Run& run) {
+  if (is_nothing(thing)) return;
+  context.memory.under_mouse = thing_words(run, thing);
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(context.memory.under_mouse.c_str());
+  context.gui.note_last_item("under the mouse");
+  ImGui::EndTooltip();
+}
+
 }  // namespace
 
 PanelLayout layout_panels(int width, int height, std::size_t lanes) {
@@ -184,7 +201,7 @@ void Debugger::update_views(const PanelLayout& layout) {
 
 void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
   const std::string wanted_tab = memory_.open_tab;
-  memory_.under_mouse = {};
+  memory_.under_mouse = "nothing";
   in_window(gui_, "transport", layout.transport, [&] { draw_transport(context); });
   in_window(gui_, "tree", layout.left_above, [&] { draw_outline(context); });
   in_window(
@@ -234,19 +251,6 @@ void Debugger::draw_view(PanelContext& context, const PanelLayout& layout) {
   ImGui::PopStyleVar();
 }
 
-/// What is under the mouse: an object, else a pair, else a node.
-void Debugger::draw_hovered_thing(PanelContext& context, double x, double y) {
-  Selection thing = view_->pick(x, y, ImGui::GetIO().KeyCtrl);
-  if (const auto pair = object_in(thing) ? std::nullopt : view_->pick_pair(x, y)) thing = *pair;
-  memory_.under_mouse = thing;
-  if (is_nothing(thing)) return;
-  if (const auto node = node_in(thing)) memory_.hovered_node = node;
-  ImGui::BeginTooltip();
-  ImGui::TextUnformatted(thing_words(model_.run(), thing).c_str());
-  context.gui.note_last_item("under the mouse");
-  ImGui::EndTooltip();
-}
-
 void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
   ImGui::InvisibleButton("scene", {area.width, area.height},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -263,18 +267,32 @@ void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
   const double x = double{io.MousePos.x - area.x};
   const double y = double{io.MousePos.y - area.y};
   if (hovered && io.MouseWheel != 0) view_->zoom(double{io.MouseWheel}, x, y);
-  if (!hovered) return;
-  if (!io.MouseDown[0] && !io.MouseDown[1]) draw_hovered_thing(context, x, y);
+  if (hovered) point_at(context, x, y);
+}
+
+/// Beside a compared run, at the right, lies the other run's view.
+void Debugger::point_at(PanelContext& context, double x, double y) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const double half = double{layout_.view.width} / 2;
+  const bool is_other = other_view_ && x >= half;
+  if (is_other && model_.other() == nullptr) return;  // it has ended in this frame
+  const Selection thing =
+      is_other ? thing_at(*other_view_, x - half, y, io.KeyCtrl) : thing_at(*view_, x, y, io.KeyCtrl);
+  // Objects are the same in both runs, nodes are not.
+  const bool is_theirs = is_other && node_in(thing);
+  if (!io.MouseDown[0] && !io.MouseDown[1]) {
+    say_what_is_under_mouse(context, thing, is_other ? *model_.other() : model_.run());
+    if (const auto node = node_in(thing); node && !is_theirs) memory_.hovered_node = node;
+  }
   // A click that did not turn the view; the second one of a double click says nothing new.
   constexpr float kStill = 4;
   const bool clicked = ImGui::IsMouseReleased(0) && io.MouseClickedLastCount[0] == 1 &&
                        io.MouseDragMaxDistanceSqr[0] < kStill * kStill;
-  if (!clicked) return;
-  const Selection picked = view_->pick(x, y, io.KeyCtrl);
-  if (const auto object = object_in(picked)) {
+  if (!clicked || is_theirs) return;
+  if (const auto object = object_in(thing)) {
     context.model.select_object(*object, io.KeyShift);
   } else {
-    context.model.select(picked);
+    context.model.select(thing);
   }
 }
 

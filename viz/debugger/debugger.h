@@ -77,7 +77,7 @@ class Debugger {
   void update_views(const PanelLayout& layout);
   void draw_panels(PanelContext& context, const PanelLayout& layout);
   void draw_view(PanelContext& context, const PanelLayout& layout);
-  void draw_hovered_thing(PanelContext& context, double x, double y);
+  void point_at(PanelContext& context, double x, double y);
   void use_mouse(PanelContext& context, const PanelArea& area);
 
   GlContext& context_;

@@ -118,8 +118,7 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["lanes"] = std::to_string(model_.lanes().size());
   facts["welcome"] = memory_.welcome ? "yes" : "no";
   facts["tour"] = memory_.tour ? std::to_string(*memory_.tour + 1) : "none";
-  facts["under_mouse"] =
-      is_nothing(memory_.under_mouse) ? "nothing" : thing_words(model_.run(), memory_.under_mouse);
+  facts["under_mouse"] = memory_.under_mouse;
   facts["search"] = memory_.search.is_open ? "open: " + memory_.search.text : "closed";
   facts["help"] = memory_.help ? "yes" : "no";
   facts["explanation"] = memory_.explanation;

@@ -129,6 +129,40 @@ expect under_mouse ~ n
             "");
 }
 
+/// Beside a compared run the right half is the other run's; its nodes are not those of this one.
+TEST(DebuggerView, BesideAComparedRunTheMouseIsInOneOfTheTwo) {
+  TimelineDriver driver;
+  ASSERT_EQ(driver.play("click \"go to\"\ntype 20\nkey Enter\nkey Escape\nwait 2"), "");
+  DebuggerModel& model = driver.debugger().model();
+  model.compare_with(open_run(model.run().path()));
+  ASSERT_EQ(driver.play("wait 2\nexpect comparing == yes"), "");
+  const auto place = driver.debugger().view().place_of(ObjectId{40});
+  ASSERT_TRUE(place);
+  const PanelArea view = *driver.debugger().gui().find("view");
+  const auto hover = [&](float x) {
+    return driver.play("hover " + std::to_string(view.x + x) + "," + std::to_string(view.y + place->y) +
+                       "\nexpect under_mouse ~ \"object 40: \"");
+  };
+  EXPECT_EQ(hover(place->x), "");
+  EXPECT_EQ(hover(place->x + view.width / 2), "") << "the same run is seen there from the same place";
+}
+
+TEST(DebuggerView, AClickOnAPairsLineSelectsThePair) {
+  TimelineDriver driver;
+  ASSERT_EQ(driver.play("key End\nclick objects\nwait 2"), "");
+  const SceneView& view = driver.debugger().view();
+  const PanelArea area = *driver.debugger().gui().find("view");
+  const auto pairs = driver.debugger().model().run().pairs();
+  const auto seen = std::ranges::find_if(
+      pairs, [&](const Pair& pair) { return view.place_of(pair.a) && view.place_of(pair.b); });
+  ASSERT_NE(seen, pairs.end());
+  const auto a = view.place_of(seen->a);
+  const auto b = view.place_of(seen->b);
+  EXPECT_EQ(driver.play("click " + std::to_string(area.x + (a->x + b->x) / 2) + "," +
+                        std::to_string(area.y + (a->y + b->y) / 2) + "\nexpect selection ~ pair"),
+            "");
+}
+
 TEST(DebuggerView, ThePairBelowTheMouseIsTheOneOfTheLine) {
   TimelineDriver driver;
   ASSERT_EQ(driver.play("key End\nwait 2"), "");

@@ -35,10 +35,10 @@ struct PanelMemory {
   std::optional<std::size_t> tour;    ///< the stop of the tour; none: there is no tour
   std::optional<std::size_t> toured;  ///< the stop that has been set up
   SearchMemory search;
-  Selection under_mouse;       ///< in the view
-  bool screenshot = false;     ///< requested in this frame
-  bool operators_only = true;  ///< the list of events leaves out placed objects
-  std::set<NodeId> unfolded;   ///< of the outline, beyond what is unfolded at first
+  std::string under_mouse = "nothing";  ///< in the view
+  bool screenshot = false;              ///< requested in this frame
+  bool operators_only = true;           ///< the list of events leaves out placed objects
+  std::set<NodeId> unfolded;            ///< of the outline, beyond what is unfolded at first
   std::set<NodeId> folded;
   std::string condition;  ///< being typed
   std::string watch;
