@@ -97,7 +97,10 @@ void draw_tour(PanelContext& context) {
     return;
   }
   const TourStop& stop = kStops[*memory.tour];
-  if (memory.toured != memory.tour) stop.set_up(context);
+  if (memory.toured != memory.tour) {
+    memory.welcome = false;  // it would hide what some stops show
+    stop.set_up(context);
+  }
   memory.toured = memory.tour;
   frame_panel(context, stop.panel);
   const auto view = context.gui.find("view");

@@ -105,10 +105,8 @@ void draw_welcome(PanelContext& context) {
                                    row.text);
       }
     ImGui::Spacing();
-    if (widgets::button(context.gui, "tour", "seven stops, each with a look at this run", "welcome tour")) {
+    if (widgets::button(context.gui, "tour", "seven stops, each with a look at this run", "welcome tour"))
       context.memory.tour = 0;
-      context.memory.welcome = false;
-    }
     ImGui::SameLine();
     if (widgets::button(context.gui, "close", "G shows it again", "close welcome"))
       context.memory.welcome = false;
