@@ -8,7 +8,7 @@
 #include <set>
 
 #include "frames/commands/output_option.h"
-#include "frames/sequence/record_scene.h"
+#include "frames/commands/record_in_window.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
@@ -75,11 +75,11 @@ void save_picture(Debugger& debugger, const PictureFolder& folder) {
   }
 }
 
-void show_window(const Session& session, const std::vector<ScriptLine>& lines) {
+void show_window(const Session& session, const std::vector<ScriptLine>& lines, GlfwWindow& window) {
   const InterruptGuard interrupt;
+  show_opening(session.name, window);
   std::unique_ptr<Run> run = open_run(session.file);
-  const std::string title = run->info().scene + " - kerf debug " + session.name;
-  GlfwWindow window(title, session.size.width, session.size.height);
+  window.set_title(run->info().scene + " - kerf debug " + session.name);
   Debugger debugger(window, std::move(run));
   debugger.model().work_folder = session.work_folder;
   debugger.model().on_long_work = [&](std::uint32_t step) {
@@ -128,35 +128,41 @@ DebugCommand::DebugCommand(CLI::App& program)
 
 bool DebugCommand::is_tour() const { return texts_.scene.empty(); }
 
+std::string DebugCommand::name() const { return is_tour() ? kSceneOfTour : texts_.scene; }
+
 bool DebugCommand::chosen() const { return command_->parsed(); }
 
-std::filesystem::path DebugCommand::recording(const std::filesystem::path& scratch) const {
+std::optional<RenderRequest> DebugCommand::scene(const std::filesystem::path& scratch) const {
   if (!is_tour() && names_recording(texts_)) {
     refuse_scene_options(texts_);
     refuse_of_recording(texts_, "--steps", texts_.steps);
-    return texts_.scene;
+    return {};
   }
   RenderTexts texts = texts_;
+  const auto unless_given = [](std::string& text, const std::string& value) {
+    if (text.empty()) text = value;
+  };
   if (is_tour()) {
-    texts.scene = kSceneOfTour;
-    const auto unless_given = [](std::string& text, const char* value) {
-      if (text.empty()) text = value;
-    };
+    texts.scene = name();
     unless_given(texts.objects, "300");
     unless_given(texts.grow, "80");
     unless_given(texts.steps, "150");
   }
-  const bool is_kept = !texts.record.empty();
-  if (texts.steps.empty()) texts.steps = "300";
-  if (!is_kept) texts.record = scratch / "run.kerf";
+  unless_given(texts.steps, "300");
+  unless_given(texts.record, scratch / "run.kerf");
+  return parse_request(texts);
+}
+
+std::filesystem::path DebugCommand::record(const RenderRequest& request, GlfwWindow* window) const {
+  const bool is_kept = !texts_.record.empty();
+  const auto cost = is_kept ? CostOfRecording::printed : CostOfRecording::silent;
   try {
-    record_scene(parse_request(texts), is_kept ? CostOfRecording::printed : CostOfRecording::silent);
+    return window == nullptr ? record_scene(request, cost) : record_in_window(request, cost, *window);
   } catch (const Interrupted&) {
     if (is_kept) throw;
-    throw Interrupted("interrupted while recording " + texts.scene +
+    throw Interrupted("interrupted while recording " + name() +
                       "; what there was of it is gone: keep it by --record FILE, or ask for fewer --steps");
   }
-  return texts.record;
 }
 
 void DebugCommand::run() const {
@@ -178,15 +184,18 @@ void DebugCommand::run() const {
   add_pictures(lines, pictures.path, outputs);
   if (!out_.empty()) make_writable_folder(out_);
   const ScratchFolder scratch;
-  const std::filesystem::path file = recording(scratch.path());
+  const std::optional<RenderRequest> request = scene(scratch.path());
+  std::optional<GlfwWindow> window;
+  if (!headless_) window.emplace(name() + " - kerf debug", size.width, size.height);
+  const std::filesystem::path file =
+      request ? record(*request, window ? &*window : nullptr) : std::filesystem::path(texts_.scene);
   tune_allocator_for_rendering();
-  const Session session{file, is_tour() ? kSceneOfTour : texts_.scene, is_tour(), scratch.path(), pictures,
-                        size};
+  const Session session{file, name(), is_tour(), scratch.path(), pictures, size};
   try {
     if (headless_) {
       play_headless(session, lines);
     } else {
-      show_window(session, lines);
+      show_window(session, lines, *window);
     }
   } catch (const ExpectationFailed& error) {
     throw DoesNotHold(script_ + ", " + error.what());

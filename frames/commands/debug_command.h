@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "frames/sequence/render_request.h"
@@ -10,6 +11,8 @@ class App;
 }
 
 namespace kerf {
+
+class GlfwWindow;
 
 /// `kerf debug`: examines a run, step by step, in a window or by a script.
 class DebugCommand {
@@ -21,10 +24,14 @@ class DebugCommand {
   void run() const;
 
  private:
-  /// The given recording, or one made of the scene, below `scratch` unless it is to be kept.
   /// No scene is named: a tour of one of ours begins.
   [[nodiscard]] bool is_tour() const;
-  [[nodiscard]] std::filesystem::path recording(const std::filesystem::path& scratch) const;
+  /// As the user named it.
+  [[nodiscard]] std::string name() const;
+  /// What is to be recorded, below `scratch` unless it is to be kept; nothing if a recording was given.
+  [[nodiscard]] std::optional<RenderRequest> scene(const std::filesystem::path& scratch) const;
+  /// Records it; the window, if there is one, shows how far that is.
+  [[nodiscard]] std::filesystem::path record(const RenderRequest& request, GlfwWindow* window) const;
 
   CLI::App* command_;
   RenderTexts texts_;

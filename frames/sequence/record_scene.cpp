@@ -39,7 +39,8 @@ void print_summary(const std::filesystem::path& file, double recording, double r
 }
 
 template <int D>
-void record(const SceneEntry<D>& entry, const RenderRequest& request, CostOfRecording cost) {
+std::filesystem::path record(const SceneEntry<D>& entry, const RenderRequest& request, CostOfRecording cost,
+                             const RecordingWatch& watch) {
   const InterruptGuard interrupt;
   const auto start = std::chrono::steady_clock::now();
   const RecordingInfo info = recording_info(request);
@@ -47,12 +48,15 @@ void record(const SceneEntry<D>& entry, const RenderRequest& request, CostOfReco
   Bsp<D, EventLog> tree(request.broad_phase.config, request.broad_phase.volume);
   Recorder<D> recorder(tree, part.path(), info);
   const auto scene = entry.make(recorder, request.options);
+  auto wish = RecordingWish::more;
   {
     Progress progress({1, request.steps.last, 1});
-    while (scene->step() < request.steps.last && !interrupt.requested()) {
+    while (scene->step() < request.steps.last && wish == RecordingWish::more) {
       scene->advance();
       (void)tree.trace().take();
       progress.update(scene->step(), scene->step());
+      if (watch) wish = watch(scene->step());
+      if (interrupt.requested()) wish = RecordingWish::none;
     }
   }
   recorder.finish();
@@ -61,17 +65,20 @@ void record(const SceneEntry<D>& entry, const RenderRequest& request, CostOfReco
   if (whole) part.keep();
   const std::filesystem::path file = whole ? request.record : part.keep_as_far_as_it_came();
   if (cost == CostOfRecording::printed) print_summary<D>(file, recorder.seconds(), run);
-  if (!whole)
+  if (!whole && wish == RecordingWish::none)
     throw Interrupted("interrupted: " + counted_of(scene->step(), request.steps.last, "step") + " in " +
                       file.string());
+  return file;
 }
 
 }  // namespace
 
-void record_scene(const RenderRequest& request, CostOfRecording cost) {
+std::filesystem::path record_scene(const RenderRequest& request, CostOfRecording cost,
+                                   const RecordingWatch& watch) {
   Outputs({}, request.overwrite).add_recording(request.record);
   try {
-    std::visit([&](const auto* entry) { record(*entry, request, cost); }, request.scene.entry);
+    return std::visit([&](const auto* entry) { return record(*entry, request, cost, watch); },
+                      request.scene.entry);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "tests/frames/program.h"
+#include "tests/viz/debugger/x_display.h"
 #include "viz/image/png.h"
 
 namespace kerf {
@@ -91,7 +92,9 @@ TEST_F(DebugProgram, OptionsOfASceneAreRefusedForARecording) {
 /// What was recorded until then goes away with the temporary folder, unless it has a name.
 TEST_F(DebugProgram, InterruptedWhileItRecordsItNamesOnlyWhatIsKept) {
   for (const bool kept : {false, true}) {
-    std::vector<std::string> arguments{"debug", "pile", "--steps", "900000", "--objects", "30"};
+    write("s", "expect steps == 0\n");
+    std::vector<std::string> arguments{"debug", "pile",       "--steps",  "900000", "--objects",
+                                       "30",    "--headless", "--script", path("s")};
     if (kept) arguments.insert(arguments.end(), {"--record", path("kept.kerf")});
     Process process(testing::kerf_command(arguments));
     std::this_thread::sleep_for(std::chrono::milliseconds(1500));
@@ -103,6 +106,22 @@ TEST_F(DebugProgram, InterruptedWhileItRecordsItNamesOnlyWhatIsKept) {
     EXPECT_EQ(outcome.err.find("run.kerf"), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.err.find("keep it by --record") != std::string::npos, !kept) << outcome.err;
     EXPECT_EQ(std::filesystem::exists(path("kept.kerf")), kept);
+  }
+}
+
+/// The window is there at once, with a bar; Enter has enough of the steps so far, Escape ends all of it.
+TEST_F(DebugProgram, TheWindowShowsARecordingThatCanBeEnded) {
+  write("s", "expect steps > 0\nexpect steps < 900000\n");
+  for (const bool is_enough : {true, false}) {
+    test::XDisplay display;
+    Process process(testing::kerf_command(
+        {"debug", "pile", "--steps", "900000", "--objects", "30", "--script", path("s")}));
+    display.wait_for_window();
+    display.tap(is_enough ? "Return" : "Escape");
+    display.flush();
+    const Outcome outcome = process.wait();
+    EXPECT_EQ(outcome.exit, is_enough ? 0 : 130) << outcome.err;
+    EXPECT_EQ(outcome.err.find("keep it by --record") == std::string::npos, is_enough) << outcome.err;
   }
 }
 

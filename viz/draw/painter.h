@@ -13,7 +13,11 @@
 namespace kerf {
 
 /// How a batch takes part in hiding.
-enum class Depth { ignore, test, test_and_write };
+enum class Depth {
+  ignore,
+  test,
+  test_and_write,  ///< all of it is opaque
+};
 
 /// Letters to be drawn, as rectangles of the font's texture on the picture.
 struct TextBatch {
@@ -42,14 +46,15 @@ class Painter {
   Painter(const Painter&) = delete;
   Painter& operator=(const Painter&) = delete;
 
-  void begin(Color ground) const;
+  void begin(Color ground);
   /// Begins a picture in which the last triangle of a pixel wins, with its colour kept bit for bit.
-  void begin_ids() const;
+  void begin_ids();
   void draw(const Batch& batch, Depth depth) const;
   void draw(const TextBatch& text, const View& view) const;
 
  private:
   [[nodiscard]] GLuint make_program(const char* vertex_source, const char* fragment_source) const;
+  void set_blending(bool wanted) const;
   void make_vertex_arrays();
   void make_texture(const Font& font);
 
@@ -60,6 +65,7 @@ class Painter {
   std::array<GLuint, 3> buffers_{};        ///< shape corners, shape indices, text corners
   GLuint texture_ = 0;
   GLint picture_size_ = -1;
+  bool blends_ = true;  ///< in this picture
 };
 
 }  // namespace kerf

@@ -7,9 +7,11 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
+#include <thread>
 
 namespace kerf::test {
 namespace {
@@ -72,12 +74,20 @@ unsigned long XDisplay::find_window() const {
     if (attributes.map_state == IsViewable) found = children[k];
   }
   if (children != nullptr) XFree(children);
-  if (found == 0) throw std::runtime_error("there is no window");
   return found;
+}
+
+void XDisplay::wait_for_window() const {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (find_window() == 0) {
+    if (std::chrono::steady_clock::now() > end) throw std::runtime_error("there is no window");
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
 }
 
 void XDisplay::send(int type, unsigned detail) {
   if (window_ == 0) window_ = find_window();
+  if (window_ == 0) throw std::runtime_error("there is no window");
   XEvent event{};
   // Buttons, keys and motions lie alike in it but for what follows the place.
   event.xbutton.type = type;

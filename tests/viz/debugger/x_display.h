@@ -17,6 +17,8 @@ class XDisplay {
   XDisplay(const XDisplay&) = delete;
   XDisplay& operator=(const XDisplay&) = delete;
 
+  /// Of a program that has just been started; throws std::runtime_error if a minute brings none.
+  void wait_for_window() const;
   void move(float x, float y);
   /// 1 left, 3 right, 4 and 5 the wheel, 6 and 7 a wheel to the left and right.
   void press(unsigned button);
@@ -29,6 +31,7 @@ class XDisplay {
 
  private:
   void send(int type, unsigned detail);
+  /// None: 0.
   [[nodiscard]] unsigned long find_window() const;
 
   pid_t server_ = -1;

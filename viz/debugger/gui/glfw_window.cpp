@@ -205,6 +205,11 @@ bool GlfwWindow::goes_on(const std::string& progress) {
   return !queue_.take_tap(Key::escape) && !should_close();
 }
 
+void GlfwWindow::set_title(const std::string& title) {
+  title_ = title;
+  glfwSetWindowTitle(window_.get(), title.c_str());
+}
+
 void GlfwWindow::copy(const std::string& text) { glfwSetClipboardString(window_.get(), text.c_str()); }
 
 std::string GlfwWindow::clipboard() const {

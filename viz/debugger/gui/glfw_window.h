@@ -30,6 +30,9 @@ class GlfwWindow final : public GlContext {
   /// Call it now and then in long work: it shows `progress` as title, responds to the display, and returns
   /// false once the user has pressed Escape or closes the window.
   [[nodiscard]] bool goes_on(const std::string& progress);
+  /// Removes one tap of that key that no frame has taken in; false if there is none.
+  [[nodiscard]] bool take_tap(Key key) { return queue_.take_tap(key); }
+  void set_title(const std::string& title);
   /// Puts a text into the clipboard of the display.
   void copy(const std::string& text);
   /// The text in it; empty if it has none.
