@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "frames/sequence/render_request.h"
+#include "viz/draw/theme.h"
 
 namespace CLI {
 class App;
@@ -26,10 +28,17 @@ class DebugCommand {
   [[nodiscard]] bool is_tour() const;
   [[nodiscard]] std::filesystem::path recording(const std::filesystem::path& scratch) const;
 
+  [[nodiscard]] std::optional<double> scale() const;
+  [[nodiscard]] std::optional<ThemeName> theme() const;
+  [[nodiscard]] std::optional<std::filesystem::path> window_file() const;
+
   CLI::App* command_;
   RenderTexts texts_;
   std::string script_;
   std::string out_;
+  std::string scale_;
+  std::string theme_;
+  std::string window_file_;
   bool headless_ = false;
 };
 
