@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/query/text.h"
@@ -114,6 +115,7 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["zoom"] = number_text(memory_.window.zoom);
   facts["scale"] = number_text(scale());
   facts["window"] = to_text(memory_.window);
+  std::ranges::replace(facts["window"], '\n', ';');
   facts["copied"] = memory_.copied;
   facts["table"] = kTableNames[static_cast<std::size_t>(memory_.table_of)];
   const TableKeeper& kept = memory_.table;

@@ -12,7 +12,9 @@
 namespace kerf {
 namespace {
 
-constexpr float kLetters = 13;  // height of a line's letters in pixels
+// In units of the panels, the height of a line's letters and the width of each.
+constexpr float kLetters = 13;
+constexpr float kLetterWidth = 7;
 
 ImVec4 color_of(Color color, double alpha = 1) {
   return {static_cast<float>(color.r) / 255, static_cast<float>(color.g) / 255,
@@ -103,10 +105,11 @@ void add_typeface(ImFontAtlas& fonts, double scale) {
   config.FontDataOwnedByAtlas = false;
   config.OversampleH = 1;
   config.PixelSnapH = true;
+  const auto pixels = static_cast<float>(scale);
+  config.GlyphMinAdvanceX = config.GlyphMaxAdvanceX = std::round(kLetterWidth * pixels);
   // ImGui only reads it, but its interface takes a pointer to non-const.
   void* const data = const_cast<std::uint8_t*>(file.data());
-  fonts.AddFontFromMemoryTTF(data, static_cast<int>(file.size()),
-                             std::round(kLetters * static_cast<float>(scale)), &config);
+  fonts.AddFontFromMemoryTTF(data, static_cast<int>(file.size()), std::round(kLetters * pixels), &config);
   fonts.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
 }
 
@@ -165,12 +168,13 @@ void Gui::begin(const DebuggerInput& input, int width, int height) {
   io.MouseWheelH = input.sideways;
   io.KeyShift = input.shift;
   io.KeyCtrl = input.control;
-  for (int key = 0; key < static_cast<int>(Key::count); ++key) io.KeysDown[key] = false;
-  if (input.key) io.KeysDown[static_cast<int>(*input.key)] = true;
-  io.AddInputCharactersUTF8(input.text.c_str());
   // Arrow keys, Space and Enter belong to a menu while there is one.
   const bool has_menu = !context_->OpenPopupStack.empty();
   io.ConfigFlags = has_menu ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
+  for (int key = 0; key < static_cast<int>(Key::count); ++key) io.KeysDown[key] = false;
+  if (input.key) io.KeysDown[static_cast<int>(*input.key)] = true;
+  if (has_menu && input.key == Key::enter) io.KeysDown[static_cast<int>(Key::space)] = true;
+  io.AddInputCharactersUTF8(input.text.c_str());
   named_.clear();
   shown_.clear();
   ImGui::NewFrame();

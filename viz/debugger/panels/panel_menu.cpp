@@ -65,6 +65,9 @@ void draw_panel_items(PanelContext& context) {
 }  // namespace
 
 void draw_panel_menu(PanelContext& context, PanelId panel) {
+  const ImVec2 corner = ImGui::GetWindowPos();
+  ImGui::SetNextWindowPos({corner.x + ImGui::GetWindowWidth() - 8, corner.y + 22}, ImGuiCond_Appearing,
+                          {1, 0});
   if (!ImGui::BeginPopup("panel menu")) return;
   WindowLayout& layout = context.memory.window.layout;
   ImGui::TextDisabled("%s", std::string(title_of(panel)).c_str());
@@ -87,6 +90,7 @@ void draw_window_menu(PanelContext& context) {
   if (widgets::button(context.gui, "window", "panels, size of texts, theme (V)") ||
       std::exchange(context.memory.window_menu_wanted, false))
     ImGui::OpenPopup("window menu");
+  ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 2}, ImGuiCond_Appearing);
   if (!ImGui::BeginPopup("window menu")) return;
   draw_zoom_items(context);
   ImGui::Separator();

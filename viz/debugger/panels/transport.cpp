@@ -81,8 +81,9 @@ void draw_runs(PanelContext& context) {
   const Run& run = model.run();
   const std::string step_there_is = run.names().step(std::min(run.steps(), 17U));
   const std::string hint = "go to " + step_there_is + " or e1234";
-  const float room = ImGui::GetIO().DisplaySize.x < kRoomy ? 84 : 140;
-  const bool entered = widgets::text_field(context.gui, "go to", context.memory.go_to, hint.c_str(), room);
+  const bool is_roomy = ImGui::GetIO().DisplaySize.x >= kRoomy;
+  const bool entered = widgets::text_field(context.gui, "go to", context.memory.go_to,
+                                           is_roomy ? hint.c_str() : "go to", is_roomy ? 140 : 84);
   if (!entered || context.memory.go_to.empty()) return;
   const std::string text = context.memory.go_to;
   context.memory.go_to.clear();

@@ -130,8 +130,6 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
                        const std::string& title) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect({area.x, area.y}, {area.x + area.width, area.y + area.height}, true);
-  for (const SceneLabel& label : view.labels())
-    draw_text_on(list, label_place(label, area, context.gui.scale()), label.text, palette::kOperator);
   const float line = ImGui::GetTextLineHeight() + 2;
   const float bottom = area.y + area.height - 4;
   const ShownCounts& counts = view.counts();
@@ -154,6 +152,8 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
     if (text_width(scale.c_str()) > area.width - 82) scale.erase(0, scale.find(':') + 2);  // its numbers
     draw_text_on(list, {area.x + 74, top}, scale, palette::kFaintInk);
   }
+  for (const SceneLabel& label : view.labels())
+    draw_text_on(list, label_place(label, area, context.gui.scale()), label.text, palette::kOperator);
   list.PopClipRect();
 }
 

@@ -341,7 +341,8 @@ Selection SceneViewOf<D>::pick(double x, double y, bool node_wanted) const {
   const bool objects = !node_wanted && seen_->settings.layers.has(Layer::objects);
   if (objects)
     if (const auto object = pick_object<D>(ray_through(seen_->view, x, y), bodies_)) return *object;
-  const auto node = pick_node<D>({snapshot_, partitioners_, visible_.nodes, box_}, seen_->view, x, y);
+  const auto node =
+      pick_node<D>({snapshot_, partitioners_, visible_.nodes, box_, look.scale}, seen_->view, x, y);
   return node ? Selection(*node) : Selection();
 }
 
@@ -349,7 +350,8 @@ template <int D>
 std::optional<Pair> SceneViewOf<D>::pick_pair(double x, double y) const {
   if (!seen_) return std::nullopt;
   for (const std::vector<Pair>* const pairs : {&missed_, &extra_, &pairs_})
-    if (const auto pair = kerf::pick_pair<D>(*pairs, all_bodies_, seen_->view, {x, y})) return pair;
+    if (const auto pair = kerf::pick_pair<D>(*pairs, all_bodies_, seen_->view, {x, y}, look.scale))
+      return pair;
   return std::nullopt;
 }
 

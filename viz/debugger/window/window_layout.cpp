@@ -7,6 +7,8 @@
 namespace kerf {
 namespace {
 
+constexpr float kMostShare = 1e3F;
+
 std::array<std::vector<PanelCell>, 3> default_places() {
   using enum PanelId;
   return {
@@ -52,7 +54,8 @@ WindowLayout::WindowLayout(std::array<std::vector<PanelCell>, 3> places) : place
   for (auto& cells : places_)
     for (PanelCell& cell : cells) {
       if (cell.tabs.empty()) throw std::invalid_argument("a cell has no panel");
-      if (!(cell.share > 0)) throw std::invalid_argument("the share of a cell is not above 0");
+      if (!(cell.share > 0 && cell.share < kMostShare))
+        throw std::invalid_argument("the share of a cell is not above 0, or too large");
       if (cell.shown >= cell.tabs.size()) throw std::invalid_argument("a cell has no such tab in front");
       for (const PanelId panel : cell.tabs) {
         if (std::ranges::find(seen, panel) != seen.end())
@@ -124,7 +127,8 @@ void WindowLayout::show(PanelId panel) {
   }
   const CellIndex home = default_cell(panel);
   // As a tab beside those with which it shares a cell by default.
-  for (const PanelId other : default_places()[index(home.place)][home.cell].tabs)
+  const std::vector<PanelId> neighbours = default_places()[index(home.place)][home.cell].tabs;
+  for (const PanelId other : neighbours)
     if (const auto at = find(other)) return move(panel, {*at, DropSide::tab});
   auto& cells = places_[index(home.place)];
   const auto next = std::ranges::find_if(cells, [&](const PanelCell& cell) {
