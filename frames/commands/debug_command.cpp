@@ -1,6 +1,7 @@
 #include "frames/commands/debug_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
+#include "frames/support/parse_number.h"
 #include "frames/support/scratch_folder.h"
 #include "viz/debugger/debugger.h"
 #include "viz/debugger/gui/glfw_window.h"
@@ -54,13 +56,53 @@ struct Session {
   std::filesystem::path work_folder;
   PictureFolder pictures;
   PictureSize size;
+  std::optional<double> scale{};  ///< pixels in a unit of the panels, if given
+  std::optional<ThemeName> theme{};
+  std::optional<std::filesystem::path> window_file{};  ///< layout, zoom and theme from start to start
+};
+
+/// As the user left it; what is asked for now comes first. What is wrong with the file is said in the window.
+void open_window(Debugger& debugger, const Session& session) {
+  if (session.scale) debugger.set_content_scale(*session.scale);
+  try {
+    if (session.window_file)
+      if (const auto settings = load_window_settings(*session.window_file)) debugger.window() = *settings;
+  } catch (const std::exception& error) {
+    debugger.report(std::string("the window has its default layout: ") + error.what(), true);
+  }
+  if (session.theme) debugger.window().theme = *session.theme;
+}
+
+/// Saves the settings of the window when they have changed and nothing is being dragged.
+class WindowKeeper {
+ public:
+  WindowKeeper(Debugger& debugger, std::optional<std::filesystem::path> file)
+      : debugger_(debugger), file_(std::move(file)), kept_(debugger.window()) {}
+
+  void keep() {
+    if (!file_ || debugger_.window() == kept_ || debugger_.is_dragging()) return;
+    kept_ = debugger_.window();
+    try {
+      save_window_settings(*file_, kept_);
+    } catch (const std::exception& error) {
+      debugger_.report(std::string("the layout cannot be remembered: ") + error.what(), true);
+    }
+  }
+
+ private:
+  Debugger& debugger_;
+  std::optional<std::filesystem::path> file_;
+  WindowSettings kept_;
 };
 
 void play_headless(const Session& session, const std::vector<ScriptLine>& lines) {
   const auto context = make_offscreen_context();
   Debugger debugger(*context, open_run(session.file));
   debugger.model().work_folder = session.work_folder;
+  open_window(debugger, session);
+  WindowKeeper keeper(debugger, session.window_file);
   ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures).play(lines);
+  keeper.keep();
 }
 
 void save_picture(Debugger& debugger, const PictureFolder& folder) {
@@ -87,17 +129,22 @@ void show_window(const Session& session, const std::vector<ScriptLine>& lines, G
         window.goes_on("step " + debugger.model().run().names().step(step) + " (Escape ends this)");
     return goes_on && !interrupt.requested();
   };
-  WindowLoop loop(window, debugger);
+  open_window(debugger, session);
+  WindowKeeper keeper(debugger, session.window_file);
+  WindowLoop loop(window, debugger, session.scale);
   if (!lines.empty()) {
     ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures, [&] {
       loop.present();
     }).play(lines);
-    return;
+    return keeper.keep();
   }
   debugger.welcome();
   if (session.is_tour) debugger.begin_tour();
-  while (!window.should_close() && !interrupt.requested())
-    if (loop.turn() && debugger.takes_screenshot()) save_picture(debugger, session.pictures);
+  while (!window.should_close() && !interrupt.requested()) {
+    if (!loop.turn()) continue;
+    if (debugger.takes_screenshot()) save_picture(debugger, session.pictures);
+    keeper.keep();
+  }
 }
 
 }  // namespace
@@ -119,6 +166,12 @@ DebugCommand::DebugCommand(CLI::App& program)
   add_output(*command_, "--record", texts_.record, "Of a scene: keep the recording under this name");
   command_->add_flag("--overwrite", texts_.overwrite, "Replace an earlier recording and earlier pictures");
   option("--size", texts_.size, "Of the window or the pictures (default 1280x720)", "WxH");
+  option("--scale", scale_, "Pixels for each that panels count in (default: what the display asks for)", "X");
+  option("--theme", theme_, "light or dark (default: the last one, at first light)", "NAME");
+  option("--window-file", window_file_,
+         "Where layout, size of texts and theme are remembered, or none (default:\n"
+         "kerf/debug-window in $XDG_CONFIG_HOME or ~/.config; with --script: none)",
+         "FILE");
   command_->add_flag("--headless", headless_, "Without a window or display: needs --script");
   option("--script", script_, "Do what this file says, and end", "FILE");
   add_output(*command_, "-o,--out", out_, "Folder for the pictures of F12 and of scripts (default: here)",
@@ -165,6 +218,28 @@ std::filesystem::path DebugCommand::record(const RenderRequest& request, GlfwWin
   }
 }
 
+std::optional<double> DebugCommand::scale() const {
+  if (scale_.empty()) return script_.empty() ? std::nullopt : std::optional(1.0);
+  const auto scale = parse_number<double>(scale_);
+  if (!scale || !(*scale >= 0.5 && *scale <= 8))
+    throw UsageError("--scale " + scale_ +
+                     ": it is a number from 0.5 to 8, for example 2 for a fine display");
+  return scale;
+}
+
+std::optional<ThemeName> DebugCommand::theme() const {
+  if (theme_.empty()) return std::nullopt;
+  const auto found = std::ranges::find(kThemeNames, theme_);
+  if (found == kThemeNames.end()) throw UsageError("--theme " + theme_ + ": it is light or dark");
+  return static_cast<ThemeName>(found - kThemeNames.begin());
+}
+
+std::optional<std::filesystem::path> DebugCommand::window_file() const {
+  if (window_file_ == "none") return std::nullopt;
+  if (!window_file_.empty()) return window_file_;
+  return script_.empty() ? usual_window_file() : std::nullopt;
+}
+
 void DebugCommand::run() const {
   if (headless_ && script_.empty())
     throw UsageError("--headless needs a --script to drive it; leave it out for a window");
@@ -178,6 +253,8 @@ void DebugCommand::run() const {
   if (size.width < kLeastDebuggerWidth || size.height < kLeastDebuggerHeight)
     throw UsageError("--size " + texts_.size + ": the panels need at least " +
                      std::to_string(kLeastDebuggerWidth) + "x" + std::to_string(kLeastDebuggerHeight));
+  const auto pixels = scale();
+  const auto colours = theme();
   Outputs outputs({script_, !is_tour() && names_recording(texts_) ? texts_.scene : ""}, texts_.overwrite);
   const PictureFolder pictures{out_.empty() ? "." : out_, outputs.replace()};
   outputs.add_recording(texts_.record);
@@ -190,7 +267,8 @@ void DebugCommand::run() const {
   const std::filesystem::path file =
       request ? record(*request, window ? &*window : nullptr) : std::filesystem::path(texts_.scene);
   tune_allocator_for_rendering();
-  const Session session{file, name(), is_tour(), scratch.path(), pictures, size};
+  const Session session{file, name(), is_tour(), scratch.path(), pictures,
+                        size, pixels, colours,   window_file()};
   try {
     if (headless_) {
       play_headless(session, lines);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "frames/sequence/render_request.h"
+#include "viz/draw/theme.h"
 
 namespace CLI {
 class App;
@@ -33,10 +34,17 @@ class DebugCommand {
   /// Records it; the window, if there is one, shows how far that is.
   [[nodiscard]] std::filesystem::path record(const RenderRequest& request, GlfwWindow* window) const;
 
+  [[nodiscard]] std::optional<double> scale() const;
+  [[nodiscard]] std::optional<ThemeName> theme() const;
+  [[nodiscard]] std::optional<std::filesystem::path> window_file() const;
+
   CLI::App* command_;
   RenderTexts texts_;
   std::string script_;
   std::string out_;
+  std::string scale_;
+  std::string theme_;
+  std::string window_file_;
   bool headless_ = false;
 };
 

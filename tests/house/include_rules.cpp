@@ -95,6 +95,7 @@ constexpr auto kLayers = std::to_array<Layer>({
     {"viz/draw/", 2, "camera, layers, palette, frame renderer, draw list"},
     {"viz/debugger/gui/", 3, "Dear ImGui on our OpenGL layer, window"},
     {"viz/debugger/model/", 3, "runs, breakpoints, lanes, selection"},
+    {"viz/debugger/window/", 4, "layout of the window, and what a user chose of it"},
     {"viz/debugger/scene/", 4, "the view of the scene: orbit, picking, visibility"},
     {"viz/debugger/panels/", 5, "one panel a file"},
     {"viz/debugger/", 6, "the debugger and its scripts"},

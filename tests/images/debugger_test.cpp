@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/images/reference_frames.h"
+#include "tests/support/default_window.h"
 #include "tests/support/recorded_crowd.h"
 #include "tests/support/tampering.h"
 #include "viz/debugger/script.h"
@@ -80,7 +81,7 @@ class DebuggerStill {
   std::optional<Debugger> debugger_;
 };
 
-const PanelLayout kLayout = layout_panels(kWidth, kHeight);
+const test::DefaultWindow kWindow(kWidth, kHeight);
 
 // At a split, whose ballot can be seen.
 constexpr const char* kGoToSplit = R"(
@@ -95,30 +96,30 @@ expect deed ~ split
 TEST(ReferencePanels, PanelsOfTheDebugger) {
   DebuggerStill<3> still;
   still.play(kGoToSplit);
-  EXPECT_EQ(still.compare("transport", kLayout.transport), "");
-  EXPECT_EQ(still.compare("tree", kLayout.left_above), "");
-  EXPECT_EQ(still.compare("icicle", kLayout.left_middle), "");
-  EXPECT_EQ(still.compare("breakpoints", kLayout.left_below), "");
-  EXPECT_EQ(still.compare("events", kLayout.right_above), "");
-  EXPECT_EQ(still.compare("view-3d", kLayout.view), "");
-  EXPECT_EQ(still.compare("tools", kLayout.tools), "");
-  EXPECT_EQ(still.compare("lanes", kLayout.timeline), "");
+  EXPECT_EQ(still.compare("transport", kWindow.all().transport), "");
+  EXPECT_EQ(still.compare("tree", kWindow.area(PanelId::tree)), "");
+  EXPECT_EQ(still.compare("icicle", kWindow.area(PanelId::icicle)), "");
+  EXPECT_EQ(still.compare("breakpoints", kWindow.area(PanelId::breakpoints)), "");
+  EXPECT_EQ(still.compare("events", kWindow.area(PanelId::events)), "");
+  EXPECT_EQ(still.compare("view-3d", kWindow.all().view), "");
+  EXPECT_EQ(still.compare("tools", kWindow.all().tools), "");
+  EXPECT_EQ(still.compare("lanes", kWindow.area(PanelId::timeline)), "");
   still.play("drag scrubber@0.3,0.5 scrubber@0.4,0.5 shift\nkey R\nkey L\nhover 5,300\nwait 2");
-  EXPECT_EQ(still.compare("lanes-range", kLayout.timeline), "");
+  EXPECT_EQ(still.compare("lanes-range", kWindow.area(PanelId::timeline)), "");
   still.play("key +\nkey +\nkey +\nkey +\nkey B\nclick n0\nhover 5,300\nwait 2");
-  EXPECT_EQ(still.compare("lanes-events", kLayout.timeline), "");
+  EXPECT_EQ(still.compare("lanes-events", kWindow.area(PanelId::timeline)), "");
 }
 
 TEST(ReferencePanels, TabsOfTheDebugger) {
   DebuggerStill<2> still;
   still.play(kGoToSplit);
   const auto compare_tab = [&](const std::string& name) {
-    return still.compare("tab-" + name, kLayout.right_below);
+    return still.compare("tab-" + name, kWindow.area(PanelId::why));
   };
   EXPECT_EQ(compare_tab("why-event"), "");
   still.play("click \"tab Ballot\"\nhover \"candidate 1\"\nwait 2");
   EXPECT_EQ(compare_tab("ballot"), "");
-  EXPECT_EQ(still.compare("view-2d", kLayout.view), "");  // with the candidate
+  EXPECT_EQ(still.compare("view-2d", kWindow.all().view), "");  // with the candidate
   still.play("click \"tab Algorithm\"\nhover 5,300\nwait 2");
   EXPECT_EQ(compare_tab("algorithm"), "");
   still.play("click \"tab Oracle\"\nkey O\nhover 5,300\nwait 2");
@@ -127,13 +128,15 @@ TEST(ReferencePanels, TabsOfTheDebugger) {
   EXPECT_EQ(compare_tab("lint"), "");
   still.play("key End\nkey T\nclick \"sort cost\"\nclick \"row n1\"\nhover 5,300\nwait 2");
   EXPECT_EQ(compare_tab("tables-nodes"), "");
-  EXPECT_EQ(still.compare("icicle-selected", kLayout.left_middle), "");
+  EXPECT_EQ(still.compare("icicle-selected", kWindow.area(PanelId::icicle)), "");
   still.play("key Escape\nkey shift+T\nclick \"sort age\"\nhover 5,300\nwait 2");
   EXPECT_EQ(compare_tab("tables-pairs"), "");
   still.play("double object:40\nhover 5,300\nwait 2");
-  EXPECT_EQ(still.compare("lanes-object", layout_panels(kWidth, kHeight, kLanesOfRun + 3).timeline), "");
+  EXPECT_EQ(still.compare("lanes-object",
+                          test::DefaultWindow(kWidth, kHeight, kLanesOfRun + 3).area(PanelId::timeline)),
+            "");
   still.play(std::string("key Escape\nkey Home\nkey F5\nkey A\nhover 5,300\nwait 2\nexpect deed ~ split"));
-  EXPECT_EQ(still.compare("icicle-before", kLayout.left_middle), "");
+  EXPECT_EQ(still.compare("icicle-before", kWindow.area(PanelId::icicle)), "");
   still.play("key A\ndouble object:3\ndouble object:7 shift\nclick \"tab Why\"\nhover 5,300\nwait 2");
   EXPECT_EQ(compare_tab("why-pair"), "");
 }
@@ -142,7 +145,7 @@ TEST(ReferencePanels, TabsOfComparing) {
   DebuggerStill<2> still;
   still.play(kGoToSplit);
   still.play("click \"tab What if\"\nhover 5,300\nwait 2");
-  EXPECT_EQ(still.compare("tab-what-if", kLayout.right_below), "");
+  EXPECT_EQ(still.compare("tab-what-if", kWindow.area(PanelId::why)), "");
   const test::TemporaryRecording other;
   Config config = test::busy_config();
   config.balance = false;
@@ -150,9 +153,9 @@ TEST(ReferencePanels, TabsOfComparing) {
   still.play("click \"tab Compare\"\nclick \"other file\"\ntype \"" + other.path().string() +
              "\"\nkey Enter\nkey Escape\nwait 2\nclick \"first different operator\"\nhover 5,300\nwait 2\n"
              "expect comparing == yes");
-  EXPECT_EQ(still.compare("tab-compare", kLayout.right_below), "");
-  EXPECT_EQ(still.compare("view-compared", kLayout.view), "");
-  EXPECT_EQ(still.compare("lanes-compared", kLayout.timeline), "");
+  EXPECT_EQ(still.compare("tab-compare", kWindow.area(PanelId::why)), "");
+  EXPECT_EQ(still.compare("view-compared", kWindow.all().view), "");
+  EXPECT_EQ(still.compare("lanes-compared", kWindow.area(PanelId::timeline)), "");
 }
 
 }  // namespace

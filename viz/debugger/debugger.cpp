@@ -7,60 +7,14 @@
 #include <cmath>
 #include <utility>
 
-#include "viz/debugger/gui/widgets.h"
-#include "viz/draw/palette.h"
+#include "viz/debugger/panels/cells.h"
+#include "viz/debugger/panels/panel_window.h"
 
 namespace kerf {
 namespace {
 
-constexpr auto kFixedWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                              ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
-
 constexpr double kLongestPause = 0.25;  // seconds by which a run that plays can be late and catches up
-constexpr float kLeastLane = 15;        // the height of a lane with a line of text
-constexpr float kTabs = 418;            // the width of all tabs side by side
-constexpr float kToolsInTwoRows =
-    580;                              // the width of the view's tools in two rows; below it they take three,
-constexpr float kToolsInThree = 380;  // and below this one four
-
-/// A window that fills an area exactly, which is named for the tour and for scripts.
-template <class Draw>
-void in_window(Gui& gui, const char* name, const PanelArea& area, Draw draw, int flags = 0) {
-  gui.name_area(std::string("panel ") + name, area);
-  ImGui::SetNextWindowPos({area.x, area.y});
-  ImGui::SetNextWindowSize({area.width, area.height});
-  if (ImGui::Begin(name, nullptr, kFixedWindow | flags)) draw();
-  ImGui::End();
-}
-
-void draw_tab(PanelContext& context, const char* name, void (*draw)(PanelContext&)) {
-  const bool wanted = context.memory.open_tab == name;
-  const bool open = ImGui::BeginTabItem(name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
-  context.gui.name_last_item(std::string("tab ") + name, name);
-  if (!open) return;
-  ImGui::BeginChild(name, {0, 0}, false);
-  draw(context);
-  ImGui::EndChild();
-  ImGui::EndTabItem();
-}
-
-void draw_tabs(PanelContext& context) {
-  const ImVec2 usual = ImGui::GetStyle().ItemInnerSpacing;
-  ImGui::GetStyle().ItemInnerSpacing = {2, usual.y};
-  if (ImGui::BeginTabBar("tabs", ImGuiTabBarFlags_FittingPolicyScroll)) {
-    draw_tab(context, "Why", draw_why);
-    draw_tab(context, "Ballot", draw_ballot);
-    draw_tab(context, "Algorithm", draw_algorithm);
-    draw_tab(context, "Oracle", draw_oracle);
-    draw_tab(context, "What if", draw_what_if);
-    draw_tab(context, "Compare", draw_compare);
-    draw_tab(context, "Lint", draw_lint);
-    draw_tab(context, "Tables", draw_tables);
-    ImGui::EndTabBar();
-  }
-  ImGui::GetStyle().ItemInnerSpacing = usual;
-}
+constexpr double kLeastScale = 0.5;
 
 /// What is under the mouse: an object, else a pair, else a node.
 Selection thing_at(const SceneView& view, double x, double y, bool node_wanted) {
@@ -81,33 +35,6 @@ void say_what_is_under_mouse(PanelContext& context, const Selection& thing, Run&
 
 }  // namespace
 
-PanelLayout layout_panels(int width, int height, std::size_t lanes) {
-  const auto w = static_cast<float>(width);
-  const auto h = static_cast<float>(height);
-  const float left = std::floor(std::clamp(0.19F * w, 210.0F, 330.0F));
-  const float right = std::floor(std::clamp(0.335F * w, kTabs, 560.0F));
-  const float least = 212.0F + kLeastLane * static_cast<float>(std::max(lanes, kLanesOfRun) - kLanesOfRun);
-  const float below = std::floor(std::clamp(0.28F * h, least, 300.0F));
-  constexpr float kTop = 58;
-  const float room = w - left - right;
-  const float tools = room < kToolsInThree ? 106 : room < kToolsInTwoRows ? 82 : 58;
-  const float middle = h - kTop - below;
-  const float outline = std::floor(0.4F * middle);
-  const float icicle = std::floor(0.24F * middle);
-  const float half_right = std::floor(0.36F * middle);
-  PanelLayout layout;
-  layout.transport = {0, 0, w, kTop};
-  layout.left_above = {0, kTop, left, outline};
-  layout.left_middle = {0, kTop + outline, left, icicle};
-  layout.left_below = {0, kTop + outline + icicle, left, middle - outline - icicle};
-  layout.right_above = {w - right, kTop, right, half_right};
-  layout.right_below = {w - right, kTop + half_right, right, middle - half_right};
-  layout.tools = {left, kTop, w - left - right, tools};
-  layout.view = {left, kTop + tools, w - left - right, middle - tools};
-  layout.timeline = {0, h - below, w, below};
-  return layout;
-}
-
 Debugger::Debugger(GlContext& context, std::unique_ptr<Run> run)
     : context_(context),
       model_(std::move(run)),
@@ -127,31 +54,51 @@ void Debugger::take_in(const DebuggerInput& input, int width, int height) {
   if (width != width_ || height != height_) framebuffer_.emplace(context_.functions(), width, height, 1);
   width_ = width;
   height_ = height;
-  layout_ = layout_panels(width, height, model_.lanes().size());
-  const PanelLayout& layout = layout_;
+  arrange_window();
   // After long work it does not make up for all of the time.
   model_.pass_time(std::min(input.seconds, kLongestPause + model_.seconds_to_next()));
   gui_.begin(input, width, height);
-  if (input.key && !gui_.is_typing()) take_key(*input.key, input.shift);
-  update_views(layout);
+  if (input.key && !(input.control && take_control_key(*input.key, input.shift)) && !gui_.has_keys())
+    take_key(*input.key, input.shift);
+  update_views();
   const auto start = std::chrono::steady_clock::now();
   PanelContext context{model_, gui_, memory_, *view_};
-  draw_panels(context, layout);
+  draw_panels(context);
   gui_.end();
   panel_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// A place of the panels in whole pixels.
+float Debugger::pixels(float units) const { return std::floor(units * static_cast<float>(gui_.scale())); }
+
+void Debugger::arrange_window() {
+  const WindowSettings& window = memory_.window;
+  const std::size_t lanes = std::max(model_.lanes().size(), kLanesOfRun) - kLanesOfRun;
+  const WindowSize least = least_window(window.layout, lanes);
+  const double most = std::min(width_ / double{least.width}, height_ / double{least.height});
+  constexpr double kSteps = 20;  // of a unit: the typeface is not made anew for each pixel of a window
+  const double wanted = content_scale_ * window.zoom;
+  gui_.set_scale(wanted <= most ? wanted : std::max(kLeastScale, std::floor(most * kSteps) / kSteps));
+  gui_.set_theme(theme_called(window.theme));
+  const auto units = [&](int count) { return static_cast<float>(std::ceil(count / gui_.scale())); };
+  arrangement_ = arrange(window.layout, {units(width_), units(height_), lanes});
+  const PanelArea& view = arrangement_.view;
+  const WindowSize& size = arrangement_.size;
+  memory_.extents = {view.x / size.width, 1 - view.right() / size.width, 1 - view.bottom() / size.height};
+}
+
 void Debugger::draw() {
-  const PanelLayout& layout = layout_;
   framebuffer_->bind();
   const auto& gl = context_.functions();
-  gl.ClearColor(0.93F, 0.93F, 0.91F, 1);
+  const Color ground = theme_called(memory_.window.theme).panel;
+  gl.ClearColor(static_cast<float>(ground.r) / 255, static_cast<float>(ground.g) / 255,
+                static_cast<float>(ground.b) / 255, 1);
   gl.Clear(GL_COLOR_BUFFER_BIT);
-  const int x = static_cast<int>(layout.view.x);
-  view_->copy_to(*framebuffer_, x, static_cast<int>(layout.view.y));
+  const PanelArea& view = arrangement_.view;
+  view_->copy_to(*framebuffer_, static_cast<int>(pixels(view.x)), static_cast<int>(pixels(view.y)));
   if (other_view_)
-    other_view_->copy_to(*framebuffer_, x + static_cast<int>(layout.view.width) / 2,
-                         static_cast<int>(layout.view.y));
+    other_view_->copy_to(*framebuffer_, static_cast<int>(pixels(view.x + view.width / 2)),
+                         static_cast<int>(pixels(view.y)));
   framebuffer_->bind();
   gui_.draw();
   check_gl(gl, "drawing the debugger");
@@ -180,7 +127,7 @@ void Debugger::report(std::string message, bool is_error) {
 }
 
 /// The compared run is seen beside this one, from the same place and in the same colours.
-void Debugger::update_views(const PanelLayout& layout) {
+void Debugger::update_views() {
   Run* const other = model_.other();
   if (&model_.run() != run_) view_ = make_scene_view(context_.functions(), model_.run());
   run_ = &model_.run();
@@ -188,8 +135,13 @@ void Debugger::update_views(const PanelLayout& layout) {
     other_view_ = other == nullptr ? nullptr : make_scene_view(context_.functions(), *other);
     other_ = other;
   }
-  const int width = static_cast<int>(layout.view.width) / (other == nullptr ? 1 : 2);
-  const int height = static_cast<int>(layout.view.height);
+  const PanelArea& area = arrangement_.view;
+  const int all = static_cast<int>(pixels(area.right()) - pixels(area.x));
+  const int width = other == nullptr ? all : all / 2;
+  const int height = static_cast<int>(pixels(area.bottom()) - pixels(area.y));
+  const SceneLook look{gui_.scale(), &theme_called(memory_.window.theme)};
+  view_->look = look;
+  if (other_view_) other_view_->look = look;
   const Tint tint = model_.view.tint;
   double tint_end = view_->tints(tint).end;
   if (other_view_) tint_end = std::max(tint_end, other_view_->tints(tint).end);
@@ -199,28 +151,16 @@ void Debugger::update_views(const PanelLayout& layout) {
   other_view_->update(model_, width, height, tint_end);
 }
 
-void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
-  const std::string wanted_tab = memory_.open_tab;
+void Debugger::draw_panels(PanelContext& context) {
+  if (const auto wanted = panel_titled(memory_.open_tab)) memory_.window.layout.show(*wanted);
+  memory_.open_tab.clear();
   memory_.under_mouse = "nothing";
-  in_window(gui_, "transport", layout.transport, [&] { draw_transport(context); });
-  in_window(gui_, "tree", layout.left_above, [&] { draw_outline(context); });
-  in_window(
-      gui_, "icicle", layout.left_middle, [&] { draw_icicle(context); },
-      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  in_window(gui_, "breakpoints", layout.left_below, [&] { draw_breakpoints(context); });
-  in_window(gui_, "events", layout.right_above, [&] { draw_events(context); });
-  in_window(gui_, "inspector", layout.right_below, [&] {
-    const ImVec2 usual = ImGui::GetStyle().FramePadding;
-    ImGui::GetStyle().FramePadding = {3, usual.y};  // all tabs side by side
-    draw_tabs(context);
-    ImGui::GetStyle().FramePadding = usual;
-  });
-  if (memory_.open_tab == wanted_tab) memory_.open_tab.clear();
-  in_window(gui_, "tools", layout.tools, [&] { draw_view_tools(context); });
-  draw_view(context, layout);
-  in_window(
-      gui_, "timeline", layout.timeline, [&] { draw_timeline(context); },
-      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  in_window(gui_, "transport", arrangement_.transport, [&] { draw_transport(context); });
+  draw_cells(context, arrangement_);
+  in_window(gui_, "tools", arrangement_.tools, [&] { draw_view_tools(context); });
+  draw_view(context);
+  draw_dividers(context, arrangement_);
+  drag_panel(context, arrangement_);
   draw_welcome(context);
   draw_tour(context);
   draw_search(context);
@@ -228,8 +168,8 @@ void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
   model_.hovered_node = std::exchange(memory_.hovered_node, std::nullopt);
 }
 
-void Debugger::draw_view(PanelContext& context, const PanelLayout& layout) {
-  const PanelArea& area = layout.view;
+void Debugger::draw_view(PanelContext& context) {
+  const PanelArea& area = arrangement_.view;
   gui_.name_area("view", area);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   in_window(
@@ -256,7 +196,8 @@ void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsItemHovered();
-  const ImVec2 moved = io.MouseDelta;
+  const auto scale = static_cast<float>(gui_.scale());
+  const ImVec2 moved{scale * io.MouseDelta.x, scale * io.MouseDelta.y};
   if (ImGui::IsItemActive() && (moved.x != 0 || moved.y != 0)) {
     if (io.MouseDown[1]) {
       view_->move(double{moved.x}, double{moved.y});
@@ -264,8 +205,8 @@ void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
       view_->turn(double{moved.x}, double{moved.y});
     }
   }
-  const double x = double{io.MousePos.x - area.x};
-  const double y = double{io.MousePos.y - area.y};
+  const double x = double{scale * io.MousePos.x - pixels(area.x)};
+  const double y = double{scale * io.MousePos.y - pixels(area.y)};
   if (hovered && io.MouseWheel != 0) view_->zoom(double{io.MouseWheel}, x, y);
   if (hovered) point_at(context, x, y);
 }
@@ -273,7 +214,8 @@ void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
 /// Beside a compared run, at the right, lies the other run's view.
 void Debugger::point_at(PanelContext& context, double x, double y) {
   const ImGuiIO& io = ImGui::GetIO();
-  const double half = double{layout_.view.width} / 2;
+  const PanelArea& view = arrangement_.view;
+  const double half = double{pixels(view.x + view.width / 2) - pixels(view.x)};
   const bool is_other = other_view_ && x >= half;
   if (is_other && model_.other() == nullptr) return;  // it has ended in this frame
   const Selection thing =

@@ -9,6 +9,7 @@
 #include "viz/debugger/model/debugger_model.h"
 #include "viz/debugger/panels/panel.h"
 #include "viz/debugger/scene/scene_view.h"
+#include "viz/debugger/window/arrangement.h"
 #include "viz/gl/context.h"
 #include "viz/gl/framebuffer.h"
 #include "viz/image/image.h"
@@ -17,21 +18,6 @@ namespace kerf {
 
 inline constexpr int kLeastDebuggerWidth = 960;
 inline constexpr int kLeastDebuggerHeight = 600;
-
-/// Where the panels are in a picture of a size.
-struct PanelLayout {
-  PanelArea transport;
-  PanelArea left_above;
-  PanelArea left_middle;
-  PanelArea left_below;
-  PanelArea right_above;
-  PanelArea right_below;
-  PanelArea tools;  ///< above the view
-  PanelArea view;
-  PanelArea timeline;
-};
-/// With so many lanes; those of a selected object need more room than those of the run alone.
-PanelLayout layout_panels(int width, int height, std::size_t lanes = kLanesOfRun);
 
 /// The debugger: user input goes in, a picture comes out, one frame at a time. It does not depend on whether
 /// a window or a script drives it, and draws the same in both.
@@ -54,6 +40,15 @@ class Debugger {
   [[nodiscard]] bool wants_screenshot() const { return memory_.screenshot; }
   /// The same, once for each picture.
   bool takes_screenshot();
+  /// Pixels in a unit of the panels, before the user's zoom: what the display asks for.
+  void set_content_scale(double scale) { content_scale_ = scale; }
+  /// The same with the zoom, as far as the window has room for it.
+  [[nodiscard]] double scale() const { return gui_.scale(); }
+  /// Layout, zoom and theme. They hold from the next frame on.
+  [[nodiscard]] WindowSettings& window() { return memory_.window; }
+  /// The user moves a panel or a divider at this moment.
+  [[nodiscard]] bool is_dragging() const { return gui_.is_held(); }
+  [[nodiscard]] const Arrangement& arrangement() const { return arrangement_; }
   /// A text for the clipboard, once for each that the user has copied.
   std::optional<std::string> take_copied();
   /// Reports the result of a request, or why it failed.
@@ -71,12 +66,15 @@ class Debugger {
   [[nodiscard]] std::map<std::string, std::string> facts();
 
  private:
+  void arrange_window();
   void take_key(Key key, bool shift);
+  bool take_control_key(Key key, bool shift);
   void take_time_key(Key key, bool shift);
   void take_tree_key(Key key, bool shift);
-  void update_views(const PanelLayout& layout);
-  void draw_panels(PanelContext& context, const PanelLayout& layout);
-  void draw_view(PanelContext& context, const PanelLayout& layout);
+  void update_views();
+  void draw_panels(PanelContext& context);
+  void draw_view(PanelContext& context);
+  [[nodiscard]] float pixels(float units) const;
   void point_at(PanelContext& context, double x, double y);
   void use_mouse(PanelContext& context, const PanelArea& area);
 
@@ -88,7 +86,8 @@ class Debugger {
   const Run* run_;              ///< the run of `view_`
   const Run* other_ = nullptr;  ///< the run of `other_view_`
   PanelMemory memory_;
-  PanelLayout layout_;  ///< of the last frame
+  Arrangement arrangement_;  ///< of the last frame
+  double content_scale_ = 1;
   std::optional<Framebuffer> framebuffer_;
   int width_ = 0;
   int height_ = 0;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/query/text.h"
@@ -110,6 +111,11 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["layers"] = to_string(model_.view.layers);
   facts["hovered_node"] = model_.hovered_node ? "n" + std::to_string(model_.hovered_node->value) : "none";
   facts["icicle"] = memory_.before_operator ? "before" : "now";
+  facts["theme"] = kThemeNames[static_cast<std::size_t>(memory_.window.theme)];
+  facts["zoom"] = number_text(memory_.window.zoom);
+  facts["scale"] = number_text(scale());
+  facts["window"] = to_text(memory_.window);
+  std::ranges::replace(facts["window"], '\n', ';');
   facts["copied"] = memory_.copied;
   facts["table"] = kTableNames[static_cast<std::size_t>(memory_.table_of)];
   const TableKeeper& kept = memory_.table;

@@ -55,6 +55,9 @@ void Debugger::take_key(Key key, bool shift) {
       return;
     case Key::p:
       return open_search(memory_.search);
+    case Key::v:
+      memory_.window_menu_wanted = true;
+      return;
     case Key::g:
       memory_.welcome = !memory_.welcome;
       return;
@@ -74,6 +77,37 @@ void Debugger::take_key(Key key, bool shift) {
       return take_tree_key(key, shift);
     default:
       return take_time_key(key, shift);
+  }
+}
+
+/// The size of texts, and the camera. False if the key has no such meaning.
+bool Debugger::take_control_key(Key key, bool shift) {
+  constexpr double kPixels = 40;  // by which the camera moves
+  const auto move_camera = [&](double x, double y) {
+    if (shift) {
+      view_->move(x * gui_.scale(), y * gui_.scale());
+    } else {
+      view_->turn(x * gui_.scale(), y * gui_.scale());
+    }
+    return true;
+  };
+  WindowSettings& window = memory_.window;
+  switch (key) {
+    case Key::plus:
+    case Key::minus:
+      window.zoom_by(key == Key::plus);
+      return true;
+    case Key::digit_0:
+      window.zoom = 1;
+      return true;
+    case Key::left:
+    case Key::right:
+      return move_camera(key == Key::left ? -kPixels : kPixels, 0);
+    case Key::up:
+    case Key::down:
+      return move_camera(0, key == Key::up ? -kPixels : kPixels);
+    default:
+      return false;
   }
 }
 

@@ -93,7 +93,8 @@ const std::map<std::string, Key>& key_names() {
                                                  {"x", Key::x},         {"t", Key::t},
                                                  {"j", Key::j},         {"g", Key::g},
                                                  {"p", Key::p},         {"tab", Key::tab},
-                                                 {"w", Key::w}};
+                                                 {"w", Key::w},         {"v", Key::v},
+                                                 {"=", Key::plus}};
   return kNames;
 }
 
@@ -286,14 +287,20 @@ void ScriptPlayer::press(const ScriptLine& line, const std::string& text) {
   std::string name = text;
   std::ranges::transform(name, name.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const bool shift = name.starts_with("shift+");
-  if (shift) name.erase(0, 6);
+  const auto has = [&](std::string_view modifier) {
+    const bool found = name.starts_with(modifier);
+    if (found) name.erase(0, modifier.size());
+    return found;
+  };
+  const bool control = has("ctrl+");
+  const bool shift = has("shift+");
   const auto key = key_called(name);
   if (!key) fail(line, "there is no key '" + text + "'; there are 0 to 9" + names_of(key_names()));
   input_.shift = shift;
+  input_.control = control;
   input_.key = key;
   frames(1);
-  input_.shift = false;
+  input_.shift = input_.control = false;
   frames(2);
 }
 
@@ -338,12 +345,13 @@ ScriptPlayer::Point ScriptPlayer::place(const ScriptLine& line, const std::strin
     if (!given) fail(line, "after the @ stand two shares such as 0.5,0.25");
     share = *given;
   }
+  const auto scale = static_cast<float>(debugger_.scale());
   const GivenNames& given = debugger_.model().run().names();
   if (const auto thing = named_thing(name, given)) {
     const auto seen = debugger_.view().place_of(*thing);
     const auto view = debugger_.gui().find("view");
     if (!seen || !view) fail(line, to_string(*thing, given) + " is not seen");
-    return {view->x + seen->x, view->y + seen->y};
+    return {std::floor(view->x * scale) + seen->x, std::floor(view->y * scale) + seen->y};
   }
   const auto area = debugger_.gui().find(name);
   if (!area) {
@@ -351,7 +359,7 @@ ScriptPlayer::Point ScriptPlayer::place(const ScriptLine& line, const std::strin
     for (const auto& [known, rectangle] : debugger_.gui().named()) names += " '" + known + "'";
     fail(line, "there is no '" + name + "' to be seen; there are" + names);
   }
-  return {area->x + area->width * share.first, area->y + area->height * share.second};
+  return {(area->x + area->width * share.first) * scale, (area->y + area->height * share.second) * scale};
 }
 
 }  // namespace kerf

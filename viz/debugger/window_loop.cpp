@@ -9,11 +9,12 @@ constexpr double kLongestWait = 0.2;  // seconds until the end of the program is
 
 }  // namespace
 
-WindowLoop::WindowLoop(GlfwWindow& window, Debugger& debugger)
-    : window_(window), debugger_(debugger), last_(window.seconds()) {}
+WindowLoop::WindowLoop(GlfwWindow& window, Debugger& debugger, std::optional<double> scale)
+    : window_(window), debugger_(debugger), scale_(scale), last_(window.seconds()) {}
 
 /// The effect of actions is shown once all of them are taken in: fast clicks do not wait for a frame each.
 void WindowLoop::take_in() {
+  debugger_.set_content_scale(scale_ ? *scale_ : window_.content_scale());
   do {
     debugger_.take_in(window_.take_input(), window_.width(), window_.height());
   } while (window_.has_input() && !debugger_.wants_screenshot() && window_.seconds() < last_ + kLongestWait);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "viz/debugger/debugger.h"
 #include "viz/debugger/gui/glfw_window.h"
 #include "viz/debugger/gui/pace.h"
@@ -9,7 +11,8 @@ namespace kerf {
 /// Shows a debugger in a window: draws when the user did something or the run plays on, else waits.
 class WindowLoop {
  public:
-  WindowLoop(GlfwWindow& window, Debugger& debugger);
+  /// `scale` counts instead of the content scale of the window.
+  WindowLoop(GlfwWindow& window, Debugger& debugger, std::optional<double> scale = std::nullopt);
 
   /// Waits for a reason to draw, but not longer than the end of the program may go unnoticed. False if
   /// nothing was drawn.
@@ -22,6 +25,7 @@ class WindowLoop {
 
   GlfwWindow& window_;
   Debugger& debugger_;
+  std::optional<double> scale_;
   Pace pace_;
   double last_;  ///< time of the last frame
 };

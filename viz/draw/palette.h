@@ -36,6 +36,13 @@ inline constexpr std::array<Color, 8> kSeries{{{0, 114, 178},
                                                {120, 120, 120},
                                                {20, 20, 20}}};
 
+/// What is selected, of the tree.
+inline constexpr Color kSelected{180, 112, 0};
+
+/// The lanes of the debugger: the lines of a plot, dark enough for small marks on white.
+inline constexpr std::array<Color, 6> kLanes{
+    {kSeries[0], kSeries[1], {0, 145, 105}, {190, 90, 150}, kSelected, {30, 140, 200}}};
+
 /// Colour of a leaf's population, 0 to `largest`: blue to light green.
 Color population_color(std::uint32_t population, std::uint32_t largest);
 

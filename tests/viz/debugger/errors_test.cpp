@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tests/support/default_window.h"
 #include "tests/viz/debugger/timeline_driver.h"
 #include "viz/draw/palette.h"
 
@@ -15,12 +16,11 @@ using test::TimelineDriver;
 /// Pixels of exactly that colour in the view.
 std::size_t pixels_of(Debugger& debugger, Color color) {
   const Image& image = debugger.picture();
-  const PanelLayout layout = layout_panels(image.width, image.height);
+  const PanelArea view = test::DefaultWindow(image.width, image.height).all().view;
   std::size_t count = 0;
-  for (int y = 0; y < static_cast<int>(layout.view.height); ++y)
-    for (int x = 0; x < static_cast<int>(layout.view.width); ++x) {
-      const std::uint8_t* const p =
-          image.pixel(x + static_cast<int>(layout.view.x), y + static_cast<int>(layout.view.y));
+  for (int y = 0; y < static_cast<int>(view.height); ++y)
+    for (int x = 0; x < static_cast<int>(view.width); ++x) {
+      const std::uint8_t* const p = image.pixel(x + static_cast<int>(view.x), y + static_cast<int>(view.y));
       count += p[0] == color.r && p[1] == color.g && p[2] == color.b ? 1U : 0U;
     }
   return count;

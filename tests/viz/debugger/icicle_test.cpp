@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "tests/support/default_window.h"
 #include "tests/viz/debugger/timeline_driver.h"
 #include "viz/debugger/model/icicle_state.h"
 #include "viz/debugger/model/recent_operators.h"
@@ -126,7 +127,7 @@ TEST_F(DebuggerIcicle, TheSceneMarksTheNodeUnderTheMouse) {
 }
 
 Image view_of(TimelineDriver& driver) {
-  const PanelArea area = layout_panels(1280, 720).view;
+  const PanelArea area = test::DefaultWindow(1280, 720).all().view;
   const Image& all = driver.debugger().picture();
   Image part = make_image(static_cast<int>(area.width), static_cast<int>(area.height));
   for (int y = 0; y < part.height; ++y)

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "tests/support/default_window.h"
 #include "tests/support/recorded_crowd.h"
 #include "viz/debugger/script.h"
 
@@ -32,6 +33,8 @@ class LeastSize : public testing::Test {
   std::optional<Debugger> debugger_;
 };
 
+const test::DefaultWindow kWindow(kLeastDebuggerWidth, kLeastDebuggerHeight);
+
 constexpr const char* kGoToSplit =
     "click condition\ntype \"op==split && kind==acted && step>20\"\nkey Enter\nkey Escape\nkey F5\nwait 2\n";
 
@@ -44,7 +47,7 @@ void expect_within(const PanelArea& part, const PanelArea& panel, const std::str
 
 TEST_F(LeastSize, EveryTabCanBePressed) {
   EXPECT_NO_THROW(play(kGoToSplit));
-  const PanelArea panel = layout_panels(kLeastDebuggerWidth, kLeastDebuggerHeight).right_below;
+  const PanelArea panel = kWindow.area(PanelId::why);
   for (const char* const name :
        {"Tables", "Lint", "Compare", "What if", "Oracle", "Algorithm", "Ballot", "Why"}) {
     EXPECT_NO_THROW(play("click \"tab " + std::string(name) + "\"\nwait 2"));
@@ -56,7 +59,7 @@ TEST_F(LeastSize, EveryTabCanBePressed) {
 
 TEST_F(LeastSize, ToolsOfTheViewAreWithinTheirPanel) {
   play("wait 2");
-  const PanelArea panel = layout_panels(kLeastDebuggerWidth, kLeastDebuggerHeight).tools;
+  const PanelArea panel = kWindow.all().tools;
   for (const std::string name : {"objects", "operators", "colour", "focus", "show all", "depth"})
     expect_within(part(name), panel, name);
 }
@@ -66,13 +69,13 @@ TEST_F(LeastSize, TheCountOfEventsIsBesideItsBox) {
   const PanelArea count = part("events shown");
   const PanelArea box = part("without objects");
   EXPECT_LE(count.x + count.width, box.x);
-  expect_within(box, layout_panels(kLeastDebuggerWidth, kLeastDebuggerHeight).right_above, "box");
+  expect_within(box, kWindow.area(PanelId::events), "box");
 }
 
 /// Every text ends within the window.
 TEST_F(LeastSize, TheStatusLineIsNotClipped) {
   play(kGoToSplit);
-  const PanelArea panel = layout_panels(kLeastDebuggerWidth, kLeastDebuggerHeight).transport;
+  const PanelArea panel = kWindow.all().transport;
   for (const std::string& message :
        {std::string("compared with x.kerf"), std::string(300, 'm'), std::string(3000, 'm')}) {
     debugger().model().message = message;

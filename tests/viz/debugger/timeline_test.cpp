@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "tests/support/default_window.h"
 #include "tests/viz/debugger/timeline_driver.h"
 
 namespace kerf {
@@ -289,10 +290,11 @@ TEST(TimelinePanel, PartsDoNotOverlap) {
     EXPECT_EQ(driver.play("drag scrubber@0.1,0.5 scrubber@0.9,0.5 shift\nkey End\nhover 5,300\nwait 2", width,
                           height),
               "");
-    const PanelArea panel = layout_panels(width, height, kLanesOfRun + 3).timeline;
+    const PanelArea panel = test::DefaultWindow(width, height, kLanesOfRun + 3).area(PanelId::timeline);
     std::vector<std::pair<std::string, PanelArea>> parts;
     for (const auto& [name, area] : driver.debugger().gui().named())
-      if (area.y >= panel.y && !name.starts_with("panel ")) parts.emplace_back(name, area);
+      if (area.y >= panel.y && !name.starts_with("panel ") && !name.starts_with("divider "))
+        parts.emplace_back(name, area);
     const auto figures = driver.debugger().gui().find("range figures");
     ASSERT_TRUE(figures);
     parts.emplace_back("range figures", *figures);

@@ -3,9 +3,11 @@
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 namespace kerf {
@@ -46,6 +48,7 @@ std::optional<Key> key_of(int key) {
                                         {GLFW_KEY_G, Key::g},
                                         {GLFW_KEY_P, Key::p},
                                         {GLFW_KEY_W, Key::w},
+                                        {GLFW_KEY_V, Key::v},
                                         {GLFW_KEY_ESCAPE, Key::escape},
                                         {GLFW_KEY_ENTER, Key::enter},
                                         {GLFW_KEY_KP_ENTER, Key::enter},
@@ -76,8 +79,20 @@ void note(GLFWwindow* window, What what) {
              is_held(window, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL), std::move(what)});
 }
 
-void note_key(GLFWwindow* window, int key, int /*scancode*/, int action, int /*mods*/) {
-  const auto known = key_of(key);
+/// With Ctrl no letter is written, so that these are found by what stands on the key.
+std::optional<Key> sign_of(int key, int scancode) {
+  if (key == GLFW_KEY_KP_ADD) return Key::plus;
+  if (key == GLFW_KEY_KP_SUBTRACT) return Key::minus;
+  const char* const name = glfwGetKeyName(key, scancode);
+  const std::string_view sign = name == nullptr ? "" : name;
+  if (sign == "+" || sign == "=") return Key::plus;
+  return sign == "-" ? std::optional(Key::minus) : std::nullopt;
+}
+
+void note_key(GLFWwindow* window, int key, int scancode, int action, int /*mods*/) {
+  auto known = key_of(key);
+  if (!known && is_held(window, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL))
+    known = sign_of(key, scancode);
   if (!known || action == GLFW_RELEASE) return note(window, NothingElse{});
   note(window, KeyTap{*known, action == GLFW_REPEAT});
 }
@@ -119,6 +134,8 @@ void note_place(GLFWwindow* window, double x, double y) {
 }
 
 void note_size(GLFWwindow* window, int /*width*/, int /*height*/) { note(window, NothingElse{}); }
+
+void note_scale(GLFWwindow* window, float /*x*/, float /*y*/) { note(window, NothingElse{}); }
 
 void note_damage(GLFWwindow* window) { note(window, NothingElse{}); }
 
@@ -166,6 +183,7 @@ void GlfwWindow::listen() {
   glfwSetMouseButtonCallback(window_.get(), note_button);
   glfwSetCursorPosCallback(window_.get(), note_place);
   glfwSetFramebufferSizeCallback(window_.get(), note_size);
+  glfwSetWindowContentScaleCallback(window_.get(), note_scale);
   glfwSetWindowRefreshCallback(window_.get(), note_damage);
   double x = 0;
   double y = 0;
@@ -192,6 +210,13 @@ int GlfwWindow::height() const {
   int height = 0;
   glfwGetFramebufferSize(window_.get(), nullptr, &height);
   return height;
+}
+
+double GlfwWindow::content_scale() const {
+  float across = 1;
+  float down = 1;
+  glfwGetWindowContentScale(window_.get(), &across, &down);
+  return double{std::max(across, down)};
 }
 
 bool GlfwWindow::should_close() const { return glfwWindowShouldClose(window_.get()) == GLFW_TRUE; }

@@ -24,6 +24,8 @@ class GlfwWindow final : public GlContext {
   /// The size of the drawable area in pixels.
   [[nodiscard]] int width() const;
   [[nodiscard]] int height() const;
+  /// Pixels of the display for each that a program is used to: 2 on many small and fine ones.
+  [[nodiscard]] double content_scale() const;
   [[nodiscard]] bool should_close() const;
   /// Shows the window's framebuffer, and waits for the display.
   void swap();

@@ -3,13 +3,18 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "viz/draw/font.h"
 #include "viz/draw/palette.h"
 
 namespace kerf {
 namespace {
 
-constexpr float kLetters = 13;  // height of a line's letters in pixels
+// In units of the panels, the height of a line's letters and the width of each.
+constexpr float kLetters = 13;
+constexpr float kLetterWidth = 7;
 
 ImVec4 color_of(Color color, double alpha = 1) {
   return {static_cast<float>(color.r) / 255, static_cast<float>(color.g) / 255,
@@ -22,28 +27,46 @@ PanelArea last_item() {
   return {least.x, least.y, size.x, size.y};
 }
 
-void set_colors(ImGuiStyle& style) {
-  ImGui::StyleColorsLight(&style);
-  const auto set = [&](int what, ImVec4 color) { style.Colors[what] = color; };
-  set(ImGuiCol_WindowBg, color_of(palette::kPanel));
-  set(ImGuiCol_ChildBg, color_of({248, 248, 245}));
-  set(ImGuiCol_PopupBg, color_of({252, 252, 250}));
-  set(ImGuiCol_Text, color_of(palette::kInk));
-  set(ImGuiCol_TextDisabled, color_of({105, 105, 105}));
-  set(ImGuiCol_Border, color_of({200, 200, 194}));
-  set(ImGuiCol_FrameBg, color_of({255, 255, 255}));
-  set(ImGuiCol_Button, color_of({222, 226, 230}));
-  set(ImGuiCol_ButtonHovered, color_of({190, 214, 232}));
-  set(ImGuiCol_ButtonActive, color_of({150, 195, 225}));
-  set(ImGuiCol_Header, color_of(palette::kMoving, 0.35));
-  set(ImGuiCol_HeaderHovered, color_of(palette::kMoving, 0.25));
-  set(ImGuiCol_HeaderActive, color_of(palette::kMoving, 0.5));
-  set(ImGuiCol_Tab, color_of({222, 226, 230}));
-  set(ImGuiCol_TabActive, color_of({248, 248, 245}));
-  set(ImGuiCol_TabHovered, color_of({190, 214, 232}));
-  set(ImGuiCol_CheckMark, color_of(palette::kPartitioner));
-  set(ImGuiCol_SliderGrab, color_of(palette::kPartitioner, 0.3));
-  set(ImGuiCol_TableHeaderBg, color_of({228, 228, 222}));
+void set_colors(ImGuiStyle& style, const Theme& theme) {
+  if (theme.name == ThemeName::light) {
+    ImGui::StyleColorsLight(&style);
+  } else {
+    ImGui::StyleColorsDark(&style);
+  }
+  const auto set = [&](int what, Color color, double alpha = 1) {
+    style.Colors[what] = color_of(color, alpha);
+  };
+  const Color mark = theme.mark(palette::kPartitioner);
+  set(ImGuiCol_WindowBg, theme.panel);
+  set(ImGuiCol_ChildBg, theme.list);
+  set(ImGuiCol_PopupBg, theme.popup);
+  set(ImGuiCol_Text, theme.text(palette::kInk));
+  set(ImGuiCol_TextDisabled, theme.text(palette::kFaintInk));
+  set(ImGuiCol_Border, theme.border);
+  set(ImGuiCol_FrameBg, theme.field);
+  set(ImGuiCol_FrameBgHovered, theme.row_hovered);
+  set(ImGuiCol_FrameBgActive, theme.selected);
+  set(ImGuiCol_Button, theme.button);
+  set(ImGuiCol_ButtonHovered, theme.hovered);
+  set(ImGuiCol_ButtonActive, theme.pressed);
+  set(ImGuiCol_Header, theme.selected);
+  set(ImGuiCol_HeaderHovered, theme.row_hovered);
+  set(ImGuiCol_HeaderActive, theme.selected);
+  set(ImGuiCol_TitleBg, theme.button);
+  set(ImGuiCol_TitleBgActive, theme.button);
+  set(ImGuiCol_Tab, theme.button);
+  set(ImGuiCol_TabActive, theme.list);
+  set(ImGuiCol_TabHovered, theme.hovered);
+  set(ImGuiCol_TabUnfocused, theme.button);
+  set(ImGuiCol_TabUnfocusedActive, theme.list);
+  set(ImGuiCol_CheckMark, mark);
+  set(ImGuiCol_SliderGrab, mark, 0.3);
+  set(ImGuiCol_SliderGrabActive, mark, 0.5);
+  set(ImGuiCol_TextSelectedBg, mark, 0.3);
+  set(ImGuiCol_TableHeaderBg, theme.table_header);
+  set(ImGuiCol_TableBorderLight, theme.border);
+  set(ImGuiCol_TableBorderStrong, theme.border);
+  set(ImGuiCol_TableRowBgAlt, theme.odd_row);
 }
 
 void set_shapes(ImGuiStyle& style) {
@@ -62,6 +85,7 @@ void set_shapes(ImGuiStyle& style) {
 /// ImGui looks up the keys of its text fields by these names.
 void map_keys(ImGuiIO& io) {
   const auto map = [&](ImGuiKey key, Key ours) { io.KeyMap[key] = static_cast<int>(ours); };
+  map(ImGuiKey_Space, Key::space);
   map(ImGuiKey_Home, Key::home);
   map(ImGuiKey_End, Key::end);
   map(ImGuiKey_Escape, Key::escape);
@@ -75,15 +99,17 @@ void map_keys(ImGuiIO& io) {
   map(ImGuiKey_Tab, Key::tab);
 }
 
-void add_typeface(ImFontAtlas& fonts) {
+void add_typeface(ImFontAtlas& fonts, double scale) {
   const auto file = font_file();
   ImFontConfig config;
   config.FontDataOwnedByAtlas = false;
   config.OversampleH = 1;
   config.PixelSnapH = true;
+  const auto pixels = static_cast<float>(scale);
+  config.GlyphMinAdvanceX = config.GlyphMaxAdvanceX = std::round(kLetterWidth * pixels);
   // ImGui only reads it, but its interface takes a pointer to non-const.
   void* const data = const_cast<std::uint8_t*>(file.data());
-  fonts.AddFontFromMemoryTTF(data, static_cast<int>(file.size()), kLetters, &config);
+  fonts.AddFontFromMemoryTTF(data, static_cast<int>(file.size()), std::round(kLetters * pixels), &config);
   fonts.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
 }
 
@@ -99,27 +125,55 @@ Gui::Gui(const GlFunctions& gl) : context_(ImGui::CreateContext()) {
   io.ConfigInputTextCursorBlink = false;  // a picture must not depend on the time
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   map_keys(io);
-  set_colors(ImGui::GetStyle());
   set_shapes(ImGui::GetStyle());
-  add_typeface(*io.Fonts);
+  set_theme(theme_called(ThemeName::light));
+  add_typeface(*io.Fonts, scale_);
   painter_ = std::make_unique<PanelPainter>(gl);
 }
 
 Gui::~Gui() { ImGui::SetCurrentContext(context_.get()); }
 
+void Gui::set_theme(const Theme& theme) {
+  if (theme_ == &theme) return;
+  theme_ = &theme;
+  ImGui::SetCurrentContext(context_.get());
+  ImGui::GetIO().UserData = const_cast<Theme*>(theme_);  // which the widgets only read
+  set_colors(ImGui::GetStyle(), theme);
+}
+
+void Gui::set_scale(double scale) {
+  if (scale == scale_) return;
+  scale_ = scale;
+  ImGui::SetCurrentContext(context_.get());
+  ImGuiIO& io = ImGui::GetIO();
+  io.Fonts->Clear();
+  add_typeface(*io.Fonts, scale);
+  io.FontGlobalScale = 1 / static_cast<float>(scale);
+  ImGui::GetStyle().AntiAliasedLinesUseTex = scale == std::round(scale);
+  painter_->take_typeface();
+}
+
 void Gui::begin(const DebuggerInput& input, int width, int height) {
   ImGui::SetCurrentContext(context_.get());
   ImGuiIO& io = ImGui::GetIO();
-  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+  const auto scale = static_cast<float>(scale_);
+  picture_ = {width, height, scale};
+  io.DisplaySize = {std::ceil(static_cast<float>(width) / scale),
+                    std::ceil(static_cast<float>(height) / scale)};
   io.DeltaTime = static_cast<float>(input.seconds);
-  io.MousePos = {input.mouse_x, input.mouse_y};
+  io.MousePos = {input.mouse_x / scale, input.mouse_y / scale};
   for (std::size_t k = 0; k < input.buttons.size(); ++k) io.MouseDown[k] = input.buttons[k];
+  is_held_ = std::ranges::find(input.buttons, true) != input.buttons.end();
   io.MouseWheel = input.wheel;
   io.MouseWheelH = input.sideways;
   io.KeyShift = input.shift;
   io.KeyCtrl = input.control;
+  // Arrow keys, Space and Enter belong to a menu while there is one.
+  const bool has_menu = !context_->OpenPopupStack.empty();
+  io.ConfigFlags = has_menu ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
   for (int key = 0; key < static_cast<int>(Key::count); ++key) io.KeysDown[key] = false;
   if (input.key) io.KeysDown[static_cast<int>(*input.key)] = true;
+  if (has_menu && input.key == Key::enter) io.KeysDown[static_cast<int>(Key::space)] = true;
   io.AddInputCharactersUTF8(input.text.c_str());
   named_.clear();
   shown_.clear();
@@ -132,8 +186,10 @@ void Gui::end() { ImGui::Render(); }
 
 void Gui::draw() const {
   ImGui::SetCurrentContext(context_.get());
-  painter_->draw(*ImGui::GetDrawData());
+  painter_->draw(*ImGui::GetDrawData(), picture_);
 }
+
+bool Gui::has_keys() const { return is_typing() || !context_->OpenPopupStack.empty(); }
 
 bool Gui::is_typing() const {
   return context_->ActiveId != 0 && context_->InputTextState.ID == context_->ActiveId;

@@ -6,19 +6,13 @@
 #include <string>
 
 #include "viz/debugger/gui/input.h"
+#include "viz/debugger/gui/panel_area.h"
 #include "viz/debugger/gui/panel_painter.h"
+#include "viz/draw/theme.h"
 
 struct ImGuiContext;
 
 namespace kerf {
-
-/// A rectangle of the picture in pixels, y down.
-struct PanelArea {
-  float x = 0;
-  float y = 0;
-  float width = 0;
-  float height = 0;
-};
 
 /// Dear ImGui with our typeface, colours and drawing. There is one at a time for each thread that draws.
 class Gui {
@@ -28,6 +22,10 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
+  /// From the next frame on a unit of the panels is `scale` pixels, and letters are drawn at that size.
+  void set_scale(double scale);
+  void set_theme(const Theme& theme);
+  [[nodiscard]] double scale() const { return scale_; }
   /// Begins a frame of that many pixels.
   void begin(const DebuggerInput& input, int width, int height);
   /// Ends the frame and lays it out; nothing is drawn yet.
@@ -36,6 +34,10 @@ class Gui {
   /// Whether a text field has the keys. True from the frame after it got them, and false from the frame after
   /// it gave them back: Dear ImGui itself reports it a frame late.
   [[nodiscard]] bool is_typing() const;
+  /// The same, or a menu has them.
+  [[nodiscard]] bool has_keys() const;
+  /// A button of the mouse is down.
+  [[nodiscard]] bool is_held() const { return is_held_; }
 
   /// Records the place of the last item under a name by which scripts find it, if it is visible. Its
   /// text, `shown`, is a second name unless another item has it.
@@ -53,6 +55,10 @@ class Gui {
   };
   std::unique_ptr<ImGuiContext, Forget> context_;
   std::unique_ptr<PanelPainter> painter_;
+  double scale_ = 1;
+  bool is_held_ = false;
+  PanelPicture picture_;  ///< of this frame
+  const Theme* theme_ = nullptr;
   std::map<std::string, PanelArea> named_;
   std::map<std::string, PanelArea> shown_;  ///< by text; the first of equal ones
 };

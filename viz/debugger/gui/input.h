@@ -58,6 +58,7 @@ enum class Key : std::uint8_t {
   g,  // the legend
   p,  // the search
   w,  // errors
+  v,  // the menu of the window
   f1,
   f5,
   f9,

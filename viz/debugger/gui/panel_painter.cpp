@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -15,10 +16,14 @@ layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 texel;
 layout(location = 2) in vec4 color;
 uniform vec2 picture_size;
+uniform vec2 pixels;
+uniform vec2 blank;
 out vec2 corner_texel;
 out vec4 corner_color;
 void main() {
-  gl_Position = vec4(2.0 * position / picture_size - 1.0, 0.0, 1.0);
+  vec2 place = position;
+  if (pixels.x > 0.0 && texel != blank) place = floor(position * pixels + 0.5) / pixels;
+  gl_Position = vec4(2.0 * place / picture_size - 1.0, 0.0, 1.0);
   corner_texel = texel;
   corner_color = color;
 })";
@@ -29,6 +34,11 @@ in vec2 corner_texel;
 in vec4 corner_color;
 out vec4 result;
 void main() { result = corner_color * texture(picture, corner_texel); })";
+
+ImVec4 in_pixels(const ImVec4& clip, float scale) {
+  return {std::floor(clip.x * scale), std::floor(clip.y * scale), std::ceil(clip.z * scale),
+          std::ceil(clip.w * scale)};
+}
 
 const void* bytes_in(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -58,6 +68,8 @@ void PanelPainter::make_program() {
   gl_.DeleteShader(vertex);
   gl_.DeleteShader(fragment);
   picture_size_ = gl_.GetUniformLocation(program_, "picture_size");
+  pixels_ = gl_.GetUniformLocation(program_, "pixels");
+  blank_ = gl_.GetUniformLocation(program_, "blank");
 }
 
 void PanelPainter::make_vertex_array() {
@@ -74,12 +86,16 @@ void PanelPainter::make_vertex_array() {
 }
 
 void PanelPainter::make_texture() {
+  gl_.GenTextures(1, &texture_);
+  take_typeface();
+}
+
+void PanelPainter::take_typeface() {
   unsigned char* pixels = nullptr;
   int width = 0;
   int height = 0;
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   fonts.GetTexDataAsRGBA32(&pixels, &width, &height);
-  gl_.GenTextures(1, &texture_);
   gl_.BindTexture(GL_TEXTURE_2D, texture_);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -88,13 +104,19 @@ void PanelPainter::make_texture() {
   fonts.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_)));
 }
 
-void PanelPainter::draw(const ImDrawData& data) const {
+void PanelPainter::draw(const ImDrawData& data, const PanelPicture& picture) const {
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Enable(GL_BLEND);
   gl_.Enable(GL_SCISSOR_TEST);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   gl_.UseProgram(program_);
-  gl_.Uniform2f(picture_size_, data.DisplaySize.x, data.DisplaySize.y);
+  const float scale = picture.scale;
+  gl_.Uniform2f(picture_size_, static_cast<float>(picture.width) / scale,
+                static_cast<float>(picture.height) / scale);
+  const ImVec2 blank = ImGui::GetIO().Fonts->TexUvWhitePixel;
+  const float snapped = scale == std::round(scale) ? 0 : scale;
+  gl_.Uniform2f(pixels_, snapped, snapped);
+  gl_.Uniform2f(blank_, blank.x, blank.y);
   gl_.BindVertexArray(vertex_array_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
   gl_.BindTexture(GL_TEXTURE_2D, texture_);
@@ -104,7 +126,7 @@ void PanelPainter::draw(const ImDrawData& data) const {
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data,
                    GL_STREAM_DRAW);
     for (const ImDrawCmd& command : list.CmdBuffer) {
-      const ImVec4& clip = command.ClipRect;
+      const ImVec4 clip = in_pixels(command.ClipRect, scale);
       if (clip.z <= clip.x || clip.w <= clip.y) continue;
       gl_.Scissor(static_cast<GLint>(clip.x), static_cast<GLint>(clip.y),
                   static_cast<GLsizei>(clip.z - clip.x), static_cast<GLsizei>(clip.w - clip.y));

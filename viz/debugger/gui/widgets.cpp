@@ -73,10 +73,16 @@ void draw_error_sample(ImVec2 left, Color color) {
   fill(color, 2.5F, 5);
 }
 
-ImU32 to_imgui(Color color, double alpha) {
+const Theme& theme() { return *static_cast<const Theme*>(ImGui::GetIO().UserData); }
+
+ImU32 exactly(Color color, double alpha) {
   return IM_COL32(color.r, color.g, color.b, static_cast<int>(255 * alpha));
 }
 
-ImVec4 to_vector(Color color) { return ImGui::ColorConvertU32ToFloat4(to_imgui(color)); }
+ImU32 to_imgui(Color color, double alpha) { return exactly(theme().mark(color), alpha); }
+
+ImU32 ink(Color color) { return exactly(theme().text(color)); }
+
+ImVec4 to_vector(Color color) { return ImGui::ColorConvertU32ToFloat4(ink(color)); }
 
 }  // namespace kerf::widgets

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "viz/debugger/gui/gui.h"
-#include "viz/draw/color.h"
+#include "viz/draw/theme.h"
 
 /// Parts of panels, each with a name by which scripts find it.
 namespace kerf::widgets {
@@ -27,7 +27,14 @@ std::string elided(const std::string& text, float width);
 void hint(const char* text);
 /// The line that marks an error of another engine in the scene, 16 pixels wide, from its left end.
 void draw_error_sample(ImVec2 left, Color color);
+/// The colours of the window.
+const Theme& theme();
+/// A line or an area in a colour of the palette, as the theme has it.
 ImU32 to_imgui(Color color, double alpha = 1);
+/// A text in a colour of the palette, as the theme has it.
+ImU32 ink(Color color);
 ImVec4 to_vector(Color color);
+/// A colour that is the same in both themes.
+ImU32 exactly(Color color, double alpha = 1);
 
 }  // namespace kerf::widgets

@@ -54,13 +54,6 @@ Enumeration following(Enumeration value) {
   return static_cast<Enumeration>(static_cast<int>(value) + 1);
 }
 
-bool has_all_words(const std::string& name, const std::string& query) {
-  std::istringstream words(query);
-  for (std::string word; words >> word;)
-    if (lower(name).find(word) == std::string::npos) return false;
-  return true;
-}
-
 Hit selecting(const Selection& thing, const GivenNames& names, std::string note) {
   return {to_string(thing, names), std::move(note), [thing](DebuggerModel& model) { model.select(thing); }};
 }
@@ -158,6 +151,13 @@ void add_condition(const std::string& query, std::vector<Hit>& hits) {
 }
 
 }  // namespace
+
+bool has_all_words(std::string_view name, std::string_view query) {
+  std::istringstream words(lower(query));
+  for (std::string word; words >> word;)
+    if (lower(name).find(word) == std::string::npos) return false;
+  return true;
+}
 
 std::vector<Hit> find_hits(DebuggerModel& model, std::string_view query) {
   std::vector<Hit> hits;

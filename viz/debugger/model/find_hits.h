@@ -21,4 +21,7 @@ struct Hit {
 /// moment and a breakpoint. Things come first.
 std::vector<Hit> find_hits(DebuggerModel& model, std::string_view query);
 
+/// Whether each word of a query is part of a name, in capital or small letters.
+bool has_all_words(std::string_view name, std::string_view query);
+
 }  // namespace kerf

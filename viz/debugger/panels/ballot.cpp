@@ -107,7 +107,8 @@ void draw_strip(const ProjectionStrip& strip) {
   const auto x_of = [&](double at) {
     return origin.x + 3 + static_cast<float>((at - low) / std::max(1e-9, high - low)) * (width - 6);
   };
-  list.AddRectFilled(origin, {origin.x + width, origin.y + height}, IM_COL32(255, 255, 255, 255));
+  list.AddRectFilled(origin, {origin.x + width, origin.y + height},
+                     widgets::to_imgui(widgets::theme().paper));
   constexpr std::size_t kMostLines = 300;  // more than the strip has rows of pixels
   const std::size_t every = 1 + strip.intervals.size() / kMostLines;
   const float row = (height - 4) / static_cast<float>(strip.intervals.size());

@@ -3,6 +3,7 @@
 
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
+#include "viz/draw/contrast.h"
 #include "viz/draw/palette.h"
 
 namespace kerf {
@@ -46,10 +47,10 @@ void frame_bar(const PanelArea& place, Color color, float width) {
                                       widgets::to_imgui(color), 0, 0, width);
 }
 
-/// Letters are white on the dark half of the colours.
+/// White or black letters: those with more contrast.
 Color ink_on(Color ground) {
-  const int light = (3 * ground.r + 6 * ground.g + ground.b) / 10;
-  return light < 115 ? Color{255, 255, 255} : palette::kInk;
+  constexpr Color kWhite{255, 255, 255};
+  return contrast(kWhite, ground) > contrast(palette::kInk, ground) ? kWhite : palette::kInk;
 }
 
 void fill_bar(PanelContext& context, const IcicleBar& bar, const PanelArea& place, Color color) {
@@ -63,7 +64,7 @@ void fill_bar(PanelContext& context, const IcicleBar& bar, const PanelArea& plac
   const bool has_room = place.height >= kNameHeight && ImGui::CalcTextSize(name.c_str()).x + 4 <= place.width;
   if (has_room)
     list.AddText({place.x + 3, place.y + std::floor(0.5F * (place.height - 15))},
-                 widgets::to_imgui(ink_on(color)), name.c_str());
+                 widgets::exactly(ink_on(widgets::theme().mark(color))), name.c_str());
   if (place.width >= kNamedBar) context.gui.name_area("bar " + name, place);
 }
 
@@ -86,7 +87,7 @@ class IcicleColors {
     if (icicle_.acted == node) return palette::kOperator;
     const auto recent = icicle_.recent.find(node);
     const double strength = recent == icicle_.recent.end() ? 0 : 0.75 * recent->second;
-    return mix(tints_->color(node, end_), palette::kOperator, strength);
+    return mix(tints_->color(node, end_), widgets::theme().mark(palette::kOperator), strength);
   }
 
  private:
@@ -104,7 +105,7 @@ void mark_bars(PanelContext& context, const IcicleState& icicle, const IcicleGri
       fill_bar(context, bar, place, palette::kOperator);
       frame_bar(place, palette::kOperator, 1);
     }
-    if (icicle.selected.contains(bar.node)) frame_bar(place, palette::kSeries[4], 2);
+    if (icicle.selected.contains(bar.node)) frame_bar(place, palette::kSelected, 2);
     if (context.model.hovered_node == bar.node) frame_bar(place, palette::kInk, 1);
   }
 }
@@ -148,7 +149,7 @@ std::string heading_of(const IcicleState& icicle, bool before, float room) {
 
 void draw_heading_of_icicle(PanelContext& context, const IcicleState& icicle) {
   const bool before = context.memory.before_operator;
-  const float box = ImGui::GetWindowWidth() - 74;
+  const float box = ImGui::GetWindowWidth() - 92;
   ImGui::AlignTextToFramePadding();
   if (!before) ImGui::TextUnformatted("Icicle");
   if (!before) ImGui::SameLine();

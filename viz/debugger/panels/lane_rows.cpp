@@ -65,7 +65,7 @@ bool text_button(PanelContext& context, const PanelArea& area, const std::string
   context.gui.name_last_item(name, text);
   const float y = area.y + 0.5F * (area.height - kLetterHeight);
   if (ImGui::IsItemHovered()) ink = palette::kOperator;
-  ImGui::GetWindowDrawList()->AddText({area.x, y}, widgets::to_imgui(ink), text.c_str());
+  ImGui::GetWindowDrawList()->AddText({area.x, y}, widgets::ink(ink), text.c_str());
   widgets::hint(hint.c_str());
   return pressed;
 }
@@ -101,7 +101,7 @@ void draw_values(PanelContext& context, std::size_t k, const TimeAxis& axis, con
   float x = axis.right() + 6;
   const std::string now = short_value(lane.value(model.run().position().step));
   ImGui::GetWindowDrawList()->AddText({x, band.top + 0.5F * (band.height - 1 - kLetterHeight)},
-                                      widgets::to_imgui(palette::kInk), now.c_str());
+                                      widgets::ink(palette::kInk), now.c_str());
   for (const bool greatest : {false, true}) {
     x += kTimelineValue;
     const std::uint32_t step = greatest ? lane.greatest_step() : lane.least_step();
@@ -126,8 +126,8 @@ void draw_lane(PanelContext& context, std::size_t k, const TimeAxis& axis, LaneB
   band.scale = lane.scale_end(clips);
   if (other != nullptr) band.scale = std::max(band.scale, other->scale_end(clips));
   ImGui::GetWindowDrawList()->AddRectFilled({axis.left, band.top}, {axis.right(), band.bottom()},
-                                            IM_COL32(255, 255, 255, 255));
-  const ImU32 color = widgets::to_imgui(palette::kSeries[k % 6], other == nullptr ? 0.75 : 0.45);
+                                            widgets::to_imgui(widgets::theme().paper));
+  const ImU32 color = widgets::to_imgui(palette::kLanes[k % palette::kLanes.size()]);
   draw_curve(lane, band, axis, color, true);
   if (other != nullptr) draw_curve(*other, band, axis, widgets::to_imgui(palette::kInk), false);
   if (lane.greatest_step() != lane.least_step()) {

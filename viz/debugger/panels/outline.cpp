@@ -61,10 +61,12 @@ void draw_row(PanelContext& context, const TreeSnapshot& tree, NodeId id) {
   if (!is_leaf && ImGui::IsItemClicked()) toggle_fold(context.memory, tree, id);
   context.gui.name_last_item("fold " + name);
   ImGui::SameLine(0, 0);
+  const Theme& theme = widgets::theme();
   const auto& recent = context.memory.icicle.kept().recent;
   const auto found = recent.find(id);
-  const Color ink =
-      found == recent.end() ? palette::kInk : mix(palette::kInk, palette::kOperator, found->second);
+  const Color ink = found == recent.end()
+                        ? palette::kInk
+                        : mix(theme.text(palette::kInk), theme.text(palette::kOperator), found->second);
   const Color color = is_event ? palette::kOperator : hidden ? palette::kFixed : ink;
   ImGui::PushStyleColor(ImGuiCol_Text, widgets::to_vector(color));
   const std::string marks =

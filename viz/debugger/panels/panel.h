@@ -9,6 +9,7 @@
 #include "viz/debugger/model/icicle_state.h"
 #include "viz/debugger/model/table_keeper.h"
 #include "viz/debugger/scene/scene_view.h"
+#include "viz/debugger/window/window_settings.h"
 
 namespace kerf {
 
@@ -47,6 +48,11 @@ struct PanelMemory {
   std::optional<Position> listed;     ///< moment to which the lists have scrolled
   std::optional<Selection> outlined;  ///< what the outline has scrolled to
   std::string open_tab;               ///< to open in the next frame; empty: no change
+  WindowSettings window;
+  std::array<float, 3> extents{};     ///< of the places of panels, as shares of the window
+  std::optional<PanelId> held_panel;  ///< the mouse has pressed its title
+  bool menu_wanted = false;           ///< of the panel that is drawn
+  bool window_menu_wanted = false;
   std::optional<Selection> explained;
   Position explained_at;
   std::string explanation;

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/model/find_hits.h"
 #include "viz/debugger/panels/panel.h"
+#include "viz/debugger/panels/panel_menu.h"
 #include "viz/draw/palette.h"
 
 namespace kerf {
@@ -40,11 +42,19 @@ void follow_hit(PanelContext& context, const Hit& hit) {
   }
 }
 
+/// Things and moments first, then what can be done with the window.
+std::vector<Hit> all_hits(PanelContext& context, const std::string& query) {
+  std::vector<Hit> hits = find_hits(context.model, query);
+  std::vector<Hit> of_window = window_hits(context, query);
+  std::ranges::move(of_window, std::back_inserter(hits));
+  return hits;
+}
+
 /// Earlier queries come back by their first hit.
-std::vector<Hit> hits_of_history(DebuggerModel& model, const SearchMemory& search) {
+std::vector<Hit> hits_of_history(PanelContext& context) {
   std::vector<Hit> hits;
-  for (const std::string& query : search.history)
-    if (std::vector<Hit> found = find_hits(model, query); !found.empty())
+  for (const std::string& query : context.memory.search.history)
+    if (std::vector<Hit> found = all_hits(context, query); !found.empty())
       hits.push_back({query, "searched before", std::move(found.front().go)});
   return hits;
 }
@@ -74,9 +84,9 @@ void draw_search(PanelContext& context) {
                           ImGuiWindowFlags_NoSavedSettings;
   ImGui::SetNextWindowFocus();
   if (ImGui::Begin("search", nullptr, kFlags)) {
-    std::vector<Hit> hits = find_hits(context.model, search.text);
+    std::vector<Hit> hits = all_hits(context, search.text);
     if (search.text.empty()) {
-      std::vector<Hit> earlier = hits_of_history(context.model, search);
+      std::vector<Hit> earlier = hits_of_history(context);
       earlier.insert(earlier.end(), hits.begin(), hits.end());
       hits = std::move(earlier);
     }

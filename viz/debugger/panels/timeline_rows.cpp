@@ -19,9 +19,9 @@ struct RibbonLook {
 RibbonLook look_of(Ribbon::Kind kind) {
   switch (kind) {
     case Ribbon::Kind::life:
-      return {0.3F, palette::kSeries[4], 0.5};
+      return {0.3F, palette::kSelected, 0.75};
     case Ribbon::Kind::divided:
-      return {0.1F, palette::kSeries[4], 0.7};
+      return {0.1F, palette::kSelected, 1};
     case Ribbon::Kind::listed:
       return {0.3F, palette::kFaintInk, 1};
     case Ribbon::Kind::acted:
@@ -29,7 +29,7 @@ RibbonLook look_of(Ribbon::Kind kind) {
     case Ribbon::Kind::refused:
       return {0, palette::kCandidate, 1};
     case Ribbon::Kind::pair:
-      return {0, palette::kSeries[4], 1};
+      return {0, palette::kSelected, 1};
   }
   return {0, palette::kInk, 1};
 }
@@ -46,7 +46,7 @@ bool events_are_seen(const TimeAxis& axis, std::span<const StepRow> rows, std::u
 }
 
 Color color_of_kind(EventKind kind) {
-  if (kind <= EventKind::merge) return palette::kSeries[static_cast<std::size_t>(kind)];
+  if (kind <= EventKind::merge) return palette::kLanes[static_cast<std::size_t>(kind)];
   return kind == EventKind::refused ? palette::kCandidate : palette::kFaintInk;
 }
 
@@ -73,7 +73,7 @@ void draw_events_of_step(PanelContext& context, const TimeAxis& axis, const Step
     for (const std::string& text : {event_label(event), "e" + std::to_string(event.id)}) {
       const float width = ImGui::CalcTextSize(text.c_str()).x;
       if (width + 10 > room || x + 4 + width > axis.right()) continue;
-      list.AddText({x + 4, top - 1}, widgets::to_imgui(palette::kInk), text.c_str());
+      list.AddText({x + 4, top - 1}, widgets::ink(palette::kInk), text.c_str());
       break;
     }
   }
@@ -101,7 +101,7 @@ class RulerLabels {
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     const float left = std::clamp(x - 0.5F * width, axis_.left, std::max(axis_.left, axis_.right() - width));
     if (left < free_ || left + width > axis_.right()) return;
-    ImGui::GetWindowDrawList()->AddText({left, top_}, widgets::to_imgui(ink), text.c_str());
+    ImGui::GetWindowDrawList()->AddText({left, top_}, widgets::ink(ink), text.c_str());
     free_ = left + width + kApart;
   }
 
@@ -115,18 +115,19 @@ class RulerLabels {
 
 void draw_row_ground(const TimeAxis& axis, float top, float height, const std::string& name, Color ink) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddText({ImGui::GetWindowPos().x + 8, top - 1}, widgets::to_imgui(ink), name.c_str());
-  list.AddRectFilled({axis.left, top}, {axis.right(), top + height - 1}, IM_COL32(255, 255, 255, 255));
+  list.AddText({ImGui::GetWindowPos().x + 8, top - 1}, widgets::ink(ink), name.c_str());
+  list.AddRectFilled({axis.left, top}, {axis.right(), top + height - 1},
+                     widgets::to_imgui(widgets::theme().paper));
 }
 
 void draw_time_ruler(PanelContext& context, const TimeAxis& axis, float top, float bottom) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Run& run = context.model.run();
   const GivenNames& names = run.names();
-  list.AddText({ImGui::GetWindowPos().x + 8, top}, widgets::to_imgui(palette::kFaintInk), "step");
+  list.AddText({ImGui::GetWindowPos().x + 8, top}, widgets::ink(palette::kFaintInk), "step");
   float x = axis.right() + 6;
   for (const char* const heading : {"now", "min", "max"}) {
-    list.AddText({x, top}, widgets::to_imgui(palette::kFaintInk), heading);
+    list.AddText({x, top}, widgets::ink(palette::kFaintInk), heading);
     x += kTimelineValue;
   }
   const std::size_t letters = std::max(names.step(1).size(), names.step(run.steps()).size());
@@ -159,8 +160,7 @@ void draw_event_row_of_time(PanelContext& context, const TimeAxis& axis, float t
           return !events_are_seen(axis, rows, steps.last) && count_acted(rows, steps, op) > 0 ? 1 : 0;
         },
         [&](float left, float right, int /*value*/) {
-          list.AddRectFilled({left, y}, {std::max(right, left + 1), y + kLine},
-                             widgets::to_imgui(color, 0.6));
+          list.AddRectFilled({left, y}, {std::max(right, left + 1), y + kLine}, widgets::to_imgui(color));
         });
   }
   if (!events_are_apart(axis.scale.pixels_per_step(), 0)) return;
@@ -177,9 +177,9 @@ void draw_marks(PanelContext& context, const TimeAxis& axis, float top) {
       axis, [&](const TimeWindow::Column& steps) { return judged(model, steps); },
       [&](float left, float right, int value) {
         const bool is_wrong = value == 2;
-        list.AddRectFilled(
-            {left, top + (is_wrong ? 0.0F : 4.0F)}, {std::max(right, left + 1.5F), top + kTimelineRow - 1},
-            widgets::to_imgui(is_wrong ? palette::kCandidate : palette::kSeries[2], is_wrong ? 1 : 0.5));
+        list.AddRectFilled({left, top + (is_wrong ? 0.0F : 4.0F)},
+                           {std::max(right, left + 1.5F), top + kTimelineRow - 1},
+                           widgets::to_imgui(is_wrong ? palette::kCandidate : palette::kSeries[2]));
       });
   for (const Position& mark : model.bookmarks()) {
     const double time = time_of(mark, model.run().rows());
@@ -190,7 +190,7 @@ void draw_marks(PanelContext& context, const TimeAxis& axis, float top) {
   const std::size_t wrong = model.wrong_steps().size();
   const std::string text = wrong == 0 ? "no alarm" : counted(wrong, "alarm");
   list.AddText({axis.right() + 6, top - 1},
-               widgets::to_imgui(wrong == 0 ? palette::kFaintInk : palette::kCandidate), text.c_str());
+               widgets::ink(wrong == 0 ? palette::kFaintInk : palette::kCandidate), text.c_str());
 }
 
 /// The lives of the selected node, thin as a leaf and thick with children, and the operators at it; or the

@@ -3,6 +3,8 @@
 namespace kerf {
 namespace {
 
+constexpr float kMenu = 18;  // the room of the panel's menu at the right
+
 void draw_zoom(PanelContext& context) {
   DebuggerModel& model = context.model;
   if (widgets::button(context.gui, "-", "show more of the run (-)", "zoom out"))
@@ -49,8 +51,8 @@ void draw_figures(PanelContext& context) {
   const DebuggerModel& model = context.model;
   const std::string text =
       to_text(figures_of(*model.timeline.range, model.run().rows(), model.lanes()), model.run().names());
-  widgets::beside_or_below(ImGui::CalcTextSize(text.c_str()).x);
-  const std::string shown = widgets::elided(text, ImGui::GetContentRegionAvail().x);
+  widgets::beside_or_below(ImGui::CalcTextSize(text.c_str()).x + kMenu);
+  const std::string shown = widgets::elided(text, ImGui::GetContentRegionAvail().x - kMenu);
   ImGui::TextUnformatted(shown.c_str());
   context.gui.note_last_item("range figures");
   if (shown != text) widgets::hint(text.c_str());

@@ -54,7 +54,7 @@ constexpr std::array<TourStop, 7> kStops{
       "Each row is a plane that could have been taken, with the figures by which it was judged. Press one, "
       "and the "
       "scene shows it.",
-      "panel inspector",
+      "panel ballot",
       [](PanelContext& context) {
         go_to_a_split(context);
         context.memory.open_tab = "Ballot";
@@ -62,7 +62,7 @@ constexpr std::array<TourStop, 7> kStops{
      {"Why",
       "Two objects are selected, a pair. Here stands why they are one, in which leaf they met, and since "
       "when.",
-      "panel inspector", select_a_pair},
+      "panel why", select_a_pair},
      {"Stop when",
       "Type a condition, for example `op==merge && depth>2` or `pairs>100`, and press F5: the run stops "
       "where it "

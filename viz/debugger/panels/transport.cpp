@@ -5,10 +5,13 @@
 #include "core/query/text.h"
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
+#include "viz/debugger/panels/panel_menu.h"
 #include "viz/draw/palette.h"
 
 namespace kerf {
 namespace {
+
+constexpr float kRoomy = 1000;  // a window of this width has room for a longer field
 
 struct GranularityName {
   Granularity granularity;
@@ -78,7 +81,9 @@ void draw_runs(PanelContext& context) {
   const Run& run = model.run();
   const std::string step_there_is = run.names().step(std::min(run.steps(), 17U));
   const std::string hint = "go to " + step_there_is + " or e1234";
-  const bool entered = widgets::text_field(context.gui, "go to", context.memory.go_to, hint.c_str(), 140);
+  const bool is_roomy = ImGui::GetIO().DisplaySize.x >= kRoomy;
+  const bool entered = widgets::text_field(context.gui, "go to", context.memory.go_to,
+                                           is_roomy ? hint.c_str() : "go to", is_roomy ? 140 : 84);
   if (!entered || context.memory.go_to.empty()) return;
   const std::string text = context.memory.go_to;
   context.memory.go_to.clear();
@@ -126,6 +131,10 @@ void draw_transport(PanelContext& context) {
   ImGui::SameLine(0, 18);
   draw_runs(context);
   ImGui::SameLine(0, 18);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float buttons =
+      ImGui::CalcTextSize("picturesearchhelpwindow").x + 8 * style.FramePadding.x + 3 * style.ItemSpacing.x;
+  if (ImGui::GetContentRegionAvail().x < buttons) ImGui::NewLine();
   if (widgets::button(context.gui, "picture", "save what is seen (F12)")) context.memory.screenshot = true;
   ImGui::SameLine();
   if (widgets::button(context.gui, "search",
@@ -133,6 +142,8 @@ void draw_transport(PanelContext& context) {
     open_search(context.memory.search);
   ImGui::SameLine();
   if (widgets::button(context.gui, "help", "keys and mouse (F1 or ?)")) context.memory.help = true;
+  ImGui::SameLine();
+  draw_window_menu(context);
   draw_moment_line(context);
 }
 

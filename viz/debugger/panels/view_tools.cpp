@@ -71,15 +71,17 @@ std::string counts_text(const ShownCounts& counts) {
 void draw_text_on(ImDrawList& list, ImVec2 at, const std::string& text, Color color) {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   list.AddRectFilled({at.x - 3, at.y - 1}, {at.x + size.x + 3, at.y + size.y + 1},
-                     widgets::to_imgui(palette::kGround, 0.85), 3);
-  list.AddText(at, widgets::to_imgui(color), text.c_str());
+                     widgets::to_imgui(widgets::theme().scene, 0.93), 3);
+  list.AddText(at, widgets::ink(color), text.c_str());
 }
 
 /// Above its subject, but within the view.
-ImVec2 label_place(const SceneLabel& label, const PanelArea& area) {
+ImVec2 label_place(const SceneLabel& label, const PanelArea& area, double scale) {
+  const float x = label.x / static_cast<float>(scale);
+  const float y = label.y / static_cast<float>(scale);
   const ImVec2 size = ImGui::CalcTextSize(label.text.c_str());
-  return {area.x + std::clamp(label.x + 4, 4.0F, area.width - size.x - 6),
-          area.y + std::clamp(label.y - 16, 4.0F, area.height - size.y - 4)};
+  return {area.x + std::clamp(x + 4, 4.0F, area.width - size.x - 6),
+          area.y + std::clamp(y - 16, 4.0F, area.height - size.y - 4)};
 }
 
 /// How many errors of another engine are drawn, below the title.
@@ -128,8 +130,6 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
                        const std::string& title) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect({area.x, area.y}, {area.x + area.width, area.y + area.height}, true);
-  for (const SceneLabel& label : view.labels())
-    draw_text_on(list, label_place(label, area), label.text, palette::kOperator);
   const float line = ImGui::GetTextLineHeight() + 2;
   const float bottom = area.y + area.height - 4;
   const ShownCounts& counts = view.counts();
@@ -152,6 +152,8 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
     if (text_width(scale.c_str()) > area.width - 82) scale.erase(0, scale.find(':') + 2);  // its numbers
     draw_text_on(list, {area.x + 74, top}, scale, palette::kFaintInk);
   }
+  for (const SceneLabel& label : view.labels())
+    draw_text_on(list, label_place(label, area, context.gui.scale()), label.text, palette::kOperator);
   list.PopClipRect();
 }
 

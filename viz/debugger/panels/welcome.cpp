@@ -24,7 +24,7 @@ constexpr std::array kLegendRows{
     LegendRow{Mark::framed, palette::kPartitioner, "partitioner: it divides its node's objects"},
     LegendRow{Mark::line, palette::kCandidate, "pair: the boxes of two objects overlap"},
     LegendRow{Mark::framed, palette::kOperator, "where the last operator acted; a selected object"},
-    LegendRow{Mark::framed, palette::kSeries[4], "selected node"},
+    LegendRow{Mark::framed, palette::kSelected, "selected node"},
     LegendRow{Mark::framed, palette::kInk, "node under the mouse"}};
 
 /// Of an import: what the other engine got wrong.
@@ -87,7 +87,8 @@ std::string error_words(Run& run, const Selection& pair) {
 
 void draw_welcome(PanelContext& context) {
   if (!context.memory.welcome) return;
-  const auto place = context.gui.find("panel inspector");
+  auto place = context.gui.find("panel why");
+  if (!place) place = context.gui.find("panel view");
   if (!place) return;
   ImGui::SetNextWindowPos({place->x, place->y}, ImGuiCond_Always);
   ImGui::SetNextWindowSize({place->width, 0});

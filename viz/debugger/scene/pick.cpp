@@ -36,7 +36,7 @@ double distance_to_outline(const View& view, const Polygon& polygon, const Eigen
 template <int D>
 std::optional<NodeId> line_at(const PickableTree<D>& tree, const View& view, const Eigen::Vector2d& pixel) {
   std::optional<NodeId> best;
-  double nearest = kNearLine;
+  double nearest = kNearLine * tree.scale;
   for (const NodeId id : tree.partitioners) {
     const TreeSnapshot::Node& node = tree.snapshot[id];
     const Polygon polygon = partitioner_in_cell(tree.snapshot, id, tree.bounds);
@@ -114,9 +114,9 @@ std::optional<NodeId> pick_node(const PickableTree<D>& tree, const View& view, d
 
 template <int D>
 std::optional<Pair> pick_pair(std::span<const Pair> pairs, std::span<const Body<D>> bodies, const View& view,
-                              const Eigen::Vector2d& pixel) {
+                              const Eigen::Vector2d& pixel, double scale) {
   std::optional<Pair> nearest;
-  double least = kPairReach;
+  double least = kPairReach * scale;
   for (const Pair& pair : pairs) {
     const auto [a, b] = pair_line<D>(view, bodies[pair.a.index()], bodies[pair.b.index()]);
     const auto from = view.project(a);
@@ -130,9 +130,9 @@ std::optional<Pair> pick_pair(std::span<const Pair> pairs, std::span<const Body<
 }
 
 template std::optional<Pair> pick_pair<2>(std::span<const Pair>, std::span<const Body<2>>, const View&,
-                                          const Eigen::Vector2d&);
+                                          const Eigen::Vector2d&, double);
 template std::optional<Pair> pick_pair<3>(std::span<const Pair>, std::span<const Body<3>>, const View&,
-                                          const Eigen::Vector2d&);
+                                          const Eigen::Vector2d&, double);
 template std::optional<ObjectId> pick_object<2>(const Ray&, std::span<const Body<2>>);
 template std::optional<ObjectId> pick_object<3>(const Ray&, std::span<const Body<3>>);
 template std::optional<NodeId> pick_node<2>(const PickableTree<2>&, const View&, double, double);

@@ -13,10 +13,11 @@ namespace kerf {
 template <int D>
 std::optional<ObjectId> pick_object(const Ray& ray, std::span<const Body<D>> bodies);
 
-/// The pair whose line, as `draw_pairs` draws it, is nearest to a pixel and within a few of it.
+/// The pair whose line, as `draw_pairs` draws it, is nearest to a pixel and within a few of it, more on a
+/// fine display: `scale`.
 template <int D>
 std::optional<Pair> pick_pair(std::span<const Pair> pairs, std::span<const Body<D>> bodies, const View& view,
-                              const Eigen::Vector2d& pixel);
+                              const Eigen::Vector2d& pixel, double scale = 1);
 
 /// The visible part of a tree, for picking.
 template <int D>
@@ -25,6 +26,7 @@ struct PickableTree {
   std::span<const NodeId> partitioners;   ///< those drawn
   std::span<const std::uint8_t> is_seen;  ///< by node
   Box<D> bounds;                          ///< the limits of the drawing
+  double scale = 1;                       ///< pixels of the display for each of those that count here
 };
 
 /// The node under a pixel: the partitioner whose line is there, within a few pixels. Else in 2D the leaf; in

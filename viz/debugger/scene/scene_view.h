@@ -9,6 +9,7 @@
 
 #include "viz/debugger/model/debugger_model.h"
 #include "viz/debugger/scene/tints.h"
+#include "viz/draw/theme.h"
 #include "viz/gl/framebuffer.h"
 
 namespace kerf {
@@ -24,6 +25,13 @@ struct ShownCounts {
   std::size_t missed = 0;  ///< by another engine, and drawn
   std::size_t extra = 0;
   double tint_end = 1;  ///< the value of the brightest colour
+};
+
+/// What the window wants of a view.
+struct SceneLook {
+  double scale = 1;  ///< pixels in a unit of the panels: lines get thicker with it
+  const Theme* theme = &theme_called(ThemeName::light);
+  friend bool operator==(const SceneLook&, const SceneLook&) = default;
 };
 
 /// A label of something in the scene, at pixels of the view.
@@ -45,6 +53,9 @@ class SceneView {
   SceneView(const SceneView&) = delete;
   SceneView& operator=(const SceneView&) = delete;
   virtual ~SceneView() = default;
+
+  SceneLook look;  ///< for the next `update`
+
   [[nodiscard]] virtual SceneViewOfEitherDimension self() const = 0;
 
   /// Draws the scene again if anything visible has changed. The colours end at `tint_end`.

@@ -14,6 +14,7 @@
 #include "viz/draw/palette.h"
 #include "viz/draw/recorded_bodies.h"
 #include "viz/draw/strokes.h"
+#include "viz/draw/themed_batch.h"
 #include "viz/draw/view_box.h"
 
 namespace kerf {
@@ -77,7 +78,8 @@ void SceneViewOf<D>::update(const DebuggerModel& model, int width, int height, d
                   orbit_.view(width_, height_),
                   tint_end,
                   width_,
-                  height_};
+                  height_,
+                  look};
   if (seen_ && *seen_ == seen) return;
   if (!moment_ || *moment_ != seen.position) take_moment();
   const bool resized = !seen_ || seen_->width != width_ || seen_->height != height_;
@@ -152,18 +154,14 @@ template <int D>
 void SceneViewOf<D>::draw(const DebuggerModel& model) {
   for (Batch& batch : batches_) batch.clear();
   labels_.clear();
-  Batch& back = batches_[0];
-  Batch& glass = batches_[1];
-  Batch& lines = batches_[2];
-  Batch& front = batches_[3];
+  auto& [back, glass, lines, planes, front] = batches_;
   const LayerSet layers = seen_->settings.layers;
   const FrameInput<D> input{
       .bodies = bodies_, .tree = nullptr, .pairs = pairs_, .contacts = {}, .events = {}, .caption = {}};
   const std::vector<Placement> placements;
-  const double line_scale = std::clamp(height_ / 500.0, 0.7, 2.0);
+  const double line_scale = look.scale * std::clamp(height_ / (500.0 * look.scale), 0.7, 2.0);
   const DrawContext<D> frame{input,  seen_->view, snapshot_, placements, box_,
                              layers, line_scale,  1,         nullptr,    colors_};
-  Batch planes;
   draw_nodes(frame, back, planes);
   if constexpr (D == 2) {
     if (layers.has(Layer::objects)) draw_objects(frame, back);
@@ -175,8 +173,9 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
   draw_selection(frame, front);
   draw_wrong_pairs<D>(frame, {all_bodies_, missed_, extra_}, front);
   if (model.hovered_candidate) draw_candidate(frame, *model.hovered_candidate, front);
+  put_on(*look.theme, batches_);
   framebuffer_->bind();
-  painter_.begin(palette::kGround);
+  painter_.begin(look.theme->scene);
   painter_.draw(back, D == 3 ? Depth::test_and_write : Depth::ignore);
   painter_.draw(glass, D == 3 ? Depth::test : Depth::ignore);
   painter_.draw(planes, D == 3 ? Depth::test : Depth::ignore);
@@ -220,7 +219,7 @@ template <int D>
 void SceneViewOf<D>::draw_recent(const DrawContext<D>& frame, Batch& batch) {
   for (const auto& [node, strength] : recent_operators(run_)) {
     if (visible_.nodes[node.index()] == 0) continue;
-    const Color color = mix(palette::kGround, palette::kOperator, strength);
+    const Color color = mix(look.theme->scene, look.theme->mark(palette::kOperator), strength);
     for (const Polygon& face : cell_faces(snapshot_, node, box_))
       add_outline(batch, frame.view, face, {color, (0.5 + 1.5 * strength) * frame.line_scale});
   }
@@ -270,13 +269,13 @@ void SceneViewOf<D>::draw_pair(const DrawContext<D>& frame, const Pair& pair, Ba
 template <int D>
 void SceneViewOf<D>::draw_node(const DrawContext<D>& frame, NodeId id, Batch& batch) {
   if (!snapshot_.is_alive(id)) return;
-  const Stroke stroke{palette::kSeries[4], 2.5 * frame.line_scale};
+  const Stroke stroke{palette::kSelected, 2.5 * frame.line_scale};
   const TreeSnapshot::Node& node = snapshot_[id];
   for (const Polygon& face : cell_faces(snapshot_, id, box_)) add_outline(batch, frame.view, face, stroke);
   if (node.is_leaf()) return;
   const Polygon plane = partitioner_in_cell(snapshot_, id, box_);
-  add_polygon(batch, frame.view, plane, with_alpha(palette::kSeries[4], 0.25));
-  add_outline(batch, frame.view, plane, {palette::kSeries[4], 4 * frame.line_scale});
+  add_polygon(batch, frame.view, plane, with_alpha(palette::kSelected, 0.25));
+  add_outline(batch, frame.view, plane, {palette::kSelected, 4 * frame.line_scale});
 }
 
 template <int D>
@@ -342,7 +341,8 @@ Selection SceneViewOf<D>::pick(double x, double y, bool node_wanted) const {
   const bool objects = !node_wanted && seen_->settings.layers.has(Layer::objects);
   if (objects)
     if (const auto object = pick_object<D>(ray_through(seen_->view, x, y), bodies_)) return *object;
-  const auto node = pick_node<D>({snapshot_, partitioners_, visible_.nodes, box_}, seen_->view, x, y);
+  const auto node =
+      pick_node<D>({snapshot_, partitioners_, visible_.nodes, box_, look.scale}, seen_->view, x, y);
   return node ? Selection(*node) : Selection();
 }
 
@@ -350,7 +350,8 @@ template <int D>
 std::optional<Pair> SceneViewOf<D>::pick_pair(double x, double y) const {
   if (!seen_) return std::nullopt;
   for (const std::vector<Pair>* const pairs : {&missed_, &extra_, &pairs_})
-    if (const auto pair = kerf::pick_pair<D>(*pairs, all_bodies_, seen_->view, {x, y})) return pair;
+    if (const auto pair = kerf::pick_pair<D>(*pairs, all_bodies_, seen_->view, {x, y}, look.scale))
+      return pair;
   return std::nullopt;
 }
 

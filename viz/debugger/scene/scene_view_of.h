@@ -48,10 +48,12 @@ class SceneViewOf final : public SceneView {
     double tint_end = 1;
     int width = 0;
     int height = 0;
+    SceneLook look;
     friend bool operator==(const Seen& a, const Seen& b) {
       return a.position == b.position && a.settings == b.settings && a.selection == b.selection &&
              a.hovered == b.hovered && a.candidate == b.candidate && a.tint_end == b.tint_end &&
-             a.view.clip_from_world == b.view.clip_from_world && a.width == b.width && a.height == b.height;
+             a.view.clip_from_world == b.view.clip_from_world && a.width == b.width && a.height == b.height &&
+             a.look == b.look;
     }
   };
 
@@ -102,7 +104,7 @@ class SceneViewOf final : public SceneView {
   std::vector<Pair> pairs_;
   std::vector<Pair> missed_;  ///< by another engine
   std::vector<Pair> extra_;
-  std::array<Batch, 4> batches_;
+  std::array<Batch, 5> batches_;  ///< back, glass, lines, planes, front
 };
 
 extern template class SceneViewOf<2>;
