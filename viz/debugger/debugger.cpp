@@ -51,7 +51,10 @@ void Debugger::take_in(const DebuggerInput& input, int width, int height) {
   context_.make_current();
   width = std::max(width, kLeastDebuggerWidth);
   height = std::max(height, kLeastDebuggerHeight);
-  if (width != width_ || height != height_) framebuffer_.emplace(context_.functions(), width, height, 1);
+  if (width != width_ || height != height_) {
+    framebuffer_.emplace(context_.functions(), width, height, 1);
+    forget_picture();
+  }
   width_ = width;
   height_ = height;
   arrange_window();
@@ -71,6 +74,12 @@ void Debugger::take_in(const DebuggerInput& input, int width, int height) {
 /// A place of the panels in whole pixels.
 float Debugger::pixels(float units) const { return std::floor(units * static_cast<float>(gui_.scale())); }
 
+PixelArea Debugger::in_pixels(const PanelArea& area) const {
+  const auto x = static_cast<int>(pixels(area.x));
+  const auto y = static_cast<int>(pixels(area.y));
+  return {x, y, static_cast<int>(pixels(area.right())) - x, static_cast<int>(pixels(area.bottom())) - y};
+}
+
 void Debugger::arrange_window() {
   const WindowSettings& window = memory_.window;
   const std::size_t lanes = std::max(model_.lanes().size(), kLanesOfRun) - kLanesOfRun;
@@ -87,20 +96,35 @@ void Debugger::arrange_window() {
   memory_.extents = {view.x / size.width, 1 - view.right() / size.width, 1 - view.bottom() / size.height};
 }
 
+/// All, or only the scene if nothing beside it has changed. At scales with a fraction the pixels along its
+/// border belong to both.
+PixelArea Debugger::part_to_draw() {
+  const bool is_same = gui_.is_same_beside(arrangement_.view);
+  if (std::exchange(is_new_, false) || !is_same) {
+    ++panel_pictures_;
+    return {0, 0, width_, height_};
+  }
+  const auto [x, y, width, height] = in_pixels(arrangement_.view);
+  return {x - 1, y - 1, width + 2, height + 2};
+}
+
 void Debugger::draw() {
+  const PixelArea part = part_to_draw();
+  const PixelArea scene = in_pixels(arrangement_.view);
   framebuffer_->bind();
   const auto& gl = context_.functions();
   const Color ground = theme_called(memory_.window.theme).panel;
   gl.ClearColor(static_cast<float>(ground.r) / 255, static_cast<float>(ground.g) / 255,
                 static_cast<float>(ground.b) / 255, 1);
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(part.x, part.y, part.width, part.height);
   gl.Clear(GL_COLOR_BUFFER_BIT);
-  const PanelArea& view = arrangement_.view;
-  view_->copy_to(*framebuffer_, static_cast<int>(pixels(view.x)), static_cast<int>(pixels(view.y)));
+  view_->copy_to(*framebuffer_, scene.x, scene.y);
   if (other_view_)
-    other_view_->copy_to(*framebuffer_, static_cast<int>(pixels(view.x + view.width / 2)),
-                         static_cast<int>(pixels(view.y)));
+    other_view_->copy_to(
+        *framebuffer_, static_cast<int>(pixels(arrangement_.view.x + arrangement_.view.width / 2)), scene.y);
   framebuffer_->bind();
-  gui_.draw();
+  gui_.draw_within(part);
   check_gl(gl, "drawing the debugger");
 }
 
@@ -135,10 +159,8 @@ void Debugger::update_views() {
     other_view_ = other == nullptr ? nullptr : make_scene_view(context_.functions(), *other);
     other_ = other;
   }
-  const PanelArea& area = arrangement_.view;
-  const int all = static_cast<int>(pixels(area.right()) - pixels(area.x));
+  const auto [x, y, all, height] = in_pixels(arrangement_.view);
   const int width = other == nullptr ? all : all / 2;
-  const int height = static_cast<int>(pixels(area.bottom()) - pixels(area.y));
   const SceneLook look{gui_.scale(), &theme_called(memory_.window.theme)};
   view_->look = look;
   if (other_view_) other_view_->look = look;

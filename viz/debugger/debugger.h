@@ -31,6 +31,8 @@ class Debugger {
   /// The first half of that, for input that comes faster than frames can be drawn.
   void take_in(const DebuggerInput& input, int width, int height);
   void draw();
+  /// The next picture is drawn from nothing.
+  void forget_picture() { is_new_ = true; }
   /// The last frame. Valid until the next call.
   const Image& picture();
   /// Shows the last frame in the window of the context.
@@ -75,6 +77,8 @@ class Debugger {
   void draw_panels(PanelContext& context);
   void draw_view(PanelContext& context);
   [[nodiscard]] float pixels(float units) const;
+  [[nodiscard]] PixelArea in_pixels(const PanelArea& area) const;
+  [[nodiscard]] PixelArea part_to_draw();
   void point_at(PanelContext& context, double x, double y);
   void use_mouse(PanelContext& context, const PanelArea& area);
 
@@ -89,6 +93,8 @@ class Debugger {
   Arrangement arrangement_;  ///< of the last frame
   double content_scale_ = 1;
   std::optional<Framebuffer> framebuffer_;
+  bool is_new_ = true;      ///< the framebuffer has no picture yet
+  int panel_pictures_ = 0;  ///< pictures for which not only the scene was drawn
   int width_ = 0;
   int height_ = 0;
   Image image_;

@@ -112,6 +112,7 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["hovered_node"] = model_.hovered_node ? "n" + std::to_string(model_.hovered_node->value) : "none";
   facts["icicle"] = memory_.before_operator ? "before" : "now";
   facts["theme"] = kThemeNames[static_cast<std::size_t>(memory_.window.theme)];
+  facts["panel_pictures"] = std::to_string(panel_pictures_);
   facts["zoom"] = number_text(memory_.window.zoom);
   facts["scale"] = number_text(scale());
   facts["window"] = to_text(memory_.window);

@@ -151,6 +151,7 @@ void Gui::set_scale(double scale) {
   io.FontGlobalScale = 1 / static_cast<float>(scale);
   ImGui::GetStyle().AntiAliasedLinesUseTex = scale == std::round(scale);
   painter_->take_typeface();
+  beside_.forget();
 }
 
 void Gui::begin(const DebuggerInput& input, int width, int height) {
@@ -184,9 +185,16 @@ void Gui::begin(const DebuggerInput& input, int width, int height) {
 
 void Gui::end() { ImGui::Render(); }
 
-void Gui::draw() const {
+bool Gui::is_same_beside(const PanelArea& scene) {
   ImGui::SetCurrentContext(context_.get());
-  painter_->draw(*ImGui::GetDrawData(), picture_);
+  return beside_.take(*ImGui::GetDrawData(), scene);
+}
+
+void Gui::draw() const { draw_within({0, 0, picture_.width, picture_.height}); }
+
+void Gui::draw_within(const PixelArea& part) const {
+  ImGui::SetCurrentContext(context_.get());
+  painter_->draw(*ImGui::GetDrawData(), picture_, part);
 }
 
 bool Gui::has_keys() const { return is_typing() || !context_->OpenPopupStack.empty(); }

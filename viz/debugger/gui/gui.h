@@ -6,6 +6,7 @@
 #include <string>
 
 #include "viz/debugger/gui/input.h"
+#include "viz/debugger/gui/layout_beside.h"
 #include "viz/debugger/gui/panel_area.h"
 #include "viz/debugger/gui/panel_painter.h"
 #include "viz/draw/theme.h"
@@ -30,7 +31,11 @@ class Gui {
   void begin(const DebuggerInput& input, int width, int height);
   /// Ends the frame and lays it out; nothing is drawn yet.
   void end();
+  /// Whether what is laid out beside the scene is as it was when this was asked before.
+  bool is_same_beside(const PanelArea& scene);
+  /// Draws the layout, or a part of it.
   void draw() const;
+  void draw_within(const PixelArea& part) const;
   /// Whether a text field has the keys. True from the frame after it got them, and false from the frame after
   /// it gave them back: Dear ImGui itself reports it a frame late.
   [[nodiscard]] bool is_typing() const;
@@ -58,6 +63,7 @@ class Gui {
   double scale_ = 1;
   bool is_held_ = false;
   PanelPicture picture_;  ///< of this frame
+  LayoutBeside beside_;
   const Theme* theme_ = nullptr;
   std::map<std::string, PanelArea> named_;
   std::map<std::string, PanelArea> shown_;  ///< by text; the first of equal ones

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -38,6 +39,12 @@ void main() { result = corner_color * texture(picture, corner_texel); })";
 ImVec4 in_pixels(const ImVec4& clip, float scale) {
   return {std::floor(clip.x * scale), std::floor(clip.y * scale), std::ceil(clip.z * scale),
           std::ceil(clip.w * scale)};
+}
+
+ImVec4 common_part(const ImVec4& clip, const PixelArea& part) {
+  return {std::max(clip.x, static_cast<float>(part.x)), std::max(clip.y, static_cast<float>(part.y)),
+          std::min(clip.z, static_cast<float>(part.x + part.width)),
+          std::min(clip.w, static_cast<float>(part.y + part.height))};
 }
 
 const void* bytes_in(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
@@ -104,7 +111,7 @@ void PanelPainter::take_typeface() {
   fonts.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_)));
 }
 
-void PanelPainter::draw(const ImDrawData& data, const PanelPicture& picture) const {
+void PanelPainter::draw(const ImDrawData& data, const PanelPicture& picture, const PixelArea& part) const {
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Enable(GL_BLEND);
   gl_.Enable(GL_SCISSOR_TEST);
@@ -126,7 +133,7 @@ void PanelPainter::draw(const ImDrawData& data, const PanelPicture& picture) con
     gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data,
                    GL_STREAM_DRAW);
     for (const ImDrawCmd& command : list.CmdBuffer) {
-      const ImVec4 clip = in_pixels(command.ClipRect, scale);
+      const ImVec4 clip = common_part(in_pixels(command.ClipRect, scale), part);
       if (clip.z <= clip.x || clip.w <= clip.y) continue;
       gl_.Scissor(static_cast<GLint>(clip.x), static_cast<GLint>(clip.y),
                   static_cast<GLsizei>(clip.z - clip.x), static_cast<GLsizei>(clip.w - clip.y));

@@ -13,6 +13,14 @@ struct PanelPicture {
   float scale = 1;
 };
 
+/// A rectangle of the picture in pixels, y down.
+struct PixelArea {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
 /// Draws the layout of Dear ImGui through the one table of GL functions: the packaged backends have a loader
 /// of their own, which finds no libGL under OSMesa. Its context must be current in every call and when it
 /// dies.
@@ -26,8 +34,8 @@ class PanelPainter {
 
   /// Takes it again, since it has changed.
   void take_typeface();
-  /// Draws into the bound framebuffer; row 0 is the top.
-  void draw(const ImDrawData& data, const PanelPicture& picture) const;
+  /// Draws what lies within `part` into the bound framebuffer; row 0 is the top.
+  void draw(const ImDrawData& data, const PanelPicture& picture, const PixelArea& part) const;
 
  private:
   void make_program();
