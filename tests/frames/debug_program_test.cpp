@@ -70,6 +70,12 @@ TEST_F(DebugProgram, RemembersTheWindowInTheFileThatIsNamed) {
   EXPECT_EQ(debug("change", file).err, "");
   EXPECT_EQ(debug("see", file).err, "");
   EXPECT_EQ(debug("default", "none").err, "");
+  write("dark", "expect theme == dark\n");
+  EXPECT_EQ(run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("dark"), "--window-file",
+                      file, "--theme", "dark"})
+                .err,
+            "");
+  EXPECT_EQ(debug("dark", file).err, "") << "the theme is remembered, too";
   EXPECT_EQ(run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("default")}).err, "");
 }
 

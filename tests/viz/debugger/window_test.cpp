@@ -134,6 +134,15 @@ TEST_F(WindowOfDebugger, WhatCanBeClickedCanBePressedByItsName) {
   EXPECT_NE(layout(), WindowLayout());
 }
 
+TEST_F(WindowOfDebugger, TheTourShowsPanelsThatWereClosed) {
+  for (const PanelId panel : {PanelId::icicle, PanelId::events, PanelId::ballot})
+    debugger().window().layout.close(panel);
+  debugger().begin_tour();
+  EXPECT_EQ(play("key Enter\nkey Enter\nkey Enter\nkey Enter\nwait 2\nexpect tour == 5"), "");
+  for (const PanelId panel : {PanelId::icicle, PanelId::events, PanelId::ballot})
+    EXPECT_TRUE(layout().is_in_front(panel)) << title_of(panel);
+}
+
 TEST_F(WindowOfDebugger, KeysZoomTexts) {
   EXPECT_EQ(play("remember lanes lanes_to\nkey ctrl+=\nkey ctrl++\nexpect zoom == 1.25\nkey ctrl+-\n"
                  "expect zoom == 1.1\nkey ctrl+0\nexpect zoom == 1\nexpect lanes_to == $lanes"),
