@@ -10,6 +10,7 @@
 
 #include "frames/commands/output_option.h"
 #include "frames/commands/record_in_window.h"
+#include "frames/commands/window_keeper.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
@@ -61,46 +62,12 @@ struct Session {
   std::optional<std::filesystem::path> window_file{};  ///< layout, zoom and theme from start to start
 };
 
-/// As the user left it; what is asked for now comes first. What is wrong with the file is said in the window.
-void open_window(Debugger& debugger, const Session& session) {
-  if (session.scale) debugger.set_content_scale(*session.scale);
-  try {
-    if (session.window_file)
-      if (const auto settings = load_window_settings(*session.window_file)) debugger.window() = *settings;
-  } catch (const std::exception& error) {
-    debugger.report(std::string("the window has its default layout: ") + error.what(), true);
-  }
-  if (session.theme) debugger.window().theme = *session.theme;
-}
-
-/// Saves the settings of the window when they have changed and nothing is being dragged.
-class WindowKeeper {
- public:
-  WindowKeeper(Debugger& debugger, std::optional<std::filesystem::path> file)
-      : debugger_(debugger), file_(std::move(file)), kept_(debugger.window()) {}
-
-  void keep() {
-    if (!file_ || debugger_.window() == kept_ || debugger_.is_dragging()) return;
-    kept_ = debugger_.window();
-    try {
-      save_window_settings(*file_, kept_);
-    } catch (const std::exception& error) {
-      debugger_.report(std::string("the layout cannot be remembered: ") + error.what(), true);
-    }
-  }
-
- private:
-  Debugger& debugger_;
-  std::optional<std::filesystem::path> file_;
-  WindowSettings kept_;
-};
-
 void play_headless(const Session& session, const std::vector<ScriptLine>& lines) {
   const auto context = make_offscreen_context();
   Debugger debugger(*context, open_run(session.file));
   debugger.model().work_folder = session.work_folder;
-  open_window(debugger, session);
-  WindowKeeper keeper(debugger, session.window_file);
+  if (session.scale) debugger.set_content_scale(*session.scale);
+  WindowKeeper keeper(debugger, session.window_file, session.theme);
   ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures).play(lines);
   keeper.keep();
 }
@@ -129,8 +96,8 @@ void show_window(const Session& session, const std::vector<ScriptLine>& lines, G
         window.goes_on("step " + debugger.model().run().names().step(step) + " (Escape ends this)");
     return goes_on && !interrupt.requested();
   };
-  open_window(debugger, session);
-  WindowKeeper keeper(debugger, session.window_file);
+  if (session.scale) debugger.set_content_scale(*session.scale);
+  WindowKeeper keeper(debugger, session.window_file, session.theme);
   WindowLoop loop(window, debugger, session.scale);
   if (!lines.empty()) {
     ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures, [&] {

@@ -43,6 +43,64 @@ TEST_F(DebugProgram, RecordsASceneAndPlaysAScript) {
   EXPECT_EQ(image.height, 640);
 }
 
+TEST_F(DebugProgram, AScaleMakesThePictureFiner) {
+  record();
+  write("s", "expect scale == 2\nexpect theme == dark\nscreenshot fine\n");
+  const Outcome outcome = run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s"), "-o",
+                                    path("out"), "--size", "2000x1280", "--scale", "2", "--theme", "dark"});
+  ASSERT_EQ(outcome.exit, 0) << outcome.err;
+  EXPECT_EQ(read_png(path("out/fine.png")).width, 2000);
+  const auto refused = [&](const std::string& option, const std::string& text) {
+    return run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s"), option, text}).err;
+  };
+  for (const char* const scale : {"0", "nan", "9", "x"})
+    EXPECT_THAT(refused("--scale", scale), HasSubstr("from 0.5 to 8")) << scale;
+  EXPECT_THAT(refused("--theme", "pink"), HasSubstr("light or dark"));
+}
+
+TEST_F(DebugProgram, RemembersTheWindowInTheFileThatIsNamed) {
+  record();
+  const std::string file = path("config/kerf/window");
+  write("change", "click \"menu tree\"\nclick \"menu right\"\nkey ctrl+-\nwait 1\n");
+  write("see", "expect window ~ \"cell right 0.32 0 Tree\"\nexpect zoom == 0.9\n");
+  write("default", "expect zoom == 1\nexpect message !~ layout\n");
+  const auto debug = [&](const std::string& script, const std::string& window) {
+    return run_kerf(
+        {"debug", path("run.kerf"), "--headless", "--script", path(script), "--window-file", window});
+  };
+  EXPECT_EQ(debug("change", file).err, "");
+  EXPECT_EQ(debug("see", file).err, "");
+  EXPECT_EQ(debug("default", "none").err, "");
+  write("dark", "expect theme == dark\n");
+  EXPECT_EQ(run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("dark"), "--window-file",
+                      file, "--theme", "dark"})
+                .err,
+            "");
+  EXPECT_EQ(debug("dark", file).err, "") << "the theme is remembered, too";
+  EXPECT_EQ(run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("default")}).err, "");
+}
+
+TEST_F(DebugProgram, ADamagedFileOfTheWindowIsSaidAndKeptUntilThereIsAnother) {
+  record();
+  const auto text_of = [&] {
+    std::ifstream stream(path("window"));
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  write("window", "theme dark\n");
+  write("look",
+        "expect message ~ \"default layout\"\nexpect message ~ \"its end is missing\"\nexpect theme == "
+        "light\n");
+  write("change", "key ctrl+=\nwait 1\n");
+  const auto debug = [&](const std::string& script) {
+    return run_kerf(
+        {"debug", path("run.kerf"), "--headless", "--script", path(script), "--window-file", path("window")});
+  };
+  EXPECT_EQ(debug("look").err, "");
+  EXPECT_EQ(text_of(), "theme dark\n");
+  EXPECT_EQ(debug("change").err, "");
+  EXPECT_THAT(text_of(), ::testing::AllOf(HasSubstr("zoom 1.1"), ::testing::EndsWith("end\n")));
+}
+
 TEST_F(DebugProgram, AFailedExpectationIsAnExitCodeAndALine) {
   record();
   write("s", "key End\nexpect step == 3\n");

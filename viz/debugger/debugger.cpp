@@ -69,6 +69,7 @@ void Debugger::take_in(const DebuggerInput& input, int width, int height) {
   draw_panels(context);
   gui_.end();
   panel_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (const auto name = std::exchange(memory_.press, std::nullopt)) press(*name);
 }
 
 /// A place of the panels in whole pixels.

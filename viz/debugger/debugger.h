@@ -69,6 +69,7 @@ class Debugger {
 
  private:
   void arrange_window();
+  void press(const std::string& name);
   void take_key(Key key, bool shift);
   bool take_control_key(Key key, bool shift);
   void take_time_key(Key key, bool shift);

@@ -100,6 +100,13 @@ bool Debugger::take_control_key(Key key, bool shift) {
     case Key::digit_0:
       window.zoom = 1;
       return true;
+    case Key::period:
+    case Key::comma: {
+      const PanelArea& area = arrangement_.view;
+      view_->zoom(key == Key::period ? 1 : -1, double{pixels(0.5F * area.width)},
+                  double{pixels(0.5F * area.height)});
+      return true;
+    }
     case Key::left:
     case Key::right:
       return move_camera(key == Key::left ? -kPixels : kPixels, 0);
@@ -109,6 +116,23 @@ bool Debugger::take_control_key(Key key, bool shift) {
     default:
       return false;
   }
+}
+
+/// As a click does: fields get the keys, lists open; what is dragged by the mouse becomes a field.
+void Debugger::press(const std::string& name) {
+  const auto place = gui_.find(name);
+  if (!place) return;
+  const auto scale = static_cast<float>(gui_.scale());
+  DebuggerInput input;
+  input.mouse_x = (place->x + 0.5F * place->width) * scale;
+  input.mouse_y = (place->y + 0.5F * place->height) * scale;
+  input.control = name == "speed" || name == "within" || name == "depth";
+  constexpr int kUntilUnderMouse = 2;  // frames
+  for (int k = 0; k < kUntilUnderMouse; ++k) take_in(input, width_, height_);
+  input.buttons[0] = true;
+  take_in(input, width_, height_);
+  input.buttons[0] = false;
+  take_in(input, width_, height_);
 }
 
 /// The keys of the tree, the tables and an object's lanes.

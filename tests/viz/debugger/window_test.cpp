@@ -113,6 +113,36 @@ TEST_F(WindowOfDebugger, TheMenuOfTheWindowIsUsedByKeys) {
   EXPECT_EQ(play("remember here position\nkey .\nexpect position != $here"), "") << "keys are free again";
 }
 
+TEST_F(WindowOfDebugger, WhatCanBeClickedCanBePressedByItsName) {
+  const auto press = [&](const std::string& name) {
+    EXPECT_EQ(play("key P\ntype \"press " + name + "\"\nkey Enter\nwait 2"), "") << name;
+  };
+  EXPECT_EQ(play("key End"), "");
+  press("tab tables");
+  EXPECT_TRUE(layout().is_in_front(PanelId::tables));
+  press("sort depth");
+  EXPECT_EQ(play("expect table_first != n0\nremember first table_first"), "");
+  press("find in table");
+  EXPECT_EQ(play("type leaf\nwait 1\nexpect table_rows > 1\nkey Escape"), "");
+  press("granularity");
+  EXPECT_EQ(play("key Down\nkey Down\nkey Enter\nwait 2"), "") << "a list that opens is gone through by keys";
+  press("speed");
+  EXPECT_EQ(play("type 50\nkey Enter\nwait 1"), "");
+  EXPECT_NEAR(debugger().model().speed, 50, 1);
+  press("menu icicle");
+  EXPECT_EQ(play("key Down\nkey Enter\nwait 2"), "");
+  EXPECT_NE(layout(), WindowLayout());
+}
+
+TEST_F(WindowOfDebugger, TheTourShowsPanelsThatWereClosed) {
+  for (const PanelId panel : {PanelId::icicle, PanelId::events, PanelId::ballot})
+    debugger().window().layout.close(panel);
+  debugger().begin_tour();
+  EXPECT_EQ(play("key Enter\nkey Enter\nkey Enter\nkey Enter\nwait 2\nexpect tour == 5"), "");
+  for (const PanelId panel : {PanelId::icicle, PanelId::events, PanelId::ballot})
+    EXPECT_TRUE(layout().is_in_front(panel)) << title_of(panel);
+}
+
 TEST_F(WindowOfDebugger, KeysZoomTexts) {
   EXPECT_EQ(play("remember lanes lanes_to\nkey ctrl+=\nkey ctrl++\nexpect zoom == 1.25\nkey ctrl+-\n"
                  "expect zoom == 1.1\nkey ctrl+0\nexpect zoom == 1\nexpect lanes_to == $lanes"),
@@ -131,6 +161,7 @@ TEST_F(WindowOfDebugger, TextsGrowOnlyAsFarAsTheWindowHasRoom) {
 
 TEST_F(WindowOfDebugger, KeysTurnTheCamera) {
   EXPECT_EQ(play("wait 2\nremember before pictures\nkey ctrl+Left\nwait 2\nexpect pictures > $before\n"
+                 "remember turned pictures\nkey ctrl+.\nwait 2\nexpect pictures > $turned\n"
                  "expect lanes_from == 0"),
             "");
 }

@@ -60,6 +60,7 @@ void set_colors(ImGuiStyle& style, const Theme& theme) {
   set(ImGuiCol_TabUnfocused, theme.button);
   set(ImGuiCol_TabUnfocusedActive, theme.list);
   set(ImGuiCol_CheckMark, mark);
+  set(ImGuiCol_NavHighlight, theme.divider);
   set(ImGuiCol_SliderGrab, mark, 0.3);
   set(ImGuiCol_SliderGrabActive, mark, 0.5);
   set(ImGuiCol_TextSelectedBg, mark, 0.3);

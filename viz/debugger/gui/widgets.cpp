@@ -23,9 +23,13 @@ bool button(Gui& gui, const char* label, const char* text, const std::string& na
   return pressed;
 }
 
-bool checkbox(Gui& gui, const char* label, bool& value, const char* text) {
+bool checkbox(Gui& gui, const char* label, bool& value, const char* text, const std::string& name) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
+  ImGui::PushStyleColor(ImGuiCol_Border, to_imgui(palette::kFaintInk));
   const bool changed = ImGui::Checkbox(label, &value);
-  gui.name_last_item(label);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  gui.name_last_item(name.empty() ? label : name);
   hint(text);
   return changed;
 }

@@ -12,7 +12,8 @@ namespace kerf::widgets {
 
 /// A button; `name` is its label unless given. `text` is its hint.
 bool button(Gui& gui, const char* label, const char* text = "", const std::string& name = "");
-bool checkbox(Gui& gui, const char* label, bool& value, const char* text = "");
+/// A box with a mark; `name` and `text` as of a button.
+bool checkbox(Gui& gui, const char* label, bool& value, const char* text = "", const std::string& name = "");
 /// A field for one line of text; true when Enter is pressed. `inside` is shown while it is empty.
 bool text_field(Gui& gui, const char* name, std::string& text, const char* inside, float width);
 /// A row of a list that can be chosen.

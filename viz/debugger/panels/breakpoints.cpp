@@ -32,8 +32,7 @@ void draw_breakpoint(PanelContext& context, std::size_t k) {
   const bool removed = ImGui::SmallButton("x");
   context.gui.name_last_item("remove breakpoint " + number);
   ImGui::SameLine();
-  ImGui::Checkbox("##on", &breakpoint.enabled);
-  context.gui.name_last_item("breakpoint " + number);
+  widgets::checkbox(context.gui, "##on", breakpoint.enabled, "", "breakpoint " + number);
   ImGui::SameLine();
   ImGui::TextWrapped("%s", breakpoint.condition.text().c_str());
   if (breakpoint.hits > 0) {

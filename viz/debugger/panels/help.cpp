@@ -26,6 +26,10 @@ constexpr std::array kKeys{
     KeyHelp{"T, Shift+T", "the table of nodes, of pairs"},
     KeyHelp{"J", "lanes of the selected object (in a short run they come by themselves)"},
     KeyHelp{"P, Ctrl+P", "search: nodes, objects, pairs, events, steps, conditions, commands"},
+    KeyHelp{"", "`press` and a name: whatever can be clicked; `panel`: move, close, show"},
+    KeyHelp{"V", "the window: panels, size of texts, light or dark"},
+    KeyHelp{"Ctrl+ + - 0", "larger and smaller texts, as usual"},
+    KeyHelp{"Ctrl+arrows", "turn the view; with Shift move it; Ctrl+. and , nearer and farther"},
     KeyHelp{"G", "what is seen, in words, and what colours mean"},
     KeyHelp{"Esc", "select nothing, no range; close this"},
     KeyHelp{"+ and -", "lanes: magnify around this moment, show more; R: the whole run"},
@@ -43,6 +47,7 @@ constexpr std::array kKeys{
     KeyHelp{"Wheel", "nearer and farther"},
     KeyHelp{"Click", "select an object; with Shift a second one: a pair; beside objects a node"},
     KeyHelp{"Ctrl+click", "select a node: the partitioner with a line there, or the leaf"},
+    KeyHelp{"Panels", "drag a title or tab to another panel; drag lines between them, double click: back"},
     KeyHelp{"Lanes, below", "left drag: scrub; right or middle drag: pan; wheel: magnify at the mouse"},
     KeyHelp{"", "Shift+wheel or sideways: pan; the map below them: drag the window"},
 };

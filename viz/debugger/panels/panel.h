@@ -53,6 +53,7 @@ struct PanelMemory {
   std::optional<PanelId> held_panel;  ///< the mouse has pressed its title
   bool menu_wanted = false;           ///< of the panel that is drawn
   bool window_menu_wanted = false;
+  std::optional<std::string> press;  ///< a part that is to be clicked, by its name
   std::optional<Selection> explained;
   Position explained_at;
   std::string explanation;

@@ -50,14 +50,14 @@ void draw_panel_items(PanelContext& context) {
   for (std::size_t k = 0; k < kPanelCount; ++k) {
     const auto panel = static_cast<PanelId>(k);
     bool is_open = layout.is_open(panel);
-    if (ImGui::Checkbox(std::string(title_of(panel)).c_str(), &is_open)) {
+    if (widgets::checkbox(context.gui, std::string(title_of(panel)).c_str(), is_open, "",
+                          "window " + panel_name(panel))) {
       if (is_open) {
         layout.show(panel);
       } else {
         layout.close(panel);
       }
     }
-    context.gui.name_last_item("window " + panel_name(panel));
     if (k % 2 == 0 && k + 1 < kPanelCount) ImGui::SameLine(130);
   }
 }

@@ -61,7 +61,8 @@ void draw_figures(PanelContext& context) {
 void draw_range_tools(PanelContext& context) {
   DebuggerModel& model = context.model;
   if (!model.timeline.range) {
-    ImGui::TextDisabled("Shift and a drag, or S and E: select steps");
+    const float room = ImGui::GetContentRegionAvail().x - kMenu;
+    ImGui::TextDisabled("%s", widgets::elided("Shift and a drag, or S and E: select steps", room).c_str());
     return;
   }
   bool loops = model.timeline.loops;

@@ -2,6 +2,7 @@
 
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
+#include "viz/debugger/panels/panel_menu.h"
 #include "viz/draw/palette.h"
 
 namespace kerf {
@@ -77,6 +78,14 @@ void frame_panel(PanelContext& context, const char* name) {
                                           widgets::to_imgui(palette::kOperator), 0, 0, 3);
 }
 
+/// The panel of a stop may have been closed.
+void show_panel_of(PanelContext& context, const TourStop& stop) {
+  for (std::size_t k = 0; k < kPanelCount; ++k) {
+    const auto panel = static_cast<PanelId>(k);
+    if (stop.panel == "panel " + panel_name(panel)) context.memory.window.layout.show(panel);
+  }
+}
+
 void draw_buttons(PanelContext& context) {
   std::optional<std::size_t>& tour = context.memory.tour;
   const bool is_last = *tour + 1 == kStops.size();
@@ -99,6 +108,7 @@ void draw_tour(PanelContext& context) {
   const TourStop& stop = kStops[*memory.tour];
   if (memory.toured != memory.tour) {
     memory.welcome = false;  // it would hide what some stops show
+    show_panel_of(context, stop);
     stop.set_up(context);
   }
   memory.toured = memory.tour;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <functional>
 
 #include "viz/debugger/panels/panel_menu.h"
@@ -85,12 +86,20 @@ void offer_panels(CommandList& commands, const WindowLayout& layout) {
   }
 }
 
+void zoom_in_middle(PanelContext& context, double clicks) {
+  const auto view = context.gui.find("view");
+  const double half = 0.5 * context.gui.scale();
+  if (view) context.view.zoom(clicks, half * double{view->width}, half * double{view->height});
+}
+
 void offer_camera(CommandList& commands) {
   struct CameraWay {
     const char* name;
     double x;
     double y;
   };
+  commands.add("nearer", "Ctrl+.", [](PanelContext& c) { zoom_in_middle(c, 1); });
+  commands.add("farther", "Ctrl+,", [](PanelContext& c) { zoom_in_middle(c, -1); });
   for (const CameraWay& way : {CameraWay{"left", -kCameraStep, 0}, CameraWay{"right", kCameraStep, 0},
                                CameraWay{"up", 0, -kCameraStep}, CameraWay{"down", 0, kCameraStep}}) {
     commands.add("turn the view " + std::string(way.name), "Ctrl+arrows",
@@ -124,6 +133,23 @@ void offer_extents(CommandList& commands) {
                    });
 }
 
+/// What is an area, but not for a click.
+bool is_only_an_area(const std::string& name) {
+  constexpr auto kAreas =
+      std::to_array<std::string_view>({"view", "scrubber", "minimap", "icicle", "events"});
+  return name.starts_with("panel ") || name.starts_with("divider ") ||
+         std::ranges::find(kAreas, name) != kAreas.end();
+}
+
+/// Whatever can be clicked in the panels, by the name that scripts use.
+void offer_presses(CommandList& commands, PanelContext& context, std::string_view query) {
+  if (!query.starts_with("press")) return;
+  for (const auto& [name, area] : context.gui.named())
+    if (!is_only_an_area(name))
+      commands.add("press " + name, "as a click does",
+                   [name = name](PanelContext& c) { c.memory.press = name; });
+}
+
 }  // namespace
 
 std::vector<Hit> window_hits(PanelContext& context, std::string_view query) {
@@ -132,6 +158,7 @@ std::vector<Hit> window_hits(PanelContext& context, std::string_view query) {
   offer_camera(commands);
   offer_extents(commands);
   offer_panels(commands, context.memory.window.layout);
+  offer_presses(commands, context, query);
   return commands.take();
 }
 

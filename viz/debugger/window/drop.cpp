@@ -16,25 +16,25 @@ PanelArea end_of_area(const PanelArea& area, bool is_along, bool is_first, float
   return part;
 }
 
-std::optional<Drop> drop_on_cell(const PanelCell& cell, const ArrangedCell& at, PanelId panel, float x,
-                                 float y) {
+std::optional<PanelDrop> drop_on_cell(const PanelCell& cell, const ArrangedCell& at, PanelId panel, float x,
+                                      float y) {
   const bool is_along = at.index.place == PanelPlace::below;
   const float share = is_along ? (x - at.area.x) / at.area.width : (y - at.area.y) / at.area.height;
   const bool has_it = std::ranges::find(cell.tabs, panel) != cell.tabs.end();
   if (has_it && cell.tabs.size() == 1) return std::nullopt;
   if (share < kDropEdge)
-    return Drop{{at.index, DropSide::before}, end_of_area(at.area, is_along, true, 0.5F)};
+    return PanelDrop{{at.index, DropSide::before}, end_of_area(at.area, is_along, true, 0.5F)};
   if (share > 1 - kDropEdge)
-    return Drop{{at.index, DropSide::after}, end_of_area(at.area, is_along, false, 0.5F)};
+    return PanelDrop{{at.index, DropSide::after}, end_of_area(at.area, is_along, false, 0.5F)};
   if (has_it) return std::nullopt;
-  return Drop{{at.index, DropSide::tab}, at.area};
+  return PanelDrop{{at.index, DropSide::tab}, at.area};
 }
 
 /// At the edges of the view a panel goes to a place that has none.
-std::optional<Drop> drop_on_view(const WindowLayout& layout, const PanelArea& middle, float x, float y) {
-  const auto drop = [&](PanelPlace place, bool is_along, bool is_first) -> std::optional<Drop> {
+std::optional<PanelDrop> drop_on_view(const WindowLayout& layout, const PanelArea& middle, float x, float y) {
+  const auto drop = [&](PanelPlace place, bool is_along, bool is_first) -> std::optional<PanelDrop> {
     if (!layout.cells(place).empty()) return std::nullopt;
-    return Drop{{{place, 0}, DropSide::after}, end_of_area(middle, is_along, is_first, kDropEdge)};
+    return PanelDrop{{{place, 0}, DropSide::after}, end_of_area(middle, is_along, is_first, kDropEdge)};
   };
   const float across = (x - middle.x) / middle.width;
   if (across < kDropEdge) return drop(PanelPlace::left, true, true);
@@ -45,8 +45,8 @@ std::optional<Drop> drop_on_view(const WindowLayout& layout, const PanelArea& mi
 
 }  // namespace
 
-std::optional<Drop> drop_at(const WindowLayout& layout, const Arrangement& arrangement, PanelId panel,
-                            float x, float y) {
+std::optional<PanelDrop> drop_at(const WindowLayout& layout, const Arrangement& arrangement, PanelId panel,
+                                 float x, float y) {
   const auto found =
       std::ranges::find_if(arrangement.cells, [&](const ArrangedCell& cell) { return cell.area.has(x, y); });
   if (found != arrangement.cells.end())

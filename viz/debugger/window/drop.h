@@ -7,12 +7,12 @@
 namespace kerf {
 
 /// What happens if a panel is dropped, and the area that it would get.
-struct Drop {
+struct PanelDrop {
   DropTarget target;
   PanelArea area;
 };
 /// None where a drop changes nothing.
-std::optional<Drop> drop_at(const WindowLayout& layout, const Arrangement& arrangement, PanelId panel,
-                            float x, float y);
+std::optional<PanelDrop> drop_at(const WindowLayout& layout, const Arrangement& arrangement, PanelId panel,
+                                 float x, float y);
 
 }  // namespace kerf
