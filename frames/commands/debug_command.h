@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "frames/sequence/render_request.h"
 
@@ -30,6 +31,7 @@ class DebugCommand {
   RenderTexts texts_;
   std::string script_;
   std::string out_;
+  std::vector<std::string> sessions_;
   bool headless_ = false;
 };
 

@@ -39,6 +39,7 @@ void draw_tab(PanelContext& context, const char* name, void (*draw)(PanelContext
   const bool open = ImGui::BeginTabItem(name, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
   context.gui.name_last_item(std::string("tab ") + name, name);
   if (!open) return;
+  context.memory.session.shown_tab = name;
   ImGui::BeginChild(name, {0, 0}, false);
   draw(context);
   ImGui::EndChild();
@@ -113,7 +114,8 @@ Debugger::Debugger(GlContext& context, std::unique_ptr<Run> run)
       model_(std::move(run)),
       gui_(context.functions()),
       view_(make_scene_view(context.functions(), model_.run())),
-      run_(&model_.run()) {}
+      run_(&model_.run()),
+      recording_(run_->path()) {}
 
 void Debugger::frame(const DebuggerInput& input, int width, int height) {
   take_in(input, width, height);
@@ -122,6 +124,7 @@ void Debugger::frame(const DebuggerInput& input, int width, int height) {
 
 void Debugger::take_in(const DebuggerInput& input, int width, int height) {
   context_.make_current();
+  do_what_was_asked(input);
   width = std::max(width, kLeastDebuggerWidth);
   height = std::max(height, kLeastDebuggerHeight);
   if (width != width_ || height != height_) framebuffer_.emplace(context_.functions(), width, height, 1);
@@ -132,12 +135,13 @@ void Debugger::take_in(const DebuggerInput& input, int width, int height) {
   // After long work it does not make up for all of the time.
   model_.pass_time(std::min(input.seconds, kLongestPause + model_.seconds_to_next()));
   gui_.begin(input, width, height);
-  if (input.key && !gui_.is_typing()) take_key(*input.key, input.shift);
+  if (input.key && !gui_.is_typing() && !take_session_key(input)) take_key(*input.key, input.shift);
   update_views(layout);
   const auto start = std::chrono::steady_clock::now();
   PanelContext context{model_, gui_, memory_, *view_};
   draw_panels(context, layout);
   gui_.end();
+  see_view(input);
   panel_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -222,9 +226,11 @@ void Debugger::draw_panels(PanelContext& context, const PanelLayout& layout) {
       gui_, "timeline", layout.timeline, [&] { draw_timeline(context); },
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   draw_welcome(context);
+  draw_session_offer(context);
   draw_tour(context);
   draw_search(context);
   draw_help(context);
+  copy_as_wished(context);
   model_.hovered_node = std::exchange(memory_.hovered_node, std::nullopt);
 }
 

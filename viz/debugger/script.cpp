@@ -93,7 +93,8 @@ const std::map<std::string, Key>& key_names() {
                                                  {"x", Key::x},         {"t", Key::t},
                                                  {"j", Key::j},         {"g", Key::g},
                                                  {"p", Key::p},         {"tab", Key::tab},
-                                                 {"w", Key::w}};
+                                                 {"w", Key::w},         {"y", Key::y},
+                                                 {"z", Key::z}};
   return kNames;
 }
 
@@ -224,6 +225,11 @@ void ScriptPlayer::play(const ScriptLine& line) {
       fail(line, "'" + word(1) + "' is no name of a picture: all of them lie in one folder");
     return take_picture(word(1));
   }
+  if (verb == "save" || verb == "load") return use_session(line);
+  if (verb == "drop") {
+    input_.dropped = word(1);
+    return frames(2);
+  }
   if (verb == "expect") return expect(line);
   if (verb == "remember") {
     remembered_[word(1)] = fact(line, word(2));
@@ -231,7 +237,27 @@ void ScriptPlayer::play(const ScriptLine& line) {
   }
   fail(line, "'" + verb +
                  "' is none of key, click, double, hover, drag, wheel, type, wait, screenshot, expect, "
-                 "remember, welcome");
+                 "remember, welcome, save, load, drop");
+}
+
+/// "save session FILE" and "load session FILE"; without FILE the one that is kept, else the one beside the
+/// recording.
+void ScriptPlayer::use_session(const ScriptLine& line) {
+  if (!has_word(line, 1, "session")) fail(line, "it is written `" + line.words[0] + " session [FILE]`");
+  std::filesystem::path file = debugger_.session_file();
+  if (file.empty()) file = session_path(debugger_.model().run().path());
+  if (line.words.size() > 2) file = line.words[2];
+  try {
+    const bool saves = line.words[0] == "save";
+    const std::string problem = saves ? debugger_.save_session(file) : "";
+    if (!problem.empty()) fail(line, problem);
+    if (!saves) debugger_.load_session(file);
+  } catch (const ScriptError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    fail(line, error.what());
+  }
+  frames(2);
 }
 
 /// As a person does it: the mouse is there before the click, and stays for a frame after it.
@@ -286,14 +312,20 @@ void ScriptPlayer::press(const ScriptLine& line, const std::string& text) {
   std::string name = text;
   std::ranges::transform(name, name.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const bool shift = name.starts_with("shift+");
-  if (shift) name.erase(0, 6);
+  const auto begins_with = [&](std::string_view word) {
+    const bool does = name.starts_with(word);
+    if (does) name.erase(0, word.size());
+    return does;
+  };
+  const bool control = begins_with("ctrl+");
+  const bool shift = begins_with("shift+");
   const auto key = key_called(name);
   if (!key) fail(line, "there is no key '" + text + "'; there are 0 to 9" + names_of(key_names()));
   input_.shift = shift;
+  input_.control = control;
   input_.key = key;
   frames(1);
-  input_.shift = false;
+  input_.shift = input_.control = false;
   frames(2);
 }
 

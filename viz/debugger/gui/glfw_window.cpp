@@ -46,6 +46,9 @@ std::optional<Key> key_of(int key) {
                                         {GLFW_KEY_G, Key::g},
                                         {GLFW_KEY_P, Key::p},
                                         {GLFW_KEY_W, Key::w},
+                                        {GLFW_KEY_V, Key::v},
+                                        {GLFW_KEY_Y, Key::y},
+                                        {GLFW_KEY_Z, Key::z},
                                         {GLFW_KEY_ESCAPE, Key::escape},
                                         {GLFW_KEY_ENTER, Key::enter},
                                         {GLFW_KEY_KP_ENTER, Key::enter},
@@ -118,6 +121,11 @@ void note_place(GLFWwindow* window, double x, double y) {
   note(window, MouseMove{static_cast<float>(x * scale), static_cast<float>(y * scale)});
 }
 
+/// Of several files the first one.
+void note_drop(GLFWwindow* window, int count, const char** paths) {
+  if (count > 0) note(window, DroppedFile{paths[0]});
+}
+
 void note_size(GLFWwindow* window, int /*width*/, int /*height*/) { note(window, NothingElse{}); }
 
 void note_damage(GLFWwindow* window) { note(window, NothingElse{}); }
@@ -165,6 +173,7 @@ void GlfwWindow::listen() {
   glfwSetScrollCallback(window_.get(), note_wheel);
   glfwSetMouseButtonCallback(window_.get(), note_button);
   glfwSetCursorPosCallback(window_.get(), note_place);
+  glfwSetDropCallback(window_.get(), note_drop);
   glfwSetFramebufferSizeCallback(window_.get(), note_size);
   glfwSetWindowRefreshCallback(window_.get(), note_damage);
   double x = 0;
@@ -205,6 +214,10 @@ bool GlfwWindow::goes_on(const std::string& progress) {
   return !queue_.take_tap(Key::escape) && !should_close();
 }
 
+void GlfwWindow::set_title(const std::string& title) {
+  if (std::exchange(title_, title) != title) glfwSetWindowTitle(window_.get(), title_.c_str());
+}
+
 void GlfwWindow::copy(const std::string& text) { glfwSetClipboardString(window_.get(), text.c_str()); }
 
 std::string GlfwWindow::clipboard() const {
@@ -225,7 +238,17 @@ bool GlfwWindow::wait(double seconds) const {
 
 DebuggerInput GlfwWindow::take_input() {
   if (std::exchange(is_busy_, false)) glfwSetWindowTitle(window_.get(), title_.c_str());
-  return queue_.take(seconds());
+  DebuggerInput input = queue_.take(seconds());
+  if (input.control && input.key == Key::v) paste(input);
+  return input;
+}
+
+/// As if it were typed, without what ends a line: fields have one.
+void GlfwWindow::paste(DebuggerInput& input) const {
+  input.text = clipboard();
+  std::erase_if(input.text, [](char c) { return c == '\n' || c == '\r'; });
+  input.key.reset();
+  input.control = false;
 }
 
 }  // namespace kerf

@@ -30,6 +30,7 @@ class GlfwWindow final : public GlContext {
   /// Call it now and then in long work: it shows `progress` as title, responds to the display, and returns
   /// false once the user has pressed Escape or closes the window.
   [[nodiscard]] bool goes_on(const std::string& progress);
+  void set_title(const std::string& title);
   /// Puts a text into the clipboard of the display.
   void copy(const std::string& text);
   /// The text in it; empty if it has none.
@@ -55,6 +56,7 @@ class GlfwWindow final : public GlContext {
   };
   static GLFWwindow* make_window(const std::string& title, int width, int height);
   void listen();
+  void paste(DebuggerInput& input) const;
 
   Library library_;
   std::unique_ptr<GLFWwindow, Close> window_;

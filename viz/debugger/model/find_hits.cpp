@@ -54,13 +54,6 @@ Enumeration following(Enumeration value) {
   return static_cast<Enumeration>(static_cast<int>(value) + 1);
 }
 
-bool has_all_words(const std::string& name, const std::string& query) {
-  std::istringstream words(query);
-  for (std::string word; words >> word;)
-    if (lower(name).find(word) == std::string::npos) return false;
-  return true;
-}
-
 Hit selecting(const Selection& thing, const GivenNames& names, std::string note) {
   return {to_string(thing, names), std::move(note), [thing](DebuggerModel& model) { model.select(thing); }};
 }
@@ -157,7 +150,23 @@ void add_condition(const std::string& query, std::vector<Hit>& hits) {
       {"stop where " + query, "breakpoint", [query](DebuggerModel& model) { model.add_breakpoint(query); }});
 }
 
+void add_bookmarks(const DebuggerModel& model, const std::string& query, std::vector<Hit>& hits) {
+  for (const auto& [moment, note] : model.bookmarks) {
+    const std::string name = "bookmark " + to_string(moment, model.run().names());
+    if (has_all_words(name + " " + note, query))
+      hits.push_back(
+          {name, note.empty() ? "go there" : note, [at = moment](DebuggerModel& to) { to.go(at); }});
+  }
+}
+
 }  // namespace
+
+bool has_all_words(const std::string& name, const std::string& query) {
+  std::istringstream words(lower(query));
+  const std::string in = lower(name);
+  return std::all_of(std::istream_iterator<std::string>(words), {},
+                     [&](const std::string& word) { return in.find(word) != std::string::npos; });
+}
 
 std::vector<Hit> find_hits(DebuggerModel& model, std::string_view query) {
   std::vector<Hit> hits;
@@ -177,6 +186,7 @@ std::vector<Hit> find_hits(DebuggerModel& model, std::string_view query) {
   }
   add_condition(text, hits);
   std::vector<Hit> commands;
+  add_bookmarks(model, text, commands);
   add_commands(lower(text), commands);
   std::ranges::stable_sort(commands, {}, [&](const Hit& hit) { return distance_to(hit.text, lower(text)); });
   std::ranges::move(commands, std::back_inserter(hits));

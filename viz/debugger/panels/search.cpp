@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "viz/debugger/gui/widgets.h"
-#include "viz/debugger/model/find_hits.h"
 #include "viz/debugger/panels/panel.h"
+#include "viz/debugger/panels/session_hits.h"
 #include "viz/draw/palette.h"
 
 namespace kerf {
@@ -41,22 +41,29 @@ void follow_hit(PanelContext& context, const Hit& hit) {
 }
 
 /// Earlier queries come back by their first hit.
-std::vector<Hit> hits_of_history(DebuggerModel& model, const SearchMemory& search) {
+std::vector<Hit> hits_of_history(const PanelContext& context) {
   std::vector<Hit> hits;
-  for (const std::string& query : search.history)
-    if (std::vector<Hit> found = find_hits(model, query); !found.empty())
+  for (const std::string& query : context.memory.search.history)
+    if (std::vector<Hit> found = find_all_hits(context, query); !found.empty())
       hits.push_back({query, "searched before", std::move(found.front().go)});
   return hits;
+}
+
+/// As much of a long text as a row has room for: of a path its end.
+std::string ending_of(const std::string& text) {
+  constexpr std::size_t kMost = 48;
+  return text.size() <= kMost ? text : "..." + text.substr(text.size() - kMost + 3);
 }
 
 void draw_hits(PanelContext& context, const std::vector<Hit>& hits) {
   SearchMemory& search = context.memory.search;
   const std::size_t first = search.chosen < kMostHits ? 0 : search.chosen - kMostHits + 1;
   for (std::size_t k = first; k < std::min(hits.size(), first + kMostHits); ++k) {
-    if (widgets::row(context.gui, hits[k].text, "hit " + std::to_string(k), k == search.chosen))
+    const std::string text = ending_of(hits[k].text);
+    if (widgets::row(context.gui, text, "hit " + std::to_string(k), k == search.chosen))
       return follow_hit(context, hits[k]);
-    ImGui::SameLine(280);
-    ImGui::TextDisabled("%s", hits[k].note.c_str());
+    ImGui::SameLine(std::max(280.0F, ImGui::CalcTextSize(text.c_str()).x + 20));
+    ImGui::TextDisabled("%s", widgets::elided(hits[k].note, ImGui::GetContentRegionAvail().x).c_str());
   }
   if (hits.empty()) ImGui::TextDisabled("nothing of that name here");
   if (hits.size() > kMostHits) ImGui::TextDisabled("%zu in all", hits.size());
@@ -74,9 +81,9 @@ void draw_search(PanelContext& context) {
                           ImGuiWindowFlags_NoSavedSettings;
   ImGui::SetNextWindowFocus();
   if (ImGui::Begin("search", nullptr, kFlags)) {
-    std::vector<Hit> hits = find_hits(context.model, search.text);
+    std::vector<Hit> hits = find_all_hits(context, search.text);
     if (search.text.empty()) {
-      std::vector<Hit> earlier = hits_of_history(context.model, search);
+      std::vector<Hit> earlier = hits_of_history(context);
       earlier.insert(earlier.end(), hits.begin(), hits.end());
       hits = std::move(earlier);
     }
