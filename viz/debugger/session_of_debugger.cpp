@@ -94,7 +94,8 @@ std::string Debugger::keep_session() {
   if (keeper_.file().empty()) return "";
   DebuggerSession session = present_session();
   const bool unasked = keeper_.file() == session_path(recording_);
-  const bool is_new = unasked && !std::filesystem::exists(keeper_.file());
+  std::error_code error;
+  const bool is_new = unasked && !std::filesystem::exists(keeper_.file(), error);
   if ((is_new || offered_) && !has_anything(session)) return "";
   if (offered_) session = join(std::move(session), *offered_);
   std::string problem = keeper_.keep(session);

@@ -71,7 +71,7 @@ expect step == 20
 expect breakpoint0 == "op==merge"
 expect note0 == "grown tree"
 expect selection == n0
-expect lanes_to == 35
+expect lanes_to == 40
 expect message == "went on at 1 breakpoint, 1 bookmark, step 20"
 key shift+.
 )"),
@@ -103,6 +103,7 @@ TEST_F(DebuggerSessions, WhoOnlyLooksAroundLeavesNoFile) {
 
 TEST_F(DebuggerSessions, OneOfAnotherRecordingSaysSo) {
   ASSERT_EQ(play(kWork), "");
+  std::filesystem::remove(recording());
   test::record_crowd<2>(recording(), 12, test::busy_config());
   EXPECT_EQ(play(R"(
 expect offer_warning ~ "made for another recording"

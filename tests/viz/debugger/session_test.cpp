@@ -228,6 +228,9 @@ TEST_F(KeptSession, AFolderThatCannotBeWrittenIsSaidOnce) {
   SessionKeeper keeper(folder_.path() / "none" / "run.session");
   EXPECT_THAT(keeper.keep(full_session()), HasSubstr("is not saved"));
   EXPECT_EQ(keeper.keep({}), "");
+  std::filesystem::create_directory(folder_.path() / "none");
+  EXPECT_EQ(keeper.keep(full_session()), "");
+  EXPECT_EQ(read_session_file(keeper.file()), full_session()) << "once it can be";
 }
 
 TEST_F(KeptSession, NothingIsKeptWithoutAFile) {

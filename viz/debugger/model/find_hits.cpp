@@ -185,8 +185,8 @@ std::vector<Hit> find_hits(DebuggerModel& model, std::string_view query) {
     if (may_be("step ")) add_step(model, id, hits);
   }
   add_condition(text, hits);
+  add_bookmarks(model, text, hits);
   std::vector<Hit> commands;
-  add_bookmarks(model, text, commands);
   add_commands(lower(text), commands);
   std::ranges::stable_sort(commands, {}, [&](const Hit& hit) { return distance_to(hit.text, lower(text)); });
   std::ranges::move(commands, std::back_inserter(hits));

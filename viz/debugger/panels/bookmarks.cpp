@@ -10,6 +10,7 @@ namespace {
 bool draw_bookmark(PanelContext& context, std::size_t k, const Position& moment, std::string& note) {
   const std::string number = std::to_string(k);
   ImGui::PushID(2000 + static_cast<int>(k));
+  ImGui::AlignTextToFramePadding();
   const bool removed = ImGui::SmallButton("x");
   context.gui.name_last_item("remove bookmark " + number);
   ImGui::SameLine();
@@ -22,6 +23,7 @@ bool draw_bookmark(PanelContext& context, std::size_t k, const Position& moment,
     context.memory.session.note_of.reset();
   }
   widgets::text_field(context.gui, ("note " + number).c_str(), note, "note", -1);
+  if (!note.empty()) widgets::hint(note.c_str());  // it may be longer than the field
   ImGui::PopID();
   if (pressed) context.model.go(moment);
   return removed;
@@ -35,7 +37,7 @@ void draw_bookmarks(PanelContext& context) {
   ImGui::TextUnformatted("Bookmarks");
   if (bookmarks.empty()) {
     ImGui::SameLine();
-    ImGui::TextDisabled("B here, Shift+B with a note");
+    ImGui::TextDisabled("B; Shift+B: note");
   }
   std::optional<Position> removed;
   std::size_t k = 0;

@@ -174,17 +174,23 @@ bool is_within(const PanelArea& area, ImVec2 point) {
          point.y < area.y + area.height;
 }
 
-/// The panel under the mouse; null where there is none to be copied.
-const CopiedPanel* panel_under_mouse(const PanelContext& context) {
+constexpr std::string_view kInspector = "inspector";
+
+/// The window under the mouse whose panel can be copied; empty if there is none.
+std::string_view place_under_mouse(const PanelContext& context) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const auto is_there = [&](std::string_view place) {
     const auto area = context.gui.find("panel " + std::string(place));
     return area && is_within(*area, mouse);
   };
-  const std::string& tab = context.memory.session.shown_tab;
-  const auto found = std::ranges::find_if(kCopiedPanels, [&](const CopiedPanel& panel) {
-    return is_there(panel.place) || (panel.place == tab && is_there("inspector"));
-  });
+  if (is_there(kInspector)) return kInspector;
+  const auto found = std::ranges::find_if(kCopiedPanels, is_there, &CopiedPanel::place);
+  return found == kCopiedPanels.end() ? std::string_view() : found->place;
+}
+
+/// Null if there is none.
+const CopiedPanel* panel_at(std::string_view place, const std::string& tab) {
+  const auto found = std::ranges::find(kCopiedPanels, place == kInspector ? tab : place, &CopiedPanel::place);
   return found == kCopiedPanels.end() ? nullptr : &*found;
 }
 
@@ -218,16 +224,15 @@ void put_into_clipboard(PanelContext& context, std::string text, const std::stri
 
 void copy_as_wished(PanelContext& context) {
   SessionMemory& session = context.memory.session;
-  const CopiedPanel* const under = panel_under_mouse(context);
-  if (under != nullptr && ImGui::IsMouseClicked(0)) session.used_panel = under->name;
+  const std::string_view under = place_under_mouse(context);
+  if (!under.empty() && ImGui::IsMouseClicked(0)) session.used_panel = under;
   const auto wish = std::exchange(session.copy, std::nullopt);
   if (!wish) return;
-  const std::string& used = session.used_panel;
-  const std::string name = !wish->panel.empty() ? wish->panel
-                           : under != nullptr   ? std::string(under->name)
-                                                : used;
-  const auto panel = std::ranges::find(kCopiedPanels, name, &CopiedPanel::name);
-  if (panel != kCopiedPanels.end()) return copy(context, *panel, wish->as_csv);
+  const auto named = std::ranges::find(kCopiedPanels, wish->panel, &CopiedPanel::name);
+  const CopiedPanel* const panel =
+      named != kCopiedPanels.end() ? &*named
+                                   : panel_at(under.empty() ? session.used_panel : under, session.shown_tab);
+  if (panel != nullptr) return copy(context, *panel, wish->as_csv);
   context.model.message = "put the mouse over a panel to copy it";
   context.model.message_is_error = false;
 }

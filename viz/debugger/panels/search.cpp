@@ -99,6 +99,7 @@ void draw_search(PanelContext& context) {
     if (std::exchange(search.begins, false)) ImGui::SetKeyboardFocusHere();
     const bool entered = widgets::text_field(context.gui, "search text", search.text,
                                              "node, object, pair, event, step, condition, command", -1);
+    widgets::go_on_typing();
     ImGui::PopID();
     if (search.text != before) search.chosen = 0;
     draw_hits(context, hits);

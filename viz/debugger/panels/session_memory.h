@@ -25,7 +25,7 @@ struct SessionMemory {
   int changes_back = 0;                       ///< changes of the view to take back; below zero: to make again
   std::optional<Position> note_of;            ///< the bookmark whose note takes the keys in the next frame
   std::optional<CopyWish> copy;
-  std::string used_panel;  ///< the last one that was clicked
+  std::string used_panel;  ///< the window of the last one that was clicked
   std::string shown_tab;   ///< of the inspector
 };
 

@@ -35,14 +35,13 @@ std::filesystem::path session_path(const std::filesystem::path& recording) {
 DebuggerSession read_session_file(const std::filesystem::path& file) { return parse(content_of(file), file); }
 
 std::optional<DebuggerSession> SessionKeeper::read() {
-  if (file_.empty() || !std::filesystem::exists(file_)) return std::nullopt;
-  try {
-    known_ = content_of(file_);
-    return parse(known_, file_);
-  } catch (...) {
-    has_failed_ = true;
-    throw;
-  }
+  std::error_code error;
+  if (file_.empty() || !std::filesystem::exists(file_, error)) return std::nullopt;
+  is_foreign_ = true;
+  known_ = content_of(file_);
+  DebuggerSession session = parse(known_, file_);
+  is_foreign_ = false;
+  return session;
 }
 
 void SessionKeeper::write(const std::string& text) {
@@ -60,15 +59,14 @@ void SessionKeeper::write(const std::string& text) {
 }
 
 std::string SessionKeeper::keep(const DebuggerSession& session) {
-  if (file_.empty() || has_failed_) return "";
+  if (file_.empty() || is_foreign_) return "";
   const std::string text = write_session(session);
   if (text == known_) return "";
   try {
     write(text);
     return "";
   } catch (const std::exception& error) {
-    has_failed_ = true;
-    return std::string("the session is not saved: ") + error.what();
+    return std::exchange(has_said_, true) ? "" : std::string("the session is not saved: ") + error.what();
   }
 }
 

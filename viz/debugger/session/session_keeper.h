@@ -36,7 +36,8 @@ class SessionKeeper {
 
   std::filesystem::path file_;  ///< empty: keeps nothing
   std::string known_;           ///< its content as it was read or written last
-  bool has_failed_ = false;
+  bool is_foreign_ = false;     ///< it holds what is no session that can be read
+  bool has_said_ = false;       ///< why it cannot be written
 };
 
 }  // namespace kerf

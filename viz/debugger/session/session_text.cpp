@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace kerf {
 namespace {
@@ -94,7 +94,7 @@ Json json_of(const DebuggerSession::Watch& watch) {
 
 template <class Number = std::uint32_t>
 Number whole(const Json& json) {
-  if (!json.is_number_unsigned() || json.get<std::uint64_t>() > std::numeric_limits<Number>::max())
+  if (!json.is_number_unsigned() || !std::in_range<Number>(json.get<std::uint64_t>()))
     fail(json.dump() + " is no number of a step, an event, a node or an object");
   return json.get<Number>();
 }
@@ -105,10 +105,11 @@ double finite(const Json& json) {
   return value;
 }
 
-double positive(const Json& json) {
+/// A length in the scene.
+double length(const Json& json) {
   const double value = finite(json);
   if (value <= 0) fail(json.dump() + " is no positive number");
-  return value;
+  return std::clamp(value, 1e-6, 1e12);
 }
 
 template <class Name>
@@ -143,7 +144,7 @@ AnyCamera camera_of(const Json& json) {
   if (whole(json.at("dimension")) == 2) {
     CameraChoice<2> camera{.center = {}, .width = {}, .framing = framing};
     if (json.contains("center")) camera.center = point_of<Eigen::Vector2d>(json.at("center"));
-    if (json.contains("width")) camera.width = positive(json.at("width"));
+    if (json.contains("width")) camera.width = length(json.at("width"));
     return camera;
   }
   CameraChoice<3> camera{.yaw = finite(json.at("yaw")),
@@ -152,7 +153,7 @@ AnyCamera camera_of(const Json& json) {
                          .distance = {},
                          .target = {},
                          .framing = framing};
-  if (json.contains("distance")) camera.distance = positive(json.at("distance"));
+  if (json.contains("distance")) camera.distance = length(json.at("distance"));
   if (json.contains("target")) camera.target = point_of<Eigen::Vector3d>(json.at("target"));
   return camera;
 }
@@ -161,8 +162,8 @@ ViewSettings view_of(const Json& json) {
   ViewSettings view;
   view.layers = LayerSet::parse(json.at("layers").get<std::string>(), LayerSet::none());
   view.tint = name_in<Tint>(json.at("colour"), kTintNames);
-  view.least_depth = json.at("depths").at(0).get<int>();
-  view.greatest_depth = json.at("depths").at(1).get<int>();
+  view.least_depth = whole<int>(json.at("depths").at(0));
+  view.greatest_depth = whole<int>(json.at("depths").at(1));
   for (const Json& node : json.at("hidden_nodes")) view.hidden_nodes.insert(NodeId{whole(node)});
   for (const Json& object : json.at("hidden_objects")) view.hidden_objects.insert(ObjectId{whole(object)});
   if (json.contains("isolated")) view.isolated = NodeId{whole(json.at("isolated"))};
