@@ -20,6 +20,7 @@
 #include "viz/debugger/debugger.h"
 #include "viz/debugger/gui/glfw_window.h"
 #include "viz/debugger/script.h"
+#include "viz/debugger/session/recent_files.h"
 #include "viz/debugger/window_loop.h"
 #include "viz/gl/context.h"
 #include "viz/image/png.h"
@@ -50,11 +51,12 @@ void add_pictures(const std::vector<ScriptLine>& lines, const std::filesystem::p
 }
 
 /// What one sitting with the debugger needs.
-struct Session {
+struct Sitting {
   std::filesystem::path file;
   std::string name;      ///< as the user named it
   bool is_tour = false;  ///< of a scene of our own, since none was named
   std::filesystem::path work_folder;
+  std::vector<std::filesystem::path> sessions;  ///< named by the user
   PictureFolder pictures;
   PictureSize size;
   std::optional<double> scale{};  ///< pixels in a unit of the panels, if given
@@ -62,14 +64,17 @@ struct Session {
   std::optional<std::filesystem::path> window_file{};  ///< layout, zoom and theme from start to start
 };
 
-void play_headless(const Session& session, const std::vector<ScriptLine>& lines) {
+void play_headless(const Sitting& sitting, const std::vector<ScriptLine>& lines) {
   const auto context = make_offscreen_context();
-  Debugger debugger(*context, open_run(session.file));
-  debugger.model().work_folder = session.work_folder;
-  if (session.scale) debugger.set_content_scale(*session.scale);
-  WindowKeeper keeper(debugger, session.window_file, session.theme);
-  ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures).play(lines);
+  Debugger debugger(*context, open_run(sitting.file));
+  debugger.model().work_folder = sitting.work_folder;
+  if (sitting.scale) debugger.set_content_scale(*sitting.scale);
+  WindowKeeper keeper(debugger, sitting.window_file, sitting.theme);
+  debugger.go_on_with_files(sitting.sessions);
+  ScriptPlayer(debugger, sitting.size.width, sitting.size.height, sitting.pictures).play(lines);
   keeper.keep();
+  if (const std::string problem = debugger.keep_session(); !problem.empty())
+    throw std::runtime_error(problem);
 }
 
 void save_picture(Debugger& debugger, const PictureFolder& folder) {
@@ -84,34 +89,49 @@ void save_picture(Debugger& debugger, const PictureFolder& folder) {
   }
 }
 
-void show_window(const Session& session, const std::vector<ScriptLine>& lines, GlfwWindow& window) {
+/// The window closes: what is to be said goes to the terminal.
+void leave(Debugger& debugger) {
+  const std::string problem = debugger.keep_session();
+  if (!problem.empty()) std::fprintf(stderr, "%s\n", problem.c_str());
+}
+
+void show_window(const Sitting& sitting, const std::vector<ScriptLine>& lines, GlfwWindow& window) {
   const InterruptGuard interrupt;
-  show_opening(session.name, window);
-  std::unique_ptr<Run> run = open_run(session.file);
-  window.set_title(run->info().scene + " - kerf debug " + session.name);
+  show_opening(sitting.name, window);
+  std::unique_ptr<Run> run = open_run(sitting.file);
   Debugger debugger(window, std::move(run));
-  debugger.model().work_folder = session.work_folder;
+  debugger.model().work_folder = sitting.work_folder;
+  window.set_title(debugger.title());
+  debugger.go_on_with_files(sitting.sessions);
   debugger.model().on_long_work = [&](std::uint32_t step) {
     const bool goes_on =
         window.goes_on("step " + debugger.model().run().names().step(step) + " (Escape ends this)");
     return goes_on && !interrupt.requested();
   };
-  if (session.scale) debugger.set_content_scale(*session.scale);
-  WindowKeeper keeper(debugger, session.window_file, session.theme);
-  WindowLoop loop(window, debugger, session.scale);
+  if (sitting.scale) debugger.set_content_scale(*sitting.scale);
+  WindowKeeper keeper(debugger, sitting.window_file, sitting.theme);
+  WindowLoop loop(window, debugger, sitting.scale);
   if (!lines.empty()) {
-    ScriptPlayer(debugger, session.size.width, session.size.height, session.pictures, [&] {
+    ScriptPlayer(debugger, sitting.size.width, sitting.size.height, sitting.pictures, [&] {
       loop.present();
     }).play(lines);
-    return keeper.keep();
-  }
-  debugger.welcome();
-  if (session.is_tour) debugger.begin_tour();
-  while (!window.should_close() && !interrupt.requested()) {
-    if (!loop.turn()) continue;
-    if (debugger.takes_screenshot()) save_picture(debugger, session.pictures);
     keeper.keep();
+    leave(debugger);
+    return;
   }
+  if (sitting.sessions.empty()) debugger.welcome();
+  if (sitting.is_tour) debugger.begin_tour();
+  debugger.remember_in(config_folder());
+  debugger.keep_sessions_beside();
+  while (!window.should_close() && !interrupt.requested()) {
+    if (loop.turn()) {
+      if (debugger.takes_screenshot()) save_picture(debugger, sitting.pictures);
+      keeper.keep();
+    }
+    window.set_title(debugger.title());
+    debugger.keep_session_at(window.seconds());
+  }
+  leave(debugger);
 }
 
 }  // namespace
@@ -141,6 +161,12 @@ DebugCommand::DebugCommand(CLI::App& program)
          "FILE");
   command_->add_flag("--headless", headless_, "Without a window or display: needs --script");
   option("--script", script_, "Do what this file says, and end", "FILE");
+  command_
+      ->add_option(
+          "--session", sessions_,
+          "Go on where it was, and keep it there (default in a window: FILE.session); several are joined")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   add_output(*command_, "-o,--out", out_, "Folder for the pictures of F12 and of scripts (default: here)",
              "DIR");
   command_->footer(kDebugFooter);
@@ -222,7 +248,10 @@ void DebugCommand::run() const {
                      std::to_string(kLeastDebuggerWidth) + "x" + std::to_string(kLeastDebuggerHeight));
   const auto pixels = scale();
   const auto colours = theme();
-  Outputs outputs({script_, !is_tour() && names_recording(texts_) ? texts_.scene : ""}, texts_.overwrite);
+  std::vector<std::filesystem::path> inputs{script_,
+                                            !is_tour() && names_recording(texts_) ? texts_.scene : ""};
+  inputs.insert(inputs.end(), sessions_.begin(), sessions_.end());
+  Outputs outputs(std::move(inputs), texts_.overwrite);
   const PictureFolder pictures{out_.empty() ? "." : out_, outputs.replace()};
   outputs.add_recording(texts_.record);
   add_pictures(lines, pictures.path, outputs);
@@ -234,13 +263,13 @@ void DebugCommand::run() const {
   const std::filesystem::path file =
       request ? record(*request, window ? &*window : nullptr) : std::filesystem::path(texts_.scene);
   tune_allocator_for_rendering();
-  const Session session{file, name(), is_tour(), scratch.path(), pictures,
-                        size, pixels, colours,   window_file()};
+  const Sitting sitting{file,     name(), is_tour(), scratch.path(), {sessions_.begin(), sessions_.end()},
+                        pictures, size,   pixels,    colours,        window_file()};
   try {
     if (headless_) {
-      play_headless(session, lines);
+      play_headless(sitting, lines);
     } else {
-      show_window(session, lines, *window);
+      show_window(sitting, lines, *window);
     }
   } catch (const ExpectationFailed& error) {
     throw DoesNotHold(script_ + ", " + error.what());

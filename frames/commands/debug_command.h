@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "frames/sequence/render_request.h"
 #include "viz/draw/theme.h"
@@ -45,6 +46,7 @@ class DebugCommand {
   std::string scale_;
   std::string theme_;
   std::string window_file_;
+  std::vector<std::string> sessions_;
   bool headless_ = false;
 };
 

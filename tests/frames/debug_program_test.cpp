@@ -134,6 +134,31 @@ TEST_F(DebugProgram, AFileOrFolderNamedLikeASceneDoesNotHideIt) {
   }
 }
 
+TEST_F(DebugProgram, ASessionIsReadAndKeptWhereItIsNamed) {
+  record();
+  const auto play = [&](const std::string& script, const std::vector<std::string>& sessions) {
+    write("s", script);
+    std::vector<std::string> words{"debug", path("run.kerf"), "--headless", "--script", path("s")};
+    for (const std::string& session : sessions) words.insert(words.end(), {"--session", path(session)});
+    return run_kerf(words);
+  };
+  EXPECT_EQ(play("key End\nkey b\n", {}).exit, 0);
+  EXPECT_FALSE(std::filesystem::exists(path("run.kerf.session"))) << "not asked for";
+  EXPECT_EQ(play("key End\nkey b\n", {"mine"}).exit, 0);
+  EXPECT_EQ(play("expect step == 40\nexpect bookmarks == 1\nkey Home\nkey b\n", {"mine"}).exit, 0);
+  EXPECT_EQ(play("key Home\nkey shift+.\nkey b\n", {"hers"}).exit, 0);
+  EXPECT_EQ(play("expect bookmarks == 3\n", {"mine", "hers"}).exit, 0);
+  EXPECT_EQ(play("load session\nexpect bookmarks == 3\n", {}).exit, 0) << "beside the recording";
+  EXPECT_EQ(play("expect bookmarks == 1\n", {"hers"}).exit, 0) << "it stays as it is";
+  write("letter", "dear");
+  const Outcome refused = play("key b\n", {"letter"});
+  EXPECT_EQ(refused.exit, 2);
+  EXPECT_THAT(refused.err, HasSubstr(path("letter") + " stays as it is: "));
+  const Outcome unwritable = play("key b\n", {"none/mine"});
+  EXPECT_EQ(unwritable.exit, 2);
+  EXPECT_THAT(unwritable.err, HasSubstr("the session is not saved"));
+}
+
 TEST_F(DebugProgram, OptionsOfASceneAreRefusedForARecording) {
   record();
   write("s", "expect steps == 40\n");

@@ -97,6 +97,7 @@ constexpr auto kLayers = std::to_array<Layer>({
     {"viz/debugger/model/", 3, "runs, breakpoints, lanes, selection"},
     {"viz/debugger/window/", 4, "layout of the window, and what a user chose of it"},
     {"viz/debugger/scene/", 4, "the view of the scene: orbit, picking, visibility"},
+    {"viz/debugger/session/", 4, "what a user did, kept in a file; files opened lately"},
     {"viz/debugger/panels/", 5, "one panel a file"},
     {"viz/debugger/", 6, "the debugger and its scripts"},
 
@@ -139,6 +140,7 @@ constexpr auto kPermissions = std::to_array<Permission>({
     {"viz/", "libdeflate"},
     {"viz/", "ISA-L"},
     {"viz/", "POSIX"},
+    {"viz/debugger/session/", "nlohmann/json"},
 
     {"sims2d/", "sims2d"},
     {"sims2d/", "core"},

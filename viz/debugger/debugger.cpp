@@ -40,7 +40,8 @@ Debugger::Debugger(GlContext& context, std::unique_ptr<Run> run)
       model_(std::move(run)),
       gui_(context.functions()),
       view_(make_scene_view(context.functions(), model_.run())),
-      run_(&model_.run()) {}
+      run_(&model_.run()),
+      recording_(run_->path()) {}
 
 void Debugger::frame(const DebuggerInput& input, int width, int height) {
   take_in(input, width, height);
@@ -49,6 +50,7 @@ void Debugger::frame(const DebuggerInput& input, int width, int height) {
 
 void Debugger::take_in(const DebuggerInput& input, int width, int height) {
   context_.make_current();
+  do_what_was_asked(input);
   width = std::max(width, kLeastDebuggerWidth);
   height = std::max(height, kLeastDebuggerHeight);
   if (width != width_ || height != height_) {
@@ -61,15 +63,21 @@ void Debugger::take_in(const DebuggerInput& input, int width, int height) {
   // After long work it does not make up for all of the time.
   model_.pass_time(std::min(input.seconds, kLongestPause + model_.seconds_to_next()));
   gui_.begin(input, width, height);
-  if (input.key && !(input.control && take_control_key(*input.key, input.shift)) && !gui_.has_keys())
-    take_key(*input.key, input.shift);
+  if (input.key) take_any_key(input);
   update_views();
   const auto start = std::chrono::steady_clock::now();
   PanelContext context{model_, gui_, memory_, *view_};
   draw_panels(context);
   gui_.end();
+  see_view(input);
   panel_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (const auto name = std::exchange(memory_.press, std::nullopt)) press(*name);
+}
+
+/// Keys with Ctrl work in menus, too; nothing but text goes into a text field.
+void Debugger::take_any_key(const DebuggerInput& input) {
+  if (input.control && take_control_key(*input.key, input.shift)) return;
+  if (!gui_.has_keys() && !take_session_key(input)) take_key(*input.key, input.shift);
 }
 
 /// A place of the panels in whole pixels.
@@ -185,9 +193,11 @@ void Debugger::draw_panels(PanelContext& context) {
   draw_dividers(context, arrangement_);
   drag_panel(context, arrangement_);
   draw_welcome(context);
+  draw_session_offer(context);
   draw_tour(context);
   draw_search(context);
   draw_help(context);
+  copy_as_wished(context);
   model_.hovered_node = std::exchange(memory_.hovered_node, std::nullopt);
 }
 

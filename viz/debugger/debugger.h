@@ -1,14 +1,19 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "viz/debugger/gui/gui.h"
 #include "viz/debugger/model/debugger_model.h"
+#include "viz/debugger/model/view_history.h"
 #include "viz/debugger/panels/panel.h"
 #include "viz/debugger/scene/scene_view.h"
+#include "viz/debugger/session/recent_files.h"
+#include "viz/debugger/session/session_keeper.h"
 #include "viz/debugger/window/arrangement.h"
 #include "viz/gl/context.h"
 #include "viz/gl/framebuffer.h"
@@ -61,6 +66,30 @@ class Debugger {
   /// Begins the tour.
   void begin_tour() { memory_.tour = 0; }
 
+  /// "pile - kerf debug pile.kerf"
+  [[nodiscard]] std::string title() const;
+  /// Goes to another recording; if it cannot be opened, says why, and returns false.
+  bool open(const std::filesystem::path& file);
+  /// Remembers the recordings that are opened in a file of that folder, and offers the latest in the search.
+  void remember_in(const std::filesystem::path& folder);
+
+  /// Keeps what the user does beside each recording from now on (not beside those in the model's work
+  /// folder), and offers to go on where the last session was.
+  void keep_sessions_beside();
+  /// Goes on where a session file was, if it is there, and keeps it there. Several are joined, with the one
+  /// beside the recording, which then is what is kept. Throws SessionError if one cannot be read.
+  void go_on_with_files(const std::vector<std::filesystem::path>& files);
+  /// Writes the session if it was changed. Says, and returns, once why that cannot be done.
+  std::string keep_session();
+  /// The same, now and then. In seconds of any clock.
+  void keep_session_at(double now);
+  /// Goes on where a file was. Throws SessionError if it cannot be read.
+  void load_session(const std::filesystem::path& file);
+  /// Writes a session to a file, which is new or one already. Returns why it cannot be written; throws
+  /// SessionError if there is something else.
+  std::string save_session(const std::filesystem::path& file);
+  [[nodiscard]] const std::filesystem::path& session_file() const { return keeper_.file(); }
+
   [[nodiscard]] DebuggerModel& model() { return model_; }
   [[nodiscard]] const Gui& gui() const { return gui_; }
   [[nodiscard]] const SceneView& view() const { return *view_; }
@@ -70,6 +99,17 @@ class Debugger {
  private:
   void arrange_window();
   void press(const std::string& name);
+  void begin_session();
+  void go_on_with(const DebuggerSession& session);
+  [[nodiscard]] DebuggerSession present_session();
+  [[nodiscard]] bool is_scratch() const;
+  void remember_recording();
+  void answer_offer(bool goes_on);
+  void take_back(int changes);
+  void do_what_was_asked(const DebuggerInput& input);
+  void see_view(const DebuggerInput& input);
+  void take_any_key(const DebuggerInput& input);
+  bool take_session_key(const DebuggerInput& input);
   void take_key(Key key, bool shift);
   bool take_control_key(Key key, bool shift);
   void take_time_key(Key key, bool shift);
@@ -100,6 +140,17 @@ class Debugger {
   int height_ = 0;
   Image image_;
   double panel_seconds_ = 0;  ///< processor time of the panels in the last frame
+
+  std::filesystem::path recording_;  ///< that was opened; the run may be another one after a change over
+  bool keeps_beside_ = false;
+  SessionKeeper keeper_;
+  std::optional<DebuggerSession> offered_;  ///< not answered yet
+  std::optional<DebuggerSession> last_;     ///< of `recording_`
+  double saved_at_ = 0;
+  RecentFiles recent_;
+  ViewHistory history_;
+  const Run* history_of_ = nullptr;
+  Position seen_at_;  ///< moment of the last frame
 };
 
 }  // namespace kerf

@@ -91,6 +91,16 @@ void add_lanes(Facts& facts, const DebuggerModel& model) {
   facts["lane_above"] = std::to_string(timeline.clips ? lane.above() : 0);
 }
 
+void add_session(Facts& facts, const SessionMemory& session, const DebuggerModel& model) {
+  facts["offer"] = session.offer.empty() ? "none" : session.offer;
+  facts["offer_warning"] = session.offer_warning.empty() ? "none" : session.offer_warning;
+  std::size_t k = 0;
+  for (const auto& [moment, note] : model.bookmarks) {
+    facts["bookmark" + std::to_string(k)] = to_string(moment, model.run().names());
+    facts["note" + std::to_string(k++)] = note;
+  }
+}
+
 }  // namespace
 
 std::map<std::string, std::string> Debugger::facts() {
@@ -104,7 +114,11 @@ std::map<std::string, std::string> Debugger::facts() {
   add_errors(facts, model_);
   facts["selection"] = to_string(model_.selection(), model_.run().names());
   facts["playing"] = model_.playing ? "yes" : "no";
-  facts["bookmarks"] = std::to_string(model_.bookmarks().size());
+  facts["bookmarks"] = std::to_string(model_.bookmarks.size());
+  add_session(facts, memory_.session, model_);
+  facts["recording"] = recording_.filename().string();
+  facts["changes"] = std::to_string(history_.changes());
+  facts["taken_back"] = std::to_string(history_.taken_back());
   facts["hidden"] = std::to_string(model_.view.hidden_nodes.size() + model_.view.hidden_objects.size());
   facts["alone"] = model_.view.isolated ? "n" + std::to_string(model_.view.isolated->value) : "none";
   facts["colour"] = kTintNames[static_cast<std::size_t>(model_.view.tint)];

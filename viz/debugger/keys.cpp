@@ -55,7 +55,7 @@ void Debugger::take_key(Key key, bool shift) {
       return;
     case Key::p:
       return open_search(memory_.search);
-    case Key::v:
+    case Key::f10:
       memory_.window_menu_wanted = true;
       return;
     case Key::g:

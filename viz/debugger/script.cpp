@@ -93,7 +93,8 @@ const std::map<std::string, Key>& key_names() {
                                                  {"x", Key::x},         {"t", Key::t},
                                                  {"j", Key::j},         {"g", Key::g},
                                                  {"p", Key::p},         {"tab", Key::tab},
-                                                 {"w", Key::w},         {"v", Key::v},
+                                                 {"w", Key::w},         {"y", Key::y},
+                                                 {"z", Key::z},         {"f10", Key::f10},
                                                  {"=", Key::plus}};
   return kNames;
 }
@@ -225,6 +226,11 @@ void ScriptPlayer::play(const ScriptLine& line) {
       fail(line, "'" + word(1) + "' is no name of a picture: all of them lie in one folder");
     return take_picture(word(1));
   }
+  if (verb == "save" || verb == "load") return use_session(line);
+  if (verb == "drop") {
+    input_.dropped = word(1);
+    return frames(2);
+  }
   if (verb == "expect") return expect(line);
   if (verb == "remember") {
     remembered_[word(1)] = fact(line, word(2));
@@ -232,7 +238,27 @@ void ScriptPlayer::play(const ScriptLine& line) {
   }
   fail(line, "'" + verb +
                  "' is none of key, click, double, hover, drag, wheel, type, wait, screenshot, expect, "
-                 "remember, welcome");
+                 "remember, welcome, save, load, drop");
+}
+
+/// "save session FILE" and "load session FILE"; without FILE the one that is kept, else the one beside the
+/// recording.
+void ScriptPlayer::use_session(const ScriptLine& line) {
+  if (!has_word(line, 1, "session")) fail(line, "it is written `" + line.words[0] + " session [FILE]`");
+  std::filesystem::path file = debugger_.session_file();
+  if (file.empty()) file = session_path(debugger_.model().run().path());
+  if (line.words.size() > 2) file = line.words[2];
+  try {
+    const bool saves = line.words[0] == "save";
+    const std::string problem = saves ? debugger_.save_session(file) : "";
+    if (!problem.empty()) fail(line, problem);
+    if (!saves) debugger_.load_session(file);
+  } catch (const ScriptError&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    fail(line, error.what());
+  }
+  frames(2);
 }
 
 /// As a person does it: the mouse is there before the click, and stays for a frame after it.

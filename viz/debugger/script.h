@@ -64,6 +64,7 @@ class ScriptPlayer {
   void drag(const ScriptLine& line);
   void turn_wheel(const ScriptLine& line);
   void press(const ScriptLine& line, const std::string& text);
+  void use_session(const ScriptLine& line);
   void take_picture(const std::string& name);
   void expect(const ScriptLine& line);
   [[nodiscard]] std::string fact(const ScriptLine& line, const std::string& name);

@@ -25,6 +25,7 @@ struct CameraChoice<3> {
   Framing framing = Framing::most;
   /// Whether it looks elsewhere than at what is framed.
   [[nodiscard]] bool is_aimed() const { return distance || target; }
+  friend bool operator==(const CameraChoice&, const CameraChoice&) = default;
 };
 
 /// Pan and zoom, y up.
@@ -34,6 +35,7 @@ struct CameraChoice<2> {
   std::optional<double> width;  ///< scene units across the picture
   Framing framing = Framing::most;
   [[nodiscard]] bool is_aimed() const { return center || width; }
+  friend bool operator==(const CameraChoice&, const CameraChoice&) = default;
 };
 
 /// Reads "yaw=30,pitch=38,fov=35,distance=40,target=0:0:0" (3D) or "center=0:5,width=40" (2D), any part of

@@ -121,7 +121,7 @@ TEST(DebuggerTablesOfALongRun, OlderPairsAreAsOldAsCanBeSeen) {
 
 TEST_F(DebuggerTables, CsvHasAllRowsAndQuotedPairs) {
   const FigureTable table = table_of_pairs(run());
-  const std::string csv = to_csv(table, {0});
+  const std::string csv = to_csv(to_texts(table, {0}));
   EXPECT_THAT(csv, HasSubstr("pair,leaf,population,overlap,age\n\"" + table.rows[0].name + "\","));
   EXPECT_EQ(std::ranges::count(csv, '\n'), 2);
   EXPECT_EQ(std::ranges::count(csv, ','), 9);

@@ -1,6 +1,10 @@
+#define GLFW_INCLUDE_NONE
 #include "viz/debugger/window_loop.h"
 
+#include <GLFW/glfw3.h>
 #include <gmock/gmock.h>
+
+#include <array>
 
 #include "tests/support/recorded_crowd.h"
 #include "tests/viz/debugger/x_display.h"
@@ -113,6 +117,42 @@ TEST_F(DebuggerWindow, SeesTheKeysAndTheWheelsOfTheLanes) {
   EXPECT_THAT(fact("deed"), testing::HasSubstr("split"));
   EXPECT_THAT(fact("range"), testing::HasSubstr("1 step: "));
   EXPECT_EQ(fact("loops"), "yes");
+}
+
+TEST_F(DebuggerWindow, OpensAFileThatIsDroppedOnIt) {
+  const test::TemporaryRecording other;
+  test::record_crowd<3>(other.path(), 30, test::busy_config());
+  const std::string path = other.path().string();
+  std::array<const char*, 2> paths{path.c_str(), "another"};
+  GLFWwindow* const window = glfwGetCurrentContext();
+  const GLFWdropfun dropped = glfwSetDropCallback(window, nullptr);
+  ASSERT_NE(dropped, nullptr);
+  dropped(window, 2, paths.data());
+  take_in();
+  EXPECT_EQ(fact("steps"), "30");
+  EXPECT_EQ(fact("message"), "opened " + path);
+  EXPECT_NE(fact("drawn_objects"), "0");
+}
+
+TEST_F(DebuggerWindow, TakesBackCopiesAndPastes) {
+  display_.tap("KP_Add");
+  display_.tap("KP_Add");
+  take_in();
+  EXPECT_EQ(fact("lanes_to"), "30");
+  display_.tap("z", "Control_L");
+  take_in();
+  EXPECT_EQ(fact("lanes_to"), "120");
+  window_->copy("pasted\n");
+  display_.tap("b", "Shift_L");
+  take_in();
+  display_.tap("v", "Control_L");
+  display_.tap("Return");
+  take_in();
+  EXPECT_EQ(fact("note0"), "pasted") << "without the letter of the key";
+  move_to("panel transport");
+  display_.tap("c", "Control_L");
+  take_in();
+  EXPECT_THAT(window_->clipboard(), testing::HasSubstr("before the first step, of 120 steps"));
 }
 
 /// At rest it used to draw 20 frames a second, half a core without a graphics card.

@@ -123,6 +123,13 @@ void XDisplay::tap(const std::string& key) {
   send(KeyRelease, code);
 }
 
+void XDisplay::tap(const std::string& key, const std::string& held) {
+  const KeyCode code = XKeysymToKeycode(display_, XStringToKeysym(held.c_str()));
+  send(KeyPress, code);
+  tap(key);
+  send(KeyRelease, code);
+}
+
 void XDisplay::flush() { XSync(display_, False); }
 
 }  // namespace kerf::test

@@ -26,6 +26,8 @@ class XDisplay {
   void click(unsigned button);
   /// A key by the name that X11 has for it, down and up.
   void tap(const std::string& key);
+  /// The same with another key held.
+  void tap(const std::string& key, const std::string& held);
   /// Waits until all of it was sent to the window.
   void flush();
 

@@ -49,6 +49,8 @@ std::optional<Key> key_of(int key) {
                                         {GLFW_KEY_P, Key::p},
                                         {GLFW_KEY_W, Key::w},
                                         {GLFW_KEY_V, Key::v},
+                                        {GLFW_KEY_Y, Key::y},
+                                        {GLFW_KEY_Z, Key::z},
                                         {GLFW_KEY_ESCAPE, Key::escape},
                                         {GLFW_KEY_ENTER, Key::enter},
                                         {GLFW_KEY_KP_ENTER, Key::enter},
@@ -62,6 +64,7 @@ std::optional<Key> key_of(int key) {
                                         {GLFW_KEY_F1, Key::f1},
                                         {GLFW_KEY_F5, Key::f5},
                                         {GLFW_KEY_F9, Key::f9},
+                                        {GLFW_KEY_F10, Key::f10},
                                         {GLFW_KEY_F12, Key::f12}};
   const auto found = kKeys.find(key);
   return found == kKeys.end() ? std::nullopt : std::optional(found->second);
@@ -133,6 +136,11 @@ void note_place(GLFWwindow* window, double x, double y) {
   note(window, MouseMove{static_cast<float>(x * scale), static_cast<float>(y * scale)});
 }
 
+/// Of several files the first one.
+void note_drop(GLFWwindow* window, int count, const char** paths) {
+  if (count > 0) note(window, DroppedFile{paths[0]});
+}
+
 void note_size(GLFWwindow* window, int /*width*/, int /*height*/) { note(window, NothingElse{}); }
 
 void note_scale(GLFWwindow* window, float /*x*/, float /*y*/) { note(window, NothingElse{}); }
@@ -182,6 +190,7 @@ void GlfwWindow::listen() {
   glfwSetScrollCallback(window_.get(), note_wheel);
   glfwSetMouseButtonCallback(window_.get(), note_button);
   glfwSetCursorPosCallback(window_.get(), note_place);
+  glfwSetDropCallback(window_.get(), note_drop);
   glfwSetFramebufferSizeCallback(window_.get(), note_size);
   glfwSetWindowContentScaleCallback(window_.get(), note_scale);
   glfwSetWindowRefreshCallback(window_.get(), note_damage);
@@ -231,8 +240,7 @@ bool GlfwWindow::goes_on(const std::string& progress) {
 }
 
 void GlfwWindow::set_title(const std::string& title) {
-  title_ = title;
-  glfwSetWindowTitle(window_.get(), title.c_str());
+  if (std::exchange(title_, title) != title) glfwSetWindowTitle(window_.get(), title_.c_str());
 }
 
 void GlfwWindow::copy(const std::string& text) { glfwSetClipboardString(window_.get(), text.c_str()); }
@@ -255,7 +263,17 @@ bool GlfwWindow::wait(double seconds) const {
 
 DebuggerInput GlfwWindow::take_input() {
   if (std::exchange(is_busy_, false)) glfwSetWindowTitle(window_.get(), title_.c_str());
-  return queue_.take(seconds());
+  DebuggerInput input = queue_.take(seconds());
+  if (input.control && input.key == Key::v) paste(input);
+  return input;
+}
+
+/// As if it were typed, without what ends a line: fields have one.
+void GlfwWindow::paste(DebuggerInput& input) const {
+  input.text = clipboard();
+  std::erase_if(input.text, [](char c) { return c == '\n' || c == '\r'; });
+  input.key.reset();
+  input.control = false;
 }
 
 }  // namespace kerf

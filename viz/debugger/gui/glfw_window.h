@@ -60,6 +60,7 @@ class GlfwWindow final : public GlContext {
   };
   static GLFWwindow* make_window(const std::string& title, int width, int height);
   void listen();
+  void paste(DebuggerInput& input) const;
 
   Library library_;
   std::unique_ptr<GLFWwindow, Close> window_;

@@ -58,10 +58,13 @@ enum class Key : std::uint8_t {
   g,  // the legend
   p,  // the search
   w,  // errors
-  v,  // the menu of the window
+  y,  // changes of the view
+  z,
+  v,  // with Ctrl: paste
   f1,
   f5,
   f9,
+  f10,
   f12,
   count,
 };
@@ -84,6 +87,7 @@ struct DebuggerInput {
   bool control = false;
   std::optional<Key> key;     ///< that went down
   std::string text;           ///< typed, in UTF-8
+  std::string dropped;        ///< path of a file that was dropped on the window
   double seconds = 1.0 / 60;  ///< since the last frame
 
   /// Ends what lasts for one frame; what is held stays.
@@ -91,6 +95,7 @@ struct DebuggerInput {
     wheel = sideways = 0;
     key.reset();
     text.clear();
+    dropped.clear();
   }
 };
 

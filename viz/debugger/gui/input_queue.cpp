@@ -14,8 +14,9 @@ constexpr double kLeastSeconds = 1e-4;  // Dear ImGui needs time to pass
 std::optional<KeyTap> tap_of(const UserAction& action) {
   using Answer = std::optional<KeyTap>;
   return std::visit(
-      Overloaded{[](const KeyTap& tap) { return Answer(tap); },
-                 NothingFor<Answer, NothingElse, MouseMove, ButtonChange, WheelTurn, TypedText>()},
+      Overloaded{
+          [](const KeyTap& tap) { return Answer(tap); },
+          NothingFor<Answer, NothingElse, MouseMove, ButtonChange, WheelTurn, TypedText, DroppedFile>()},
       action.what);
 }
 
@@ -33,6 +34,7 @@ bool can_be_joined(const UserAction& action) {
                         [](const WheelTurn&) { return true; },
                         [](const KeyTap&) { return false; },
                         [](const TypedText&) { return true; },
+                        [](const DroppedFile&) { return false; },
                     },
                     action.what);
 }
@@ -70,6 +72,7 @@ void InputQueue::apply(const UserAction& action) {
                  },
                  [this](const KeyTap& tap) { input_.key = tap.key; },
                  [this](const TypedText& text) { input_.text += text.utf8; },
+                 [this](const DroppedFile& file) { input_.dropped = file.path; },
              },
              action.what);
 }

@@ -29,6 +29,10 @@ struct KeyTap {
 struct TypedText {
   std::string utf8;
 };
+/// A file was dropped on the window.
+struct DroppedFile {
+  std::string path;
+};
 /// No action of its own: only held keys and buttons, or the window has to be drawn again.
 struct NothingElse {};
 
@@ -37,7 +41,7 @@ struct UserAction {
   double time = 0;  ///< in seconds
   bool shift = false;
   bool control = false;
-  std::variant<NothingElse, MouseMove, ButtonChange, WheelTurn, KeyTap, TypedText> what;
+  std::variant<NothingElse, MouseMove, ButtonChange, WheelTurn, KeyTap, TypedText, DroppedFile> what;
 };
 
 /// The user's actions, in order, until frames take them in. Dear ImGui 1.86 sees one state each frame, not

@@ -43,6 +43,11 @@ bool text_field(Gui& gui, const char* name, std::string& text, const char* insid
   return entered;
 }
 
+void go_on_typing() {
+  ImGuiInputTextState* const state = ImGui::GetInputTextState(ImGui::GetItemID());
+  if (state != nullptr && ImGui::IsItemActivated()) state->ClearSelection();
+}
+
 bool row(Gui& gui, const std::string& label, const std::string& name, bool selected) {
   const bool pressed = ImGui::Selectable((label + "##" + name).c_str(), selected);
   gui.name_last_item(name, label);

@@ -16,6 +16,8 @@ bool button(Gui& gui, const char* label, const char* text = "", const std::strin
 bool checkbox(Gui& gui, const char* label, bool& value, const char* text = "", const std::string& name = "");
 /// A field for one line of text; true when Enter is pressed. `inside` is shown while it is empty.
 bool text_field(Gui& gui, const char* name, std::string& text, const char* inside, float width);
+/// After a field: when the keys come to it, letters follow its text instead of replacing it.
+void go_on_typing();
 /// A row of a list that can be chosen.
 bool row(Gui& gui, const std::string& label, const std::string& name, bool selected);
 /// Places the next item beside the last one if there is room for so much, else below it.

@@ -247,7 +247,9 @@ void DebuggerModel::toggle_breakpoint_here() {
   if (std::erase_if(breakpoints, same) == 0) add_breakpoint(text);
 }
 
-void DebuggerModel::toggle_bookmark() { toggle(bookmarks_, run_->position()); }
+void DebuggerModel::toggle_bookmark() {
+  if (bookmarks.erase(run_->position()) == 0) bookmarks.emplace(run_->position(), "");
+}
 
 void DebuggerModel::compare_with(std::unique_ptr<Run> other) {
   if (other->info().dimension != run_->info().dimension)

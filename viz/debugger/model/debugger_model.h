@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/query/counterpart.h"
+#include "viz/debugger/model/alarm.h"
 #include "viz/debugger/model/breakpoint.h"
 #include "viz/debugger/model/lanes.h"
 #include "viz/debugger/model/ribbons.h"
@@ -16,15 +17,6 @@
 #include "viz/debugger/model/view_settings.h"
 
 namespace kerf {
-
-/// How many wrong pairs a step has.
-struct Alarm {
-  std::uint32_t step = 0;
-  std::uint64_t missed = 0;
-  std::uint64_t extra = 0;
-  std::uint64_t twice = 0;
-  [[nodiscard]] bool is_wrong() const { return missed + extra + twice > 0; }
-};
 
 /// Steps of a scene in a second of its own time (paper section 6.2).
 inline constexpr double kStepsOfScene = 25;
@@ -117,7 +109,7 @@ class DebuggerModel {
 
   // Marking.
   void toggle_bookmark();
-  [[nodiscard]] const std::set<Position>& bookmarks() const { return bookmarks_; }
+  std::map<Position, std::string> bookmarks;  ///< and the note of each, which may be empty
 
   // Judging.
   /// Asks the oracle about the step of the cursor.
@@ -189,7 +181,6 @@ class DebuggerModel {
   std::optional<std::vector<Ribbon>> shown_ribbons_;
   TimeScale shown_scale_;
   std::vector<WatchedValue> watches_;
-  std::set<Position> bookmarks_;
   std::map<std::uint32_t, Alarm> alarms_;
   std::set<std::uint32_t> wrong_steps_;
   WrongPairWalk walk_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <ranges>
 
 #include "viz/debugger/model/debugger_model.h"
 
@@ -18,7 +19,10 @@ std::optional<Position> beside(const std::set<Position>& items, const Position& 
 std::optional<Position> DebuggerModel::find_kind(EventKind kind, bool forwards,
                                                  const Run::Progress& progress) {
   const Position& here = run_->position();
-  if (kind == EventKind::bookmark) return beside(bookmarks_, here, forwards);
+  if (kind == EventKind::bookmark) {
+    const auto marked = std::views::keys(bookmarks);
+    return beside({marked.begin(), marked.end()}, here, forwards);
+  }
   if (kind != EventKind::alarm) return find_event(*run_, kind, here, forwards, progress);
   std::set<Position> wrong;
   for (const std::uint32_t step : wrong_steps_) wrong.insert(Position::end_of(step));

@@ -26,16 +26,11 @@ bool is_before(double a, double b, bool falling) {
   return falling ? b < a : a < b;
 }
 
-/// A name with a comma in quotes.
-std::string csv_text(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : '"' + text + '"';
-}
-
 std::string verdict_name(double figure) {
   return std::string(to_string(static_cast<PairVerdict>(static_cast<int>(figure))));
 }
 
-std::string csv_cell(double figure, const std::string& column) {
+std::string exact_text(double figure, const std::string& column) {
   if (std::isnan(figure)) return "";
   return column == kVerdictColumn ? verdict_name(figure) : shortest_text(figure);
 }
@@ -141,17 +136,15 @@ std::string cell_text(const FigureTable& table, std::size_t row, std::size_t col
   return number_text(std::round(figure * 1000) / 1000);
 }
 
-std::string to_csv(const FigureTable& table, const std::vector<std::size_t>& rows) {
-  std::string csv;
-  for (std::size_t k = 0; k < table.columns.size(); ++k) csv += (k > 0 ? "," : "") + table.columns[k];
-  csv += '\n';
+TextTable to_texts(const FigureTable& table, const std::vector<std::size_t>& rows) {
+  TextTable texts{table.columns, {}};
   for (const std::size_t row : rows) {
-    csv += csv_text(table.rows[row].name);
+    std::vector<std::string> cells{table.rows[row].name};
     for (std::size_t k = 1; k < table.columns.size(); ++k)
-      csv += "," + csv_cell(table.rows[row].figures[k - 1], table.columns[k]);
-    csv += '\n';
+      cells.push_back(exact_text(table.rows[row].figures[k - 1], table.columns[k]));
+    texts.rows.push_back(std::move(cells));
   }
-  return csv;
+  return texts;
 }
 
 }  // namespace kerf

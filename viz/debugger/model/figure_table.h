@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "viz/debugger/model/run.h"
+#include "viz/debugger/model/text_table.h"
 
 namespace kerf {
 
@@ -53,7 +54,7 @@ std::vector<std::size_t> find_rows(const FigureTable& table, const std::string& 
 
 /// What a cell shows.
 std::string cell_text(const FigureTable& table, std::size_t row, std::size_t column);
-/// Comma-separated values: a line of column names, then a line for each of the rows, with all digits.
-std::string to_csv(const FigureTable& table, const std::vector<std::size_t>& rows);
+/// The rows as texts, with all digits.
+TextTable to_texts(const FigureTable& table, const std::vector<std::size_t>& rows);
 
 }  // namespace kerf

@@ -150,13 +150,22 @@ void add_condition(const std::string& query, std::vector<Hit>& hits) {
       {"stop where " + query, "breakpoint", [query](DebuggerModel& model) { model.add_breakpoint(query); }});
 }
 
+void add_bookmarks(const DebuggerModel& model, const std::string& query, std::vector<Hit>& hits) {
+  for (const auto& [moment, note] : model.bookmarks) {
+    const std::string name = "bookmark " + to_string(moment, model.run().names());
+    if (has_all_words(name + " " + note, query))
+      hits.push_back(
+          {name, note.empty() ? "go there" : note, [at = moment](DebuggerModel& to) { to.go(at); }});
+  }
+}
+
 }  // namespace
 
-bool has_all_words(std::string_view name, std::string_view query) {
+bool has_all_words(const std::string& name, const std::string& query) {
   std::istringstream words(lower(query));
-  for (std::string word; words >> word;)
-    if (lower(name).find(word) == std::string::npos) return false;
-  return true;
+  const std::string in = lower(name);
+  return std::all_of(std::istream_iterator<std::string>(words), {},
+                     [&](const std::string& word) { return in.find(word) != std::string::npos; });
 }
 
 std::vector<Hit> find_hits(DebuggerModel& model, std::string_view query) {
@@ -176,6 +185,7 @@ std::vector<Hit> find_hits(DebuggerModel& model, std::string_view query) {
     if (may_be("step ")) add_step(model, id, hits);
   }
   add_condition(text, hits);
+  add_bookmarks(model, text, hits);
   std::vector<Hit> commands;
   add_commands(lower(text), commands);
   std::ranges::stable_sort(commands, {}, [&](const Hit& hit) { return distance_to(hit.text, lower(text)); });

@@ -5,6 +5,7 @@
 #include "core/query/text.h"
 #include "core/tree/partitioner.h"
 #include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/copying.h"
 #include "viz/debugger/panels/panel.h"
 #include "viz/draw/palette.h"
 
@@ -21,25 +22,6 @@ Color color_of_result(Ballot result) {
 void cell(const std::string& text) {
   ImGui::TableNextColumn();
   ImGui::TextUnformatted(text.c_str());
-}
-
-/// A word that fits a narrow column; the row's hint has the whole reason.
-const char* result_word(Ballot result) {
-  switch (result) {
-    case Ballot::chosen:
-      return "chosen";
-    case Ballot::beaten:
-      return "beaten";
-    case Ballot::unbalanced:
-      return "unbalanced";
-    case Ballot::redundant:
-      return "cuts many";
-    case Ballot::undividing:
-      return "no gain";
-    case Ballot::unconfirmed:
-      return "sample only";
-  }
-  return "";
 }
 
 std::string two_digits(double x) {
@@ -130,6 +112,24 @@ void draw_strip(const ProjectionStrip& strip) {
 }
 
 }  // namespace
+
+const char* result_word(Ballot result) {
+  switch (result) {
+    case Ballot::chosen:
+      return "chosen";
+    case Ballot::beaten:
+      return "beaten";
+    case Ballot::unbalanced:
+      return "unbalanced";
+    case Ballot::redundant:
+      return "cuts many";
+    case Ballot::undividing:
+      return "no gain";
+    case Ballot::unconfirmed:
+      return "sample only";
+  }
+  return "";
+}
 
 void draw_ballot(PanelContext& context) {
   DebuggerModel& model = context.model;

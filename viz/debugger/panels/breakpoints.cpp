@@ -93,6 +93,7 @@ void draw_breakpoints(PanelContext& context) {
     try_adding(context, memory.watch, [&](const std::string& text) { model.add_watch(text); });
   widgets::hint("any expression: its value at each moment; the run can stop when it changes");
   for (std::size_t k = 0; k < model.watches().size(); ++k) draw_watch(context, k);
+  draw_bookmarks(context);
   if (memory.problem.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, widgets::to_vector(palette::kCandidate));
   ImGui::TextWrapped("%s", memory.problem.c_str());

@@ -2,6 +2,7 @@
 
 #include "core/query/text.h"
 #include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/copying.h"
 #include "viz/debugger/panels/panel.h"
 #include "viz/draw/palette.h"
 
@@ -18,11 +19,11 @@ void open_other(PanelContext& context) {
   }
 }
 
-void figure_row(const char* name, double a, double b) {
+void figure_row(const ComparedFigure& figure) {
   ImGui::TableNextRow();
-  for (const std::string& text : {std::string(name), number_text(a), number_text(b)}) {
+  for (const std::string& text : {figure.name, number_text(figure.a), number_text(figure.b)}) {
     ImGui::TableNextColumn();
-    if (a != b) {
+    if (figure.a != figure.b) {
       ImGui::TextUnformatted(text.c_str());
     } else {
       ImGui::TextDisabled("%s", text.c_str());
@@ -30,21 +31,13 @@ void figure_row(const char* name, double a, double b) {
   }
 }
 
-void draw_figures(const RecordingSummary& a, const RecordingSummary& b) {
+void draw_figures(const RecordingComparison& comparison) {
   if (!ImGui::BeginTable("figures", 3, ImGuiTableFlags_RowBg)) return;
   ImGui::TableSetupColumn("");
   ImGui::TableSetupColumn("this run");
   ImGui::TableSetupColumn("the other");
   ImGui::TableHeadersRow();
-  figure_row("steps", a.steps, b.steps);
-  for (std::size_t op = 0; op < a.operators.size(); ++op)
-    figure_row(to_string(static_cast<Operator>(op)).data(), static_cast<double>(a.operators[op]),
-               static_cast<double>(b.operators[op]));
-  figure_row("refused", static_cast<double>(a.refused), static_cast<double>(b.refused));
-  figure_row("pairs", static_cast<double>(a.pairs), static_cast<double>(b.pairs));
-  figure_row("height", a.height, b.height);
-  figure_row("redundancy", a.redundancy, b.redundancy);
-  figure_row("ms, median", a.milliseconds, b.milliseconds);
+  for (const ComparedFigure& figure : compared_figures(comparison)) figure_row(figure);
   ImGui::EndTable();
 }
 
@@ -97,6 +90,25 @@ void draw_other_moment(DebuggerModel& model) {
 
 }  // namespace
 
+std::vector<ComparedFigure> compared_figures(const RecordingComparison& comparison) {
+  std::vector<ComparedFigure> figures;
+  const auto add = [&](std::string name, auto of) {
+    figures.push_back(
+        {std::move(name), static_cast<double>(of(comparison.a)), static_cast<double>(of(comparison.b))});
+  };
+  using Summary = RecordingSummary;
+  add("steps", [](const Summary& run) { return run.steps; });
+  for (std::size_t op = 0; op < comparison.a.operators.size(); ++op)
+    add(std::string(to_string(static_cast<Operator>(op))),
+        [op](const Summary& run) { return run.operators[op]; });
+  add("refused", [](const Summary& run) { return run.refused; });
+  add("pairs", [](const Summary& run) { return run.pairs; });
+  add("height", [](const Summary& run) { return run.height; });
+  add("redundancy", [](const Summary& run) { return run.redundancy; });
+  add("ms, median", [](const Summary& run) { return run.milliseconds; });
+  return figures;
+}
+
 void draw_compare(PanelContext& context) {
   DebuggerModel& model = context.model;
   if (model.other() == nullptr) {
@@ -126,7 +138,7 @@ void draw_compare(PanelContext& context) {
                     comparison.theirs ? std::optional(comparison.theirs->step) : std::nullopt);
     draw_difference(context, "verdicts", comparison.verdicts);
   }
-  draw_figures(comparison.a, comparison.b);
+  draw_figures(comparison);
 }
 
 }  // namespace kerf

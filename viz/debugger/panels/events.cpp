@@ -3,6 +3,7 @@
 #include "core/base/overloaded.h"
 #include "core/trace/event_facts.h"
 #include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/copying.h"
 #include "viz/debugger/panels/panel.h"
 #include "viz/draw/palette.h"
 
@@ -22,20 +23,6 @@ Color color_of_event(const Event& event) {
                         [](const AllPlaced&) { return palette::kInk; },
                     },
                     event.body);
-}
-
-/// "split n5: 65 -> 65 (33 | 34)" without id and step, which have columns of their own.
-std::string deed_text(const Event& event, const GivenNames& names) {
-  const std::string text = describe(event, names);
-  const std::string front = "e" + std::to_string(event.id) + " step " + names.step(event.step) + " ";
-  return text.substr(std::min(front.size(), text.size()));
-}
-
-std::vector<const Event*> listed_events(PanelContext& context) {
-  std::vector<const Event*> listed;
-  for (const Event& event : context.model.run().events_of_step())
-    if (is_listed(event, context.memory.operators_only)) listed.push_back(&event);
-  return listed;
 }
 
 void draw_event_row(PanelContext& context, const Event& event) {
@@ -78,6 +65,19 @@ void draw_heading(PanelContext& context, std::size_t listed, float end) {
 }
 
 }  // namespace
+
+std::string deed_text(const Event& event, const GivenNames& names) {
+  const std::string text = describe(event, names);
+  const std::string front = "e" + std::to_string(event.id) + " step " + names.step(event.step) + " ";
+  return text.substr(std::min(front.size(), text.size()));
+}
+
+std::vector<const Event*> listed_events(const PanelContext& context) {
+  std::vector<const Event*> listed;
+  for (const Event& event : context.model.run().events_of_step())
+    if (is_listed(event, context.memory.operators_only)) listed.push_back(&event);
+  return listed;
+}
 
 void draw_events(PanelContext& context) {
   const auto events = listed_events(context);

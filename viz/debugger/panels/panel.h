@@ -8,6 +8,7 @@
 #include "viz/debugger/model/debugger_model.h"
 #include "viz/debugger/model/icicle_state.h"
 #include "viz/debugger/model/table_keeper.h"
+#include "viz/debugger/panels/session_memory.h"
 #include "viz/debugger/scene/scene_view.h"
 #include "viz/debugger/window/window_settings.h"
 
@@ -36,6 +37,7 @@ struct PanelMemory {
   std::optional<std::size_t> tour;    ///< the stop of the tour; none: there is no tour
   std::optional<std::size_t> toured;  ///< the stop that has been set up
   SearchMemory search;
+  SessionMemory session;
   std::string under_mouse = "nothing";  ///< in the view
   bool screenshot = false;              ///< requested in this frame
   bool operators_only = true;           ///< the list of events leaves out placed objects
@@ -98,6 +100,12 @@ void draw_timeline(PanelContext& context);
 void draw_outline(PanelContext& context);
 void draw_icicle(PanelContext& context);
 void draw_breakpoints(PanelContext& context);
+/// The bookmarks and their notes, below the breakpoints.
+void draw_bookmarks(PanelContext& context);
+/// Whether to go on where a kept session was.
+void draw_session_offer(PanelContext& context);
+/// Puts the panel that the user wants to copy into the clipboard.
+void copy_as_wished(PanelContext& context);
 void draw_events(PanelContext& context);
 void draw_why(PanelContext& context);
 void draw_ballot(PanelContext& context);

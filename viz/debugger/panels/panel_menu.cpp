@@ -87,7 +87,7 @@ void draw_panel_menu(PanelContext& context, PanelId panel) {
 }
 
 void draw_window_menu(PanelContext& context) {
-  if (widgets::button(context.gui, "window", "panels, size of texts, theme (V)") ||
+  if (widgets::button(context.gui, "window", "panels, size of texts, theme (F10)") ||
       std::exchange(context.memory.window_menu_wanted, false))
     ImGui::OpenPopup("window menu");
   ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 2}, ImGuiCond_Appearing);

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "viz/debugger/gui/widgets.h"
-#include "viz/debugger/model/find_hits.h"
 #include "viz/debugger/panels/panel.h"
 #include "viz/debugger/panels/panel_menu.h"
+#include "viz/debugger/panels/session_hits.h"
 #include "viz/draw/palette.h"
 
 namespace kerf {
@@ -42,9 +42,9 @@ void follow_hit(PanelContext& context, const Hit& hit) {
   }
 }
 
-/// Things and moments first, then what can be done with the window.
+/// Things and moments first, then what can be done with the session, then with the window.
 std::vector<Hit> all_hits(PanelContext& context, const std::string& query) {
-  std::vector<Hit> hits = find_hits(context.model, query);
+  std::vector<Hit> hits = find_all_hits(context, query);
   std::vector<Hit> of_window = window_hits(context, query);
   std::ranges::move(of_window, std::back_inserter(hits));
   return hits;
@@ -59,14 +59,21 @@ std::vector<Hit> hits_of_history(PanelContext& context) {
   return hits;
 }
 
+/// As much of a long text as a row has room for: of a path its end.
+std::string ending_of(const std::string& text) {
+  constexpr std::size_t kMost = 48;
+  return text.size() <= kMost ? text : "..." + text.substr(text.size() - kMost + 3);
+}
+
 void draw_hits(PanelContext& context, const std::vector<Hit>& hits) {
   SearchMemory& search = context.memory.search;
   const std::size_t first = search.chosen < kMostHits ? 0 : search.chosen - kMostHits + 1;
   for (std::size_t k = first; k < std::min(hits.size(), first + kMostHits); ++k) {
-    if (widgets::row(context.gui, hits[k].text, "hit " + std::to_string(k), k == search.chosen))
+    const std::string text = ending_of(hits[k].text);
+    if (widgets::row(context.gui, text, "hit " + std::to_string(k), k == search.chosen))
       return follow_hit(context, hits[k]);
-    ImGui::SameLine(280);
-    ImGui::TextDisabled("%s", hits[k].note.c_str());
+    ImGui::SameLine(std::max(280.0F, ImGui::CalcTextSize(text.c_str()).x + 20));
+    ImGui::TextDisabled("%s", widgets::elided(hits[k].note, ImGui::GetContentRegionAvail().x).c_str());
   }
   if (hits.empty()) ImGui::TextDisabled("nothing of that name here");
   if (hits.size() > kMostHits) ImGui::TextDisabled("%zu in all", hits.size());
@@ -102,6 +109,7 @@ void draw_search(PanelContext& context) {
     if (std::exchange(search.begins, false)) ImGui::SetKeyboardFocusHere();
     const bool entered = widgets::text_field(context.gui, "search text", search.text,
                                              "node, object, pair, event, step, condition, command", -1);
+    widgets::go_on_typing();
     ImGui::PopID();
     if (search.text != before) search.chosen = 0;
     draw_hits(context, hits);

@@ -3,6 +3,7 @@
 
 #include "core/base/counted.h"
 #include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/copying.h"
 #include "viz/debugger/panels/panel.h"
 
 namespace kerf {
@@ -25,11 +26,9 @@ void draw_choice(PanelContext& context, TableOf of) {
 }
 
 void copy_table(PanelContext& context) {
-  PanelMemory& memory = context.memory;
-  memory.copied = to_csv(memory.table.table(), memory.table.rows());
-  memory.to_clipboard = memory.copied;
-  context.model.message = "copied " + counted(memory.table.rows().size(), "row") + " as CSV";
-  context.model.message_is_error = false;
+  const TableKeeper& kept = context.memory.table;
+  put_into_clipboard(context, to_csv(to_texts(kept.table(), kept.rows())),
+                     counted(kept.rows().size(), "row") + " as CSV");
 }
 
 void draw_tools_of_table(PanelContext& context) {

@@ -6,7 +6,7 @@ namespace kerf {
 namespace {
 
 /// What the lanes say about the moment under the mouse.
-void show_moment(const DebuggerModel& model, const Position& there) {
+void show_moment(const DebuggerModel& model, const TimeAxis& axis, const Position& there) {
   const GivenNames& names = model.run().names();
   std::string text = "step " + names.step(there.step);
   if (!there.is_end())
@@ -17,6 +17,7 @@ void show_moment(const DebuggerModel& model, const Position& there) {
     text += "\n" + std::string(lane.name()) + " " +
             (value ? number_text(std::round(*value * 1000) / 1000) : std::string("-"));
   }
+  text += words_of_marks(model, axis, ImGui::GetIO().MousePos.x);
   // Above the lanes, on the side that has more room.
   const float x = ImGui::GetIO().MousePos.x;
   const bool is_left = x < 0.5F * ImGui::GetIO().DisplaySize.x;
@@ -74,7 +75,7 @@ void use_lanes(PanelContext& context, const TimeAxis& axis, float top, float bot
   const bool selects = io.KeyShift || context.memory.range_from;
   if (ImGui::IsItemActive() && !pans && selects) select_range(context, time);
   if (ImGui::IsItemActive() && !pans && !selects) model.go(there);
-  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) show_moment(model, there);
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) show_moment(model, axis, there);
 }
 
 }  // namespace

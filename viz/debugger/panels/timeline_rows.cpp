@@ -1,6 +1,7 @@
 #include "viz/debugger/panels/timeline_rows.h"
 
 #include <array>
+#include <ranges>
 
 #include "core/base/counted.h"
 #include "core/trace/event_facts.h"
@@ -9,6 +10,8 @@
 
 namespace kerf {
 namespace {
+
+constexpr float kMark = 5;  // half the width of a bookmark
 
 /// The look of a ribbon: the share of the row that it leaves free above and below, and its colour.
 struct RibbonLook {
@@ -181,16 +184,25 @@ void draw_marks(PanelContext& context, const TimeAxis& axis, float top) {
                            {std::max(right, left + 1.5F), top + kTimelineRow - 1},
                            widgets::to_imgui(is_wrong ? palette::kCandidate : palette::kSeries[2]));
       });
-  for (const Position& mark : model.bookmarks()) {
+  for (const Position& mark : std::views::keys(model.bookmarks)) {
     const double time = time_of(mark, model.run().rows());
     if (!axis.has(time)) continue;
     const float x = axis.x_of(time);
-    list.AddTriangleFilled({x - 5, top}, {x + 5, top}, {x, top + 9}, widgets::to_imgui(palette::kOperator));
+    list.AddTriangleFilled({x - kMark, top}, {x + kMark, top}, {x, top + 9},
+                           widgets::to_imgui(palette::kOperator));
   }
   const std::size_t wrong = model.wrong_steps().size();
   const std::string text = wrong == 0 ? "no alarm" : counted(wrong, "alarm");
   list.AddText({axis.right() + 6, top - 1},
                widgets::ink(wrong == 0 ? palette::kFaintInk : palette::kCandidate), text.c_str());
+}
+
+std::string words_of_marks(const DebuggerModel& model, const TimeAxis& axis, float x) {
+  std::string words;
+  for (const auto& [mark, note] : model.bookmarks)
+    if (std::abs(axis.x_of(time_of(mark, model.run().rows())) - x) <= kMark)
+      words += "\nbookmark " + to_string(mark, model.run().names()) + (note.empty() ? "" : ": " + note);
+  return words;
 }
 
 /// The lives of the selected node, thin as a leaf and thick with children, and the operators at it; or the

@@ -52,6 +52,8 @@ void draw_time_ruler(PanelContext& context, const TimeAxis& axis, float top, flo
 float draw_lanes(PanelContext& context, const TimeAxis& axis, float top, float height);
 void draw_event_row_of_time(PanelContext& context, const TimeAxis& axis, float top);
 void draw_marks(PanelContext& context, const TimeAxis& axis, float top);
+/// The bookmarks at a place, a line each with its note; a line begins with an end of line.
+std::string words_of_marks(const DebuggerModel& model, const TimeAxis& axis, float x);
 void draw_ribbons(PanelContext& context, const TimeAxis& axis, float top);
 void draw_minimap(PanelContext& context, const TimeAxis& axis, float top);
 void draw_timeline_tools(PanelContext& context);

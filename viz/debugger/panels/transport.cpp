@@ -4,6 +4,7 @@
 #include "core/base/counted.h"
 #include "core/query/text.h"
 #include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/copying.h"
 #include "viz/debugger/panels/panel.h"
 #include "viz/debugger/panels/panel_menu.h"
 #include "viz/draw/palette.h"
@@ -108,11 +109,7 @@ void draw_message(PanelContext& context, const std::string& message) {
 void draw_moment_line(PanelContext& context) {
   const DebuggerModel& model = context.model;
   const Run& run = model.run();
-  const auto event = run.event();
-  std::string text =
-      event ? describe(*event, run.names()) : "end of step " + run.names().step(run.position().step);
-  if (run.position().step == 0) text = "before the first step";
-  ImGui::TextColored(widgets::to_vector(palette::kPartitioner), "%s", text.c_str());
+  ImGui::TextColored(widgets::to_vector(palette::kPartitioner), "%s", moment_words(run).c_str());
   ImGui::SameLine();
   const std::string message = model.message.empty() ? "" : "  " + model.message;
   const std::string steps = "of " + counted(run.steps(), "step");
@@ -124,6 +121,12 @@ void draw_moment_line(PanelContext& context) {
 }
 
 }  // namespace
+
+std::string moment_words(const Run& run) {
+  if (run.position().step == 0) return "before the first step";
+  const auto event = run.event();
+  return event ? describe(*event, run.names()) : "end of step " + run.names().step(run.position().step);
+}
 
 void draw_transport(PanelContext& context) {
   draw_steps(context);

@@ -3,28 +3,11 @@
 #include <stdexcept>
 
 #include "viz/debugger/gui/widgets.h"
+#include "viz/debugger/panels/copying.h"
 #include "viz/debugger/panels/panel.h"
 
 namespace kerf {
 namespace {
-
-/// Explanations are computed once for each moment and selection, since some replay the run.
-const std::string& explanation(PanelContext& context) {
-  PanelMemory& memory = context.memory;
-  DebuggerModel& model = context.model;
-  const Position& now = model.run().position();
-  if (memory.explained == model.selection() && memory.explained_at == now) return memory.explanation;
-  memory.explained = model.selection();
-  memory.explained_at = now;
-  try {
-    const bool of_event = is_nothing(model.selection());
-    memory.explanation = of_event ? std::string() : model.run().explain(model.selection());
-    if (of_event && !now.is_end()) memory.explanation = model.run().explain_event(now.event);
-  } catch (const std::runtime_error& error) {
-    memory.explanation = error.what();
-  }
-  return memory.explanation;
-}
 
 /// Links to the nodes and events in the text.
 void draw_links(PanelContext& context, const std::string& text) {
@@ -53,6 +36,23 @@ void draw_links(PanelContext& context, const std::string& text) {
 
 }  // namespace
 
+const std::string& explanation_of(PanelContext& context) {
+  PanelMemory& memory = context.memory;
+  DebuggerModel& model = context.model;
+  const Position& now = model.run().position();
+  if (memory.explained == model.selection() && memory.explained_at == now) return memory.explanation;
+  memory.explained = model.selection();
+  memory.explained_at = now;
+  try {
+    const bool of_event = is_nothing(model.selection());
+    memory.explanation = of_event ? std::string() : model.run().explain(model.selection());
+    if (of_event && !now.is_end()) memory.explanation = model.run().explain_event(now.event);
+  } catch (const std::runtime_error& error) {
+    memory.explanation = error.what();
+  }
+  return memory.explanation;
+}
+
 void draw_why(PanelContext& context) {
   DebuggerModel& model = context.model;
   const bool nothing = is_nothing(model.selection());
@@ -61,7 +61,7 @@ void draw_why(PanelContext& context) {
     ImGui::SameLine();
     if (widgets::button(context.gui, "deselect", "explain the event instead (Esc)")) model.select({});
   }
-  const std::string text = explanation(context);
+  const std::string text = explanation_of(context);
   if (text.empty()) {
     ImGui::TextWrapped("%s",
                        "Select a node in the tree or an object in the view (click; with Shift a second one "

@@ -36,7 +36,7 @@ void offer_settings(CommandList& commands) {
   commands.add("dark theme", "window", [](PanelContext& c) { c.memory.window.theme = ThemeName::dark; });
   commands.add("light theme", "window", [](PanelContext& c) { c.memory.window.theme = ThemeName::light; });
   commands.add("reset layout", "window", [](PanelContext& c) { c.memory.window.layout = WindowLayout(); });
-  commands.add("menu of the window", "V", [](PanelContext& c) { c.memory.window_menu_wanted = true; });
+  commands.add("menu of the window", "F10", [](PanelContext& c) { c.memory.window_menu_wanted = true; });
 }
 
 void offer_moves(CommandList& commands, PanelId panel, const WindowLayout& layout) {

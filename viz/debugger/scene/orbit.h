@@ -20,6 +20,8 @@ class Orbit {
   /// Looks at a box from not too near.
   void look_at(const Box<D>& box, int width, int height);
   void frame_all() { choice_ = CameraChoice<D>{}; }
+  [[nodiscard]] const CameraChoice<D>& choice() const { return choice_; }
+  void choose(const CameraChoice<D>& choice) { choice_ = choice; }
 
  private:
   void settle(int width, int height);

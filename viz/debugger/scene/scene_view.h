@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "viz/debugger/model/any_camera.h"
 #include "viz/debugger/model/debugger_model.h"
 #include "viz/debugger/scene/tints.h"
 #include "viz/draw/theme.h"
@@ -83,6 +84,9 @@ class SceneView {
   virtual void focus(const Selection& selection) = 0;
   /// Copies the camera of the other view, which must be of the same dimension.
   virtual void look_like(const SceneView& other) = 0;
+  [[nodiscard]] virtual AnyCamera camera() const = 0;
+  /// Of the other dimension: changes nothing.
+  virtual void set_camera(const AnyCamera& camera) = 0;
 };
 
 /// A view of the run, which must outlive it.

@@ -35,6 +35,10 @@ class SceneViewOf final : public SceneView {
   void zoom(double clicks, double x, double y) override { orbit_.zoom(clicks, x, y, width_, height_); }
   void focus(const Selection& selection) override;
   void look_like(const SceneView& other) override;
+  [[nodiscard]] AnyCamera camera() const override { return orbit_.choice(); }
+  void set_camera(const AnyCamera& camera) override {
+    if (const auto* const choice = std::get_if<CameraChoice<D>>(&camera)) orbit_.choose(*choice);
+  }
 
  private:
   /// Everything that decides the picture.
