@@ -118,7 +118,7 @@ const std::vector<std::string>& looks() {
       "key P\ntype \"n\"\nwait 2",
       "key Escape\nkey F1\nwait 2",
       "key Escape\nkey G\nwait 2",
-      "key Escape\nkey V\nwait 2\nkey Down\nwait 2",
+      "key Escape\nkey F10\nwait 2\nkey Down\nwait 2",
       "key Escape\nclick \"menu tree\"\nwait 2\nhover \"menu right\"\nwait 2",
       "key Escape\nkey Home\nwelcome\nwait 2"};
   return kLooks;

@@ -108,7 +108,7 @@ TEST_F(WindowOfDebugger, CommandsDoTheSame) {
 
 TEST_F(WindowOfDebugger, TheMenuOfTheWindowIsUsedByKeys) {
   EXPECT_EQ(
-      play("key V\nwait 2\nkey Down\nkey Enter\nkey Escape\nwait 2\nexpect zoom != 1\nexpect help == no"),
+      play("key F10\nwait 2\nkey Down\nkey Enter\nkey Escape\nwait 2\nexpect zoom != 1\nexpect help == no"),
       "");
   EXPECT_EQ(play("remember here position\nkey .\nexpect position != $here"), "") << "keys are free again";
 }
