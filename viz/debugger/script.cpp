@@ -93,7 +93,7 @@ const std::map<std::string, Key>& key_names() {
                                                  {"x", Key::x},         {"t", Key::t},
                                                  {"j", Key::j},         {"g", Key::g},
                                                  {"p", Key::p},         {"tab", Key::tab},
-                                                 {"w", Key::w}};
+                                                 {"w", Key::w},         {"v", Key::v}};
   return kNames;
 }
 

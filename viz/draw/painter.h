@@ -15,6 +15,12 @@ namespace kerf {
 /// How a batch takes part in hiding.
 enum class Depth { ignore, test, test_and_write };
 
+/// How a batch's colours meet those that are there.
+enum class Blend {
+  over,    ///< by their opacity
+  darken,  ///< the darker one remains, in each of red, green and blue: shadows on shadows are no darker
+};
+
 /// Letters to be drawn, as rectangles of the font's texture on the picture.
 struct TextBatch {
   struct Vertex {
@@ -45,7 +51,7 @@ class Painter {
   void begin(Color ground) const;
   /// Begins a picture in which the last triangle of a pixel wins, with its colour kept bit for bit.
   void begin_ids() const;
-  void draw(const Batch& batch, Depth depth) const;
+  void draw(const Batch& batch, Depth depth, Blend blend = Blend::over) const;
   void draw(const TextBatch& text, const View& view) const;
 
  private:

@@ -44,6 +44,7 @@ std::optional<Key> key_of(int key) {
                                         {GLFW_KEY_T, Key::t},
                                         {GLFW_KEY_J, Key::j},
                                         {GLFW_KEY_G, Key::g},
+                                        {GLFW_KEY_V, Key::v},
                                         {GLFW_KEY_P, Key::p},
                                         {GLFW_KEY_W, Key::w},
                                         {GLFW_KEY_ESCAPE, Key::escape},

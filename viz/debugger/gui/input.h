@@ -56,6 +56,7 @@ enum class Key : std::uint8_t {
   t,
   j,
   g,  // the legend
+  v,  // directions of the view
   p,  // the search
   w,  // errors
   f1,
