@@ -31,6 +31,8 @@ FilmCommand::FilmCommand(CLI::App& program)
   option("--config", texts.config, "Of a scene: parameters of the tree, see `kerf render --help`", "K=V,...");
   option("--seed", texts.seed, "Of a scene: of every random choice (default 1)", "S");
   option("--show", texts.show, "Layers (default objects,leaves,partitioners,operators)", "LAYERS");
+  option("--view", texts.view, "3D: from which side, in the middle of the film: iso, top, front or side",
+         "NAME");
   option("--camera", texts.camera, "From where, in the middle of the film, see `kerf render --help`", "TEXT");
   option("--workers", texts.workers, "Processes that draw; 0: this one alone (default: one a core)", "N");
   command_->add_flag("--overwrite", texts.overwrite, "Replace an earlier film and picture");

@@ -70,6 +70,7 @@ RenderCommand::RenderCommand(CLI::App& program)
   option("--volume", texts_.volume, "How objects are bounded, see below (default: what the scene needs)",
          "KIND");
   option("--show", texts_.show, "What is drawn, see below (default all)", "LAYERS");
+  option("--view", texts_.view, "3D: from which side: iso, top, front or side", "NAME");
   option("--camera", texts_.camera, "From where, see below (default: most in view)", "TEXT");
   option("--camera-path", texts_.camera_path, "Camera that moves, from a file, see below", "FILE");
   option("--samples", texts_.samples, "Of each pixel, see below (default: 4, of many objects 1)", "1|4|2x2");

@@ -26,7 +26,7 @@ struct Setting {
 template <int D>
 Setting<D> find_setting(RecordingReader<D>& recording, const StepRange& steps, Framing framing) {
   Setting<D> setting;
-  ViewBox<D> view(framing);
+  SceneBox<D> view(framing);
   ViewBox<D> everything(Framing::everything);
   ObjectTable<D> table(recording.info().volume);
   std::uint32_t objects = 0;

@@ -81,6 +81,16 @@ BroadPhaseChoice parse_broad_phase(const CatalogScene& scene, const RenderTexts&
   return choice;
 }
 
+/// `--view` is the camera's direction, which `--camera` may still change.
+std::string camera_text(const RenderTexts& texts, int dimension) {
+  if (texts.view.empty()) return texts.camera;
+  if (dimension == 2 || !is_direction(texts.view))
+    throw UsageError("--view: " + (dimension == 2
+                                       ? "a scene in 2D has no sides to be seen from"
+                                       : "\"" + texts.view + "\" is none of iso, top, front, side"));
+  return texts.camera.empty() ? texts.view : texts.view + "," + texts.camera;
+}
+
 std::string read_camera_path(int dimension, const std::string& file) {
   if (file.empty()) return "";
   std::ifstream stream(file, std::ios::binary);
@@ -116,8 +126,8 @@ void parse_pictures(const RenderTexts& texts, RenderRequest& request) {
   if (!texts.size.empty()) request.size = parse_picture_size(texts.size);
   if (!texts.show.empty())
     request.layers = parse_option("--show", [&] { return LayerSet::parse(texts.show); });
-  check_camera(request.dimension(), texts.camera);
-  request.camera = texts.camera;
+  request.camera = camera_text(texts, request.dimension());
+  check_camera(request.dimension(), request.camera);
   request.camera_file = texts.camera_path;
   request.camera_path = read_camera_path(request.dimension(), texts.camera_path);
   request.samples = parse_samples(texts, request.size);

@@ -28,6 +28,7 @@ struct RenderTexts {
   std::string broad_phase;
   std::string volume;
   std::string show;
+  std::string view;
   std::string camera;
   std::string config;
   std::string out;

@@ -30,7 +30,7 @@ void move_plane(FramePlan<D>& plan, Highlight& highlight, double part) {
   if (plane.offset != highlight.acted.new_offset) return;
   plane.offset = static_cast<Scalar>(highlight.acted.old_offset +
                                      part * (highlight.acted.new_offset - highlight.acted.old_offset));
-  highlight.partitioner = partitioner_in_cell(tree, node, plane, plan.bounds);
+  highlight.partitioner = partitioner_in_cell(tree, node, plane, crowd_of<D>(plan.crowds, node, plan.bounds));
   tree.assign(tree.root(), {tree.nodes().begin(), tree.nodes().end()}, std::move(planes));
 }
 

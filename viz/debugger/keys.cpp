@@ -29,6 +29,8 @@ void Debugger::take_key(Key key, bool shift) {
       return model_.step(Granularity::run, key == Key::end);
     case Key::f:
       return view_->focus(model_.selection());
+    case Key::v:
+      return model_.view.face_next(!shift);
     case Key::h:
       return model_.toggle_hidden();
     case Key::i:

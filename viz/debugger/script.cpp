@@ -93,9 +93,9 @@ const std::map<std::string, Key>& key_names() {
                                                  {"x", Key::x},         {"t", Key::t},
                                                  {"j", Key::j},         {"g", Key::g},
                                                  {"p", Key::p},         {"tab", Key::tab},
-                                                 {"w", Key::w},         {"y", Key::y},
-                                                 {"z", Key::z},         {"f10", Key::f10},
-                                                 {"=", Key::plus}};
+                                                 {"w", Key::w},         {"v", Key::v},
+                                                 {"y", Key::y},         {"z", Key::z},
+                                                 {"f10", Key::f10},     {"=", Key::plus}};
   return kNames;
 }
 

@@ -13,16 +13,18 @@ namespace kerf {
 namespace {
 
 struct CameraPreset {
-  std::string_view name;
   double yaw;
   double pitch;
 };
 
+/// In the order of their names.
 const CameraPreset* preset_called(std::string_view name) {
-  static constexpr std::array<CameraPreset, 4> kPresets{
-      {{"top", 0, 90}, {"front", 0, 0}, {"side", 90, 0}, {"iso", 45, 35.264}}};
-  const auto* const found = std::ranges::find(kPresets, name, &CameraPreset::name);
-  return found == kPresets.end() ? nullptr : found;
+  static constexpr std::array<CameraPreset, kDirectionNames.size()> kPresets{
+      {{45, 35.264}, {0, 90}, {0, 0}, {90, 0}}};
+  const auto found = std::ranges::find(kDirectionNames, name);
+  return found == kDirectionNames.end()
+             ? nullptr
+             : &kPresets[static_cast<std::size_t>(found - kDirectionNames.begin())];
 }
 
 constexpr double kMargin = 0.96;  // the part of the viewport that the framed box uses
@@ -200,6 +202,11 @@ double View::pixels_per_unit(const Eigen::Vector3d& point) const {
   return pixels_per_unit_at_one / std::max(1e-9, forward.dot(point - eye));
 }
 
+double View::depth_share(const Eigen::Vector3d& point) const {
+  if (!perspective) return 0;
+  return std::clamp((forward.dot(point - eye) - nearest) / std::max(1e-9, farthest - nearest), 0.0, 1.0);
+}
+
 std::optional<Eigen::Vector2d> View::project(const Eigen::Vector3d& point) const {
   const Eigen::Vector4d clip = clip_from_world * point.homogeneous();
   if (clip.w() <= near) return std::nullopt;
@@ -216,6 +223,7 @@ View frame_all<3>(const Box<3>& box, const CameraChoice<3>& choice, const Viewpo
   View view;
   view.eye = place_eye(box, choice, basis, slope);
   view.forward = basis.rows.row(2);
+  view.right = basis.rows.row(0);
   double nearest = std::numeric_limits<double>::max();
   double farthest = 0;
   for (const Eigen::Vector3d& corner : corners(box)) {
@@ -223,6 +231,8 @@ View frame_all<3>(const Box<3>& box, const CameraChoice<3>& choice, const Viewpo
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }
+  view.nearest = nearest;
+  view.farthest = farthest;
   farthest = std::max(2 * farthest, 1e-6);
   view.near = std::max(0.25 * nearest, 2e-3 * farthest);
   Eigen::Matrix4d camera = Eigen::Matrix4d::Identity();

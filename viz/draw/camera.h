@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -45,7 +46,8 @@ struct CameraChoice<2> {
 template <int D>
 CameraChoice<D> parse_camera(std::string_view text);
 
-/// Whether the word stands for yaw and pitch in 3D: "top", "front", "side" or "iso".
+/// The words that stand for yaw and pitch in 3D.
+inline constexpr std::array<std::string_view, 4> kDirectionNames{"iso", "top", "front", "side"};
 bool is_direction(std::string_view word);
 
 /// A rectangle of the picture in pixels, y down.
@@ -61,14 +63,19 @@ struct View {
   Eigen::Matrix4d clip_from_world;                     ///< y down: row 0 of the picture is its top
   Eigen::Vector3d eye = Eigen::Vector3d::Zero();       ///< 3D only
   Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();  ///< unit, from the eye into the scene
+  Eigen::Vector3d right = Eigen::Vector3d::UnitX();    ///< unit, level
   double pixels_per_unit_at_one = 1;                   ///< pixels of a unit length at depth 1 (2D: anywhere)
   bool perspective = false;                            ///< 3D
   double near = 0;                                     ///< 3D: parts nearer to the eye are not drawn
+  double nearest = 0;                                  ///< 3D: depth at which the framed box begins ...
+  double farthest = 1;                                 ///< ... and ends
   double picture_width = 1;
   double picture_height = 1;
 
   /// Pixels that a length of one takes at `point`.
   [[nodiscard]] double pixels_per_unit(const Eigen::Vector3d& point) const;
+  /// How deep a point lies in the framed box: 0 at its near end, 1 at its far end and beyond; 0 in 2D.
+  [[nodiscard]] double depth_share(const Eigen::Vector3d& point) const;
   /// Pixel position; nothing if the point lies behind the eye.
   [[nodiscard]] std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point) const;
 };

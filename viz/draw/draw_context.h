@@ -7,8 +7,11 @@
 #include "viz/draw/batch.h"
 #include "viz/draw/camera.h"
 #include "viz/draw/cells.h"
+#include "viz/draw/crowds.h"
 #include "viz/draw/draw_list.h"
 #include "viz/draw/frame_renderer.h"
+#include "viz/draw/palette.h"
+#include "viz/draw/strokes.h"
 
 namespace kerf {
 
@@ -31,8 +34,12 @@ struct DrawContext {
   std::uint32_t largest_population = 1;  ///< end of the ramp
   DrawList* list = nullptr;              ///< null: no record of what is drawn
   std::span<const Color> colors{};       ///< by object, instead of those by population; empty: none
+  std::span<const Box<D>> crowds{};      ///< by node, see `find_crowds`; empty: `bounds` for each
+  Color ground = palette::kGround;       ///< that lies behind everything
 
   [[nodiscard]] bool has(Layer layer) const { return layers.has(layer); }
+  /// Where a node's partitioner and cell are drawn.
+  [[nodiscard]] const Box<D>& space_of(NodeId node) const { return crowd_of(crowds, node, bounds); }
   /// Everything added to `batch` from now on belongs to this item.
   void begin(Batch& batch, DrawnKind kind, std::uint32_t a, std::uint32_t b = 0) const {
     if (list != nullptr) batch.item = list->add(kind, a, b);
@@ -53,10 +60,28 @@ void draw_objects(const DrawContext<3>& context, Batch& solid, Batch& glass);
 
 /// Cells filled by population.
 void draw_leaves(const DrawContext<2>& context, Batch& batch);
+/// The far walls of the bounds, in tiles: where the cells of the leaves reach them. `leaf_colors`: by node;
+/// nothing is drawn where one is transparent. First into `back`, since all else lies before it.
+void draw_stage(const DrawContext<3>& context, std::span<const Color> leaf_colors, Batch& back, Batch& lines);
+
+/// Shadows of moving objects on the ground below them, to be drawn with Blend::darken.
+void draw_shadows(const DrawContext<3>& context, Batch& shadows);
+
+/// The passes of a scene in 3D, but for its lines.
+struct SpaceBatches {
+  Batch& back;
+  Batch& glass;
+  Batch& shadows;  ///< to be drawn between the others
+};
+/// Stage, objects and shadows, as far as their layers are shown.
+void draw_space(const DrawContext<3>& context, std::span<const Color> leaf_colors, SpaceBatches to);
 
 /// A partitioner clipped to its cell.
 template <int D>
 void draw_partitioner(const DrawContext<D>& context, NodeId id, Batch& batch);
+/// The edges of a node's cell.
+template <int D>
+void outline_cell(const DrawContext<D>& context, NodeId id, const Stroke& stroke, Batch& batch);
 /// All of them; 3D: back to front.
 template <int D>
 void draw_partitioners(const DrawContext<D>& context, Batch& batch);

@@ -47,13 +47,19 @@ template <int D>
 void FramePlanner<D>::observe(const FrameInput<D>& input) {
   std::swap(plan_.snapshot, before_);
   plan_.snapshot.assign(input.tree);
-  highlights_.update(input, plan_.snapshot, before_, view_box_.box());
+  std::swap(plan_.crowds, crowds_before_);
+  plan_.crowds.clear();
+  const Box<D> bounds = view_box_.box();
+  if (D == 3 && input.tree != nullptr) plan_.crowds = find_crowds(*input.tree, input.bodies, bounds);
+  highlights_.update(input, {plan_.snapshot, plan_.crowds}, {before_, crowds_before_}, bounds);
 }
 
 template <int D>
 void FramePlanner<D>::forget() {
   plan_.snapshot.assign(nullptr);
   before_.assign(nullptr);
+  plan_.crowds.clear();
+  crowds_before_.clear();
   highlights_ = {};
 }
 

@@ -19,6 +19,7 @@ struct FramePlan {
   bool has_tree = false;                 ///< caption and legend describe it
   TreeSnapshotOf<D> snapshot;            ///< of the tree
   std::vector<Placement> placements;     ///< by object; empty: objects are not tinted
+  std::vector<Box<D>> crowds;            ///< by node, see `find_crowds`; empty in 2D
   std::vector<Highlight> highlights;     ///< newest first
   std::uint32_t largest_population = 0;  ///< end of the ramp
   bool ramp_is_fixed = false;            ///< a leaf may have more objects
@@ -58,6 +59,7 @@ class FramePlanner {
   int wanted_samples_;
   ViewBox<D> view_box_;
   TreeSnapshotOf<D> before_;
+  std::vector<Box<D>> crowds_before_;
   Highlights<D> highlights_;
   FramePlan<D> plan_;
 };

@@ -12,6 +12,7 @@
 #include "viz/draw/overlay.h"
 #include "viz/draw/painter.h"
 #include "viz/draw/palette.h"
+#include "viz/draw/triad.h"
 #include "viz/gl/context.h"
 #include "viz/gl/framebuffer.h"
 
@@ -52,6 +53,13 @@ Layout within(const Margins& margins, Layout layout) {
 double time_of(const Caption& caption) {
   const auto named = parse_step_time(caption.step_name);
   return named ? static_cast<double>(*named) : static_cast<double>(caption.step);
+}
+
+std::vector<Color> leaf_colors(const DrawContext<3>& context) {
+  std::vector<Color> colors;
+  for (const TreeSnapshot::Node& node : context.snapshot.nodes())
+    colors.push_back(palette::population_color(node.population, context.largest_population));
+  return colors;
 }
 
 /// A camera that the user has aimed need not show everything.
@@ -99,17 +107,18 @@ struct FrameRenderer<D>::State {
       if (has(Layer::leaves)) draw_leaves(frame, back);
       if (has(Layer::objects)) draw_objects(frame, back);
     } else {
-      if (has(Layer::objects)) draw_objects(frame, back, glass);
+      draw_space(frame, leaf_colors(frame), {back, glass, shadows});
     }
     if (has(Layer::partitioners)) draw_partitioners(frame, glass);
     draw_pairs(frame, lines);
     if (has(Layer::operators)) draw_highlights(frame.view, frame.line_scale, highlights, front, frame.list);
     if (tamper) tamper(batches, ids.list);
-    paint(batches);
+    paint(batches, &shadows);
   }
 
-  void paint(const std::array<Batch, 4>& passes) const {
+  void paint(const std::array<Batch, 4>& passes, const Batch* shades) const {
     painter.draw(passes[0], D == 3 ? Depth::test_and_write : Depth::ignore);
+    if (shades != nullptr) painter.draw(*shades, Depth::test, Blend::darken);
     painter.draw(passes[1], D == 3 ? Depth::test : Depth::ignore);
     painter.draw(passes[2], D == 3 ? Depth::test : Depth::ignore);
     painter.draw(passes[3], Depth::ignore);
@@ -121,7 +130,7 @@ struct FrameRenderer<D>::State {
     for (std::size_t i = 0; i < batches.size(); ++i) make_id_batch(batches[i], id_batches[i]);
     id_framebuffer->bind();
     painter.begin_ids();
-    paint(id_batches);
+    paint(id_batches, nullptr);
     make_id_batch(overlay.shapes, id_overlay);  // a label hides what lies below it
     painter.draw(id_overlay, Depth::ignore);
     id_framebuffer->read(ids.image);
@@ -139,6 +148,8 @@ struct FrameRenderer<D>::State {
                                      has(Layer::operators) ? newest : std::vector<Highlight>{});
     draw_caption(frame.view, font, layout, caption, log, overlay);
     draw_legend(frame.view, font, layout, legend, frame.line_scale, overlay);
+    if (D == 3 && has(Layer::legend))
+      draw_triad(frame.view, font, layout.scene, Corner::left, 1.8 * font.line_height(), overlay);
     if (sketch) sketch(frame.view, font, overlay);
     painter.draw(overlay.shapes, Depth::ignore);
     painter.draw(overlay.text, frame.view);
@@ -164,7 +175,9 @@ struct FrameRenderer<D>::State {
                                options.layers,
                                line_scale,
                                plan.largest_population,
-                               options.ids ? &ids.list : nullptr};
+                               options.ids ? &ids.list : nullptr,
+                               {},
+                               plan.crowds};
     ids.list.clear();
     choose_framebuffer(plan.samples);
     framebuffer->bind();
@@ -191,6 +204,7 @@ struct FrameRenderer<D>::State {
   // Memory kept from frame to frame.
   std::array<Batch, 4> batches;
   std::array<Batch, 4> id_batches;
+  Batch shadows;
   Batch id_overlay;
   FrameIds ids;
   Tamper tamper;

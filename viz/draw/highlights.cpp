@@ -13,15 +13,16 @@ namespace {
 constexpr std::size_t kMostHighlights = 8;
 
 template <int D>
-void find_cell(Highlight& highlight, const TreeSnapshotOf<D>& snapshot, const DirectionSet<D>& directions,
+void find_cell(Highlight& highlight, const DrawnTree<D>& tree, const DirectionSet<D>& directions,
                const Box<D>& bounds) {
   const OperatorActed& acted = highlight.acted;
   const NodeId id = acted.node.node;
-  highlight.faces = cell_faces(snapshot, id, bounds);
+  const Box<D>& space = crowd_of(tree.crowds, id, bounds);
+  highlight.faces = cell_faces(tree.snapshot, id, space);
   if (acted.direction >= directions.size()) return;
   const Vector<D>& normal = directions[acted.direction];
   const auto in_cell = [&](Scalar offset) {
-    return partitioner_in_cell(snapshot, id, Plane<D>{normal, offset}, bounds);
+    return partitioner_in_cell(tree.snapshot, id, Plane<D>{normal, offset}, space);
   };
   const bool has_new = acted.op != Operator::merge && acted.op != Operator::swap;
   const bool has_old = acted.op != Operator::split && acted.op != Operator::shift_split;
@@ -76,8 +77,8 @@ std::string Highlight::label() const {
 }
 
 template <int D>
-void Highlights<D>::update(const FrameInput<D>& input, const TreeSnapshotOf<D>& now,
-                           const TreeSnapshotOf<D>& before, const Box<D>& bounds) {
+void Highlights<D>::update(const FrameInput<D>& input, const DrawnTree<D>& now, const DrawnTree<D>& before,
+                           const Box<D>& bounds) {
   highlights_.clear();
   std::map<std::uint64_t, Highlight> still_remembered;
   for (auto event = input.events.rbegin(); event != input.events.rend(); ++event) {
@@ -87,12 +88,12 @@ void Highlights<D>::update(const FrameInput<D>& input, const TreeSnapshotOf<D>& 
     if (age > input.highlight_steps) continue;
     Highlight highlight{event->id, *acted, age, input.highlight_steps, {}, {}, {}, {}};
     const auto known = remembered_.find(event->id);
-    if (now.is_alive(acted->node)) {
+    if (now.snapshot.is_alive(acted->node)) {
       find_cell(highlight, now, input.tree->directions(), bounds);
     } else if (known != remembered_.end()) {
       highlight = known->second;
       highlight.age = age;
-    } else if (before.is_alive(acted->node)) {
+    } else if (before.snapshot.is_alive(acted->node)) {
       find_cell(highlight, before, input.tree->directions(), bounds);
     }
     if (known != remembered_.end()) highlight.anchor = known->second.anchor;
@@ -113,9 +114,13 @@ void draw_highlights(const View& view, double line_scale, const std::vector<High
       batch.item =
           list->add(DrawnKind::operation, h->acted.node.node.value, static_cast<std::uint32_t>(h->acted.op));
     const double width = (1.2 + 1.8 * h->strength()) * line_scale;
-    for (const Polygon& face : h->faces) add_outline(batch, view, face, {color, width});
+    // The twelve edges of a cell in space hide what is in it: where there are many, planes must do.
+    const bool is_solid = h->faces.size() > 1;
+    const Stroke edge{color, (is_solid ? 0.5 : 1) * width};
+    if (!is_solid || h + 1 == highlights.rend())
+      for (const Polygon& face : h->faces) add_outline(batch, view, face, edge);
     add_outline(batch, view, h->old_partitioner, {color, width, 7 * line_scale, 5 * line_scale});
-    add_polygon(batch, view, h->partitioner, with_alpha(palette::kOperator, 0.18 * h->strength()));
+    add_polygon(batch, view, h->partitioner, with_alpha(palette::kOperator, 0.16 * h->strength()));
     add_outline(batch, view, h->partitioner, {color, width});
   }
 }

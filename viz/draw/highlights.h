@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,20 @@ struct Highlight {
   [[nodiscard]] std::string sentence() const;
 };
 
+/// The nodes of a moment and where they are drawn.
+template <int D>
+struct DrawnTree {
+  const TreeSnapshotOf<D>& snapshot;
+  std::span<const Box<D>> crowds{};  ///< by node, see `find_crowds`; empty: everywhere
+};
+
 /// The operators to highlight. Cells of nodes that have died since (swap removes its node) are those of the
 /// last frame in which they lived.
 template <int D>
 class Highlights {
  public:
   /// Takes in the events of a frame. `before`: the tree of the frame before this one.
-  void update(const FrameInput<D>& input, const TreeSnapshotOf<D>& now, const TreeSnapshotOf<D>& before,
+  void update(const FrameInput<D>& input, const DrawnTree<D>& now, const DrawnTree<D>& before,
               const Box<D>& bounds);
   /// Newest first.
   [[nodiscard]] const std::vector<Highlight>& all() const { return highlights_; }

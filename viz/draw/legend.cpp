@@ -95,7 +95,7 @@ std::vector<LegendItem> legend_items(LayerSet layers, int dimension, bool has_tr
     if (tinted) items.push_back({Swatch::straddler, "in 2+ leaves"});
   }
   if (tinted && (dimension == 2 || layers.has(Layer::objects))) {
-    const std::string what = dimension == 2 ? "leaf of 0-" : "moving, leaf of 0-";
+    const std::string what = dimension == 2 ? "leaf of 0-" : "in a leaf of 0-";
     items.push_back({Swatch::population, what + largest_population});
   }
   if (layers.has(Layer::partitioners) && has_tree) items.push_back({Swatch::partitioner, "partitioner"});

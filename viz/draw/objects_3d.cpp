@@ -1,19 +1,25 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/overloaded.h"
 #include "viz/draw/draw_context.h"
 #include "viz/draw/palette.h"
+#include "viz/draw/shading.h"
 #include "viz/draw/sphere_mesh.h"
 #include "viz/draw/strokes.h"
 
 namespace kerf {
 namespace {
 
-constexpr double kAmbient = 0.62;
 constexpr double kGlassAlpha = 0.10;
-constexpr double kWallSlope = 0.5;  // steeper faces of fixed objects are walls, of glass
+constexpr double kEdgeLight = 0.55;    // light of an object's edges
+constexpr double kEdgePixels = 1.1;    // their width
+constexpr double kFewestEdges = 7;     // smaller objects, in rims, have none: they would be nothing else
+constexpr double kBeforeEdge = 1e-5;   // of the depths that the rasteriser compares
+constexpr double kFewestCorners = 12;  // of the disc behind a ball, which is its rim
+constexpr double kWallSlope = 0.5;     // steeper faces of fixed objects are walls, of glass
 
 /// A body's frame seen by the camera; all decisions about a face are made in it.
 struct Frame {
@@ -29,15 +35,12 @@ Frame frame_of(const View& view, const Pose<3>& pose) {
     world_from_body.col(i).head<3>() = to_point(pose.axes[static_cast<std::size_t>(i)]);
   world_from_body.topRightCorner<3, 1>() = to_point(pose.position);
   const Eigen::Matrix3d axes = world_from_body.topLeftCorner<3, 3>();
-  // The light comes from above, over the viewer's left shoulder.
-  const Eigen::Vector3d level(view.forward.z(), 0, -view.forward.x());
-  const Eigen::Vector3d light = (Eigen::Vector3d(0, 1.2, 0) - 0.7 * view.forward + 0.5 * level).normalized();
   return {view.clip_from_world * world_from_body, axes.transpose() * (view.eye - to_point(pose.position)),
-          axes.transpose() * light, axes.transpose() * Eigen::Vector3d::UnitY()};
+          axes.transpose() * light_of(view), axes.transpose() * Eigen::Vector3d::UnitY()};
 }
 
 Color lit_face(const Frame& frame, const Eigen::Vector3d& normal, Color color) {
-  return lit(color, kAmbient + (1.08 - kAmbient) * std::max(0.0, normal.dot(frame.light)));
+  return kerf::lit_face(color, normal.dot(frame.light));
 }
 
 Eigen::Vector4d to_clip(const Frame& frame, const Eigen::Vector3d& p) {
@@ -59,11 +62,37 @@ struct Targets {
   Batch& solid;
   Batch& glass;
   std::vector<Pane>& panes;
+  double pixels = 1;  ///< of a unit length where the object is
+
+  /// Whether an object so large, from its middle to its side, is drawn with its edges.
+  [[nodiscard]] bool has_rim(double half) const {
+    return 2 * half * pixels > kFewestEdges * kEdgePixels * context.line_scale;
+  }
 };
 
-void draw_ball(const Targets& to, const Frame& frame, const Ball& ball, double pixels_per_unit, Color color) {
+/// A disc behind the ball, a little larger: what is seen of it is the ball's outline.
+void draw_disc(const Targets& to, const Frame& frame, double radius, Color color) {
+  const Eigen::Vector3d way = frame.eye.normalized();
+  const Eigen::Vector3d u = way.unitOrthogonal();
+  const Eigen::Vector3d v = way.cross(u);
+  const double distance = std::max(frame.eye.norm(), 1.001 * radius);
+  // The outline of a ball that is near lies before its middle.
+  const double depth = radius * radius / distance;
+  const double seen = std::sqrt(std::max(0.0, radius * radius - depth * depth));
+  const double rim = seen + kEdgePixels * to.context.line_scale / to.pixels;
+  const auto corners = static_cast<int>(kFewestCorners + std::sqrt(radius * to.pixels));
+  std::vector<Eigen::Vector4d> clip;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    clip.push_back(to_clip(frame, depth * way + rim * (std::cos(angle) * u + std::sin(angle) * v)));
+  }
+  to.solid.add_fan(clip, color);
+}
+
+void draw_ball(const Targets& to, const Frame& frame, const Ball& ball, Color color) {
   const double radius = ball.radius;
-  const SphereMesh& mesh = sphere_mesh_for(radius * pixels_per_unit);
+  if (to.has_rim(radius)) draw_disc(to, frame, radius, lit(color, kEdgeLight));
+  const SphereMesh& mesh = sphere_mesh_for(radius * to.pixels);
   for (const SphereMesh::Face& face : mesh.faces) {
     if (face.normal.dot(frame.eye) <= face.height * radius) continue;
     const Color shade = lit_face(frame, face.normal, color);
@@ -88,25 +117,58 @@ Pane make_pane(const Body<3>& body, const std::array<Eigen::Vector3d, 4>& corner
   return pane;
 }
 
+/// A side of a box, seen from outside; `inset`: how far its corners lie within its own.
+struct Side {
+  int axis = 0;
+  double sign = 1;
+  double inset = 0;
+};
+
+std::array<Eigen::Vector3d, 4> corners_of(const Brick<3>& brick, const Side& side) {
+  const int u = (side.axis + 1) % 3;
+  const int v = (side.axis + 2) % 3;
+  std::array<Eigen::Vector3d, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) {
+    corners[i][side.axis] = side.sign * double{brick.half[side.axis]};
+    corners[i][u] = (i == 0 || i == 3 ? -1 : 1) * (double{brick.half[u]} - side.inset);
+    corners[i][v] = (i < 2 ? -1 : 1) * (double{brick.half[v]} - side.inset);
+  }
+  return corners;
+}
+
+std::array<Eigen::Vector4d, 4> to_clip(const Frame& frame, const std::array<Eigen::Vector3d, 4>& corners) {
+  std::array<Eigen::Vector4d, 4> clip;
+  std::ranges::transform(corners, clip.begin(), [&](const Eigen::Vector3d& p) { return to_clip(frame, p); });
+  return clip;
+}
+
+/// Filled twice, dark and then smaller and a hair nearer: a rim for the price of one more fan.
+void draw_side(const Targets& to, const Frame& frame, const Brick<3>& brick, Side side, Color color) {
+  const int u = (side.axis + 1) % 3;
+  const int v = (side.axis + 2) % 3;
+  const bool has_rim = to.has_rim(std::min(double{brick.half[u]}, double{brick.half[v]}));
+  to.solid.add_fan(to_clip(frame, corners_of(brick, side)), has_rim ? lit(color, kEdgeLight) : color);
+  if (!has_rim) return;
+  side.inset = kEdgePixels * to.context.line_scale / to.pixels;
+  auto clip = to_clip(frame, corners_of(brick, side));
+  for (Eigen::Vector4d& corner : clip) corner.z() -= kBeforeEdge * corner.w();
+  to.solid.add_fan(clip, color);
+}
+
 void draw_brick(const Targets& to, const Frame& frame, const Body<3>& body, const Brick<3>& brick,
                 Color color) {
   for (int axis = 0; axis < 3; ++axis) {
-    const int u = (axis + 1) % 3;
-    const int v = (axis + 2) % 3;
     for (const double sign : {-1.0, 1.0}) {
       const Eigen::Vector3d normal = sign * Eigen::Vector3d::Unit(axis);
       if (normal.dot(frame.eye) <= double{brick.half[axis]}) continue;
-      std::array<Eigen::Vector3d, 4> corners;
-      std::array<Eigen::Vector4d, 4> clip;
-      for (std::size_t i = 0; i < 4; ++i) {
-        corners[i][axis] = sign * double{brick.half[axis]};
-        corners[i][u] = (i == 0 || i == 3 ? -1 : 1) * double{brick.half[u]};
-        corners[i][v] = (i < 2 ? -1 : 1) * double{brick.half[v]};
-        clip[i] = to_clip(frame, corners[i]);
-      }
       const Color shade = lit_face(frame, normal, color);
-      const bool is_wall = body.mobility == Mobility::fixed && normal.dot(frame.up) < kWallSlope;
-      if (is_wall) {
+      if (body.mobility == Mobility::moving) {
+        draw_side(to, frame, brick, {axis, sign}, shade);
+        continue;
+      }
+      const auto corners = corners_of(brick, {axis, sign});
+      const auto clip = to_clip(frame, corners);
+      if (normal.dot(frame.up) < kWallSlope) {
         to.panes.push_back(make_pane(body, corners, clip, to.context.view, shade));
         to.panes.back().item = to.glass.item;
       } else {
@@ -135,17 +197,29 @@ void draw_surface(const Targets& to, const Frame& frame, const Surface& surface,
   }
 }
 
-void draw_body(const Targets& to, std::size_t object) {
+/// A little lighter or darker than others of its colour: neighbours can be told apart, and followed.
+Color varied(Color color, std::size_t object) {
+  const auto mixed = static_cast<std::uint32_t>(object * 2654435769U);
+  return lit(color, 0.92 + 0.12 * (static_cast<double>(mixed >> 8U) / (1U << 24U)));
+}
+
+Color color_of(const DrawContext<3>& context, std::size_t object) {
+  const Body<3>& body = context.input.bodies[object];
+  const Color color = object_color(context, object);
+  const bool varies = body.mobility == Mobility::moving && color != palette::kStraddler;
+  return mix(context.ground, varies ? varied(color, object) : color,
+             clearness(context.view, to_point(body.pose.position)));
+}
+
+void draw_body(Targets& to, std::size_t object) {
   const Body<3>& body = to.context.input.bodies[object];
   const Frame frame = frame_of(to.context.view, body.pose);
-  const Color color = object_color(to.context, object);
+  const Color color = color_of(to.context, object);
+  to.pixels = to.context.view.pixels_per_unit(to_point(body.pose.position));
   to.context.begin(to.solid, DrawnKind::object, static_cast<std::uint32_t>(object));
   to.glass.item = to.solid.item;
   std::visit(Overloaded{
-                 [&](const Ball& ball) {
-                   const double pixels = to.context.view.pixels_per_unit(to_point(body.pose.position));
-                   draw_ball(to, frame, ball, pixels, color);
-                 },
+                 [&](const Ball& ball) { draw_ball(to, frame, ball, color); },
                  [&](const Brick<3>& brick) { draw_brick(to, frame, body, brick, color); },
                  [&](const std::shared_ptr<const Surface>& surface) {
                    if (surface) draw_surface(to, frame, *surface, color);
@@ -158,7 +232,7 @@ void draw_body(const Targets& to, std::size_t object) {
 
 void draw_objects(const DrawContext<3>& context, Batch& solid, Batch& glass) {
   std::vector<Pane> panes;
-  const Targets to{context, solid, glass, panes};
+  Targets to{context, solid, glass, panes};
   for (std::size_t object = 0; object < context.input.bodies.size(); ++object)
     if (is_drawable(context.input.bodies[object])) draw_body(to, object);
   std::ranges::stable_sort(panes, std::ranges::greater{}, &Pane::distance);

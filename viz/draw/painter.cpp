@@ -158,7 +158,7 @@ void Painter::set_blending(bool wanted) const {
   }
 }
 
-void Painter::draw(const Batch& batch, Depth depth) const {
+void Painter::draw(const Batch& batch, Depth depth, Blend blend) const {
   if (batch.empty()) return;
   if (depth == Depth::ignore) {
     gl_.Disable(GL_DEPTH_TEST);
@@ -174,7 +174,9 @@ void Painter::draw(const Batch& batch, Depth depth) const {
   gl_.BindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
   gl_.BufferData(GL_ARRAY_BUFFER, size_of(batch.vertices), batch.vertices.data(), GL_STREAM_DRAW);
   gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, size_of(batch.indices), batch.indices.data(), GL_STREAM_DRAW);
+  if (blend == Blend::darken) gl_.BlendEquation(GL_MIN);
   gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.indices.size()), GL_UNSIGNED_INT, nullptr);
+  if (blend == Blend::darken) gl_.BlendEquation(GL_FUNC_ADD);
 }
 
 void Painter::draw(const TextBatch& text, const View& view) const {

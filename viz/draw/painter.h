@@ -19,6 +19,12 @@ enum class Depth {
   test_and_write,  ///< all of it is opaque
 };
 
+/// How a batch's colours meet those that are there.
+enum class Blend {
+  over,    ///< by their opacity
+  darken,  ///< the darker one remains, in each of red, green and blue: shadows on shadows are no darker
+};
+
 /// Letters to be drawn, as rectangles of the font's texture on the picture.
 struct TextBatch {
   struct Vertex {
@@ -49,7 +55,7 @@ class Painter {
   void begin(Color ground);
   /// Begins a picture in which the last triangle of a pixel wins, with its colour kept bit for bit.
   void begin_ids();
-  void draw(const Batch& batch, Depth depth) const;
+  void draw(const Batch& batch, Depth depth, Blend blend = Blend::over) const;
   void draw(const TextBatch& text, const View& view) const;
 
  private:

@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 #include "viz/draw/draw_context.h"
+#include "viz/draw/pair_density.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/strokes.h"
 
@@ -10,7 +13,10 @@ namespace {
 // The line to an object this many times larger than its partner ends where the object begins, not at its
 // middle.
 constexpr double kLarge = 3;
-constexpr double kLargeFixed = 1.5;
+constexpr double kLargeFixed = 0.5;
+
+constexpr double kThinnest = 0.7;        ///< pixels of a line that has faded
+constexpr double kWeakestDiamond = 0.6;  ///< fainter contacts have no marker
 
 template <int D>
 double largest_extent(const Box<D>& box) {
@@ -72,26 +78,53 @@ Line seen_line(const View& view, const Body<D>& a, const Body<D>& b) {
   return {towards_eye(view, line.a, lift), towards_eye(view, line.b, lift)};
 }
 
+/// A pair's line, measured before any is drawn: how strong it is depends on the others around it.
+struct SeenPair {
+  Pair pair;
+  bool is_contact = false;
+  Line line;
+  std::optional<Eigen::Vector2d> middle;  ///< on the picture
+  double length = 0;                      ///< pixels
+  double size = 0;                        ///< of the smaller object, in pixels
+};
+
+double width_of(const SeenPair& seen, double scale) {
+  return scale * std::clamp(seen.size / 20, 0.9, seen.is_contact ? 2.0 : 1.4);
+}
+
 template <int D>
-void draw_pair(const DrawContext<D>& context, const Pair& pair, bool is_contact, Batch& batch) {
+void measure_pair(const DrawContext<D>& context, const Pair& pair, bool is_contact,
+                  std::vector<SeenPair>& all) {
   const auto bodies = context.input.bodies;
   if (pair.a.index() >= bodies.size() || pair.b.index() >= bodies.size()) return;
   const Body<D>& a = bodies[pair.a.index()];
   const Body<D>& b = bodies[pair.b.index()];
   if (!is_drawable(a) || !is_drawable(b)) return;
-  context.begin(batch, DrawnKind::pair, pair.a.value, pair.b.value);
-  const Line line = seen_line(context.view, a, b);
-  const Eigen::Vector3d middle = 0.5 * (line.a + line.b);
-  const double pixels =
-      std::min(largest_extent(a.box), largest_extent(b.box)) * context.view.pixels_per_unit(middle);
+  const View& view = context.view;
+  SeenPair seen{pair, is_contact, seen_line(view, a, b), std::nullopt, 0, 0};
+  const Eigen::Vector3d middle = 0.5 * (seen.line.a + seen.line.b);
+  const double unit = view.pixels_per_unit(middle);
+  seen.middle = view.project(middle);
+  seen.length = (seen.line.b - seen.line.a).norm() * unit;
+  seen.size = std::min(largest_extent(a.box), largest_extent(b.box)) * unit;
+  all.push_back(seen);
+}
+
+template <int D>
+void draw_pair(const DrawContext<D>& context, const SeenPair& seen, double strength, Batch& batch) {
+  context.begin(batch, DrawnKind::pair, seen.pair.a.value, seen.pair.b.value);
   const double scale = context.line_scale;
-  if (is_contact) {
-    add_line(batch, context.view, line.a, line.b,
-             {palette::kContact, scale * std::clamp(pixels / 20, 0.9, 2.0)});
-    add_diamond(batch, context.view, middle, scale * std::clamp(pixels / 9, 1.6, 4.0), palette::kContact);
+  const double width = std::max(kThinnest * scale, strength * width_of(seen, scale));
+  const Line& line = seen.line;
+  if (seen.is_contact) {
+    const Color color = with_alpha(palette::kContact, strength);
+    add_line(batch, context.view, line.a, line.b, {color, width});
+    if (strength < kWeakestDiamond) return;
+    const double radius = scale * strength * std::clamp(seen.size / 9, 1.6, 4.0);
+    add_diamond(batch, context.view, 0.5 * (line.a + line.b), radius, color);
   } else {
-    const double width = scale * std::clamp(pixels / 20, 0.9, 1.4);
-    add_line(batch, context.view, line.a, line.b, {palette::kCandidate, width, 4 * scale, 3 * scale});
+    const Color color = with_alpha(palette::kCandidate, strength);
+    add_line(batch, context.view, line.a, line.b, {color, width, 4 * scale, 3 * scale});
   }
 }
 
@@ -106,11 +139,17 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> pair_line(const View& view, const Bo
 template <int D>
 void draw_pairs(const DrawContext<D>& context, Batch& batch) {
   const auto contacts = context.has(Layer::contacts) ? context.input.contacts : std::span<const Pair>();
+  std::vector<SeenPair> all;
   if (context.has(Layer::pairs)) {
     for (const Pair& pair : context.input.pairs)
-      if (!std::ranges::binary_search(contacts, pair)) draw_pair(context, pair, false, batch);
+      if (!std::ranges::binary_search(contacts, pair)) measure_pair(context, pair, false, all);
   }
-  for (const Pair& pair : contacts) draw_pair(context, pair, true, batch);
+  for (const Pair& pair : contacts) measure_pair(context, pair, true, all);
+  PairDensity density(context.view);
+  for (const SeenPair& seen : all)
+    if (seen.middle) density.add(*seen.middle, seen.length * width_of(seen, context.line_scale));
+  for (const SeenPair& seen : all)
+    draw_pair(context, seen, seen.middle ? density.strength(*seen.middle) : 1.0, batch);
 }
 
 template std::pair<Eigen::Vector3d, Eigen::Vector3d> pair_line(const View&, const Body<2>&, const Body<2>&);

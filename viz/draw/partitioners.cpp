@@ -16,14 +16,14 @@ double line_width(std::uint32_t depth) { return std::max(1.1, 3.0 - 0.4 * depth)
 constexpr std::uint32_t kDeepestPane = 6;
 
 /// Many panes in a row must let the objects behind them through.
-double pane_alpha(std::uint32_t leaves) { return std::clamp(0.45 / std::sqrt(1.0 + leaves), 0.025, 0.18); }
+double pane_alpha(std::uint32_t leaves) { return std::clamp(0.24 / std::sqrt(1.0 + leaves), 0.02, 0.1); }
 
 }  // namespace
 
 template <int D>
 void draw_partitioner(const DrawContext<D>& context, NodeId id, Batch& batch) {
   const std::uint32_t depth = context.snapshot[id].depth;
-  const Polygon polygon = partitioner_in_cell(context.snapshot, id, context.bounds);
+  const Polygon polygon = partitioner_in_cell(context.snapshot, id, context.space_of(id));
   const double width = line_width(depth) * context.line_scale;
   if constexpr (D == 2) {
     if (!polygon.empty())
@@ -37,6 +37,12 @@ void draw_partitioner(const DrawContext<D>& context, NodeId id, Batch& batch) {
 }
 
 template <int D>
+void outline_cell(const DrawContext<D>& context, NodeId id, const Stroke& stroke, Batch& batch) {
+  for (const Polygon& face : cell_faces(context.snapshot, id, context.space_of(id)))
+    add_outline(batch, context.view, face, stroke);
+}
+
+template <int D>
 void draw_partitioners(const DrawContext<D>& context, Batch& batch) {
   for (const NodeId id : back_to_front(context.snapshot, context.view.eye)) {
     if (context.snapshot[id].is_leaf()) continue;
@@ -47,6 +53,8 @@ void draw_partitioners(const DrawContext<D>& context, Batch& batch) {
 
 template void draw_partitioner<2>(const DrawContext<2>&, NodeId, Batch&);
 template void draw_partitioner<3>(const DrawContext<3>&, NodeId, Batch&);
+template void outline_cell(const DrawContext<2>&, NodeId, const Stroke&, Batch&);
+template void outline_cell(const DrawContext<3>&, NodeId, const Stroke&, Batch&);
 template void draw_partitioners<2>(const DrawContext<2>&, Batch&);
 template void draw_partitioners<3>(const DrawContext<3>&, Batch&);
 

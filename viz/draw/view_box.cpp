@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
+#include <vector>
 
 namespace kerf {
 namespace {
 
 constexpr Scalar kFarthestView = 1e19F;
-constexpr Scalar kGrowth = 0.12F;  ///< more than is needed
+constexpr Scalar kGrowth = 0.12F;       ///< more than is needed
+constexpr Scalar kAroundAction = 0.2F;  ///< of what never moves, in the size of what does
 
 template <int D>
 Box<D> padded(Box<D> box) {
@@ -57,6 +60,34 @@ Box<D> ViewBox<D>::box() const {
   return unit;
 }
 
+template <int D>
+void SceneBox<D>::update(std::span<const Body<D>> bodies) {
+  all_.update(bodies);
+  if (D == 2 || framing_ == Framing::everything) return;
+  std::vector<Body<D>> moving;
+  std::ranges::copy_if(bodies, std::back_inserter(moving),
+                       [](const Body<D>& body) { return body.mobility == Mobility::moving; });
+  if (!box_of_interest<D>(moving, framing_)) return;
+  action_.update(moving);
+  has_action_ = true;
+}
+
+template <int D>
+Box<D> SceneBox<D>::box() const {
+  Box<D> box = all_.box();
+  if (!has_action_) return box;
+  const Box<D> action = action_.box();
+  const Vector<D> extent = action.extent();
+  const Scalar around = kAroundAction * *std::ranges::max_element(extent.value);
+  for (int i = 0; i < D; ++i) {
+    box.min[i] = std::max(box.min[i], action.min[i] - around);
+    box.max[i] = std::min(box.max[i], action.max[i] + around);
+  }
+  return box;
+}
+
+template class SceneBox<2>;
+template class SceneBox<3>;
 template class ViewBox<2>;
 template class ViewBox<3>;
 

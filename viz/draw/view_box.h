@@ -27,6 +27,26 @@ class ViewBox {
   bool fixed_ = false;
 };
 
+/// The view of a sequence of which all frames are looked at before the first is drawn: everything seen, but
+/// in 3D of what never moves only as much as lies around what does, so that a large floor leaves the picture
+/// to the action.
+template <int D>
+class SceneBox {
+ public:
+  explicit SceneBox(Framing framing = Framing::most) : framing_(framing), all_(framing), action_(framing) {}
+
+  void update(std::span<const Body<D>> bodies);
+  [[nodiscard]] Box<D> box() const;
+
+ private:
+  Framing framing_;
+  ViewBox<D> all_;
+  ViewBox<D> action_;
+  bool has_action_ = false;
+};
+
+extern template class SceneBox<2>;
+extern template class SceneBox<3>;
 extern template class ViewBox<2>;
 extern template class ViewBox<3>;
 

@@ -176,6 +176,7 @@ void write(RawWriter& out, const FramePlan<D>& plan) {
   out.put_list(plan.snapshot.nodes());
   out.put_list(plan.snapshot.planes());
   out.put_list(std::span<const Placement>(plan.placements));
+  out.put_list(std::span<const Box<D>>(plan.crowds));
   out.put(plan.highlights.size());
   for (const Highlight& highlight : plan.highlights) write(out, highlight);
   out.put(plan.largest_population);
@@ -194,6 +195,7 @@ FramePlan<D> read_plan(RawReader& in) {
   auto nodes = in.get_list<TreeSnapshot::Node>();
   plan.snapshot.assign(root, std::move(nodes), in.get_list<Plane<D>>());
   plan.placements = in.get_list<Placement>();
+  plan.crowds = in.get_list<Box<D>>();
   plan.highlights.resize(in.get<std::size_t>());
   for (Highlight& highlight : plan.highlights) highlight = read_highlight(in);
   plan.largest_population = in.get<std::uint32_t>();

@@ -99,5 +99,14 @@ TEST(RenderRequest, CameraIsReadInTheSceneDimension) {
   EXPECT_THAT(complaint("buckets", &RenderTexts::camera, "width=40"), HasSubstr("--camera"));
 }
 
+TEST(RenderRequest, AViewIsTheDirectionOfTheCamera) {
+  EXPECT_EQ(parse_request(with("buckets", &RenderTexts::view, "top")).camera, "top");
+  RenderTexts both = with("buckets", &RenderTexts::view, "front");
+  both.camera = "fov=20";
+  EXPECT_EQ(parse_request(both).camera, "front,fov=20");
+  EXPECT_THAT(complaint("buckets", &RenderTexts::view, "below"), HasSubstr("iso, top, front, side"));
+  EXPECT_THAT(complaint("pile", &RenderTexts::view, "top"), HasSubstr("--view"));
+}
+
 }  // namespace
 }  // namespace kerf

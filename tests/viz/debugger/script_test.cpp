@@ -297,6 +297,23 @@ expect bookmarks == 1
   EXPECT_THAT(play("click \"tab Wy\""), HasSubstr("'tab Why'"));
 }
 
+TEST_F(ScriptedDebugger, AKeySeesTheSceneFromItsSides) {
+  EXPECT_EQ(
+      play("key End\nwait 1\nscreenshot usual\nkey v\nwait 1\nscreenshot iso\nkey v\nwait 1\nscreenshot top\n"
+           "drag 600,300 650,330\nwait 1\nkey shift+v\nwait 1\nscreenshot again\n"),
+      "");
+  EXPECT_NE(picture("usual"), picture("iso"));
+  EXPECT_NE(picture("iso"), picture("top"));
+}
+
+TEST_F(ScriptedDebugger, ColoursEndAtTheSameValueInEveryMoment) {
+  for (const char* const tint : {"population", "cost"})
+    EXPECT_EQ(play("click colour\nclick \"colour " + std::string(tint) +
+                   "\"\nwait 1\nremember end tint_end\nkey End\nwait 1\nexpect tint_end == $end\n"),
+              "")
+        << tint;
+}
+
 TEST_F(ScriptedDebugger, TheOtherRunFollowsAndHasTheSameColours) {
   EXPECT_EQ(play(R"(
 click colour

@@ -46,6 +46,8 @@ TEST_F(DebuggerSearch, ItLeadsThere) {
   EXPECT_EQ(model().run().position(), Position::end_of(30));
   follow("colour by cost");
   EXPECT_EQ(model().view.tint, Tint::cost);
+  follow("view from top");
+  EXPECT_EQ(model().view.facing.direction, "top");
   follow("start of run");
   EXPECT_EQ(model().run().position(), Position());
   follow("next split");

@@ -65,6 +65,34 @@ TEST(DebuggerOrbit, LooksAtABox) {
   EXPECT_NEAR(pixel->y(), 240, 0.5);
 }
 
+TEST(DebuggerOrbit, FacesADirectionAtWhatItLooksAt) {
+  Orbit<3> orbit;
+  orbit.set_box(kRoom);
+  orbit.look_at({{{2, 1, 2}}, {{3, 2, 3}}}, 640, 480);
+  orbit.turn(100, 30, 640, 480);
+  orbit.face("top");
+  const View top = orbit.view(640, 480);
+  EXPECT_NEAR(top.forward.y(), -1, 1e-9);
+  EXPECT_NEAR(top.project({2.5, 1.5, 2.5})->x(), 320, 0.5);
+  orbit.face("front");
+  EXPECT_NEAR(orbit.view(640, 480).forward.z(), -1, 1e-9);
+}
+
+TEST(DebuggerViewSettings, DirectionsFollowEachOther) {
+  ViewSettings settings;
+  std::vector<std::string_view> seen;
+  for (int k = 0; k < 5; ++k) {
+    settings.face_next(true);
+    seen.push_back(settings.facing.direction);
+  }
+  EXPECT_EQ(seen, (std::vector<std::string_view>{"iso", "top", "front", "side", "iso"}));
+  settings.face_next(false);
+  EXPECT_EQ(settings.facing.direction, "side");
+  const ViewSettings before = settings;
+  settings.face("side");
+  EXPECT_NE(settings, before) << "a second wish for the same turns the view again";
+}
+
 TEST(DebuggerRay, EntersWhatHalfSpacesLeave) {
   const Ray ray{{-5, 0.5, 0.5}, {2, 0, 0}};
   const Box<3> box{{{1, 0, 0}}, {{2, 1, 1}}};

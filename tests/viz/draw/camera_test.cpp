@@ -104,6 +104,17 @@ TEST(FrameAll, UpIsYAndRightIsRight) {
   EXPECT_GT(view.project({1, 0, 0})->x(), middle.x());
 }
 
+TEST(View, DepthIsAShareOfTheFramedBox) {
+  const Box<3> box{{{-1, -1, -1}}, {{1, 1, 1}}};
+  const View view = frame_all(box, parse_camera<3>("front"), kViewport, kWidth, kHeight);
+  EXPECT_NEAR(view.depth_share({0, 0, 1}), 0, 1e-9);
+  EXPECT_NEAR(view.depth_share({0, 0, 0}), 0.5, 1e-9);
+  EXPECT_NEAR(view.depth_share({1, 1, -1}), 1, 1e-9);
+  EXPECT_EQ(view.depth_share({0, 0, -50}), 1);
+  EXPECT_EQ(view.depth_share({0, 0, 50}), 0);
+  EXPECT_EQ(frame_all(Box<2>{{{0, 0}}, {{1, 1}}}, {}, kViewport, kWidth, kHeight).depth_share({0, 0, 0}), 0);
+}
+
 TEST(View, NothingBehindTheEyeIsProjected) {
   const View view = frame_all(Box<3>{{{-1, -1, -1}}, {{1, 1, 1}}}, {}, kViewport, kWidth, kHeight);
   EXPECT_FALSE(view.project(view.eye - view.forward).has_value());

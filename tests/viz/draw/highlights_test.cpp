@@ -39,7 +39,7 @@ TYPED_TEST(HighlightsTest, LivingNodeShowsItsCellAndPlanes) {
   Fixture<kD> f;
   const NodeRef root = f.scene.tree().ref(f.scene.tree().root());
   const std::vector<Event> events{f.event(1, 20, Operator::balance, root)};
-  f.highlights.update(f.input(events, 20), f.snapshot, f.nothing, f.bounds);
+  f.highlights.update(f.input(events, 20), {f.snapshot}, {f.nothing}, f.bounds);
   ASSERT_EQ(f.highlights.all().size(), 1U);
   const Highlight& shown = f.highlights.all()[0];
   EXPECT_FALSE(shown.faces.empty());
@@ -72,9 +72,9 @@ TYPED_TEST(HighlightsTest, DeadNodeKeepsItsLastCellWhileItFades) {
   const NodeRef root = f.scene.tree().ref(f.scene.tree().root());
   const std::vector<Event> events{f.event(1, 20, Operator::swap, root)};
   // The node lived in the frame before and is gone now, and in the frame after.
-  f.highlights.update(f.input(events, 20), f.nothing, f.snapshot, f.bounds);
+  f.highlights.update(f.input(events, 20), {f.nothing}, {f.snapshot}, f.bounds);
   EXPECT_FALSE(f.highlights.all().at(0).faces.empty());
-  f.highlights.update(f.input(events, 24), f.nothing, f.nothing, f.bounds);
+  f.highlights.update(f.input(events, 24), {f.nothing}, {f.nothing}, f.bounds);
   EXPECT_FALSE(f.highlights.all().at(0).faces.empty());
   EXPECT_EQ(f.highlights.all().at(0).age, 4U);
   EXPECT_LT(f.highlights.all().at(0).strength(), 1);
@@ -86,10 +86,10 @@ TYPED_TEST(HighlightsTest, OldEventsGoAndTheNewestOfANodeCounts) {
   const NodeRef root = f.scene.tree().ref(f.scene.tree().root());
   const std::vector<Event> events{f.event(1, 20, Operator::split, root),
                                   f.event(2, 22, Operator::balance, root)};
-  f.highlights.update(f.input(events, 22), f.snapshot, f.nothing, f.bounds);
+  f.highlights.update(f.input(events, 22), {f.snapshot}, {f.nothing}, f.bounds);
   ASSERT_EQ(f.highlights.all().size(), 1U);
   EXPECT_EQ(f.highlights.all()[0].acted.op, Operator::balance);
-  f.highlights.update(f.input(events, 22 + kHighlightSteps + 1), f.snapshot, f.nothing, f.bounds);
+  f.highlights.update(f.input(events, 22 + kHighlightSteps + 1), {f.snapshot}, {f.nothing}, f.bounds);
   EXPECT_TRUE(f.highlights.all().empty());
 }
 
@@ -100,17 +100,17 @@ TYPED_TEST(HighlightsTest, AFilmMayKeepThemLongerAndTheirAnchorsStandStill) {
   const std::vector<Event> events{f.event(1, 20, Operator::balance, root)};
   FrameInput<kD> input = f.input(events, 20);
   input.highlight_steps = 40;
-  f.highlights.update(input, f.snapshot, f.nothing, f.bounds);
+  f.highlights.update(input, {f.snapshot}, {f.nothing}, f.bounds);
   const auto anchor = f.highlights.all().at(0).anchor;
   ASSERT_TRUE(anchor.has_value());
   input.caption.step = 40;
   Box<kD> wider = f.bounds;
   wider.max[0] += 10;
-  f.highlights.update(input, f.snapshot, f.nothing, wider);
+  f.highlights.update(input, {f.snapshot}, {f.nothing}, wider);
   EXPECT_EQ(f.highlights.all().at(0).anchor, anchor);
   EXPECT_NEAR(f.highlights.all().at(0).strength(), 0.625, 1e-9);
   input.caption.step = 61;
-  f.highlights.update(input, f.snapshot, f.nothing, f.bounds);
+  f.highlights.update(input, {f.snapshot}, {f.nothing}, f.bounds);
   EXPECT_TRUE(f.highlights.all().empty());
 }
 
@@ -118,7 +118,7 @@ TYPED_TEST(HighlightsTest, NodeNeverSeenHasALabelOnly) {
   constexpr int kD = TypeParam::value;
   Fixture<kD> f;
   const std::vector<Event> events{f.event(1, 20, Operator::merge, {NodeId{4000}, 3})};
-  f.highlights.update(f.input(events, 20), f.snapshot, f.nothing, f.bounds);
+  f.highlights.update(f.input(events, 20), {f.snapshot}, {f.nothing}, f.bounds);
   ASSERT_EQ(f.highlights.all().size(), 1U);
   EXPECT_TRUE(f.highlights.all()[0].faces.empty());
 }

@@ -87,5 +87,38 @@ TYPED_TEST(ViewBoxTest, NothingSeenIsStillABox) {
   EXPECT_GT(view.box().extent()[0], 0);
 }
 
+TYPED_TEST(ViewBoxTest, OfALargeFloorOnlyThePartAroundTheActionIsFramedIn3D) {
+  constexpr int kD = TypeParam::value;
+  std::vector<Body<kD>> bodies;
+  for (int k = 0; k < 20; ++k)
+    bodies.push_back(body_at(test::all<kD>(static_cast<Scalar>(k) * 0.5F), 0.5F, Mobility::moving));
+  bodies.push_back(body_at(test::all<kD>(5), 50, Mobility::fixed));
+  SceneBox<kD> scene;
+  ViewBox<kD> view;
+  scene.update(bodies);
+  view.update(bodies);
+  EXPECT_TRUE(contains(view.box(), bodies.back().box));
+  EXPECT_TRUE(contains(scene.box(), test::box_at(test::all<kD>(5), 5)));
+  EXPECT_EQ(scene.box().extent()[0] < 20, kD == 3);
+  EXPECT_EQ(scene.box() == view.box(), kD == 2);
+}
+
+TYPED_TEST(ViewBoxTest, EverythingAskedForIsFramedWhole) {
+  constexpr int kD = TypeParam::value;
+  const std::vector<Body<kD>> bodies{body_at(test::all<kD>(0), 1, Mobility::moving),
+                                     body_at(test::all<kD>(5), 50, Mobility::fixed)};
+  SceneBox<kD> scene(Framing::everything);
+  scene.update(bodies);
+  EXPECT_TRUE(contains(scene.box(), bodies.back().box));
+}
+
+TYPED_TEST(ViewBoxTest, AFloorAloneIsFramedWhole) {
+  constexpr int kD = TypeParam::value;
+  const std::vector<Body<kD>> bodies{body_at(test::all<kD>(5), 50, Mobility::fixed)};
+  SceneBox<kD> scene;
+  scene.update(bodies);
+  EXPECT_TRUE(contains(scene.box(), bodies.back().box));
+}
+
 }  // namespace
 }  // namespace kerf

@@ -56,11 +56,11 @@ enum class Key : std::uint8_t {
   t,
   j,
   g,  // the legend
+  v,  // directions of the view; with Ctrl: paste
   p,  // the search
   w,  // errors
   y,  // changes of the view
   z,
-  v,  // with Ctrl: paste
   f1,
   f5,
   f9,

@@ -123,6 +123,9 @@ void add_commands(const std::string& query, std::vector<Hit>& hits) {
         [tint](DebuggerModel& model) { model.view.tint = tint; });
     tint = following(tint);
   }
+  for (const std::string_view direction : kDirectionNames)
+    add("view from " + std::string(direction), "V",
+        [direction](DebuggerModel& model) { model.view.face(direction); });
   for (const Layer layer :
        {Layer::objects, Layer::partitioners, Layer::leaves, Layer::pairs, Layer::operators})
     add("show or hide " + std::string(to_string(layer)), "layer of the scene",

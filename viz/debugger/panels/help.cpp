@@ -19,6 +19,7 @@ constexpr std::array kKeys{
     KeyHelp{"F9", "breakpoint at this moment"},
     KeyHelp{"B, Shift+B", "bookmark this moment, with a note; O: ask the oracle about it"},
     KeyHelp{"F", "look at what is selected; with nothing selected, at everything"},
+    KeyHelp{"V, Shift+V", "in 3D: from the next, the previous side: iso, top, front, side"},
     KeyHelp{"H", "hide what is selected, or show it again"},
     KeyHelp{"I", "only what is below the selected node"},
     KeyHelp{"U, D, X", "tree: select the parent, a child (with Shift the right one), the sibling"},

@@ -87,6 +87,15 @@ void Orbit<D>::look_at(const Box<D>& box, int width, int height) {
   }
 }
 
+template <int D>
+void Orbit<D>::face(std::string_view direction) {
+  if constexpr (D == 3) {
+    const CameraChoice<3> from = parse_camera<3>(direction);
+    choice_.yaw = from.yaw;
+    choice_.pitch = from.pitch;
+  }
+}
+
 template class Orbit<2>;
 template class Orbit<3>;
 

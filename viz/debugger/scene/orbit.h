@@ -19,6 +19,8 @@ class Orbit {
   void zoom(double clicks, double x, double y, int width, int height);
   /// Looks at a box from not too near.
   void look_at(const Box<D>& box, int width, int height);
+  /// From a direction of `kDirectionNames`, at what it looks at now; 2D has none.
+  void face(std::string_view direction);
   void frame_all() { choice_ = CameraChoice<D>{}; }
   [[nodiscard]] const CameraChoice<D>& choice() const { return choice_; }
   void choose(const CameraChoice<D>& choice) { choice_ = choice; }

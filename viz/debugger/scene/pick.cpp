@@ -39,7 +39,7 @@ std::optional<NodeId> line_at(const PickableTree<D>& tree, const View& view, con
   double nearest = kNearLine * tree.scale;
   for (const NodeId id : tree.partitioners) {
     const TreeSnapshot::Node& node = tree.snapshot[id];
-    const Polygon polygon = partitioner_in_cell(tree.snapshot, id, tree.bounds);
+    const Polygon polygon = partitioner_in_cell(tree.snapshot, id, crowd_of(tree.crowds, id, tree.bounds));
     const double distance = distance_to_outline(view, polygon, pixel);
     constexpr double kSame = 0.5;  // of two lines in one place
     const bool higher = best && node.depth < tree.snapshot[*best].depth;
@@ -52,7 +52,7 @@ std::optional<NodeId> line_at(const PickableTree<D>& tree, const View& view, con
 
 template <int D>
 std::vector<HalfSpace> sides_of(const PickableTree<D>& tree, NodeId id) {
-  std::vector<HalfSpace> sides = half_spaces(tree.bounds);
+  std::vector<HalfSpace> sides = half_spaces(crowd_of(tree.crowds, id, tree.bounds));
   const auto cell = cell_sides(tree.snapshot, id);
   sides.insert(sides.end(), cell.begin(), cell.end());
   return sides;

@@ -6,6 +6,7 @@
 #include "core/scene/scene.h"
 #include "viz/debugger/scene/ray.h"
 #include "viz/draw/cells.h"
+#include "viz/draw/crowds.h"
 
 namespace kerf {
 
@@ -27,6 +28,7 @@ struct PickableTree {
   std::span<const std::uint8_t> is_seen;  ///< by node
   Box<D> bounds;                          ///< the limits of the drawing
   double scale = 1;                       ///< pixels of the display for each of those that count here
+  std::span<const Box<D>> crowds{};       ///< by node: the limits of its plane, see `find_crowds`
 };
 
 /// The node under a pixel: the partitioner whose line is there, within a few pixels. Else in 2D the leaf; in

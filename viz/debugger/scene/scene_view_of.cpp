@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/overloaded.h"
 #include "core/query/text.h"
@@ -15,7 +16,7 @@
 #include "viz/draw/recorded_bodies.h"
 #include "viz/draw/strokes.h"
 #include "viz/draw/themed_batch.h"
-#include "viz/draw/view_box.h"
+#include "viz/draw/triad.h"
 
 namespace kerf {
 namespace {
@@ -25,27 +26,13 @@ constexpr std::size_t kMostObjects = 10'000;
 constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
 constexpr double kCellAlpha = 0.5;
+constexpr double kTriad = 26;  // pixels of an axis
 
 }  // namespace
 
 template <int D>
 SceneViewOf<D>::SceneViewOf(const GlFunctions& gl, RunOf<D>& run)
-    : gl_(gl), run_(run), font_(12), painter_(gl, font_) {
-  find_box();
-}
-
-/// The view must not depend on the way to a moment: it holds the boxes of a few moments spread over the run.
-template <int D>
-void SceneViewOf<D>::find_box() {
-  constexpr std::uint32_t kMoments = 4;
-  const Position now = run_.position();
-  ViewBox<D> box;
-  for (std::uint32_t k = 1; k <= kMoments; ++k) {
-    run_.go(Position::end_of(run_.steps() * k / kMoments));
-    box.update(recorded_bodies(run_.state().latest));
-  }
-  run_.go(now);
-  box_ = box.box();
+    : gl_(gl), run_(run), font_(12), painter_(gl, font_), survey_(survey(run)), box_(survey_.box) {
   orbit_.set_box(box_);
 }
 
@@ -57,6 +44,8 @@ const NodeTints& SceneViewOf<D>::tints(Tint tint) {
   std::vector<std::uint32_t> changes;
   if (tint == Tint::age) changes = last_changes(run_.operators(), run_.position(), tree.nodes().size());
   tints_ = find_tints({tree, run_.position().step, changes}, tint);
+  if (tint == Tint::population) tints_.end = survey_.population_end;
+  if (tint == Tint::cost) tints_.end = survey_.cost_end;
   tinted_ = wanted;
   return tints_;
 }
@@ -68,6 +57,8 @@ Color SceneViewOf<D>::color_of_leaf(NodeId leaf) const {
 
 template <int D>
 void SceneViewOf<D>::update(const DebuggerModel& model, int width, int height, double tint_end) {
+  if (std::exchange(faced_, model.view.facing.times) != model.view.facing.times)
+    orbit_.face(model.view.facing.direction);
   width_ = std::max(width, 16);
   height_ = std::max(height, 16);
   const Seen seen{run_.position(),
@@ -98,6 +89,7 @@ void SceneViewOf<D>::take_moment() {
   moment_ = run_.position();
   all_bodies_ = recorded_bodies(run_.state().latest);
   snapshot_ = run_.tree();
+  if constexpr (D == 3) crowds_ = find_crowds<D>(run_.state().tree, all_bodies_, box_);
 }
 
 template <int D>
@@ -154,19 +146,22 @@ template <int D>
 void SceneViewOf<D>::draw(const DebuggerModel& model) {
   for (Batch& batch : batches_) batch.clear();
   labels_.clear();
+  triad_.clear();
   auto& [back, glass, lines, planes, front] = batches_;
   const LayerSet layers = seen_->settings.layers;
   const FrameInput<D> input{
       .bodies = bodies_, .tree = nullptr, .pairs = pairs_, .contacts = {}, .events = {}, .caption = {}};
   const std::vector<Placement> placements;
   const double line_scale = look.scale * std::clamp(height_ / (500.0 * look.scale), 0.7, 2.0);
-  const DrawContext<D> frame{input,  seen_->view, snapshot_, placements, box_,
-                             layers, line_scale,  1,         nullptr,    colors_};
+  const DrawContext<D> frame{input,      seen_->view, snapshot_, placements, box_,    layers,
+                             line_scale, 1,           nullptr,   colors_,    crowds_, look.theme->scene};
   draw_nodes(frame, back, planes);
   if constexpr (D == 2) {
     if (layers.has(Layer::objects)) draw_objects(frame, back);
   } else {
-    if (layers.has(Layer::objects)) draw_objects(frame, back, glass);
+    draw_space(frame, leaf_colors(), {back, glass, shadows_});
+    draw_triad(frame.view, font_, {0, 0, double(width_), double(height_)}, Corner::right, kTriad * line_scale,
+               triad_);
   }
   draw_pairs(frame, lines);
   if (layers.has(Layer::operators)) draw_event(frame, front);
@@ -174,13 +169,26 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
   draw_wrong_pairs<D>(frame, {all_bodies_, missed_, extra_}, front);
   if (model.hovered_candidate) draw_candidate(frame, *model.hovered_candidate, front);
   put_on(*look.theme, batches_);
+  put_on(*look.theme, triad_);
   framebuffer_->bind();
   painter_.begin(look.theme->scene);
   painter_.draw(back, D == 3 ? Depth::test_and_write : Depth::ignore);
+  painter_.draw(shadows_, Depth::test, Blend::darken);
   painter_.draw(glass, D == 3 ? Depth::test : Depth::ignore);
   painter_.draw(planes, D == 3 ? Depth::test : Depth::ignore);
   painter_.draw(lines, D == 3 ? Depth::test : Depth::ignore);
   painter_.draw(front, Depth::ignore);
+  painter_.draw(triad_.shapes, Depth::ignore);
+  painter_.draw(triad_.text, seen_->view);
+}
+
+/// By node; transparent where nothing is seen.
+template <int D>
+std::vector<Color> SceneViewOf<D>::leaf_colors() const {
+  std::vector<Color> colors(visible_.nodes.size(), Color{0, 0, 0, 0});
+  for (std::uint32_t k = 0; k < colors.size(); ++k)
+    if (visible_.nodes[k] != 0) colors[k] = color_of_leaf(NodeId{k});
+  return colors;
 }
 
 /// Cells are filled in 2D; partitioners within the visible depths, as many as can be distinguished.
@@ -220,8 +228,7 @@ void SceneViewOf<D>::draw_recent(const DrawContext<D>& frame, Batch& batch) {
   for (const auto& [node, strength] : recent_operators(run_)) {
     if (visible_.nodes[node.index()] == 0) continue;
     const Color color = mix(look.theme->scene, look.theme->mark(palette::kOperator), strength);
-    for (const Polygon& face : cell_faces(snapshot_, node, box_))
-      add_outline(batch, frame.view, face, {color, (0.5 + 1.5 * strength) * frame.line_scale});
+    outline_cell(frame, node, {color, (0.5 + 1.5 * strength) * frame.line_scale}, batch);
   }
 }
 
@@ -234,7 +241,7 @@ void SceneViewOf<D>::draw_event(const DrawContext<D>& frame, Batch& batch) {
   if (!node || !snapshot_.is_alive(*node)) return;
   const Stroke stroke{palette::kOperator, 2 * frame.line_scale};
   Eigen::Vector3d top = to_point(box_.min);
-  for (const Polygon& face : cell_faces(snapshot_, *node, box_)) {
+  for (const Polygon& face : cell_faces(snapshot_, *node, frame.space_of(*node))) {
     add_outline(batch, frame.view, face, stroke);
     for (const Eigen::Vector3d& corner : face)
       if (corner.y() > top.y()) top = corner;
@@ -271,9 +278,9 @@ void SceneViewOf<D>::draw_node(const DrawContext<D>& frame, NodeId id, Batch& ba
   if (!snapshot_.is_alive(id)) return;
   const Stroke stroke{palette::kSelected, 2.5 * frame.line_scale};
   const TreeSnapshot::Node& node = snapshot_[id];
-  for (const Polygon& face : cell_faces(snapshot_, id, box_)) add_outline(batch, frame.view, face, stroke);
+  outline_cell(frame, id, stroke, batch);
   if (node.is_leaf()) return;
-  const Polygon plane = partitioner_in_cell(snapshot_, id, box_);
+  const Polygon plane = partitioner_in_cell(snapshot_, id, frame.space_of(id));
   add_polygon(batch, frame.view, plane, with_alpha(palette::kSelected, 0.25));
   add_outline(batch, frame.view, plane, {palette::kSelected, 4 * frame.line_scale});
 }
@@ -282,7 +289,7 @@ template <int D>
 void SceneViewOf<D>::draw_hovered(const DrawContext<D>& frame, NodeId id, Batch& batch) {
   if (!snapshot_.is_alive(id)) return;
   const Stroke stroke{palette::kInk, 1.5 * frame.line_scale};
-  for (const Polygon& face : cell_faces(snapshot_, id, box_)) add_outline(batch, frame.view, face, stroke);
+  outline_cell(frame, id, stroke, batch);
 }
 
 template <int D>
@@ -302,7 +309,7 @@ void SceneViewOf<D>::draw_candidate(const DrawContext<D>& frame, std::size_t can
   const auto node = run_.event_node();
   if (!node || candidate >= run_.ballot().size() || !snapshot_.is_alive(*node)) return;
   const Plane<D> plane = run_.plane(candidate);
-  const Polygon polygon = partitioner_in_cell(snapshot_, *node, plane, box_);
+  const Polygon polygon = partitioner_in_cell(snapshot_, *node, plane, frame.space_of(*node));
   add_polygon(batch, frame.view, polygon, with_alpha(palette::kCandidate, 0.3));
   add_outline(batch, frame.view, polygon, {palette::kCandidate, 4 * frame.line_scale});
   if (!polygon.empty()) add_label(polygon[0], plane_text(plane));
@@ -342,7 +349,7 @@ Selection SceneViewOf<D>::pick(double x, double y, bool node_wanted) const {
   if (objects)
     if (const auto object = pick_object<D>(ray_through(seen_->view, x, y), bodies_)) return *object;
   const auto node =
-      pick_node<D>({snapshot_, partitioners_, visible_.nodes, box_, look.scale}, seen_->view, x, y);
+      pick_node<D>({snapshot_, partitioners_, visible_.nodes, box_, look.scale, crowds_}, seen_->view, x, y);
   return node ? Selection(*node) : Selection();
 }
 
@@ -360,7 +367,7 @@ template <int D>
 Eigen::Vector3d SceneViewOf<D>::middle_of(NodeId id) const {
   const TreeSnapshot::Node& node = snapshot_[id];
   if (!node.is_leaf()) {
-    const Polygon plane = partitioner_in_cell(snapshot_, id, box_);
+    const Polygon plane = partitioner_in_cell(snapshot_, id, crowd_of<D>(crowds_, id, box_));
     if (plane.size() >= 2) return 0.5 * (plane[0] + plane[1]);
   }
   return to_point(box_of(id)->center());
@@ -384,13 +391,5 @@ void SceneViewOf<D>::copy_to(const Framebuffer& target, int x, int y) const {
 
 template class SceneViewOf<2>;
 template class SceneViewOf<3>;
-
-std::unique_ptr<SceneView> make_scene_view(const GlFunctions& gl, Run& run) {
-  return std::visit(
-      [&]<int D>(RunOf<D>* of) -> std::unique_ptr<SceneView> {
-        return std::make_unique<SceneViewOf<D>>(gl, *of);
-      },
-      run.self());
-}
 
 }  // namespace kerf

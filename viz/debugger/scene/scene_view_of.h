@@ -6,10 +6,12 @@
 
 #include "viz/debugger/model/run_of.h"
 #include "viz/debugger/scene/orbit.h"
+#include "viz/debugger/scene/run_survey.h"
 #include "viz/debugger/scene/scene_view.h"
 #include "viz/debugger/scene/visibility.h"
 #include "viz/draw/draw_context.h"
 #include "viz/draw/highlights.h"
+#include "viz/draw/overlay.h"
 #include "viz/draw/painter.h"
 
 namespace kerf {
@@ -61,12 +63,12 @@ class SceneViewOf final : public SceneView {
     }
   };
 
-  void find_box();
   void take_moment();
   [[nodiscard]] Color color_of_leaf(NodeId leaf) const;
   void choose_bodies();
   void choose_colors();
   void draw(const DebuggerModel& model);
+  [[nodiscard]] std::vector<Color> leaf_colors() const;
   void draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch& planes);
   void draw_recent(const DrawContext<D>& frame, Batch& batch);
   void draw_event(const DrawContext<D>& frame, Batch& batch);
@@ -84,8 +86,10 @@ class SceneViewOf final : public SceneView {
   RunOf<D>& run_;
   Font font_;
   Painter painter_;
-  Orbit<D> orbit_;
+  RunSurvey<D> survey_;
   Box<D> box_;
+  Orbit<D> orbit_;
+  std::uint32_t faced_ = 0;  ///< how many wishes of the model for a direction have been met
   int width_ = 1;
   int height_ = 1;
   int samples_ = 0;
@@ -98,6 +102,7 @@ class SceneViewOf final : public SceneView {
   // Of the last drawing.
   std::optional<Position> moment_;
   std::vector<Body<D>> all_bodies_;
+  std::vector<Box<D>> crowds_;   ///< by node; empty in 2D
   std::vector<Body<D>> bodies_;  ///< objects that are not shown are absent
   TreeSnapshotOf<D> snapshot_;
   Visibility visible_;
@@ -109,6 +114,8 @@ class SceneViewOf final : public SceneView {
   std::vector<Pair> missed_;  ///< by another engine
   std::vector<Pair> extra_;
   std::array<Batch, 5> batches_;  ///< back, glass, lines, planes, front
+  Batch shadows_;
+  Overlay triad_;
 };
 
 extern template class SceneViewOf<2>;

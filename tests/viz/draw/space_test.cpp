@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/viz/small_scene.h"
+#include "viz/draw/triad.h"
+
+/// What pictures in 3D have beside the objects: walls in tiles, shadows, outlines, haze, axes.
+namespace kerf {
+namespace {
+
+Body<3> body_of(Shape<3> shape, const Vector<3>& center, const Vector<3>& half,
+                Mobility mobility = Mobility::moving) {
+  Body<3> body;
+  body.shape = std::move(shape);
+  body.pose.position = center;
+  body.box = {center - half, center + half};
+  body.mobility = mobility;
+  return body;
+}
+Body<3> brick(const Vector<3>& center, const Vector<3>& half, Mobility mobility = Mobility::moving) {
+  return body_of(Brick<3>{half}, center, half, mobility);
+}
+const Body<3> kFloor = brick({{0, -1, 0}}, {{10, 1, 10}}, Mobility::fixed);
+
+const Box<3> kRoom{{{-10, -2, -10}}, {{10, 8, 10}}};
+
+FrameOptions options(const char* layers, const char* camera = "top") {
+  FrameOptions result;
+  result.width = 320;
+  result.height = 320;
+  result.samples = 1;
+  result.layers = LayerSet::parse(layers);
+  result.camera = camera;
+  return result;
+}
+
+Image picture(const std::vector<Body<3>>& bodies, const char* camera = "top") {
+  FrameRenderer<3> renderer(options("objects", camera));
+  renderer.set_view_box(kRoom);
+  return renderer.render({bodies, nullptr, {}, {}, {}, {}});
+}
+
+int brightness(const Image& image, int x, int y) {
+  const std::uint8_t* const pixel = image.pixel(x, y);
+  return pixel[0] + pixel[1] + pixel[2];
+}
+
+/// How much darker a point of the ground gets by what stands there.
+int shade_at(const Eigen::Vector3d& point, const Body<3>& body) {
+  const Image bare = picture({kFloor}, "iso");
+  const Image with = picture({kFloor, body}, "iso");
+  const View view = frame_all(kRoom, parse_camera<3>("iso"), {0, 0, 320, 320}, 320, 320);
+  const Eigen::Vector2d at = *view.project(point);
+  const auto x = static_cast<int>(at.x());
+  const auto y = static_cast<int>(at.y());
+  return brightness(bare, x, y) - brightness(with, x, y);
+}
+
+TEST(Shadows, LieOnTheGroundAroundWhatStandsThere) {
+  const Body<3> block = brick({{0, 1, 0}}, {{1, 1, 1}});
+  EXPECT_GT(shade_at({1.1, 0, 1.1}, block), 20);
+  EXPECT_EQ(shade_at({3, 0, 3}, block), 0);
+}
+
+TEST(Shadows, FadeWithTheHeightAndEnd) {
+  const auto shade = [](Scalar height) {
+    return shade_at({-4, 0, -4}, brick({{-4, height, -4}}, {{0.5F, 0.5F, 0.5F}}));
+  };
+  EXPECT_GT(shade(2.5F), 20);
+  EXPECT_LT(shade(5), shade(2.5F));
+  EXPECT_EQ(shade(9.5F), 0);
+}
+
+/// Else the ground below a heap would be black.
+TEST(Shadows, OnShadowsAreNoDarker) {
+  const std::vector<Body<3>> one{kFloor, brick({{0, 3, 0}}, {{1, 0.5F, 1}})};
+  std::vector<Body<3>> many = one;
+  for (int k = 0; k < 5; ++k) many.push_back(one.back());
+  EXPECT_EQ(picture(one, "iso"), picture(many, "iso"));
+}
+
+TEST(Outlines, AreDarkAndOnlyOfWhatIsLargeEnough) {
+  const auto darkest = [](Scalar half, const Shape<3>& shape) {
+    const Image image = picture({body_of(shape, {{0, 4, 0}}, {{half, half, half}})}, "front");
+    int least = 765;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) least = std::min(least, brightness(image, x, y));
+    return least;
+  };
+  EXPECT_LT(darkest(3, Brick<3>{{{3, 3, 3}}}), darkest(0.2F, Brick<3>{{{0.2F, 0.2F, 0.2F}}}) - 60);
+  EXPECT_LT(darkest(3, Ball{3}), darkest(0.2F, Ball{0.2F}) - 40);
+}
+
+TEST(Haze, WhatIsFarAwayIsNearerToTheGround) {
+  const auto light_at = [](Scalar z) {
+    const Image image = picture({brick({{0, 3, z}}, {{2, 2, 1}})}, "front");
+    return brightness(image, 160, 190);
+  };
+  EXPECT_GT(light_at(-8), light_at(8) + 15);
+}
+
+TEST(Stage, EachLeafAtAFarWallHasATileOfItsOwn) {
+  const test::SmallScene<3> scene;
+  FrameOptions how = options("leaves", "iso");
+  how.ids = true;
+  FrameRenderer<3> renderer(how);
+  static_cast<void>(renderer.render(scene.input()));
+  std::set<std::uint32_t> leaves;
+  std::size_t seen = 0;
+  for (const Drawn& drawn : renderer.ids().list.items) {
+    if (drawn.kind != DrawnKind::leaf) continue;
+    EXPECT_TRUE(leaves.insert(drawn.a).second) << "n" << drawn.a << " is drawn as one thing";
+    EXPECT_TRUE(scene.tree()[NodeId{drawn.a}].is_leaf());
+    seen += drawn.pixels > 0 ? 1 : 0;
+  }
+  EXPECT_GT(seen, 3U);
+}
+
+/// An object that lies outside of the bounds is seen all the same.
+TEST(Stage, LiesBehindEverything) {
+  const test::SmallScene<3> scene;
+  const auto pixels_of_objects = [&](const char* layers) {
+    FrameOptions how = options(layers, "front");
+    how.ids = true;
+    FrameRenderer<3> renderer(how);
+    renderer.set_view_box({{{3, 3, 6}}, {{6, 6, 9}}});
+    static_cast<void>(renderer.render(scene.input()));
+    std::uint32_t pixels = 0;
+    for (const Drawn& drawn : renderer.ids().list.items)
+      if (drawn.kind == DrawnKind::object) pixels += drawn.pixels;
+    return pixels;
+  };
+  EXPECT_EQ(pixels_of_objects("objects,leaves"), pixels_of_objects("objects"));
+}
+
+TEST(Triad, NamesTheAxesWhereTheyPoint) {
+  const auto letters = [](const char* camera) {
+    const View view =
+        frame_all(Box<3>{{{0, 0, 0}}, {{1, 1, 1}}}, parse_camera<3>(camera), {0, 0, 400, 400}, 400, 400);
+    const Font font(14);
+    Overlay overlay;
+    overlay.text.keeps_lines = true;
+    draw_triad(view, font, {0, 0, 400, 400}, Corner::left, 40, overlay);
+    return overlay.text.lines;
+  };
+  const auto find = [](const std::vector<DrawnText>& lines, const char* name) {
+    return *std::ranges::find(lines, name, &DrawnText::text);
+  };
+  const auto front = letters("front");
+  ASSERT_EQ(front.size(), 2U) << "z points at the viewer";
+  EXPECT_GT(find(front, "x").x, find(front, "y").x);
+  EXPECT_LT(find(front, "y").y, find(front, "x").y);
+  const auto top = letters("top");
+  ASSERT_EQ(top.size(), 2U);
+  EXPECT_GT(find(top, "z").y, find(top, "x").y) << "z points down";
+  EXPECT_EQ(letters("iso").size(), 3U);
+}
+
+}  // namespace
+}  // namespace kerf

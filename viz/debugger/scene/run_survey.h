@@ -1,0 +1,23 @@
+#pragma once
+
+#include "viz/debugger/model/run_of.h"
+
+namespace kerf {
+
+/// What a view of a run must know of all of it: it may not depend on the way to a moment, nor change from
+/// one to the next.
+template <int D>
+struct RunSurvey {
+  Box<D> box;                 ///< that is framed
+  double population_end = 1;  ///< of the colours of leaves
+  double cost_end = 1;
+};
+
+/// Looks at a few moments spread over the run, and returns to the present one.
+template <int D>
+RunSurvey<D> survey(RunOf<D>& run);
+
+extern template RunSurvey<2> survey(RunOf<2>& run);
+extern template RunSurvey<3> survey(RunOf<3>& run);
+
+}  // namespace kerf

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "viz/draw/overlay.h"
+
+namespace kerf {
+
+/// Draws the directions of the axes of the scene, with their names, at the lower left or the lower right of a
+/// part of the picture. `length`: in pixels, of an axis that lies across the view.
+enum class Corner { left, right };
+void draw_triad(const View& view, const Font& font, const Viewport& part, Corner corner, double length,
+                Overlay& overlay);
+
+}  // namespace kerf
