@@ -16,6 +16,12 @@ namespace {
 constexpr double kLongestPause = 0.25;  // seconds by which a run that plays can be late and catches up
 constexpr double kLeastScale = 0.5;
 
+/// Whether the mouse has left its place since the button went down: it does not click.
+bool has_dragged(int button) {
+  constexpr float kStill = 4;  // pixels
+  return ImGui::GetIO().MouseDragMaxDistanceSqr[button] >= kStill * kStill;
+}
+
 /// What is under the mouse: an object, else a pair, else a node.
 Selection thing_at(const SceneView& view, double x, double y, bool node_wanted) {
   const Selection thing = view.pick(x, y, node_wanted);
@@ -170,7 +176,7 @@ void Debugger::update_views() {
   }
   const auto [x, y, all, height] = in_pixels(arrangement_.view);
   const int width = other == nullptr ? all : all / 2;
-  const SceneLook look{gui_.scale(), &theme_called(memory_.window.theme)};
+  const SceneLook look{gui_.scale(), &theme_called(memory_.window.theme), is_turning_};
   view_->look = look;
   if (other_view_) other_view_->look = look;
   const Tint tint = model_.view.tint;
@@ -231,6 +237,7 @@ void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
   const bool hovered = ImGui::IsItemHovered();
   const auto scale = static_cast<float>(gui_.scale());
   const ImVec2 moved{scale * io.MouseDelta.x, scale * io.MouseDelta.y};
+  is_turning_ = ImGui::IsItemActive() && has_dragged(io.MouseDown[1] ? 1 : 0);
   if (ImGui::IsItemActive() && (moved.x != 0 || moved.y != 0)) {
     if (io.MouseDown[1]) {
       view_->move(double{moved.x}, double{moved.y});
@@ -260,9 +267,7 @@ void Debugger::point_at(PanelContext& context, double x, double y) {
     if (const auto node = node_in(thing); node && !is_theirs) memory_.hovered_node = node;
   }
   // A click that did not turn the view; the second one of a double click says nothing new.
-  constexpr float kStill = 4;
-  const bool clicked = ImGui::IsMouseReleased(0) && io.MouseClickedLastCount[0] == 1 &&
-                       io.MouseDragMaxDistanceSqr[0] < kStill * kStill;
+  const bool clicked = ImGui::IsMouseReleased(0) && io.MouseClickedLastCount[0] == 1 && !has_dragged(0);
   if (!clicked || is_theirs) return;
   if (const auto object = object_in(thing)) {
     context.model.select_object(*object, io.KeyShift);

@@ -134,8 +134,9 @@ class Debugger {
   Arrangement arrangement_;  ///< of the last frame
   double content_scale_ = 1;
   std::optional<Framebuffer> framebuffer_;
-  bool is_new_ = true;      ///< the framebuffer has no picture yet
-  int panel_pictures_ = 0;  ///< pictures for which not only the scene was drawn
+  bool is_turning_ = false;  ///< the mouse drags the scene
+  bool is_new_ = true;       ///< the framebuffer has no picture yet
+  int panel_pictures_ = 0;   ///< pictures for which not only the scene was drawn
   int width_ = 0;
   int height_ = 0;
   Image image_;

@@ -66,7 +66,7 @@ struct Targets {
 
   /// Whether an object so large, from its middle to its side, is drawn with its edges.
   [[nodiscard]] bool has_rim(double half) const {
-    return 2 * half * pixels > kFewestEdges * kEdgePixels * context.line_scale;
+    return !context.brief && 2 * half * pixels > kFewestEdges * kEdgePixels * context.line_scale;
   }
 };
 

@@ -119,12 +119,13 @@ void draw_pair(const DrawContext<D>& context, const SeenPair& seen, double stren
   if (seen.is_contact) {
     const Color color = with_alpha(palette::kContact, strength);
     add_line(batch, context.view, line.a, line.b, {color, width});
-    if (strength < kWeakestDiamond) return;
+    if (strength < kWeakestDiamond || context.brief) return;
     const double radius = scale * strength * std::clamp(seen.size / 9, 1.6, 4.0);
     add_diamond(batch, context.view, 0.5 * (line.a + line.b), radius, color);
   } else {
     const Color color = with_alpha(palette::kCandidate, strength);
-    add_line(batch, context.view, line.a, line.b, {color, width, 4 * scale, 3 * scale});
+    const double dash = context.brief ? 0 : 4 * scale;
+    add_line(batch, context.view, line.a, line.b, {color, width, dash, 3 * scale});
   }
 }
 

@@ -88,7 +88,7 @@ void draw_space(const DrawContext<3>& context, std::span<const Color> leaf_color
   if (context.has(Layer::leaves)) draw_stage(context, leaf_colors, to.back, to.glass);
   if (!context.has(Layer::objects)) return;
   draw_objects(context, to.back, to.glass);
-  draw_shadows(context, to.shadows);
+  if (!context.brief) draw_shadows(context, to.shadows);
 }
 
 }  // namespace kerf

@@ -32,6 +32,7 @@ struct ShownCounts {
 struct SceneLook {
   double scale = 1;  ///< pixels in a unit of the panels: lines get thicker with it
   const Theme* theme = &theme_called(ThemeName::light);
+  bool brief = false;  ///< many objects are drawn with less detail: the camera turns
   friend bool operator==(const SceneLook&, const SceneLook&) = default;
 };
 

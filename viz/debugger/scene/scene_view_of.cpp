@@ -25,6 +25,7 @@ namespace {
 constexpr std::size_t kMostObjects = 10'000;
 constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
+constexpr std::size_t kMostPairsInBrief = 4'000;
 constexpr double kCellAlpha = 0.5;
 constexpr double kTriad = 26;  // pixels of an axis
 
@@ -110,14 +111,14 @@ void SceneViewOf<D>::choose_bodies() {
     if (is_drawable(bodies_[k])) ++counts_.objects;
   }
   const bool wanted_pairs = seen_->settings.layers.has(Layer::pairs);
-  const auto drawable = [&](std::span<const Pair> pairs, std::span<const Body<D>> bodies) {
-    return wanted_pairs ? drawable_pairs(pairs, bodies, visible_.objects, kMostPairs) : std::vector<Pair>();
+  const auto drawable = [&](std::span<const Pair> pairs, std::span<const Body<D>> bodies, std::size_t most) {
+    return wanted_pairs ? drawable_pairs(pairs, bodies, visible_.objects, most) : std::vector<Pair>();
   };
-  pairs_ = drawable(run_.pairs(), bodies_);
+  pairs_ = drawable(run_.pairs(), bodies_, is_brief() ? kMostPairsInBrief : kMostPairs);
   // Errors are not left out where objects are too many to be drawn.
   const PairJudgement* const theirs = run_.their_judgement();
-  missed_ = theirs == nullptr ? std::vector<Pair>() : drawable(theirs->missed, all_bodies_);
-  extra_ = theirs == nullptr ? std::vector<Pair>() : drawable(theirs->extra, all_bodies_);
+  missed_ = theirs == nullptr ? std::vector<Pair>() : drawable(theirs->missed, all_bodies_, kMostPairs);
+  extra_ = theirs == nullptr ? std::vector<Pair>() : drawable(theirs->extra, all_bodies_, kMostPairs);
   counts_.all_pairs = run_.pairs().size();
   counts_.pairs = pairs_.size();
   counts_.missed = missed_.size();
@@ -153,8 +154,9 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
       .bodies = bodies_, .tree = nullptr, .pairs = pairs_, .contacts = {}, .events = {}, .caption = {}};
   const std::vector<Placement> placements;
   const double line_scale = look.scale * std::clamp(height_ / (500.0 * look.scale), 0.7, 2.0);
-  const DrawContext<D> frame{input,      seen_->view, snapshot_, placements, box_,    layers,
-                             line_scale, 1,           nullptr,   colors_,    crowds_, look.theme->scene};
+  const DrawContext<D> frame{input,   seen_->view,       snapshot_, placements, box_,
+                             layers,  line_scale,        1,         nullptr,    colors_,
+                             crowds_, look.theme->scene, is_brief()};
   draw_nodes(frame, back, planes);
   if constexpr (D == 2) {
     if (layers.has(Layer::objects)) draw_objects(frame, back);

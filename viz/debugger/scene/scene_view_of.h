@@ -65,6 +65,8 @@ class SceneViewOf final : public SceneView {
 
   void take_moment();
   [[nodiscard]] Color color_of_leaf(NodeId leaf) const;
+  /// While the camera turns, many objects are drawn with less detail.
+  [[nodiscard]] bool is_brief() const { return seen_->look.brief && counts_.all_objects >= kManyBodies; }
   void choose_bodies();
   void choose_colors();
   void draw(const DebuggerModel& model);

@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include "core/bsp/bsp.h"
+#include "core/recording/recorder.h"
+#include "core/trace/event_log.h"
+#include "tests/support/recorded_crowd.h"
+#include "viz/debugger/debugger.h"
+
+namespace kerf {
+namespace {
+
+constexpr int kWidth = 1280;
+constexpr int kHeight = 720;
+
+/// Boxes that touch their neighbours, in a cube of so many in a row.
+void record_cube(const std::filesystem::path& path, int row) {
+  const Config config = test::busy_config();
+  Bsp<3, EventLog> tree(config);
+  Recorder<3> recorder(tree, path, test::info_of<3>(config, VolumeKind::box));
+  std::uint32_t id = 0;
+  for (int x = 0; x < row; ++x)
+    for (int y = 0; y < row; ++y)
+      for (int z = 0; z < row; ++z) {
+        const Vector<3> least{{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)}};
+        (void)recorder.insert(ObjectId{id++}, {least, least + Vector<3>{{1, 1, 1}}}, Mobility::moving);
+      }
+  recorder.step();
+  recorder.finish();
+}
+
+/// A debugger whose scene the mouse drags to and fro, so that the camera stands where it stood.
+class Turning {
+ public:
+  explicit Turning(int row) {
+    record_cube(file_.path(), row);
+    debugger_.emplace(*context_, open_run(file_.path()));
+    debugger_->model().go(Position::end_of(1));
+    input_.mouse_x = 500;
+    input_.mouse_y = 300;
+    frames(3);
+  }
+
+  void press() {
+    input_.buttons[0] = true;
+    frames(1);
+    move(30);
+    move(-30);
+    frames(2);
+  }
+  void release() {
+    input_.buttons[0] = false;
+    frames(3);
+  }
+  Image picture() { return debugger_->picture(); }
+  [[nodiscard]] std::size_t pairs() const { return debugger_->view().counts().pairs; }
+
+ private:
+  void frames(int count) {
+    for (int k = 0; k < count; ++k) debugger_->frame(input_, kWidth, kHeight);
+  }
+  void move(float pixels) {
+    input_.mouse_x += pixels;
+    frames(1);
+  }
+
+  test::TemporaryRecording file_;
+  std::unique_ptr<GlContext> context_ = make_offscreen_context();
+  std::optional<Debugger> debugger_;
+  DebuggerInput input_;
+};
+
+TEST(TurningTheCamera, DrawsManyObjectsWithLessDetailUntilItEnds) {
+  Turning many(14);
+  const Image before = many.picture();
+  const std::size_t pairs = many.pairs();
+  many.press();
+  EXPECT_NE(many.picture().rgba, before.rgba);
+  EXPECT_LT(many.pairs(), pairs);
+  many.release();
+  EXPECT_EQ(many.picture().rgba, before.rgba);
+  EXPECT_EQ(many.pairs(), pairs);
+}
+
+TEST(TurningTheCamera, DrawsFewObjectsAsEver) {
+  Turning few(5);
+  const std::size_t pairs = few.pairs();
+  few.press();
+  EXPECT_EQ(few.pairs(), pairs);
+}
+
+}  // namespace
+}  // namespace kerf
