@@ -2,7 +2,7 @@
 
 #include "core/bsp/bsp.h"
 #include "core/recording/recorder.h"
-#include "core/trace/event_log.h"
+#include "core/trace/trace.h"
 #include "tests/support/recorded_crowd.h"
 #include "viz/debugger/debugger.h"
 
