@@ -57,6 +57,7 @@ struct Session {
   std::filesystem::path work_folder;
   PictureFolder pictures;
   PictureSize size;
+  bool grows = false;             ///< nobody asked for the size of the window
   std::optional<double> scale{};  ///< pixels in a unit of the panels, if given
   std::optional<ThemeName> theme{};
   std::optional<std::filesystem::path> window_file{};  ///< layout, zoom and theme from start to start
@@ -88,7 +89,7 @@ void show_window(const Session& session, const std::vector<ScriptLine>& lines) {
   const InterruptGuard interrupt;
   std::unique_ptr<Run> run = open_run(session.file);
   const std::string title = run->info().scene + " - kerf debug " + session.name;
-  GlfwWindow window(title, session.size.width, session.size.height);
+  GlfwWindow window(title, session.size.width, session.size.height, session.grows);
   Debugger debugger(window, std::move(run));
   debugger.model().work_folder = session.work_folder;
   debugger.model().on_long_work = [&](std::uint32_t step) {
@@ -224,11 +225,16 @@ void DebugCommand::run() const {
   const ScratchFolder scratch;
   const std::filesystem::path file = recording(scratch.path());
   tune_allocator_for_rendering();
-  const Session session{file,         is_tour() ? kSceneOfTour : texts_.scene,
-                        is_tour(),    scratch.path(),
-                        pictures,     size,
-                        pixels,       colours,
-                        window_file()};
+  const Session session{.file = file,
+                        .name = is_tour() ? kSceneOfTour : texts_.scene,
+                        .is_tour = is_tour(),
+                        .work_folder = scratch.path(),
+                        .pictures = pictures,
+                        .size = size,
+                        .grows = texts_.size.empty() && scale_.empty() && script_.empty(),
+                        .scale = pixels,
+                        .theme = colours,
+                        .window_file = window_file()};
   try {
     if (headless_) {
       play_headless(session, lines);

@@ -68,6 +68,39 @@ TEST_F(DebuggerWindow, SeesWhereAScrubEnds) {
   EXPECT_EQ(fact("step"), "90");
 }
 
+TEST_F(DebuggerWindow, SeesCtrlWithSignsAndDigits) {
+  const auto tap_with_control = [&](const std::string& key) {
+    display_.hold("Control_L");
+    display_.tap(key);
+    display_.let_go("Control_L");
+    take_in();
+  };
+  tap_with_control("equal");
+  tap_with_control("equal");
+  EXPECT_EQ(fact("zoom"), "1.25");
+  tap_with_control("minus");
+  EXPECT_EQ(fact("zoom"), "1.1");
+  tap_with_control("0");
+  EXPECT_EQ(fact("zoom"), "1");
+}
+
+TEST(ScaledWindow, GrowsAndDrawsFinerOnAFineDisplay) {
+  test::XDisplay display;
+  display.set_dots_per_inch(144);
+  const test::TemporaryRecording file;
+  test::record_crowd<2>(file.path(), 20, test::busy_config());
+  GlfwWindow window("kerf", 960, 600, true);
+  EXPECT_DOUBLE_EQ(window.content_scale(), 1.5);
+  EXPECT_EQ(window.width(), 1440);
+  Debugger debugger(window, open_run(file.path()));
+  WindowLoop loop(window, debugger);
+  while (!loop.turn()) continue;
+  EXPECT_DOUBLE_EQ(debugger.scale(), 1.5);
+  WindowLoop asked(window, debugger, 1);
+  while (!asked.turn()) continue;
+  EXPECT_DOUBLE_EQ(debugger.scale(), 1) << "who asks for a scale gets it";
+}
+
 TEST_F(DebuggerWindow, SeesKeysAndLettersInTheirOrder) {
   for (int k = 0; k < 40; ++k) display_.tap("b");
   take_in();
