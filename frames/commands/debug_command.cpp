@@ -57,7 +57,7 @@ struct Session {
   std::filesystem::path work_folder;
   PictureFolder pictures;
   PictureSize size;
-  bool grows = false;             ///< nobody asked for the size of the window
+  bool grows = false;             ///< with the display: no size was asked for
   std::optional<double> scale{};  ///< pixels in a unit of the panels, if given
   std::optional<ThemeName> theme{};
   std::optional<std::filesystem::path> window_file{};  ///< layout, zoom and theme from start to start

@@ -98,7 +98,7 @@ TEST(ScaledWindow, GrowsAndDrawsFinerOnAFineDisplay) {
   EXPECT_DOUBLE_EQ(debugger.scale(), 1.5);
   WindowLoop asked(window, debugger, 1);
   while (!asked.turn()) continue;
-  EXPECT_DOUBLE_EQ(debugger.scale(), 1) << "who asks for a scale gets it";
+  EXPECT_DOUBLE_EQ(debugger.scale(), 1) << "the scale that was asked for counts";
 }
 
 TEST_F(DebuggerWindow, SeesKeysAndLettersInTheirOrder) {
