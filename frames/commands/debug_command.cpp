@@ -259,12 +259,21 @@ void DebugCommand::run() const {
   const ScratchFolder scratch;
   const std::optional<RenderRequest> request = scene(scratch.path());
   std::optional<GlfwWindow> window;
-  if (!headless_) window.emplace(name() + " - kerf debug", size.width, size.height);
+  const bool grows = texts_.size.empty() && scale_.empty() && script_.empty();  // with the display
+  if (!headless_) window.emplace(name() + " - kerf debug", size.width, size.height, grows);
   const std::filesystem::path file =
       request ? record(*request, window ? &*window : nullptr) : std::filesystem::path(texts_.scene);
   tune_allocator_for_rendering();
-  const Sitting sitting{file,     name(), is_tour(), scratch.path(), {sessions_.begin(), sessions_.end()},
-                        pictures, size,   pixels,    colours,        window_file()};
+  const Sitting sitting{.file = file,
+                        .name = name(),
+                        .is_tour = is_tour(),
+                        .work_folder = scratch.path(),
+                        .sessions = {sessions_.begin(), sessions_.end()},
+                        .pictures = pictures,
+                        .size = size,
+                        .scale = pixels,
+                        .theme = colours,
+                        .window_file = window_file()};
   try {
     if (headless_) {
       play_headless(sitting, lines);

@@ -39,6 +39,12 @@ class DebuggerWindow : public testing::Test {
     display_.flush();
     (void)frames_until_rest();
   }
+  /// A key while another one is held.
+  void tap(const std::string& key, const std::string& held) {
+    display_.hold(held);
+    display_.tap(key);
+    display_.let_go(held);
+  }
   void move_to(const std::string& name, float share = 0.5F) {
     const auto area = debugger_->gui().find(name);
     ASSERT_TRUE(area) << name;
@@ -70,6 +76,39 @@ TEST_F(DebuggerWindow, SeesWhereAScrubEnds) {
   move_to("scrubber", 0.3F);
   take_in();
   EXPECT_EQ(fact("step"), "90");
+}
+
+TEST_F(DebuggerWindow, SeesCtrlWithSignsAndDigits) {
+  const auto tap_with_control = [&](const std::string& key) {
+    display_.hold("Control_L");
+    display_.tap(key);
+    display_.let_go("Control_L");
+    take_in();
+  };
+  tap_with_control("equal");
+  tap_with_control("equal");
+  EXPECT_EQ(fact("zoom"), "1.25");
+  tap_with_control("minus");
+  EXPECT_EQ(fact("zoom"), "1.1");
+  tap_with_control("0");
+  EXPECT_EQ(fact("zoom"), "1");
+}
+
+TEST(ScaledWindow, GrowsAndDrawsFinerOnAFineDisplay) {
+  test::XDisplay display;
+  display.set_dots_per_inch(144);
+  const test::TemporaryRecording file;
+  test::record_crowd<2>(file.path(), 20, test::busy_config());
+  GlfwWindow window("kerf", 960, 600, true);
+  EXPECT_DOUBLE_EQ(window.content_scale(), 1.5);
+  EXPECT_EQ(window.width(), 1440);
+  Debugger debugger(window, open_run(file.path()));
+  WindowLoop loop(window, debugger);
+  while (!loop.turn()) continue;
+  EXPECT_DOUBLE_EQ(debugger.scale(), 1.5);
+  WindowLoop asked(window, debugger, 1);
+  while (!asked.turn()) continue;
+  EXPECT_DOUBLE_EQ(debugger.scale(), 1) << "the scale that was asked for counts";
 }
 
 TEST_F(DebuggerWindow, SeesKeysAndLettersInTheirOrder) {
@@ -139,18 +178,18 @@ TEST_F(DebuggerWindow, TakesBackCopiesAndPastes) {
   display_.tap("KP_Add");
   take_in();
   EXPECT_EQ(fact("lanes_to"), "30");
-  display_.tap("z", "Control_L");
+  tap("z", "Control_L");
   take_in();
   EXPECT_EQ(fact("lanes_to"), "120");
   window_->copy("pasted\n");
-  display_.tap("b", "Shift_L");
+  tap("b", "Shift_L");
   take_in();
-  display_.tap("v", "Control_L");
+  tap("v", "Control_L");
   display_.tap("Return");
   take_in();
   EXPECT_EQ(fact("note0"), "pasted") << "without the letter of the key";
   move_to("panel transport");
-  display_.tap("c", "Control_L");
+  tap("c", "Control_L");
   take_in();
   EXPECT_THAT(window_->clipboard(), testing::HasSubstr("before the first step, of 120 steps"));
 }

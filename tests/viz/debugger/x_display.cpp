@@ -1,5 +1,6 @@
 #include "tests/viz/debugger/x_display.h"
 
+#include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <fcntl.h>
 #include <spawn.h>
@@ -117,17 +118,24 @@ void XDisplay::click(unsigned button) {
   release(button);
 }
 
-void XDisplay::tap(const std::string& key) {
-  const KeyCode code = XKeysymToKeycode(display_, XStringToKeysym(key.c_str()));
-  send(KeyPress, code);
-  send(KeyRelease, code);
+unsigned XDisplay::code_of(const std::string& key) const {
+  return XKeysymToKeycode(display_, XStringToKeysym(key.c_str()));
 }
 
-void XDisplay::tap(const std::string& key, const std::string& held) {
-  const KeyCode code = XKeysymToKeycode(display_, XStringToKeysym(held.c_str()));
-  send(KeyPress, code);
-  tap(key);
-  send(KeyRelease, code);
+void XDisplay::tap(const std::string& key) {
+  hold(key);
+  let_go(key);
+}
+
+void XDisplay::hold(const std::string& key) { send(KeyPress, code_of(key)); }
+
+void XDisplay::let_go(const std::string& key) { send(KeyRelease, code_of(key)); }
+
+void XDisplay::set_dots_per_inch(int dots) {
+  const std::string text = "Xft.dpi:\t" + std::to_string(dots) + "\n";
+  XChangeProperty(display_, DefaultRootWindow(display_), XA_RESOURCE_MANAGER, XA_STRING, 8, PropModeReplace,
+                  reinterpret_cast<const unsigned char*>(text.data()), static_cast<int>(text.size()));
+  flush();
 }
 
 void XDisplay::flush() { XSync(display_, False); }

@@ -26,14 +26,17 @@ class XDisplay {
   void click(unsigned button);
   /// A key by the name that X11 has for it, down and up.
   void tap(const std::string& key);
-  /// The same with another key held.
-  void tap(const std::string& key, const std::string& held);
+  void hold(const std::string& key);
+  void let_go(const std::string& key);
+  /// From now on the display says that it has so many pixels an inch; 96 is what programs are used to.
+  void set_dots_per_inch(int dots);
   /// Waits until all of it was sent to the window.
   void flush();
 
  private:
   void send(int type, unsigned detail);
   /// None: 0.
+  [[nodiscard]] unsigned code_of(const std::string& key) const;
   [[nodiscard]] unsigned long find_window() const;
 
   pid_t server_ = -1;

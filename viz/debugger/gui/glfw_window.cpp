@@ -111,6 +111,7 @@ std::string utf8_of(unsigned code) {
 
 /// These lie elsewhere on every keyboard, so they are recognised by their letters.
 void note_letter(GLFWwindow* window, unsigned code) {
+  if (is_held(window, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL)) return;  // it was taken as a key
   if (code == '?') note(window, KeyTap{Key::question, false});
   if (code == '+') note(window, KeyTap{Key::plus, false});
   if (code == '-') note(window, KeyTap{Key::minus, false});
@@ -161,7 +162,8 @@ GlfwWindow::Library::~Library() { glfwTerminate(); }
 
 void GlfwWindow::Close::operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 
-GLFWwindow* GlfwWindow::make_window(const std::string& title, int width, int height) {
+GLFWwindow* GlfwWindow::make_window(const std::string& title, int width, int height, bool grows) {
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, grows ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -173,8 +175,8 @@ GLFWwindow* GlfwWindow::make_window(const std::string& title, int width, int hei
   return window;
 }
 
-GlfwWindow::GlfwWindow(const std::string& title, int width, int height)
-    : window_(make_window(title, width, height)), title_(title) {
+GlfwWindow::GlfwWindow(const std::string& title, int width, int height, bool grows)
+    : window_(make_window(title, width, height, grows)), title_(title) {
   make_current();
   functions_ = load_gl_functions(&find_function);
   glfwSwapInterval(1);

@@ -14,7 +14,8 @@ namespace kerf {
 class GlfwWindow final : public GlContext {
  public:
   /// Throws std::runtime_error that says why there is no window: no display, no OpenGL 3.3.
-  GlfwWindow(const std::string& title, int width, int height);
+  /// `grows`: larger by the content scale of its display.
+  GlfwWindow(const std::string& title, int width, int height, bool grows = false);
   ~GlfwWindow() override;
 
   void make_current() override;
@@ -58,7 +59,7 @@ class GlfwWindow final : public GlContext {
   struct Close {
     void operator()(GLFWwindow* window) const;
   };
-  static GLFWwindow* make_window(const std::string& title, int width, int height);
+  static GLFWwindow* make_window(const std::string& title, int width, int height, bool grows);
   void listen();
   void paste(DebuggerInput& input) const;
 

@@ -107,7 +107,7 @@ void add_typeface(ImFontAtlas& fonts, double scale) {
   config.OversampleH = 1;
   config.PixelSnapH = true;
   const auto pixels = static_cast<float>(scale);
-  config.GlyphMinAdvanceX = config.GlyphMaxAdvanceX = std::round(kLetterWidth * pixels);
+  config.GlyphMinAdvanceX = config.GlyphMaxAdvanceX = std::floor(kLetterWidth * pixels);
   // ImGui only reads it, but its interface takes a pointer to non-const.
   void* const data = const_cast<std::uint8_t*>(file.data());
   fonts.AddFontFromMemoryTTF(data, static_cast<int>(file.size()), std::round(kLetters * pixels), &config);

@@ -31,8 +31,8 @@ WindowSettings parse_window_settings(std::string_view text);
 std::optional<std::filesystem::path> usual_window_file();
 /// The settings of a file; none if there is no file. Throws std::runtime_error that names the file, and what
 /// is wrong with it.
-std::optional<WindowSettings> load_window_settings(const std::filesystem::path& file);
+std::optional<WindowSettings> load_window_settings(const std::filesystem::path& path);
 /// An earlier file is there until this one is complete. Throws std::system_error with the path.
-void save_window_settings(const std::filesystem::path& file, const WindowSettings& settings);
+void save_window_settings(const std::filesystem::path& path, const WindowSettings& settings);
 
 }  // namespace kerf
