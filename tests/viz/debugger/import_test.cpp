@@ -176,8 +176,9 @@ TYPED_TEST(ImportedRun, TheTableHasTheErrorsOfAllSteps) {
     EXPECT_LE(table.rows[by_step[k - 1]].figures[0], table.rows[by_step[k]].figures[0]);
   const auto missed = find_rows(table, "missed", {1, false});
   ASSERT_EQ(missed.size(), kMissing.size());
-  EXPECT_EQ(to_csv(to_texts(table, missed)), "pair,step,verdict\n\"" + table.rows[missed[0]].name + "\",7,missed\n\"" +
-                                       table.rows[missed[1]].name + "\",30,missed\n");
+  EXPECT_EQ(to_csv(to_texts(table, missed)), "pair,step,verdict\n\"" + table.rows[missed[0]].name +
+                                                 "\",7,missed\n\"" + table.rows[missed[1]].name +
+                                                 "\",30,missed\n");
 }
 
 TYPED_TEST(ImportedRun, TheOracleMarksWhatIsWrongAndNothingElse) {

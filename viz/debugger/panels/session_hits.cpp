@@ -25,8 +25,8 @@ Hit opening(PanelMemory& memory, const std::string& path) {
           }};
 }
 
-/// What completes the path that is being typed; and the latest recordings that it is part of; they come first
-/// as long as it is empty.
+/// What completes the path that is being typed, then the latest recordings of which it is part; these come
+/// first as long as nothing is typed.
 std::vector<Hit> paths(PanelMemory& memory, const std::string& typed) {
   std::vector<Hit> hits;
   std::vector<std::string> all = complete_path(typed);
