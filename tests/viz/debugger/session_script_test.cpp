@@ -96,7 +96,7 @@ TEST_F(DebuggerSessions, AnOfferWithoutAnAnswerLosesNothing) {
   EXPECT_EQ(play("key Home\nkey B\nkey Enter\nexpect bookmarks == 3\nexpect breakpoints == 1"), "");
 }
 
-TEST_F(DebuggerSessions, WhoOnlyLooksAroundLeavesNoFile) {
+TEST_F(DebuggerSessions, LookingAroundAloneMakesNoFile) {
   EXPECT_EQ(play("key End\nkey +\ndrag view@0.3,0.3 view@0.4,0.4"), "");
   EXPECT_FALSE(std::filesystem::exists(session()));
 }
@@ -218,9 +218,12 @@ type crowd
 key Enter
 expect recording == crowd.kerf
 key P
-type "open a"
+type "recording open"
 key Enter
 expect search == "open: open "
+type first
+key Enter
+expect recording == first.kerf
 )"),
       "");
 }

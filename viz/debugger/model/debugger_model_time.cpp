@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 
 #include "viz/debugger/model/debugger_model.h"
 
@@ -20,8 +19,9 @@ std::optional<Position> DebuggerModel::find_kind(EventKind kind, bool forwards,
                                                  const Run::Progress& progress) {
   const Position& here = run_->position();
   if (kind == EventKind::bookmark) {
-    const auto marked = std::views::keys(bookmarks);
-    return beside({marked.begin(), marked.end()}, here, forwards);
+    std::set<Position> marked;
+    for (const auto& [moment, note] : bookmarks) marked.insert(moment);
+    return beside(marked, here, forwards);
   }
   if (kind != EventKind::alarm) return find_event(*run_, kind, here, forwards, progress);
   std::set<Position> wrong;

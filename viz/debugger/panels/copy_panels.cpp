@@ -1,5 +1,3 @@
-#include <imgui.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,6 +7,7 @@
 #include "core/base/shortest_text.h"
 #include "core/query/text.h"
 #include "core/tree/partitioner.h"
+#include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/model/algorithm_1.h"
 #include "viz/debugger/panels/copying.h"
 #include "viz/debugger/panels/panel_menu.h"

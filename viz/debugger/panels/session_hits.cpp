@@ -25,12 +25,15 @@ Hit opening(PanelMemory& memory, const std::string& path) {
           }};
 }
 
-/// What completes the path that is being typed; without one the latest recordings come first.
+/// What completes the path that is being typed, then the latest recordings of which it is part; these come
+/// first as long as nothing is typed.
 std::vector<Hit> paths(PanelMemory& memory, const std::string& typed) {
   std::vector<Hit> hits;
-  if (typed.empty())
-    for (const std::string& recent : memory.session.recent) hits.push_back(opening(memory, recent));
-  for (const std::string& path : complete_path(typed)) hits.push_back(opening(memory, path));
+  std::vector<std::string> all = complete_path(typed);
+  const auto latest = typed.empty() ? all.begin() : all.end();
+  all.insert(latest, memory.session.recent.begin(), memory.session.recent.end());
+  for (const std::string& path : all)
+    if (has_all_words(path, typed)) hits.push_back(opening(memory, path));
   if (hits.empty()) hits.push_back(opening(memory, typed));
   return hits;
 }

@@ -1,7 +1,6 @@
 #include "viz/debugger/panels/timeline_rows.h"
 
 #include <array>
-#include <ranges>
 
 #include "core/base/counted.h"
 #include "core/trace/event_facts.h"
@@ -184,7 +183,7 @@ void draw_marks(PanelContext& context, const TimeAxis& axis, float top) {
                            {std::max(right, left + 1.5F), top + kTimelineRow - 1},
                            widgets::to_imgui(is_wrong ? palette::kCandidate : palette::kSeries[2]));
       });
-  for (const Position& mark : std::views::keys(model.bookmarks)) {
+  for (const auto& [mark, note] : model.bookmarks) {
     const double time = time_of(mark, model.run().rows());
     if (!axis.has(time)) continue;
     const float x = axis.x_of(time);

@@ -39,7 +39,10 @@ class SceneViewOf final : public SceneView {
   void look_like(const SceneView& other) override;
   [[nodiscard]] AnyCamera camera() const override { return orbit_.choice(); }
   void set_camera(const AnyCamera& camera) override {
-    if (const auto* const choice = std::get_if<CameraChoice<D>>(&camera)) orbit_.choose(*choice);
+    const auto set = [this]<int OtherD>(const CameraChoice<OtherD>& choice) {
+      if constexpr (OtherD == D) orbit_.choose(choice);
+    };
+    std::visit(set, camera);
   }
 
  private:

@@ -1,8 +1,8 @@
 #include "viz/debugger/session/session.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <ranges>
 
 #include "core/base/counted.h"
 #include "core/recording/chain.h"
@@ -60,11 +60,13 @@ void go_on_with_lanes(const DebuggerSession::Lanes& lanes, DebuggerModel& model)
 /// The notes of both; a part that both have comes once.
 std::string join_notes(std::string first, const std::string& second) {
   static const std::string kBetween = " / ";
-  for (const auto part : std::views::split(second, kBetween)) {
-    const std::string words(part.begin(), part.end());
+  const std::string rest = second + kBetween;
+  for (std::size_t begin = 0, end = 0; begin < rest.size(); begin = end + kBetween.size()) {
+    end = rest.find(kBetween, begin);
+    const std::string part = rest.substr(begin, end - begin);
     const std::string whole = kBetween + first + kBetween;
-    if (words.empty() || whole.find(kBetween + words + kBetween) != std::string::npos) continue;
-    first += (first.empty() ? "" : kBetween) + words;
+    if (part.empty() || whole.find(kBetween + part + kBetween) != std::string::npos) continue;
+    first += (first.empty() ? "" : kBetween) + part;
   }
   return first;
 }
