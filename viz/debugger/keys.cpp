@@ -14,9 +14,34 @@ EventKind neighbour(EventKind kind, bool next) {
   return static_cast<EventKind>((static_cast<std::size_t>(kind) + (next ? 1 : count - 1)) % count);
 }
 
+/// The keys of what lies over the panels. False if the key has no such meaning.
+bool take_card_key(PanelMemory& memory, Key key) {
+  switch (key) {
+    case Key::p:
+      open_search(memory.search);
+      return true;
+    case Key::v:
+      memory.window_menu_wanted = true;
+      return true;
+    case Key::g:
+      memory.welcome = !memory.welcome;
+      return true;
+    case Key::f12:
+      memory.screenshot = true;
+      return true;
+    case Key::f1:
+    case Key::question:
+      memory.help = !memory.help;
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 void Debugger::take_key(Key key, bool shift) {
+  if (take_card_key(memory_, key)) return;
   switch (key) {
     case Key::space:
       model_.playing = !model_.playing;
@@ -54,21 +79,6 @@ void Debugger::take_key(Key key, bool shift) {
       return model_.toggle_breakpoint_here();
     case Key::enter:
       if (memory_.tour) ++*memory_.tour;
-      return;
-    case Key::p:
-      return open_search(memory_.search);
-    case Key::f10:
-      memory_.window_menu_wanted = true;
-      return;
-    case Key::g:
-      memory_.welcome = !memory_.welcome;
-      return;
-    case Key::f12:
-      memory_.screenshot = true;
-      return;
-    case Key::f1:
-    case Key::question:
-      memory_.help = !memory_.help;
       return;
     case Key::a:
     case Key::u:
