@@ -20,7 +20,7 @@ bool take_card_key(PanelMemory& memory, Key key) {
     case Key::p:
       open_search(memory.search);
       return true;
-    case Key::v:
+    case Key::f10:
       memory.window_menu_wanted = true;
       return true;
     case Key::g:
