@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/base/overloaded.h"
 #include "viz/draw/draw_context.h"
@@ -18,6 +19,7 @@ constexpr double kEdgeLight = 0.55;    // light of an object's edges
 constexpr double kEdgePixels = 1.1;    // their width
 constexpr double kFewestEdges = 7;     // smaller objects, in rims, have none: they would be nothing else
 constexpr double kBeforeEdge = 1e-5;   // of the depths that the rasteriser compares
+constexpr double kLargeSide = 12;      // pixels from its middle to its edge
 constexpr double kFewestCorners = 12;  // of the disc behind a ball, which is its rim
 constexpr double kWallSlope = 0.5;     // steeper faces of fixed objects are walls, of glass
 
@@ -142,17 +144,32 @@ std::array<Eigen::Vector4d, 4> to_clip(const Frame& frame, const std::array<Eige
   return clip;
 }
 
-/// Filled twice, dark and then smaller and a hair nearer: a rim for the price of one more fan.
+/// The dark edges of a side around its inner part.
+void draw_frame(Batch& batch, const std::array<Eigen::Vector4d, 4>& outer,
+                const std::array<Eigen::Vector4d, 4>& inner, Color color) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t k = (i + 1) % 4;
+    batch.add_fan(std::array{outer[i], outer[k], inner[k], inner[i]}, color);
+  }
+}
+
+/// A small side is filled twice, dark and then smaller and a hair nearer: a rim for the price of one more
+/// fan. Of a large one the pixels would cost more than the corners of a frame.
 void draw_side(const Targets& to, const Frame& frame, const Brick<3>& brick, Side side, Color color) {
   const int u = (side.axis + 1) % 3;
   const int v = (side.axis + 2) % 3;
-  const bool has_rim = to.has_rim(std::min(double{brick.half[u]}, double{brick.half[v]}));
-  to.solid.add_fan(to_clip(frame, corners_of(brick, side)), has_rim ? lit(color, kEdgeLight) : color);
-  if (!has_rim) return;
+  const double half = std::min(double{brick.half[u]}, double{brick.half[v]});
+  const auto outer = to_clip(frame, corners_of(brick, side));
+  if (!to.has_rim(half)) return to.solid.add_fan(outer, color);
   side.inset = kEdgePixels * to.context.line_scale / to.pixels;
-  auto clip = to_clip(frame, corners_of(brick, side));
-  for (Eigen::Vector4d& corner : clip) corner.z() -= kBeforeEdge * corner.w();
-  to.solid.add_fan(clip, color);
+  auto inner = to_clip(frame, corners_of(brick, side));
+  if (half * to.pixels > kLargeSide) {
+    draw_frame(to.solid, outer, inner, lit(color, kEdgeLight));
+  } else {
+    to.solid.add_fan(outer, lit(color, kEdgeLight));
+    for (Eigen::Vector4d& corner : inner) corner.z() -= kBeforeEdge * corner.w();
+  }
+  to.solid.add_fan(inner, color);
 }
 
 void draw_brick(const Targets& to, const Frame& frame, const Body<3>& body, const Brick<3>& brick,
@@ -228,13 +245,25 @@ void draw_body(Targets& to, std::size_t object) {
              body.shape);
 }
 
+/// What is hidden then costs little: the rasteriser computes no colour for it.
+std::vector<std::uint32_t> nearest_first(const DrawContext<3>& context) {
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (std::uint32_t object = 0; object < context.input.bodies.size(); ++object) {
+    const Body<3>& body = context.input.bodies[object];
+    if (is_drawable(body)) order.emplace_back(context.view.forward.dot(to_point(body.pose.position)), object);
+  }
+  std::ranges::sort(order);
+  std::vector<std::uint32_t> objects(order.size());
+  std::ranges::transform(order, objects.begin(), [](const auto& entry) { return entry.second; });
+  return objects;
+}
+
 }  // namespace
 
 void draw_objects(const DrawContext<3>& context, Batch& solid, Batch& glass) {
   std::vector<Pane> panes;
   Targets to{context, solid, glass, panes};
-  for (std::size_t object = 0; object < context.input.bodies.size(); ++object)
-    if (is_drawable(context.input.bodies[object])) draw_body(to, object);
+  for (const std::uint32_t object : nearest_first(context)) draw_body(to, object);
   std::ranges::stable_sort(panes, std::ranges::greater{}, &Pane::distance);
   const Stroke edge{with_alpha(palette::kFaintInk, 0.45), context.line_scale};
   for (const Pane& pane : panes) {

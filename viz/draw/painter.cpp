@@ -164,9 +164,9 @@ void Painter::draw(const Batch& batch, Depth depth, Blend blend) const {
   gl_.BindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
   gl_.BufferData(GL_ARRAY_BUFFER, size_of(batch.vertices), batch.vertices.data(), GL_STREAM_DRAW);
   gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, size_of(batch.indices), batch.indices.data(), GL_STREAM_DRAW);
-  if (blend == Blend::darken) gl_.BlendEquation(GL_MIN);
+  if (blend == Blend::replace) gl_.Disable(GL_BLEND);
   gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.indices.size()), GL_UNSIGNED_INT, nullptr);
-  if (blend == Blend::darken) gl_.BlendEquation(GL_FUNC_ADD);
+  if (blend == Blend::replace) gl_.Enable(GL_BLEND);
 }
 
 void Painter::draw(const TextBatch& text, const View& view) const {
@@ -175,6 +175,7 @@ void Painter::draw(const TextBatch& text, const View& view) const {
   gl_.UseProgram(text_program_);
   gl_.Uniform2f(picture_size_, static_cast<float>(view.picture_width),
                 static_cast<float>(view.picture_height));
+  gl_.BindTexture(GL_TEXTURE_2D, texture_);  // the context may be shared with others that draw
   gl_.BindVertexArray(vertex_arrays_[1]);
   gl_.BindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
   gl_.BufferData(GL_ARRAY_BUFFER, size_of(text.vertices), text.vertices.data(), GL_STREAM_DRAW);
