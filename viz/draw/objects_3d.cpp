@@ -19,7 +19,6 @@ constexpr double kEdgeLight = 0.55;    // light of an object's edges
 constexpr double kEdgePixels = 1.1;    // their width
 constexpr double kFewestEdges = 7;     // smaller objects, in rims, have none: they would be nothing else
 constexpr double kBeforeEdge = 1e-5;   // of the depths that the rasteriser compares
-constexpr double kLargeSide = 12;      // pixels from its middle to its edge
 constexpr double kFewestCorners = 12;  // of the disc behind a ball, which is its rim
 constexpr double kWallSlope = 0.5;     // steeper faces of fixed objects are walls, of glass
 
@@ -144,31 +143,16 @@ std::array<Eigen::Vector4d, 4> to_clip(const Frame& frame, const std::array<Eige
   return clip;
 }
 
-/// The dark edges of a side around its inner part.
-void draw_frame(Batch& batch, const std::array<Eigen::Vector4d, 4>& outer,
-                const std::array<Eigen::Vector4d, 4>& inner, Color color) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t k = (i + 1) % 4;
-    batch.add_fan(std::array{outer[i], outer[k], inner[k], inner[i]}, color);
-  }
-}
-
-/// A small side is filled twice, dark and then smaller and a hair nearer: a rim for the price of one more
-/// fan. Of a large one the pixels would cost more than the corners of a frame.
+/// Filled twice, dark and then smaller and a hair nearer: a rim for the price of one more fan.
 void draw_side(const Targets& to, const Frame& frame, const Brick<3>& brick, Side side, Color color) {
   const int u = (side.axis + 1) % 3;
   const int v = (side.axis + 2) % 3;
-  const double half = std::min(double{brick.half[u]}, double{brick.half[v]});
-  const auto outer = to_clip(frame, corners_of(brick, side));
-  if (!to.has_rim(half)) return to.solid.add_fan(outer, color);
+  const bool has_rim = to.has_rim(std::min(double{brick.half[u]}, double{brick.half[v]}));
+  to.solid.add_fan(to_clip(frame, corners_of(brick, side)), has_rim ? lit(color, kEdgeLight) : color);
+  if (!has_rim) return;
   side.inset = kEdgePixels * to.context.line_scale / to.pixels;
   auto inner = to_clip(frame, corners_of(brick, side));
-  if (half * to.pixels > kLargeSide) {
-    draw_frame(to.solid, outer, inner, lit(color, kEdgeLight));
-  } else {
-    to.solid.add_fan(outer, lit(color, kEdgeLight));
-    for (Eigen::Vector4d& corner : inner) corner.z() -= kBeforeEdge * corner.w();
-  }
+  for (Eigen::Vector4d& corner : inner) corner.z() -= kBeforeEdge * corner.w();
   to.solid.add_fan(inner, color);
 }
 
@@ -214,7 +198,7 @@ void draw_surface(const Targets& to, const Frame& frame, const Surface& surface,
   }
 }
 
-/// A little lighter or darker than others of its colour: neighbours can be told apart, and followed.
+/// A little lighter or darker than others of its colour: neighbours differ, and one can be followed.
 Color varied(Color color, std::size_t object) {
   const auto mixed = static_cast<std::uint32_t>(object * 2654435769U);
   return lit(color, 0.92 + 0.12 * (static_cast<double>(mixed >> 8U) / (1U << 24U)));

@@ -13,7 +13,7 @@
 namespace kerf {
 namespace {
 
-constexpr double kHighest = 8;       ///< an object so many times its size above the ground has no shadow
+constexpr double kHighest = 6;  ///< an object so many times its least extent above the ground has no shadow
 constexpr double kCoreShade = 0.30;  ///< how dark a shadow is where the object touches the ground
 constexpr double kRimShade = 0.13;
 constexpr double kCoreSize = 0.92;  ///< of the outline seen from above
@@ -91,7 +91,9 @@ void find_shades(const DrawContext<3>& context, std::uint32_t object, const Grou
   if (!(size * context.view.pixels_per_unit(middle) > kSmallest)) return;
   const GroundPlane plane = ground.below(middle);
   const double gap = std::max(0.0, double{body.box.min[1]} - plane.height);
-  const double strength = 1 - gap / (kHighest * size);
+  const Vector<3> extent = body.box.extent();
+  const double reach = kHighest * *std::ranges::min_element(extent.value);
+  const double strength = reach > 0 ? 1 - gap / reach : 0;
   if (strength <= 0) return;
   shades.push_back({object, plane, kRimSize, kRimShade * strength});
   shades.push_back({object, plane, kCoreSize, kCoreShade * strength});

@@ -34,9 +34,11 @@ RunSurvey<D> survey(RunOf<D>& run) {
     box.update(recorded_bodies(run.state().latest));
     const TreeMoment moment{run.tree(), run.position().step, {}};
     objects = std::max(objects, run.state().tree.objects());
+    seen.population_end = std::max(seen.population_end, find_tints(moment, Tint::population).end);
     seen.cost_end = std::max(seen.cost_end, find_tints(moment, Tint::cost).end);
   }
-  seen.population_end = end_of_ramp(objects, run.config());
+  // Of one crowded leaf, the colours of the others would be all alike.
+  seen.population_end = std::min<double>(seen.population_end, end_of_ramp(objects, run.config()));
   run.go(now);
   seen.box = box.box();
   seen.cost_end = rounded_up(seen.cost_end);
