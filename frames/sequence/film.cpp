@@ -1,7 +1,6 @@
 #include "frames/sequence/film.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdio>
 #include <exception>
 #include <iterator>
@@ -13,12 +12,12 @@
 #include "core/bsp/bsp.h"
 #include "core/recording/recorder.h"
 #include "core/trace/event_facts.h"
-#include "core/tree/criteria.h"
 #include "frames/sequence/farm/frame_parcel.h"
 #include "frames/sequence/part_recording.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "viz/draw/camera.h"
+#include "viz/draw/frame_planner.h"
 
 namespace kerf {
 namespace {
@@ -153,11 +152,6 @@ void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std
                            std::vector<Event>& recent) {
   std::erase_if(recent, [&](const Event& event) { return event.step + steps < now; });
   std::ranges::copy_if(events, std::back_inserter(recent), has_acted);
-}
-
-std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config) {
-  constexpr std::uint32_t kLeast = 16;
-  return std::bit_ceil(std::max(kLeast, 4 * split_threshold(objects, config)));
 }
 
 std::unique_ptr<Film> make_film(const RenderRequest& request) {

@@ -53,11 +53,6 @@ std::uint32_t highlight_steps(std::uint32_t stride);
 void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std::uint32_t steps,
                            std::vector<Event>& recent);
 
-/// Where the ramp of populations ends if there are so many objects at most: at four times the split
-/// threshold, for the paper's tree often leaves a crowded leaf as it is. So the colours of a film never
-/// change their scale.
-std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config);
-
 /// Objects of `bodies` that move.
 template <int D>
 std::uint32_t count_moving(std::span<const Body<D>> bodies) {

@@ -62,6 +62,12 @@ class Explained {
     add(drawn.left, drawn.top - 2.0, drawn.right, drawn.top + 3.0);
     add(drawn.left, drawn.bottom - 2.0, drawn.right, drawn.bottom + 3.0);
   }
+  /// In 3D the shadow of an object lies straight below it, and is no item.
+  void add_shadow(const Drawn& drawn) {
+    const float width = drawn.right - drawn.left;
+    const float height = drawn.bottom - drawn.top;
+    add(drawn.left - width, drawn.top, drawn.right + width, drawn.bottom + 9 * std::max(width, height));
+  }
   [[nodiscard]] bool has(int x, int y) const { return mask_[at(x, y)] != 0; }
 
   /// What comes, goes or changes against another frame: the pixels of it and those beside, and of panes,
@@ -72,6 +78,7 @@ class Explained {
       const Drawn& drawn = frame.ids.list.items[i];
       if (drawn.right < drawn.left || is_still(other, drawn)) continue;
       changed[i + 1] = 1;
+      if (drawn.kind == DrawnKind::object) add_shadow(drawn);
       if (drawn.kind == DrawnKind::leaf) add_outline(drawn);
       if (drawn.kind == DrawnKind::plane)
         add(drawn.left - 2.0, drawn.top - 2.0, drawn.right + 3.0, drawn.bottom + 3.0);

@@ -16,8 +16,8 @@ inline constexpr std::array kPlants{Plant::missing_plane,  Plant::moved_plane, P
 /// "a missing plane"
 std::string_view describe(Plant plant);
 
-/// What the plant falls on: of the things of its kind the one in the middle by visible pixels. In 3D, where
-/// no cells are drawn, a tint falls on an object.
+/// What the plant falls on: of the things of its kind the one in the middle by visible pixels. Where no
+/// leaves are drawn, a tint falls on an object.
 Drawn victim(Plant plant, const FrameIds& ids);
 
 /// Plants the bug into what a renderer draws. `width`, `height`: of the picture.

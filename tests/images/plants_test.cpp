@@ -97,7 +97,7 @@ TYPED_TEST(PlantedBugs, PlaneMovedByOnePixel) { this->expect_found(Plant::moved_
 TYPED_TEST(PlantedBugs, MissingPairLine) { this->expect_found(Plant::missing_pair, "missing"); }
 TYPED_TEST(PlantedBugs, RecolouredPair) { this->expect_found(Plant::recolored_pair, "recoloured from"); }
 TYPED_TEST(PlantedBugs, LeafTintedByFourPercent) {
-  this->expect_found(Plant::leaf_tint, TestFixture::kD == 2 ? "tinted from" : "recoloured from");
+  this->expect_found(Plant::leaf_tint, "tinted from");
 }
 TYPED_TEST(PlantedBugs, MissingBox) { this->expect_found(Plant::missing_box, "missing"); }
 

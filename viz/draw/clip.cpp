@@ -89,6 +89,18 @@ Polygon plane_within(const HalfSpace& plane, const Box<D>& box, std::span<const 
   return polygon;
 }
 
+Eigen::Vector3d middle_of_longest_edge(const Polygon& polygon) {
+  Eigen::Vector3d longest = Eigen::Vector3d::Zero();
+  Eigen::Vector3d middle = polygon.front();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Eigen::Vector3d edge = polygon[(k + 1) % polygon.size()] - polygon[k];
+    if (edge.squaredNorm() <= longest.squaredNorm()) continue;
+    longest = edge;
+    middle = polygon[k] + 0.5 * edge;
+  }
+  return middle;
+}
+
 #define KERF_INSTANTIATE(D)                                   \
   template HalfSpace half_space<D>(const Plane<D>&, bool);    \
   template std::vector<HalfSpace> half_spaces(const Box<D>&); \

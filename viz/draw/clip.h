@@ -34,6 +34,9 @@ void clip(Polygon& polygon, std::span<const HalfSpace> sides);
 template <int D>
 Polygon plane_within(const HalfSpace& plane, const Box<D>& box, std::span<const HalfSpace> sides);
 
+/// Of a polygon that is not empty.
+Eigen::Vector3d middle_of_longest_edge(const Polygon& polygon);
+
 /// A point at z = 0 in 2D.
 template <int D>
 Eigen::Vector3d to_point(const Vector<D>& v) {

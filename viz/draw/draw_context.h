@@ -65,7 +65,7 @@ void draw_leaves(const DrawContext<2>& context, Batch& batch);
 /// nothing is drawn where one is transparent. First into `back`, since all else lies before it.
 void draw_stage(const DrawContext<3>& context, std::span<const Color> leaf_colors, Batch& back, Batch& lines);
 
-/// Shadows of moving objects on the ground below them, to be drawn with Blend::darken.
+/// Shadows of moving objects on the ground below them, the darkest last: where they overlap, it remains.
 void draw_shadows(const DrawContext<3>& context, Batch& shadows);
 
 /// The passes of a scene in 3D, but for its lines.

@@ -4,6 +4,8 @@
 #include <bit>
 #include <utility>
 
+#include "core/tree/criteria.h"
+
 namespace kerf {
 namespace {
 
@@ -25,6 +27,10 @@ void find_placements(const Tree<D>& tree, std::size_t objects, std::vector<Place
 }
 
 }  // namespace
+
+std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config) {
+  return std::bit_ceil(std::max(kLeastRamp, 4 * split_threshold(objects, config)));
+}
 
 template <int D>
 const FramePlan<D>& FramePlanner<D>::plan(const FrameInput<D>& input) {

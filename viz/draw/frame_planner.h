@@ -3,11 +3,17 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/config.h"
 #include "viz/draw/draw_context.h"
 #include "viz/draw/highlights.h"
 #include "viz/draw/view_box.h"
 
 namespace kerf {
+
+/// Where the ramp of populations ends if there are so many objects at most: at four times the split
+/// threshold, for the paper's tree often leaves a crowded leaf as it is. So the colours of a film never
+/// change their scale.
+std::uint32_t end_of_ramp(std::uint32_t objects, const Config& config);
 
 /// The parts of a frame that follow from the tree and from earlier frames. With the plan any renderer, in any
 /// process, draws the frame alike.

@@ -113,12 +113,16 @@ struct FrameRenderer<D>::State {
     draw_pairs(frame, lines);
     if (has(Layer::operators)) draw_highlights(frame.view, frame.line_scale, highlights, front, frame.list);
     if (tamper) tamper(batches, ids.list);
-    paint(batches, &shadows);
+    if constexpr (D == 3) {
+      painter.draw(back, Depth::test_and_write, Blend::replace);
+      painter.draw(shadows, Depth::test, Blend::replace);
+    } else {
+      painter.draw(back, Depth::ignore);
+    }
+    paint_rest(batches);
   }
 
-  void paint(const std::array<Batch, 4>& passes, const Batch* shades) const {
-    painter.draw(passes[0], D == 3 ? Depth::test_and_write : Depth::ignore);
-    if (shades != nullptr) painter.draw(*shades, Depth::test, Blend::darken);
+  void paint_rest(const std::array<Batch, 4>& passes) const {
     painter.draw(passes[1], D == 3 ? Depth::test : Depth::ignore);
     painter.draw(passes[2], D == 3 ? Depth::test : Depth::ignore);
     painter.draw(passes[3], Depth::ignore);
@@ -130,7 +134,8 @@ struct FrameRenderer<D>::State {
     for (std::size_t i = 0; i < batches.size(); ++i) make_id_batch(batches[i], id_batches[i]);
     id_framebuffer->bind();
     painter.begin_ids();
-    paint(id_batches, nullptr);
+    painter.draw(id_batches[0], D == 3 ? Depth::test_and_write : Depth::ignore);
+    paint_rest(id_batches);
     make_id_batch(overlay.shapes, id_overlay);  // a label hides what lies below it
     painter.draw(id_overlay, Depth::ignore);
     id_framebuffer->read(ids.image);
@@ -143,13 +148,15 @@ struct FrameRenderer<D>::State {
                     const std::vector<CaptionItem>& caption, const std::vector<LegendItem>& legend,
                     const std::vector<Highlight>& newest) {
     overlay.clear();
-    if (has(Layer::operators)) draw_highlight_labels(frame.view, font, layout, newest, overlay);
+    const double triad = D == 3 && has(Layer::legend) ? 1.8 * font.line_height() : 0;
+    Layout above = layout;  // labels keep off the axes
+    above.scene.height -= kTriadHeight * triad;
+    if (has(Layer::operators)) draw_highlight_labels(frame.view, font, above, newest, overlay);
     const std::string log = log_line(font, options.width, frame.input.caption.note,
                                      has(Layer::operators) ? newest : std::vector<Highlight>{});
     draw_caption(frame.view, font, layout, caption, log, overlay);
     draw_legend(frame.view, font, layout, legend, frame.line_scale, overlay);
-    if (D == 3 && has(Layer::legend))
-      draw_triad(frame.view, font, layout.scene, Corner::left, 1.8 * font.line_height(), overlay);
+    if (triad > 0) draw_triad(frame.view, font, layout.scene, Corner::left, triad, overlay);
     if (sketch) sketch(frame.view, font, overlay);
     painter.draw(overlay.shapes, Depth::ignore);
     painter.draw(overlay.text, frame.view);

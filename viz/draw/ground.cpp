@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/overloaded.h"
 #include "viz/draw/draw_context.h"
 
 namespace kerf {
@@ -48,6 +49,12 @@ void take_surface(const Body<3>& body, const Surface& surface, const Eigen::Vect
   }
 }
 
+void take_top(const Body<3>& body, const Eigen::Vector3d& point, std::optional<GroundPlane>& best) {
+  const double top = body.box.max[1];
+  if (!is_level(body.pose) || top > point.y() || (best && top <= best->height)) return;
+  best = GroundPlane{top, 0, 0, true};
+}
+
 bool is_over(const Box<3>& box, const Eigen::Vector3d& p) {
   return p.x() >= double{box.min[0]} && p.x() <= double{box.max[0]} && p.z() >= double{box.min[2]} &&
          p.z() <= double{box.max[2]};
@@ -79,11 +86,13 @@ GroundPlane Ground::below(const Eigen::Vector3d& point) const {
   for (const std::uint32_t k : columns_[column_of(point.x(), 0) * kSide + column_of(point.z(), 2)]) {
     const Body<3>& body = bodies_[k];
     if (!is_over(body.box, point)) continue;
-    if (const auto* const surface = std::get_if<std::shared_ptr<const Surface>>(&body.shape)) {
-      if (*surface) take_surface(body, **surface, point, best);
-    } else if (const double top = body.box.max[1]; is_level(body.pose) && top <= point.y()) {
-      if (!best || top > best->height) best = GroundPlane{top, 0, 0, true};
-    }
+    std::visit(Overloaded{
+                   [&](const std::shared_ptr<const Surface>& surface) {
+                     if (surface) take_surface(body, *surface, point, best);
+                   },
+                   [&](const auto& /*ball or brick*/) { take_top(body, point, best); },
+               },
+               body.shape);
   }
   return best.value_or(GroundPlane{bounds_.min[1], 0, 0, false});
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/base/overloaded.h"
 #include "viz/draw/draw_context.h"
@@ -150,9 +151,9 @@ void draw_side(const Targets& to, const Frame& frame, const Brick<3>& brick, Sid
   to.solid.add_fan(to_clip(frame, corners_of(brick, side)), has_rim ? lit(color, kEdgeLight) : color);
   if (!has_rim) return;
   side.inset = kEdgePixels * to.context.line_scale / to.pixels;
-  auto clip = to_clip(frame, corners_of(brick, side));
-  for (Eigen::Vector4d& corner : clip) corner.z() -= kBeforeEdge * corner.w();
-  to.solid.add_fan(clip, color);
+  auto inner = to_clip(frame, corners_of(brick, side));
+  for (Eigen::Vector4d& corner : inner) corner.z() -= kBeforeEdge * corner.w();
+  to.solid.add_fan(inner, color);
 }
 
 void draw_brick(const Targets& to, const Frame& frame, const Body<3>& body, const Brick<3>& brick,
@@ -197,7 +198,7 @@ void draw_surface(const Targets& to, const Frame& frame, const Surface& surface,
   }
 }
 
-/// A little lighter or darker than others of its colour: neighbours can be told apart, and followed.
+/// A little lighter or darker than others of its colour: neighbours differ, and one can be followed.
 Color varied(Color color, std::size_t object) {
   const auto mixed = static_cast<std::uint32_t>(object * 2654435769U);
   return lit(color, 0.92 + 0.12 * (static_cast<double>(mixed >> 8U) / (1U << 24U)));
@@ -228,13 +229,25 @@ void draw_body(Targets& to, std::size_t object) {
              body.shape);
 }
 
+/// What is hidden then costs little: the rasteriser computes no colour for it.
+std::vector<std::uint32_t> nearest_first(const DrawContext<3>& context) {
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (std::uint32_t object = 0; object < context.input.bodies.size(); ++object) {
+    const Body<3>& body = context.input.bodies[object];
+    if (is_drawable(body)) order.emplace_back(context.view.forward.dot(to_point(body.pose.position)), object);
+  }
+  std::ranges::sort(order);
+  std::vector<std::uint32_t> objects(order.size());
+  std::ranges::transform(order, objects.begin(), [](const auto& entry) { return entry.second; });
+  return objects;
+}
+
 }  // namespace
 
 void draw_objects(const DrawContext<3>& context, Batch& solid, Batch& glass) {
   std::vector<Pane> panes;
   Targets to{context, solid, glass, panes};
-  for (std::size_t object = 0; object < context.input.bodies.size(); ++object)
-    if (is_drawable(context.input.bodies[object])) draw_body(to, object);
+  for (const std::uint32_t object : nearest_first(context)) draw_body(to, object);
   std::ranges::stable_sort(panes, std::ranges::greater{}, &Pane::distance);
   const Stroke edge{with_alpha(palette::kFaintInk, 0.45), context.line_scale};
   for (const Pane& pane : panes) {

@@ -167,16 +167,13 @@ void Painter::draw(const Batch& batch, Depth depth, Blend blend) const {
   }
   gl_.DepthFunc(GL_LEQUAL);
   gl_.DepthMask(depth == Depth::test_and_write ? GL_TRUE : GL_FALSE);
-  // What hides others is opaque: without blending it is the same, in less time.
-  set_blending(depth != Depth::test_and_write);
+  set_blending(blend != Blend::replace);
   gl_.UseProgram(shape_program_);
   gl_.BindVertexArray(vertex_arrays_[0]);
   gl_.BindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
   gl_.BufferData(GL_ARRAY_BUFFER, size_of(batch.vertices), batch.vertices.data(), GL_STREAM_DRAW);
   gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, size_of(batch.indices), batch.indices.data(), GL_STREAM_DRAW);
-  if (blend == Blend::darken) gl_.BlendEquation(GL_MIN);
   gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.indices.size()), GL_UNSIGNED_INT, nullptr);
-  if (blend == Blend::darken) gl_.BlendEquation(GL_FUNC_ADD);
 }
 
 void Painter::draw(const TextBatch& text, const View& view) const {
@@ -186,6 +183,7 @@ void Painter::draw(const TextBatch& text, const View& view) const {
   gl_.UseProgram(text_program_);
   gl_.Uniform2f(picture_size_, static_cast<float>(view.picture_width),
                 static_cast<float>(view.picture_height));
+  gl_.BindTexture(GL_TEXTURE_2D, texture_);  // the context may be shared with others that draw
   gl_.BindVertexArray(vertex_arrays_[1]);
   gl_.BindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
   gl_.BufferData(GL_ARRAY_BUFFER, size_of(text.vertices), text.vertices.data(), GL_STREAM_DRAW);

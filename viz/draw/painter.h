@@ -13,16 +13,12 @@
 namespace kerf {
 
 /// How a batch takes part in hiding.
-enum class Depth {
-  ignore,
-  test,
-  test_and_write,  ///< all of it is opaque
-};
+enum class Depth { ignore, test, test_and_write };
 
 /// How a batch's colours meet those that are there.
 enum class Blend {
-  over,    ///< by their opacity
-  darken,  ///< the darker one remains, in each of red, green and blue: shadows on shadows are no darker
+  over,     ///< by their opacity
+  replace,  ///< as if all were opaque, which takes less time
 };
 
 /// Letters to be drawn, as rectangles of the font's texture on the picture.

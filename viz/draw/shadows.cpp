@@ -13,7 +13,7 @@
 namespace kerf {
 namespace {
 
-constexpr double kHighest = 8;       ///< an object so many times its size above the ground has no shadow
+constexpr double kHighest = 6;  ///< an object so many times its least extent above the ground has no shadow
 constexpr double kCoreShade = 0.30;  ///< how dark a shadow is where the object touches the ground
 constexpr double kRimShade = 0.13;
 constexpr double kCoreSize = 0.92;  ///< of the outline seen from above
@@ -62,6 +62,11 @@ Footprint footprint_of(const Body<3>& body) {
                     body.shape);
 }
 
+double size_of(const Body<3>& body) {
+  const Vector<3> extent = body.box.extent();
+  return *std::ranges::max_element(extent.value);
+}
+
 /// As the ground is drawn.
 Color color_of(const DrawContext<3>& context, const GroundPlane& plane, const Eigen::Vector3d& point) {
   if (!plane.is_body) return context.ground;
@@ -70,38 +75,57 @@ Color color_of(const DrawContext<3>& context, const GroundPlane& plane, const Ei
   return mix(context.ground, color, clearness(context.view, point));
 }
 
-void add_shadow(const DrawContext<3>& context, const Body<3>& body, const Ground& ground, Batch& batch) {
+/// One of the two parts of a shadow.
+struct Shade {
+  std::uint32_t object = 0;
+  GroundPlane plane;
+  double scale = 1;  ///< of the outline seen from above
+  double shade = 0;  ///< how much darker it is than the ground
+};
+
+void find_shades(const DrawContext<3>& context, std::uint32_t object, const Ground& ground,
+                 std::vector<Shade>& shades) {
+  const Body<3>& body = context.input.bodies[object];
   const Eigen::Vector3d middle = to_point(body.box.center());
-  const Vector<3> extent = body.box.extent();
-  const double size = std::max({extent[0], extent[1], extent[2]});
+  const double size = size_of(body);
   if (!(size * context.view.pixels_per_unit(middle) > kSmallest)) return;
   const GroundPlane plane = ground.below(middle);
   const double gap = std::max(0.0, double{body.box.min[1]} - plane.height);
-  const double strength = 1 - gap / (kHighest * size);
+  const Vector<3> extent = body.box.extent();
+  const double reach = kHighest * *std::ranges::min_element(extent.value);
+  const double strength = reach > 0 ? 1 - gap / reach : 0;
   if (strength <= 0) return;
-  const Color lit_ground = color_of(context, plane, middle);
-  const Footprint footprint = footprint_of(body);
-  const auto fill = [&](double scale, double shade) {
-    thread_local Polygon polygon;
-    polygon.clear();
-    for (const Eigen::Vector2d& at : footprint) {
-      const Eigen::Vector2d from = scale * at;
-      polygon.emplace_back(middle.x() + from.x(),
-                           plane.height + kLift * size + plane.slope_x * from.x() + plane.slope_z * from.y(),
-                           middle.z() + from.y());
-    }
-    add_polygon(batch, context.view, polygon, lit(lit_ground, 1 - shade * strength));
-  };
-  fill(kRimSize, kRimShade);
-  fill(kCoreSize, kCoreShade);
+  shades.push_back({object, plane, kRimSize, kRimShade * strength});
+  shades.push_back({object, plane, kCoreSize, kCoreShade * strength});
+}
+
+void draw_shade(const DrawContext<3>& context, const Shade& shade, Batch& batch) {
+  const Body<3>& body = context.input.bodies[shade.object];
+  const Eigen::Vector3d middle = to_point(body.box.center());
+  const double height = shade.plane.height + kLift * size_of(body);
+  thread_local Polygon polygon;
+  polygon.clear();
+  for (const Eigen::Vector2d& corner : footprint_of(body)) {
+    const Eigen::Vector2d at = shade.scale * corner;
+    polygon.emplace_back(middle.x() + at.x(),
+                         height + shade.plane.slope_x * at.x() + shade.plane.slope_z * at.y(),
+                         middle.z() + at.y());
+  }
+  const Color lit_ground = color_of(context, shade.plane, middle);
+  add_polygon(batch, context.view, polygon, lit(lit_ground, 1 - shade.shade));
 }
 
 }  // namespace
 
 void draw_shadows(const DrawContext<3>& context, Batch& shadows) {
   const Ground ground(context.input.bodies, context.bounds);
-  for (const Body<3>& body : context.input.bodies)
-    if (body.mobility == Mobility::moving && is_drawable(body)) add_shadow(context, body, ground, shadows);
+  std::vector<Shade> shades;
+  for (std::uint32_t k = 0; k < context.input.bodies.size(); ++k) {
+    const Body<3>& body = context.input.bodies[k];
+    if (body.mobility == Mobility::moving && is_drawable(body)) find_shades(context, k, ground, shades);
+  }
+  std::ranges::stable_sort(shades, {}, &Shade::shade);
+  for (const Shade& shade : shades) draw_shade(context, shade, shadows);
 }
 
 }  // namespace kerf

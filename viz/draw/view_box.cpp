@@ -11,7 +11,14 @@ namespace {
 
 constexpr Scalar kFarthestView = 1e19F;
 constexpr Scalar kGrowth = 0.12F;       ///< more than is needed
+constexpr Scalar kWorthIt = 0.8F;       ///< of the longest side: else a floor is shown whole
 constexpr Scalar kAroundAction = 0.2F;  ///< of what never moves, in the size of what does
+
+template <int D>
+Scalar longest(const Box<D>& box) {
+  const Vector<D> extent = box.extent();
+  return *std::ranges::max_element(extent.value);
+}
 
 template <int D>
 Box<D> padded(Box<D> box) {
@@ -74,16 +81,16 @@ void SceneBox<D>::update(std::span<const Body<D>> bodies) {
 
 template <int D>
 Box<D> SceneBox<D>::box() const {
-  Box<D> box = all_.box();
-  if (!has_action_) return box;
+  const Box<D> all = all_.box();
+  if (!has_action_) return all;
   const Box<D> action = action_.box();
-  const Vector<D> extent = action.extent();
-  const Scalar around = kAroundAction * *std::ranges::max_element(extent.value);
+  const Scalar around = kAroundAction * longest(action);
+  Box<D> box = all;
   for (int i = 0; i < D; ++i) {
     box.min[i] = std::max(box.min[i], action.min[i] - around);
     box.max[i] = std::min(box.max[i], action.max[i] + around);
   }
-  return box;
+  return longest(box) < kWorthIt * longest(all) ? box : all;
 }
 
 template class SceneBox<2>;

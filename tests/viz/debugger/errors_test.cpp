@@ -48,7 +48,7 @@ TEST_F(ErrorsOfOthers, AreDrawnInTheirColoursAlsoWhenSelected) {
   for (const char* const key : {"key W", "key shift+W"}) {
     ASSERT_EQ(driver().play(std::string(key) + "\nwait 2\nexpect selection ~ pair"), "");
     const bool missed = driver().debugger().model().message.find("missed") != std::string::npos;
-    EXPECT_GT(pixels(missed ? palette::kMissed : palette::kExtra), 100U) << "the colour of a selected error";
+    EXPECT_GT(pixels(missed ? palette::kMissed : palette::kExtra), 80U) << "the colour of a selected error";
   }
   ASSERT_EQ(driver().play("click pairs\nwait 2\nexpect drawn_missed == 0\nexpect drawn_extra == 0"), "");
   EXPECT_EQ(pixels(palette::kMissed), 0U);

@@ -345,7 +345,7 @@ expect other_deed != none
 click "stop comparing"
 key End
 wait 1
-expect tint_end < $shared
+expect tint_end <= $shared
 )"),
             "");
 }

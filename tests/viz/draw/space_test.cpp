@@ -47,15 +47,21 @@ int brightness(const Image& image, int x, int y) {
   return pixel[0] + pixel[1] + pixel[2];
 }
 
-/// How much darker a point of the ground gets by what stands there.
-int shade_at(const Eigen::Vector3d& point, const Body<3>& body) {
-  const Image bare = picture({kFloor}, "iso");
-  const Image with = picture({kFloor, body}, "iso");
-  const View view = frame_all(kRoom, parse_camera<3>("iso"), {0, 0, 320, 320}, 320, 320);
-  const Eigen::Vector2d at = *view.project(point);
-  const auto x = static_cast<int>(at.x());
-  const auto y = static_cast<int>(at.y());
-  return brightness(bare, x, y) - brightness(with, x, y);
+View view_from(const char* camera) {
+  return frame_all(kRoom, parse_camera<3>(camera), {0, 0, 320, 320}, 320, 320);
+}
+
+int brightness_at(const Image& image, const char* camera, const Eigen::Vector3d& point) {
+  const Eigen::Vector2d at = *view_from(camera).project(point);
+  return brightness(image, static_cast<int>(at.x()), static_cast<int>(at.y()));
+}
+
+/// How much darker a point of the ground gets by what stands there, `times` over.
+int shade_at(const Eigen::Vector3d& point, const Body<3>& body, std::size_t times = 1) {
+  std::vector<Body<3>> bodies{kFloor};
+  const int bare = brightness_at(picture(bodies, "iso"), "iso", point);
+  bodies.insert(bodies.end(), times, body);
+  return bare - brightness_at(picture(bodies, "iso"), "iso", point);
 }
 
 TEST(Shadows, LieOnTheGroundAroundWhatStandsThere) {
@@ -75,10 +81,16 @@ TEST(Shadows, FadeWithTheHeightAndEnd) {
 
 /// Else the ground below a heap would be black.
 TEST(Shadows, OnShadowsAreNoDarker) {
-  const std::vector<Body<3>> one{kFloor, brick({{0, 3, 0}}, {{1, 0.5F, 1}})};
-  std::vector<Body<3>> many = one;
-  for (int k = 0; k < 5; ++k) many.push_back(one.back());
-  EXPECT_EQ(picture(one, "iso"), picture(many, "iso"));
+  const Body<3> block = brick({{0, 1, 0}}, {{1, 1, 1}});
+  EXPECT_EQ(shade_at({1.1, 0, 1.1}, block, 6), shade_at({1.1, 0, 1.1}, block));
+}
+
+TEST(Shadows, TheDarkerOneRemains) {
+  const Body<3> low = brick({{0, 1, 0}}, {{1, 1, 1}});
+  const Body<3> high = brick({{0, 6, 0}}, {{1, 1, 1}});
+  for (const auto& bodies : {std::vector{kFloor, low, high}, std::vector{kFloor, high, low}})
+    EXPECT_EQ(brightness_at(picture(bodies, "iso"), "iso", {1.1, 0, 1.1}),
+              brightness_at(picture({kFloor, low}, "iso"), "iso", {1.1, 0, 1.1}));
 }
 
 TEST(Outlines, AreDarkAndOnlyOfWhatIsLargeEnough) {
@@ -89,14 +101,13 @@ TEST(Outlines, AreDarkAndOnlyOfWhatIsLargeEnough) {
       for (int x = 0; x < image.width; ++x) least = std::min(least, brightness(image, x, y));
     return least;
   };
-  EXPECT_LT(darkest(3, Brick<3>{{{3, 3, 3}}}), darkest(0.2F, Brick<3>{{{0.2F, 0.2F, 0.2F}}}) - 60);
-  EXPECT_LT(darkest(3, Ball{3}), darkest(0.2F, Ball{0.2F}) - 40);
+  EXPECT_LT(darkest(3, Brick<3>{{{3, 3, 3}}}), darkest(0.1F, Brick<3>{{{0.1F, 0.1F, 0.1F}}}) - 60);
+  EXPECT_LT(darkest(3, Ball{3}), darkest(0.1F, Ball{0.1F}) - 40);
 }
 
 TEST(Haze, WhatIsFarAwayIsNearerToTheGround) {
   const auto light_at = [](Scalar z) {
-    const Image image = picture({brick({{0, 3, z}}, {{2, 2, 1}})}, "front");
-    return brightness(image, 160, 190);
+    return brightness_at(picture({brick({{0, 3, z}}, {{2, 2, 1}})}, "front"), "front", {0, 3, z});
   };
   EXPECT_GT(light_at(-8), light_at(8) + 15);
 }

@@ -48,7 +48,7 @@ void draw_tint(PanelContext& context) {
 std::string tint_scale(Tint tint, double end) {
   switch (tint) {
     case Tint::population:
-      return "objects in the leaf: 0 to " + number_text(end);
+      return "objects in the leaf: 0 to " + number_text(end) + "+";
     case Tint::balance:
       return "balance of the partitioner above the leaf: 0 to 1";
     case Tint::redundancy:

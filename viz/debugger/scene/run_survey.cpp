@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viz/debugger/scene/tints.h"
+#include "viz/draw/frame_planner.h"
 #include "viz/draw/recorded_bodies.h"
 #include "viz/draw/view_box.h"
 
@@ -27,13 +28,17 @@ RunSurvey<D> survey(RunOf<D>& run) {
   const Position now = run.position();
   SceneBox<D> box;
   RunSurvey<D> seen;
+  std::uint32_t objects = 0;
   for (std::uint32_t k = 1; k <= kMoments; ++k) {
     run.go(Position::end_of(run.steps() * k / kMoments));
     box.update(recorded_bodies(run.state().latest));
     const TreeMoment moment{run.tree(), run.position().step, {}};
+    objects = std::max(objects, run.state().tree.objects());
     seen.population_end = std::max(seen.population_end, find_tints(moment, Tint::population).end);
     seen.cost_end = std::max(seen.cost_end, find_tints(moment, Tint::cost).end);
   }
+  // Of one crowded leaf, the colours of the others would be all alike.
+  seen.population_end = std::min<double>(seen.population_end, end_of_ramp(objects, run.config()));
   run.go(now);
   seen.box = box.box();
   seen.cost_end = rounded_up(seen.cost_end);

@@ -9,7 +9,7 @@ namespace kerf {
 template <int D>
 struct RunSurvey {
   Box<D> box;                 ///< that is framed
-  double population_end = 1;  ///< of the colours of leaves
+  double population_end = 1;  ///< of the colours of leaves, at most as in pictures; a leaf may have more
   double cost_end = 1;
 };
 

@@ -174,8 +174,8 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
   put_on(*look.theme, triad_);
   framebuffer_->bind();
   painter_.begin(look.theme->scene);
-  painter_.draw(back, D == 3 ? Depth::test_and_write : Depth::ignore);
-  painter_.draw(shadows_, Depth::test, Blend::darken);
+  painter_.draw(back, D == 3 ? Depth::test_and_write : Depth::ignore, D == 3 ? Blend::replace : Blend::over);
+  painter_.draw(shadows_, Depth::test, Blend::replace);
   painter_.draw(glass, D == 3 ? Depth::test : Depth::ignore);
   painter_.draw(planes, D == 3 ? Depth::test : Depth::ignore);
   painter_.draw(lines, D == 3 ? Depth::test : Depth::ignore);
@@ -364,13 +364,13 @@ std::optional<Pair> SceneViewOf<D>::pick_pair(double x, double y) const {
   return std::nullopt;
 }
 
-/// For a partitioner the middle of an edge, since a point within may be hidden.
+/// For a partitioner the middle of its longest edge, since a point within may be hidden.
 template <int D>
 Eigen::Vector3d SceneViewOf<D>::middle_of(NodeId id) const {
   const TreeSnapshot::Node& node = snapshot_[id];
   if (!node.is_leaf()) {
     const Polygon plane = partitioner_in_cell(snapshot_, id, crowd_of<D>(crowds_, id, box_));
-    if (plane.size() >= 2) return 0.5 * (plane[0] + plane[1]);
+    if (plane.size() >= 2) return middle_of_longest_edge(plane);
   }
   return to_point(box_of(id)->center());
 }
