@@ -67,17 +67,17 @@ void draw_help(PanelContext& context) {
       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize;
   ImGui::SetNextWindowFocus();
   if (ImGui::Begin("Keys and mouse", &context.memory.help, kFlags)) {
-    for (const KeyHelp& help : kKeys) {
-      ImGui::TextUnformatted(help.key);
-      ImGui::SameLine(150);
-      ImGui::TextUnformatted(help.meaning);
-    }
-    ImGui::Spacing();
     if (widgets::button(context.gui, "close")) context.memory.help = false;
     ImGui::SameLine();
     if (widgets::button(context.gui, "tour", "seven stops, each with a look at this run")) {
       context.memory.help = false;
       context.memory.tour = 0;
+    }
+    ImGui::Spacing();
+    for (const KeyHelp& help : kKeys) {
+      ImGui::TextUnformatted(help.key);
+      ImGui::SameLine(150);
+      ImGui::TextUnformatted(help.meaning);
     }
   }
   ImGui::End();
