@@ -35,6 +35,7 @@ inline void PrintTo(const OutputCase& row, std::ostream* out) { *out << row.comm
 const std::vector<OutputCase>& output_table();
 
 /// Options that name an input of a command, "render --camera-path": what else takes a file or folder.
+/// Two of them are kept, too, always on top of what they were: the debugger's session and its window.
 const std::vector<std::string>& input_options();
 
 }  // namespace kerf::testing
