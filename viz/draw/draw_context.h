@@ -36,7 +36,7 @@ struct DrawContext {
   std::span<const Color> colors{};       ///< by object, instead of those by population; empty: none
   std::span<const Box<D>> crowds{};      ///< by node, see `find_crowds`; empty: `bounds` for each
   Color ground = palette::kGround;       ///< that lies behind everything
-  bool brief = false;                    ///< no shadows, edges or dashes: the camera turns
+  bool brief = false;  ///< no shadows, edges or dashes, small objects as patches: the camera turns
 
   [[nodiscard]] bool has(Layer layer) const { return layers.has(layer); }
   /// Where a node's partitioner and cell are drawn.

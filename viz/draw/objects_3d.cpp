@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/base/overloaded.h"
@@ -212,6 +213,35 @@ Color color_of(const DrawContext<3>& context, std::size_t object) {
              clearness(context.view, to_point(body.pose.position)));
 }
 
+/// From its middle to its sides, if these are about as far from it as each other.
+std::optional<double> radius_of(const Body<3>& body) {
+  constexpr double kAlike = 1.6;
+  if (const auto* const ball = std::get_if<Ball>(&body.shape)) return double{ball->radius};
+  const auto* const brick = std::get_if<Brick<3>>(&body.shape);
+  if (brick == nullptr) return std::nullopt;
+  const auto [least, most] = std::ranges::minmax({brick->half[0], brick->half[1], brick->half[2]});
+  return most <= kAlike * least ? std::optional(0.5 * (double{least} + most)) : std::nullopt;
+}
+
+/// A square that faces the eye. False where the object is too large or too long for that.
+bool draw_patch(const Targets& to, const Frame& frame, const Body<3>& body, Color color) {
+  constexpr double kLargest = 14;     // pixels
+  constexpr double kSeenSides = 1.1;  // a box that is seen from a corner covers more than a side
+  const auto radius = radius_of(body);
+  if (!radius || body.mobility != Mobility::moving || 2 * *radius * to.pixels > kLargest) return false;
+  const View& view = to.context.view;
+  const Eigen::Vector3d middle = to_point(body.pose.position);
+  const Eigen::Vector3d right = kSeenSides * *radius * view.right;
+  const Eigen::Vector3d up = kSeenSides * *radius * view.right.cross(view.forward);
+  const auto at = [&](const Eigen::Vector3d& point) {
+    return Eigen::Vector4d(view.clip_from_world * point.homogeneous());
+  };
+  const std::array<Eigen::Vector4d, 4> corners{at(middle - right - up), at(middle + right - up),
+                                               at(middle + right + up), at(middle - right + up)};
+  to.solid.add_fan(corners, lit_face(frame, frame.eye.normalized(), color));
+  return true;
+}
+
 void draw_body(Targets& to, std::size_t object) {
   const Body<3>& body = to.context.input.bodies[object];
   const Frame frame = frame_of(to.context.view, body.pose);
@@ -219,6 +249,7 @@ void draw_body(Targets& to, std::size_t object) {
   to.pixels = to.context.view.pixels_per_unit(to_point(body.pose.position));
   to.context.begin(to.solid, DrawnKind::object, static_cast<std::uint32_t>(object));
   to.glass.item = to.solid.item;
+  if (to.context.brief && draw_patch(to, frame, body, color)) return;
   std::visit(Overloaded{
                  [&](const Ball& ball) { draw_ball(to, frame, ball, color); },
                  [&](const Brick<3>& brick) { draw_brick(to, frame, body, brick, color); },
