@@ -224,7 +224,7 @@ std::optional<double> radius_of(const Body<3>& body) {
 }
 
 /// A square that faces the eye. False where the object is too large or too long for that.
-bool draw_patch(const Targets& to, const Frame& frame, const Body<3>& body, Color color) {
+bool draw_patch(const Targets& to, const Body<3>& body, Color color) {
   constexpr double kLargest = 14;     // pixels
   constexpr double kSeenSides = 1.1;  // a box that is seen from a corner covers more than a side
   const auto radius = radius_of(body);
@@ -238,18 +238,18 @@ bool draw_patch(const Targets& to, const Frame& frame, const Body<3>& body, Colo
   };
   const std::array<Eigen::Vector4d, 4> corners{at(middle - right - up), at(middle + right - up),
                                                at(middle + right + up), at(middle - right + up)};
-  to.solid.add_fan(corners, lit_face(frame, frame.eye.normalized(), color));
+  to.solid.add_fan(corners, kerf::lit_face(color, -view.forward.dot(light_of(view))));
   return true;
 }
 
 void draw_body(Targets& to, std::size_t object) {
   const Body<3>& body = to.context.input.bodies[object];
-  const Frame frame = frame_of(to.context.view, body.pose);
   const Color color = color_of(to.context, object);
   to.pixels = to.context.view.pixels_per_unit(to_point(body.pose.position));
   to.context.begin(to.solid, DrawnKind::object, static_cast<std::uint32_t>(object));
   to.glass.item = to.solid.item;
-  if (to.context.brief && draw_patch(to, frame, body, color)) return;
+  if (to.context.brief && draw_patch(to, body, color)) return;
+  const Frame frame = frame_of(to.context.view, body.pose);
   std::visit(Overloaded{
                  [&](const Ball& ball) { draw_ball(to, frame, ball, color); },
                  [&](const Brick<3>& brick) { draw_brick(to, frame, body, brick, color); },

@@ -169,5 +169,29 @@ TEST(Triad, NamesTheAxesWhereTheyPoint) {
   EXPECT_EQ(letters("iso").size(), 3U);
 }
 
+/// Triangles of a body, drawn while the camera turns or not.
+std::size_t triangles_of(const Body<3>& body, bool brief) {
+  const std::vector<Body<3>> bodies{body};
+  const FrameInput<3> input{bodies, nullptr, {}, {}, {}, {}};
+  const View view = view_from("iso");
+  const TreeSnapshotOf<3> snapshot;
+  const std::vector<Placement> placements;
+  DrawContext<3> context{input, view, snapshot, placements, kRoom, LayerSet::parse("objects")};
+  context.brief = brief;
+  Batch solid;
+  Batch glass;
+  draw_objects(context, solid, glass);
+  return (solid.indices.size() + glass.indices.size()) / 3;
+}
+
+TEST(WhileTheCameraTurns, ASmallBlockIsASquareAndOthersAreAsTheyAre) {
+  const Body<3> small = brick({{0, 1, 0}}, {{0.2F, 0.2F, 0.2F}});
+  EXPECT_EQ(triangles_of(small, true), 2U);
+  EXPECT_EQ(triangles_of(small, false), 6U);
+  EXPECT_EQ(triangles_of(brick({{0, 1, 0}}, {{2, 2, 2}}), true), 6U);
+  EXPECT_EQ(triangles_of(brick({{0, 1, 0}}, {{0.1F, 0.1F, 0.3F}}), true), 6U) << "a rod is no square";
+  EXPECT_EQ(triangles_of(body_of(Ball{0.2F}, {{0, 1, 0}}, {{0.2F, 0.2F, 0.2F}}), true), 2U);
+}
+
 }  // namespace
 }  // namespace kerf
