@@ -1,8 +1,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "core/base/overloaded.h"
@@ -213,26 +213,32 @@ Color color_of(const DrawContext<3>& context, std::size_t object) {
              clearness(context.view, to_point(body.pose.position)));
 }
 
-/// From its middle to its sides, if these are about as far from it as each other.
-std::optional<double> radius_of(const Body<3>& body) {
+/// From its middle to its sides, if these are about as far from it as each other; else infinite.
+double radius_of(const Body<3>& body) {
+  constexpr double kLong = std::numeric_limits<double>::infinity();
   constexpr double kAlike = 1.6;
-  if (const auto* const ball = std::get_if<Ball>(&body.shape)) return double{ball->radius};
-  const auto* const brick = std::get_if<Brick<3>>(&body.shape);
-  if (brick == nullptr) return std::nullopt;
-  const auto [least, most] = std::ranges::minmax({brick->half[0], brick->half[1], brick->half[2]});
-  return most <= kAlike * least ? std::optional(0.5 * (double{least} + most)) : std::nullopt;
+  return std::visit(
+      Overloaded{
+          [](const Ball& ball) { return double{ball.radius}; },
+          [](const Brick<3>& brick) {
+            const auto [least, most] = std::ranges::minmax({brick.half[0], brick.half[1], brick.half[2]});
+            return most <= kAlike * least ? 0.5 * (double{least} + most) : kLong;
+          },
+          [](const std::shared_ptr<const Surface>&) { return kLong; },
+      },
+      body.shape);
 }
 
 /// A square that faces the eye. False where the object is too large or too long for that.
 bool draw_patch(const Targets& to, const Body<3>& body, Color color) {
   constexpr double kLargest = 14;     // pixels
   constexpr double kSeenSides = 1.1;  // a box that is seen from a corner covers more than a side
-  const auto radius = radius_of(body);
-  if (!radius || body.mobility != Mobility::moving || 2 * *radius * to.pixels > kLargest) return false;
+  const double radius = radius_of(body);
+  if (body.mobility != Mobility::moving || 2 * radius * to.pixels > kLargest) return false;
   const View& view = to.context.view;
   const Eigen::Vector3d middle = to_point(body.pose.position);
-  const Eigen::Vector3d right = kSeenSides * *radius * view.right;
-  const Eigen::Vector3d up = kSeenSides * *radius * view.right.cross(view.forward);
+  const Eigen::Vector3d right = kSeenSides * radius * view.right;
+  const Eigen::Vector3d up = kSeenSides * radius * view.right.cross(view.forward);
   const auto at = [&](const Eigen::Vector3d& point) {
     return Eigen::Vector4d(view.clip_from_world * point.homogeneous());
   };
