@@ -96,9 +96,7 @@ TYPED_TEST(PlantedBugs, MissingPlane) { this->expect_found(Plant::missing_plane,
 TYPED_TEST(PlantedBugs, PlaneMovedByOnePixel) { this->expect_found(Plant::moved_plane, "moved by"); }
 TYPED_TEST(PlantedBugs, MissingPairLine) { this->expect_found(Plant::missing_pair, "missing"); }
 TYPED_TEST(PlantedBugs, RecolouredPair) { this->expect_found(Plant::recolored_pair, "recoloured from"); }
-TYPED_TEST(PlantedBugs, LeafTintedByFourPercent) {
-  this->expect_found(Plant::leaf_tint, "tinted from");
-}
+TYPED_TEST(PlantedBugs, LeafTintedByFourPercent) { this->expect_found(Plant::leaf_tint, "tinted from"); }
 TYPED_TEST(PlantedBugs, MissingBox) { this->expect_found(Plant::missing_box, "missing"); }
 
 // Each part of the gates is proved without the others. Pixels and the draw list find everything; the id image
