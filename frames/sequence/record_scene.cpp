@@ -63,7 +63,7 @@ std::filesystem::path record(const SceneEntry<D>& entry, const RenderRequest& re
   const double run = seconds_since(start);
   const bool whole = scene->step() == request.steps.last;
   if (whole) part.keep();
-  const std::filesystem::path file = whole ? request.record : part.keep_as_far_as_it_came();
+  std::filesystem::path file = whole ? request.record : part.keep_as_far_as_it_came();
   if (cost == CostOfRecording::printed) print_summary<D>(file, recorder.seconds(), run);
   if (!whole && wish == RecordingWish::none)
     throw Interrupted("interrupted: " + counted_of(scene->step(), request.steps.last, "step") + " in " +

@@ -221,7 +221,7 @@ double radius_of(const Body<3>& body) {
       Overloaded{
           [](const Ball& ball) { return double{ball.radius}; },
           [](const Brick<3>& brick) {
-            const auto [least, most] = std::ranges::minmax({brick.half[0], brick.half[1], brick.half[2]});
+            const auto [least, most] = std::minmax({brick.half[0], brick.half[1], brick.half[2]});
             return most <= kAlike * least ? 0.5 * (double{least} + most) : kLong;
           },
           [](const std::shared_ptr<const Surface>&) { return kLong; },

@@ -97,7 +97,7 @@ void PanelPainter::make_texture() {
   take_typeface();
 }
 
-void PanelPainter::take_typeface() {
+void PanelPainter::take_typeface() const {
   unsigned char* pixels = nullptr;
   int width = 0;
   int height = 0;

@@ -33,7 +33,7 @@ class PanelPainter {
   PanelPainter& operator=(const PanelPainter&) = delete;
 
   /// Takes it again, since it has changed.
-  void take_typeface();
+  void take_typeface() const;
   /// Draws what lies within `part` into the bound framebuffer; row 0 is the top.
   void draw(const ImDrawData& data, const PanelPicture& picture, const PixelArea& part) const;
 
