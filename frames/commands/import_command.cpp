@@ -7,6 +7,7 @@
 #include "frames/import/import_boxes.h"
 #include "frames/sequence/part_recording.h"
 #include "frames/support/errors.h"
+#include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
 #include "frames/support/parse_config.h"
 #include "frames/support/parse_number.h"
@@ -76,9 +77,10 @@ void ImportCommand::run() const {
   request.strict = strict_;
   Outputs outputs({boxes_, pairs_, ignore_}, overwrite_);
   outputs.add_recording(out_);
+  const InterruptGuard interrupt;  // before there is a part that an interrupt would leave
   PartRecording part(out_, outputs.replace());
   request.out = part.path();
-  import_boxes(request);
+  import_boxes(request, interrupt);
   part.keep();
 }
 

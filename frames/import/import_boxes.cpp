@@ -253,8 +253,7 @@ void import_in(const ImportRequest& request, const InterruptGuard& interrupt, Bo
 
 }  // namespace
 
-void import_boxes(const ImportRequest& request) {
-  const InterruptGuard interrupt;
+void import_boxes(const ImportRequest& request, const InterruptGuard& interrupt) {
   if (request.boxes == "-" && request.pairs == "-")
     throw UsageError("boxes and pairs cannot both come from standard input");
   BoxLines boxes(request.boxes);

@@ -4,6 +4,7 @@
 
 #include "core/base/config.h"
 #include "core/geometry/given_box.h"
+#include "frames/support/interrupt.h"
 
 namespace kerf {
 
@@ -22,6 +23,6 @@ struct ImportRequest {
 /// Plays the boxes to a tree, records it, judges their pairs by the definition and prints what was
 /// understood, what is odd and what is wrong with the pairs. Throws UsageError that names file and line, or
 /// std::runtime_error if a file cannot be read or written, or Interrupted.
-void import_boxes(const ImportRequest& request);
+void import_boxes(const ImportRequest& request, const InterruptGuard& interrupt);
 
 }  // namespace kerf
