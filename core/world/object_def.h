@@ -16,6 +16,11 @@ enum class ObjectKind : std::uint8_t {
 };
 inline constexpr int kObjectKinds = 4;
 
+/// Whether two objects of such kinds are never a pair.
+constexpr bool is_passive(ObjectKind kind) {
+  return kind == ObjectKind::fixed || kind == ObjectKind::kinematic;
+}
+
 /// Which objects may form pairs: Box2D's rule. Two objects of one group other than 0 form a pair if the group
 /// is positive, and none if it is negative. All others form a pair if the category of each has a bit in the
 /// other's mask.

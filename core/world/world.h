@@ -21,6 +21,9 @@
 
 namespace kerf {
 
+template <int D>
+class WorldCodec;
+
 /// Whose overlap makes a pair. They differ only for objects with a margin.
 enum class PairsOf : std::uint8_t {
   fat_boxes,    ///< pairs begin before the boxes touch and end after they part, by up to the margins
@@ -130,16 +133,43 @@ class World {
   WorldStatus restore(std::span<const std::uint8_t> bytes, std::string* why = nullptr);
 
  private:
+  class Change;
+  template <class Request>
+  WorldStatus for_each_of(std::size_t count, std::span<WorldStatus> statuses, Request request);
+  WorldStatus insert_one(Box<D> box, const ObjectDef& def, Handle& handle);
+  WorldStatus move_one(Handle object, Box<D> box);
+  WorldStatus remove_one(Handle object);
+  bool list_moves(std::span<const Handle> objects, std::span<const Box<D>> boxes);
+  void count(const ObjectDef& def, std::ptrdiff_t times);
+  void rebuild();
+  [[nodiscard]] bool may_report(ObjectId a, ObjectId b) const;
+  [[nodiscard]] Box<D> exact_box(ObjectId object) const;
+  [[nodiscard]] WorldPair describe(std::uint32_t a, Partner b) const;
+  void gather();
+  void report();
+
+  friend class WorldCodec<D>;
+
   WorldOptions options_;
   std::unique_ptr<Bsp<D>> tree_;
   Slots slots_;
   std::vector<ObjectDef> defs_;  ///< by index
-  std::vector<Box<D>> exact_;    ///< by index: the box of an object with a margin
-  PairRows rows_;                ///< of the last step
+  std::vector<Box<D>> exact_;    ///< by index, of objects with a margin
+  std::ptrdiff_t margins_ = 0;   ///< how many objects have one
+  std::ptrdiff_t filters_ = 0;   ///< how many have another than the default
+  std::ptrdiff_t sensors_ = 0;
+  bool unstepped_ = false;  ///< there were requests since the last step
+  bool torn_ = false;       ///< memory ended within a change of the tree
   PairCallback callback_;
+  PairRows rows_;       ///< of the last step
+  PairRows next_rows_;  ///< of the present one
   std::vector<WorldPair> pairs_;
   std::vector<WorldPair> begun_;
   std::vector<WorldPair> ended_;
+  std::vector<WorldPair> next_begun_;
+  std::vector<WorldPair> next_ended_;
+  std::vector<ObjectId> ids_;  ///< of one call
+  std::vector<Pair> kept_;     ///< of one step: pairs that kinds and filters allow
 };
 
 extern template class World<2>;
