@@ -166,6 +166,7 @@ class World {
   std::vector<WorldPair> pairs_;
   std::vector<WorldPair> begun_;
   std::vector<WorldPair> ended_;
+  std::vector<WorldPair> next_pairs_;
   std::vector<WorldPair> next_begun_;
   std::vector<WorldPair> next_ended_;
   std::vector<ObjectId> ids_;  ///< of one call
