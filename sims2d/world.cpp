@@ -82,7 +82,7 @@ ObjectId World::add(const BodyPlan& plan) {
                              std::string(to_string(status)) + "; a world needs an empty one");
   const b2FixtureDef fixture = material(*shape);
   handles_.push_back(engine_->CreateBody(&def));
-  admitted_->adopt(*handles_.back()->CreateFixture(&fixture), object);
+  admitted_->adopt(*handles_.back()->CreateFixture(&fixture), std::span(&object, 1));
   bodies_.push_back({plan.shape, to_pose(transform), volume.box, plan.mobility});
   reshaped_.push_back(0);
   return object;
@@ -106,7 +106,7 @@ void World::reshape(ObjectId object, const Shape<2>& shape) {
   const b2FixtureDef fixture = material(*made);
   admitted_->forget(*body.GetFixtureList());
   body.DestroyFixture(body.GetFixtureList());
-  admitted_->adopt(*body.CreateFixture(&fixture), object);
+  admitted_->adopt(*body.CreateFixture(&fixture), std::span(&object, 1));
   body.SetAwake(true);
   bodies_[object.index()].shape = shape;
   reshaped_[object.index()] = 1;

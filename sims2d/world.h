@@ -36,10 +36,10 @@ struct BodyPlan {
 ///
 /// Each step runs the broad phase once, with the boxes of the poses at which Box2D's narrow phase then looks,
 /// and makes the contacts exactly those pairs (`Box2dContacts`). A pair that is not reported has no contact
-/// even if it had one before, so that a miss shows. Boxes are the tight ones plus `kBoxPadding` (convert.h),
-/// and not Box2D's fat ones, which run up to 0.5 units and four steps of motion ahead: everything that
-/// touches overlaps, the drawing shows what was tested, and contacts are a function of the poses alone.
-/// Box2D's own broad phase finds the same touching contacts from the same state.
+/// even if it had one before, so that a miss shows. Boxes are the tight ones plus `kBoxPadding`
+/// (box2d/padded_box.h), and not Box2D's fat ones, which run up to 0.5 units and four steps of motion ahead:
+/// everything that touches overlaps, the drawing shows what was tested, and contacts are a function of the
+/// poses alone. Box2D's own broad phase finds the same touching contacts from the same state.
 ///
 /// The step is 1/25 s, not divided. Continuous collision is off, because it would look at pairs between two
 /// queries. Instead nothing is fast: drag limits a fall to `kFallSpeed`, 0.32 units a step, less than half

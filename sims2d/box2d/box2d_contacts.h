@@ -45,25 +45,22 @@ class Box2dContacts {
   /// that was destroyed, and those of a body that was enabled.
   [[nodiscard]] static bool is_new(const b2Fixture& fixture) { return Access::count(fixture) > 0; }
 
-  /// Takes a new fixture out of Box2D's tree. Child k is object `first` + k.
-  void adopt(b2Fixture& fixture, ObjectId first) {
-    const std::int32_t count = Access::count(fixture);
-    for (std::int32_t child = 0; child < count; ++child) {
+  /// Takes a new fixture out of Box2D's tree. `children` has the object of each child.
+  void adopt(b2Fixture& fixture, std::span<const ObjectId> children) {
+    for (std::size_t child = 0; child < children.size(); ++child) {
       b2FixtureProxy& proxy = Access::proxies(fixture)[child];
       manager_.m_broadPhase.DestroyProxy(proxy.proxyId);
       proxy.proxyId = shared_proxy_;
+      const std::size_t index = children[child].index();
+      if (proxies_.size() <= index) proxies_.resize(index + 1);
+      proxies_[index] = &proxy;
     }
     Access::count(fixture) = 0;
-    forget(fixture);
-    firsts_[&fixture] = first;
-    const auto children = static_cast<std::size_t>(fixture.GetShape()->GetChildCount());
-    proxies_.resize(std::max(proxies_.size(), first.index() + children));
-    for (std::size_t child = 0; child < children; ++child)
-      proxies_[first.index() + child] = &Access::proxies(fixture)[child];
+    objects_[&fixture].assign(children.begin(), children.end());
   }
 
   /// The fixture is gone, or stands for no object any more. It is not looked at.
-  void forget(const b2Fixture& fixture) { firsts_.erase(&fixture); }
+  void forget(const b2Fixture& fixture) { objects_.erase(&fixture); }
 
   /// Destroys contacts without a pair, and creates one for each pair without a contact that Box2D's filters
   /// allow. `pairs` are of adopted fixtures' objects and ascending: the order of creation decides the order
@@ -100,7 +97,7 @@ class Box2dContacts {
   static constexpr float kFar = 1e18F;  ///< no fixture comes here
 
   [[nodiscard]] ObjectId object_of(const b2Fixture* fixture, std::int32_t child) const {
-    return {firsts_.at(fixture).value + static_cast<std::uint32_t>(child)};
+    return objects_.at(fixture)[static_cast<std::size_t>(child)];
   }
 
   void create(const Pair& pair) {
@@ -123,9 +120,9 @@ class Box2dContacts {
   b2World& world_;
   b2ContactManager& manager_;
   std::int32_t shared_proxy_;  ///< of all fixtures: Box2D destroys contacts of proxies that do not overlap
-  std::unordered_map<const b2Fixture*, ObjectId> firsts_;
-  std::vector<b2FixtureProxy*> proxies_;  ///< by object
-  std::vector<Standing> standing_;        ///< by pair: all contacts of the world
+  std::unordered_map<const b2Fixture*, std::vector<ObjectId>> objects_;  ///< of each fixture's children
+  std::vector<b2FixtureProxy*> proxies_;                                 ///< by object
+  std::vector<Standing> standing_;  ///< by pair: all contacts of the world
   std::vector<Standing> kept_;
 };
 
