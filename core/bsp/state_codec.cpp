@@ -143,7 +143,12 @@ void get_tree(ByteReader& in, std::size_t size, Tree<D>& tree) {
   for (Node<D>& node : nodes) node = get_node(in, tree.directions(), tree.table.bound());
   std::vector<NodeId> unused(in.count());
   for (NodeId& id : unused) id.value = in.number();
-  tree.assign(std::move(nodes), std::move(unused), {in.number()});
+  const NodeId root{in.number()};
+  try {
+    tree.assign(std::move(nodes), std::move(unused), root);
+  } catch (const std::runtime_error& error) {
+    fail_damaged(error.what());
+  }
 }
 
 template <int D>
