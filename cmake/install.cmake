@@ -1,12 +1,17 @@
 # What users link, and how they find it once it is installed: find_package(kerf) gives kerf::bsp, kerf::c, kerf::scene
 # and kerf::recording, and each has a pkg-config file. Headers are included as in this repository, for example
-# #include "core/bsp/bsp.h"; that of C is <kerf.h>.
+# #include "core/bsp/bsp.h"; that of C is <kerf.h>. A build installs shared libraries or static ones; those of two builds
+# lie beside each other.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 option(KERF_INSTALL "Install what is for users" ${PROJECT_IS_TOP_LEVEL})
 set(kerf_headers ${CMAKE_INSTALL_INCLUDEDIR}/kerf)
 set(kerf_package ${CMAKE_INSTALL_LIBDIR}/cmake/kerf)
+set(kerf_kind static)
+if(BUILD_SHARED_LIBS)
+  set(kerf_kind shared)
+endif()
 
 # kerf_for_users(TARGET [EXPORTS FILE]) makes the library kerf_PART known as kerf::PART, here and where it is installed.
 #   EXPORTS  a list of names in cmake/: the library is for C, and exports these
@@ -14,24 +19,31 @@ function(kerf_for_users target)
   cmake_parse_arguments(PARSE_ARGV 1 users "" "EXPORTS" "")
   string(REPLACE "kerf_" "" part ${target})
   add_library(kerf::${part} ALIAS ${target})
+  get_target_property(type ${target} TYPE)
   set(exports ${PROJECT_SOURCE_DIR}/cmake/exported_names)
+  set(scope PUBLIC)
+  if(type STREQUAL "INTERFACE_LIBRARY")
+    set(scope INTERFACE)
+  endif()
   if(users_EXPORTS)
     set(exports ${PROJECT_SOURCE_DIR}/cmake/${users_EXPORTS})
   else()
-    target_compile_features(${target} PUBLIC cxx_std_20)
+    target_compile_features(${target} ${scope} cxx_std_20)
   endif()
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${part} VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} DEFINE_SYMBOL "")
-  get_target_property(type ${target} TYPE)
   if(type STREQUAL "SHARED_LIBRARY")
     # Exports no names of other libraries that are compiled in.
     target_link_options(${target} PRIVATE LINKER:--version-script=${exports})
     set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${exports})
   endif()
   if(KERF_INSTALL)
-    get_target_property(sets ${target} HEADER_SETS)
-    list(TRANSFORM sets REPLACE "(.+)" "FILE_SET;\\1;DESTINATION;${kerf_headers}")
-    install(TARGETS ${target} EXPORT kerf-targets ${sets})
+    get_target_property(sets ${target} INTERFACE_HEADER_SETS)
+    list(TRANSFORM sets REPLACE "(.+)" "FILE_SET;\\1;DESTINATION;${kerf_headers};COMPONENT;development")
+    install(TARGETS ${target} EXPORT kerf-targets
+      LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
+      ARCHIVE COMPONENT development
+      ${sets})
   endif()
 endfunction()
 
@@ -57,15 +69,17 @@ function(kerf_pkg_config target KERF_DESCRIPTION)
   list(JOIN KERF_REQUIRES " " KERF_REQUIRES)
   list(JOIN KERF_REQUIRES_PRIVATE " " KERF_REQUIRES_PRIVATE)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/kerf.pc.in ${PROJECT_BINARY_DIR}/${KERF_MODULE}.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/${KERF_MODULE}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  install(FILES ${PROJECT_BINARY_DIR}/${KERF_MODULE}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+    COMPONENT development)
 endfunction()
 
 # kerf_install_package() installs what find_package(kerf) reads.
 function(kerf_install_package)
-  install(EXPORT kerf-targets NAMESPACE kerf:: DESTINATION ${kerf_package})
+  install(EXPORT kerf-targets NAMESPACE kerf:: DESTINATION ${kerf_package} FILE kerf-${kerf_kind}-targets.cmake
+    COMPONENT development)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/kerf-config.cmake.in ${PROJECT_BINARY_DIR}/kerf-config.cmake
     INSTALL_DESTINATION ${kerf_package})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/kerf-config-version.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/kerf-config.cmake ${PROJECT_BINARY_DIR}/kerf-config-version.cmake
-    DESTINATION ${kerf_package})
+    DESTINATION ${kerf_package} COMPONENT development)
 endfunction()

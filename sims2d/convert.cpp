@@ -92,14 +92,6 @@ Pose<2> to_pose(const b2Transform& transform) {
   return {{{transform.p.x, transform.p.y}}, {Vector<2>{{q.c, q.s}}, Vector<2>{{-q.s, q.c}}}};
 }
 
-Box<2> padded_box(const b2Shape& shape, const b2Transform& transform) {
-  b2AABB bounds;
-  shape.ComputeAABB(&bounds, transform, 0);
-  const Vector<2> padding{{kBoxPadding, kBoxPadding}};
-  return {Vector<2>{{bounds.lowerBound.x, bounds.lowerBound.y}} - padding,
-          Vector<2>{{bounds.upperBound.x, bounds.upperBound.y}} + padding};
-}
-
 Volume<2> padded_volume(VolumeKind kind, const Shape<2>& shape, const b2Shape& engine_shape,
                         const b2Transform& transform) {
   if (kind == VolumeKind::box) return make_box_volume(padded_box(engine_shape, transform));

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sims2d/contact_gate.h"
+#include "sims2d/box2d/box2d_contacts.h"
 #include "sims2d/contact_pair.h"
 #include "sims2d/convert.h"
 
@@ -63,7 +63,7 @@ bool is_finite(const Pose<2>& pose) {
 World::World(BroadPhase<2>& broad_phase, Scalar gravity)
     : broad_phase_(broad_phase),
       engine_(std::make_unique<b2World>(b2Vec2(0.0F, -gravity))),
-      gate_(std::make_unique<ContactGate>(*engine_)) {
+      admitted_(std::make_unique<Box2dContacts>(*engine_)) {
   engine_->SetContinuousPhysics(false);
 }
 
@@ -82,7 +82,7 @@ ObjectId World::add(const BodyPlan& plan) {
                              std::string(to_string(status)) + "; a world needs an empty one");
   const b2FixtureDef fixture = material(*shape);
   handles_.push_back(engine_->CreateBody(&def));
-  handles_.back()->CreateFixture(&fixture);
+  admitted_->adopt(*handles_.back()->CreateFixture(&fixture), std::span(&object, 1));
   bodies_.push_back({plan.shape, to_pose(transform), volume.box, plan.mobility});
   reshaped_.push_back(0);
   return object;
@@ -104,8 +104,9 @@ void World::reshape(ObjectId object, const Shape<2>& shape) {
   b2Body& body = moving_body(object);
   const std::unique_ptr<b2Shape> made = to_box2d(shape);
   const b2FixtureDef fixture = material(*made);
+  admitted_->forget(*body.GetFixtureList());
   body.DestroyFixture(body.GetFixtureList());
-  body.CreateFixture(&fixture);
+  admitted_->adopt(*body.CreateFixture(&fixture), std::span(&object, 1));
   body.SetAwake(true);
   bodies_[object.index()].shape = shape;
   reshaped_[object.index()] = 1;
@@ -131,7 +132,7 @@ void World::advance() {
   ++step_;
   update_boxes();
   ask();
-  gate_->admit(pairs_, handles_);
+  admitted_->admit(pairs_);
   engine_->Step(kStepSeconds, kVelocityIterations, kPositionIterations);
   collect_contacts();
 }

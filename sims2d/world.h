@@ -14,9 +14,11 @@
 class b2Body;
 class b2World;
 
-namespace kerf::inline sims2d {
+namespace kerf {
+class Box2dContacts;
+}
 
-class ContactGate;
+namespace kerf::inline sims2d {
 
 /// A 2D body at its beginning.
 struct BodyPlan {
@@ -33,11 +35,11 @@ struct BodyPlan {
 /// seconds, Y is up; body k is object k of the broad phase.
 ///
 /// Each step runs the broad phase once, with the boxes of the poses at which Box2D's narrow phase then looks,
-/// and makes the contacts exactly those pairs (`ContactGate`). A pair that is not reported has no contact
-/// even if it had one before, so that a miss shows. Boxes are the tight ones plus `kBoxPadding` (convert.h),
-/// and not Box2D's fat ones, which run up to 0.5 units and four steps of motion ahead: everything that
-/// touches overlaps, the drawing shows what was tested, and contacts are a function of the poses alone.
-/// Box2D's own broad phase finds the same touching contacts from the same state.
+/// and makes the contacts exactly those pairs (`Box2dContacts`). A pair that is not reported has no contact
+/// even if it had one before, so that a miss shows. Boxes are the tight ones plus `kBoxPadding`
+/// (box2d/padded_box.h), and not Box2D's fat ones, which run up to 0.5 units and four steps of motion ahead:
+/// everything that touches overlaps, the drawing shows what was tested, and contacts are a function of the
+/// poses alone. Box2D's own broad phase finds the same touching contacts from the same state.
 ///
 /// The step is 1/25 s, not divided. Continuous collision is off, because it would look at pairs between two
 /// queries. Instead nothing is fast: drag limits a fall to `kFallSpeed`, 0.32 units a step, less than half
@@ -95,7 +97,7 @@ class World {
 
   BroadPhase<2>& broad_phase_;
   std::unique_ptr<b2World> engine_;
-  std::unique_ptr<ContactGate> gate_;
+  std::unique_ptr<Box2dContacts> admitted_;
   std::vector<b2Body*> handles_;
   std::vector<Body<2>> bodies_;
   std::vector<std::uint8_t> reshaped_;  ///< since the last step

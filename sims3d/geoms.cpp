@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/scene/bounding.h"
+#include "sims3d/ode/geom_box.h"
 
 namespace kerf {
 namespace {
@@ -78,17 +79,6 @@ Geom make_geom(const Shape<3>& shape) {
 
 dMass make_mass(const Shape<3>& shape, double density) {
   return std::visit([density](const auto& known) { return mass_of(known, density); }, shape);
-}
-
-Box<3> outward_box(dGeomID geom) {
-  std::array<dReal, 6> bounds{};
-  dGeomGetAABB(geom, bounds.data());
-  Box<3> box;
-  for (int i = 0; i < 3; ++i) {
-    box.min[i] = round_down(bounds[2 * static_cast<std::size_t>(i)]);
-    box.max[i] = round_up(bounds[2 * static_cast<std::size_t>(i) + 1]);
-  }
-  return box;
 }
 
 Volume<3> outward_volume(VolumeKind kind, const Shape<3>& shape, dGeomID geom) {

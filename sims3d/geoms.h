@@ -25,9 +25,6 @@ Geom make_geom(const Shape<3>& shape);
 /// surface: it has no inside.
 dMass make_mass(const Shape<3>& shape, double density);
 
-/// The geom's box at its present pose, rounded outward so that no contact falls between double and float.
-Box<3> outward_box(dGeomID geom);
-
 /// The volume of the given kind around the geom at its present pose, rounded outward; `shape` is the geom's
 /// own.
 Volume<3> outward_volume(VolumeKind kind, const Shape<3>& shape, dGeomID geom);

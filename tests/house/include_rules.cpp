@@ -46,6 +46,7 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"Box2D", "box2d/"},
     {"ODE", "ode/"},
     {"Bullet", "BulletCollision/"},
+    {"Bullet", "LinearMath/"},
     {"FCL", "fcl/"},
     {"CGAL", "CGAL/"},
     {"Embree", "embree3/"},
@@ -153,6 +154,8 @@ constexpr auto kPermissions = std::to_array<Permission>({
     {"sims3d/", "sims3d"},
     {"sims3d/", "core"},
     {"sims3d/", "ODE"},
+    {"sims3d/bullet/", "Bullet"},
+    {"sims3d/fcl/", "FCL"},
 });
 
 bool is_any_of(std::string_view name, std::span<const std::string_view> names) {

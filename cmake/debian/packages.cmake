@@ -1,0 +1,68 @@
+# The Debian packages, by CPack, from two builds: one with static libraries, which gives only these, and one with shared
+# ones, which gives the rest (`./run packages`).
+#   libkerf0.2   the shared libraries       (component runtime)
+#   libkerf-dev  headers, static libraries  (component development)
+#   kerf         the program                (component program)
+# A Python module gets a component `python` and a package `python3-kerf` here.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME kerf)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The Kerf authors <kerf@kerf.invalid>" CACHE STRING "Who maintains the packages")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_COMPONENTS_ALL runtime development program)
+
+set(abi ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set(about "Kerf reports which axis-aligned boxes overlap while they move, in 2D and 3D: the broad phase of collision
+ detection. It is built on semi-adjusting BSP trees, and is exact.")
+
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libkerf${abi})
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
+set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "broad phase of collision detection - shared libraries\n${about}")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY "=")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libkerf-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "broad phase of collision detection - headers\n${about}
+ .
+ This package has the headers, static libraries, files for CMake and pkg-config, and headers with which Bullet, ODE,
+ FCL and Box2D use the broad phase.")
+string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libkerf${abi} (= ${PROJECT_VERSION}), "
+  "libhwy-dev, libtbb-dev, libxxhash-dev, libsqlite3-dev, libzstd-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libbullet-dev, libode-dev, libfcl-dev, libbox2d-dev")
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME kerf)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "broad phase of collision detection - see, step through, measure\n${about}
+ .
+ This package has the program kerf, which renders, records, debugs and measures the broad phase of physics scenes and of
+ other engines' recordings.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/core)
+set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
+set(CPACK_COMPONENT_PROGRAM_DEPENDS runtime)
+# These are loaded or run by name. Only Debian 12 and 13 have OSMesa; without it, EGL draws.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libosmesa6 | libegl-mesa0, libosmesa6 | libegl1")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "ffmpeg")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "parallel")
+
+# What Debian wants of each package: copyright and changelog.
+string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
+set(changelog ${PROJECT_BINARY_DIR}/changelog)
+configure_file(cmake/debian/changelog.in ${changelog} @ONLY)
+file(ARCHIVE_CREATE OUTPUT ${changelog}.gz PATHS ${changelog} FORMAT raw COMPRESSION GZip COMPRESSION_LEVEL 9)
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+  string(TOUPPER ${component} upper)
+  set(place DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} COMPONENT ${component})
+  install(FILES LICENSE ${place} RENAME copyright EXCLUDE_FROM_ALL)
+  install(FILES ${changelog}.gz ${place} EXCLUDE_FROM_ALL)
+endforeach()
+
+include(CPack)

@@ -1,0 +1,172 @@
+#pragma once
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_world.h>
+#include <box2d/b2_world_callbacks.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/world/move_list.h"
+#include "core/world/world.h"
+#include "sims2d/box2d/box2d_contacts.h"
+#include "sims2d/box2d/padded_box.h"
+
+namespace kerf {
+
+/// The broad phase of a Box2D world, in place of Box2D's own.
+///
+/// Call `update` before each b2World::Step, and create and change bodies, fixtures and joints as ever. Each
+/// contact is a pair of padded boxes (kBoxPadding) that overlap and that Box2D's filters allow. Queries are
+/// here, since Box2D's tree is empty (Box2dContacts). The world must outlive this and must not be stepped
+/// after it.
+class Box2dBroadPhase {
+ public:
+  /// Throws std::invalid_argument for options that World refuses.
+  explicit Box2dBroadPhase(b2World& world, const WorldOptions& options = {})
+      : engine_(world), contacts_(world), world_(options) {}
+
+  /// `seconds` is the time step that follows. Where continuous physics is on, boxes reach to where the
+  /// velocity takes them in it, so that what hits on the way has its contact. Throws std::invalid_argument
+  /// for a new fixture whose box is NaN.
+  void update(float seconds) {
+    ++round_;
+    for (b2Body* body = engine_.GetBodyList(); body != nullptr; body = body->GetNext()) {
+      if (!body->IsEnabled()) continue;
+      const b2Vec2 ahead = engine_.GetContinuousPhysics() ? seconds * body->GetLinearVelocity() : b2Vec2_zero;
+      for (b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext())
+        follow(*fixture, body->GetTransform(), ahead);
+    }
+    drop_gone();
+    static_cast<void>(moves_.send(world_));
+    world_.step();
+    pairs_.clear();
+    for (const WorldPair& pair : world_.pairs()) pairs_.push_back({{pair.a.index()}, {pair.b.index()}});
+    contacts_.admit(pairs_);
+  }
+
+  /// As b2World::QueryAABB, over the boxes of the last `update`. Looks at each.
+  void query(b2QueryCallback& callback, const b2AABB& box) const {
+    const Box<2> asked = to_box(box.lowerBound, box.upperBound);
+    for (const Child& child : children_)
+      if (child.fixture != nullptr && overlaps(child.box, asked) && !callback.ReportFixture(child.fixture))
+        return;
+  }
+  /// As b2World::RayCast, over the boxes of the last `update`. Looks at each.
+  void ray_cast(b2RayCastCallback& callback, const b2Vec2& from, const b2Vec2& to) const {
+    b2RayCastInput input{from, to, 1};
+    for (const Child& child : children_) {
+      const b2Vec2 end = from + input.maxFraction * (to - from);
+      if (child.fixture == nullptr || !overlaps(child.box, to_box(b2Min(from, end), b2Max(from, end))))
+        continue;
+      b2RayCastOutput hit;
+      if (!child.fixture->RayCast(&hit, input, child.index)) continue;
+      const b2Vec2 point = (1 - hit.fraction) * from + hit.fraction * to;
+      const float limit = callback.ReportFixture(child.fixture, point, hit.normal, hit.fraction);
+      if (limit == 0) return;
+      if (limit > 0) input.maxFraction = limit;
+    }
+  }
+
+  /// What stands behind it: the tree, statistics, threads.
+  [[nodiscard]] World<2>& world() { return world_; }
+
+ private:
+  struct Member {
+    std::vector<Handle> children;
+    b2Transform transform;
+    b2Vec2 ahead = b2Vec2_zero;
+    b2BodyType type = b2_staticBody;
+    std::uint64_t round = 0;  ///< of the last update that saw the fixture
+  };
+  struct Child {
+    b2Fixture* fixture = nullptr;
+    std::int32_t index = 0;
+    Box<2> box;
+  };
+
+  static Box<2> to_box(const b2Vec2& min, const b2Vec2& max) { return {{{min.x, min.y}}, {{max.x, max.y}}}; }
+  static ObjectKind kind_of(b2BodyType type) {
+    if (type == b2_dynamicBody) return ObjectKind::moving;
+    return type == b2_kinematicBody ? ObjectKind::kinematic : ObjectKind::fixed;
+  }
+  static Box<2> box_of(const b2Fixture& fixture, std::int32_t child, const Member& member) {
+    const Box<2> here = padded_box(*fixture.GetShape(), member.transform, child);
+    const Vector<2> ahead{{member.ahead.x, member.ahead.y}};
+    return join(here, {here.min + ahead, here.max + ahead});
+  }
+
+  void follow(b2Fixture& fixture, const b2Transform& transform, const b2Vec2& ahead) {
+    Member& member = members_[&fixture];
+    member.round = round_;
+    const bool same = member.transform.p == transform.p && member.transform.q.s == transform.q.s &&
+                      member.transform.q.c == transform.q.c && member.ahead == ahead;
+    member.transform = transform;
+    member.ahead = ahead;
+    if (Box2dContacts::is_new(fixture)) return adopt(fixture, member);
+    if (const b2BodyType type = fixture.GetBody()->GetType(); type != member.type) set_type(member, type);
+    if (same) return;
+    for (const Handle handle : member.children) {
+      Child& child = children_[handle.index()];
+      child.box = box_of(fixture, child.index, member);
+      moves_.add(handle, child.box);
+    }
+  }
+
+  void adopt(b2Fixture& fixture, Member& member) {
+    drop(member);
+    member.type = fixture.GetBody()->GetType();
+    ObjectDef def;
+    def.kind = kind_of(member.type);
+    std::vector<ObjectId> objects;
+    for (std::int32_t child = 0; child < fixture.GetShape()->GetChildCount(); ++child) {
+      const Box<2> box = box_of(fixture, child, member);
+      const auto [status, handle] = world_.insert(box, def);
+      if (is_failure(status)) throw std::invalid_argument(std::string(to_string(status)));
+      member.children.push_back(handle);
+      objects.push_back({handle.index()});
+      if (children_.size() <= handle.index()) children_.resize(handle.index() + std::size_t{1});
+      children_[handle.index()] = {&fixture, child, box};
+    }
+    contacts_.adopt(fixture, objects);
+  }
+  void set_type(Member& member, b2BodyType type) {
+    member.type = type;
+    for (const Handle handle : member.children) static_cast<void>(world_.set_kind(handle, kind_of(type)));
+  }
+  void drop(Member& member) {
+    for (const Handle handle : member.children) {
+      static_cast<void>(world_.remove(handle));
+      children_[handle.index()] = {};
+    }
+    member.children.clear();
+  }
+  void drop_gone() {
+    for (auto entry = members_.begin(); entry != members_.end();) {
+      if (entry->second.round == round_) {
+        ++entry;
+        continue;
+      }
+      drop(entry->second);
+      contacts_.forget(*entry->first);
+      entry = members_.erase(entry);
+    }
+  }
+
+  b2World& engine_;
+  Box2dContacts contacts_;
+  World<2> world_;
+  std::unordered_map<const b2Fixture*, Member> members_;
+  std::vector<Child> children_;  ///< by index of the handle; without a fixture: free
+  std::vector<Pair> pairs_;
+  MoveList<2> moves_;
+  std::uint64_t round_ = 0;
+};
+
+}  // namespace kerf

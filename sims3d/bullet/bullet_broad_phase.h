@@ -1,0 +1,174 @@
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
+#include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
+#include <LinearMath/btAabbUtil2.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#include "core/world/move_list.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+/// The broad phase of a Bullet world, in place of btDbvtBroadphase.
+///
+/// Pairs are exact: the boxes that Bullet gives overlap as closed intervals. They are brought up to date by
+/// calculateOverlappingPairs, which a world calls in each step, and are in the pair cache like those of
+/// Bullet's own: filters, ghost objects and the dispatcher work as ever. The cache is told only of pairs that
+/// begin or end, so that a pair that another takes out of it comes again when it begins again; after a change
+/// of a filter call btCollisionWorld::refreshBroadphaseProxy, as with Bullet's own.
+///
+/// Proxies of which each is in the group StaticFilter alone and masks that group out never form a pair,
+/// whatever an overlap filter says. A box with NaN, or with min > max, leaves the proxy where it was.
+///
+/// rayTest and aabbTest look at the box of each proxy, as it was given last.
+class BulletBroadPhase final : public btBroadphaseInterface {
+ public:
+  /// `cache` must outlive this and remove pairs at once; without one a btHashedOverlappingPairCache is made.
+  /// Throws std::invalid_argument for a cache that defers removals, and for options that World refuses.
+  explicit BulletBroadPhase(const WorldOptions& options = {}, btOverlappingPairCache* cache = nullptr)
+      : options_(options), world_(std::make_unique<World<3>>(options)), cache_(cache) {
+    if (cache_ == nullptr) {
+      own_cache_ = std::make_unique<btHashedOverlappingPairCache>();
+      cache_ = own_cache_.get();
+    }
+    if (cache_->hasDeferredRemoval())
+      throw std::invalid_argument(
+          "the pair cache must remove pairs at once: use btHashedOverlappingPairCache");
+  }
+
+  btBroadphaseProxy* createProxy(const btVector3& min, const btVector3& max, int /*shape_type*/, void* user,
+                                 int group, int mask, btDispatcher* /*dispatcher*/) override {
+    constexpr int kStatic = btBroadphaseProxy::StaticFilter;
+    ObjectDef def;
+    if (group == kStatic && (mask & kStatic) == 0) def.kind = ObjectKind::fixed;
+    const auto [status, handle] = world_->insert(to_box(min, max), def);
+    if (is_failure(status)) return nullptr;
+    if (proxies_.size() <= handle.index()) proxies_.resize(handle.index() + std::size_t{1});
+    proxies_[handle.index()] = std::make_unique<Proxy>(min, max, user, group, mask);
+    Proxy& proxy = *proxies_[handle.index()];
+    proxy.m_uniqueId = ++last_id_;
+    proxy.handle = handle;
+    return &proxy;
+  }
+
+  void destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override {
+    cache_->removeOverlappingPairsContainingProxy(proxy, dispatcher);
+    const Handle handle = static_cast<Proxy*>(proxy)->handle;
+    static_cast<void>(world_->remove(handle));
+    proxies_[handle.index()].reset();
+  }
+
+  void setAabb(btBroadphaseProxy* proxy, const btVector3& min, const btVector3& max,
+               btDispatcher* /*dispatcher*/) override {
+    if (proxy->m_aabbMin == min && proxy->m_aabbMax == max) return;
+    proxy->m_aabbMin = min;
+    proxy->m_aabbMax = max;
+    moves_.add(static_cast<Proxy*>(proxy)->handle, to_box(min, max));
+  }
+  void getAabb(btBroadphaseProxy* proxy, btVector3& min, btVector3& max) const override {
+    min = proxy->m_aabbMin;
+    max = proxy->m_aabbMax;
+  }
+
+  void calculateOverlappingPairs(btDispatcher* dispatcher) override {
+    static_cast<void>(moves_.send(*world_));
+    world_->step();
+    for (const WorldPair& pair : world_->ended())
+      if (world_->contains(pair.a) && world_->contains(pair.b))  // others went with their proxies
+        cache_->removeOverlappingPair(&proxy_of(pair.a), &proxy_of(pair.b), dispatcher);
+    for (const WorldPair& pair : world_->begun())
+      cache_->addOverlappingPair(&proxy_of(pair.a), &proxy_of(pair.b));
+  }
+  btOverlappingPairCache* getOverlappingPairCache() override { return cache_; }
+  [[nodiscard]] const btOverlappingPairCache* getOverlappingPairCache() const override { return cache_; }
+
+  /// As with Bullet's own, [min, max] is the box of what is cast along the ray, around the ray's point. Ends
+  /// when the callback returns false.
+  void rayTest(const btVector3& from, const btVector3& /*to*/, btBroadphaseRayCallback& callback,
+               const btVector3& min, const btVector3& max) override {
+    for (const auto& proxy : proxies_) {
+      if (!proxy) continue;
+      const std::array<btVector3, 2> bounds = {proxy->m_aabbMin - max, proxy->m_aabbMax - min};
+      btScalar entry = 1;
+      if (btRayAabb2(from, callback.m_rayDirectionInverse, callback.m_signs, bounds.data(), entry, 0,
+                     callback.m_lambda_max) &&
+          !callback.process(proxy.get()))
+        return;
+    }
+  }
+  /// Ends when the callback returns false.
+  void aabbTest(const btVector3& min, const btVector3& max, btBroadphaseAabbCallback& callback) override {
+    for (const auto& proxy : proxies_)
+      if (proxy && TestAabbAgainstAabb2(min, max, proxy->m_aabbMin, proxy->m_aabbMax) &&
+          !callback.process(proxy.get()))
+        return;
+  }
+
+  /// Two equal points at the origin without any proxy.
+  void getBroadphaseAabb(btVector3& min, btVector3& max) const override {
+    bool any = false;
+    for (const auto& proxy : proxies_) {
+      if (!proxy) continue;
+      if (!any) {
+        min = proxy->m_aabbMin;
+        max = proxy->m_aabbMax;
+      }
+      any = true;
+      min.setMin(proxy->m_aabbMin);
+      max.setMax(proxy->m_aabbMax);
+    }
+    if (!any) min = max = btVector3(0, 0, 0);
+  }
+  /// Without any proxy all is as it was when this was made.
+  void resetPool(btDispatcher* /*dispatcher*/) override {
+    if (world_->size() > 0) return;
+    world_ = std::make_unique<World<3>>(options_);
+    moves_ = {};
+    proxies_.clear();
+    last_id_ = 0;
+  }
+  void printStats() override {}
+
+  /// What stands behind it: the tree, statistics, threads. Object k of the tree is that of handle index k.
+  [[nodiscard]] World<3>& world() { return *world_; }
+
+ private:
+  struct Proxy final : btBroadphaseProxy {
+    using btBroadphaseProxy::btBroadphaseProxy;
+    Handle handle;
+  };
+
+  [[nodiscard]] btBroadphaseProxy& proxy_of(Handle handle) const { return *proxies_[handle.index()]; }
+
+  /// Bullet's boxes may be of doubles; then they are rounded outward.
+  static Box<3> to_box(const btVector3& min, const btVector3& max) {
+    Box<3> box;
+    for (int i = 0; i < 3; ++i) {
+      if constexpr (std::is_same_v<btScalar, Scalar>) {
+        box.min[i] = min[i];
+        box.max[i] = max[i];
+      } else {
+        box.min[i] = round_down(min[i]);
+        box.max[i] = round_up(max[i]);
+      }
+    }
+    return box;
+  }
+
+  WorldOptions options_;
+  std::unique_ptr<World<3>> world_;
+  std::unique_ptr<btOverlappingPairCache> own_cache_;
+  btOverlappingPairCache* cache_;
+  std::vector<std::unique_ptr<Proxy>> proxies_;  ///< by index of the handle
+  MoveList<3> moves_;
+  int last_id_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,198 @@
+#pragma once
+
+#include <fcl/broadphase/broadphase_collision_manager.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <ranges>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "core/world/move_list.h"
+#include "core/world/world.h"
+
+namespace kerf {
+
+/// A broad-phase manager of FCL, in place of fcl::DynamicAABBTreeCollisionManager.
+///
+/// Callbacks are called for the pairs for which fcl::NaiveCollisionManager calls them: whose boxes
+/// (CollisionObject::getAABB) overlap as closed intervals, or are nearer than what `distance` has found so
+/// far. As with FCL's managers, call `computeAABB` of an object that moved, then `update`. Objects are the
+/// caller's, and must be unregistered before they end.
+///
+/// What asks about all pairs of this manager uses the tree; what asks about one other object looks at the box
+/// of each object, and two managers are asked object by object.
+template <typename S>
+class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
+ public:
+  using Object = fcl::CollisionObject<S>;
+  using Manager = fcl::BroadPhaseCollisionManager<S>;
+
+  /// Throws std::invalid_argument for options that World refuses.
+  explicit FclManager(const WorldOptions& options = {}) : options_(options), world_(options) {}
+
+  using Manager::update;
+
+  /// Throws std::invalid_argument for an object that is here already, or whose box is NaN.
+  void registerObject(Object* object) override {
+    if (handles_.contains(object)) throw std::invalid_argument("the object is registered already");
+    const Box<3> box = to_box(object->getAABB());
+    const auto [status, handle] = world_.insert(box);
+    if (is_failure(status)) throw std::invalid_argument(std::string(to_string(status)));
+    if (members_.size() <= handle.index()) members_.resize(handle.index() + std::size_t{1});
+    members_[handle.index()] = {object, handle, box};
+    handles_[object] = handle;
+    stale_ = true;
+  }
+  /// An object that is not here changes nothing.
+  void unregisterObject(Object* object) override {
+    const auto found = handles_.find(object);
+    if (found == handles_.end()) return;
+    static_cast<void>(world_.remove(found->second));
+    members_[found->second.index()] = {};
+    handles_.erase(found);
+    stale_ = true;
+  }
+  void setup() override { update(); }
+  /// Takes the present boxes of all objects and finds the pairs.
+  void update() override {
+    for (Member& member : members_)
+      if (member.object != nullptr) follow(member);
+    static_cast<void>(moves_.send(world_));
+    find_pairs();
+  }
+  void update(Object* object) override { update(std::vector<Object*>{object}); }
+  void update(const std::vector<Object*>& objects) override {
+    for (const Object* object : objects)
+      if (const auto found = handles_.find(object); found != handles_.end())
+        follow(members_[found->second.index()]);
+    static_cast<void>(moves_.send(world_));
+    find_pairs();
+  }
+  void clear() override {
+    world_ = World<3>(options_);
+    members_.clear();
+    handles_.clear();
+    stale_ = true;
+  }
+  void getObjects(std::vector<Object*>& objects) const override {
+    objects.clear();
+    for (const Member& member : members_)
+      if (member.object != nullptr) objects.push_back(member.object);
+  }
+  [[nodiscard]] bool empty() const override { return handles_.empty(); }
+  [[nodiscard]] std::size_t size() const override { return handles_.size(); }
+
+  void collide(void* data, fcl::CollisionCallBack<S> callback) const override {
+    find_pairs();
+    for (const WorldPair& pair : world_.pairs()) {
+      Object* const a = members_[pair.a.index()].object;
+      Object* const b = members_[pair.b.index()].object;
+      if (a->getAABB().overlap(b->getAABB()) && callback(a, b, data)) return;
+    }
+  }
+  void collide(Object* object, void* data, fcl::CollisionCallBack<S> callback) const override {
+    collide_one(object, data, callback);
+  }
+  void collide(Manager* other, void* data, fcl::CollisionCallBack<S> callback) const override {
+    if (other == this) return collide(data, callback);
+    std::vector<Object*> theirs;
+    other->getObjects(theirs);
+    for (Object* object : theirs)
+      if (collide_one(object, data, callback)) return;
+  }
+
+  /// First looks at overlapping boxes, which are nearest, then along the x axis.
+  void distance(void* data, fcl::DistanceCallBack<S> callback) const override {
+    find_pairs();
+    S least = std::numeric_limits<S>::max();
+    for (const WorldPair& pair : world_.pairs()) {
+      Object* const a = members_[pair.a.index()].object;
+      Object* const b = members_[pair.b.index()].object;
+      if (a->getAABB().overlap(b->getAABB()) && callback(a, b, data, least)) return;
+    }
+    std::vector<Object*> sorted;
+    getObjects(sorted);
+    std::ranges::sort(sorted, {}, [](const Object* object) { return object->getAABB().min_[0]; });
+    for (auto a = sorted.begin(); a != sorted.end(); ++a)
+      for (auto b = a + 1; b != sorted.end(); ++b) {
+        const fcl::AABB<S>& first = (*a)->getAABB();
+        const fcl::AABB<S>& second = (*b)->getAABB();
+        if (second.min_[0] - first.max_[0] >= least) break;
+        const S apart = first.distance(second);
+        if (apart > 0 && apart < least && callback(*a, *b, data, least)) return;
+      }
+  }
+  void distance(Object* object, void* data, fcl::DistanceCallBack<S> callback) const override {
+    S least = std::numeric_limits<S>::max();
+    distance_of_one(object, data, callback, least);
+  }
+  void distance(Manager* other, void* data, fcl::DistanceCallBack<S> callback) const override {
+    if (other == this) return distance(data, callback);
+    std::vector<Object*> theirs;
+    other->getObjects(theirs);
+    S least = std::numeric_limits<S>::max();
+    for (Object* object : theirs)
+      if (distance_of_one(object, data, callback, least)) return;
+  }
+
+ private:
+  struct Member {
+    Object* object = nullptr;
+    Handle handle;
+    Box<3> box;
+  };
+
+  /// Rounded outward where FCL computes in doubles.
+  static Box<3> to_box(const fcl::AABB<S>& from) {
+    Box<3> box;
+    for (int i = 0; i < 3; ++i) {
+      box.min[i] = round_down(static_cast<double>(from.min_[i]));
+      box.max[i] = round_up(static_cast<double>(from.max_[i]));
+    }
+    return box;
+  }
+  void follow(Member& member) {
+    const Box<3> box = to_box(member.object->getAABB());
+    if (box == member.box) return;
+    member.box = box;
+    moves_.add(member.handle, box);
+    stale_ = true;
+  }
+  void find_pairs() const {
+    if (!std::exchange(stale_, false)) return;
+    world_.step();
+  }
+  bool collide_one(Object* object, void* data, fcl::CollisionCallBack<S> callback) const {
+    return std::ranges::any_of(members_, [&](const Member& member) {
+      return member.object != nullptr && object->getAABB().overlap(member.object->getAABB()) &&
+             callback(object, member.object, data);
+    });
+  }
+  /// The nearest boxes first, so that few others are nearer than what their objects are apart.
+  bool distance_of_one(Object* object, void* data, fcl::DistanceCallBack<S> callback, S& least) const {
+    std::vector<std::pair<S, Object*>> nearest;
+    for (const Member& member : members_)
+      if (member.object != nullptr)
+        nearest.emplace_back(object->getAABB().distance(member.object->getAABB()), member.object);
+    std::ranges::sort(nearest, {}, &std::pair<S, Object*>::first);
+    for (const auto& [apart, other] : nearest) {
+      if (apart >= least) return false;
+      if (callback(object, other, data, least)) return true;
+    }
+    return false;
+  }
+
+  WorldOptions options_;
+  mutable World<3> world_;  ///< `collide` and `distance` are const, and what came or went waits for them
+  mutable bool stale_ = false;
+  std::vector<Member> members_;  ///< by index of the handle; without an object: free
+  std::unordered_map<const Object*, Handle> handles_;
+  MoveList<3> moves_;
+};
+
+}  // namespace kerf

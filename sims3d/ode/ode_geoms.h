@@ -1,0 +1,111 @@
+#pragma once
+
+#include <ode/collision.h>
+#include <ode/collision_space.h>
+#include <ode/objects.h>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/world/move_list.h"
+#include "core/world/world.h"
+#include "sims3d/ode/geom_box.h"
+
+namespace kerf {
+
+/// Geoms of ODE and a broad phase for them, in place of a space: `collide` is dSpaceCollide.
+///
+/// The geoms are in no space of ODE's (dCreateSphere(nullptr, ...)), and stay the caller's: remove a geom
+/// before it is destroyed. The callback is called for pairs of enabled geoms whose boxes overlap, which are
+/// not of one body, and of which one's category bits meet the other's collide bits: ODE's rules. It must not
+/// add or remove geoms. All calls into ODE are made by the caller's thread.
+class OdeGeoms {
+ public:
+  /// Throws std::invalid_argument for options that World refuses.
+  explicit OdeGeoms(const WorldOptions& options = {}) : world_(options) {}
+
+  /// Two geoms that are both `fixed` never form a pair; any other two may. ODE has no such rule: leave the
+  /// kind out where a trigger without a body must notice walls. Throws std::invalid_argument for a geom that
+  /// is here already, or whose box is NaN.
+  void add(dGeomID geom, ObjectKind kind = ObjectKind::moving) {
+    if (contains(geom)) throw std::invalid_argument("the geom is here already");
+    const Box<3> box = outward_box(geom);
+    ObjectDef def;
+    def.kind = kind;
+    const auto [status, handle] = world_.insert(box, def);
+    if (is_failure(status)) throw std::invalid_argument(std::string(to_string(status)));
+    if (members_.size() <= handle.index()) members_.resize(handle.index() + std::size_t{1});
+    members_[handle.index()] = {geom, handle, box};
+    handles_[geom] = handle;
+  }
+  /// A geom that is not here changes nothing.
+  void remove(dGeomID geom) {
+    const auto found = handles_.find(geom);
+    if (found == handles_.end()) return;
+    static_cast<void>(world_.remove(found->second));
+    members_[found->second.index()] = {};
+    handles_.erase(found);
+  }
+  [[nodiscard]] bool contains(dGeomID geom) const { return handles_.contains(geom); }
+  [[nodiscard]] std::size_t size() const { return handles_.size(); }
+
+  /// Calls `callback(data, a, b)` for each pair, in an order that depends only on the order in which geoms
+  /// came and went, as dSpaceCollide(space, data, callback) does in another.
+  void collide(void* data, dNearCallback* callback) {
+    update();
+    for (const WorldPair& pair : world_.pairs()) {
+      const dGeomID a = members_[pair.a.index()].geom;
+      const dGeomID b = members_[pair.b.index()].geom;
+      if (may_touch(a, b)) callback(data, a, b);
+    }
+  }
+  /// Calls `callback(data, geom, other)` for each geom here that forms a pair with one that is not, as
+  /// dSpaceCollide2(geom, space, data, callback) does. Looks at the box of each.
+  void collide_with(dGeomID geom, void* data, dNearCallback* callback) const {
+    const Box<3> box = outward_box(geom);
+    for (const Member& member : members_)
+      if (member.geom != nullptr && member.geom != geom && overlaps(box, outward_box(member.geom)) &&
+          may_touch(geom, member.geom))
+        callback(data, geom, member.geom);
+  }
+
+  /// What stands behind it: the tree, statistics, threads.
+  [[nodiscard]] World<3>& world() { return world_; }
+
+ private:
+  struct Member {
+    dGeomID geom = nullptr;
+    Handle handle;
+    Box<3> box;
+  };
+
+  static bool may_touch(dGeomID a, dGeomID b) {
+    if (dGeomIsEnabled(a) == 0 || dGeomIsEnabled(b) == 0) return false;
+    const dBodyID body = dGeomGetBody(a);
+    if (body != nullptr && body == dGeomGetBody(b)) return false;
+    return (dGeomGetCategoryBits(a) & dGeomGetCollideBits(b)) != 0 ||
+           (dGeomGetCategoryBits(b) & dGeomGetCollideBits(a)) != 0;
+  }
+
+  void update() {
+    for (Member& member : members_) {
+      if (member.geom == nullptr) continue;
+      const Box<3> box = outward_box(member.geom);
+      if (box == member.box) continue;
+      member.box = box;
+      moves_.add(member.handle, box);
+    }
+    static_cast<void>(moves_.send(world_));
+    world_.step();
+  }
+
+  World<3> world_;
+  std::vector<Member> members_;  ///< by index of the handle; without a geom: free
+  std::unordered_map<dGeomID, Handle> handles_;
+  MoveList<3> moves_;
+};
+
+}  // namespace kerf

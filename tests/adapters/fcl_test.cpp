@@ -1,0 +1,182 @@
+#include <fcl/broadphase/broadphase_bruteforce.h>
+#include <fcl/fcl.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "core/base/random.h"
+#include "sims3d/fcl/fcl_manager.h"
+
+namespace kerf {
+namespace {
+
+using Object = fcl::CollisionObject<double>;
+using Pairs = std::multiset<std::pair<Object*, Object*>>;
+
+bool note(Object* a, Object* b, void* data) {
+  static_cast<Pairs*>(data)->insert(std::minmax(a, b));
+  return false;
+}
+
+/// The least distance so far, and how many pairs the narrow phase was asked about.
+struct Nearest {
+  double least = std::numeric_limits<double>::max();
+  int asked = 0;
+};
+
+bool measure(Object* a, Object* b, void* data, double& least) {
+  auto& nearest = *static_cast<Nearest*>(data);
+  ++nearest.asked;
+  fcl::DistanceRequest<double> request;
+  fcl::DistanceResult<double> result;
+  nearest.least = std::min(nearest.least, fcl::distance(a, b, request, result));
+  least = nearest.least;
+  return least <= 0;
+}
+
+class FclManagerTest : public testing::Test {
+ protected:
+  Object* make(double size) {
+    std::shared_ptr<fcl::CollisionGeometry<double>> geometry;
+    if (random_.below(2) == 0) {
+      geometry = std::make_shared<fcl::Sphere<double>>(random_.uniform(0.3, 0.5) * size);
+    } else {
+      geometry = std::make_shared<fcl::Box<double>>(size, size * 0.7, size);
+    }
+    objects_.push_back(std::make_unique<Object>(geometry));
+    place(*objects_.back());
+    return objects_.back().get();
+  }
+  void place(Object& object) {
+    object.setTranslation({random_.uniform(0, 9), random_.uniform(0, 9), random_.uniform(0, 9)});
+    object.computeAABB();
+  }
+
+  Random random_{8};
+  std::vector<std::unique_ptr<Object>> objects_;
+  FclManager<double> ours_;
+  fcl::NaiveCollisionManager<double> theirs_;
+};
+
+TEST_F(FclManagerTest, CallsBackForThePairsOfTheNaiveManagerWhileObjectsComeAndGo) {
+  std::vector<Object*> present;
+  for (int i = 0; i < 120; ++i) present.push_back(make(1));
+  ours_.registerObjects(present);
+  theirs_.registerObjects(present);
+  ours_.setup();
+  Object* const probe = make(3);
+  for (int step = 0; step < 100; ++step) {
+    std::vector<Object*> moved;
+    for (std::size_t k = 0; k < present.size(); k += 3) moved.push_back(present[k]);
+    for (Object* object : moved) place(*object);
+    if (step % 2 == 0) {
+      ours_.update();
+    } else {
+      ours_.update(moved);
+    }
+    const std::size_t gone = random_.below(static_cast<std::uint32_t>(present.size()));
+    ours_.unregisterObject(present[gone]);
+    theirs_.unregisterObject(present[gone]);
+    present[gone] = make(1);
+    ours_.registerObject(present[gone]);
+    theirs_.registerObject(present[gone]);
+    Pairs found;
+    Pairs expected;
+    ours_.collide(&found, note);
+    theirs_.collide(&expected, note);
+    ASSERT_EQ(found, expected) << "step " << step;
+    ASSERT_FALSE(found.empty());
+    place(*probe);
+    found.clear();
+    expected.clear();
+    ours_.collide(probe, &found, note);
+    for (Object* object : present)
+      if (object->getAABB().overlap(probe->getAABB())) note(object, probe, &expected);
+    ASSERT_EQ(found, expected);
+  }
+  EXPECT_EQ(ours_.size(), 120U);
+}
+
+TEST_F(FclManagerTest, DistancesAreThoseOfTheNaiveManagerAndFewPairsAreAsked) {
+  for (int round = 0; round < 20; ++round) {
+    ours_.clear();
+    theirs_.clear();
+    for (int i = 0; i < 40; ++i) {
+      Object* const object = make(0.3);
+      ours_.registerObject(object);
+      theirs_.registerObject(object);
+    }
+    Object* const probe = make(0.3);
+    Nearest found;
+    Nearest expected;
+    ours_.distance(&found, measure);
+    theirs_.distance(&expected, measure);
+    EXPECT_DOUBLE_EQ(found.least, expected.least);
+    EXPECT_LT(found.asked, 40);  // of 780 pairs
+    Nearest near;
+    Nearest expected_near;
+    ours_.distance(probe, &near, measure);
+    theirs_.distance(probe, &expected_near, measure);
+    EXPECT_DOUBLE_EQ(near.least, expected_near.least);
+    EXPECT_LT(near.asked, 10);
+  }
+}
+
+TEST_F(FclManagerTest, TwoManagersMeet) {
+  fcl::DynamicAABBTreeCollisionManager<double> others;
+  std::vector<Object*> here;
+  std::vector<Object*> there;
+  for (int i = 0; i < 60; ++i) {
+    here.push_back(make(1));
+    there.push_back(make(1));
+  }
+  ours_.registerObjects(here);
+  others.registerObjects(there);
+  others.setup();
+  Pairs found;
+  Pairs expected;
+  ours_.collide(&others, &found, note);
+  Nearest expected_near;
+  for (Object* a : here)
+    for (Object* b : there) {
+      if (a->getAABB().overlap(b->getAABB())) note(a, b, &expected);
+      measure(a, b, &expected_near, expected_near.least);
+    }
+  EXPECT_EQ(found, expected);
+  Nearest near;
+  ours_.distance(&others, &near, measure);
+  EXPECT_EQ(near.least <= 0, expected_near.least <= 0);
+  found.clear();
+  ours_.collide(static_cast<fcl::BroadPhaseCollisionManager<double>*>(&ours_), &found, note);
+  Pairs self;
+  ours_.collide(&self, note);
+  EXPECT_EQ(found, self);
+}
+
+TEST_F(FclManagerTest, ACallbackEndsTheSearchAndTwiceIsRefused) {
+  Object* const a = make(30);
+  for (Object* object : {a, make(30), make(30)}) ours_.registerObject(object);
+  int calls = 0;
+  const auto stop = [](Object*, Object*, void* data) { return ++*static_cast<int*>(data) == 2; };
+  ours_.collide(&calls, stop);
+  EXPECT_EQ(calls, 2);
+  ours_.collide(a, &calls, stop);
+  EXPECT_EQ(calls, 5);
+  EXPECT_THROW(ours_.registerObject(a), std::invalid_argument);
+  ours_.unregisterObject(a);
+  ours_.unregisterObject(a);
+  std::vector<Object*> left;
+  ours_.getObjects(left);
+  EXPECT_EQ(left.size(), 2U);
+  EXPECT_FALSE(ours_.empty());
+}
+
+}  // namespace
+}  // namespace kerf
