@@ -8,14 +8,16 @@
 namespace kerf {
 
 /// Eight boxes side by side, so that a vector instruction tests all of them, and what each of them bounds: an
-/// object, or another block. An unused slot has an infinite box that is inverted: no query reaches it.
+/// object, or another block. An empty slot has the box from infinity to minus infinity.
 template <int D>
 struct alignas(64) WideBlock {
   static constexpr std::size_t kWidth = 8;
+  static constexpr std::uint32_t kUnused = UINT32_MAX;
 
   Scalar min[D][kWidth];
   Scalar max[D][kWidth];
-  std::uint32_t item[kWidth];  ///< the object's id, or twice the block's index plus 1 if its items are blocks
+  std::uint32_t
+      item[kWidth];  ///< the object's id, or twice the block's index, plus 1 if its items are blocks
 
   [[nodiscard]] Box<D> box(std::size_t k) const {
     Box<D> box;
@@ -25,6 +27,7 @@ struct alignas(64) WideBlock {
     }
     return box;
   }
+  [[nodiscard]] bool is_empty(std::size_t k) const { return min[0][k] > max[0][k]; }
   void set(std::size_t k, const Box<D>& box) {
     for (int i = 0; i < D; ++i) {
       min[i][k] = box.min[i];

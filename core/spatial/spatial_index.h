@@ -2,11 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "core/kernels/wide_block.h"
 #include "core/objects/object_table.h"
+#include "core/spatial/block_hierarchy.h"
 #include "core/spatial/query.h"
 
 namespace kerf {
@@ -17,7 +16,7 @@ struct Visitor {
   void* context = nullptr;
 };
 
-/// Makes a visitor of anything that is called with an ObjectId and returns bool. It must outlive the visitor.
+/// A visitor that calls `callable(object)`, which returns bool and must outlive the visitor.
 template <class Callable>
 Visitor make_visitor(Callable& callable) {
   return {[](void* context, ObjectId object) -> bool { return (*static_cast<Callable*>(context))(object); },
@@ -35,24 +34,23 @@ Visitor make_visitor(Callable& callable) {
 ///
 /// Answers are those for the boxes as they were in the last `update`, exactly, whatever the volumes in them:
 /// a query is about the box of an object. Objects in quarantine and absent ones are never found. An object is
-/// found once. Results are appended and sorted; nothing is allocated if the vector has room.
+/// found once. Results are appended, in order; nothing is allocated if the vector has room.
 ///
 /// Threads: queries are const and change nothing, not even behind the scenes, so any number of them may run
 /// at the same time. `update` must run alone.
 template <int D>
 class SpatialIndex {
  public:
-  /// What the last `update` had to do.
-  enum class Update : std::uint8_t { nothing, refit, rebuilt };
+  using Update = typename BlockHierarchy<D>::Update;
 
   /// Takes the boxes of a table, for example `bsp.objects()`. Moved objects cost a pass over all boxes; the
   /// hierarchy is built anew when objects came, or when motion made it loose.
-  Update update(const ObjectTable<D>& objects);
+  Update update(const ObjectTable<D>& objects) { return hierarchy_.update(objects); }
   /// Makes the next `update` build anew.
-  void forget() { built_cost_ = 0; }
+  void forget() { hierarchy_.forget(); }
   /// Objects that can be found.
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] std::size_t size() const { return hierarchy_.size(); }
+  [[nodiscard]] std::size_t bytes() const { return hierarchy_.bytes(); }
 
   // Which boxes overlap a region; appends their objects by id.
   QueryStatus overlaps(const Box<D>& box, std::vector<ObjectId>& found, const Filter& filter = {}) const;
@@ -68,7 +66,7 @@ class SpatialIndex {
   // Which boxes a ray, a segment or a swept box hits.
   /// Appends all, ordered by t.
   QueryStatus hits(const Cast<D>& cast, std::vector<Hit>& found, const Filter& filter = {}) const;
-  /// The least of all; of none if there is none.
+  /// The least of all in their order; of no object if nothing is hit.
   QueryStatus first_hit(const Cast<D>& cast, Hit& first, const Filter& filter = {}) const;
 
   /// Appends the nearest objects, ordered by distance.
@@ -82,17 +80,7 @@ class SpatialIndex {
   QueryStatus visit(const Cast<D>& cast, const Visitor& visitor, const Filter& filter = {}) const;
 
  private:
-  struct Place;
-  void build(const ObjectTable<D>& objects);
-  std::uint32_t divide(std::vector<Place>& places, std::size_t begin, std::size_t end, std::uint32_t above);
-  bool refit(const ObjectTable<D>& objects);
-  [[nodiscard]] BlockView<D> view() const;
-
-  std::vector<WideBlock<D>> blocks_;  ///< parents before children
-  std::vector<std::uint32_t> above_;  ///< by block: the slot of its box in the parent
-  std::vector<std::uint8_t> inner_;   ///< by block: its items are blocks
-  std::size_t size_ = 0;
-  double built_cost_ = 0;  ///< of the hierarchy when it was built; 0: build it
+  BlockHierarchy<D> hierarchy_;
 };
 
 extern template class SpatialIndex<2>;
