@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/kernels/compress-inl.h"
 #include "core/kernels/search_blocks.h"
 #include "core/kernels/wide_block.h"
 
@@ -27,14 +28,14 @@ constexpr std::size_t kPart = 8;
 constexpr std::size_t kPart = 4;
 #endif
 
-using Floats = hn::FixedTag<float, kPart>;
-using Words = hn::FixedTag<std::uint32_t, kPart>;
-using Some = hn::Vec<Floats>;
-using Marks = hn::Mask<Floats>;
+using FloatTag = hn::FixedTag<float, kPart>;
+using WordTag = hn::FixedTag<std::uint32_t, kPart>;
+using Some = hn::Vec<FloatTag>;
+using Marks = hn::Mask<FloatTag>;
 
 HWY_INLINE std::uint32_t bits_of(Marks marks) {
   std::uint64_t bits = 0;
-  hn::StoreMaskBits(Floats(), marks, reinterpret_cast<std::uint8_t*>(&bits));
+  hn::StoreMaskBits(FloatTag(), marks, reinterpret_cast<std::uint8_t*>(&bits));
   return static_cast<std::uint32_t>(bits) & ((1U << kPart) - 1U);
 }
 
@@ -47,37 +48,48 @@ HWY_INLINE std::uint32_t first_bit(std::uint32_t bits) {
 template <int D>
 HWY_INLINE std::size_t write_items(const WideBlock<D>& block, std::size_t k, Marks marks,
                                    std::uint32_t* out) {
-  const Words words;
+  const WordTag words;
   const auto items = hn::Load(words, block.item + k);
-  return hn::CompressStore(items, hn::RebindMask(words, marks), words, out);
+  const auto chosen = hn::RebindMask(words, marks);
+#if HWY_TARGET == HWY_AVX2
+  hn::StoreU(compress_words(items, chosen), words, out);
+  return hn::CountTrue(words, chosen);
+#else
+  return hn::CompressStore(items, chosen, words, out);
+#endif
 }
 
+/// Not in arrays: the compiler would not keep them in registers.
 template <int D>
 struct OverlapTest {
-  explicit OverlapTest(const Box<D>& box) {
-    for (int i = 0; i < D; ++i) {
-      min[i] = hn::Set(Floats(), box.min.value[i]);
-      max[i] = hn::Set(Floats(), box.max.value[i]);
-    }
-  }
+  explicit OverlapTest(const Box<D>& box)
+      : min_0(hn::Set(FloatTag(), box.min.value[0])),
+        min_1(hn::Set(FloatTag(), box.min.value[1])),
+        min_2(hn::Set(FloatTag(), box.min.value[D - 1])),
+        max_0(hn::Set(FloatTag(), box.max.value[0])),
+        max_1(hn::Set(FloatTag(), box.max.value[1])),
+        max_2(hn::Set(FloatTag(), box.max.value[D - 1])) {}
   HWY_INLINE Marks operator()(const WideBlock<D>& block, std::size_t k) const {
-    Marks hit = hn::Le(min[0], hn::Load(Floats(), block.max[0] + k));
-    hit = hn::And(hit, hn::Le(hn::Load(Floats(), block.min[0] + k), max[0]));
-    for (int i = 1; i < D; ++i) {
-      hit = hn::And(hit, hn::Le(min[i], hn::Load(Floats(), block.max[i] + k)));
-      hit = hn::And(hit, hn::Le(hn::Load(Floats(), block.min[i] + k), max[i]));
-    }
-    return hit;
+    const FloatTag f;
+    const auto hit_0 = hn::And(hn::Le(min_0, hn::Load(f, block.max[0] + k)),
+                               hn::Le(hn::Load(f, block.min[0] + k), max_0));
+    const auto hit_1 = hn::And(hn::Le(min_1, hn::Load(f, block.max[1] + k)),
+                               hn::Le(hn::Load(f, block.min[1] + k), max_1));
+    const auto hit = hn::And(hit_0, hit_1);
+    if constexpr (D == 2) return hit;
+    const auto hit_2 = hn::And(hn::Le(min_2, hn::Load(f, block.max[D - 1] + k)),
+                               hn::Le(hn::Load(f, block.min[D - 1] + k), max_2));
+    return hn::And(hit, hit_2);
   }
-  Some min[D];
-  Some max[D];
+  Some min_0, min_1, min_2;
+  Some max_0, max_1, max_2;
 };
 
-/// `key`: how near the box is at least.
+/// `key`: how near the box is at least. `sure_of` makes a mask of it.
 struct Answer {
   Marks possible;
-  Marks sure;
   Some key;
+  Some end;  ///< of casts
 };
 
 template <int D, class Test>
@@ -85,35 +97,53 @@ struct TestOf;
 
 template <int D>
 struct TestOf<D, CastTest<D>> {
-  explicit TestOf(const CastTest<D>& test) : given(test) {}
+  HWY_INLINE explicit TestOf(const CastTest<D>& test) : given(test) {
+    for (std::size_t i = 0; i < D; ++i) falls[i] = test.direction[i] < 0 ? D : 0;
+  }
   HWY_INLINE Answer operator()(const WideBlock<D>& block, std::size_t k) const {
-    const Floats f;
+    const FloatTag f;
     Some begin = hn::Zero(f);
     Some end = hn::Set(f, given.max_t);
+    const float* const rows = block.min[0] + k;  // those of the maxima follow
+    if (HWY_LIKELY(given.moves_on_all)) {
+      for (std::size_t i = 0; i < D; ++i) meet(rows, i, begin, end);
+      return {hn::Le(begin, end), begin, end};
+    }
     Marks stays = hn::Eq(begin, begin);
     for (std::size_t i = 0; i < D; ++i) {
-      const Some up = hn::Sub(hn::Load(f, block.min[i] + k), hn::Set(f, given.high[i]));
-      const Some down = hn::Sub(hn::Load(f, block.max[i] + k), hn::Set(f, given.low[i]));
-      if (given.direction[i] == 0) {  // of a difference the sign is exact
-        stays = hn::And(stays, hn::And(hn::Le(up, hn::Zero(f)), hn::Ge(down, hn::Zero(f))));
+      if (given.direction[i] != 0) {
+        meet(rows, i, begin, end);
         continue;
       }
-      const bool rises = given.direction[i] > 0;
-      begin = hn::Max(begin, hn::Mul(rises ? up : down, hn::Set(f, given.begin_factor[i])));
-      end = hn::Min(end, hn::Mul(rises ? down : up, hn::Set(f, given.end_factor[i])));
+      stays = hn::And(stays, hn::Le(hn::Load(f, rows + i * kWidth), hn::Set(f, given.near_start[i])));
+      stays = hn::And(stays, hn::Ge(hn::Load(f, rows + (i + D) * kWidth), hn::Set(f, given.far_start[i])));
     }
-    const Some latest = hn::Add(hn::Mul(begin, hn::Set(f, 1 + 0x1p-18F)), hn::Set(f, 0x1p-100F));
-    const Some earliest = hn::Mul(hn::Min(end, hn::Set(f, FLT_MAX)), hn::Set(f, 1 - 0x1p-18F));
-    return {hn::And(stays, hn::Le(begin, end)), hn::Le(latest, earliest), begin};
+    return {hn::And(stays, hn::Le(begin, end)), begin, end};
+  }
+  HWY_INLINE Marks sure_of(const Answer& answer) const {
+    const FloatTag f;
+    const Some latest = hn::Add(hn::Mul(answer.key, hn::Set(f, 1 + 0x1p-18F)), hn::Set(f, 0x1p-100F));
+    return hn::Le(latest, hn::Mul(hn::Min(answer.end, hn::Set(f, FLT_MAX)), hn::Set(f, 1 - 0x1p-18F)));
+  }
+
+ private:
+  HWY_INLINE void meet(const float* rows, std::size_t i, Some& begin, Some& end) const {
+    const FloatTag f;
+    const Some near = hn::Load(f, rows + (i + falls[i]) * kWidth);
+    const Some far = hn::Load(f, rows + (i + D - falls[i]) * kWidth);
+    begin = hn::Max(begin, hn::Mul(hn::Sub(near, hn::Set(f, given.near_start[i])),
+                                   hn::Set(f, given.near_factor[i])));
+    end = hn::Min(end, hn::Mul(hn::Sub(far, hn::Set(f, given.far_start[i])), hn::Set(f, given.far_factor[i])));
   }
   const CastTest<D>& given;
+  std::size_t falls[D];  ///< rows from the minimum of an axis to its near end
 };
 
 template <int D>
 struct TestOf<D, BallTest<D>> {
   explicit TestOf(const BallTest<D>& test) : given(test) {}
   HWY_INLINE Answer operator()(const WideBlock<D>& block, std::size_t k) const {
-    const Floats f;
+    const FloatTag f;
     Some sum = hn::Zero(f);
     for (std::size_t i = 0; i < D; ++i) {
       const Some center = hn::Set(f, given.center[i]);
@@ -122,7 +152,10 @@ struct TestOf<D, BallTest<D>> {
       const Some apart = hn::Max(hn::Max(below, above), hn::Zero(f));
       sum = hn::Add(sum, hn::Mul(apart, apart));
     }
-    return {hn::Le(sum, hn::Set(f, given.possible)), hn::Le(sum, hn::Set(f, given.sure)), sum};
+    return {hn::Le(sum, hn::Set(f, given.possible)), sum, sum};
+  }
+  HWY_INLINE Marks sure_of(const Answer& answer) const {
+    return hn::Le(answer.key, hn::Set(FloatTag(), given.sure));
   }
   const BallTest<D>& given;
 };
@@ -131,9 +164,9 @@ template <int D>
 struct TestOf<D, HalfSpacesTest<D>> {
   explicit TestOf(const HalfSpacesTest<D>& test) : given(test) {}
   HWY_INLINE Answer operator()(const WideBlock<D>& block, std::size_t k) const {
-    const Floats f;
+    const FloatTag f;
     Marks possible = hn::Le(hn::Load(f, block.min[0] + k), hn::Load(f, block.max[0] + k));
-    Marks sure = possible;
+    Some excess = hn::Set(f, -FLT_MAX);
     for (const HalfSpace<D>& space : given.all) {
       Some sum = hn::Zero(f);
       Some size = hn::Zero(f);
@@ -146,9 +179,12 @@ struct TestOf<D, HalfSpacesTest<D>> {
       }
       const Some slack = hn::Add(hn::Mul(size, hn::Set(f, 0x1p-20F)), hn::Set(f, FLT_MIN));
       possible = hn::And(possible, hn::Le(hn::Sub(sum, slack), hn::Set(f, space.possible)));
-      sure = hn::And(sure, hn::Le(hn::Add(sum, slack), hn::Set(f, space.sure)));
+      excess = hn::Max(excess, hn::Sub(hn::Add(sum, slack), hn::Set(f, space.sure)));
     }
-    return {possible, sure, hn::Zero(f)};
+    return {possible, excess, excess};
+  }
+  HWY_INLINE Marks sure_of(const Answer& answer) const {
+    return hn::Le(answer.key, hn::Zero(FloatTag()));
   }
   const HalfSpacesTest<D>& given;
 };

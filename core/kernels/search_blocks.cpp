@@ -59,7 +59,7 @@ HWY_INLINE void possible_all(const BlockView<D>& view, const Test& given, FoundR
       const auto answer = test(block, k);
       std::uint32_t bits = bits_of(answer.possible);
       if (bits == 0) continue;
-      const std::uint32_t sure = bits_of(answer.sure);
+      const std::uint32_t sure = bits_of(test.sure_of(answer));
       for (; bits != 0; bits &= bits - 1) {
         const std::uint32_t lane = first_bit(bits);
         *room.next++ = (first + static_cast<std::uint32_t>(k) + lane) * 2 + (((sure >> lane) & 1U) ^ 1U);
@@ -100,17 +100,18 @@ HWY_INLINE void near_all(const BlockView<D>& view, const Test& given, NearRoom& 
     const Waiting top = waiting[--size];
     if (!(top.key <= room.bound)) continue;
     const WideBlock<D>& block = view.blocks[top.item >> 1U];
+    const Some bound = hn::Set(FloatTag(), room.bound);
     HWY_ALIGN float keys[kWidth];
     std::uint32_t possible = 0;
     std::uint32_t sure = 0;
+    const bool inner = has_blocks(top.item);
     for (std::size_t k = 0; k < kWidth; k += kPart) {
-      const auto answer = test(block, k);
-      hn::Store(answer.key, Floats(), keys + k);
-      const auto near = hn::And(answer.possible, hn::Le(answer.key, hn::Set(Floats(), room.bound)));
-      possible |= bits_of(near) << k;
-      sure |= bits_of(answer.sure) << k;
+      const Answer answer = test(block, k);
+      hn::Store(answer.key, FloatTag(), keys + k);
+      possible |= bits_of(hn::And(answer.possible, hn::Le(answer.key, bound))) << k;
+      if (!inner) sure |= bits_of(test.sure_of(answer)) << k;
     }
-    if (has_blocks(top.item)) {
+    if (inner) {
       size += add_sorted(block, possible, keys, waiting + size);
       continue;
     }

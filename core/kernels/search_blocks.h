@@ -13,14 +13,15 @@ namespace kerf {
 // What kernels ask of eight boxes at once. The floats err on the side of "possible"; where they cannot be
 // sure, the caller must look at the box himself.
 
-/// A cast. On an axis with `direction` 0 it covers [low, high] for all t.
+/// A cast: on each axis a box is met first with its near end, left with its far end.
 template <int D>
 struct CastTest {
-  std::array<std::int8_t, D> direction{};  ///< its sign
-  std::array<Scalar, D> low{};             ///< of the box that moves, at t = 0
-  std::array<Scalar, D> high{};
-  std::array<Scalar, D> begin_factor{};  ///< 1 / direction, smaller by more than all roundings
-  std::array<Scalar, D> end_factor{};    ///< larger
+  std::array<Scalar, D> near_start{};   ///< the end of the moving box that meets the near end, at t = 0
+  std::array<Scalar, D> far_start{};    ///< the end that leaves the far end
+  std::array<Scalar, D> near_factor{};  ///< 1 / direction, smaller by more than all roundings
+  std::array<Scalar, D> far_factor{};   ///< larger
+  std::array<std::int8_t, D> direction{};  ///< its sign. If it is 0 the ends must be on their sides for all t
+  bool moves_on_all = true;                ///< no direction is 0
   Scalar max_t = 0;
 };
 

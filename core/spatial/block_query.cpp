@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace kerf {
 namespace {
@@ -62,16 +63,19 @@ SphereQuery<D>::SphereQuery(const Sphere<D>& sphere)
 
 template <int D>
 CastQuery<D>::CastQuery(const Cast<D>& cast) : works(are_usual(cast.box.min) && are_usual(cast.box.max)) {
-  test.low = cast.box.min.value;
-  test.high = cast.box.max.value;
+  test.near_start = cast.box.max.value;
+  test.far_start = cast.box.min.value;
   test.max_t = cast.max_t;
   for (std::size_t i = 0; i < D; ++i) {
     const double direction = cast.direction[i];
     works &= has_usual_size(direction);
+    test.moves_on_all &= direction != 0;
     if (direction == 0) continue;
     test.direction[i] = direction > 0 ? 1 : -1;
-    test.begin_factor[i] = static_cast<Scalar>((1 - kSlack) / direction);
-    test.end_factor[i] = static_cast<Scalar>((1 + kSlack) / direction);
+    const double inverse = 1 / direction;
+    test.near_factor[i] = static_cast<Scalar>((1 - kSlack) * inverse);
+    test.far_factor[i] = static_cast<Scalar>((1 + kSlack) * inverse);
+    if (direction < 0) std::swap(test.near_start[i], test.far_start[i]);
   }
 }
 

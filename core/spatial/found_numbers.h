@@ -60,7 +60,4 @@ void append_numbers(Find find, std::vector<ObjectId>& objects) {
   room.flush();
 }
 
-/// By id.
-inline void sort_objects(std::span<ObjectId> objects) { std::ranges::sort(objects); }
-
 }  // namespace kerf

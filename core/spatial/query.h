@@ -82,7 +82,7 @@ struct Cast {
 };
 
 /// An object that a cast hits, and where: `t` is the exact place rounded to a double and then to a float.
-struct Hit {
+struct alignas(8) Hit {
   ObjectId object;
   Scalar t = 0;
   friend constexpr bool operator==(const Hit&, const Hit&) = default;

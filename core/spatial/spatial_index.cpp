@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <functional>
 #include <limits>
 #include <span>
 
 #include "core/kernels/search_blocks.h"
+#include "core/kernels/sort_found.h"
 #include "core/spatial/block_query.h"
 #include "core/spatial/found_numbers.h"
 #include "core/spatial/touch.h"
@@ -14,6 +17,17 @@ namespace kerf {
 namespace {
 
 constexpr std::size_t kWidth = 8;
+
+static_assert(sizeof(ObjectId) == sizeof(std::uint32_t));
+void sort_objects(std::span<ObjectId> objects) {
+  sort_found({reinterpret_cast<std::uint32_t*>(objects.data()), objects.size()});
+}
+
+// As one number, t is above the object, and the bits of floats that are not negative grow with them.
+static_assert(std::endian::native == std::endian::little && sizeof(Hit) == sizeof(std::uint64_t));
+void sort_hits(std::span<Hit> hits) {
+  sort_found({reinterpret_cast<std::uint64_t*>(hits.data()), hits.size()});
+}
 
 template <int D>
 Box<D> box_in(const BlockHierarchy<D>& blocks, std::uint32_t slot) {
@@ -217,7 +231,7 @@ QueryStatus SpatialIndex<D>::hits(const Cast<D>& cast, std::vector<Hit>& found, 
       found.push_back({object, static_cast<Scalar>(entry_of(cast, box_in(hierarchy_, slot)))});
     return true;
   });
-  std::ranges::sort(std::span(found).subspan(before), std::less<>());
+  sort_hits(std::span(found).subspan(before));
   return status;
 }
 

@@ -127,11 +127,14 @@ bool touches(const Cast<D>& cast, const Box<D>& box) {
 
 template <int D>
 double entry_of(const Cast<D>& cast, const Box<D>& box) {
-  Slabs<D> slabs;
-  (void)make_slabs(cast, box, slabs);
   double t = 0;
-  for (std::size_t k = 0; k < slabs.count; ++k)
-    t = std::max(t, slabs.slab[k].begin.value / slabs.slab[k].speed.value);
+  for (int i = 0; i < D; ++i) {
+    const double direction = cast.direction[static_cast<std::size_t>(i)];
+    if (direction == 0) continue;
+    const double ahead = direction > 0 ? wide(box.min[i]) - wide(cast.box.max[i])
+                                       : wide(box.max[i]) - wide(cast.box.min[i]);
+    t = std::max(t, ahead / direction);
+  }
   return t;
 }
 
