@@ -71,10 +71,10 @@ struct OverlapTest {
         max_2(hn::Set(FloatTag(), box.max.value[D - 1])) {}
   HWY_INLINE Marks operator()(const WideBlock<D>& block, std::size_t k) const {
     const FloatTag f;
-    const auto hit_0 = hn::And(hn::Le(min_0, hn::Load(f, block.max[0] + k)),
-                               hn::Le(hn::Load(f, block.min[0] + k), max_0));
-    const auto hit_1 = hn::And(hn::Le(min_1, hn::Load(f, block.max[1] + k)),
-                               hn::Le(hn::Load(f, block.min[1] + k), max_1));
+    const auto hit_0 =
+        hn::And(hn::Le(min_0, hn::Load(f, block.max[0] + k)), hn::Le(hn::Load(f, block.min[0] + k), max_0));
+    const auto hit_1 =
+        hn::And(hn::Le(min_1, hn::Load(f, block.max[1] + k)), hn::Le(hn::Load(f, block.min[1] + k), max_1));
     const auto hit = hn::And(hit_0, hit_1);
     if constexpr (D == 2) return hit;
     const auto hit_2 = hn::And(hn::Le(min_2, hn::Load(f, block.max[D - 1] + k)),
@@ -131,9 +131,10 @@ struct TestOf<D, CastTest<D>> {
     const FloatTag f;
     const Some near = hn::Load(f, rows + (i + falls[i]) * kWidth);
     const Some far = hn::Load(f, rows + (i + D - falls[i]) * kWidth);
-    begin = hn::Max(begin, hn::Mul(hn::Sub(near, hn::Set(f, given.near_start[i])),
-                                   hn::Set(f, given.near_factor[i])));
-    end = hn::Min(end, hn::Mul(hn::Sub(far, hn::Set(f, given.far_start[i])), hn::Set(f, given.far_factor[i])));
+    begin = hn::Max(
+        begin, hn::Mul(hn::Sub(near, hn::Set(f, given.near_start[i])), hn::Set(f, given.near_factor[i])));
+    end =
+        hn::Min(end, hn::Mul(hn::Sub(far, hn::Set(f, given.far_start[i])), hn::Set(f, given.far_factor[i])));
   }
   const CastTest<D>& given;
   std::size_t falls[D];  ///< rows from the minimum of an axis to its near end
@@ -183,9 +184,7 @@ struct TestOf<D, HalfSpacesTest<D>> {
     }
     return {possible, excess, excess};
   }
-  HWY_INLINE Marks sure_of(const Answer& answer) const {
-    return hn::Le(answer.key, hn::Zero(FloatTag()));
-  }
+  HWY_INLINE Marks sure_of(const Answer& answer) const { return hn::Le(answer.key, hn::Zero(FloatTag())); }
   const HalfSpacesTest<D>& given;
 };
 

@@ -16,10 +16,10 @@ namespace kerf {
 /// A cast: on each axis a box is met first with its near end, left with its far end.
 template <int D>
 struct CastTest {
-  std::array<Scalar, D> near_start{};   ///< the end of the moving box that meets the near end, at t = 0
-  std::array<Scalar, D> far_start{};    ///< the end that leaves the far end
-  std::array<Scalar, D> near_factor{};  ///< 1 / direction, smaller by more than all roundings
-  std::array<Scalar, D> far_factor{};   ///< larger
+  std::array<Scalar, D> near_start{};      ///< the end of the moving box that meets the near end, at t = 0
+  std::array<Scalar, D> far_start{};       ///< the end that leaves the far end
+  std::array<Scalar, D> near_factor{};     ///< 1 / direction, smaller by more than all roundings
+  std::array<Scalar, D> far_factor{};      ///< larger
   std::array<std::int8_t, D> direction{};  ///< its sign. If it is 0 the ends must be on their sides for all t
   bool moves_on_all = true;                ///< no direction is 0
   Scalar max_t = 0;

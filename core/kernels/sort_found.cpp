@@ -74,7 +74,7 @@ void sort_numbers(std::span<Number> numbers, Number largest, Count count) {
     sorter(numbers.data(), numbers.size(), hwy::SortAscending());
     return;
   }
-  std::array<Number, kMostCounted + kBeyond> given;    // written before they are read
+  std::array<Number, kMostCounted + kBeyond> given;  // written before they are read
   std::array<Number, kMostCounted + kBeyond> sorted;
   std::fill_n(std::ranges::copy(numbers, given.begin()).out, kBeyond, largest);
   count(given.data(), numbers.size(), sorted.data());

@@ -81,7 +81,8 @@ struct Cast {
   Cast(const SweptBox<D>& swept);   // NOLINT(google-explicit-constructor): every swept box is one
 };
 
-/// An object that a cast hits, and where: `t` is the exact place rounded to a double and then to a float.
+/// An object that a cast hits, and where: `t` is the largest quotient of the axes, computed in doubles and
+/// then rounded to a float.
 struct alignas(8) Hit {
   ObjectId object;
   Scalar t = 0;

@@ -139,10 +139,11 @@ struct FirstSearch : NearRoom {
   Scalar take(std::uint32_t slot, bool doubtful) {
     const Box<D> box = box_in(blocks, slot);
     if (doubtful && !touches(cast, box)) return bound;
-    const Hit hit{object_in(blocks, slot), static_cast<Scalar>(entry_of(cast, box))};
+    const Hit hit{object_in(blocks, slot), entry_of(cast, box)};
     if (!(hit < first) || !filter.takes(hit.object)) return bound;
     first = hit;
-    return hit.t;
+    constexpr Scalar kMax = std::numeric_limits<Scalar>::max();  // or larger
+    return hit.t < kMax ? hit.t : std::numeric_limits<Scalar>::infinity();
   }
 };
 
@@ -227,8 +228,7 @@ QueryStatus SpatialIndex<D>::hits(const Cast<D>& cast, std::vector<Hit>& found, 
   const std::size_t before = found.size();
   for_each_touched(hierarchy_, cast, HandOn::in_bulk, [&](std::uint32_t slot) {
     const ObjectId object = object_in(hierarchy_, slot);
-    if (filter.takes(object))
-      found.push_back({object, static_cast<Scalar>(entry_of(cast, box_in(hierarchy_, slot)))});
+    if (filter.takes(object)) found.push_back({object, entry_of(cast, box_in(hierarchy_, slot))});
     return true;
   });
   sort_hits(std::span(found).subspan(before));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "core/spatial/exact_sum.h"
 
@@ -126,16 +128,16 @@ bool touches(const Cast<D>& cast, const Box<D>& box) {
 }
 
 template <int D>
-double entry_of(const Cast<D>& cast, const Box<D>& box) {
+Scalar entry_of(const Cast<D>& cast, const Box<D>& box) {
   double t = 0;
   for (int i = 0; i < D; ++i) {
     const double direction = cast.direction[static_cast<std::size_t>(i)];
     if (direction == 0) continue;
-    const double ahead = direction > 0 ? wide(box.min[i]) - wide(cast.box.max[i])
-                                       : wide(box.max[i]) - wide(cast.box.min[i]);
+    const double ahead =
+        direction > 0 ? wide(box.min[i]) - wide(cast.box.max[i]) : wide(box.max[i]) - wide(cast.box.min[i]);
     t = std::max(t, ahead / direction);
   }
-  return t;
+  return static_cast<Scalar>(std::min(t, wide(std::numeric_limits<Scalar>::max())));
 }
 
 template <int D>
@@ -153,7 +155,7 @@ double squared_distance(const Vector<D>& point, const Box<D>& box) {
   template bool touches<D>(const Sphere<D>&, const Box<D>&);  \
   template bool touches<D>(const Frustum<D>&, const Box<D>&); \
   template bool touches<D>(const Cast<D>&, const Box<D>&);    \
-  template double entry_of<D>(const Cast<D>&, const Box<D>&); \
+  template Scalar entry_of<D>(const Cast<D>&, const Box<D>&); \
   template double squared_distance<D>(const Vector<D>&, const Box<D>&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

@@ -43,7 +43,7 @@ class TreeWalk {
   QueryStatus first_hit(const Cast<D>& cast, Hit& first);
   QueryStatus nearest(const Nearest<D>& nearest, std::vector<Neighbour>& found);
 
-  /// What the last query did.
+  /// What the last query did, the root first; nothing if it was refused.
   [[nodiscard]] const std::vector<NodeVisit>& visits() const { return visits_; }
   /// Objects that the tree does not know as they are.
   [[nodiscard]] const std::vector<ObjectId>& waiting() const { return waiting_; }
@@ -51,11 +51,22 @@ class TreeWalk {
   [[nodiscard]] const Box<D>& bounds(NodeId node) const { return bounds_[node.index()]; }
 
  private:
+  template <class KeyOf, class Take>
+  void walk(KeyOf key_of, Take take);
+  template <class KeyOf, class Take>
+  void look_into(NodeId leaf, KeyOf key_of, Take take);
+  template <class KeyOf>
+  [[nodiscard]] double key_below(NodeId node, KeyOf key_of) const;
+  template <class Region>
+  QueryStatus walk_region(const Region& region, std::vector<ObjectId>& found);
+
   const Tree<D>& tree_;
   const ObjectTable<D>& objects_;
   std::vector<Box<D>> bounds_;  ///< by node
   std::vector<ObjectId> waiting_;
   std::vector<NodeVisit> visits_;
+  std::vector<std::uint8_t> seen_;  ///< by object: it was tested in this walk, or waits
+  double bound_ = 0;                ///< what has a larger key is of no interest
 };
 
 extern template class TreeWalk<2>;

@@ -94,7 +94,7 @@ class ScanQueries final : public QueryRival<D> {
   }
   bool cast(const Cast<D>& cast, std::vector<Hit>& found) {
     for (std::uint32_t id = 0; id < boxes_.size(); ++id)
-      if (touches(cast, boxes_[id])) found.push_back({{id}, static_cast<Scalar>(entry_of(cast, boxes_[id]))});
+      if (touches(cast, boxes_[id])) found.push_back({{id}, entry_of(cast, boxes_[id])});
     return true;
   }
 

@@ -22,9 +22,9 @@ struct QueryPlan {
 /// One structure's times for one kind of query.
 struct QueryTime {
   std::string structure;
-  double least_ns = 0;  ///< a query, or for the kinds "build" and "move" an object: of each few queries the
-                        ///< least of all rounds counts
-  double median_ns = 0;       ///< the same with the median of the rounds
+  double least_ns = 0;   ///< a query, or for the kinds "build" and "move" an object: of each few queries the
+                         ///< least of all rounds counts
+  double median_ns = 0;  ///< the same with the median of the rounds
   std::uint32_t differs = 0;  ///< queries with another answer
 };
 
