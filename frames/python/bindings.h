@@ -1,0 +1,10 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace kerf::python {
+
+// Each adds a part of the module.
+void bind_broad_phase(pybind11::module_& module);
+
+}  // namespace kerf::python

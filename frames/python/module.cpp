@@ -1,0 +1,7 @@
+#include "frames/python/bindings.h"
+
+// kerf._kerf: what kerf/__init__.py makes public.
+PYBIND11_MODULE(_kerf, module) {
+  module.attr("__version__") = KERF_VERSION;
+  kerf::python::bind_broad_phase(module);
+}
