@@ -13,8 +13,6 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr int kInOrder = py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_;
-
 [[noreturn]] void fail(const std::string& what, const std::string& problem) {
   throw py::value_error(what + ": " + problem);
 }
@@ -62,8 +60,9 @@ void check_whole_numbers(std::span<const double> numbers, std::size_t row_size, 
   const auto large = std::ranges::find_if(numbers, [](double x) { return std::abs(x) >= kLimit; });
   if (large == numbers.end()) return;
   const auto row = static_cast<std::size_t>(large - numbers.begin()) / row_size;
-  fail(what, "row " + std::to_string(row) +
-                 " has a whole number beyond 2^53, which is not exact in float64; convert the array yourself");
+  fail(what,
+       "row " + std::to_string(row) +
+           " has a whole number beyond 2^53, which is not exact in float64; convert the array yourself");
 }
 
 void check_number_type(const py::array& array, const std::string& what) {
@@ -82,9 +81,7 @@ py::array as_array(const py::handle& given, const std::string& what) {
   fail(what, "this is no array of numbers");
 }
 
-std::string shape_text(const py::array& array) {
-  return py::str(py::tuple(py::object(array.attr("shape"))));
-}
+std::string shape_text(const py::array& array) { return py::str(py::tuple(py::object(array.attr("shape")))); }
 
 void check_box_shape(const py::array& array, int dimension, const std::string& what) {
   if (array.ndim() == 3 && array.shape(1) == 2 && array.shape(2) == dimension) return;
@@ -140,14 +137,14 @@ IdRows::IdRows(const py::handle& given, const std::string& what) {
   const char kind = array.dtype().kind();
   if (array.ndim() != 1)
     fail(what, "the shape is " + shape_text(array) + ", but must be (n,): one id for each row");
-  if (kind != 'i' && kind != 'u')
-    fail(what, "the dtype is " + dtype_text(array) + "; ids are whole numbers");
+  if (kind != 'i' && kind != 'u') fail(what, "the dtype is " + dtype_text(array) + "; ids are whole numbers");
   const auto take = [&](const auto& numbers) {
     ids_.reserve(static_cast<std::size_t>(numbers.size()));
     for (py::ssize_t row = 0; row < numbers.size(); ++row) {
       const auto id = numbers.data()[row];
       if (id < 0 || static_cast<std::uint64_t>(id) >= ObjectId::none().value)
-        fail(what, "row " + std::to_string(row) + " is " + std::to_string(id) + "; ids go from 0 to 2^32 - 2");
+        fail(what,
+             "row " + std::to_string(row) + " is " + std::to_string(id) + "; ids go from 0 to 2^32 - 2");
       ids_.push_back({static_cast<std::uint32_t>(id)});
     }
   };

@@ -53,6 +53,10 @@ class IdRows {
 std::vector<std::uint8_t> flag_rows(const pybind11::handle& given, std::size_t count,
                                     const std::string& what);
 
+/// Flags of arrays that can be read as plain memory, after a copy where they cannot.
+inline constexpr int kInOrder =
+    pybind11::array::c_style | pybind11::array::forcecast | pybind11::detail::npy_api::NPY_ARRAY_ALIGNED_;
+
 /// Any array-like of Python's as an array; throws ValueError if it is none.
 pybind11::array as_array(const pybind11::handle& given, const std::string& what);
 

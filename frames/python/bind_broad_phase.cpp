@@ -9,7 +9,7 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr const char* kClass = R"(Reports which of n boxes overlap, step by step: Kerf's tree.
+constexpr const char* kBroadPhaseClass = R"(Reports which of n boxes overlap, step by step: Kerf's tree.
 
 Boxes are closed: those that touch are a pair. Pairs are exact for the boxes in float32: each overlap once, none
 missed. float64 boxes and whole numbers are rounded outward to float32, so nothing is missed, and boxes that are
@@ -70,27 +70,32 @@ std::string text_of(const PythonBroadPhase& phase) {
 void bind_results(py::class_<PythonBroadPhase>& type) {
   using Phase = PythonBroadPhase;
   type.def_property_readonly("pairs", &Phase::pairs, "The pairs of the last step: (m, 2) uint32, read-only.")
-      .def_property_readonly("begun", &Phase::begun,
-                             "Pairs of the last step that the one before did not have, in ascending order: (m, 2) "
-                             "uint32. Needs changes=True.")
-      .def_property_readonly("ended", &Phase::ended,
-                             "Pairs of the step before that the last one does not have, in ascending order: (m, 2) "
-                             "uint32. Needs changes=True.")
-      .def_property_readonly("ids", &Phase::ids,
-                             "The ids of all objects, ascending: (n,) uint32. Row k of boxes belongs to ids[k].")
+      .def_property_readonly(
+          "begun", &Phase::begun,
+          "Pairs of the last step that the one before did not have, in ascending order: (m, 2) "
+          "uint32. Needs changes=True.")
+      .def_property_readonly(
+          "ended", &Phase::ended,
+          "Pairs of the step before that the last one does not have, in ascending order: (m, 2) "
+          "uint32. Needs changes=True.")
+      .def_property_readonly(
+          "ids", &Phase::ids,
+          "The ids of all objects, ascending: (n,) uint32. Row k of boxes belongs to ids[k].")
       .def_property_readonly("boxes", &Phase::boxes,
                              "The boxes as they are taken, in the order of .ids: (n, 2, d) float32.")
-      .def_property_readonly("fixed", &Phase::fixed, "Which objects are fixed, in the order of .ids: (n,) bool.")
-      .def_property_readonly("statistics", &Phase::statistics,
-                             "The tree after the last step: objects, leaves, height, entries, redundancy, operators "
-                             "since the beginning, and the seconds of each phase of the last step.");
+      .def_property_readonly("fixed", &Phase::fixed,
+                             "Which objects are fixed, in the order of .ids: (n,) bool.")
+      .def_property_readonly(
+          "statistics", &Phase::statistics,
+          "The tree after the last step: objects, leaves, height, entries, redundancy, operators "
+          "since the beginning, and the seconds of each phase of the last step.");
 }
 
 }  // namespace
 
 void bind_broad_phase(py::module_& module) {
   using Phase = PythonBroadPhase;
-  py::class_<Phase> type(module, "BroadPhase", kClass);
+  py::class_<Phase> type(module, "BroadPhase", kBroadPhaseClass);
   type.def(py::init(&make), py::arg("dimension"), py::kw_only(), py::arg("tree") = "kerf",
            py::arg("config") = py::none(), py::arg("threads") = 1, py::arg("changes") = false,
            py::arg("record") = py::none())

@@ -19,12 +19,14 @@ void check_dense(std::span<const ObjectId> ids, std::size_t present) {
   const auto sparse = std::ranges::find_if(ids, [&](ObjectId id) { return id.index() >= limit; });
   if (sparse == ids.end()) return;
   throw py::value_error("ids: row " + std::to_string(sparse - ids.begin()) + " is " +
-                        std::to_string(sparse->value) + ", but memory grows with the highest id, so ids below " +
-                        std::to_string(limit) + " are taken; number the objects anew, or leave ids out");
+                        std::to_string(sparse->value) +
+                        ", but memory grows with the highest id, so ids below " + std::to_string(limit) +
+                        " are taken; number the objects anew, or leave ids out");
 }
 
 [[noreturn]] void fail_at(std::size_t row, ObjectId id, const char* problem) {
-  throw py::value_error("ids: row " + std::to_string(row) + " is " + std::to_string(id.value) + ", " + problem);
+  throw py::value_error("ids: row " + std::to_string(row) + " is " + std::to_string(id.value) + ", " +
+                        problem);
 }
 
 /// Throws ValueError for an id that comes twice.
@@ -32,8 +34,8 @@ void check_once(std::span<const ObjectId> ids) {
   std::vector<std::pair<ObjectId, std::size_t>> sorted;
   for (std::size_t row = 0; row < ids.size(); ++row) sorted.emplace_back(ids[row], row);
   std::ranges::sort(sorted);
-  const auto twice = std::ranges::adjacent_find(
-      sorted, [](const auto& a, const auto& b) { return a.first == b.first; });
+  const auto twice =
+      std::ranges::adjacent_find(sorted, [](const auto& a, const auto& b) { return a.first == b.first; });
   if (twice != sorted.end()) fail_at((twice + 1)->second, twice->first, "which an earlier row is, too");
 }
 
@@ -67,7 +69,8 @@ std::vector<ObjectId> BroadPhaseOf<D>::present_ids(const py::handle& given, std:
     throw py::value_error("ids: there are " + std::to_string(ids.size()) + " for " + std::to_string(rows) +
                           " boxes");
   for (std::size_t row = 0; row < rows; ++row)
-    if (!ids_.has(ids.all()[row])) fail_at(row, ids.all()[row], "but there is no such object: insert it first");
+    if (!ids_.has(ids.all()[row]))
+      fail_at(row, ids.all()[row], "but there is no such object: insert it first");
   return {ids.all().begin(), ids.all().end()};
 }
 
@@ -135,7 +138,8 @@ py::array BroadPhaseOf<D>::pairs() {
 template <int D>
 const PairChanges& BroadPhaseOf<D>::changes() const {
   if (!changes_)
-    throw std::runtime_error("begun and ended pairs cost time, so they are found only by BroadPhase(..., changes=True)");
+    throw std::runtime_error(
+        "begun and ended pairs cost time, so they are found only by BroadPhase(..., changes=True)");
   return *changes_;
 }
 
@@ -189,7 +193,8 @@ py::array BroadPhaseOf<D>::picture(const PictureOptions& options) const {
   input.bodies = bodies;
   input.tree = &run_.tree();
   input.pairs = run_.pairs();
-  input.caption = {.scene = "python", .broad_phase = "kerf"};
+  input.caption.scene = "python";
+  input.caption.broad_phase = "kerf";
   input.caption.step = run_.steps();
   input.caption.objects = run_.objects().size();
   input.caption.moving = count_moving(run_.objects());

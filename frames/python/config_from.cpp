@@ -32,7 +32,8 @@ Config config_from(const Config& base, const py::handle& given) {
     for (const auto& [name, value] : given.cast<py::dict>())
       kerf::set(config, py::str(name).cast<std::string>(), value_text(value));
   } else {
-    throw py::value_error("config: give a dict such as {'max_threshold': 256}, or a text 'max_threshold=256'");
+    throw py::value_error(
+        "config: give a dict such as {'max_threshold': 256}, or a text 'max_threshold=256'");
   }
   check(config);
   return config;

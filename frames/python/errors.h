@@ -8,8 +8,8 @@
 
 namespace kerf::python {
 
-/// `kerf.RecordingError`: a file that is no recording, or damaged, or cannot be written, or does not have what
-/// was asked for.
+/// `kerf.RecordingError`: a file that is no recording, or damaged, or cannot be written, or does not have
+/// what was asked for.
 class RecordingError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -4,4 +4,7 @@
 PYBIND11_MODULE(_kerf, module) {
   module.attr("__version__") = KERF_VERSION;
   kerf::python::bind_broad_phase(module);
+  kerf::python::bind_recording(module);
+  kerf::python::bind_check(module);
+  kerf::python::bind_pictures(module);
 }

@@ -40,8 +40,9 @@ void set_acted(PythonEvent& event, const OperatorActed& acted) {
 
 PythonStep to_python(const StepRow& row) {
   const Statistics& tree = row.statistics;
-  return {row.step,    tree.objects, row.changed,  row.pairs,     row.first_event, row.events,     tree.leaves,   tree.height,
-          tree.entries, tree.redundancy, tree.placed, tree.refused, tree.deferred, row.seconds(), row.state_hash, row.pairs_hash};
+  return {row.step,      tree.objects,  row.changed,    row.pairs,       row.first_event, row.events,
+          tree.leaves,   tree.height,   tree.entries,   tree.redundancy, tree.placed,     tree.refused,
+          tree.deferred, row.seconds(), row.state_hash, row.pairs_hash};
 }
 
 }  // namespace
@@ -53,10 +54,10 @@ std::span<const char* const> event_kind_names() {
 }
 
 void register_rows() {
-  PYBIND11_NUMPY_DTYPE(PythonStep, step, objects, changed, pairs, first_event, events, leaves, height, entries,
-                       redundancy, placed, refused, deferred, seconds, state_hash, pairs_hash);
-  PYBIND11_NUMPY_DTYPE(PythonEvent, id, step, kind, op, reason, phase, node, generation, object, count, population,
-                       left, right, direction, old_offset, new_offset);
+  PYBIND11_NUMPY_DTYPE(PythonStep, step, objects, changed, pairs, first_event, events, leaves, height,
+                       entries, redundancy, placed, refused, deferred, seconds, state_hash, pairs_hash);
+  PYBIND11_NUMPY_DTYPE(PythonEvent, id, step, kind, op, reason, phase, node, generation, object, count,
+                       population, left, right, direction, old_offset, new_offset);
 }
 
 py::array step_array(std::span<const StepRow> rows) {

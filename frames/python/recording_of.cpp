@@ -124,7 +124,8 @@ py::array RecordingOf<D>::their_pairs(std::uint32_t step) {
   return pair_array(undisturbed([&] {
     check_step(step);
     if (!reader_->their_step(step))
-      throw RecordingError("the recording has no pairs of another engine: only what `kerf import --pairs` makes has");
+      throw RecordingError(
+          "the recording has no pairs of another engine: only what `kerf import --pairs` makes has");
     return reader_->their_pairs(step);
   }));
 }
@@ -160,7 +161,8 @@ std::string RecordingOf<D>::describe(std::uint64_t event) {
 }
 
 template <int D>
-std::optional<Position> RecordingOf<D>::find(const std::string& condition, const Position& from, bool backward) {
+std::optional<Position> RecordingOf<D>::find(const std::string& condition, const Position& from,
+                                             bool backward) {
   const Expression expression = Expression::parse(condition);
   Interrupts interrupts;
   const auto found = undisturbed([&] {
@@ -300,9 +302,8 @@ Verdict verify_recording(const std::filesystem::path& path, std::uint32_t oracle
   Interrupts interrupts;
   const Verdict verdict = [&] {
     const py::gil_scoped_release others_run;
-    return of_recording([&] {
-      return verify(path, oracle_every, [&](std::uint32_t) { return !interrupts.requested(); });
-    });
+    return of_recording(
+        [&] { return verify(path, oracle_every, [&](std::uint32_t) { return !interrupts.requested(); }); });
   }();
   interrupts.rethrow();
   return verdict;

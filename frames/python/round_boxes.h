@@ -13,7 +13,8 @@ namespace kerf::python {
 constexpr Scalar float_at_most(double x) {
   const auto near = static_cast<Scalar>(x);
   const auto bits = std::bit_cast<std::int32_t>(near);
-  const std::int32_t below = near == 0 ? std::bit_cast<std::int32_t>(0x8000'0001U) : bits + (bits < 0 ? 1 : -1);
+  const std::int32_t below =
+      near == 0 ? std::bit_cast<std::int32_t>(0x8000'0001U) : bits + (bits < 0 ? 1 : -1);
   return std::bit_cast<Scalar>(static_cast<double>(near) > x ? below : bits);
 }
 

@@ -67,7 +67,8 @@ void record(const SceneEntry<D>& entry, const SceneRun& run, const Config& confi
 }
 
 template <int D>
-std::vector<std::vector<Box<D>>> boxes_of(const SceneEntry<D>& entry, const SceneRun& run, Interrupts& interrupts) {
+std::vector<std::vector<Box<D>>> boxes_of(const SceneEntry<D>& entry, const SceneRun& run,
+                                          Interrupts& interrupts) {
   std::vector<std::vector<Box<D>>> all;
   Bsp<D> tree(tuned_config(), entry.needs.volume);
   const auto scene = entry.make(tree, run.options);
@@ -106,11 +107,12 @@ py::array picture_of(const SceneEntry<D>& entry, const SceneRun& run, const Pict
   input.tree = &tree.tree();
   input.pairs = scene->pairs();
   input.contacts = scene->contacts();
-  input.caption = {.scene = run.name, .broad_phase = std::string(kPaperTree)};
+  input.caption.scene = run.name;
+  input.caption.broad_phase = kPaperTree;
   input.caption.step = scene->step();
   input.caption.objects = tree.objects().size();
-  input.caption.moving = static_cast<std::uint32_t>(
-      std::ranges::count(scene->bodies(), Mobility::moving, &Body<D>::mobility));
+  input.caption.moving =
+      static_cast<std::uint32_t>(std::ranges::count(scene->bodies(), Mobility::moving, &Body<D>::mobility));
   input.caption.pairs = scene->pairs().size();
   input.caption.contacts = scene->contacts().size();
   input.caption.statistics = tree.statistics();
@@ -130,7 +132,8 @@ py::list scene_list() {
   return all;
 }
 
-void record_scene(const SceneRun& run, const std::string& tree, const std::filesystem::path& out, bool overwrite) {
+void record_scene(const SceneRun& run, const std::string& tree, const std::filesystem::path& out,
+                  bool overwrite) {
   const CatalogScene scene = scene_called(run.name);
   (void)config_of_tree(tree);
   Interrupts interrupts;

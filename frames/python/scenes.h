@@ -21,9 +21,10 @@ struct SceneRun {
 /// Name, dimension and summary of each scene: a list of tuples.
 pybind11::list scene_list();
 
-/// Runs a scene with the tree and records it. Throws ValueError for a name that is none, RecordingError if the
-/// file cannot be written; an earlier file is replaced only if `overwrite`.
-void record_scene(const SceneRun& run, const std::string& tree, const std::filesystem::path& out, bool overwrite);
+/// Runs a scene with the tree and records it. Throws ValueError for a name that is none, RecordingError if
+/// the file cannot be written; an earlier file is replaced only if `overwrite`.
+void record_scene(const SceneRun& run, const std::string& tree, const std::filesystem::path& out,
+                  bool overwrite);
 
 /// The boxes of a scene in each of its steps: a list of (n, 2, d) float32, with more rows as bodies come.
 pybind11::list scene_boxes(const SceneRun& run);
