@@ -37,6 +37,7 @@ Touching touching_from(const std::string& text) {
 
 /// In C order, float32 as it is and everything else as float64, with rows that are boxes.
 py::array checkable(const py::array& array, const std::string& what) {
+  if (array.ndim() == 1 && array.size() == 0) return py::array_t<double>({0, 2, 2});
   const bool is_2d = array.ndim() == 3 && array.shape(2) == 2;
   check_box_shape(array, is_2d ? 2 : 3, what);
   if (is_2d) {

@@ -17,7 +17,8 @@ namespace {
 namespace py = pybind11;
 using Opened = PythonRecording;
 
-constexpr const char* kRecordingClass = R"(A recorded run: what was asked of the tree in each step, and what it did.
+constexpr const char* kRecordingClass =
+    R"(A recorded run: what was asked of the tree in each step, and what it did.
 
     run = kerf.Recording("pile.kerf")
     run.rows["pairs"]                          # of each step

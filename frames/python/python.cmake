@@ -1,17 +1,5 @@
 # The Python module: the package kerf/ with its types, and kerf/_kerf, which is made here. In the build folder both lie
 # under python/, so that PYTHONPATH=build/release/python finds it without an installation.
-# Its packages are Debian's, so the interpreter is, too, unless -DPython_EXECUTABLE names another one.
-if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
-  set(Python_EXECUTABLE /usr/bin/python3)
-endif()
-set(PYBIND11_FINDPYTHON ON)
-find_package(Python 3.9 COMPONENTS Interpreter Development.Module NumPy)
-find_package(pybind11 2.10 CONFIG)
-if(NOT Python_FOUND OR NOT pybind11_FOUND)
-  message(FATAL_ERROR "The Python module needs pybind11 and numpy (Debian: pybind11-dev, python3-dev, python3-numpy): "
-    "install them, or configure with -DKERF_PYTHON=OFF")
-endif()
-
 # What the program has of scenes and pictures of recordings is compiled once more, as code that can be loaded.
 kerf_room(kerf_python FOLDERS python EXCLUDE "/python/module\\.cpp$")
 target_sources(kerf_python PRIVATE catalog/scene_catalog.cpp support/suggest.cpp sequence/part_recording.cpp

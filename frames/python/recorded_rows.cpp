@@ -12,14 +12,20 @@ namespace {
 
 namespace py = pybind11;
 
+/// Signed, so that numpy's differences and means of it are as expected.
+std::int64_t whole(std::uint64_t count) { return static_cast<std::int64_t>(count); }
+
 PythonEvent empty_event(const Event& event) {
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-  return {event.id, event.step, static_cast<std::int8_t>(event.body.index()),
-          -1,       -1,         -1,
-          -1,       -1,         -1,
-          -1,       -1,         -1,
-          -1,       -1,         kNone,
-          kNone};
+  PythonEvent row{};
+  row.id = whole(event.id);
+  row.step = static_cast<std::int32_t>(event.step);
+  row.kind = static_cast<std::int8_t>(event.body.index());
+  row.op = row.reason = row.phase = -1;
+  row.node = row.generation = row.object = row.count = -1;
+  row.population = row.left = row.right = row.direction = -1;
+  row.old_offset = row.new_offset = kNone;
+  return row;
 }
 
 void set_node(PythonEvent& event, Operator op, NodeRef node) {
@@ -40,9 +46,22 @@ void set_acted(PythonEvent& event, const OperatorActed& acted) {
 
 PythonStep to_python(const StepRow& row) {
   const Statistics& tree = row.statistics;
-  return {row.step,      tree.objects,  row.changed,    row.pairs,       row.first_event, row.events,
-          tree.leaves,   tree.height,   tree.entries,   tree.redundancy, tree.placed,     tree.refused,
-          tree.deferred, row.seconds(), row.state_hash, row.pairs_hash};
+  return {.step = row.step,
+          .objects = tree.objects,
+          .changed = whole(row.changed),
+          .pairs = whole(row.pairs),
+          .first_event = whole(row.first_event),
+          .events = whole(row.events),
+          .leaves = tree.leaves,
+          .height = tree.height,
+          .entries = whole(tree.entries),
+          .redundancy = tree.redundancy,
+          .placed = whole(tree.placed),
+          .refused = whole(tree.refused),
+          .deferred = tree.deferred,
+          .seconds = row.seconds(),
+          .state_hash = row.state_hash,
+          .pairs_hash = row.pairs_hash};
 }
 
 }  // namespace

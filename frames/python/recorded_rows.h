@@ -12,19 +12,19 @@ namespace kerf::python {
 
 /// What `Recording.rows` has of a step.
 struct PythonStep {
-  std::uint32_t step;
-  std::uint32_t objects;
-  std::uint64_t changed;
-  std::uint64_t pairs;
-  std::uint64_t first_event;
-  std::uint64_t events;
-  std::uint32_t leaves;
-  std::uint32_t height;
-  std::uint64_t entries;
+  std::int64_t step;
+  std::int64_t objects;
+  std::int64_t changed;
+  std::int64_t pairs;
+  std::int64_t first_event;
+  std::int64_t events;
+  std::int64_t leaves;
+  std::int64_t height;
+  std::int64_t entries;
   double redundancy;
-  std::uint64_t placed;
-  std::uint64_t refused;
-  std::uint32_t deferred;
+  std::int64_t placed;
+  std::int64_t refused;
+  std::int64_t deferred;
   double seconds;
   std::uint64_t state_hash;
   std::uint64_t pairs_hash;
@@ -32,8 +32,8 @@ struct PythonStep {
 
 /// What `Recording.events` has of an event; -1 stands for what its kind does not have.
 struct PythonEvent {
-  std::uint64_t id;
-  std::uint32_t step;
+  std::int64_t id;
+  std::int32_t step;
   std::int8_t kind;    ///< index in EventBody
   std::int8_t op;      ///< Operator
   std::int8_t reason;  ///< Refusal

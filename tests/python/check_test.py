@@ -136,7 +136,7 @@ def test_what_remembers_is_made_anew_for_each_trial():
         before = []
 
         def function(boxes):
-            backwards = before and len(boxes) and boxes[0, 0, 0] < before[-1]
+            backwards = bool(before) and len(boxes) > 0 and boxes[0, 0, 0] < before[-1]
             if len(boxes):
                 before.append(boxes[0, 0, 0])
             return [] if backwards else right(boxes)
