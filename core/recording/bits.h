@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
-#include "core/recording/bytes.h"
-#include "core/recording/damage.h"
+#include "core/base/bytes.h"
+#include "core/base/damage.h"
 
 namespace kerf {
 

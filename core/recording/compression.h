@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/recording/bytes.h"
+#include "core/base/bytes.h"
 
 namespace kerf {
 

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/recording/damage.h"
+#include "core/base/damage.h"
 
 namespace kerf {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/recording/bytes.h"
+#include "core/base/bytes.h"
 #include "core/recording/writer_lock.h"
 
 struct sqlite3;

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/recording/bytes.h"
+#include "core/base/bytes.h"
 #include "core/trace/event.h"
 
 namespace kerf {

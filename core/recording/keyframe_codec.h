@@ -3,16 +3,12 @@
 #include <memory>
 #include <span>
 
+#include "core/base/bytes.h"
 #include "core/bsp/bsp_state.h"
-#include "core/recording/bytes.h"
 
 namespace kerf {
 
-/// A keyframe as bytes, without the pairs of its step: equal for equal states.
-template <int D>
-Bytes plain_keyframe(const BspState<D>& state);
-
-/// The same, compressed.
+/// A keyframe: a compressed state.
 template <int D>
 Bytes encode_keyframe(const BspState<D>& state);
 

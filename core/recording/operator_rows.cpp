@@ -5,9 +5,9 @@
 #include <string>
 #include <variant>
 
+#include "core/base/damage.h"
 #include "core/base/overloaded.h"
 #include "core/recording/chain.h"
-#include "core/recording/damage.h"
 #include "core/recording/recorded_rows.h"
 #include "core/recording/schema.h"
 

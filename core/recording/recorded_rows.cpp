@@ -1,7 +1,7 @@
 #include "core/recording/recorded_rows.h"
 
+#include "core/base/damage.h"
 #include "core/recording/chain.h"
-#include "core/recording/damage.h"
 #include "core/recording/schema.h"
 
 namespace kerf {

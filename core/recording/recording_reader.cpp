@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "core/base/damage.h"
 #include "core/recording/chain.h"
-#include "core/recording/damage.h"
 #include "core/recording/keyframe_codec.h"
 #include "core/recording/schema.h"
 #include "core/recording/their_rows.h"

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "core/recording/damage.h"
+#include "core/base/damage.h"
 #include "core/recording/operator_rows.h"
 #include "core/recording/their_rows.h"
 #include "core/recording/unfinished.h"

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/base/damage.h"
 #include "core/base/shortest_text.h"
-#include "core/recording/damage.h"
 
 namespace kerf {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/counted.h"
-#include "core/recording/keyframe_codec.h"
+#include "core/bsp/state_codec.h"
 #include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
 #include "core/replay/replayer.h"
@@ -153,7 +153,7 @@ class Verifier {
     }
     if (verdict_.divergence || !recording_->has_keyframe(step)) return;
     const BspState<D> keyframe = recording_->keyframe(step, replayer_.tree().tree().projector());
-    if (plain_keyframe(keyframe) != plain_keyframe(replayer_.tree().state()))
+    if (encode_state(keyframe) != encode_state(replayer_.tree().state()))
       return diverge(step, "a keyframe of another state",
                      "state hash " + to_hex(replayer_.tree().state_hash()));
     resumed_.restore(keyframe);

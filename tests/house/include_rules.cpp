@@ -84,6 +84,8 @@ constexpr auto kLayers = std::to_array<Layer>({
     {"core/tree/", 5, "tree, the five operators, scheduler, validator, hash"},
     {"core/bsp/", 6, "the semi-adjusting BSP tree as a broad phase"},
     {"core/broad_phase/", 7, "the oracle, other algorithms, approximate modes"},
+    {"core/world/", 8, "objects with handles, kinds and filters; begun and ended pairs"},
+    {"core/c/", 9, "`kerf.h`: the C interface"},
     {"core/scene/", 8, "what a scene is: shapes, poses, needs, bounding"},
     {"core/files/", 9, "files that get their names when they are complete"},
     {"core/recording/", 10, "recordings: writer, reader, codecs"},
@@ -121,6 +123,7 @@ constexpr auto kLayers = std::to_array<Layer>({
 constexpr auto kPermissions = std::to_array<Permission>({
     {"core/", "core"},
     {"core/tree/hash.cpp", "xxHash"},
+    {"core/world/seal.cpp", "xxHash"},
     {"core/recording/chain.cpp", "xxHash"},
     {"core/kernels/", "x86 intrinsics"},
     {"core/kernels/", "Highway"},

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/bytes.h"
 #include "core/base/random.h"
 #include "core/bsp/bsp_state.h"
-#include "core/recording/bytes.h"
 
 namespace kerf::test {
 

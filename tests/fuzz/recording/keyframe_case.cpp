@@ -1,6 +1,7 @@
 #include <stdexcept>
 
 #include "core/bsp/bsp.h"
+#include "core/bsp/state_codec.h"
 #include "core/recording/compression.h"
 #include "core/recording/keyframe_codec.h"
 #include "core/replay/oracle.h"
@@ -39,7 +40,7 @@ std::string keyframe_case(CaseBytes bytes) {
     const BspState<2> state = decode_keyframe<2>(compress(bytes, bytes.size()),
                                                  make_projector<2>(configuration(), VolumeKind::box));
     if (state.config != configuration()) return "";  // which a reader refuses
-    const Bytes again = plain_keyframe(state);
+    const Bytes again = encode_state(state);
     if (decode_keyframe<2>(compress(again), state.tree.projector()).hash() != state.hash())
       return "written again, it is another";
     return go_on(state);

@@ -1,4 +1,4 @@
-#include "core/recording/keyframe_check.h"
+#include "core/bsp/state_check.h"
 
 #include <algorithm>
 

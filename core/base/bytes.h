@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/recording/damage.h"
+#include "core/base/damage.h"
 
 namespace kerf {
 

@@ -1,0 +1,393 @@
+#include "core/world/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace kerf {
+namespace {
+
+template <int D>
+constexpr bool is_ordered(const Box<D>& box) {
+  bool all = true;
+  for (int i = 0; i < D; ++i) all &= box.min[i] <= box.max[i];  // false for NaN
+  return all;
+}
+
+/// Makes the bounds finite.
+template <int D>
+WorldStatus clamp(Box<D>& box) {
+  if (is_valid(box)) return WorldStatus::ok;
+  constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
+  for (int i = 0; i < D; ++i) {
+    box.min[i] = std::clamp(box.min[i], -kMax, kMax);
+    box.max[i] = std::clamp(box.max[i], -kMax, kMax);
+  }
+  return WorldStatus::clamped;
+}
+
+template <int D>
+Box<D> grow(Box<D> box, Scalar margin) {
+  for (int i = 0; i < D; ++i) {
+    box.min[i] -= margin;
+    box.max[i] += margin;
+  }
+  (void)clamp(box);
+  return box;
+}
+
+constexpr bool is_kind(ObjectKind kind) { return static_cast<int>(kind) < kObjectKinds; }
+bool is_margin(Scalar margin) { return std::isfinite(margin) && margin >= 0; }
+constexpr Mobility mobility(ObjectKind kind) { return is_passive(kind) ? Mobility::fixed : Mobility::moving; }
+
+}  // namespace
+
+/// The scope of a change of the tree. If it ends by an exception, the tree is built anew before the next
+/// change.
+template <int D>
+class World<D>::Change {
+ public:
+  explicit Change(World& world) : world_(world) {
+    if (world.torn_) world.rebuild();
+    world.torn_ = true;
+  }
+  Change(const Change&) = delete;
+  Change& operator=(const Change&) = delete;
+  ~Change() = default;
+  void finish() { world_.torn_ = false; }
+
+ private:
+  World& world_;
+};
+
+template <int D>
+World<D>::World(const WorldOptions& options)
+    : options_(options), tree_(std::make_unique<Bsp<D>>(options.config)), slots_(options.tag) {
+  set_threads(options.threads);
+}
+
+template <int D>
+void World<D>::set_threads(unsigned threads) {
+  tree_->set_threads(threads);
+  options_.threads = threads;
+}
+
+/// All objects of the world go into a new tree. The box of an object that lives is in the old one's table,
+/// whatever its state there.
+template <int D>
+void World<D>::rebuild() {
+  auto tree = std::make_unique<Bsp<D>>(options_.config);
+  tree->set_threads(options_.threads);
+  slots_.for_each([&](Handle handle) {
+    const ObjectId object{handle.index()};
+    (void)tree->insert(object, tree_->objects().box(object), mobility(defs_[object.index()].kind));
+  });
+  tree_ = std::move(tree);
+  torn_ = false;
+}
+
+template <int D>
+void World<D>::count(const ObjectDef& def, std::ptrdiff_t times) {
+  if (def.margin > 0) margins_ += times;
+  if (def.filter != Filter{}) filters_ += times;
+  if (def.kind == ObjectKind::sensor) sensors_ += times;
+}
+
+/// Makes the requests of a batch, and keeps and sums up their statuses.
+template <int D>
+template <class Request>
+WorldStatus World<D>::for_each_of(std::size_t count, std::span<WorldStatus> statuses, Request request) {
+  WorldStatus sum = WorldStatus::ok;
+  for (std::size_t k = 0; k < count; ++k) {
+    const WorldStatus status = request(k);
+    if (!statuses.empty()) statuses[k] = status;
+    if (!is_failure(sum) && status != WorldStatus::ok) sum = status;
+  }
+  return sum;
+}
+
+template <int D>
+typename World<D>::Inserted World<D>::insert(const Box<D>& box, const ObjectDef& def) {
+  Change change(*this);
+  Handle handle;
+  const WorldStatus status = insert_one(box, def, handle);
+  change.finish();
+  return {status, handle};
+}
+
+template <int D>
+WorldStatus World<D>::insert(std::span<const Box<D>> boxes, std::span<const ObjectDef> defs,
+                             std::span<Handle> handles, std::span<WorldStatus> statuses) {
+  if ((defs.size() != 1 && defs.size() != boxes.size()) || handles.size() != boxes.size() ||
+      (!statuses.empty() && statuses.size() != boxes.size()))
+    return WorldStatus::bad_length;
+  std::ranges::fill(handles, Handle{});
+  Change change(*this);
+  const WorldStatus sum = for_each_of(boxes.size(), statuses, [&](std::size_t k) {
+    return insert_one(boxes[k], defs[defs.size() == 1 ? 0 : k], handles[k]);
+  });
+  change.finish();
+  return sum;
+}
+
+template <int D>
+WorldStatus World<D>::insert_one(Box<D> box, const ObjectDef& def, Handle& handle) {
+  if (!is_ordered(box)) return WorldStatus::bad_box;
+  if (!is_kind(def.kind) || !is_margin(def.margin)) return WorldStatus::bad_value;
+  const Handle next = slots_.peek();
+  if (next.is_none()) return WorldStatus::full;
+  const WorldStatus status = clamp(box);
+  const ObjectId object{next.index()};
+  if (defs_.size() <= object.index()) defs_.resize(object.index() + 1);
+  if (def.margin > 0 && exact_.size() <= object.index()) exact_.resize(object.index() + 1);
+  if (is_refused(tree_->insert(object, grow(box, def.margin), mobility(def.kind)))) return WorldStatus::full;
+  if (def.margin > 0) exact_[object.index()] = box;
+  defs_[object.index()] = def;
+  count(def, 1);
+  slots_.take();
+  unstepped_ = true;
+  handle = next;
+  return status;
+}
+
+template <int D>
+WorldStatus World<D>::move(Handle object, const Box<D>& box) {
+  return move({&object, 1}, {&box, 1});
+}
+
+template <int D>
+WorldStatus World<D>::move(std::span<const Handle> objects, std::span<const Box<D>> boxes,
+                           std::span<WorldStatus> statuses) {
+  if (objects.size() != boxes.size() || (!statuses.empty() && statuses.size() != boxes.size()))
+    return WorldStatus::bad_length;
+  Change change(*this);
+  WorldStatus sum = WorldStatus::ok;
+  if (list_moves(objects, boxes)) {
+    const Status status = tree_->move_many(ids_, boxes);
+    unstepped_ = true;
+    if (status != Status::ok || !statuses.empty())
+      sum = for_each_of(boxes.size(), statuses, [&](std::size_t k) {
+        return is_valid(boxes[k]) ? WorldStatus::ok : WorldStatus::clamped;
+      });
+  } else {
+    sum = for_each_of(boxes.size(), statuses, [&](std::size_t k) { return move_one(objects[k], boxes[k]); });
+  }
+  change.finish();
+  return sum;
+}
+
+/// Lists the objects in `ids_`. False if a move cannot go to the tree as it is.
+template <int D>
+bool World<D>::list_moves(std::span<const Handle> objects, std::span<const Box<D>> boxes) {
+  if (margins_ > 0) return false;
+  ids_.resize(objects.size());
+  bool all = true;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    ids_[k] = {objects[k].index()};
+    all &= slots_.contains(objects[k]) & is_ordered(boxes[k]);
+  }
+  return all;
+}
+
+template <int D>
+WorldStatus World<D>::move_one(Handle object, Box<D> box) {
+  if (!slots_.contains(object)) return WorldStatus::stale_handle;
+  if (!is_ordered(box)) return WorldStatus::bad_box;
+  const WorldStatus status = clamp(box);
+  const ObjectId id{object.index()};
+  const Scalar margin = defs_[id.index()].margin;
+  const bool stays = margin > 0 && kerf::contains(tree_->objects().box(id), box);
+  if (!stays) (void)tree_->move(id, grow(box, margin));
+  if (margin > 0) exact_[id.index()] = box;
+  unstepped_ = true;
+  return status;
+}
+
+template <int D>
+WorldStatus World<D>::remove(Handle object) {
+  return remove({&object, 1});
+}
+
+template <int D>
+WorldStatus World<D>::remove(std::span<const Handle> objects, std::span<WorldStatus> statuses) {
+  if (!statuses.empty() && statuses.size() != objects.size()) return WorldStatus::bad_length;
+  Change change(*this);
+  const WorldStatus sum =
+      for_each_of(objects.size(), statuses, [&](std::size_t k) { return remove_one(objects[k]); });
+  change.finish();
+  return sum;
+}
+
+template <int D>
+WorldStatus World<D>::remove_one(Handle object) {
+  if (!slots_.contains(object)) return WorldStatus::stale_handle;
+  (void)tree_->remove({object.index()});
+  count(defs_[object.index()], -1);
+  slots_.release(object);
+  unstepped_ = true;
+  return WorldStatus::ok;
+}
+
+template <int D>
+WorldStatus World<D>::set_kind(Handle object, ObjectKind kind) {
+  if (!slots_.contains(object)) return WorldStatus::stale_handle;
+  if (!is_kind(kind)) return WorldStatus::bad_value;
+  ObjectDef def = defs_[object.index()];
+  Change change(*this);
+  if (mobility(kind) != mobility(def.kind)) {
+    const ObjectId id{object.index()};
+    const Box<D> box = tree_->objects().box(id);
+    (void)tree_->remove(id);
+    (void)tree_->insert(id, box, mobility(kind));
+  }
+  count(def, -1);
+  def.kind = kind;
+  count(def, 1);
+  defs_[object.index()] = def;
+  unstepped_ = true;
+  change.finish();
+  return WorldStatus::ok;
+}
+
+template <int D>
+WorldStatus World<D>::set_filter(Handle object, const Filter& filter) {
+  if (!slots_.contains(object)) return WorldStatus::stale_handle;
+  ObjectDef& def = defs_[object.index()];
+  unstepped_ = true;
+  count(def, -1);
+  def.filter = filter;
+  count(def, 1);
+  return WorldStatus::ok;
+}
+
+template <int D>
+WorldStatus World<D>::set_user_data(Handle object, std::uint64_t user_data) {
+  if (!slots_.contains(object)) return WorldStatus::stale_handle;
+  defs_[object.index()].user_data = user_data;
+  return WorldStatus::ok;
+}
+
+template <int D>
+WorldStatus World<D>::set_margin(Handle object, Scalar margin) {
+  if (!slots_.contains(object)) return WorldStatus::stale_handle;
+  if (!is_margin(margin)) return WorldStatus::bad_value;
+  ObjectDef& def = defs_[object.index()];
+  const ObjectId id{object.index()};
+  const Box<D> box = exact_box(id);
+  Change change(*this);
+  if (margin > 0 && exact_.size() <= id.index()) exact_.resize(id.index() + 1);
+  (void)tree_->move(id, grow(box, margin));
+  if (margin > 0) exact_[id.index()] = box;
+  count(def, -1);
+  def.margin = margin;
+  count(def, 1);
+  unstepped_ = true;
+  change.finish();
+  return WorldStatus::ok;
+}
+
+template <int D>
+Box<D> World<D>::exact_box(ObjectId object) const {
+  return defs_[object.index()].margin > 0 ? exact_[object.index()] : tree_->objects().box(object);
+}
+
+template <int D>
+const ObjectDef* World<D>::find(Handle object) const {
+  return slots_.contains(object) ? &defs_[object.index()] : nullptr;
+}
+
+template <int D>
+std::optional<Box<D>> World<D>::box(Handle object) const {
+  if (!slots_.contains(object)) return std::nullopt;
+  return exact_box({object.index()});
+}
+
+template <int D>
+std::optional<Box<D>> World<D>::fat_box(Handle object) const {
+  if (!slots_.contains(object)) return std::nullopt;
+  return tree_->objects().box({object.index()});
+}
+
+template <int D>
+bool World<D>::may_report(ObjectId a, ObjectId b) const {
+  if (filters_ > 0 && !may_pair(defs_[a.index()].filter, defs_[b.index()].filter)) return false;
+  return options_.pairs_of == PairsOf::fat_boxes || margins_ == 0 || overlaps(exact_box(a), exact_box(b));
+}
+
+template <int D>
+WorldPair World<D>::describe(std::uint32_t a, Partner b) const {
+  return {slots_.handle(a), slots_.handle(b.index()), b.is_flagged() ? WorldPair::kSensor : 0, 0};
+}
+
+template <int D>
+void World<D>::step() {
+  Change change(*this);
+  tree_->step();
+  change.finish();
+  gather();
+  report();
+  slots_.finish_step();
+  unstepped_ = false;
+}
+
+/// Orders the pairs that are reported in `next_rows_`.
+template <int D>
+void World<D>::gather() {
+  const std::span<const Pair> all = tree_->pairs();
+  const bool is_exact = options_.pairs_of == PairsOf::fat_boxes || margins_ == 0;
+  if (filters_ == 0 && sensors_ == 0 && is_exact) {
+    next_rows_.assign(all, slots_.size());
+  } else {
+    kept_.clear();
+    for (const Pair& pair : all) {
+      if (!may_report(pair.a, pair.b)) continue;
+      const bool is_sensor = defs_[pair.a.index()].kind == ObjectKind::sensor ||
+                             defs_[pair.b.index()].kind == ObjectKind::sensor;
+      kept_.push_back({pair.a, {make_partner(pair.b.value, is_sensor).value}});
+    }
+    next_rows_.assign_flagged(kept_, slots_.size());
+  }
+  if (callback_) next_rows_.filter([this](std::uint32_t a, Partner b) { return callback_(describe(a, b)); });
+}
+
+/// Compares with the step before. What both steps have is copied: an index that is in pairs of both was not
+/// given to another object between them. Nothing that was reported changes before all memory is there.
+template <int D>
+void World<D>::report() {
+  next_begun_.clear();
+  next_ended_.clear();
+  next_pairs_.resize(next_rows_.size());
+  const std::span<const Partner> old = rows_.partners();
+  const std::span<const Partner> now = next_rows_.partners();
+  std::size_t seen = 0;
+  std::size_t made = 0;
+  const auto copy_until = [&](std::size_t place) {
+    const auto from = pairs_.begin() + static_cast<std::ptrdiff_t>(seen);
+    std::copy_n(from, place - made, next_pairs_.begin() + static_cast<std::ptrdiff_t>(made));
+    seen += place - made;
+    made = place;
+  };
+  compare_rows(
+      rows_, next_rows_,
+      [&](std::uint32_t a, std::size_t k) {
+        copy_until(made + (k - seen));
+        next_ended_.push_back(describe(a, old[seen++]));
+      },
+      [&](std::uint32_t a, std::size_t i) {
+        copy_until(i);
+        next_begun_.push_back(describe(a, now[i]));
+        next_pairs_[made++] = next_begun_.back();
+      });
+  copy_until(now.size());
+  std::swap(rows_, next_rows_);
+  pairs_.swap(next_pairs_);
+  begun_.swap(next_begun_);
+  ended_.swap(next_ended_);
+}
+
+template class World<2>;
+template class World<3>;
+
+}  // namespace kerf
