@@ -1,0 +1,201 @@
+#include "frames/python/arrays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+
+#include "frames/python/round_boxes.h"
+
+namespace kerf::python {
+namespace {
+
+namespace py = pybind11;
+
+[[noreturn]] void fail(const std::string& what, const std::string& problem) {
+  throw py::value_error(what + ": " + problem);
+}
+
+std::string dtype_text(const py::array& array) { return py::str(array.dtype()); }
+
+/// The first row of 2 x D numbers that is no box.
+template <class Number>
+std::optional<std::size_t> first_bad_row(const Number* numbers, std::size_t rows, std::size_t dimension) {
+  const std::size_t row_size = 2 * dimension;
+  bool good = true;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t i = 0; i < dimension; ++i)
+      good &= numbers[row * row_size + i] <= numbers[row * row_size + dimension + i];
+  if (good) return std::nullopt;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t i = 0; i < dimension; ++i)
+      if (!(numbers[row * row_size + i] <= numbers[row * row_size + dimension + i])) return row;
+  return std::nullopt;
+}
+
+/// What is wrong with a box.
+template <class Number>
+std::string fault_of(const Number* box, std::size_t dimension) {
+  if (std::any_of(box, box + 2 * dimension, [](Number x) { return std::isnan(x); }))
+    return "has a NaN; leave such objects out, or give them a box of their own";
+  for (std::size_t i = 0; i < dimension; ++i)
+    if (box[i] > box[dimension + i])
+      return "has its lower corner above its upper one on axis " + std::to_string(i) + " (" +
+             std::to_string(box[i]) + " > " + std::to_string(box[dimension + i]) +
+             "); a row is [[min_x, ...], [max_x, ...]]";
+  return "is no box";
+}
+
+template <class Number>
+void check_rows(const Number* numbers, std::size_t rows, int dimension, const std::string& what) {
+  const auto size = static_cast<std::size_t>(dimension);
+  if (const auto row = first_bad_row(numbers, rows, size))
+    fail(what, "row " + std::to_string(*row) + " " + fault_of(numbers + *row * 2 * size, size));
+}
+
+/// Doubles hold whole numbers up to 2^53.
+void check_whole_numbers(std::span<const double> numbers, std::size_t row_size, const std::string& what) {
+  constexpr double kLimit = 9'007'199'254'740'992.0;
+  const auto large = std::ranges::find_if(numbers, [](double x) { return std::abs(x) >= kLimit; });
+  if (large == numbers.end()) return;
+  const auto row = static_cast<std::size_t>(large - numbers.begin()) / row_size;
+  fail(what,
+       "row " + std::to_string(row) +
+           " has a whole number beyond 2^53, which is not exact in float64; convert the array yourself");
+}
+
+void check_number_type(const py::array& array, const std::string& what) {
+  const char kind = array.dtype().kind();
+  const bool real = kind == 'f' || kind == 'i' || kind == 'u';
+  if (!real || array.itemsize() > 8)
+    fail(what, "the dtype is " + dtype_text(array) + "; give float32, float64 or whole numbers");
+}
+
+}  // namespace
+
+py::array as_array(const py::handle& given, const std::string& what) {
+  py::array array = py::array::ensure(given);
+  if (array) return array;
+  PyErr_Clear();
+  fail(what, "this is no array of numbers");
+}
+
+std::string shape_text(const py::array& array) { return py::str(py::tuple(py::object(array.attr("shape")))); }
+
+void check_box_shape(const py::array& array, int dimension, const std::string& what) {
+  if (array.ndim() == 3 && array.shape(1) == 2 && array.shape(2) == dimension) return;
+  if (array.ndim() == 1 && array.size() == 0) return;
+  const std::string d = std::to_string(dimension);
+  std::string problem = "the shape is " + shape_text(array) + ", but must be (n, 2, " + d +
+                        "): n rows of a lower and an upper corner";
+  if (array.ndim() == 2 && array.shape(1) == 2 * dimension)
+    problem += "; rows of min_x, ..., max_x, ... become that by .reshape(-1, 2, " + d + ")";
+  fail(what, problem);
+}
+
+template <int D>
+BoxRows<D>::BoxRows(const py::handle& given, const std::string& what) {
+  static_assert(sizeof(Box<D>) == 2 * D * sizeof(float));
+  const py::array array = as_array(given, what);
+  check_box_shape(array, D, what);
+  check_number_type(array, what);
+  if (array.size() == 0) return;
+  if (array.dtype().kind() == 'f' && array.itemsize() == sizeof(float)) {
+    take_floats(array, what);
+  } else {
+    take_doubles(array, what);
+  }
+}
+
+template <int D>
+void BoxRows<D>::take_floats(const py::array& array, const std::string& what) {
+  const auto floats = py::array_t<float, kInOrder>::ensure(array);
+  if (!floats) throw py::error_already_set();
+  const auto rows = static_cast<std::size_t>(floats.shape(0));
+  check_rows(floats.data(), rows, D, what);
+  held_ = floats;
+  boxes_ = {reinterpret_cast<const Box<D>*>(floats.data()), rows};
+}
+
+template <int D>
+void BoxRows<D>::take_doubles(const py::array& array, const std::string& what) {
+  const auto doubles = py::array_t<double, kInOrder>::ensure(array);
+  if (!doubles) throw py::error_already_set();
+  const std::span<const double> numbers(doubles.data(), static_cast<std::size_t>(doubles.size()));
+  const std::size_t rows = numbers.size() / (2 * D);
+  check_rows(numbers.data(), rows, D, what);
+  if (array.dtype().kind() != 'f') check_whole_numbers(numbers, 2 * D, what);
+  rounded_.resize(rows);
+  round_boxes<D>(numbers, rounded_);
+  boxes_ = rounded_;
+}
+
+IdRows::IdRows(const py::handle& given, const std::string& what) {
+  const py::array array = as_array(given, what);
+  if (array.size() == 0 && array.ndim() <= 1) return;
+  const char kind = array.dtype().kind();
+  if (array.ndim() != 1)
+    fail(what, "the shape is " + shape_text(array) + ", but must be (n,): one id for each row");
+  if (kind != 'i' && kind != 'u') fail(what, "the dtype is " + dtype_text(array) + "; ids are whole numbers");
+  const auto take = [&](const auto& numbers) {
+    ids_.reserve(static_cast<std::size_t>(numbers.size()));
+    for (py::ssize_t row = 0; row < numbers.size(); ++row) {
+      const auto id = numbers.data()[row];
+      if (id < 0 || static_cast<std::uint64_t>(id) >= ObjectId::none().value)
+        fail(what,
+             "row " + std::to_string(row) + " is " + std::to_string(id) + "; ids go from 0 to 2^32 - 2");
+      ids_.push_back({static_cast<std::uint32_t>(id)});
+    }
+  };
+  if (kind == 'u') {
+    take(py::array_t<std::uint64_t, kInOrder>(array));
+  } else {
+    take(py::array_t<std::int64_t, kInOrder>(array));
+  }
+}
+
+std::vector<std::uint8_t> flag_rows(const py::handle& given, std::size_t count, const std::string& what) {
+  const py::array array = as_array(given, what);
+  const bool single = array.ndim() == 0;
+  if (array.dtype().kind() != 'b') fail(what, "the dtype is " + dtype_text(array) + ", but must be bool");
+  if (!single && (array.ndim() != 1 || static_cast<std::size_t>(array.size()) != count))
+    fail(what, "the shape is " + shape_text(array) + ", but must be (" + std::to_string(count) +
+                   ",), or one bool for all rows");
+  const py::array_t<bool, kInOrder> flags(array);
+  std::vector<std::uint8_t> all(count);
+  for (std::size_t row = 0; row < count; ++row) all[row] = flags.data()[single ? 0 : row] ? 1 : 0;
+  return all;
+}
+
+py::array read_only(py::array array) {
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
+}
+
+py::array pair_array(std::span<const Pair> pairs) {
+  static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
+  py::array_t<std::uint32_t> array({static_cast<py::ssize_t>(pairs.size()), py::ssize_t{2}});
+  std::memcpy(array.mutable_data(), pairs.data(), pairs.size_bytes());
+  return read_only(std::move(array));
+}
+
+py::array id_array(std::span<const ObjectId> ids) {
+  py::array_t<std::uint32_t> array(static_cast<py::ssize_t>(ids.size()));
+  std::memcpy(array.mutable_data(), ids.data(), ids.size_bytes());
+  return read_only(std::move(array));
+}
+
+template <int D>
+py::array box_array(std::span<const Box<D>> boxes) {
+  py::array_t<float> array({static_cast<py::ssize_t>(boxes.size()), py::ssize_t{2}, py::ssize_t{D}});
+  std::memcpy(array.mutable_data(), boxes.data(), boxes.size_bytes());
+  return array;
+}
+
+template class BoxRows<2>;
+template class BoxRows<3>;
+template py::array box_array<2>(std::span<const Box<2>>);
+template py::array box_array<3>(std::span<const Box<3>>);
+
+}  // namespace kerf::python

@@ -1,0 +1,120 @@
+#include <pybind11/stl/filesystem.h>
+
+#include "frames/python/bindings.h"
+#include "frames/python/broad_phase.h"
+#include "frames/python/config_from.h"
+
+namespace kerf::python {
+namespace {
+
+namespace py = pybind11;
+
+constexpr const char* kBroadPhaseClass = R"(Reports which of n boxes overlap, step by step: Kerf's tree.
+
+Boxes are closed: those that touch are a pair. Pairs are exact for the boxes in float32: each overlap once, none
+missed. float64 boxes and whole numbers are rounded outward to float32, so nothing is missed, and boxes that are
+apart by less than float32 can tell are a pair. Infinite bounds become the largest float32.
+
+    phase = kerf.BroadPhase(3)
+    ids = phase.insert(boxes)          # (n, 2, 3): lower and upper corners
+    pairs = phase.step(boxes + 0.1)    # (m, 2) uint32: ids, the smaller one first
+
+dimension    2 or 3
+tree         'kerf', the fastest parameters known, or 'kerf-paper', those of the paper
+config       parameters that differ: a dict, or 'name=value,...' (`kerf render --help` lists them)
+threads      how many share the work of a step; pairs and their order are the same for any number
+changes      True: each step also finds the pairs that begin and end
+record       a file: also records the run, for kerf.Recording and `kerf debug`; close() completes it
+
+An object is used by one thread at a time; step() lets other threads of Python run meanwhile.)";
+
+constexpr const char* kInsert = R"(Adds objects, one for each row, and returns their ids, (n,) uint32.
+
+boxes   (n, 2, d): rows of a lower and an upper corner
+ids     (n,) whole numbers that no object has; None: the smallest that are free
+fixed   bool, or (n,) bool: two fixed objects are never a pair
+
+Raises ValueError that names the row; then nothing has been added.)";
+
+constexpr const char* kMove = R"(Gives objects new boxes; pairs follow in the next step.
+
+boxes   (n, 2, d): rows of a lower and an upper corner
+ids     (n,) whole numbers; None: a row for each object, in the order of .ids
+
+Raises ValueError that names the row; then nothing has moved.)";
+
+constexpr const char* kRemove = R"(Removes objects; their ids are free again.
+
+ids   (n,) whole numbers, none of them twice
+
+Raises ValueError that names the row; then nothing has been removed.)";
+
+constexpr const char* kStep = R"(Brings the tree up to date and returns the pairs: (m, 2) uint32, read-only.
+
+boxes   (n, 2, d): moves all objects first, as move(boxes) does; None: none
+
+Each pair comes once, the smaller id first, in an order that is the same in every run.)";
+
+std::unique_ptr<PythonBroadPhase> make(int dimension, const std::string& tree, const py::object& config,
+                                       unsigned threads, bool changes, const py::object& record) {
+  BroadPhaseOptions options{config_from(config_of_tree(tree), config), threads, changes};
+  if (!record.is_none()) options.record = record.cast<std::filesystem::path>();
+  return make_broad_phase(dimension, options);
+}
+
+std::string text_of(const PythonBroadPhase& phase) {
+  return "<kerf.BroadPhase: " + std::to_string(phase.dimension()) + "D, " + std::to_string(phase.size()) +
+         " objects, " + std::to_string(phase.steps()) + " steps>";
+}
+
+void bind_results(py::class_<PythonBroadPhase>& type) {
+  using Phase = PythonBroadPhase;
+  type.def_property_readonly("pairs", &Phase::pairs, "The pairs of the last step: (m, 2) uint32, read-only.")
+      .def_property_readonly(
+          "begun", &Phase::begun,
+          "Pairs of the last step that the one before did not have, in ascending order: (m, 2) "
+          "uint32. Needs changes=True.")
+      .def_property_readonly(
+          "ended", &Phase::ended,
+          "Pairs of the step before that the last one does not have, in ascending order: (m, 2) "
+          "uint32. Needs changes=True.")
+      .def_property_readonly(
+          "ids", &Phase::ids,
+          "The ids of all objects, ascending: (n,) uint32. Row k of boxes belongs to ids[k].")
+      .def_property_readonly("boxes", &Phase::boxes,
+                             "The boxes as they are taken, in the order of .ids: (n, 2, d) float32.")
+      .def_property_readonly("fixed", &Phase::fixed,
+                             "Which objects are fixed, in the order of .ids: (n,) bool.")
+      .def_property_readonly(
+          "statistics", &Phase::statistics,
+          "The tree after the last step: objects, leaves, height, entries, redundancy, operators "
+          "since the beginning, and the seconds of each phase of the last step.");
+}
+
+}  // namespace
+
+void bind_broad_phase(py::module_& module) {
+  using Phase = PythonBroadPhase;
+  py::class_<Phase> type(module, "BroadPhase", kBroadPhaseClass);
+  type.def(py::init(&make), py::arg("dimension"), py::kw_only(), py::arg("tree") = "kerf",
+           py::arg("config") = py::none(), py::arg("threads") = 1, py::arg("changes") = false,
+           py::arg("record") = py::none())
+      .def("insert", &Phase::insert, py::arg("boxes"), py::kw_only(), py::arg("ids") = py::none(),
+           py::arg("fixed") = false, kInsert)
+      .def("move", &Phase::move, py::arg("boxes"), py::arg("ids") = py::none(), kMove)
+      .def("remove", &Phase::remove, py::arg("ids"), kRemove)
+      .def("step", &Phase::step, py::arg("boxes") = py::none(), kStep)
+      .def("close", &Phase::close, "Completes the recording, if there is one: the file then has its name.")
+      .def("__len__", &Phase::size)
+      .def("__repr__", &text_of)
+      .def("__enter__", [](const py::object& self) { return self; })
+      .def("__exit__", [](Phase& phase, const py::args&) { phase.close(); })
+      .def_property_readonly("dimension", &Phase::dimension, "2 or 3.")
+      .def_property_readonly("steps", &Phase::steps, "Steps done so far.")
+      .def_property_readonly(
+          "config", [](const Phase& phase) { return config_dict(phase.config()); },
+          "All parameters of the tree, by name.");
+  bind_results(type);
+}
+
+}  // namespace kerf::python

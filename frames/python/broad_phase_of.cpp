@@ -1,0 +1,222 @@
+#include "frames/python/broad_phase_of.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "frames/python/arrays.h"
+#include "frames/python/statistics.h"
+#include "frames/python/use_once.h"
+#include "viz/draw/recorded_bodies.h"
+
+namespace kerf::python {
+namespace {
+
+namespace py = pybind11;
+
+/// Whatever core refuses has been refused before, but for numbers that are far too high.
+void check_dense(std::span<const ObjectId> ids, std::size_t present) {
+  const std::size_t limit = kFreeIds + 4 * present;
+  const auto sparse = std::ranges::find_if(ids, [&](ObjectId id) { return id.index() >= limit; });
+  if (sparse == ids.end()) return;
+  throw py::value_error("ids: row " + std::to_string(sparse - ids.begin()) + " is " +
+                        std::to_string(sparse->value) +
+                        ", but memory grows with the highest id, so ids below " + std::to_string(limit) +
+                        " are taken; number the objects anew, or leave ids out");
+}
+
+[[noreturn]] void fail_at(std::size_t row, ObjectId id, const char* problem) {
+  throw py::value_error("ids: row " + std::to_string(row) + " is " + std::to_string(id.value) + ", " +
+                        problem);
+}
+
+/// Throws ValueError for an id that comes twice.
+void check_once(std::span<const ObjectId> ids) {
+  std::vector<std::pair<ObjectId, std::size_t>> sorted;
+  for (std::size_t row = 0; row < ids.size(); ++row) sorted.emplace_back(ids[row], row);
+  std::ranges::sort(sorted);
+  const auto twice =
+      std::ranges::adjacent_find(sorted, [](const auto& a, const auto& b) { return a.first == b.first; });
+  if (twice != sorted.end()) fail_at((twice + 1)->second, twice->first, "which an earlier row is, too");
+}
+
+}  // namespace
+
+template <int D>
+BroadPhaseOf<D>::BroadPhaseOf(const BroadPhaseOptions& options)
+    : config_(options.config), run_(options.config, options.record) {
+  run_.set_threads(options.threads);
+  if (options.changes) changes_.emplace();
+}
+
+template <int D>
+std::vector<ObjectId> BroadPhaseOf<D>::new_ids(const py::handle& given, std::size_t rows) const {
+  if (given.is_none()) return ids_.free(rows);
+  const IdRows ids(given, "ids");
+  if (ids.size() != rows)
+    throw py::value_error("ids: there are " + std::to_string(ids.size()) + " for " + std::to_string(rows) +
+                          " boxes");
+  check_dense(ids.all(), ids_.size());
+  for (std::size_t row = 0; row < rows; ++row)
+    if (ids_.has(ids.all()[row])) fail_at(row, ids.all()[row], "which is present already: move it instead");
+  check_once(ids.all());
+  return {ids.all().begin(), ids.all().end()};
+}
+
+template <int D>
+std::vector<ObjectId> BroadPhaseOf<D>::present_ids(const py::handle& given, std::size_t rows) const {
+  const IdRows ids(given, "ids");
+  if (ids.size() != rows)
+    throw py::value_error("ids: there are " + std::to_string(ids.size()) + " for " + std::to_string(rows) +
+                          " boxes");
+  for (std::size_t row = 0; row < rows; ++row)
+    if (!ids_.has(ids.all()[row]))
+      fail_at(row, ids.all()[row], "but there is no such object: insert it first");
+  return {ids.all().begin(), ids.all().end()};
+}
+
+template <int D>
+py::array BroadPhaseOf<D>::insert(const py::handle& boxes, const py::handle& ids, const py::handle& fixed) {
+  const UseOnce use(in_use_);
+  BroadPhase<D>& broad_phase = run_.broad_phase();
+  const BoxRows<D> rows(boxes, "boxes");
+  const std::vector<std::uint8_t> is_fixed = flag_rows(fixed, rows.size(), "fixed");
+  const std::vector<ObjectId> inserted = new_ids(ids, rows.size());
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    (void)broad_phase.insert(inserted[row], rows.all()[row],
+                             is_fixed[row] != 0 ? Mobility::fixed : Mobility::moving);
+  ids_.add(inserted);
+  return id_array(inserted);
+}
+
+template <int D>
+void BroadPhaseOf<D>::move(const py::handle& boxes, const py::handle& ids) {
+  const UseOnce use(in_use_);
+  BroadPhase<D>& broad_phase = run_.broad_phase();
+  const BoxRows<D> rows(boxes, "boxes");
+  if (!ids.is_none()) {
+    (void)broad_phase.move_many(present_ids(ids, rows.size()), rows.all());
+    return;
+  }
+  if (rows.size() != ids_.size())
+    throw py::value_error("boxes: there are " + std::to_string(rows.size()) + " rows for " +
+                          std::to_string(ids_.size()) +
+                          " objects; give a row for each, in the order of .ids, or say which ones by ids=");
+  (void)broad_phase.move_many(ids_.all(), rows.all());
+}
+
+template <int D>
+void BroadPhaseOf<D>::remove(const py::handle& ids) {
+  const UseOnce use(in_use_);
+  BroadPhase<D>& broad_phase = run_.broad_phase();
+  const IdRows rows(ids, "ids");
+  const std::vector<ObjectId> removed = present_ids(ids, rows.size());
+  check_once(removed);
+  for (const ObjectId id : removed) (void)broad_phase.remove(id);
+  ids_.remove(removed);
+}
+
+template <int D>
+py::array BroadPhaseOf<D>::step(const py::handle& boxes) {
+  if (!boxes.is_none()) move(boxes, py::none());
+  const UseOnce use(in_use_);
+  {
+    const py::gil_scoped_release others_run;
+    run_.step();
+    if (changes_) changes_->update(run_.pairs());
+  }
+  pairs_ = pair_array(run_.pairs());
+  return pairs_;
+}
+
+template <int D>
+py::array BroadPhaseOf<D>::pairs() {
+  const UseOnce use(in_use_);
+  if (!pairs_) pairs_ = pair_array(run_.pairs());
+  return pairs_;
+}
+
+template <int D>
+const PairChanges& BroadPhaseOf<D>::changes() const {
+  if (!changes_)
+    throw std::runtime_error(
+        "begun and ended pairs cost time, so they are found only by BroadPhase(..., changes=True)");
+  return *changes_;
+}
+
+template <int D>
+py::array BroadPhaseOf<D>::begun() const {
+  const UseOnce use(in_use_);
+  return pair_array(changes().begun());
+}
+
+template <int D>
+py::array BroadPhaseOf<D>::ended() const {
+  const UseOnce use(in_use_);
+  return pair_array(changes().ended());
+}
+
+template <int D>
+py::array BroadPhaseOf<D>::ids() const {
+  const UseOnce use(in_use_);
+  return id_array(ids_.all());
+}
+
+template <int D>
+py::array BroadPhaseOf<D>::boxes() const {
+  const UseOnce use(in_use_);
+  std::vector<Box<D>> all;
+  std::ranges::transform(ids_.all(), std::back_inserter(all),
+                         [&](ObjectId id) { return run_.objects().box(id); });
+  return box_array<D>(all);
+}
+
+template <int D>
+py::array BroadPhaseOf<D>::fixed() const {
+  const UseOnce use(in_use_);
+  py::array_t<bool> flags(static_cast<py::ssize_t>(ids_.size()));
+  std::ranges::transform(ids_.all(), flags.mutable_data(),
+                         [&](ObjectId id) { return run_.objects().is_fixed(id); });
+  return flags;
+}
+
+template <int D>
+py::dict BroadPhaseOf<D>::statistics() const {
+  const UseOnce use(in_use_);
+  return statistics_dict(run_.statistics());
+}
+
+template <int D>
+py::array BroadPhaseOf<D>::picture(const PictureOptions& options) const {
+  const UseOnce use(in_use_);
+  const std::vector<Body<D>> bodies = recorded_bodies(run_.objects());
+  FrameInput<D> input;
+  input.bodies = bodies;
+  input.tree = &run_.tree();
+  input.pairs = run_.pairs();
+  input.caption.scene = "python";
+  input.caption.broad_phase = "kerf";
+  input.caption.step = run_.steps();
+  input.caption.objects = run_.objects().size();
+  input.caption.moving = count_moving(run_.objects());
+  input.caption.pairs = run_.pairs().size();
+  input.caption.statistics = run_.statistics();
+  input.caption.knows_contacts = false;
+  return draw(input, options);
+}
+
+template <int D>
+void BroadPhaseOf<D>::close() {
+  const UseOnce use(in_use_);
+  run_.close();
+}
+
+template class BroadPhaseOf<2>;
+template class BroadPhaseOf<3>;
+
+std::unique_ptr<PythonBroadPhase> make_broad_phase(int dimension, const BroadPhaseOptions& options) {
+  if (dimension == 2) return std::make_unique<BroadPhaseOf<2>>(options);
+  if (dimension == 3) return std::make_unique<BroadPhaseOf<3>>(options);
+  throw py::value_error("dimension: it is " + std::to_string(dimension) + ", but must be 2 or 3");
+}
+
+}  // namespace kerf::python

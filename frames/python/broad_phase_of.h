@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/broad_phase/pair_changes.h"
+#include "frames/python/broad_phase.h"
+#include "frames/python/id_pool.h"
+#include "frames/python/run.h"
+
+namespace kerf::python {
+
+/// `kerf.BroadPhase` of one dimension.
+template <int D>
+class BroadPhaseOf final : public PythonBroadPhase {
+ public:
+  explicit BroadPhaseOf(const BroadPhaseOptions& options);
+
+  [[nodiscard]] int dimension() const override { return D; }
+  pybind11::array insert(const pybind11::handle& boxes, const pybind11::handle& ids,
+                         const pybind11::handle& fixed) override;
+  void move(const pybind11::handle& boxes, const pybind11::handle& ids) override;
+  void remove(const pybind11::handle& ids) override;
+  pybind11::array step(const pybind11::handle& boxes) override;
+
+  [[nodiscard]] pybind11::array pairs() override;
+  [[nodiscard]] pybind11::array begun() const override;
+  [[nodiscard]] pybind11::array ended() const override;
+  [[nodiscard]] pybind11::array ids() const override;
+  [[nodiscard]] pybind11::array boxes() const override;
+  [[nodiscard]] pybind11::array fixed() const override;
+  [[nodiscard]] std::size_t size() const override { return ids_.size(); }
+  [[nodiscard]] std::uint32_t steps() const override { return run_.steps(); }
+  [[nodiscard]] pybind11::dict statistics() const override;
+  [[nodiscard]] const Config& config() const override { return config_; }
+  [[nodiscard]] pybind11::array picture(const PictureOptions& options) const override;
+  void close() override;
+
+ private:
+  [[nodiscard]] std::vector<ObjectId> new_ids(const pybind11::handle& given, std::size_t rows) const;
+  [[nodiscard]] std::vector<ObjectId> present_ids(const pybind11::handle& given, std::size_t rows) const;
+  [[nodiscard]] const PairChanges& changes() const;
+
+  Config config_;
+  Run<D> run_;
+  IdPool ids_;
+  std::optional<PairChanges> changes_;  ///< none: they were not asked for
+  pybind11::object pairs_;              ///< of the last step, as an array; null until they are asked for
+  mutable bool in_use_ = false;
+};
+
+}  // namespace kerf::python

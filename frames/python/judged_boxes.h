@@ -1,0 +1,48 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/ids.h"
+
+namespace kerf::python {
+
+/// Whether boxes that touch and do not overlap further are a pair.
+enum class Touching : std::uint8_t {
+  pair,    ///< they are: boxes are closed, the rule of Kerf
+  none,    ///< they are not: boxes are open
+  either,  ///< both answers are right
+};
+
+/// Two rows as a function of Python's reported them; they may be none that exist.
+using RowPair = std::array<std::int64_t, 2>;
+
+/// What is wrong with reported pairs; each list is sorted.
+struct RowFaults {
+  std::vector<RowPair> missed;
+  std::vector<RowPair> invented;  ///< rows that do not exist, and rows with themselves, among them
+  std::vector<RowPair> doubled;   ///< once for each further time
+  [[nodiscard]] bool any() const { return !missed.empty() || !invented.empty() || !doubled.empty(); }
+};
+
+/// The right answer for an array of boxes.
+struct RowTruth {
+  std::size_t rows = 0;
+  std::vector<Pair> required;  ///< sorted
+  std::vector<Pair> allowed;   ///< sorted; the required ones among them
+};
+
+/// By brute force, in the precision of the array: (n, 2, d) float32 or float64 in C order, without NaN.
+RowTruth true_pairs(const pybind11::array& boxes, Touching touching);
+
+/// The order of pairs, and of the two rows of one, does not matter.
+RowFaults judge_rows(const std::vector<RowPair>& reported, const RowTruth& truth);
+
+/// The pairs that a function returned: an (m, 2) array of whole numbers, or any iterable of two each. Throws
+/// ValueError for anything else.
+std::vector<RowPair> reported_pairs(const pybind11::object& returned);
+
+}  // namespace kerf::python

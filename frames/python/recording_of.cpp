@@ -1,0 +1,312 @@
+#include "frames/python/recording_of.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "core/query/explain_event.h"
+#include "core/query/explain_node.h"
+#include "core/query/explain_pair.h"
+#include "core/query/minimize.h"
+#include "core/replay/what_if.h"
+#include "frames/python/arrays.h"
+#include "frames/python/config_from.h"
+#include "frames/python/errors.h"
+#include "frames/python/interrupts.h"
+#include "frames/python/recorded_rows.h"
+#include "frames/sequence/part_recording.h"
+#include "frames/sequence/recording_file.h"
+#include "frames/sequence/recording_picture.h"
+
+namespace kerf::python {
+namespace {
+
+namespace py = pybind11;
+
+template <int D>
+py::array given_array(const GivenBox<D>& box) {
+  py::array_t<double> array({py::ssize_t{2}, py::ssize_t{D}});
+  std::ranges::copy(box.max, std::ranges::copy(box.min, array.mutable_data()).out);
+  return array;
+}
+
+template <int D>
+PairWhy python_why(const PairExplanation<D>& found, const GivenNames& names) {
+  PairWhy why;
+  why.step = found.step;
+  why.a = found.pair.a.value;
+  why.b = found.pair.b.value;
+  why.is_pair = found.is_pair;
+  why.reported = found.reported;
+  why.boxes_overlap = found.boxes_overlap;
+  why.both_fixed = found.both_fixed;
+  why.axis = found.axis;
+  why.margin = found.margin;
+  why.a_box = given_array(found.a_box);
+  why.b_box = given_array(found.b_box);
+  if (found.shared_leaf) why.leaf = found.shared_leaf->value;
+  if (found.shared_since) why.since = found.shared_since->id;
+  std::ranges::transform(found.history, std::back_inserter(why.changes), &PairChange::step);
+  why.text = to_text(found, names);
+  return why;
+}
+
+}  // namespace
+
+template <int D>
+RecordingOf<D>::RecordingOf(const std::filesystem::path& path)
+    : path_(path), reader_(of_recording([&] { return std::make_shared<RecordingReader<D>>(path); })) {}
+
+/// Calls `work` while nothing else uses the recording and Python's other threads run.
+template <int D>
+template <class Work>
+auto RecordingOf<D>::undisturbed(Work work) {
+  const UseOnce use(in_use_);
+  const py::gil_scoped_release others_run;
+  return of_recording(work);
+}
+
+template <int D>
+void RecordingOf<D>::check_step(std::uint32_t step) const {
+  if (step > steps())
+    throw RecordingError("the recording ends with step " + std::to_string(steps()) + ", before step " +
+                         std::to_string(step));
+}
+
+template <int D>
+const ObjectTable<D>& RecordingOf<D>::objects_at(std::uint32_t step) {
+  check_step(step);
+  if (!replayer_) replayer_.emplace(reader_);
+  if (replayer_->step() != step) replayer_->seek(step);
+  return replayer_->tree().objects();
+}
+
+template <int D>
+std::vector<ObjectId> RecordingOf<D>::ids_at(std::uint32_t step) {
+  const ObjectTable<D>& objects = objects_at(step);
+  std::vector<ObjectId> ids;
+  for (std::uint32_t id = 0; id < objects.bound(); ++id)
+    if (objects.is_placed({id})) ids.push_back({id});
+  return ids;
+}
+
+template <int D>
+py::array RecordingOf<D>::rows() const {
+  return step_array(reader_->rows());
+}
+
+template <int D>
+py::array RecordingOf<D>::events(std::uint32_t first, std::uint32_t last) {
+  Interrupts interrupts;
+  const auto found = undisturbed([&] {
+    check_step(last);
+    std::vector<PythonEvent> events;
+    for (std::uint32_t step = std::max(first, 1U); step <= last && !interrupts.requested(); ++step)
+      std::ranges::transform(reader_->step(step).events, std::back_inserter(events),
+                             [](const Event& event) { return to_python(event); });
+    return events;
+  });
+  interrupts.rethrow();
+  return py::array_t<PythonEvent>(static_cast<py::ssize_t>(found.size()), found.data());
+}
+
+template <int D>
+py::array RecordingOf<D>::pairs(std::uint32_t step) {
+  return pair_array(undisturbed([&] {
+    (void)objects_at(step);
+    return replayer_->tree().pairs();
+  }));
+}
+
+template <int D>
+py::array RecordingOf<D>::their_pairs(std::uint32_t step) {
+  return pair_array(undisturbed([&] {
+    check_step(step);
+    if (!reader_->their_step(step))
+      throw RecordingError(
+          "the recording has no pairs of another engine: only what `kerf import --pairs` makes has");
+    return reader_->their_pairs(step);
+  }));
+}
+
+template <int D>
+py::array RecordingOf<D>::ids(std::uint32_t step) {
+  return id_array(undisturbed([&] { return ids_at(step); }));
+}
+
+template <int D>
+py::array RecordingOf<D>::boxes(std::uint32_t step) {
+  return box_array<D>(undisturbed([&] {
+    const std::vector<ObjectId> ids = ids_at(step);
+    std::vector<Box<D>> boxes;
+    std::ranges::transform(ids, std::back_inserter(boxes),
+                           [&](ObjectId id) { return replayer_->tree().objects().box(id); });
+    return boxes;
+  }));
+}
+
+template <int D>
+py::array RecordingOf<D>::fixed(std::uint32_t step) {
+  const std::vector<ObjectId> ids = undisturbed([&] { return ids_at(step); });
+  py::array_t<bool> flags(static_cast<py::ssize_t>(ids.size()));
+  std::ranges::transform(ids, flags.mutable_data(),
+                         [&](ObjectId id) { return replayer_->tree().objects().is_fixed(id); });
+  return flags;
+}
+
+template <int D>
+std::string RecordingOf<D>::describe(std::uint64_t event) {
+  return undisturbed([&] { return kerf::describe(reader_->event(event), info().names); });
+}
+
+template <int D>
+std::optional<Position> RecordingOf<D>::find(const std::string& condition, const Position& from,
+                                             bool backward) {
+  const Expression expression = Expression::parse(condition);
+  Interrupts interrupts;
+  const auto found = undisturbed([&] {
+    if (!search_) search_.emplace(reader_);
+    const auto progress = [&](std::uint32_t) { return !interrupts.requested(); };
+    return backward ? search_->backward(expression, from, progress)
+                    : search_->forward(expression, from, progress);
+  });
+  interrupts.rethrow();
+  return found;
+}
+
+template <int D>
+py::array RecordingOf<D>::values(const std::string& text) {
+  const Expression expression = Expression::parse_value(text);
+  if (expression.asks_events())
+    throw py::value_error("expression: '" + text + "' is about single events, and values are those of steps");
+  Interrupts interrupts;
+  const auto values = undisturbed([&] {
+    if (!search_) search_.emplace(reader_);
+    std::vector<double> found;
+    for (std::uint32_t step = 1; step <= steps() && !interrupts.requested(); ++step)
+      found.push_back(search_->value(expression, Position::end_of(step)));
+    return found;
+  });
+  interrupts.rethrow();
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+template <int D>
+PairWhy RecordingOf<D>::why(std::uint32_t a, std::uint32_t b, std::uint32_t step) {
+  if (a == b) throw py::value_error("b: an object makes no pair with itself");
+  return python_why(undisturbed([&] {
+                      const ObjectTable<D>& objects = objects_at(step);
+                      for (const std::uint32_t id : {a, b})
+                        if (id >= objects.bound())
+                          throw RecordingError("the recording has no object " + info().names.object({id}) +
+                                               " up to step " + std::to_string(step));
+                      return explain_pair(*replayer_, step, make_pair(ObjectId{a}, ObjectId{b}));
+                    }),
+                    info().names);
+}
+
+template <int D>
+std::string RecordingOf<D>::why_event(std::uint64_t event) {
+  return undisturbed([&] {
+    if (!replayer_) replayer_.emplace(reader_);
+    return to_text(explain_event(*replayer_, event), info().names);
+  });
+}
+
+template <int D>
+std::string RecordingOf<D>::why_node(std::uint32_t node, std::uint32_t step) {
+  return undisturbed([&] {
+    (void)objects_at(step);
+    return to_text(explain_node(*replayer_, step, NodeId{node}), info().names);
+  });
+}
+
+template <int D>
+void RecordingOf<D>::what_if(const WhatIf& change, const std::filesystem::path& out, bool overwrite) {
+  RecordingInfo changed = info();
+  const Config config = config_from(config_of(info(), change.first), change.config);
+  Interrupts interrupts;
+  undisturbed([&] {
+    if (!replayer_) replayer_.emplace(reader_);
+    if (change.refuse) decide(changed, *replayer_, *change.refuse);
+    if (change.take) decide(changed, *replayer_, change.take->first, change.take->second);
+    if (config != config_of(info(), change.first)) change_config(changed, *reader_, change.first, config);
+    PartRecording part(out, replace_if(overwrite));
+    if (rerun(*reader_, changed, part.path(), [&] { return interrupts.requested(); })) part.keep();
+  });
+  interrupts.rethrow();
+}
+
+template <int D>
+void RecordingOf<D>::minimize(const StillHolds& holds, std::uint32_t last, const std::filesystem::path& out,
+                              bool overwrite) {
+  Interrupts interrupts;
+  undisturbed([&] {
+    if (!replayer_) replayer_.emplace(reader_);
+    const auto fails = [&](const Scenario<D>& scenario) {
+      if (interrupts.requested()) interrupts.rethrow();
+      const PartRecording trial(out, Replace::earlier);
+      record(scenario, trial.path());
+      return holds(trial.path());
+    };
+    const Scenario<D> late = start_late<D>(*replayer_, last, fails);
+    const Scenario<D> small = kerf::minimize<D>(late, fails);
+    PartRecording part(out, replace_if(overwrite));
+    record(small, part.path());
+    part.keep();
+  });
+}
+
+template <int D>
+RecordingComparison RecordingOf<D>::compare(PythonRecording& other) {
+  auto* const same = dynamic_cast<RecordingOf<D>*>(&other);
+  if (same == nullptr)
+    throw py::value_error("other: one recording is in 2D and one in 3D, so there is nothing to compare");
+  if (same == this) {  // two readers, since each keeps what it read last
+    RecordingOf<D> again(path_);
+    return compare(again);
+  }
+  const UseOnce use(same->in_use_);
+  return undisturbed([&] { return kerf::compare(*reader_, *same->reader_); });
+}
+
+template <int D>
+py::array RecordingOf<D>::picture(const Position& at, const PictureOptions& options) {
+  const FrameOptions frame = frame_options(options);
+  std::optional<FrameRenderer<D>> renderer;  // the picture is its own
+  const Image* const image = undisturbed([&] {
+    check_step(at.step);
+    Cursor<D> cursor(reader_);
+    cursor.go(at);
+    renderer.emplace(frame);
+    return &render_moment(cursor, *renderer);
+  });
+  return rgb_array(*image);
+}
+
+template <int D>
+Position RecordingOf<D>::position_of(std::uint64_t event) const {
+  const auto step = reader_->step_of(event);
+  if (!step) throw RecordingError("the recording ends before event " + std::to_string(event));
+  return {*step, event};
+}
+
+std::unique_ptr<PythonRecording> open_recording(const std::filesystem::path& path) {
+  const int dimension = of_recording([&] { return read_recording_info(path).dimension; });
+  if (dimension == 2) return std::make_unique<RecordingOf<2>>(path);
+  return std::make_unique<RecordingOf<3>>(path);
+}
+
+Verdict verify_recording(const std::filesystem::path& path, std::uint32_t oracle_every) {
+  Interrupts interrupts;
+  const Verdict verdict = [&] {
+    const py::gil_scoped_release others_run;
+    return of_recording(
+        [&] { return verify(path, oracle_every, [&](std::uint32_t) { return !interrupts.requested(); }); });
+  }();
+  interrupts.rethrow();
+  return verdict;
+}
+
+}  // namespace kerf::python

@@ -1,0 +1,68 @@
+#include "frames/python/run.h"
+
+#include <stdexcept>
+
+namespace kerf::python {
+namespace {
+
+template <int D>
+RecordingInfo info_of(const Config& config) {
+  RecordingInfo info;
+  info.dimension = D;
+  info.config = config;
+  info.scene = "python";
+  return info;
+}
+
+}  // namespace
+
+template <int D>
+Run<D>::Recorded::Recorded(const Config& config, const std::filesystem::path& path)
+    : part(path, Replace::earlier), bsp(config) {
+  recorder.emplace(bsp, part.path(), info_of<D>(config));
+}
+
+template <int D>
+Run<D>::Run(const Config& config, const std::filesystem::path& record) {
+  if (record.empty()) {
+    quiet_ = std::make_unique<Bsp<D>>(config);
+  } else {
+    recorded_ = std::make_unique<Recorded>(config, record);
+  }
+}
+
+template <int D>
+BroadPhase<D>& Run<D>::broad_phase() {
+  if (!recorded_) return *quiet_;
+  if (!recorded_->recorder)
+    throw std::runtime_error("the recording is complete, and nothing can be added: make a new BroadPhase");
+  return *recorded_->recorder;
+}
+
+template <int D>
+void Run<D>::step() {
+  broad_phase().step();
+  if (recorded_) (void)recorded_->bsp.trace().take();
+}
+
+template <int D>
+void Run<D>::set_threads(unsigned threads) {
+  if (recorded_) {
+    recorded_->bsp.set_threads(threads);
+  } else {
+    quiet_->set_threads(threads);
+  }
+}
+
+template <int D>
+void Run<D>::close() {
+  if (!recorded_ || !recorded_->recorder) return;
+  recorded_->recorder->finish();
+  recorded_->recorder.reset();
+  recorded_->part.keep();
+}
+
+template class Run<2>;
+template class Run<3>;
+
+}  // namespace kerf::python

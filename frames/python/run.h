@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "core/bsp/bsp.h"
+#include "core/recording/recorder.h"
+#include "frames/sequence/part_recording.h"
+
+namespace kerf::python {
+
+/// A tree, and the recording of what it is asked, if one is wanted.
+template <int D>
+class Run {
+ public:
+  /// Throws std::invalid_argument for a configuration that cannot work, std::runtime_error if the recording
+  /// cannot be written. `record` may be empty.
+  Run(const Config& config, const std::filesystem::path& record);
+
+  /// What takes the requests. Throws std::runtime_error after `close`.
+  [[nodiscard]] BroadPhase<D>& broad_phase();
+  void step();
+  void set_threads(unsigned threads);
+  /// Ends the recording, which then has its name.
+  void close();
+
+  [[nodiscard]] const Tree<D>& tree() const {
+    return visit([](const auto& bsp) -> const Tree<D>& { return bsp.tree(); });
+  }
+  [[nodiscard]] const ObjectTable<D>& objects() const {
+    return visit([](const auto& bsp) -> const ObjectTable<D>& { return bsp.objects(); });
+  }
+  [[nodiscard]] Statistics statistics() const {
+    return visit([](const auto& bsp) { return bsp.statistics(); });
+  }
+  [[nodiscard]] std::uint32_t steps() const {
+    return visit([](const auto& bsp) { return bsp.steps(); });
+  }
+  [[nodiscard]] std::span<const Pair> pairs() const {
+    return visit([](const auto& bsp) { return bsp.pairs(); });
+  }
+
+ private:
+  /// It is built beside its final name, and gets that when it is complete.
+  struct Recorded {
+    Recorded(const Config& config, const std::filesystem::path& path);
+    PartRecording part;
+    Bsp<D, EventLog> bsp;
+    std::optional<Recorder<D>> recorder;  ///< none: the recording is complete
+  };
+
+  template <class Ask>
+  decltype(auto) visit(Ask ask) const {
+    return recorded_ ? ask(recorded_->bsp) : ask(*quiet_);
+  }
+
+  std::unique_ptr<Bsp<D>> quiet_;
+  std::unique_ptr<Recorded> recorded_;
+};
+
+}  // namespace kerf::python

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""What a step costs through Python, beside the same step in C++.
+
+Both see the same boxes in the same step, one right after the other and in turns first, so that they meet the same
+machine. The overhead is the median of the ratios of such two steps. Prints a table; --json FILE writes the figures.
+
+usage: PYTHONPATH=build/release/python:build/release/tests/python tests/bench/python_overhead.py [--json FILE]
+"""
+
+import argparse
+import json
+import sys
+import time
+
+import kerf_steps
+import numpy as np
+
+import kerf
+
+
+def crowd(objects, dimension, steps, share):
+    """Boxes of side 1 in a cube with about four pairs each, a share of which moves a little in each step."""
+    rng = np.random.default_rng(1)
+    side = (objects / 0.9) ** (1 / dimension)
+    low = rng.random((objects, dimension)) * side
+    speed = rng.normal(0, 0.02, (objects, dimension)) * (rng.random((objects, 1)) < share)
+    size = 0.4 + 0.6 * rng.random((objects, dimension))
+    for step in range(steps):
+        corner = low + step * speed
+        yield np.stack([corner, corner + size], axis=1)
+
+
+def measure(objects, dimension, dtype, share, threads, steps):
+    native = (kerf_steps.Steps2D if dimension == 2 else kerf_steps.Steps3D)(threads)
+    phase = kerf.BroadPhase(dimension, threads=threads)
+    native_step = native.step if dtype == np.float32 else native.step_of_doubles
+    times = []
+    for k, boxes in enumerate(crowd(objects, dimension, steps, share)):
+        if k == 0:
+            native.insert(boxes.astype(np.float32))
+            phase.insert(boxes)
+            phase.step()
+            continue
+        boxes = np.ascontiguousarray(boxes, dtype)
+        both = {}
+        for turn in ("python", "c++") if k % 2 else ("c++", "python"):
+            if turn == "c++":
+                both[turn] = native_step(boxes)
+            else:
+                start = time.perf_counter_ns()
+                pairs = phase.step(boxes)
+                both[turn] = time.perf_counter_ns() - start
+        assert dtype == np.float64 or len(pairs) == native.pairs()
+        times.append((both["c++"], both["python"]))
+    warm = np.array(times[len(times) // 5 :], float)
+    return {
+        "objects": objects,
+        "dimension": dimension,
+        "dtype": np.dtype(dtype).name,
+        "moving": share,
+        "threads": threads,
+        "pairs": len(pairs),
+        "cpp_ms": float(np.median(warm[:, 0])) * 1e-6,
+        "python_ms": float(np.median(warm[:, 1])) * 1e-6,
+        "overhead": float(np.median(warm[:, 1] / warm[:, 0])) - 1,
+    }
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--steps", type=int, default=200)
+    parser.add_argument("--json")
+    options = parser.parse_args()
+    rows = []
+    print(f"{'objects':>8} {'':3} {'dtype':8} {'moving':>6} {'pairs':>7} {'C++ ms':>8} {'Python ms':>9} {'overhead':>8}")
+    for objects in (1000, 4000, 16000, 64000):
+        for dimension in (2, 3):
+            for dtype in (np.float32, np.float64):
+                for share in (1.0, 0.1):
+                    row = measure(objects, dimension, dtype, share, 1, options.steps)
+                    rows.append(row)
+                    print(
+                        f"{objects:8} {dimension}D  {row['dtype']:8} {share:6.0%} {row['pairs']:7} {row['cpp_ms']:8.3f} "
+                        f"{row['python_ms']:9.3f} {row['overhead']:8.1%}",
+                        flush=True,
+                    )
+    if options.json:
+        with open(options.json, "w", encoding="utf-8") as file:
+            json.dump({"version": kerf.__version__, "python": sys.version.split()[0], "rows": rows}, file, indent=1)
+
+
+if __name__ == "__main__":
+    main()

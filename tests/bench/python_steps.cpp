@@ -1,0 +1,86 @@
+#include <pybind11/numpy.h>
+
+#include <chrono>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "core/bsp/bsp.h"
+#include "core/geometry/given_box.h"
+
+namespace {
+
+namespace py = pybind11;
+using kerf::Box;
+
+constexpr int kInOrder = py::array::c_style | py::array::forcecast;
+
+/// The steps of a program in C++ over the same boxes: moves, the step, and a look at each pair.
+template <int D>
+class Steps {
+ public:
+  explicit Steps(unsigned threads) : bsp_(kerf::tuned_config()) { bsp_.set_threads(threads); }
+
+  void insert(const py::array_t<float, kInOrder>& boxes) {
+    const std::span<const Box<D>> rows = rows_of(boxes);
+    ids_.resize(rows.size());
+    for (std::uint32_t row = 0; row < rows.size(); ++row) {
+      ids_[row] = {row};
+      (void)bsp_.insert(ids_[row], rows[row], kerf::Mobility::moving);
+    }
+    bsp_.step();
+  }
+
+  /// Nanoseconds of a step with boxes in floats.
+  std::int64_t step(const py::array_t<float, kInOrder>& boxes) {
+    const std::span<const Box<D>> rows = rows_of(boxes);
+    return timed([&] { (void)bsp_.move_many(ids_, rows); });
+  }
+
+  /// The same with boxes in doubles, which have to be rounded first.
+  std::int64_t step_of_doubles(const py::array_t<double, kInOrder>& boxes) {
+    const auto* const given = reinterpret_cast<const kerf::GivenBox<D>*>(boxes.data());
+    return timed([&] {
+      rounded_.clear();
+      for (std::size_t row = 0; row < ids_.size(); ++row) rounded_.push_back(kerf::round_outward(given[row]));
+      (void)bsp_.move_many(ids_, rounded_);
+    });
+  }
+
+  [[nodiscard]] std::size_t pairs() const { return bsp_.pairs().size(); }
+
+ private:
+  static std::span<const Box<D>> rows_of(const py::array_t<float, kInOrder>& boxes) {
+    return {reinterpret_cast<const Box<D>*>(boxes.data()), static_cast<std::size_t>(boxes.shape(0))};
+  }
+
+  template <class Move>
+  std::int64_t timed(Move move) {
+    const auto start = std::chrono::steady_clock::now();
+    move();
+    bsp_.step();
+    return std::chrono::nanoseconds(std::chrono::steady_clock::now() - start).count();
+  }
+
+  kerf::Bsp<D> bsp_;
+  std::vector<kerf::ObjectId> ids_;
+  std::vector<Box<D>> rounded_;
+};
+
+template <int D>
+void bind(py::module_& module, const char* name) {
+  py::class_<Steps<D>>(module, name)
+      .def(py::init<unsigned>(), py::arg("threads"))
+      .def("insert", &Steps<D>::insert)
+      .def("step", &Steps<D>::step)
+      .def("step_of_doubles", &Steps<D>::step_of_doubles)
+      .def("pairs", &Steps<D>::pairs);
+}
+
+}  // namespace
+
+PYBIND11_MODULE(kerf_steps, module) {
+  bind<2>(module, "Steps2D");
+  bind<3>(module, "Steps3D");
+}

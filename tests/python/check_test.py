@@ -1,0 +1,237 @@
+"""kerf.check: faults of every kind are found and made small, and nothing right is accused."""
+
+import itertools
+import random
+
+import numpy as np
+import pytest
+from conftest import brute_force, random_boxes
+
+import kerf
+
+
+def right(boxes):
+    return sorted(brute_force(boxes))
+
+
+def in_float32_order(boxes):
+    """A sweep along x, right in any precision."""
+    order = np.argsort(boxes[:, 0, 0], kind="stable")
+    found, active = [], []
+    for i in order:
+        active = [k for k in active if boxes[k, 1, 0] >= boxes[i, 0, 0]]
+        found += [(i, k) for k in active if (boxes[i, 0] <= boxes[k, 1]).all() and (boxes[k, 0] <= boxes[i, 1]).all()]
+        active.append(i)
+    return np.array(found, int).reshape(-1, 2)
+
+
+def hard_boxes(dimension, dtype, seed):
+    """Boxes that touch, that are points, that are equal, that lie an ulp apart."""
+    rng = np.random.default_rng(seed)
+    low = rng.integers(0, 6, (60, dimension)).astype(dtype)
+    high = low + rng.integers(0, 3, (60, dimension)).astype(dtype)
+    shift = rng.integers(0, 3, (60, 1)) == 0
+    low = np.where(shift, np.nextafter(low, dtype(-np.inf)), low)
+    high = np.where(shift, np.nextafter(high, dtype(np.inf)), high)
+    return np.stack([low, high], 1)
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("function", [right, in_float32_order, lambda boxes: set(right(boxes))])
+def test_what_is_right_is_never_accused(dimension, dtype, function):
+    for seed in range(20):
+        boxes = hard_boxes(dimension, dtype, seed)
+        assert kerf.check(function, boxes) is None
+        shuffled = lambda b: random.Random(seed).sample([p[::-1] for p in function(b)], len(function(b)))
+        if function is right:
+            assert kerf.check(shuffled, boxes) is None
+
+
+def test_the_answer_is_that_of_the_precision_given():
+    """The second box begins an ulp of float64 after the first one ends: in float32 they touch."""
+    boxes = np.array([[[0, 0], [1, 1]], [[np.nextafter(1.0, 2), 0], [2, 1]]])
+    assert kerf.check(lambda boxes: [], boxes) is None
+    assert kerf.check(lambda boxes: [], boxes.astype(np.float32)).missed.tolist() == [[0, 1]]
+    seen = []
+    kerf.check(lambda boxes: seen.append(boxes.dtype) or [], boxes.astype(">f8")[::-1])
+    assert seen == [np.dtype(float)]
+
+
+def test_infinite_boxes_are_judged():
+    inf = np.inf
+    boxes = np.array([[[-inf, 0], [inf, 1]], [[3e300, 0], [inf, 1]], [[inf, 0], [inf, 1]], [[1, 0], [3, 1]]])
+    assert kerf.check(right, boxes) is None
+    with np.errstate(over="ignore"):
+        assert kerf.check(right, boxes.astype(np.float32)) is None
+
+
+@pytest.mark.parametrize(
+    "touching, closed_is_right, open_is_right", [("pair", True, False), ("none", False, True), ("either", True, True)]
+)
+def test_the_rule_for_touching_boxes_can_be_chosen(touching, closed_is_right, open_is_right):
+    def strict(boxes):
+        return [
+            (i, k)
+            for i, k in itertools.combinations(range(len(boxes)), 2)
+            if (boxes[i, 0] < boxes[k, 1]).all() and (boxes[k, 0] < boxes[i, 1]).all()
+        ]
+
+    boxes = hard_boxes(2, np.float32, 1)
+    assert (kerf.check(right, boxes, touching=touching) is None) == closed_is_right
+    assert (kerf.check(strict, boxes, touching=touching) is None) == open_is_right
+    assert kerf.check(lambda boxes: [], boxes, touching=touching) is not None
+    everything = lambda boxes: list(itertools.combinations(range(len(boxes)), 2))
+    assert kerf.check(everything, boxes, touching=touching) is not None
+
+
+def test_a_missed_pair_is_made_small():
+    def forgets_large_ones(boxes):
+        return [(i, k) for i, k in right(boxes) if boxes[i, 1, 0] - boxes[i, 0, 0] < 0.29]
+
+    boxes = random_boxes(400, 2, size=0.3)
+    failure = kerf.check(forgets_large_ones, boxes)
+    assert len(failure.rows) == 2 and failure.missed.tolist() == [[0, 1]] and failure.repeats
+    assert len(failure.invented) == 0 and len(failure.doubled) == 0
+    assert (failure.boxes == boxes[failure.rows]).all() and failure.boxes.dtype == np.float32
+    assert failure.counts[0] > 1 and failure.counts[1:] == (0, 0)
+    assert "missed (0, 1)" in str(failure) and failure.calls > 5
+
+
+def test_invented_and_doubled_pairs_are_made_small():
+    boxes = random_boxes(100, 3, size=0.3)
+    failure = kerf.check(lambda boxes: right(boxes) + right(boxes)[:1], boxes)
+    assert failure.doubled.tolist() == [[0, 1]] and len(failure.rows) == 2
+    failure = kerf.check(lambda boxes: right(boxes) + [(k, i) for i, k in right(boxes)], boxes)
+    assert failure.doubled.tolist() == [[0, 1]]
+    far = boxes * np.float32(1000)
+    failure = kerf.check(lambda boxes: list(itertools.combinations(range(len(boxes)), 2)), far)
+    assert failure.invented.tolist() == [[0, 1]] and len(failure.rows) == 2
+    for wrong in [(0, 0), (0, 10**6), (-1, 0), (0, 2**40)]:
+        failure = kerf.check(lambda boxes: right(boxes) + [wrong], boxes)
+        assert failure.invented.tolist() == [list(wrong)] and len(failure.rows) <= 1
+
+
+def test_a_fault_that_needs_many_boxes_keeps_them():
+    crowded = lambda boxes: right(boxes)[:3]
+    failure = kerf.check(crowded, np.tile(np.array([[[0.0, 0], [1, 1]]]), (50, 1, 1)))
+    assert len(failure.rows) == 4 and len(failure.missed) == 3
+
+
+def test_the_step_that_fails_is_found():
+    steps = np.stack([random_boxes(60, 2, seed, size=0.2) for seed in range(6)])
+    slow = lambda boxes: [] if (boxes[:1] == steps[4, :1]).all() else right(boxes)
+    failure = kerf.check(slow, steps)
+    assert failure.step == 4 and failure.steps == [4]
+    assert (failure.boxes == steps[4][failure.rows]).all()
+    ragged = [steps[0], steps[1, :10], steps[2, :0], steps[4]]
+    assert kerf.check(right, ragged) is None
+    assert kerf.check(slow, ragged).step == 3
+
+
+def test_what_remembers_is_made_anew_for_each_trial():
+    """Forgets one step's pairs when the boxes move backwards."""
+
+    def make():
+        before = []
+
+        def function(boxes):
+            backwards = bool(before) and len(boxes) > 0 and boxes[0, 0, 0] < before[-1]
+            if len(boxes):
+                before.append(boxes[0, 0, 0])
+            return [] if backwards else right(boxes)
+
+        return function
+
+    still = random_boxes(30, 2, size=0.3)
+    steps = np.stack([still + np.float32(shift) for shift in [0, 1, 2, 3, 2.5, 4]])
+    failure = kerf.check(make, steps, stateful=True)
+    assert failure.step == 4 and len(failure.steps) == 2 and failure.steps[-1] == 4
+    assert 2 <= len(failure.rows) <= 3 and len(failure.scene) == 2
+    assert kerf.check(lambda: right, steps, stateful=True) is None
+
+
+def test_a_function_that_is_not_the_same_each_time_is_said_so():
+    calls = []
+
+    def wrong_once(boxes):
+        calls.append(1)
+        return [] if len(calls) == 1 else right(boxes)
+
+    failure = kerf.check(wrong_once, random_boxes(30, 2, size=0.3))
+    assert not failure.repeats and len(failure.rows) == 30 and "not deterministic" in str(failure)
+
+
+def test_what_it_raises_is_raised():
+    def broken(boxes):
+        raise KeyError("mine")
+
+    with pytest.raises(KeyError, match="mine"):
+        kerf.check(broken, random_boxes(5, 2))
+    calls = []
+
+    def interrupted(boxes):
+        calls.append(1)
+        if len(calls) == 5:
+            raise KeyboardInterrupt
+        return []
+
+    with pytest.raises(KeyboardInterrupt):
+        kerf.check(interrupted, random_boxes(50, 2, size=0.3))
+
+
+def test_small_scenes_that_it_cannot_take_are_no_failures():
+    def few_are_too_few(boxes):
+        if len(boxes) < 7:
+            raise IndexError
+        return []
+
+    failure = kerf.check(few_are_too_few, random_boxes(60, 2, size=0.5))
+    assert len(failure.rows) == 7
+
+
+def test_a_function_cannot_change_the_boxes():
+    boxes = random_boxes(30, 2, size=0.3)
+    was = boxes.copy()
+
+    def vandal(b):
+        found = right(b)
+        b[:] = 0
+        return found[1:]
+
+    assert len(kerf.check(vandal, boxes).rows) == 2
+    assert (boxes == was).all()
+
+
+def test_a_failure_can_be_raised():
+    with pytest.raises(kerf.CheckFailed, match="1 pair missed, 0 invented, 0 doubled") as raised:
+        kerf.check(lambda boxes: [], [[[0, 0], [1, 1]], [[1, 1], [2, 2]]], raises=True)
+    assert raised.value.failure.missed.tolist() == [[0, 1]]
+    assert isinstance(raised.value, AssertionError)
+    assert kerf.check(right, random_boxes(5, 2), raises=True) is None
+
+
+def test_shrinking_can_be_left_out():
+    failure = kerf.check(lambda boxes: [], random_boxes(50, 2, size=0.3), shrink=False)
+    assert len(failure.rows) == 50 and failure.calls <= 3
+
+
+def test_nothing_is_right():
+    for empty in [np.empty((0, 2, 3)), np.empty((4, 0, 2, 2)), np.empty((0, 5, 2, 2)), []]:
+        assert kerf.check(right, empty) is None
+    assert kerf.check(lambda boxes: np.empty((0, 2)), random_boxes(1, 2)) is None
+
+
+@pytest.mark.parametrize("returned", [None, 3, [[1, 2, 3]], [[0.5, 1.0]], ["ab"], np.ones((2, 3), int)])
+def test_what_is_no_list_of_pairs_is_refused(returned):
+    with pytest.raises(ValueError):
+        kerf.check(lambda boxes: returned, random_boxes(5, 2))
+
+
+def test_what_is_no_box_is_refused_by_step_and_row():
+    steps = np.stack([random_boxes(5, 2)] * 3)
+    steps[1, 3, 0, 0] = np.nan
+    with pytest.raises(ValueError, match="boxes: step 1: row 3 has a NaN"):
+        kerf.check(right, steps)
+    with pytest.raises(ValueError, match="none of 'pair'"):
+        kerf.check(right, steps[0], touching="maybe")
