@@ -114,6 +114,15 @@ std::uint64_t bytes_of(const std::vector<T>& list) {
   return list.capacity() * sizeof(T);
 }
 
+/// Tells of a broad phase without a structure that tests each of so many boxes against each.
+template <int D>
+void tell_each_with_each(std::uint64_t boxes, StructureParts<D>& parts) {
+  parts.kind = "each with each";
+  parts.tests = boxes * (boxes - (boxes > 0 ? 1 : 0)) / 2;
+  parts.bytes = 0;
+  parts.unseen = "it has no structure: each box is tested against each";
+}
+
 /// Tells the tests of a sweep: each object, in the order of `sorted`, against those behind it that begin
 /// before it ends. `box_of(object)`: its box.
 template <int D, class BoxOf>

@@ -72,10 +72,16 @@ BroadPhaseChoice choose_broad_phase(std::string_view name, const Needs& needs, s
 template <int D>
 std::unique_ptr<BroadPhase<D>> make_broad_phase(const BroadPhaseChoice& choice, const SceneEntry<D>& scene,
                                                 const SceneOptions& options) {
+  const bool needs_hints = !choice.is_tree() && choice.name != kOracle;
+  return make_broad_phase<D>(choice, needs_hints ? hints_for(scene, options) : RivalHints<D>{});
+}
+
+template <int D>
+std::unique_ptr<BroadPhase<D>> make_broad_phase(const BroadPhaseChoice& choice, const RivalHints<D>& hints) {
   if (choice.is_tree()) return std::make_unique<Bsp<D>>(choice.config, choice.volume);
   if (choice.name == kOracle) return std::make_unique<BruteForce<D>>(choice.volume);
   check_name<D>(choice.name, "--broad-phase");
-  return find_algorithm<D>(choice.name)->make(hints_for(scene, options), 1);
+  return find_algorithm<D>(choice.name)->make(hints, 1);
 }
 
 template std::vector<std::string> broad_phase_names<2>();
@@ -84,5 +90,7 @@ template std::unique_ptr<BroadPhase<2>> make_broad_phase(const BroadPhaseChoice&
                                                          const SceneOptions&);
 template std::unique_ptr<BroadPhase<3>> make_broad_phase(const BroadPhaseChoice&, const SceneEntry<3>&,
                                                          const SceneOptions&);
+template std::unique_ptr<BroadPhase<2>> make_broad_phase(const BroadPhaseChoice&, const RivalHints<2>&);
+template std::unique_ptr<BroadPhase<3>> make_broad_phase(const BroadPhaseChoice&, const RivalHints<3>&);
 
 }  // namespace kerf

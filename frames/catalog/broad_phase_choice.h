@@ -43,5 +43,8 @@ bool takes_volumes(std::string_view name);
 template <int D>
 std::unique_ptr<BroadPhase<D>> make_broad_phase(const BroadPhaseChoice& choice, const SceneEntry<D>& scene,
                                                 const SceneOptions& options);
+/// The same where the boxes are known beforehand.
+template <int D>
+std::unique_ptr<BroadPhase<D>> make_broad_phase(const BroadPhaseChoice& choice, const RivalHints<D>& hints);
 
 }  // namespace kerf

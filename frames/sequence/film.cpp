@@ -155,7 +155,8 @@ void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std
 }
 
 std::unique_ptr<Film> make_film(const RenderRequest& request) {
-  if (request.recording) return make_recording_film(request);
+  if (request.recording)
+    return request.beside ? make_panes_of_recording(request) : make_recording_film(request);
   try {
     if (request.beside) return make_panes_film(request);
     return std::visit(

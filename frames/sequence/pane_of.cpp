@@ -9,9 +9,10 @@
 namespace kerf {
 
 template <int D>
-Pane<D> pane_of(const std::string& name, const BroadPhase<D>& broad_phase, std::span<const Body<D>> bodies,
-                const Box<D>& bounds, std::optional<double> milliseconds) {
-  Pane<D> pane;
+StructurePane<D> pane_of(const std::string& name, const BroadPhase<D>& broad_phase,
+                         std::span<const Body<D>> bodies, const Box<D>& bounds,
+                         std::optional<double> milliseconds) {
+  StructurePane<D> pane;
   pane.name = name;
   pane.parts = describe(broad_phase);
   pane.pairs.assign(broad_phase.pairs().begin(), broad_phase.pairs().end());
@@ -25,9 +26,9 @@ Pane<D> pane_of(const std::string& name, const BroadPhase<D>& broad_phase, std::
   return pane;
 }
 
-template Pane<2> pane_of(const std::string&, const BroadPhase<2>&, std::span<const Body<2>>, const Box<2>&,
-                         std::optional<double>);
-template Pane<3> pane_of(const std::string&, const BroadPhase<3>&, std::span<const Body<3>>, const Box<3>&,
-                         std::optional<double>);
+template StructurePane<2> pane_of(const std::string&, const BroadPhase<2>&, std::span<const Body<2>>,
+                                  const Box<2>&, std::optional<double>);
+template StructurePane<3> pane_of(const std::string&, const BroadPhase<3>&, std::span<const Body<3>>,
+                                  const Box<3>&, std::optional<double>);
 
 }  // namespace kerf

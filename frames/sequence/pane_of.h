@@ -12,7 +12,8 @@ namespace kerf {
 /// The pane of a broad phase after a step. `bounds`: where cells without ends are measured. `milliseconds`:
 /// none if its steps are not timed.
 template <int D>
-Pane<D> pane_of(const std::string& name, const BroadPhase<D>& broad_phase, std::span<const Body<D>> bodies,
-                const Box<D>& bounds, std::optional<double> milliseconds);
+StructurePane<D> pane_of(const std::string& name, const BroadPhase<D>& broad_phase,
+                         std::span<const Body<D>> bodies, const Box<D>& bounds,
+                         std::optional<double> milliseconds);
 
 }  // namespace kerf

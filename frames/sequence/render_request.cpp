@@ -115,7 +115,7 @@ void check_panes(const RenderRequest& request, const RenderTexts& texts) {
 }
 
 /// Panes get boxes, whatever bounds the objects of the scene.
-void parse_beside(const RenderTexts& texts, RenderRequest& request) {
+void parse_beside(const RenderTexts& texts, const Needs& needs, RenderRequest& request) {
   request.timed = texts.timed;
   if (texts.beside.empty()) {
     if (texts.timed) throw UsageError("--timed shows the times of panes; give --beside, too");
@@ -124,7 +124,7 @@ void parse_beside(const RenderTexts& texts, RenderRequest& request) {
   request.beside.emplace();
   if (texts.beside != "none")
     for (const std::string& name : split_list(texts.beside))
-      request.beside->push_back(choose_broad_phase(name, needs_of(request.scene), "--beside"));
+      request.beside->push_back(choose_broad_phase(name, needs, "--beside"));
   check_panes(request, texts);
   request.broad_phase.volume = VolumeKind::box;
   for (BroadPhaseChoice& choice : *request.beside) choice.volume = VolumeKind::box;
@@ -241,7 +241,7 @@ RenderRequest parse_request(const RenderTexts& texts) {
   }
   parse_pictures(texts, request);
   request.broad_phase = parse_broad_phase(request.scene, texts);
-  parse_beside(texts, request);
+  parse_beside(texts, needs_of(request.scene), request);
   request.record = texts.record;
   if (request.resume && !request.record.empty())
     throw UsageError(
@@ -277,8 +277,7 @@ void refuse_scene_options(const RenderTexts& texts) {
       {"--objects", &texts.objects}, {"--grow", &texts.grow},
       {"--recycle", &texts.recycle}, {"--broad-phase", &texts.broad_phase},
       {"--volume", &texts.volume},   {"--config", &texts.config},
-      {"--seed", &texts.seed},       {"--record", &texts.record},
-      {"--beside", &texts.beside}};
+      {"--seed", &texts.seed},       {"--record", &texts.record}};
   for (const auto& [option, text] : options) refuse_of_recording(texts, option, *text);
 }
 
@@ -297,6 +296,9 @@ RenderRequest parse_recording_request(const RenderTexts& texts) {
   request.options = {request.recording->info.objects, request.recording->info.grow,
                      request.recording->info.recycle, request.recording->info.seed};
   parse_pictures(texts, request);
+  Needs needs;
+  needs.dimension = request.dimension();
+  parse_beside(texts, needs, request);
   request.layers.set(Layer::contacts, false);  // a recording has no narrow phase
   parse_shard_of_recording(texts, request);
   return request;

@@ -11,7 +11,7 @@ namespace kerf {
 
 /// The lines above a pane: what it is, and its numbers in places that do not move in a film.
 template <int D>
-std::vector<std::string> pane_lines(const Pane<D>& pane, bool is_timed, std::size_t letters);
+std::vector<std::string> pane_lines(const StructurePane<D>& pane, bool is_timed, std::size_t letters);
 
 /// The line above all panes.
 template <int D>

@@ -25,7 +25,7 @@ struct PaneFigures {
 
 /// A broad phase beside others.
 template <int D>
-struct Pane {
+struct StructurePane {
   std::string name;
   StructureParts<D> parts;     ///< without what it tested
   std::vector<Pair> pairs;     ///< sorted
@@ -45,7 +45,7 @@ struct PanesFrame {
   bool has_strips = false;      ///< panes keep room for lists along axes
   bool is_timed = false;        ///< panes keep room for times
   int samples = 4;              ///< of a pixel
-  std::vector<Pane<D>> panes;
+  std::vector<StructurePane<D>> panes;
 };
 
 /// Whether so many panes are worth looking at in a picture of that size.

@@ -49,7 +49,7 @@ struct PaneGrid {
 template <int D>
 PanesLegend legend_of(const PanesFrame<D>& frame, LayerSet layers) {
   PanesLegend legend{D, false, false, false, false, layers};
-  for (const Pane<D>& pane : frame.panes) {
+  for (const StructurePane<D>& pane : frame.panes) {
     const bool has_cells = !pane.parts.cells.empty();
     legend.has_cells |= has_cells;
     legend.has_straddlers |= has_cells && pane.parts.holding == Holding::reaching;
@@ -121,7 +121,7 @@ struct PanesRenderer<D>::State {
   }
   [[nodiscard]] double scale() const { return std::clamp(options.height / 720.0, 0.6, 8.0); }
 
-  void draw_scene(const DrawContext<D>& drawn, const Pane<D>& pane) {
+  void draw_scene(const DrawContext<D>& drawn, const StructurePane<D>& pane) {
     for (Batch& batch : batches) batch.clear();
     auto& [back, glass, lines] = batches;
     if constexpr (D == 2) {
@@ -144,8 +144,8 @@ struct PanesRenderer<D>::State {
   }
 
   /// What stands above the scene: the head with the pane's words, and lists along axes.
-  void draw_overlay(const PanesFrame<D>& frame, const Pane<D>& pane, const View& view, const Viewport& scene,
-                    const PaneGrid& grid) {
+  void draw_overlay(const PanesFrame<D>& frame, const StructurePane<D>& pane, const View& view,
+                    const Viewport& scene, const PaneGrid& grid) {
     overlay.clear();
     const auto fill = [&](const Viewport& box) {
       if (box.width > 0 && box.height > 0)
@@ -174,14 +174,14 @@ struct PanesRenderer<D>::State {
   /// The same in all panes, so that one camera shows the same in each.
   [[nodiscard]] Viewport scene_of(const PanesFrame<D>& frame, const PaneGrid& grid) const {
     std::size_t lines = 0;
-    for (const Pane<D>& pane : frame.panes)
+    for (const StructurePane<D>& pane : frame.panes)
       lines = std::max(lines, pane_lines(pane, frame.is_timed, letters(grid)).size());
     const int head = has(Layer::caption) ? band_height(static_cast<int>(lines)) : 0;
     const StripRoom room = frame.has_strips ? strip_room(D, font) : StripRoom{};
     return {room.left, double(head), grid.width - room.left, grid.height - head - room.bottom};
   }
 
-  void draw_pane(const PanesFrame<D>& frame, const Pane<D>& pane, const Viewport& scene,
+  void draw_pane(const PanesFrame<D>& frame, const StructurePane<D>& pane, const Viewport& scene,
                  const PaneGrid& grid) {
     const View view =
         frame_all(frame.bounds, camera_path.at(frame.step, camera), scene, grid.width, grid.height);

@@ -65,7 +65,7 @@ std::vector<std::uint8_t> pack_panes(const PanesFrame<D>& frame) {
   out.put(frame.has_strips);
   out.put(frame.is_timed);
   out.put(frame.panes.size());
-  for (const Pane<D>& pane : frame.panes) {
+  for (const StructurePane<D>& pane : frame.panes) {
     out.put_text(pane.name);
     write(out, pane.parts);
     put(out, pane.pairs);
@@ -90,7 +90,7 @@ PanesFrame<D> unpack_panes(std::span<const std::uint8_t> bytes) {
                       parcel.plan.samples,
                       {}};
   for (std::size_t panes = in.get<std::size_t>(); panes > 0; --panes) {
-    Pane<D> pane;
+    StructurePane<D> pane;
     pane.name = in.get_text();
     pane.parts = read_parts<D>(in);
     pane.pairs = in.get_list<Pair>();

@@ -43,7 +43,7 @@ class Structures : public testing::Test {
     const bool is_seen = !parts.cells.empty() || !parts.lists.empty();
     EXPECT_EQ(is_seen, !kUnseen.contains(name) && !kWithoutStructure.contains(name)) << name;
     EXPECT_EQ(parts.unseen.empty(), is_seen && name != "kerf") << name << ": " << parts.unseen;
-    if (is_seen && name != "kerf") EXPECT_TRUE(parts.tells_tested) << name;
+    EXPECT_EQ(parts.tells_tested, is_seen && name != "kerf") << name;
   }
 };
 TYPED_TEST_SUITE(Structures, Dimensions, DimensionNames);
