@@ -188,7 +188,7 @@ void Columns<D>::tell_column(std::size_t column, StructureParts<D>& parts) const
 
 template <int D>
 void Columns<D>::describe(StructureParts<D>& parts) const {
-  parts.kind = "columns";
+  parts.kind = "grid of columns";
   parts.holding = Holding::reaching;
   for (std::size_t column = 0; column < ends_.size(); ++column) tell_column(column, parts);
   parts.end_tested();

@@ -164,7 +164,7 @@ void LooseOctree<D>::tell_cells(StructureParts<D>& parts) const {
 
 template <int D>
 void LooseOctree<D>::describe(StructureParts<D>& parts) const {
-  parts.kind = "loose octree";
+  parts.kind = "levels of loose cells";
   if (!members_.empty()) tell_cells(parts);
   for (std::uint32_t k = 0; k < members_.size(); ++k)
     for_each_row(k, [&](std::uint32_t begin, std::uint32_t end) {

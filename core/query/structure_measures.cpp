@@ -1,6 +1,8 @@
 #include "core/query/structure_measures.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace kerf {
 namespace {
@@ -58,7 +60,7 @@ class Measurer {
       double share = 0;
       for (std::size_t i = 0; i < children.size(); ++i)
         for (std::size_t k = i + 1; k < children.size(); ++k)
-          share += overlap_share(parts_, children[i], children[k]);
+          share += overlap_share(parts_, children[i], children[k], bounds_);
       sum += std::min(1.0, share);
     }
     has_parents = count > 0;
@@ -68,7 +70,7 @@ class Measurer {
  private:
   /// Exact for one box inside; otherwise of the points of a lattice. Negative: the cell has no volume.
   [[nodiscard]] double dead_share(std::uint32_t cell) const {
-    const Box<D> box = common_part(parts_.cells[cell].box, bounds_);
+    const Box<D> box = with_ends(parts_.cells[cell].box, bounds_);
     const double whole = volume(box);
     if (!(whole > 0)) return -1;
     const std::vector<Box<D>>& inside = contents_[cell];
@@ -119,11 +121,21 @@ std::vector<std::vector<std::uint32_t>> children_of(const StructureParts<D>& par
 }
 
 template <int D>
-double overlap_share(const StructureParts<D>& parts, std::uint32_t a, std::uint32_t b) {
+Box<D> with_ends(Box<D> box, const Box<D>& bounds) {
+  for (int i = 0; i < D; ++i) {
+    if (!std::isfinite(box.min[i])) box.min[i] = std::min(bounds.min[i], box.max[i]);
+    if (!std::isfinite(box.max[i])) box.max[i] = std::max(bounds.max[i], box.min[i]);
+  }
+  return box;
+}
+
+template <int D>
+double overlap_share(const StructureParts<D>& parts, std::uint32_t a, std::uint32_t b, const Box<D>& bounds) {
   const StructureCell<D>& first = parts.cells[a];
   if (first.cut != kNoPart || first.parent == kNoPart) return 0;
-  const double whole = volume(parts.cells[first.parent].box);
-  const double common = volume(common_part(first.box, parts.cells[b].box));
+  const double whole = volume(with_ends(parts.cells[first.parent].box, bounds));
+  const double common =
+      volume(common_part(with_ends(first.box, bounds), with_ends(parts.cells[b].box, bounds)));
   // A parent without ends has no share.
   return whole > 0 && whole < std::numeric_limits<double>::infinity() ? common / whole : 0;
 }
@@ -141,9 +153,10 @@ StructureMeasures measure(const StructureParts<D>& parts, std::span<const Box<D>
   return measures;
 }
 
-#define KERF_INSTANTIATE(D)                                                               \
-  template std::vector<std::vector<std::uint32_t>> children_of(const StructureParts<D>&); \
-  template double overlap_share(const StructureParts<D>&, std::uint32_t, std::uint32_t);  \
+#define KERF_INSTANTIATE(D)                                                                             \
+  template std::vector<std::vector<std::uint32_t>> children_of(const StructureParts<D>&);               \
+  template Box<D> with_ends(Box<D>, const Box<D>&);                                                     \
+  template double overlap_share(const StructureParts<D>&, std::uint32_t, std::uint32_t, const Box<D>&); \
   template StructureMeasures measure(const StructureParts<D>&, std::span<const Box<D>>, const Box<D>&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

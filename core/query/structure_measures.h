@@ -27,8 +27,14 @@ StructureMeasures measure(const StructureParts<D>& parts, std::span<const Box<D>
 template <int D>
 std::vector<std::vector<std::uint32_t>> children_of(const StructureParts<D>& parts);
 
-/// The share of their parent's box that two siblings cover both; 0 of siblings that a plane divides.
+/// The box with its ends at those of `bounds` where it has none.
 template <int D>
-double overlap_share(const StructureParts<D>& parts, std::uint32_t a, std::uint32_t b);
+Box<D> with_ends(Box<D> box, const Box<D>& bounds);
+
+/// The share of their parent's box that two siblings cover both; 0 of siblings that a plane divides, and of a
+/// parent without ends unless there are `bounds`.
+template <int D>
+double overlap_share(const StructureParts<D>& parts, std::uint32_t a, std::uint32_t b,
+                     const Box<D>& bounds = everywhere<D>());
 
 }  // namespace kerf

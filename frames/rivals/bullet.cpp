@@ -38,6 +38,7 @@ class BulletRival : public RivalBase<3> {
   [[nodiscard]] std::string_view name() const override { return name_; }
 
  protected:
+  [[nodiscard]] const btBroadphaseInterface& broad_phase() const { return *broad_phase_; }
   [[nodiscard]] std::uint64_t bytes_of_pairs() const {
     return sizeof(btBroadphasePair) *
            static_cast<std::uint64_t>(broad_phase_->getOverlappingPairCache()->getNumOverlappingPairs());
@@ -75,16 +76,12 @@ class BulletRival : public RivalBase<3> {
 class DbvtRival final : public BulletRival {
  public:
   DbvtRival(std::unique_ptr<btDbvtBroadphase> dbvt, const RivalHints<3>& hints, Intake intake)
-      : DbvtRival(*dbvt, std::move(dbvt), hints, intake) {}
+      : BulletRival("bullet-dbvt", std::move(dbvt), hints, intake) {}
 
  private:
-  DbvtRival(const btDbvtBroadphase& dbvt, std::unique_ptr<btBroadphaseInterface> owner,
-            const RivalHints<3>& hints, Intake intake)
-      : BulletRival("bullet-dbvt", std::move(owner), hints, intake), dbvt_(dbvt) {}
-
   void tell_structure(StructureParts<3>& parts) const override {
     parts.kind = "two trees of boxes";
-    for (const btDbvt& tree : dbvt_.m_sets)
+    for (const btDbvt& tree : static_cast<const btDbvtBroadphase&>(broad_phase()).m_sets)
       if (tree.m_root != nullptr) tell_box_tree(static_cast<const btDbvtNode*>(tree.m_root), look, parts);
     tell_candidates(parts);
     parts.bytes = parts.cells.size() * sizeof(btDbvtNode) + bytes_of_pairs();
@@ -93,8 +90,6 @@ class DbvtRival final : public BulletRival {
     if (node->isinternal()) return {from_bullet(node->volume), false, {}, node->childs[0], node->childs[1]};
     return {from_bullet(node->volume), true, object_of(*static_cast<const btBroadphaseProxy*>(node->data))};
   }
-
-  const btDbvtBroadphase& dbvt_;
 };
 
 /// Its lists are seen by a class of its kind.
@@ -122,21 +117,16 @@ class SeenAxisSweep final : public bt32BitAxisSweep3 {
 class AxisSweepRival final : public BulletRival {
  public:
   AxisSweepRival(std::unique_ptr<SeenAxisSweep> sweep, const RivalHints<3>& hints, Intake intake)
-      : AxisSweepRival(*sweep, std::move(sweep), hints, intake) {}
+      : BulletRival("bullet-axis-sweep", std::move(sweep), hints, intake) {}
 
  private:
-  AxisSweepRival(const SeenAxisSweep& sweep, std::unique_ptr<btBroadphaseInterface> owner,
-                 const RivalHints<3>& hints, Intake intake)
-      : BulletRival("bullet-axis-sweep", std::move(owner), hints, intake), sweep_(sweep) {}
-
   void tell_structure(StructureParts<3>& parts) const override {
+    const auto& sweep = static_cast<const SeenAxisSweep&>(broad_phase());
     parts.kind = "lists along axes";
-    for (int axis = 0; axis < 3; ++axis) parts.lists.push_back(sweep_.list(axis));
+    for (int axis = 0; axis < 3; ++axis) parts.lists.push_back(sweep.list(axis));
     tell_candidates(parts);
-    parts.bytes = sweep_.bytes() + bytes_of_pairs();
+    parts.bytes = sweep.bytes() + bytes_of_pairs();
   }
-
-  const SeenAxisSweep& sweep_;
 };
 
 }  // namespace

@@ -28,6 +28,8 @@ class PanesFilm : public Film {
   std::vector<std::string> names_;
   bool is_timed_;
   int samples_;  ///< 0: as bodies allow
+  PictureSize size_;
+  int columns_ = 0;  ///< chosen at the first frame, so that panes stay where they are
   bool has_strips_ = false;
   SideBySide<D> broad_phases_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include "viz/draw/flow.h"
 #include "viz/draw/palette.h"
@@ -26,32 +27,40 @@ std::string whole_percent(double share) {
 
 std::string milliseconds(std::optional<double> time) {
   char text[32];
-  std::snprintf(text, sizeof text, "%7.3f ms", time.value_or(0));
-  return time ? text : right_aligned("?", 7) + " ms";
+  std::snprintf(text, sizeof text, "%6.3f ms", time.value_or(0));
+  return time ? text : right_aligned("?", 6) + " ms";
 }
 
+/// The same words in each pane, so that a number is found where it is in the others; "-": there is none.
 template <int D>
 std::vector<std::string> figures_of(const StructurePane<D>& pane, bool is_timed) {
   const PaneFigures& figures = pane.figures;
   const StructureMeasures& structure = figures.structure;
-  std::vector<std::string> items{"tests " + figure(figures.tests, 7), "pairs " + figure(figures.pairs, 6)};
-  if (!pane.parts.cells.empty()) {
-    items.push_back("cells " + figure(structure.cells, 5));
-    if (structure.has_parents) items.push_back("depth " + figure(structure.depth, 2));
-    if (structure.overlap > 0) items.push_back("overlap " + whole_percent(structure.overlap));
-    items.push_back("dead " + whole_percent(structure.dead));
-  } else if (!pane.parts.lists.empty()) {
-    items.push_back("lists " + figure(pane.parts.lists.size(), 1));
-  }
-  items.push_back(right_aligned(figures.bytes ? std::to_string((*figures.bytes + 512) / 1024) : "?", 6) +
-                  " kB");
+  const bool has_cells = !pane.parts.cells.empty();
+  const auto of_cells = [&](const std::string& text) {
+    return has_cells ? text : right_aligned("-", text.size());
+  };
+  std::vector<std::string> items{
+      "tests " + figure(figures.tests, 7),
+      "pairs " + figure(figures.pairs, 6),
+      "cells " + of_cells(figure(structure.cells, 5)),
+      "depth " + of_cells(figure(structure.depth, 2)),
+      "overlap " + of_cells(whole_percent(structure.overlap)),
+      "dead " + of_cells(whole_percent(structure.dead)),
+      "mem " + (figures.bytes ? figure((*figures.bytes + 512) / 1024, 5) : right_aligned("?", 5)) + " kB"};
   if (is_timed) items.push_back(milliseconds(figures.milliseconds));
   return items;
 }
 
-std::string shortened(std::string text, std::size_t letters) {
-  if (text.size() <= letters || letters < 4) return text;
-  return text.substr(0, letters - 3) + "...";
+/// Lines of whole words.
+std::vector<std::string> wrapped(const std::string& text, std::size_t letters) {
+  std::vector<std::string> lines{""};
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > letters) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  }
+  return lines;
 }
 
 enum class PaneMark { block, depths, fills, line, dashed, contact, strip };
@@ -118,7 +127,7 @@ class LegendMarkPainter {
         return ramp(
             box, [](std::uint32_t k) { return fill_color(1U << k); }, 7);
       case PaneMark::line:
-        return add_line_on_picture(batch_, view_, a, b, {item.color, scale_});
+        return add_line_on_picture(batch_, view_, a, b, {item.color, std::max(1.0, scale_)});
       case PaneMark::dashed:
         return add_line_on_picture(batch_, view_, a, b, {item.color, 1.3 * scale_, 4 * scale_, 3 * scale_});
       case PaneMark::contact:
@@ -155,15 +164,17 @@ class LegendMarkPainter {
 }  // namespace
 
 template <int D>
-std::vector<std::string> pane_lines(const StructurePane<D>& pane, bool is_timed, std::size_t letters) {
-  constexpr std::size_t kGap = 2;
-  std::vector<std::string> lines{
-      shortened(pane.name + (pane.parts.kind.empty() ? "" : ": " + pane.parts.kind), letters), ""};
+PaneLines pane_lines(const StructurePane<D>& pane, bool is_timed, std::size_t letters) {
+  constexpr std::size_t kBetween = 2;
+  PaneLines lines;
+  lines.plain = wrapped(pane.name + (pane.parts.kind.empty() ? "" : ": " + pane.parts.kind), letters);
+  lines.plain.emplace_back();
   for (const std::string& item : figures_of(pane, is_timed)) {
-    if (!lines.back().empty() && lines.back().size() + kGap + item.size() > letters) lines.emplace_back();
-    lines.back() += (lines.back().empty() ? "" : std::string(kGap, ' ')) + item;
+    std::string* line = &lines.plain.back();
+    if (!line->empty() && line->size() + kBetween + item.size() > letters) line = &lines.plain.emplace_back();
+    *line += (line->empty() ? "" : std::string(kBetween, ' ')) + item;
   }
-  if (!pane.parts.unseen.empty()) lines.push_back(shortened(pane.parts.unseen, letters));
+  if (!pane.parts.unseen.empty()) lines.faint = wrapped(pane.parts.unseen, letters);
   return lines;
 }
 
@@ -191,8 +202,8 @@ void draw_panes_legend(const PanesLegend& legend, const View& view, const Font& 
   }
 }
 
-template std::vector<std::string> pane_lines(const StructurePane<2>&, bool, std::size_t);
-template std::vector<std::string> pane_lines(const StructurePane<3>&, bool, std::size_t);
+template PaneLines pane_lines(const StructurePane<2>&, bool, std::size_t);
+template PaneLines pane_lines(const StructurePane<3>&, bool, std::size_t);
 template std::string panes_title(const PanesFrame<2>&);
 template std::string panes_title(const PanesFrame<3>&);
 

@@ -9,9 +9,15 @@
 
 namespace kerf {
 
-/// The lines above a pane: what it is, and its numbers in places that do not move in a film.
+/// The lines above a pane: what it is, its numbers in places that do not move in a film, and faint what
+/// cannot be seen.
+struct PaneLines {
+  std::vector<std::string> plain;
+  std::vector<std::string> faint;
+  [[nodiscard]] std::size_t size() const { return plain.size() + faint.size(); }
+};
 template <int D>
-std::vector<std::string> pane_lines(const StructurePane<D>& pane, bool is_timed, std::size_t letters);
+PaneLines pane_lines(const StructurePane<D>& pane, bool is_timed, std::size_t letters);
 
 /// The line above all panes.
 template <int D>

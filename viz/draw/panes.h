@@ -45,18 +45,18 @@ struct PanesFrame {
   bool has_strips = false;      ///< panes keep room for lists along axes
   bool is_timed = false;        ///< panes keep room for times
   int samples = 4;              ///< of a pixel
+  int columns = 0;              ///< of panes; 0: as the bounds call for
   std::vector<StructurePane<D>> panes;
 };
 
 /// Whether so many panes are worth looking at in a picture of that size.
 bool have_room(int picture_width, int picture_height, std::size_t panes);
 
-/// Columns and rows of so many panes.
-struct PaneShape {
-  int columns = 1;
-  int rows = 1;
-};
-PaneShape shape_of(std::size_t panes);
+/// In how many columns panes show a scene largest; `aspect`: its width over its height.
+int choose_columns(int picture_width, int picture_height, std::size_t panes, double aspect);
+/// Of what is framed, as a camera usually sees it.
+template <int D>
+double aspect_of(const Box<D>& bounds);
 
 /// Of the tests of a structure those that found no pair. `pairs`: sorted.
 std::vector<Pair> rejected_of(std::vector<Pair> tested, const std::vector<Pair>& pairs);

@@ -31,10 +31,8 @@ struct PaneGrid {
   int width = 0;
   int height = 0;
 
-  PaneGrid(std::size_t panes, int picture_width, int picture_height, int above, int below) : top(above) {
-    const PaneShape shape = shape_of(panes);
-    columns = shape.columns;
-    rows = shape.rows;
+  PaneGrid(int panes, int wanted_columns, int picture_width, int picture_height, int above, int below)
+      : columns(wanted_columns), rows((panes + wanted_columns - 1) / wanted_columns), top(above) {
     width = (picture_width - (columns - 1) * kGapPixels) / columns;
     height = (picture_height - above - below - (rows - 1) * kGapPixels) / rows;
   }
@@ -147,21 +145,28 @@ struct PanesRenderer<D>::State {
   void draw_overlay(const PanesFrame<D>& frame, const StructurePane<D>& pane, const View& view,
                     const Viewport& scene, const PaneGrid& grid) {
     overlay.clear();
-    const auto fill = [&](const Viewport& box) {
-      if (box.width > 0 && box.height > 0)
-        add_rectangle_on_picture(overlay.shapes, view, box, palette::kPanel);
+    const auto fill = [&](const Viewport& box, Color color) {
+      if (box.width > 0 && box.height > 0) add_rectangle_on_picture(overlay.shapes, view, box, color);
     };
-    fill({0, 0, double(grid.width), scene.top});
-    fill({0, scene.top, scene.left, scene.height});
-    fill({0, scene.top + scene.height, double(grid.width), grid.height - scene.top - scene.height});
+    fill({0, 0, double(grid.width), scene.top}, palette::kPanel);
+    // An aimed camera shows what lies below the strips, too.
+    fill({0, scene.top, scene.left, scene.height}, palette::kGround);
+    fill({0, scene.top + scene.height, double(grid.width), grid.height - scene.top - scene.height},
+         palette::kGround);
     if (frame.has_strips)
       draw_axis_strips<D>(view, font, scene, frame.bounds, pane.parts.lists, frame.bodies, overlay);
     const int pad = flow::padding(font);
-    const auto lines = pane_lines(pane, frame.is_timed, letters(grid));
-    for (std::size_t k = 0; has(Layer::caption) && k < lines.size(); ++k) {
-      const bool is_faint = k + 1 == lines.size() && !pane.parts.unseen.empty();
-      overlay.text.add(font, pad, pad + static_cast<int>(k) * font.line_height(), lines[k],
-                       is_faint ? palette::kFaintInk : palette::kInk);
+    const PaneLines lines = pane_lines(pane, frame.is_timed, letters(grid));
+    int y = pad;
+    const auto write = [&](const std::vector<std::string>& words, Color color) {
+      for (const std::string& line : words) {
+        overlay.text.add(font, pad, y, line, color);
+        y += font.line_height();
+      }
+    };
+    if (has(Layer::caption)) {
+      write(lines.plain, palette::kInk);
+      write(lines.faint, palette::kFaintInk);
     }
     painter.draw(overlay.shapes, Depth::ignore);
     painter.draw(overlay.text, view);
@@ -247,7 +252,11 @@ struct PanesRenderer<D>::State {
     const PanesLegend legend = legend_of(frame, options.layers);
     const int above = has(Layer::caption) ? band_height(1) : 0;
     const int below = has(Layer::legend) ? band_height(legend_lines(legend, font, options.width)) : 0;
-    const PaneGrid grid(frame.panes.size(), options.width, options.height, above, below);
+    const int columns = frame.columns > 0 ? frame.columns
+                                          : choose_columns(options.width, options.height, frame.panes.size(),
+                                                           aspect_of(frame.bounds));
+    const PaneGrid grid(static_cast<int>(frame.panes.size()), columns, options.width, options.height, above,
+                        below);
     const Viewport scene = scene_of(frame, grid);
     if (!picture) picture.emplace(context->functions(), options.width, options.height, 1);
     choose_framebuffer(grid, frame.samples);

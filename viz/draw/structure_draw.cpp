@@ -19,16 +19,6 @@ constexpr std::array<Color, 4> kDepths{{{45, 20, 95}, {105, 50, 165}, {165, 105,
 
 double depth_share(std::uint32_t depth) { return std::min(1.0, double{1} * depth / kDeepCell); }
 
-/// The part of a box that a picture can show: what has no end is cut at the bounds.
-template <int D>
-Box<D> within(Box<D> box, const Box<D>& bounds) {
-  for (int i = 0; i < D; ++i) {
-    if (!std::isfinite(box.min[i])) box.min[i] = std::min(bounds.min[i], box.max[i]);
-    if (!std::isfinite(box.max[i])) box.max[i] = std::max(bounds.max[i], box.min[i]);
-  }
-  return box;
-}
-
 Polygon rectangle(const Box<2>& box) {
   return {{box.min[0], box.min[1], 0},
           {box.max[0], box.min[1], 0},
@@ -133,30 +123,34 @@ std::vector<Color> object_colors(const StructureParts<D>& parts, std::span<const
 
 void draw_cell_areas(const DrawContext<2>& context, const StructureParts<2>& parts, Batch& batch) {
   constexpr double kApart = 0.5;     // cells that share nothing
-  constexpr double kNested = 0.3;    // others shine through
-  constexpr double kOverlap = 0.16;  // adds up where several siblings do
+  constexpr double kNested = 0.2;    // others shine through
+  constexpr double kOverlap = 0.09;  // adds up from level to level
   const double alpha = parts.holding == Holding::reaching ? kApart : kNested;
   const std::vector<std::uint32_t> population = population_of(parts);
   for (std::uint32_t cell = 0; cell < parts.cells.size(); ++cell) {
     if (population[cell] == 0) continue;
-    Polygon polygon = rectangle(within(parts.cells[cell].box, context.bounds));
+    Polygon polygon = rectangle(with_ends(parts.cells[cell].box, context.bounds));
     clip(polygon, sides_of(parts, cell));
     context.begin(batch, DrawnKind::leaf, parts.cells[cell].name);
     add_polygon(batch, context.view, polygon, with_alpha(fill_color(population[cell]), alpha));
   }
-  for (const std::vector<std::uint32_t>& siblings : children_of(parts))
+  for (const std::vector<std::uint32_t>& siblings : children_of(parts)) {
+    // Of more than two siblings there are more pairs, whose areas would hide all else.
+    const double count = static_cast<double>(siblings.size());
+    const double strength = kOverlap / std::sqrt(std::max(1.0, 0.5 * count * (count - 1)));
     for (std::size_t i = 0; i < siblings.size(); ++i)
       for (std::size_t k = i + 1; k < siblings.size(); ++k) {
-        if (!(overlap_share(parts, siblings[i], siblings[k]) > 0)) continue;
-        const Box<2> a = within(parts.cells[siblings[i]].box, context.bounds);
-        const Box<2> b = within(parts.cells[siblings[k]].box, context.bounds);
+        if (!(overlap_share(parts, siblings[i], siblings[k], context.bounds) > 0)) continue;
+        const Box<2> a = with_ends(parts.cells[siblings[i]].box, context.bounds);
+        const Box<2> b = with_ends(parts.cells[siblings[k]].box, context.bounds);
         Box<2> common;
         for (int axis = 0; axis < 2; ++axis) {
           common.min[axis] = std::max(a.min[axis], b.min[axis]);
           common.max[axis] = std::min(a.max[axis], b.max[axis]);
         }
-        add_polygon(batch, context.view, rectangle(common), with_alpha(kSiblingOverlap, kOverlap));
+        add_polygon(batch, context.view, rectangle(common), with_alpha(kSiblingOverlap, strength));
       }
+  }
 }
 
 /// The deepest first, so that what is large lies above.
@@ -176,7 +170,7 @@ void draw_cell_outlines(const DrawContext<D>& context, const StructureParts<D>& 
     if (told.cut != kNoPart) {
       draw_cut(context, parts, cell, stroke, batch);
     } else {
-      outline_box(context, within(told.box, context.bounds), stroke, batch);
+      outline_box(context, with_ends(told.box, context.bounds), stroke, batch);
     }
   }
 }
@@ -187,9 +181,9 @@ void draw_rejected(const DrawContext<D>& context, std::span<const Pair> rejected
     Eigen::Vector3d a, b;
     std::optional<Eigen::Vector2d> middle;
   };
-  constexpr double kOpacity = 0.55;
+  constexpr double kOpacity = 0.7;
   constexpr double kLeast = 0.06;
-  const double width = 0.8 * context.line_scale;
+  const double width = 0.9 * context.line_scale;
   const auto bodies = context.input.bodies;
   std::vector<Seen> all;
   PairDensity density(context.view);

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kFullCell = 64;
 Color depth_color(std::uint32_t depth);
 Color fill_color(std::uint32_t objects);
 inline constexpr Color kSiblingOverlap{204, 0, 120};
-inline constexpr Color kRejectedTest{120, 120, 120};
+inline constexpr Color kRejectedTest{95, 95, 95};
 inline constexpr Color kAxisStrip{0, 114, 178};
 
 /// By object: grey if fixed, white in several cells; in 3D by the fullest cell.

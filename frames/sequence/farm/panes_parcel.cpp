@@ -64,6 +64,7 @@ std::vector<std::uint8_t> pack_panes(const PanesFrame<D>& frame) {
   put(out, pack(input, plan));
   out.put(frame.has_strips);
   out.put(frame.is_timed);
+  out.put(frame.columns);
   out.put(frame.panes.size());
   for (const StructurePane<D>& pane : frame.panes) {
     out.put_text(pane.name);
@@ -79,16 +80,17 @@ template <int D>
 PanesFrame<D> unpack_panes(std::span<const std::uint8_t> bytes) {
   RawReader in(bytes);
   FrameParcel<D> parcel = unpack<D>(in.get_list<std::uint8_t>());
-  PanesFrame<D> frame{parcel.caption.scene,
-                      parcel.caption.step,
-                      parcel.caption.moving,
-                      std::move(parcel.bodies),
-                      std::move(parcel.contacts),
-                      parcel.plan.bounds,
-                      in.get<bool>(),
-                      in.get<bool>(),
-                      parcel.plan.samples,
-                      {}};
+  PanesFrame<D> frame;
+  frame.scene = parcel.caption.scene;
+  frame.step = parcel.caption.step;
+  frame.moving = parcel.caption.moving;
+  frame.bodies = std::move(parcel.bodies);
+  frame.contacts = std::move(parcel.contacts);
+  frame.bounds = parcel.plan.bounds;
+  frame.samples = parcel.plan.samples;
+  frame.has_strips = in.get<bool>();
+  frame.is_timed = in.get<bool>();
+  frame.columns = in.get<int>();
   for (std::size_t panes = in.get<std::size_t>(); panes > 0; --panes) {
     StructurePane<D> pane;
     pane.name = in.get_text();

@@ -78,12 +78,14 @@ TYPED_TEST(SideBySideTest, PanesArriveInAnotherProcessAsTheyWere) {
   frame.contacts = {{{0}, {1}}};
   frame.has_strips = true;
   frame.samples = 1;
+  frame.columns = 2;
   for (std::size_t k = 0; k < all.size(); ++k)
     frame.panes.push_back(pane_of<kD>("pane", all[k], frame.bodies, frame.bounds, 1.5));
   const PanesFrame<kD> read = unpack_panes<kD>(pack_panes(frame));
   EXPECT_EQ(read.scene, "two");
   EXPECT_EQ(read.step, 7U);
   EXPECT_EQ(read.samples, 1);
+  EXPECT_EQ(read.columns, 2);
   EXPECT_TRUE(read.has_strips);
   EXPECT_FALSE(read.is_timed);
   EXPECT_EQ(read.contacts, frame.contacts);
