@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -29,6 +31,8 @@ class AxisCells {
     const Scalar place = x * scale_ - offset_;
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::min(std::max(place, Scalar{0}), last_)));
   }
+  /// Where a cell begins: its least coordinate. Infinite for the first, and beyond the last.
+  [[nodiscard]] Scalar begin(std::uint32_t cell) const;
 
  private:
   Scalar scale_ = 0;
@@ -36,5 +40,27 @@ class AxisCells {
   Scalar last_ = 0;
   std::uint32_t count_ = 1;
 };
+
+/// Found by halving the floats, which agrees with `cell` whatever that rounds.
+inline Scalar AxisCells::begin(std::uint32_t which) const {
+  if (which == 0) return -std::numeric_limits<Scalar>::infinity();
+  if (which >= count_) return std::numeric_limits<Scalar>::infinity();
+  // Places in the order of finite floats: negative ones are those of the magnitude.
+  const auto float_at = [](std::int64_t place) {
+    const Scalar size = std::bit_cast<Scalar>(static_cast<std::uint32_t>(std::abs(place)));
+    return place < 0 ? -size : size;
+  };
+  std::int64_t high = std::bit_cast<std::uint32_t>(std::numeric_limits<Scalar>::max());
+  std::int64_t low = -high;
+  while (low < high) {
+    const std::int64_t middle = low + (high - low) / 2;
+    if (cell(float_at(middle)) >= which) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return float_at(low);
+}
 
 }  // namespace kerf

@@ -13,6 +13,13 @@ void BruteForce<D>::step() {
       if (objects_.is_pair(placed[i], placed[j])) pairs_.push_back({placed[i], placed[j]});
 }
 
+template <int D>
+void BruteForce<D>::describe(StructureParts<D>& parts) const {
+  std::uint64_t placed = 0;
+  for (std::uint32_t id = 0; id < objects_.bound(); ++id) placed += objects_.is_placed({id}) ? 1U : 0U;
+  tell_each_with_each(placed, parts);
+}
+
 template class BruteForce<2>;
 template class BruteForce<3>;
 

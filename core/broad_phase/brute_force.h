@@ -4,12 +4,13 @@
 
 #include "core/objects/broad_phase.h"
 #include "core/objects/object_table.h"
+#include "core/objects/structure.h"
 
 namespace kerf {
 
 /// The oracle: tests every object against every other. Exact by definition, O(n^2).
 template <int D>
-class BruteForce final : public BroadPhase<D> {
+class BruteForce final : public BroadPhase<D>, public SelfDescribing<D> {
  public:
   explicit BruteForce(VolumeKind kind = VolumeKind::box) : objects_(kind) {}
 
@@ -26,6 +27,8 @@ class BruteForce final : public BroadPhase<D> {
   Status remove(ObjectId object) override { return objects_.remove(object); }
   void step() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_; }
+  /// Has no structure to tell, only how many tests that takes.
+  void describe(StructureParts<D>& parts) const override;
 
  private:
   ObjectTable<D> objects_;

@@ -136,6 +136,8 @@ void Columns<D>::sweep(PairList& pairs) {
 
 template <int D>
 void Columns<D>::find_pairs(PairList& pairs) {
+  order_.items.clear();
+  ends_.clear();
   if (this->placed().empty()) return;
   measure();
   double volume = 1;
@@ -156,6 +158,45 @@ void Columns<D>::find_pairs(PairList& pairs) {
   sort_objects();
   deal();
   sweep(pairs);
+}
+
+template <int D>
+Box<D> Columns<D>::column_box(std::size_t column) const {
+  Box<D> box = everywhere<D>();
+  for (std::size_t k = 0; k < kAcross; ++k) {
+    const std::size_t count = grid_.across[k].count();
+    const auto place = static_cast<std::uint32_t>(column % count);
+    box.min[grid_.axes[k + 1]] = grid_.across[k].begin(place);
+    box.max[grid_.axes[k + 1]] = grid_.across[k].begin(place + 1);
+    column /= count;
+  }
+  return box;
+}
+
+template <int D>
+void Columns<D>::tell_column(std::size_t column, StructureParts<D>& parts) const {
+  const auto cell = static_cast<std::uint32_t>(parts.cells.size());
+  parts.cells.push_back({column_box(column), static_cast<std::uint32_t>(column), kNoPart, 0, kNoPart});
+  std::vector<ObjectId> sorted;
+  for (std::uint32_t k = column == 0 ? 0 : ends_[column - 1]; k < ends_[column]; ++k) {
+    sorted.push_back({entries_[k].object});
+    parts.members.push_back({cell, sorted.back()});
+  }
+  tell_sweep(
+      sorted, grid_.axes[0], [this](ObjectId object) { return this->table().box(object); }, parts);
+}
+
+template <int D>
+void Columns<D>::describe(StructureParts<D>& parts) const {
+  parts.kind = "grid of columns";
+  parts.holding = Holding::reaching;
+  for (std::size_t column = 0; column < ends_.size(); ++column) tell_column(column, parts);
+  parts.end_tested();
+  AxisList list{grid_.axes[0], {}};
+  for (const RadixSort::Item& item : order_.items)
+    list.ends.push_back({this->table().box({item.value}).min[list.axis], {item.value}, false});
+  parts.lists.push_back(std::move(list));
+  parts.bytes = bytes_of(reaches_) + bytes_of(ends_) + bytes_of(order_.items) * 2 + bytes_of(entries_);
 }
 
 template class Columns<2>;

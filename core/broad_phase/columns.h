@@ -7,6 +7,7 @@
 #include "core/broad_phase/radix_sort.h"
 #include "core/broad_phase/tabled.h"
 #include "core/kernels/lanes.h"
+#include "core/objects/structure.h"
 
 namespace kerf {
 
@@ -17,9 +18,12 @@ namespace kerf {
 /// Two boxes that overlap share a column. The pair is reported by the column in which, along each axis, at
 /// least one of both begins. There is only one: where the later beginning lies.
 template <int D>
-class Columns final : public Tabled<D> {
+class Columns final : public Tabled<D>, public SelfDescribing<D> {
  public:
   [[nodiscard]] std::string_view name() const override { return "columns"; }
+  /// The columns, and the order along them. Vectors also test a few boxes beyond the last that begins early
+  /// enough; those are not told.
+  void describe(StructureParts<D>& parts) const override;
 
  private:
   static constexpr std::size_t kAcross = D - 1;
@@ -48,6 +52,8 @@ class Columns final : public Tabled<D> {
   void sort_objects();
   void deal();
   void sweep(PairList& pairs);
+  [[nodiscard]] Box<D> column_box(std::size_t column) const;
+  void tell_column(std::size_t column, StructureParts<D>& parts) const;
   template <class Visit>
   void for_each_column(const Reach& reach, Visit visit) const;
 

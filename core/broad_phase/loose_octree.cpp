@@ -68,13 +68,9 @@ void LooseOctree<D>::sort_members() {
   for (std::size_t k = 0; k < unsorted_.size(); ++k) members_[ends_[cells_[k]]++] = unsorted_[k];
 }
 
-/// Members of a row of cells from `from` on. Without a branch, since hits can hardly be predicted.
+/// Without a branch, since hits can hardly be predicted.
 template <int D>
-void LooseOctree<D>::test_row(const Member& member, std::uint32_t from, std::uint32_t first,
-                              std::uint32_t last, PairList& pairs) {
-  const std::uint32_t begin = std::max(first == 0 ? 0 : ends_[first - 1], from);
-  const std::uint32_t end = ends_[last];
-  if (begin >= end) return;
+void LooseOctree<D>::test_row(const Member& member, std::uint32_t begin, std::uint32_t end, PairList& pairs) {
   candidates_ += end - begin;
   Pair* out = pairs.reserve(end - begin);
   for (std::uint32_t k = begin; k < end; ++k) {
@@ -86,7 +82,8 @@ void LooseOctree<D>::test_row(const Member& member, std::uint32_t from, std::uin
 }
 
 template <int D>
-void LooseOctree<D>::test_level(std::uint32_t index, unsigned level, PairList& pairs) {
+template <class Visit>
+void LooseOctree<D>::for_each_row(std::uint32_t index, unsigned level, Visit visit) const {
   const Member& member = members_[index];
   const std::uint32_t from = level == member.level ? index + 1 : 0;
   Place first;
@@ -102,9 +99,17 @@ void LooseOctree<D>::test_level(std::uint32_t index, unsigned level, PairList& p
     if (D == 3) place[D - 1] = z;
     for (place[1] = first[1]; place[1] <= last[1]; ++place[1]) {
       const std::uint32_t cell = cell_of(level, place);
-      test_row(member, from, cell, cell + row, pairs);
+      const std::uint32_t begin = std::max(cell == 0 ? 0 : ends_[cell - 1], from);
+      if (begin < ends_[cell + row]) visit(begin, ends_[cell + row]);
     }
   }
+}
+
+template <int D>
+template <class Visit>
+void LooseOctree<D>::for_each_row(std::uint32_t index, Visit visit) const {
+  for (unsigned level = 0; level <= members_[index].level; ++level)
+    if (level_members_[level] != 0) for_each_row(index, level, visit);
 }
 
 template <int D>
@@ -119,8 +124,55 @@ template <int D>
 void LooseOctree<D>::find_pairs(PairList& pairs) {
   candidates_ = 0;
   for (std::uint32_t k = 0; k < members_.size(); ++k)
-    for (unsigned level = 0; level <= members_[k].level; ++level)
-      if (level_members_[level] != 0) test_level(k, level, pairs);
+    for_each_row(k,
+                 [&](std::uint32_t begin, std::uint32_t end) { test_row(members_[k], begin, end, pairs); });
+}
+
+/// Where members of a cell begin, and the next place, into which they may reach.
+template <int D>
+Box<D> LooseOctree<D>::loose_box(unsigned level, const Place& place) const {
+  const unsigned up = finest_ - level;
+  Box<D> box;
+  for (std::size_t i = 0; i < D; ++i) {
+    const auto axis = static_cast<int>(i);
+    box.min[axis] = axes_[i].begin(place[i] << up);
+    box.max[axis] = axes_[i].begin((place[i] + 2) << up);
+  }
+  return box;
+}
+
+template <int D>
+void LooseOctree<D>::tell_cells(StructureParts<D>& parts) const {
+  constexpr std::uint32_t kUnused = kNoPart;
+  std::vector<std::uint32_t> part_of(level_begins_.back(), kUnused);
+  const auto tell = [&](auto&& self, unsigned level, const Place& place) -> std::uint32_t {
+    const std::uint32_t cell = cell_of(level, place);
+    if (part_of[cell] != kUnused) return part_of[cell];
+    Place above = place;
+    for (std::uint32_t& x : above) x >>= 1U;
+    const std::uint32_t parent = level == 0 ? kNoPart : self(self, level - 1, above);
+    part_of[cell] = static_cast<std::uint32_t>(parts.cells.size());
+    parts.cells.push_back({loose_box(level, place), cell, parent, level, kNoPart});
+    return part_of[cell];
+  };
+  for (const Member& member : members_) {
+    Place place = member.first;
+    for (std::uint32_t& x : place) x >>= finest_ - member.level;
+    parts.members.push_back({tell(tell, member.level, place), member.object});
+  }
+}
+
+template <int D>
+void LooseOctree<D>::describe(StructureParts<D>& parts) const {
+  parts.kind = "levels of loose cells";
+  if (!members_.empty()) tell_cells(parts);
+  for (std::uint32_t k = 0; k < members_.size(); ++k)
+    for_each_row(k, [&](std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t i = begin; i < end; ++i) parts.tell_tested(members_[k].object, members_[i].object);
+    });
+  parts.end_tested();
+  parts.bytes = bytes_of(level_begins_) + bytes_of(level_members_) + bytes_of(ends_) + bytes_of(cells_) +
+                bytes_of(unsorted_) + bytes_of(members_);
 }
 
 template class LooseOctree<2>;

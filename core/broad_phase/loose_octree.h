@@ -6,6 +6,7 @@
 
 #include "core/broad_phase/axis_cells.h"
 #include "core/broad_phase/tabled.h"
+#include "core/objects/structure.h"
 
 namespace kerf {
 
@@ -18,11 +19,14 @@ namespace kerf {
 /// Places are whole numbers, computed once at the finest level and halved for coarser ones. Rounding is
 /// monotone, so no overlap is lost.
 template <int D>
-class LooseOctree final : public Tabled<D> {
+class LooseOctree final : public Tabled<D>, public SelfDescribing<D> {
  public:
   [[nodiscard]] std::string_view name() const override { return "loose-octree"; }
   /// How many pairs of boxes the last `step()` tested.
   [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
+  /// Cells that hold objects, and those around them. The box of a cell is what its members may reach, so that
+  /// neighbours overlap.
+  void describe(StructureParts<D>& parts) const override;
 
  private:
   using Place = std::array<std::uint32_t, D>;
@@ -42,9 +46,14 @@ class LooseOctree final : public Tabled<D> {
   /// The number of a cell; `place` is that of its level. Level 0 is one cell.
   [[nodiscard]] std::uint32_t cell_of(unsigned level, const Place& place) const;
   void sort_members();
-  void test_level(std::uint32_t index, unsigned level, PairList& pairs);
-  void test_row(const Member& member, std::uint32_t from, std::uint32_t first, std::uint32_t last,
-                PairList& pairs);
+  [[nodiscard]] Box<D> loose_box(unsigned level, const Place& place) const;
+  void tell_cells(StructureParts<D>& parts) const;
+  /// Calls `visit(begin, end)` for each row of members with which a member is tested.
+  template <class Visit>
+  void for_each_row(std::uint32_t index, Visit visit) const;
+  template <class Visit>
+  void for_each_row(std::uint32_t index, unsigned level, Visit visit) const;
+  void test_row(const Member& member, std::uint32_t begin, std::uint32_t end, PairList& pairs);
 
   unsigned finest_ = 0;
   std::array<AxisCells, D> axes_;             ///< of the finest level

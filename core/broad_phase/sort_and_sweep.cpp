@@ -2,6 +2,7 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace kerf {
 
@@ -27,9 +28,9 @@ int SortAndSweep<D>::widest_axis() const {
 
 template <int D>
 void SortAndSweep<D>::find_pairs(PairList& pairs) {
-  if (this->placed().empty()) return;
-  const int axis = widest_axis();
   order_.items.clear();
+  if (this->placed().empty()) return;
+  const int axis = axis_ = widest_axis();
   for (const ObjectId object : this->placed())
     order_.items.push_back({sort_key(this->table().box(object).min[axis]), object.value});
   order_.sort();
@@ -42,6 +43,25 @@ void SortAndSweep<D>::find_pairs(PairList& pairs) {
     lanes_.set(k, box, object, this->table().is_fixed(object) ? 1 : 0);
   }
   sweep_lanes(lanes_, pairs);
+}
+
+template <int D>
+void SortAndSweep<D>::describe(StructureParts<D>& parts) const {
+  parts.kind = "order along an axis";
+  std::vector<ObjectId> sorted;
+  AxisList list{axis_, {}};
+  for (const RadixSort::Item& item : order_.items) {
+    const ObjectId object{item.value};
+    sorted.push_back(object);
+    list.ends.push_back({this->table().box(object).min[axis_], object, false});
+  }
+  tell_sweep(
+      sorted, axis_, [this](ObjectId object) { return this->table().box(object); }, parts);
+  parts.end_tested();
+  parts.lists.push_back(std::move(list));
+  parts.bytes = bytes_of(order_.items) * 2 + bytes_of(lanes_.object) + bytes_of(lanes_.apart);
+  for (std::size_t axis = 0; axis < D; ++axis)
+    *parts.bytes += bytes_of(lanes_.min[axis]) + bytes_of(lanes_.max[axis]);
 }
 
 template class SortAndSweep<2>;

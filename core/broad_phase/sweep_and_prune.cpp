@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace kerf {
 
@@ -138,6 +139,21 @@ template <int D>
 void SweepAndPrune<D>::find_pairs(PairList& pairs) {
   for (const Pair& pair : candidates_.pairs())
     if (this->table().is_pair(pair.a, pair.b)) pairs.add(pair);
+}
+
+template <int D>
+void SweepAndPrune<D>::describe(StructureParts<D>& parts) const {
+  constexpr std::uint64_t kBytesOfPair = 48;  // in the list, and in the set with its links
+  parts.kind = "lists along axes";
+  parts.bytes = kBytesOfPair * candidates_.pairs().size() + bytes_of(parts_);
+  for (const List& list : lists_) {
+    AxisList told{list.axis, {}};
+    for (const End& end : list.ends) told.ends.push_back({end.value, {end.object}, end.upper});
+    parts.lists.push_back(std::move(told));
+    *parts.bytes += bytes_of(list.ends);
+  }
+  parts.tested.assign(candidates_.pairs().begin(), candidates_.pairs().end());
+  parts.end_tested();
 }
 
 template class SweepAndPrune<2>;

@@ -6,6 +6,7 @@
 
 #include "core/base/pair_set.h"
 #include "core/broad_phase/tabled.h"
+#include "core/objects/structure.h"
 
 namespace kerf {
 
@@ -18,7 +19,7 @@ using AxisChoice = std::array<bool, 3>;
 ///
 /// Where the paper keeps an n by n matrix of overlaps, we keep a set: 100,000 objects would need 10 GB.
 template <int D>
-class SweepAndPrune final : public Tabled<D> {
+class SweepAndPrune final : public Tabled<D>, public SelfDescribing<D> {
  public:
   /// Lists are kept along the chosen axes only (the paper leaves Y out of its simulations 1 and 4); pairs are
   /// those that overlap along all axes, whatever the choice. Throws std::invalid_argument if none is chosen.
@@ -27,6 +28,8 @@ class SweepAndPrune final : public Tabled<D> {
   [[nodiscard]] std::string_view name() const override { return "sweep-and-prune"; }
   /// How many pairs overlap along all chosen axes.
   [[nodiscard]] std::uint64_t candidates() const { return candidates_.pairs().size(); }
+  /// The lists. What it tests are the candidates, which it compares along the axes that have no list.
+  void describe(StructureParts<D>& parts) const override;
 
  private:
   /// One end of an object along an axis.

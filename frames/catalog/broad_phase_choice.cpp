@@ -14,10 +14,10 @@ namespace {
 constexpr std::string_view kOracle = "brute-force";
 
 template <int D>
-void check_name(std::string_view name) {
+void check_name(std::string_view name, std::string_view option) {
   const std::vector<std::string> names = broad_phase_names<D>();
   if (std::ranges::find(names, name) != names.end()) return;
-  throw UsageError("--broad-phase: " +
+  throw UsageError(std::string(option) + ": " +
                    unknown_name_message(std::to_string(D) + "D broad phase", name, names));
 }
 
@@ -56,11 +56,11 @@ bool takes_volumes(std::string_view name) {
   return name == kTunedTree || name == kPaperTree || name == kOracle;
 }
 
-BroadPhaseChoice choose_broad_phase(std::string_view name, const Needs& needs) {
+BroadPhaseChoice choose_broad_phase(std::string_view name, const Needs& needs, std::string_view option) {
   if (needs.dimension == 2) {
-    check_name<2>(name);
+    check_name<2>(name, option);
   } else {
-    check_name<3>(name);
+    check_name<3>(name, option);
   }
   BroadPhaseChoice choice;
   choice.name = name;
@@ -72,10 +72,16 @@ BroadPhaseChoice choose_broad_phase(std::string_view name, const Needs& needs) {
 template <int D>
 std::unique_ptr<BroadPhase<D>> make_broad_phase(const BroadPhaseChoice& choice, const SceneEntry<D>& scene,
                                                 const SceneOptions& options) {
+  const bool needs_hints = !choice.is_tree() && choice.name != kOracle;
+  return make_broad_phase<D>(choice, needs_hints ? hints_for(scene, options) : RivalHints<D>{});
+}
+
+template <int D>
+std::unique_ptr<BroadPhase<D>> make_broad_phase(const BroadPhaseChoice& choice, const RivalHints<D>& hints) {
   if (choice.is_tree()) return std::make_unique<Bsp<D>>(choice.config, choice.volume);
   if (choice.name == kOracle) return std::make_unique<BruteForce<D>>(choice.volume);
-  check_name<D>(choice.name);
-  return find_algorithm<D>(choice.name)->make(hints_for(scene, options), 1);
+  check_name<D>(choice.name, "--broad-phase");
+  return find_algorithm<D>(choice.name)->make(hints, 1);
 }
 
 template std::vector<std::string> broad_phase_names<2>();
@@ -84,5 +90,7 @@ template std::unique_ptr<BroadPhase<2>> make_broad_phase(const BroadPhaseChoice&
                                                          const SceneOptions&);
 template std::unique_ptr<BroadPhase<3>> make_broad_phase(const BroadPhaseChoice&, const SceneEntry<3>&,
                                                          const SceneOptions&);
+template std::unique_ptr<BroadPhase<2>> make_broad_phase(const BroadPhaseChoice&, const RivalHints<2>&);
+template std::unique_ptr<BroadPhase<3>> make_broad_phase(const BroadPhaseChoice&, const RivalHints<3>&);
 
 }  // namespace kerf

@@ -30,8 +30,10 @@ std::vector<std::string> broad_phase_names();
 
 /// The choice called `name`, with parameters and volume for such a scene: the tuned parameters for "kerf",
 /// for "kerf-paper" the paper's, without what the scene does not need; boxes for a broad phase that takes
-/// nothing else. Throws UsageError, with a suggestion, unless the scene's dimension has such a broad phase.
-BroadPhaseChoice choose_broad_phase(std::string_view name, const Needs& needs);
+/// nothing else. Throws UsageError for `option`, with a suggestion, unless the scene's dimension has such a
+/// broad phase.
+BroadPhaseChoice choose_broad_phase(std::string_view name, const Needs& needs,
+                                    std::string_view option = "--broad-phase");
 
 /// Whether it accepts other volumes than boxes.
 bool takes_volumes(std::string_view name);
@@ -41,5 +43,8 @@ bool takes_volumes(std::string_view name);
 template <int D>
 std::unique_ptr<BroadPhase<D>> make_broad_phase(const BroadPhaseChoice& choice, const SceneEntry<D>& scene,
                                                 const SceneOptions& options);
+/// The same where the boxes are known beforehand.
+template <int D>
+std::unique_ptr<BroadPhase<D>> make_broad_phase(const BroadPhaseChoice& choice, const RivalHints<D>& hints);
 
 }  // namespace kerf

@@ -67,6 +67,11 @@ RenderCommand::RenderCommand(CLI::App& program)
   option("--recycle", texts_.recycle,
          "Then let the oldest fall anew, one every so many steps (default never)", "STEPS");
   option("--broad-phase", texts_.broad_phase, "What finds the pairs, see below (default kerf-paper)", "NAME");
+  option("--beside", texts_.beside,
+         "Up to five more broad phases on the same boxes, each in a pane with its structure; or none",
+         "NAME,...");
+  command_->add_flag("--timed", texts_.timed,
+                     "Panes also show what a step takes; two runs then do not have the same pixels");
   option("--volume", texts_.volume, "How objects are bounded, see below (default: what the scene needs)",
          "KIND");
   option("--show", texts_.show, "What is drawn, see below (default all)", "LAYERS");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "frames/rivals/box_tree.h"
 #include "frames/rivals/rival_base.h"
 
 namespace kerf {
@@ -21,6 +22,30 @@ void* to_user(ObjectId object) { return reinterpret_cast<void*>(std::uintptr_t{o
 ObjectId to_object(const void* user) {
   return {static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(user))};
 }
+
+Box<2> from_box2d(const b2AABB& aabb) {
+  return {{{aabb.lowerBound.x, aabb.lowerBound.y}}, {{aabb.upperBound.x, aabb.upperBound.y}}};
+}
+
+// Box2D's headers lay its tree open, but no function returns a node. Access is not checked where a template
+// is instantiated explicitly, so that these functions may name the members; they only read.
+const b2TreeNode* nodes_of(const b2DynamicTree& tree);
+int32 root_of(const b2DynamicTree& tree);
+int32 count_of(const b2DynamicTree& tree);
+const b2DynamicTree& tree_of(const b2BroadPhase& broad_phase);
+template <auto kNodes, auto kRoot, auto kCount>
+struct TreeAccess {
+  friend const b2TreeNode* nodes_of(const b2DynamicTree& tree) { return tree.*kNodes; }
+  friend int32 root_of(const b2DynamicTree& tree) { return tree.*kRoot; }
+  friend int32 count_of(const b2DynamicTree& tree) { return tree.*kCount; }
+};
+template struct TreeAccess<&b2DynamicTree::m_nodes, &b2DynamicTree::m_root, &b2DynamicTree::m_nodeCapacity>;
+template <auto kTree>
+struct BroadPhaseAccess {
+  friend const b2DynamicTree& tree_of(const b2BroadPhase& broad_phase) { return broad_phase.*kTree; }
+};
+template struct BroadPhaseAccess<&b2BroadPhase::m_tree>;
+const b2DynamicTree& tree_of(const b2DynamicTree& tree) { return tree; }
 
 /// Objects as proxies of a tree or broad phase of Box2D's.
 template <class Holder>
@@ -42,6 +67,20 @@ class Box2dRival : public RivalBase<2> {
   void drop(ObjectId object) override {
     holder_.DestroyProxy(proxies_[object.index()]);
     proxies_[object.index()] = kNone;
+  }
+
+  void tell_structure(StructureParts<2>& parts) const override {
+    const b2DynamicTree& tree = tree_of(holder_);
+    const b2TreeNode* const nodes = nodes_of(tree);
+    const auto look = [nodes](int32 id) -> BoxTreeNode<2, int32> {
+      const b2TreeNode& node = nodes[id];
+      return {from_box2d(node.aabb), node.IsLeaf(), to_object(node.userData),
+              node.child1,           node.child2,   static_cast<std::uint32_t>(id)};
+    };
+    parts.kind = "tree of boxes";
+    if (root_of(tree) != kNone) tell_box_tree(root_of(tree), look, parts);
+    tell_candidates(parts);
+    parts.bytes = static_cast<std::uint64_t>(count_of(tree)) * sizeof(b2TreeNode);
   }
 
   static constexpr int32 kNone = -1;

@@ -45,6 +45,9 @@ class CgalRival final : public RivalBase<D> {
     place_[set[place].index()] = place;
     set.pop_back();
   }
+  void tell_structure(StructureParts<D>& parts) const override {
+    parts.unseen = "CGAL builds and drops its segment trees within one call";
+  }
   void find_pairs() override {
     constexpr std::ptrdiff_t kCutoff = 10;  // CGAL's default
     constexpr auto kTopology = CGAL::Box_intersection_d::CLOSED;

@@ -126,6 +126,9 @@ class EmbreeRival final : public RivalBase<3> {
     const ObjectId moved = scene_of(object).drop(place);
     if (!moved.is_none()) place_[moved.index()] = place;
   }
+  void tell_structure(StructureParts<3>& parts) const override {
+    parts.unseen = "Embree keeps its tree to itself";
+  }
   void find_pairs() override {
     moving_.commit();
     fixed_.commit();

@@ -7,6 +7,7 @@
 
 #include <utility>
 
+#include "frames/rivals/box_tree.h"
 #include "frames/rivals/rival_base.h"
 
 namespace kerf {
@@ -43,6 +44,11 @@ struct FclBody {
   FclObject object;
   bool registered = false;
 };
+
+Scalar from_fcl(double x, bool up) { return up ? round_up(x) : round_down(x); }
+
+using FclTree = fcl::DynamicAABBTreeCollisionManager<double>;
+using FclNode = fcl::detail::NodeBase<fcl::AABB<double>>;
 
 /// Boxes change only in `find_pairs`: a manager removes an object by its present box.
 class FclRival final : public RivalBase<3> {
@@ -102,6 +108,32 @@ class FclRival final : public RivalBase<3> {
     }
     arriving_.clear();
     manager_->registerObjects(batch_);
+  }
+  void tell_structure(StructureParts<3>& parts) const override {
+    tell_candidates(parts);
+    const auto* const tree = dynamic_cast<const FclTree*>(manager_.get());
+    if (tree == nullptr) {
+      parts.unseen = "this manager of FCL keeps its structure to itself";
+      return;
+    }
+    parts.kind = "tree of boxes";
+    if (!tree->empty()) tell_box_tree(static_cast<const FclNode*>(tree->getTree().getRoot()), look, parts);
+    parts.bytes = parts.cells.size() * sizeof(FclNode);
+  }
+  static BoxTreeNode<3, const FclNode*> look(const FclNode* node) {
+    BoxTreeNode<3, const FclNode*> told;
+    for (int axis = 0; axis < 3; ++axis) {
+      told.box.min[axis] = from_fcl(node->bv.min_[axis], false);
+      told.box.max[axis] = from_fcl(node->bv.max_[axis], true);
+    }
+    told.is_leaf = node->isLeaf();
+    if (told.is_leaf) {
+      told.object = object_of(*static_cast<const FclObject*>(node->data));
+    } else {
+      told.left = node->children[0];
+      told.right = node->children[1];
+    }
+    return told;
   }
   static ObjectId object_of(const FclObject& object) {
     return {static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(object.getUserData()))};

@@ -5,6 +5,7 @@
 
 #include "core/objects/broad_phase.h"
 #include "core/objects/object_table.h"
+#include "core/objects/structure.h"
 #include "frames/rivals/added_work.h"
 #include "frames/rivals/rival.h"
 
@@ -13,7 +14,7 @@ namespace kerf {
 /// The common part of all rivals: statuses, the objects that the library holds now, and the list of pairs. A
 /// rival defines how an object enters the library, changes and leaves it, and how pairs are found.
 template <int D>
-class RivalBase : public BroadPhase<D>, public AddedWork {
+class RivalBase : public BroadPhase<D>, public AddedWork, public SelfDescribing<D> {
  public:
   explicit RivalBase(const RivalHints<D>& hints, Intake intake);
 
@@ -23,6 +24,7 @@ class RivalBase : public BroadPhase<D>, public AddedWork {
   void step() final;
   [[nodiscard]] std::span<const Pair> pairs() const final { return pairs_; }
   [[nodiscard]] std::uint64_t added_nanoseconds() const final { return added_; }
+  void describe(StructureParts<D>& parts) const final { tell_structure(parts); }
 
  protected:
   virtual void add(ObjectId object, const Box<D>& box, bool fixed) = 0;
@@ -32,6 +34,14 @@ class RivalBase : public BroadPhase<D>, public AddedWork {
   virtual void find_pairs() = 0;
   /// Calls them for the pairs that the library keeps and that its caller has to visit.
   virtual void collect_pairs() {}
+  /// Tells what the library's headers show of its structure, or why they show nothing.
+  virtual void tell_structure(StructureParts<D>& parts) const = 0;
+
+  /// The pairs that the library left to be tested are the tests that can be told of it.
+  void tell_candidates(StructureParts<D>& parts) const {
+    for (const auto& [a, b] : candidates_) parts.tell_tested(a, b);
+    parts.end_tested();
+  }
 
   /// The last box given to the library.
   [[nodiscard]] const Box<D>& shown(ObjectId object) const { return shown_[object.index()]; }

@@ -155,8 +155,10 @@ void keep_recent_operators(std::span<const Event> events, std::uint32_t now, std
 }
 
 std::unique_ptr<Film> make_film(const RenderRequest& request) {
-  if (request.recording) return make_recording_film(request);
+  if (request.recording)
+    return request.beside ? make_panes_of_recording(request) : make_recording_film(request);
   try {
+    if (request.beside) return make_panes_film(request);
     return std::visit(
         [&](const auto* entry) -> std::unique_ptr<Film> {
           if constexpr (std::is_same_v<decltype(entry), const SceneEntry<2>*>) {

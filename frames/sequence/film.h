@@ -40,6 +40,10 @@ std::unique_ptr<Film> make_film(const RenderRequest& request);
 /// The same for a request of a recording.
 std::unique_ptr<Film> make_recording_film(const RenderRequest& request);
 
+/// The same for requests with panes.
+std::unique_ptr<Film> make_panes_film(const RenderRequest& request);
+std::unique_ptr<Film> make_panes_of_recording(const RenderRequest& request);
+
 /// As in FrameOptions.
 inline int samples_of_renderer(const RenderRequest& request) {
   return request.samples == kSupersampled ? 1 : request.samples;

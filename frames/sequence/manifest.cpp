@@ -181,6 +181,11 @@ Manifest begin_manifest(const RenderRequest& request) {
   json["camera"] = request.camera;
   json["camera_path"] = request.camera_path;
   json["samples"] = request.samples;
+  if (request.beside) {
+    json["beside"] = Json::array();
+    for (const BroadPhaseChoice& choice : *request.beside) json["beside"].push_back(choice.name);
+    json["timed"] = request.timed;
+  }
   return {dump(json, -1), request.name, steps, request.size, request.shard, false, {}};
 }
 

@@ -19,6 +19,7 @@
 #include "viz/draw/camera.h"
 #include "viz/draw/camera_path.h"
 #include "viz/draw/frame_renderer.h"
+#include "viz/draw/panes.h"
 
 namespace kerf {
 namespace {
@@ -79,6 +80,54 @@ BroadPhaseChoice parse_broad_phase(const CatalogScene& scene, const RenderTexts&
     throw UsageError("--volume: " + choice.name +
                      " knows only boxes; kerf, kerf-paper and brute-force take other volumes");
   return choice;
+}
+
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> names;
+  std::istringstream list(text);
+  for (std::string name; std::getline(list, name, ',');) names.push_back(name);
+  return names;
+}
+
+void check_panes(const RenderRequest& request, const RenderTexts& texts) {
+  const std::size_t panes = 1 + request.beside->size();
+  if (panes > kMostPanes)
+    throw UsageError("--beside: a picture has at most " + std::to_string(kMostPanes) +
+                     " panes, that of --broad-phase among them; leave out " +
+                     std::to_string(panes - kMostPanes));
+  std::vector<std::string> names{request.broad_phase.name};
+  for (const BroadPhaseChoice& choice : *request.beside) {
+    if (std::ranges::find(names, choice.name) != names.end())
+      throw UsageError("--beside: " + choice.name + " would be in two panes; name it once");
+    names.push_back(choice.name);
+  }
+  if (!have_room(request.size.width, request.size.height, panes))
+    throw UsageError("--size: " + std::to_string(panes) + " panes have no room in " +
+                     std::to_string(request.size.width) + "x" + std::to_string(request.size.height) +
+                     " pixels; ask for a larger picture or name fewer in --beside");
+  if (request.ids && panes > 1)
+    throw UsageError(
+        "--ids says what each pixel shows of one broad phase; leave it out, or give --beside none");
+  if (!texts.record.empty())
+    throw UsageError("--record takes the run of one broad phase; leave it or --beside out");
+  if (request.broad_phase.volume != VolumeKind::box && !texts.volume.empty())
+    throw UsageError("--volume: panes compare broad phases on the same boxes; leave it or --beside out");
+}
+
+/// Panes get boxes, whatever bounds the objects of the scene.
+void parse_beside(const RenderTexts& texts, const Needs& needs, RenderRequest& request) {
+  request.timed = texts.timed;
+  if (texts.beside.empty()) {
+    if (texts.timed) throw UsageError("--timed shows the times of panes; give --beside, too");
+    return;
+  }
+  request.beside.emplace();
+  if (texts.beside != "none")
+    for (const std::string& name : split_list(texts.beside))
+      request.beside->push_back(choose_broad_phase(name, needs, "--beside"));
+  check_panes(request, texts);
+  request.broad_phase.volume = VolumeKind::box;
+  for (BroadPhaseChoice& choice : *request.beside) choice.volume = VolumeKind::box;
 }
 
 /// `--view` is the camera's direction, which `--camera` may still change.
@@ -192,6 +241,7 @@ RenderRequest parse_request(const RenderTexts& texts) {
   }
   parse_pictures(texts, request);
   request.broad_phase = parse_broad_phase(request.scene, texts);
+  parse_beside(texts, needs_of(request.scene), request);
   request.record = texts.record;
   if (request.resume && !request.record.empty())
     throw UsageError(
@@ -246,6 +296,9 @@ RenderRequest parse_recording_request(const RenderTexts& texts) {
   request.options = {request.recording->info.objects, request.recording->info.grow,
                      request.recording->info.recycle, request.recording->info.seed};
   parse_pictures(texts, request);
+  Needs needs;
+  needs.dimension = request.dimension();
+  parse_beside(texts, needs, request);
   request.layers.set(Layer::contacts, false);  // a recording has no narrow phase
   parse_shard_of_recording(texts, request);
   return request;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/recording/recording_info.h"
 #include "frames/catalog/broad_phase_choice.h"
@@ -43,6 +44,8 @@ struct RenderTexts {
   std::string backend;
   std::string camera_path;
   std::string samples;
+  std::string beside;
+  bool timed = false;
   bool overwrite = false;
   bool resume = false;
 };
@@ -73,6 +76,9 @@ struct RenderRequest {
   int samples = 0;                    ///< of each pixel, see kSupersampled; 0: a choice
   GlBackend backend = GlBackend::any;
   BroadPhaseChoice broad_phase;
+  /// Broad phases in panes beside that one, each with its structure; none: a picture without panes.
+  std::optional<std::vector<BroadPhaseChoice>> beside;
+  bool timed = false;  ///< panes show what a step takes: two runs then differ
   std::filesystem::path out;
   FilmRequest film;
   std::filesystem::path record;  ///< empty: none

@@ -219,4 +219,10 @@ double OdeSpace::count_candidates() const {
   return count_sweep_candidates(space.get(), boxes);
 }
 
+void OdeSpace::describe(StructureParts<3>& parts) const {
+  parts.unseen = "ODE keeps the structure of its spaces to itself";
+  const double candidates = count_candidates();
+  if (candidates >= 0) parts.tests = static_cast<std::uint64_t>(candidates);
+}
+
 }  // namespace kerf

@@ -5,6 +5,7 @@
 
 #include "core/objects/broad_phase.h"
 #include "core/objects/object_table.h"
+#include "core/objects/structure.h"
 #include "sims3d/ode_library.h"
 
 namespace kerf {
@@ -28,7 +29,7 @@ enum class OdePlane : std::uint8_t {
 ///
 /// The space has the boxes in doubles. Category bits exclude pairs of two fixed objects. ODE's quadtree
 /// divides its X and Y, so that it gets boxes with Y and Z exchanged where the plane is another.
-class OdeSpace final : public BroadPhase<3> {
+class OdeSpace final : public BroadPhase<3>, public SelfDescribing<3> {
  public:
   /// `bounds` is where the quadtree lies; objects outside are kept in its root. The other kinds do not need
   /// it. Throws std::runtime_error if ODE cannot make the space.
@@ -52,6 +53,8 @@ class OdeSpace final : public BroadPhase<3> {
   /// How many pairs of boxes a `step()` compares with the objects where they are; negative: unknown. Builds a
   /// second space for it.
   [[nodiscard]] double count_candidates() const;
+  /// ODE's headers show nothing of its spaces; only the number of tests can be told.
+  void describe(StructureParts<3>& parts) const override;
 
  private:
   void place(ObjectId object, const Box<3>& given);

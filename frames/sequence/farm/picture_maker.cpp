@@ -4,7 +4,9 @@
 
 #include "frames/sequence/draw_list_file.h"
 #include "frames/sequence/farm/frame_parcel.h"
+#include "frames/sequence/farm/panes_parcel.h"
 #include "frames/support/errors.h"
+#include "viz/draw/panes_renderer.h"
 #include "viz/image/contact_sheet.h"
 #include "viz/image/png.h"
 
@@ -24,24 +26,48 @@ FrameOptions frame_options(const RenderRequest& request) {
   return options;
 }
 
+/// Draws parcels of single frames.
 template <int D>
+class FrameDrawer {
+ public:
+  explicit FrameDrawer(const FrameOptions& options) : renderer_(options) {}
+  const Image& draw(std::span<const std::uint8_t> parcel) {
+    const FrameParcel<D> frame = unpack<D>(parcel);
+    return renderer_.render(frame.input(), frame.plan);
+  }
+  [[nodiscard]] StoredIds ids() const { return {renderer_.ids(), renderer_.rasterizer()}; }
+
+ private:
+  FrameRenderer<D> renderer_;
+};
+
+/// Draws parcels of panes.
+template <int D>
+class PanesDrawer {
+ public:
+  explicit PanesDrawer(const FrameOptions& options) : renderer_(options) {}
+  const Image& draw(std::span<const std::uint8_t> parcel) {
+    return renderer_.render(unpack_panes<D>(parcel));
+  }
+  [[nodiscard]] StoredIds ids() const { return {renderer_.ids(), renderer_.rasterizer()}; }
+
+ private:
+  PanesRenderer<D> renderer_;
+};
+
+template <class Drawer>
 class PictureMaker final : public FrameMaker {
  public:
   explicit PictureMaker(const RenderRequest& request)
-      : folder_(request.out),
-        size_(request.size),
-        wants_ids_(request.ids),
-        renderer_(frame_options(request)) {}
+      : folder_(request.out), size_(request.size), wants_ids_(request.ids), drawer_(frame_options(request)) {}
 
   Made make(const std::string& file, std::span<const std::uint8_t> parcel,
             std::optional<std::uint64_t> kept) override {
     const std::filesystem::path path = folder_ / file;
     if (kept && is_kept(path, *kept)) return {*kept, &kept_};
-    const FrameParcel<D> frame = unpack<D>(parcel);
-    const Image& drawn = renderer_.render(frame.input(), frame.plan);
-    const Image& image = in_size(drawn);
+    const Image& image = in_size(drawer_.draw(parcel));
     write_png(path, image, Replace::earlier, Sync::later);  // SequenceFolder syncs them all
-    if (wants_ids_) write_ids(path, {renderer_.ids(), renderer_.rasterizer()});
+    if (wants_ids_) write_ids(path, drawer_.ids());
     return {pixel_hash(image), &image};
   }
 
@@ -65,7 +91,7 @@ class PictureMaker final : public FrameMaker {
   std::filesystem::path folder_;
   PictureSize size_;
   bool wants_ids_;
-  FrameRenderer<D> renderer_;
+  Drawer drawer_;
   Image kept_;
   Image shrunk_;
 };
@@ -74,8 +100,11 @@ class PictureMaker final : public FrameMaker {
 
 std::unique_ptr<FrameMaker> make_picture_maker(const RenderRequest& request) {
   try {
-    if (request.dimension() == 2) return std::make_unique<PictureMaker<2>>(request);
-    return std::make_unique<PictureMaker<3>>(request);
+    if (request.beside && request.dimension() == 2)
+      return std::make_unique<PictureMaker<PanesDrawer<2>>>(request);
+    if (request.beside) return std::make_unique<PictureMaker<PanesDrawer<3>>>(request);
+    if (request.dimension() == 2) return std::make_unique<PictureMaker<FrameDrawer<2>>>(request);
+    return std::make_unique<PictureMaker<FrameDrawer<3>>>(request);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }

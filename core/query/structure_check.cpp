@@ -1,0 +1,294 @@
+#include "core/query/structure_check.h"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+#include <utility>
+
+#include "core/base/shortest_text.h"
+#include "core/query/structure_measures.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::array<std::string_view, 14> kNames{"child outside its parent",
+                                                  "object outside its cell",
+                                                  "object in no cell",
+                                                  "object in two cells",
+                                                  "object not where it reaches",
+                                                  "unknown object",
+                                                  "leaf without an object",
+                                                  "child of two nodes",
+                                                  "too deep",
+                                                  "too much overlap",
+                                                  "no margin",
+                                                  "list out of order",
+                                                  "object not in the list",
+                                                  "pair never tested"};
+
+std::string axis_name(int axis) { return std::string(1, static_cast<char>('x' + axis)); }
+std::string text_of(ObjectId object) { return "object " + std::to_string(object.value); }
+
+template <int D>
+class Checker {
+ public:
+  Checker(const StructureParts<D>& parts, std::span<const KnownObject<D>> objects,
+          std::span<const Pair> pairs, const StructureLimits& limits)
+      : parts_(parts),
+        objects_(objects),
+        pairs_(pairs),
+        limits_(limits),
+        members_(parts.members),
+        children_(children_of(parts)) {
+    std::ranges::sort(members_);
+    for (const KnownObject<D>& known : objects) boxes_.emplace(known.object, known.box);
+  }
+
+  std::vector<StructureFault> run() {
+    check_links();
+    check_cells();
+    check_members();
+    if (!parts_.cells.empty()) check_objects();
+    for (const AxisList& list : parts_.lists) check_list(list);
+    check_pairs();
+    return std::move(faults_);
+  }
+
+ private:
+  using Kind = StructureFaultKind;
+
+  void add(Kind kind, std::uint32_t cell, ObjectId object, std::string text) {
+    faults_.push_back({kind, cell == kNoPart ? kNoPart : parts_.cells[cell].name, object, std::move(text)});
+  }
+  [[nodiscard]] std::string name(std::uint32_t cell) const {
+    return "n" + std::to_string(parts_.cells[cell].name);
+  }
+
+  /// Where `inner` leaves `outer`: "along x it ends at 5.2, beyond 5".
+  [[nodiscard]] static std::string how_outside(const Box<D>& inner, const Box<D>& outer) {
+    for (int axis = 0; axis < D; ++axis) {
+      if (inner.min[axis] < outer.min[axis])
+        return "along " + axis_name(axis) + " it begins at " + shortest_text(inner.min[axis]) + ", before " +
+               shortest_text(outer.min[axis]);
+      if (inner.max[axis] > outer.max[axis])
+        return "along " + axis_name(axis) + " it ends at " + shortest_text(inner.max[axis]) + ", beyond " +
+               shortest_text(outer.max[axis]);
+    }
+    return "its box is none";
+  }
+
+  /// A node that is told twice has two parents.
+  void check_links() {
+    std::unordered_map<std::uint32_t, std::uint32_t> first;
+    for (std::uint32_t cell = 0; cell < parts_.cells.size(); ++cell) {
+      const auto [known, is_new] = first.emplace(parts_.cells[cell].name, cell);
+      if (is_new) continue;
+      const auto parent_of = [&](std::uint32_t of) {
+        const std::uint32_t parent = parts_.cells[of].parent;
+        return parent == kNoPart ? std::string("the root's place") : name(parent);
+      };
+      add(Kind::child_of_two, cell, {},
+          name(cell) + " is a child of " + parent_of(known->second) + " and of " + parent_of(cell));
+    }
+  }
+
+  void check_cells() {
+    for (std::uint32_t cell = 0; cell < parts_.cells.size(); ++cell) {
+      const StructureCell<D>& told = parts_.cells[cell];
+      if (told.depth > limits_.depth)
+        add(Kind::too_deep, cell, {},
+            name(cell) + " lies at depth " + std::to_string(told.depth) + ", more than " +
+                std::to_string(limits_.depth));
+      if (told.parent != kNoPart && told.cut == kNoPart) check_inside_parent(cell);
+      check_overlap(cell);
+    }
+  }
+
+  void check_inside_parent(std::uint32_t cell) {
+    const Box<D>& box = parts_.cells[cell].box;
+    const std::uint32_t parent = parts_.cells[cell].parent;
+    if (!contains(parts_.cells[parent].box, box))
+      add(Kind::child_outside_parent, cell, {},
+          name(cell) + " lies outside its parent " + name(parent) + ": " +
+              how_outside(box, parts_.cells[parent].box));
+  }
+
+  void check_overlap(std::uint32_t parent) {
+    const auto& children = children_[parent];
+    for (std::size_t i = 0; i < children.size(); ++i)
+      for (std::size_t k = i + 1; k < children.size(); ++k) {
+        const double share = overlap_share(parts_, children[i], children[k]);
+        if (share <= limits_.overlap) continue;
+        add(Kind::too_much_overlap, parent, {},
+            "the children " + name(children[i]) + " and " + name(children[k]) + " of " + name(parent) +
+                " share " + shortest_text(static_cast<Scalar>(share)) + " of its box, more than " +
+                shortest_text(static_cast<Scalar>(limits_.overlap)));
+      }
+  }
+
+  [[nodiscard]] bool is_leaf(std::uint32_t cell) const { return children_[cell].empty(); }
+
+  void check_members() {
+    std::vector<std::uint8_t> is_used(parts_.cells.size(), 0);
+    for (const CellMember& member : members_) {
+      is_used[member.cell] = 1;
+      const auto known = boxes_.find(member.object);
+      if (known == boxes_.end()) {
+        add(Kind::unknown_object, member.cell, member.object,
+            name(member.cell) + " holds " + text_of(member.object) + ", which is no object");
+      } else if (parts_.holding == Holding::inside) {
+        check_inside(member, known->second);
+      }
+    }
+    if (parts_.holding != Holding::inside) return;
+    for (std::uint32_t cell = 0; cell < parts_.cells.size(); ++cell)
+      if (is_leaf(cell) && is_used[cell] == 0)
+        add(Kind::leaf_without_object, cell, {}, "the leaf " + name(cell) + " holds no object");
+  }
+
+  void check_inside(const CellMember& member, const Box<D>& box) {
+    const Box<D>& outer = parts_.cells[member.cell].box;
+    if (!contains(outer, box)) {
+      add(Kind::object_outside_cell, member.cell, member.object,
+          text_of(member.object) + " lies outside its cell " + name(member.cell) + ": " +
+              how_outside(box, outer));
+      return;
+    }
+    for (int axis = 0; axis < D && limits_.margin > 0; ++axis) {
+      const Scalar margin = std::min(box.min[axis] - outer.min[axis], outer.max[axis] - box.max[axis]);
+      // What was moved within its margin has used some of it up on one side, but not on both.
+      const Scalar both = outer.max[axis] - outer.min[axis] - (box.max[axis] - box.min[axis]);
+      if (margin >= 0 && both >= 2 * limits_.margin) continue;
+      add(Kind::no_margin, member.cell, member.object,
+          name(member.cell) + " leaves " + text_of(member.object) + " a margin of " +
+              shortest_text(both / 2) + " along " + axis_name(axis) + ", less than " +
+              shortest_text(limits_.margin));
+      return;
+    }
+  }
+
+  void check_objects() {
+    std::unordered_map<ObjectId, std::uint32_t> places;
+    for (const CellMember& member : members_) ++places[member.object];
+    for (const KnownObject<D>& known : objects_) {
+      const auto place = places.find(known.object);
+      if (place == places.end()) {
+        add(Kind::object_in_no_cell, kNoPart, known.object, text_of(known.object) + " is in no cell");
+      } else if (parts_.holding == Holding::inside && place->second > 1) {
+        add(Kind::object_in_two_cells, kNoPart, known.object,
+            text_of(known.object) + " is in " + std::to_string(place->second) + " cells");
+      } else if (parts_.holding == Holding::reaching) {
+        check_reach(known);
+      }
+    }
+  }
+
+  [[nodiscard]] bool reaches(const Box<D>& box, std::uint32_t cell) const {
+    const StructureCell<D>& told = parts_.cells[cell];
+    bool all = true;
+    for (int axis = 0; axis < D; ++axis)
+      all &= (box.min[axis] < told.box.max[axis]) & (box.max[axis] >= told.box.min[axis]);
+    if (told.cut == kNoPart) return all;
+    const Cut<D>& cut = parts_.cuts[told.cut];
+    const Sides sides = classify(project(cut.plane.normal, box), cut.plane.offset);
+    return all && (cut.right ? sides.right : sides.left);
+  }
+
+  void check_reach(const KnownObject<D>& known) {
+    std::vector<std::uint32_t> todo;
+    for (std::uint32_t cell = 0; cell < parts_.cells.size(); ++cell)
+      if (parts_.cells[cell].parent == kNoPart) todo.push_back(cell);
+    while (!todo.empty()) {
+      const std::uint32_t cell = todo.back();
+      todo.pop_back();
+      if (!reaches(known.box, cell)) continue;
+      todo.insert(todo.end(), children_[cell].begin(), children_[cell].end());
+      if (is_leaf(cell) && !std::ranges::binary_search(members_, CellMember{cell, known.object}))
+        add(Kind::object_not_where_it_reaches, cell, known.object,
+            text_of(known.object) + " reaches the cell " + name(cell) + ", which does not hold it");
+    }
+  }
+
+  void check_list(const AxisList& list) {
+    std::unordered_map<ObjectId, std::uint32_t> ends;
+    bool has_upper = false;
+    for (std::size_t k = 0; k < list.ends.size(); ++k) {
+      const AxisEnd& end = list.ends[k];
+      ++ends[end.object];
+      has_upper |= end.upper;
+      if (!boxes_.contains(end.object))
+        add(Kind::unknown_object, kNoPart, end.object,
+            "the list along " + axis_name(list.axis) + " holds " + text_of(end.object) +
+                ", which is no object");
+      if (k > 0 && end.value < list.ends[k - 1].value)
+        add(Kind::list_out_of_order, kNoPart, end.object,
+            "the list along " + axis_name(list.axis) + " has " + text_of(end.object) + " at " +
+                shortest_text(end.value) + " behind " + shortest_text(list.ends[k - 1].value));
+    }
+    for (const KnownObject<D>& known : objects_)
+      if (ends[known.object] != (has_upper ? 2 : 1))
+        add(Kind::object_not_in_list, kNoPart, known.object,
+            "the list along " + axis_name(list.axis) + " has " + std::to_string(ends[known.object]) +
+                " ends of " + text_of(known.object));
+  }
+
+  void check_pairs() {
+    std::vector<Pair> tested = parts_.tested;
+    std::ranges::sort(tested);
+    for (const Pair& pair : pairs_) {
+      const bool is_met = parts_.tells_tested ? std::ranges::binary_search(tested, pair) : shares_cell(pair);
+      if (is_met && meets_in_lists(pair)) continue;
+      add(Kind::pair_never_tested, kNoPart, pair.a,
+          "the pair of objects " + std::to_string(pair.a.value) + " and " + std::to_string(pair.b.value) +
+              " was reported, but the structure never brings them together");
+    }
+  }
+
+  /// Boxes that overlap reach a common cell where all that reach a cell are in it.
+  [[nodiscard]] bool shares_cell(const Pair& pair) const {
+    if (parts_.holding != Holding::reaching || parts_.cells.empty()) return true;
+    return std::ranges::any_of(members_, [&](const CellMember& member) {
+      return member.object == pair.a && std::ranges::binary_search(members_, CellMember{member.cell, pair.b});
+    });
+  }
+
+  /// Along each listed axis the later of the two begins before the other ends.
+  [[nodiscard]] bool meets_in_lists(const Pair& pair) const {
+    const auto a = boxes_.find(pair.a);
+    const auto b = boxes_.find(pair.b);
+    if (a == boxes_.end() || b == boxes_.end()) return false;
+    return std::ranges::all_of(parts_.lists, [&](const AxisList& list) {
+      return a->second.min[list.axis] <= b->second.max[list.axis] &&
+             b->second.min[list.axis] <= a->second.max[list.axis];
+    });
+  }
+
+  const StructureParts<D>& parts_;
+  std::span<const KnownObject<D>> objects_;
+  std::span<const Pair> pairs_;
+  const StructureLimits& limits_;
+  std::vector<CellMember> members_;  ///< sorted
+  std::vector<std::vector<std::uint32_t>> children_;
+  std::unordered_map<ObjectId, Box<D>> boxes_;
+  std::vector<StructureFault> faults_;
+};
+
+}  // namespace
+
+std::string_view to_string(StructureFaultKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
+
+template <int D>
+std::vector<StructureFault> check_structure(const StructureParts<D>& parts,
+                                            std::span<const KnownObject<D>> objects,
+                                            std::span<const Pair> pairs, const StructureLimits& limits) {
+  return Checker<D>(parts, objects, pairs, limits).run();
+}
+
+template std::vector<StructureFault> check_structure(const StructureParts<2>&,
+                                                     std::span<const KnownObject<2>>, std::span<const Pair>,
+                                                     const StructureLimits&);
+template std::vector<StructureFault> check_structure(const StructureParts<3>&,
+                                                     std::span<const KnownObject<3>>, std::span<const Pair>,
+                                                     const StructureLimits&);
+
+}  // namespace kerf

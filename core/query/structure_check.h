@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/objects/structure.h"
+
+namespace kerf {
+
+/// What can be wrong with a structure.
+enum class StructureFaultKind : std::uint8_t {
+  child_outside_parent,  ///< a refit was forgotten
+  object_outside_cell,   ///< its box has left the cell's
+  object_in_no_cell,     ///< its leaf is lost, or was never inserted
+  object_in_two_cells,   ///< of a structure that keeps each in one
+  object_not_where_it_reaches,
+  unknown_object,  ///< a cell or a list holds what is no object
+  leaf_without_object,
+  child_of_two,  ///< two nodes have one child
+  too_deep,
+  too_much_overlap,  ///< of siblings
+  no_margin,         ///< a leaf is as tight as its object, so that each move places it anew
+  list_out_of_order,
+  object_not_in_list,
+  pair_never_tested,  ///< it was reported, but the structure does not bring it together
+};
+/// "child outside its parent"
+std::string_view to_string(StructureFaultKind kind);
+
+struct StructureFault {
+  StructureFaultKind kind = StructureFaultKind::child_outside_parent;
+  std::uint32_t cell = kNoPart;  ///< its name, if it is about a cell
+  ObjectId object;               ///< none: it is not about one
+  std::string text;              ///< a sentence
+};
+
+/// Bounds that somebody sets for a structure; by default there are none.
+struct StructureLimits {
+  std::uint32_t depth = std::numeric_limits<std::uint32_t>::max();
+  double overlap = std::numeric_limits<double>::infinity();  ///< of two siblings, as a share of their parent
+  Scalar margin = 0;  ///< that a leaf has at least around its object, along each axis
+};
+
+/// An object with the box that the structure was last given.
+template <int D>
+struct KnownObject {
+  ObjectId object;
+  Box<D> box;
+};
+
+/// All that is wrong with a structure that tells its parts: empty if it keeps what its `holding` promises.
+/// `pairs`: what it reported. Objects are bounded by their boxes.
+template <int D>
+std::vector<StructureFault> check_structure(const StructureParts<D>& parts,
+                                            std::span<const KnownObject<D>> objects,
+                                            std::span<const Pair> pairs, const StructureLimits& limits = {});
+
+}  // namespace kerf
