@@ -7,6 +7,7 @@
 #include "core/recording/recorder.h"
 #include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
+#include "core/replay/recorded_looks.h"
 #include "core/trace/event_facts.h"
 
 namespace kerf {
@@ -88,6 +89,15 @@ TheirChanges<D> all_changes(const RecordingReader<D>& recording, const ObjectTab
   return changes;
 }
 
+/// How every object looks.
+template <int D>
+std::vector<LookChange<D>> all_looks(const Looks<D>& looks) {
+  std::vector<LookChange<D>> all;
+  for (std::uint32_t id = 0; id < looks.bound(); ++id)
+    if (looks.of({id}).shape != kNoShape) all.push_back({{id}, looks.of({id})});
+  return all;
+}
+
 /// Of several changes of an object the last counts.
 template <class Change>
 void keep_last(std::vector<Change>& changes) {
@@ -142,7 +152,9 @@ std::size_t Scenario<D>::requests() const {
 template <int D>
 Scenario<D> scenario_of(Replayer<D>& replayer, std::uint32_t first, std::uint32_t last) {
   RecordingReader<D>& recording = replayer.recording();
-  Scenario<D> scenario{recording.info(), {}};
+  Scenario<D> scenario{recording.info(), {}, {}};
+  if (recording.shape_count() > 0)
+    scenario.shapes = std::make_shared<const std::vector<Shape<D>>>(recording.shapes());
   for (std::uint32_t number = std::max(first, 1U); number <= last; ++number) {
     ScenarioStep<D>& step = scenario.steps.emplace_back();
     step.config = config_of(recording.info(), number);
@@ -150,9 +162,11 @@ Scenario<D> scenario_of(Replayer<D>& replayer, std::uint32_t first, std::uint32_
     if (number == first && first > 1) {
       replayer.seek(first);
       step.requests = insert_all(replayer.tree().objects());
+      step.looks = all_looks(RecordedLooks<D>(recording).at(first));
       step.changes = all_changes(recording, replayer.tree().objects(), first);
     } else {
       step.requests = recording.step(number).requests;
+      step.looks = recording.step(number).looks;
       if (recording.info().imported) step.changes = recording.their_changes(number);
     }
     if (recording.their_step(number)) step.theirs = recording.their_pairs(number);
@@ -173,7 +187,7 @@ std::vector<ObjectId> objects_of(const Scenario<D>& scenario) {
 template <int D>
 Scenario<D> with_objects(const Scenario<D>& scenario, const std::vector<ObjectId>& kept) {
   const auto wanted = [&](ObjectId object) { return std::ranges::binary_search(kept, object); };
-  Scenario<D> smaller{scenario.info, {}};
+  Scenario<D> smaller{scenario.info, {}, scenario.shapes};
   for (const ScenarioStep<D>& step : scenario.steps) {
     ScenarioStep<D>& rest = smaller.steps.emplace_back();
     rest.config = step.config;
@@ -181,6 +195,7 @@ Scenario<D> with_objects(const Scenario<D>& scenario, const std::vector<ObjectId
     for (const ObjectRequest<D>& single : singles_of(step.requests, scenario.info.volume))
       if (wanted(single.object)) append(rest.requests, single);
     const auto concerns = [&](const auto& change) { return wanted(change.object); };
+    std::ranges::copy_if(step.looks, std::back_inserter(rest.looks), concerns);
     std::ranges::copy_if(step.changes.boxes, std::back_inserter(rest.changes.boxes), concerns);
     std::ranges::copy_if(step.changes.filters, std::back_inserter(rest.changes.filters), concerns);
     if (!step.theirs) continue;
@@ -192,7 +207,7 @@ Scenario<D> with_objects(const Scenario<D>& scenario, const std::vector<ObjectId
 
 template <int D>
 Scenario<D> with_steps(const Scenario<D>& scenario, const std::vector<std::size_t>& kept) {
-  Scenario<D> smaller{scenario.info, {}};
+  Scenario<D> smaller{scenario.info, {}, scenario.shapes};
   std::size_t next = 0;
   for (const std::size_t index : kept) {
     std::vector<ObjectRequest<D>> merged;
@@ -200,6 +215,8 @@ Scenario<D> with_steps(const Scenario<D>& scenario, const std::vector<std::size_
     for (; next <= index; ++next) {
       std::ranges::copy(singles_of(scenario.steps[next].requests, scenario.info.volume),
                         std::back_inserter(merged));
+      const std::vector<LookChange<D>>& looks = scenario.steps[next].looks;
+      step.looks.insert(step.looks.end(), looks.begin(), looks.end());
       const auto& [boxes, filters] = scenario.steps[next].changes;
       step.changes.boxes.insert(step.changes.boxes.end(), boxes.begin(), boxes.end());
       step.changes.filters.insert(step.changes.filters.end(), filters.begin(), filters.end());
@@ -244,7 +261,11 @@ void record(const Scenario<D>& scenario, const std::filesystem::path& path) {
   Bsp<D, EventLog> tree(info.config, info.volume);
   Recorder<D> recorder(tree, path, info);
   TheirWorld<D> world;
+  Looks<D> looks;
+  if (scenario.shapes)
+    recorder.show([&](ObjectId object) { return appearance_of(looks.of(object), *scenario.shapes); });
   for (const ScenarioStep<D>& step : scenario.steps) {
+    looks.apply(step.looks);
     apply(step.requests, recorder);
     recorder.step();
     (void)tree.trace().take();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ namespace kerf {
 template <int D>
 struct ScenarioStep {
   StepRequests<D> requests;
+  std::vector<LookChange<D>> looks;  ///< what changes in how objects look; of an object the last one counts
   Config config;
   std::string name;                         ///< what the other engine calls it, see GivenNames
   std::optional<std::vector<Pair>> theirs;  ///< another engine's pairs, if they are known
@@ -25,6 +27,7 @@ template <int D>
 struct Scenario {
   RecordingInfo info;
   std::vector<ScenarioStep<D>> steps;
+  std::shared_ptr<const std::vector<Shape<D>>> shapes;  ///< those of the looks; null: none are known
 
   [[nodiscard]] std::size_t requests() const;
 };

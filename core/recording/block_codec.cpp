@@ -127,12 +127,15 @@ BlockEncoder<D>::BlockEncoder(VolumeKind kind)
     : kind_(kind), predictor_(kind), lengths_(channel_count<D>(kind)) {}
 
 template <int D>
-std::uint64_t BlockEncoder<D>::add(const StepRequests<D>& requests, std::span<const Event> events) {
+std::uint64_t BlockEncoder<D>::add(const StepRequests<D>& requests, std::span<const Event> events,
+                                   std::span<const Look<D>> looks) {
   ++steps_;
   put_calls(requests.calls, calls_);
   put_events(events, events_);
   room_.insert(inserts_in(requests.calls, requests.objects.size()));
-  return add_volumes(requests);
+  const std::uint64_t changed = add_volumes(requests);
+  looks_.add(requests, looks);
+  return changed;
 }
 
 template <int D>
@@ -174,6 +177,7 @@ Bytes BlockEncoder<D>::take() {
     column.clear();
   }
   block.blob(bits_.take());
+  looks_.take(block);
   calls_.clear();
   objects_.clear();
   events_.clear();
@@ -191,16 +195,18 @@ void BlockDecoder<D>::read(std::span<const std::uint8_t> block, std::uint32_t fi
   for (std::size_t channel = 0; channel < channel_count<D>(kind_); ++channel)
     columns.lengths.emplace_back(in.blob());
   columns.bits = BitReader(in.blob());
+  looks_.open(in);
   for (std::size_t k = 0; k < count; ++k) {
     RecordedStep<D> step;
     step.requests.calls = get_calls(columns.calls);
     room_.insert(inserts_in(step.requests.calls, columns.objects.left()));
     step.changed = get_volumes(columns, kind_, room_, predictor_, step.requests);
+    step.looks = looks_.read(step.requests);
     step.events = get_events(columns.events, first_step + static_cast<std::uint32_t>(k), first_event);
     first_event += step.events.size();
     steps.push_back(std::move(step));
   }
-  if (!in.empty() || !columns.empty()) fail_damaged("a block holds more than its steps");
+  if (!in.empty() || !columns.empty() || !looks_.empty()) fail_damaged("a block holds more than its steps");
 }
 
 template class BlockEncoder<2>;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/recording/look_codec.h"
 #include "core/recording/step_requests.h"
 #include "core/recording/volume_predictor.h"
 #include "core/trace/event.h"
@@ -11,9 +12,10 @@ namespace kerf {
 /// The content of one step in a recording, beside its row in the table of steps.
 template <int D>
 struct RecordedStep {
-  StepRequests<D> requests;   ///< before the step
-  std::vector<Event> events;  ///< during the step
-  std::uint64_t changed = 0;  ///< objects that came, went or got another box
+  StepRequests<D> requests;          ///< before the step
+  std::vector<Event> events;         ///< during the step
+  std::uint64_t changed = 0;         ///< objects that came, went or got another box
+  std::vector<LookChange<D>> looks;  ///< of those objects, where they differ from the step before
 };
 
 /// The range of object numbers: arrays have a place for each number up to the highest, so a number far above
@@ -44,10 +46,14 @@ class BlockEncoder {
   void restart(const ObjectTable<D>& latest) {
     predictor_.restart(latest);
     room_.restart(latest.bound());
+    looks_.restart(looks_.looks());
   }
-  /// Returns the number of objects that came, went or got another box. Throws std::runtime_error for an
-  /// object whose number is too high (see NumberRoom).
-  std::uint64_t add(const StepRequests<D>& requests, std::span<const Event> events);
+  /// `looks`: see LookEncoder. Returns the number of objects that came, went or got another box. Throws
+  /// std::runtime_error for an object whose number is too high (see NumberRoom).
+  std::uint64_t add(const StepRequests<D>& requests, std::span<const Event> events,
+                    std::span<const Look<D>> looks = {});
+  /// The looks of all objects after the last step.
+  [[nodiscard]] Looks<D> looks() const { return looks_.looks(); }
   /// Steps since the last block.
   [[nodiscard]] std::uint32_t steps() const { return steps_; }
   /// The block of these steps.
@@ -65,6 +71,7 @@ class BlockEncoder {
   ByteWriter events_;
   std::vector<Bytes> lengths_;  ///< by channel
   BitWriter bits_;
+  LookEncoder<D> looks_;
 };
 
 /// Reads the blocks of BlockEncoder in their order. Throws std::runtime_error for a damaged one.
@@ -73,9 +80,10 @@ class BlockDecoder {
  public:
   explicit BlockDecoder(VolumeKind kind) : kind_(kind), predictor_(kind) {}
 
-  void restart(const ObjectTable<D>& latest) {
+  void restart(const ObjectTable<D>& latest, const Looks<D>& looks) {
     predictor_.restart(latest);
     room_.restart(latest.bound());
+    looks_.restart(looks);
   }
   /// Appends the block's steps; `first_step` and `first_event` number them.
   void read(std::span<const std::uint8_t> block, std::uint32_t first_step, std::uint64_t first_event,
@@ -85,6 +93,7 @@ class BlockDecoder {
   VolumeKind kind_;
   VolumePredictor<D> predictor_;
   NumberRoom room_;
+  LookDecoder<D> looks_;
 };
 
 extern template class BlockEncoder<2>;

@@ -54,9 +54,21 @@ std::uint64_t seal_of_block(std::uint64_t link, std::uint32_t first_step, std::u
   return hash_bytes(data, hash_words(std::array<std::uint64_t, 3>{first_step, steps, changed}, link));
 }
 
-std::uint64_t seal_of_keyframe(std::uint64_t link, std::uint32_t step, std::span<const std::uint8_t> data) {
-  return hash_bytes(data, hash_words(std::array<std::uint64_t, 1>{step}, link));
+std::uint64_t seal_of_keyframe(std::uint64_t link, std::uint32_t step, std::span<const std::uint8_t> data,
+                               std::span<const std::uint8_t> looks) {
+  return hash_bytes(looks, hash_bytes(data, hash_words(std::array<std::uint64_t, 1>{step}, link)));
 }
+
+std::uint64_t seal_of_shape(std::uint64_t link, std::uint32_t number, std::string_view kind,
+                            std::span<const std::uint8_t> data) {
+  ByteWriter content;
+  content.varint(number);
+  content.text(kind);
+  content.blob(data);
+  return hash_bytes(content.bytes(), link);
+}
+
+std::uint64_t seal_of_shapes(std::span<const std::uint64_t> seals) { return hash_words(seals, 0); }
 
 std::optional<std::uint64_t> seal_of_theirs(std::uint64_t link, const Database& recording,
                                             std::uint32_t step) {

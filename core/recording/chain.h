@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "core/recording/database.h"
 #include "core/recording/recording_info.h"
@@ -15,13 +16,13 @@ std::uint64_t hash_words(std::span<const std::uint64_t> words, std::uint64_t see
 std::uint64_t hash_bytes(std::span<const std::uint8_t> bytes, std::uint64_t seed);
 
 /// Shows every change of a recording. A step's link is a hash of its row, of the link before, and of the
-/// seals of what was written with the step before. A seal is a hash of such a block, keyframe or rows of
-/// another engine, and of the link of its step. The first link goes on from a hash of what the recording says
-/// of itself; the end of the chain is kept beside `complete`. There is no secret in it: it
-/// shows damage and changes, and stops no forger.
+/// seals of what was written with the step before. A seal is a hash of such a block, keyframe, shape or rows
+/// of another engine, and of the link of its step. The first link goes on from a hash of what the recording
+/// says of itself; the end of the chain is kept beside `complete`. There is no secret in it: it shows damage
+/// and changes, and stops no forger.
 class Chain {
  public:
-  enum class Part : std::uint8_t { block, keyframe, theirs };
+  enum class Part : std::uint8_t { block, keyframe, theirs, shapes };
 
   explicit Chain(std::uint64_t head) : link_(head) {}
 
@@ -36,13 +37,18 @@ class Chain {
 
  private:
   std::uint64_t link_;
-  std::array<std::uint64_t, 3> seals_{};
+  std::array<std::uint64_t, 4> seals_{};
 };
 
 /// The seals of the parts, after the step whose link is given.
 std::uint64_t seal_of_block(std::uint64_t link, std::uint32_t first_step, std::uint32_t steps,
                             std::uint64_t changed, std::span<const std::uint8_t> data);
-std::uint64_t seal_of_keyframe(std::uint64_t link, std::uint32_t step, std::span<const std::uint8_t> data);
+std::uint64_t seal_of_keyframe(std::uint64_t link, std::uint32_t step, std::span<const std::uint8_t> data,
+                               std::span<const std::uint8_t> looks);
+std::uint64_t seal_of_shape(std::uint64_t link, std::uint32_t number, std::string_view kind,
+                            std::span<const std::uint8_t> data);
+/// Of all shapes that came with a step, in their order.
+std::uint64_t seal_of_shapes(std::span<const std::uint64_t> seals);
 /// None if the step has nothing of the kind.
 std::optional<std::uint64_t> seal_of_theirs(std::uint64_t link, const Database& recording,
                                             std::uint32_t step);

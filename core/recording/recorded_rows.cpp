@@ -105,6 +105,30 @@ std::vector<TheirRow> read_theirs(const Database& recording, std::size_t steps, 
   return theirs;
 }
 
+std::vector<ShapeRow> read_shape_rows(const Database& recording, std::size_t steps, const GivenNames& names) {
+  std::vector<ShapeRow> shapes;
+  std::uint32_t last = 1;
+  Statement rows = recording.prepare("SELECT shape, step, seal FROM shapes ORDER BY shape");
+  while (rows.step()) {
+    if (rows.small(0) != shapes.size())
+      fail_damaged("shape " + std::to_string(shapes.size()) + " is missing");
+    shapes.push_back({rows.small(1), hash_at(rows, 2)});
+    const std::uint32_t step = shapes.back().step;
+    if (step < last || step > steps)
+      fail_damaged("shape " + std::to_string(shapes.size() - 1) + " is of step " + names.step(step));
+    last = step;
+  }
+  return shapes;
+}
+
+/// The seal of the shapes of a step, the first of which is `next`; none if it has none.
+std::optional<std::uint64_t> seal_of_step(std::uint32_t step, std::vector<ShapeRow>::const_iterator& next,
+                                          std::vector<ShapeRow>::const_iterator end) {
+  std::vector<std::uint64_t> seals;
+  for (; next != end && next->step == step; ++next) seals.push_back(next->seal);
+  return seals.empty() ? std::nullopt : std::optional(seal_of_shapes(seals));
+}
+
 }  // namespace
 
 RecordedRows read_rows(const Database& recording, const GivenNames& names) {
@@ -113,6 +137,7 @@ RecordedRows read_rows(const Database& recording, const GivenNames& names) {
   rows.blocks = read_blocks(recording, rows.steps, names);
   rows.keyframes = read_keyframes(recording, rows.blocks, names);
   rows.theirs = read_theirs(recording, rows.steps.size(), names);
+  rows.shapes = read_shape_rows(recording, rows.steps.size(), names);
   return rows;
 }
 
@@ -122,6 +147,7 @@ std::optional<ChangedPart> find_change(const Database& recording, const Recorded
   auto block = rows.blocks.begin();
   auto keyframe = rows.keyframes.begin();
   auto theirs = rows.theirs.begin();
+  auto shape = rows.shapes.begin();
   for (const StepRow& row : rows.steps) {
     if (chain.add(row) != row.link)
       return ChangedPart{
@@ -135,6 +161,8 @@ std::optional<ChangedPart> find_change(const Database& recording, const Recorded
       chain.add(Chain::Part::keyframe, keyframe++->seal);
     if (theirs != rows.theirs.end() && theirs->step == row.step)
       chain.add(Chain::Part::theirs, theirs++->seal);
+    if (const auto seal = seal_of_step(row.step, shape, rows.shapes.end()))
+      chain.add(Chain::Part::shapes, *seal);
   }
   const auto last = static_cast<std::uint32_t>(rows.steps.size());
   const auto end = read_end(recording);

@@ -26,6 +26,12 @@ struct KeyframeRow {
   std::uint64_t seal = 0;
 };
 
+/// A row of the table of shapes, without its data.
+struct ShapeRow {
+  std::uint32_t step = 0;  ///< the first in which an object has it
+  std::uint64_t seal = 0;
+};
+
 /// A step with data of another engine.
 struct TheirRow {
   std::uint32_t step = 0;
@@ -39,6 +45,7 @@ struct RecordedRows {
   std::vector<BlockRow> blocks;
   std::vector<KeyframeRow> keyframes;
   std::vector<TheirRow> theirs;
+  std::vector<ShapeRow> shapes;  ///< by number; their steps do not fall
 };
 
 /// Throws std::runtime_error for rows that do not fit together, with the names of their steps.

@@ -129,6 +129,32 @@ bool Recorder<D>::rested(std::span<const Event> events) const {
          requests_.objects.empty() && std::ranges::all_of(events, begins_phase);
 }
 
+/// Most objects keep their shapes.
+template <int D>
+std::uint32_t Recorder<D>::number_of(ObjectId object, const Shape<D>* shape) {
+  if (shape == nullptr) return kNoShape;
+  if (shapes_.size() <= object.index()) shapes_.resize(object.index() + 1, kNoShape);
+  std::uint32_t& number = shapes_[object.index()];
+  if (number == kNoShape || writer_.shapes()[number] != *shape) number = writer_.shapes().number_of(*shape);
+  return number;
+}
+
+template <int D>
+std::span<const Look<D>> Recorder<D>::find_looks() {
+  looks_.clear();
+  if (!appearance_) return looks_;
+  looks_.reserve(requests_.objects.size());
+  for (const ObjectId object : requests_.objects) {
+    if (!knows(object)) {
+      looks_.emplace_back();
+      continue;
+    }
+    const Appearance<D> appearance = appearance_(object);
+    looks_.push_back({number_of(object, appearance.shape), appearance.turn});
+  }
+  return looks_;
+}
+
 template <int D>
 void Recorder<D>::record() {
   const std::span<const Event> events = events_of_step();
@@ -144,7 +170,7 @@ void Recorder<D>::record() {
   }
   row.state_hash = state_hash_;
   row.pairs_hash = pairs_hash_;
-  writer_.add(requests_, events, row);
+  writer_.add(requests_, events, row, find_looks());
   if (writer_.wants_keyframe()) writer_.add(tree_.state());
   next_event_ += events.size();
   requests_.clear();

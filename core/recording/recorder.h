@@ -2,7 +2,10 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/bsp/bsp.h"
 #include "core/recording/recording_writer.h"
@@ -31,6 +34,10 @@ class Recorder final : public BroadPhase<D> {
   void step() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return tree_.pairs(); }
 
+  /// Also records how objects look: `step()` asks for each object that was inserted or moved since the last
+  /// one. Call it before the first step. The bodies of a scene are asked like this:
+  /// `recorder.show([&](ObjectId object) { return appearance_of(scene->bodies()[object.index()]); })`.
+  void show(std::function<Appearance<D>(ObjectId)> appearance) { appearance_ = std::move(appearance); }
   /// Also keeps what belongs to another engine's last step: see RecordingWriter.
   void add_theirs(const TheirChanges<D>& changes) { writer_.add(changes); }
   void add_theirs(std::span<const Pair> pairs, std::span<const JudgedPair> judged) {
@@ -47,6 +54,8 @@ class Recorder final : public BroadPhase<D> {
     return object.index() < known_.size() && known_[object.index()];
   }
   void record();
+  [[nodiscard]] std::span<const Look<D>> find_looks();
+  [[nodiscard]] std::uint32_t number_of(ObjectId object, const Shape<D>* shape);
   void count_seconds(std::chrono::steady_clock::time_point since);
   [[nodiscard]] std::span<const Event> events_of_step() const;
   [[nodiscard]] bool rested(std::span<const Event> events) const;
@@ -56,6 +65,9 @@ class Recorder final : public BroadPhase<D> {
   RecordingWriter<D> writer_;
   StepRequests<D> requests_;
   std::vector<bool> known_;  ///< by object: it is present
+  std::function<Appearance<D>(ObjectId)> appearance_;
+  std::vector<std::uint32_t> shapes_;  ///< by object, as it was last recorded
+  std::vector<Look<D>> looks_;         ///< of the step's requests
   std::uint64_t next_event_ = 0;
   std::uint64_t state_hash_ = 0;  ///< of the last step
   std::uint64_t pairs_hash_ = 0;

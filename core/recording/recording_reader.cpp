@@ -9,6 +9,7 @@
 #include "core/recording/chain.h"
 #include "core/recording/keyframe_codec.h"
 #include "core/recording/schema.h"
+#include "core/recording/shape_rows.h"
 #include "core/recording/their_rows.h"
 #include "core/recording/unfinished.h"
 
@@ -101,21 +102,61 @@ std::uint32_t RecordingReader<D>::keyframe_before(std::uint32_t step) const {
 template <int D>
 BspState<D> RecordingReader<D>::keyframe(std::uint32_t step,
                                          std::shared_ptr<const Projector<D>> projector) const {
-  BspState<D> state = decode_keyframe<D>(keyframe_bytes(step), std::move(projector));
+  BspState<D> state = decode_keyframe<D>(keyframe_bytes(step).tree, std::move(projector));
   check_keyframe(state, row(step), info_);
   return state;
 }
 
 template <int D>
-Bytes RecordingReader<D>::keyframe_bytes(std::uint32_t step) const {
+auto RecordingReader<D>::keyframe_bytes(std::uint32_t step) const -> KeyframeBytes {
   const auto found = std::ranges::lower_bound(rows_.keyframes, step, {}, &KeyframeRow::step);
-  Statement data = database_.prepare("SELECT data FROM keyframes WHERE step = ?");
+  Statement data = database_.prepare("SELECT data, looks FROM keyframes WHERE step = ?");
   if (found == rows_.keyframes.end() || found->step != step || !data.bind(1, std::int64_t{step}).step())
     throw std::runtime_error("the recording has no keyframe at step " + info_.names.step(step));
-  Bytes bytes = data.bytes(0);
-  if (seal_of_keyframe(row(step).link, step, bytes) != found->seal)
+  KeyframeBytes bytes{data.bytes(0), data.bytes(1)};
+  if (seal_of_keyframe(row(step).link, step, bytes.tree, bytes.looks) != found->seal)
     fail_damaged("the keyframe of step " + info_.names.step(step) + " is not what was written");
   return bytes;
+}
+
+template <int D>
+Looks<D> RecordingReader<D>::keyframe_looks(std::uint32_t step) const {
+  const KeyframeBytes bytes = keyframe_bytes(step);
+  const auto objects = decode_keyframe_objects<D>(bytes.tree, info_.volume);
+  return decode_looks(step, bytes, objects.bound());
+}
+
+template <int D>
+Looks<D> RecordingReader<D>::decode_looks(std::uint32_t step, const KeyframeBytes& bytes,
+                                          std::size_t bound) const {
+  Looks<D> looks = kerf::decode_looks<D>(bytes.looks, bound);
+  for (std::uint32_t id = 0; id < looks.bound(); ++id) check_look(looks.of({id}), step);
+  return looks;
+}
+
+template <int D>
+const std::vector<Shape<D>>& RecordingReader<D>::shapes() const {
+  if (shapes_) return *shapes_;
+  std::vector<Shape<D>> shapes;
+  Statement rows = database_.prepare("SELECT kind, data FROM shapes WHERE shape < ? ORDER BY shape");
+  rows.bind(1, static_cast<std::int64_t>(shape_count()));
+  while (rows.step()) {
+    const auto number = static_cast<std::uint32_t>(shapes.size());
+    const ShapeRow& known = rows_.shapes.at(number);
+    const std::string kind = rows.text(0);
+    const Bytes data = rows.bytes(1);
+    if (seal_of_shape(row(known.step).link, number, kind, data) != known.seal)
+      fail_damaged("shape " + std::to_string(number) + " is not what was written");
+    shapes.push_back(decode_shape<D>(kind, data));
+  }
+  return shapes_.emplace(std::move(shapes));
+}
+
+template <int D>
+void RecordingReader<D>::check_look(const Look<D>& look, std::uint32_t step) const {
+  if (look.shape == kNoShape) return;
+  if (look.shape >= rows_.shapes.size() || rows_.shapes[look.shape].step > step)
+    fail_damaged("in step " + info_.names.step(step) + " there is no shape " + std::to_string(look.shape));
 }
 
 template <int D>
@@ -143,7 +184,11 @@ template <int D>
 auto RecordingReader<D>::read_span(std::uint32_t keyframe) const -> Span {
   Span span{keyframe + 1, {}};
   BlockDecoder<D> decoder(info_.volume);
-  if (keyframe > 0) decoder.restart(decode_keyframe_objects<D>(keyframe_bytes(keyframe), info_.volume));
+  if (keyframe > 0) {
+    const KeyframeBytes bytes = keyframe_bytes(keyframe);
+    const auto objects = decode_keyframe_objects<D>(bytes.tree, info_.volume);
+    decoder.restart(objects, decode_looks(keyframe, bytes, objects.bound()));
+  }
   const auto next = std::ranges::upper_bound(rows_.keyframes, keyframe, {}, &KeyframeRow::step);
   const std::uint32_t end = next == rows_.keyframes.end() ? steps() : next->step;
   for (auto block = std::ranges::lower_bound(rows_.blocks, span.first, {}, &BlockRow::first_step);
@@ -168,8 +213,11 @@ void RecordingReader<D>::read_block(BlockDecoder<D>& decoder, const BlockRow& bl
   }
   if (span.steps.size() != block.last_step() + 1 - span.first)
     fail_damaged("it has other steps than its row says" + name);
-  for (std::uint32_t step = block.first_step; step <= block.last_step(); ++step)
-    check_step(span.steps[step - span.first], row(step), info_.names);
+  for (std::uint32_t step = block.first_step; step <= block.last_step(); ++step) {
+    const RecordedStep<D>& read = span.steps[step - span.first];
+    check_step(read, row(step), info_.names);
+    for (const LookChange<D>& change : read.looks) check_look(change.look, step);
+  }
 }
 
 template <int D>

@@ -61,6 +61,13 @@ class RecordingReader {
   [[nodiscard]] bool has_keyframe(std::uint32_t step) const;
   /// The last step up to `step` that has a keyframe; 0 if none has.
   [[nodiscard]] std::uint32_t keyframe_before(std::uint32_t step) const;
+  /// The shapes of all objects, by their numbers in Look; none if they were not recorded. Valid as long as
+  /// the reader.
+  [[nodiscard]] const std::vector<Shape<D>>& shapes() const;
+  /// How many there are, without a look at them.
+  [[nodiscard]] std::size_t shape_count() const { return rows_.shapes.size(); }
+  /// The looks of all objects after a step that has a keyframe.
+  [[nodiscard]] Looks<D> keyframe_looks(std::uint32_t step) const;
   /// A keyframe for a tree with this projector.
   [[nodiscard]] BspState<D> keyframe(std::uint32_t step, std::shared_ptr<const Projector<D>> projector) const;
 
@@ -94,7 +101,16 @@ class RecordingReader {
   struct AsItIs {};
   RecordingReader(const std::filesystem::path& path, AsItIs /*even if changed*/);
 
-  [[nodiscard]] Bytes keyframe_bytes(std::uint32_t step) const;
+  /// What is written of a keyframe.
+  struct KeyframeBytes {
+    Bytes tree;
+    Bytes looks;
+  };
+
+  [[nodiscard]] KeyframeBytes keyframe_bytes(std::uint32_t step) const;
+  [[nodiscard]] Looks<D> decode_looks(std::uint32_t step, const KeyframeBytes& bytes,
+                                      std::size_t bound) const;
+  void check_look(const Look<D>& look, std::uint32_t step) const;
   void read_block(BlockDecoder<D>& decoder, const BlockRow& block, Span& span) const;
   [[nodiscard]] Span read_span(std::uint32_t keyframe) const;
   void check_theirs_up_to(std::uint32_t step) const;
@@ -104,7 +120,8 @@ class RecordingReader {
   RecordingInfo info_;
   RecordedRows rows_;
   std::optional<ChangedPart> change_;
-  std::list<Span> spans_;                     ///< latest used first
+  std::list<Span> spans_;                                ///< latest used first
+  mutable std::optional<std::vector<Shape<D>>> shapes_;  ///< none: not read yet
   mutable std::uint32_t theirs_checked_ = 0;  ///< up to this step another engine's rows are as written
   mutable std::uint32_t theirs_asked_ = 0;    ///< and in this one
 };

@@ -36,22 +36,24 @@ RecordingWriter<D>::RecordingWriter(const std::filesystem::path& path, const Rec
           "INSERT INTO steps VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")),
       put_event_(database_.prepare(kPutOperator)),
       put_block_(database_.prepare("INSERT INTO blocks VALUES(?,?,?,?,?)")),
-      put_keyframe_(database_.prepare("INSERT INTO keyframes VALUES(?,?,?)")),
+      put_keyframe_(database_.prepare("INSERT INTO keyframes VALUES(?,?,?,?)")),
       encoder_(info.volume),
       last_flush_(std::chrono::steady_clock::now()) {
   database_.execute("BEGIN");
 }
 
 template <int D>
-void RecordingWriter<D>::add(const StepRequests<D>& requests, std::span<const Event> events, StepRow row) {
+void RecordingWriter<D>::add(const StepRequests<D>& requests, std::span<const Event> events, StepRow row,
+                             std::span<const Look<D>> looks) {
   seal_theirs();
   step_ = row.step;
-  row.changed = encoder_.add(requests, events);
+  row.changed = encoder_.add(requests, events, looks);
   changed_ += row.changed;
   since_keyframe_ += row.statistics.objects + kCostOfChange * row.changed;
   row.operators_hash = put(events);
   row.link = chain_.add(row);
   put(row);
+  put_new_shapes();
   const bool due = std::chrono::steady_clock::now() - last_flush_ >= kFlushInterval;
   if (encoder_.steps() >= kBlockSteps || due || wants_keyframe()) flush();
 }
@@ -66,8 +68,10 @@ template <int D>
 void RecordingWriter<D>::add(const BspState<D>& keyframe) {
   if (encoder_.steps() > 0) flush();
   const Bytes bytes = encode_keyframe(keyframe);
-  const std::uint64_t seal = seal_of_keyframe(chain_.link(), keyframe.step, bytes);
-  put_keyframe_.bind(1, std::int64_t{keyframe.step}).bind(2, whole(seal)).bind(3, std::span(bytes)).run();
+  const Bytes looks = encode_looks(encoder_.looks());
+  const std::uint64_t seal = seal_of_keyframe(chain_.link(), keyframe.step, bytes, looks);
+  put_keyframe_.bind(1, std::int64_t{keyframe.step}).bind(2, whole(seal));
+  put_keyframe_.bind(3, std::span(bytes)).bind(4, std::span(looks)).run();
   chain_.add(Chain::Part::keyframe, seal);
   encoder_.restart(keyframe.latest);
   last_keyframe_ = keyframe.step;
@@ -116,6 +120,20 @@ std::uint64_t RecordingWriter<D>::put(std::span<const Event> events) {
     hash = hash_operator(*row, hash);
   }
   return hash;
+}
+
+template <int D>
+void RecordingWriter<D>::put_new_shapes() {
+  const auto shapes = shapes_.take_new();
+  if (shapes.empty()) return;
+  Statement put_shape = database_.prepare("INSERT INTO shapes VALUES(?,?,?,?,?)");
+  std::vector<std::uint64_t> seals;
+  for (const auto& [number, text] : shapes) {
+    seals.push_back(seal_of_shape(chain_.link(), number, text.kind, text.data));
+    put_shape.bind(1, std::int64_t{number}).bind(2, std::int64_t{step_}).bind(3, text.kind);
+    put_shape.bind(4, whole(seals.back())).bind(5, std::span(text.data)).run();
+  }
+  chain_.add(Chain::Part::shapes, seal_of_shapes(seals));
 }
 
 /// Seals the data of another engine after the last step.

@@ -9,19 +9,25 @@
 #include "core/recording/chain.h"
 #include "core/recording/database.h"
 #include "core/recording/recording_info.h"
+#include "core/recording/shape_rows.h"
 
 namespace kerf {
 
 /// Writes a recording (docs/RECORDING.md). It commits at least once a second and every 25 steps; committed
 /// data remains whatever happens to the program. Throws std::runtime_error with the file and the reason, a
-/// full disk for example. Its thirteen fields are what is under way between two commits.
+/// full disk for example. Its fields are what is under way between two commits.
 template <int D>
 class RecordingWriter {
  public:
   /// Throws if the file exists and is not empty.
   RecordingWriter(const std::filesystem::path& path, const RecordingInfo& info);
 
-  void add(const StepRequests<D>& requests, std::span<const Event> events, StepRow row);
+  /// `looks`: one for each of the requests' objects, with the numbers of `shapes()`; empty if nothing is
+  /// known of any object, in the whole recording.
+  void add(const StepRequests<D>& requests, std::span<const Event> events, StepRow row,
+           std::span<const Look<D>> looks = {});
+  /// Shapes that get their number here are written with the next step.
+  [[nodiscard]] ShapeNumbers<D>& shapes() { return shapes_; }
   /// True if a keyframe should follow the last step.
   [[nodiscard]] bool wants_keyframe() const;
   void add(const BspState<D>& keyframe);
@@ -35,6 +41,7 @@ class RecordingWriter {
  private:
   void put(const StepRow& row);
   std::uint64_t put(std::span<const Event> events);
+  void put_new_shapes();
   void seal_theirs();
   void flush();
 
@@ -45,6 +52,7 @@ class RecordingWriter {
   Statement put_block_;
   Statement put_keyframe_;
   BlockEncoder<D> encoder_;
+  ShapeNumbers<D> shapes_;
   std::uint32_t step_ = 0;
   std::uint64_t changed_ = 0;         ///< since the last block
   std::uint64_t since_keyframe_ = 0;  ///< the cost of replaying the steps, in objects at rest

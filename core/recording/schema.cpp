@@ -8,6 +8,7 @@
 
 #include "core/base/damage.h"
 #include "core/recording/operator_rows.h"
+#include "core/recording/shape_rows.h"
 #include "core/recording/their_rows.h"
 #include "core/recording/unfinished.h"
 
@@ -32,7 +33,7 @@ CREATE TABLE events(
   population INTEGER, left_before INTEGER, right_before INTEGER, left_after INTEGER, right_after INTEGER,
   direction INTEGER, old_offset REAL, new_offset REAL, reason TEXT);
 CREATE TABLE blocks(first_step INTEGER PRIMARY KEY, steps INTEGER, changed INTEGER, seal INTEGER, data BLOB);
-CREATE TABLE keyframes(step INTEGER PRIMARY KEY, seal INTEGER, data BLOB);
+CREATE TABLE keyframes(step INTEGER PRIMARY KEY, seal INTEGER, data BLOB, looks BLOB);
 CREATE TABLE their_seals(step INTEGER PRIMARY KEY, seal INTEGER);
 )sql";
 
@@ -120,7 +121,7 @@ std::vector<std::string> statements(std::string_view sql) {
 
 /// Only tables have the names of tables: no view without end, no trigger, no table of a module.
 void check_tables(const Database& database) {
-  std::vector<std::string> expected = statements(std::string(kTables) + kTheirTables);
+  std::vector<std::string> expected = statements(std::string(kTables) + kShapeTable + kTheirTables);
   Statement rows = database.prepare("SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL");
   while (rows.step()) {
     const auto found = std::ranges::find(expected, rows.text(2));
@@ -163,7 +164,7 @@ std::optional<std::uint64_t> read_end(const Database& database) {
 void create_schema(Database& database, const RecordingInfo& info) {
   database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kRecordingId) +
                    "; PRAGMA user_version = " + std::to_string(kRecordingVersion) + ";" + kTables +
-                   kTheirTables);
+                   kShapeTable + kTheirTables);
   set_meta(database, "dimension", std::to_string(info.dimension));
   set_meta(database, "volume", to_string(info.volume));
   set_meta(database, "config", to_string(info.config));

@@ -12,7 +12,7 @@ namespace kerf {
 /// SQLite's application id of recordings: "kerf" in ASCII.
 inline constexpr std::uint32_t kRecordingId = 0x6B657266;
 /// Raised when an older Kerf cannot read what a newer one writes (docs/RECORDING.md).
-inline constexpr std::uint32_t kRecordingVersion = 6;
+inline constexpr std::uint32_t kRecordingVersion = 7;
 
 /// Makes the tables of a new recording and writes its info.
 void create_schema(Database& database, const RecordingInfo& info);

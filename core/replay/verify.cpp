@@ -8,9 +8,11 @@
 
 #include "core/base/counted.h"
 #include "core/bsp/state_codec.h"
+#include "core/recording/shape_rows.h"
 #include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
 #include "core/replay/replayer.h"
+#include "core/scene/pose_in_box.h"
 #include "core/trace/event_facts.h"
 
 namespace kerf {
@@ -66,6 +68,7 @@ class Verifier {
     recording_->check_pages();
     verdict_.change = recording_->change();
     verdict_.names = recording_->info().names;
+    verdict_.shapes = count_shapes<D>(recording_->shapes());
     operators_ = recording_->operators();
     for (std::uint32_t step = 1; step <= recording_->steps() && !verdict_.divergence; ++step) {
       if (progress && !progress(step)) break;
@@ -86,6 +89,7 @@ class Verifier {
     if (!verdict_.divergence) compare_operators(step, events);
     if (!verdict_.divergence) compare_figures(step);
     if (!verdict_.divergence) compare_hashes(step, replayer_.tree(), "");
+    if (!verdict_.divergence) check_looks(step);
     if (!verdict_.divergence) go_on_from_keyframe(step);
     if (recording_->info().imported) follow_their_boxes(step);
     judge(step);
@@ -160,6 +164,25 @@ class Verifier {
     ++verdict_.keyframes;
   }
 
+  /// Every object's shape is in its box, and the looks at a keyframe are those that the steps before have led
+  /// to.
+  void check_looks(std::uint32_t step) {
+    const RecordedStep<D>& recorded = recording_->step(step);
+    looks_.apply(recorded.looks);
+    const ObjectTable<D>& objects = replayer_.tree().objects();
+    for (const ObjectId object : recorded.requests.objects)
+      if (objects.is_placed(object) && !is_in_box(looks_.of(object), objects.box(object)))
+        return diverge(step, "a shape",
+                       "a box that is too small for it, of object " + verdict_.names.object(object));
+    if (recording_->has_keyframe(step) && recording_->keyframe_looks(step) != looks_)
+      diverge(step, "a keyframe with other shapes or rotations", "those of the steps before");
+  }
+
+  [[nodiscard]] bool is_in_box(const Look<D>& look, const Box<D>& box) const {
+    if (look.shape == kNoShape) return true;
+    return pose_in_box<D>(recording_->shapes()[look.shape], axes_of(look.turn), box).has_value();
+  }
+
   void judge(std::uint32_t step) {
     std::vector<Pair> truth;
     const bool asks = oracle_every_ != 0 && step % oracle_every_ == 0;
@@ -215,6 +238,7 @@ class Verifier {
     const std::uint32_t steps = recording_->steps();
     const auto say = [this](const std::string& what) { verdict_.unchecked.push_back(what); };
     say("how long phases took: no replay shows that");
+    if (!verdict_.shapes.empty()) say("how objects are turned: no replay shows that");
     if (verdict_.steps < steps) say(verdict_.names.steps(verdict_.steps + 1, steps));
     if (verdict_.judged < verdict_.steps)
       say("the pairs of " + std::to_string(verdict_.steps - verdict_.judged) + " of " +
@@ -230,6 +254,7 @@ class Verifier {
   std::size_t next_operator_ = 0;
   std::uint32_t oracle_every_;
   TheirWorld<D> world_;
+  Looks<D> looks_;
   Verdict verdict_;
 };
 

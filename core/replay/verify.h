@@ -25,6 +25,7 @@ struct Verdict {
   std::uint64_t events = 0;
   std::uint64_t pairs = 0;
   std::uint64_t keyframes = 0;  ///< compared with the state at their step, and continued from
+  std::string shapes;           ///< that objects have, in words; empty if none was recorded
   std::uint32_t judged = 0;     ///< steps whose pairs were compared with the oracle's
   std::optional<ChangedPart> change;
   std::optional<Divergence> divergence;

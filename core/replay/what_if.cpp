@@ -8,6 +8,7 @@
 #include "core/recording/recorder.h"
 #include "core/recording/schema.h"
 #include "core/replay/cursor.h"
+#include "core/replay/recorded_looks.h"
 #include "core/trace/event_facts.h"
 
 namespace kerf {
@@ -78,7 +79,10 @@ void check_effect(const RecordingInfo& info, const std::vector<Event>& events) {
 template <int D>
 bool rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, Bsp<D, EventLog>& tree,
                  Recorder<D>& recorder, const std::function<bool()>& stop) {
+  RecordedLooks<D> looks(recording);
+  if (recording.shape_count() > 0) recorder.show([&](ObjectId object) { return looks.appearance(object); });
   for (std::uint32_t step = 1; step <= recording.steps() && !(stop && stop()); ++step) {
+    static_cast<void>(looks.at(step));
     apply(recording.step(step).requests, recorder);
     recorder.step();
     check_effect(info, tree.trace().take());

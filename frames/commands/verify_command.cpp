@@ -34,6 +34,7 @@ void print(const Verdict& verdict, bool oracle) {
   std::printf("replayed %s, %s, %s, %s\n", counted(verdict.steps, "step").c_str(),
               counted(verdict.events, "event").c_str(), counted(verdict.pairs, "pair").c_str(),
               counted(verdict.keyframes, "keyframe").c_str());
+  if (!verdict.shapes.empty()) std::printf("shapes: %s\n", verdict.shapes.c_str());
   if (verdict.change) std::printf("changed after it was recorded: %s\n", verdict.change->what.c_str());
   if (verdict.divergence) {
     print(*verdict.divergence, verdict.names);

@@ -46,6 +46,8 @@ class SceneFilm final : public Film {
         scene_(
             entry.make(recorder_ ? static_cast<BroadPhase<D>&>(*recorder_) : *broad_phase_, request.options)),
         highlight_steps_(highlight_steps(request.steps.stride)) {
+    if (recorder_)
+      recorder_->show([this](ObjectId object) { return appearance_of(scene_->bodies()[object.index()]); });
     const auto fixed = static_cast<std::uint32_t>(scene_->bodies().size()) - count_moving(scene_->bodies());
     const std::uint32_t moving =
         request.options.objects == 0 ? entry.default_objects : request.options.objects;

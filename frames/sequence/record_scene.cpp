@@ -48,6 +48,7 @@ std::filesystem::path record(const SceneEntry<D>& entry, const RenderRequest& re
   Bsp<D, EventLog> tree(request.broad_phase.config, request.broad_phase.volume);
   Recorder<D> recorder(tree, part.path(), info);
   const auto scene = entry.make(recorder, request.options);
+  recorder.show([&](ObjectId object) { return appearance_of(scene->bodies()[object.index()]); });
   auto wish = RecordingWish::more;
   {
     Progress progress({1, request.steps.last, 1});

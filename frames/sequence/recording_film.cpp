@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/replay/recorded_looks.h"
 #include "core/replay/replayer.h"
 #include "frames/sequence/farm/frame_parcel.h"
 #include "frames/sequence/film.h"
@@ -52,6 +53,7 @@ class RecordingFilm final : public Film {
   explicit RecordingFilm(const RenderRequest& request)
       : recording_(std::make_shared<RecordingReader<D>>(request.recording->path)),
         replayer_(recording_, 0),
+        looks_(*recording_),
         setting_(find_setting(*recording_, request.steps, parse_camera<D>(request.camera).framing)),
         planner_(request.layers, request.samples == 0 ? setting_.samples : samples_of_renderer(request)),
         stride_(request.steps.stride),
@@ -76,7 +78,8 @@ class RecordingFilm final : public Film {
   }
 
   std::vector<std::uint8_t> parcel() override {
-    const std::vector<Body<D>> bodies = recorded_bodies(replayer_.tree().objects());
+    const std::vector<Body<D>> bodies =
+        recorded_bodies(replayer_.tree().objects(), looks_.at(replayer_.step()), recording_->shapes());
     // A replay from a keyframe finds the pairs in another order.
     std::vector<Pair> pairs(replayer_.tree().pairs().begin(), replayer_.tree().pairs().end());
     std::ranges::sort(pairs);
@@ -150,6 +153,7 @@ class RecordingFilm final : public Film {
 
   std::shared_ptr<RecordingReader<D>> recording_;
   Replayer<D> replayer_;
+  RecordedLooks<D> looks_;
   Setting<D> setting_;
   FramePlanner<D> planner_;
   std::uint32_t stride_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/replay/recorded_looks.h"
 #include "core/trace/event_facts.h"
 #include "frames/sequence/recording_file.h"
 #include "viz/draw/frame_planner.h"
@@ -72,7 +73,9 @@ Caption caption_of(const Cursor<D>& cursor) {
 
 template <int D>
 const Image& render_moment(Cursor<D>& cursor, FrameRenderer<D>& renderer) {
-  const std::vector<Body<D>> bodies = recorded_bodies(cursor.state().latest);
+  RecordedLooks<D> looks(cursor.recording());
+  const std::vector<Body<D>> bodies =
+      recorded_bodies(cursor.state().latest, looks.at(cursor.position().step), cursor.recording().shapes());
   const std::vector<Event> events = recent_operators(cursor.recording(), cursor.position());
   const FrameInput<D> input{.bodies = bodies,
                             .tree = &cursor.state().tree,

@@ -133,6 +133,7 @@ class Resealer {
         if (keyframe.step == row.step) seal(keyframe);
       for (const TheirRow& theirs : rows_.theirs)
         if (theirs.step == row.step) seal(theirs);
+      seal_shapes(row.step);
     }
     database_.run("UPDATE meta SET value = '" + to_hex(chain_.end()) + "' WHERE key = 'end'");
     database_.run("COMMIT");
@@ -148,7 +149,21 @@ class Resealer {
   void seal(const KeyframeRow& keyframe) {
     const std::string where = " keyframes WHERE step = " + std::to_string(keyframe.step);
     note(Chain::Part::keyframe, "keyframes", "step", keyframe.step,
-         seal_of_keyframe(chain_.link(), keyframe.step, blob(database_, "SELECT data FROM" + where)));
+         seal_of_keyframe(chain_.link(), keyframe.step, blob(database_, "SELECT data FROM" + where),
+                          blob(database_, "SELECT looks FROM" + where)));
+  }
+  /// Of the shapes that came with a step.
+  void seal_shapes(std::uint32_t step) {
+    std::vector<std::uint64_t> seals;
+    for (std::uint32_t shape = 0; shape < rows_.shapes.size(); ++shape) {
+      if (rows_.shapes[shape].step != step) continue;
+      const std::string where = " FROM shapes WHERE shape = " + std::to_string(shape);
+      const Bytes kind = blob(database_, "SELECT kind" + where);
+      seals.push_back(seal_of_shape(chain_.link(), shape, std::string(kind.begin(), kind.end()),
+                                    blob(database_, "SELECT data" + where)));
+      database_.put("UPDATE shapes SET seal = ? WHERE shape = " + std::to_string(shape), seals.back());
+    }
+    if (!seals.empty()) chain_.add(Chain::Part::shapes, seal_of_shapes(seals));
   }
   void seal(const TheirRow& theirs) {
     const auto seal = seal_of_theirs(chain_.link(), reading_, theirs.step);
@@ -215,6 +230,11 @@ void forge_keyframe(const std::filesystem::path& recording, std::uint32_t step, 
   reseal(recording);
 }
 
+void forge_keyframe_looks(const std::filesystem::path& recording, std::uint32_t step, const Bytes& looks) {
+  Writable(recording).put("UPDATE keyframes SET looks = ? WHERE step = " + std::to_string(step), looks);
+  reseal(recording);
+}
+
 template <int D>
 void forge_keyframe(const std::filesystem::path& recording, std::uint32_t step,
                     const std::function<void(BspState<D>&)>& change) {
@@ -242,6 +262,7 @@ Bytes block_with_object(std::uint32_t number) {
   block.blob(Bytes{0});
   for (int channel = 0; channel < 2 * D; ++channel) block.blob(Bytes{0});
   block.blob({});
+  LookEncoder<D>().take(block);
   return compress(block.bytes());
 }
 

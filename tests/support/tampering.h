@@ -36,6 +36,8 @@ void reseal(const std::filesystem::path& recording);
 /// Puts other bytes in place of a block or a keyframe and reseals.
 void forge_block(const std::filesystem::path& recording, std::uint32_t first_step, const Bytes& data);
 void forge_keyframe(const std::filesystem::path& recording, std::uint32_t step, const Bytes& data);
+/// Likewise for how its objects look.
+void forge_keyframe_looks(const std::filesystem::path& recording, std::uint32_t step, const Bytes& looks);
 /// The same with a state that was changed.
 template <int D>
 void forge_keyframe(const std::filesystem::path& recording, std::uint32_t step,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/objects/object_table.h"
+#include "core/recording/look.h"
 #include "core/scene/scene.h"
 
 namespace kerf {
@@ -12,6 +13,12 @@ namespace kerf {
 /// place, since bodies are numbered as objects are.
 template <int D>
 std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects);
+
+/// The same, with their shapes where these were recorded. Throws std::runtime_error if one is larger than its
+/// box: then the recording is damaged.
+template <int D>
+std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects, const Looks<D>& looks,
+                                     const std::vector<Shape<D>>& shapes);
 
 /// The number of objects that are present and not fixed.
 template <int D>

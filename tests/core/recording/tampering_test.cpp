@@ -15,6 +15,7 @@
 #include "core/replay/judge_theirs.h"
 #include "core/replay/verify.h"
 #include "tests/support/config_of.h"
+#include "tests/support/crowd_shapes.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 
@@ -65,8 +66,8 @@ TheirChanges<D> changes_of(const ObjectTable<D>& objects, std::uint32_t step) {
   return changes;
 }
 
-/// A recording with rows in every table: objects that come and go, a keyframe, another configuration from a
-/// step on, a decision, and another engine's pairs in the first steps.
+/// A recording with rows in every table: objects that come and go, with shapes, a keyframe, another
+/// configuration from a step on, a decision, and another engine's pairs in the first steps.
 template <int D>
 void record_everything(const std::filesystem::path& path) {
   RecordingInfo info = test::info_of<D>(test::busy_config());
@@ -79,6 +80,8 @@ void record_everything(const std::filesystem::path& path) {
   Bsp<D, EventLog> tree(info.config, info.volume);
   Recorder<D> recorder(tree, path, info);
   TheirWorld<D> world;
+  test::CrowdShapes<D> shapes(tree);
+  recorder.show([&](ObjectId object) { return shapes.appearance(object); });
   test::play_crowd<D>(recorder, kKeyframe + 20, 1, [&](std::uint32_t step) {
     (void)tree.trace().take();
     if (step > 5) return;
@@ -145,7 +148,7 @@ TYPED_TEST(Tampering, NothingIsSaidAgainstWhatWasRecorded) {
   EXPECT_TRUE(verdict.holds()) << objection(this->path());
   EXPECT_EQ(verdict.keyframes, 1U);
   EXPECT_GT(verdict.theirs.pairs, 0U);
-  EXPECT_THAT(verdict.unchecked, testing::ElementsAre(HasSubstr("how long")));
+  EXPECT_THAT(verdict.unchecked, testing::ElementsAre(HasSubstr("how long"), HasSubstr("turned")));
   EXPECT_THAT(verify(this->path(), 10).unchecked, testing::Contains(HasSubstr("by the oracle")));
 }
 

@@ -103,6 +103,18 @@ std::vector<Pair> their_pairs(std::span<const Pair> pairs) {
   return theirs;
 }
 
+/// Discs, and one triangle that turns.
+std::vector<Look<2>> looks_of(const StepRequests<2>& requests, std::uint32_t step, ShapeNumbers<2>& shapes) {
+  constexpr std::uint32_t kTriangle = 4;
+  std::vector<Look<2>> looks;
+  for (const ObjectId object : requests.objects) {
+    const bool turns = object.value == kTriangle;
+    const Shape<2> shape = turns ? Shape<2>(Outline{{{{0, 0}}, {{0.5F, 0}}, {{0, 0.5F}}}}) : Ball{0.5F};
+    looks.push_back({shapes.number_of(shape), {0, {static_cast<std::int16_t>(turns ? 900 * step : 0)}}});
+  }
+  return looks;
+}
+
 }  // namespace
 
 void record_small(const std::filesystem::path& path) {
@@ -115,7 +127,8 @@ void record_small(const std::filesystem::path& path) {
   std::uint64_t next_event = 0;
   for (std::uint32_t step = 1; step <= kSteps; ++step) {
     const std::vector<Event> events = run_step(info, step, tree);
-    writer.add(requests_of(step), events, row_of(tree, events, next_event));
+    const StepRequests<2> requests = requests_of(step);
+    writer.add(requests, events, row_of(tree, events, next_event), looks_of(requests, step, writer.shapes()));
     if (step == kSmallKeyframe) writer.add(tree.state());
     const TheirChanges<2> changes = changes_of(step);
     world.apply(changes);

@@ -1,8 +1,10 @@
 #include "viz/draw/recorded_bodies.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/boxes.h"
+#include "tests/support/crowd_shapes.h"
 #include "tests/support/dimensions.h"
 #include "viz/draw/draw_context.h"
 #include "viz/draw/view_box.h"
@@ -39,6 +41,46 @@ TYPED_TEST(RecordedBodies, OnlyWhatIsPresentIsDrawnAndCounted) {
   const std::vector<Body<kD>> those{bodies[0], bodies[2]};
   present.update(std::span<const Body<kD>>(those));
   EXPECT_EQ(all.box(), present.box());
+}
+
+template <int D>
+Looks<D> looks_of(std::initializer_list<Look<D>> list) {
+  Looks<D> looks;
+  std::uint32_t id = 0;
+  for (const Look<D>& look : list) looks.set({id++}, look);
+  return looks;
+}
+
+/// What has no shape is its box; a shape stands in the middle of its box.
+TYPED_TEST(RecordedBodies, HaveTheShapesThatWereRecorded) {
+  constexpr int kD = TypeParam::value;
+  ObjectTable<kD> objects(VolumeKind::box);
+  for (std::uint32_t id = 0; id < 4; ++id)
+    (void)objects.insert({id}, test::box_at<kD>(test::all<kD>(5), 1), Mobility::moving);
+  (void)objects.remove({3});
+  const std::vector<Shape<kD>> shapes = test::all_shapes<kD>(0.9F);
+  const auto axes = test::turned_axes<kD>(0.4);
+  const auto bodies =
+      recorded_bodies(objects, looks_of<kD>({{0, {}}, {1, turn_of<kD>(axes)}, {}, {0, {}}}), shapes);
+  ASSERT_EQ(bodies.size(), 4U);
+  EXPECT_EQ(bodies[0].shape, shapes[0]);
+  EXPECT_EQ(bodies[0].pose.position, test::box_at<kD>(test::all<kD>(5), 1).center());
+  EXPECT_EQ(bodies[1].shape, shapes[1]);
+  EXPECT_LE(length(bodies[1].pose.axes[0] - axes[0]), 0x1p-11F);
+  EXPECT_EQ(bodies[2].shape, Shape<kD>(Brick<kD>{bodies[2].box.extent() * 0.5F}));
+  EXPECT_FALSE(is_drawable(bodies[3]));
+}
+
+TYPED_TEST(RecordedBodies, AShapeThatIsLargerThanItsBoxIsDamage) {
+  constexpr int kD = TypeParam::value;
+  ObjectTable<kD> objects(VolumeKind::box);
+  (void)objects.insert({0}, test::box_at<kD>(test::all<kD>(5), 1), Mobility::moving);
+  const std::vector<Shape<kD>> shapes{Ball{3}};
+  EXPECT_THAT(
+      [&] {
+        (void)recorded_bodies(objects, looks_of<kD>({{0, {}}}), shapes);
+      },
+      testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("damaged: the shape of object 0")));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "core/replay/what_if.h"
 #include "core/trace/event_facts.h"
 #include "core/tree/criteria.h"
+#include "viz/draw/recorded_bodies.h"
 
 namespace kerf {
 namespace {
@@ -31,6 +32,7 @@ RunOf<D>::RunOf(std::filesystem::path path)
     : path_(std::move(path)),
       recording_(std::make_shared<RecordingReader<D>>(path_)),
       cursor_(recording_),
+      looks_(*recording_),
       search_(recording_),
       their_steps_(recording_->their_steps()) {}
 
@@ -97,6 +99,11 @@ const std::vector<CandidateRow>& RunOf<D>::ballot() {
     ballot_->push_back({entry, plane_text(plane), double{score(entry.quality)}});
   }
   return *ballot_;
+}
+
+template <int D>
+std::vector<Body<D>> RunOf<D>::bodies() {
+  return recorded_bodies(state().latest, looks_.at(position().step), recording_->shapes());
 }
 
 template <int D>

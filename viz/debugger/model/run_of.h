@@ -6,6 +6,7 @@
 
 #include "core/query/search.h"
 #include "core/replay/cursor.h"
+#include "core/replay/recorded_looks.h"
 #include "viz/debugger/model/run.h"
 
 namespace kerf {
@@ -74,6 +75,8 @@ class RunOf final : public Run {
 
   /// The complete state of the tree, for the view.
   [[nodiscard]] const BspState<D>& state() const { return cursor_.state(); }
+  /// The objects as they look at this moment.
+  [[nodiscard]] std::vector<Body<D>> bodies();
   /// The plane of a candidate of the ballot.
   [[nodiscard]] Plane<D> plane(std::size_t candidate);
 
@@ -85,6 +88,7 @@ class RunOf final : public Run {
   std::filesystem::path path_;
   std::shared_ptr<RecordingReader<D>> recording_;
   Cursor<D> cursor_;
+  RecordedLooks<D> looks_;
   Search<D> search_;
 
   // Computed at the first use, dropped when the cursor moves.

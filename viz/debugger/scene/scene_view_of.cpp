@@ -99,7 +99,7 @@ void SceneViewOf<D>::choose_letters() {
 template <int D>
 void SceneViewOf<D>::take_moment() {
   moment_ = run_.position();
-  all_bodies_ = recorded_bodies(run_.state().latest);
+  all_bodies_ = run_.bodies();
   snapshot_ = run_.tree();
   if constexpr (D == 3) crowds_ = find_crowds<D>(run_.state().tree, all_bodies_, box_);
 }

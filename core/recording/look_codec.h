@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/recording/bits.h"
+#include "core/recording/look.h"
+#include "core/recording/step_requests.h"
+
+namespace kerf {
+
+/// Foretells how an object is turned: as it was, or as fast as it turned, by which of the two was less off
+/// lately. An object without a request has the look that it had.
+template <int D>
+class LookPredictor {
+ public:
+  struct Track {
+    Look<D> now;
+    Turn<D> before;
+    std::array<std::uint8_t, 2> error{};  ///< of either rule, in bits
+  };
+
+  /// Forgets all motion.
+  void restart(const Looks<D>& looks);
+  Track& track(ObjectId object);
+  [[nodiscard]] Looks<D> looks() const;
+
+  static TurnParts<D> foretell(const Track& track, std::uint8_t left_out);
+  static void learn(Track& track, const Turn<D>& turn);
+  /// Another shape: what it had learnt of the old one is void.
+  static void reset(Track& track, std::uint32_t shape) { track = {{shape, {}}, {}, {}}; }
+
+ private:
+  std::vector<Track> tracks_;  ///< by object
+};
+
+/// The looks of a block's objects in columns: for each request what changes, then numbers of shapes and of
+/// components left out, then for each part of a turn the lengths of its differences from the one foretold;
+/// their bits follow.
+template <int D>
+class LookEncoder {
+ public:
+  void restart(const Looks<D>& looks) { predictor_.restart(looks); }
+  /// `looks`: one for each of the requests' objects. Empty: nothing is known of any, in the whole recording.
+  void add(const StepRequests<D>& requests, std::span<const Look<D>> looks);
+  /// Appends the columns and begins anew.
+  void take(ByteWriter& block);
+  [[nodiscard]] Looks<D> looks() const { return predictor_.looks(); }
+
+ private:
+  void add(typename LookPredictor<D>::Track& track, const Look<D>& look);
+  void add_turn(typename LookPredictor<D>::Track& track, const Turn<D>& turn);
+
+  LookPredictor<D> predictor_;
+  std::uint32_t last_shape_ = 0;
+  ByteWriter kinds_;
+  ByteWriter numbers_;
+  std::array<ByteWriter, Turn<D>::kParts> lengths_;
+  BitWriter bits_;
+};
+
+/// Reads what LookEncoder wrote. Throws std::runtime_error for damaged columns.
+template <int D>
+class LookDecoder {
+ public:
+  void restart(const Looks<D>& looks) { predictor_.restart(looks); }
+  /// The columns of a block.
+  void open(ByteReader& block);
+  /// The changes by the requests of the block's next step.
+  std::vector<LookChange<D>> read(const StepRequests<D>& requests);
+  /// Whether all of the block was read.
+  [[nodiscard]] bool empty() const;
+
+ private:
+  void read_one(ObjectId object, std::vector<LookChange<D>>& changes);
+  Turn<D> read_turn(typename LookPredictor<D>::Track& track, std::uint8_t left_out);
+
+  LookPredictor<D> predictor_;
+  std::uint32_t last_shape_ = 0;
+  bool has_looks_ = false;
+  ByteReader kinds_{{}};
+  ByteReader numbers_{{}};
+  std::vector<ByteReader> lengths_;
+  BitReader bits_{{}};
+};
+
+/// All looks at a keyframe; no bytes if no object has one.
+template <int D>
+Bytes encode_looks(const Looks<D>& looks);
+/// The reverse, for a table with `bound` places. Throws std::runtime_error for damaged bytes.
+template <int D>
+Looks<D> decode_looks(std::span<const std::uint8_t> bytes, std::size_t bound);
+
+extern template class LookPredictor<2>;
+extern template class LookPredictor<3>;
+extern template class LookEncoder<2>;
+extern template class LookEncoder<3>;
+extern template class LookDecoder<2>;
+extern template class LookDecoder<3>;
+
+}  // namespace kerf
