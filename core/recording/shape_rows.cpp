@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/base/counted.h"
+#include "core/base/damage.h"
 #include "core/recording/compression.h"
-#include "core/recording/damage.h"
 
 namespace kerf {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/recording/bytes.h"
+#include "core/base/bytes.h"
 #include "core/scene/shape.h"
 
 namespace kerf {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "core/recording/damage.h"
+#include "core/base/damage.h"
 
 namespace kerf {
 namespace {

@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "core/recording/damage.h"
+#include "core/base/damage.h"
 #include "core/scene/pose_in_box.h"
 
 namespace kerf {
