@@ -12,8 +12,8 @@ namespace kerf::adapters {
 namespace {
 
 /// FCL moves nothing by itself: balls fly straight and are reflected by the walls; in the heap each swings
-/// about its place. A step moves them, tells the manager which moved (without a list of them, boxes of FCL's
-/// tree grow from step to step), and runs FCL's narrow phase on each pair.
+/// about its place. A step moves them, gives the manager those that moved (without a list of them, boxes of
+/// FCL's tree grow from step to step), and runs FCL's narrow phase on each pair.
 class FclScene {
  public:
   FclScene(const Start& start, std::unique_ptr<fcl::BroadPhaseCollisionManager<double>> manager)
