@@ -16,10 +16,13 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL runtime development program)
+set(CPACK_COMPONENTS_STATIC development)  # what the build with static libraries gives
 
 set(abi ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-set(about "Kerf reports which axis-aligned boxes overlap while they move, in 2D and 3D: the broad phase of collision
- detection. It is built on semi-adjusting BSP trees, and is exact.")
+set(about "Kerf reports which axis-aligned boxes overlap while they move, in 2D and
+3D: the broad phase of collision detection. It stands on semi-adjusting BSP
+trees, and is exact.")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # the first line of each description is one
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libkerf${abi})
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
@@ -27,23 +30,27 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "broad phase of collision detection - sh
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY "=")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/triggers)
+install(FILES cmake/debian/libkerf.lintian DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT runtime
+  RENAME libkerf${abi} EXCLUDE_FROM_ALL)
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libkerf-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "broad phase of collision detection - headers\n${about}
- .
- This package has the headers, static libraries, files for CMake and pkg-config, and headers with which Bullet, ODE,
- FCL and Box2D use the broad phase.")
+
+This package has headers, static libraries, files for CMake and pkg-config,
+and adapters with which Bullet, ODE, FCL and Box2D use the broad phase.")
 string(CONCAT CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libkerf${abi} (= ${PROJECT_VERSION}), "
   "libhwy-dev, libtbb-dev, libxxhash-dev, libsqlite3-dev, libzstd-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "libbullet-dev, libode-dev, libfcl-dev, libbox2d-dev")
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME kerf)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "broad phase of collision detection - see, step through, measure\n${about}
- .
- This package has the program kerf, which renders, records, debugs and measures the broad phase of physics scenes and of
- other engines' recordings.")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "broad phase of collision detection - to see and measure it\n${about}
+
+This package has the program kerf, which renders, records, debugs and
+measures the broad phase in scenes of physics and in what other engines
+recorded.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/core)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
@@ -57,7 +64,11 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "parallel")
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 set(changelog ${PROJECT_BINARY_DIR}/changelog)
 configure_file(cmake/debian/changelog.in ${changelog} @ONLY)
-file(ARCHIVE_CREATE OUTPUT ${changelog}.gz PATHS ${changelog} FORMAT raw COMPRESSION GZip COMPRESSION_LEVEL 9)
+find_program(KERF_GZIP gzip)
+if(NOT KERF_GZIP)
+  return()
+endif()
+execute_process(COMMAND ${KERF_GZIP} --best --no-name --force --keep ${changelog} COMMAND_ERROR_IS_FATAL ANY)
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} upper)
   set(place DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} COMPONENT ${component})

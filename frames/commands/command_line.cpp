@@ -16,6 +16,7 @@
 #include "frames/commands/bench_frames_command.h"
 #include "frames/commands/collect_command.h"
 #include "frames/commands/compare_command.h"
+#include "frames/commands/completion_command.h"
 #include "frames/commands/debug_command.h"
 #include "frames/commands/diff_command.h"
 #include "frames/commands/doctor_command.h"
@@ -27,6 +28,7 @@
 #include "frames/commands/film_diff_command.h"
 #include "frames/commands/import_command.h"
 #include "frames/commands/lint_command.h"
+#include "frames/commands/man_command.h"
 #include "frames/commands/minimize_command.h"
 #include "frames/commands/record_command.h"
 #include "frames/commands/render_command.h"
@@ -167,6 +169,8 @@ int run_command_line(int argc, char** argv) {
   const ReportCommand report_page(program);
   const StudyCommand study(program);
   const DoctorCommand doctor(program);
+  const ManCommand man(program);
+  const CompletionCommand completer(program);
   say_exit_codes(program);
   try {
     program.parse(argc, argv);
@@ -184,7 +188,7 @@ int run_command_line(int argc, char** argv) {
   }
   return run(program, scenes, render, collector, film, film_diff, record, import, rerun, verify, debug, step,
              explain, compare, lint, minimize, exporter, diff, bench, bench_frames, experiment, report_page,
-             study, doctor);
+             study, doctor, man, completer);
 }
 
 }  // namespace kerf

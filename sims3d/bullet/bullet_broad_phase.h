@@ -20,8 +20,8 @@ namespace kerf {
 ///
 /// Pairs are exact: the boxes that Bullet gives overlap as closed intervals. They are brought up to date by
 /// calculateOverlappingPairs, which a world calls in each step, and are in the pair cache like those of
-/// Bullet's own: filters, ghost objects and the dispatcher work as ever. The cache is told only of pairs that
-/// begin or end, so that a pair that another takes out of it comes again when it begins again; after a change
+/// Bullet's own: filters, ghost objects and the dispatcher work as ever. The cache gets only the pairs that
+/// begin or end: a pair that something else takes out of it comes again when it begins again; after a change
 /// of a filter call btCollisionWorld::refreshBroadphaseProxy, as with Bullet's own.
 ///
 /// Proxies of which each is in the group StaticFilter alone and masks that group out never form a pair,

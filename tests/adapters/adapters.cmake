@@ -1,4 +1,4 @@
-# Adapters with the real engines, and the samples of docs/EMBEDDING.md, each compiled as a program that is run.
+# Adapters with the real engines, and the samples of docs/ADAPTERS.md, each compiled as a program that is run.
 pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET bullet)
 pkg_check_modules(FCL REQUIRED IMPORTED_TARGET fcl)
 set_property(TARGET PkgConfig::FCL PROPERTY INTERFACE_COMPILE_OPTIONS)  # it would choose an older C++

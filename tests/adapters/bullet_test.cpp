@@ -271,7 +271,7 @@ struct Collector final : btBroadphaseAabbCallback {
   std::vector<const btBroadphaseProxy*> found;
 };
 
-TEST(BulletBroadPhase, ABoxFindsWhatOverlapsItAndStopsWhenTold) {
+TEST(BulletBroadPhase, ABoxFindsWhatOverlapsItUntilTheCallbackEndsIt) {
   BulletBroadPhase broad_phase;
   std::vector<btBroadphaseProxy*> row;
   for (int i = 0; i < 5; ++i) {

@@ -93,6 +93,10 @@ struct Case {
 constexpr Case kCases[] = {
     {0, "scenes"},
     {2, "scenes --no"},
+    {0, "man"},
+    {2, "man --no"},
+    {0, "completion bash"},
+    {2, "completion csh"},
     {0, "record pile -o @r.kerf --steps 3 --objects 3"},
     {2, "record pile -o @none/r.kerf --steps 3 --objects 3"},
     {0, "import @boxes.csv -o @i.kerf"},

@@ -1,5 +1,5 @@
-// README.md says what users type and embed: the commands of its first five minutes are run, its sample is the
-// one that is compiled.
+// README.md says what users type and embed: the commands of its first five minutes are run, its sample and
+// those of ADAPTERS.md are the ones that are compiled.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -82,6 +82,13 @@ TEST(ReadmeProgram, TheSampleIsTheOneThatIsCompiled) {
   const std::string beside =
       std::regex_replace(project, std::regex(R"(add_subdirectory\(\.\./\.\. kerf)"), "add_subdirectory(kerf");
   EXPECT_THAT(beside, HasSubstr(joined(blocks(text, "cmake"))));
+}
+
+TEST(ReadmeProgram, TheSamplesOfAdaptersAreThoseThatAreCompiled) {
+  std::string compiled;
+  for (const char* engine : {"bullet", "ode", "fcl", "box2d"})
+    compiled += project_text(std::string("tests/embed/adapters/") + engine + ".cpp");
+  EXPECT_EQ(joined(blocks(project_text("docs/ADAPTERS.md"), "cpp")), compiled);
 }
 
 std::string first_group(const std::string& text, const char* expression) {

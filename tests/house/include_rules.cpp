@@ -47,6 +47,7 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"ODE", "ode/"},
     {"Bullet", "BulletCollision/"},
     {"Bullet", "LinearMath/"},
+    {"Bullet", "btBulletDynamicsCommon.h"},
     {"FCL", "fcl/"},
     {"CGAL", "CGAL/"},
     {"Embree", "embree3/"},

@@ -12,23 +12,23 @@ namespace kerf::adapters {
 namespace {
 
 /// FCL moves nothing by itself: balls fly straight and are reflected by the walls; in the heap each swings
-/// about its place. A step moves them, updates the manager, and runs FCL's narrow phase on each pair.
+/// about its place. A step moves them, gives the manager those that moved (without a list of them, boxes of
+/// FCL's tree grow from step to step), and runs FCL's narrow phase on each pair.
 class FclScene {
  public:
   FclScene(const Start& start, std::unique_ptr<fcl::BroadPhaseCollisionManager<double>> manager)
       : start_(start), manager_(std::move(manager)) {
     const auto ball = std::make_shared<fcl::Sphere<double>>(0.5);
-    std::vector<fcl::CollisionObject<double>*> all;
     for (std::size_t k = 0; k < start.positions.size(); ++k)
-      all.push_back(objects_.emplace_back(std::make_unique<fcl::CollisionObject<double>>(ball)).get());
+      all_.push_back(objects_.emplace_back(std::make_unique<fcl::CollisionObject<double>>(ball)).get());
     place();
-    manager_->registerObjects(all);
+    manager_->registerObjects(all_);
     manager_->setup();
   }
   void step() {
     ++step_;
     place();
-    manager_->update();
+    manager_->update(all_);
     manager_->collide(&found_, [](auto* a, auto* b, void* data) {
       fcl::CollisionRequest<double> request;
       fcl::CollisionResult<double> result;
@@ -56,6 +56,7 @@ class FclScene {
   const Start start_;
   std::vector<std::unique_ptr<fcl::CollisionObject<double>>> objects_;
   std::unique_ptr<fcl::BroadPhaseCollisionManager<double>> manager_;
+  std::vector<fcl::CollisionObject<double>*> all_;
   std::size_t found_ = 0;
   int step_ = 0;
 };

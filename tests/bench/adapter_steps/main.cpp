@@ -1,5 +1,5 @@
 // kerf_adapter_steps [STEPS]: processor time of a step of each engine with its own broad phase and with ours,
-// 4,250 objects, step by step in turn. Prints a table for docs/EMBEDDING.md and, as the last line, JSON.
+// 4,250 objects, step by step in turn. Prints a table for docs/ADAPTERS.md and, as the last line, JSON.
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,49 @@
+// What the program prints about itself for `man` and for shells: all of them have each command.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <string>
+
+#include "frames/commands/exit_codes.h"
+#include "tests/frames/program.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Outcome;
+using testing::Process;
+using testing::run_kerf;
+using testing::TemporaryFolder;
+
+TEST(SelfDescriptionProgram, EveryCommandIsInThePageAndInEachCompletion) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"man"}, {"completion", "bash"}, {"completion", "zsh"}, {"completion", "fish"}}) {
+    const Outcome outcome = run_kerf(arguments);
+    for (const ExitMeaning& meaning : exit_meanings()) {
+      std::string name(meaning.command);
+      if (arguments.front() == "man")
+        for (std::size_t at = name.find('-'); at != std::string::npos; at = name.find('-', at + 2))
+          name.insert(at, "\\");
+      EXPECT_THAT(outcome.out, HasSubstr(name)) << arguments.back();
+    }
+  }
+}
+
+TEST(SelfDescriptionProgram, BashCompletesCommandsAndOptions) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "script") << run_kerf({"completion", "bash"}).out;
+  const auto completed = [&](const std::string& words, const std::string& at) {
+    return Process({"bash", "-c",
+                    "source '" + (folder.path() / "script").string() + "'; COMP_WORDS=(" + words +
+                        "); COMP_CWORD=" + at + "; _kerf; echo \"${COMPREPLY[@]}\""})
+        .wait()
+        .out;
+  };
+  EXPECT_EQ(completed("kerf rende", "1"), "render\n");
+  EXPECT_EQ(completed("kerf render --conta", "2"), "--contact-sheet\n");
+  EXPECT_EQ(completed("kerf render a", "2"), "\n");  // bash then completes names of files
+}
+
+}  // namespace
+}  // namespace kerf
