@@ -50,7 +50,7 @@ typedef struct kerf_world kerf_world;
 typedef uint64_t kerf_handle;
 
 typedef int32_t kerf_status;
-enum {
+enum kerf_status_code {
   KERF_OK = 0,
   KERF_CLAMPED = 1,      /* done; infinite bounds of the box were replaced by the largest finite ones */
   KERF_STALE_HANDLE = 2, /* names no object of this world: removed, of a world with another tag, or none */
@@ -70,7 +70,7 @@ enum {
 };
 
 /* What an object is to the program. Pairs are reported if at least one object is moving or a sensor. */
-enum {
+enum kerf_kind {
   KERF_FIXED = 0,     /* static: part of the level */
   KERF_KINEMATIC = 1, /* moved by the program and by nothing else */
   KERF_MOVING = 2,    /* dynamic: moved by contacts */
@@ -78,12 +78,12 @@ enum {
 };
 
 /* Whose overlap makes a pair; they differ only for objects with a margin. */
-enum {
+enum kerf_pairs_of {
   KERF_PAIRS_OF_FAT_BOXES = 0,  /* pairs begin before the boxes touch and end after they part */
   KERF_PAIRS_OF_EXACT_BOXES = 1 /* pairs of the boxes as given */
 };
 
-enum { KERF_PAIR_OF_SENSOR = 1 }; /* flag of a pair: one of both is a sensor, or both are */
+enum kerf_pair_flag { KERF_PAIR_OF_SENSOR = 1 }; /* flag of a pair: one of both is a sensor, or both are */
 
 typedef struct kerf_world_options {
   uint32_t size;
