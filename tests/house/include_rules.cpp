@@ -83,6 +83,7 @@ constexpr auto kLayers = std::to_array<Layer>({
     {"core/kernels/", 4, "vector code: byte sweep, list division, moves"},
     {"core/tree/", 5, "tree, the five operators, scheduler, validator, hash"},
     {"core/bsp/", 6, "the semi-adjusting BSP tree as a broad phase"},
+    {"core/spatial/", 6, "queries: overlaps, rays, swept boxes, nearest, frustum"},
     {"core/broad_phase/", 7, "the oracle, other algorithms, approximate modes"},
     {"core/world/", 8, "objects with handles, kinds and filters; begun and ended pairs"},
     {"core/c/", 9, "`kerf.h`: the C interface"},
