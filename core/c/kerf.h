@@ -1,16 +1,7 @@
 /* Kerf's C interface: a broad phase. C11 and C++98.
  *
  * A world holds objects, each with a box, and reports in each step which boxes overlap (closed intervals:
- * boxes that touch overlap), which pairs begin and which end.
- *
- *   kerf_world *world = NULL;
- *   kerf_world_create(2, NULL, &world, NULL);
- *   kerf_world_insert(world, boxes, NULL, 0, count, handles, NULL);
- *   for (;;) {
- *     kerf_world_move(world, handles, boxes, count, NULL);
- *     kerf_world_step(world);
- *     kerf_world_begun(world, &pairs, &pair_count);
- *   }
+ * boxes that touch overlap), which pairs begin and which end (docs/EMBEDDING.md has examples).
  *
  * Boxes are rows of floats: the minimum on each axis, then the maximum on each axis; 4 floats in 2D, 6 in 3D.
  *
@@ -66,7 +57,8 @@ enum kerf_status_code {
   KERF_SMALL_BUFFER = 67, /* the caller's memory is too small: the size that is needed was written */
   KERF_BUSY = 68, /* called by the callback of a step, which may only call functions of a const world */
   KERF_OUT_OF_MEMORY = 69,
-  KERF_INTERNAL_ERROR = 70 /* a fault of Kerf's: please report it */
+  KERF_INTERNAL_ERROR = 70, /* a fault of Kerf's: please report it */
+  KERF_BAD_QUERY = 71       /* a query with NaN, an infinite place, min > max or a negative length */
 };
 
 /* What an object is to the program. Pairs are reported if at least one object is moving or a sensor. */
@@ -198,5 +190,7 @@ KERF_API kerf_status kerf_world_restore(kerf_world* world, const void* bytes, si
 #ifdef __cplusplus
 }
 #endif
+
+#include <kerf_queries.h>
 
 #endif
