@@ -45,6 +45,7 @@ file(GLOB abi_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/core/c/*.cpp)
 add_library(kerf_abi SHARED ${abi_sources})
 target_compile_definitions(kerf_abi PRIVATE $<TARGET_PROPERTY:kerf_c,COMPILE_DEFINITIONS>)
 target_link_libraries(kerf_abi PRIVATE kerf_bsp)
+target_include_directories(kerf_abi PRIVATE ${PROJECT_SOURCE_DIR}/core/c)
 set_target_properties(kerf_abi PROPERTIES OUTPUT_NAME kerf CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} DEFINE_SYMBOL "")
 target_link_options(kerf_abi PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/exported_c_names)
@@ -55,3 +56,15 @@ add_test(NAME Embed.TheAbiOfCIsTheOneThatIsWrittenDown
 if(NOT KERF_ABIDIFF)
   set_tests_properties(Embed.TheAbiOfCIsTheOneThatIsWrittenDown PROPERTIES DISABLED ON)
 endif()
+
+# The samples of docs/EMBEDDING.md.
+add_test(NAME Embed.TheSamplesOfThePagePrintWhatItSays
+  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/embed/run_page ${PROJECT_SOURCE_DIR}/docs/EMBEDDING.md
+    ${CMAKE_CURRENT_BINARY_DIR}/embed_page -I${PROJECT_SOURCE_DIR} -I${PROJECT_SOURCE_DIR}/core/c
+    $<TARGET_FILE:kerf_c> $<TARGET_FILE:kerf_bsp> -lstdc++ -lm -lhwy_contrib -lhwy -lxxhash -ltbb)
+
+# Memory that ends.
+add_executable(kerf_out_of_memory embed/out_of_memory.cpp)
+target_link_libraries(kerf_out_of_memory PRIVATE kerf_c)
+target_link_options(kerf_out_of_memory PRIVATE LINKER:--wrap=realloc)
+add_test(NAME Embed.AWorldSurvivesEachAllocationThatFails COMMAND kerf_out_of_memory)
