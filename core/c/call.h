@@ -10,11 +10,12 @@
 
 #include "core/c/kerf.h"
 #include "core/c/sized_struct.h"
-#include "core/world/world.h"
+#include "core/world/world_index.h"
 
 /// Not in a namespace: it is C's struct.
 struct kerf_world {
   std::variant<kerf::World<2>, kerf::World<3>> world;
+  std::variant<kerf::WorldIndex<2>, kerf::WorldIndex<3>> index;  ///< of the world's dimension
   bool steps = false;                 ///< `kerf_world_step` is running, and may have called the callback
   std::vector<kerf::ObjectDef> defs;  ///< of one call
   std::vector<kerf::WorldStatus> statuses;  ///< of one call

@@ -35,9 +35,9 @@ WorldOptions to_options(const kerf_world_options& given) {
 
 kerf_status create(std::uint32_t dimension, const WorldOptions& options, kerf_world** world) {
   if (dimension == 2) {
-    *world = new kerf_world{World<2>(options), false, {}, {}};
+    *world = new kerf_world{World<2>(options), WorldIndex<2>(), false, {}, {}};
   } else if (dimension == 3) {
-    *world = new kerf_world{World<3>(options), false, {}, {}};
+    *world = new kerf_world{World<3>(options), WorldIndex<3>(), false, {}, {}};
   } else {
     throw std::invalid_argument("dimension is neither 2 nor 3");
   }
@@ -72,6 +72,8 @@ const char* kerf_status_text(kerf_status status) {
       return "there is no more memory";
     case KERF_INTERNAL_ERROR:
       return "a fault of Kerf's: please report it";
+    case KERF_BAD_QUERY:
+      return "a query with NaN, an infinite place, a minimum above its maximum, or a negative length";
     default:
       break;
   }

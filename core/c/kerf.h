@@ -1,16 +1,7 @@
 /* Kerf's C interface: a broad phase. C11 and C++98.
  *
  * A world holds objects, each with a box, and reports in each step which boxes overlap (closed intervals:
- * boxes that touch overlap), which pairs begin and which end.
- *
- *   kerf_world *world = NULL;
- *   kerf_world_create(2, NULL, &world, NULL);
- *   kerf_world_insert(world, boxes, NULL, 0, count, handles, NULL);
- *   for (;;) {
- *     kerf_world_move(world, handles, boxes, count, NULL);
- *     kerf_world_step(world);
- *     kerf_world_begun(world, &pairs, &pair_count);
- *   }
+ * boxes that touch overlap), which pairs begin and which end (docs/EMBEDDING.md has examples).
  *
  * Boxes are rows of floats: the minimum on each axis, then the maximum on each axis; 4 floats in 2D, 6 in 3D.
  *
@@ -50,7 +41,7 @@ typedef struct kerf_world kerf_world;
 typedef uint64_t kerf_handle;
 
 typedef int32_t kerf_status;
-enum {
+enum kerf_status_code {
   KERF_OK = 0,
   KERF_CLAMPED = 1,      /* done; infinite bounds of the box were replaced by the largest finite ones */
   KERF_STALE_HANDLE = 2, /* names no object of this world: removed, of a world with another tag, or none */
@@ -66,11 +57,12 @@ enum {
   KERF_SMALL_BUFFER = 67, /* the caller's memory is too small: the size that is needed was written */
   KERF_BUSY = 68, /* called by the callback of a step, which may only call functions of a const world */
   KERF_OUT_OF_MEMORY = 69,
-  KERF_INTERNAL_ERROR = 70 /* a fault of Kerf's: please report it */
+  KERF_INTERNAL_ERROR = 70, /* a fault of Kerf's: please report it */
+  KERF_BAD_QUERY = 71       /* a query with NaN, an infinite place, min > max or a negative length */
 };
 
 /* What an object is to the program. Pairs are reported if at least one object is moving or a sensor. */
-enum {
+enum kerf_kind {
   KERF_FIXED = 0,     /* static: part of the level */
   KERF_KINEMATIC = 1, /* moved by the program and by nothing else */
   KERF_MOVING = 2,    /* dynamic: moved by contacts */
@@ -78,12 +70,12 @@ enum {
 };
 
 /* Whose overlap makes a pair; they differ only for objects with a margin. */
-enum {
+enum kerf_pairs_of {
   KERF_PAIRS_OF_FAT_BOXES = 0,  /* pairs begin before the boxes touch and end after they part */
   KERF_PAIRS_OF_EXACT_BOXES = 1 /* pairs of the boxes as given */
 };
 
-enum { KERF_PAIR_OF_SENSOR = 1 }; /* flag of a pair: one of both is a sensor, or both are */
+enum kerf_pair_flag { KERF_PAIR_OF_SENSOR = 1 }; /* flag of a pair: one of both is a sensor, or both are */
 
 typedef struct kerf_world_options {
   uint32_t size;
@@ -198,5 +190,7 @@ KERF_API kerf_status kerf_world_restore(kerf_world* world, const void* bytes, si
 #ifdef __cplusplus
 }
 #endif
+
+#include <kerf_queries.h>
 
 #endif

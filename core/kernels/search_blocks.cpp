@@ -10,9 +10,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// Blocks that wait to be searched. Each inner block replaces itself by eight at most, and no hierarchy has
-/// more than eleven levels: eight to the power of eleven objects have no ids.
+/// Blocks that wait on a stack. Each inner block replaces itself by eight at most, and no hierarchy has more
+/// than eleven levels: eight to the power of eleven objects have no ids.
 constexpr std::size_t kMostWaiting = 8 * 11 + 8;
+/// Blocks that wait in a queue.
+constexpr std::size_t kQueue = 256;
+
+/// Where no order is wanted, the block that waits longest is next: it depends on nothing that the processor
+/// is still about to find. When the queue is at its end, it is emptied as a stack.
+struct Queue {
+  HWY_INLINE bool is_empty() const { return head == tail; }
+  HWY_INLINE std::uint32_t take() { return HWY_LIKELY(tail < kQueue) ? waiting[head++] : waiting[--tail]; }
+  std::size_t head = 0;
+  std::size_t tail = 1;
+  std::uint32_t waiting[kQueue + kMostWaiting];
+};
 
 HWY_INLINE bool has_blocks(std::uint32_t item) { return (item & 1U) != 0; }
 HWY_INLINE bool has_room(const FoundRoom& room) {
@@ -22,15 +34,14 @@ HWY_INLINE bool has_room(const FoundRoom& room) {
 template <int D>
 HWY_INLINE void overlap_all(const BlockView<D>& view, const Box<D>& box, FoundRoom& room) {
   const OverlapTest<D> test(box);
-  std::uint32_t waiting[kMostWaiting];
-  std::size_t size = 1;
-  waiting[0] = view.root;
-  while (size > 0) {
-    const std::uint32_t item = waiting[--size];
+  Queue queue;
+  queue.waiting[0] = view.root;
+  while (!queue.is_empty()) {
+    const std::uint32_t item = queue.take();
     const WideBlock<D>& block = view.blocks[item >> 1U];
     if (has_blocks(item)) {
       for (std::size_t k = 0; k < kWidth; k += kPart)
-        size += write_items(block, k, test(block, k), waiting + size);
+        queue.tail += write_items(block, k, test(block, k), queue.waiting + queue.tail);
       continue;
     }
     if (!has_room(room) && !room.make_room(room)) return;
@@ -42,15 +53,14 @@ HWY_INLINE void overlap_all(const BlockView<D>& view, const Box<D>& box, FoundRo
 template <int D, class Test>
 HWY_INLINE void possible_all(const BlockView<D>& view, const Test& given, FoundRoom& room) {
   const TestOf<D, Test> test(given);
-  std::uint32_t waiting[kMostWaiting];
-  std::size_t size = 1;
-  waiting[0] = view.root;
-  while (size > 0) {
-    const std::uint32_t item = waiting[--size];
+  Queue queue;
+  queue.waiting[0] = view.root;
+  while (!queue.is_empty()) {
+    const std::uint32_t item = queue.take();
     const WideBlock<D>& block = view.blocks[item >> 1U];
     if (has_blocks(item)) {
       for (std::size_t k = 0; k < kWidth; k += kPart)
-        size += write_items(block, k, test(block, k).possible, waiting + size);
+        queue.tail += write_items(block, k, test(block, k).possible, queue.waiting + queue.tail);
       continue;
     }
     if (!has_room(room) && !room.make_room(room)) return;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/sort_found.cpp"
@@ -69,6 +70,10 @@ HWY_EXPORT(count_64);
 template <class Number, class Count>
 void sort_numbers(std::span<Number> numbers, Number largest, Count count) {
   if (numbers.size() < 2) return;
+  if (numbers.size() == 2) {
+    if (numbers[1] < numbers[0]) std::swap(numbers[0], numbers[1]);
+    return;
+  }
   if (numbers.size() > kMostCounted) {
     thread_local const hwy::Sorter sorter;
     sorter(numbers.data(), numbers.size(), hwy::SortAscending());

@@ -91,7 +91,7 @@ void World<D>::rebuild() {
 template <int D>
 void World<D>::count(const ObjectDef& def, std::ptrdiff_t times) {
   if (def.margin > 0) margins_ += times;
-  if (def.filter != Filter{}) filters_ += times;
+  if (def.filter != PairFilter{}) filters_ += times;
   if (def.kind == ObjectKind::sensor) sensors_ += times;
 }
 
@@ -252,7 +252,7 @@ WorldStatus World<D>::set_kind(Handle object, ObjectKind kind) {
 }
 
 template <int D>
-WorldStatus World<D>::set_filter(Handle object, const Filter& filter) {
+WorldStatus World<D>::set_filter(Handle object, const PairFilter& filter) {
   if (!slots_.contains(object)) return WorldStatus::stale_handle;
   ObjectDef& def = defs_[object.index()];
   unstepped_ = true;

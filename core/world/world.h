@@ -89,7 +89,7 @@ class World {
 
   /// A pair that exists before and after, but is a sensor's only then or only now, ends and begins.
   WorldStatus set_kind(Handle object, ObjectKind kind);
-  WorldStatus set_filter(Handle object, const Filter& filter);
+  WorldStatus set_filter(Handle object, const PairFilter& filter);
   WorldStatus set_user_data(Handle object, std::uint64_t user_data);
   /// Makes a new fat box.
   WorldStatus set_margin(Handle object, Scalar margin);

@@ -203,15 +203,18 @@ TYPED_TEST(SpatialIndexTest, ThreadsMayAskAtTheSameTime) {
 
 TYPED_TEST(SpatialIndexTest, AWalkSaysWhatItPruned) {
   constexpr int D = TypeParam::value;
-  this->crowd_.add(2000);
-  for (int step = 0; step < 30; ++step) this->bsp_.step();
-  TreeWalk<D> walk(this->bsp_.tree(), this->bsp_.objects());
+  Bsp<D> bsp{Config{}};
+  MovingBoxes<D> sparse(bsp, 100, 0.5, 1);
+  sparse.add(2000);
+  for (int step = 0; step < 30; ++step) bsp.step();
+  TreeWalk<D> walk(bsp.tree(), bsp.objects());
   ASSERT_TRUE(walk.waiting().empty());
-  Ray<D> ray{all<D>(-1), all<D>(1), 100};
+  Ray<D> ray{all<D>(5), {}, 100};
+  ray.direction[0] = 1;
   Hit first;
   ASSERT_EQ(walk.first_hit(ray, first), QueryStatus::ok);
   const auto count = [&](NodeFate fate) { return std::ranges::count(walk.visits(), fate, &NodeVisit::fate); };
-  EXPECT_EQ(walk.visits().front().node, this->bsp_.tree().root());
+  EXPECT_EQ(walk.visits().front().node, bsp.tree().root());
   EXPECT_GT(count(NodeFate::visited), 2);
   EXPECT_GT(count(NodeFate::apart) + count(NodeFate::later), 0);
   for (const NodeVisit& visit : walk.visits()) {
