@@ -99,6 +99,24 @@ void parse_simulations(const BenchTexts& texts, BenchRequest& request) {
   request.objects = {0};
 }
 
+/// What has no meaning for queries is refused.
+void parse_queries(const BenchTexts& texts, BenchRequest& request) {
+  for (const auto& [option, text] : {std::pair{"--algorithms", &texts.algorithms},
+                                     {"--simulations", &texts.simulations},
+                                     {"--threads", &texts.threads},
+                                     {"--steps", &texts.steps},
+                                     {"--patience", &texts.patience}})
+    if (!text->empty())
+      throw UsageError(std::string(option) + " has no meaning for queries; leave it or --queries out");
+  if (texts.ablation || texts.trace)
+    throw UsageError(std::string(texts.ablation ? "--ablation" : "--trace") +
+                     " has no meaning for queries; leave it or --queries out");
+  request.queries = true;
+  request.scenes = parse_scenes(texts.scenes.empty() ? "uniform,settled,needles" : texts.scenes);
+  request.objects = {4250, 64000};
+  request.rounds = 15;
+}
+
 }  // namespace
 
 std::uint32_t BenchRequest::steps_for(std::uint32_t count) const {
@@ -113,7 +131,9 @@ std::uint32_t BenchRequest::warm_up_for(std::uint32_t count) const {
 
 BenchRequest parse_bench_request(const BenchTexts& texts) {
   BenchRequest request;
-  if (texts.simulations.empty()) {
+  if (texts.queries) {
+    parse_queries(texts, request);
+  } else if (texts.simulations.empty()) {
     request.scenes = parse_scenes(texts.scenes);
     request.algorithms = parse_algorithms(texts.algorithms);
   } else {

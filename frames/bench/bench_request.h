@@ -26,6 +26,7 @@ struct BenchTexts {
   std::string json;
   bool trace = false;
   bool ablation = false;
+  bool queries = false;
 };
 
 /// What to measure, every part of it checked.
@@ -44,6 +45,7 @@ struct BenchRequest {
   std::filesystem::path json;  ///< empty: none
   bool trace = false;
   bool ablation = false;  ///< the algorithms are the tuned tree, then the tree without each of its policies
+  bool queries = false;   ///< instead of pairs: queries on the boxes of the scenes
 
   [[nodiscard]] std::uint32_t steps_for(std::uint32_t count) const;
   [[nodiscard]] std::uint32_t warm_up_for(std::uint32_t count) const;

@@ -10,6 +10,7 @@
 #include "frames/bench/bench_cell.h"
 #include "frames/bench/bench_report.h"
 #include "frames/bench/loop_report.h"
+#include "frames/bench/queries/query_report.h"
 #include "frames/catalog/algorithm.h"
 #include "frames/commands/output_option.h"
 #include "frames/support/errors.h"
@@ -103,7 +104,9 @@ class Bench {
   Bench(const BenchRequest& request, Replace replace) : request_(request), json_(request.json, replace) {}
 
   void run() {
-    if (request_.simulations.empty()) {
+    if (request_.queries) {
+      measure_queries();
+    } else if (request_.simulations.empty()) {
       measure_cells();
     } else {
       measure_simulations();
@@ -130,6 +133,28 @@ class Bench {
         add(dimension == 2 ? measure_cell<2>(plan, watch) : measure_cell<3>(plan, watch));
       }
   }
+  void measure_queries() {
+    print(query_heading());
+    const auto goes_on = [this] { return !interrupt_.requested(); };
+    for (const std::uint32_t objects : request_.objects)
+      for (const BenchScene* scene : request_.scenes)
+        for (const int dimension : request_.dimensions) {
+          if (!goes_on()) return;
+          QueryPlan plan;
+          plan.scene = scene;
+          plan.objects = objects;
+          plan.rounds = request_.rounds;
+          plan.warm_up = request_.warm_up_for(objects);
+          plan.seed = request_.seed;
+          line_.show(std::string(scene->name));
+          const std::vector<QueryRow> rows = dimension == 2 ? kerf::measure_queries<2>(plan, goes_on)
+                                                            : kerf::measure_queries<3>(plan, goes_on);
+          line_.clear();
+          for (const QueryRow& row : rows) print(as_text(row));
+          queries_.insert(queries_.end(), rows.begin(), rows.end());
+          save(false);
+        }
+  }
   void measure_simulations() {
     print(loop_heading());
     const CellWatch watch{[this](const std::string& text) { line_.show(text); },
@@ -155,13 +180,17 @@ class Bench {
     all_.cells.gaps.insert(all_.cells.gaps.end(), cell.gaps.begin(), cell.gaps.end());
     save(false);
   }
-  void save(bool complete) { json_.save(as_json(request_, all_, complete), complete); }
+  void save(bool complete) {
+    json_.save(request_.queries ? as_json(request_, queries_, complete) : as_json(request_, all_, complete),
+               complete);
+  }
 
   const BenchRequest& request_;
   InterruptGuard interrupt_;
   ResultFile json_;
   ProgressLine line_;
   BenchResult all_;
+  std::vector<QueryRow> queries_;
 };
 
 }  // namespace
@@ -192,6 +221,10 @@ BenchCommand::BenchCommand(CLI::App& program)
   command_->add_flag("--ablation", texts_.ablation,
                      "What each policy of the tuned tree earns: beside it, the tree without the policy, in "
                      "scenes or simulations");
+  command_->add_flag(
+      "--queries", texts_.queries,
+      "Instead of pairs: queries on the boxes of scenes (default uniform, settled and needles of 4250 "
+      "and 64000 objects), ours and other libraries'");
   command_->add_flag("--trace", texts_.trace, "The JSON has the time of each step, too");
   command_->footer(bench_footer());
 }

@@ -1,12 +1,16 @@
 #include "frames/commands/explain_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
+#include <vector>
 
 #include "core/query/explain_event.h"
 #include "core/query/explain_node.h"
 #include "core/query/explain_pair.h"
+#include "core/query/explain_ray.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_number.h"
@@ -43,11 +47,41 @@ Pair parse_pair(const std::string& text, const GivenNames& names) {
   return make_pair(a, b);
 }
 
+std::optional<Scalar> parse_coordinate(std::string_view text) {
+  const bool is_negative = text.starts_with('-');
+  const auto size = parse_number<Scalar>(text.substr(is_negative ? 1 : 0));
+  if (!size || !std::isfinite(*size)) return std::nullopt;
+  return is_negative ? -*size : *size;
+}
+
+/// "0,1.5,2,1,0,0": where it begins, and where it goes.
+template <int D>
+Ray<D> parse_ray(const std::string& text) {
+  std::vector<Scalar> numbers;
+  for (std::string_view rest = text;;) {
+    const std::size_t comma = rest.find(',');
+    const auto number = parse_coordinate(rest.substr(0, comma));
+    if (!number) break;
+    numbers.push_back(*number);
+    if (comma == std::string_view::npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  const auto commas = static_cast<std::size_t>(std::ranges::count(text, ','));
+  if (numbers.size() != 2 * D || commas != 2 * D - 1)
+    throw UsageError(
+        "--ray '" + text + "' is not of the form " +
+        (D == 2 ? "OX,OY,DX,DY, for example 0,1.5,1,0" : "OX,OY,OZ,DX,DY,DZ, for example 0,1.5,2,1,0,0"));
+  Ray<D> ray;
+  std::copy_n(numbers.begin(), D, ray.origin.value.begin());
+  std::copy_n(numbers.begin() + D, D, ray.direction.value.begin());
+  return ray;
+}
+
 }  // namespace
 
 ExplainCommand::ExplainCommand(CLI::App& program)
-    : command_(
-          program.add_subcommand("explain", "Say why: a pair or none, a node, an event of a recording")) {
+    : command_(program.add_subcommand(
+          "explain", "Say why: a pair or none, a node, an event of a recording, what a ray hits")) {
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
   };
@@ -57,6 +91,9 @@ ExplainCommand::ExplainCommand(CLI::App& program)
   subject->add_option("--pair", pair_, "Why two objects are a pair, or why not")->type_name("I,J");
   subject->add_option("--node", node_, "What a node is and what happened to it")->type_name("K");
   subject->add_option("--event", event_, "Why an event happened")->type_name("E");
+  subject
+      ->add_option("--ray", ray_, "What a ray from a point along a direction hits, and which nodes it visits")
+      ->type_name("OX,OY,[OZ,]DX,DY[,DZ]");
   subject->require_option(1);
 }
 
@@ -77,6 +114,7 @@ void ExplainCommand::run() const {
         if (!position.is_end()) throw UsageError("--step '" + step_ + "' is no step");
         if (!pair_.empty())
           return to_text(explain_pair(replayer, position.step, parse_pair(pair_, names)), names);
+        if (!ray_.empty()) return to_text(explain_ray(replayer, position.step, parse_ray<D>(ray_)), names);
         return to_text(explain_node(replayer, position.step, NodeId{parse_id("--node", node_, "n")}), names);
       });
   std::fputs(text.c_str(), stdout);

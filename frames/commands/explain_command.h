@@ -8,7 +8,8 @@ class App;
 
 namespace kerf {
 
-/// `kerf explain`: why two objects are a pair or none, what a node is, why an event happened.
+/// `kerf explain`: why two objects are a pair or none, what a node is, why an event happened,
+/// what a ray hits.
 class ExplainCommand {
  public:
   explicit ExplainCommand(CLI::App& program);
@@ -23,6 +24,7 @@ class ExplainCommand {
   std::string pair_;
   std::string node_;
   std::string event_;
+  std::string ray_;
 };
 
 }  // namespace kerf

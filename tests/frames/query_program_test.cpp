@@ -81,6 +81,18 @@ TEST_F(QueryProgram, ExplainsPairsNodesAndEvents) {
   EXPECT_EQ(run_kerf({"explain", file("a"), "--step", "99", "--node", "1"}).exit, 2);
 }
 
+TEST_F(QueryProgram, ExplainsRays) {
+  const Outcome hits = run_kerf({"explain", file("a"), "--step", "50", "--ray=-100,-100,1,1"});
+  EXPECT_EQ(hits.exit, 0) << hits.err;
+  EXPECT_THAT(hits.out, HasSubstr("after step 50, the ray from (-100, -100) along (1, 1) hits"));
+  EXPECT_THAT(hits.out, HasSubstr("  n0, "));
+  const Outcome misses = run_kerf({"explain", file("a"), "--ray", "0,1e6,1,0"});
+  EXPECT_THAT(misses.out, HasSubstr("hits 0 of"));
+  EXPECT_THAT(misses.out, HasSubstr("pruned, y stays 1e+06, beside y ["));
+  for (const char* wrong : {"1", "1,2,3", "1,2,3,4,5", "1,2,3,x", "1,2,3,inf", "1,2,3,4,"})
+    EXPECT_EQ(run_kerf({"explain", file("a"), "--ray", wrong}).exit, 2) << wrong;
+}
+
 TEST_F(QueryProgram, ComparesRuns) {
   record("same", "min_threshold=4,max_threshold=8,schedule_interval=2");
   record("other", "min_threshold=4,max_threshold=8,schedule_interval=2,min_balance=0.3");

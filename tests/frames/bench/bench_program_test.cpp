@@ -64,6 +64,24 @@ TEST(BenchProgram, MeasuresBroadPhasesInTheLoopOfASimulation) {
   EXPECT_THAT(outcome.out, HasSubstr("sort-and-sweep"));
 }
 
+TEST(BenchProgram, MeasuresQueriesAndComparesTheirAnswers) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "bench.json").string();
+  const Outcome outcome = run_kerf({"bench", "--queries", "--scenes", "uniform", "--objects", "300", "--rounds", "1",
+                                    "--warm-up", "2", "--json", file});
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
+  const auto rows = read_json(file)["queries"];
+  ASSERT_EQ(rows.size(), 26U) << "build, move and eleven kinds, in both dimensions";
+  for (const auto& row : rows) {
+    EXPECT_EQ(row["structures"][0]["name"], "kerf");
+    for (const auto& structure : row["structures"]) {
+      EXPECT_GT(structure["least_ns"], 0);
+      EXPECT_LE(structure["least_ns"], structure["median_ns"]);
+      EXPECT_EQ(structure["differs"], 0) << structure["name"] << " " << row["kind"];
+    }
+  }
+}
+
 TEST(BenchProgram, MeasuresWhatEachPolicyEarnsInASimulation) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "bench.json").string();

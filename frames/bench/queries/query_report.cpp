@@ -1,0 +1,64 @@
+#include "frames/bench/queries/query_report.h"
+
+#include <array>
+#include <cstdio>
+
+#include "frames/page/json.h"
+#include "frames/support/machine.h"
+
+namespace kerf {
+namespace {
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(), pattern, values...);
+  return text.data();
+}
+
+Json as_json(const QueryRow& row) {
+  Json json{{"scene", row.scene},
+            {"dim", row.dimension},
+            {"objects", row.objects},
+            {"kind", row.kind},
+            {"found", row.found},
+            {"over_fastest", row.over_fastest()},
+            {"over_embree", row.over_embree()}};
+  json["structures"] = Json::array();
+  for (const QueryTime& time : row.times)
+    json["structures"].push_back({{"name", time.structure},
+                                  {"least_ns", time.least_ns},
+                                  {"median_ns", time.median_ns},
+                                  {"differs", time.differs}});
+  return json;
+}
+
+}  // namespace
+
+std::string query_heading() {
+  return "SCENE          DIM OBJECTS QUERY         FOUND   FASTEST    EMBREE  times as long as kerf; then ns "
+         "a query "
+         "(build, move: an object)";
+}
+
+std::string as_text(const QueryRow& row) {
+  std::string text = format("%-14s %dD %8u %-10s %8.1f %9.2f %9.2f ", row.scene.c_str(), row.dimension,
+                            row.objects, row.kind.c_str(), row.found, row.over_fastest(), row.over_embree());
+  for (const QueryTime& time : row.times) {
+    text += format(" %s %.0f", time.structure.c_str(), time.least_ns);
+    if (time.differs > 0) text += format(" (differs %u times)", time.differs);
+  }
+  return text;
+}
+
+std::string as_json(const BenchRequest& request, const std::vector<QueryRow>& rows, bool complete) {
+  Json json;
+  json["machine"] = describe_machine();
+  json["settings"] = {{"rounds", request.rounds}, {"seed", request.seed}};
+  json["queries"] = Json::array();
+  for (const QueryRow& row : rows) json["queries"].push_back(as_json(row));
+  json["complete"] = complete;
+  return json.dump(1) + "\n";
+}
+
+}  // namespace kerf
