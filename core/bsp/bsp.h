@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/append_buffer.h"
@@ -51,6 +52,12 @@ class Bsp final : public BroadPhase<D> {
   /// forgotten: the next `step()` finds all anew.
   void step_unswept();
   [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_.all(); }
+  /// Gives the list of pairs away, for a caller that keeps it without a copy, and takes the memory of
+  /// `buffer` for the next one. Until then `pairs()` is empty.
+  void exchange_pairs(PairBuffer& buffer) {
+    std::swap(pairs_, buffer);
+    pairs_.clear();
+  }
 
   [[nodiscard]] const Config& config() const { return config_; }
   /// Takes effect from the next step on; the tree is kept. The direction set cannot change: throws

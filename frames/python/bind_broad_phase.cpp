@@ -1,5 +1,6 @@
 #include <pybind11/stl/filesystem.h>
 
+#include "frames/python/bind_queries.h"
 #include "frames/python/bindings.h"
 #include "frames/python/broad_phase.h"
 #include "frames/python/config_from.h"
@@ -115,6 +116,7 @@ void bind_broad_phase(py::module_& module) {
           "config", [](const Phase& phase) { return config_dict(phase.config()); },
           "All parameters of the tree, by name.");
   bind_results(type);
+  bind_queries(type);
 }
 
 }  // namespace kerf::python

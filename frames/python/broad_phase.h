@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "core/base/config.h"
 #include "frames/python/picture.h"
+#include "frames/python/queries.h"
 
 namespace kerf::python {
 
@@ -51,6 +53,9 @@ class PythonBroadPhase {
   [[nodiscard]] virtual std::uint32_t steps() const = 0;
   [[nodiscard]] virtual pybind11::dict statistics() const = 0;
   [[nodiscard]] virtual const Config& config() const = 0;
+  /// Asks queries about the boxes as they are now.
+  using Question = std::function<pybind11::object(PythonQueries&)>;
+  [[nodiscard]] virtual pybind11::object ask(const Question& question) = 0;
   /// The objects, the tree and the pairs of the last step: (height, width, 3) uint8.
   [[nodiscard]] virtual pybind11::array picture(const PictureOptions& options) const = 0;
   /// Ends the recording, if there is one; afterwards nothing can be asked of a broad phase that recorded.

@@ -43,7 +43,7 @@ void check_once(std::span<const ObjectId> ids) {
 
 template <int D>
 BroadPhaseOf<D>::BroadPhaseOf(const BroadPhaseOptions& options)
-    : config_(options.config), run_(options.config, options.record) {
+    : config_(options.config), run_(options.config, options.record), threads_(options.threads) {
   run_.set_threads(options.threads);
   if (options.changes) changes_.emplace();
 }
@@ -85,6 +85,7 @@ py::array BroadPhaseOf<D>::insert(const py::handle& boxes, const py::handle& ids
     (void)broad_phase.insert(inserted[row], rows.all()[row],
                              is_fixed[row] != 0 ? Mobility::fixed : Mobility::moving);
   ids_.add(inserted);
+  moved_ = true;
   return id_array(inserted);
 }
 
@@ -93,6 +94,7 @@ void BroadPhaseOf<D>::move(const py::handle& boxes, const py::handle& ids) {
   const UseOnce use(in_use_);
   BroadPhase<D>& broad_phase = run_.broad_phase();
   const BoxRows<D> rows(boxes, "boxes");
+  moved_ = true;
   if (!ids.is_none()) {
     (void)broad_phase.move_many(present_ids(ids, rows.size()), rows.all());
     return;
@@ -113,25 +115,30 @@ void BroadPhaseOf<D>::remove(const py::handle& ids) {
   check_once(removed);
   for (const ObjectId id : removed) (void)broad_phase.remove(id);
   ids_.remove(removed);
+  moved_ = true;
 }
 
 template <int D>
 py::array BroadPhaseOf<D>::step(const py::handle& boxes) {
   if (!boxes.is_none()) move(boxes, py::none());
   const UseOnce use(in_use_);
+  pairs_ = py::object();
+  PairBuffer& pairs = lists_.spare();
   {
     const py::gil_scoped_release others_run;
     run_.step();
-    if (changes_) changes_->update(run_.pairs());
+    run_.exchange_pairs(pairs);
+    if (changes_) changes_->update(pairs.all());
   }
-  pairs_ = pair_array(run_.pairs());
+  lists_.publish();
+  pairs_ = lists_.array();
   return pairs_;
 }
 
 template <int D>
 py::array BroadPhaseOf<D>::pairs() {
   const UseOnce use(in_use_);
-  if (!pairs_) pairs_ = pair_array(run_.pairs());
+  if (!pairs_) pairs_ = lists_.array();
   return pairs_;
 }
 
@@ -186,19 +193,28 @@ py::dict BroadPhaseOf<D>::statistics() const {
 }
 
 template <int D>
+py::object BroadPhaseOf<D>::ask(const Question& question) {
+  const UseOnce use(in_use_);
+  if (!queries_) queries_ = std::make_unique<QueriesOf<D>>(threads_);
+  if (moved_) queries_->update(run_.objects());
+  moved_ = false;
+  return question(*queries_);
+}
+
+template <int D>
 py::array BroadPhaseOf<D>::picture(const PictureOptions& options) const {
   const UseOnce use(in_use_);
   const std::vector<Body<D>> bodies = recorded_bodies(run_.objects());
   FrameInput<D> input;
   input.bodies = bodies;
   input.tree = &run_.tree();
-  input.pairs = run_.pairs();
+  input.pairs = lists_.latest();
   input.caption.scene = "python";
   input.caption.broad_phase = "kerf";
   input.caption.step = run_.steps();
   input.caption.objects = run_.objects().size();
   input.caption.moving = count_moving(run_.objects());
-  input.caption.pairs = run_.pairs().size();
+  input.caption.pairs = lists_.latest().size();
   input.caption.statistics = run_.statistics();
   input.caption.knows_contacts = false;
   return draw(input, options);

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/broad_phase/pair_changes.h"
 #include "frames/python/broad_phase.h"
 #include "frames/python/id_pool.h"
+#include "frames/python/pair_lists.h"
+#include "frames/python/queries_of.h"
 #include "frames/python/run.h"
 
 namespace kerf::python {
@@ -33,6 +36,7 @@ class BroadPhaseOf final : public PythonBroadPhase {
   [[nodiscard]] std::uint32_t steps() const override { return run_.steps(); }
   [[nodiscard]] pybind11::dict statistics() const override;
   [[nodiscard]] const Config& config() const override { return config_; }
+  [[nodiscard]] pybind11::object ask(const Question& question) override;
   [[nodiscard]] pybind11::array picture(const PictureOptions& options) const override;
   void close() override;
 
@@ -45,7 +49,11 @@ class BroadPhaseOf final : public PythonBroadPhase {
   Run<D> run_;
   IdPool ids_;
   std::optional<PairChanges> changes_;  ///< none: they were not asked for
-  pybind11::object pairs_;              ///< of the last step, as an array; null until they are asked for
+  unsigned threads_;
+  std::unique_ptr<QueriesOf<D>> queries_;  ///< null: nothing was asked so far
+  bool moved_ = true;                      ///< the queries do not know all boxes
+  PairLists lists_;
+  pybind11::object pairs_;  ///< the latest list, as an array; null until it is asked for
   mutable bool in_use_ = false;
 };
 

@@ -6,5 +6,6 @@ PYBIND11_MODULE(_kerf, module) {
   kerf::python::bind_broad_phase(module);
   kerf::python::bind_recording(module);
   kerf::python::bind_check(module);
+  kerf::python::bind_world(module);
   kerf::python::bind_pictures(module);
 }

@@ -55,6 +55,15 @@ void Run<D>::set_threads(unsigned threads) {
 }
 
 template <int D>
+void Run<D>::exchange_pairs(PairBuffer& buffer) {
+  if (recorded_) {
+    recorded_->bsp.exchange_pairs(buffer);
+  } else {
+    quiet_->exchange_pairs(buffer);
+  }
+}
+
+template <int D>
 void Run<D>::close() {
   if (!recorded_ || !recorded_->recorder) return;
   recorded_->recorder->finish();

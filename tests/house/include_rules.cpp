@@ -55,6 +55,7 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"Embree", "embree4/"},
     {"CLI11", "CLI/"},
     {"nlohmann/json", "nlohmann/"},
+    {"pybind11", "pybind11/"},
     {"GoogleTest", "gtest/"},
     {"GoogleTest", "gmock/"},
     {"x86 intrinsics", "immintrin.h"},
@@ -121,6 +122,7 @@ constexpr auto kLayers = std::to_array<Layer>({
     {"frames/study/", 4, "`kerf study`: cells of a matrix, on one machine or a farm"},
     {"frames/story/", 4, "`kerf film`: a run as a short film to share"},
     {"frames/bench_frames/", 4, "`kerf bench-frames`: milliseconds a frame"},
+    {"frames/python/", 5, "the Python module `kerf`"},
     {"frames/commands/", 5, "one subcommand a file"},
     {"frames/main.cpp", 6, "the program `kerf`"},
 });

@@ -3,6 +3,8 @@
 import enum
 from typing import NamedTuple, Optional
 
+import numpy as np
+
 from kerf._kerf import (
     BroadPhase,
     CheckFailure,
@@ -11,6 +13,7 @@ from kerf._kerf import (
     Recording,
     RecordingError,
     Verdict,
+    World,
     __version__,
     check,
     record,
@@ -32,6 +35,20 @@ class CheckFailed(AssertionError):
     """Raised by check(..., raises=True); .failure is the kerf.CheckFailure."""
 
     failure: CheckFailure
+
+
+class Kind(enum.IntEnum):
+    """What an object of a World is: the field 'kind' of World.objects()."""
+
+    fixed = 0
+    kinematic = 1
+    moving = 2
+    sensor = 3
+
+
+def index_of(handles):
+    """The indices of handles of a World, in their shape: uint64, dense, less than World.bound."""
+    return np.asarray(handles, np.uint64) & np.uint64(0xFFFFFFF)
 
 
 class EventKind(enum.IntEnum):
@@ -84,6 +101,7 @@ __all__ = [
     "CheckFailure",
     "Comparison",
     "EventKind",
+    "Kind",
     "Moment",
     "Operator",
     "PairWhy",
@@ -92,8 +110,10 @@ __all__ = [
     "RecordingError",
     "Refusal",
     "Verdict",
+    "World",
     "__version__",
     "check",
+    "index_of",
     "record",
     "render",
     "scene_boxes",

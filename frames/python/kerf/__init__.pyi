@@ -1,7 +1,8 @@
 import enum
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Literal, NamedTuple, Optional, Union
+from math import inf
+from typing import Any, Literal, NamedTuple, Optional, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +13,8 @@ _Path = Union[str, os.PathLike[str]]
 _Config = Union[None, str, Mapping[str, Union[bool, int, float]]]
 _Tree = Literal["kerf", "kerf-paper"]
 _U32 = npt.NDArray[np.uint32]
+_U64 = npt.NDArray[np.uint64]
+_Kind = Literal["fixed", "kinematic", "moving", "sensor"]
 _I64 = npt.NDArray[np.int64]
 _F32 = npt.NDArray[np.float32]
 _F64 = npt.NDArray[np.float64]
@@ -37,6 +40,30 @@ class BroadPhase:
     def move(self, boxes: npt.ArrayLike, ids: Optional[npt.ArrayLike] = None) -> None: ...
     def remove(self, ids: npt.ArrayLike) -> None: ...
     def step(self, boxes: Optional[npt.ArrayLike] = None) -> _U32: ...
+    def query_boxes(self, boxes: npt.ArrayLike) -> _U32: ...
+    def query_points(self, points: npt.ArrayLike) -> _U32: ...
+    def query_spheres(self, centers: npt.ArrayLike, radii: npt.ArrayLike) -> _U32: ...
+    @overload
+    def query_rays(
+        self, rays: npt.ArrayLike, *, all: Literal[False] = False, max_t: float = inf
+    ) -> tuple[_I64, _F32]: ...
+    @overload
+    def query_rays(self, rays: npt.ArrayLike, *, all: Literal[True], max_t: float = inf) -> tuple[_U32, _F32]: ...
+    @overload
+    def query_segments(self, segments: npt.ArrayLike, *, all: Literal[False] = False) -> tuple[_I64, _F32]: ...
+    @overload
+    def query_segments(self, segments: npt.ArrayLike, *, all: Literal[True]) -> tuple[_U32, _F32]: ...
+    @overload
+    def query_sweeps(
+        self, boxes: npt.ArrayLike, ways: npt.ArrayLike, *, all: Literal[False] = False
+    ) -> tuple[_I64, _F32]: ...
+    @overload
+    def query_sweeps(
+        self, boxes: npt.ArrayLike, ways: npt.ArrayLike, *, all: Literal[True]
+    ) -> tuple[_U32, _F32]: ...
+    def query_nearest(
+        self, points: npt.ArrayLike, k: int = 1, *, max_distance: float = inf
+    ) -> tuple[_I64, _F64]: ...
     def close(self) -> None: ...
     def __len__(self) -> int: ...
     def __enter__(self) -> BroadPhase: ...
@@ -61,6 +88,68 @@ class BroadPhase:
     def fixed(self) -> _Bool: ...
     @property
     def statistics(self) -> dict[str, Any]: ...
+
+class Kind(enum.IntEnum):
+    fixed = 0
+    kinematic = 1
+    moving = 2
+    sensor = 3
+
+class World:
+    def __init__(
+        self,
+        dimension: int,
+        *,
+        pairs_of: Literal["fat", "exact"] = "fat",
+        config: _Config = None,
+        threads: int = 1,
+    ) -> None: ...
+    def insert(
+        self,
+        boxes: npt.ArrayLike,
+        *,
+        kind: Union[None, _Kind, npt.ArrayLike] = None,
+        category: Optional[npt.ArrayLike] = None,
+        mask: Optional[npt.ArrayLike] = None,
+        group: Optional[npt.ArrayLike] = None,
+        margin: Optional[npt.ArrayLike] = None,
+        user_data: Optional[npt.ArrayLike] = None,
+    ) -> _U64: ...
+    def move(self, handles: npt.ArrayLike, boxes: npt.ArrayLike) -> None: ...
+    def remove(self, handles: npt.ArrayLike) -> None: ...
+    def set(
+        self,
+        handles: npt.ArrayLike,
+        *,
+        kind: Union[None, _Kind, npt.ArrayLike] = None,
+        category: Optional[npt.ArrayLike] = None,
+        mask: Optional[npt.ArrayLike] = None,
+        group: Optional[npt.ArrayLike] = None,
+        margin: Optional[npt.ArrayLike] = None,
+        user_data: Optional[npt.ArrayLike] = None,
+    ) -> None: ...
+    def step(self) -> _U64: ...
+    def boxes(self, handles: npt.ArrayLike) -> _F32: ...
+    def objects(self, handles: npt.ArrayLike) -> npt.NDArray[np.void]: ...
+    def save(self) -> bytes: ...
+    def restore(self, state: bytes) -> None: ...
+    def __len__(self) -> int: ...
+    @property
+    def pairs(self) -> _U64: ...
+    @property
+    def begun(self) -> _U64: ...
+    @property
+    def ended(self) -> _U64: ...
+    @property
+    def of_sensor(self) -> _Bool: ...
+    @property
+    def handles(self) -> _U64: ...
+    @property
+    def dimension(self) -> int: ...
+    @property
+    def bound(self) -> int: ...
+
+def index_of(handles: npt.ArrayLike) -> _U64: ...
 
 class Moment(NamedTuple):
     step: int
@@ -288,6 +377,7 @@ __all__ = [
     "CheckFailure",
     "Comparison",
     "EventKind",
+    "Kind",
     "Moment",
     "Operator",
     "PairWhy",
@@ -296,8 +386,10 @@ __all__ = [
     "RecordingError",
     "Refusal",
     "Verdict",
+    "World",
     "__version__",
     "check",
+    "index_of",
     "record",
     "render",
     "scene_boxes",

@@ -1,0 +1,123 @@
+#include "frames/python/bindings.h"
+#include "frames/python/config_from.h"
+#include "frames/python/world.h"
+
+namespace kerf::python {
+namespace {
+
+namespace py = pybind11;
+
+constexpr const char* kWorldClass = R"(A broad phase with handles, kinds and filters, as an engine wants it.
+
+    world = kerf.World(3)
+    handles = world.insert(boxes, kind="moving", category=1, mask=3, user_data=np.arange(len(boxes)))
+    world.move(handles, boxes + 0.1)
+    pairs = world.step()                       # (m, 2) uint64: handles
+    world.objects(pairs[:, 0])["user_data"]
+
+A handle names one object as long as it lives, and never a later one; kerf.index_of(handles) is dense, for arrays
+kept by object. A pair needs one object that is moving or a sensor. Pairs come in the order of the indices, and
+depend on the requests only.
+
+dimension   2 or 3
+pairs_of    'fat': pairs of the boxes with their margins; 'exact': of the boxes as given
+config      parameters of the tree that differ: a dict, or 'name=value,...'
+threads     how many share the work of a step
+
+Boxes are taken as by kerf.BroadPhase. An object is used by one thread at a time.)";
+
+constexpr const char* kInsert = R"(Adds objects, one for each row, and returns their handles, (n,) uint64.
+
+boxes       (n, 2, d): rows of a lower and an upper corner
+kind        'fixed', 'kinematic', 'moving', 'sensor', or kerf.Kind
+category    64 bits, and
+mask        of those with which it may pair: each needs a category of the other's mask
+group       not 0: objects of one group pair always (positive) or never (negative)
+margin      units of length: the box may move so far before it is looked at again
+user_data   64 bits of yours
+
+All but boxes are one value for all, or (n,). Raises ValueError that names the row; then nothing has been added.)";
+
+bool exact_boxes(const std::string& pairs_of) {
+  if (pairs_of == "exact") return true;
+  if (pairs_of == "fat") return false;
+  throw py::value_error("pairs_of: '" + pairs_of + "' is neither 'fat' nor 'exact'");
+}
+
+void bind_requests(py::class_<PythonWorld>& type) {
+  using Objects = const py::object&;
+  type.def(
+          "insert",
+          [](PythonWorld& world, Objects boxes, Objects kind, Objects category, Objects mask, Objects group,
+             Objects margin, Objects user_data) {
+            return world.insert(boxes, {kind, category, mask, group, margin, user_data});
+          },
+          py::arg("boxes"), py::kw_only(), py::arg("kind") = py::none(), py::arg("category") = py::none(),
+          py::arg("mask") = py::none(), py::arg("group") = py::none(), py::arg("margin") = py::none(),
+          py::arg("user_data") = py::none(), kInsert)
+      .def("move", &PythonWorld::move, py::arg("handles"), py::arg("boxes"),
+           "Gives objects new boxes (n, 2, d); pairs follow in the next step.")
+      .def("remove", &PythonWorld::remove, py::arg("handles"),
+           "Removes objects. Their pairs end in the next step; their handles name nothing from now on.")
+      .def(
+          "set",
+          [](PythonWorld& world, Objects handles, Objects kind, Objects category, Objects mask, Objects group,
+             Objects margin, Objects user_data) {
+            world.set(handles, {kind, category, mask, group, margin, user_data});
+          },
+          py::arg("handles"), py::kw_only(), py::arg("kind") = py::none(), py::arg("category") = py::none(),
+          py::arg("mask") = py::none(), py::arg("group") = py::none(), py::arg("margin") = py::none(),
+          py::arg("user_data") = py::none(),
+          "Changes what objects are, as insert takes it; what is None stays.")
+      .def("step", &PythonWorld::step,
+           "Brings the tree up to date and returns the pairs: (m, 2) uint64, handles.");
+}
+
+void bind_reports(py::class_<PythonWorld>& type) {
+  type.def_property_readonly("pairs", &PythonWorld::pairs,
+                             "The pairs of the last step: (m, 2) uint64, handles.")
+      .def_property_readonly("begun", &PythonWorld::begun,
+                             "Those that the step before did not have: (m, 2) uint64.")
+      .def_property_readonly(
+          "ended", &PythonWorld::ended,
+          "Those of the step before that the last one does not have: (m, 2) uint64; handles of\n"
+          "removed objects among them.")
+      .def_property_readonly("of_sensor", &PythonWorld::of_sensor,
+                             "Which of pairs have a sensor: (m,) bool, in their order.")
+      .def_property_readonly("handles", &PythonWorld::handles, "All objects, by index: (n,) uint64.")
+      .def("boxes", &PythonWorld::boxes, py::arg("handles"),
+           "Their boxes as they are taken: (n, 2, d) float32.")
+      .def("objects", &PythonWorld::objects, py::arg("handles"),
+           "What objects are: a structured array with kind, category, mask, group, margin, user_data.")
+      .def_property_readonly("dimension", &PythonWorld::dimension, "2 or 3.")
+      .def_property_readonly("bound", &PythonWorld::bound,
+                             "More than each handle's index: the length of arrays kept by index.")
+      .def("save", &PythonWorld::save,
+           "Everything but the threads, as bytes. Needs a step after the last request.")
+      .def("restore", &PythonWorld::restore, py::arg("state"),
+           "Becomes the world that was saved, and goes on exactly as that one. Raises ValueError for other "
+           "bytes.")
+      .def("__len__", &PythonWorld::size);
+}
+
+}  // namespace
+
+void bind_world(py::module_& module) {
+  register_world_rows();
+  py::class_<PythonWorld> type(module, "World", kWorldClass);
+  type.def(py::init(
+               [](int dimension, const std::string& pairs_of, const py::object& config, unsigned threads) {
+                 return make_world(dimension, config_from(tuned_config(), config), exact_boxes(pairs_of),
+                                   threads);
+               }),
+           py::arg("dimension"), py::kw_only(), py::arg("pairs_of") = "fat", py::arg("config") = py::none(),
+           py::arg("threads") = 1)
+      .def("__repr__", [](const PythonWorld& world) {
+        return "<kerf.World: " + std::to_string(world.dimension()) + "D, " + std::to_string(world.size()) +
+               " objects>";
+      });
+  bind_requests(type);
+  bind_reports(type);
+}
+
+}  // namespace kerf::python
