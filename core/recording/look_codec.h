@@ -11,13 +11,13 @@
 namespace kerf {
 
 /// Foretells how an object is turned: as it was, or as fast as it turned, by which of the two was less off
-/// lately. An object without a request has the look that it had.
+/// lately; and its stretch, as fast as it grew. An object without a request has the look that it had.
 template <int D>
 class LookPredictor {
  public:
   struct Track {
     Look<D> now;
-    Turn<D> before;
+    Look<D> before;
     std::array<std::uint8_t, 2> error{};  ///< of either rule, in bits
   };
 
@@ -27,17 +27,22 @@ class LookPredictor {
   [[nodiscard]] Looks<D> looks() const;
 
   static TurnParts<D> foretell(const Track& track, std::uint8_t left_out);
-  static void learn(Track& track, const Turn<D>& turn);
+  static std::array<std::int32_t, D> foretell_stretch(const Track& track);
+  static void learn(Track& track, const Look<D>& look);
   /// Another shape: what it had learnt of the old one is void.
-  static void reset(Track& track, std::uint32_t shape) { track = {{shape, {}}, {}, {}}; }
+  static void reset(Track& track, std::uint32_t shape) { track = {{shape, {}, {}}, {}, {}}; }
 
  private:
   std::vector<Track> tracks_;  ///< by object
 };
 
+/// Of the parts of a turn, then of the axes of a stretch.
+template <int D>
+inline constexpr std::size_t kLookColumns = Turn<D>::kParts + D;
+
 /// The looks of a block's objects in columns: for each request what changes, then numbers of shapes and of
-/// components left out, then for each part of a turn the lengths of its differences from the one foretold;
-/// their bits follow.
+/// components left out, then for each part of a turn, and of a stretch, the lengths of its differences from
+/// the one foretold; their bits follow.
 template <int D>
 class LookEncoder {
  public:
@@ -50,13 +55,13 @@ class LookEncoder {
 
  private:
   void add(typename LookPredictor<D>::Track& track, const Look<D>& look);
-  void add_turn(typename LookPredictor<D>::Track& track, const Turn<D>& turn);
+  void add_difference(std::size_t column, std::int32_t difference);
 
   LookPredictor<D> predictor_;
   std::uint32_t last_shape_ = 0;
   ByteWriter kinds_;
   ByteWriter numbers_;
-  std::array<ByteWriter, Turn<D>::kParts> lengths_;
+  std::array<ByteWriter, kLookColumns<D>> lengths_;
   BitWriter bits_;
 };
 
@@ -74,7 +79,9 @@ class LookDecoder {
 
  private:
   void read_one(ObjectId object, std::vector<LookChange<D>>& changes);
-  Turn<D> read_turn(typename LookPredictor<D>::Track& track, std::uint8_t left_out);
+  std::int32_t read_difference(std::size_t column);
+  Turn<D> read_turn(const typename LookPredictor<D>::Track& track, std::uint8_t left_out);
+  Stretch<D> read_stretch(const typename LookPredictor<D>::Track& track);
 
   LookPredictor<D> predictor_;
   std::uint32_t last_shape_ = 0;

@@ -89,6 +89,7 @@ Status Recorder<D>::remove(ObjectId object) {
   if (!counts(status)) return status;
   requests_.add_remove(object);
   know(object, false);
+  if (object.index() < shapes_.size()) shapes_[object.index()] = kNoShape;
   return status;
 }
 
@@ -129,14 +130,21 @@ bool Recorder<D>::rested(std::span<const Event> events) const {
          requests_.objects.empty() && std::ranges::all_of(events, begins_phase);
 }
 
-/// Most objects keep their shapes.
+/// Most objects keep their shapes, some change their size all the time.
 template <int D>
-std::uint32_t Recorder<D>::number_of(ObjectId object, const Shape<D>* shape) {
-  if (shape == nullptr) return kNoShape;
+Look<D> Recorder<D>::look_of(ObjectId object, const Appearance<D>& appearance) {
+  if (appearance.shape == nullptr) return {};
   if (shapes_.size() <= object.index()) shapes_.resize(object.index() + 1, kNoShape);
   std::uint32_t& number = shapes_[object.index()];
-  if (number == kNoShape || writer_.shapes()[number] != *shape) number = writer_.shapes().number_of(*shape);
-  return number;
+  ShapeNumbers<D>& shapes = writer_.shapes();
+  if (number != kNoShape && shapes[number] != *appearance.shape) {
+    const auto stretch =
+        appearance.stretch ? std::nullopt : stretch_between<D>(shapes[number], *appearance.shape);
+    if (stretch) return {number, appearance.turn, *stretch};
+    number = kNoShape;
+  }
+  if (number == kNoShape) number = shapes.number_of(*appearance.shape);
+  return {number, appearance.turn, appearance.stretch.value_or(Stretch<D>{})};
 }
 
 template <int D>
@@ -149,8 +157,7 @@ std::span<const Look<D>> Recorder<D>::find_looks() {
       looks_.emplace_back();
       continue;
     }
-    const Appearance<D> appearance = appearance_(object);
-    looks_.push_back({number_of(object, appearance.shape), appearance.turn});
+    looks_.push_back(look_of(object, appearance_(object)));
   }
   return looks_;
 }

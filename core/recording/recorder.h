@@ -55,7 +55,7 @@ class Recorder final : public BroadPhase<D> {
   }
   void record();
   [[nodiscard]] std::span<const Look<D>> find_looks();
-  [[nodiscard]] std::uint32_t number_of(ObjectId object, const Shape<D>* shape);
+  [[nodiscard]] Look<D> look_of(ObjectId object, const Appearance<D>& appearance);
   void count_seconds(std::chrono::steady_clock::time_point since);
   [[nodiscard]] std::span<const Event> events_of_step() const;
   [[nodiscard]] bool rested(std::span<const Event> events) const;

@@ -180,7 +180,8 @@ class Verifier {
 
   [[nodiscard]] bool is_in_box(const Look<D>& look, const Box<D>& box) const {
     if (look.shape == kNoShape) return true;
-    return pose_in_box<D>(recording_->shapes()[look.shape], axes_of(look.turn), box).has_value();
+    const Shape<D> shape = stretched<D>(recording_->shapes()[look.shape], look.stretch);
+    return pose_in_box<D>(shape, axes_of(look.turn), box).has_value();
   }
 
   void judge(std::uint32_t step) {

@@ -10,8 +10,8 @@
 namespace kerf {
 namespace {
 
-// Of the shape's size: axes are rounded to 2^-10 (Turn). Of the coordinates: boxes are rounded to floats.
-constexpr double kLooseTurn = 0x1p-9;
+// Of the shape's size: recordings round axes and sizes to 2^-10 each. Of the coordinates: boxes are floats.
+constexpr double kLooseShape = 0x1p-8;
 constexpr double kLooseBox = 0x1p-20;
 
 /// A box in doubles.
@@ -71,7 +71,7 @@ std::optional<Pose<D>> pose_in_box(const Shape<D>& shape, const std::array<Vecto
   const double size = *std::ranges::max_element(needed.half);
   Pose<D> pose{{}, axes};
   for (std::size_t i = 0; i < D; ++i) {
-    const double loose = kLooseTurn * size + kLooseBox * (std::abs(place.middle[i]) + place.half[i]);
+    const double loose = kLooseShape * size + kLooseBox * (std::abs(place.middle[i]) + place.half[i]);
     if (!(needed.half[i] <= place.half[i] + loose)) return std::nullopt;
     pose.position.value[i] = static_cast<Scalar>(place.middle[i] - needed.middle[i]);
   }

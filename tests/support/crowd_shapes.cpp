@@ -55,7 +55,13 @@ Appearance<D> CrowdShapes<D>::appearance(ObjectId object) {
   const auto [found, is_new] = shapes_.try_emplace({kind, size});
   if (is_new) found->second = all_shapes<D>(std::ldexp(1.0F, size)).at(kind);
   const double angle = 0.7 * object.value + 0.05 * (object.value % 5) * tree_.steps();
-  return {&found->second, turn_of<D>(turned_axes<D>(angle))};
+  const Turn<D> turn = turn_of<D>(turned_axes<D>(angle));
+  const auto* const brick = std::get_if<Brick<D>>(&found->second);
+  if (brick == nullptr) return {&found->second, turn, std::nullopt};
+  Brick<D> now = *brick;
+  now.half[1] *= static_cast<Scalar>(1 + 0.15 * std::sin(0.4 * tree_.steps() + object.value));
+  Shape<D>& breathing = breathing_[object] = now;
+  return {&breathing, turn, std::nullopt};
 }
 
 template <int D>

@@ -12,7 +12,8 @@
 namespace kerf::test {
 
 /// Gives every object of a tree a shape that fits into its box however it is turned, and turns most of them a
-/// little in each step. All kinds of shapes take part; a shape changes with the size of its box. For
+/// little in each step. All kinds of shapes take part; a shape changes with the size of its box, and bricks
+/// breathe. For
 /// Recorder::show.
 template <int D>
 class CrowdShapes {
@@ -25,6 +26,7 @@ class CrowdShapes {
  private:
   const Bsp<D, EventLog>& tree_;
   std::map<std::pair<std::uint32_t, int>, Shape<D>> shapes_;  ///< by kind and binary size
+  std::map<ObjectId, Shape<D>> breathing_;
 };
 
 /// A body's axes, turned by that angle: in 3D about an axis that is not one of them.

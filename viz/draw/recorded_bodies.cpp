@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "core/base/damage.h"
 #include "core/scene/pose_in_box.h"
@@ -43,10 +44,10 @@ std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects, const Looks<
   for (std::uint32_t id = 0; id < objects.bound(); ++id) {
     const Look<D> look = looks.of({id});
     if (look.shape == kNoShape || !objects.is_placed({id})) continue;
-    const Shape<D>& shape = shapes.at(look.shape);
+    Shape<D> shape = stretched<D>(shapes.at(look.shape), look.stretch);
     const auto pose = pose_in_box<D>(shape, axes_of(look.turn), bodies[id].box);
     if (!pose) fail_damaged("the shape of object " + std::to_string(id) + " does not fit into its box");
-    bodies[id].shape = shape;
+    bodies[id].shape = std::move(shape);
     bodies[id].pose = *pose;
   }
   return bodies;

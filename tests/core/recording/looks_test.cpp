@@ -8,6 +8,7 @@
 #include "core/recording/look_codec.h"
 #include "core/recording/shape_rows.h"
 #include "core/scene/pose_in_box.h"
+#include "tests/support/boxes.h"
 #include "tests/support/crowd_shapes.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
@@ -73,7 +74,10 @@ template <int D>
 Look<D> look_at(ObjectId object, std::uint32_t step) {
   if (object.value == 8) return {};
   const double speed = 0.03 * object.value * (1 + 0.1 * std::sin(0.3 * step));
-  return {(object.value + step / 25) % 5, turn_of<D>(test::turned_axes<D>(object.value + speed * step))};
+  Look<D> look{
+      (object.value + step / 25) % 5, turn_of<D>(test::turned_axes<D>(object.value + speed * step)), {}};
+  if (object.value % 3 == 1) look.stretch[1] = static_cast<std::int16_t>(50 * std::sin(0.2 * step));
+  return look;
 }
 
 template <int D>
@@ -137,7 +141,7 @@ TYPED_TEST(LooksOf, EvenRotationsCostLittle) {
     std::vector<Look<kD>> looks;
     for (std::uint32_t id = 0; id < kObjects; ++id) {
       requests.add_move({id}, Box<kD>{});
-      looks.push_back({0, turn_of<kD>(test::turned_axes<kD>(id + (0.01 + 0.004 * id) * step))});
+      looks.push_back({0, turn_of<kD>(test::turned_axes<kD>(id + (0.01 + 0.004 * id) * step)), {}});
     }
     encoder.add(requests, looks);
   }
@@ -211,10 +215,28 @@ TEST(Turn, ThatCannotBeIsRefused) {
 TYPED_TEST(LooksOf, AKeyframeHasNoLooksOfObjectsThatItDoesNotHave) {
   constexpr int kD = TypeParam::value;
   Looks<kD> looks;
-  looks.set({7}, {3, {}});
+  looks.set({7}, {3, {}, {}});
   EXPECT_EQ(decode_looks<kD>(encode_looks(looks), 8), looks);
   EXPECT_THAT([&] { (void)decode_looks<kD>(encode_looks(looks), 7); },
               ThrowsMessage<std::runtime_error>(HasSubstr("objects that it does not have")));
+}
+
+TYPED_TEST(LooksOf, OnlyBricksOfNearlyOneSizeAreStretched) {
+  constexpr int kD = TypeParam::value;
+  const Brick<kD> base{test::all<kD>(2)};
+  Brick<kD> wide = base;
+  wide.half[1] = 2.3F;
+  const auto stretch = stretch_between<kD>(base, wide);
+  ASSERT_TRUE(stretch);
+  EXPECT_EQ((*stretch)[0], 0);
+  EXPECT_NEAR(std::get<Brick<kD>>(stretched<kD>(base, *stretch)).half[1], 2.3, 2 * 0x1p-10);
+  EXPECT_EQ(stretched<kD>(Ball{1}, *stretch), Shape<kD>(Ball{1}));
+  EXPECT_FALSE(stretch_between<kD>(Ball{1}, Ball{1.1F}));
+  EXPECT_FALSE(stretch_between<kD>(base, Ball{1.1F}));
+  for (const Scalar half : {1.0F, 4.0F, std::nanf("")}) {
+    wide.half[1] = half;
+    EXPECT_FALSE(stretch_between<kD>(base, wide)) << half;
+  }
 }
 
 template <int D>

@@ -36,18 +36,26 @@ class LooksOfRecording : public testing::Test {
 };
 TYPED_TEST_SUITE(LooksOfRecording, test::Dimensions, test::DimensionNames);
 
+template <int D>
+struct Seen {
+  ShapeText shape;
+  Turn<D> turn;
+  Stretch<D> stretch{};
+  friend bool operator==(const Seen&, const Seen&) = default;
+};
+
 /// What objects look like, independent of the numbers of shapes.
 template <int D>
-std::vector<std::pair<ShapeText, Turn<D>>> appearances(RecordingReader<D>& recording, std::uint32_t step) {
+std::vector<Seen<D>> appearances(RecordingReader<D>& recording, std::uint32_t step) {
   RecordedLooks<D> looks(recording);
   const std::uint32_t bound = looks.at(step).bound();
-  std::vector<std::pair<ShapeText, Turn<D>>> all;
+  std::vector<Seen<D>> all;
   for (std::uint32_t id = 0; id < bound; ++id) {
     const Appearance<D> appearance = looks.appearance({id});
-    all.emplace_back(appearance.shape == nullptr ? ShapeText() : encode_shape<D>(*appearance.shape),
-                     appearance.turn);
+    all.push_back({appearance.shape == nullptr ? ShapeText() : encode_shape<D>(*appearance.shape),
+                   appearance.turn, appearance.stretch.value()});
   }
-  while (!all.empty() && all.back().first == ShapeText()) all.pop_back();
+  while (!all.empty() && all.back().shape == ShapeText()) all.pop_back();
   return all;
 }
 
@@ -126,7 +134,7 @@ TYPED_TEST(LooksOfRecording, AScenarioKeepsThem) {
   const auto few = recorded(with_objects(whole, {{3}, {10}, {11}}));
   ASSERT_EQ(few.size(), 12U);
   for (const std::size_t id : {3U, 10U, 11U}) EXPECT_EQ(few[id], expected[id]);
-  EXPECT_EQ(few[4].first, ShapeText());
+  EXPECT_EQ(few[4].shape, ShapeText());
 }
 
 TYPED_TEST(LooksOfRecording, WithoutShapesThereAreNone) {
@@ -177,7 +185,7 @@ TYPED_TEST(LooksOfRecording, AKeyframeWithOthersIsFound) {
   looks.set({4}, other);
   test::forge_keyframe_looks(this->path(), kKeyframe, encode_looks(looks));
   EXPECT_THAT(objection<kD>(this->path()), HasSubstr("other shapes or rotations"));
-  looks.set({4}, {1'000, {}});
+  looks.set({4}, {1'000, {}, {}});
   test::forge_keyframe_looks(this->path(), kKeyframe, encode_looks(looks));
   EXPECT_THAT(objection<kD>(this->path()), HasSubstr("no shape 1000"));
 }

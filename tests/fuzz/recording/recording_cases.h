@@ -13,6 +13,8 @@ namespace kerf::test {
 std::string keyframe_case(CaseBytes bytes);
 /// The bytes as a block: refused, or steps that can be run.
 std::string block_case(CaseBytes bytes);
+/// The bytes as a shape of any kind, and as the looks of a keyframe: refused, or the same when written again.
+std::string looks_case(CaseBytes bytes);
 /// The bytes as changes of the values in a recording's tables: refused or named by `verify`, and, after the
 /// hashes were made right again, read without harm.
 std::string recording_case(CaseBytes bytes);

@@ -17,6 +17,7 @@ void replay(const char* target, std::string (*run)(CaseBytes)) {
 
 TEST(RecordingCorpus, KeyframesFindNothing) { replay("keyframe", keyframe_case); }
 TEST(RecordingCorpus, BlocksFindNothing) { replay("block", block_case); }
+TEST(RecordingCorpus, LooksFindNothing) { replay("looks", looks_case); }
 TEST(RecordingCorpus, ChangedTablesFindNothing) { replay("recording", recording_case); }
 
 /// Without a change nothing is found: the cases begin with a recording that holds.

@@ -110,7 +110,7 @@ std::vector<Look<2>> looks_of(const StepRequests<2>& requests, std::uint32_t ste
   for (const ObjectId object : requests.objects) {
     const bool turns = object.value == kTriangle;
     const Shape<2> shape = turns ? Shape<2>(Outline{{{{0, 0}}, {{0.5F, 0}}, {{0, 0.5F}}}}) : Ball{0.5F};
-    looks.push_back({shapes.number_of(shape), {0, {static_cast<std::int16_t>(turns ? 900 * step : 0)}}});
+    looks.push_back({shapes.number_of(shape), {0, {static_cast<std::int16_t>(turns ? 900 * step : 0)}}, {}});
   }
   return looks;
 }

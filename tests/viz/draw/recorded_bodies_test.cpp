@@ -60,8 +60,8 @@ TYPED_TEST(RecordedBodies, HaveTheShapesThatWereRecorded) {
   (void)objects.remove({3});
   const std::vector<Shape<kD>> shapes = test::all_shapes<kD>(0.9F);
   const auto axes = test::turned_axes<kD>(0.4);
-  const auto bodies =
-      recorded_bodies(objects, looks_of<kD>({{0, {}}, {1, turn_of<kD>(axes)}, {}, {0, {}}}), shapes);
+  const auto bodies = recorded_bodies(
+      objects, looks_of<kD>({{0, {}, {}}, {1, turn_of<kD>(axes), {}}, {}, {0, {}, {}}}), shapes);
   ASSERT_EQ(bodies.size(), 4U);
   EXPECT_EQ(bodies[0].shape, shapes[0]);
   EXPECT_EQ(bodies[0].pose.position, test::box_at<kD>(test::all<kD>(5), 1).center());
@@ -78,7 +78,7 @@ TYPED_TEST(RecordedBodies, AShapeThatIsLargerThanItsBoxIsDamage) {
   const std::vector<Shape<kD>> shapes{Ball{3}};
   EXPECT_THAT(
       [&] {
-        (void)recorded_bodies(objects, looks_of<kD>({{0, {}}}), shapes);
+        (void)recorded_bodies(objects, looks_of<kD>({{0, {}, {}}}), shapes);
       },
       testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("damaged: the shape of object 0")));
 }
