@@ -19,8 +19,8 @@ bool touches(const Frustum<D>& frustum, const Box<D>& box);
 template <int D>
 bool touches(const Cast<D>& cast, const Box<D>& box);
 
-/// The t of a hit, given that the cast touches the box: 0 or the largest of the axes' quotients, in doubles, then
-/// rounded; the largest float if it is larger.
+/// The t of a hit, given that the cast touches the box: 0 or the largest of the axes' quotients, in doubles,
+/// then rounded; the largest float if it is larger.
 template <int D>
 Scalar entry_of(const Cast<D>& cast, const Box<D>& box);
 

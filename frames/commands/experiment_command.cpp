@@ -52,7 +52,7 @@ class Experiment {
       const Simulation& simulation = simulations()[place.simulation];
       TimedRun& run = runs_[place.simulation][place.index];
       const ExperimentSize size = plan_.with_seed(static_cast<std::uint32_t>(run.seed - plan_.size.seed));
-      run.steps = run_simulation(simulation, size, cast_of(run.repeat), [&](std::uint32_t step) {
+      run.steps = run_simulation(simulation, size, lineup_of(run.repeat), [&](std::uint32_t step) {
         show(simulation, run, step);
         return !interrupt.requested();
       });

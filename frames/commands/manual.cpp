@@ -37,8 +37,8 @@ std::string lines(const std::string& text) {
 std::string option_text(const CLI::Option& option, bool positional) {
   const CLI::Formatter formatter;
   return ".TP\n\\fB" + escaped(formatter.make_option_name(&option, positional)) + "\\fR" +
-         escaped(formatter.make_option_opts(&option)) + "\n" +
-         escaped(formatter.make_option_desc(&option)) + "\n";
+         escaped(formatter.make_option_opts(&option)) + "\n" + escaped(formatter.make_option_desc(&option)) +
+         "\n";
 }
 
 std::string command_text(const CLI::App& program, const CLI::App& command) {
