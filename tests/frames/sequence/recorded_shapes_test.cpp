@@ -95,7 +95,8 @@ void expect_alike(const std::string& name) {
     expect_alike<D>(scene.live()[k], scene.recorded()[k]);
   }
   const auto differences = compare_pixels(scene.picture(scene.live()), scene.picture(scene.recorded()));
-  EXPECT_LT(differences.different, 640U * 360U / 100) << name;
+  // The faces of spheres, which are drawn turned, are not recorded as such; what is turned is rounded.
+  EXPECT_LT(differences.different, 640U * 360U / (D == 2 ? 1000 : 30)) << name;
 }
 
 /// Discs and boxes; what breaks; outlines on which they roll.
