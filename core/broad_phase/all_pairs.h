@@ -12,7 +12,7 @@ template <int D>
 class AllPairs final : public Tabled<D>, public SelfDescribing<D> {
  public:
   [[nodiscard]] std::string_view name() const override { return "all-pairs"; }
-  /// Has no structure to tell, only how many tests that takes.
+  /// Has no structure: describes only how many tests that takes.
   void describe(StructureParts<D>& parts) const override {
     tell_each_with_each(this->placed().size(), parts);
   }

@@ -27,7 +27,7 @@ class BruteForce final : public BroadPhase<D>, public SelfDescribing<D> {
   Status remove(ObjectId object) override { return objects_.remove(object); }
   void step() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return pairs_; }
-  /// Has no structure to tell, only how many tests that takes.
+  /// Has no structure: describes only how many tests that takes.
   void describe(StructureParts<D>& parts) const override;
 
  private:

@@ -22,7 +22,7 @@ class Columns final : public Tabled<D>, public SelfDescribing<D> {
  public:
   [[nodiscard]] std::string_view name() const override { return "columns"; }
   /// The columns, and the order along them. Vectors also test a few boxes beyond the last that begins early
-  /// enough; those are not told.
+  /// enough; those are left out.
   void describe(StructureParts<D>& parts) const override;
 
  private:

@@ -23,7 +23,7 @@ StructureParts<D> describe(const BroadPhase<D>& broad_phase) {
     seen->describe(parts);
   } else if (!describe_bsp<NoTrace>(broad_phase, parts) && !describe_bsp<EventLog>(broad_phase, parts) &&
              !describe_bsp<Watch>(broad_phase, parts)) {
-    parts.unseen = "it does not tell its structure";
+    parts.unseen = "it does not describe its structure";
   }
   return parts;
 }

@@ -6,7 +6,7 @@
 namespace kerf {
 
 /// What the structure of any broad phase looks like after its last step. A tree of ours needs no interface
-/// for that: it is a value that everybody can read. Of a broad phase that tells nothing, `unseen` says so.
+/// for that: it is a value to be read. Of a broad phase that describes nothing, `unseen` says so.
 template <int D>
 StructureParts<D> describe(const BroadPhase<D>& broad_phase);
 

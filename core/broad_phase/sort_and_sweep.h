@@ -14,7 +14,7 @@ class SortAndSweep final : public Tabled<D>, public SelfDescribing<D> {
  public:
   [[nodiscard]] std::string_view name() const override { return "sort-and-sweep"; }
   /// The order along the axis. Vectors also test a few boxes beyond the last that begins early enough; those
-  /// are not told.
+  /// are left out.
   void describe(StructureParts<D>& parts) const override;
 
  private:

@@ -58,7 +58,7 @@ struct AxisList {
   std::vector<AxisEnd> ends;
 };
 
-/// What a structure tells of itself: a value that does not depend on it any more.
+/// The description of a structure: a value that does not depend on it any more.
 template <int D>
 struct StructureParts {
   std::string kind;  ///< "tree of boxes"
@@ -67,7 +67,7 @@ struct StructureParts {
   std::vector<Cut<D>> cuts;
   std::vector<CellMember> members;
   std::vector<AxisList> lists;
-  /// How many pairs of boxes were compared in the last step; none: the structure does not tell.
+  /// How many pairs of boxes were compared in the last step; none: unknown.
   std::optional<std::uint64_t> tests;
   bool tells_tested = false;  ///< which these were, too
   std::vector<Pair> tested;   ///< one for each test
@@ -93,7 +93,7 @@ class SelfDescribing {
   virtual ~SelfDescribing() = default;
 
   /// Adds what the last `step()` has left to `parts`, which are empty. Requests since then are not part of
-  /// it, so call it right after a step. The same state tells the same parts in the same order.
+  /// it, so call it right after a step. The same state gives the same parts in the same order.
   virtual void describe(StructureParts<D>& parts) const = 0;
 };
 
@@ -114,7 +114,7 @@ std::uint64_t bytes_of(const std::vector<T>& list) {
   return list.capacity() * sizeof(T);
 }
 
-/// Tells of a broad phase without a structure that tests each of so many boxes against each.
+/// Describes a broad phase without a structure that tests each of so many boxes against each.
 template <int D>
 void tell_each_with_each(std::uint64_t boxes, StructureParts<D>& parts) {
   parts.kind = "each with each";
@@ -123,7 +123,7 @@ void tell_each_with_each(std::uint64_t boxes, StructureParts<D>& parts) {
   parts.unseen = "it has no structure: each box is tested against each";
 }
 
-/// Tells the tests of a sweep: each object, in the order of `sorted`, against those behind it that begin
+/// Adds the tests of a sweep: each object, in the order of `sorted`, against those behind it that begin
 /// before it ends. `box_of(object)`: its box.
 template <int D, class BoxOf>
 void tell_sweep(const std::vector<ObjectId>& sorted, int axis, BoxOf box_of, StructureParts<D>& parts) {

@@ -77,7 +77,7 @@ class Checker {
     return "its box is none";
   }
 
-  /// A node that is told twice has two parents.
+  /// A node that stands there twice has two parents.
   void check_links() {
     std::unordered_map<std::uint32_t, std::uint32_t> first;
     for (std::uint32_t cell = 0; cell < parts_.cells.size(); ++cell) {
@@ -94,12 +94,12 @@ class Checker {
 
   void check_cells() {
     for (std::uint32_t cell = 0; cell < parts_.cells.size(); ++cell) {
-      const StructureCell<D>& told = parts_.cells[cell];
-      if (told.depth > limits_.depth)
+      const StructureCell<D>& shown = parts_.cells[cell];
+      if (shown.depth > limits_.depth)
         add(Kind::too_deep, cell, {},
-            name(cell) + " lies at depth " + std::to_string(told.depth) + ", more than " +
+            name(cell) + " lies at depth " + std::to_string(shown.depth) + ", more than " +
                 std::to_string(limits_.depth));
-      if (told.parent != kNoPart && told.cut == kNoPart) check_inside_parent(cell);
+      if (shown.parent != kNoPart && shown.cut == kNoPart) check_inside_parent(cell);
       check_overlap(cell);
     }
   }

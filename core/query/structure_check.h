@@ -39,7 +39,7 @@ struct StructureFault {
   std::string text;              ///< a sentence
 };
 
-/// Bounds that somebody sets for a structure; by default there are none.
+/// Bounds for a structure; by default there are none.
 struct StructureLimits {
   std::uint32_t depth = std::numeric_limits<std::uint32_t>::max();
   double overlap = std::numeric_limits<double>::infinity();  ///< of two siblings, as a share of their parent
@@ -53,7 +53,7 @@ struct KnownObject {
   Box<D> box;
 };
 
-/// All that is wrong with a structure that tells its parts: empty if it keeps what its `holding` promises.
+/// All that is wrong with a described structure: empty if it keeps what its `holding` promises.
 /// `pairs`: what it reported. Objects are bounded by their boxes.
 template <int D>
 std::vector<StructureFault> check_structure(const StructureParts<D>& parts,

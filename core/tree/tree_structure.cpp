@@ -40,7 +40,7 @@ void describe_tree(const Tree<D>& tree, bool has_lists, StructureParts<D>& parts
   if (has_lists) {
     parts.end_tested();
   } else {
-    parts.unseen = "vectors of boxes are tested at a time: which were is not told";
+    parts.unseen = "vectors of boxes are tested at a time: which is not known";
   }
   parts.bytes = bytes_of(tree.nodes()) + tree.entries() * sizeof(Entry);
 }

@@ -5,8 +5,8 @@
 
 namespace kerf {
 
-/// Tells the tree as a structure: its nodes are cells cut by their parents' partitioners, its entries the
-/// members. `has_lists`: leaves keep the paper's ordered lists, so that it can be told what is tested.
+/// Describes the tree as a structure: its nodes are cells cut by their parents' partitioners, its entries the
+/// members. `has_lists`: leaves keep the paper's ordered lists, from which the tests follow.
 template <int D>
 void describe_tree(const Tree<D>& tree, bool has_lists, StructureParts<D>& parts);
 

@@ -18,7 +18,7 @@ struct BoxTreeNode {
   std::uint32_t name = kNoPart;  ///< none: its place in the walk
 };
 
-/// Tells a tree of boxes, left before right. `look(node)` returns its BoxTreeNode.
+/// Describes a tree of boxes, left before right. `look(node)` returns its BoxTreeNode.
 template <int D, class Node, class Look>
 void tell_box_tree(Node root, Look look, StructureParts<D>& parts) {
   struct Visit {

@@ -14,7 +14,7 @@ inline Box<3> flat_box(const Box<2>& box) {
   return {{{box.min[0], box.min[1], 0}}, {{box.max[0], box.max[1], 1}}};
 }
 
-/// What a structure of such slabs tells, without the third axis. No library cuts its cells by planes.
+/// The description of a structure of such slabs, without the third axis. No library cuts its cells by planes.
 inline StructureParts<2> flat_parts(StructureParts<3> solid) {
   StructureParts<2> parts;
   parts.kind = solid.kind;
@@ -53,7 +53,7 @@ class Flat final : public BroadPhase<2>, public AddedWork, public SelfDescribing
   void describe(StructureParts<2>& parts) const override {
     const auto* const seen = dynamic_cast<const SelfDescribing<3>*>(inner_.get());
     if (seen == nullptr) {
-      parts.unseen = "it does not tell its structure";
+      parts.unseen = "it does not describe its structure";
       return;
     }
     StructureParts<3> solid;

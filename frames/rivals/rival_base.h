@@ -34,10 +34,10 @@ class RivalBase : public BroadPhase<D>, public AddedWork, public SelfDescribing<
   virtual void find_pairs() = 0;
   /// Calls them for the pairs that the library keeps and that its caller has to visit.
   virtual void collect_pairs() {}
-  /// Tells what the library's headers show of its structure, or why they show nothing.
+  /// Describes what the library's headers show of its structure, or why they show nothing.
   virtual void tell_structure(StructureParts<D>& parts) const = 0;
 
-  /// The pairs that the library left to be tested are the tests that can be told of it.
+  /// The pairs that the library left to be tested are the tests that are known of it.
   void tell_candidates(StructureParts<D>& parts) const {
     for (const auto& [a, b] : candidates_) parts.tell_tested(a, b);
     parts.end_tested();

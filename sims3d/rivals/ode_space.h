@@ -53,7 +53,7 @@ class OdeSpace final : public BroadPhase<3>, public SelfDescribing<3> {
   /// How many pairs of boxes a `step()` compares with the objects where they are; negative: unknown. Builds a
   /// second space for it.
   [[nodiscard]] double count_candidates() const;
-  /// ODE's headers show nothing of its spaces; only the number of tests can be told.
+  /// ODE's headers show nothing of its spaces; only the number of tests is known.
   void describe(StructureParts<3>& parts) const override;
 
  private:

@@ -74,6 +74,7 @@ TYPED_TEST(StructurePictures, OfEachStructure) {
   constexpr int kD = TypeParam::value;
   PanesRenderer<kD> renderer(options_of(560, 400, true));
   for (const std::string& name : broad_phase_names<kD>()) {
+    if (name == kTunedTree) continue;  // with the same parameters it has the same nodes
     const PanesFrame<kD> frame = frame_of<kD>({name});
     const StructureParts<kD>& parts = frame.panes.front().parts;
     const bool is_seen = !parts.cells.empty() || !parts.lists.empty();
@@ -91,8 +92,10 @@ TYPED_TEST(StructurePictures, OfSixSideBySide) {
                                  "columns",    "sweep-and-prune", "cgal-box-intersection"};
   PanesRenderer<kD> renderer(options_of(960, 640, false));
   const Image& image = renderer.render(frame_of<kD>(names));
+  const FrameIds no_ids{
+      {}, make_image(image.width, image.height, 0xff000000U)};  // of several panes there are none
   EXPECT_EQ(compare_with_reference("structures-" + std::to_string(kD) + "d", image,
-                                   {renderer.ids(), renderer.rasterizer()}),
+                                   {no_ids, renderer.rasterizer()}),
             "");
 }
 

@@ -16,7 +16,7 @@ inline constexpr std::size_t kMostPanes = 6;
 
 /// The numbers of a pane.
 struct PaneFigures {
-  std::optional<std::uint64_t> tests;  ///< of pairs of boxes, in the last step; none: not told
+  std::optional<std::uint64_t> tests;  ///< of pairs of boxes, in the last step; none: unknown
   std::uint64_t pairs = 0;
   StructureMeasures structure;
   std::optional<std::uint64_t> bytes;

@@ -14,7 +14,7 @@
 namespace kerf {
 namespace {
 
-// From dark to light, so that depth is told without hue, too.
+// From dark to light, so that depth is seen without hue, too.
 constexpr std::array<Color, 4> kDepths{{{45, 20, 95}, {105, 50, 165}, {165, 105, 215}, {215, 175, 240}}};
 
 double depth_share(std::uint32_t depth) { return std::min(1.0, double{1} * depth / kDeepCell); }

@@ -1,4 +1,4 @@
-// Each planted bug of a tree of boxes, and each broken promise of what a structure tells, is found and named.
+// Each planted bug of a tree of boxes, and each broken promise of a description, is found and named.
 
 #include "core/query/structure_check.h"
 

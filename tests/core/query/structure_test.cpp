@@ -1,4 +1,4 @@
-// What our broad phases tell of their structures keeps what it promises, on scenes that hurt them, too.
+// Descriptions of our broad phases' structures keep what they promise, on scenes that hurt them, too.
 
 #include <gtest/gtest.h>
 
@@ -109,7 +109,7 @@ TYPED_TEST(OwnStructure, IsSoundAtTheEndsOfTheFloats) {
   this->step();
 }
 
-TYPED_TEST(OwnStructure, TellsNothingWrongOfNoObjects) {
+TYPED_TEST(OwnStructure, IsSoundWithoutObjects) {
   this->known_.step();
   const auto parts = describe<TestFixture::kDimension>(this->subject_);
   EXPECT_TRUE(check_structure<TestFixture::kDimension>(parts, {}, {}).empty());
@@ -120,7 +120,7 @@ TYPED_TEST(OwnStructure, TellsNothingWrongOfNoObjects) {
   this->step();
 }
 
-/// Two runs tell the same.
+/// Two runs have the same description.
 TYPED_TEST(OwnStructure, IsToldAlikeInEachRun) {
   constexpr int kD = TestFixture::kDimension;
   const auto run = [] {

@@ -1,4 +1,4 @@
-// What other libraries' broad phases tell of their structures keeps what it promises; what cannot be seen
+// Descriptions of other libraries' structures keep what they promise; what cannot be seen
 // says why.
 
 #include <gtest/gtest.h>
