@@ -67,8 +67,8 @@ TEST(BenchProgram, MeasuresBroadPhasesInTheLoopOfASimulation) {
 TEST(BenchProgram, MeasuresQueriesAndComparesTheirAnswers) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "bench.json").string();
-  const Outcome outcome = run_kerf({"bench", "--queries", "--scenes", "uniform", "--objects", "300", "--rounds", "1",
-                                    "--warm-up", "2", "--json", file});
+  const Outcome outcome = run_kerf({"bench", "--queries", "--scenes", "uniform", "--objects", "300",
+                                    "--rounds", "1", "--warm-up", "2", "--json", file});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   const auto rows = read_json(file)["queries"];
   ASSERT_EQ(rows.size(), 26U) << "build, move and eleven kinds, in both dimensions";
