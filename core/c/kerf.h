@@ -7,7 +7,7 @@
  *
  * Errors: a function returns KERF_OK, or says by its status what is wrong; nothing was done then. Nothing
  * aborts, and no exception leaves the library. In a batch each object is a request of its own: those that can
- * be met are, statuses (or NULL) tells each one's status, and the function returns the first failure, else
+ * be met are, statuses (or NULL) gets the status of each, and the function returns the first failure, else
  * KERF_CLAMPED if any is, else KERF_OK. NULL where data is needed is KERF_NULL_ARGUMENT; lists of no elements
  * may be NULL.
  *

@@ -43,8 +43,12 @@ kerf_status kerf_world_ended(const kerf_world* world, const kerf_pair** pairs, s
 }
 
 uint32_t kerf_world_dimension(const kerf_world* world) {
-  if (world == nullptr) return 0;
-  return std::holds_alternative<kerf::World<2>>(world->world) ? 2 : 3;
+  std::uint32_t dimension = 0;
+  (void)with_world(world, [&]<int D>(const kerf::World<D>&) -> kerf_status {
+    dimension = D;
+    return KERF_OK;
+  });
+  return dimension;
 }
 
 size_t kerf_world_size(const kerf_world* world) {

@@ -31,13 +31,13 @@ struct WorldNeighbour {
 };
 
 /// Answers queries about the boxes of a world's objects (docs/EMBEDDING.md, "Ask"): exactly, by the boxes as
-/// given, fat boxes or not. Worlds that nobody asks pay nothing.
+/// given, fat boxes or not. A world without an index pays nothing.
 ///
 /// Answers are those for the boxes as they were in the last `update`; an object that was removed since is not
 /// found. Kinds and filters are those of the moment. Results are appended, ordered by index, t or distance; a
 /// query that is refused appends nothing.
 ///
-/// Threads: queries may run at the same time, while the world does not change. Kerf allocates for each.
+/// Threads: queries may run at the same time, while the world does not change. Each allocates its own memory.
 template <int D>
 class WorldIndex {
  public:

@@ -349,7 +349,7 @@ TEST(CInterface, ListsOfNoElementsMayBeNull) {
   EXPECT_EQ(kerf_world_restore(world.get(), nullptr, 0, nullptr), KERF_DAMAGED);
 }
 
-TEST(CInterface, BadBoxesAndStaleHandlesAreToldOneByOne) {
+TEST(CInterface, BadBoxesAndStaleHandlesHaveStatusesOfTheirOwn) {
   const Owned world = make_world();
   const kerf_handle handle = add(world.get(), 0);
   const kerf_handle gone = add(world.get(), 0);

@@ -1,12 +1,12 @@
 // Lets each allocation of a run fail once, and looks whether the world stays usable: the call says so, every
 // object was taken or was not, and the next step reports exactly the pairs of the boxes that are there.
 
+#include <kerf.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <new>
 #include <vector>
-
-#include "core/c/kerf.h"
 
 namespace {
 

@@ -24,6 +24,8 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"Eigen", "Eigen/"},
     {"Eigen", "unsupported/Eigen/"},
     {"Kerf for C", "kerf"},
+    {"C", "stddef.h"},
+    {"C", "stdint.h"},
     {"xxHash", "xxhash.h"},
     {"xxHash", "xxh"},
     {"Highway", "hwy/"},
@@ -130,6 +132,7 @@ constexpr auto kLayers = std::to_array<Layer>({
 constexpr auto kPermissions = std::to_array<Permission>({
     {"core/", "core"},
     {"core/c/", "Kerf for C"},
+    {"core/c/", "C"},
     {"core/tree/hash.cpp", "xxHash"},
     {"core/world/seal.cpp", "xxHash"},
     {"core/recording/chain.cpp", "xxHash"},
