@@ -80,6 +80,24 @@ TEST(PairRows, DifferencesAreThoseOfTheSets) {
   }
 }
 
+TEST(PairRows, RowsOfOneLengthCanDiffer) {
+  std::vector<Pair> pairs;
+  for (std::uint32_t a = 0; a < 40; ++a) pairs.push_back({{a}, {a + 1}});
+  PairRows before;
+  before.assign(pairs, 50);
+  pairs[5].b = {9};
+  PairRows now;
+  now.assign(pairs, 50);
+  Listed lost;
+  Listed gained;
+  compare_rows(
+      before, now,
+      [&](std::uint32_t a, std::size_t k) { lost.emplace_back(a, before.partners()[k].index()); },
+      [&](std::uint32_t a, std::size_t i) { gained.emplace_back(a, now.partners()[i].index()); });
+  EXPECT_EQ(lost, (Listed{{5, 6}}));
+  EXPECT_EQ(gained, (Listed{{5, 9}}));
+}
+
 TEST(PairRows, AFlagIsADifference) {
   PairRows before;
   PairRows now;
