@@ -6,14 +6,14 @@ namespace kerf::python {
 namespace {
 
 namespace py = pybind11;
-using Phase = PythonBroadPhase;
+using Queried = PythonBroadPhase;
 
 constexpr float kEndless = std::numeric_limits<float>::infinity();
 
-void bind_regions(py::class_<Phase>& type) {
+void bind_regions(py::class_<Queried>& type) {
   type.def(
           "query_boxes",
-          [](Phase& phase, const py::object& boxes) {
+          [](Queried& phase, const py::object& boxes) {
             return phase.ask([&](PythonQueries& ask) { return ask.boxes(boxes); });
           },
           py::arg("boxes"),
@@ -22,14 +22,14 @@ void bind_regions(py::class_<Phase>& type) {
           "Queries see the boxes as they were given last, whether or not a step followed.")
       .def(
           "query_points",
-          [](Phase& phase, const py::object& points) {
+          [](Queried& phase, const py::object& points) {
             return phase.ask([&](PythonQueries& ask) { return ask.points(points); });
           },
           py::arg("points"),
           "Which objects hold each point (n, d): (m, 2) uint32, rows of (query, id), sorted.")
       .def(
           "query_spheres",
-          [](Phase& phase, const py::object& centers, const py::object& radii) {
+          [](Queried& phase, const py::object& centers, const py::object& radii) {
             return phase.ask([&](PythonQueries& ask) { return ask.spheres(centers, radii); });
           },
           py::arg("centers"), py::arg("radii"),
@@ -37,10 +37,10 @@ void bind_regions(py::class_<Phase>& type) {
           "(m, 2) uint32, rows of (query, id), sorted.");
 }
 
-void bind_ways(py::class_<Phase>& type) {
+void bind_ways(py::class_<Queried>& type) {
   type.def(
           "query_rays",
-          [](Phase& phase, const py::object& rays, bool all, float max_t) {
+          [](Queried& phase, const py::object& rays, bool all, float max_t) {
             return phase.ask([&](PythonQueries& ask) { return ask.rays(rays, {all, max_t}); });
           },
           py::arg("rays"), py::kw_only(), py::arg("all") = false, py::arg("max_t") = kEndless,
@@ -51,14 +51,14 @@ void bind_ways(py::class_<Phase>& type) {
           "all=True: all hits instead: (m, 2) uint32, rows of (query, id) in the order of t, and t (m,).")
       .def(
           "query_segments",
-          [](Phase& phase, const py::object& segments, bool all) {
+          [](Queried& phase, const py::object& segments, bool all) {
             return phase.ask([&](PythonQueries& ask) { return ask.segments(segments, {.all = all}); });
           },
           py::arg("segments"), py::kw_only(), py::arg("all") = false,
           "As query_rays, for segments (n, 2, d) of both ends; t is from 0 to 1.")
       .def(
           "query_sweeps",
-          [](Phase& phase, const py::object& boxes, const py::object& ways, bool all) {
+          [](Queried& phase, const py::object& boxes, const py::object& ways, bool all) {
             return phase.ask([&](PythonQueries& ask) { return ask.sweeps(boxes, ways, {.all = all}); });
           },
           py::arg("boxes"), py::arg("ways"), py::kw_only(), py::arg("all") = false,
@@ -67,12 +67,12 @@ void bind_ways(py::class_<Phase>& type) {
 
 }  // namespace
 
-void bind_queries(py::class_<Phase>& type) {
+void bind_queries(py::class_<Queried>& type) {
   bind_regions(type);
   bind_ways(type);
   type.def(
       "query_nearest",
-      [](Phase& phase, const py::object& points, std::size_t k, float max_distance) {
+      [](Queried& phase, const py::object& points, std::size_t k, float max_distance) {
         return phase.ask([&](PythonQueries& ask) { return ask.nearest(points, k, max_distance); });
       },
       py::arg("points"), py::arg("k") = 1, py::kw_only(), py::arg("max_distance") = kEndless,

@@ -26,7 +26,7 @@ threads     how many share the work of a step
 
 Boxes are taken as by kerf.BroadPhase. An object is used by one thread at a time.)";
 
-constexpr const char* kInsertObjects =
+constexpr const char* kWorldInsert =
     R"(Adds objects, one for each row, and returns their handles, (n,) uint64.
 
 boxes       (n, 2, d): rows of a lower and an upper corner
@@ -55,7 +55,7 @@ void bind_requests(py::class_<PythonWorld>& type) {
           },
           py::arg("boxes"), py::kw_only(), py::arg("kind") = py::none(), py::arg("category") = py::none(),
           py::arg("mask") = py::none(), py::arg("group") = py::none(), py::arg("margin") = py::none(),
-          py::arg("user_data") = py::none(), kInsertObjects)
+          py::arg("user_data") = py::none(), kWorldInsert)
       .def("move", &PythonWorld::move, py::arg("handles"), py::arg("boxes"),
            "Gives objects new boxes (n, 2, d); pairs follow in the next step.")
       .def("remove", &PythonWorld::remove, py::arg("handles"),
