@@ -1,6 +1,7 @@
-# What users link, and how they find it once it is installed: find_package(kerf) gives kerf::bsp, kerf::scene and
-# kerf::recording, and each has a pkg-config file. Headers are included as in this repository, for example
-# #include "core/bsp/bsp.h". A build installs shared libraries or static ones; those of two builds lie beside each other.
+# What users link, and how they find it once it is installed: find_package(kerf) gives kerf::bsp, kerf::c, kerf::scene,
+# kerf::recording and kerf::adapters, and each library has a pkg-config file. Headers are included as in this repository,
+# for example #include "core/bsp/bsp.h"; that of C is <kerf.h>. A build installs shared libraries or static ones; those of
+# two builds lie beside each other.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -12,8 +13,10 @@ if(BUILD_SHARED_LIBS)
   set(kerf_kind shared)
 endif()
 
-# kerf_for_users(TARGET) makes the library kerf_PART known as kerf::PART, here and where it is installed.
+# kerf_for_users(TARGET [EXPORTS FILE]) makes the library kerf_PART known as kerf::PART, here and where it is installed.
+#   EXPORTS  a list of names in cmake/: the library is for C, and exports these
 function(kerf_for_users target)
+  cmake_parse_arguments(PARSE_ARGV 1 users "" "EXPORTS" "")
   string(REPLACE "kerf_" "" part ${target})
   add_library(kerf::${part} ALIAS ${target})
   get_target_property(type ${target} TYPE)
@@ -21,35 +24,46 @@ function(kerf_for_users target)
   if(type STREQUAL "INTERFACE_LIBRARY")
     set(scope INTERFACE)
   endif()
-  target_compile_features(${target} ${scope} cxx_std_20)
+  set(exports ${PROJECT_SOURCE_DIR}/cmake/exported_names)
+  if(users_EXPORTS)
+    set(exports ${PROJECT_SOURCE_DIR}/cmake/${users_EXPORTS})
+  else()
+    target_compile_features(${target} ${scope} cxx_std_20)
+  endif()
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${part} VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} DEFINE_SYMBOL "")
   if(type STREQUAL "SHARED_LIBRARY")
     # Exports no names of other libraries that are compiled in.
-    target_link_options(${target} PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/exported_names)
-    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/exported_names)
+    target_link_options(${target} PRIVATE LINKER:--version-script=${exports})
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${exports})
   endif()
   if(KERF_INSTALL)
+    get_target_property(sets ${target} INTERFACE_HEADER_SETS)
+    list(TRANSFORM sets REPLACE "(.+)" "FILE_SET;\\1;DESTINATION;${kerf_headers};COMPONENT;development")
     install(TARGETS ${target} EXPORT kerf-targets
       LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
-      ARCHIVE COMPONENT development
-      FILE_SET HEADERS DESTINATION ${kerf_headers} COMPONENT development
-      FILE_SET with_source DESTINATION ${kerf_headers} COMPONENT development)
+      ARCHIVE COMPONENT development ${sets})
   endif()
 endfunction()
 
-# kerf_pkg_config(TARGET DESCRIPTION [OURS TARGET...] [OTHERS MODULE...]) installs kerf-PART.pc. A static library
-# requires the others publicly: a program that links it needs them, too.
+# kerf_pkg_config(TARGET DESCRIPTION [OURS TARGET...] [OTHERS MODULE...] [LIBRARIES NAME...]) installs kerf-PART.pc, or
+# kerf.pc for the library of that name. A static library requires the others publicly, and libraries that have no module:
+# a program that links it needs them, too.
 function(kerf_pkg_config target KERF_DESCRIPTION)
-  cmake_parse_arguments(PARSE_ARGV 2 needs "" "" "OURS;OTHERS")
-  string(REPLACE "_" "-" KERF_MODULE ${target})
-  set(KERF_LIBRARY ${target})
+  cmake_parse_arguments(PARSE_ARGV 2 needs "" "" "OURS;OTHERS;LIBRARIES")
+  get_target_property(KERF_LIBRARY ${target} OUTPUT_NAME)
+  if(NOT KERF_LIBRARY)
+    set(KERF_LIBRARY ${target})
+  endif()
+  string(REPLACE "_" "-" KERF_MODULE ${KERF_LIBRARY})
   string(REPLACE "_" "-" KERF_REQUIRES "${needs_OURS}")
   set(KERF_REQUIRES_PRIVATE ${needs_OTHERS})
   get_target_property(type ${target} TYPE)
   if(NOT type STREQUAL "SHARED_LIBRARY")
     list(APPEND KERF_REQUIRES ${needs_OTHERS})
     set(KERF_REQUIRES_PRIVATE)
+    list(TRANSFORM needs_LIBRARIES PREPEND " -l" OUTPUT_VARIABLE KERF_LIBRARIES)
+    list(JOIN KERF_LIBRARIES "" KERF_LIBRARIES)
   endif()
   list(JOIN KERF_REQUIRES " " KERF_REQUIRES)
   list(JOIN KERF_REQUIRES_PRIVATE " " KERF_REQUIRES_PRIVATE)

@@ -24,14 +24,14 @@ constexpr bool is_passive(ObjectKind kind) {
 /// Which objects may form pairs: Box2D's rule. Two objects of one group other than 0 form a pair if the group
 /// is positive, and none if it is negative. All others form a pair if the category of each has a bit in the
 /// other's mask.
-struct Filter {
+struct PairFilter {
   std::uint64_t category = 1;
   std::uint64_t mask = UINT64_MAX;
   std::int32_t group = 0;
-  friend constexpr bool operator==(const Filter&, const Filter&) = default;
+  friend constexpr bool operator==(const PairFilter&, const PairFilter&) = default;
 };
 
-constexpr bool may_pair(const Filter& a, const Filter& b) {
+constexpr bool may_pair(const PairFilter& a, const PairFilter& b) {
   if (a.group != 0 && a.group == b.group) return a.group > 0;
   return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
@@ -43,7 +43,7 @@ struct ObjectDef {
   /// when the object is inserted and each time that its box leaves it: the box, larger by the margin on
   /// every side. 0: the fat box is the box.
   Scalar margin = 0;
-  Filter filter;
+  PairFilter filter;
   std::uint64_t user_data = 0;  ///< of the caller's; the world only keeps it
   friend constexpr bool operator==(const ObjectDef&, const ObjectDef&) = default;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,18 +25,24 @@ constexpr Partner make_partner(std::uint32_t index, bool flagged) {
 /// are dense; each is sorted by itself.
 class PairRows {
  public:
-  /// Objects have indices below `bound`.
+  /// Objects have indices below `bound`. Throws std::bad_alloc for 2^32 pairs or more.
   void assign(std::span<const Pair> pairs, std::size_t bound);
   /// The same, with `b` of each pair the value of a Partner.
   void assign_flagged(std::span<const Pair> pairs, std::size_t bound);
 
   [[nodiscard]] std::size_t size() const { return partners_.size(); }
+  /// All rows, one behind the other.
+  [[nodiscard]] std::span<const Partner> partners() const { return partners_; }
+  /// The place behind the row of an object, which need not have one.
+  [[nodiscard]] std::size_t end_of(std::size_t a) const {
+    return a < rows() ? starts_[a + 1] : partners_.size();
+  }
   [[nodiscard]] std::size_t rows() const { return starts_.empty() ? 0 : starts_.size() - 1; }
-  /// Empty beyond the rows.
   [[nodiscard]] std::span<const Partner> row(std::size_t a) const {
-    if (a >= rows()) return {};
     return {partners_.data() + starts_[a], partners_.data() + starts_[a + 1]};
   }
+  /// Whether the rows of some objects are those of the other's. False for rows that are not there.
+  [[nodiscard]] bool has_same(std::size_t begin, std::size_t end, const PairRows& other) const;
   /// Drops the pairs of which `keep(a, partner)` is false; asks in order.
   template <class Keep>
   void filter(Keep keep);
@@ -45,17 +52,17 @@ class PairRows {
   void fill(std::span<const Pair> pairs, std::size_t bound);
   void sort_rows();
 
-  std::vector<std::size_t> starts_;  ///< by object: where its row begins; one more at the end
+  std::vector<std::uint32_t> starts_;  ///< by object: where its row begins; one more at the end
   std::vector<Partner> partners_;
 };
 
 template <class Keep>
 void PairRows::filter(Keep keep) {
-  std::size_t end = 0;
-  std::size_t begin = 0;
+  std::uint32_t end = 0;
+  std::uint32_t begin = 0;
   for (std::uint32_t a = 0; a < rows(); ++a) {
-    const std::size_t row_end = starts_[a + 1];
-    for (std::size_t k = begin; k < row_end; ++k)
+    const std::uint32_t row_end = starts_[a + 1];
+    for (std::uint32_t k = begin; k < row_end; ++k)
       if (keep(a, partners_[k])) partners_[end++] = partners_[k];
     starts_[a + 1] = end;
     begin = row_end;
@@ -63,27 +70,35 @@ void PairRows::filter(Keep keep) {
   partners_.resize(end);
 }
 
-/// Calls `lost(a, partner)` and `gained(a, partner)` for the differences, in order of the objects.
+/// Calls `lost(a, k)` for each pair that only `before` has, `gained(a, i)` for each that only `now` has, in
+/// order of the objects; k and i are places in `partners()` of before and of now.
 template <class Lost, class Gained>
 void compare_rows(const PairRows& before, const PairRows& now, Lost lost, Gained gained) {
-  const std::size_t rows = before.rows() > now.rows() ? before.rows() : now.rows();
-  for (std::uint32_t a = 0; a < rows; ++a) {
-    const std::span<const Partner> old = before.row(a);
-    const std::span<const Partner> next = now.row(a);
-    std::size_t i = 0;
-    std::size_t k = 0;
-    while (i < old.size() && k < next.size()) {
-      if (old[i] == next[k]) {
-        ++i;
-        ++k;
-      } else if (old[i] < next[k]) {
-        lost(a, old[i++]);
+  constexpr std::size_t kMany = 16;
+  const Partner* const old = before.partners().data();
+  const Partner* const next = now.partners().data();
+  const std::size_t rows = std::max(before.rows(), now.rows());
+  std::size_t k = 0;
+  std::size_t i = 0;
+  for (std::size_t a = 0; a < rows; ++a) {
+    if (a % kMany == 0 && a + kMany < rows && before.has_same(a, a + kMany, now)) {
+      a += kMany - 1;
+      k = before.end_of(a);
+      i = now.end_of(a);
+      continue;
+    }
+    const std::size_t old_end = before.end_of(a);
+    const std::size_t next_end = now.end_of(a);
+    while (k < old_end || i < next_end) {
+      if (i == next_end || (k < old_end && old[k] < next[i])) {
+        lost(static_cast<std::uint32_t>(a), k++);
+      } else if (k == old_end || next[i] < old[k]) {
+        gained(static_cast<std::uint32_t>(a), i++);
       } else {
-        gained(a, next[k++]);
+        ++k;
+        ++i;
       }
     }
-    while (i < old.size()) lost(a, old[i++]);
-    while (k < next.size()) gained(a, next[k++]);
   }
 }
 

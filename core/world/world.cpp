@@ -91,7 +91,7 @@ void World<D>::rebuild() {
 template <int D>
 void World<D>::count(const ObjectDef& def, std::ptrdiff_t times) {
   if (def.margin > 0) margins_ += times;
-  if (def.filter != Filter{}) filters_ += times;
+  if (def.filter != PairFilter{}) filters_ += times;
   if (def.kind == ObjectKind::sensor) sensors_ += times;
 }
 
@@ -252,7 +252,7 @@ WorldStatus World<D>::set_kind(Handle object, ObjectKind kind) {
 }
 
 template <int D>
-WorldStatus World<D>::set_filter(Handle object, const Filter& filter) {
+WorldStatus World<D>::set_filter(Handle object, const PairFilter& filter) {
   if (!slots_.contains(object)) return WorldStatus::stale_handle;
   ObjectDef& def = defs_[object.index()];
   unstepped_ = true;
@@ -352,21 +352,39 @@ void World<D>::gather() {
   if (callback_) next_rows_.filter([this](std::uint32_t a, Partner b) { return callback_(describe(a, b)); });
 }
 
-/// Compares with the step before. Nothing that was reported changes before all memory is there.
+/// Compares with the step before. What both steps have is copied: an index that is in pairs of both was not
+/// given to another object between them. Nothing that was reported changes before all memory is there.
 template <int D>
 void World<D>::report() {
   next_begun_.clear();
   next_ended_.clear();
+  next_pairs_.resize(next_rows_.size());
+  const std::span<const Partner> old = rows_.partners();
+  const std::span<const Partner> now = next_rows_.partners();
+  std::size_t seen = 0;
+  std::size_t made = 0;
+  const auto copy_until = [&](std::size_t place) {
+    const auto from = pairs_.begin() + static_cast<std::ptrdiff_t>(seen);
+    std::copy_n(from, place - made, next_pairs_.begin() + static_cast<std::ptrdiff_t>(made));
+    seen += place - made;
+    made = place;
+  };
   compare_rows(
-      rows_, next_rows_, [this](std::uint32_t a, Partner b) { next_ended_.push_back(describe(a, b)); },
-      [this](std::uint32_t a, Partner b) { next_begun_.push_back(describe(a, b)); });
-  pairs_.resize(next_rows_.size());
+      rows_, next_rows_,
+      [&](std::uint32_t a, std::size_t k) {
+        copy_until(made + (k - seen));
+        next_ended_.push_back(describe(a, old[seen++]));
+      },
+      [&](std::uint32_t a, std::size_t i) {
+        copy_until(i);
+        next_begun_.push_back(describe(a, now[i]));
+        next_pairs_[made++] = next_begun_.back();
+      });
+  copy_until(now.size());
   std::swap(rows_, next_rows_);
+  pairs_.swap(next_pairs_);
   begun_.swap(next_begun_);
   ended_.swap(next_ended_);
-  auto out = pairs_.begin();
-  for (std::uint32_t a = 0; a < rows_.rows(); ++a)
-    for (const Partner b : rows_.row(a)) *out++ = describe(a, b);
 }
 
 template class World<2>;

@@ -48,9 +48,9 @@ using PairCallback = std::function<bool(const WorldPair&)>;
 /// pairs out. It stands on Bsp, and its pairs are exact (DESIGN.md, "Correct pairs").
 ///
 /// **Requests** take effect in the next `step()`; what `find` and `box` return changes at once. A request
-/// that fails changes nothing. In a batch each object is a request of its own: those that can be met are,
-/// `statuses`, if not empty, tells each one's status, and the call returns the first failure, else `clamped`
-/// if any is, else `ok`. Lists of different lengths fail as a whole.
+/// that fails changes nothing. In a batch each object is a request of its own: those that can be met are. If
+/// `statuses` is not empty, it gets the status of each; the call returns the first failure, else `clamped` if
+/// any is, else `ok`. Lists of different lengths fail as a whole.
 ///
 /// **Reports** are ordered by the indices of the handles, first by that of `a`, which is the smaller one.
 /// They depend only on the requests: not on threads, machine, tree, or whether the world was saved and
@@ -89,7 +89,7 @@ class World {
 
   /// A pair that exists before and after, but is a sensor's only then or only now, ends and begins.
   WorldStatus set_kind(Handle object, ObjectKind kind);
-  WorldStatus set_filter(Handle object, const Filter& filter);
+  WorldStatus set_filter(Handle object, const PairFilter& filter);
   WorldStatus set_user_data(Handle object, std::uint64_t user_data);
   /// Makes a new fat box.
   WorldStatus set_margin(Handle object, Scalar margin);
@@ -166,6 +166,7 @@ class World {
   std::vector<WorldPair> pairs_;
   std::vector<WorldPair> begun_;
   std::vector<WorldPair> ended_;
+  std::vector<WorldPair> next_pairs_;
   std::vector<WorldPair> next_begun_;
   std::vector<WorldPair> next_ended_;
   std::vector<ObjectId> ids_;  ///< of one call

@@ -13,6 +13,11 @@ if(NOT KERF_RIVALS)
   return()
 endif()
 
+# GCC does not see that Bullet's branches set what they use.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set_source_files_properties(rivals/bullet_queries.cpp PROPERTIES COMPILE_OPTIONS -Wno-maybe-uninitialized)
+endif()
+
 find_package(PkgConfig REQUIRED)
 find_package(box2d 2.4.1 REQUIRED)
 find_package(embree 4 QUIET)

@@ -23,6 +23,9 @@ constexpr auto kRooms =
 constexpr auto kLibraries = std::to_array<Owner>({
     {"Eigen", "Eigen/"},
     {"Eigen", "unsupported/Eigen/"},
+    {"Kerf for C", "kerf"},
+    {"C", "stddef.h"},
+    {"C", "stdint.h"},
     {"xxHash", "xxhash.h"},
     {"xxHash", "xxh"},
     {"Highway", "hwy/"},
@@ -85,8 +88,10 @@ constexpr auto kLayers = std::to_array<Layer>({
     {"core/kernels/", 4, "vector code: byte sweep, list division, moves"},
     {"core/tree/", 5, "tree, the five operators, scheduler, validator, hash"},
     {"core/bsp/", 6, "the semi-adjusting BSP tree as a broad phase"},
+    {"core/spatial/", 6, "queries: overlaps, rays, swept boxes, nearest, frustum"},
     {"core/broad_phase/", 7, "the oracle, other algorithms, approximate modes"},
     {"core/world/", 8, "objects with handles, kinds and filters; begun and ended pairs"},
+    {"core/c/", 9, "`kerf.h`: the C interface"},
     {"core/scene/", 8, "what a scene is: shapes, poses, needs, bounding"},
     {"core/files/", 9, "files that get their names when they are complete"},
     {"core/recording/", 10, "recordings: writer, reader, codecs"},
@@ -123,6 +128,8 @@ constexpr auto kLayers = std::to_array<Layer>({
 
 constexpr auto kPermissions = std::to_array<Permission>({
     {"core/", "core"},
+    {"core/c/", "Kerf for C"},
+    {"core/c/", "C"},
     {"core/tree/hash.cpp", "xxHash"},
     {"core/world/seal.cpp", "xxHash"},
     {"core/recording/chain.cpp", "xxHash"},

@@ -74,8 +74,8 @@ class ModelWorld {
       return object.def.kind == ObjectKind::moving || object.def.kind == ObjectKind::sensor;
     };
     if (!is_active(one) && !is_active(two)) return false;
-    const Filter& a = one.def.filter;
-    const Filter& b = two.def.filter;
+    const PairFilter& a = one.def.filter;
+    const PairFilter& b = two.def.filter;
     const bool same_group = a.group == b.group && a.group != 0;
     const bool by_bits = (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
     if (same_group ? a.group < 0 : !by_bits) return false;

@@ -102,7 +102,7 @@ class Sequence {
     def.user_data = random_.below(10);
     return def;
   }
-  Filter some_filter() {
+  PairFilter some_filter() {
     if (random_.below(2) == 0) return {};
     return {random_.below(8), random_.below(8), static_cast<std::int32_t>(random_.below(5)) - 2};
   }
@@ -204,7 +204,7 @@ class Sequence {
   }
   void set_filter() {
     const Handle handle = some_handle();
-    const Filter filter = some_filter();
+    const PairFilter filter = some_filter();
     if (expect_alive(world_.set_filter(handle, filter), handle))
       model_.objects.at(handle).def.filter = filter;
   }

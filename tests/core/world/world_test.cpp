@@ -212,7 +212,7 @@ TYPED_TEST(WorldOf, RequestsThatFailChangeNothing) {
   EXPECT_EQ(before, after);
 }
 
-TYPED_TEST(WorldOf, ABatchTellsTheStatusOfEachObject) {
+TYPED_TEST(WorldOf, ABatchHasAStatusForEachObject) {
   Box<TypeParam::value> bad = this->at(0);
   bad.min[0] = kNan;
   Box<TypeParam::value> endless = this->at(0);
@@ -245,7 +245,7 @@ TYPED_TEST(WorldOf, ABatchTellsTheStatusOfEachObject) {
   EXPECT_EQ(this->world.size(), 0U);
 }
 
-TYPED_TEST(WorldOf, ABatchOfValidMovesTellsWhatWasClamped) {
+TYPED_TEST(WorldOf, ABatchOfValidMovesSaysWhatWasClamped) {
   const std::vector<Handle> handles{this->add(0), this->add(5)};
   Box<TypeParam::value> endless = this->at(0);
   endless.max[0] = kInfinity;

@@ -1,0 +1,141 @@
+#include "core/c/kerf.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "core/c/call.h"
+
+namespace kerf::c {
+namespace {
+
+constexpr kerf_world_options kDefaults{0, KERF_PAIRS_OF_FAT_BOXES, 1, 0, nullptr};
+
+void describe(kerf_error* error, kerf_status status, std::string_view text) {
+  if (error == nullptr || error->size < kLeastError) return;
+  error->status = status;
+  const std::size_t room =
+      std::min<std::size_t>(error->size - offsetof(kerf_error, text), sizeof error->text);
+  const std::size_t length = std::min(room - 1, text.size());
+  std::memcpy(error->text, text.data(), length);
+  error->text[length] = '\0';
+}
+
+WorldOptions to_options(const kerf_world_options& given) {
+  WorldOptions options;
+  if (given.config != nullptr) apply(options.config, given.config);
+  if (given.pairs_of > KERF_PAIRS_OF_EXACT_BOXES) throw std::invalid_argument("pairs_of is none of the list");
+  if (given.tag > UINT8_MAX) throw std::invalid_argument("tag is above 255");
+  options.pairs_of = static_cast<PairsOf>(given.pairs_of);
+  options.tag = static_cast<std::uint8_t>(given.tag);
+  options.threads = given.threads;
+  return options;
+}
+
+kerf_status create(std::uint32_t dimension, const WorldOptions& options, kerf_world** world) {
+  if (dimension == 2) {
+    *world = new kerf_world{World<2>(options), WorldIndex<2>(), false, {}, {}};
+  } else if (dimension == 3) {
+    *world = new kerf_world{World<3>(options), WorldIndex<3>(), false, {}, {}};
+  } else {
+    throw std::invalid_argument("dimension is neither 2 nor 3");
+  }
+  return KERF_OK;
+}
+
+}  // namespace
+}  // namespace kerf::c
+
+using kerf::c::change_world;
+using kerf::c::guarded;
+using kerf::c::is_missing;
+using kerf::c::kDefaults;
+using kerf::c::with_world;
+
+const char* kerf_version() { return KERF_VERSION_TEXT; }
+
+const char* kerf_status_text(kerf_status status) {
+  switch (status) {
+    case KERF_NULL_ARGUMENT:
+      return "an argument is NULL that must not be";
+    case KERF_BAD_SIZE:
+      return "a struct's size is not set, or it has members that this version does not know: use its init "
+             "function";
+    case KERF_BAD_OPTION:
+      return "an option cannot work: kerf_error says which";
+    case KERF_SMALL_BUFFER:
+      return "the memory for the result is too small: the size that is needed was written";
+    case KERF_BUSY:
+      return "a callback must not change the world that called it";
+    case KERF_OUT_OF_MEMORY:
+      return "there is no more memory";
+    case KERF_INTERNAL_ERROR:
+      return "a fault of Kerf's: please report it";
+    case KERF_BAD_QUERY:
+      return "a query with NaN, an infinite place, a minimum above its maximum, or a negative length";
+    default:
+      break;
+  }
+  if (status < 0 || status > KERF_DAMAGED) return "no status of Kerf's";
+  return kerf::to_string(static_cast<kerf::WorldStatus>(status)).data();
+}
+
+kerf_status kerf_world_options_init(kerf_world_options* options, size_t size) {
+  if (options == nullptr) return KERF_NULL_ARGUMENT;
+  return kerf::c::write_struct(kDefaults, size, kerf::c::kLeastOptions, options);
+}
+
+kerf_status kerf_object_init(kerf_object* object, size_t size) {
+  if (object == nullptr) return KERF_NULL_ARGUMENT;
+  return kerf::c::write_struct(kerf::c::to_object({}), size, kerf::c::kLeastObject, object);
+}
+
+kerf_status kerf_error_init(kerf_error* error, size_t size) {
+  if (error == nullptr) return KERF_NULL_ARGUMENT;
+  return kerf::c::write_struct(kerf_error{}, size, kerf::c::kLeastError, error);
+}
+
+kerf_status kerf_world_create(uint32_t dimension, const kerf_world_options* options, kerf_world** world,
+                              kerf_error* error) {
+  if (world == nullptr) return KERF_NULL_ARGUMENT;
+  *world = nullptr;
+  return guarded([&]() -> kerf_status {
+    kerf_world_options given = kDefaults;
+    if (options != nullptr) {
+      const kerf_status status = kerf::c::read_struct(options, kerf::c::kLeastOptions, given);
+      if (status != KERF_OK) return status;
+    }
+    try {
+      return kerf::c::create(dimension, kerf::c::to_options(given), world);
+    } catch (const std::invalid_argument& wrong) {
+      kerf::c::describe(error, KERF_BAD_OPTION, wrong.what());
+      return KERF_BAD_OPTION;
+    }
+  });
+}
+
+void kerf_world_destroy(kerf_world* world) { delete world; }
+
+kerf_status kerf_world_save(const kerf_world* world, void* bytes, size_t capacity, size_t* size) {
+  if (size == nullptr || is_missing(bytes, capacity)) return KERF_NULL_ARGUMENT;
+  return with_world(world, [=](const auto& body) -> kerf_status {
+    std::vector<std::uint8_t> saved;
+    if (const kerf::WorldStatus status = body.save(saved); is_failure(status)) return kerf::c::to_c(status);
+    *size = saved.size();
+    if (capacity < saved.size()) return capacity == 0 ? KERF_OK : KERF_SMALL_BUFFER;
+    std::memcpy(bytes, saved.data(), saved.size());
+    return KERF_OK;
+  });
+}
+
+kerf_status kerf_world_restore(kerf_world* world, const void* bytes, size_t size, kerf_error* error) {
+  if (is_missing(bytes, size)) return KERF_NULL_ARGUMENT;
+  return change_world(world, [=](auto& body) {
+    std::string why;
+    const std::span<const std::uint8_t> view(static_cast<const std::uint8_t*>(bytes), size);
+    const kerf::WorldStatus status = body.restore(view, &why);
+    if (is_failure(status)) kerf::c::describe(error, kerf::c::to_c(status), why);
+    return kerf::c::to_c(status);
+  });
+}

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/geometry/box.h"
+#include "core/kernels/wide_block.h"
+
+namespace kerf {
+
+// What kernels ask of eight boxes at once. The floats err on the side of "possible"; where they cannot be
+// sure, the caller must look at the box himself.
+
+/// A cast: on each axis a box is met first with its near end, left with its far end.
+template <int D>
+struct CastTest {
+  std::array<Scalar, D> near_start{};      ///< the end of the moving box that meets the near end, at t = 0
+  std::array<Scalar, D> far_start{};       ///< the end that leaves the far end
+  std::array<Scalar, D> near_factor{};     ///< 1 / direction, smaller by more than all roundings
+  std::array<Scalar, D> far_factor{};      ///< larger
+  std::array<std::int8_t, D> direction{};  ///< its sign. If it is 0 the ends must be on their sides for all t
+  bool moves_on_all = true;                ///< no direction is 0
+  Scalar max_t = 0;
+};
+
+/// Squared distances from a centre: at most `sure` is surely inside, above `possible` surely not.
+template <int D>
+struct BallTest {
+  std::array<Scalar, D> center{};
+  Scalar possible = 0;
+  Scalar sure = 0;
+};
+
+/// The left side of a plane; components of the normal are at most 1/4.
+template <int D>
+struct HalfSpace {
+  std::array<Scalar, D> normal{};
+  Scalar possible = 0;  ///< the offset, rounded up
+  Scalar sure = 0;      ///< rounded down
+};
+
+template <int D>
+struct HalfSpacesTest {
+  std::span<const HalfSpace<D>> all;
+};
+
+/// A slot of a block whose box was found, and whether the caller must confirm it.
+using SlotCode = std::uint32_t;
+constexpr std::uint32_t slot_of(SlotCode code) { return code >> 1U; }
+constexpr bool is_doubtful(SlotCode code) { return (code & 1U) != 0; }
+
+/// Where findings go.
+struct FoundRoom {
+  std::uint32_t* next = nullptr;
+  std::uint32_t* limit = nullptr;
+  /// Called when the room has less than a block's width left; false ends the search.
+  bool (*make_room)(FoundRoom& room) = nullptr;
+};
+
+/// Writes the ids of all objects whose boxes overlap the region.
+template <int D>
+void find_overlaps(const BlockView<D>& view, const Box<D>& region, FoundRoom& room);
+
+/// Writes the slot codes of all objects that the test finds possible.
+template <int D, class Test>
+void find_possible(const BlockView<D>& view, const Test& test, FoundRoom& room);
+
+/// Looks at objects, nearest first.
+struct NearRoom {
+  /// Told a slot; returns the bound from now on: objects that are farther are of no interest.
+  Scalar (*consider)(NearRoom& room, SlotCode code) = nullptr;
+  Scalar bound = 0;
+};
+
+/// Calls `consider` with objects in about the order of t, or of squared distance, as long as they are within
+/// the bound. For CastTest and BallTest.
+template <int D, class Test>
+void find_near(const BlockView<D>& view, const Test& test, NearRoom& room);
+
+}  // namespace kerf

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/geometry/box.h"
+
+namespace kerf {
+
+/// Eight boxes side by side, so that a vector instruction tests all of them, and what each of them bounds: an
+/// object, or another block. An empty slot has the box from infinity to minus infinity.
+template <int D>
+struct alignas(64) WideBlock {
+  static constexpr std::size_t kWidth = 8;
+  static constexpr std::uint32_t kUnused = UINT32_MAX;
+
+  Scalar min[D][kWidth];
+  Scalar max[D][kWidth];
+  std::uint32_t
+      item[kWidth];  ///< the object's id, or twice the block's index, plus 1 if its items are blocks
+
+  [[nodiscard]] Box<D> box(std::size_t k) const {
+    Box<D> box;
+    for (int i = 0; i < D; ++i) {
+      box.min[i] = min[i][k];
+      box.max[i] = max[i][k];
+    }
+    return box;
+  }
+  [[nodiscard]] bool is_empty(std::size_t k) const { return min[0][k] > max[0][k]; }
+  void set(std::size_t k, const Box<D>& box) {
+    for (int i = 0; i < D; ++i) {
+      min[i][k] = box.min[i];
+      max[i][k] = box.max[i];
+    }
+  }
+};
+
+/// A hierarchy of blocks.
+template <int D>
+struct BlockView {
+  const WideBlock<D>* blocks = nullptr;
+  std::uint32_t root = 0;  ///< as an item of a block
+};
+
+}  // namespace kerf

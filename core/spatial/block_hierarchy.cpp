@@ -1,0 +1,170 @@
+#include "core/spatial/block_hierarchy.h"
+
+#include <algorithm>
+#include <array>
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t kWidth = 8;
+/// How much the bounds may grow before the hierarchy is built anew.
+constexpr double kMostCost = 1.5;
+
+template <int D>
+Box<D> no_box() {
+  constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
+  Box<D> box;
+  box.min.value.fill(kInfinity);
+  box.max.value.fill(-kInfinity);
+  return box;
+}
+
+template <int D>
+Box<D> bounds_of(const WideBlock<D>& block) {
+  Box<D> box;
+  for (int i = 0; i < D; ++i) {
+    Scalar low = block.min[i][0];
+    Scalar high = block.max[i][0];
+    for (std::size_t k = 1; k < kWidth; ++k) {
+      low = std::min(low, block.min[i][k]);
+      high = std::max(high, block.max[i][k]);
+    }
+    box.min[i] = low;
+    box.max[i] = high;
+  }
+  return box;
+}
+
+/// Half the perimeter in 2D, half the surface in 3D; 0 if the box is empty.
+template <int D>
+double measure(const Box<D>& box) {
+  std::array<double, 3> side{};
+  for (int i = 0; i < D; ++i)
+    side[static_cast<std::size_t>(i)] = static_cast<double>(box.max[i]) - static_cast<double>(box.min[i]);
+  if (side[0] < 0) return 0;
+  return D == 2 ? side[0] + side[1] : side[0] * (side[1] + side[2]) + side[1] * side[2];
+}
+
+}  // namespace
+
+/// An object on its way into a block.
+template <int D>
+struct BlockHierarchy<D>::Place {
+  Vector<D> center;
+  std::uint32_t object = 0;
+};
+
+template <int D>
+std::size_t BlockHierarchy<D>::bytes() const {
+  return blocks_.capacity() * (sizeof(WideBlock<D>) + sizeof(std::uint32_t) + 1);
+}
+
+template <int D>
+typename BlockHierarchy<D>::Update BlockHierarchy<D>::update(const ObjectTable<D>& objects) {
+  if (built_cost_ > 0 && refit(objects)) return Update::refit;
+  build(objects);
+  return Update::built;
+}
+
+/// Copies the boxes of a block's objects; returns how many are placed.
+template <int D>
+std::size_t BlockHierarchy<D>::take_boxes(const ObjectTable<D>& objects, std::size_t number) {
+  WideBlock<D>& block = blocks_[number];
+  std::size_t placed = 0;
+  for (std::size_t k = 0; k < kWidth; ++k) {
+    const ObjectId object{block.item[k]};
+    const bool is_placed = objects.is_placed(object);
+    block.set(k, is_placed ? objects.box(object) : no_box<D>());
+    placed += is_placed ? 1 : 0;
+  }
+  return placed;
+}
+
+/// Makes every block's box in its parent that of its items.
+template <int D>
+void BlockHierarchy<D>::join_upwards() {
+  double sum = 0;
+  for (std::size_t block = blocks_.size(); block-- > 1;) {
+    const Box<D> box = bounds_of(blocks_[block]);
+    blocks_[above_[block] / kWidth].set(above_[block] % kWidth, box);
+    sum += measure(box);
+  }
+  const double whole = blocks_.empty() ? 0 : measure(bounds_of(blocks_[0]));
+  cost_ = 1 + (whole > 0 ? sum / whole : 0);
+}
+
+/// False if the hierarchy must be built instead.
+template <int D>
+bool BlockHierarchy<D>::refit(const ObjectTable<D>& objects) {
+  std::size_t placed = 0;
+  for (std::uint32_t id = 0; id < objects.bound(); ++id) placed += objects.is_placed({id}) ? 1 : 0;
+  if (placed > slots_ || placed < slots_ / 2) return false;
+  size_ = 0;
+  for (std::size_t block = 0; block < blocks_.size(); ++block)
+    if (has_objects(block)) size_ += take_boxes(objects, block);
+  if (size_ != placed) return false;
+  join_upwards();
+  return cost_ <= kMostCost * built_cost_;
+}
+
+template <int D>
+void BlockHierarchy<D>::build(const ObjectTable<D>& objects) {
+  std::vector<Place> places;
+  places.reserve(objects.size());
+  for (std::uint32_t id = 0; id < objects.bound(); ++id)
+    if (objects.is_placed({id})) places.push_back({objects.box({id}).center(), id});
+  blocks_.clear();
+  above_.clear();
+  is_inner_.clear();
+  size_ = slots_ = places.size();
+  std::size_t room = kWidth;
+  while (room < places.size()) room *= kWidth;
+  add_block(places, room, 0);
+  for (std::size_t block = 0; block < blocks_.size(); ++block)
+    if (has_objects(block)) take_boxes(objects, block);
+  join_upwards();
+  built_cost_ = cost_;
+}
+
+/// Adds a block for these objects, below the slot `above`; full, it holds `room` of them. Returns it as an
+/// item.
+template <int D>
+std::uint32_t BlockHierarchy<D>::add_block(std::span<Place> places, std::size_t room, std::uint32_t above) {
+  const auto block = static_cast<std::uint32_t>(blocks_.size());
+  const bool is_inner = room > kWidth;
+  WideBlock<D>& added = blocks_.emplace_back();
+  for (std::size_t k = 0; k < kWidth; ++k) {
+    added.set(k, no_box<D>());
+    added.item[k] = !is_inner && k < places.size() ? places[k].object : WideBlock<D>::kUnused;
+  }
+  above_.push_back(above);
+  is_inner_.push_back(is_inner ? 1 : 0);
+  const std::size_t part = room / kWidth;
+  if (is_inner) add_children(places, part, (places.size() + part - 1) / part, block * kWidth);
+  return block * 2 + (is_inner ? 1 : 0);
+}
+
+/// Divides the objects between children that hold `room` each, and all but the last of them are full.
+template <int D>
+void BlockHierarchy<D>::add_children(std::span<Place> places, std::size_t room, std::size_t children,
+                                     std::uint32_t slot) {
+  if (children == 1) {
+    const std::uint32_t item = add_block(places, room, slot);
+    blocks_[slot / kWidth].item[slot % kWidth] = item;
+    return;
+  }
+  Box<D> centers = Box<D>::empty();
+  for (const Place& place : places) centers = join(centers, {place.center, place.center});
+  const Vector<D> extent = centers.extent();
+  const auto axis = static_cast<int>(std::ranges::max_element(extent.value) - extent.value.begin());
+  const std::size_t left = children / 2;
+  const auto middle = places.begin() + static_cast<std::ptrdiff_t>(left * room);
+  std::ranges::nth_element(places, middle, {}, [axis](const Place& p) { return p.center[axis]; });
+  add_children(places.first(left * room), room, left, slot);
+  add_children(places.subspan(left * room), room, children - left, slot + static_cast<std::uint32_t>(left));
+}
+
+template class BlockHierarchy<2>;
+template class BlockHierarchy<3>;
+
+}  // namespace kerf

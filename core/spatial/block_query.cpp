@@ -1,0 +1,97 @@
+#include "core/spatial/block_query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace kerf {
+namespace {
+
+// The kernels' sums and products of three floats have errors far below this share of their terms.
+constexpr double kSlack = 0x1p-20;
+constexpr double kTiny = 0x1p-140;
+
+/// A coordinate from which every box has a finite distance.
+bool is_usual(Scalar coordinate) { return std::abs(coordinate) <= 0x1p102F; }
+
+template <int D>
+bool are_usual(const Vector<D>& point) {
+  return std::ranges::all_of(point.value, is_usual);
+}
+
+bool has_usual_size(double factor) {
+  return factor == 0 || (std::abs(factor) >= 0x1p-100 && std::abs(factor) <= 0x1p100);
+}
+
+/// `n` times a power of two, so that the largest component is from 1/8 to 1/4.
+template <int D>
+HalfSpace<D> make_space(const Plane<D>& plane, bool& works) {
+  Scalar largest = 0;
+  for (const Scalar x : plane.normal.value) largest = std::max(largest, std::abs(x));
+  int exponent = 0;
+  (void)std::frexp(largest, &exponent);
+  const int scale = -exponent - 2;
+  HalfSpace<D> space;
+  for (std::size_t i = 0; i < D; ++i) {
+    space.normal[i] = std::ldexp(plane.normal.value[i], scale);
+    works &= has_usual_size(static_cast<double>(space.normal[i]));
+    works &= space.normal[i] != 0 || plane.normal.value[i] == 0;
+  }
+  const double offset = std::ldexp(static_cast<double>(plane.offset), scale);
+  space.possible = round_up(offset);
+  space.sure = round_down(offset);
+  return space;
+}
+
+}  // namespace
+
+Scalar bound_above(double squared_distance) {
+  const double bound = squared_distance * (1 + kSlack) + kTiny;
+  constexpr double kMax = std::numeric_limits<Scalar>::max();
+  return bound > kMax ? std::numeric_limits<Scalar>::infinity() : round_up(bound);
+}
+
+template <int D>
+SphereQuery<D>::SphereQuery(const Sphere<D>& sphere)
+    : works(are_usual(sphere.center) && sphere.radius <= 0x1p62F) {
+  const double reach = static_cast<double>(sphere.radius) * static_cast<double>(sphere.radius);
+  test.center = sphere.center.value;
+  test.possible = bound_above(reach);
+  test.sure = round_down(reach * (1 - kSlack) - kTiny);
+}
+
+template <int D>
+CastQuery<D>::CastQuery(const Cast<D>& cast) : works(are_usual(cast.box.min) && are_usual(cast.box.max)) {
+  test.near_start = cast.box.max.value;
+  test.far_start = cast.box.min.value;
+  test.max_t = cast.max_t;
+  for (std::size_t i = 0; i < D; ++i) {
+    const double direction = cast.direction[i];
+    works &= has_usual_size(direction);
+    test.moves_on_all &= direction != 0;
+    if (direction == 0) continue;
+    test.direction[i] = direction > 0 ? 1 : -1;
+    const double inverse = 1 / direction;
+    test.near_factor[i] = static_cast<Scalar>((1 - kSlack) * inverse);
+    test.far_factor[i] = static_cast<Scalar>((1 + kSlack) * inverse);
+    if (direction < 0) std::swap(test.near_start[i], test.far_start[i]);
+  }
+}
+
+template <int D>
+FrustumQuery<D>::FrustumQuery(const Frustum<D>& frustum) {
+  const std::size_t count = std::min(frustum.planes.size(), kMost);
+  for (std::size_t k = 0; k < count; ++k) spaces[k] = make_space(frustum.planes[k], works);
+  test.all = std::span(spaces.data(), count);
+}
+
+#define KERF_INSTANTIATE(D)       \
+  template struct SphereQuery<D>; \
+  template struct CastQuery<D>;   \
+  template struct FrustumQuery<D>;
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
+
+}  // namespace kerf

@@ -1,0 +1,308 @@
+#include "core/spatial/spatial_index.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <functional>
+#include <limits>
+#include <span>
+
+#include "core/kernels/search_blocks.h"
+#include "core/kernels/sort_found.h"
+#include "core/spatial/block_query.h"
+#include "core/spatial/found_numbers.h"
+#include "core/spatial/touch.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t kWidth = 8;
+
+static_assert(sizeof(ObjectId) == sizeof(std::uint32_t));
+void sort_objects(std::span<ObjectId> objects) {
+  sort_found({reinterpret_cast<std::uint32_t*>(objects.data()), objects.size()});
+}
+
+// As one number, t is above the object, and the bits of floats that are not negative grow with them.
+static_assert(std::endian::native == std::endian::little && sizeof(Hit) == sizeof(std::uint64_t));
+void sort_hits(std::span<Hit> hits) {
+  sort_found({reinterpret_cast<std::uint64_t*>(hits.data()), hits.size()});
+}
+
+template <int D>
+Box<D> box_in(const BlockHierarchy<D>& blocks, std::uint32_t slot) {
+  return blocks.blocks()[slot / kWidth].box(slot % kWidth);
+}
+template <int D>
+ObjectId object_in(const BlockHierarchy<D>& blocks, std::uint32_t slot) {
+  return {blocks.blocks()[slot / kWidth].item[slot % kWidth]};
+}
+
+/// Calls `take(slot)` for all objects, until it returns false.
+template <int D, class Take>
+void for_each_slot(const BlockHierarchy<D>& blocks, Take take) {
+  for (std::size_t block = 0; block < blocks.blocks().size(); ++block) {
+    if (!blocks.has_objects(block)) continue;
+    for (std::size_t k = 0; k < kWidth; ++k)
+      if (!blocks.blocks()[block].is_empty(k) && !take(static_cast<std::uint32_t>(block * kWidth + k)))
+        return;
+  }
+}
+
+/// Calls `take(slot)` for the objects whose boxes the query touches, until it returns false.
+template <int D, class Query, class Test, class Take>
+void for_each_touched(const BlockHierarchy<D>& blocks, const Query& query, const Test& test, bool confirm_all,
+                      HandOn when, Take take) {
+  if (!test.works) {
+    for_each_slot(blocks,
+                  [&](std::uint32_t slot) { return !touches(query, box_in(blocks, slot)) || take(slot); });
+    return;
+  }
+  find_numbers(
+      when, [&](FoundRoom& room) { find_possible(blocks.view(), test.test, room); },
+      [&](SlotCode code) {
+        const std::uint32_t slot = slot_of(code);
+        const bool must_confirm = confirm_all || is_doubtful(code);
+        return (must_confirm && !touches(query, box_in(blocks, slot))) || take(slot);
+      });
+}
+
+template <int D, class Take>
+void for_each_touched(const BlockHierarchy<D>& blocks, const Sphere<D>& sphere, HandOn when, Take take) {
+  for_each_touched(blocks, sphere, SphereQuery<D>(sphere), false, when, take);
+}
+template <int D, class Take>
+void for_each_touched(const BlockHierarchy<D>& blocks, const Cast<D>& cast, HandOn when, Take take) {
+  for_each_touched(blocks, cast, CastQuery<D>(cast), false, when, take);
+}
+template <int D, class Take>
+void for_each_touched(const BlockHierarchy<D>& blocks, const Frustum<D>& frustum, HandOn when, Take take) {
+  const FrustumQuery<D> query(frustum);
+  for_each_touched(blocks, frustum, query, frustum.planes.size() > query.kMost, when, take);
+}
+
+/// No object is at infinity, but empty slots are.
+template <int D>
+Box<D> clamp_to_finite(Box<D> box) {
+  constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
+  for (int i = 0; i < D; ++i) {
+    box.min[i] = std::max(box.min[i], -kMax);
+    box.max[i] = std::min(box.max[i], kMax);
+  }
+  return box;
+}
+
+template <int D, class Region>
+QueryStatus append_overlaps(const BlockHierarchy<D>& blocks, const Region& region,
+                            std::vector<ObjectId>& found, const Filter& filter) {
+  const QueryStatus status = check(region);
+  if (status != QueryStatus::ok) return status;
+  const std::size_t before = found.size();
+  for_each_touched(blocks, region, HandOn::in_bulk, [&](std::uint32_t slot) {
+    const ObjectId object = object_in(blocks, slot);
+    if (filter.takes(object)) found.push_back(object);
+    return true;
+  });
+  sort_objects(std::span(found).subspan(before));
+  return status;
+}
+
+template <int D, class Query>
+QueryStatus visit_touched(const BlockHierarchy<D>& blocks, const Query& query, const Visitor& visitor,
+                          const Filter& filter) {
+  const QueryStatus status = check(query);
+  if (status != QueryStatus::ok) return status;
+  for_each_touched(blocks, query, HandOn::at_once, [&](std::uint32_t slot) {
+    const ObjectId object = object_in(blocks, slot);
+    return !filter.takes(object) || visitor.visit(visitor.context, object);
+  });
+  return status;
+}
+
+/// The least hit so far.
+template <int D>
+struct FirstSearch : NearRoom {
+  const BlockHierarchy<D>& blocks;
+  const Cast<D>& cast;
+  const Filter& filter;
+  Hit& first;
+
+  FirstSearch(const BlockHierarchy<D>& in, const Cast<D>& of, const Filter& with, Hit& found)
+      : blocks(in), cast(of), filter(with), first(found) {
+    first = {ObjectId::none(), std::numeric_limits<Scalar>::infinity()};
+    bound = cast.max_t;
+    consider = [](NearRoom& room, SlotCode code) {
+      auto& search = static_cast<FirstSearch&>(room);
+      return search.take(slot_of(code), is_doubtful(code));
+    };
+  }
+  Scalar take(std::uint32_t slot, bool doubtful) {
+    const Box<D> box = box_in(blocks, slot);
+    if (doubtful && !touches(cast, box)) return bound;
+    const Hit hit{object_in(blocks, slot), entry_of(cast, box)};
+    if (!(hit < first) || !filter.takes(hit.object)) return bound;
+    first = hit;
+    constexpr Scalar kMax = std::numeric_limits<Scalar>::max();  // or larger
+    return hit.t < kMax ? hit.t : std::numeric_limits<Scalar>::infinity();
+  }
+};
+
+/// The nearest objects so far, as a heap with the farthest on top.
+template <int D>
+struct NearestSearch : NearRoom {
+  const BlockHierarchy<D>& blocks;
+  const Nearest<D>& query;
+  const Filter& filter;
+  std::vector<Neighbour>& found;
+  std::size_t before;
+
+  NearestSearch(const BlockHierarchy<D>& in, const Nearest<D>& of, const Filter& with,
+                std::vector<Neighbour>& into)
+      : blocks(in), query(of), filter(with), found(into), before(into.size()) {
+    const double reach = static_cast<double>(query.max_distance);
+    bound = bound_above(reach * reach);
+    consider = [](NearRoom& room, SlotCode code) {
+      return static_cast<NearestSearch&>(room).take(slot_of(code));
+    };
+  }
+  Scalar take(std::uint32_t slot) {
+    const Box<D> box = box_in(blocks, slot);
+    if (box.min[0] > box.max[0]) return bound;
+    const Neighbour next{object_in(blocks, slot), squared_distance(query.point, box)};
+    const auto heap = std::span(found).subspan(before);
+    const bool is_full = heap.size() == query.count;
+    if ((is_full && !(next < heap.front())) || !is_within_reach(box) || !filter.takes(next.object))
+      return bound;
+    if (is_full) {
+      std::ranges::pop_heap(heap, std::less<>());
+      found.back() = next;
+    } else {
+      found.push_back(next);
+    }
+    std::push_heap(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
+    return found.size() - before < query.count ? bound : bound_above(found[before].squared_distance);
+  }
+  [[nodiscard]] bool is_within_reach(const Box<D>& box) const {
+    return std::isinf(query.max_distance) || touches(Sphere<D>{query.point, query.max_distance}, box);
+  }
+};
+
+}  // namespace
+
+template <int D>
+QueryStatus SpatialIndex<D>::overlaps(const Box<D>& box, std::vector<ObjectId>& found,
+                                      const Filter& filter) const {
+  const QueryStatus status = check(box);
+  if (status != QueryStatus::ok) return status;
+  const std::size_t before = found.size();
+  const Box<D> region = clamp_to_finite(box);
+  const auto find = [&](FoundRoom& room) { find_overlaps(hierarchy_.view(), region, room); };
+  if (filter.takes_all()) {
+    append_numbers(find, found);
+  } else {
+    find_numbers(HandOn::in_bulk, find, [&](std::uint32_t id) {
+      if (filter.takes({id})) found.push_back({id});
+      return true;
+    });
+  }
+  sort_objects(std::span(found).subspan(before));
+  return status;
+}
+
+template <int D>
+QueryStatus SpatialIndex<D>::overlaps(const Sphere<D>& sphere, std::vector<ObjectId>& found,
+                                      const Filter& filter) const {
+  return append_overlaps(hierarchy_, sphere, found, filter);
+}
+
+template <int D>
+QueryStatus SpatialIndex<D>::overlaps(const Frustum<D>& frustum, std::vector<ObjectId>& found,
+                                      const Filter& filter) const {
+  return append_overlaps(hierarchy_, frustum, found, filter);
+}
+
+template <int D>
+QueryStatus SpatialIndex<D>::hits(const Cast<D>& cast, std::vector<Hit>& found, const Filter& filter) const {
+  const QueryStatus status = check(cast);
+  if (status != QueryStatus::ok) return status;
+  const std::size_t before = found.size();
+  for_each_touched(hierarchy_, cast, HandOn::in_bulk, [&](std::uint32_t slot) {
+    const ObjectId object = object_in(hierarchy_, slot);
+    if (filter.takes(object)) found.push_back({object, entry_of(cast, box_in(hierarchy_, slot))});
+    return true;
+  });
+  sort_hits(std::span(found).subspan(before));
+  return status;
+}
+
+template <int D>
+QueryStatus SpatialIndex<D>::first_hit(const Cast<D>& cast, Hit& first, const Filter& filter) const {
+  const QueryStatus status = check(cast);
+  if (status != QueryStatus::ok) return status;
+  FirstSearch<D> search(hierarchy_, cast, filter, first);
+  const CastQuery<D> query(cast);
+  if (query.works) {
+    find_near(hierarchy_.view(), query.test, search);
+  } else {
+    for_each_slot(hierarchy_, [&](std::uint32_t slot) {
+      search.bound = search.take(slot, true);
+      return true;
+    });
+  }
+  return status;
+}
+
+template <int D>
+QueryStatus SpatialIndex<D>::nearest(const Nearest<D>& nearest, std::vector<Neighbour>& found,
+                                     const Filter& filter) const {
+  const QueryStatus status = check(nearest);
+  if (status != QueryStatus::ok || nearest.count == 0) return status;
+  NearestSearch<D> search(hierarchy_, nearest, filter, found);
+  const std::size_t before = found.size();
+  const SphereQuery<D> query({nearest.point, 0});
+  if (query.works) {
+    BallTest<D> test = query.test;
+    test.possible = search.bound;
+    find_near(hierarchy_.view(), test, search);
+  } else {
+    for_each_slot(hierarchy_, [&](std::uint32_t slot) {
+      search.bound = search.take(slot);
+      return true;
+    });
+  }
+  std::sort_heap(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
+  return status;
+}
+
+template <int D>
+QueryStatus SpatialIndex<D>::visit(const Box<D>& box, const Visitor& visitor, const Filter& filter) const {
+  const QueryStatus status = check(box);
+  if (status != QueryStatus::ok) return status;
+  const Box<D> region = clamp_to_finite(box);
+  find_numbers(
+      HandOn::at_once, [&](FoundRoom& room) { find_overlaps(hierarchy_.view(), region, room); },
+      [&](std::uint32_t id) { return !filter.takes({id}) || visitor.visit(visitor.context, {id}); });
+  return status;
+}
+
+template <int D>
+QueryStatus SpatialIndex<D>::visit(const Sphere<D>& sphere, const Visitor& visitor,
+                                   const Filter& filter) const {
+  return visit_touched(hierarchy_, sphere, visitor, filter);
+}
+
+template <int D>
+QueryStatus SpatialIndex<D>::visit(const Frustum<D>& frustum, const Visitor& visitor,
+                                   const Filter& filter) const {
+  return visit_touched(hierarchy_, frustum, visitor, filter);
+}
+
+template <int D>
+QueryStatus SpatialIndex<D>::visit(const Cast<D>& cast, const Visitor& visitor, const Filter& filter) const {
+  return visit_touched(hierarchy_, cast, visitor, filter);
+}
+
+template class SpatialIndex<2>;
+template class SpatialIndex<3>;
+
+}  // namespace kerf

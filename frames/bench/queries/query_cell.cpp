@@ -1,0 +1,159 @@
+#include "frames/bench/queries/query_cell.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "frames/bench/queries/kerf_queries.h"
+#include "frames/bench/queries/query_sets.h"
+
+namespace kerf {
+namespace {
+
+/// Queries whose answers are compared with a scan.
+constexpr std::size_t kScanned = 64;
+/// Queries between two looks at the clock.
+constexpr std::uint32_t kBlock = 16;
+
+template <class Work>
+double nanoseconds(Work work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+template <int D>
+class QueryCell {
+ public:
+  explicit QueryCell(const QueryPlan& plan)
+      : plan_(plan), motion_(plan.scene->make<D>(plan.objects, plan.seed)) {
+    for (std::uint32_t step = 0; step < plan.warm_up; ++step) motion_->advance();
+    structures_.push_back(std::make_unique<KerfQueries<D>>());
+    for (auto& rival : query_rivals<D>()) structures_.push_back(std::move(rival));
+  }
+
+  std::vector<QueryRow> measure(const std::function<bool()>& goes_on) {
+    std::vector<QueryRow> rows;
+    rows.push_back(time_all("build", [&](QueryRival<D>& structure) { structure.build(motion_->boxes()); }));
+    rows.push_back(time_moves());
+    for (auto& structure : structures_) structure->build(motion_->boxes());
+    truth_.build(motion_->boxes());
+    const QuerySets<D> sets(motion_->boxes(), plan_.queries, plan_.seed);
+    for (const QueryKind<D>& kind : query_kinds<D>())
+      if (goes_on()) rows.push_back(measure(kind, sets));
+    return rows;
+  }
+
+ private:
+  QueryRow row(std::string_view kind) const {
+    return {std::string(plan_.scene->name), D, plan_.objects, std::string(kind), 0, {}};
+  }
+  template <class Work>
+  QueryRow time_all(std::string_view kind, Work work) {
+    QueryRow result = row(kind);
+    for (auto& structure : structures_) {
+      const double time = nanoseconds([&] { work(*structure); }) / plan_.objects;
+      result.times.push_back({std::string(structure->name()), time, time, 0});
+    }
+    return result;
+  }
+  /// Of some steps. Moving the boxes in our table is part of a step, not of the queries.
+  QueryRow time_moves() {
+    constexpr int kSteps = 5;
+    QueryRow result = time_all("move", [](QueryRival<D>&) {});
+    std::vector<std::vector<double>> steps(structures_.size());
+    for (int step = 0; step < kSteps; ++step) {
+      motion_->advance();
+      static_cast<KerfQueries<D>&>(*structures_.front()).prepare(motion_->boxes());
+      for (std::size_t k = 0; k < structures_.size(); ++k)
+        steps[k].push_back(nanoseconds([&] { structures_[k]->move(motion_->boxes()); }) / plan_.objects);
+    }
+    for (std::size_t k = 0; k < structures_.size(); ++k) {
+      result.times[k].least_ns = std::ranges::min(steps[k]);
+      result.times[k].median_ns = median(steps[k]);
+    }
+    return result;
+  }
+  QueryRow measure(const QueryKind<D>& kind, const QuerySets<D>& sets) {
+    QueryRow result = row(kind.name);
+    std::vector<QueryRival<D>*> able;
+    for (auto& structure : structures_) {
+      if (!kind.ask(*structure, sets, 0, 1, answer_)) continue;
+      able.push_back(structure.get());
+      result.times.push_back({std::string(structure->name()), 0, 0, 0});
+    }
+    for (std::uint32_t begin = 0; begin < plan_.queries; begin += kBlock)
+      time_block(kind, sets, begin, std::min(begin + kBlock, plan_.queries), able, result);
+    for (QueryTime& time : result.times) {
+      time.least_ns /= plan_.queries;
+      time.median_ns /= plan_.queries;
+    }
+    for (std::size_t query = 0; query < plan_.queries; ++query) compare(kind, sets, query, able, result);
+    result.found /= plan_.queries;
+    return result;
+  }
+  /// All structures have their turn with the same few queries, so that other work on the machine disturbs
+  /// them alike, and some rounds not at all.
+  void time_block(const QueryKind<D>& kind, const QuerySets<D>& sets, std::size_t begin, std::size_t end,
+                  const std::vector<QueryRival<D>*>& able, QueryRow& result) {
+    std::vector<std::vector<double>> rounds(able.size());
+    for (std::uint32_t round = 0; round < plan_.rounds; ++round)
+      for (std::size_t k = 0; k < able.size(); ++k)
+        rounds[k].push_back(nanoseconds([&] { kind.ask(*able[k], sets, begin, end, answer_); }));
+    for (std::size_t k = 0; k < able.size(); ++k) {
+      result.times[k].least_ns += std::ranges::min(rounds[k]);
+      result.times[k].median_ns += median(rounds[k]);
+    }
+  }
+  void compare(const QueryKind<D>& kind, const QuerySets<D>& sets, std::size_t query,
+               const std::vector<QueryRival<D>*>& able, QueryRow& result) {
+    Answer ours;
+    kind.ask(*able.front(), sets, query, query + 1, ours);
+    result.found += static_cast<double>(ours.size());
+    const auto differs = [&](QueryRival<D>& structure) {
+      Answer theirs;
+      kind.ask(structure, sets, query, query + 1, theirs);
+      return are_alike(kind.name, ours, theirs) ? 0U : 1U;
+    };
+    if (query < kScanned) result.times.front().differs += differs(truth_);
+    for (std::size_t k = 1; k < able.size(); ++k) result.times[k].differs += differs(*able[k]);
+  }
+
+  QueryPlan plan_;
+  std::unique_ptr<Motion<D>> motion_;
+  std::vector<std::unique_ptr<QueryRival<D>>> structures_;
+  ScanQueries<D> truth_;
+  Answer answer_;
+};
+
+}  // namespace
+
+double QueryRow::over_fastest() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (times[k].structure != "embree") least = std::min(least, times[k].least_ns);
+  return std::isinf(least) ? 0 : least / times.front().least_ns;
+}
+
+double QueryRow::over_embree() const {
+  const auto embree = std::ranges::find(times, "embree", &QueryTime::structure);
+  return embree == times.end() ? 0 : embree->least_ns / times.front().least_ns;
+}
+
+template <int D>
+std::vector<QueryRow> measure_queries(const QueryPlan& plan, const std::function<bool()>& goes_on) {
+  return QueryCell<D>(plan).measure(goes_on);
+}
+
+template std::vector<QueryRow> measure_queries<2>(const QueryPlan&, const std::function<bool()>&);
+template std::vector<QueryRow> measure_queries<3>(const QueryPlan&, const std::function<bool()>&);
+
+}  // namespace kerf

@@ -1,0 +1,149 @@
+// Lets each allocation of a run fail once, and looks whether the world stays usable: the call says so, every
+// object was taken or was not, and the next step reports exactly the pairs of the boxes that are there.
+
+#include <kerf.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+namespace {
+
+long left = -1;  ///< allocations until one fails; negative: none does
+bool failed = false;
+
+bool is_denied() {
+  if (left < 0 || left-- > 0) return false;
+  failed = true;
+  return true;
+}
+
+void* allocate(std::size_t size) {
+  void* const memory = is_denied() ? nullptr : std::malloc(size == 0 ? 1 : size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+void* allocate(std::size_t size, std::align_val_t alignment) {
+  const auto unit = static_cast<std::size_t>(alignment);
+  void* const memory = is_denied() ? nullptr : std::aligned_alloc(unit, (size + unit - 1) / unit * unit);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return allocate(size); }
+void* operator new[](std::size_t size) { return allocate(size); }
+void* operator new(std::size_t size, std::align_val_t alignment) { return allocate(size, alignment); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+// Long buffers are moved by realloc; the linker replaces its calls by these.
+extern "C" {
+void* __real_realloc(void* memory, std::size_t size);   // NOLINT: the linker's names
+void* __wrap_realloc(void* memory, std::size_t size) {  // NOLINT
+  return is_denied() ? nullptr : __real_realloc(memory, size);
+}
+}
+
+namespace {
+
+constexpr std::size_t kObjects = 70;
+
+[[noreturn]] void fail(const char* what, long allocation) {
+  std::fprintf(stderr, "allocation %ld: %s\n", allocation, what);
+  std::exit(1);
+}
+
+/// What a call may answer: that all is well, or that memory ended, if it did.
+void expect(kerf_status status, long allocation) {
+  if (status == KERF_OK || (status == KERF_OUT_OF_MEMORY && failed) ||
+      (status == KERF_STALE_HANDLE && failed))
+    return;
+  fail(kerf_status_text(status), allocation);
+}
+
+std::vector<float> boxes_of(int step) {
+  std::vector<float> boxes;
+  for (std::size_t k = 0; k < kObjects; ++k) {
+    const auto x =
+        static_cast<float>(k * 37 % 50) + 0.3F * static_cast<float>(step) * static_cast<float>(k % 3);
+    const auto y = static_cast<float>(k * 11 % 23);
+    boxes.insert(boxes.end(), {x, y, x + 3, y + 3});
+  }
+  return boxes;
+}
+
+/// How many pairs the boxes have that are there; all objects are of the moving kind.
+std::size_t true_pairs(const kerf_world* world) {
+  std::vector<kerf_handle> handles(kObjects);
+  std::size_t count = 0;
+  if (kerf_world_get_handles(world, handles.data(), handles.size(), &count) != KERF_OK) return 0;
+  std::size_t pairs = 0;
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t i = 0; i < k; ++i) {
+      float a[4];
+      float b[4];
+      (void)kerf_world_get_box(world, handles[k], a);
+      (void)kerf_world_get_box(world, handles[i], b);
+      pairs += a[0] <= b[2] && b[0] <= a[2] && a[1] <= b[3] && b[1] <= a[3] ? 1 : 0;
+    }
+  return pairs;
+}
+
+/// A run in which the allocation of that number fails. False if it has fewer.
+bool run(long allocation) {
+  failed = false;
+  kerf_world_options options;
+  expect(kerf_world_options_init(&options, sizeof options), allocation);
+  options.config = "min_threshold=4,max_threshold=8,schedule_interval=2";
+  options.pairs_of = KERF_PAIRS_OF_EXACT_BOXES;
+  left = allocation;
+  kerf_world* world = nullptr;
+  expect(kerf_world_create(2, &options, &world, nullptr), allocation);
+  std::vector<kerf_handle> handles;
+  const long rest = left;
+  left = -1;  // our own lists are allowed to be there
+  handles.resize(kObjects);
+  std::vector<std::vector<float>> boxes;
+  for (int step = 0; step < 6; ++step) boxes.push_back(boxes_of(step));
+  left = rest;
+  if (world == nullptr) return true;
+  expect(kerf_world_insert(world, boxes[0].data(), nullptr, 0, kObjects, handles.data(), nullptr),
+         allocation);
+  for (std::size_t step = 1; step < 6; ++step) {
+    expect(kerf_world_step(world), allocation);
+    expect(kerf_world_move(world, handles.data(), boxes[step].data(), kObjects, nullptr), allocation);
+    expect(kerf_world_set_margin(world, handles[step], 0.5F), allocation);
+    expect(kerf_world_set_kind(world, handles[step], KERF_FIXED), allocation);
+    expect(kerf_world_set_kind(world, handles[step], KERF_MOVING), allocation);
+    expect(kerf_world_remove(world, &handles[20 + step], 1, nullptr), allocation);
+    expect(kerf_world_insert(world, boxes[step].data(), nullptr, 0, 1, &handles[20 + step], nullptr),
+           allocation);
+  }
+  left = -1;
+  for (std::size_t step = 1; step < 6; ++step)  // what a failed set_kind left
+    (void)kerf_world_set_kind(world, handles[step], KERF_MOVING);
+  if (kerf_world_step(world) != KERF_OK) fail("the world is of no more use", allocation);
+  const kerf_pair* pairs = nullptr;
+  std::size_t count = 0;
+  if (kerf_world_pairs(world, &pairs, &count) != KERF_OK || count != true_pairs(world))
+    fail("the pairs are not those of the boxes", allocation);
+  kerf_world_destroy(world);
+  return failed;
+}
+
+}  // namespace
+
+int main() {
+  long allocation = 0;
+  while (run(allocation)) ++allocation;
+  std::printf("each of %ld allocations failed once\n", allocation);
+  return allocation > 100 ? 0 : 1;
+}
