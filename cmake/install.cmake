@@ -1,7 +1,7 @@
-# What users link, and how they find it once it is installed: find_package(kerf) gives kerf::bsp, kerf::c, kerf::scene
-# and kerf::recording, and each has a pkg-config file. Headers are included as in this repository, for example
-# #include "core/bsp/bsp.h"; that of C is <kerf.h>. A build installs shared libraries or static ones; those of two builds
-# lie beside each other.
+# What users link, and how they find it once it is installed: find_package(kerf) gives kerf::bsp, kerf::c, kerf::scene,
+# kerf::recording and kerf::adapters, and each library has a pkg-config file. Headers are included as in this repository,
+# for example #include "core/bsp/bsp.h"; that of C is <kerf.h>. A build installs shared libraries or static ones; those of
+# two builds lie beside each other.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -42,8 +42,7 @@ function(kerf_for_users target)
     list(TRANSFORM sets REPLACE "(.+)" "FILE_SET;\\1;DESTINATION;${kerf_headers};COMPONENT;development")
     install(TARGETS ${target} EXPORT kerf-targets
       LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
-      ARCHIVE COMPONENT development
-      ${sets})
+      ARCHIVE COMPONENT development ${sets})
   endif()
 endfunction()
 

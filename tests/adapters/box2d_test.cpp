@@ -163,6 +163,12 @@ TEST_F(Box2dBroadPhaseTest, FixturesAndBodiesChangeAsTheyLike) {
   step();
   EXPECT_EQ(world_.GetContactCount(), 0);
   EXPECT_EQ(broad_phase_.world().size(), 2U);
+  b2Body& late = add_box(b2_staticBody, 3, -3.6F, 0.5F, 0.5F);  // in the floor
+  step();
+  EXPECT_EQ(world_.GetContactCount(), 0);
+  late.SetType(b2_dynamicBody);
+  step();
+  EXPECT_EQ(touching(), 1);
 }
 
 TEST_F(Box2dBroadPhaseTest, WhatIsFastHitsAThinWall) {
