@@ -69,25 +69,26 @@ std::string text_of(const PythonBroadPhase& phase) {
 }
 
 void bind_results(py::class_<PythonBroadPhase>& type) {
-  using Phase = PythonBroadPhase;
-  type.def_property_readonly("pairs", &Phase::pairs, "The pairs of the last step: (m, 2) uint32, read-only.")
+  using Subject = PythonBroadPhase;
+  type.def_property_readonly("pairs", &Subject::pairs,
+                             "The pairs of the last step: (m, 2) uint32, read-only.")
       .def_property_readonly(
-          "begun", &Phase::begun,
+          "begun", &Subject::begun,
           "Pairs of the last step that the one before did not have, in ascending order: (m, 2) "
           "uint32. Needs changes=True.")
       .def_property_readonly(
-          "ended", &Phase::ended,
+          "ended", &Subject::ended,
           "Pairs of the step before that the last one does not have, in ascending order: (m, 2) "
           "uint32. Needs changes=True.")
       .def_property_readonly(
-          "ids", &Phase::ids,
+          "ids", &Subject::ids,
           "The ids of all objects, ascending: (n,) uint32. Row k of boxes belongs to ids[k].")
-      .def_property_readonly("boxes", &Phase::boxes,
+      .def_property_readonly("boxes", &Subject::boxes,
                              "The boxes as they are taken, in the order of .ids: (n, 2, d) float32.")
-      .def_property_readonly("fixed", &Phase::fixed,
+      .def_property_readonly("fixed", &Subject::fixed,
                              "Which objects are fixed, in the order of .ids: (n,) bool.")
       .def_property_readonly(
-          "statistics", &Phase::statistics,
+          "statistics", &Subject::statistics,
           "The tree after the last step: objects, leaves, height, entries, redundancy, operators "
           "since the beginning, and the seconds of each phase of the last step.");
 }
@@ -95,25 +96,25 @@ void bind_results(py::class_<PythonBroadPhase>& type) {
 }  // namespace
 
 void bind_broad_phase(py::module_& module) {
-  using Phase = PythonBroadPhase;
-  py::class_<Phase> type(module, "BroadPhase", kBroadPhaseClass);
+  using Subject = PythonBroadPhase;
+  py::class_<Subject> type(module, "BroadPhase", kBroadPhaseClass);
   type.def(py::init(&make), py::arg("dimension"), py::kw_only(), py::arg("tree") = "kerf",
            py::arg("config") = py::none(), py::arg("threads") = 1, py::arg("changes") = false,
            py::arg("record") = py::none())
-      .def("insert", &Phase::insert, py::arg("boxes"), py::kw_only(), py::arg("ids") = py::none(),
+      .def("insert", &Subject::insert, py::arg("boxes"), py::kw_only(), py::arg("ids") = py::none(),
            py::arg("fixed") = false, kInsert)
-      .def("move", &Phase::move, py::arg("boxes"), py::arg("ids") = py::none(), kMove)
-      .def("remove", &Phase::remove, py::arg("ids"), kRemove)
-      .def("step", &Phase::step, py::arg("boxes") = py::none(), kStep)
-      .def("close", &Phase::close, "Completes the recording, if there is one: the file then has its name.")
-      .def("__len__", &Phase::size)
+      .def("move", &Subject::move, py::arg("boxes"), py::arg("ids") = py::none(), kMove)
+      .def("remove", &Subject::remove, py::arg("ids"), kRemove)
+      .def("step", &Subject::step, py::arg("boxes") = py::none(), kStep)
+      .def("close", &Subject::close, "Completes the recording, if there is one: the file then has its name.")
+      .def("__len__", &Subject::size)
       .def("__repr__", &text_of)
       .def("__enter__", [](const py::object& self) { return self; })
-      .def("__exit__", [](Phase& phase, const py::args&) { phase.close(); })
-      .def_property_readonly("dimension", &Phase::dimension, "2 or 3.")
-      .def_property_readonly("steps", &Phase::steps, "Steps done so far.")
+      .def("__exit__", [](Subject& phase, const py::args&) { phase.close(); })
+      .def_property_readonly("dimension", &Subject::dimension, "2 or 3.")
+      .def_property_readonly("steps", &Subject::steps, "Steps done so far.")
       .def_property_readonly(
-          "config", [](const Phase& phase) { return config_dict(phase.config()); },
+          "config", [](const Subject& phase) { return config_dict(phase.config()); },
           "All parameters of the tree, by name.");
   bind_results(type);
   bind_queries(type);

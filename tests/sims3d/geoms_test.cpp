@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/base/random.h"
+#include "sims3d/ode/geom_box.h"
 
 namespace kerf {
 namespace {
