@@ -7,7 +7,7 @@
 
 namespace kerf::inline sims2d {
 
-/// The object that a body of a `World` stands for.
+/// The object that a body of a `Box2dWorld` stands for.
 inline ObjectId object_of(b2Body& body) {
   return ObjectId{static_cast<std::uint32_t>(body.GetUserData().pointer)};
 }

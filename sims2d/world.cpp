@@ -37,7 +37,7 @@ b2BodyDef definition(const BodyPlan& plan, std::size_t object) {
   def.angle = plan.angle;
   def.linearVelocity.Set(plan.velocity[0], plan.velocity[1]);
   def.angularVelocity = plan.spin;
-  def.linearDamping = plan.driven ? 0 : World::kDrag;
+  def.linearDamping = plan.driven ? 0 : Box2dWorld::kDrag;
   def.angularDamping = plan.driven ? 0 : kSpinDrag;
   def.userData.pointer = object;
   return def;
@@ -60,16 +60,16 @@ bool is_finite(const Pose<2>& pose) {
 
 }  // namespace
 
-World::World(BroadPhase<2>& broad_phase, Scalar gravity)
+Box2dWorld::Box2dWorld(BroadPhase<2>& broad_phase, Scalar gravity)
     : broad_phase_(broad_phase),
       engine_(std::make_unique<b2World>(b2Vec2(0.0F, -gravity))),
       admitted_(std::make_unique<Box2dContacts>(*engine_)) {
   engine_->SetContinuousPhysics(false);
 }
 
-World::~World() = default;
+Box2dWorld::~Box2dWorld() = default;
 
-ObjectId World::add(const BodyPlan& plan) {
+ObjectId Box2dWorld::add(const BodyPlan& plan) {
   check_plan(plan);
   const std::unique_ptr<b2Shape> shape = to_box2d(plan.shape);
   const ObjectId object{static_cast<std::uint32_t>(bodies_.size())};
@@ -88,19 +88,19 @@ ObjectId World::add(const BodyPlan& plan) {
   return object;
 }
 
-b2Body& World::moving_body(ObjectId object) const {
+b2Body& Box2dWorld::moving_body(ObjectId object) const {
   if (object.index() >= bodies_.size() || bodies_[object.index()].mobility == Mobility::fixed)
     throw std::invalid_argument("only a moving object can be placed, pushed, reshaped or asked how it moves");
   return *handles_[object.index()];
 }
 
-void World::push(ObjectId object, const Vector<2>& acceleration) {
+void Box2dWorld::push(ObjectId object, const Vector<2>& acceleration) {
   b2Body& body = moving_body(object);
   const float mass = body.GetMass();
   body.ApplyForceToCenter({mass * acceleration[0], mass * acceleration[1]}, true);
 }
 
-void World::reshape(ObjectId object, const Shape<2>& shape) {
+void Box2dWorld::reshape(ObjectId object, const Shape<2>& shape) {
   b2Body& body = moving_body(object);
   const std::unique_ptr<b2Shape> made = to_box2d(shape);
   const b2FixtureDef fixture = material(*made);
@@ -112,14 +112,14 @@ void World::reshape(ObjectId object, const Shape<2>& shape) {
   reshaped_[object.index()] = 1;
 }
 
-Vector<2> World::velocity_of(ObjectId object) const {
+Vector<2> Box2dWorld::velocity_of(ObjectId object) const {
   const b2Vec2& velocity = moving_body(object).GetLinearVelocity();
   return {{velocity.x, velocity.y}};
 }
 
-Scalar World::spin_of(ObjectId object) const { return moving_body(object).GetAngularVelocity(); }
+Scalar Box2dWorld::spin_of(ObjectId object) const { return moving_body(object).GetAngularVelocity(); }
 
-void World::place(ObjectId object, const BodyPlan& plan) {
+void Box2dWorld::place(ObjectId object, const BodyPlan& plan) {
   b2Body& body = moving_body(object);
   check_plan(plan);
   body.SetTransform({plan.position[0], plan.position[1]}, plan.angle);
@@ -128,7 +128,7 @@ void World::place(ObjectId object, const BodyPlan& plan) {
   body.SetAwake(true);
 }
 
-void World::advance() {
+void Box2dWorld::advance() {
   ++step_;
   update_boxes();
   ask();
@@ -137,7 +137,7 @@ void World::advance() {
   collect_contacts();
 }
 
-void World::update_boxes() {
+void Box2dWorld::update_boxes() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Body<2>& body = bodies_[i];
     if (body.mobility == Mobility::fixed) continue;
@@ -159,7 +159,7 @@ void World::update_boxes() {
                              std::string(to_string(refusal->status)));
 }
 
-void World::ask() {
+void Box2dWorld::ask() {
   broad_phase_.step();
   const std::span<const Pair> pairs = broad_phase_.pairs();
   pairs_.assign(pairs.begin(), pairs.end());
@@ -170,7 +170,7 @@ void World::ask() {
                                std::to_string(pair.b.value) + ", which cannot be");
 }
 
-void World::collect_contacts() {
+void Box2dWorld::collect_contacts() {
   contacts_.clear();
   for (b2Contact* contact = engine_->GetContactList(); contact != nullptr; contact = contact->GetNext())
     if (contact->IsTouching()) contacts_.push_back(pair_of(*contact));

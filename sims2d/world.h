@@ -47,7 +47,7 @@ struct BodyPlan {
 ///
 /// The solver's result depends on the order of contacts, so pairs are sorted before they become contacts:
 /// broad phases that agree on the pairs give bit-identical trajectories.
-class World {
+class Box2dWorld {
  public:
   static constexpr Scalar kStepSeconds = 1.0F / 25.0F;
   static constexpr Scalar kGravity = 10.0F;
@@ -55,10 +55,10 @@ class World {
   static constexpr Scalar kFallSpeed = kGravity / kDrag;  ///< at which drag and gravity are equal
 
   /// `broad_phase` must hold no objects and outlive the world. `gravity` pulls down.
-  explicit World(BroadPhase<2>& broad_phase, Scalar gravity = kGravity);
-  ~World();
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
+  explicit Box2dWorld(BroadPhase<2>& broad_phase, Scalar gravity = kGravity);
+  ~Box2dWorld();
+  Box2dWorld(const Box2dWorld&) = delete;
+  Box2dWorld& operator=(const Box2dWorld&) = delete;
 
   /// Adds a body and its box. Throws std::invalid_argument for an invalid shape or pose, and
   /// std::runtime_error if the broad phase refuses the object.

@@ -63,7 +63,7 @@ bool is_finite(const dReal* values, int count) {
 
 }  // namespace
 
-World::World(BroadPhase<3>& broad_phase, std::uint64_t seed, const WorldSettings& settings)
+OdeWorld::OdeWorld(BroadPhase<3>& broad_phase, std::uint64_t seed, const WorldSettings& settings)
     : broad_phase_(broad_phase),
       settings_(settings),
       sleep_(settings.sleep),
@@ -73,7 +73,7 @@ World::World(BroadPhase<3>& broad_phase, std::uint64_t seed, const WorldSettings
   joints_.reset(dJointGroupCreate(0));
 }
 
-World::~World() {
+OdeWorld::~OdeWorld() {
   const auto lock = library_.enter();
   geoms_.clear();
   rigid_.clear();
@@ -81,7 +81,7 @@ World::~World() {
   world_.reset();
 }
 
-ObjectId World::add_fixed(const Shape<3>& shape, const Vector<3>& position) {
+ObjectId OdeWorld::add_fixed(const Shape<3>& shape, const Vector<3>& position) {
   const auto lock = library_.enter();
   Geom geom = make_geom(shape);
   dGeomSetPosition(geom.geom.get(), static_cast<double>(position[0]), static_cast<double>(position[1]),
@@ -89,7 +89,7 @@ ObjectId World::add_fixed(const Shape<3>& shape, const Vector<3>& position) {
   return add(std::move(geom), nullptr, shape, Mobility::fixed);
 }
 
-ObjectId World::add_moving(const Shape<3>& shape, const Pose<3>& pose, const Twist& motion) {
+ObjectId OdeWorld::add_moving(const Shape<3>& shape, const Pose<3>& pose, const Twist& motion) {
   const auto lock = library_.enter();
   Geom geom = make_geom(shape);
   const dMass mass = make_mass(shape, settings_.density);
@@ -101,7 +101,7 @@ ObjectId World::add_moving(const Shape<3>& shape, const Pose<3>& pose, const Twi
   return add(std::move(geom), std::move(rigid), shape, Mobility::moving);
 }
 
-ObjectId World::add(Geom geom, OdeHandle<dxBody> rigid, const Shape<3>& shape, Mobility mobility) {
+ObjectId OdeWorld::add(Geom geom, OdeHandle<dxBody> rigid, const Shape<3>& shape, Mobility mobility) {
   const ObjectId object{static_cast<std::uint32_t>(bodies_.size())};
   const Volume<3> volume = outward_volume(broad_phase_.volume_kind(), shape, geom.geom.get());
   accept(broad_phase_.insert(object, volume, mobility), broad_phase_, object);
@@ -113,13 +113,13 @@ ObjectId World::add(Geom geom, OdeHandle<dxBody> rigid, const Shape<3>& shape, M
   return object;
 }
 
-dBodyID World::moving_body(ObjectId object) const {
+dBodyID OdeWorld::moving_body(ObjectId object) const {
   if (object.index() >= rigid_.size() || !rigid_[object.index()])
     throw std::invalid_argument("only a moving object can be placed, pushed, reshaped or asked how it moves");
   return rigid_[object.index()].get();
 }
 
-void World::place(ObjectId object, const Vector<3>& position, const Twist& motion) {
+void OdeWorld::place(ObjectId object, const Vector<3>& position, const Twist& motion) {
   dBodyID body = moving_body(object);
   const auto lock = library_.enter();
   dBodySetPosition(body, static_cast<double>(position[0]), static_cast<double>(position[1]),
@@ -129,7 +129,7 @@ void World::place(ObjectId object, const Vector<3>& position, const Twist& motio
   moved_[object.index()] = 1;
 }
 
-void World::push(ObjectId object, const Vector<3>& acceleration) {
+void OdeWorld::push(ObjectId object, const Vector<3>& acceleration) {
   dBodyID body = moving_body(object);
   const auto lock = library_.enter();
   dMass mass;
@@ -139,7 +139,7 @@ void World::push(ObjectId object, const Vector<3>& acceleration) {
                 mass.mass * static_cast<double>(acceleration[2]));
 }
 
-void World::reshape(ObjectId object, const Shape<3>& shape) {
+void OdeWorld::reshape(ObjectId object, const Shape<3>& shape) {
   dBodyID body = moving_body(object);
   const auto lock = library_.enter();
   Geom geom = make_geom(shape);
@@ -152,12 +152,12 @@ void World::reshape(ObjectId object, const Shape<3>& shape) {
   moved_[object.index()] = 1;
 }
 
-void World::set_max_speed(ObjectId object, double speed) {
+void OdeWorld::set_max_speed(ObjectId object, double speed) {
   static_cast<void>(moving_body(object));
   max_speeds_[object.index()] = speed;
 }
 
-Twist World::twist_of(ObjectId object) const {
+Twist OdeWorld::twist_of(ObjectId object) const {
   const dBodyID body = moving_body(object);
   const dReal* linear = dBodyGetLinearVel(body);
   const dReal* angular = dBodyGetAngularVel(body);
@@ -169,7 +169,7 @@ Twist World::twist_of(ObjectId object) const {
   return motion;
 }
 
-void World::advance() {
+void OdeWorld::advance() {
   {
     const auto lock = library_.enter();
     update_boxes();
@@ -184,7 +184,7 @@ void World::advance() {
   ++step_;
 }
 
-void World::update_boxes() {
+void OdeWorld::update_boxes() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (moved_[i] == 0 || !rigid_[i]) continue;
     const ObjectId object{static_cast<std::uint32_t>(i)};
@@ -199,7 +199,7 @@ void World::update_boxes() {
   if (const auto refusal = moves_.send(broad_phase_)) accept(refusal->status, broad_phase_, refusal->object);
 }
 
-void World::sort_pairs() {
+void OdeWorld::sort_pairs() {
   pairs_.clear();
   for (const Pair pair : broad_phase_.pairs()) {
     const Pair ordered = make_pair(pair.a, pair.b);
@@ -212,7 +212,7 @@ void World::sort_pairs() {
   std::sort(pairs_.begin(), pairs_.end());
 }
 
-void World::find_contacts() {
+void OdeWorld::find_contacts() {
   candidates_.clear();
   std::unique_copy(pairs_.begin(), pairs_.end(), std::back_inserter(candidates_));
   std::erase_if(candidates_,
@@ -221,18 +221,18 @@ void World::find_contacts() {
   std::fill(moved_.begin(), moved_.end(), std::uint8_t{0});
 }
 
-bool World::is_asleep(ObjectId object) const {
+bool OdeWorld::is_asleep(ObjectId object) const {
   dBodyID body = rigid_[object.index()].get();
   return body != nullptr && dBodyIsEnabled(body) == 0;
 }
 
-bool World::is_awake(ObjectId object) const {
+bool OdeWorld::is_awake(ObjectId object) const {
   dBodyID body = rigid_[object.index()].get();
   return body != nullptr && dBodyIsEnabled(body) != 0;
 }
 
 /// A sleeper wakes when something that it touched is gone, as it may have rested on it, or when it is hit.
-void World::wake() {
+void OdeWorld::wake() {
   for (const Pair pair : narrow_phase_.parted())
     for (const ObjectId object : {pair.a, pair.b})
       if (is_asleep(object)) sleep_.wake(object, rigid_[object.index()].get());
@@ -240,7 +240,7 @@ void World::wake() {
     if (is_asleep(touch.pair.a) != is_asleep(touch.pair.b)) wake_hit(touch);
 }
 
-void World::wake_hit(const Touch& touch) {
+void OdeWorld::wake_hit(const Touch& touch) {
   const bool first_sleeps = is_asleep(touch.pair.a);
   const ObjectId sleeper = first_sleeps ? touch.pair.a : touch.pair.b;
   const ObjectId other = first_sleeps ? touch.pair.b : touch.pair.a;
@@ -256,13 +256,13 @@ void World::wake_hit(const Touch& touch) {
   }
 }
 
-void World::join() {
+void OdeWorld::join() {
   dJointGroupEmpty(joints_.get());
   for (const Touch& touch : narrow_phase_.touches())
     if (is_awake(touch.pair.a) || is_awake(touch.pair.b)) join(touch);
 }
 
-void World::join(const Touch& touch) {
+void OdeWorld::join(const Touch& touch) {
   dContact contact{};
   contact.surface.mode = dContactApprox1 | dContactBounce;
   contact.surface.mu = settings_.friction;
@@ -278,7 +278,7 @@ void World::join(const Touch& touch) {
   }
 }
 
-void World::integrate() {
+void OdeWorld::integrate() {
   // ODE has one seed for all worlds; ours replaces it for the time of the step.
   const unsigned long others = dRandGetSeed();
   dRandSetSeed(solver_seed_);
@@ -298,7 +298,7 @@ void World::integrate() {
   }
 }
 
-void World::check_and_limit(ObjectId object, dBodyID body) const {
+void OdeWorld::check_and_limit(ObjectId object, dBodyID body) const {
   const dReal* velocity = dBodyGetLinearVel(body);
   if (!is_finite(dBodyGetPosition(body), 3) || !is_finite(dBodyGetQuaternion(body), 4) ||
       !is_finite(velocity, 3))

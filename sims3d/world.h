@@ -43,13 +43,13 @@ struct Twist {
 ///
 /// Use one world from one thread at a time; several worlds may live, and be advanced by several threads, at
 /// once.
-class World {
+class OdeWorld {
  public:
   /// Takes an empty broad phase, which must outlive the world. `seed` is the solver's.
-  World(BroadPhase<3>& broad_phase, std::uint64_t seed, const WorldSettings& settings = {});
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
-  ~World();
+  OdeWorld(BroadPhase<3>& broad_phase, std::uint64_t seed, const WorldSettings& settings = {});
+  OdeWorld(const OdeWorld&) = delete;
+  OdeWorld& operator=(const OdeWorld&) = delete;
+  ~OdeWorld();
 
   /// Adds an object that never moves. It is given to the broad phase once. Throws std::invalid_argument for a
   /// shape that `make_geom` refuses, std::runtime_error if the broad phase refuses the object.

@@ -168,7 +168,7 @@ struct TestOf<D, HalfSpacesTest<D>> {
     const FloatTag f;
     Marks possible = hn::Le(hn::Load(f, block.min[0] + k), hn::Load(f, block.max[0] + k));
     Some excess = hn::Set(f, -FLT_MAX);
-    for (const HalfSpace<D>& space : given.all) {
+    for (const RoundedHalfSpace<D>& space : given.all) {
       Some sum = hn::Zero(f);
       Some size = hn::Zero(f);
       for (std::size_t i = 0; i < D; ++i) {

@@ -35,7 +35,7 @@ struct BallTest {
 
 /// The left side of a plane; components of the normal are at most 1/4.
 template <int D>
-struct HalfSpace {
+struct RoundedHalfSpace {
   std::array<Scalar, D> normal{};
   Scalar possible = 0;  ///< the offset, rounded up
   Scalar sure = 0;      ///< rounded down
@@ -43,7 +43,7 @@ struct HalfSpace {
 
 template <int D>
 struct HalfSpacesTest {
-  std::span<const HalfSpace<D>> all;
+  std::span<const RoundedHalfSpace<D>> all;
 };
 
 /// A slot of a block whose box was found, and whether the caller must confirm it.
@@ -69,7 +69,7 @@ void find_possible(const BlockView<D>& view, const Test& test, FoundRoom& room);
 
 /// Looks at objects, nearest first.
 struct NearRoom {
-  /// Told a slot; returns the bound from now on: objects that are farther are of no interest.
+  /// Is given a slot; returns the bound from now on: objects that are farther are of no interest.
   Scalar (*consider)(NearRoom& room, SlotCode code) = nullptr;
   Scalar bound = 0;
 };

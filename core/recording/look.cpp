@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/scene/shape_kind.h"
+
 namespace kerf {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr Scalar kMostRatio = 1.6F;
 
 template <int D>
 Shape<D> stretched(const Shape<D>& shape, const Stretch<D>& stretch) {
-  const auto* const brick = std::get_if<Brick<D>>(&shape);
+  const auto* const brick = brick_of<D>(shape);
   if (brick == nullptr || stretch == Stretch<D>{}) return shape;
   Brick<D> result = *brick;
   for (std::size_t i = 0; i < D; ++i)
@@ -23,8 +25,8 @@ Shape<D> stretched(const Shape<D>& shape, const Stretch<D>& stretch) {
 
 template <int D>
 std::optional<Stretch<D>> stretch_between(const Shape<D>& base, const Shape<D>& shape) {
-  const auto* const from = std::get_if<Brick<D>>(&base);
-  const auto* const to = std::get_if<Brick<D>>(&shape);
+  const auto* const from = brick_of<D>(base);
+  const auto* const to = brick_of<D>(shape);
   if (from == nullptr || to == nullptr) return std::nullopt;
   Stretch<D> stretch{};
   for (std::size_t i = 0; i < D; ++i) {

@@ -10,6 +10,7 @@
 #include "core/base/ids.h"
 #include "core/recording/turn.h"
 #include "core/scene/scene.h"
+#include "core/scene/shape_kind.h"
 
 namespace kerf {
 
@@ -66,7 +67,7 @@ class Looks {
   std::vector<Look<D>> looks_;
 };
 
-/// How an object looks to whoever records it. The shape must live until its step has been recorded.
+/// How an object looks to a recorder. The shape must live until its step has been recorded.
 template <int D>
 struct Appearance {
   const Shape<D>* shape = nullptr;  ///< null: only its box is known
@@ -91,7 +92,7 @@ std::optional<Stretch<D>> stretch_between(const Shape<D>& base, const Shape<D>& 
 template <int D>
 Appearance<D> appearance_of(const Body<D>& body) {
   if constexpr (D == 3)
-    if (std::holds_alternative<Ball>(body.shape)) return {&body.shape, {}, std::nullopt};
+    if (is_ball<D>(body.shape)) return {&body.shape, {}, std::nullopt};
   return {&body.shape, turn_of<D>(body.pose.axes), std::nullopt};
 }
 

@@ -26,13 +26,13 @@ bool has_usual_size(double factor) {
 
 /// `n` times a power of two, so that the largest component is from 1/8 to 1/4.
 template <int D>
-HalfSpace<D> make_space(const Plane<D>& plane, bool& works) {
+RoundedHalfSpace<D> make_space(const Plane<D>& plane, bool& works) {
   Scalar largest = 0;
   for (const Scalar x : plane.normal.value) largest = std::max(largest, std::abs(x));
   int exponent = 0;
   (void)std::frexp(largest, &exponent);
   const int scale = -exponent - 2;
-  HalfSpace<D> space;
+  RoundedHalfSpace<D> space;
   for (std::size_t i = 0; i < D; ++i) {
     space.normal[i] = std::ldexp(plane.normal.value[i], scale);
     works &= has_usual_size(static_cast<double>(space.normal[i]));

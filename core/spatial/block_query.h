@@ -34,7 +34,7 @@ struct FrustumQuery {
   FrustumQuery(const FrustumQuery&) = delete;
   FrustumQuery& operator=(const FrustumQuery&) = delete;
   static constexpr std::size_t kMost = 16;
-  std::array<HalfSpace<D>, kMost> spaces;
+  std::array<RoundedHalfSpace<D>, kMost> spaces;
   HalfSpacesTest<D> test;
   bool works = true;
 };

@@ -63,7 +63,7 @@ class AttractorScene final : public WorldScene {
   }
 
   void act() override {
-    for (Attractor<2>& attractor : attractors_) attractor.advance(World::kStepSeconds, room_);
+    for (Attractor<2>& attractor : attractors_) attractor.advance(Box2dWorld::kStepSeconds, room_);
     const std::size_t turn = step() / kStepsTogether;
     for (std::uint32_t k = 0; k < bodies().size(); ++k)
       world().push(ObjectId{k}, attractors_[(cloud_of(k) + turn) % kAttractors].pull(

@@ -52,8 +52,8 @@ Shape<2> random_shape(Random& random) {
 Rain::Rain(const Band& band, const Growth& growth, std::uint64_t seed)
     : band_(band), growth_(growth), random_(seed), row_height_(band.bottom - kSlot) {}
 
-void Rain::fall(World& world, std::uint32_t step) {
-  row_height_ -= World::kFallSpeed * World::kStepSeconds;
+void Rain::fall(Box2dWorld& world, std::uint32_t step) {
+  row_height_ -= Box2dWorld::kFallSpeed * Box2dWorld::kStepSeconds;
   for (const std::uint32_t due = growth_.due(step); fallen_ < due; ++fallen_) {
     BodyPlan plan = next();
     if (fallen_ == 0) plan.position = nudged(plan.position, growth_.nudge);
@@ -63,7 +63,7 @@ void Rain::fall(World& world, std::uint32_t step) {
 }
 
 /// Keeps a full scene in motion: the oldest object is taken out of the heap and falls again.
-void Rain::recycle(World& world, std::uint32_t step) {
+void Rain::recycle(Box2dWorld& world, std::uint32_t step) {
   if (growth_.recycle == 0 || step <= growth_.steps || step % growth_.recycle != 0 || objects_.empty())
     return;
   world.place(objects_[recycled_++ % objects_.size()], next());
@@ -86,7 +86,7 @@ BodyPlan Rain::next() {
   plan.angle = between(random_, -std::numbers::pi, std::numbers::pi);
   plan.spin = between(random_, -2, 2);
   plan.position = {{band_.left + (static_cast<Scalar>(slots_.back()) + 0.5F) * kSlot + shift, row_height_}};
-  plan.velocity = {{0, -World::kFallSpeed}};
+  plan.velocity = {{0, -Box2dWorld::kFallSpeed}};
   slots_.pop_back();
   return plan;
 }

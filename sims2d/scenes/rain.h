@@ -22,9 +22,9 @@ Shape<2> random_shape(Random& random);
 
 /// Drops random objects from a band, as they are due, without ever placing one on another.
 ///
-/// Objects stand in slots of a row, in random order, and fall at `World::kFallSpeed` from the start, so that
-/// the progress of each row is known. When a row is full or has left the band, the next one begins above it;
-/// if more objects are due than the band is wide, rows pile up upwards, and every object comes in time.
+/// Objects stand in slots of a row, in random order, and fall at `Box2dWorld::kFallSpeed` from the start, so
+/// that the progress of each row is known. When a row is full or has left the band, the next one begins above
+/// it; if more objects are due than the band is wide, rows pile up upwards, and every object comes in time.
 class Rain {
  public:
   /// The band must be at least one slot (`kSlot`) wide.
@@ -34,10 +34,10 @@ class Rain {
 
   /// Adds the objects that are due in step `step` (counted from 1) to `world`, and lets old objects fall
   /// again. Call it once a step, just before the world's own.
-  void fall(World& world, std::uint32_t step);
+  void fall(Box2dWorld& world, std::uint32_t step);
 
  private:
-  void recycle(World& world, std::uint32_t step);
+  void recycle(Box2dWorld& world, std::uint32_t step);
   void begin_row();
   BodyPlan next();
 

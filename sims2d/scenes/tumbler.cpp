@@ -51,7 +51,7 @@ class TumblerScene final : public WorldScene {
     plan.driven = true;
     plan.shape = Brick<2>{{{half_ + 2 * kHalfWall, kHalfWall}}};
     plan.angle =
-        turn_ * World::kStepSeconds * static_cast<Scalar>(step()) + kQuarter * static_cast<Scalar>(wall);
+        turn_ * Box2dWorld::kStepSeconds * static_cast<Scalar>(step()) + kQuarter * static_cast<Scalar>(wall);
     const Scalar radius = half_ + kHalfWall;
     plan.position = {{std::sin(plan.angle) * radius, -std::cos(plan.angle) * radius}};
     plan.velocity = Vector<2>{{-plan.position[1], plan.position[0]}} * turn_;

@@ -59,7 +59,7 @@ void for_each_bucket(std::uint32_t side, Visit visit) {
   }
 }
 
-void add_brick(World& world, const Vector<3>& center, const Vector<3>& half) {
+void add_brick(OdeWorld& world, const Vector<3>& center, const Vector<3>& half) {
   world.add_fixed(Brick<3>{half}, center);
 }
 
@@ -75,7 +75,7 @@ Span tile_span(std::uint32_t i, std::uint32_t side) {
   return {(low + high) / 2, (high - low) / 2};
 }
 
-void add_tiles(World& world, std::uint32_t side) {
+void add_tiles(OdeWorld& world, std::uint32_t side) {
   for (std::uint32_t i = 0; i < side; ++i) {
     for (std::uint32_t k = 0; k < side; ++k) {
       const Span x = tile_span(i, side);
@@ -85,7 +85,7 @@ void add_tiles(World& world, std::uint32_t side) {
   }
 }
 
-void add_walls(World& world, Scalar x, Scalar z) {
+void add_walls(OdeWorld& world, Scalar x, Scalar z) {
   constexpr Scalar kHalfHeight = kHeight / 2;
   constexpr Scalar kOffset = kInner / 2 + kHalfWall;
   constexpr Scalar kOuterHalf = kInner / 2 + 2 * kHalfWall;
@@ -96,7 +96,7 @@ void add_walls(World& world, Scalar x, Scalar z) {
 }
 
 /// One panel for each bucket at the border, so that no object is as large as the scene.
-void add_fence(World& world, std::uint32_t side) {
+void add_fence(OdeWorld& world, std::uint32_t side) {
   constexpr Scalar kHalfHeight = kFenceHeight / 2;
   const Scalar offset = reach(side) + kHalfWall;
   for (std::uint32_t i = 0; i < side; ++i) {
@@ -127,7 +127,7 @@ template <bool MaySleep>
 std::unique_ptr<Scene<3>> make_buckets(BroadPhase<3>& broad_phase, const SceneOptions& options) {
   const SceneOptions resolved = resolve(options, kDefaultObjects, kDefaultSteps);
   const std::uint32_t side = side_for(resolved.objects);
-  const auto build = [side](World& world) {
+  const auto build = [side](OdeWorld& world) {
     for_each_bucket(side, [&world](Scalar x, Scalar z) { add_walls(world, x, z); });
     add_tiles(world, side);
     add_fence(world, side);

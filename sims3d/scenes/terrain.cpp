@@ -88,7 +88,7 @@ std::unique_ptr<Scene<3>> make_terrain(BroadPhase<3>& broad_phase, const SceneOp
   const double half = 0.5 * kTile * side;
   const Hills hills(half, Random(resolved.seed ^ kLandscapeStream));
   const std::vector<Tile> tiles = make_tiles(hills, side);
-  const auto build = [&tiles](World& world) {
+  const auto build = [&tiles](OdeWorld& world) {
     for (const Tile& tile : tiles) world.add_fixed(tile.surface, tile.middle);
   };
   return std::make_unique<DropScene>(broad_phase, kNeeds, resolved.seed,

@@ -26,11 +26,11 @@ class WorldScene : public Scene<3> {
  protected:
   /// The action before the step; it sees the poses and contacts of the step before.
   virtual void act() = 0;
-  [[nodiscard]] World& world() { return world_; }
+  [[nodiscard]] OdeWorld& world() { return world_; }
 
  private:
   Needs needs_;
-  World world_;
+  OdeWorld world_;
 };
 
 }  // namespace kerf

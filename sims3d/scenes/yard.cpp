@@ -10,7 +10,7 @@ constexpr Scalar kTile = 6;
 constexpr Scalar kHalfThickness = 0.5F;
 constexpr Scalar kHair = 0x1p-10F;  // gap between tiles: where boxes touch, no plane fits between
 
-void add_panels(World& world, Scalar along, Scalar half_tile, Scalar offset, Scalar height) {
+void add_panels(OdeWorld& world, Scalar along, Scalar half_tile, Scalar offset, Scalar height) {
   const Scalar y = height / 2;
   for (const Scalar side : {-offset, offset}) {
     world.add_fixed(Brick<3>{{{kHalfThickness, y, half_tile}}}, {{side, y, along}});
@@ -20,7 +20,7 @@ void add_panels(World& world, Scalar along, Scalar half_tile, Scalar offset, Sca
 
 }  // namespace
 
-void add_yard(World& world, Scalar half, Scalar fence_height) {
+void add_yard(OdeWorld& world, Scalar half, Scalar fence_height) {
   const int tiles = std::max(1, static_cast<int>(std::ceil(2 * half / kTile)));
   const Scalar pitch = 2 * half / static_cast<Scalar>(tiles);
   const Scalar half_tile = pitch / 2 - kHair;

@@ -18,7 +18,7 @@ using Definitions = std::map<std::string, std::set<std::string>>;  // files by t
 void note_types(const std::string& file, const std::vector<std::string>& lines, Definitions& definitions) {
   static const std::regex kNamespace(R"(^namespace ([\w: ]+) \{)");
   static const std::regex kType(
-      R"(^(?:template <.*> )?(?:struct|class|enum class) (?:\[\[\w+\]\] ?|alignas\(.*\) )?(\w+)[^;]*$)");
+      R"(^(?:template <.*> )?(?:struct|class|enum class) (?:\[\[\w+\]\] ?|alignas\(.*\) )?(\w+)\b(?!::)[^;]*$)");
   std::string space;
   std::smatch match;
   for (const std::string& line : lines) {

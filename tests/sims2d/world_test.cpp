@@ -29,26 +29,26 @@ BodyPlan moving(const Shape<2>& shape, Scalar x, Scalar y) {
 }
 
 /// The newest body; Box2D lists it first. Tests may push what the world only shows.
-b2Body& newest(const World& world) { return const_cast<b2Body&>(*world.engine().GetBodyList()); }
+b2Body& newest(const Box2dWorld& world) { return const_cast<b2Body&>(*world.engine().GetBodyList()); }
 
 /// A disc that lies on a floor, object 1 on object 0.
-void add_disc_on_floor(World& world) {
+void add_disc_on_floor(Box2dWorld& world) {
   world.add(fixed_brick({{0, -0.5F}}, {{5, 0.5F}}));
   world.add(moving(Ball{0.5F}, 0, 0.5F));
 }
 
-TEST(World, ADiscComesToRestOnTheFloor) {
+TEST(Box2dWorld, ADiscComesToRestOnTheFloor) {
   BruteForce<2> broad_phase;
-  World world(broad_phase);
+  Box2dWorld world(broad_phase);
   add_disc_on_floor(world);
   for (int i = 0; i < 100; ++i) world.advance();
   EXPECT_THAT(world.contacts(), ElementsAre(kFirstTwo));
   EXPECT_NEAR(world.bodies()[1].pose.position[1], 0.5F, 0.02F);
 }
 
-TEST(World, SilenceMeansNoContactAndFallingThrough) {
+TEST(Box2dWorld, SilenceMeansNoContactAndFallingThrough) {
   test::SilentBroadPhase broad_phase;
-  World world(broad_phase);
+  Box2dWorld world(broad_phase);
   add_disc_on_floor(world);
   for (int i = 0; i < 100; ++i) {
     world.advance();
@@ -57,10 +57,10 @@ TEST(World, SilenceMeansNoContactAndFallingThrough) {
   EXPECT_LT(world.bodies()[1].pose.position[1], -5);
 }
 
-TEST(World, APairThatIsNoLongerReportedLosesItsContact) {
+TEST(Box2dWorld, APairThatIsNoLongerReportedLosesItsContact) {
   BruteForce<2> inner;
   test::WatchedBroadPhase broad_phase(inner);
-  World world(broad_phase);
+  Box2dWorld world(broad_phase);
   add_disc_on_floor(world);
   for (int i = 0; i < 10; ++i) world.advance();
   EXPECT_EQ(world.engine().GetContactCount(), 1);
@@ -70,10 +70,10 @@ TEST(World, APairThatIsNoLongerReportedLosesItsContact) {
   EXPECT_THAT(world.contacts(), IsEmpty());
 }
 
-TEST(World, BodiesStandWhereTheNarrowPhaseSawThem) {
+TEST(Box2dWorld, BodiesStandWhereTheNarrowPhaseSawThem) {
   BruteForce<2> inner;
   test::WatchedBroadPhase broad_phase(inner);
-  World world(broad_phase);
+  Box2dWorld world(broad_phase);
   world.add(moving(Ball{0.5F}, 0, 10));
   b2Vec2 seen;
   broad_phase.before_step = [&] { seen = newest(world).GetPosition(); };
@@ -84,10 +84,10 @@ TEST(World, BodiesStandWhereTheNarrowPhaseSawThem) {
   }
 }
 
-TEST(World, FixedAndSleepingBodiesAreNotMovedInTheBroadPhase) {
+TEST(Box2dWorld, FixedAndSleepingBodiesAreNotMovedInTheBroadPhase) {
   BruteForce<2> inner;
   test::WatchedBroadPhase broad_phase(inner);
-  World world(broad_phase);
+  Box2dWorld world(broad_phase);
   add_disc_on_floor(world);
   EXPECT_THAT(broad_phase.inserted, ElementsAre(Mobility::fixed, Mobility::moving));
   for (int i = 0; i < 200; ++i) world.advance();
@@ -101,9 +101,9 @@ TEST(World, FixedAndSleepingBodiesAreNotMovedInTheBroadPhase) {
 
 // Two corners meet tip to tip at 0.026, where the narrow phase says "touch", while Box2D's fat boxes are used
 // up and do not overlap: without a new proxy Box2D would destroy the contact unseen.
-TEST(World, ATouchBeyondTheFatBoxesIsAContact) {
+TEST(Box2dWorld, ATouchBeyondTheFatBoxesIsAContact) {
   BruteForce<2> broad_phase;
-  World world(broad_phase);
+  Box2dWorld world(broad_phase);
   const Scalar start = 0.513F + 0.099F;
   world.add(moving(test::diamond(), -start, 0));
   b2Body& left = newest(world);
@@ -115,17 +115,17 @@ TEST(World, ATouchBeyondTheFatBoxesIsAContact) {
   EXPECT_THAT(world.contacts(), ElementsAre(kFirstTwo));
 }
 
-TEST(World, RefusesABroadPhaseThatHoldsObjectsAlready) {
+TEST(Box2dWorld, RefusesABroadPhaseThatHoldsObjectsAlready) {
   BruteForce<2> broad_phase;
   EXPECT_EQ(broad_phase.insert(ObjectId{0}, Box<2>{}, Mobility::moving), Status::ok);
-  World world(broad_phase);
+  Box2dWorld world(broad_phase);
   EXPECT_THROW(world.add(moving(Ball{0.5F}, 0, 0)), std::runtime_error);
   EXPECT_EQ(world.engine().GetBodyCount(), 0) << "nothing half-added";
 }
 
-TEST(World, RefusesPosesThatAreNotFinite) {
+TEST(Box2dWorld, RefusesPosesThatAreNotFinite) {
   BruteForce<2> broad_phase;
-  World world(broad_phase);
+  Box2dWorld world(broad_phase);
   const float infinity = std::numeric_limits<float>::infinity();
   EXPECT_THROW(world.add(moving(Ball{0.5F}, infinity, 0)), std::invalid_argument);
   BodyPlan spinning = moving(Ball{0.5F}, 0, 0);
@@ -133,9 +133,9 @@ TEST(World, RefusesPosesThatAreNotFinite) {
   EXPECT_THROW(world.add(spinning), std::invalid_argument);
 }
 
-TEST(World, ABodyThatLeavesTheFiniteIsNamed) {
+TEST(Box2dWorld, ABodyThatLeavesTheFiniteIsNamed) {
   test::SilentBroadPhase broad_phase;
-  World world(broad_phase);
+  Box2dWorld world(broad_phase);
   add_disc_on_floor(world);
   world.advance();
   newest(world).SetLinearVelocity(b2Vec2(std::numeric_limits<float>::quiet_NaN(), 0));
@@ -148,10 +148,10 @@ TEST(World, ABodyThatLeavesTheFiniteIsNamed) {
   }
 }
 
-TEST(World, RefusesPairsOfUnknownObjects) {
+TEST(Box2dWorld, RefusesPairsOfUnknownObjects) {
   BruteForce<2> inner;
   test::WatchedBroadPhase broad_phase(inner);
-  World world(broad_phase);
+  Box2dWorld world(broad_phase);
   add_disc_on_floor(world);
   broad_phase.edit_pairs = [](std::vector<Pair>& pairs) { pairs = {{ObjectId{0}, ObjectId{7}}}; };
   EXPECT_THROW(world.advance(), std::runtime_error);

@@ -28,12 +28,12 @@ const Shape<3> kCube = Brick<3>{{{0.5F, 0.5F, 0.5F}}};
 const Shape<3> kFloor = Brick<3>{{{90, 0.5F, 90}}};
 
 /// A fixed floor with its top at y = 0.
-ObjectId add_floor(World& world) { return world.add_fixed(kFloor, {{0, -0.5F, 0}}); }
+ObjectId add_floor(OdeWorld& world) { return world.add_fixed(kFloor, {{0, -0.5F, 0}}); }
 
 Pose<3> at(float x, float y, float z) { return {.position = {{x, y, z}}}; }
 
 /// A floor and a cloud of balls and bricks above it that overlap each other here and there.
-void add_cloud(World& world, std::uint64_t seed) {
+void add_cloud(OdeWorld& world, std::uint64_t seed) {
   add_floor(world);
   Random random(seed);
   for (int i = 0; i < 60; ++i) {
@@ -44,21 +44,23 @@ void add_cloud(World& world, std::uint64_t seed) {
   }
 }
 
-std::vector<Vector<3>> positions(const World& world) {
+std::vector<Vector<3>> positions(const OdeWorld& world) {
   std::vector<Vector<3>> list;
   for (const Body<3>& body : world.bodies()) list.push_back(body.pose.position);
   return list;
 }
 
-std::vector<Pair> contacts(const World& world) { return {world.contacts().begin(), world.contacts().end()}; }
+std::vector<Pair> contacts(const OdeWorld& world) {
+  return {world.contacts().begin(), world.contacts().end()};
+}
 
-void advance(World& world, int steps) {
+void advance(OdeWorld& world, int steps) {
   for (int i = 0; i < steps; ++i) world.advance();
 }
 
-TEST(World, BodiesAreShownAtThePosesThatTheBroadPhaseSaw) {
+TEST(OdeWorld, BodiesAreShownAtThePosesThatTheBroadPhaseSaw) {
   BruteForce<3> broad_phase;
-  World world(broad_phase, 1);
+  OdeWorld world(broad_phase, 1);
   const ObjectId ball = world.add_moving(kBall, at(1, 5, 2), {{{0, -1, 0}}, {}});
   world.advance();
   EXPECT_EQ(world.step(), 1U);
@@ -67,17 +69,17 @@ TEST(World, BodiesAreShownAtThePosesThatTheBroadPhaseSaw) {
   EXPECT_LT(world.bodies()[ball.index()].pose.position[1], 5);
 }
 
-TEST(World, FallsAsNewtonSays) {
+TEST(OdeWorld, FallsAsNewtonSays) {
   BruteForce<3> broad_phase;
-  World world(broad_phase, 1);
+  OdeWorld world(broad_phase, 1);
   world.add_moving(kBall, at(0, 50, 0), {});
   advance(world, 11);  // ten steps of dynamics are seen: 0.4 s
   EXPECT_NEAR(world.bodies()[0].pose.position[1], 50 - 0.5 * 9.81 * 0.4 * 0.4, 0.1);
 }
 
-TEST(World, NothingFallsFurtherInAStepThanTheSmallestHalfExtent) {
+TEST(OdeWorld, NothingFallsFurtherInAStepThanTheSmallestHalfExtent) {
   BruteForce<3> broad_phase;
-  World world(broad_phase, 1);
+  OdeWorld world(broad_phase, 1);
   world.add_moving(kBall, at(0, 50, 0), {});
   advance(world, 60);
   const float before = world.bodies()[0].pose.position[1];
@@ -85,9 +87,9 @@ TEST(World, NothingFallsFurtherInAStepThanTheSmallestHalfExtent) {
   EXPECT_NEAR(before - world.bodies()[0].pose.position[1], 0.35, 1e-3);
 }
 
-TEST(World, SilentBroadPhaseGivesNoContact) {
+TEST(OdeWorld, SilentBroadPhaseGivesNoContact) {
   Silent silent;
-  World world(silent, 1);
+  OdeWorld world(silent, 1);
   add_cloud(world, 3);
   for (int i = 0; i < 60; ++i) {
     world.advance();
@@ -97,11 +99,11 @@ TEST(World, SilentBroadPhaseGivesNoContact) {
     EXPECT_LT(world.bodies()[i].pose.position[1], -1) << "object " << i << " was stopped";
 }
 
-TEST(World, ContactsEqualThoseOfAllPairs) {
+TEST(OdeWorld, ContactsEqualThoseOfAllPairs) {
   BruteForce<3> oracle;
   Everything everything;
-  World world(oracle, 1);
-  World other(everything, 1);
+  OdeWorld world(oracle, 1);
+  OdeWorld other(everything, 1);
   add_cloud(world, 3);
   add_cloud(other, 3);
   for (int i = 0; i < 200; ++i) {
@@ -113,11 +115,11 @@ TEST(World, ContactsEqualThoseOfAllPairs) {
   EXPECT_THAT(world.contacts(), SizeIs(testing::Gt(60U)));
 }
 
-TEST(World, OrderAndRepetitionOfPairsChangeNothing) {
+TEST(OdeWorld, OrderAndRepetitionOfPairsChangeNothing) {
   BruteForce<3> orderly;
   Disorderly disorderly;
-  World world(orderly, 1);
-  World other(disorderly, 1);
+  OdeWorld world(orderly, 1);
+  OdeWorld other(disorderly, 1);
   add_cloud(world, 4);
   add_cloud(other, 4);
   for (int i = 0; i < 150; ++i) {
@@ -128,11 +130,11 @@ TEST(World, OrderAndRepetitionOfPairsChangeNothing) {
   EXPECT_EQ(contacts(world), contacts(other));
 }
 
-TEST(World, AnotherSolverSeedIsAnotherRun) {
+TEST(OdeWorld, AnotherSolverSeedIsAnotherRun) {
   BruteForce<3> first;
   BruteForce<3> second;
-  World world(first, 1);
-  World other(second, 2);
+  OdeWorld world(first, 1);
+  OdeWorld other(second, 2);
   add_cloud(world, 3);
   add_cloud(other, 3);
   advance(world, 100);
@@ -142,18 +144,18 @@ TEST(World, AnotherSolverSeedIsAnotherRun) {
 
 std::vector<Vector<3>> run_alone() {
   BruteForce<3> broad_phase;
-  World world(broad_phase, 1);
+  OdeWorld world(broad_phase, 1);
   add_cloud(world, 3);
   advance(world, 120);
   return positions(world);
 }
 
-TEST(World, SeveralAtOnceDoNotDisturbEachOther) {
+TEST(OdeWorld, SeveralAtOnceDoNotDisturbEachOther) {
   const std::vector<Vector<3>> alone = run_alone();
   BruteForce<3> first;
   BruteForce<3> second;
-  World world(first, 1);
-  World other(second, 7);
+  OdeWorld world(first, 1);
+  OdeWorld other(second, 7);
   add_cloud(world, 3);
   add_cloud(other, 5);
   for (int i = 0; i < 120; ++i) {
@@ -163,7 +165,7 @@ TEST(World, SeveralAtOnceDoNotDisturbEachOther) {
   EXPECT_EQ(positions(world), alone);
 }
 
-TEST(World, ThreadsDoNotDisturbEachOther) {
+TEST(OdeWorld, ThreadsDoNotDisturbEachOther) {
   const std::vector<Vector<3>> alone = run_alone();
   std::vector<std::vector<Vector<3>>> runs(3);
   std::vector<std::thread> threads;
@@ -173,9 +175,9 @@ TEST(World, ThreadsDoNotDisturbEachOther) {
   for (const auto& run : runs) EXPECT_EQ(run, alone);
 }
 
-TEST(World, FixedObjectsAreGivenOnceAndSleepersAreNotMoved) {
+TEST(OdeWorld, FixedObjectsAreGivenOnceAndSleepersAreNotMoved) {
   Seam seam;
-  World world(seam, 1);
+  OdeWorld world(seam, 1);
   add_cloud(world, 3);
   EXPECT_THAT(seam.fixed, ElementsAre(ObjectId{0}));
   advance(world, 600);
@@ -194,21 +196,21 @@ TEST(World, FixedObjectsAreGivenOnceAndSleepersAreNotMoved) {
 /// A cube on a floor and one upon it, both asleep.
 struct Tower {
   Seam broad_phase;
-  World world{broad_phase, 1};
+  OdeWorld world{broad_phase, 1};
   ObjectId floor = add_floor(world);
   ObjectId lower = world.add_moving(kCube, at(0, 0.5F, 0), {});
   ObjectId upper = world.add_moving(kCube, at(0, 1.5F, 0), {});
   Tower() { advance(world, 60); }
 };
 
-TEST(World, SleepersStillTouch) {
+TEST(OdeWorld, SleepersStillTouch) {
   Tower tower;
   EXPECT_EQ(tower.world.awake(), 0U);
   EXPECT_THAT(tower.world.contacts(),
               ElementsAre(Pair{tower.floor, tower.lower}, Pair{tower.lower, tower.upper}));
 }
 
-TEST(World, ASoftTouchDoesNotWakeTheSleeper) {
+TEST(OdeWorld, ASoftTouchDoesNotWakeTheSleeper) {
   Tower tower;
   tower.world.add_moving(kBall, at(0, 2.5F, 0), {});
   tower.broad_phase.moved.clear();
@@ -218,7 +220,7 @@ TEST(World, ASoftTouchDoesNotWakeTheSleeper) {
   EXPECT_THAT(tower.broad_phase.moved, testing::Each(ObjectId{3}));
 }
 
-TEST(World, AHitWakesTheSleeper) {
+TEST(OdeWorld, AHitWakesTheSleeper) {
   Tower tower;
   const ObjectId ball = tower.world.add_moving(kBall, at(-3, 0.5F, 0), {{{8, 0, 0}}, {}});
   advance(tower.world, 15);
@@ -227,19 +229,19 @@ TEST(World, AHitWakesTheSleeper) {
   EXPECT_THAT(ball.value, 3U);
 }
 
-TEST(World, ASleeperWakesWhenItsSupportIsTakenAway) {
+TEST(OdeWorld, ASleeperWakesWhenItsSupportIsTakenAway) {
   Tower tower;
   tower.world.place(tower.lower, {{8, 0.5F, 0}}, {});
   advance(tower.world, 40);
   EXPECT_NEAR(tower.world.bodies()[tower.upper.index()].pose.position[1], 0.5F, 0.05F);
 }
 
-TEST(World, ABoxThatDidNotChangeIsNotMoved) {
+TEST(OdeWorld, ABoxThatDidNotChangeIsNotMoved) {
   Seam seam;
   WorldSettings weightless;
   weightless.gravity = 0;
   weightless.sleep.allowed = false;
-  World world(seam, 1, weightless);
+  OdeWorld world(seam, 1, weightless);
   world.add_moving(kCube, at(0, 0, 0), {});
   world.add_moving(kCube, at(5, 0, 0), {{{1, 0, 0}}, {}});
   advance(world, 5);
@@ -247,11 +249,11 @@ TEST(World, ABoxThatDidNotChangeIsNotMoved) {
   EXPECT_THAT(seam.moved, ElementsAre(ObjectId{1}, ObjectId{1}, ObjectId{1}, ObjectId{1}));
 }
 
-TEST(World, WithoutSleepEverythingStaysAwake) {
+TEST(OdeWorld, WithoutSleepEverythingStaysAwake) {
   BruteForce<3> broad_phase;
   WorldSettings settings;
   settings.sleep.allowed = false;
-  World world(broad_phase, 1, settings);
+  OdeWorld world(broad_phase, 1, settings);
   add_floor(world);
   world.add_moving(kCube, at(0, 0.5F, 0), {});
   advance(world, 100);
@@ -259,7 +261,7 @@ TEST(World, WithoutSleepEverythingStaysAwake) {
 }
 
 /// The message of the std::runtime_error that advancing throws, "" if it throws none.
-std::string error_of_advance(World& world) {
+std::string error_of_advance(OdeWorld& world) {
   try {
     advance(world, 5);
   } catch (const std::runtime_error& error) {
@@ -268,18 +270,18 @@ std::string error_of_advance(World& world) {
   return "";
 }
 
-TEST(World, APoseThatIsNotFiniteIsAnErrorThatNamesTheObject) {
+TEST(OdeWorld, APoseThatIsNotFiniteIsAnErrorThatNamesTheObject) {
   BruteForce<3> broad_phase;
-  World world(broad_phase, 1);
+  OdeWorld world(broad_phase, 1);
   add_floor(world);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   world.add_moving(kBall, at(0, 3, 0), {{{nan, 0, 0}}, {}});
   EXPECT_THAT(error_of_advance(world), HasSubstr("object 1 has no finite pose after step 1"));
 }
 
-TEST(World, AnInventedObjectIsAnErrorThatNamesThePair) {
+TEST(OdeWorld, AnInventedObjectIsAnErrorThatNamesThePair) {
   Inventive inventive;
-  World world(inventive, 1);
+  OdeWorld world(inventive, 1);
   add_floor(world);
   inventive.extra = {{0}, {77}};
   EXPECT_THAT(error_of_advance(world), HasSubstr("gives the pair 0, 77"));
@@ -287,9 +289,9 @@ TEST(World, AnInventedObjectIsAnErrorThatNamesThePair) {
   EXPECT_THAT(error_of_advance(world), HasSubstr("gives the pair 0, 0"));
 }
 
-TEST(World, AFalseCandidateIsNoContact) {
+TEST(OdeWorld, AFalseCandidateIsNoContact) {
   Inventive inventive;
-  World world(inventive, 1);
+  OdeWorld world(inventive, 1);
   add_floor(world);
   world.add_moving(kBall, at(0, 8, 0), {});
   inventive.extra = {{0}, {1}};
@@ -298,16 +300,16 @@ TEST(World, AFalseCandidateIsNoContact) {
   EXPECT_THAT(world.contacts(), IsEmpty());
 }
 
-TEST(World, ABroadPhaseInUseIsRefused) {
+TEST(OdeWorld, ABroadPhaseInUseIsRefused) {
   BruteForce<3> broad_phase;
   ASSERT_EQ(broad_phase.insert({0}, Box<3>{}, Mobility::fixed), Status::ok);
-  World world(broad_phase, 1);
+  OdeWorld world(broad_phase, 1);
   EXPECT_THROW(add_floor(world), std::runtime_error);
 }
 
-TEST(World, ShapesWithoutSizeAreRefused) {
+TEST(OdeWorld, ShapesWithoutSizeAreRefused) {
   BruteForce<3> broad_phase;
-  World world(broad_phase, 1);
+  OdeWorld world(broad_phase, 1);
   EXPECT_THROW(world.add_moving(Ball{0}, {}, {}), std::invalid_argument);
   EXPECT_THROW(world.add_moving(Brick<3>{{{1, -1, 1}}}, {}, {}), std::invalid_argument);
   EXPECT_THROW(world.add_fixed(std::shared_ptr<const Surface>(), {}), std::invalid_argument);
@@ -316,9 +318,9 @@ TEST(World, ShapesWithoutSizeAreRefused) {
   EXPECT_THAT(world.bodies(), IsEmpty());
 }
 
-TEST(World, OnlyMovingObjectsCanBePlaced) {
+TEST(OdeWorld, OnlyMovingObjectsCanBePlaced) {
   BruteForce<3> broad_phase;
-  World world(broad_phase, 1);
+  OdeWorld world(broad_phase, 1);
   const ObjectId floor = add_floor(world);
   EXPECT_THROW(world.place(floor, {}, {}), std::invalid_argument);
   EXPECT_THROW(world.place({5}, {}, {}), std::invalid_argument);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/shape_kind.h"
 #include "tests/support/recorded_crowd.h"
 
 namespace kerf::test {
@@ -56,7 +57,7 @@ Appearance<D> CrowdShapes<D>::appearance(ObjectId object) {
   if (is_new) found->second = all_shapes<D>(std::ldexp(1.0F, size)).at(kind);
   const double angle = 0.7 * object.value + 0.05 * (object.value % 5) * tree_.steps();
   const Turn<D> turn = turn_of<D>(turned_axes<D>(angle));
-  const auto* const brick = std::get_if<Brick<D>>(&found->second);
+  const auto* const brick = brick_of<D>(found->second);
   if (brick == nullptr) return {&found->second, turn, std::nullopt};
   Brick<D> now = *brick;
   now.half[1] *= static_cast<Scalar>(1 + 0.15 * std::sin(0.4 * tree_.steps() + object.value));

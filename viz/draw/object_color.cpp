@@ -12,8 +12,8 @@ bool is_drawable(const Body<D>& body) {
   return all;
 }
 
-/// Neighbours of one colour differ a little in brightness, so that single objects are told apart.
-Color told_apart(Color color, std::size_t object) {
+/// Neighbours of one colour differ a little in brightness, so that single objects stand out.
+Color with_own_brightness(Color color, std::size_t object) {
   constexpr double kSpread = 0.22;
   constexpr std::uint32_t kGoldenRatio = 2654435769;  // of 2^32: its multiples fall evenly
   const std::uint32_t turn = static_cast<std::uint32_t>(object) * kGoldenRatio;
@@ -29,7 +29,8 @@ Color object_color(const DrawContext<D>& context, std::size_t object) {
   if (placement.leaves > 1) return palette::kStraddler;
   // In 2D the cells themselves are tinted, and objects must stand out from them.
   if (D == 2 || placement.leaves == 0) return palette::kMoving;
-  return told_apart(palette::population_color(placement.population, context.largest_population), object);
+  return with_own_brightness(palette::population_color(placement.population, context.largest_population),
+                             object);
 }
 
 template bool is_drawable<2>(const Body<2>&);

@@ -121,7 +121,7 @@ TYPED_TEST(OwnStructure, IsSoundWithoutObjects) {
 }
 
 /// Two runs have the same description.
-TYPED_TEST(OwnStructure, IsToldAlikeInEachRun) {
+TYPED_TEST(OwnStructure, IsTheSameInEachRun) {
   constexpr int kD = TestFixture::kDimension;
   const auto run = [] {
     TypeParam subject;
@@ -146,7 +146,7 @@ TYPED_TEST(OwnStructure, IsToldAlikeInEachRun) {
   }
 }
 
-TEST(Structure, TheTunedTreeSaysThatItsTestsAreNotTold) {
+TEST(Structure, TheTunedTreeSaysThatItsTestsAreNotKnown) {
   Bsp<2> tree(tuned_config());
   MovingBoxes<2> crowd(tree, 30, 1.5, 11);
   crowd.add(200);

@@ -85,7 +85,7 @@ TYPED_TEST(Structures, AreSoundOnALatticeOfTouchingBoxesAndOnOneBox) {
 }
 
 /// The names of nodes are not addresses, which no two runs share.
-TYPED_TEST(Structures, AreToldAlikeInEachRun) {
+TYPED_TEST(Structures, AreTheSameInEachRun) {
   constexpr int kD = TestFixture::kDimension;
   for (const std::string& name : broad_phase_names<kD>()) {
     const auto run = [&] {

@@ -25,7 +25,7 @@ class Scenes2d : public ::testing::TestWithParam<SceneEntry<2>> {
   static std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
     return GetParam().make(broad_phase, options);
   }
-  static const World& world_of(const Scene<2>& scene) {
+  static const Box2dWorld& world_of(const Scene<2>& scene) {
     return dynamic_cast<const RainScene&>(scene).world();
   }
 };

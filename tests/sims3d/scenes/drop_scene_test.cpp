@@ -17,8 +17,8 @@ std::size_t moving(const Scene<3>& scene) {
   return count;
 }
 
-const auto kNothing = [](World&) {};
-const auto kFloor = [](World& world) { world.add_fixed(Brick<3>{{{20, 1, 20}}}, {{0, -1, 0}}); };
+const auto kNothing = [](OdeWorld&) {};
+const auto kFloor = [](OdeWorld& world) { world.add_fixed(Brick<3>{{{20, 1, 20}}}, {{0, -1, 0}}); };
 
 TEST(DropScene, TheNumberGrowsEvenly) {
   BruteForce<3> broad_phase;

@@ -9,9 +9,9 @@ namespace {
 
 using test::TimelineDriver;
 
-std::vector<std::string> texts_of(const std::vector<Hit>& hits) {
+std::vector<std::string> texts_of(const std::vector<SearchHit>& hits) {
   std::vector<std::string> texts;
-  for (const Hit& hit : hits) texts.push_back(hit.text);
+  for (const SearchHit& hit : hits) texts.push_back(hit.text);
   return texts;
 }
 

@@ -39,7 +39,7 @@ TEST(DebuggerRay, FindsThePlaneOf2D) {
   const View view = orbit.view(640, 480);
   const auto pixel = view.project({1.5, 2.5, 0});
   ASSERT_TRUE(pixel.has_value());
-  const Ray ray = ray_through(view, pixel->x(), pixel->y());
+  const SightRay ray = ray_through(view, pixel->x(), pixel->y());
   EXPECT_NEAR(ray.start.x(), 1.5, 1e-6);
   EXPECT_NEAR(ray.start.y(), 2.5, 1e-6);
 }
@@ -47,9 +47,9 @@ TEST(DebuggerRay, FindsThePlaneOf2D) {
 TEST(DebuggerOrbit, KeepsWhatIsUnderTheMouseWhenZoomingIn2D) {
   Orbit<2> orbit;
   orbit.set_box({{{-5, 0}}, {{5, 4}}});
-  const Ray before = ray_through(orbit.view(640, 480), 500, 90);
+  const SightRay before = ray_through(orbit.view(640, 480), 500, 90);
   orbit.zoom(4, 500, 90, 640, 480);
-  const Ray after = ray_through(orbit.view(640, 480), 500, 90);
+  const SightRay after = ray_through(orbit.view(640, 480), 500, 90);
   EXPECT_NEAR((before.start - after.start).norm(), 0, 1e-6);
   orbit.move(13, -7, 640, 480);
   EXPECT_NEAR((ray_through(orbit.view(640, 480), 513, 83).start - after.start).norm(), 0, 1e-6);
@@ -94,7 +94,7 @@ TEST(DebuggerViewSettings, DirectionsFollowEachOther) {
 }
 
 TEST(DebuggerRay, EntersWhatHalfSpacesLeave) {
-  const Ray ray{{-5, 0.5, 0.5}, {2, 0, 0}};
+  const SightRay ray{{-5, 0.5, 0.5}, {2, 0, 0}};
   const Box<3> box{{{1, 0, 0}}, {{2, 1, 1}}};
   const auto sides = half_spaces(box);
   EXPECT_EQ(distance_to(ray, sides), 3);

@@ -54,25 +54,25 @@ Enumeration following(Enumeration value) {
   return static_cast<Enumeration>(static_cast<int>(value) + 1);
 }
 
-Hit selecting(const Selection& thing, const GivenNames& names, std::string note) {
+SearchHit selecting(const Selection& thing, const GivenNames& names, std::string note) {
   return {to_string(thing, names), std::move(note), [thing](DebuggerModel& model) { model.select(thing); }};
 }
 
-void add_node(DebuggerModel& model, std::string_view query, std::vector<Hit>& hits) {
+void add_node(DebuggerModel& model, std::string_view query, std::vector<SearchHit>& hits) {
   const auto id = parse_given_id(query.starts_with('n') ? query.substr(1) : query);
   if (!id || id->negative || id->magnitude > UINT32_MAX) return;
   const NodeId node{static_cast<std::uint32_t>(id->magnitude)};
   if (model.run().tree().is_alive(node)) hits.push_back(selecting(node, model.run().names(), "node"));
 }
 
-void add_object(DebuggerModel& model, std::string_view query, std::vector<Hit>& hits) {
+void add_object(DebuggerModel& model, std::string_view query, std::vector<SearchHit>& hits) {
   const GivenNames& names = model.run().names();
   const auto given = parse_given_id(query);
   const auto object = given ? names.find_object(*given) : std::nullopt;
   if (object && model.run().has(*object)) hits.push_back(selecting(*object, names, "object"));
 }
 
-void add_step(DebuggerModel& model, std::string_view query, std::vector<Hit>& hits) {
+void add_step(DebuggerModel& model, std::string_view query, std::vector<SearchHit>& hits) {
   const GivenNames& names = model.run().names();
   const auto step = names.find_step(query);
   if (!step || *step > model.run().steps()) return;
@@ -80,7 +80,7 @@ void add_step(DebuggerModel& model, std::string_view query, std::vector<Hit>& hi
                   [at = *step](DebuggerModel& to) { to.go(Position::end_of(at)); }});
 }
 
-void add_pair(DebuggerModel& model, std::string_view query, std::vector<Hit>& hits) {
+void add_pair(DebuggerModel& model, std::string_view query, std::vector<SearchHit>& hits) {
   const std::size_t comma = query.find(',');
   if (comma == std::string_view::npos) return;
   const GivenNames& names = model.run().names();
@@ -96,7 +96,7 @@ void add_pair(DebuggerModel& model, std::string_view query, std::vector<Hit>& hi
   hits.push_back(selecting(pair, names, is_pair ? "pair" : "two objects, no pair now"));
 }
 
-void add_event(DebuggerModel& model, std::string_view query, std::vector<Hit>& hits) {
+void add_event(DebuggerModel& model, std::string_view query, std::vector<SearchHit>& hits) {
   if (!query.starts_with('e')) return;
   const auto id = parse_given_id(query.substr(1));
   if (!id || id->negative || !model.run().step_of(id->magnitude)) return;
@@ -104,7 +104,7 @@ void add_event(DebuggerModel& model, std::string_view query, std::vector<Hit>& h
                   [event = id->magnitude](DebuggerModel& to) { to.go_to_event(event); }});
 }
 
-void add_commands(const std::string& query, std::vector<Hit>& hits) {
+void add_commands(const std::string& query, std::vector<SearchHit>& hits) {
   const auto add = [&](const std::string& name, const std::string& key,
                        std::function<void(DebuggerModel&)> go) {
     if (has_all_words(name, query)) hits.push_back({name, key, std::move(go)});
@@ -139,7 +139,7 @@ int distance_to(const std::string& name, const std::string& query) {
 }
 
 /// A name alone, such as pairs, is no condition yet.
-void add_condition(const std::string& query, std::vector<Hit>& hits) {
+void add_condition(const std::string& query, std::vector<SearchHit>& hits) {
   if (query.find_first_of("<>=!()") == std::string::npos) return;
   try {
     static_cast<void>(Expression::parse(query));
@@ -153,7 +153,7 @@ void add_condition(const std::string& query, std::vector<Hit>& hits) {
       {"stop where " + query, "breakpoint", [query](DebuggerModel& model) { model.add_breakpoint(query); }});
 }
 
-void add_bookmarks(const DebuggerModel& model, const std::string& query, std::vector<Hit>& hits) {
+void add_bookmarks(const DebuggerModel& model, const std::string& query, std::vector<SearchHit>& hits) {
   for (const auto& [moment, note] : model.bookmarks) {
     const std::string name = "bookmark " + to_string(moment, model.run().names());
     if (has_all_words(name + " " + note, query))
@@ -171,8 +171,8 @@ bool has_all_words(const std::string& name, const std::string& query) {
                      [&](const std::string& word) { return in.find(word) != std::string::npos; });
 }
 
-std::vector<Hit> find_hits(DebuggerModel& model, std::string_view query) {
-  std::vector<Hit> hits;
+std::vector<SearchHit> find_hits(DebuggerModel& model, std::string_view query) {
+  std::vector<SearchHit> hits;
   std::string text(query);
   while (!text.empty() && text.back() == ' ') text.pop_back();
   std::string_view id = text;
@@ -189,9 +189,10 @@ std::vector<Hit> find_hits(DebuggerModel& model, std::string_view query) {
   }
   add_condition(text, hits);
   add_bookmarks(model, text, hits);
-  std::vector<Hit> commands;
+  std::vector<SearchHit> commands;
   add_commands(lower(text), commands);
-  std::ranges::stable_sort(commands, {}, [&](const Hit& hit) { return distance_to(hit.text, lower(text)); });
+  std::ranges::stable_sort(commands, {},
+                           [&](const SearchHit& hit) { return distance_to(hit.text, lower(text)); });
   std::ranges::move(commands, std::back_inserter(hits));
   return hits;
 }

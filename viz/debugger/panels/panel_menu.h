@@ -17,6 +17,6 @@ void draw_panel_menu(PanelContext& context, PanelId panel);
 /// The button for the menu of the window: panels, size of texts, theme.
 void draw_window_menu(PanelContext& context);
 /// What can be done with the window and the camera, as commands of which all words of a query are part.
-std::vector<Hit> window_hits(PanelContext& context, std::string_view query);
+std::vector<SearchHit> window_hits(PanelContext& context, std::string_view query);
 
 }  // namespace kerf

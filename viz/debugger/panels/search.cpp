@@ -30,7 +30,7 @@ void remember_query(SearchMemory& search) {
   if (search.history.size() > kMostQueries) search.history.pop_back();
 }
 
-void follow_hit(PanelContext& context, const Hit& hit) {
+void follow_hit(PanelContext& context, const SearchHit& hit) {
   SearchMemory& search = context.memory.search;
   if (!search.text.empty()) remember_query(search);
   search.is_open = false;
@@ -43,18 +43,18 @@ void follow_hit(PanelContext& context, const Hit& hit) {
 }
 
 /// Things and moments first, then what can be done with the session, then with the window.
-std::vector<Hit> all_hits(PanelContext& context, const std::string& query) {
-  std::vector<Hit> hits = find_all_hits(context, query);
-  std::vector<Hit> of_window = window_hits(context, query);
+std::vector<SearchHit> all_hits(PanelContext& context, const std::string& query) {
+  std::vector<SearchHit> hits = find_all_hits(context, query);
+  std::vector<SearchHit> of_window = window_hits(context, query);
   std::ranges::move(of_window, std::back_inserter(hits));
   return hits;
 }
 
 /// Earlier queries come back by their first hit.
-std::vector<Hit> hits_of_history(PanelContext& context) {
-  std::vector<Hit> hits;
+std::vector<SearchHit> hits_of_history(PanelContext& context) {
+  std::vector<SearchHit> hits;
   for (const std::string& query : context.memory.search.history)
-    if (std::vector<Hit> found = all_hits(context, query); !found.empty())
+    if (std::vector<SearchHit> found = all_hits(context, query); !found.empty())
       hits.push_back({query, "searched before", std::move(found.front().go)});
   return hits;
 }
@@ -65,7 +65,7 @@ std::string ending_of(const std::string& text) {
   return text.size() <= kMost ? text : "..." + text.substr(text.size() - kMost + 3);
 }
 
-void draw_hits(PanelContext& context, const std::vector<Hit>& hits) {
+void draw_hits(PanelContext& context, const std::vector<SearchHit>& hits) {
   SearchMemory& search = context.memory.search;
   const std::size_t first = search.chosen < kMostHits ? 0 : search.chosen - kMostHits + 1;
   for (std::size_t k = first; k < std::min(hits.size(), first + kMostHits); ++k) {
@@ -91,9 +91,9 @@ void draw_search(PanelContext& context) {
                           ImGuiWindowFlags_NoSavedSettings;
   ImGui::SetNextWindowFocus();
   if (ImGui::Begin("search", nullptr, kFlags)) {
-    std::vector<Hit> hits = all_hits(context, search.text);
+    std::vector<SearchHit> hits = all_hits(context, search.text);
     if (search.text.empty()) {
-      std::vector<Hit> earlier = hits_of_history(context);
+      std::vector<SearchHit> earlier = hits_of_history(context);
       earlier.insert(earlier.end(), hits.begin(), hits.end());
       hits = std::move(earlier);
     }

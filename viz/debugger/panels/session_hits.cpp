@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view kOpen = "open ";
 
 /// A folder goes on being typed, a file is opened.
-Hit opening(PanelMemory& memory, const std::string& path) {
+SearchHit opening(PanelMemory& memory, const std::string& path) {
   const bool is_folder = path.ends_with('/');
   const std::string text = std::string(kOpen) + path;
   if (!is_folder)
@@ -27,8 +27,8 @@ Hit opening(PanelMemory& memory, const std::string& path) {
 
 /// What completes the path that is being typed, then the latest recordings of which it is part; these come
 /// first as long as nothing is typed.
-std::vector<Hit> paths(PanelMemory& memory, const std::string& typed) {
-  std::vector<Hit> hits;
+std::vector<SearchHit> paths(PanelMemory& memory, const std::string& typed) {
+  std::vector<SearchHit> hits;
   std::vector<std::string> all = complete_path(typed);
   const auto latest = typed.empty() ? all.begin() : all.end();
   all.insert(latest, memory.session.recent.begin(), memory.session.recent.end());
@@ -40,11 +40,11 @@ std::vector<Hit> paths(PanelMemory& memory, const std::string& typed) {
 
 }  // namespace
 
-std::vector<Hit> find_all_hits(const PanelContext& context, const std::string& query) {
+std::vector<SearchHit> find_all_hits(const PanelContext& context, const std::string& query) {
   PanelMemory& memory = context.memory;
   if (query.starts_with(kOpen)) return paths(memory, query.substr(kOpen.size()));
-  std::vector<Hit> hits = find_hits(context.model, query);
-  const auto add = [&](Hit hit) {
+  std::vector<SearchHit> hits = find_hits(context.model, query);
+  const auto add = [&](SearchHit hit) {
     if (has_all_words(hit.text, query)) hits.push_back(std::move(hit));
   };
   add({"open a recording", "Ctrl+O", [&memory](DebuggerModel&) {
@@ -67,7 +67,7 @@ std::vector<Hit> find_all_hits(const PanelContext& context, const std::string& q
     if (panel.is_table) copy(true);
   }
   for (const std::string& recent : memory.session.recent) {
-    Hit hit = opening(memory, recent);
+    SearchHit hit = opening(memory, recent);
     hit.note = "opened lately";
     add(std::move(hit));
   }

@@ -10,6 +10,6 @@ namespace kerf {
 
 /// What a search finds beside `find_hits`: recordings to open, by their path or among the latest, changes of
 /// the view to take back, and panels to copy.
-std::vector<Hit> find_all_hits(const PanelContext& context, const std::string& query);
+std::vector<SearchHit> find_all_hits(const PanelContext& context, const std::string& query);
 
 }  // namespace kerf

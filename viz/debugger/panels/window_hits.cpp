@@ -21,12 +21,12 @@ class CommandList {
     hits_.push_back(
         {name, note, [context = context_, go = std::move(go)](DebuggerModel&) mutable { go(context); }});
   }
-  [[nodiscard]] std::vector<Hit> take() { return std::move(hits_); }
+  [[nodiscard]] std::vector<SearchHit> take() { return std::move(hits_); }
 
  private:
   PanelContext& context_;
   std::string query_;
-  std::vector<Hit> hits_;
+  std::vector<SearchHit> hits_;
 };
 
 void offer_settings(CommandList& commands) {
@@ -152,7 +152,7 @@ void offer_presses(CommandList& commands, PanelContext& context, std::string_vie
 
 }  // namespace
 
-std::vector<Hit> window_hits(PanelContext& context, std::string_view query) {
+std::vector<SearchHit> window_hits(PanelContext& context, std::string_view query) {
   CommandList commands(context, query);
   offer_settings(commands);
   offer_camera(commands);

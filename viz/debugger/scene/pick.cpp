@@ -60,19 +60,19 @@ std::vector<HalfSpace> sides_of(const PickableTree<D>& tree, NodeId id) {
 
 /// The distance to the partitioner within its cell, in multiples of `way`.
 template <int D>
-std::optional<double> distance_to_pane(const PickableTree<D>& tree, NodeId id, const Ray& ray) {
+std::optional<double> distance_to_pane(const PickableTree<D>& tree, NodeId id, const SightRay& ray) {
   const HalfSpace plane = half_space(tree.snapshot.plane(id), false);
   const double speed = plane.normal.dot(ray.way);
   if (std::abs(speed) < 1e-300) return std::nullopt;
   const double there = (plane.offset - plane.normal.dot(ray.start)) / speed;
-  const Ray point{ray.start + there * ray.way, Eigen::Vector3d::Zero()};
+  const SightRay point{ray.start + there * ray.way, Eigen::Vector3d::Zero()};
   return there > 0 && distance_to(point, sides_of(tree, id)) ? std::optional(there) : std::nullopt;
 }
 
 }  // namespace
 
 template <int D>
-std::optional<ObjectId> pick_object(const Ray& ray, std::span<const Body<D>> bodies) {
+std::optional<ObjectId> pick_object(const SightRay& ray, std::span<const Body<D>> bodies) {
   std::optional<ObjectId> best;
   double nearest = kFar;
   for (std::uint32_t id = 0; id < bodies.size(); ++id) {
@@ -93,7 +93,7 @@ std::optional<ObjectId> pick_object(const Ray& ray, std::span<const Body<D>> bod
 template <int D>
 std::optional<NodeId> pick_node(const PickableTree<D>& tree, const View& view, double x, double y) {
   if (const auto line = line_at(tree, view, {x, y})) return line;
-  const Ray ray = ray_through(view, x, y);
+  const SightRay ray = ray_through(view, x, y);
   std::optional<NodeId> best;
   double nearest = kFar;
   const auto take = [&](NodeId id, const std::optional<double>& distance) {
@@ -133,8 +133,8 @@ template std::optional<Pair> pick_pair<2>(std::span<const Pair>, std::span<const
                                           const Eigen::Vector2d&, double);
 template std::optional<Pair> pick_pair<3>(std::span<const Pair>, std::span<const Body<3>>, const View&,
                                           const Eigen::Vector2d&, double);
-template std::optional<ObjectId> pick_object<2>(const Ray&, std::span<const Body<2>>);
-template std::optional<ObjectId> pick_object<3>(const Ray&, std::span<const Body<3>>);
+template std::optional<ObjectId> pick_object<2>(const SightRay&, std::span<const Body<2>>);
+template std::optional<ObjectId> pick_object<3>(const SightRay&, std::span<const Body<3>>);
 template std::optional<NodeId> pick_node<2>(const PickableTree<2>&, const View&, double, double);
 template std::optional<NodeId> pick_node<3>(const PickableTree<3>&, const View&, double, double);
 

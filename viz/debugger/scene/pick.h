@@ -12,7 +12,7 @@ namespace kerf {
 
 /// The object that a ray meets: in 3D the nearest, in 2D the smallest; a moving one if there is any.
 template <int D>
-std::optional<ObjectId> pick_object(const Ray& ray, std::span<const Body<D>> bodies);
+std::optional<ObjectId> pick_object(const SightRay& ray, std::span<const Body<D>> bodies);
 
 /// The pair whose line, as `draw_pairs` draws it, is nearest to a pixel and within a few of it, more on a
 /// fine display: `scale`.

@@ -7,7 +7,7 @@
 
 namespace kerf {
 
-Ray ray_through(const View& view, double x, double y) {
+SightRay ray_through(const View& view, double x, double y) {
   const double right = 2 * x / view.picture_width - 1;
   const double down = 2 * y / view.picture_height - 1;
   if (!view.perspective) {
@@ -22,7 +22,7 @@ Ray ray_through(const View& view, double x, double y) {
 }
 
 template <int D>
-std::optional<double> distance_to(const Ray& ray, const Box<D>& box) {
+std::optional<double> distance_to(const SightRay& ray, const Box<D>& box) {
   double enter = 0;
   double leave = std::numeric_limits<double>::max();
   for (int axis = 0; axis < D; ++axis) {
@@ -40,7 +40,7 @@ std::optional<double> distance_to(const Ray& ray, const Box<D>& box) {
   return enter <= leave ? std::optional(enter) : std::nullopt;
 }
 
-std::optional<double> distance_to(const Ray& ray, std::span<const HalfSpace> sides) {
+std::optional<double> distance_to(const SightRay& ray, std::span<const HalfSpace> sides) {
   double enter = 0;
   double leave = std::numeric_limits<double>::max();
   for (const HalfSpace& side : sides) {
@@ -58,7 +58,7 @@ std::optional<double> distance_to(const Ray& ray, std::span<const HalfSpace> sid
   return enter <= leave ? std::optional(enter) : std::nullopt;
 }
 
-template std::optional<double> distance_to<2>(const Ray&, const Box<2>&);
-template std::optional<double> distance_to<3>(const Ray&, const Box<3>&);
+template std::optional<double> distance_to<2>(const SightRay&, const Box<2>&);
+template std::optional<double> distance_to<3>(const SightRay&, const Box<3>&);
 
 }  // namespace kerf
