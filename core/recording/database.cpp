@@ -84,7 +84,9 @@ Statement& Statement::bind(int place, std::string_view text) {
 }
 
 Statement& Statement::bind(int place, std::span<const std::uint8_t> bytes) {
-  check(sqlite3_bind_blob64(statement_.get(), place, bytes.data(), bytes.size(), SQLITE_STATIC));
+  static constexpr std::uint8_t kNoByte = 0;  // a null pointer would be NULL, which is no bytes at all
+  check(sqlite3_bind_blob64(statement_.get(), place, bytes.empty() ? &kNoByte : bytes.data(), bytes.size(),
+                            SQLITE_STATIC));
   return *this;
 }
 

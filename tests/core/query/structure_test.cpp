@@ -47,7 +47,7 @@ class OwnStructure : public testing::Test {
     for (const StructureFault& fault : faults) ADD_FAILURE() << to_string(fault.kind) << ": " << fault.text;
     EXPECT_TRUE(parts.tells_tested);
     EXPECT_EQ(parts.tests, parts.tested.size());
-    EXPECT_EQ(parts.cells.empty() && parts.lists.empty(), known_.objects().empty());
+    EXPECT_TRUE(known_.objects().empty() || !parts.cells.empty() || !parts.lists.empty());
   }
 
   B subject_;

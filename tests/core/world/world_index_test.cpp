@@ -74,7 +74,7 @@ TYPED_TEST(WorldIndexOf, FindsByExactBoxesWhatFiltersAllow) {
       return overlaps(Box<kD>{point, point}, other);
     }));
   }
-  EXPECT_GT(found_at_all, 300U);
+  EXPECT_GT(found_at_all, kD == 2 ? 300U : 50U);
 }
 
 TYPED_TEST(WorldIndexOf, CastsHitInOrder) {
