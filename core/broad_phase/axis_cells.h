@@ -32,7 +32,7 @@ class AxisCells {
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::min(std::max(place, Scalar{0}), last_)));
   }
   /// Where a cell begins: its least coordinate. Infinite for the first, and beyond the last.
-  [[nodiscard]] Scalar begin(std::uint32_t cell) const;
+  [[nodiscard]] Scalar begin(std::uint32_t which) const;
 
  private:
   Scalar scale_ = 0;

@@ -31,6 +31,7 @@
 #define KERF_API
 #endif
 
+/* NOLINTBEGIN(readability-identifier-naming,modernize-*): names and idioms of C */
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -193,4 +194,5 @@ KERF_API kerf_status kerf_world_restore(kerf_world* world, const void* bytes, si
 
 #include <kerf_queries.h>
 
+/* NOLINTEND(readability-identifier-naming,modernize-*) */
 #endif

@@ -12,6 +12,7 @@
 
 #include <kerf.h>
 
+/* NOLINTBEGIN(readability-identifier-naming,modernize-*): names and idioms of C */
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -72,4 +73,5 @@ KERF_API kerf_status kerf_world_nearest(const kerf_world* world, const float* po
 }
 #endif
 
+/* NOLINTEND(readability-identifier-naming,modernize-*) */
 #endif

@@ -97,26 +97,26 @@ struct TestOf;
 
 template <int D>
 struct TestOf<D, CastTest<D>> {
-  HWY_INLINE explicit TestOf(const CastTest<D>& test) : given(test) {
-    for (std::size_t i = 0; i < D; ++i) falls[i] = test.direction[i] < 0 ? D : 0;
+  HWY_INLINE explicit TestOf(const CastTest<D>& test) : given_(test) {
+    for (std::size_t i = 0; i < D; ++i) falls_[i] = test.direction[i] < 0 ? D : 0;
   }
   HWY_INLINE Answer operator()(const WideBlock<D>& block, std::size_t k) const {
     const FloatTag f;
     Some begin = hn::Zero(f);
-    Some end = hn::Set(f, given.max_t);
+    Some end = hn::Set(f, given_.max_t);
     const float* const rows = block.min[0] + k;  // those of the maxima follow
-    if (HWY_LIKELY(given.moves_on_all)) {
+    if (HWY_LIKELY(given_.moves_on_all)) {
       for (std::size_t i = 0; i < D; ++i) meet(rows, i, begin, end);
       return {hn::Le(begin, end), begin, end};
     }
     Marks stays = hn::Eq(begin, begin);
     for (std::size_t i = 0; i < D; ++i) {
-      if (given.direction[i] != 0) {
+      if (given_.direction[i] != 0) {
         meet(rows, i, begin, end);
         continue;
       }
-      stays = hn::And(stays, hn::Le(hn::Load(f, rows + i * kWidth), hn::Set(f, given.near_start[i])));
-      stays = hn::And(stays, hn::Ge(hn::Load(f, rows + (i + D) * kWidth), hn::Set(f, given.far_start[i])));
+      stays = hn::And(stays, hn::Le(hn::Load(f, rows + i * kWidth), hn::Set(f, given_.near_start[i])));
+      stays = hn::And(stays, hn::Ge(hn::Load(f, rows + (i + D) * kWidth), hn::Set(f, given_.far_start[i])));
     }
     return {hn::And(stays, hn::Le(begin, end)), begin, end};
   }
@@ -129,15 +129,15 @@ struct TestOf<D, CastTest<D>> {
  private:
   HWY_INLINE void meet(const float* rows, std::size_t i, Some& begin, Some& end) const {
     const FloatTag f;
-    const Some near = hn::Load(f, rows + (i + falls[i]) * kWidth);
-    const Some far = hn::Load(f, rows + (i + D - falls[i]) * kWidth);
+    const Some near = hn::Load(f, rows + (i + falls_[i]) * kWidth);
+    const Some far = hn::Load(f, rows + (i + D - falls_[i]) * kWidth);
     begin = hn::Max(
-        begin, hn::Mul(hn::Sub(near, hn::Set(f, given.near_start[i])), hn::Set(f, given.near_factor[i])));
-    end =
-        hn::Min(end, hn::Mul(hn::Sub(far, hn::Set(f, given.far_start[i])), hn::Set(f, given.far_factor[i])));
+        begin, hn::Mul(hn::Sub(near, hn::Set(f, given_.near_start[i])), hn::Set(f, given_.near_factor[i])));
+    end = hn::Min(end,
+                  hn::Mul(hn::Sub(far, hn::Set(f, given_.far_start[i])), hn::Set(f, given_.far_factor[i])));
   }
-  const CastTest<D>& given;
-  std::size_t falls[D];  ///< rows from the minimum of an axis to its near end
+  const CastTest<D>& given_;
+  std::size_t falls_[D];  ///< rows from the minimum of an axis to its near end
 };
 
 template <int D>

@@ -28,7 +28,7 @@ void PairRows::assign(std::span<const Pair> pairs, std::size_t bound) { fill<1>(
 void PairRows::assign_flagged(std::span<const Pair> pairs, std::size_t bound) { fill<0>(pairs, bound); }
 
 /// `starts_` counts first, then says where the next partner of each row goes; there it is one row ahead.
-template <unsigned kShift>
+template <unsigned Shift>
 void PairRows::fill(std::span<const Pair> pairs, std::size_t bound) {
   if (pairs.size() > UINT32_MAX) throw std::bad_alloc();
   starts_.assign(bound + 1, 0);
@@ -40,7 +40,7 @@ void PairRows::fill(std::span<const Pair> pairs, std::size_t bound) {
     start += count;
     count = start - count;
   }
-  for (const Pair& pair : pairs) partners_[starts_[pair.a.index() + 1]++] = {pair.b.value << kShift};
+  for (const Pair& pair : pairs) partners_[starts_[pair.a.index() + 1]++] = {pair.b.value << Shift};
   sort_rows();
 }
 

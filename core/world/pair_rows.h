@@ -48,7 +48,7 @@ class PairRows {
   void filter(Keep keep);
 
  private:
-  template <unsigned kShift>
+  template <unsigned Shift>
   void fill(std::span<const Pair> pairs, std::size_t bound);
   void sort_rows();
 
