@@ -28,6 +28,13 @@ kerf_lint_test(Determinism.CompilersAndLevelsAgree
 # Other projects use Kerf, in each of the ways in which they can get it.
 kerf_lint_test(Embed.InstalledAndAsSources ${CMAKE_CURRENT_SOURCE_DIR}/embed/check_embed ${PROJECT_BINARY_DIR}/embed)
 
+# Each comment that the reference is made of is one that Doxygen understands, and each name in it is there.
+find_program(KERF_DOXYGEN doxygen REQUIRED)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/reference)
+kerf_lint_test(House.TheReferenceIsWhole
+  ${CMAKE_COMMAND} -E env KERF_REFERENCE=${PROJECT_BINARY_DIR}/reference ${KERF_DOXYGEN} docs/Doxyfile)
+set_tests_properties(House.TheReferenceIsWhole PROPERTIES WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+
 kerf_lint_build(House.HeadersCompileAlone all_verify_interface_header_sets)
 
 # Releases of the tools disagree, so there is one of each.

@@ -18,6 +18,7 @@
 #include "frames/commands/compare_command.h"
 #include "frames/commands/debug_command.h"
 #include "frames/commands/diff_command.h"
+#include "frames/commands/doctor_command.h"
 #include "frames/commands/exit_codes.h"
 #include "frames/commands/experiment_command.h"
 #include "frames/commands/explain_command.h"
@@ -165,6 +166,7 @@ int run_command_line(int argc, char** argv) {
   const ExperimentCommand experiment(program);
   const ReportCommand report_page(program);
   const StudyCommand study(program);
+  const DoctorCommand doctor(program);
   say_exit_codes(program);
   try {
     program.parse(argc, argv);
@@ -182,7 +184,7 @@ int run_command_line(int argc, char** argv) {
   }
   return run(program, scenes, render, collector, film, film_diff, record, import, rerun, verify, debug, step,
              explain, compare, lint, minimize, exporter, diff, bench, bench_frames, experiment, report_page,
-             study);
+             study, doctor);
 }
 
 }  // namespace kerf

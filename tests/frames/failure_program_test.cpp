@@ -245,7 +245,7 @@ TEST(FailureProgram, WhatIsPrintedIntoAFullDeviceIsAnError) {
       kExitHolds);
   const std::string frames = folder.path() / "x";
   for (const std::string& arguments : std::vector<std::string>{
-           "scenes", "--help", "--version", "step --help", "verify " + recording,
+           "scenes", "doctor", "--help", "--version", "step --help", "verify " + recording,
            "step " + recording + " --to step==9", "step " + recording + " --to step==9 --hits 2",
            "explain " + recording + " --step 9 --pair 1,2", "compare " + recording + " " + recording,
            "lint " + recording, "export " + recording + " --csv", "diff " + frames + " " + frames}) {

@@ -131,6 +131,7 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["scale"] = number_text(scale());
   facts["window"] = to_text(memory_.window);
   std::ranges::replace(facts["window"], '\n', ';');
+  facts["pointer"] = kPointerNames[static_cast<std::size_t>(gui_.pointer())];
   facts["copied"] = memory_.copied;
   facts["table"] = kTableNames[static_cast<std::size_t>(memory_.table_of)];
   const TableKeeper& kept = memory_.table;

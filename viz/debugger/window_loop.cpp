@@ -33,6 +33,7 @@ bool WindowLoop::turn() {
   take_in();
   if (const auto text = debugger_.take_copied()) window_.copy(*text);
   debugger_.draw();
+  window_.set_pointer(debugger_.gui().pointer());
   present();
   pace_.drawn(now);
   return true;

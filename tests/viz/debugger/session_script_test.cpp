@@ -347,10 +347,20 @@ type "copy lanes as"
 key Enter
 expect message == "copied lanes, 60 rows as CSV"
 click Tables
-hover view
+hover "divider left"
+expect pointer == "across"
 key ctrl+shift+c
 expect message ~ "copied table, "
 expect copied ~ "node,depth"
+hover view
+key ctrl+shift+c
+expect message ~ "copied scene, "
+expect copied ~ "object,leaves,pairs,moves,x,y,"
+click "What if"
+hover "panel what if"
+key ctrl+shift+c
+expect copied ~ "parameter,value,least,greatest,meaning"
+expect copied ~ "min_balance,"
 )"),
             "");
 }

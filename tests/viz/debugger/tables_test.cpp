@@ -48,6 +48,25 @@ TEST_F(DebuggerTables, FiguresOfNodesAreThoseOfTheTree) {
   EXPECT_EQ(figure(table, find_rows(table, "n0", {})[0], "cost"), cost);
 }
 
+TEST_F(DebuggerTables, FiguresOfObjectsAreThoseOfTreeAndPairs) {
+  const FigureTable table = table_of_objects(run());
+  EXPECT_EQ(table.rows.size(), run().objects());
+  double pairs = 0;
+  double entries = 0;
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    pairs += figure(table, k, "pairs");
+    entries += figure(table, k, "leaves");
+    const ObjectId object = *object_in(table.rows[k].item);
+    EXPECT_EQ(figure(table, k, "leaves"), static_cast<double>(run().leaves_of(object).size()));
+    EXPECT_GE(figure(table, k, "size x"), 0);
+  }
+  EXPECT_EQ(pairs, 2.0 * static_cast<double>(run().pairs().size()));
+  EXPECT_GE(entries, static_cast<double>(run().objects()));
+  const std::size_t first = find_rows(table, "fixed", {})[0];
+  EXPECT_EQ(cell_text(table, first, column_of(table, "moves")), "no");
+  EXPECT_EQ(to_texts(table, {first}).rows[0][column_of(table, "moves")], "no");
+}
+
 TEST_F(DebuggerTables, AgesAreTheStepsSinceAnOperatorActed) {
   const FigureTable table = table_of_nodes(run());
   const TreeSnapshot& tree = run().tree();

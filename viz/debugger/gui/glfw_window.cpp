@@ -180,10 +180,19 @@ GlfwWindow::GlfwWindow(const std::string& title, int width, int height, bool gro
   make_current();
   functions_ = load_gl_functions(&find_function);
   glfwSwapInterval(1);
+  constexpr std::array kShapes{GLFW_ARROW_CURSOR, GLFW_IBEAM_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR,
+                               GLFW_HAND_CURSOR};
+  std::ranges::transform(kShapes, cursors_.begin(), glfwCreateStandardCursor);
   listen();
 }
 
 GlfwWindow::~GlfwWindow() = default;
+
+std::string GlfwWindow::try_out() {
+  const Library library;  // hints last as long as the library
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  return GlfwWindow("kerf", 64, 64).description();
+}
 
 void GlfwWindow::listen() {
   glfwSetWindowUserPointer(window_.get(), &queue_);
@@ -243,6 +252,11 @@ bool GlfwWindow::goes_on(const std::string& progress) {
 
 void GlfwWindow::set_title(const std::string& title) {
   if (std::exchange(title_, title) != title) glfwSetWindowTitle(window_.get(), title_.c_str());
+}
+
+void GlfwWindow::set_pointer(Pointer pointer) {
+  if (std::exchange(pointer_, pointer) != pointer)
+    glfwSetCursor(window_.get(), cursors_[static_cast<std::size_t>(pointer)]);
 }
 
 void GlfwWindow::copy(const std::string& text) { glfwSetClipboardString(window_.get(), text.c_str()); }

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 
 #include "viz/debugger/gui/input_queue.h"
+#include "viz/debugger/gui/pointer.h"
 #include "viz/gl/context.h"
 
+struct GLFWcursor;
 struct GLFWwindow;
 
 namespace kerf {
@@ -17,6 +20,9 @@ class GlfwWindow final : public GlContext {
   /// `grows`: larger by the content scale of its display.
   GlfwWindow(const std::string& title, int width, int height, bool grows = false);
   ~GlfwWindow() override;
+
+  /// Opens a window that nobody sees; its description. Throws as the constructor does.
+  static std::string try_out();
 
   void make_current() override;
   [[nodiscard]] const GlFunctions& functions() const override { return functions_; }
@@ -35,6 +41,7 @@ class GlfwWindow final : public GlContext {
   [[nodiscard]] bool goes_on(const std::string& progress);
   /// Removes one tap of that key that no frame has taken in; false if there is none.
   [[nodiscard]] bool take_tap(Key key) { return queue_.take_tap(key); }
+  void set_pointer(Pointer pointer);
   void set_title(const std::string& title);
   /// Puts a text into the clipboard of the display.
   void copy(const std::string& text);
@@ -67,6 +74,8 @@ class GlfwWindow final : public GlContext {
   std::unique_ptr<GLFWwindow, Close> window_;
   std::string title_;
   bool is_busy_ = false;  ///< another title is shown
+  Pointer pointer_ = Pointer::arrow;
+  std::array<GLFWcursor*, kPointerNames.size()> cursors_{};  ///< null: the arrow; the library's, not ours
   GlFunctions functions_;
   InputQueue queue_;  ///< the callbacks fill it
 };

@@ -204,6 +204,22 @@ bool Gui::is_typing() const {
   return context_->ActiveId != 0 && context_->InputTextState.ID == context_->ActiveId;
 }
 
+Pointer Gui::pointer() const {
+  ImGui::SetCurrentContext(context_.get());
+  switch (ImGui::GetMouseCursor()) {
+    case ImGuiMouseCursor_TextInput:
+      return Pointer::text;
+    case ImGuiMouseCursor_ResizeEW:
+      return Pointer::across;
+    case ImGuiMouseCursor_ResizeNS:
+      return Pointer::down;
+    case ImGuiMouseCursor_Hand:
+      return Pointer::hand;
+    default:
+      return Pointer::arrow;
+  }
+}
+
 void Gui::name_last_item(const std::string& name, const std::string& shown) {
   if (!ImGui::IsItemVisible()) return;  // scrolled away, so it cannot be clicked
   named_[name] = last_item();

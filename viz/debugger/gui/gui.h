@@ -9,6 +9,7 @@
 #include "viz/debugger/gui/layout_beside.h"
 #include "viz/debugger/gui/panel_area.h"
 #include "viz/debugger/gui/panel_painter.h"
+#include "viz/debugger/gui/pointer.h"
 #include "viz/draw/theme.h"
 
 struct ImGuiContext;
@@ -41,6 +42,8 @@ class Gui {
   [[nodiscard]] bool is_typing() const;
   /// The same, or a menu has them.
   [[nodiscard]] bool has_keys() const;
+  /// What the last frame wants under the mouse.
+  [[nodiscard]] Pointer pointer() const;
   /// A button of the mouse is down.
   [[nodiscard]] bool is_held() const { return is_held_; }
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kVerdictColumn = "verdict";  // its figures stand for words
+constexpr std::string_view kMovesColumn = "moves";      // the same
 
 bool has_word(const FigureTable::Row& row, const std::string& text, bool whole) {
   const auto fits = [&](const std::string& word) { return whole ? word == text : word.starts_with(text); };
@@ -30,9 +31,17 @@ std::string verdict_name(double figure) {
   return std::string(to_string(static_cast<PairVerdict>(static_cast<int>(figure))));
 }
 
+/// What a figure of some columns stands for; empty: for itself.
+std::string word_for(double figure, const std::string& column) {
+  if (column == kVerdictColumn) return verdict_name(figure);
+  if (column == kMovesColumn) return figure != 0 ? "yes" : "no";
+  return "";
+}
+
 std::string exact_text(double figure, const std::string& column) {
   if (std::isnan(figure)) return "";
-  return column == kVerdictColumn ? verdict_name(figure) : shortest_text(figure);
+  const std::string word = word_for(figure, column);
+  return word.empty() ? shortest_text(figure) : word;
 }
 
 FigureTable::Row row_of_pair(Run& run, const Pair& pair, const PairFigures& figures) {
@@ -82,6 +91,22 @@ FigureTable table_of_pairs(Run& run) {
   return table;
 }
 
+FigureTable table_of_objects(Run& run) {
+  constexpr std::string_view kAxes = "xyz";
+  FigureTable table{{"object", "leaves", "pairs", std::string(kMovesColumn)}, {}};
+  const auto axes = static_cast<std::size_t>(run.info().dimension);
+  for (const char axis : kAxes.substr(0, axes)) table.columns.emplace_back(1, axis);
+  for (const char axis : kAxes.substr(0, axes)) table.columns.push_back(std::string("size ") + axis);
+  for (const ObjectFigures& of : run.object_figures()) {
+    FigureTable::Row row{of.object, run.names().object(of.object), {of.is_fixed ? "fixed" : "moving"}, {}};
+    row.figures = {static_cast<double>(of.leaves), static_cast<double>(of.pairs), of.is_fixed ? 0.0 : 1.0};
+    row.figures.insert(row.figures.end(), of.centre.begin(), of.centre.end());
+    row.figures.insert(row.figures.end(), of.size.begin(), of.size.end());
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 FigureTable table_of_errors(Run& run) {
   FigureTable table{{"pair", "step", "verdict"}, {}};
   const GivenNames& names = run.names();
@@ -101,8 +126,17 @@ FigureTable table_of_errors(Run& run) {
 }
 
 FigureTable make_table(Run& run, TableOf of) {
-  if (of == TableOf::nodes) return table_of_nodes(run);
-  return of == TableOf::pairs ? table_of_pairs(run) : table_of_errors(run);
+  switch (of) {
+    case TableOf::nodes:
+      return table_of_nodes(run);
+    case TableOf::pairs:
+      return table_of_pairs(run);
+    case TableOf::objects:
+      return table_of_objects(run);
+    case TableOf::errors:
+      break;
+  }
+  return table_of_errors(run);
 }
 
 std::vector<std::size_t> find_rows(const FigureTable& table, const std::string& text,
@@ -130,7 +164,7 @@ std::string cell_text(const FigureTable& table, std::size_t row, std::size_t col
   const double figure = of.figures[column - 1];
   if (std::isnan(figure)) return "-";
   if (table.columns[column] == "leaf") return "n" + number_text(figure);
-  if (table.columns[column] == kVerdictColumn) return verdict_name(figure);
+  if (const std::string word = word_for(figure, table.columns[column]); !word.empty()) return word;
   const bool is_of_pair = table.columns[0] == "pair";
   if (is_of_pair && table.columns[column] == "age" && figure >= kOldestPair) return number_text(figure) + "+";
   return number_text(std::round(figure * 1000) / 1000);

@@ -12,10 +12,10 @@
 namespace kerf {
 
 /// What a table lists.
-enum class TableOf : std::uint8_t { nodes, pairs, errors };
-inline constexpr std::array<std::string_view, 3> kTableNames{"nodes", "pairs", "errors"};
+enum class TableOf : std::uint8_t { nodes, pairs, objects, errors };
+inline constexpr std::array<std::string_view, 4> kTableNames{"nodes", "pairs", "objects", "errors"};
 
-/// Nodes or pairs of a moment, or the wrong pairs of a run, in rows of figures.
+/// Nodes, pairs or objects of a moment, or the wrong pairs of a run, in rows of figures.
 struct FigureTable {
   struct Row {
     Selection item;
@@ -33,6 +33,9 @@ FigureTable table_of_nodes(Run& run);
 /// The pairs: leaf in which they are compared, its population, the least overlap of the boxes, steps since
 /// they became one (see PairFigures).
 FigureTable table_of_pairs(Run& run);
+/// The objects: their leaves, pairs, whether they move, centre and size of the box on each axis (see
+/// ObjectFigures).
+FigureTable table_of_objects(Run& run);
 
 /// At most so many errors have a row: each takes some memory.
 inline constexpr std::size_t kMostErrorRows = 100'000;

@@ -22,6 +22,7 @@
 #include "core/tree/ballot.h"
 #include "core/tree/tree_snapshot.h"
 #include "viz/debugger/model/object_course.h"
+#include "viz/debugger/model/object_figures.h"
 #include "viz/debugger/model/pair_figures.h"
 #include "viz/debugger/model/selection.h"
 #include "viz/debugger/model/wrong_pairs.h"
@@ -97,6 +98,8 @@ class Run {
   [[nodiscard]] virtual std::span<const Pair> pairs() const = 0;
   /// Of each of the pairs.
   [[nodiscard]] virtual std::vector<PairFigures> pair_figures() = 0;
+  /// Of each object that is there.
+  [[nodiscard]] virtual std::vector<ObjectFigures> object_figures() const = 0;
   /// See `find_course`.
   [[nodiscard]] virtual ObjectCourse course(ObjectId object, const Progress& progress) = 0;
   [[nodiscard]] virtual std::uint32_t objects() const = 0;

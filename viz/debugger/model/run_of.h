@@ -35,6 +35,9 @@ class RunOf final : public Run {
   [[nodiscard]] const TreeSnapshotOf<D>& tree() override;
   [[nodiscard]] std::span<const Pair> pairs() const override { return state().pairs; }
   [[nodiscard]] std::vector<PairFigures> pair_figures() override;
+  [[nodiscard]] std::vector<ObjectFigures> object_figures() const override {
+    return find_object_figures(state());
+  }
   [[nodiscard]] ObjectCourse course(ObjectId object, const Progress& progress) override;
   [[nodiscard]] std::uint32_t objects() const override { return state().latest.size(); }
   [[nodiscard]] bool has(ObjectId object) const override { return state().latest.is_placed(object); }

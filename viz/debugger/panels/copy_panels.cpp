@@ -119,6 +119,21 @@ TextTable table_of_rows(PanelContext& context) {
   return to_texts(memory.table.table(), memory.table.rows());
 }
 
+/// The parameters that can be changed, as they are now.
+TextTable table_of_parameters(PanelContext& context) {
+  TextTable table{{"parameter", "value", "least", "greatest", "meaning"}, {}};
+  for (const ConfigField& field : config_fields())
+    table.rows.push_back({std::string(field.name), get(context.model.run().config(), field.name),
+                          whole(field.minimum), whole(field.maximum), std::string(field.meaning)});
+  return table;
+}
+
+/// The objects of the scene, seen or not.
+TextTable table_of_scene(PanelContext& context) {
+  const FigureTable table = table_of_objects(context.model.run());
+  return to_texts(table, find_rows(table, "", {}));
+}
+
 /// The steps that the lanes show.
 TextTable table_of_lanes(PanelContext& context) {
   const DebuggerModel& model = context.model;
@@ -161,11 +176,12 @@ std::string text_of_why(PanelContext& context) {
 using TableOfPanel = TextTable (*)(PanelContext&);
 const std::map<std::string_view, TableOfPanel>& tables_of_panels() {
   static const std::map<std::string_view, TableOfPanel> kTables{
-      {"tree", table_of_tree},     {"icicle", table_of_tree},
-      {"events", table_of_events}, {"breakpoints and bookmarks", table_of_stops},
-      {"ballot", table_of_ballot}, {"oracle", table_of_oracle},
-      {"lint", table_of_findings}, {"compare", table_of_comparison},
-      {"lanes", table_of_lanes},   {"table", table_of_rows}};
+      {"tree", table_of_tree},          {"icicle", table_of_tree},
+      {"events", table_of_events},      {"breakpoints and bookmarks", table_of_stops},
+      {"ballot", table_of_ballot},      {"oracle", table_of_oracle},
+      {"lint", table_of_findings},      {"compare", table_of_comparison},
+      {"lanes", table_of_lanes},        {"table", table_of_rows},
+      {"what if", table_of_parameters}, {"scene", table_of_scene}};
   return kTables;
 }
 

@@ -28,7 +28,9 @@ inline constexpr std::array kCopiedPanels{CopiedPanel{"moment line", "transport"
                                           CopiedPanel{"compare", "compare"},
                                           CopiedPanel{"lint", "lint"},
                                           CopiedPanel{"table", "tables"},
-                                          CopiedPanel{"lanes", "timeline"}};
+                                          CopiedPanel{"lanes", "timeline"},
+                                          CopiedPanel{"what if", "what if"},
+                                          CopiedPanel{"scene", "view"}};
 
 /// "e278 step 40 split n0: ...", "end of step 17": the present moment in words.
 std::string moment_words(const Run& run);

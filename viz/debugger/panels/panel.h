@@ -68,7 +68,7 @@ struct PanelMemory {
   int lint_within = 50;
   TableKeeper table;
   TableOf table_of = TableOf::nodes;
-  std::array<TableOrder, 3> table_order{{{}, {}, {1, false}}};  ///< by what they list; errors by step
+  std::array<TableOrder, 4> table_order{{{}, {}, {}, {1, false}}};  ///< by what they list; errors by step
   std::string table_filter;
   std::optional<Selection> tabled;          ///< what the table has scrolled to
   std::optional<std::size_t> tabled_error;  ///< the same of errors, by its number

@@ -14,7 +14,8 @@ constexpr auto kTableFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg | 
                              ImGuiTableFlags_SizingStretchProp;
 
 /// What can be typed to find rows, by what the table lists.
-constexpr std::array kFindHints{"n17, 17 or leaf", "12, 12,77 or n5", "12, 12,77 or missed"};
+constexpr std::array kFindHints{"n17, 17 or leaf", "12, 12,77 or n5", "12, moving or fixed",
+                                "12, 12,77 or missed"};
 
 void draw_choice(PanelContext& context, TableOf of) {
   const char* const label = kTableNames[static_cast<std::size_t>(of)].data();
@@ -35,6 +36,7 @@ void draw_tools_of_table(PanelContext& context) {
   constexpr float kCopy = 68;
   draw_choice(context, TableOf::nodes);
   draw_choice(context, TableOf::pairs);
+  draw_choice(context, TableOf::objects);
   if (context.model.run().has_theirs()) draw_choice(context, TableOf::errors);
   const float width = ImGui::GetContentRegionAvail().x - kCopy;
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);

@@ -27,13 +27,14 @@ constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
 constexpr std::size_t kMostPairsInBrief = 4'000;
 constexpr double kCellAlpha = 0.5;
-constexpr double kTriad = 26;  // pixels of an axis
+constexpr double kTriad = 26;    // pixels of an axis
+constexpr double kLetters = 12;  // pixels of the names of the axes
 
 }  // namespace
 
 template <int D>
 SceneViewOf<D>::SceneViewOf(const GlFunctions& gl, RunOf<D>& run)
-    : gl_(gl), run_(run), font_(12), painter_(gl, font_), survey_(survey(run)), box_(survey_.box) {
+    : gl_(gl), run_(run), survey_(survey(run)), box_(survey_.box) {
   orbit_.set_box(box_);
 }
 
@@ -81,8 +82,18 @@ void SceneViewOf<D>::update(const DebuggerModel& model, int width, int height, d
   const int samples = counts_.objects < kManyBodies ? 4 : 1;
   if (resized || samples != samples_) framebuffer_.emplace(gl_, width_, height_, samples);
   samples_ = samples;
+  choose_letters();
   draw(model);
   ++drawn_;
+}
+
+template <int D>
+void SceneViewOf<D>::choose_letters() {
+  const int pixels = std::clamp(static_cast<int>(std::lround(kLetters * look.scale)), 6, 256);
+  if (std::exchange(letters_, pixels) == pixels) return;
+  painter_.reset();  // it has the old letters
+  font_ = std::make_unique<Font>(pixels);
+  painter_ = std::make_unique<Painter>(gl_, *font_);
 }
 
 template <int D>
@@ -162,8 +173,8 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
     if (layers.has(Layer::objects)) draw_objects(frame, back);
   } else {
     draw_space(frame, leaf_colors(), {back, glass, shadows_});
-    draw_triad(frame.view, font_, {0, 0, double(width_), double(height_)}, Corner::right, kTriad * line_scale,
-               triad_);
+    draw_triad(frame.view, *font_, {0, 0, double(width_), double(height_)}, Corner::right,
+               kTriad * line_scale, triad_);
   }
   draw_pairs(frame, lines);
   if (layers.has(Layer::operators)) draw_event(frame, front);
@@ -173,15 +184,15 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
   put_on(*look.theme, batches_);
   put_on(*look.theme, triad_);
   framebuffer_->bind();
-  painter_.begin(look.theme->scene);
-  painter_.draw(back, D == 3 ? Depth::test_and_write : Depth::ignore, D == 3 ? Blend::replace : Blend::over);
-  painter_.draw(shadows_, Depth::test, Blend::replace);
-  painter_.draw(glass, D == 3 ? Depth::test : Depth::ignore);
-  painter_.draw(planes, D == 3 ? Depth::test : Depth::ignore);
-  painter_.draw(lines, D == 3 ? Depth::test : Depth::ignore);
-  painter_.draw(front, Depth::ignore);
-  painter_.draw(triad_.shapes, Depth::ignore);
-  painter_.draw(triad_.text, seen_->view);
+  painter_->begin(look.theme->scene);
+  painter_->draw(back, D == 3 ? Depth::test_and_write : Depth::ignore, D == 3 ? Blend::replace : Blend::over);
+  painter_->draw(shadows_, Depth::test, Blend::replace);
+  painter_->draw(glass, D == 3 ? Depth::test : Depth::ignore);
+  painter_->draw(planes, D == 3 ? Depth::test : Depth::ignore);
+  painter_->draw(lines, D == 3 ? Depth::test : Depth::ignore);
+  painter_->draw(front, Depth::ignore);
+  painter_->draw(triad_.shapes, Depth::ignore);
+  painter_->draw(triad_.text, seen_->view);
 }
 
 /// By node; transparent where nothing is seen.

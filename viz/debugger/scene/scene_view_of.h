@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -66,6 +67,7 @@ class SceneViewOf final : public SceneView {
     }
   };
 
+  void choose_letters();
   void take_moment();
   [[nodiscard]] Color color_of_leaf(NodeId leaf) const;
   /// While the camera turns, many objects are drawn with less detail.
@@ -89,8 +91,9 @@ class SceneViewOf final : public SceneView {
 
   const GlFunctions& gl_;
   RunOf<D>& run_;
-  Font font_;
-  Painter painter_;
+  int letters_ = 0;             ///< pixels of the font; 0: there is none yet
+  std::unique_ptr<Font> font_;  ///< of the size that the scale wants
+  std::unique_ptr<Painter> painter_;
   RunSurvey<D> survey_;
   Box<D> box_;
   Orbit<D> orbit_;

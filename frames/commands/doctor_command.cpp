@@ -1,0 +1,123 @@
+#include "frames/commands/doctor_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/base/counted.h"
+#include "core/kernels/machine.h"
+#include "frames/support/checkup.h"
+#include "frames/support/errors.h"
+#include "frames/support/machine.h"
+#include "frames/support/version.h"
+#include "viz/debugger/gui/glfw_window.h"
+#include "viz/gl/context.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::uintmax_t kEnoughRoom = std::uintmax_t{1} << 30U;  // bytes
+
+std::string vectors_here() {
+  const std::vector<std::string> all = kernels();
+  if (all.size() < 2) throw std::runtime_error("none that the kernels know: they work, several times slower");
+  std::string text = kernel() + " is used, of";
+  for (const std::string& name : all) text += " " + name;
+  return text;
+}
+
+std::string renderer_of(GlBackend backend) { return make_offscreen_context(backend)->description(); }
+
+std::string encoders_here() {
+  const std::string version = first_line_of("ffmpeg -version");
+  const std::vector<std::string> missing = films_without_encoder(output_of("ffmpeg -hide_banner -encoders"));
+  if (missing.empty()) return version.substr(0, version.find(" Copyright"));
+  std::string text = "ffmpeg has no encoder for";
+  for (const std::string& ending : missing) text += " " + ending;
+  throw std::runtime_error(text);
+}
+
+std::string room_for_files() {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const std::uintmax_t free = std::filesystem::space(folder).available;
+  if (free < kEnoughRoom) throw std::runtime_error("less than 1 GiB is free in " + folder.string());
+  return std::to_string(free >> 30U) + " GiB free in " + folder.string();
+}
+
+/// In the order in which a user meets them.
+std::vector<Part> parts() {
+  return {
+      {"vectors", vectors_here, "use a processor with SSE4, AVX2 or NEON where speed matters"},
+      {"threads", [] { return counted(usable_processors(), "processor") + " for this process"; }, ""},
+      {"drawing", [] { return renderer_of(GlBackend::any); },
+       "install OSMesa (Debian: libosmesa6) or Mesa's EGL (Debian: libegl-mesa0)", true},
+      {"room", room_for_files, "free some space, or set TMPDIR to another folder", true},
+      {"drawing by EGL", [] { return renderer_of(GlBackend::egl); },
+       "only --backend egl needs it: install Mesa's EGL (Debian: libegl-mesa0)"},
+      {"display", GlfwWindow::try_out,
+       "only the window of `kerf debug` needs it: set DISPLAY, or run it by xvfb-run (Debian: xvfb xauth)"},
+      {"films", encoders_here, "install ffmpeg (Debian: ffmpeg); frames are made without it"},
+      {"plots", [] { return first_line_of("gnuplot --version"); },
+       "only `kerf report` and `kerf experiment` need it: install gnuplot (Debian: gnuplot-nox)"},
+  };
+}
+
+const char* word_for(const Finding& finding) {
+  if (finding.is_there) return "ok      ";
+  return finding.is_needed ? "MISSING " : "missing ";
+}
+
+std::string as_text(const std::vector<Finding>& findings) {
+  std::size_t width = 0;
+  for (const Finding& finding : findings) width = std::max(width, finding.name.size());
+  std::string text;
+  for (const Finding& finding : findings) {
+    text += word_for(finding) + finding.name + std::string(width + 2 - finding.name.size(), ' ') +
+            finding.what + "\n";
+    if (!finding.is_there) text += std::string(width + 10, ' ') + finding.advice + "\n";
+  }
+  return text;
+}
+
+std::string as_json(const std::vector<Finding>& findings) {
+  nlohmann::ordered_json json{{"machine", describe_machine()}, {"parts", nlohmann::ordered_json::array()}};
+  for (const Finding& finding : findings) {
+    nlohmann::ordered_json part{{"name", finding.name},
+                                {"there", finding.is_there},
+                                {"needed", finding.is_needed},
+                                {"what", finding.what}};
+    if (!finding.is_there) part["advice"] = finding.advice;
+    json["parts"].push_back(std::move(part));
+  }
+  return json.dump(1) + "\n";
+}
+
+}  // namespace
+
+DoctorCommand::DoctorCommand(CLI::App& program)
+    : command_(
+          program.add_subcommand("doctor", "What is there on this machine, and what to do about the rest")) {
+  command_->add_flag("--json", json_, "The same as JSON, with the machine");
+  command_->footer("It changes nothing. What only some commands need may be missing.");
+}
+
+bool DoctorCommand::chosen() const { return command_->parsed(); }
+
+void DoctorCommand::run() const {
+  std::vector<Finding> findings;
+  std::ranges::transform(parts(), std::back_inserter(findings), look_for);
+  if (!json_) std::printf("kerf %s\n", version());
+  std::fputs((json_ ? as_json(findings) : as_text(findings)).c_str(), stdout);
+  const auto is_lacking = [](const Finding& of) { return of.is_needed && !of.is_there; };
+  const auto lacking = static_cast<std::uint64_t>(std::ranges::count_if(findings, is_lacking));
+  if (lacking > 0) throw DoesNotHold(counted(lacking, "part") + " that pictures need: see MISSING");
+}
+
+}  // namespace kerf

@@ -1,0 +1,68 @@
+// `kerf doctor` says what is there, and what to do about what is not.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "frames/support/checkup.h"
+#include "frames/support/errors.h"
+#include "tests/frames/program.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::Outcome;
+using testing::Process;
+using testing::run_kerf;
+
+const nlohmann::json& part(const nlohmann::json& report, const std::string& name) {
+  for (const auto& each : report.at("parts"))
+    if (each.at("name") == name) return each;
+  throw std::runtime_error("no part " + name);
+}
+
+TEST(DoctorProgram, SaysWhatIsThere) {
+  const Outcome outcome = run_kerf({"doctor"});
+  EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("ok      drawing"));
+  EXPECT_THAT(outcome.out, HasSubstr("ok      films"));
+}
+
+TEST(DoctorProgram, SaysWhatToDoAboutWhatIsMissing) {
+  const Outcome outcome = run_kerf({"doctor", "--json"}, {.path = "/nowhere"});
+  EXPECT_EQ(outcome.exit, kExitHolds) << "no picture needs them";
+  const auto report = nlohmann::json::parse(outcome.out);
+  for (const char* name : {"films", "plots"}) {
+    EXPECT_EQ(part(report, name).at("there"), false) << name;
+    EXPECT_THAT(part(report, name).at("advice").get<std::string>(), HasSubstr("Debian: ")) << name;
+  }
+  EXPECT_EQ(part(report, "threads").at("there"), true);
+}
+
+TEST(DoctorProgram, WithoutADisplayItSaysHowToDoWithout) {
+  const std::string command = "unset DISPLAY WAYLAND_DISPLAY; exec \"$0\" doctor";
+  const Outcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
+  EXPECT_EQ(outcome.exit, kExitHolds);
+  EXPECT_THAT(outcome.out, HasSubstr("missing display"));
+  EXPECT_THAT(outcome.out, HasSubstr("xvfb-run"));
+}
+
+TEST(DoctorProgram, WhatPicturesNeedIsAFailure) {
+  const std::string command = "TMPDIR=/nowhere exec \"$0\" doctor";
+  const Outcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
+  EXPECT_EQ(outcome.exit, kExitDoesNotHold);
+  EXPECT_THAT(outcome.out, HasSubstr("MISSING room"));
+  EXPECT_THAT(outcome.err, HasSubstr("1 part"));
+}
+
+TEST(Checkup, NamesFilmsThatHaveNoEncoder) {
+  const std::string some =
+      " V....D libx264              H.264\n V....D libx264rgb  RGB\n VF...D apng  APNG\n";
+  EXPECT_THAT(films_without_encoder(some), ElementsAre(".webm", ".gif"));
+  EXPECT_THAT(films_without_encoder(some + " V....D gif  G\n V....D libvpx-vp9 VP9\n"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace kerf
