@@ -13,6 +13,14 @@
 #include "core/broad_phase/sort_and_sweep.h"
 #include "core/broad_phase/sweep_and_prune.h"
 #include "core/bsp/bsp.h"
+#include "core/related/auxiliary_planes.h"
+#include "core/related/kinetic_tree.h"
+#include "core/related/multi_level_hash.h"
+#include "core/related/rebuilt_tree.h"
+#include "core/related/reinserting_tree.h"
+#include "core/related/self_organising_tree.h"
+#include "core/related/shifting_cuts.h"
+#include "core/related/sphere_tree.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_config.h"
 #include "frames/support/suggest.h"
@@ -41,6 +49,26 @@ Algorithm<D> own(std::string name, std::string what) {
   return {std::move(name), std::move(what), Origin::ours, 1, true, [](const RivalHints<D>&, unsigned) {
             return std::make_unique<Kind<D>>();
           }};
+}
+
+/// The related work of the paper's section 2, only by name: to be looked at and compared, not to be fast.
+template <int D>
+void add_related(std::vector<Algorithm<D>>& all) {
+  const auto add = [&](Algorithm<D> algorithm) {
+    algorithm.by_default = false;
+    all.push_back(std::move(algorithm));
+  };
+  add(own<RebuiltTree, D>("rebuilt-tree", "a tree built from nothing in each step"));
+  add(own<ReinsertingTree, D>("reinserting-tree",
+                              "a static tree, what moves reinserted: Naylor; Chrysanthou, Slater"));
+  add(own<AuxiliaryPlanes, D>("auxiliary-planes", "planes between groups, each with its tree: Torres"));
+  add(own<ShiftingCuts, D>("shifting-cuts", "a kd-tree whose cuts follow the objects: Snyder, Lengyel"));
+  add(own<SelfOrganisingTree, D>("self-organising-tree",
+                                 "a tree divided only where it is used: Ar and others"));
+  add(own<KineticTree, D>("kinetic-tree",
+                          "a tree that changes when a prediction says so: Agarwal and others; Comba"));
+  add(own<MultiLevelHash, D>("multi-level-hash", "hash tables of several cell sizes: Mirtich"));
+  add(own<SphereTree, D>("sphere-tree", "a tree of spheres, built anew in each step: Hubbard"));
 }
 
 /// The paper's rival, only by name: where many objects move far, its swaps take quadratic time.
@@ -129,6 +157,7 @@ std::vector<Algorithm<D>> algorithms() {
   all.push_back(own<SortAndSweep, D>("sort-and-sweep", "our sort-and-sweep with vectors"));
   all.push_back(sweep_and_prune<D>());
   all.push_back(own<LooseOctree, D>("loose-octree", "our loose octree, built anew in each step"));
+  add_related(all);
   all.push_back(own<AllPairs, D>("all-pairs", "our brute force with vectors"));
   all.push_back(brute_force<D>());
   for (const Rival<D>& rival : rivals<D>()) all.push_back(library(rival));

@@ -84,6 +84,7 @@ constexpr auto kLayers = std::to_array<Layer>({
     {"core/tree/", 5, "tree, the five operators, scheduler, validator, hash"},
     {"core/bsp/", 6, "the semi-adjusting BSP tree as a broad phase"},
     {"core/broad_phase/", 7, "the oracle, other algorithms, approximate modes"},
+    {"core/related/", 8, "broad phases of the paper's related work"},
     {"core/scene/", 8, "what a scene is: shapes, poses, needs, bounding"},
     {"core/files/", 9, "files that get their names when they are complete"},
     {"core/recording/", 10, "recordings: writer, reader, codecs"},

@@ -13,6 +13,14 @@
 #include "core/broad_phase/loose_octree.h"
 #include "core/broad_phase/sort_and_sweep.h"
 #include "core/broad_phase/sweep_and_prune.h"
+#include "core/related/auxiliary_planes.h"
+#include "core/related/kinetic_tree.h"
+#include "core/related/multi_level_hash.h"
+#include "core/related/rebuilt_tree.h"
+#include "core/related/reinserting_tree.h"
+#include "core/related/self_organising_tree.h"
+#include "core/related/shifting_cuts.h"
+#include "core/related/sphere_tree.h"
 #include "tests/support/boxes.h"
 #include "tests/support/checked.h"
 #include "tests/support/moving_boxes.h"
@@ -55,7 +63,11 @@ class OwnBroadPhase : public testing::Test {
 };
 
 using Subjects = testing::Types<Columns<2>, Columns<3>, SortAndSweep<2>, SortAndSweep<3>, SweepAndPrune<2>,
-                                SweepAndPrune<3>, LooseOctree<2>, LooseOctree<3>, AllPairs<2>, AllPairs<3>>;
+                                SweepAndPrune<3>, LooseOctree<2>, LooseOctree<3>, AllPairs<2>, AllPairs<3>,
+                                RebuiltTree<2>, RebuiltTree<3>, ReinsertingTree<2>, ReinsertingTree<3>,
+                                AuxiliaryPlanes<2>, AuxiliaryPlanes<3>, ShiftingCuts<2>, ShiftingCuts<3>,
+                                SelfOrganisingTree<2>, SelfOrganisingTree<3>, KineticTree<2>, KineticTree<3>,
+                                MultiLevelHash<2>, MultiLevelHash<3>, SphereTree<2>, SphereTree<3>>;
 TYPED_TEST_SUITE(OwnBroadPhase, Subjects, BroadPhaseNames);
 
 TYPED_TEST(OwnBroadPhase, AgreesOnBouncingBoxesAndTeleports) {
