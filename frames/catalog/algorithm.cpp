@@ -63,6 +63,8 @@ void add_related(std::vector<Algorithm<D>>& all) {
                               "a static tree, what moves reinserted: Naylor; Chrysanthou, Slater"));
   add(own<AuxiliaryPlanes, D>("auxiliary-planes", "planes between groups, each with its tree: Torres"));
   add(own<ShiftingCuts, D>("shifting-cuts", "a kd-tree whose cuts follow the objects: Snyder, Lengyel"));
+  add({"shifting-cuts-only", "the same, never built anew", Origin::ours, 1, false,
+       [](const RivalHints<D>&, unsigned) { return std::make_unique<ShiftingCuts<D>>(0); }});
   add(own<SelfOrganisingTree, D>("self-organising-tree",
                                  "a tree divided only where it is used: Ar and others"));
   add(own<KineticTree, D>("kinetic-tree",

@@ -14,6 +14,7 @@
 #include "frames/experiment/experiment_page.h"
 #include "frames/experiment/experiment_plan.h"
 #include "frames/experiment/experiment_plots.h"
+#include "frames/experiment/related.h"
 #include "frames/page/gnuplot.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/countdown.h"
@@ -28,6 +29,7 @@ namespace {
 
 constexpr const char* kTextName = "experiment.md";
 constexpr const char* kPageName = "experiment.html";
+constexpr const char* kRelatedName = "related.html";
 constexpr ExperimentPlan kFullPlan{.size = {.steps = 6000, .objects = 4250}, .seeds = 3, .repeats = 5};
 
 /// Makes the runs of a shard of which there is no file yet.
@@ -50,7 +52,7 @@ class Experiment {
       const Simulation& simulation = simulations()[place.simulation];
       TimedRun& run = runs_[place.simulation][place.index];
       const ExperimentSize size = plan_.with_seed(static_cast<std::uint32_t>(run.seed - plan_.size.seed));
-      run.steps = run_simulation(simulation, size, run.repeat, [&](std::uint32_t step) {
+      run.steps = run_simulation(simulation, size, cast_of(run.repeat), [&](std::uint32_t step) {
         show(simulation, run, step);
         return !interrupt.requested();
       });
@@ -136,6 +138,31 @@ class Experiment {
   Stint stint_;
 };
 
+/// Runs the related work on each simulation with each seed; writes the page.
+void compare_related(const ExperimentPlan& plan, const std::filesystem::path& folder, Replace replace) {
+  const InterruptGuard interrupt;
+  make_writable_folder(folder);
+  const ProgressLine line;
+  PartFile page(folder / kRelatedName, replace);
+  RelatedRuns runs;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    for (std::uint32_t seed = 0; seed < plan.seeds; ++seed) {
+      const Simulation& simulation = simulations()[k];
+      const ExperimentRun run = run_simulation(
+          simulation, plan.with_seed(seed), {related_contestants(), true}, [&](std::uint32_t step) {
+            line.show("simulation " + std::to_string(simulation.number) + " (" +
+                      std::string(simulation.scene) + "), seed " + std::to_string(plan.with_seed(seed).seed) +
+                      "  step " + std::to_string(step) + "/" + std::to_string(plan.size.steps));
+            return !interrupt.requested();
+          });
+      if (interrupt.requested()) throw Interrupted("interrupted: nothing was written");
+      runs[k].push_back(summarise(run));
+    }
+  }
+  page.write(related_page(runs, plan.size));
+  page.keep();
+}
+
 }  // namespace
 
 ExperimentCommand::ExperimentCommand(CLI::App& program)
@@ -154,6 +181,10 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
   command_->add_flag(
       "--full", full_,
       "The paper's size, and enough runs: --steps 6000 --objects 4250 --seeds 3 --repeats 5 (hours)");
+  command_->add_flag(
+      "--related", related_,
+      "Instead: the related work of the paper's section 2 on the same simulations, and what the "
+      "paper says of it");
   command_->add_option("--seed", seed_, "The first one of every random choice (default 1)")->type_name("S");
   add_output(*command_, "--out", out_, "Folder (default out/experiment)", "DIR");
   command_
@@ -163,7 +194,8 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
   command_->add_flag("--overwrite", overwrite_,
                      "Replace an earlier page and its figures, and runs of another size");
   command_->footer(
-      "OUTPUT  DIR/experiment.html, which opens offline, and DIR/experiment.md: figures 12 and 13, and of "
+      "OUTPUT  DIR/experiment.html (with --related DIR/related.html), which opens offline, and "
+      "DIR/experiment.md: figures 12 and 13, and of "
       "each\n"
       "        statement of the paper's sections 6.2 and 7 whether it holds here; DIR/figure-12 and "
       "figure-13, as "
@@ -180,6 +212,8 @@ void ExperimentCommand::run() const {
         "--full says the steps, objects, seeds and repeats already; leave out --steps, --objects, --seeds "
         "and "
         "--repeats");
+  if (related_ && !(repeats_.empty() && shard_.empty()))
+    throw UsageError("--related makes all its runs at once: leave out --repeats and --shard");
   ExperimentPlan plan = full_ ? kFullPlan : ExperimentPlan{};
   if (!steps_.empty()) plan.size.steps = parse_whole<std::uint32_t>("--steps", steps_, 50, 1'000'000);
   if (!objects_.empty()) plan.size.objects = parse_whole<std::uint32_t>("--objects", objects_, 50, 100'000);
@@ -196,6 +230,12 @@ void ExperimentCommand::run() const {
     return;
   }
   require_gnuplot();
+  if (related_) {
+    outputs.add_file(folder / kRelatedName);
+    compare_related(plan, folder, outputs.replace());
+    std::printf("%s\n", (folder / kRelatedName).string().c_str());
+    return;
+  }
   for (const char* const figure : kFigureNames) outputs.add_file(folder / figure);
   outputs.add_file(folder / kTextName);
   outputs.add_file(folder / kPageName);

@@ -26,6 +26,7 @@ class ExperimentCommand {
   std::string out_;
   std::string shard_;
   bool full_ = false;
+  bool related_ = false;
   bool overwrite_ = false;
 };
 

@@ -39,9 +39,8 @@ Config config_of_reading(std::string_view contestant) {
 /// Stands in the world's loop and has all contestants do each step.
 class Chorus final : public BroadPhase<3> {
  public:
-  Chorus(const SceneEntry<3>& entry, const SceneOptions& options, std::uint32_t repeat)
-      : counts_(repeat == 1) {
-    for (const std::string_view name : contestants_in(repeat)) {
+  Chorus(const SceneEntry<3>& entry, const SceneOptions& options, const Cast& cast) : counts_(cast.counts) {
+    for (const std::string_view name : cast.names) {
       BroadPhaseChoice choice = choose_broad_phase(name.substr(0, name.find(':')), entry.needs);
       if (choice.name == kPaperTree) choice.config = config_of_reading(name);
       contestants_.emplace_back(make_broad_phase<3>(choice, entry, options));
@@ -130,6 +129,8 @@ std::span<const std::string_view> contestants_in(std::uint32_t repeat) {
   return repeat == 1 ? contestants() : contestants_in_figures();
 }
 
+Cast cast_of(std::uint32_t repeat) { return {contestants_in(repeat), repeat == 1}; }
+
 std::string_view paper_name(std::string_view contestant) {
   const auto found = std::ranges::find(kContestants, contestant);
   return kPaperNames.at(static_cast<std::size_t>(found - kContestants.begin()));
@@ -143,13 +144,13 @@ ExperimentRuns first_repeats(const ExperimentRuns& runs) {
   return first;
 }
 
-ExperimentRun run_simulation(const Simulation& simulation, const ExperimentSize& size, std::uint32_t repeat,
+ExperimentRun run_simulation(const Simulation& simulation, const ExperimentSize& size, const Cast& cast,
                              const std::function<bool(std::uint32_t step)>& watch) {
   const CatalogScene found = find_scene(simulation.scene);
   const SceneEntry<3>& entry = *std::get<const SceneEntry<3>*>(found.entry);
   SceneOptions options{.objects = size.objects, .seed = size.seed};
   if (entry.grows) options.steps = size.steps;
-  Chorus chorus(entry, options, repeat);
+  Chorus chorus(entry, options, cast);
   const std::unique_ptr<Scene<3>> scene = entry.make(chorus, options);
   ExperimentRun run;
   for (std::uint32_t step = 1; step <= size.steps && watch(step); ++step) {

@@ -25,6 +25,13 @@ std::span<const std::string_view> contestants();
 std::span<const std::string_view> contestants_in_figures();
 /// Those of a repeat: the other readings run in the first one only, since it is their counts that are asked.
 std::span<const std::string_view> contestants_in(std::uint32_t repeat);
+/// The broad phases of a run.
+struct Cast {
+  std::span<const std::string_view> names;  ///< the world follows the first, whose pairs are held to be true
+  bool counts = true;                       ///< the pairs that they leave to be compared, too
+};
+/// Candidates are counted in the first repeat, since later ones have the same.
+Cast cast_of(std::uint32_t repeat);
 /// The paper's name of a contestant in figures: "BSP", "QT", "SH", "LO" or "SP"; a like one for those that it
 /// has not.
 std::string_view paper_name(std::string_view contestant);
@@ -79,9 +86,8 @@ ExperimentRuns first_repeats(const ExperimentRuns& runs);
 
 /// Runs a simulation once with all broad phases side by side: each gets the same boxes in each step, in
 /// turns, and is timed by itself. The world follows the first of them; differences of the others' pairs from
-/// its pairs are counted. Candidates are counted in the first repeat, since later ones have the same.
-/// `watch(step)` is called before each step and ends the run by returning false.
-ExperimentRun run_simulation(const Simulation& simulation, const ExperimentSize& size, std::uint32_t repeat,
+/// its pairs are counted. `watch(step)` is called before each step and ends the run by returning false.
+ExperimentRun run_simulation(const Simulation& simulation, const ExperimentSize& size, const Cast& cast,
                              const std::function<bool(std::uint32_t step)>& watch);
 
 }  // namespace kerf
