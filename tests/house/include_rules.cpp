@@ -58,6 +58,7 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"POSIX", "unistd.h"},
     {"POSIX", "fcntl.h"},
     {"POSIX", "poll.h"},
+    {"POSIX", "sched.h"},
     {"POSIX", "pthread.h"},
     {"POSIX", "signal.h"},
     {"POSIX", "spawn.h"},

@@ -21,7 +21,7 @@ class GlfwWindow final : public GlContext {
   GlfwWindow(const std::string& title, int width, int height, bool grows = false);
   ~GlfwWindow() override;
 
-  /// Opens a window that nobody sees; its description. Throws as the constructor does.
+  /// Opens a window that is not shown; its description. Throws as the constructor does.
   static std::string try_out();
 
   void make_current() override;

@@ -27,14 +27,13 @@ constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
 constexpr std::size_t kMostPairsInBrief = 4'000;
 constexpr double kCellAlpha = 0.5;
-constexpr double kTriad = 26;    // pixels of an axis
-constexpr double kLetters = 12;  // pixels of the names of the axes
+constexpr double kTriad = 26;  // pixels of an axis
 
 }  // namespace
 
 template <int D>
 SceneViewOf<D>::SceneViewOf(const GlFunctions& gl, RunOf<D>& run)
-    : gl_(gl), run_(run), survey_(survey(run)), box_(survey_.box) {
+    : gl_(gl), run_(run), painter_(gl), survey_(survey(run)), box_(survey_.box) {
   orbit_.set_box(box_);
 }
 
@@ -82,18 +81,9 @@ void SceneViewOf<D>::update(const DebuggerModel& model, int width, int height, d
   const int samples = counts_.objects < kManyBodies ? 4 : 1;
   if (resized || samples != samples_) framebuffer_.emplace(gl_, width_, height_, samples);
   samples_ = samples;
-  choose_letters();
+  painter_.set_scale(look.scale);
   draw(model);
   ++drawn_;
-}
-
-template <int D>
-void SceneViewOf<D>::choose_letters() {
-  const int pixels = std::clamp(static_cast<int>(std::lround(kLetters * look.scale)), 6, 256);
-  if (std::exchange(letters_, pixels) == pixels) return;
-  painter_.reset();  // it has the old letters
-  font_ = std::make_unique<Font>(pixels);
-  painter_ = std::make_unique<Painter>(gl_, *font_);
 }
 
 template <int D>
@@ -173,7 +163,7 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
     if (layers.has(Layer::objects)) draw_objects(frame, back);
   } else {
     draw_space(frame, leaf_colors(), {back, glass, shadows_});
-    draw_triad(frame.view, *font_, {0, 0, double(width_), double(height_)}, Corner::right,
+    draw_triad(frame.view, painter_.font(), {0, 0, double(width_), double(height_)}, Corner::right,
                kTriad * line_scale, triad_);
   }
   draw_pairs(frame, lines);

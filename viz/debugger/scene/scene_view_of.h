@@ -1,13 +1,13 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "viz/debugger/model/run_of.h"
 #include "viz/debugger/scene/orbit.h"
 #include "viz/debugger/scene/run_survey.h"
+#include "viz/debugger/scene/scene_painter.h"
 #include "viz/debugger/scene/scene_view.h"
 #include "viz/debugger/scene/visibility.h"
 #include "viz/draw/draw_context.h"
@@ -67,7 +67,6 @@ class SceneViewOf final : public SceneView {
     }
   };
 
-  void choose_letters();
   void take_moment();
   [[nodiscard]] Color color_of_leaf(NodeId leaf) const;
   /// While the camera turns, many objects are drawn with less detail.
@@ -91,9 +90,7 @@ class SceneViewOf final : public SceneView {
 
   const GlFunctions& gl_;
   RunOf<D>& run_;
-  int letters_ = 0;             ///< pixels of the font; 0: there is none yet
-  std::unique_ptr<Font> font_;  ///< of the size that the scale wants
-  std::unique_ptr<Painter> painter_;
+  ScenePainter painter_;
   RunSurvey<D> survey_;
   Box<D> box_;
   Orbit<D> orbit_;
