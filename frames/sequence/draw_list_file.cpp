@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kDrawListFormat = "kerf-draw-1";
 
-std::string hex(Color c) {
+std::string hex_color(Color c) {
   char text[16];
   std::snprintf(text, sizeof text, "#%02x%02x%02x%02x", c.r, c.g, c.b, c.a);
   return text;
@@ -35,7 +35,7 @@ Json item_json(const Drawn& drawn) {
   return {to_string(drawn.kind),
           drawn.a,
           drawn.b,
-          hex(drawn.color),
+          hex_color(drawn.color),
           hundredths(drawn.left),
           hundredths(drawn.top),
           hundredths(drawn.right),
