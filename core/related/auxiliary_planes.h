@@ -36,6 +36,7 @@ class AuxiliaryPlanes final : public CutTreePolicy<D> {
   std::vector<std::uint8_t> is_group_;  ///< by node
   std::size_t rebuilt_ = 0;
   std::size_t placed_then_ = 0;  ///< objects when the planes were chosen
+  std::size_t members_ = 0;      ///< of all groups
 };
 
 extern template class AuxiliaryPlanes<2>;

@@ -9,10 +9,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/base/counted.h"
 #include "core/kernels/machine.h"
+#include "frames/sequence/video.h"
 #include "frames/support/checkup.h"
 #include "frames/support/errors.h"
 #include "frames/support/machine.h"
@@ -36,7 +38,8 @@ std::string renderer_of(GlBackend backend) { return make_offscreen_context(backe
 
 std::string encoders_here() {
   const std::string version = first_line_of("ffmpeg -version");
-  const std::vector<std::string> missing = films_without_encoder(output_of("ffmpeg -hide_banner -encoders"));
+  const std::vector<std::string> missing =
+      Video::extensions_without_encoder(output_of("ffmpeg -hide_banner -encoders"));
   if (missing.empty()) return version.substr(0, version.find(" Copyright"));
   std::string text = "ffmpeg has no encoder for";
   for (const std::string& ending : missing) text += " " + ending;
@@ -55,7 +58,7 @@ std::string room_for_files(std::uintmax_t gibibytes) {
 std::vector<Part> parts(std::uintmax_t gibibytes) {
   return {
       {"vectors", vectors_here, "use a processor with SSE4, AVX2 or NEON where speed matters"},
-      {"threads", [] { return counted(usable_processors(), "processor") + " for this process"; }, ""},
+      {"threads", [] { return counted(std::thread::hardware_concurrency(), "processor"); }, ""},
       {"drawing", [] { return renderer_of(GlBackend::any); },
        "install OSMesa (Debian: libosmesa6) or Mesa's EGL (Debian: libegl-mesa0)", true},
       {"room", [gibibytes] { return room_for_files(gibibytes); },

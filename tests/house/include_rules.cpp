@@ -58,7 +58,6 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"POSIX", "unistd.h"},
     {"POSIX", "fcntl.h"},
     {"POSIX", "poll.h"},
-    {"POSIX", "sched.h"},
     {"POSIX", "pthread.h"},
     {"POSIX", "signal.h"},
     {"POSIX", "spawn.h"},
