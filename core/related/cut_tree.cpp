@@ -207,7 +207,7 @@ bool CutTree<D>::begins_in(Index leaf, ObjectId a, ObjectId b) const {
   const Box<D>& region = nodes_[leaf].region;
   for (int i = 0; i < D; ++i) {
     const Scalar begin = std::max(box(a).min[i], box(b).min[i]);
-    if (begin < region.min[i] || begin >= region.max[i]) return false;
+    if (begin < region.min[i]) return false;  // both begin before its end, or one would not be here
   }
   return true;
 }
