@@ -118,12 +118,26 @@ void AuxiliaryPlanes<D>::arrange() {
   members_ += dirty.size() - left;
   std::ranges::sort(dirty);
   dirty.erase(std::ranges::unique(dirty).begin(), dirty.end());
-  for (const Index group : dirty) tree.collapse(group);
-  static_cast<void>(this->take_in(changes));
+  build_again(dirty, changes);
   const auto placed = static_cast<double>(this->placed().size());
   if (static_cast<double>(members_) > (1 + kMostStraddlers) * placed) return choose_planes();
-  for (const Index group : dirty) tree.divide_crowded(group);
   rebuilt_ = dirty.size();
+}
+
+template <int D>
+void AuxiliaryPlanes<D>::build_again(const std::vector<Index>& dirty, const Changes& changes) {
+  CutTree<D>& tree = this->cuts();
+  std::vector<std::uint8_t> has_changed(this->table().bound(), 0);
+  for (const std::vector<ObjectId>* const objects : {&changes.gone, &changes.moved})
+    for (const ObjectId object : *objects) has_changed[object.index()] = 1;
+  std::vector<Index> leaves;
+  for (const Index group : dirty)
+    for (const ObjectId object : tree.take_out(group))
+      if (has_changed[object.index()] == 0) tree.insert(group, object, this->table().box(object), leaves);
+  for (const std::vector<ObjectId>* const objects : {&changes.moved, &changes.come})
+    for (const ObjectId object : *objects)
+      tree.insert(tree.root(), object, this->table().box(object), leaves);
+  for (const Index group : dirty) tree.divide_crowded(group);
 }
 
 template class AuxiliaryPlanes<2>;

@@ -25,8 +25,11 @@ class AuxiliaryPlanes final : public CutTreePolicy<D> {
  private:
   using Index = typename CutTree<D>::Index;
   using Cut = typename CutTree<D>::Cut;
+  using Changes = typename CutTreePolicy<D>::Changes;
   void arrange() override;
   void choose_planes();
+  /// The trees of groups in which something has changed.
+  void build_again(const std::vector<Index>& dirty, const Changes& changes);
   /// The gap nearest to the middle on any axis; none if there is no gap.
   [[nodiscard]] Cut gap_of(Index leaf) const;
   /// The groups that a box reaches into.
