@@ -84,6 +84,7 @@ void AuxiliaryPlanes<D>::choose_planes() {
   }
   rebuilt_ = groups_.size();
   placed_then_ = this->placed().size();
+  members_ = placed_then_;  // no cut goes through an object
 }
 
 template <int D>
@@ -108,20 +109,35 @@ void AuxiliaryPlanes<D>::arrange() {
   const auto changes = this->take_changes();
   if (groups_.empty() || this->placed().size() > 2 * placed_then_) return choose_planes();
   std::vector<Index> dirty;
-  for (const ObjectId object : changes.gone) find_groups(tree.box(object), dirty);
-  for (const ObjectId object : changes.moved) find_groups(tree.box(object), dirty);
+  for (const std::vector<ObjectId>* const objects : {&changes.gone, &changes.moved})
+    for (const ObjectId object : *objects) find_groups(tree.box(object), dirty);
+  members_ -= dirty.size();
+  const std::size_t left = dirty.size();
   for (const std::vector<ObjectId>* const objects : {&changes.moved, &changes.come})
     for (const ObjectId object : *objects) find_groups(this->table().box(object), dirty);
+  members_ += dirty.size() - left;
   std::ranges::sort(dirty);
   dirty.erase(std::ranges::unique(dirty).begin(), dirty.end());
-  for (const Index group : dirty) tree.collapse(group);
-  static_cast<void>(this->take_in(changes));
-  std::size_t entries = 0;
-  for (const Index group : groups_) entries += tree.objects_below(group).size();
-  const auto straddlers = static_cast<double>(entries) - static_cast<double>(this->placed().size());
-  if (straddlers > kMostStraddlers * static_cast<double>(this->placed().size())) return choose_planes();
-  for (const Index group : dirty) tree.divide_crowded(group);
+  build_again(dirty, changes);
+  const auto placed = static_cast<double>(this->placed().size());
+  if (static_cast<double>(members_) > (1 + kMostStraddlers) * placed) return choose_planes();
   rebuilt_ = dirty.size();
+}
+
+template <int D>
+void AuxiliaryPlanes<D>::build_again(const std::vector<Index>& dirty, const Changes& changes) {
+  CutTree<D>& tree = this->cuts();
+  std::vector<std::uint8_t> has_changed(this->table().bound(), 0);
+  for (const std::vector<ObjectId>* const objects : {&changes.gone, &changes.moved})
+    for (const ObjectId object : *objects) has_changed[object.index()] = 1;
+  std::vector<Index> leaves;
+  for (const Index group : dirty)
+    for (const ObjectId object : tree.take_out(group))
+      if (has_changed[object.index()] == 0) tree.insert(group, object, this->table().box(object), leaves);
+  for (const std::vector<ObjectId>* const objects : {&changes.moved, &changes.come})
+    for (const ObjectId object : *objects)
+      tree.insert(tree.root(), object, this->table().box(object), leaves);
+  for (const Index group : dirty) tree.divide_crowded(group);
 }
 
 template class AuxiliaryPlanes<2>;

@@ -25,8 +25,11 @@ class AuxiliaryPlanes final : public CutTreePolicy<D> {
  private:
   using Index = typename CutTree<D>::Index;
   using Cut = typename CutTree<D>::Cut;
+  using Changes = typename CutTreePolicy<D>::Changes;
   void arrange() override;
   void choose_planes();
+  /// The trees of groups in which something has changed.
+  void build_again(const std::vector<Index>& dirty, const Changes& changes);
   /// The gap nearest to the middle on any axis; none if there is no gap.
   [[nodiscard]] Cut gap_of(Index leaf) const;
   /// The groups that a box reaches into.
@@ -36,6 +39,7 @@ class AuxiliaryPlanes final : public CutTreePolicy<D> {
   std::vector<std::uint8_t> is_group_;  ///< by node
   std::size_t rebuilt_ = 0;
   std::size_t placed_then_ = 0;  ///< objects when the planes were chosen
+  std::size_t members_ = 0;      ///< of all groups
 };
 
 extern template class AuxiliaryPlanes<2>;

@@ -134,15 +134,22 @@ void CutTree<D>::free_below(Index node) {
 }
 
 template <int D>
-void CutTree<D>::collapse(Index node) {
-  if (nodes_[node].is_leaf()) return;
+std::vector<ObjectId> CutTree<D>::take_out(Index node) {
   std::vector<ObjectId> objects = objects_below(node);
-  free_below(node);
+  if (!nodes_[node].is_leaf()) free_below(node);
   Node& leaf = nodes_[node];
+  entries_ -= leaf.entries.size();
   leaf.axis = -1;
   leaf.below = leaf.above = kNone;
-  leaf.entries = std::move(objects);
-  entries_ += leaf.entries.size();
+  leaf.entries.clear();
+  return objects;
+}
+
+template <int D>
+void CutTree<D>::collapse(Index node) {
+  if (nodes_[node].is_leaf()) return;
+  nodes_[node].entries = take_out(node);
+  entries_ += nodes_[node].entries.size();
 }
 
 template <int D>
@@ -207,7 +214,7 @@ bool CutTree<D>::begins_in(Index leaf, ObjectId a, ObjectId b) const {
   const Box<D>& region = nodes_[leaf].region;
   for (int i = 0; i < D; ++i) {
     const Scalar begin = std::max(box(a).min[i], box(b).min[i]);
-    if (begin < region.min[i] || begin >= region.max[i]) return false;
+    if (begin < region.min[i]) return false;  // both begin before its end, or one would not be here
   }
   return true;
 }

@@ -64,6 +64,8 @@ class CutTree {
   void divide(Index leaf, const Cut& cut);
   /// Divides what is crowded in a leaf, until nothing more is gained.
   void divide_crowded(Index leaf);
+  /// Makes an empty leaf of a node; the objects that were below it, each once.
+  std::vector<ObjectId> take_out(Index node);
   /// Makes a leaf of a node, with the objects below it.
   void collapse(Index node);
   /// Gives the cut another place within the region of its node, the nearest to `at`. Only for a node that has

@@ -24,6 +24,7 @@ class CutTreePolicy : public Tabled<D> {
     std::vector<ObjectId> gone;
     std::vector<ObjectId> come;
     std::vector<ObjectId> moved;
+    [[nodiscard]] bool is_empty() const { return gone.empty() && come.empty() && moved.empty(); }
   };
   Changes take_changes();
 

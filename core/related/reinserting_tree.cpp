@@ -5,6 +5,7 @@ namespace kerf {
 template <int D>
 void ReinsertingTree<D>::arrange() {
   const auto changes = this->take_changes();
+  if (changes.is_empty()) return;
   const auto leaves = this->take_in(changes);
   for (const Index leaf : leaves) this->cuts().divide_crowded(leaf);
   remove_empty(this->cuts().root());

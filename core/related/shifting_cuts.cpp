@@ -15,7 +15,7 @@ void ShiftingCuts<D>::arrange() {
     age_ = 1;
     return this->rebuild();
   }
-  if (changes.gone.empty() && changes.come.empty() && changes.moved.empty()) return;
+  if (changes.is_empty()) return;
   this->cuts().remove_all();
   shift(this->cuts().root(), this->placed());
 }

@@ -63,8 +63,8 @@ void add_related(std::vector<Algorithm<D>>& all) {
                               "a static tree, what moves reinserted: Naylor; Chrysanthou, Slater"));
   add(own<AuxiliaryPlanes, D>("auxiliary-planes", "planes between groups, each with its tree: Torres"));
   add(own<ShiftingCuts, D>("shifting-cuts", "a kd-tree whose cuts follow the objects: Snyder, Lengyel"));
-  add({"shifting-cuts-only", "the same, never built anew", Origin::ours, 1, false,
-       [](const RivalHints<D>&, unsigned) { return std::make_unique<ShiftingCuts<D>>(0); }});
+  add({"shifting-cuts-only", "a kd-tree whose cuts follow the objects, never built anew", Origin::ours, 1,
+       false, [](const RivalHints<D>&, unsigned) { return std::make_unique<ShiftingCuts<D>>(0); }});
   add(own<SelfOrganisingTree, D>("self-organising-tree",
                                  "a tree divided only where it is used: Ar and others"));
   add(own<KineticTree, D>("kinetic-tree",
@@ -154,7 +154,8 @@ template <int D>
 std::vector<Algorithm<D>> algorithms() {
   std::vector<Algorithm<D>> all;
   all.push_back(tree<D>(kTunedTree, "the Semi-Adjusting BSP-tree, tuned", tuned_config()));
-  all.push_back(tree<D>(kPaperTree, "the same with the paper's parameters alone", Config{}));
+  all.push_back(
+      tree<D>(kPaperTree, "the Semi-Adjusting BSP-tree with the paper's parameters alone", Config{}));
   all.push_back(own<Columns, D>("columns", "our grid of columns, built anew in each step"));
   all.push_back(own<SortAndSweep, D>("sort-and-sweep", "our sort-and-sweep with vectors"));
   all.push_back(sweep_and_prune<D>());

@@ -9,21 +9,22 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/base/counted.h"
 #include "core/kernels/machine.h"
+#include "frames/sequence/video.h"
 #include "frames/support/checkup.h"
 #include "frames/support/errors.h"
 #include "frames/support/machine.h"
+#include "frames/support/parse_whole.h"
 #include "frames/support/version.h"
 #include "viz/debugger/gui/glfw_window.h"
 #include "viz/gl/context.h"
 
 namespace kerf {
 namespace {
-
-constexpr std::uintmax_t kEnoughRoom = std::uintmax_t{1} << 30U;  // bytes
 
 std::string vectors_here() {
   const std::vector<std::string> all = kernels();
@@ -37,28 +38,31 @@ std::string renderer_of(GlBackend backend) { return make_offscreen_context(backe
 
 std::string encoders_here() {
   const std::string version = first_line_of("ffmpeg -version");
-  const std::vector<std::string> missing = films_without_encoder(output_of("ffmpeg -hide_banner -encoders"));
+  const std::vector<std::string> missing =
+      Video::extensions_without_encoder(output_of("ffmpeg -hide_banner -encoders"));
   if (missing.empty()) return version.substr(0, version.find(" Copyright"));
   std::string text = "ffmpeg has no encoder for";
   for (const std::string& ending : missing) text += " " + ending;
   throw std::runtime_error(text);
 }
 
-std::string room_for_files() {
+std::string room_for_files(std::uintmax_t gibibytes) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
   const std::uintmax_t free = std::filesystem::space(folder).available;
-  if (free < kEnoughRoom) throw std::runtime_error("less than 1 GiB is free in " + folder.string());
+  if (free >> 30U < gibibytes)
+    throw std::runtime_error("less than " + std::to_string(gibibytes) + " GiB is free in " + folder.string());
   return std::to_string(free >> 30U) + " GiB free in " + folder.string();
 }
 
 /// In the order in which a user meets them.
-std::vector<Part> parts() {
+std::vector<Part> parts(std::uintmax_t gibibytes) {
   return {
       {"vectors", vectors_here, "use a processor with SSE4, AVX2 or NEON where speed matters"},
-      {"threads", [] { return counted(usable_processors(), "processor") + " for this process"; }, ""},
+      {"threads", [] { return counted(std::thread::hardware_concurrency(), "processor"); }, ""},
       {"drawing", [] { return renderer_of(GlBackend::any); },
        "install OSMesa (Debian: libosmesa6) or Mesa's EGL (Debian: libegl-mesa0)", true},
-      {"room", room_for_files, "free some space, or set TMPDIR to another folder", true},
+      {"room", [gibibytes] { return room_for_files(gibibytes); },
+       "free some space, or set TMPDIR to another folder", true},
       {"drawing by EGL", [] { return renderer_of(GlBackend::egl); },
        "only --backend egl needs it: install Mesa's EGL (Debian: libegl-mesa0)"},
       {"display", GlfwWindow::try_out,
@@ -104,6 +108,7 @@ std::string as_json(const std::vector<Finding>& findings) {
 DoctorCommand::DoctorCommand(CLI::App& program)
     : command_(
           program.add_subcommand("doctor", "What is there on this machine, and what to do about the rest")) {
+  command_->add_option("--room", room_, "So much free space is needed (default 1)")->type_name("GIB");
   command_->add_flag("--json", json_, "The same as JSON, with the machine");
   command_->footer("It changes nothing. What only some commands need may be missing.");
 }
@@ -112,7 +117,8 @@ bool DoctorCommand::chosen() const { return command_->parsed(); }
 
 void DoctorCommand::run() const {
   std::vector<Finding> findings;
-  std::ranges::transform(parts(), std::back_inserter(findings), look_for);
+  const std::uint32_t room = room_.empty() ? 1 : parse_whole<std::uint32_t>("--room", room_, 1, 1'000'000);
+  std::ranges::transform(parts(room), std::back_inserter(findings), look_for);
   if (!json_) std::printf("kerf %s\n", version());
   std::fputs((json_ ? as_json(findings) : as_text(findings)).c_str(), stdout);
   const auto is_lacking = [](const Finding& of) { return of.is_needed && !of.is_there; };

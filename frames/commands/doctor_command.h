@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace CLI {
 class App;
 }
@@ -12,11 +14,13 @@ class DoctorCommand {
   explicit DoctorCommand(CLI::App& program);
 
   [[nodiscard]] bool chosen() const;
-  /// Throws DoesNotHold if something is missing, std::runtime_error if standard output cannot be written.
+  /// Throws UsageError, DoesNotHold if something is missing, std::runtime_error if standard output cannot be
+  /// written.
   void run() const;
 
  private:
   CLI::App* command_;
+  std::string room_;
   bool json_ = false;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <stdexcept>
 
 #include "frames/catalog/algorithm.h"
@@ -16,14 +15,14 @@ constexpr std::array<std::string_view, 11> kRelated{
     "shifting-cuts", "shifting-cuts-only", "kinetic-tree",     "self-organising-tree",
     "loose-octree",  "multi-level-hash",   "sphere-tree"};
 
+constexpr std::string_view kNoFigure = "its words name no figure";
 constexpr double kMuch = 1.5;  // "expensive", "degradation": by no less than this factor
 
 constexpr std::array<RelatedClaim, 9> kRelatedClaims{{
-    {"a brute-force approach simply deletes moving objects and inserts them again", RelatedMeasure::update,
-     "reinserting-tree", kPaperTree, true, 1,
-     "as the costlier way: its updates cost more than the paper's tree's"},
+    {"a brute-force approach simply deletes moving objects and inserts them again", RelatedMeasure::none, "",
+     "", true, 1, kNoFigure},
     {"hash tables require re-applying a hash function to index extents at different levels",
-     RelatedMeasure::update, "multi-level-hash", kPaperTree, true, 1, "likewise"},
+     RelatedMeasure::none, "", "", true, 1, kNoFigure},
     {"loose octrees reduce update costs", RelatedMeasure::update, "loose-octree", "reinserting-tree", false,
      1, "less than to reinsert what moves"},
     {"auxiliary plane cuts minimise the impact of moving objects", RelatedMeasure::update, "auxiliary-planes",
@@ -60,17 +59,15 @@ double figure_of(const RelatedRun& run, std::string_view contestant, RelatedMeas
   return measure == RelatedMeasure::update ? update : update + sum_of(run, place, &RelatedFigures::collision);
 }
 
-/// Subject over rival, by the median of the seeds; none without a run.
-std::optional<double> ratio_of(const RelatedClaim& claim, const std::vector<RelatedRun>& runs) {
+/// Subject over rival, rising, one for each seed.
+std::vector<double> ratios_of(const RelatedClaim& claim, const std::vector<RelatedRun>& runs) {
   std::vector<double> ratios;
   for (const RelatedRun& run : runs) {
     const double rival = figure_of(run, claim.rival, claim.measure);
     if (rival > 0) ratios.push_back(figure_of(run, claim.subject, claim.measure) / rival);
   }
-  if (ratios.empty()) return std::nullopt;
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::ranges::nth_element(ratios, middle);
-  return *middle;
+  std::ranges::sort(ratios);
+  return ratios;
 }
 
 }  // namespace
@@ -113,11 +110,14 @@ RelatedVerdict judge(const RelatedClaim& claim, const RelatedRuns& runs) {
   std::size_t hold = 0;
   std::size_t judged = 0;
   for (const std::vector<RelatedRun>& simulation : runs) {
-    const auto ratio = ratio_of(claim, simulation);
-    if (!ratio) continue;
-    ++judged;
-    hold += (claim.more ? *ratio > claim.factor : *ratio < 1 / claim.factor) ? 1 : 0;
-    verdict.figures += (verdict.figures.empty() ? "" : ", ") + short_number(*ratio);
+    const std::vector<double> ratios = ratios_of(claim, simulation);
+    if (ratios.size() < kLeastSamples) continue;
+    const auto holds = [&](double ratio) {
+      return claim.more ? ratio > claim.factor : ratio < 1 / claim.factor;
+    };
+    judged += ratios.size();
+    hold += static_cast<std::size_t>(std::ranges::count_if(ratios, holds));
+    verdict.figures += (verdict.figures.empty() ? "" : ", ") + short_number(ratios[ratios.size() / 2]);
   }
   if (judged == 0) return verdict;
   verdict.figures += " times";

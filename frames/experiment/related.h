@@ -58,9 +58,10 @@ std::span<const RelatedClaim> related_claims();
 
 struct RelatedVerdict {
   Outcome outcome = Outcome::cannot_be_judged;
-  std::string figures;  ///< by simulation: "2.1, 1.4, 3, 1.2 times"
+  std::string figures;  ///< by simulation, the medians of its runs: "2.1, 1.4, 3, 1.2 times"
 };
-/// It holds if it does in each simulation by the median of its seeds, partly if in some.
+/// It holds if it does in every run of every simulation, partly if in some; simulations with fewer than
+/// `kLeastSamples` runs do not count.
 RelatedVerdict judge(const RelatedClaim& claim, const RelatedRuns& runs);
 
 /// The page: what each of them is, how it was read, verdicts, figures over time.

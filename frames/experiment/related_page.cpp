@@ -4,6 +4,7 @@
 #include "frames/experiment/related.h"
 #include "frames/page/page.h"
 #include "frames/page/plot.h"
+#include "viz/draw/palette.h"
 
 namespace kerf {
 namespace {
@@ -28,7 +29,9 @@ Plot plot_over_time(const std::string& title, const std::vector<RelatedRun>& run
   Plot plot{title, "step", "pairs of boxes compared", false, true, {}};
   const auto names = related_contestants();
   for (std::size_t k = 0; k < names.size(); ++k) {
-    PlotSeries series{std::string(names[k]), {}, PlotStyle::line};
+    // There are more of them than colours.
+    PlotSeries series{
+        std::string(names[k]), {}, k < palette::kSeries.size() ? PlotStyle::line : PlotStyle::dashed};
     for (std::size_t part = 0; part < kRelatedParts; ++part) {
       const double step = (static_cast<double>(part) + 0.5) * size.steps / static_cast<double>(kRelatedParts);
       series.points.push_back({step, mean_of(runs, k, part, &RelatedFigures::candidates)});
@@ -96,7 +99,8 @@ std::string related_page(const RelatedRuns& runs, const ExperimentSize& size) {
   page.section("verdicts", "What the paper says of them");
   page.paragraph(
       "Each is built as its source says, on boxes; where the source leaves things open, the comment of its "
-      "header says how it was read. All get the same boxes in each step, in turns, and all have to report "
+      "header says how it was read. A sentence holds if it does in every run. All get the same boxes in each "
+      "step, in turns, and all have to report "
       "the "
       "same pairs. Times are of the processor.");
   write_verdicts(page, runs);

@@ -11,8 +11,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
-#include <vector>
+#include <string_view>
 
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
@@ -26,6 +27,7 @@ using Words = std::vector<std::string>;
 /// yuv420p is what players understand; it needs even sides, so an odd side gets one more row or column.
 struct Format {
   const char* extension;
+  std::string_view encoder;
   Words options;
 };
 
@@ -43,16 +45,18 @@ const std::vector<Format>& formats() {
   };
   // Each picture has its own 256 colours: one palette for all would need all of them in memory.
   static const std::vector<Format> all{
-      {".mp4", h264_in("mp4")},
-      {".mkv", h264_in("matroska")},
-      {".mov", h264_in("mov")},
+      {".mp4", "libx264", h264_in("mp4")},
+      {".mkv", "libx264", h264_in("matroska")},
+      {".mov", "libx264", h264_in("mov")},
       {".webm",
+       "libvpx-vp9",
        {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libvpx-vp9", "-crf", "31", "-b:v", "0", "-deadline",
         "good", "-cpu-used", "5", "-row-mt", "1", "-pix_fmt", "yuv420p", "-f", "webm"}},
       {".gif",
+       "gif",
        {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none", "-loop",
         "0", "-f", "gif"}},
-      {".apng", {"-c:v", "apng", "-pred", "up", "-pix_fmt", "rgb24", "-plays", "0", "-f", "apng"}},
+      {".apng", "apng", {"-c:v", "apng", "-pred", "up", "-pix_fmt", "rgb24", "-plays", "0", "-f", "apng"}},
   };
   return all;
 }
@@ -61,6 +65,18 @@ const Format* format_of(const std::filesystem::path& path) {
   const auto format =
       std::ranges::find(formats(), path.extension().string(), [](const Format& f) { return f.extension; });
   return format == formats().end() ? nullptr : &*format;
+}
+
+/// A line of ffmpeg's list is " V....D libx264   description".
+bool lists(const std::string& encoders, std::string_view name) {
+  std::istringstream lines(encoders);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string flags;
+    std::string encoder;
+    if (words >> flags >> encoder && encoder == name) return true;
+  }
+  return false;
 }
 
 Words ffmpeg_arguments(const PartFile& part, PictureSize size, int rate) {
@@ -171,6 +187,13 @@ std::string Video::last_words() const {
   text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, got)));
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text.empty() ? "it ended without a message" : text;
+}
+
+std::vector<std::string> Video::extensions_without_encoder(const std::string& encoders) {
+  std::vector<std::string> missing;
+  for (const Format& format : formats())
+    if (!lists(encoders, format.encoder)) missing.emplace_back(format.extension);
+  return missing;
 }
 
 void Video::check_extension(const std::filesystem::path& path) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/files/part_file.h"
 #include "frames/support/picture_size.h"
@@ -33,6 +34,9 @@ class Video {
 
   /// Throws UsageError unless the extension is one of .mp4, .mkv, .mov (H.264), .webm (VP9), .gif and .apng.
   static void check_extension(const std::filesystem::path& path);
+
+  /// The extensions of films that an ffmpeg cannot make whose list of encoders (`ffmpeg -encoders`) this is.
+  static std::vector<std::string> extensions_without_encoder(const std::string& encoders);
 
  private:
   void start(PictureSize size, int frames_per_second);

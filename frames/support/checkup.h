@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 namespace kerf {
 
@@ -27,12 +26,5 @@ Finding look_for(const Part& part);
 /// What a program prints, and its first line. Throws std::runtime_error if it cannot be run or fails.
 std::string output_of(const std::string& command);
 std::string first_line_of(const std::string& command);
-
-/// Processors that this process may use, which may be fewer than the machine has.
-unsigned usable_processors();
-
-/// Encoders of films that `encoders`, the list that ffmpeg prints, does not have, by the endings of their
-/// files.
-std::vector<std::string> films_without_encoder(const std::string& encoders);
 
 }  // namespace kerf

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "frames/support/checkup.h"
+#include "frames/sequence/video.h"
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
@@ -57,11 +57,12 @@ TEST(DoctorProgram, WhatPicturesNeedIsAFailure) {
   EXPECT_THAT(outcome.err, HasSubstr("1 part"));
 }
 
-TEST(Checkup, NamesFilmsThatHaveNoEncoder) {
+TEST(Video, NamesFilmsThatHaveNoEncoder) {
   const std::string some =
       " V....D libx264              H.264\n V....D libx264rgb  RGB\n VF...D apng  APNG\n";
-  EXPECT_THAT(films_without_encoder(some), ElementsAre(".webm", ".gif"));
-  EXPECT_THAT(films_without_encoder(some + " V....D gif  G\n V....D libvpx-vp9 VP9\n"), IsEmpty());
+  EXPECT_THAT(Video::extensions_without_encoder(some), ElementsAre(".webm", ".gif"));
+  EXPECT_THAT(Video::extensions_without_encoder(some + " V....D gif  G\n V....D libvpx-vp9 VP9\n"),
+              IsEmpty());
 }
 
 }  // namespace

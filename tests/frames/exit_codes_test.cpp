@@ -146,6 +146,7 @@ constexpr Case kCases[] = {
     {0, "bench-frames --sizes 320x240 --boxes 10 --frames 300"},
     {2, "bench-frames --sizes 64x64 --boxes 5 --frames 600 --json @none/a.json"},
     {0, "doctor"},
+    {1, "doctor --room 1000000"},
     {2, "doctor --no"},
     {0, "experiment --steps 60 --objects 60 --out @experiment"},
     {2, "experiment --steps none --out @experiment2"},

@@ -26,12 +26,12 @@ template <class Number>
 class RelatedWork : public testing::Test {};
 TYPED_TEST_SUITE(RelatedWork, Dimensions, DimensionNames);
 
-/// Four groups of a hundred objects, far from each other.
+/// Four groups of as many objects each, far from each other.
 template <int D>
-std::vector<Box<D>> four_groups() {
+std::vector<Box<D>> four_groups(int count = 400) {
   Random random(5);
   std::vector<Box<D>> boxes;
-  for (int k = 0; k < 400; ++k) {
+  for (int k = 0; k < count; ++k) {
     Vector<D> at = random_point<D>(random, 0, 10);
     at[0] += static_cast<Scalar>(k % 2) * 100;
     at[1] += static_cast<Scalar>(k / 2 % 2) * 100;
@@ -63,6 +63,34 @@ TYPED_TEST(RelatedWork, AnAuxiliaryPlaneKeepsMovementInItsGroup) {
   EXPECT_LE(subject.rebuilt_groups(), 2U);
   subject.step();
   EXPECT_EQ(subject.rebuilt_groups(), 0U);
+}
+
+constexpr int kInSmallGroups = 240;  // no group is divided further
+
+/// Objects 0, 4, 8 and so on are of the group at the origin; `count` of them reach into the next group.
+template <int D>
+void stretch(BroadPhase<D>& subject, std::uint32_t count, Scalar reach) {
+  std::vector<Box<D>> boxes = four_groups<D>(kInSmallGroups);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    boxes[4 * k].max[0] += reach;
+    ASSERT_EQ(subject.move({4 * k}, boxes[4 * k]), Status::ok);
+  }
+  subject.step();
+}
+
+TYPED_TEST(RelatedWork, AuxiliaryPlanesAreChosenAnewWhenTooManyObjectsCrossThem) {
+  constexpr int kD = TypeParam::value;
+  AuxiliaryPlanes<kD> subject;
+  insert_all<kD>(subject, four_groups<kD>(kInSmallGroups));
+  subject.step();
+  for (int turn = 0; turn < 3; ++turn) {
+    stretch<kD>(subject, 15, 100);
+    EXPECT_LT(subject.rebuilt_groups(), subject.groups()) << "15 of 240 objects may, turn " << turn;
+    stretch<kD>(subject, 15, 0);
+    EXPECT_LT(subject.rebuilt_groups(), subject.groups()) << turn;
+  }
+  stretch<kD>(subject, 30, 100);
+  EXPECT_EQ(subject.rebuilt_groups(), subject.groups()) << "30 may not";
 }
 
 /// A row of objects along one axis, which `turn` of a quarter makes one along another.

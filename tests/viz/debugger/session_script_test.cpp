@@ -349,6 +349,7 @@ expect message == "copied lanes, 60 rows as CSV"
 click Tables
 hover "divider left"
 expect pointer == "across"
+hover "panel tables"
 key ctrl+shift+c
 expect message ~ "copied table, "
 expect copied ~ "node,depth"
