@@ -112,7 +112,8 @@ RecordingComparison compare(RecordingReader<D>& a, RecordingReader<D>& b) {
   RecordingComparison result;
   result.a = summary(a.rows());
   result.b = summary(b.rows());
-  result.object_names = !std::ranges::equal(a.info().names.objects(), b.info().names.objects());
+  result.object_names = !std::ranges::equal(a.info().names.objects(), b.info().names.objects()) ||
+                        a.info().marks != b.info().marks;
   for (std::uint32_t step = 1; step <= std::min(a.steps(), b.steps()); ++step) {
     if (!result.state && a.row(step).state_hash != b.row(step).state_hash) result.state = step;
     if (!result.pairs && a.row(step).pairs_hash != b.row(step).pairs_hash) result.pairs = step;

@@ -51,7 +51,7 @@ struct RecordingComparison {
   std::optional<TheirDifference> theirs;    ///< of imports: their pairs
   std::optional<std::uint32_t> verdicts;    ///< of imports: first step with another judgement of them
   std::optional<std::uint32_t> step_names;  ///< the first step of another name
-  bool object_names = false;                ///< objects have other names
+  bool object_names = false;                ///< objects have other names, labels or colours
 
   [[nodiscard]] bool same() const {
     return !requests && !state && !pairs && !events && !theirs && !verdicts && !step_names && !object_names &&

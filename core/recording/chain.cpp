@@ -14,6 +14,7 @@ constexpr std::array kHead{"SELECT * FROM meta WHERE key NOT IN ('complete', 'en
                            "SELECT * FROM config_changes ORDER BY step",
                            "SELECT * FROM decisions ORDER BY event",
                            "SELECT * FROM object_names ORDER BY object",
+                           "SELECT * FROM object_marks ORDER BY object",
                            "SELECT * FROM step_names ORDER BY step",
                            "SELECT * FROM their_ignored ORDER BY a, b"};
 /// What is written of another engine after a step.

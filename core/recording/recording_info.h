@@ -8,6 +8,7 @@
 #include "core/base/config.h"
 #include "core/base/given_names.h"
 #include "core/objects/broad_phase.h"
+#include "core/recording/object_marks.h"
 #include "core/recording/theirs.h"
 #include "core/trace/decision.h"
 #include "core/trace/statistics.h"
@@ -31,6 +32,7 @@ struct RecordingInfo {
   std::string scene;                  ///< name in the catalogue; of an import the file that it came from
   bool imported = false;              ///< the boxes come from another engine
   GivenNames names;                   ///< what that engine calls objects and steps
+  ObjectMarks marks;                  ///< labels and colours of objects
   PairDesign design;                  ///< what it does by design
   std::uint64_t seed = 1;             ///< of the scene
   std::uint32_t objects = 0;          ///< as requested; 0: the scene's own number

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/base/damage.h"
+#include "core/recording/object_marks.h"
 #include "core/recording/operator_rows.h"
 #include "core/recording/shape_rows.h"
 #include "core/recording/their_rows.h"
@@ -121,7 +122,8 @@ std::vector<std::string> statements(std::string_view sql) {
 
 /// Only tables have the names of tables: no view without end, no trigger, no table of a module.
 void check_tables(const Database& database) {
-  std::vector<std::string> expected = statements(std::string(kTables) + kShapeTable + kTheirTables);
+  std::vector<std::string> expected =
+      statements(std::string(kTables) + kShapeTable + kMarkTable + kTheirTables);
   Statement rows = database.prepare("SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL");
   while (rows.step()) {
     const auto found = std::ranges::find(expected, rows.text(2));
@@ -164,7 +166,7 @@ std::optional<std::uint64_t> read_end(const Database& database) {
 void create_schema(Database& database, const RecordingInfo& info) {
   database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kRecordingId) +
                    "; PRAGMA user_version = " + std::to_string(kRecordingVersion) + ";" + kTables +
-                   kShapeTable + kTheirTables);
+                   kShapeTable + kMarkTable + kTheirTables);
   set_meta(database, "dimension", std::to_string(info.dimension));
   set_meta(database, "volume", to_string(info.volume));
   set_meta(database, "config", to_string(info.config));
@@ -178,6 +180,7 @@ void create_schema(Database& database, const RecordingInfo& info) {
   write_changes(database, info.changes);
   write_decisions(database, info.decisions);
   write_names(database, info.names);
+  write_marks(database, info.marks);
   write_design(database, info.design);
   database.execute("COMMIT");
 }
@@ -228,6 +231,7 @@ RecordingInfo read_info(const Database& database) {
   info.changes = read_changes(database);
   info.decisions = read_decisions(database);
   info.names = read_names(database);
+  info.marks = read_marks(database);
   info.design = read_design(database);
   info.scene = meta["scene"];
   info.imported = flag_of(meta, "imported");

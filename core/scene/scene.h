@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "core/base/ids.h"
+#include "core/base/rgb.h"
 #include "core/geometry/box.h"
 #include "core/objects/broad_phase.h"
 #include "core/scene/needs.h"
@@ -19,6 +21,7 @@ struct Body {
   Pose<D> pose;
   Box<D> box;  ///< the box that the broad phase holds for it
   Mobility mobility = Mobility::moving;
+  std::optional<Rgb> color{};  ///< its own; none: as its mobility has it
 };
 
 /// The options that the user may vary for any scene.

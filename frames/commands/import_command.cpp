@@ -36,6 +36,7 @@ ImportCommand::ImportCommand(CLI::App& program)
   option("FILE", boxes_, "Their boxes, see below; - for standard input", "")->required();
   add_output(*command_, "-o,--out", out_, "The recording")->required();
   option("--pairs", pairs_, "Their pairs: step,a,b", "FILE");
+  option("--objects", objects_, "Names, colours and shapes of objects, see below", "FILE");
   option("--margin", margin_, "Their boxes are so much larger on each side, or by a share of their extent",
          "X|N%");
   option("--ignore", ignore_, "Pairs that they leave out by design: a,b", "FILE");
@@ -45,6 +46,7 @@ ImportCommand::ImportCommand(CLI::App& program)
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording");
   command_->footer(
       "BOXES   step,object,min_x,max_x,min_y,max_y[,min_z,max_z][,fixed][,category,mask]\n"
+      "        [,angle | ,qw,qx,qy,qz]\n"
       "        Columns are found by the names in the heading, in any order (also xmin, lower_x, body, frame "
       "...);\n"
       "        without a heading they stand in this order, the last two not. Steps are rising numbers or "
@@ -55,9 +57,16 @@ ImportCommand::ImportCommand(CLI::App& program)
       "the\n"
       "        step has this line and nothing else. Objects without a line stay as they are. fixed is 0 or "
       "1: two\n"
-      "        fixed objects are no pair. Two objects are left out unless each has a category, a set of "
+      "        fixed objects are no pair. angle, in radians, or in 3D a quaternion is how a shape is "
+      "turned.\n"
+      "        Two objects are left out unless each has a category, a set of "
       "bits, in\n"
       "        the mask of the other.\n"
+      "OBJECTS object[,name][,color][,shape][,radius][,half_x,half_y[,half_z]][,points][,mesh]\n"
+      "        color is #1f77b4; shape is ball (radius), brick (half extents), polygon (points 'x y; x y; x "
+      "y') "
+      "or,\n"
+      "        in 3D, mesh (an OBJ file). The middle of a shape's box is the middle of the object's box.\n"
       "PAIRS   step,a,b   of the boxes' first step or a later one, also one without boxes\n"
       "        What is wrong with them is then found by `kerf step FILE --to 'missed>0'` and `kerf explain`. "
       "What\n"
@@ -71,11 +80,12 @@ void ImportCommand::run() const {
   request.boxes = boxes_;
   request.pairs = pairs_;
   request.ignore = ignore_;
+  request.objects = objects_;
   request.config = parse_config("--config", config_, {});
   request.margin = parse_margin(margin_);
   request.unite = unite_;
   request.strict = strict_;
-  Outputs outputs({boxes_, pairs_, ignore_}, overwrite_);
+  Outputs outputs({boxes_, pairs_, ignore_, objects_}, overwrite_);
   outputs.add_recording(out_);
   const InterruptGuard interrupt;  // before there is a part that an interrupt would leave
   PartRecording part(out_, outputs.replace());

@@ -17,6 +17,10 @@ constexpr std::size_t kBounds = 2;
 constexpr std::size_t kFixed = kBounds + 6;
 constexpr std::size_t kCategory = kFixed + 1;
 constexpr std::size_t kMask = kCategory + 1;
+constexpr std::size_t kAngle = kMask + 1;
+constexpr std::size_t kQuaternion = kAngle + 1;
+
+constexpr double kFarFromOne = 0.01;  // of the square of a quaternion's length
 
 constexpr std::size_t min_column(int axis) { return kBounds + 2 * static_cast<std::size_t>(axis); }
 constexpr std::size_t max_column(int axis) { return min_column(axis) + 1; }
@@ -43,6 +47,9 @@ std::vector<CsvColumn> box_columns() {
   columns.push_back({"fixed", {"isfixed", "static", "isstatic", "immovable"}});
   columns.push_back({"category", {"categories", "categorybits", "collisioncategory", "filtercategory"}});
   columns.push_back({"mask", {"masks", "maskbits", "collisionmask", "filtermask", "collideswith"}});
+  columns.push_back({"angle", {"rotation", "theta"}});
+  for (const std::string part : {"w", "x", "y", "z"})
+    columns.push_back({"q" + part, {"quat" + part, "orientation" + part, "rotation" + part}});
   return columns;
 }
 
@@ -123,10 +130,34 @@ BoxLine BoxLines::read() const {
     if (!table_.is_blank(kCategory)) line.filter->category = table_.bits(kCategory);
     if (!table_.is_blank(kMask)) line.filter->mask = table_.bits(kMask);
   }
+  line.turn = read_turn();
   read_bounds(line);
   if (!id && line.kind == BoxLine::Kind::box) table_.reject("the box has no object");
   if (!id) line.kind = BoxLine::Kind::nothing;
   return line;
+}
+
+std::optional<std::array<double, 4>> BoxLines::read_turn() const {
+  if (dimension_ == 2) {
+    if (table_.is_blank(kAngle)) return std::nullopt;
+    const double angle = table_.real(kAngle);
+    if (!std::isfinite(angle)) table_.reject(kAngle, "is no angle in radians");
+    return std::array<double, 4>{angle, 0, 0, 0};
+  }
+  std::array<double, 4> parts{};
+  std::size_t blank = 0;
+  double square = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    blank += table_.is_blank(kQuaternion + k) ? 1U : 0U;
+    if (!table_.is_blank(kQuaternion + k)) parts[k] = table_.real(kQuaternion + k);
+    square += parts[k] * parts[k];
+  }
+  if (blank == parts.size()) return std::nullopt;
+  if (blank > 0) table_.reject("a quaternion has four numbers, qw, qx, qy and qz");
+  if (!std::isfinite(square) || std::abs(square - 1) > kFarFromOne)
+    table_.reject("qw, qx, qy and qz are no rotation: their squares must add up to 1");
+  for (double& part : parts) part /= std::sqrt(square);
+  return parts;
 }
 
 void BoxLines::read_bounds(BoxLine& line) const {

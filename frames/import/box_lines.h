@@ -40,9 +40,12 @@ struct BoxLine {
   std::array<double, 3> max{};
   std::optional<bool> fixed;          ///< none: not said
   std::optional<GivenFilter> filter;  ///< none: not said
+  /// How its shape is turned: in 2D an angle in radians, in 3D a quaternion w, x, y, z; none: not said.
+  std::optional<std::array<double, 4>> turn;
 };
 
-/// Reads step,object,min_x,max_x,min_y,max_y[,min_z,max_z][,fixed][,category][,mask], by the names of a
+/// Reads step,object,min_x,max_x,min_y,max_y[,min_z,max_z][,fixed][,category][,mask]
+/// [,angle, in 3D ,qw,qx,qy,qz], by the names of a
 /// heading in any order, or without a heading in this order. Throws as CsvTable does.
 class BoxLines {
  public:
@@ -65,6 +68,7 @@ class BoxLines {
   void find_dimension();
   void set_order();
   void read_bounds(BoxLine& line) const;
+  [[nodiscard]] std::optional<std::array<double, 4>> read_turn() const;
 
   CsvTable table_;
   int dimension_ = 3;

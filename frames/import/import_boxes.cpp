@@ -10,6 +10,7 @@
 #include "core/recording/recorder.h"
 #include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
+#include "frames/import/shown_objects.h"
 #include "frames/import/step_lines.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
@@ -41,14 +42,20 @@ template <int D>
 class Import {
  public:
   Import(const ImportRequest& request, const Survey& survey, std::vector<GivenPairs> pairs, PairDesign design,
-         Oddities& oddities)
+         ShownObjects<D> shown, Oddities& oddities)
       : request_(request),
         survey_(survey),
         pairs_(std::move(pairs)),
         oddities_(oddities),
-        info_(info_of(request, survey, std::move(design))),
+        shown_(std::move(shown)),
+        info_(info_of(request, survey, std::move(design), shown_.marks())),
         tree_(request.config),
-        recorder_(tree_, request.out, info_) {}
+        recorder_(tree_, request.out, info_) {
+    if (shown_.has_shapes())
+      recorder_.show([this](ObjectId object) {
+        return shown_.appearance(object, round_outward(played_[object.index()].box));
+      });
+  }
 
   void run(BoxLines& boxes, const InterruptGuard& interrupt) {
     StepLines lines(boxes, survey_, request_.unite, oddities_);
@@ -74,8 +81,10 @@ class Import {
   }
 
  private:
-  static RecordingInfo info_of(const ImportRequest& request, const Survey& survey, PairDesign design) {
+  static RecordingInfo info_of(const ImportRequest& request, const Survey& survey, PairDesign design,
+                               const ObjectMarks& marks) {
     RecordingInfo info;
+    info.marks = marks;
     info.dimension = D;
     info.config = request.config;
     info.scene = request.boxes == "-" ? "standard input" : request.boxes.filename().string();
@@ -107,7 +116,12 @@ class Import {
         return place() + ": object " + to_string(line.object) + " is " + (fixed ? "fixed" : "moving") +
                " from step " + step.text + " on";
       });
+    if (line.turn) shown_.turn(object, *line.turn);
     ask(object, played, box_of<D>(line), fixed);
+    if (shown_.is_too_large(object, round_outward(played.box)))
+      oddities_.note(Oddity::large_shape, [&] {
+        return place() + ": object " + to_string(line.object) + " in step " + step.text;
+      });
     note_change(object, played, line);
   }
 
@@ -192,6 +206,7 @@ class Import {
   std::vector<GivenPairs> pairs_;
   std::size_t next_pairs_ = 0;
   Oddities& oddities_;
+  ShownObjects<D> shown_;
   RecordingInfo info_;
   Bsp<D, EventLog> tree_;
   Recorder<D> recorder_;
@@ -244,7 +259,11 @@ std::string summary(const BoxLines& boxes, const Survey& survey) {
 template <int D>
 void import_in(const ImportRequest& request, const InterruptGuard& interrupt, BoxLines& boxes,
                const Survey& survey, std::vector<GivenPairs> pairs, Oddities& oddities) {
-  Import<D> import(request, survey, std::move(pairs), design_of(request, survey, oddities), oddities);
+  std::vector<GivenObject<D>> given;
+  if (!request.objects.empty()) given = read_given_objects<D>(request.objects);
+  ShownObjects<D> shown(given, request.objects.string(), survey, oddities);
+  Import<D> import(request, survey, std::move(pairs), design_of(request, survey, oddities), std::move(shown),
+                   oddities);
   import.run(boxes, interrupt);
   if (request.strict && oddities.any())
     throw UsageError("--strict: what is odd is an error, and nothing was written\n" + oddities.text());

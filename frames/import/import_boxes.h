@@ -10,9 +10,10 @@ namespace kerf {
 
 /// Another engine's run as plain text (see `kerf import --help`).
 struct ImportRequest {
-  std::filesystem::path boxes;   ///< "-": standard input
-  std::filesystem::path pairs;   ///< empty: none
-  std::filesystem::path ignore;  ///< pairs that are not judged; empty: none
+  std::filesystem::path boxes;    ///< "-": standard input
+  std::filesystem::path pairs;    ///< empty: none
+  std::filesystem::path objects;  ///< names, colours and shapes; empty: none
+  std::filesystem::path ignore;   ///< pairs that are not judged; empty: none
   std::filesystem::path out;
   Config config;  ///< of the tree that runs beside
   Margin margin;

@@ -25,6 +25,8 @@ constexpr std::array kMeanings{
     Meaning{"step", "steps", " in which an object has several boxes, which were united"},
     Meaning{"pair", "pairs", " with an object that is not there"},
     Meaning{"pair", "pairs", " to be ignored with an object that the run does not have"},
+    Meaning{"line", "lines", " of the table of objects with an object that the run does not have"},
+    Meaning{"box that is", "boxes that are", " too small for the object's shape: the box is shown"},
 };
 
 }  // namespace

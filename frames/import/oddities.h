@@ -21,6 +21,8 @@ enum class Oddity : std::uint8_t {
   united,
   absent_object,
   unknown_ignored,
+  unknown_object,
+  large_shape,
 };
 
 /// Counts what is odd, and keeps where the first five of each kind are.
@@ -42,7 +44,7 @@ class Oddities {
 
  private:
   static constexpr std::size_t kNamed = 5;
-  static constexpr std::size_t kKinds = static_cast<std::size_t>(Oddity::unknown_ignored) + 1;
+  static constexpr std::size_t kKinds = static_cast<std::size_t>(Oddity::large_shape) + 1;
   struct Kind {
     std::size_t count = 0;
     std::vector<std::string> places;

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/replay/recorded_looks.h"
 #include "frames/sequence/panes_film.h"
 #include "frames/sequence/recording_file.h"
 #include "viz/draw/camera.h"
@@ -37,7 +38,8 @@ class PanesOfRecording final : public PanesFilm<D> {
     frame.scene = name_;
     frame.step = step_;
     frame.moving = kerf::count_moving(table_);
-    frame.bodies = recorded_bodies(table_);
+    frame.bodies =
+        recorded_bodies<D>(table_, {looks_.at(step_), recording_->shapes(), recording_->info().marks});
     frame.bounds = bounds_;
     return this->pack_with_panes(std::move(frame));
   }
@@ -62,6 +64,7 @@ class PanesOfRecording final : public PanesFilm<D> {
       : PanesFilm<D>(request, all_of(outlook.hints, request)),
         name_(request.name),
         recording_(std::move(recording)),
+        looks_(*recording_),
         bounds_(outlook.bounds),
         table_(recording_->info().volume) {}
 
@@ -99,6 +102,7 @@ class PanesOfRecording final : public PanesFilm<D> {
 
   std::string name_;
   std::shared_ptr<RecordingReader<D>> recording_;
+  RecordedLooks<D> looks_;
   Box<D> bounds_;
   ObjectTable<D> table_;
   std::uint32_t step_ = 0;

@@ -79,7 +79,8 @@ class RecordingFilm final : public Film {
 
   std::vector<std::uint8_t> parcel() override {
     const std::vector<Body<D>> bodies =
-        recorded_bodies(replayer_.tree().objects(), looks_.at(replayer_.step()), recording_->shapes());
+        recorded_bodies<D>(replayer_.tree().objects(),
+                           {looks_.at(replayer_.step()), recording_->shapes(), recording_->info().marks});
     // A replay from a keyframe finds the pairs in another order.
     std::vector<Pair> pairs(replayer_.tree().pairs().begin(), replayer_.tree().pairs().end());
     std::ranges::sort(pairs);

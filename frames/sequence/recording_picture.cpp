@@ -74,8 +74,9 @@ Caption caption_of(const Cursor<D>& cursor) {
 template <int D>
 const Image& render_moment(Cursor<D>& cursor, FrameRenderer<D>& renderer) {
   RecordedLooks<D> looks(cursor.recording());
-  const std::vector<Body<D>> bodies =
-      recorded_bodies(cursor.state().latest, looks.at(cursor.position().step), cursor.recording().shapes());
+  const std::vector<Body<D>> bodies = recorded_bodies<D>(
+      cursor.state().latest,
+      {looks.at(cursor.position().step), cursor.recording().shapes(), cursor.recording().info().marks});
   const std::vector<Event> events = recent_operators(cursor.recording(), cursor.position());
   const FrameInput<D> input{.bodies = bodies,
                             .tree = &cursor.state().tree,

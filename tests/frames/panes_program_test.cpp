@@ -21,9 +21,9 @@ using testing::run_kerf;
 using testing::TemporaryFolder;
 
 Outcome render(const std::string& scene, const std::filesystem::path& out,
-               const std::vector<std::string>& more) {
+               const std::vector<std::string>& more, const std::string& size = "640x420") {
   std::vector<std::string> arguments{"render", scene, "--steps", "1:41:10", "--objects", "60",
-                                     "--grow", "30",  "--size",  "640x420", "--out",     out.string()};
+                                     "--grow", "30",  "--size",  size,      "--out",     out.string()};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return run_kerf(arguments);
 }
@@ -111,8 +111,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PanesProgram, ::testing::Values("buckets-2d", "
 
 TEST(PanesProgramErrors, SayWhatToDo) {
   const TemporaryFolder folder;
-  const auto complaint = [&](const std::vector<std::string>& more, const char* scene = "buckets-2d") {
-    const Outcome outcome = render(scene, folder.path() / "none", more);
+  const auto complaint = [&](const std::vector<std::string>& more, const std::string& size = "640x420") {
+    const Outcome outcome = render("buckets-2d", folder.path() / "none", more, size);
     EXPECT_EQ(outcome.exit, kExitUnusable);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "none"));
     return outcome.err;
@@ -125,7 +125,7 @@ TEST(PanesProgramErrors, SayWhatToDo) {
   EXPECT_THAT(complaint({"--beside", "columns", "--ids"}), HasSubstr("give --beside none"));
   EXPECT_THAT(complaint({"--beside", "columns", "--record", "a.kerf"}), HasSubstr("--record takes"));
   EXPECT_THAT(complaint({"--timed"}), HasSubstr("give --beside, too"));
-  EXPECT_THAT(complaint({"--beside", "columns,sort-and-sweep,loose-octree", "--size", "320x240"}),
+  EXPECT_THAT(complaint({"--beside", "columns,sort-and-sweep,loose-octree"}, "320x240"),
               HasSubstr("4 panes have no room in 320x240 pixels"));
   EXPECT_THAT(complaint({"--beside", "columns", "--volume", "sphere"}), HasSubstr("on the same boxes"));
 }

@@ -57,6 +57,7 @@ constexpr auto kLibraries = std::to_array<Owner>({
     {"Embree", "embree4/"},
     {"CLI11", "CLI/"},
     {"nlohmann/json", "nlohmann/"},
+    {"tinyobjloader", "tiny_obj_loader.h"},
     {"pybind11", "pybind11/"},
     {"GoogleTest", "gtest/"},
     {"GoogleTest", "gmock/"},

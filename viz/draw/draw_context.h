@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,7 +52,10 @@ struct DrawContext {
 template <int D>
 bool is_drawable(const Body<D>& body);
 
-/// Fill of an object, before light falls on it.
+/// The fill of an object that nothing else colours: the given one, or that of its mobility.
+Color own_color(Mobility mobility, const std::optional<Rgb>& given);
+
+/// Fill of an object, before light falls on it: the tree's where it is tinted, else its own.
 template <int D>
 Color object_color(const DrawContext<D>& context, std::size_t object);
 

@@ -1,5 +1,3 @@
-#include <cstdint>
-
 #include "viz/draw/draw_context.h"
 #include "viz/draw/palette.h"
 
@@ -12,25 +10,22 @@ bool is_drawable(const Body<D>& body) {
   return all;
 }
 
-/// Neighbours of one colour differ a little in brightness, so that single objects stand out.
-Color with_own_brightness(Color color, std::size_t object) {
-  constexpr double kSpread = 0.22;
-  constexpr std::uint32_t kGoldenRatio = 2654435769;  // of 2^32: its multiples fall evenly
-  const std::uint32_t turn = static_cast<std::uint32_t>(object) * kGoldenRatio;
-  return lit(color, 1 - kSpread * turn / 4294967296.0);
+Color own_color(Mobility mobility, const std::optional<Rgb>& given) {
+  if (given) return {given->r, given->g, given->b};
+  return mobility == Mobility::fixed ? palette::kFixed : palette::kMoving;
 }
 
 template <int D>
 Color object_color(const DrawContext<D>& context, std::size_t object) {
   if (object < context.colors.size()) return context.colors[object];
-  if (context.input.bodies[object].mobility == Mobility::fixed) return palette::kFixed;
-  if (object >= context.placements.size()) return palette::kMoving;
+  const Body<D>& body = context.input.bodies[object];
+  const Color own = own_color(body.mobility, body.color);
+  if (body.mobility == Mobility::fixed || object >= context.placements.size()) return own;
   const Placement& placement = context.placements[object];
   if (placement.leaves > 1) return palette::kStraddler;
   // In 2D the cells themselves are tinted, and objects must stand out from them.
-  if (D == 2 || placement.leaves == 0) return palette::kMoving;
-  return with_own_brightness(palette::population_color(placement.population, context.largest_population),
-                             object);
+  if (D == 2 || placement.leaves == 0) return own;
+  return palette::population_color(placement.population, context.largest_population);
 }
 
 template bool is_drawable<2>(const Body<2>&);

@@ -38,13 +38,13 @@ std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects) {
 }
 
 template <int D>
-std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects, const Looks<D>& looks,
-                                     const std::vector<Shape<D>>& shapes) {
+std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects, const Outward<D>& outward) {
   std::vector<Body<D>> bodies = recorded_bodies(objects);
   for (std::uint32_t id = 0; id < objects.bound(); ++id) {
-    const Look<D> look = looks.of({id});
+    bodies[id].color = outward.marks.color({id});
+    const Look<D> look = outward.looks.of({id});
     if (look.shape == kNoShape || !objects.is_placed({id})) continue;
-    Shape<D> shape = stretched<D>(shapes.at(look.shape), look.stretch);
+    Shape<D> shape = stretched<D>(outward.shapes.at(look.shape), look.stretch);
     const auto pose = pose_in_box<D>(shape, axes_of(look.turn), bodies[id].box);
     if (!pose) fail_damaged("the shape of object " + std::to_string(id) + " does not fit into its box");
     bodies[id].shape = std::move(shape);
@@ -65,10 +65,8 @@ template std::uint32_t count_moving<2>(const ObjectTable<2>&);
 template std::uint32_t count_moving<3>(const ObjectTable<3>&);
 template std::vector<Body<2>> recorded_bodies<2>(const ObjectTable<2>&);
 template std::vector<Body<3>> recorded_bodies<3>(const ObjectTable<3>&);
-template std::vector<Body<2>> recorded_bodies<2>(const ObjectTable<2>&, const Looks<2>&,
-                                                 const std::vector<Shape<2>>&);
-template std::vector<Body<3>> recorded_bodies<3>(const ObjectTable<3>&, const Looks<3>&,
-                                                 const std::vector<Shape<3>>&);
+template std::vector<Body<2>> recorded_bodies<2>(const ObjectTable<2>&, const Outward<2>&);
+template std::vector<Body<3>> recorded_bodies<3>(const ObjectTable<3>&, const Outward<3>&);
 template Body<2> absent_body<2>();
 template Body<3> absent_body<3>();
 

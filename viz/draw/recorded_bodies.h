@@ -5,6 +5,7 @@
 
 #include "core/objects/object_table.h"
 #include "core/recording/look.h"
+#include "core/recording/object_marks.h"
 #include "core/scene/scene.h"
 
 namespace kerf {
@@ -14,11 +15,18 @@ namespace kerf {
 template <int D>
 std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects);
 
-/// The same, with their shapes where these were recorded. Throws std::runtime_error if one is larger than its
-/// box: then the recording is damaged.
+/// What a recording says of its objects beside their boxes.
 template <int D>
-std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects, const Looks<D>& looks,
-                                     const std::vector<Shape<D>>& shapes);
+struct Outward {
+  const Looks<D>& looks;
+  const std::vector<Shape<D>>& shapes;
+  const ObjectMarks& marks;
+};
+
+/// The same, with their shapes and colours where these were recorded. Throws std::runtime_error if a shape is
+/// larger than its box: then the recording is damaged.
+template <int D>
+std::vector<Body<D>> recorded_bodies(const ObjectTable<D>& objects, const Outward<D>& outward);
 
 /// The number of objects that are present and not fixed.
 template <int D>

@@ -108,11 +108,11 @@ std::vector<Color> object_colors(const StructureParts<D>& parts, std::span<const
     ++place.cells;
     place.most = std::max(place.most, population[member.cell]);
   }
-  std::vector<Color> colors(bodies.size(), palette::kMoving);
+  std::vector<Color> colors(bodies.size());
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    if (bodies[k].mobility == Mobility::fixed) {
-      colors[k] = palette::kFixed;
-    } else if (places[k].cells > 1) {
+    colors[k] = own_color(bodies[k].mobility, bodies[k].color);
+    if (bodies[k].mobility == Mobility::fixed) continue;
+    if (places[k].cells > 1) {
       colors[k] = palette::kStraddler;
     } else if (D == 3 && places[k].most > 1) {
       colors[k] = fill_color(places[k].most);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/base/overloaded.h"
@@ -20,14 +21,21 @@ struct FlatBody {
   Pose<D> pose;
   Box<D> box;
   Mobility mobility = Mobility::moving;
+  std::optional<Rgb> color;
 };
 
 template <int D>
 class BodyPacker {
  public:
   void add(const Body<D>& body) {
-    FlatBody<D> flat{
-        static_cast<std::uint32_t>(body.shape.index()), 0, 0, {}, body.pose, body.box, body.mobility};
+    FlatBody<D> flat{static_cast<std::uint32_t>(body.shape.index()),
+                     0,
+                     0,
+                     {},
+                     body.pose,
+                     body.box,
+                     body.mobility,
+                     body.color};
     std::visit(
         Overloaded{
             [&](const Ball& ball) { flat.size[0] = ball.radius; },
@@ -92,7 +100,7 @@ std::vector<Body<D>> read_bodies(RawReader& in) {
   std::vector<Body<D>> bodies;
   bodies.reserve(flats.size());
   for (const FlatBody<D>& flat : flats)
-    bodies.push_back({shape_of(flat, corners, surfaces), flat.pose, flat.box, flat.mobility});
+    bodies.push_back({shape_of(flat, corners, surfaces), flat.pose, flat.box, flat.mobility, flat.color});
   return bodies;
 }
 

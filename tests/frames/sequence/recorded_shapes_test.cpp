@@ -45,7 +45,8 @@ class TwoWays {
     Replayer<D> replayer(recording_);
     replayer.seek(kSteps);
     RecordedLooks<D> looks(*recording_);
-    recorded_ = recorded_bodies(replayer.tree().objects(), looks.at(kSteps), recording_->shapes());
+    recorded_ = recorded_bodies<D>(replayer.tree().objects(),
+                                   {looks.at(kSteps), recording_->shapes(), recording_->info().marks});
   }
 
   [[nodiscard]] std::string file() const { return folder_.path() / "a.kerf"; }
@@ -127,7 +128,7 @@ TEST(RecordedShapes, AreNamedByVerify) {
   const TwoWays<3> scene("terrain");
   const testing::Outcome verified = testing::run_kerf({"verify", scene.file()});
   EXPECT_EQ(verified.exit, 0) << verified.err;
-  EXPECT_THAT(verified.out, ::testing::ContainsRegex("shapes: [0-9]+ balls, [0-9]+ bricks, 1 surface"));
+  EXPECT_THAT(verified.out, ::testing::ContainsRegex("shapes: [0-9]+ balls, [0-9]+ bricks, [0-9]+ surfaces"));
 }
 
 }  // namespace

@@ -60,14 +60,18 @@ TYPED_TEST(RecordedBodies, HaveTheShapesThatWereRecorded) {
   (void)objects.remove({3});
   const std::vector<Shape<kD>> shapes = test::all_shapes<kD>(0.9F);
   const auto axes = test::turned_axes<kD>(0.4);
-  const auto bodies = recorded_bodies(
-      objects, looks_of<kD>({{0, {}, {}}, {1, turn_of<kD>(axes), {}}, {}, {0, {}, {}}}), shapes);
+  ObjectMarks marks;
+  marks.set({2}, {"wheel", Rgb{1, 2, 3}});
+  const auto looks = looks_of<kD>({{0, {}, {}}, {1, turn_of<kD>(axes), {}}, {}, {0, {}, {}}});
+  const auto bodies = recorded_bodies<kD>(objects, {looks, shapes, marks});
   ASSERT_EQ(bodies.size(), 4U);
   EXPECT_EQ(bodies[0].shape, shapes[0]);
   EXPECT_EQ(bodies[0].pose.position, test::box_at<kD>(test::all<kD>(5), 1).center());
   EXPECT_EQ(bodies[1].shape, shapes[1]);
   EXPECT_LE(length(bodies[1].pose.axes[0] - axes[0]), 0x1p-11F);
   EXPECT_EQ(bodies[2].shape, Shape<kD>(Brick<kD>{bodies[2].box.extent() * 0.5F}));
+  EXPECT_EQ(bodies[1].color, std::nullopt);
+  EXPECT_EQ(own_color(bodies[2].mobility, bodies[2].color), (Color{1, 2, 3}));
   EXPECT_FALSE(is_drawable(bodies[3]));
 }
 
@@ -78,7 +82,8 @@ TYPED_TEST(RecordedBodies, AShapeThatIsLargerThanItsBoxIsDamage) {
   const std::vector<Shape<kD>> shapes{Ball{3}};
   EXPECT_THAT(
       [&] {
-        (void)recorded_bodies(objects, looks_of<kD>({{0, {}, {}}}), shapes);
+        const auto looks = looks_of<kD>({{0, {}, {}}});
+        (void)recorded_bodies<kD>(objects, {looks, shapes, ObjectMarks()});
       },
       testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("damaged: the shape of object 0")));
 }

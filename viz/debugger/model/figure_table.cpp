@@ -98,7 +98,10 @@ FigureTable table_of_objects(Run& run) {
   for (const char axis : kAxes.substr(0, axes)) table.columns.emplace_back(1, axis);
   for (const char axis : kAxes.substr(0, axes)) table.columns.push_back(std::string("size ") + axis);
   for (const ObjectFigures& of : run.object_figures()) {
-    FigureTable::Row row{of.object, run.names().object(of.object), {of.is_fixed ? "fixed" : "moving"}, {}};
+    FigureTable::Row row{of.object,
+                         run.info().marks.title(of.object, run.names().object(of.object)),
+                         {of.is_fixed ? "fixed" : "moving"},
+                         {}};
     row.figures = {static_cast<double>(of.leaves), static_cast<double>(of.pairs), of.is_fixed ? 0.0 : 1.0};
     row.figures.insert(row.figures.end(), of.centre.begin(), of.centre.end());
     row.figures.insert(row.figures.end(), of.size.begin(), of.size.end());

@@ -72,6 +72,16 @@ void add_object(DebuggerModel& model, std::string_view query, std::vector<Search
   if (object && model.run().has(*object)) hits.push_back(selecting(*object, names, "object"));
 }
 
+/// Objects by their labels.
+void add_labelled(DebuggerModel& model, std::string_view query, std::vector<SearchHit>& hits) {
+  constexpr std::size_t kMost = 30;
+  for (const ObjectId object : model.run().info().marks.called(query)) {
+    if (!model.run().has(object)) continue;
+    if (hits.size() == kMost) return;
+    hits.push_back({model.run().title(object), "object", [object](DebuggerModel& to) { to.select(object); }});
+  }
+}
+
 void add_step(DebuggerModel& model, std::string_view query, std::vector<SearchHit>& hits) {
   const GivenNames& names = model.run().names();
   const auto step = names.find_step(query);
@@ -185,6 +195,7 @@ std::vector<SearchHit> find_hits(DebuggerModel& model, std::string_view query) {
     if (may_be("pair ")) add_pair(model, id, hits);
     if (may_be("event ")) add_event(model, id, hits);
     if (may_be("object ")) add_object(model, id, hits);
+    if (may_be("object ")) add_labelled(model, id, hits);
     if (may_be("step ")) add_step(model, id, hits);
   }
   add_condition(text, hits);

@@ -73,6 +73,12 @@ class Run {
   /// One row for each step, the first being step 1.
   [[nodiscard]] virtual std::span<const StepRow> rows() const = 0;
   [[nodiscard]] const GivenNames& names() const { return info().names; }
+  /// As `to_string`, with the label of an object if it has one: "object 5 left wheel".
+  [[nodiscard]] std::string title(const Selection& thing) const {
+    const std::string name = to_string(thing, names());
+    const auto object = object_in(thing);
+    return object ? info().marks.title(*object, name) : name;
+  }
   [[nodiscard]] std::uint32_t steps() const { return static_cast<std::uint32_t>(rows().size()); }
 
   [[nodiscard]] virtual const Position& position() const = 0;

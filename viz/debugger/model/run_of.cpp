@@ -103,7 +103,7 @@ const std::vector<CandidateRow>& RunOf<D>::ballot() {
 
 template <int D>
 std::vector<Body<D>> RunOf<D>::bodies() {
-  return recorded_bodies(state().latest, looks_.at(position().step), recording_->shapes());
+  return recorded_bodies<D>(state().latest, {looks_.at(position().step), recording_->shapes(), info().marks});
 }
 
 template <int D>
@@ -161,7 +161,7 @@ std::string RunOf<D>::explain(const Selection& selection) {
 template <int D>
 std::string RunOf<D>::explain_object(ObjectId object) const {
   const ObjectTable<D>& table = state().latest;
-  std::string text = "object " + names().object(object);
+  std::string text = title(object);
   if (table.state(object) == ObjectState::absent) return text + " is not there\n";
   if (table.state(object) == ObjectState::quarantined)
     return text + " has a box that cannot be placed: it is in quarantine\n";

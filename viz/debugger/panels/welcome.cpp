@@ -116,7 +116,7 @@ void draw_welcome(PanelContext& context) {
 }
 
 std::string thing_words(Run& run, const Selection& thing) {
-  const std::string name = to_string(thing, run.names());
+  const std::string name = run.title(thing);
   if (const auto node = node_in(thing))
     return run.tree().is_alive(*node) ? name + " " + node_words(run.tree(), *node) : name;
   const auto object = object_in(thing);

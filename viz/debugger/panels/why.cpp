@@ -57,7 +57,7 @@ void draw_why(PanelContext& context) {
   DebuggerModel& model = context.model;
   const bool nothing = is_nothing(model.selection());
   if (!nothing) {
-    ImGui::Text("%s", to_string(model.selection(), model.run().names()).c_str());
+    ImGui::Text("%s", model.run().title(model.selection()).c_str());
     ImGui::SameLine();
     if (widgets::button(context.gui, "deselect", "explain the event instead (Esc)")) model.select({});
   }

@@ -130,13 +130,13 @@ template <int D>
 void SceneViewOf<D>::choose_colors() {
   (void)tints(seen_->settings.tint);
   counts_.tint_end = seen_->tint_end;
-  colors_.assign(bodies_.size(), palette::kMoving);
+  colors_.resize(bodies_.size());
   const bool tinted = seen_->settings.layers.has(Layer::leaves);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     const NodeId leaf = visible_.leaf_of[k];
-    if (bodies_[k].mobility == Mobility::fixed) {
-      colors_[k] = palette::kFixed;
-    } else if (tinted && visible_.in_several[k] != 0) {
+    colors_[k] = own_color(bodies_[k].mobility, bodies_[k].color);
+    if (bodies_[k].mobility == Mobility::fixed) continue;
+    if (tinted && visible_.in_several[k] != 0) {
       colors_[k] = palette::kStraddler;
     } else if (D == 3 && tinted && !leaf.is_none()) {
       colors_[k] = color_of_leaf(leaf);
