@@ -14,7 +14,7 @@ namespace kerf {
 
 class Database;
 
-/// What somebody says of an object beside its number.
+/// A name and a colour of an object, beside its number.
 struct ObjectMark {
   std::string label;  ///< "left wheel"; empty: none
   std::optional<Rgb> color;

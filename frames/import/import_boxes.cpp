@@ -222,13 +222,9 @@ class Import {
 PairDesign design_of(const ImportRequest& request, const Survey& survey, Oddities& oddities) {
   PairDesign design{request.margin, {}};
   if (request.ignore.empty()) return design;
-  const auto find = [&](const GivenId& id) {
-    const auto found = survey.names.find_object(id);  // without names every number is one
-    return found && found->index() < survey.objects ? found : std::nullopt;
-  };
   for (const GivenPair& pair : read_ignored_pairs(request.ignore)) {
-    const auto a = find(pair.a);
-    const auto b = find(pair.b);
+    const auto a = survey.find(pair.a);
+    const auto b = survey.find(pair.b);
     if (a && b)
       design.ignored.push_back(make_pair(*a, *b));
     else
@@ -252,8 +248,10 @@ std::string range_text(std::size_t count, const std::string& what, const std::st
 std::string summary(const BoxLines& boxes, const Survey& survey) {
   return std::to_string(boxes.dimension()) + "D, " +
          range_text(survey.steps.size(), "step", survey.steps.front().text, survey.steps.back().text) + ", " +
-         range_text(survey.objects, "object", survey.first_object, survey.last_object) + ", columns " +
-         boxes.columns() + "\n";
+         range_text(survey.objects.size(), "object",
+                    survey.objects.empty() ? "" : to_string(survey.objects.front()),
+                    survey.objects.empty() ? "" : to_string(survey.objects.back())) +
+         ", columns " + boxes.columns() + "\n";
 }
 
 template <int D>

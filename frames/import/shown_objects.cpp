@@ -30,8 +30,8 @@ template <int D>
 ShownObjects<D>::ShownObjects(const std::vector<GivenObject<D>>& given, const std::string& name,
                               const Survey& survey, Oddities& oddities) {
   for (const GivenObject<D>& one : given) {
-    const auto object = survey.names.find_object(one.object);
-    if (!object || object->index() >= survey.objects) {
+    const auto object = survey.find(one.object);
+    if (!object) {
       oddities.note(Oddity::unknown_object, [&] {
         return name + ", line " + std::to_string(one.line) + ": object " + to_string(one.object);
       });

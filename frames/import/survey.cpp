@@ -110,11 +110,7 @@ Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::
   Survey result;
   result.steps = union_of(read.steps, pairs, pairs_name, oddities);
   note_gaps(result.steps, read.steps, boxes.table().name(), oddities);
-  result.objects = read.objects.size();
-  if (!read.objects.empty()) {
-    result.first_object = to_string(read.objects.front());
-    result.last_object = to_string(read.objects.back());
-  }
+  result.objects = read.objects;
   for (const GivenPairs& of_step : pairs)
     for (const GivenPair& pair : of_step.pairs) read.objects.insert(read.objects.end(), {pair.a, pair.b});
   sort_unique(read.objects);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "core/base/given_names.h"
@@ -13,11 +15,13 @@ namespace kerf {
 struct Survey {
   std::vector<GivenStep> steps;  ///< of boxes and pairs together, in order
   GivenNames names;              ///< of the recording: none where the engine counts as we do
-  std::size_t objects = 0;       ///< how many have a line
-  std::string first_object;      ///< the least and the greatest of their names
-  std::string last_object;
+  std::vector<GivenId> objects;  ///< those that have a line, rising
 
   [[nodiscard]] ObjectId object(const GivenId& id) const { return *names.find_object(id); }
+  /// None: no box has this object.
+  [[nodiscard]] std::optional<ObjectId> find(const GivenId& id) const {
+    return std::ranges::binary_search(objects, id) ? names.find_object(id) : std::nullopt;
+  }
 };
 
 /// Reads the boxes once and names everything: objects get small numbers, so that what a run costs depends on

@@ -70,6 +70,22 @@ TEST_F(ImportVerdict, WhatAnEngineFiltersIsDeclaredAndCountedApart) {
   EXPECT_THAT(refused(given("filters/boxes.csv"), {"--pairs", pairs, "--ignore", ignore, "--strict"}),
               HasSubstr(unknown));
   EXPECT_THAT(explained("b", "1", "0,1"), HasSubstr("it is ignored"));
+  // Numbers that begin anywhere, that have gaps, or of which others stand in the pairs alone.
+  const std::string high = write("high.csv",
+                                 "step,object,min_x,max_x,min_y,max_y\n1,10,0,2,0,2\n1,20,1,3,0,2\n"
+                                 "1,5000000000,9,10,0,1\n");
+  for (const char* const reported : {"step,a,b\n1,10,5000000000\n", "step,a,b\n", "step,a,b\n1,2,3\n"})
+    EXPECT_THAT(imported("f", high,
+                         {"--pairs", write("reported.csv", reported), "--ignore",
+                          write("listed.csv", "a,b\n20,10\n10,5000000000\n")}),
+                AllOf(HasSubstr(" 0 missed"), Not(HasSubstr("to be ignored with an object"))))
+        << reported;
+  const std::string low =
+      write("low.csv", "step,object,min_x,max_x,min_y,max_y\n1,10,0,2,0,2\n1,20,1,3,0,2\n");
+  EXPECT_THAT(
+      imported("g", low,
+               {"--pairs", write("none.csv", "step,a,b\n"), "--ignore", write("listed.csv", "a,b\n20,10\n")}),
+      HasSubstr("0 pairs: 0 missed, 0 extra, 0 twice, 1 ignored"));
   EXPECT_THAT(stepped("b", "ignored>0"), HasSubstr("theirs, ignored, listed: (0,1)"));
   const std::string masked = write("masked.csv",
                                    "step,object,min_x,max_x,min_y,max_y,category,mask\n"
