@@ -1,12 +1,30 @@
-# What the Python module is built for. Its packages are Debian's, so the interpreter is, too, unless
-# -DPython_EXECUTABLE names another one.
+# What the Python module is built for; from here on KERF_PYTHON is ON or OFF. Its packages are Debian's, so the
+# interpreter is, too, unless -DPython_EXECUTABLE names another one. No interpreter loads what sanitizers instrument.
+set(kerf_python_lacks FATAL_ERROR)
+if(KERF_PYTHON STREQUAL "AUTO")
+  set(kerf_python_lacks STATUS)
+  set(KERF_PYTHON OFF)
+  if(PROJECT_IS_TOP_LEVEL AND KERF_PROGRAM AND NOT KERF_SANITIZE)
+    set(KERF_PYTHON ON)
+  endif()
+endif()
+if(NOT KERF_PYTHON)
+  return()
+endif()
+if(KERF_SANITIZE)
+  message(FATAL_ERROR "No interpreter loads a Python module with sanitizers: configure with -DKERF_PYTHON=OFF")
+endif()
+
 if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
   set(Python_EXECUTABLE /usr/bin/python3)
 endif()
 set(PYBIND11_FINDPYTHON ON)
 find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module NumPy)
-find_package(pybind11 2.10 QUIET CONFIG)
+if(Python_FOUND)
+  find_package(pybind11 2.10 QUIET CONFIG)
+endif()
 if(NOT Python_FOUND OR NOT pybind11_FOUND)
-  message(FATAL_ERROR "The Python module needs pybind11 and numpy (Debian: pybind11-dev, python3-dev, python3-numpy): "
-    "install them, or configure with -DKERF_PYTHON=OFF")
+  message(${kerf_python_lacks} "The Python module needs pybind11 and numpy (Debian: pybind11-dev, python3-dev, "
+    "python3-numpy): install them, or configure with -DKERF_PYTHON=OFF; without them AUTO leaves it out")
+  set(KERF_PYTHON OFF)
 endif()

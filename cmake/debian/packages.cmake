@@ -3,7 +3,7 @@
 #   libkerf0.2   the shared libraries       (component runtime)
 #   libkerf-dev  headers, static libraries  (component development)
 #   kerf         the program                (component program)
-# A Python module gets a component `python` and a package `python3-kerf` here.
+#   python3-kerf the Python module          (component python, if KERF_PYTHON)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME kerf)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -16,6 +16,9 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL runtime development program)
+if(KERF_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_COMPONENTS_STATIC development)  # what the build with static libraries gives
 
 set(abi ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
@@ -56,9 +59,27 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/core)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 set(CPACK_COMPONENT_PROGRAM_DEPENDS runtime)
 # These are loaded or run by name. Only Debian 12 and 13 have OSMesa; without it, EGL draws.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libosmesa6 | libegl-mesa0, libosmesa6 | libegl1")
+set(drawing "libosmesa6 | libegl-mesa0, libosmesa6 | libegl1")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ${drawing})
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "ffmpeg")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "parallel")
+
+if(KERF_PYTHON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-kerf)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "broad phase of collision detection - Python 3\n${about}
+
+This package has the module kerf: the broad phase for numpy, its queries, and
+recordings, pictures and checks of broad phases.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_COMPONENT_PYTHON_DEPENDS runtime)
+  math(EXPR next "${Python_VERSION_MINOR} + 1")  # the module is loaded by this Python 3 only
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS ${drawing})
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/python/postinst
+    ${PROJECT_SOURCE_DIR}/cmake/debian/python/prerm)
+endif()
 
 # What Debian wants of each package: copyright and changelog.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)

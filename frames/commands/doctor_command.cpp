@@ -46,6 +46,16 @@ std::string encoders_here() {
   throw std::runtime_error(text);
 }
 
+std::string module_here() {
+  try {
+    return first_line_of(
+        "python3 -c 'import sys, kerf; print(\"kerf\", kerf.__version__, \"for Python\", "
+        "sys.version.split()[0])'");
+  } catch (const std::runtime_error&) {
+    throw std::runtime_error("python3 does not find the module kerf");
+  }
+}
+
 std::string room_for_files(std::uintmax_t gibibytes) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
   const std::uintmax_t free = std::filesystem::space(folder).available;
@@ -70,6 +80,9 @@ std::vector<Part> parts(std::uintmax_t gibibytes) {
       {"films", encoders_here, "install ffmpeg (Debian: ffmpeg); frames are made without it"},
       {"plots", [] { return first_line_of("gnuplot --version"); },
        "only `kerf report` and `kerf experiment` need it: install gnuplot (Debian: gnuplot-nox)"},
+      {"Python module", module_here,
+       "only your programs in Python need it: install it (Debian: python3-kerf), or set PYTHONPATH to the "
+       "folder python of a build"},
   };
 }
 

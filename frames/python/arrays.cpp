@@ -19,23 +19,45 @@ namespace py = pybind11;
 
 std::string dtype_text(const py::array& array) { return py::str(array.dtype()); }
 
+/// What a register of any processor holds, and what comparing two of them gives.
+template <class Number>
+struct Register;
+template <>
+struct Register<float> {
+  using Lanes [[gnu::vector_size(16)]] = float;
+  using Mask [[gnu::vector_size(16)]] = std::int32_t;
+};
+template <>
+struct Register<double> {
+  using Lanes [[gnu::vector_size(16)]] = double;
+  using Mask [[gnu::vector_size(16)]] = std::int64_t;
+};
+
+template <class Number>
+typename Register<Number>::Lanes load(const Number* numbers) {
+  typename Register<Number>::Lanes lanes;
+  std::memcpy(&lanes, numbers, sizeof(lanes));
+  return lanes;
+}
+
 /// Whether some row of 2 x D numbers is no box. Rows are compared four at a time, each number with the one D
-/// behind it, without a branch: a compiler makes vectors of that. Half of the comparisons mean nothing.
+/// behind it; half of these comparisons mean nothing.
 template <int D, class Number>
 bool has_bad_row(const Number* numbers, std::size_t rows) {
   constexpr std::size_t kRow = 2 * D;
-  constexpr std::size_t kBlock = 4 * kRow;
-  std::array<std::uint32_t, kBlock> bad{};
+  constexpr std::size_t kLanes = sizeof(typename Register<Number>::Lanes) / sizeof(Number);
+  std::array<typename Register<Number>::Mask, 4 * kRow / kLanes> good;
+  good.fill(~typename Register<Number>::Mask{});
   std::size_t row = 0;
-  for (; row + 5 <= rows; row += 4)
-    for (std::size_t k = 0; k < kBlock; ++k)
-      bad[k] |= numbers[row * kRow + k] <= numbers[row * kRow + k + D] ? 0U : 1U;
-  for (; row < rows; ++row)
-    for (std::size_t k = 0; k < D; ++k)
-      bad[k] |= numbers[row * kRow + k] <= numbers[row * kRow + k + D] ? 0U : 1U;
-  std::uint32_t any = 0;
-  for (std::size_t k = 0; k < kBlock; ++k) any |= k % kRow < D ? bad[k] : 0U;
-  return any != 0;
+  for (; row + 5 <= rows; row += 4, numbers += 4 * kRow)
+    for (std::size_t k = 0; k < good.size(); ++k)
+      good[k] &= load(numbers + k * kLanes) <= load(numbers + k * kLanes + D);
+  bool bad = false;
+  for (std::size_t k = 0; k < 4 * kRow; ++k)
+    if (k % kRow < D) bad |= good[k / kLanes][k % kLanes] == 0;
+  for (; row < rows; ++row, numbers += kRow)
+    for (std::size_t k = 0; k < D; ++k) bad |= !(numbers[k] <= numbers[k + D]);
+  return bad;
 }
 
 template <int D, class Number>

@@ -15,11 +15,17 @@ namespace py = pybind11;
 
 constexpr std::array<std::string_view, kObjectKinds> kKinds{"fixed", "kinematic", "moving", "sensor"};
 
+/// A list's numbers stay as they are: numpy makes floats of whole numbers when some of them need all 64 bits.
+py::array column_array(const py::handle& given, const std::string& name) {
+  if (py::isinstance<py::array>(given)) return as_array(given, name);
+  return as_array(py::module_::import("numpy").attr("asarray")(given, "object"), name);
+}
+
 /// One value for all rows, or one a row.
 class Column {
  public:
   Column(const py::handle& given, std::size_t rows, std::string name)
-      : array_(as_array(given, name)), name_(std::move(name)) {
+      : array_(column_array(given, name)), name_(std::move(name)) {
     single_ = array_.ndim() == 0;
     if (!single_ && (array_.ndim() != 1 || static_cast<std::size_t>(array_.shape(0)) != rows))
       throw py::value_error(name_ + ": the shape is " + shape_text(array_) + ", but must be (" +
@@ -30,12 +36,11 @@ class Column {
   template <class Whole>
   [[nodiscard]] Whole whole(std::size_t row, Whole least, Whole most) const {
     const py::object value = element(row);
-    const py::int_ number(value);
-    const bool is_whole = py::bool_(value.attr("__eq__")(number)) && array_.dtype().kind() != 'f';
-    if (!is_whole || number < py::int_(least) || number > py::int_(most))
-      fail(row, "is " + std::string(py::str(value)) + "; it goes from " + std::to_string(least) + " to " +
-                    std::to_string(most));
-    return number.cast<Whole>();
+    const bool is_whole = PyIndex_Check(value.ptr()) != 0;
+    if (!is_whole || value < py::int_(least) || value > py::int_(most))
+      fail(row, "is " + std::string(py::str(value)) + "; it is a whole number from " + std::to_string(least) +
+                    " to " + std::to_string(most));
+    return py::int_(value).cast<Whole>();
   }
 
   [[nodiscard]] float length(std::size_t row) const {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "frames/sequence/video.h"
 #include "frames/support/errors.h"
@@ -34,11 +35,21 @@ TEST(DoctorProgram, SaysWhatToDoAboutWhatIsMissing) {
   const Outcome outcome = run_kerf({"doctor", "--json"}, {.path = "/nowhere"});
   EXPECT_EQ(outcome.exit, kExitHolds) << "no picture needs them";
   const auto report = nlohmann::json::parse(outcome.out);
-  for (const char* name : {"films", "plots"}) {
+  for (const char* name : {"films", "plots", "Python module"}) {
     EXPECT_EQ(part(report, name).at("there"), false) << name;
     EXPECT_THAT(part(report, name).at("advice").get<std::string>(), HasSubstr("Debian: ")) << name;
   }
   EXPECT_EQ(part(report, "threads").at("there"), true);
+}
+
+TEST(DoctorProgram, SaysWhichPythonModuleIsFound) {
+  const testing::TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "kerf");
+  std::ofstream(folder.path() / "kerf" / "__init__.py") << "__version__ = '9.8.7'\n";
+  const std::string command = "PYTHONPATH='" + folder.path().string() + "' exec \"$0\" doctor";
+  const Outcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
+  EXPECT_EQ(outcome.exit, kExitHolds);
+  EXPECT_THAT(outcome.out, HasSubstr("ok      Python module   kerf 9.8.7 for Python 3."));
 }
 
 TEST(DoctorProgram, WithoutADisplayItSaysHowToDoWithout) {

@@ -1,4 +1,4 @@
-"""The samples of docs/PYTHON.md run, and give what stands behind '# =>'."""
+"""The samples of docs/PYTHON.md and README.md run, and give what stands behind '# =>'."""
 
 import ast
 import os
@@ -7,13 +7,16 @@ import re
 import subprocess
 import sys
 
+import pytest
+
 import kerf
 
 SOURCE = pathlib.Path(os.environ["KERF_SOURCE_DIR"])
+PAGES = {"docs/PYTHON.md": 8, "README.md": 1}
 
 
-def samples():
-    text = (SOURCE / "docs/PYTHON.md").read_text(encoding="utf-8")
+def samples(page):
+    text = (SOURCE / page).read_text(encoding="utf-8")
     return re.findall(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
 
 
@@ -23,32 +26,35 @@ def wrong_values(code, names):
     for node in ast.parse(code).body:
         said = re.search(r"#\s*=>\s*(.*)$", lines[node.end_lineno - 1])
         if said and isinstance(node, ast.Expr):
-            value = eval(compile(ast.Expression(node.value), "PYTHON.md", "eval"), names)
+            value = eval(compile(ast.Expression(node.value), "page", "eval"), names)
             if repr(value) != said[1]:
                 wrong.append((ast.unparse(node), repr(value), said[1]))
         else:
-            exec(compile(ast.Module([node], []), "PYTHON.md", "exec"), names)
+            exec(compile(ast.Module([node], []), "page", "exec"), names)
     return wrong
 
 
-def test_samples_run_and_give_what_the_page_says(tmp_path, monkeypatch):
+@pytest.mark.parametrize("page", PAGES)
+def test_samples_run_and_give_what_the_page_says(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     names = {}
-    assert len(samples()) >= 8
-    assert [wrong for code in samples() for wrong in wrong_values(code, names)] == []
+    assert len(samples(page)) >= PAGES[page]
+    assert [wrong for code in samples(page) for wrong in wrong_values(code, names)] == []
 
 
 def test_another_value_would_be_seen():
     assert wrong_values("x = 2\nx + 1  # => 4\nx  # => 2", {}) == [("x + 1", "3", "4")]
 
 
-def test_samples_have_the_right_types(tmp_path):
+@pytest.mark.parametrize("page", PAGES)
+def test_samples_have_the_right_types(page, tmp_path):
+    """The page leaves out the types of the one function that it defines."""
     file = tmp_path / "samples.py"
-    untyped = "def by_x(boxes):"
-    code = "\n".join(samples())
-    assert untyped in code
-    typed = code.replace(untyped, "def by_x(boxes: np.ndarray[Any, np.dtype[Any]]) -> list[tuple[int, int]]:")
-    file.write_text("from typing import Any\n" + typed, encoding="utf-8")
+    code, functions = re.subn(
+        r"def (\w+)\(boxes\):", r"def \1(boxes: np.ndarray[Any, np.dtype[Any]]) -> Any:", "\n".join(samples(page))
+    )
+    assert functions == 1
+    file.write_text("from typing import Any\n" + code, encoding="utf-8")
     environment = dict(os.environ, MYPYPATH=str(pathlib.Path(kerf.__file__).parent.parent))
     found = subprocess.run(
         [sys.executable, "-m", "mypy", "--strict", str(file)],
