@@ -15,11 +15,8 @@ bool is_same(const CellName& a, const CellName& b) {
 }
 
 Earning earning_of(const BenchRow& base, const BenchRow& variant) {
-  std::vector<double> gains;
-  for (std::size_t k = 0; k < std::min(base.round_ns.size(), variant.round_ns.size()); ++k)
-    gains.push_back(variant.round_ns[k] / base.round_ns[k] - 1);
-  std::ranges::sort(gains);
-  return {variant.cell, variant.algorithm, percentile(gains, 0.5), gains.front(), gains.back()};
+  const RoundRatio ratio = ratio_of_rounds(variant, base);
+  return {variant.cell, variant.algorithm, ratio.median - 1, ratio.least - 1, ratio.most - 1};
 }
 
 std::string line_of(const Earning& earning) {

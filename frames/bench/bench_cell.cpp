@@ -23,8 +23,8 @@ std::uint32_t block_capacity(std::uint32_t objects) {
 template <int D>
 class Cell {
  public:
-  Cell(const CellPlan& plan, const CellWatch& watch)
-      : plan_(plan), watch_(watch), capacity_(block_capacity<D>(plan.objects)) {
+  Cell(const CellPlan& plan, const MotionSource<D>& make, const CellWatch& watch)
+      : plan_(plan), make_(make), watch_(watch), capacity_(block_capacity<D>(plan.objects)) {
     participants_.push_back(std::make_unique<Participant>("floor", capacity_, plan));
     for (const std::string& name : plan.algorithms) {
       const auto algorithm = find_algorithm<D>(name);
@@ -40,7 +40,7 @@ class Cell {
 
  private:
   void play_round() {
-    const auto motion = plan_.scene->make<D>(plan_.objects, plan_.seed);
+    const auto motion = make_();
     StepBlock<D> block(*motion, capacity_);
     begin(*motion, block);
     for (std::uint32_t done = 0; done < plan_.warm_up + plan_.steps && !watch_.stop();
@@ -79,7 +79,10 @@ class Cell {
   /// The first round computes the truth.
   void add(const Motion<D>& motion, StepBlock<D>& block) {
     block.add(motion);
-    if (truths_.size() <= step_) truths_.push_back(truth_of(true_pairs(motion.boxes(), motion.moving())));
+    if (truths_.size() <= step_) {
+      truths_.push_back(truth_of(true_pairs(motion.boxes(), motion.moving())));
+      if (step_ >= plan_.warm_up) meter_.add(motion, truths_.back().pairs);
+    }
     block.set_truth(block.steps() - 1, truths_[step_++]);
   }
   void play_block(const StepBlock<D>& block, std::uint32_t done) {
@@ -92,13 +95,13 @@ class Cell {
     }
   }
   [[nodiscard]] std::string where(std::uint32_t done) const {
-    return std::string(plan_.scene->name) + " " + std::to_string(D) + "D, " + std::to_string(plan_.objects) +
+    return plan_.scene + " " + std::to_string(D) + "D, " + std::to_string(plan_.objects) +
            " objects: round " + std::to_string(round_ + 1) + "/" + std::to_string(plan_.rounds) + ", step " +
            std::to_string(done) + "/" + std::to_string(plan_.warm_up + plan_.steps) + "  ";
   }
   [[nodiscard]] CellResult result() const {
     CellResult result;
-    const CellName cell{std::string(plan_.scene->name), D, plan_.objects, plan_.threads};
+    const CellName cell{plan_.scene, D, plan_.objects, plan_.threads};
     for (const auto& participant : participants_) {
       if (auto row = participant->row(cell, plan_.trace)) result.rows.push_back(std::move(*row));
       if (!participant->trouble().empty())
@@ -106,15 +109,18 @@ class Cell {
     }
     const double floor = result.rows.empty() ? 0 : result.rows.front().median_ns;
     for (BenchRow& row : result.rows) row.times_floor = floor > 0 ? row.median_ns / floor : 0;
+    result.properties = meter_.properties();
     return result;
   }
 
   const CellPlan& plan_;
+  const MotionSource<D>& make_;
   const CellWatch& watch_;
   std::uint32_t capacity_;
   std::vector<Algorithm<D>> algorithms_;
   std::vector<std::unique_ptr<Participant>> participants_;  ///< the floor, then as algorithms_
   std::vector<Truth> truths_;                               ///< by step; the first is that of the beginning
+  PropertyMeter<D> meter_;
   std::uint32_t round_ = 0;
   std::size_t step_ = 0;
 };
@@ -122,10 +128,19 @@ class Cell {
 }  // namespace
 
 template <int D>
-CellResult measure_cell(const CellPlan& plan, const CellWatch& watch) {
-  return Cell<D>(plan, watch).measure();
+CellResult measure_cell(const CellPlan& plan, const MotionSource<D>& make, const CellWatch& watch) {
+  return Cell<D>(plan, make, watch).measure();
 }
 
+template <int D>
+CellResult measure_cell(const CellPlan& plan, const CellWatch& watch) {
+  const BenchScene& scene = find_bench_scene(plan.scene);
+  const MotionSource<D> make = [&] { return scene.make<D>(plan.objects, plan.seed); };
+  return measure_cell<D>(plan, make, watch);
+}
+
+template CellResult measure_cell<2>(const CellPlan&, const MotionSource<2>&, const CellWatch&);
+template CellResult measure_cell<3>(const CellPlan&, const MotionSource<3>&, const CellWatch&);
 template CellResult measure_cell<2>(const CellPlan&, const CellWatch&);
 template CellResult measure_cell<3>(const CellPlan&, const CellWatch&);
 

@@ -1,17 +1,19 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "frames/bench/bench_row.h"
 #include "frames/bench/bench_scene.h"
+#include "frames/bench/scene_properties.h"
 
 namespace kerf {
 
 /// The measurement of one cell.
 struct CellPlan {
-  const BenchScene* scene = nullptr;
+  std::string scene;  ///< of `bench_scenes()`, or any name of a motion that the caller makes
   std::uint32_t objects = 1000;
   unsigned threads = 1;
   std::vector<std::string> algorithms;
@@ -21,6 +23,7 @@ struct CellPlan {
   std::uint64_t seed = 1;
   double patience = 30;  ///< seconds of measuring in a round after which an algorithm is left out
   bool trace = false;    ///< keep the time of each step
+  bool tests = false;    ///< count tests per pair
 };
 
 /// Callbacks of a running cell.
@@ -32,7 +35,12 @@ struct CellWatch {
 struct CellResult {
   std::vector<BenchRow> rows;  ///< the floor first
   std::vector<BenchGap> gaps;
+  SceneProperties properties;  ///< of the measured steps
 };
+
+/// Makes a motion from its beginning, the same each time.
+template <int D>
+using MotionSource = std::function<std::unique_ptr<Motion<D>>()>;
 
 /// Measures all algorithms of the plan that exist for D dimensions and that many threads.
 ///
@@ -41,6 +49,9 @@ struct CellResult {
 /// single steps, because a step right after another algorithm's measures the caches that it left behind;
 /// blocks and not whole runs, because the machine changes from minute to minute. After an interrupt the rows
 /// so far are returned.
+template <int D>
+CellResult measure_cell(const CellPlan& plan, const MotionSource<D>& make, const CellWatch& watch);
+/// The same of the scene that has the plan's name.
 template <int D>
 CellResult measure_cell(const CellPlan& plan, const CellWatch& watch);
 

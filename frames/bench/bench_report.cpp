@@ -23,7 +23,7 @@ std::string as_text(const CellName& cell) {
   return format("%-14s %dD %8u %2u", cell.scene.c_str(), cell.dimension, cell.objects, cell.threads);
 }
 
-Json as_json(const CellName& cell, const std::string& algorithm) {
+Json name_json(const CellName& cell, const std::string& algorithm) {
   return {{"scene", cell.scene},
           {"dim", cell.dimension},
           {"objects", cell.objects},
@@ -31,8 +31,10 @@ Json as_json(const CellName& cell, const std::string& algorithm) {
           {"threads", cell.threads}};
 }
 
+}  // namespace
+
 Json as_json(const BenchRow& row) {
-  Json json = as_json(row.cell, row.algorithm);
+  Json json = name_json(row.cell, row.algorithm);
   json.update({{"median_ns", row.median_ns},
                {"p90_ns", row.p90_ns},
                {"p99_ns", row.p99_ns},
@@ -46,11 +48,16 @@ Json as_json(const BenchRow& row) {
                {"rss_bytes", row.rss_bytes},
                {"steps", row.steps},
                {"round_ns", row.round_ns}});
+  if (row.tests_per_pair) json["tests_per_pair"] = *row.tests_per_pair;
   if (!row.step_ns.empty()) json["step_ns"] = row.step_ns;
   return json;
 }
 
-}  // namespace
+Json as_json(const BenchGap& gap) {
+  Json json = name_json(gap.cell, gap.algorithm);
+  json["reason"] = gap.reason;
+  return json;
+}
 
 std::string bench_heading() {
   return "SCENE          DIM OBJECTS TH ALGORITHM                 MEDIAN      P90      P99   NATIVE  "
@@ -78,11 +85,7 @@ std::string as_json(const BenchRequest& request, const BenchResult& all, bool co
   json["results"] = Json::array();
   for (const BenchRow& row : all.cells.rows) json["results"].push_back(as_json(row));
   json["gaps"] = Json::array();
-  for (const BenchGap& gap : all.cells.gaps) {
-    Json item = as_json(gap.cell, gap.algorithm);
-    item["reason"] = gap.reason;
-    json["gaps"].push_back(std::move(item));
-  }
+  for (const BenchGap& gap : all.cells.gaps) json["gaps"].push_back(as_json(gap));
   json["simulations"] = Json::array();
   for (const LoopRow& row : all.loops) json["simulations"].push_back(as_json(row));
   json["earnings"] = Json::array();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ std::string bench_heading();
 /// One row, as a line.
 std::string as_text(const BenchRow& row);
 std::string as_text(const BenchGap& gap);
+
+/// A row and a gap as the JSON files have them.
+nlohmann::ordered_json as_json(const BenchRow& row);
+nlohmann::ordered_json as_json(const BenchGap& gap);
 
 /// All that a run has measured so far.
 struct BenchResult {

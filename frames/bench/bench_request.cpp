@@ -102,6 +102,7 @@ void parse_simulations(const BenchTexts& texts, BenchRequest& request) {
 /// What has no meaning for queries is refused.
 void parse_queries(const BenchTexts& texts, BenchRequest& request) {
   for (const auto& [option, text] : {std::pair{"--algorithms", &texts.algorithms},
+                                     {"--random", &texts.random},
                                      {"--simulations", &texts.simulations},
                                      {"--threads", &texts.threads},
                                      {"--steps", &texts.steps},
@@ -115,6 +116,35 @@ void parse_queries(const BenchTexts& texts, BenchRequest& request) {
   request.scenes = parse_scenes(texts.scenes.empty() ? "uniform,settled,needles" : texts.scenes);
   request.objects = {4250, 64000};
   request.rounds = 15;
+}
+
+/// Random scenes have sizes of their own; the tree is compared with what users would take instead.
+void parse_random(const BenchTexts& texts, BenchRequest& request) {
+  for (const auto& [option, text] : {std::pair{"--scenes", &texts.scenes},
+                                     {"--simulations", &texts.simulations},
+                                     {"--objects", &texts.objects},
+                                     {"--dims", &texts.dimensions},
+                                     {"--threads", &texts.threads}})
+    if (!text->empty())
+      throw UsageError(std::string(option) + ": --random draws its scenes; leave one of them out");
+  if (texts.ablation || texts.trace)
+    throw UsageError(std::string(texts.ablation ? "--ablation" : "--trace") +
+                     " has no meaning for random scenes; leave it or --random out");
+  request.scenes.clear();
+  request.patience = 5;
+  request.algorithms = {std::string(kTunedTree), "columns", "sort-and-sweep"};
+  const auto add_libraries = [&](const auto& algorithms) {
+    for (const auto& algorithm : algorithms)
+      if (algorithm.origin == Origin::library && algorithm.by_default &&
+          std::ranges::count(request.algorithms, algorithm.name) == 0)
+        request.algorithms.push_back(algorithm.name);
+  };
+  add_libraries(algorithms<2>());
+  add_libraries(algorithms<3>());
+  if (texts.algorithms.empty()) return;
+  request.algorithms = parse_algorithms(texts.algorithms);
+  if (std::ranges::count(request.algorithms, std::string(kTunedTree)) == 0)
+    request.algorithms.insert(request.algorithms.begin(), std::string(kTunedTree));
 }
 
 }  // namespace
@@ -133,6 +163,8 @@ BenchRequest parse_bench_request(const BenchTexts& texts) {
   BenchRequest request;
   if (texts.queries) {
     parse_queries(texts, request);
+  } else if (!texts.random.empty()) {
+    parse_random(texts, request);
   } else if (texts.simulations.empty()) {
     request.scenes = parse_scenes(texts.scenes);
     request.algorithms = parse_algorithms(texts.algorithms);
@@ -155,6 +187,11 @@ BenchRequest parse_bench_request(const BenchTexts& texts) {
   one(request.warm_up, "--warm-up", texts.warm_up, 1, kMostSteps);
   one(request.seed, "--seed", texts.seed, 0, UINT32_MAX);
   one(request.patience, "--patience", texts.patience, 1, 3600);
+  one(request.random, "--random", texts.random, 1, 1'000'000);
+  one(request.first, "--first", texts.first, 1, 1'000'000);
+  one(request.most, "--most", texts.most, 16, 256'000);
+  if (texts.random.empty() && !(texts.first + texts.most).empty())
+    throw UsageError("--first and --most choose among random scenes; add --random N");
   request.json = texts.json;
   request.trace = texts.trace;
   request.ablation = texts.ablation;

@@ -5,6 +5,20 @@
 
 namespace kerf {
 
+RoundRatio ratio_of_rounds(const BenchRow& row, const BenchRow& base) {
+  std::vector<double> ratios;
+  for (std::size_t k = 0; k < std::min(row.round_ns.size(), base.round_ns.size()); ++k)
+    ratios.push_back(row.round_ns[k] / base.round_ns[k]);
+  std::ranges::sort(ratios);
+  return {percentile(ratios, 0.5), ratios.front(), ratios.back()};
+}
+
+double median_round(const BenchRow& row) {
+  std::vector<double> rounds = row.round_ns;
+  std::ranges::sort(rounds);
+  return percentile(rounds, 0.5);
+}
+
 void set_times(BenchRow& row, std::vector<double> each) {
   std::ranges::sort(each);
   row.median_ns = percentile(each, 0.5);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,10 @@ struct BenchRow {
   std::uint64_t extra = 0;   ///< in all measured steps
   double times_floor = 0;    ///< the median over that of the floor
   std::uint64_t rss_bytes = 0;
-  std::uint32_t steps = 0;       ///< measured
-  std::vector<double> round_ns;  ///< of each complete round the median over its steps
-  std::vector<float> step_ns;    ///< one by one, if requested
+  std::optional<double> tests_per_pair;  ///< of the last step; none: not asked for, or unknown
+  std::uint32_t steps = 0;               ///< measured
+  std::vector<double> round_ns;          ///< of each complete round the median over its steps
+  std::vector<float> step_ns;            ///< one by one, if requested
 };
 
 /// An algorithm without a row, or with one of fewer steps, and the reason.
@@ -41,6 +43,17 @@ struct BenchGap {
   std::string algorithm;
   std::string reason;
 };
+
+/// How much longer one algorithm takes than another, round by round, of rounds measured in turns.
+struct RoundRatio {
+  double median = 1;
+  double least = 1;
+  double most = 1;
+};
+/// The times of `row` over those of `base`. Both need a round.
+RoundRatio ratio_of_rounds(const BenchRow& row, const BenchRow& base);
+/// The median of the rounds; 0 if there is none.
+double median_round(const BenchRow& row);
 
 /// Sorts the times of the steps and sets `median_ns` to `max_ns` from them.
 void set_times(BenchRow& row, std::vector<double> each);

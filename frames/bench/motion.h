@@ -17,6 +17,17 @@ inline constexpr double kPairsPerObject = 3.7;
 /// The side of the cube in which `count` boxes of mean extent `size` have `pairs` pairs an object.
 double side_for(std::uint32_t count, int dimension, double size = 1, double pairs = kPairsPerObject);
 
+/// Stands in place of the box of an object that is absent.
+template <int D>
+constexpr Box<D> no_box() {
+  return Box<D>::empty();
+}
+
+template <int D>
+constexpr bool is_absent(const Box<D>& box) {
+  return box.min[0] > box.max[0];
+}
+
 /// Boxes that move by a rule of their own, without an engine and independent of any broad phase. The same
 /// seed gives the same motion. Objects are numbered from 0; the fixed ones, if any, come last.
 template <int D>
@@ -29,12 +40,19 @@ class Motion {
 
   /// Moves everything by one step.
   virtual void advance() = 0;
+  /// By object; `no_box()` for those that are absent.
   [[nodiscard]] std::span<const Box<D>> boxes() const { return boxes_; }
   /// Objects below this number are moving, the others are fixed.
   [[nodiscard]] std::uint32_t moving() const { return moving_; }
   /// Whether `advance` changes every moving object; else `moved` returns which.
   [[nodiscard]] bool all_move() const { return all_move_; }
   [[nodiscard]] std::span<const ObjectId> moved() const { return moved_; }
+  /// Which objects came and which went in the last step; they are not among the moved. An object may go and
+  /// come in one step.
+  [[nodiscard]] std::span<const ObjectId> inserted() const { return inserted_; }
+  [[nodiscard]] std::span<const ObjectId> removed() const { return removed_; }
+  /// So many objects come and go in a step at most; 0 if `all_move`.
+  [[nodiscard]] std::uint32_t most_changes() const { return most_changes_; }
   /// Bounds of the objects and their usual size, for libraries that need them.
   [[nodiscard]] const Box<D>& bounds() const { return bounds_; }
   [[nodiscard]] Scalar box_size() const { return box_size_; }
@@ -63,9 +81,12 @@ class Motion {
   Random random_;
   std::vector<Box<D>> boxes_;
   std::vector<ObjectId> moved_;
+  std::vector<ObjectId> inserted_;
+  std::vector<ObjectId> removed_;
   Box<D> bounds_{};
   Scalar box_size_ = 1;
   std::uint32_t moving_ = 0;
+  std::uint32_t most_changes_ = 0;
   bool all_move_ = true;
 };
 

@@ -55,7 +55,7 @@ void Participant::run(std::int64_t first, std::uint32_t count, const CellWatch& 
       "left out after " + in_seconds(spent_) + " and " +
       counted(static_cast<std::uint64_t>(first + static_cast<std::int64_t>(count + plan_.warm_up)), "step");
   ask(Request::account, kLongestRequest * plan_.patience, watch);
-  bytes_ = answers_.bytes();
+  bytes_ = answers_.account().bytes;
   process_.reset();
 }
 
@@ -72,12 +72,21 @@ void Participant::keep(std::int64_t step, const StepResult& result) {
 }
 
 void Participant::finish(const CellWatch& watch) {
-  if (ask(Request::account, kLongestRequest * plan_.patience, watch)) bytes_ = answers_.bytes();
+  if (ask(Request::account, kLongestRequest * plan_.patience, watch)) bytes_ = answers_.account().bytes;
+  if (plan_.tests && !tests_per_pair_ && trouble_.empty()) count_tests(watch);
   process_.reset();
   if (round_.size() < plan_.steps) return;
   const auto middle = round_.begin() + static_cast<std::ptrdiff_t>((round_.size() - 1) / 2);
   std::ranges::nth_element(round_, middle);
   round_medians_.push_back(*middle);
+}
+
+/// One that cannot say it has been measured all the same.
+void Participant::count_tests(const CellWatch& watch) {
+  if (!ask(Request::tests, kLongestRequest * plan_.patience, watch)) trouble_.clear();
+  const Account& account = answers_.account();
+  if (process_ && account.tests != kUnknown && account.pairs > 0)
+    tests_per_pair_ = static_cast<double>(account.tests) / static_cast<double>(account.pairs);
 }
 
 std::optional<BenchRow> Participant::row(const CellName& cell, bool trace) const {
@@ -103,6 +112,7 @@ std::optional<BenchRow> Participant::row(const CellName& cell, bool trace) const
   row.missed = missed_;
   row.extra = extra_;
   row.rss_bytes = bytes_;
+  row.tests_per_pair = tests_per_pair_;
   row.steps = static_cast<std::uint32_t>(each.size());
   return row;
 }

@@ -38,6 +38,7 @@ class Participant {
   static constexpr std::uint64_t kNever = UINT64_MAX;
   /// `limit` in seconds.
   bool ask(Request request, double limit, const CellWatch& watch);
+  void count_tests(const CellWatch& watch);
   void keep(std::int64_t step, const StepResult& result);
 
   const CellPlan& plan_;
@@ -54,6 +55,7 @@ class Participant {
   std::uint64_t missed_ = 0;
   std::uint64_t extra_ = 0;
   std::uint64_t bytes_ = 0;
+  std::optional<double> tests_per_pair_;
   double spent_ = 0;  ///< seconds of steps in this round
   std::string trouble_;
 };

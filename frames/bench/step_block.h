@@ -38,9 +38,12 @@ class StepBlock {
   [[nodiscard]] std::uint32_t moving() const { return moving_; }
   /// The boxes of all objects, in the order of their ids.
   [[nodiscard]] std::span<const Box<D>> boxes(std::uint32_t step) const;
-  /// The objects that changed, and their boxes.
+  /// The objects that moved, and their boxes.
   [[nodiscard]] std::span<const ObjectId> moved(std::uint32_t step) const;
   [[nodiscard]] std::span<const Box<D>> moved_boxes(std::uint32_t step) const;
+  /// The objects that went before the others came; the latter's boxes are in boxes(step).
+  [[nodiscard]] std::span<const ObjectId> removed(std::uint32_t step) const;
+  [[nodiscard]] std::span<const ObjectId> inserted(std::uint32_t step) const;
   [[nodiscard]] const Truth& truth(std::uint32_t step) const { return truths()[step]; }
   void touch() const { memory_.touch(); }
 
@@ -48,12 +51,18 @@ class StepBlock {
   struct Header {
     std::uint32_t steps;
   };
+  struct Counts {
+    std::uint32_t moved;
+    std::uint32_t removed;
+    std::uint32_t inserted;
+  };
   [[nodiscard]] Header& header() const { return *at<Header>(0); }
   [[nodiscard]] Truth* truths() const { return at<Truth>(truths_at_); }
   [[nodiscard]] Box<D>* slot(std::uint32_t step) const;
   [[nodiscard]] Box<D>* moved_slot(std::uint32_t step) const;
   [[nodiscard]] ObjectId* ids(std::uint32_t step) const;
-  [[nodiscard]] std::uint32_t& count(std::uint32_t step) const { return at<std::uint32_t>(counts_at_)[step]; }
+  [[nodiscard]] ObjectId* changes(std::uint32_t step) const;
+  [[nodiscard]] Counts& counts(std::uint32_t step) const { return at<Counts>(counts_at_)[step]; }
   template <class T>
   [[nodiscard]] T* at(std::size_t offset) const {
     return reinterpret_cast<T*>(memory_.data() + offset);
@@ -62,12 +71,14 @@ class StepBlock {
   std::uint32_t capacity_;
   std::uint32_t objects_;
   std::uint32_t moving_;
+  std::uint32_t most_changes_;
   bool all_move_;
   std::size_t truths_at_ = 0;
   std::size_t counts_at_ = 0;
   std::size_t ids_at_ = 0;
   std::size_t boxes_at_ = 0;
   std::size_t moved_at_ = 0;
+  std::size_t changes_at_ = 0;
   SharedMemory memory_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "core/broad_phase/describe.h"
 #include "core/broad_phase/loose_octree.h"
 #include "core/broad_phase/sweep_and_prune.h"
 #include "core/bsp/bsp.h"
@@ -70,6 +71,14 @@ std::optional<std::uint64_t> candidates_of(const BroadPhase<D>& subject) {
 }
 
 template <int D>
+std::optional<std::uint64_t> tests_of(const BroadPhase<D>& subject, std::uint32_t objects) {
+  constexpr std::uint32_t kMostDescribed = 10000;  // a description may list each of n * n / 2 tests
+  const std::optional<std::uint64_t> candidates = candidates_of(subject);
+  if (candidates || objects > kMostDescribed) return candidates;
+  return describe(subject).tests;
+}
+
+template <int D>
 Structure structure_of(const BroadPhase<D>& subject) {
   Structure structure;
   structure.candidates = candidates_of(subject);
@@ -112,6 +121,8 @@ template Structure structure_of(const BroadPhase<2>&);
 template Structure structure_of(const BroadPhase<3>&);
 template std::optional<std::uint64_t> candidates_of(const BroadPhase<2>&);
 template std::optional<std::uint64_t> candidates_of(const BroadPhase<3>&);
+template std::optional<std::uint64_t> tests_of(const BroadPhase<2>&, std::uint32_t);
+template std::optional<std::uint64_t> tests_of(const BroadPhase<3>&, std::uint32_t);
 template void measure_parts(BroadPhase<2>&);
 template void measure_parts(BroadPhase<3>&);
 template SplitCost costed_step(const StepRequests<2>&, BroadPhase<2>&);

@@ -23,6 +23,11 @@ Structure structure_of(const BroadPhase<D>& subject);
 template <int D>
 std::optional<std::uint64_t> candidates_of(const BroadPhase<D>& subject);
 
+/// Pairs of boxes that the last step compared, by `candidates_of` or, of few objects, by the structure's
+/// description of itself; none: unknown.
+template <int D>
+std::optional<std::uint64_t> tests_of(const BroadPhase<D>& subject, std::uint32_t objects);
+
 /// Pairs of a tree that were left to be tested in a step with the paper's ordered lists.
 template <int D>
 std::uint64_t list_candidates(const Tree<D>& tree);

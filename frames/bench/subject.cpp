@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "frames/bench/structure.h"
 #include "frames/bench/truth.h"
 #include "frames/rivals/added_work.h"
 #include "frames/rivals/step_timer.h"
@@ -24,7 +26,8 @@ class Subject {
     if (request == static_cast<char>(Request::build)) build();
     if (request == static_cast<char>(Request::run)) run();
     if (request == static_cast<char>(Request::account))
-      answers_->bytes() = peak_own_memory() - std::min(before_, peak_own_memory());
+      answers_->account().bytes = peak_own_memory() - std::min(before_, peak_own_memory());
+    if (request == static_cast<char>(Request::tests)) count_tests();
   }
 
  private:
@@ -34,20 +37,30 @@ class Subject {
     const StepTimer timer(one_thread_);
     broad_phase_ = make_();
     const auto boxes = block_->boxes(0);
-    for (std::uint32_t k = 0; k < boxes.size(); ++k) {
-      const auto mobility = k < block_->moving() ? Mobility::moving : Mobility::fixed;
-      static_cast<void>(broad_phase_->insert({k}, boxes[k], mobility));
-    }
+    for (std::uint32_t k = 0; k < boxes.size(); ++k)
+      if (!is_absent(boxes[k])) insert({k}, boxes[k]);
     broad_phase_->step();
     note(0, timer.nanoseconds());
+  }
+  void insert(ObjectId object, const Box<D>& box) {
+    const auto mobility = object.index() < block_->moving() ? Mobility::moving : Mobility::fixed;
+    static_cast<void>(broad_phase_->insert(object, box, mobility));
   }
   void run() {
     for (std::uint32_t step = 0; step < block_->steps(); ++step) {
       const StepTimer timer(one_thread_);
+      for (const ObjectId object : block_->removed(step)) static_cast<void>(broad_phase_->remove(object));
+      for (const ObjectId object : block_->inserted(step))
+        insert(object, block_->boxes(step)[object.index()]);
       static_cast<void>(broad_phase_->move_many(block_->moved(step), block_->moved_boxes(step)));
       broad_phase_->step();
       note(step, timer.nanoseconds());
     }
+  }
+  void count_tests() {
+    const std::optional<std::uint64_t> tests = tests_of(*broad_phase_, block_->objects());
+    answers_->account().tests = tests.value_or(kUnknown);
+    answers_->account().pairs = broad_phase_->pairs().size();
   }
   void note(std::uint32_t step, std::uint64_t nanoseconds) {
     const auto found = broad_phase_->pairs();
@@ -88,7 +101,9 @@ class Floor {
   Floor(const StepBlock<D>& block, const Answers& answers) : block_(&block), answers_(&answers) {}
 
   void operator()(char request) {
-    if (request == static_cast<char>(Request::account)) return;
+    if (request == static_cast<char>(Request::tests)) answers_->account().tests = kUnknown;
+    if (request == static_cast<char>(Request::account) || request == static_cast<char>(Request::tests))
+      return;
     block_->touch();
     const bool build = request == static_cast<char>(Request::build);
     for (std::uint32_t step = 0; step < (build ? 1 : block_->steps()); ++step) pass(step);

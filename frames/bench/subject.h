@@ -24,17 +24,25 @@ enum class Request : char {
   build = 'b',    ///< insert the objects of the block's first step and find their pairs
   run = 'r',      ///< do all steps of the block
   account = 'a',  ///< report the most memory used
+  tests = 't',    ///< report how many pairs of boxes were compared in the last step; it may take memory
 };
+
+/// A subject's answers about all of its life.
+struct Account {
+  std::uint64_t bytes = 0;
+  std::uint64_t tests = 0;  ///< in the last step; kUnknown if the structure does not count them
+  std::uint64_t pairs = 0;  ///< of that step
+};
+inline constexpr std::uint64_t kUnknown = UINT64_MAX;
 
 /// The table in which a subject's process writes its answers.
 class Answers {
  public:
-  explicit Answers(std::uint32_t capacity)
-      : memory_(sizeof(std::uint64_t) * 2 + capacity * sizeof(StepResult)) {}
+  explicit Answers(std::uint32_t capacity) : memory_(sizeof(Account) + capacity * sizeof(StepResult)) {}
 
-  [[nodiscard]] std::uint64_t& bytes() const { return reinterpret_cast<std::uint64_t*>(memory_.data())[0]; }
+  [[nodiscard]] Account& account() const { return *reinterpret_cast<Account*>(memory_.data()); }
   [[nodiscard]] StepResult& step(std::uint32_t index) const {
-    return reinterpret_cast<StepResult*>(memory_.data() + sizeof(std::uint64_t) * 2)[index];
+    return reinterpret_cast<StepResult*>(memory_.data() + sizeof(Account))[index];
   }
 
  private:
@@ -44,7 +52,7 @@ class Answers {
 /// The body of a process that measures one algorithm; called for each request.
 using Life = std::function<void(char)>;
 
-/// For a broad phase. A step's time is that of passing it the boxes that changed and of `step()`; its pairs
+/// For a broad phase. A step's time is that of passing it what changed and of `step()`; its pairs
 /// are compared with the truth afterwards. `block` and `answers` must outlive the process. `one_thread`: see
 /// StepTimer.
 template <int D>

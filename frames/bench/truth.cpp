@@ -16,6 +16,7 @@ constexpr std::size_t kMostSwept = 100000;  ///< objects that are sorted and swe
 template <int D>
 std::vector<Pair> pairs_by(BroadPhase<D>&& oracle, std::span<const Box<D>> boxes, std::uint32_t moving) {
   for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+    if (is_absent(boxes[k])) continue;
     const Status status = oracle.insert({k}, boxes[k], k < moving ? Mobility::moving : Mobility::fixed);
     if (status != Status::ok) throw std::logic_error("the scene has a bad box");
   }

@@ -9,8 +9,9 @@
 
 namespace kerf {
 
-/// The complete set of pairs of some boxes, of which the first `moving` are not fixed: by brute force for
-/// few, by sort-and-sweep for many, by columns for very many. Tests compare these with the oracle.
+/// The complete set of pairs of some boxes, of which the first `moving` are not fixed and some may be absent:
+/// by brute force for few, by sort-and-sweep for many, by columns for very many. Tests compare these with the
+/// oracle.
 template <int D>
 std::vector<Pair> true_pairs(std::span<const Box<D>> boxes, std::uint32_t moving);
 

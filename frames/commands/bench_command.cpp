@@ -11,6 +11,7 @@
 #include "frames/bench/bench_report.h"
 #include "frames/bench/loop_report.h"
 #include "frames/bench/queries/query_report.h"
+#include "frames/bench/random/random_bench.h"
 #include "frames/catalog/algorithm.h"
 #include "frames/commands/output_option.h"
 #include "frames/support/errors.h"
@@ -58,7 +59,7 @@ void print(const std::string& line) {
 CellPlan plan_for(const BenchRequest& request, const BenchScene& scene, std::uint32_t objects,
                   unsigned threads) {
   CellPlan plan;
-  plan.scene = &scene;
+  plan.scene = scene.name;
   plan.objects = objects;
   plan.threads = threads;
   plan.algorithms = request.algorithms;
@@ -106,6 +107,8 @@ class Bench {
   void run() {
     if (request_.queries) {
       measure_queries();
+    } else if (request_.random > 0) {
+      measure_scenes_at_random();
     } else if (request_.simulations.empty()) {
       measure_cells();
     } else {
@@ -113,6 +116,7 @@ class Bench {
     }
     if (interrupt_.requested()) throw Interrupted("interrupted; " + json_.end_early());
     save(true);
+    if (request_.random > 0) print(random_summary(request_, random_));
     if (request_.ablation) print(ablation_table(earnings(all_.cells.rows, std::string(kTunedTree))));
   }
 
@@ -155,6 +159,17 @@ class Bench {
           save(false);
         }
   }
+  void measure_scenes_at_random() {
+    print(random_heading());
+    const CellWatch watch{[this](const std::string& text) { line_.show(text); },
+                          [this] { return interrupt_.requested(); }};
+    measure_random(request_, watch, [this](RandomOutcome outcome) {
+      line_.clear();
+      print(as_text(outcome));
+      random_.push_back(std::move(outcome));
+      save(false);
+    });
+  }
   void measure_simulations() {
     print(loop_heading());
     const CellWatch watch{[this](const std::string& text) { line_.show(text); },
@@ -181,7 +196,9 @@ class Bench {
     save(false);
   }
   void save(bool complete) {
-    json_.save(request_.queries ? as_json(request_, queries_, complete) : as_json(request_, all_, complete),
+    json_.save(request_.queries      ? as_json(request_, queries_, complete)
+               : request_.random > 0 ? as_json(request_, random_, complete)
+                                     : as_json(request_, all_, complete),
                complete);
   }
 
@@ -191,6 +208,7 @@ class Bench {
   ProgressLine line_;
   BenchResult all_;
   std::vector<QueryRow> queries_;
+  std::vector<RandomOutcome> random_;
 };
 
 }  // namespace
@@ -205,6 +223,12 @@ BenchCommand::BenchCommand(CLI::App& program)
          "Instead: broad phases in the loop of these scenes of `kerf render` (or all), beside the same boxes "
          "alone",
          "A,B,...");
+  option("--random", texts_.random,
+         "Instead: so many scenes drawn by --seed (docs/WHICH.md), the tuned tree beside columns, "
+         "sort-and-sweep and the libraries",
+         "N");
+  option("--first", texts_.first, "Begin with the F-th random scene of the seed (default 1)", "F");
+  option("--most", texts_.most, "Random scenes have so many boxes at most (default 256000)", "N");
   option("--objects", texts_.objects, "How many boxes (default 1000,4250,16000)", "N,N,...");
   option("--dims", texts_.dimensions, "2, 3 or both (default 2,3)", "D,D");
   option("--algorithms", texts_.algorithms, "Which broad phases, see below", "A,B,...");

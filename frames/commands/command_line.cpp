@@ -12,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "frames/commands/advise_command.h"
 #include "frames/commands/bench_command.h"
 #include "frames/commands/bench_frames_command.h"
 #include "frames/commands/collect_command.h"
@@ -163,6 +164,7 @@ int run_command_line(int argc, char** argv) {
   const MinimizeCommand minimize(program);
   const ExportCommand exporter(program);
   const DiffCommand diff(program);
+  const AdviseCommand advise(program);
   const BenchCommand bench(program);
   const BenchFramesCommand bench_frames(program);
   const ExperimentCommand experiment(program);
@@ -187,8 +189,8 @@ int run_command_line(int argc, char** argv) {
     return kExitUnusable;
   }
   return run(program, scenes, render, collector, film, film_diff, record, import, rerun, verify, debug, step,
-             explain, compare, lint, minimize, exporter, diff, bench, bench_frames, experiment, report_page,
-             study, doctor, man, completer);
+             explain, compare, lint, minimize, exporter, diff, advise, bench, bench_frames, experiment,
+             report_page, study, doctor, man, completer);
 }
 
 }  // namespace kerf

@@ -7,6 +7,7 @@ namespace kerf {
 namespace {
 
 constexpr ExitMeaning kMeanings[] = {
+    {"advise", "the broad phases were measured and the advice was printed", ""},
     {"bench", "everything asked for was measured", ""},
     {"bench-frames", "everything asked for was measured", ""},
     {"collect", "every frame is there with the pixels that were drawn",

@@ -139,6 +139,8 @@ constexpr Case kCases[] = {
     {0, "film-diff @frames @frames -o @f.gif"},
     {1, "film-diff @frames @fewer -o @f2.gif"},
     {2, "film-diff @frames @none -o @f3.gif"},
+    {0, "advise @a.kerf --broad-phases kerf,columns --rounds 2"},
+    {2, "advise @none.kerf"},
     {0, "bench --scenes falling --objects 50 --algorithms kerf --rounds 1 --steps 3 --warm-up 1"},
     {0, "bench --queries --scenes uniform --objects 50 --rounds 1 --warm-up 1"},
     {2, "bench --queries --threads 2"},
@@ -171,7 +173,7 @@ TEST_F(ExitCodes, ADamagedRecordingIsUnusableForEveryCommand) {
        {"verify F", "step F --to step==3", "explain F --pair 0,1", "explain F --node n0", "compare F @a.kerf",
         "compare @a.kerf F", "lint F", "minimize F --when step==3 -o @m.kerf", "export F --csv",
         "export F --boxes -o @e.csv", "render F --steps 1:2 --size 64x64 --out @d",
-        "debug F --headless --script @holds", "rerun F -o @d.kerf"}) {
+        "debug F --headless --script @holds", "rerun F -o @d.kerf", "advise F"}) {
     for (const char* name : {"half", "fifty", "empty", "version", "none"}) {
       std::string line = command;
       line.replace(line.find('F'), 1, "@" + std::string(name) + ".kerf");

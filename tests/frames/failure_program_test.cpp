@@ -249,6 +249,7 @@ TEST(FailureProgram, WhatIsPrintedIntoAFullDeviceIsAnError) {
            "verify " + recording, "step " + recording + " --to step==9",
            "step " + recording + " --to step==9 --hits 2", "explain " + recording + " --step 9 --pair 1,2",
            "compare " + recording + " " + recording, "lint " + recording, "export " + recording + " --csv",
+           "advise " + recording + " --broad-phases kerf,columns --rounds 2",
            "diff " + frames + " " + frames}) {
     const Outcome outcome =
         Process({"sh", "-c", std::string(KERF_PROGRAM) + " " + arguments + " > /dev/full"}).wait();

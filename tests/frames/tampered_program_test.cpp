@@ -128,6 +128,7 @@ std::vector<std::vector<std::string>> commands(const std::string& file, const st
           {"minimize", file, "--when", "step==3", "-o", out},
           {"export", file, "--boxes"},
           {"lint", file},
+          {"advise", file, "--broad-phases", "kerf,columns", "--rounds", "2"},
           {"rerun", file, "--config", "max_height=20", "-o", out}};
 }
 

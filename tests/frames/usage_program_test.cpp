@@ -130,6 +130,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "leave --algorithms out"},
         Mistake{
             "BenchInLoop", {"bench", "--simulations", "pile-2d", "--algorithms", "colums"}, "2D broad phase"},
+        Mistake{
+            "BenchRandomAndScene", {"bench", "--random", "2", "--scenes", "flat"}, "leave one of them out"},
+        Mistake{"BenchFirstOfNone", {"bench", "--first", "2"}, "add --random N"},
+        Mistake{"BenchRandomNone", {"bench", "--random", "0"}, "whole number from 1"},
+        Mistake{"BenchMost", {"bench", "--random", "1", "--most", "5"}, "from 16"},
         Mistake{"BenchDimension", {"bench", "--dims", "4"}, "from 2 to 3"},
         Mistake{"BenchObjects", {"bench", "--objects", "1"}, "whole number from"},
         Mistake{"BenchEmptyName", {"bench", "--objects", "1000,,2000"}, "between commas"},

@@ -124,6 +124,7 @@ constexpr auto kLayers = std::to_array<Layer>({
     {"frames/report/", 4, "`kerf report`: speed against error"},
     {"frames/experiment/", 4, "`kerf experiment`: the paper's figures and claims"},
     {"frames/study/", 4, "`kerf study`: cells of a matrix, on one machine or a farm"},
+    {"frames/advise/", 4, "`kerf advise`: which broad phase for a recording"},
     {"frames/story/", 4, "`kerf film`: a run as a short film to share"},
     {"frames/bench_frames/", 4, "`kerf bench-frames`: milliseconds a frame"},
     {"frames/python/", 5, "the Python module `kerf`"},

@@ -328,6 +328,21 @@ Scenario bench_scenario() {
           {{"bench.json", Likeness::same_end}}};
 }
 
+Scenario advise_scenario() {
+  return {"advise",
+          [](const Path& folder) {
+            record(folder / "in.kerf", "12");
+            write(folder / "advice.json", "an earlier table");
+            write(folder / "advice.svg", "an earlier picture");
+          },
+          [](const Path& folder) -> Words {
+            return {
+                "advise", folder / "in.kerf",     "--broad-phases", "kerf,columns",        "--rounds",   "2",
+                "--json", folder / "advice.json", "--plot",         folder / "advice.svg", "--overwrite"};
+          },
+          {{"advice.json", Likeness::same_end}, {"advice.svg", Likeness::same_end}}};
+}
+
 }  // namespace
 
 const std::vector<Scenario>& scenarios() {
@@ -336,7 +351,7 @@ const std::vector<Scenario>& scenarios() {
                                           report_scenario(),  experiment_scenario(), step_scenario(),
                                           export_scenario(),  film_diff_scenario(),  film_scenario(),
                                           approve_scenario(), diff_page_scenario(),  debug_scenario(),
-                                          bench_scenario(),   study_scenario()};
+                                          bench_scenario(),   study_scenario(),      advise_scenario()};
   return kAll;
 }
 

@@ -119,6 +119,32 @@ TEST(BenchProgram, MeasuresWhatAnApproximateTreeMissesAndInvents) {
   EXPECT_GT(rows[3]["extra"], 0);
 }
 
+TEST(BenchProgram, MeasuresRandomScenesAndSaysHowToRepeatThem) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "bench.json").string();
+  const std::vector<std::string> usual{"--most",    "200", "--algorithms", "kerf,columns",
+                                       "--rounds",  "2",   "--steps",      "5",
+                                       "--warm-up", "2",   "--seed",       "9"};
+  std::vector<std::string> arguments{"bench", "--random", "3", "--json", file};
+  arguments.insert(arguments.end(), usual.begin(), usual.end());
+  const Outcome outcome = run_kerf(arguments);
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
+  const auto json = read_json(file);
+  EXPECT_TRUE(json["complete"]);
+  ASSERT_EQ(json["scenes"].size(), 3U);
+  for (const auto& scene : json["scenes"]) {
+    EXPECT_LE(scene["drawn"]["objects"], 200);
+    EXPECT_GT(scene["measured"]["objects"], 0);
+    for (const auto& row : scene["results"]) EXPECT_EQ(row["missed"].get<int>() + row["extra"].get<int>(), 0);
+  }
+  EXPECT_THAT(outcome.out, HasSubstr("geometric mean"));
+  EXPECT_THAT(outcome.out, HasSubstr("kerf bench --random 1 --first 2 --seed 9 --most 200"));
+  arguments = {"bench", "--random", "1", "--first", "2", "--json", file, "--overwrite"};
+  arguments.insert(arguments.end(), usual.begin(), usual.end());
+  ASSERT_EQ(run_kerf(arguments).exit, kExitHolds);
+  EXPECT_EQ(read_json(file)["scenes"][0]["drawn"], json["scenes"][1]["drawn"]);
+}
+
 TEST(BenchProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "bench.json";

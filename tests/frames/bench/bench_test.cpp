@@ -176,7 +176,7 @@ TEST(BenchSubject, IsHeldAgainstTheTruth) {
 
 CellPlan plan_for(std::string_view scene, std::uint32_t objects, std::vector<std::string> algorithms) {
   CellPlan plan;
-  plan.scene = &find_bench_scene(scene);
+  plan.scene = scene;
   plan.objects = objects;
   plan.algorithms = std::move(algorithms);
   return plan;

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+
+#include "frames/bench/motion.h"
+#include "frames/bench/random/random_scene.h"
+
+namespace kerf {
+
+/// The motion of a random scene of this dimension. Beside its objects there are others that are absent at
+/// first if objects go and come.
+template <int D>
+std::unique_ptr<Motion<D>> make_random_motion(const RandomScene& scene);
+
+extern template std::unique_ptr<Motion<2>> make_random_motion(const RandomScene&);
+extern template std::unique_ptr<Motion<3>> make_random_motion(const RandomScene&);
+
+}  // namespace kerf

@@ -1,0 +1,86 @@
+#include "frames/advise/recorded_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "frames/bench/truth.h"
+#include "tests/support/dimensions.h"
+#include "tests/support/recorded_crowd.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::uint32_t kSteps = 40;
+
+template <class T>
+class RecordedMotion : public ::testing::Test {
+ protected:
+  static constexpr int D = T::value;
+
+  void record(VolumeKind volume = VolumeKind::box) {
+    test::record_crowd<D>(file_.path(), kSteps, test::busy_config(), test::busy_config(), volume);
+    reader_ = std::make_shared<RecordingReader<D>>(file_.path());
+  }
+  RecordedRun<D> run(std::uint32_t first, std::uint32_t last) {
+    return {reader_, {first, last, 1}, [](std::uint32_t) {}};
+  }
+
+  test::TemporaryRecording file_;
+  std::shared_ptr<RecordingReader<D>> reader_;
+};
+
+TYPED_TEST_SUITE(RecordedMotion, test::Dimensions, test::DimensionNames);
+
+/// Objects come, go, come again with another mobility, and have boxes that cannot be placed.
+TYPED_TEST(RecordedMotion, HasThePairsOfTheRecordingInEachStep) {
+  constexpr int D = TypeParam::value;
+  this->record();
+  for (const std::uint32_t first : {1U, 17U}) {
+    const RecordedRun<D> run = this->run(first, kSteps);
+    const auto motion = run.motion();
+    for (std::uint32_t step = first;; ++step) {
+      EXPECT_EQ(true_pairs(motion->boxes(), motion->moving()).size(), this->reader_->row(step).pairs) << step;
+      if (step == kSteps) break;
+      motion->advance();
+    }
+  }
+}
+
+TYPED_TEST(RecordedMotion, SaysWhatChanges) {
+  constexpr int D = TypeParam::value;
+  this->record();
+  const RecordedRun<D> run = this->run(1, kSteps);
+  const auto motion = run.motion();
+  std::size_t changes = 0;
+  for (std::uint32_t step = 2; step <= kSteps; ++step) {
+    std::vector<Box<D>> boxes(motion->boxes().begin(), motion->boxes().end());
+    motion->advance();
+    EXPECT_LE(motion->inserted().size() + motion->removed().size(), motion->most_changes());
+    changes += motion->inserted().size() + motion->removed().size();
+    for (const ObjectId object : motion->removed()) boxes[object.index()] = no_box<D>();
+    for (const ObjectId object : motion->inserted()) {
+      EXPECT_TRUE(is_absent(boxes[object.index()])) << "it came and was there";
+      boxes[object.index()] = motion->boxes()[object.index()];
+    }
+    for (const ObjectId object : motion->moved()) {
+      EXPECT_FALSE(is_absent(boxes[object.index()])) << "it moved and was not there";
+      boxes[object.index()] = motion->boxes()[object.index()];
+    }
+    EXPECT_TRUE(std::ranges::equal(boxes, motion->boxes())) << step;
+  }
+  EXPECT_GT(changes, 20U);
+}
+
+TYPED_TEST(RecordedMotion, TakesTheBoxesOfVolumes) {
+  constexpr int D = TypeParam::value;
+  this->record(VolumeKind::sphere);
+  const RecordedRun<D> run = this->run(3, 4);
+  const auto motion = run.motion();
+  EXPECT_GE(true_pairs(motion->boxes(), motion->moving()).size(), this->reader_->row(3).pairs)
+      << "boxes overlap wherever spheres do";
+}
+
+}  // namespace
+}  // namespace kerf
