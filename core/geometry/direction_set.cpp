@@ -7,6 +7,7 @@
 
 #include "core/base/random.h"
 #include "core/geometry/precise.h"
+#include "core/geometry/usual_directions.h"
 
 namespace kerf {
 namespace {
@@ -140,6 +141,16 @@ DirectionSet<D>::DirectionSet(std::uint32_t size, std::uint64_t seed) {
   if (size < D || size > 4096)
     throw std::invalid_argument("direction set: size " + std::to_string(size) + " is not between " +
                                 std::to_string(D) + " and 4096");
+  if (size == kUsualDirections<D> && seed == kUsualSeed) {
+    const std::span<const Vector<D>> usual = usual_directions<D>();
+    directions_.assign(usual.begin(), usual.end());
+  } else {
+    directions_ = spread_directions<D>(size, seed);
+  }
+}
+
+template <int D>
+std::vector<Vector<D>> spread_directions(std::uint32_t size, std::uint64_t seed) {
   constexpr int kRounds = 40;
   Random random(seed);
   std::vector<Precise<D>> points = scatter<D>(size, random);
@@ -147,7 +158,9 @@ DirectionSet<D>::DirectionSet(std::uint32_t size, std::uint64_t seed) {
   for (int round = 0; round < kRounds; ++round)
     repel<D>(points, spacing * static_cast<double>(kRounds - round) / kRounds);
   order_by_loneliness<D>(points);
-  for (const Precise<D>& p : points) directions_.push_back(to_hemisphere<D>(p));
+  std::vector<Vector<D>> directions;
+  for (const Precise<D>& p : points) directions.push_back(to_hemisphere<D>(p));
+  return directions;
 }
 
 template <int D>
@@ -161,6 +174,8 @@ DirectionSet<D>::DirectionSet(std::span<const Vector<D>> directions) {
   }
 }
 
+template std::vector<Vector<2>> spread_directions<2>(std::uint32_t, std::uint64_t);
+template std::vector<Vector<3>> spread_directions<3>(std::uint32_t, std::uint64_t);
 template class DirectionSet<2>;
 template class DirectionSet<3>;
 

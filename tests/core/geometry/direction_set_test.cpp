@@ -9,8 +9,12 @@
 #include <limits>
 #include <numbers>
 #include <span>
+#include <sstream>
 #include <stdexcept>
+#include <vector>
 
+#include "core/bsp/bsp.h"
+#include "core/geometry/usual_directions.h"
 #include "tests/support/dimensions.h"
 
 namespace kerf::test {
@@ -125,6 +129,31 @@ TYPED_TEST(Directions, FollowTheSeed) {
 TYPED_TEST(Directions, AreTheSameBitsWithEveryCompiler) {
   constexpr int kD = TypeParam::value;
   EXPECT_EQ(bits_of(DirectionSet<kD>(64, 1)), kD == 2 ? 1033441152153935017U : 6088588942436226330U);
+}
+
+/// What is kept in the program is what repulsion finds, bit by bit. If repulsion was changed on purpose, the
+/// message has the new rows of usual_directions.cpp.
+TYPED_TEST(Directions, TheUsualOnesAreKept) {
+  constexpr int kD = TypeParam::value;
+  const std::vector<Vector<kD>> spread = spread_directions<kD>(kUsualDirections<kD>, kUsualSeed);
+  std::ostringstream rows;
+  rows << std::hexfloat;
+  for (const Vector<kD>& direction : spread) {
+    rows << "    {{";
+    for (int i = 0; i < kD; ++i) rows << (i > 0 ? ", " : "") << direction[i] << 'F';
+    rows << "}},\n";
+  }
+  EXPECT_TRUE(std::ranges::equal(spread, usual_directions<kD>())) << rows.str();
+  EXPECT_TRUE(std::ranges::equal(DirectionSet<kD>(kUsualDirections<kD>, kUsualSeed).all(), spread));
+}
+
+/// A tree that is not asked for others has the usual ones.
+TYPED_TEST(Directions, ATreeHasTheUsualOnes) {
+  constexpr int kD = TypeParam::value;
+  for (const Config& config : {Config(), tuned_config()}) {
+    const Bsp<kD> tree(config);
+    EXPECT_TRUE(std::ranges::equal(tree.tree().directions().all(), usual_directions<kD>()));
+  }
 }
 
 TYPED_TEST(Directions, RefuseASizeThatCannotBe) {
