@@ -10,8 +10,9 @@
 namespace kerf {
 namespace {
 
-/// Another one is worth a sentence if it is better by this factor.
+/// Another one is worth a sentence if it is better by this factor, and not slower by that.
 constexpr double kWorthSaying = 1.25;
+constexpr double kNotWorthIt = 2;
 
 std::string three_digits(double x) {
   std::array<char, 32> text{};
@@ -72,8 +73,9 @@ void say_wrong(const std::vector<BenchRow>& wrong, std::vector<std::string>& sen
 }
 
 /// What the fastest is not the best in.
-void say_others(const std::vector<Standing>& standings, std::vector<std::string>& sentences) {
-  const BenchRow& fastest = standings.front().row;
+void say_others(std::vector<Standing> standings, std::vector<std::string>& sentences) {
+  const BenchRow fastest = standings.front().row;
+  std::erase_if(standings, [](const Standing& each) { return each.times.median > kNotWorthIt; });
   const auto steadiest =
       std::ranges::min_element(standings, {}, [](const Standing& each) { return each.row.max_ns; });
   if (steadiest->row.max_ns * kWorthSaying < fastest.max_ns)
@@ -113,6 +115,9 @@ Advice advise(const CellResult& cell) {
   }
   std::ranges::stable_sort(right, {}, median_round);
   for (const BenchRow& row : right) advice.standings.push_back(beside(row, right.front()));
+  if (!right.empty())
+    std::ranges::stable_sort(advice.standings.begin() + 1, advice.standings.end(), {},
+                             [](const Standing& each) { return each.times.median; });
   if (right.empty()) {
     advice.sentences.emplace_back(
         "No broad phase came to the end with the right pairs; allow more --patience.");

@@ -8,7 +8,7 @@ class App;
 
 namespace kerf {
 
-/// `kerf advise`: which broad phase is the fastest on somebody's recording.
+/// `kerf advise`: which broad phase is the fastest on a recording.
 class AdviseCommand {
  public:
   explicit AdviseCommand(CLI::App& program);

@@ -31,7 +31,7 @@ double bell(Random& random, double deviation) {
 template <int D>
 class Placer {
  public:
-  Placer(Layout layout, std::uint32_t count, Random& random)
+  Placer(Scattering layout, std::uint32_t count, Random& random)
       : layout_(layout), random_(random), cells_(grid_cells(count)) {
     constexpr std::uint32_t kInCluster = 200;
     for (std::uint32_t k = 0; k <= count / kInCluster; ++k) middles_.push_back(anywhere<D>(random));
@@ -39,21 +39,21 @@ class Placer {
 
   Place<D> place(std::uint32_t k) {
     switch (layout_) {
-      case Layout::clusters:
+      case Scattering::clusters:
         return in_cluster();
-      case Layout::line:
+      case Scattering::line:
         return flat(1);
-      case Layout::sheet:
+      case Scattering::sheet:
         return flat(D - 1);
-      case Layout::ring:
+      case Scattering::ring:
         return on_ring();
-      case Layout::slanted_line:
+      case Scattering::slanted_line:
         return along_diagonal();
-      case Layout::slanted_sheet:
+      case Scattering::slanted_sheet:
         return on_slope();
-      case Layout::turned_grid:
+      case Scattering::turned_grid:
         return on_grid(k);
-      case Layout::uniform:
+      case Scattering::uniform:
         break;
     }
     return anywhere<D>(random_);
@@ -114,7 +114,7 @@ class Placer {
     return place;
   }
 
-  Layout layout_;
+  Scattering layout_;
   Random& random_;
   std::uint32_t cells_;
   std::vector<Place<D>> middles_;

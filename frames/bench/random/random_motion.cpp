@@ -65,9 +65,10 @@ class RandomMotion final : public Motion<D> {
   /// As many objects go as come; those that went longest ago come, where they were at first.
   void replace_some() {
     replaced_ += scene_.churn * scene_.objects;
-    for (; replaced_ >= 1; replaced_ -= 1) {
+    while (replaced_ >= 1) {
       const ObjectId leaving{this->random_.below(static_cast<std::uint32_t>(homes_.size()))};
       if (is_absent(this->boxes_[leaving.index()]) || came_in_[leaving.index()] == step_) continue;
+      replaced_ -= 1;
       const ObjectId coming = absent_.front();
       absent_.pop_front();
       absent_.push_back(leaving);
@@ -163,7 +164,7 @@ class RandomMotion final : public Motion<D> {
     center[1] += x * std::sin(turn_) + y * (std::cos(turn_) - 1);
   }
   [[nodiscard]] double phase_of(std::size_t k) const {
-    return 2 * std::numbers::pi * static_cast<double>((step_ + k) % kPeriod) / kPeriod;
+    return 2 * std::numbers::pi * (static_cast<double>((step_ + k) % kPeriod) + 0.5) / kPeriod;
   }
   void spread(std::size_t k) {
     Place<D>& center = laid_.centers[k];

@@ -13,14 +13,16 @@ namespace kerf {
 namespace {
 
 constexpr std::array<std::string_view, 3> kShapeNames{"boxes", "plates", "rods"};
-constexpr std::array<std::string_view, 8> kLayoutNames{
+constexpr std::array<std::string_view, 8> kScatteringNames{
     "uniform", "clusters", "line", "sheet", "ring", "slanted-line", "slanted-sheet", "turned-grid"};
 constexpr std::array<std::string_view, 9> kTravelNames{"rest",     "brownian",  "streams",
                                                        "rotation", "explosion", "collapse",
                                                        "periodic", "teleports", "translation"};
 
 std::string name_of(BoxShapes shapes) { return std::string(kShapeNames[static_cast<std::size_t>(shapes)]); }
-std::string name_of(Layout layout) { return std::string(kLayoutNames[static_cast<std::size_t>(layout)]); }
+std::string name_of(Scattering layout) {
+  return std::string(kScatteringNames[static_cast<std::size_t>(layout)]);
+}
 std::string name_of(Travel travel) { return std::string(kTravelNames[static_cast<std::size_t>(travel)]); }
 
 double log_uniform(Random& random, double low, double high) {
@@ -34,7 +36,7 @@ void draw_boxes(Random& random, RandomScene& scene) {
   if (scene.shapes != BoxShapes::boxes) scene.aspect = log_uniform(random, 4, 60);
   if (!one_in(random, 2)) scene.decades = random.uniform(0, 4);
   scene.density = log_uniform(random, 0.1, 30);
-  scene.layout = static_cast<Layout>(random.below(kLayoutNames.size()));
+  scene.layout = static_cast<Scattering>(random.below(kScatteringNames.size()));
 }
 
 void draw_motion(Random& random, RandomScene& scene) {

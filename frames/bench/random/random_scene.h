@@ -11,7 +11,7 @@ namespace kerf {
 enum class BoxShapes : std::uint8_t { boxes, plates, rods };
 
 /// Where they are. A slanted one lies along no axis; in 2D sheets are lines.
-enum class Layout : std::uint8_t {
+enum class Scattering : std::uint8_t {
   uniform,
   clusters,
   line,
@@ -45,7 +45,7 @@ struct RandomScene {
   double aspect = 1;   ///< long over short extents of plates and rods, log-uniform from 4 to 60
   double decades = 0;  ///< sizes are log-uniform over them; half have none, and extents from 0.5 to 1.5
   double density = 1;  ///< pairs an object at the beginning, log-uniform from 0.1 to 30
-  Layout layout = Layout::uniform;
+  Scattering layout = Scattering::uniform;
   Travel travel = Travel::rest;
   std::optional<Travel> other;  ///< in turns with `travel`, in a quarter of the scenes
   std::uint32_t phase = 0;      ///< steps of a turn, 5 to 50

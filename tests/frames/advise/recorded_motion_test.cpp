@@ -17,18 +17,16 @@ constexpr std::uint32_t kSteps = 40;
 template <class T>
 class RecordedMotion : public ::testing::Test {
  protected:
-  static constexpr int D = T::value;
-
   void record(VolumeKind volume = VolumeKind::box) {
-    test::record_crowd<D>(file_.path(), kSteps, test::busy_config(), test::busy_config(), volume);
-    reader_ = std::make_shared<RecordingReader<D>>(file_.path());
+    test::record_crowd<T::value>(file_.path(), kSteps, test::busy_config(), test::busy_config(), volume);
+    reader_ = std::make_shared<RecordingReader<T::value>>(file_.path());
   }
-  RecordedRun<D> run(std::uint32_t first, std::uint32_t last) {
+  RecordedRun<T::value> run(std::uint32_t first, std::uint32_t last) {
     return {reader_, {first, last, 1}, [](std::uint32_t) {}};
   }
 
   test::TemporaryRecording file_;
-  std::shared_ptr<RecordingReader<D>> reader_;
+  std::shared_ptr<RecordingReader<T::value>> reader_;
 };
 
 TYPED_TEST_SUITE(RecordedMotion, test::Dimensions, test::DimensionNames);

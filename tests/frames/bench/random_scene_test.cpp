@@ -39,7 +39,7 @@ TEST(RandomScenes, AreTheSameForTheSameSeedAndNumber) {
 }
 
 TEST(RandomScenes, FillTheFamilyAndDoNotLeaveIt) {
-  std::set<Layout> layouts;
+  std::set<Scattering> layouts;
   std::set<Travel> travels;
   std::set<BoxShapes> shapes;
   std::uint32_t switching = 0;
