@@ -24,6 +24,7 @@ class ImportCommand {
   std::string config_;
   std::string margin_;
   std::string ignore_;
+  std::string structure_;
   bool unite_ = false;
   bool strict_ = false;
   bool overwrite_ = false;
