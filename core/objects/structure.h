@@ -17,8 +17,9 @@ inline constexpr std::uint32_t kNoPart = UINT32_MAX;
 
 /// Which objects a cell holds.
 enum class Holding : std::uint8_t {
-  inside,    ///< those whose boxes lie in its box, each in one cell
-  reaching,  ///< all whose boxes reach it. Cells are half-open: a box reaches min <= p < max
+  inside,       ///< those whose boxes lie in its box, each in one cell
+  reaching,     ///< all whose boxes reach it. Cells are half-open: a box reaches min <= p < max
+  of_its_depth  ///< likewise, but each object has a depth, and is in cells of no other
 };
 
 /// The side of a partitioner: right is beyond it.
@@ -63,6 +64,7 @@ template <int D>
 struct StructureParts {
   std::string kind;  ///< "tree of boxes"
   Holding holding = Holding::inside;
+  bool is_round = false;  ///< cells are the balls in their boxes
   std::vector<StructureCell<D>> cells;  ///< parents before children
   std::vector<Cut<D>> cuts;
   std::vector<CellMember> members;

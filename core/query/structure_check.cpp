@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -11,7 +13,7 @@
 namespace kerf {
 namespace {
 
-constexpr std::array<std::string_view, 14> kNames{"child outside its parent",
+constexpr std::array<std::string_view, 16> kNames{"child outside its parent",
                                                   "object outside its cell",
                                                   "object in no cell",
                                                   "object in two cells",
@@ -24,20 +26,25 @@ constexpr std::array<std::string_view, 14> kNames{"child outside its parent",
                                                   "no margin",
                                                   "list out of order",
                                                   "object not in the list",
-                                                  "pair never tested"};
+                                                  "pair never tested",
+                                                  "node lost",
+                                                  "leaf with children"};
+
+/// What the bounds of a box and of its margin may round away together, as a share of a bound.
+constexpr Scalar kRounding = 8 * std::numeric_limits<Scalar>::epsilon();
 
 std::string axis_name(int axis) { return std::string(1, static_cast<char>('x' + axis)); }
-std::string text_of(ObjectId object) { return "object " + std::to_string(object.value); }
 
 template <int D>
 class Checker {
  public:
   Checker(const StructureParts<D>& parts, std::span<const KnownObject<D>> objects,
-          std::span<const Pair> pairs, const StructureLimits& limits)
+          std::span<const Pair> pairs, const StructureLimits& limits, const StructureNames& names)
       : parts_(parts),
         objects_(objects),
         pairs_(pairs),
         limits_(limits),
+        names_(names),
         members_(parts.members),
         children_(children_of(parts)) {
     std::ranges::sort(members_);
@@ -61,20 +68,15 @@ class Checker {
     faults_.push_back({kind, cell == kNoPart ? kNoPart : parts_.cells[cell].name, object, std::move(text)});
   }
   [[nodiscard]] std::string name(std::uint32_t cell) const {
-    return "n" + std::to_string(parts_.cells[cell].name);
+    const std::uint32_t name = parts_.cells[cell].name;
+    return names_.cell ? names_.cell(name) : "n" + std::to_string(name);
   }
-
-  /// Where `inner` leaves `outer`: "along x it ends at 5.2, beyond 5".
-  [[nodiscard]] static std::string how_outside(const Box<D>& inner, const Box<D>& outer) {
-    for (int axis = 0; axis < D; ++axis) {
-      if (inner.min[axis] < outer.min[axis])
-        return "along " + axis_name(axis) + " it begins at " + shortest_text(inner.min[axis]) + ", before " +
-               shortest_text(outer.min[axis]);
-      if (inner.max[axis] > outer.max[axis])
-        return "along " + axis_name(axis) + " it ends at " + shortest_text(inner.max[axis]) + ", beyond " +
-               shortest_text(outer.max[axis]);
-    }
-    return "its box is none";
+  [[nodiscard]] std::string number_of(ObjectId object) const {
+    return names_.object ? names_.object(object) : std::to_string(object.value);
+  }
+  [[nodiscard]] std::string text_of(ObjectId object) const { return "object " + number_of(object); }
+  [[nodiscard]] Scalar margin_of(std::uint32_t cell) const {
+    return cell < limits_.margins.size() ? std::max(limits_.margins[cell], limits_.margin) : limits_.margin;
   }
 
   /// A node that stands there twice has two parents.
@@ -154,15 +156,16 @@ class Checker {
               how_outside(box, outer));
       return;
     }
-    for (int axis = 0; axis < D && limits_.margin > 0; ++axis) {
+    const Scalar wanted = margin_of(member.cell);
+    for (int axis = 0; axis < D && wanted > 0; ++axis) {
       const Scalar margin = std::min(box.min[axis] - outer.min[axis], outer.max[axis] - box.max[axis]);
       // What was moved within its margin has used some of it up on one side, but not on both.
       const Scalar both = outer.max[axis] - outer.min[axis] - (box.max[axis] - box.min[axis]);
-      if (margin >= 0 && both >= 2 * limits_.margin) continue;
+      const Scalar rounding = kRounding * std::max(std::abs(outer.min[axis]), std::abs(outer.max[axis]));
+      if (margin >= 0 && both >= 2 * wanted - rounding) continue;
       add(Kind::no_margin, member.cell, member.object,
           name(member.cell) + " leaves " + text_of(member.object) + " a margin of " +
-              shortest_text(both / 2) + " along " + axis_name(axis) + ", less than " +
-              shortest_text(limits_.margin));
+              shortest_text(both / 2) + " along " + axis_name(axis) + ", less than " + shortest_text(wanted));
       return;
     }
   }
@@ -179,7 +182,25 @@ class Checker {
             text_of(known.object) + " is in " + std::to_string(place->second) + " cells");
       } else if (parts_.holding == Holding::reaching) {
         check_reach(known);
+      } else if (parts_.holding == Holding::of_its_depth) {
+        check_level(known);
       }
+    }
+  }
+
+  /// In all cells of one depth that its box reaches, and in no other.
+  void check_level(const KnownObject<D>& known) {
+    const auto first = std::ranges::find(members_, known.object, &CellMember::object);
+    const std::uint32_t depth = parts_.cells[first->cell].depth;
+    for (std::uint32_t cell = 0; cell < parts_.cells.size(); ++cell) {
+      const bool is_in = std::ranges::binary_search(members_, CellMember{cell, known.object});
+      const bool belongs = parts_.cells[cell].depth == depth && reaches(known.box, cell);
+      if (is_in && !belongs)
+        add(Kind::object_outside_cell, cell, known.object,
+            text_of(known.object) + " is in the cell " + name(cell) + ", where it does not belong");
+      if (belongs && !is_in)
+        add(Kind::object_not_where_it_reaches, cell, known.object,
+            text_of(known.object) + " reaches the cell " + name(cell) + ", which does not hold it");
     }
   }
 
@@ -239,7 +260,7 @@ class Checker {
       const bool is_met = parts_.tells_tested ? std::ranges::binary_search(tested, pair) : shares_cell(pair);
       if (is_met && meets_in_lists(pair)) continue;
       add(Kind::pair_never_tested, kNoPart, pair.a,
-          "the pair of objects " + std::to_string(pair.a.value) + " and " + std::to_string(pair.b.value) +
+          "the pair of objects " + number_of(pair.a) + " and " + number_of(pair.b) +
               " was reported, but the structure never brings them together");
     }
   }
@@ -267,6 +288,7 @@ class Checker {
   std::span<const KnownObject<D>> objects_;
   std::span<const Pair> pairs_;
   const StructureLimits& limits_;
+  const StructureNames& names_;
   std::vector<CellMember> members_;  ///< sorted
   std::vector<std::vector<std::uint32_t>> children_;
   std::unordered_map<ObjectId, Box<D>> boxes_;
@@ -275,20 +297,36 @@ class Checker {
 
 }  // namespace
 
+template <int D>
+std::string how_outside(const Box<D>& inner, const Box<D>& outer) {
+  for (int axis = 0; axis < D; ++axis) {
+    if (inner.min[axis] < outer.min[axis])
+      return "along " + axis_name(axis) + " it begins at " + shortest_text(inner.min[axis]) + ", before " +
+             shortest_text(outer.min[axis]);
+    if (inner.max[axis] > outer.max[axis])
+      return "along " + axis_name(axis) + " it ends at " + shortest_text(inner.max[axis]) + ", beyond " +
+             shortest_text(outer.max[axis]);
+  }
+  return "its box is none";
+}
+
 std::string_view to_string(StructureFaultKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
 template <int D>
 std::vector<StructureFault> check_structure(const StructureParts<D>& parts,
                                             std::span<const KnownObject<D>> objects,
-                                            std::span<const Pair> pairs, const StructureLimits& limits) {
-  return Checker<D>(parts, objects, pairs, limits).run();
+                                            std::span<const Pair> pairs, const StructureLimits& limits,
+                                            const StructureNames& names) {
+  return Checker<D>(parts, objects, pairs, limits, names).run();
 }
 
-template std::vector<StructureFault> check_structure(const StructureParts<2>&,
-                                                     std::span<const KnownObject<2>>, std::span<const Pair>,
-                                                     const StructureLimits&);
-template std::vector<StructureFault> check_structure(const StructureParts<3>&,
-                                                     std::span<const KnownObject<3>>, std::span<const Pair>,
-                                                     const StructureLimits&);
+#define KERF_INSTANTIATE(D)                                                             \
+  template std::string how_outside(const Box<D>&, const Box<D>&);                       \
+  template std::vector<StructureFault> check_structure(                                 \
+      const StructureParts<D>&, std::span<const KnownObject<D>>, std::span<const Pair>, \
+      const StructureLimits&, const StructureNames&);
+KERF_INSTANTIATE(2)
+KERF_INSTANTIATE(3)
+#undef KERF_INSTANTIATE
 
 }  // namespace kerf

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -28,6 +29,8 @@ enum class StructureFaultKind : std::uint8_t {
   list_out_of_order,
   object_not_in_list,
   pair_never_tested,  ///< it was reported, but the structure does not bring it together
+  node_lost,          ///< no way leads to it from a root
+  leaf_with_children,
 };
 /// "child outside its parent"
 std::string_view to_string(StructureFaultKind kind);
@@ -39,11 +42,18 @@ struct StructureFault {
   std::string text;              ///< a sentence
 };
 
+/// What things are called in sentences; none: by their numbers.
+struct StructureNames {
+  std::function<std::string(ObjectId)> object{};
+  std::function<std::string(std::uint32_t)> cell{};  ///< by its name; "n17"
+};
+
 /// Bounds for a structure; by default there are none.
 struct StructureLimits {
   std::uint32_t depth = std::numeric_limits<std::uint32_t>::max();
   double overlap = std::numeric_limits<double>::infinity();  ///< of two siblings, as a share of their parent
-  Scalar margin = 0;  ///< that a leaf has at least around its object, along each axis
+  Scalar margin = 0;              ///< that a leaf has at least around its object, along each axis
+  std::vector<Scalar> margins{};  ///< by cell, where one claims more
 };
 
 /// An object with the box that the structure was last given.
@@ -58,6 +68,11 @@ struct KnownObject {
 template <int D>
 std::vector<StructureFault> check_structure(const StructureParts<D>& parts,
                                             std::span<const KnownObject<D>> objects,
-                                            std::span<const Pair> pairs, const StructureLimits& limits = {});
+                                            std::span<const Pair> pairs, const StructureLimits& limits = {},
+                                            const StructureNames& names = {});
+
+/// Where `inner` leaves `outer`: "along x it ends at 5.2, beyond 5".
+template <int D>
+std::string how_outside(const Box<D>& inner, const Box<D>& outer);
 
 }  // namespace kerf

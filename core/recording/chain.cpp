@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/recording/their_structure.h"
+
 namespace kerf {
 namespace {
 
@@ -23,6 +25,9 @@ constexpr std::array kTheirs{"SELECT * FROM their_steps WHERE step = ?",
                              "SELECT * FROM their_verdicts WHERE step = ? ORDER BY rowid",
                              "SELECT * FROM their_boxes WHERE step = ? ORDER BY object",
                              "SELECT * FROM their_filters WHERE step = ? ORDER BY object"};
+
+/// Of a step that has a structure: what came before the first one was written without this table.
+constexpr const char* kTheirStructure = "SELECT * FROM their_structures WHERE step = ?";
 
 /// SQLite keeps no sign of a zero.
 std::uint64_t stored_bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
@@ -80,6 +85,11 @@ std::optional<std::uint64_t> seal_of_theirs(std::uint64_t link, const Database& 
     rows.bind(1, std::int64_t{step});
     for (; rows.step(); is_empty = false) rows.put_row(content);
     content.u8(0);  // the end of the table
+  }
+  if (has_structures(recording)) {
+    Statement structure = recording.prepare(kTheirStructure);
+    structure.bind(1, std::int64_t{step});
+    for (; structure.step(); is_empty = false) structure.put_row(content);
   }
   if (is_empty) return std::nullopt;
   return hash_bytes(content.bytes(), link);

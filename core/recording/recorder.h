@@ -43,6 +43,7 @@ class Recorder final : public BroadPhase<D> {
   void add_theirs(std::span<const Pair> pairs, std::span<const JudgedPair> judged) {
     writer_.add(pairs, judged);
   }
+  void add_theirs(const TheirStructure<D>& structure) { writer_.add(structure); }
   /// Ends the recording in order. Nothing may be asked of the recorder afterwards.
   void finish();
   /// The cost of recording so far.

@@ -289,6 +289,20 @@ std::optional<GivenFilter> RecordingReader<D>::filter(ObjectId object, std::uint
 }
 
 template <int D>
+std::optional<TheirStructure<D>> RecordingReader<D>::their_structure(std::uint32_t step) const {
+  if (step == 0 || step > steps() || !has_structures(database_)) return std::nullopt;
+  check_theirs(step);
+  return read_structure<D>(database_, step);
+}
+
+template <int D>
+std::vector<std::uint32_t> RecordingReader<D>::structure_steps() const {
+  std::vector<std::uint32_t> known = read_structure_steps(database_);
+  while (!known.empty() && known.back() > steps()) known.pop_back();  // still being written
+  return known;
+}
+
+template <int D>
 RecordingSize RecordingReader<D>::size() const {
   const auto ask = [this](std::string_view sql) { return static_cast<std::uint64_t>(database_.ask(sql)); };
   return {ask("SELECT coalesce(sum(length(data)), 0) FROM blocks"),

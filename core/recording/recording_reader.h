@@ -13,6 +13,7 @@
 #include "core/recording/operator_rows.h"
 #include "core/recording/recorded_rows.h"
 #include "core/recording/recording_info.h"
+#include "core/recording/their_structure.h"
 #include "core/tree/projector.h"
 
 namespace kerf {
@@ -83,6 +84,10 @@ class RecordingReader {
   [[nodiscard]] std::optional<GivenBox<D>> given_box(ObjectId object, std::uint32_t step) const;
   [[nodiscard]] bool has_filters() const;
   [[nodiscard]] std::optional<GivenFilter> filter(ObjectId object, std::uint32_t step) const;
+  /// Another engine's structure after a step; none if it is not known.
+  [[nodiscard]] std::optional<TheirStructure<D>> their_structure(std::uint32_t step) const;
+  /// The steps that have one, rising.
+  [[nodiscard]] std::vector<std::uint32_t> structure_steps() const;
   [[nodiscard]] RecordingSize size() const;
   /// Throws std::runtime_error if a step's data of another engine is not as written.
   void check_theirs(std::uint32_t step) const;

@@ -91,6 +91,12 @@ void RecordingWriter<D>::add(std::span<const Pair> their_pairs, std::span<const 
 }
 
 template <int D>
+void RecordingWriter<D>::add(const TheirStructure<D>& structure) {
+  has_theirs_ = true;
+  write_structure(database_, step_, structure);
+}
+
+template <int D>
 void RecordingWriter<D>::put(const StepRow& row) {
   const Statistics& s = row.statistics;
   int place = 0;

@@ -10,6 +10,7 @@
 #include "core/recording/database.h"
 #include "core/recording/recording_info.h"
 #include "core/recording/shape_rows.h"
+#include "core/recording/their_structure.h"
 
 namespace kerf {
 
@@ -35,6 +36,8 @@ class RecordingWriter {
   void add(const TheirChanges<D>& changes);
   /// Its pairs of the last step, as it reported them, and the verdicts on those that are not right.
   void add(std::span<const Pair> their_pairs, std::span<const JudgedPair> judged);
+  /// Its structure after the last step.
+  void add(const TheirStructure<D>& structure);
   /// Ends the recording: it is complete then.
   void finish();
 

@@ -11,6 +11,7 @@
 #include "core/recording/operator_rows.h"
 #include "core/recording/shape_rows.h"
 #include "core/recording/their_rows.h"
+#include "core/recording/their_structure.h"
 #include "core/recording/unfinished.h"
 
 namespace kerf {
@@ -121,9 +122,9 @@ std::vector<std::string> statements(std::string_view sql) {
 }
 
 /// Only tables have the names of tables: no view without end, no trigger, no table of a module.
-void check_tables(const Database& database) {
-  std::vector<std::string> expected =
-      statements(std::string(kTables) + kShapeTable + kMarkTable + kTheirTables);
+void check_tables(const Database& database, bool has_structure) {
+  std::vector<std::string> expected = statements(std::string(kTables) + kShapeTable + kMarkTable +
+                                                 kTheirTables + (has_structure ? kTheirStructureTable : ""));
   Statement rows = database.prepare("SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL");
   while (rows.step()) {
     const auto found = std::ranges::find(expected, rows.text(2));
@@ -211,11 +212,11 @@ Database open_recording(const std::filesystem::path& path) {
   if (!has_recording_id(database))
     throw std::runtime_error(path.string() + " is no recording of Kerf; `kerf record` makes one");
   const std::int64_t version = database.ask("PRAGMA user_version");
-  if (version != kRecordingVersion)
+  if (version != kRecordingVersion && version != kStructureVersion)
     throw std::runtime_error(path.string() + " is a recording of version " + std::to_string(version) +
                              ", and this Kerf reads version " + std::to_string(kRecordingVersion) +
                              "; record it again, or use the Kerf that made it");
-  check_tables(database);
+  check_tables(database, version == kStructureVersion);
   return database;
 }
 

@@ -1,24 +1,14 @@
 #include "core/related/cut_tree.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
+
+#include "core/objects/structure.h"
 
 namespace kerf {
 namespace {
 
-constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
 constexpr double kMostGrowth = 1.4;  ///< entries of both children, in those of their parent
-
-template <int D>
-Box<D> everywhere() {
-  Box<D> box;
-  for (int i = 0; i < D; ++i) {
-    box.min[i] = -kInfinity;
-    box.max[i] = kInfinity;
-  }
-  return box;
-}
 
 }  // namespace
 

@@ -51,6 +51,11 @@ class CutTree {
   [[nodiscard]] const Box<D>& box(ObjectId object) const { return boxes_[object.index()]; }
   /// Entries of all leaves.
   [[nodiscard]] std::size_t entries() const { return entries_; }
+  /// About what it takes.
+  [[nodiscard]] std::uint64_t bytes() const {
+    return nodes_.capacity() * sizeof(Node) + boxes_.capacity() * sizeof(Box<D>) +
+           entries_ * sizeof(ObjectId);
+  }
 
   /// Stores an object below a node, and gives its new leaves to `leaves`.
   void insert(Index node, ObjectId object, const Box<D>& box, std::vector<Index>& leaves);
@@ -79,7 +84,7 @@ class CutTree {
   [[nodiscard]] Cut median_cut(Index leaf) const;
 
   template <class Visit>
-  void for_each_leaf(Index node, const Visit& visit) {
+  void for_each_leaf(Index node, const Visit& visit) const {
     if (nodes_[node].is_leaf()) return visit(node);
     for_each_leaf(nodes_[node].below, visit);
     for_each_leaf(nodes_[node].above, visit);

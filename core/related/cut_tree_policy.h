@@ -5,13 +5,15 @@
 
 #include "core/broad_phase/tabled.h"
 #include "core/related/cut_tree.h"
+#include "core/related/cut_tree_structure.h"
 
 namespace kerf {
 
 /// A broad phase by a tree of cuts, which a policy keeps up to date: the part that the policies share.
 template <int D>
-class CutTreePolicy : public Tabled<D> {
+class CutTreePolicy : public Tabled<D>, public SelfDescribing<D> {
  public:
+  void describe(StructureParts<D>& parts) const final { describe_cut_tree(tree_, parts); }
   /// Pairs of boxes that the last `step()` compared.
   [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
   [[nodiscard]] const CutTree<D>& tree() const { return tree_; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kerf {
 namespace {
@@ -86,31 +87,72 @@ void MultiLevelHash<D>::arrange() {
 }
 
 template <int D>
-void MultiLevelHash<D>::compare(ObjectId object, const Cell& cell, PairList& pairs) {
+template <class Visit>
+void MultiLevelHash<D>::for_each_test(ObjectId object, const Cell& cell, const Visit& visit) const {
   const auto found = cells_.find(cell);
   if (found == cells_.end()) return;
-  const Box<D> box = this->table().box(object);
   const bool is_own_level = cell.level == object_level_[object.index()];
-  for (const ObjectId other : found->second) {
-    if (is_own_level && !(object < other)) continue;
-    ++candidates_;
-    const Box<D> theirs = this->table().box(other);
-    if (!overlaps(box, theirs) || (this->table().is_fixed(object) && this->table().is_fixed(other))) continue;
-    Vector<D> begin;
-    for (int i = 0; i < D; ++i) begin[i] = std::max(box.min[i], theirs.min[i]);
-    if (cell_at(cell.level, begin) == cell) pairs.add(make_pair(object, other));
+  for (const ObjectId other : found->second)
+    if (!is_own_level || object < other) visit(object, other, cell);
+}
+
+template <int D>
+template <class Visit>
+void MultiLevelHash<D>::for_each_test(const Visit& visit) const {
+  for (const ObjectId object : this->placed()) {
+    const auto first = std::ranges::lower_bound(levels_, object_level_[object.index()]);
+    for (auto level = first; level != levels_.end(); ++level)
+      for_each_cell(*level, this->table().box(object),
+                    [&](const Cell& cell) { for_each_test(object, cell, visit); });
   }
 }
 
 template <int D>
 void MultiLevelHash<D>::find_pairs(PairList& pairs) {
   candidates_ = 0;
-  for (const ObjectId object : this->placed()) {
-    const auto first = std::ranges::lower_bound(levels_, object_level_[object.index()]);
-    for (auto level = first; level != levels_.end(); ++level)
-      for_each_cell(*level, this->table().box(object),
-                    [&](const Cell& cell) { compare(object, cell, pairs); });
+  for_each_test([&](ObjectId object, ObjectId other, const Cell& cell) {
+    ++candidates_;
+    const Box<D>& box = this->table().box(object);
+    const Box<D>& theirs = this->table().box(other);
+    if (!overlaps(box, theirs) || (this->table().is_fixed(object) && this->table().is_fixed(other))) return;
+    Vector<D> begin;
+    for (int i = 0; i < D; ++i) begin[i] = std::max(box.min[i], theirs.min[i]);
+    if (cell_at(cell.level, begin) == cell) pairs.add(make_pair(object, other));
+  });
+}
+
+template <int D>
+Box<D> MultiLevelHash<D>::box_of(const Cell& cell) {
+  Box<D> box;
+  for (int i = 0; i < D; ++i) {
+    const double place = cell.place[static_cast<std::size_t>(i)];
+    box.min[i] = static_cast<Scalar>(std::ldexp(place, cell.level));
+    box.max[i] = static_cast<Scalar>(std::ldexp(place + 1, cell.level));
   }
+  return box;
+}
+
+template <int D>
+void MultiLevelHash<D>::describe(StructureParts<D>& parts) const {
+  parts.kind = "hash tables of cells of several sizes";
+  parts.holding = Holding::of_its_depth;
+  std::vector<const std::pair<const Cell, std::vector<ObjectId>>*> cells;
+  for (const auto& entry : cells_) cells.push_back(&entry);
+  std::ranges::sort(cells, [](const auto* a, const auto* b) {
+    return std::pair(-a->first.level, a->first.place) < std::pair(-b->first.level, b->first.place);
+  });
+  parts.bytes = bytes_of(levels_) + bytes_of(object_level_);
+  for (const auto* entry : cells) {
+    const auto& [cell, objects] = *entry;
+    const auto index = static_cast<std::uint32_t>(parts.cells.size());
+    const auto depth = static_cast<std::uint32_t>(levels_.end() - std::ranges::find(levels_, cell.level)) - 1;
+    parts.cells.push_back({box_of(cell), index, kNoPart, depth, kNoPart});
+    for (const ObjectId object : objects) parts.members.push_back({index, object});
+    *parts.bytes += sizeof(*entry) + bytes_of(objects);
+  }
+  for_each_test(
+      [&](ObjectId object, ObjectId other, const Cell& /*cell*/) { parts.tell_tested(object, other); });
+  parts.end_tested();
 }
 
 template class MultiLevelHash<2>;

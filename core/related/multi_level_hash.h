@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/broad_phase/tabled.h"
+#include "core/objects/structure.h"
 
 namespace kerf {
 
@@ -17,13 +18,15 @@ namespace kerf {
 /// use. Cells are powers of two, 2^22 of them at most along an axis of the scene. A pair is found in the cell
 /// in which the overlap begins, and so once.
 template <int D>
-class MultiLevelHash final : public Tabled<D> {
+class MultiLevelHash final : public Tabled<D>, public SelfDescribing<D> {
  public:
   [[nodiscard]] std::string_view name() const override { return "multi-level-hash"; }
   /// Pairs of boxes that the last `step()` compared.
   [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
   /// Levels in use.
   [[nodiscard]] std::size_t levels() const { return levels_.size(); }
+  /// The cells that hold objects; the coarsest level has depth 0.
+  void describe(StructureParts<D>& parts) const override;
 
  private:
   struct Cell {
@@ -41,7 +44,12 @@ class MultiLevelHash final : public Tabled<D> {
   [[nodiscard]] static Cell cell_at(int level, const Vector<D>& point);
   template <class Visit>
   static void for_each_cell(int level, const Box<D>& box, const Visit& visit);
-  void compare(ObjectId object, const Cell& cell, PairList& pairs);
+  [[nodiscard]] static Box<D> box_of(const Cell& cell);
+  /// Calls `visit(object, other, cell)` for each two whose boxes are compared in a cell.
+  template <class Visit>
+  void for_each_test(const Visit& visit) const;
+  template <class Visit>
+  void for_each_test(ObjectId object, const Cell& cell, const Visit& visit) const;
 
   int finest_ = 0;
   std::vector<int> levels_;        ///< in use, the finest first

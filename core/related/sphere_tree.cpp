@@ -26,6 +26,12 @@ double rounding_of(const std::array<double, D>& point) {
   return 1e-14 * largest;
 }
 
+/// The next float that is not larger.
+Scalar rounded_down(double x) {
+  const auto nearest = static_cast<Scalar>(x);
+  return double{nearest} <= x ? nearest : std::nextafter(nearest, -std::numeric_limits<Scalar>::infinity());
+}
+
 }  // namespace
 
 template <int D>
@@ -105,8 +111,8 @@ void SphereTree<D>::arrange() {
 }
 
 template <int D>
-void SphereTree<D>::find_pairs(PairList& pairs) {
-  candidates_ = 0;
+template <class Visit>
+void SphereTree<D>::for_each_test(const Visit& visit) const {
   if (nodes_.empty()) return;
   const auto root = static_cast<std::int32_t>(nodes_.size() - 1);
   std::vector<std::pair<std::int32_t, std::int32_t>> todo{{root, root}};
@@ -120,19 +126,65 @@ void SphereTree<D>::find_pairs(PairList& pairs) {
         todo.insert(todo.end(), {{a.first, a.second}, {a.second, a.second}, {a.first, a.first}});
       continue;
     }
-    ++candidates_;
-    if (!meet(a.sphere, b.sphere)) continue;
-    if (a.first < 0 && b.first < 0) {
-      ++candidates_;
-      if (overlaps(this->table().box(a.object), this->table().box(b.object)) &&
-          !(this->table().is_fixed(a.object) && this->table().is_fixed(b.object)))
-        pairs.add(make_pair(a.object, b.object));
-      continue;
-    }
+    const bool do_meet = meet(a.sphere, b.sphere);
+    visit(a, b, do_meet);
+    if (!do_meet || (a.first < 0 && b.first < 0)) continue;
     const bool first = b.first < 0 || (a.first >= 0 && a.sphere.radius >= b.sphere.radius);
     if (first) todo.insert(todo.end(), {{a.second, y}, {a.first, y}});
     if (!first) todo.insert(todo.end(), {{x, b.second}, {x, b.first}});
   }
+}
+
+template <int D>
+void SphereTree<D>::find_pairs(PairList& pairs) {
+  candidates_ = 0;
+  for_each_test([&](const Node& a, const Node& b, bool do_meet) {
+    ++candidates_;
+    if (!do_meet || a.first >= 0 || b.first >= 0) return;
+    ++candidates_;
+    if (overlaps(this->table().box(a.object), this->table().box(b.object)) &&
+        !(this->table().is_fixed(a.object) && this->table().is_fixed(b.object)))
+      pairs.add(make_pair(a.object, b.object));
+  });
+}
+
+/// Children stand before their parents. Their boxes are part of its own, since a sphere is rounded.
+template <int D>
+std::vector<Box<D>> SphereTree<D>::boxes_of_nodes() const {
+  std::vector<Box<D>> boxes;
+  for (const Node& node : nodes_) {
+    Box<D> box;
+    for (int axis = 0; axis < D; ++axis) {
+      const double centre = node.sphere.centre[static_cast<std::size_t>(axis)];
+      box.min[axis] = rounded_down(centre - node.sphere.radius);
+      box.max[axis] = -rounded_down(-centre - node.sphere.radius);
+    }
+    for (const std::int32_t child : {node.first, node.second})
+      if (child >= 0) box = join(box, boxes[static_cast<std::size_t>(child)]);
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+template <int D>
+void SphereTree<D>::describe(StructureParts<D>& parts) const {
+  parts.kind = "tree of spheres";
+  parts.is_round = true;
+  const std::vector<Box<D>> boxes = boxes_of_nodes();
+  const auto tell = [&](auto&& self, std::size_t index, std::uint32_t parent, std::uint32_t depth) -> void {
+    const Node& node = nodes_[index];
+    const auto cell = static_cast<std::uint32_t>(parts.cells.size());
+    parts.cells.push_back({boxes[index], static_cast<std::uint32_t>(index), parent, depth, kNoPart});
+    if (node.first < 0) return parts.members.push_back({cell, node.object});
+    self(self, static_cast<std::size_t>(node.first), cell, depth + 1);
+    self(self, static_cast<std::size_t>(node.second), cell, depth + 1);
+  };
+  if (!nodes_.empty()) tell(tell, nodes_.size() - 1, kNoPart, 0);
+  for_each_test([&](const Node& a, const Node& b, bool do_meet) {
+    if (do_meet && a.first < 0 && b.first < 0) parts.tell_tested(a.object, b.object);
+  });
+  parts.end_tested();
+  parts.bytes = bytes_of(objects_) + bytes_of(nodes_);
 }
 
 template class SphereTree<2>;

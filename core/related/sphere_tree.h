@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/broad_phase/tabled.h"
+#include "core/objects/structure.h"
 
 namespace kerf {
 
@@ -16,11 +17,13 @@ namespace kerf {
 /// anew in each step. Two groups are looked into while their spheres meet; boxes are compared where single
 /// ones do.
 template <int D>
-class SphereTree final : public Tabled<D> {
+class SphereTree final : public Tabled<D>, public SelfDescribing<D> {
  public:
   [[nodiscard]] std::string_view name() const override { return "sphere-tree"; }
   /// Pairs of spheres and of boxes that the last `step()` compared.
   [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
+  /// The tests are those of boxes, of objects whose spheres meet.
+  void describe(StructureParts<D>& parts) const override;
 
  private:
   struct Sphere {
@@ -40,6 +43,11 @@ class SphereTree final : public Tabled<D> {
   void arrange() override;
   void find_pairs(PairList& pairs) override;
   std::int32_t build(std::size_t begin, std::size_t end);
+  /// Calls `visit(a, b, meet)` for each two nodes whose spheres are compared.
+  template <class Visit>
+  void for_each_test(const Visit& visit) const;
+  /// By node: around its sphere, and around its children's boxes.
+  [[nodiscard]] std::vector<Box<D>> boxes_of_nodes() const;
 
   std::vector<Node> objects_;
   std::vector<Node> nodes_;  ///< the root is the last

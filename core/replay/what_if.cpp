@@ -87,6 +87,7 @@ bool rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, Bsp<D
     recorder.step();
     check_effect(info, tree.trace().take());
     if (info.imported) recorder.add_theirs(recording.their_changes(step));
+    if (const auto structure = recording.their_structure(step)) recorder.add_theirs(*structure);
     if (recording.their_step(step))
       recorder.add_theirs(recording.their_pairs(step), recording.judged_pairs(step));
   }

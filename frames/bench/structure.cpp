@@ -8,6 +8,7 @@
 #include "core/bsp/bsp.h"
 #include "core/related/cut_tree_policy.h"
 #include "core/related/multi_level_hash.h"
+#include "core/related/plane_tree.h"
 #include "core/related/sphere_tree.h"
 #include "frames/rivals/step_timer.h"
 #include "sims3d/rivals/ode_space.h"
@@ -58,6 +59,7 @@ std::optional<std::uint64_t> candidates_of(const BroadPhase<D>& subject) {
   if (const auto* octree = dynamic_cast<const LooseOctree<D>*>(&subject)) return octree->candidates();
   if (const auto* lists = dynamic_cast<const SweepAndPrune<D>*>(&subject)) return lists->candidates();
   if (const auto* cuts = dynamic_cast<const CutTreePolicy<D>*>(&subject)) return cuts->candidates();
+  if (const auto* planes = dynamic_cast<const PlaneTree<D>*>(&subject)) return planes->candidates();
   if (const auto* hash = dynamic_cast<const MultiLevelHash<D>*>(&subject)) return hash->candidates();
   if (const auto* spheres = dynamic_cast<const SphereTree<D>*>(&subject)) return spheres->candidates();
   if constexpr (D == 3)

@@ -14,6 +14,7 @@
 #include "core/broad_phase/sweep_and_prune.h"
 #include "core/bsp/bsp.h"
 #include "core/related/auxiliary_planes.h"
+#include "core/related/chosen_planes.h"
 #include "core/related/kinetic_tree.h"
 #include "core/related/multi_level_hash.h"
 #include "core/related/rebuilt_tree.h"
@@ -69,6 +70,11 @@ void add_related(std::vector<Algorithm<D>>& all) {
                                  "a tree divided only where it is used: Ar and others"));
   add(own<KineticTree, D>("kinetic-tree",
                           "a tree that changes when a prediction says so: Agarwal and others; Comba"));
+  add(own<FixedDirections, D>("fixed-directions",
+                              "a tree of planes from a fixed set of directions, built anew in each step"));
+  add(own<PrincipalComponents, D>("principal-components",
+                                  "a tree of planes by principal components: Gottschalk and others"));
+  add(own<EvolvedPlanes, D>("evolved-planes", "a tree of planes by evolution: Cassen and others"));
   add(own<MultiLevelHash, D>("multi-level-hash", "hash tables of several cell sizes: Mirtich"));
   add(own<SphereTree, D>("sphere-tree", "a tree of spheres, built anew in each step: Hubbard"));
 }

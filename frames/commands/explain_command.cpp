@@ -11,6 +11,7 @@
 #include "core/query/explain_node.h"
 #include "core/query/explain_pair.h"
 #include "core/query/explain_ray.h"
+#include "core/query/explain_their_search.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_number.h"
@@ -77,6 +78,17 @@ Ray<D> parse_ray(const std::string& text) {
   return ray;
 }
 
+/// In our tree, and in another engine's structure if that is known.
+template <int D>
+std::string why_pair(Replayer<D>& replayer, std::uint32_t step, const Pair& pair) {
+  const GivenNames& names = replayer.recording().info().names;
+  std::string text = to_text(explain_pair(replayer, step, pair), names);
+  replayer.seek(step);
+  if (const auto theirs = replayer.recording().their_structure(step))
+    text += explain_their_search<D>(*theirs, replayer.tree().objects(), pair, names);
+  return text;
+}
+
 }  // namespace
 
 ExplainCommand::ExplainCommand(CLI::App& program)
@@ -112,8 +124,7 @@ void ExplainCommand::run() const {
         const auto position = step_.empty() ? Position::end_of(recording->steps())
                                             : parse_position("--step", step_, *recording);
         if (!position.is_end()) throw UsageError("--step '" + step_ + "' is no step");
-        if (!pair_.empty())
-          return to_text(explain_pair(replayer, position.step, parse_pair(pair_, names)), names);
+        if (!pair_.empty()) return why_pair(replayer, position.step, parse_pair(pair_, names));
         if (!ray_.empty()) return to_text(explain_ray(replayer, position.step, parse_ray<D>(ray_)), names);
         return to_text(explain_node(replayer, position.step, NodeId{parse_id("--node", node_, "n")}), names);
       });

@@ -40,6 +40,7 @@ ImportCommand::ImportCommand(CLI::App& program)
   option("--margin", margin_, "Their boxes are so much larger on each side, or by a share of their extent",
          "X|N%");
   option("--ignore", ignore_, "Pairs that they leave out by design: a,b", "FILE");
+  option("--structure", structure_, "The nodes of their tree of boxes, see below", "FILE");
   option("--config", config_, "Parameters of our tree, see `kerf render --help`", "K=V,...");
   command_->add_flag("--unite", unite_, "Unite the boxes that an object has in one step");
   command_->add_flag("--strict", strict_, "What is odd is an error, as for example an inverted box");
@@ -70,7 +71,18 @@ ImportCommand::ImportCommand(CLI::App& program)
       "PAIRS   step,a,b   of the boxes' first step or a later one, also one without boxes\n"
       "        What is wrong with them is then found by `kerf step FILE --to 'missed>0'` and `kerf explain`. "
       "What\n"
-      "        --margin, --ignore and masks declare is counted apart, as ignored.");
+      "        --margin, --ignore and masks declare is counted apart, as ignored.\n"
+      "NODES   step,node,parent,min_x,max_x,min_y,max_y[,min_z,max_z],object[,leaf][,margin]\n"
+      "        The whole tree after a step, in any order of lines; a step without lines has no known tree. "
+      "Nodes are\n"
+      "        any whole numbers of 64 bits. A root has no parent, or -1. An object stands at the node that "
+      "holds\n"
+      "        it; several are 3 7 12. leaf, 0 or 1, is what the engine calls the node, margin how much "
+      "larger it\n"
+      "        says it makes the boxes of its objects on each side. `kerf lint FILE --structure` says what "
+      "is "
+      "wrong,\n"
+      "        `kerf explain FILE --pair` at which node a pair was lost, `kerf debug FILE` draws it.");
 }
 
 bool ImportCommand::chosen() const { return command_->parsed(); }
@@ -81,11 +93,12 @@ void ImportCommand::run() const {
   request.pairs = pairs_;
   request.ignore = ignore_;
   request.objects = objects_;
+  request.structure = structure_;
   request.config = parse_config("--config", config_, {});
   request.margin = parse_margin(margin_);
   request.unite = unite_;
   request.strict = strict_;
-  Outputs outputs({boxes_, pairs_, ignore_, objects_}, overwrite_);
+  Outputs outputs({boxes_, pairs_, ignore_, objects_, structure_}, overwrite_);
   outputs.add_recording(out_);
   const InterruptGuard interrupt;  // before there is a part that an interrupt would leave
   PartRecording part(out_, outputs.replace());

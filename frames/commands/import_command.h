@@ -25,6 +25,7 @@ class ImportCommand {
   std::string margin_;
   std::string ignore_;
   std::string objects_;
+  std::string structure_;
   bool unite_ = false;
   bool strict_ = false;
   bool overwrite_ = false;

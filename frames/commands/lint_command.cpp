@@ -1,44 +1,111 @@
 #include "frames/commands/lint_command.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/query/their_faults.h"
 #include "core/query/thrash.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_number.h"
 
 namespace kerf {
+namespace {
+
+/// "0.3" or "30%"
+double parse_share(const std::string& text) {
+  const bool is_percent = text.ends_with('%');
+  const auto number =
+      parse_number<double>(std::string_view(text).substr(0, text.size() - (is_percent ? 1 : 0)));
+  if (!number || !std::isfinite(*number))
+    throw UsageError("--overlap '" + text + "' is no share such as 0.3 or 30%");
+  return is_percent ? *number / 100 : *number;
+}
+
+StructureLimits parse_limits(const std::string& depth, const std::string& overlap,
+                             const std::string& margin) {
+  StructureLimits limits;
+  if (!depth.empty()) {
+    const auto given = parse_number<std::uint32_t>(depth);
+    if (!given) throw UsageError("--depth '" + depth + "' is no whole number such as 40");
+    limits.depth = *given;
+  }
+  if (!overlap.empty()) limits.overlap = parse_share(overlap);
+  if (!margin.empty()) {
+    const auto given = parse_number<Scalar>(margin);
+    if (!given || !std::isfinite(*given))
+      throw UsageError("--margin '" + margin + "' is no length such as 0.05");
+    limits.margin = *given;
+  }
+  return limits;
+}
+
+}  // namespace
 
 LintCommand::LintCommand(CLI::App& program)
-    : command_(program.add_subcommand("lint", "Find operators that undo each other, or wait for ever")) {
+    : command_(program.add_subcommand(
+          "lint",
+          "Find operators that undo each other, or wait for ever; or faults of another engine's structure")) {
   command_->add_option("FILE", file_, "A recording")->type_name("")->required();
-  command_->add_option("--within", within_, "What counts as thrashing happens in so many steps (default 50)")
-      ->type_name("STEPS");
+  auto* const within =
+      command_
+          ->add_option("--within", within_, "What counts as thrashing happens in so many steps (default 50)")
+          ->type_name("STEPS");
+  auto* const structure = command_->add_flag(
+      "--structure", structure_, "Check the other engine's structure instead, see `kerf import --structure`");
+  structure->excludes(within);
+  const auto limit = [&](const char* name, std::string& text, const char* meaning, const char* type) {
+    command_->add_option(name, text, meaning)->type_name(type)->needs(structure);
+  };
+  limit("--depth", depth_, "Find deeper nodes, too; a root has depth 0", "N");
+  limit("--overlap", overlap_, "Find siblings that share more of their parent's box, too", "X|N%");
+  limit("--margin", margin_, "Find leaves that leave less around their objects, too", "X");
   command_->footer(
       "FINDS   a node that was split, merged and split again; a partitioner that was balanced one way, back\n"
-      "        and again; an operator that was listed and waited for longer");
+      "        and again; an operator that was listed and waited for longer\n"
+      "        With --structure: a child outside its parent; an object outside its node, in none or in two;\n"
+      "        a node with two parents, or to which no way leads; a leaf without objects; a margin smaller\n"
+      "        than claimed");
 }
 
 bool LintCommand::chosen() const { return command_->parsed(); }
 
 void LintCommand::run() const {
+  const std::size_t found = structure_ ? lint_structure() : lint_operators();
+  if (found > 0) throw DoesNotHold(std::to_string(found) + " found");
+  std::puts(structure_ ? "the structure is sound in all of its steps"
+                       : "nothing undoes itself, and nothing waits");
+}
+
+std::size_t LintCommand::lint_operators() const {
   std::uint32_t within = 50;
   if (!within_.empty()) {
     const auto given = parse_number<std::uint32_t>(within_);
     if (!given || *given == 0) throw UsageError("--within '" + within_ + "' is no whole number from 1 up");
     within = *given;
   }
-  const std::size_t found = with_recording(file_, [&](const auto& recording) {
+  return with_recording(file_, [&](const auto& recording) {
     const auto cases = find_thrash(recording->operators(), recording->steps(), within);
     for (const Thrash& thrash : cases)
       std::printf("e%llu  %s\n", static_cast<unsigned long long>(thrash.event),
                   to_text(thrash, recording->info().names).c_str());
     return cases.size();
   });
-  if (found > 0) throw DoesNotHold(std::to_string(found) + " found");
-  std::printf("nothing undoes itself, and nothing waits\n");
+}
+
+std::size_t LintCommand::lint_structure() const {
+  const StructureLimits limits = parse_limits(depth_, overlap_, margin_);
+  return with_recording(file_, [&]<int D>(const std::shared_ptr<RecordingReader<D>>& recording) {
+    if (recording->structure_steps().empty())
+      throw UsageError(file_ + " has no structure of another engine; `kerf import --structure` brings one");
+    Replayer<D> replayer(recording);
+    const auto faults = find_their_faults<D>(replayer, limits);
+    for (const TheirFault& fault : faults)
+      std::printf("%s\n", to_text(fault, recording->info().names).c_str());
+    return faults.size();
+  });
 }
 
 }  // namespace kerf

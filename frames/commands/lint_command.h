@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace CLI {
@@ -8,7 +9,8 @@ class App;
 
 namespace kerf {
 
-/// `kerf lint`: operators of a recording that undo each other or never act.
+/// `kerf lint`: operators of a recording that undo each other or never act, or faults of another engine's
+/// structure.
 class LintCommand {
  public:
   explicit LintCommand(CLI::App& program);
@@ -17,9 +19,17 @@ class LintCommand {
   void run() const;
 
  private:
+  /// How many were found and printed.
+  [[nodiscard]] std::size_t lint_operators() const;
+  [[nodiscard]] std::size_t lint_structure() const;
+
   CLI::App* command_;
   std::string file_;
   std::string within_;
+  std::string depth_;
+  std::string overlap_;
+  std::string margin_;
+  bool structure_ = false;
 };
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/base/given_names.h"
@@ -40,10 +41,7 @@ std::vector<CsvColumn> box_columns() {
       step_column(),
       {"object",
        {"id", "objectid", "body", "bodyid", "proxy", "proxyid", "handle", "entity", "entityid", "uid"}}};
-  for (const std::string axis : {"x", "y", "z"}) {
-    columns.push_back(bound_column("min", {"min", "minimum", "lower", "low", "lo", "lowerbound"}, axis));
-    columns.push_back(bound_column("max", {"max", "maximum", "upper", "high", "hi", "upperbound"}, axis));
-  }
+  for (CsvColumn& bound : bound_columns()) columns.push_back(std::move(bound));
   columns.push_back({"fixed", {"isfixed", "static", "isstatic", "immovable"}});
   columns.push_back({"category", {"categories", "categorybits", "collisioncategory", "filtercategory"}});
   columns.push_back({"mask", {"masks", "maskbits", "collisionmask", "filtermask", "collideswith"}});
@@ -186,6 +184,15 @@ std::string conflict_of(const GivenStep& a, const GivenStep& b) {
   const std::string other = plain_number(b.text);
   if (a.time != b.time || plain.empty() || other.empty() || plain == other) return "";
   return "steps " + a.text + " and " + b.text + " are too near to each other: 64 bits of a number count";
+}
+
+std::vector<CsvColumn> bound_columns() {
+  std::vector<CsvColumn> columns;
+  for (const std::string axis : {"x", "y", "z"}) {
+    columns.push_back(bound_column("min", {"min", "minimum", "lower", "low", "lo", "lowerbound"}, axis));
+    columns.push_back(bound_column("max", {"max", "maximum", "upper", "high", "hi", "upperbound"}, axis));
+  }
+  return columns;
 }
 
 CsvColumn step_column() {

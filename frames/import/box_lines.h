@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/given_id.h"
 #include "core/recording/theirs.h"
@@ -74,6 +75,8 @@ class BoxLines {
   int dimension_ = 3;
 };
 
+/// The six columns of a box's bounds, min_x, max_x, min_y and so on.
+std::vector<CsvColumn> bound_columns();
 /// The column of steps, for every table that has one.
 CsvColumn step_column();
 /// The time of a step in a column. Throws UsageError that names the line if it is none.

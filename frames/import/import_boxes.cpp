@@ -12,6 +12,7 @@
 #include "core/replay/oracle.h"
 #include "frames/import/shown_objects.h"
 #include "frames/import/step_lines.h"
+#include "frames/import/their_nodes.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 
@@ -25,6 +26,12 @@ GivenBox<D> box_of(const BoxLine& line) {
   std::copy_n(line.max.begin(), D, box.max.begin());
   return box;
 }
+
+/// What is read before the boxes are played.
+struct Theirs {
+  std::vector<GivenPairs> pairs;
+  std::vector<GivenNodes> nodes;
+};
 
 /// What is known of an object while it is played.
 template <int D>
@@ -41,11 +48,12 @@ struct Played {
 template <int D>
 class Import {
  public:
-  Import(const ImportRequest& request, const Survey& survey, std::vector<GivenPairs> pairs, PairDesign design,
+  Import(const ImportRequest& request, const Survey& survey, Theirs theirs, PairDesign design,
          ShownObjects<D> shown, Oddities& oddities)
       : request_(request),
         survey_(survey),
-        pairs_(std::move(pairs)),
+        pairs_(std::move(theirs.pairs)),
+        nodes_(std::move(theirs.nodes), survey),
         oddities_(oddities),
         shown_(std::move(shown)),
         info_(info_of(request, survey, std::move(design), shown_.marks())),
@@ -67,7 +75,10 @@ class Import {
     recorder_.finish();
   }
 
-  [[nodiscard]] std::string text() const {
+  [[nodiscard]] std::string text() const { return pairs_text() + nodes_.text(); }
+
+ private:
+  [[nodiscard]] std::string pairs_text() const {
     if (request_.pairs.empty()) return "";
     std::string text = "the other engine reported " + counted(sum_.pairs, "pair") + ": " +
                        std::to_string(sum_.missed) + " missed, " + std::to_string(sum_.extra) + " extra, " +
@@ -80,7 +91,6 @@ class Import {
     return text;
   }
 
- private:
   static RecordingInfo info_of(const ImportRequest& request, const Survey& survey, PairDesign design,
                                const ObjectMarks& marks) {
     RecordingInfo info;
@@ -176,6 +186,7 @@ class Import {
     recorder_.add_theirs(changes);
     world_.apply(changes);
     if (!request_.pairs.empty()) judge(step);
+    if (const auto structure = nodes_.take(step, tree_.objects())) recorder_.add_theirs(*structure);
   }
 
   void judge(const GivenStep& step) {
@@ -204,6 +215,7 @@ class Import {
   const ImportRequest& request_;
   const Survey& survey_;
   std::vector<GivenPairs> pairs_;
+  TheirNodes<D> nodes_;
   std::size_t next_pairs_ = 0;
   Oddities& oddities_;
   ShownObjects<D> shown_;
@@ -256,11 +268,11 @@ std::string summary(const BoxLines& boxes, const Survey& survey) {
 
 template <int D>
 void import_in(const ImportRequest& request, const InterruptGuard& interrupt, BoxLines& boxes,
-               const Survey& survey, std::vector<GivenPairs> pairs, Oddities& oddities) {
+               const Survey& survey, Theirs theirs, Oddities& oddities) {
   std::vector<GivenObject<D>> given;
   if (!request.objects.empty()) given = read_given_objects<D>(request.objects);
   ShownObjects<D> shown(given, request.objects.string(), survey, oddities);
-  Import<D> import(request, survey, std::move(pairs), design_of(request, survey, oddities), std::move(shown),
+  Import<D> import(request, survey, std::move(theirs), design_of(request, survey, oddities), std::move(shown),
                    oddities);
   import.run(boxes, interrupt);
   if (request.strict && oddities.any())
@@ -271,17 +283,20 @@ void import_in(const ImportRequest& request, const InterruptGuard& interrupt, Bo
 }  // namespace
 
 void import_boxes(const ImportRequest& request, const InterruptGuard& interrupt) {
-  if (request.boxes == "-" && request.pairs == "-")
-    throw UsageError("boxes and pairs cannot both come from standard input");
+  if ((request.boxes == "-" ? 1 : 0) + (request.pairs == "-" ? 1 : 0) + (request.structure == "-" ? 1 : 0) >
+      1)
+    throw UsageError("only one of boxes, pairs and nodes can come from standard input");
   BoxLines boxes(request.boxes);
-  std::vector<GivenPairs> pairs;
-  if (!request.pairs.empty()) pairs = read_given_pairs(request.pairs);
+  Theirs theirs;
+  if (!request.pairs.empty()) theirs.pairs = read_given_pairs(request.pairs);
+  if (!request.structure.empty()) theirs.nodes = read_given_nodes(request.structure, boxes.dimension());
   Oddities oddities;
-  const Survey found = survey(boxes, pairs, request.pairs.string(), oddities);
+  const Survey found =
+      survey(boxes, theirs.pairs, request.pairs.string(), theirs.nodes, request.structure.string(), oddities);
   if (boxes.dimension() == 2) {
-    import_in<2>(request, interrupt, boxes, found, std::move(pairs), oddities);
+    import_in<2>(request, interrupt, boxes, found, std::move(theirs), oddities);
   } else {
-    import_in<3>(request, interrupt, boxes, found, std::move(pairs), oddities);
+    import_in<3>(request, interrupt, boxes, found, std::move(theirs), oddities);
   }
 }
 

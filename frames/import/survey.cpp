@@ -69,6 +69,19 @@ std::vector<GivenStep> union_of(const std::vector<BoxStep>& boxes, const std::ve
   return steps;
 }
 
+/// Nodes without objects to hold say nothing.
+void check_steps(const std::vector<GivenNodes>& nodes, const std::string& nodes_name,
+                 const std::vector<GivenStep>& steps) {
+  for (const GivenNodes& of_step : nodes) {
+    const std::string where = nodes_name + ", line " + std::to_string(of_step.nodes.front().line) + ": ";
+    const auto found = std::ranges::lower_bound(steps, of_step.step.time, {}, &GivenStep::time);
+    if (found == steps.end() || found->time != of_step.step.time)
+      throw UsageError(where + "step " + of_step.step.text + " has neither boxes nor pairs");
+    const std::string conflict = conflict_of(of_step.step, *found);
+    if (!conflict.empty()) throw UsageError(where + conflict);
+  }
+}
+
 /// A step is usually as long as most are.
 void note_gaps(const std::vector<GivenStep>& steps, const std::vector<BoxStep>& boxes,
                const std::string& name, Oddities& oddities) {
@@ -105,14 +118,18 @@ bool count_from_one(const std::vector<GivenStep>& steps) {
 }  // namespace
 
 Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::string& pairs_name,
-              Oddities& oddities) {
+              const std::vector<GivenNodes>& nodes, const std::string& nodes_name, Oddities& oddities) {
   BoxSurvey read = read_boxes(boxes);
   Survey result;
   result.steps = union_of(read.steps, pairs, pairs_name, oddities);
+  check_steps(nodes, nodes_name, result.steps);
   note_gaps(result.steps, read.steps, boxes.table().name(), oddities);
   result.objects = read.objects;
   for (const GivenPairs& of_step : pairs)
     for (const GivenPair& pair : of_step.pairs) read.objects.insert(read.objects.end(), {pair.a, pair.b});
+  for (const GivenNodes& of_step : nodes)
+    for (const GivenNode& node : of_step.nodes)
+      read.objects.insert(read.objects.end(), node.objects.begin(), node.objects.end());
   sort_unique(read.objects);
   std::vector<std::string> steps;
   if (!count_from_one(result.steps))

@@ -6,6 +6,7 @@
 
 #include "core/base/given_names.h"
 #include "frames/import/box_lines.h"
+#include "frames/import/given_nodes.h"
 #include "frames/import/given_pairs.h"
 #include "frames/import/oddities.h"
 
@@ -26,9 +27,9 @@ struct Survey {
 
 /// Reads the boxes once and names everything: objects get small numbers, so that what a run costs depends on
 /// how many there are. Where their own numbers are small, these stay. Notes what is odd about the steps.
-/// Throws UsageError that names the line if steps do not rise, or if a pair's step comes before the first
-/// one.
+/// Throws UsageError that names the line if steps do not rise, if a pair's step comes before the first one,
+/// or if nodes are of a step that has neither boxes nor pairs.
 Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::string& pairs_name,
-              Oddities& oddities);
+              const std::vector<GivenNodes>& nodes, const std::string& nodes_name, Oddities& oddities);
 
 }  // namespace kerf

@@ -72,6 +72,14 @@ void add_errors(Facts& facts, DebuggerModel& model) {
   facts["wrong_steps"] = std::to_string(model.wrong_steps().size());
 }
 
+void add_theirs(Facts& facts, DebuggerModel& model, const SceneView& view) {
+  const bool is_known = model.run().has_their_structure();
+  facts["structure"] = !is_known ? "ours alone" : model.view.theirs ? "theirs" : "ours";
+  facts["their_nodes"] = std::to_string(model.run().their_nodes());
+  facts["their_faults"] = std::to_string(model.run().their_faults().size());
+  facts["drawn_nodes_of_theirs"] = std::to_string(view.counts().their_nodes);
+}
+
 std::string value_text(const std::optional<double>& value) { return value ? number_text(*value) : "none"; }
 
 void add_lanes(Facts& facts, const DebuggerModel& model) {
@@ -112,6 +120,7 @@ std::map<std::string, std::string> Debugger::facts() {
   add_other(facts, model_);
   add_lanes(facts, model_);
   add_errors(facts, model_);
+  add_theirs(facts, model_, *view_);
   facts["selection"] = to_string(model_.selection(), model_.run().names());
   facts["playing"] = model_.playing ? "yes" : "no";
   facts["bookmarks"] = std::to_string(model_.bookmarks.size());

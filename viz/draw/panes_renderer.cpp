@@ -50,7 +50,7 @@ PanesLegend legend_of(const PanesFrame<D>& frame, LayerSet layers) {
   for (const StructurePane<D>& pane : frame.panes) {
     const bool has_cells = !pane.parts.cells.empty();
     legend.has_cells |= has_cells;
-    legend.has_straddlers |= has_cells && pane.parts.holding == Holding::reaching;
+    legend.has_straddlers |= has_cells && pane.parts.holding != Holding::inside;
     legend.has_lists |= !pane.parts.lists.empty();
     legend.has_rejected |= pane.parts.tells_tested;
   }

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <optional>
+#include <utility>
 
 #include "viz/draw/clip.h"
 #include "viz/draw/pair_density.h"
@@ -24,6 +26,23 @@ Polygon rectangle(const Box<2>& box) {
           {box.max[0], box.min[1], 0},
           {box.max[0], box.max[1], 0},
           {box.min[0], box.max[1], 0}};
+}
+
+/// The ellipse in a rectangle, across the axes `x` and `y`; the rest of the point is the middle of the box.
+template <int D>
+Polygon ellipse(const Box<D>& box, int x = 0, int y = 1) {
+  constexpr int kCorners = 48;
+  const Vector<D> middle = box.center();
+  const Vector<D> extent = box.extent();
+  Polygon polygon;
+  for (int k = 0; k < kCorners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kCorners;
+    Eigen::Vector3d point = to_point(middle);
+    point[x] += 0.5 * extent[x] * std::cos(angle);
+    point[y] += 0.5 * extent[y] * std::sin(angle);
+    polygon.push_back(point);
+  }
+  return polygon;
 }
 
 /// The sides of planes on which a cell lies.
@@ -51,8 +70,37 @@ double line_width(const StructureParts<D>& parts, std::uint32_t depth) {
   return has_depth ? 2.4 - 1.6 * depth_share(depth) : 1.2;
 }
 
+/// What a cell covers in the plane.
+Polygon area_of(const StructureParts<2>& parts, std::uint32_t cell, const Box<2>& bounds) {
+  const Box<2> box = with_ends(parts.cells[cell].box, bounds);
+  Polygon polygon = parts.is_round ? ellipse(box) : rectangle(box);
+  clip(polygon, sides_of(parts, cell));
+  return polygon;
+}
+
+/// The part of a convex polygon in another one, whose corners stand counter-clockwise.
+Polygon common_part(Polygon polygon, const Polygon& other) {
+  for (std::size_t k = 0; k < other.size() && !polygon.empty(); ++k) {
+    const Eigen::Vector3d& from = other[k];
+    const Eigen::Vector3d along = other[(k + 1) % other.size()] - from;
+    const Eigen::Vector3d normal(along.y(), -along.x(), 0);
+    clip(polygon, HalfSpace{normal, normal.dot(from)});
+  }
+  return polygon;
+}
+
 void outline_box(const DrawContext<2>& context, const Box<2>& box, const Stroke& stroke, Batch& batch) {
   add_outline(batch, context.view, rectangle(box), stroke);
+}
+
+void outline_ball(const DrawContext<2>& context, const Box<2>& box, const Stroke& stroke, Batch& batch) {
+  add_outline(batch, context.view, ellipse(box), stroke);
+}
+
+/// Three circles.
+void outline_ball(const DrawContext<3>& context, const Box<3>& box, const Stroke& stroke, Batch& batch) {
+  for (const auto& [x, y] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 0)})
+    add_outline(batch, context.view, ellipse(box, x, y), stroke);
 }
 
 void outline_box(const DrawContext<3>& context, const Box<3>& box, const Stroke& stroke, Batch& batch) {
@@ -129,10 +177,9 @@ void draw_cell_areas(const DrawContext<2>& context, const StructureParts<2>& par
   const std::vector<std::uint32_t> population = population_of(parts);
   for (std::uint32_t cell = 0; cell < parts.cells.size(); ++cell) {
     if (population[cell] == 0) continue;
-    Polygon polygon = rectangle(with_ends(parts.cells[cell].box, context.bounds));
-    clip(polygon, sides_of(parts, cell));
     context.begin(batch, DrawnKind::leaf, parts.cells[cell].name);
-    add_polygon(batch, context.view, polygon, with_alpha(fill_color(population[cell]), alpha));
+    add_polygon(batch, context.view, area_of(parts, cell, context.bounds),
+                with_alpha(fill_color(population[cell]), alpha));
   }
   for (const std::vector<std::uint32_t>& siblings : children_of(parts)) {
     // Of more than two siblings there are more pairs, whose areas would hide all else.
@@ -141,14 +188,10 @@ void draw_cell_areas(const DrawContext<2>& context, const StructureParts<2>& par
     for (std::size_t i = 0; i < siblings.size(); ++i)
       for (std::size_t k = i + 1; k < siblings.size(); ++k) {
         if (!(overlap_share(parts, siblings[i], siblings[k], context.bounds) > 0)) continue;
-        const Box<2> a = with_ends(parts.cells[siblings[i]].box, context.bounds);
-        const Box<2> b = with_ends(parts.cells[siblings[k]].box, context.bounds);
-        Box<2> common;
-        for (int axis = 0; axis < 2; ++axis) {
-          common.min[axis] = std::max(a.min[axis], b.min[axis]);
-          common.max[axis] = std::min(a.max[axis], b.max[axis]);
-        }
-        add_polygon(batch, context.view, rectangle(common), with_alpha(kSiblingOverlap, strength));
+        add_polygon(batch, context.view,
+                    common_part(area_of(parts, siblings[i], context.bounds),
+                                area_of(parts, siblings[k], context.bounds)),
+                    with_alpha(kSiblingOverlap, strength));
       }
   }
 }
@@ -169,6 +212,8 @@ void draw_cell_outlines(const DrawContext<D>& context, const StructureParts<D>& 
     context.begin(batch, told.cut == kNoPart ? DrawnKind::leaf : DrawnKind::plane, told.name);
     if (told.cut != kNoPart) {
       draw_cut(context, parts, cell, stroke, batch);
+    } else if (parts.is_round) {
+      outline_ball(context, told.box, stroke, batch);
     } else {
       outline_box(context, with_ends(told.box, context.bounds), stroke, batch);
     }

@@ -14,6 +14,7 @@
 #include "core/broad_phase/sort_and_sweep.h"
 #include "core/broad_phase/sweep_and_prune.h"
 #include "core/related/auxiliary_planes.h"
+#include "core/related/chosen_planes.h"
 #include "core/related/kinetic_tree.h"
 #include "core/related/multi_level_hash.h"
 #include "core/related/rebuilt_tree.h"
@@ -62,12 +63,14 @@ class OwnBroadPhase : public testing::Test {
   MovingBoxes<kDimension> crowd_;
 };
 
-using Subjects = testing::Types<Columns<2>, Columns<3>, SortAndSweep<2>, SortAndSweep<3>, SweepAndPrune<2>,
-                                SweepAndPrune<3>, LooseOctree<2>, LooseOctree<3>, AllPairs<2>, AllPairs<3>,
-                                RebuiltTree<2>, RebuiltTree<3>, ReinsertingTree<2>, ReinsertingTree<3>,
-                                AuxiliaryPlanes<2>, AuxiliaryPlanes<3>, ShiftingCuts<2>, ShiftingCuts<3>,
-                                SelfOrganisingTree<2>, SelfOrganisingTree<3>, KineticTree<2>, KineticTree<3>,
-                                MultiLevelHash<2>, MultiLevelHash<3>, SphereTree<2>, SphereTree<3>>;
+using Subjects =
+    testing::Types<Columns<2>, Columns<3>, SortAndSweep<2>, SortAndSweep<3>, SweepAndPrune<2>,
+                   SweepAndPrune<3>, LooseOctree<2>, LooseOctree<3>, AllPairs<2>, AllPairs<3>, RebuiltTree<2>,
+                   RebuiltTree<3>, ReinsertingTree<2>, ReinsertingTree<3>, AuxiliaryPlanes<2>,
+                   AuxiliaryPlanes<3>, ShiftingCuts<2>, ShiftingCuts<3>, SelfOrganisingTree<2>,
+                   SelfOrganisingTree<3>, KineticTree<2>, KineticTree<3>, MultiLevelHash<2>,
+                   MultiLevelHash<3>, SphereTree<2>, SphereTree<3>, FixedDirections<2>, FixedDirections<3>,
+                   PrincipalComponents<2>, PrincipalComponents<3>, EvolvedPlanes<2>, EvolvedPlanes<3>>;
 TYPED_TEST_SUITE(OwnBroadPhase, Subjects, BroadPhaseNames);
 
 TYPED_TEST(OwnBroadPhase, AgreesOnBouncingBoxesAndTeleports) {

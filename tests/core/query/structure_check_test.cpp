@@ -134,6 +134,24 @@ TEST(StructureCheck, NamesACellThatAnObjectReachesWithoutBeingInIt) {
   EXPECT_TRUE(check_structure<2>(parts, objects, {}).empty());
 }
 
+/// Two cells of one size, and one of twice that: each object is in all cells of its own size.
+TEST(StructureCheck, NamesAnObjectInACellOfAnotherSize) {
+  StructureParts<2> parts = two_columns();
+  parts.holding = Holding::of_its_depth;
+  parts.cells.push_back({everywhere<2>(), 2, kNoPart, 1, kNoPart});
+  const std::vector<KnownObject<2>> objects{{{0}, slab<2>(0, 3)}, {{1}, slab<2>(0.5F, 0.9F)}};
+  parts.members = {{2, {0}}, {0, {1}}};
+  EXPECT_TRUE(check_structure<2>(parts, objects, {}).empty());
+  parts.members = {{2, {0}}, {0, {1}}, {1, {1}}, {2, {1}}};
+  const auto faults = check_structure<2>(parts, objects, {});
+  ASSERT_EQ(faults.size(), 2U);
+  EXPECT_EQ(faults[0].text, "object 1 is in the cell n1, where it does not belong");
+  EXPECT_EQ(faults[1].text, "object 1 is in the cell n2, where it does not belong");
+  parts.members = {{0, {0}}, {0, {1}}};
+  EXPECT_EQ(check_structure<2>(parts, objects, {}).front().text,
+            "object 0 reaches the cell n1, which does not hold it");
+}
+
 TEST(StructureCheck, FollowsThePlanesThatCutCells) {
   StructureParts<2> parts;
   parts.holding = Holding::reaching;

@@ -14,6 +14,15 @@
 #include "core/bsp/bsp.h"
 #include "core/query/structure_check.h"
 #include "core/query/structure_measures.h"
+#include "core/related/auxiliary_planes.h"
+#include "core/related/chosen_planes.h"
+#include "core/related/kinetic_tree.h"
+#include "core/related/multi_level_hash.h"
+#include "core/related/rebuilt_tree.h"
+#include "core/related/reinserting_tree.h"
+#include "core/related/self_organising_tree.h"
+#include "core/related/shifting_cuts.h"
+#include "core/related/sphere_tree.h"
 #include "tests/support/boxes.h"
 #include "tests/support/known_boxes.h"
 #include "tests/support/moving_boxes.h"
@@ -55,8 +64,14 @@ class OwnStructure : public testing::Test {
   MovingBoxes<kDimension> crowd_;
 };
 
-using Subjects = testing::Types<Columns<2>, Columns<3>, SortAndSweep<2>, SortAndSweep<3>, SweepAndPrune<2>,
-                                SweepAndPrune<3>, LooseOctree<2>, LooseOctree<3>, Bsp<2>, Bsp<3>>;
+using Subjects =
+    testing::Types<Columns<2>, Columns<3>, SortAndSweep<2>, SortAndSweep<3>, SweepAndPrune<2>,
+                   SweepAndPrune<3>, LooseOctree<2>, LooseOctree<3>, Bsp<2>, Bsp<3>, RebuiltTree<2>,
+                   RebuiltTree<3>, ReinsertingTree<2>, ReinsertingTree<3>, AuxiliaryPlanes<2>,
+                   AuxiliaryPlanes<3>, ShiftingCuts<2>, ShiftingCuts<3>, SelfOrganisingTree<2>,
+                   SelfOrganisingTree<3>, KineticTree<2>, KineticTree<3>, MultiLevelHash<2>,
+                   MultiLevelHash<3>, SphereTree<2>, SphereTree<3>, FixedDirections<2>, FixedDirections<3>,
+                   PrincipalComponents<2>, PrincipalComponents<3>, EvolvedPlanes<2>, EvolvedPlanes<3>>;
 TYPED_TEST_SUITE(OwnStructure, Subjects);
 
 TYPED_TEST(OwnStructure, IsSoundWhileBoxesBounceAndTeleport) {
@@ -156,6 +171,48 @@ TEST(Structure, TheTunedTreeSaysThatItsTestsAreNotKnown) {
   EXPECT_FALSE(parts.tests);
   EXPECT_FALSE(parts.unseen.empty());
   EXPECT_FALSE(parts.cells.empty());
+}
+
+/// What a tree of cuts tells is what it is: each cell of two children is cut where they meet.
+TEST(Structure, CutsLieBetweenTheCellsThatTheyDivide) {
+  RebuiltTree<2> tree;
+  MovingBoxes<2> crowd(tree, 30, 1.5, 11);
+  crowd.add(200);
+  tree.step();
+  const StructureParts<2> parts = describe<2>(tree);
+  ASSERT_EQ(parts.cuts.size() + 1, parts.cells.size());
+  for (const StructureCell<2>& cell : parts.cells) {
+    if (cell.cut == kNoPart) continue;
+    const Cut<2>& cut = parts.cuts[cell.cut];
+    const int axis = cut.plane.normal[0] > 0 ? 0 : 1;
+    const Scalar border = cut.right ? cell.box.min[axis] : cell.box.max[axis];
+    EXPECT_EQ(cut.plane.offset, std::nextafter(border, -std::numeric_limits<Scalar>::infinity()));
+  }
+}
+
+TEST(Structure, LevelsOfAHashAreDepthsFromTheCoarsestDown) {
+  MultiLevelHash<2> hash;
+  static_cast<void>(hash.insert({0}, {{{0, 0}}, {{3, 3}}}, Mobility::moving));
+  static_cast<void>(hash.insert({1}, {{{1, 1}}, {{1.5F, 1.5F}}}, Mobility::moving));
+  hash.step();
+  const StructureParts<2> parts = describe<2>(hash);
+  ASSERT_EQ(parts.cells.size(), 5U);
+  EXPECT_EQ(parts.cells[0].depth, 0U);
+  EXPECT_EQ(parts.cells[0].box, (Box<2>{{{0, 0}}, {{4, 4}}}));
+  EXPECT_EQ(parts.cells[1].depth, 1U);
+  EXPECT_EQ(parts.cells[1].box, (Box<2>{{{1, 1}}, {{1.5F, 1.5F}}}));
+  EXPECT_EQ(parts.tested, std::vector<Pair>(1, {{0}, {1}}));
+}
+
+TEST(Structure, SpheresAreToldByTheirBoxes) {
+  SphereTree<2> spheres;
+  static_cast<void>(spheres.insert({0}, {{{0, 0}}, {{6, 8}}}, Mobility::moving));
+  spheres.step();
+  const StructureParts<2> parts = describe<2>(spheres);
+  EXPECT_TRUE(parts.is_round);
+  ASSERT_EQ(parts.cells.size(), 1U);
+  EXPECT_NEAR(parts.cells[0].box.min[0], -2, 1e-5);
+  EXPECT_NEAR(parts.cells[0].box.max[1], 9, 1e-5);
 }
 
 TEST(Structure, MeasuresOverlapAndDeadSpace) {

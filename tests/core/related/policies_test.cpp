@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "core/related/auxiliary_planes.h"
+#include "core/related/chosen_planes.h"
 #include "core/related/kinetic_tree.h"
 #include "core/related/multi_level_hash.h"
+#include "core/related/principal_axes.h"
 #include "core/related/rebuilt_tree.h"
 #include "core/related/reinserting_tree.h"
 #include "core/related/self_organising_tree.h"
@@ -194,6 +196,33 @@ TYPED_TEST(RelatedWork, CutsOfAStaticTreeStayWhereTheyAre) {
   subject.step();
   EXPECT_TRUE(subject.tree()[subject.tree().root()].is_leaf());
   EXPECT_EQ(subject.tree().entries(), 0U);
+}
+
+/// Along a row of objects, whichever way it turns, lies the axis of the greatest variance.
+TYPED_TEST(RelatedWork, PrincipalComponentsFollowTheObjects) {
+  constexpr int kD = TypeParam::value;
+  for (const double turn : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+    std::vector<Vector<kD>> centres;
+    for (const Box<kD>& box : turned_row<kD>(turn)) centres.push_back(box.center());
+    const auto principal = principal_axes<kD>(centres);
+    const double along = std::cos(turn * std::numbers::pi / 2) * double{principal.axes[0][0]} +
+                         std::sin(turn * std::numbers::pi / 2) * double{principal.axes[0][1]};
+    EXPECT_NEAR(std::abs(along), 1, 1e-5) << turn;
+    EXPECT_NEAR(double{dot(principal.axes[0], principal.axes[1])}, 0, 1e-5) << turn;
+  }
+}
+
+/// A slanting row: planes across it leave nothing to compare but neighbours, cuts along the axes too.
+TYPED_TEST(RelatedWork, ChosenPlanesDivideASlantingRow) {
+  constexpr int kD = TypeParam::value;
+  const auto candidates_of = [](auto&& subject) {
+    insert_all<kD>(subject, turned_row<kD>(0.5));
+    subject.step();
+    return subject.candidates();
+  };
+  EXPECT_LT(candidates_of(FixedDirections<kD>()), 400U * 16);
+  EXPECT_LT(candidates_of(PrincipalComponents<kD>()), 400U * 16);
+  EXPECT_LT(candidates_of(EvolvedPlanes<kD>()), 400U * 16);
 }
 
 TYPED_TEST(RelatedWork, ObjectsOfEachSizeHaveTheirLevel) {

@@ -14,6 +14,7 @@
 #include "core/query/history.h"
 #include "core/query/node_lives.h"
 #include "core/query/search.h"
+#include "core/query/their_faults.h"
 #include "core/query/thrash.h"
 #include "core/recording/operator_rows.h"
 #include "core/recording/recording_info.h"
@@ -154,6 +155,15 @@ class Run {
   [[nodiscard]] virtual const PairJudgement* their_judgement() = 0;
   /// Those of them that are wrong, see `find_wrong_pairs`. Read at the first use.
   [[nodiscard]] virtual const std::vector<WrongPair>& wrong_pairs() = 0;
+
+  /// Whether it is an import with another engine's structure, and how many nodes that has after the step that
+  /// has ended last; 0: it is not known.
+  [[nodiscard]] virtual bool has_their_structure() const = 0;
+  [[nodiscard]] virtual std::size_t their_nodes() = 0;
+  /// What is wrong with it then.
+  [[nodiscard]] virtual std::span<const StructureFault> their_faults() = 0;
+  /// The same of all steps. Searched for at the first use.
+  [[nodiscard]] virtual std::span<const TheirFault> all_their_faults() = 0;
 
   /// The next moment, in either direction, at which the condition holds; none if there is none or `progress`,
   /// called with each step, has returned false.

@@ -8,6 +8,7 @@
 #include "core/query/explain_event.h"
 #include "core/query/explain_node.h"
 #include "core/query/explain_pair.h"
+#include "core/query/explain_their_search.h"
 #include "core/query/text.h"
 #include "core/replay/what_if.h"
 #include "core/trace/event_facts.h"
@@ -34,7 +35,8 @@ RunOf<D>::RunOf(std::filesystem::path path)
       cursor_(recording_),
       looks_(*recording_),
       search_(recording_),
-      their_steps_(recording_->their_steps()) {}
+      their_steps_(recording_->their_steps()),
+      has_their_structure_(!recording_->structure_steps().empty()) {}
 
 template <int D>
 void RunOf<D>::moved() {
@@ -151,9 +153,7 @@ std::string RunOf<D>::explain(const Selection& selection) {
           [](std::monostate) { return std::string(); },
           [&](NodeId node) { return to_text(kerf::explain_node(cursor_.replayer(), step, node), names()); },
           [&](ObjectId object) { return explain_object(object); },
-          [&](const Pair& pair) {
-            return to_text(kerf::explain_pair(cursor_.replayer(), step, pair), names());
-          },
+          [&](const Pair& pair) { return explain_pair(pair); },
       },
       selection);
 }
@@ -174,6 +174,47 @@ std::string RunOf<D>::explain_object(ObjectId object) const {
     if (pair.b == object) text += " " + names().object(pair.a);
   }
   return text + "\n";
+}
+
+template <int D>
+std::string RunOf<D>::explain_pair(const Pair& pair) {
+  std::string text = to_text(kerf::explain_pair(cursor_.replayer(), position().step, pair), names());
+  if (theirs().nodes.empty()) return text;
+  cursor_.replayer().seek(ended_step());
+  return text + explain_their_search<D>(theirs_, cursor_.replayer().tree().objects(), pair, names());
+}
+
+template <int D>
+const TheirStructure<D>& RunOf<D>::theirs() {
+  if (theirs_of_ == ended_step()) return theirs_;
+  theirs_of_ = ended_step();
+  theirs_ = recording_->their_structure(*theirs_of_).value_or(TheirStructure<D>());
+  their_parts_.reset();
+  their_faults_.reset();
+  return theirs_;
+}
+
+template <int D>
+const StructureParts<D>& RunOf<D>::their_parts() {
+  const TheirStructure<D>& structure = theirs();
+  if (!their_parts_) their_parts_ = parts_of(structure).parts;
+  return *their_parts_;
+}
+
+template <int D>
+std::span<const StructureFault> RunOf<D>::their_faults() {
+  if (theirs().nodes.empty()) return {};
+  if (!their_faults_) {
+    cursor_.replayer().seek(ended_step());
+    their_faults_ = check_theirs<D>(theirs_, cursor_.replayer().tree().objects(), names());
+  }
+  return *their_faults_;
+}
+
+template <int D>
+std::span<const TheirFault> RunOf<D>::all_their_faults() {
+  if (!all_their_faults_) all_their_faults_ = find_their_faults<D>(cursor_.replayer(), {});
+  return *all_their_faults_;
 }
 
 template <int D>

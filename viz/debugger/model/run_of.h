@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/query/search.h"
+#include "core/query/their_parts.h"
 #include "core/replay/cursor.h"
 #include "core/replay/recorded_looks.h"
 #include "viz/debugger/model/run.h"
@@ -66,6 +67,10 @@ class RunOf final : public Run {
   }
   [[nodiscard]] const PairJudgement* their_judgement() override;
   [[nodiscard]] const std::vector<WrongPair>& wrong_pairs() override;
+  [[nodiscard]] bool has_their_structure() const override { return has_their_structure_; }
+  [[nodiscard]] std::size_t their_nodes() override { return theirs().nodes.size(); }
+  [[nodiscard]] std::span<const StructureFault> their_faults() override;
+  [[nodiscard]] std::span<const TheirFault> all_their_faults() override;
   [[nodiscard]] std::optional<Position> search(const Expression& condition, const Position& from,
                                                bool forwards, const Progress& progress) override;
   [[nodiscard]] std::optional<Position> search_change(const Expression& expression, const Position& from,
@@ -77,6 +82,8 @@ class RunOf final : public Run {
   [[nodiscard]] const BspState<D>& state() const { return cursor_.state(); }
   /// The objects as they look at this moment.
   [[nodiscard]] std::vector<Body<D>> bodies();
+  /// Another engine's structure after the step that has ended last; without cells if it is not known.
+  [[nodiscard]] const StructureParts<D>& their_parts();
   /// The plane of a candidate of the ballot.
   [[nodiscard]] Plane<D> plane(std::size_t candidate);
 
@@ -84,6 +91,12 @@ class RunOf final : public Run {
   void moved();
   [[nodiscard]] ProjectionStrip make_strip(std::size_t candidate);
   [[nodiscard]] std::string explain_object(ObjectId object) const;
+  [[nodiscard]] std::string explain_pair(const Pair& pair);
+  /// In the middle of a step another engine's structure is still that of the step before.
+  [[nodiscard]] std::uint32_t ended_step() const {
+    return position().is_end() ? position().step : position().step - 1;
+  }
+  [[nodiscard]] const TheirStructure<D>& theirs();
 
   std::filesystem::path path_;
   std::shared_ptr<RecordingReader<D>> recording_;
@@ -103,6 +116,12 @@ class RunOf final : public Run {
   std::optional<std::vector<std::vector<NodeLife>>> lives_;
   std::vector<std::pair<std::uint32_t, TheirStep>> their_steps_;
   std::optional<std::vector<WrongPair>> wrong_pairs_;
+  bool has_their_structure_ = false;
+  std::optional<std::uint32_t> theirs_of_;  ///< the step of the next three
+  TheirStructure<D> theirs_;
+  std::optional<StructureParts<D>> their_parts_;
+  std::optional<std::vector<StructureFault>> their_faults_;
+  std::optional<std::vector<TheirFault>> all_their_faults_;
   TreeSnapshotOf<D> before_;
   std::optional<std::uint64_t> before_of_;  ///< the event of `before_`
 };

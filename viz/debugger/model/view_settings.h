@@ -34,6 +34,7 @@ struct ViewSettings {
                         .with(Layer::pairs, true)
                         .with(Layer::operators, true);
   Tint tint = Tint::population;
+  bool theirs = false;  ///< another engine's structure instead of our tree
   int least_depth = 0;  ///< partitioners of other depths are left out
   int greatest_depth = static_cast<int>(kMaxHeight);
   std::optional<NodeId> isolated;  ///< only the part below it

@@ -104,6 +104,12 @@ TextTable table_of_comparison(PanelContext& context) {
 
 TextTable table_of_findings(PanelContext& context) {
   const GivenNames& names = context.model.run().names();
+  if (context.model.view.theirs) {
+    TextTable faults{{"step", "steps", "what"}, {}};
+    for (const TheirFault& fault : context.model.run().all_their_faults())
+      faults.rows.push_back({names.step(fault.first_step), std::to_string(fault.steps), fault.fault.text});
+    return faults;
+  }
   TextTable table{{"event", "node", "what"}, {}};
   for (const Thrash& thrash : context.model.lint(static_cast<std::uint32_t>(context.memory.lint_within)))
     table.rows.push_back(

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/counted.h"
 #include "core/query/text.h"
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
 #include "viz/draw/palette.h"
+#include "viz/draw/structure_draw.h"
 
 namespace kerf {
 namespace {
@@ -13,6 +15,7 @@ constexpr std::array kLayers{Layer::objects, Layer::partitioners, Layer::leaves,
                              Layer::operators};
 
 constexpr float kTintChoice = 105;
+constexpr float kStructureChoice = 75;
 constexpr float kDepths = 110;
 
 float text_width(const char* text) { return ImGui::CalcTextSize(text).x; }
@@ -26,6 +29,23 @@ void draw_layers(PanelContext& context) {
     if (layer != kLayers.front()) widgets::beside_or_below(width);
     if (widgets::checkbox(context.gui, name.c_str(), shown)) context.model.view.layers.set(layer, shown);
   }
+}
+
+/// Of an import with another engine's structure.
+void draw_structure_choice(PanelContext& context) {
+  if (!context.model.run().has_their_structure()) return;
+  bool& theirs = context.model.view.theirs;
+  widgets::beside_or_below(text_width("structure") + ImGui::GetStyle().ItemSpacing.x + kStructureChoice);
+  ImGui::TextDisabled("structure");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(kStructureChoice);
+  const bool open = ImGui::BeginCombo("##structure", theirs ? "theirs" : "ours");
+  context.gui.name_last_item("structure");
+  widgets::hint("our tree, or the nodes of the other engine, with what is wrong with them");
+  if (!open) return;
+  if (widgets::row(context.gui, "ours", "structure ours", !theirs)) theirs = false;
+  if (widgets::row(context.gui, "theirs", "structure theirs", theirs)) theirs = true;
+  ImGui::EndCombo();
 }
 
 void draw_tint(PanelContext& context) {
@@ -61,7 +81,15 @@ std::string tint_scale(Tint tint, double end) {
   return "";
 }
 
+std::string their_text(const ShownCounts& counts) {
+  if (counts.their_nodes == 0) return "their structure is not known after this step";
+  return "theirs: " + counted(counts.their_nodes, "node") + ", " + counted(counts.their_faults, "fault");
+}
+
 std::string counts_text(const ShownCounts& counts) {
+  if (counts.theirs)
+    return std::to_string(counts.objects) + " of " + std::to_string(counts.all_objects) + " objects, " +
+           std::to_string(counts.pairs) + " of " + std::to_string(counts.all_pairs) + " pairs drawn";
   return std::to_string(counts.objects) + " of " + std::to_string(counts.all_objects) + " objects, " +
          std::to_string(counts.partitioners) + " of " + std::to_string(counts.all_partitioners) +
          " partitioners, " + std::to_string(counts.pairs) + " of " + std::to_string(counts.all_pairs) +
@@ -101,6 +129,7 @@ void draw_error_counts(ImDrawList& list, const ShownCounts& counts, ImVec2 at) {
 void draw_view_tools(PanelContext& context) {
   DebuggerModel& model = context.model;
   draw_layers(context);
+  draw_structure_choice(context);
   draw_tint(context);
   ViewSettings& settings = model.view;
   if (widgets::button(context.gui, "focus", "look at what is selected, or at everything (F)"))
@@ -140,17 +169,24 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
     drawn = std::to_string(counts.objects) + " of " + std::to_string(counts.all_objects) + " objects drawn";
   draw_text_on(list, {area.x + 8, bottom - line}, drawn, all ? palette::kFaintInk : palette::kCandidate);
   if (!title.empty()) draw_text_on(list, {area.x + 8, area.y + 6}, title, palette::kInk);
-  draw_error_counts(list, counts, {area.x + 8, area.y + 6 + (title.empty() ? 0 : line + 4)});
+  float top = area.y + 6 + (title.empty() ? 0 : line + 4);
+  if (counts.theirs) {
+    draw_text_on(list, {area.x + 8, top}, their_text(counts), palette::kInk);
+    top += line + 4;
+  }
+  draw_error_counts(list, counts, {area.x + 8, top});
   const ViewSettings& settings = context.model.view;
   if (settings.layers.has(Layer::leaves)) {
-    const float top = bottom - 2 * line - 4;
+    const float above = bottom - 2 * line - 4;
     for (int k = 0; k < 60; ++k)
-      list.AddRectFilled({area.x + 8 + static_cast<float>(k), top + 2},
-                         {area.x + 9 + static_cast<float>(k), top + 13},
+      list.AddRectFilled({area.x + 8 + static_cast<float>(k), above + 2},
+                         {area.x + 9 + static_cast<float>(k), above + 13},
                          widgets::to_imgui(palette::population_color(static_cast<std::uint32_t>(k), 60)));
-    std::string scale = tint_scale(settings.tint, counts.tint_end);
+    std::string scale = counts.theirs
+                            ? "objects in the node: 1 to " + std::to_string(kFullCell) + "+, logarithmic"
+                            : tint_scale(settings.tint, counts.tint_end);
     if (text_width(scale.c_str()) > area.width - 82) scale.erase(0, scale.find(':') + 2);  // its numbers
-    draw_text_on(list, {area.x + 74, top}, scale, palette::kFaintInk);
+    draw_text_on(list, {area.x + 74, above}, scale, palette::kFaintInk);
   }
   for (const SceneLabel& label : view.labels())
     draw_text_on(list, label_place(label, area, context.gui.scale()), label.text, palette::kOperator);

@@ -26,6 +26,9 @@ struct ShownCounts {
   std::size_t missed = 0;  ///< by another engine, and drawn
   std::size_t extra = 0;
   double tint_end = 1;  ///< the value of the brightest colour
+  bool theirs = false;  ///< another engine's structure is shown
+  std::size_t their_nodes = 0;
+  std::size_t their_faults = 0;
 };
 
 /// What the window wants of a view.

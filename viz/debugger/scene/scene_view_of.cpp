@@ -8,13 +8,16 @@
 #include "core/base/overloaded.h"
 #include "core/query/text.h"
 #include "viz/debugger/model/recent_operators.h"
+#include "viz/debugger/scene/body_colors.h"
 #include "viz/debugger/scene/pick.h"
 #include "viz/debugger/scene/ray.h"
 #include "viz/debugger/scene/selected_box.h"
+#include "viz/debugger/scene/their_nodes_view.h"
 #include "viz/debugger/scene/wrong_pair_lines.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/recorded_bodies.h"
 #include "viz/draw/strokes.h"
+#include "viz/draw/structure_draw.h"
 #include "viz/draw/themed_batch.h"
 #include "viz/draw/triad.h"
 
@@ -130,18 +133,11 @@ template <int D>
 void SceneViewOf<D>::choose_colors() {
   (void)tints(seen_->settings.tint);
   counts_.tint_end = seen_->tint_end;
-  colors_.resize(bodies_.size());
   const bool tinted = seen_->settings.layers.has(Layer::leaves);
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    const NodeId leaf = visible_.leaf_of[k];
-    colors_[k] = own_color(bodies_[k].mobility, bodies_[k].color);
-    if (bodies_[k].mobility == Mobility::fixed) continue;
-    if (tinted && visible_.in_several[k] != 0) {
-      colors_[k] = palette::kStraddler;
-    } else if (D == 3 && tinted && !leaf.is_none()) {
-      colors_[k] = color_of_leaf(leaf);
-    }
-  }
+  counts_.theirs = seen_->settings.theirs;
+  colors_ = counts_.theirs && tinted
+                ? object_colors<D>(run_.their_parts(), bodies_)
+                : body_colors<D>(bodies_, visible_, tints_, seen_->tint_end, tinted && !counts_.theirs);
 }
 
 template <int D>
@@ -150,7 +146,8 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
   labels_.clear();
   triad_.clear();
   auto& [back, glass, lines, planes, front] = batches_;
-  const LayerSet layers = seen_->settings.layers;
+  LayerSet layers = seen_->settings.layers;
+  if (D == 3 && counts_.theirs) layers = layers.with(Layer::leaves, false);  // these are ours
   const FrameInput<D> input{
       .bodies = bodies_, .tree = nullptr, .pairs = pairs_, .contacts = {}, .events = {}, .caption = {}};
   const std::vector<Placement> placements;
@@ -158,16 +155,17 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
   const DrawContext<D> frame{input,   seen_->view,       snapshot_, placements, box_,
                              layers,  line_scale,        1,         nullptr,    colors_,
                              crowds_, look.theme->scene, is_brief()};
-  draw_nodes(frame, back, planes);
+  if (counts_.theirs) draw_theirs(frame, back, planes, front);
+  if (!counts_.theirs) draw_nodes(frame, back, planes);
   if constexpr (D == 2) {
     if (layers.has(Layer::objects)) draw_objects(frame, back);
   } else {
-    draw_space(frame, leaf_colors(), {back, glass, shadows_});
+    draw_space(frame, leaf_colors(visible_, tints_, seen_->tint_end), {back, glass, shadows_});
     draw_triad(frame.view, painter_.font(), {0, 0, double(width_), double(height_)}, Corner::right,
                kTriad * line_scale, triad_);
   }
   draw_pairs(frame, lines);
-  if (layers.has(Layer::operators)) draw_event(frame, front);
+  if (layers.has(Layer::operators) && !counts_.theirs) draw_event(frame, front);
   draw_selection(frame, front);
   draw_wrong_pairs<D>(frame, {all_bodies_, missed_, extra_}, front);
   if (model.hovered_candidate) draw_candidate(frame, *model.hovered_candidate, front);
@@ -183,15 +181,6 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
   painter_->draw(front, Depth::ignore);
   painter_->draw(triad_.shapes, Depth::ignore);
   painter_->draw(triad_.text, seen_->view);
-}
-
-/// By node; transparent where nothing is seen.
-template <int D>
-std::vector<Color> SceneViewOf<D>::leaf_colors() const {
-  std::vector<Color> colors(visible_.nodes.size(), Color{0, 0, 0, 0});
-  for (std::uint32_t k = 0; k < colors.size(); ++k)
-    if (visible_.nodes[k] != 0) colors[k] = color_of_leaf(NodeId{k});
-  return colors;
 }
 
 /// Cells are filled in 2D; partitioners within the visible depths, as many as can be distinguished.
@@ -216,6 +205,17 @@ void SceneViewOf<D>::draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch
         add_polygon(cells, frame.view, cell, with_alpha(color_of_leaf(id), kCellAlpha));
     }
   }
+}
+
+template <int D>
+void SceneViewOf<D>::draw_theirs(const DrawContext<D>& frame, Batch& cells, Batch& outlines, Batch& front) {
+  partitioners_.clear();
+  counts_.their_nodes = run_.their_nodes();
+  counts_.their_faults = run_.their_faults().size();
+  const StructureParts<D>& parts = run_.their_parts();
+  draw_their_nodes<D>(frame, parts, seen_->settings.layers, cells, outlines);
+  for (auto& [point, text] : draw_their_faults<D>(frame, parts, run_.their_faults(), front))
+    add_label(point, std::move(text));
 }
 
 template <int D>
@@ -351,6 +351,7 @@ Selection SceneViewOf<D>::pick(double x, double y, bool node_wanted) const {
   const bool objects = !node_wanted && seen_->settings.layers.has(Layer::objects);
   if (objects)
     if (const auto object = pick_object<D>(ray_through(seen_->view, x, y), bodies_)) return *object;
+  if (seen_->settings.theirs) return {};
   const auto node =
       pick_node<D>({snapshot_, partitioners_, visible_.nodes, box_, look.scale, crowds_}, seen_->view, x, y);
   return node ? Selection(*node) : Selection();

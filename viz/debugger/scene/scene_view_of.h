@@ -74,8 +74,8 @@ class SceneViewOf final : public SceneView {
   void choose_bodies();
   void choose_colors();
   void draw(const DebuggerModel& model);
-  [[nodiscard]] std::vector<Color> leaf_colors() const;
   void draw_nodes(const DrawContext<D>& frame, Batch& cells, Batch& planes);
+  void draw_theirs(const DrawContext<D>& frame, Batch& cells, Batch& outlines, Batch& front);
   void draw_recent(const DrawContext<D>& frame, Batch& batch);
   void draw_event(const DrawContext<D>& frame, Batch& batch);
   void draw_selection(const DrawContext<D>& frame, Batch& batch);

@@ -74,6 +74,7 @@ Json json_of(const ViewSettings& view) {
             {"hidden_nodes", numbers_of(view.hidden_nodes)},
             {"hidden_objects", numbers_of(view.hidden_objects)}};
   if (view.isolated) json["isolated"] = view.isolated->value;
+  if (view.theirs) json["theirs"] = true;
   return json;
 }
 
@@ -167,6 +168,7 @@ ViewSettings view_of(const Json& json) {
   for (const Json& node : json.at("hidden_nodes")) view.hidden_nodes.insert(NodeId{whole(node)});
   for (const Json& object : json.at("hidden_objects")) view.hidden_objects.insert(ObjectId{whole(object)});
   if (json.contains("isolated")) view.isolated = NodeId{whole(json.at("isolated"))};
+  view.theirs = json.value("theirs", false);
   return view;
 }
 

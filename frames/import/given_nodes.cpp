@@ -1,0 +1,124 @@
+#include "frames/import/given_nodes.h"
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "frames/support/errors.h"
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t kStep = 0;
+constexpr std::size_t kNode = 1;
+constexpr std::size_t kParent = 2;
+constexpr std::size_t kBounds = 3;
+constexpr std::size_t kObject = kBounds + 6;
+constexpr std::size_t kLeaf = kObject + 1;
+constexpr std::size_t kMargin = kLeaf + 1;
+
+std::vector<CsvColumn> node_columns() {
+  std::vector<CsvColumn> columns{
+      step_column(),
+      {"node", {"nodeid", "nodeindex", "cell", "cellid"}},
+      {"parent", {"parentid", "parentnode", "parentindex", "up"}},
+  };
+  for (CsvColumn& bound : bound_columns()) columns.push_back(std::move(bound));
+  columns.push_back({"object",
+                     {"objects", "objectid", "member", "members", "body", "bodies", "bodyid", "proxy",
+                      "proxyid", "entity", "entityid"}});
+  columns.push_back({"leaf", {"isleaf"}});
+  columns.push_back({"margin", {"fatmargin", "skin"}});
+  return columns;
+}
+
+const char* form_of(int dimension) {
+  return dimension == 2 ? "step,node,parent,min_x,max_x,min_y,max_y,object"
+                        : "step,node,parent,min_x,max_x,min_y,max_y,min_z,max_z,object";
+}
+
+void check_columns(const CsvTable& table, int dimension) {
+  const std::string form = form_of(dimension);
+  if (!table.has_heading())
+    throw UsageError(table.name() + " needs a heading: " + form +
+                     ", and perhaps leaf and margin, in any order");
+  std::vector<std::size_t> wanted{kStep, kNode, kParent, kObject};
+  for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(dimension); ++k) wanted.push_back(kBounds + k);
+  for (const std::size_t column : wanted)
+    if (!table.has(column))
+      throw UsageError(table.name() + ": the heading must be " + form +
+                       ", and perhaps leaf and margin, in any order; it has " + table.names());
+}
+
+/// Nothing, or -1, is no parent.
+std::optional<GivenId> read_parent(const CsvTable& table) {
+  if (table.is_blank(kParent)) return std::nullopt;
+  const GivenId parent = table.id(kParent);
+  return parent == GivenId{true, 1} ? std::nullopt : std::optional(parent);
+}
+
+/// "3", or several: "3 7 12" or "3;7;12".
+std::vector<GivenId> read_objects(const CsvTable& table) {
+  constexpr std::string_view kBetween = " ;\t";
+  std::vector<GivenId> objects;
+  std::string_view rest = table.text(kObject);
+  for (;;) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(kBetween), rest.size()));
+    if (rest.empty()) return objects;
+    const std::size_t end = std::min(rest.find_first_of(kBetween), rest.size());
+    const auto id = parse_given_id(rest.substr(0, end));
+    if (!id) table.reject(kObject, "is neither an object nor several, such as 3 or 3 7 12");
+    objects.push_back(*id);
+    rest.remove_prefix(end);
+  }
+}
+
+double read_bound(const CsvTable& table, std::size_t column) {
+  if (table.is_blank(column))
+    table.reject("node " + std::string(table.text(kNode)) + " lacks a bound of its box");
+  const double bound = table.real(column);
+  if (std::isnan(bound)) table.reject(column, "is no number");
+  return bound;
+}
+
+GivenNode read_node(const CsvTable& table, int dimension) {
+  GivenNode node;
+  node.line = table.line();
+  if (table.is_blank(kNode)) table.reject("the node is blank");
+  node.node = table.id(kNode);
+  node.parent = read_parent(table);
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
+    node.min[axis] = read_bound(table, kBounds + 2 * axis);
+    node.max[axis] = read_bound(table, kBounds + 2 * axis + 1);
+  }
+  node.objects = read_objects(table);
+  if (!table.is_blank(kLeaf)) node.leaf = table.boolean(kLeaf);
+  if (table.is_blank(kMargin)) return node;
+  node.margin = table.real(kMargin);
+  if (!(node.margin >= 0) || std::isinf(node.margin)) table.reject(kMargin, "is no length");
+  return node;
+}
+
+}  // namespace
+
+std::vector<GivenNodes> read_given_nodes(const std::filesystem::path& path, int dimension) {
+  CsvTable table(path, node_columns());
+  check_columns(table, dimension);
+  std::map<long double, GivenNodes> by_time;
+  while (table.next()) {
+    GivenStep step = read_step(table, kStep);
+    const auto [found, is_new] = by_time.try_emplace(step.time);
+    if (is_new) {
+      found->second.step = std::move(step);
+    } else if (const std::string conflict = conflict_of(step, found->second.step); !conflict.empty()) {
+      table.reject(conflict);
+    }
+    found->second.nodes.push_back(read_node(table, dimension));
+  }
+  std::vector<GivenNodes> steps;
+  for (auto& [time, nodes] : by_time) steps.push_back(std::move(nodes));
+  return steps;
+}
+
+}  // namespace kerf
