@@ -64,7 +64,7 @@ template <int D>
 struct StructureParts {
   std::string kind;  ///< "tree of boxes"
   Holding holding = Holding::inside;
-  bool is_round = false;  ///< cells are the balls in their boxes
+  bool is_round = false;                ///< cells are the balls in their boxes
   std::vector<StructureCell<D>> cells;  ///< parents before children
   std::vector<Cut<D>> cuts;
   std::vector<CellMember> members;

@@ -49,6 +49,12 @@ BroadPhaseOf<D>::BroadPhaseOf(const BroadPhaseOptions& options)
 }
 
 template <int D>
+BroadPhaseOf<D>::~BroadPhaseOf() {
+  pairs_ = py::object();
+  lists_.let_go([this](PairBuffer& memory) { run_.exchange_pairs(memory); });
+}
+
+template <int D>
 std::vector<ObjectId> BroadPhaseOf<D>::new_ids(const py::handle& given, std::size_t rows) const {
   if (given.is_none()) return ids_.free(rows);
   const IdRows ids(given, "ids");
@@ -123,22 +129,20 @@ py::array BroadPhaseOf<D>::step(const py::handle& boxes) {
   if (!boxes.is_none()) move(boxes, py::none());
   const UseOnce use(in_use_);
   pairs_ = py::object();
-  PairBuffer& pairs = lists_.spare();
+  lists_.let_go([this](PairBuffer& memory) { run_.exchange_pairs(memory); });
   {
     const py::gil_scoped_release others_run;
     run_.step();
-    run_.exchange_pairs(pairs);
-    if (changes_) changes_->update(pairs.all());
+    if (changes_) changes_->update(run_.pairs());
   }
-  lists_.publish();
-  pairs_ = lists_.array();
+  pairs_ = lists_.array(run_.pairs());
   return pairs_;
 }
 
 template <int D>
 py::array BroadPhaseOf<D>::pairs() {
   const UseOnce use(in_use_);
-  if (!pairs_) pairs_ = lists_.array();
+  if (!pairs_) pairs_ = lists_.array(run_.pairs());
   return pairs_;
 }
 
@@ -208,13 +212,13 @@ py::array BroadPhaseOf<D>::picture(const PictureOptions& options) const {
   FrameInput<D> input;
   input.bodies = bodies;
   input.tree = &run_.tree();
-  input.pairs = lists_.latest();
+  input.pairs = run_.pairs();
   input.caption.scene = "python";
   input.caption.broad_phase = "kerf";
   input.caption.step = run_.steps();
   input.caption.objects = run_.objects().size();
   input.caption.moving = count_moving(run_.objects());
-  input.caption.pairs = lists_.latest().size();
+  input.caption.pairs = run_.pairs().size();
   input.caption.statistics = run_.statistics();
   input.caption.knows_contacts = false;
   return draw(input, options);

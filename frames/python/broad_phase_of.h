@@ -18,6 +18,9 @@ template <int D>
 class BroadPhaseOf final : public PythonBroadPhase {
  public:
   explicit BroadPhaseOf(const BroadPhaseOptions& options);
+  ~BroadPhaseOf() override;
+  BroadPhaseOf(const BroadPhaseOf&) = delete;
+  BroadPhaseOf& operator=(const BroadPhaseOf&) = delete;
 
   [[nodiscard]] int dimension() const override { return D; }
   pybind11::array insert(const pybind11::handle& boxes, const pybind11::handle& ids,

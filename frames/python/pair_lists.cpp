@@ -6,28 +6,37 @@
 
 namespace kerf::python {
 
-PairBuffer& PairLists::spare() {
-  const auto is_free = [](const List& list) { return list.use_count() == 1; };
-  const auto found = std::ranges::find_if(lists_, is_free);
-  next_ = found == lists_.end() ? std::make_shared<PairBuffer>() : *found;
-  if (found == lists_.end() && lists_.size() < kKept) lists_.push_back(next_);
-  return *next_;
-}
+namespace py = pybind11;
 
-void PairLists::publish() { latest_ = std::move(next_); }
-
-std::span<const Pair> PairLists::latest() const {
-  return latest_ ? std::span<const Pair>(latest_->all()) : std::span<const Pair>();
-}
-
-pybind11::array PairLists::array() const {
-  if (latest().empty()) return pair_array({});
-  auto owner = std::make_unique<List>(latest_);
-  const pybind11::capsule keeper(owner.get(), [](void* list) { delete static_cast<List*>(list); });
+py::array PairLists::array(std::span<const Pair> latest) {
+  if (latest.empty()) return pair_array({});
+  latest_ = spare();
+  auto owner = std::make_unique<std::shared_ptr<List>>(latest_);
+  const py::capsule keeper(owner.get(), [](void* given) {
+    const std::unique_ptr<std::shared_ptr<List>> list(static_cast<std::shared_ptr<List>*>(given));
+    (*list)->has_array = false;
+  });
   (void)owner.release();
-  const auto* const numbers = reinterpret_cast<const std::uint32_t*>(latest().data());
-  return read_only(pybind11::array_t<std::uint32_t>(
-      {static_cast<pybind11::ssize_t>(latest().size()), pybind11::ssize_t{2}}, numbers, keeper));
+  latest_->has_array = true;
+  const auto* const numbers = reinterpret_cast<const std::uint32_t*>(latest.data());
+  return read_only(
+      py::array_t<std::uint32_t>({static_cast<py::ssize_t>(latest.size()), py::ssize_t{2}}, numbers, keeper));
+}
+
+void PairLists::let_go(const std::function<void(PairBuffer&)>& exchange) {
+  if (latest_ && latest_->has_array) exchange(latest_->memory);
+  latest_.reset();
+}
+
+/// A list that no array has. Its memory is that of an earlier one, if there is one to spare.
+std::shared_ptr<PairLists::List> PairLists::spare() {
+  constexpr std::size_t kKept = 4;
+  const auto found =
+      std::ranges::find_if(lists_, [](const std::shared_ptr<List>& list) { return !list->has_array; });
+  if (found != lists_.end()) return *found;
+  auto list = std::make_shared<List>();
+  if (lists_.size() < kKept) lists_.push_back(list);
+  return list;
 }
 
 }  // namespace kerf::python

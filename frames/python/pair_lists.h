@@ -2,6 +2,7 @@
 
 #include <pybind11/numpy.h>
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -10,25 +11,25 @@
 
 namespace kerf::python {
 
-/// The memory of a broad phase's pairs, shared with the arrays that Python got: each array keeps its list,
-/// and no step writes into a list that an array still has.
+/// The pairs of a broad phase as arrays, without a copy. An array looks at the broad phase's own memory; if
+/// it is still there when a step would write into that, the array gets the memory, and the broad phase other
+/// one.
 class PairLists {
  public:
-  /// A list that no array has. Its memory is that of an earlier one, if there is one to spare.
-  PairBuffer& spare();
-  /// The list that `spare` returned last is the latest now.
-  void publish();
-  [[nodiscard]] std::span<const Pair> latest() const;
-  /// The latest list as an array, without a copy: (m, 2) uint32, read-only.
-  [[nodiscard]] pybind11::array array() const;
+  /// The pairs of the last step, which lie in the broad phase: (m, 2) uint32, read-only. One array a step.
+  [[nodiscard]] pybind11::array array(std::span<const Pair> latest);
+  /// Call it before the broad phase writes into its list or ends. `exchange` is Bsp::exchange_pairs.
+  void let_go(const std::function<void(PairBuffer&)>& exchange);
 
  private:
-  using List = std::shared_ptr<PairBuffer>;
-  static constexpr std::size_t kKept = 4;
+  struct List {
+    PairBuffer memory;       ///< spare, or what an array of an earlier step looks at
+    bool has_array = false;  ///< an array looks at it, or at the latest pairs
+  };
+  [[nodiscard]] std::shared_ptr<List> spare();
 
-  std::vector<List> lists_;
-  List next_;
-  List latest_;
+  std::vector<std::shared_ptr<List>> lists_;
+  std::shared_ptr<List> latest_;
 };
 
 }  // namespace kerf::python

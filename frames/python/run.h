@@ -37,6 +37,9 @@ class Run {
   [[nodiscard]] std::uint32_t steps() const {
     return visit([](const auto& bsp) { return bsp.steps(); });
   }
+  [[nodiscard]] std::span<const Pair> pairs() const {
+    return visit([](const auto& bsp) { return bsp.pairs(); });
+  }
   /// As Bsp::exchange_pairs.
   void exchange_pairs(PairBuffer& buffer);
 

@@ -2,8 +2,9 @@
 """What a step costs through Python, beside the same step in C++.
 
 Both see the same boxes in the same step, one right after the other and in turns first, so that they meet the same
-machine. Times are processor time of the thread; the overhead is the median of the ratios of such two steps. Prints a
-table; --json FILE writes the figures.
+machine. Times are processor time of the thread; the overhead is the median of the ratios of such two steps. The pairs
+of a step are looked at and dropped, or, in the last column, kept during the next step: then the array keeps the memory.
+Prints a table; --json FILE writes the figures.
 
 usage: PYTHONPATH=build/release/python:build/release/tests/python tests/bench/python_overhead.py [--objects N...] [--json FILE]
 """
@@ -31,11 +32,12 @@ def crowd(objects, dimension, steps, share):
         yield np.stack([corner, corner + size], axis=1)
 
 
-def measure(objects, dimension, dtype, share, threads, steps):
+def measure(objects, dimension, dtype, share, threads, steps, keep):
+    """The figures of one row, in milliseconds; `keep`: the pairs of a step are there during the next one."""
     native = (kerf_steps.Steps2D if dimension == 2 else kerf_steps.Steps3D)(threads)
     phase = kerf.BroadPhase(dimension, threads=threads)
     native_step = native.step if dtype == np.float32 else native.step_of_doubles
-    times = []
+    times, pairs = [], None
     for k, given in enumerate(crowd(objects, dimension, steps, share)):
         boxes = np.ascontiguousarray(given, dtype)
         if k == 0:
@@ -44,6 +46,7 @@ def measure(objects, dimension, dtype, share, threads, steps):
             phase.step()
             continue
         both = {}
+        pairs = pairs if keep else None
         for turn in ("python", "c++") if k % 2 else ("c++", "python"):
             if turn == "c++":
                 both[turn] = native_step(boxes)
@@ -74,16 +77,18 @@ def main():
     parser.add_argument("--json")
     options = parser.parse_args()
     rows = []
-    print(f"{'objects':>8} {'':3} {'dtype':8} {'moving':>6} {'pairs':>7} {'C++ ms':>8} {'Python ms':>9} {'overhead':>8}")
+    print(f"{'objects':>8}     {'dtype':8} {'moving':>6} {'pairs':>7} {'C++ ms':>8} {'Python ms':>9} {'overhead':>8} {'kept':>8}")
     for objects in options.objects:
         for dimension in (2, 3):
             for dtype in (np.float32, np.float64):
                 for share in (1.0, 0.1):
-                    row = measure(objects, dimension, dtype, share, 1, options.steps)
+                    row = measure(objects, dimension, dtype, share, 1, options.steps, keep=False)
+                    kept = measure(objects, dimension, dtype, share, 1, options.steps, keep=True)
+                    row["overhead_kept"] = kept["overhead"]
                     rows.append(row)
                     print(
                         f"{objects:8} {dimension}D  {row['dtype']:8} {share:6.0%} {row['pairs']:7} {row['cpp_ms']:8.3f} "
-                        f"{row['python_ms']:9.3f} {row['overhead']:8.1%}",
+                        f"{row['python_ms']:9.3f} {row['overhead']:8.1%} {row['overhead_kept']:8.1%}",
                         flush=True,
                     )
     if options.json:

@@ -38,6 +38,29 @@ def test_pairs_of_an_earlier_step_stay_as_they_were():
     assert phase.pairs is phase.pairs
 
 
+def test_a_part_of_earlier_pairs_is_enough_to_keep_them():
+    boxes = random_boxes(200, 3, size=0.3)
+    phase = kerf.BroadPhase(3)
+    phase.insert(boxes)
+    part = phase.step()[3:10:2]
+    was = part.copy()
+    for k in range(20):
+        phase.step(boxes[::-1] + np.float32(k))
+    assert (part == was).all()
+
+
+def test_pairs_are_written_where_they_were_unless_an_array_has_them():
+    boxes = random_boxes(200, 3, size=0.3)
+    phase = kerf.BroadPhase(3)
+    phase.insert(boxes)
+    places = {phase.step(boxes).ctypes.data for _ in range(10)}
+    assert len(places) == 1
+    kept = [phase.step(boxes) for _ in range(10)]
+    assert len({pairs.ctypes.data for pairs in kept}) == 10
+    expected = as_set(kept[0])
+    assert all(as_set(pairs) == expected for pairs in kept)
+
+
 def test_pairs_outlive_the_broad_phase():
     phase = kerf.BroadPhase(2)
     phase.insert([[[0, 0], [1, 1]], [[1, 1], [2, 2]]])

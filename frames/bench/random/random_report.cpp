@@ -139,9 +139,9 @@ std::string random_summary(const BenchRequest& request, const std::vector<Random
 std::string as_json(const BenchRequest& request, const std::vector<RandomOutcome>& all, bool complete) {
   Json json;
   json["machine"] = describe_machine();
-  json["settings"] = {{"random", request.random}, {"first", request.first},
-                      {"most", request.most},     {"seed", request.seed},
-                      {"rounds", request.rounds}, {"patience_s", request.patience}};
+  json["settings"] = {{"random", request.random},   {"first", request.first},        {"most", request.most},
+                      {"seed", request.seed},       {"rounds", request.rounds},      {"steps", request.steps},
+                      {"warm_up", request.warm_up}, {"patience_s", request.patience}};
   json["scenes"] = Json::array();
   for (const RandomOutcome& outcome : all) {
     const RandomDuel duel = duel_of(outcome);
