@@ -1,5 +1,7 @@
 #include <fstream>
 
+#include "frames/import/given_nodes.h"
+#include "frames/import/given_objects.h"
 #include "frames/import/given_pairs.h"
 #include "frames/import/survey.h"
 #include "frames/support/errors.h"
@@ -26,7 +28,7 @@ std::string try_table(const std::filesystem::path& file, Read read) {
 void read_boxes(const std::filesystem::path& file) {
   BoxLines boxes(file);
   Oddities oddities;
-  const Survey all = survey(boxes, {}, "", oddities);
+  const Survey all = survey(boxes, {}, "", {}, "", oddities);
   boxes.rewind();
   while (boxes.next())
     if (const auto object = boxes.object()) (void)all.object(*object);
@@ -40,8 +42,15 @@ std::string csv_case(CaseBytes bytes) {
   static const ScratchFolder folder;
   const std::filesystem::path file = folder.path() / "table.csv";
   std::ofstream(file, std::ios::binary) << std::string(bytes.begin(), bytes.end());
-  const std::string boxes = try_table(file, [&] { read_boxes(file); });
-  return boxes.empty() ? try_table(file, [&] { (void)read_given_pairs(file); }) : boxes;
+  using Read = void (*)(const std::filesystem::path& file);
+  for (const Read read : {Read{read_boxes}, Read{[](const auto& it) { (void)read_given_pairs(it); }},
+                          Read{[](const auto& it) { (void)read_given_nodes(it, 2); }},
+                          Read{[](const auto& it) { (void)read_given_objects<2>(it); }},
+                          Read{[](const auto& it) { (void)read_given_objects<3>(it); }}}) {
+    std::string complaint = try_table(file, [&] { read(file); });
+    if (!complaint.empty()) return complaint;
+  }
+  return "";
 }
 
 }  // namespace kerf::test
