@@ -173,7 +173,7 @@ TEST(Structure, TheTunedTreeSaysThatItsTestsAreNotKnown) {
   EXPECT_FALSE(parts.cells.empty());
 }
 
-/// What a tree of cuts tells is what it is: each cell of two children is cut where they meet.
+/// A tree of cuts says what it is: each cell of two children is cut where they meet.
 TEST(Structure, CutsLieBetweenTheCellsThatTheyDivide) {
   RebuiltTree<2> tree;
   MovingBoxes<2> crowd(tree, 30, 1.5, 11);
@@ -204,7 +204,7 @@ TEST(Structure, LevelsOfAHashAreDepthsFromTheCoarsestDown) {
   EXPECT_EQ(parts.tested, std::vector<Pair>(1, {{0}, {1}}));
 }
 
-TEST(Structure, SpheresAreToldByTheirBoxes) {
+TEST(Structure, SpheresAreKnownByTheirBoxes) {
   SphereTree<2> spheres;
   static_cast<void>(spheres.insert({0}, {{{0, 0}}, {{6, 8}}}, Mobility::moving));
   spheres.step();

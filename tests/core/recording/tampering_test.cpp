@@ -53,6 +53,8 @@ void add_import(RecordingInfo& info) {
   for (std::uint32_t k = 1; k <= kKeyframe + 20; ++k) steps.push_back(std::to_string(5000 + k));
   info.imported = true;
   info.names = {std::move(objects), std::move(steps)};
+  for (std::uint32_t k = 0; k < 4; ++k)
+    info.marks.set({k}, {"wheel " + std::to_string(k), Rgb{200, static_cast<std::uint8_t>(k), 0}});
   info.design.ignored = {{{1}, {2}}, {{3}, {4}}};
 }
 
