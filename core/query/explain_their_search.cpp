@@ -19,7 +19,8 @@ class Searches {
     std::string text = "in the other engine's structure:\n";
     for (const ObjectId object : {pair.a, pair.b}) text += "  " + place_text(object) + "\n";
     const bool found = search(pair.a, pair.b, text) & search(pair.b, pair.a, text);
-    if (found) text += "  its nodes bring the two together: what was missed was lost behind them\n";
+    if (found)
+      text += "  its nodes bring the two together: if the pair was missed, it was lost behind them\n";
     return text;
   }
 

@@ -10,10 +10,13 @@
 namespace kerf {
 namespace {
 
-/// In the order of `node_columns()`.
-struct NodeColumn {
-  enum : std::size_t { step, node, parent, bounds, object = bounds + 6, leaf, margin };
-};
+constexpr std::size_t kStepOfNode = 0;
+constexpr std::size_t kNodeName = 1;
+constexpr std::size_t kParentNode = 2;
+constexpr std::size_t kBoundsOfNode = 3;
+constexpr std::size_t kObjectsOfNode = kBoundsOfNode + 6;
+constexpr std::size_t kLeafFlag = kObjectsOfNode + 1;
+constexpr std::size_t kMarginOfNode = kLeafFlag + 1;
 
 std::vector<CsvColumn> node_columns() {
   std::vector<CsvColumn> columns{
@@ -40,9 +43,9 @@ void check_columns(const CsvTable& table, int dimension) {
   if (!table.has_heading())
     throw UsageError(table.name() + " needs a heading: " + form +
                      ", and perhaps leaf and margin, in any order");
-  std::vector<std::size_t> wanted{NodeColumn::step, NodeColumn::node, NodeColumn::parent, NodeColumn::object};
+  std::vector<std::size_t> wanted{kStepOfNode, kNodeName, kParentNode, kObjectsOfNode};
   for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(dimension); ++k)
-    wanted.push_back(NodeColumn::bounds + k);
+    wanted.push_back(kBoundsOfNode + k);
   for (const std::size_t column : wanted)
     if (!table.has(column))
       throw UsageError(table.name() + ": the heading must be " + form +
@@ -51,8 +54,8 @@ void check_columns(const CsvTable& table, int dimension) {
 
 /// Nothing, or -1, is no parent.
 std::optional<GivenId> read_parent(const CsvTable& table) {
-  if (table.is_blank(NodeColumn::parent)) return std::nullopt;
-  const GivenId parent = table.id(NodeColumn::parent);
+  if (table.is_blank(kParentNode)) return std::nullopt;
+  const GivenId parent = table.id(kParentNode);
   return parent == GivenId{true, 1} ? std::nullopt : std::optional(parent);
 }
 
@@ -60,13 +63,13 @@ std::optional<GivenId> read_parent(const CsvTable& table) {
 std::vector<GivenId> read_objects(const CsvTable& table) {
   constexpr std::string_view kBetween = " ;\t";
   std::vector<GivenId> objects;
-  std::string_view rest = table.text(NodeColumn::object);
+  std::string_view rest = table.text(kObjectsOfNode);
   for (;;) {
     rest.remove_prefix(std::min(rest.find_first_not_of(kBetween), rest.size()));
     if (rest.empty()) return objects;
     const std::size_t end = std::min(rest.find_first_of(kBetween), rest.size());
     const auto id = parse_given_id(rest.substr(0, end));
-    if (!id) table.reject(NodeColumn::object, "is neither an object nor several, such as 3 or 3 7 12");
+    if (!id) table.reject(kObjectsOfNode, "is neither an object nor several, such as 3 or 3 7 12");
     objects.push_back(*id);
     rest.remove_prefix(end);
   }
@@ -74,7 +77,7 @@ std::vector<GivenId> read_objects(const CsvTable& table) {
 
 double read_bound(const CsvTable& table, std::size_t column) {
   if (table.is_blank(column))
-    table.reject("node " + std::string(table.text(NodeColumn::node)) + " lacks a bound of its box");
+    table.reject("node " + std::string(table.text(kNodeName)) + " lacks a bound of its box");
   const double bound = table.real(column);
   if (std::isnan(bound)) table.reject(column, "is no number");
   return bound;
@@ -83,18 +86,18 @@ double read_bound(const CsvTable& table, std::size_t column) {
 GivenNode read_node(const CsvTable& table, int dimension) {
   GivenNode node;
   node.line = table.line();
-  if (table.is_blank(NodeColumn::node)) table.reject("the node is blank");
-  node.node = table.id(NodeColumn::node);
+  if (table.is_blank(kNodeName)) table.reject("the node is blank");
+  node.node = table.id(kNodeName);
   node.parent = read_parent(table);
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
-    node.min[axis] = read_bound(table, NodeColumn::bounds + 2 * axis);
-    node.max[axis] = read_bound(table, NodeColumn::bounds + 2 * axis + 1);
+    node.min[axis] = read_bound(table, kBoundsOfNode + 2 * axis);
+    node.max[axis] = read_bound(table, kBoundsOfNode + 2 * axis + 1);
   }
   node.objects = read_objects(table);
-  if (!table.is_blank(NodeColumn::leaf)) node.leaf = table.boolean(NodeColumn::leaf);
-  if (table.is_blank(NodeColumn::margin)) return node;
-  node.margin = table.real(NodeColumn::margin);
-  if (!(node.margin >= 0) || std::isinf(node.margin)) table.reject(NodeColumn::margin, "is no length");
+  if (!table.is_blank(kLeafFlag)) node.leaf = table.boolean(kLeafFlag);
+  if (table.is_blank(kMarginOfNode)) return node;
+  node.margin = table.real(kMarginOfNode);
+  if (!(node.margin >= 0) || std::isinf(node.margin)) table.reject(kMarginOfNode, "is no length");
   return node;
 }
 
@@ -105,7 +108,7 @@ std::vector<GivenNodes> read_given_nodes(const std::filesystem::path& path, int 
   check_columns(table, dimension);
   std::map<long double, GivenNodes> by_time;
   while (table.next()) {
-    GivenStep step = read_step(table, NodeColumn::step);
+    GivenStep step = read_step(table, kStepOfNode);
     const auto [found, is_new] = by_time.try_emplace(step.time);
     if (is_new) {
       found->second.step = std::move(step);

@@ -171,13 +171,12 @@ TEST_F(ImportStructure, LimitsThatAreNoneAreRefused) {
 
 /// Objects and steps have the engine's names, nodes as well; several objects may share a node.
 TEST_F(ImportStructure, EverythingKeepsItsName) {
-  const std::string boxes =
-      write("boxes.csv",
-            "step,object,min_x,max_x,min_y,max_y\n5000,-7,0,1,0,1\n5000,900000000000,3,4,0,"
-            "1\n5001,-7,0,1,0,1\n");
+  const std::string boxes = write("boxes.csv",
+                                  "step,object,min_x,max_x,min_y,max_y\n5000,-7,0,1,0,1\n"
+                                  "5000,900000000000,3,4,0,1\n5001,-7,0,1,0,1\n");
   const std::string nodes = write("nodes.csv",
-                                  "frame;parentId;nodeId;Body;lower x;upper x;lower y;upper y;isLeaf\n"
-                                  "5001;-1;140737488355328;-7 900000000000;0;3.5;0;1;0\n");
+                                  "frame,parentId,nodeId,Body,lower x,upper x,lower y,upper y,isLeaf\n"
+                                  "5001,-1,140737488355328,-7 900000000000,0,3.5,0,1,0\n");
   EXPECT_THAT(imported("a", boxes, {"--structure", nodes}), HasSubstr("first in step 5001: object outside"));
   EXPECT_EQ(lint().out,
             "step 5001: object outside its cell: object 900000000000 lies outside its cell n140737488355328: "

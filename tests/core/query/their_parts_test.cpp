@@ -113,7 +113,7 @@ TEST_F(TheirPartsTest, FixedObjectsMayLiveElsewhere) {
 
 TEST_F(TheirPartsTest, SearchesThatFindAPairSayThatItWasLostLater) {
   EXPECT_THAT(search(), HasSubstr("a search with the box of n7 for object 1 finds it"));
-  EXPECT_THAT(search(), HasSubstr("what was missed was lost behind them"));
+  EXPECT_THAT(search(), HasSubstr("if the pair was missed, it was lost behind them"));
 }
 
 TEST_F(TheirPartsTest, ASearchEndsAtTheNodeThatWasNotRefitted) {
