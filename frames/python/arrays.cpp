@@ -128,7 +128,7 @@ void check_box_shape(const py::array& array, int dimension, const std::string& w
 }
 
 template <int D>
-BoxRows<D>::BoxRows(const py::handle& given, const std::string& what) {
+BoxRows<D>::BoxRows(const py::handle& given, const std::string& what, AppendBuffer<Box<D>>* room) {
   static_assert(sizeof(Box<D>) == 2 * D * sizeof(float));
   const py::array array = as_array(given, what);
   check_box_shape(array, D, what);
@@ -137,7 +137,7 @@ BoxRows<D>::BoxRows(const py::handle& given, const std::string& what) {
   if (array.dtype().kind() == 'f' && array.itemsize() == sizeof(float)) {
     take_floats(array, what);
   } else {
-    take_doubles(array, what);
+    take_doubles(array, what, room != nullptr ? *room : rounded_);
   }
 }
 
@@ -152,16 +152,17 @@ void BoxRows<D>::take_floats(const py::array& array, const std::string& what) {
 }
 
 template <int D>
-void BoxRows<D>::take_doubles(const py::array& array, const std::string& what) {
+void BoxRows<D>::take_doubles(const py::array& array, const std::string& what, AppendBuffer<Box<D>>& room) {
   const auto doubles = py::array_t<double, kInOrder>::ensure(array);
   if (!doubles) throw py::error_already_set();
   const std::span<const double> numbers(doubles.data(), static_cast<std::size_t>(doubles.size()));
   const std::size_t rows = numbers.size() / (2 * D);
   check_rows<D>(numbers.data(), rows, what);
   if (array.dtype().kind() != 'f') check_whole_numbers(numbers, 2 * D, what);
-  rounded_.resize(rows);
-  round_boxes<D>(numbers, rounded_);
-  boxes_ = rounded_;
+  room.clear();
+  round_boxes<D>(numbers, {room.reserve(rows), rows});
+  room.commit(rows);
+  boxes_ = room.all();
 }
 
 IdRows::IdRows(const py::handle& given, const std::string& what) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/append_buffer.h"
 #include "core/base/ids.h"
 #include "core/geometry/box.h"
 
@@ -18,18 +19,19 @@ template <int D>
 class BoxRows {
  public:
   /// Throws ValueError that names the row unless the shape is (n, 2, D), the numbers are real, none is NaN,
-  /// and no lower corner lies above its upper one. `what` is the argument's name.
-  BoxRows(const pybind11::handle& given, const std::string& what);
+  /// and no lower corner lies above its upper one. `what` is the argument's name. Rounded boxes lie in
+  /// `room` if there is one: its memory serves one call after another.
+  BoxRows(const pybind11::handle& given, const std::string& what, AppendBuffer<Box<D>>* room = nullptr);
 
   [[nodiscard]] std::span<const Box<D>> all() const { return boxes_; }
   [[nodiscard]] std::size_t size() const { return boxes_.size(); }
 
  private:
   void take_floats(const pybind11::array& array, const std::string& what);
-  void take_doubles(const pybind11::array& array, const std::string& what);
+  void take_doubles(const pybind11::array& array, const std::string& what, AppendBuffer<Box<D>>& room);
 
   pybind11::array held_;
-  std::vector<Box<D>> rounded_;
+  AppendBuffer<Box<D>> rounded_;
   std::span<const Box<D>> boxes_;
 };
 

@@ -99,7 +99,7 @@ template <int D>
 void BroadPhaseOf<D>::move(const py::handle& boxes, const py::handle& ids) {
   const UseOnce use(in_use_);
   BroadPhase<D>& broad_phase = run_.broad_phase();
-  const BoxRows<D> rows(boxes, "boxes");
+  const BoxRows<D> rows(boxes, "boxes", &rounded_);
   moved_ = true;
   if (!ids.is_none()) {
     (void)broad_phase.move_many(present_ids(ids, rows.size()), rows.all());

@@ -55,6 +55,7 @@ class BroadPhaseOf final : public PythonBroadPhase {
   unsigned threads_;
   std::unique_ptr<QueriesOf<D>> queries_;  ///< null: nothing was asked so far
   bool moved_ = true;                      ///< the queries do not know all boxes
+  AppendBuffer<Box<D>> rounded_;           ///< the boxes of a move
   PairLists lists_;
   pybind11::object pairs_;  ///< the latest list, as an array; null until it is asked for
   mutable bool in_use_ = false;

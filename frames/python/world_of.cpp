@@ -86,7 +86,7 @@ py::array WorldOf<D>::insert(const py::handle& boxes, const WorldColumns& column
 template <int D>
 void WorldOf<D>::move(const py::handle& handles, const py::handle& boxes) {
   const UseOnce use(in_use_);
-  const BoxRows<D> rows(boxes, "boxes");
+  const BoxRows<D> rows(boxes, "boxes", &rounded_);
   const std::vector<Handle> moved = present(handles);
   if (moved.size() != rows.size())
     throw py::value_error("boxes: there are " + std::to_string(rows.size()) + " for " +

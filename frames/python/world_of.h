@@ -38,6 +38,7 @@ class WorldOf final : public PythonWorld {
   [[nodiscard]] std::vector<Handle> present(const pybind11::handle& given) const;
 
   World<D> world_;
+  AppendBuffer<Box<D>> rounded_;  ///< the boxes of a move
   mutable bool in_use_ = false;
 };
 

@@ -2,14 +2,20 @@
 """What a step costs through Python, beside the same step in C++.
 
 Both see the same boxes in the same step, one right after the other and in turns first, so that they meet the same
-machine. Times are processor time of the thread; the overhead is the median of the ratios of such two steps. The pairs
-of a step are looked at and dropped, or, in the last column, kept during the next step: then the array keeps the memory.
+machine. Times are processor time of the thread; an overhead is the median of the ratios of such two steps.
+
+overhead   of kerf.BroadPhase.step over the step in C++, timed there; the pairs are dropped before the next step
+kept       the same, with the pairs still there during the next step: then the array keeps the memory
+call       of a bare call of the step in C++ from Python over itself: what Python's interpreter costs alone
+
 Prints a table; --json FILE writes the figures.
 
-usage: PYTHONPATH=build/release/python:build/release/tests/python tests/bench/python_overhead.py [--objects N...] [--json FILE]
+usage: PYTHONPATH=build/release/python:build/release/tests/python tests/bench/python_overhead.py [--objects N...]
+           [--steps N] [--json FILE]
 """
 
 import argparse
+import itertools
 import json
 import sys
 import time
@@ -32,11 +38,18 @@ def crowd(objects, dimension, steps, share):
         yield np.stack([corner, corner + size], axis=1)
 
 
-def measure(objects, dimension, dtype, share, threads, steps, keep):
-    """The figures of one row, in milliseconds; `keep`: the pairs of a step are there during the next one."""
-    native = (kerf_steps.Steps2D if dimension == 2 else kerf_steps.Steps3D)(threads)
-    phase = kerf.BroadPhase(dimension, threads=threads)
+def cpu_time(function):
+    """What it returns, and the nanoseconds that it took."""
+    start = time.thread_time_ns()
+    result = function()
+    return result, time.thread_time_ns() - start
+
+
+def steps_of_both(objects, dimension, dtype, share, steps, keep):
+    """Nanoseconds of each step in C++, of its call from Python, and of the module's step; and the number of pairs."""
+    native = (kerf_steps.Steps2D if dimension == 2 else kerf_steps.Steps3D)(1)
     native_step = native.step if dtype == np.float32 else native.step_of_doubles
+    phase = kerf.BroadPhase(dimension)
     times, pairs = [], None
     for k, given in enumerate(crowd(objects, dimension, steps, share)):
         boxes = np.ascontiguousarray(given, dtype)
@@ -45,28 +58,32 @@ def measure(objects, dimension, dtype, share, threads, steps, keep):
             native.insert(phase.boxes)
             phase.step()
             continue
-        both = {}
         pairs = pairs if keep else None
         for turn in ("python", "c++") if k % 2 else ("c++", "python"):
             if turn == "c++":
-                both[turn] = native_step(boxes)
+                inner, outer = cpu_time(lambda: native_step(boxes))
             else:
-                start = time.thread_time_ns()
-                pairs = phase.step(boxes)
-                both[turn] = time.thread_time_ns() - start
+                pairs, through = cpu_time(lambda: phase.step(boxes))
         assert len(pairs) == native.pairs()
-        times.append((both["c++"], both["python"]))
-    warm = np.array(times[len(times) // 5 :], float)
+        times.append((inner, outer, through))
+    return np.array(times[len(times) // 5 :], float), len(pairs)
+
+
+def measure(objects, dimension, dtype, share, steps):
+    """One row of the table."""
+    kept, _ = steps_of_both(objects, dimension, dtype, share, steps, keep=True)
+    times, pairs = steps_of_both(objects, dimension, dtype, share, steps, keep=False)
     return {
         "objects": objects,
         "dimension": dimension,
         "dtype": np.dtype(dtype).name,
         "moving": share,
-        "threads": threads,
-        "pairs": len(pairs),
-        "cpp_ms": float(np.median(warm[:, 0])) * 1e-6,
-        "python_ms": float(np.median(warm[:, 1])) * 1e-6,
-        "overhead": float(np.median(warm[:, 1] / warm[:, 0])) - 1,
+        "pairs": pairs,
+        "cpp_ms": float(np.median(times[:, 0])) * 1e-6,
+        "python_ms": float(np.median(times[:, 2])) * 1e-6,
+        "overhead": float(np.median(times[:, 2] / times[:, 0])) - 1,
+        "kept": float(np.median(kept[:, 2] / kept[:, 0])) - 1,
+        "call": float(np.median(times[:, 1] / times[:, 0])) - 1,
     }
 
 
@@ -77,20 +94,18 @@ def main():
     parser.add_argument("--json")
     options = parser.parse_args()
     rows = []
-    print(f"{'objects':>8}     {'dtype':8} {'moving':>6} {'pairs':>7} {'C++ ms':>8} {'Python ms':>9} {'overhead':>8} {'kept':>8}")
-    for objects in options.objects:
-        for dimension in (2, 3):
-            for dtype in (np.float32, np.float64):
-                for share in (1.0, 0.1):
-                    row = measure(objects, dimension, dtype, share, 1, options.steps, keep=False)
-                    kept = measure(objects, dimension, dtype, share, 1, options.steps, keep=True)
-                    row["overhead_kept"] = kept["overhead"]
-                    rows.append(row)
-                    print(
-                        f"{objects:8} {dimension}D  {row['dtype']:8} {share:6.0%} {row['pairs']:7} {row['cpp_ms']:8.3f} "
-                        f"{row['python_ms']:9.3f} {row['overhead']:8.1%} {row['overhead_kept']:8.1%}",
-                        flush=True,
-                    )
+    heads = f"{'objects':>8}     {'dtype':8} {'moving':>6} {'pairs':>7} {'C++ ms':>8} {'Python ms':>9}"
+    print(heads + f" {'overhead':>8} {'kept':>8} {'call':>8}")
+    for objects, dimension, dtype, share in itertools.product(
+        options.objects, (2, 3), (np.float32, np.float64), (1.0, 0.1)
+    ):
+        row = measure(objects, dimension, dtype, share, options.steps)
+        rows.append(row)
+        print(
+            f"{objects:8} {dimension}D  {row['dtype']:8} {share:6.0%} {row['pairs']:7} {row['cpp_ms']:8.3f} "
+            f"{row['python_ms']:9.3f} {row['overhead']:8.1%} {row['kept']:8.1%} {row['call']:8.1%}",
+            flush=True,
+        )
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:
             json.dump({"version": kerf.__version__, "python": sys.version.split()[0], "rows": rows}, file, indent=1)
