@@ -109,9 +109,9 @@ const std::vector<OutputCase>& output_table() {
 
 const std::vector<std::string>& input_options() {
   static const std::vector<std::string> kOptions{
-      "debug --script",       "debug --session",    "debug --window-file",
-      "import --ignore",      "import --pairs",     "import --structure",
-      "render --camera-path", "report --hardcases", "study --join"};
+      "debug --script",     "debug --session", "debug --window-file", "import --ignore",
+      "import --objects",   "import --pairs",  "import --structure",  "render --camera-path",
+      "report --hardcases", "study --join"};
   return kOptions;
 }
 
