@@ -134,7 +134,7 @@ Box<D> MultiLevelHash<D>::box_of(const Cell& cell) {
 
 template <int D>
 void MultiLevelHash<D>::describe(StructureParts<D>& parts) const {
-  parts.kind = "hash tables of cells of several sizes";
+  parts.kind = "cells of several sizes";
   parts.holding = Holding::of_its_depth;
   std::vector<const std::pair<const Cell, std::vector<ObjectId>>*> cells;
   for (const auto& entry : cells_) cells.push_back(&entry);

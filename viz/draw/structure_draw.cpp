@@ -1,5 +1,6 @@
 #include "viz/draw/structure_draw.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,19 +29,17 @@ Polygon rectangle(const Box<2>& box) {
           {box.min[0], box.max[1], 0}};
 }
 
-/// The ellipse in a rectangle, across the axes `x` and `y`; the rest of the point is the middle of the box.
-template <int D>
-Polygon ellipse(const Box<D>& box, int x = 0, int y = 1) {
-  constexpr int kCorners = 48;
-  const Vector<D> middle = box.center();
-  const Vector<D> extent = box.extent();
+constexpr int kRound = 48;  // corners that stand for a circle
+
+/// The circle in a square.
+Polygon circle(const Box<2>& box) {
+  const Eigen::Vector3d middle = to_point(box.center());
+  const Vector<2> extent = box.extent();
   Polygon polygon;
-  for (int k = 0; k < kCorners; ++k) {
-    const double angle = 2 * std::numbers::pi * k / kCorners;
-    Eigen::Vector3d point = to_point(middle);
-    point[x] += 0.5 * extent[x] * std::cos(angle);
-    point[y] += 0.5 * extent[y] * std::sin(angle);
-    polygon.push_back(point);
+  for (int k = 0; k < kRound; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kRound;
+    polygon.emplace_back(
+        middle + Eigen::Vector3d(0.5 * extent[0] * std::cos(angle), 0.5 * extent[1] * std::sin(angle), 0));
   }
   return polygon;
 }
@@ -66,14 +65,15 @@ std::vector<std::uint32_t> population_of(const StructureParts<D>& parts) {
 
 template <int D>
 double line_width(const StructureParts<D>& parts, std::uint32_t depth) {
-  const bool has_depth = std::ranges::any_of(parts.cells, [](const auto& cell) { return cell.depth > 0; });
-  return has_depth ? 2.4 - 1.6 * depth_share(depth) : 1.2;
+  const bool are_nested =
+      std::ranges::any_of(parts.cells, [](const auto& cell) { return cell.parent != kNoPart; });
+  return are_nested ? 2.4 - 1.6 * depth_share(depth) : 1.2;
 }
 
 /// What a cell covers in the plane.
 Polygon area_of(const StructureParts<2>& parts, std::uint32_t cell, const Box<2>& bounds) {
   const Box<2> box = with_ends(parts.cells[cell].box, bounds);
-  Polygon polygon = parts.is_round ? ellipse(box) : rectangle(box);
+  Polygon polygon = parts.is_round ? circle(box) : rectangle(box);
   clip(polygon, sides_of(parts, cell));
   return polygon;
 }
@@ -94,13 +94,21 @@ void outline_box(const DrawContext<2>& context, const Box<2>& box, const Stroke&
 }
 
 void outline_ball(const DrawContext<2>& context, const Box<2>& box, const Stroke& stroke, Batch& batch) {
-  add_outline(batch, context.view, ellipse(box), stroke);
+  add_outline(batch, context.view, circle(box), stroke);
 }
 
-/// Three circles.
+/// As it is seen: a circle across the sight. Others would be lost among those of its neighbours.
 void outline_ball(const DrawContext<3>& context, const Box<3>& box, const Stroke& stroke, Batch& batch) {
-  for (const auto& [x, y] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 0)})
-    add_outline(batch, context.view, ellipse(box, x, y), stroke);
+  const Eigen::Vector3d middle = to_point(box.center());
+  const double radius = 0.5 * box.extent()[0];
+  const Eigen::Vector3d across = context.view.forward.unitOrthogonal() * radius;
+  const Eigen::Vector3d up = context.view.forward.normalized().cross(across);
+  Polygon polygon;
+  for (int k = 0; k < kRound; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kRound;
+    polygon.emplace_back(middle + std::cos(angle) * across + std::sin(angle) * up);
+  }
+  add_outline(batch, context.view, polygon, stroke);
 }
 
 void outline_box(const DrawContext<3>& context, const Box<3>& box, const Stroke& stroke, Batch& batch) {
