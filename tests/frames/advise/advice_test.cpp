@@ -51,6 +51,7 @@ TEST(Advice, SaysThatNoiseDecidesNothing) {
   cell.rows = {row_of("columns", {100, 104, 99}), row_of("kerf", {101, 99, 98}),
                row_of("sort-and-sweep", {300, 310, 290})};
   const Advice advice = advise(cell);
+  ASSERT_EQ(advice.sentences.size(), 2U);
   EXPECT_EQ(
       advice.sentences[0],
       "kerf and columns: they do not differ by more than the noise, so choose by memory and worst step.");
