@@ -56,6 +56,7 @@ RecordingInfo small_info() {
   info.changes.push_back({9, info.config});
   info.changes.back().config.merge = false;
   info.design = {{0.05, 0}, {{{1}, {2}}}};
+  info.marks.set({1}, {"wheel", Rgb{200, 10, 0}});
   std::vector<GivenId> objects;
   std::vector<std::string> steps;
   for (std::uint32_t object = 0; object < kObjects; ++object) objects.push_back(GivenId::of(100 + object));
