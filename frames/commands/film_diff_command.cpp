@@ -101,11 +101,11 @@ FilmDiffCommand::FilmDiffCommand(CLI::App& program)
 bool FilmDiffCommand::chosen() const { return command_->parsed(); }
 
 void FilmDiffCommand::run() const {
+  const InterruptGuard interrupt;  // before there is a file that an interrupt would leave
   const FilmRequest film = parse_film_request(out_, fps_, contact_sheet_, overwrite_);
   Outputs outputs({a_, b_}, overwrite_);
   add_outputs(film, outputs);
   make_writable_folder(std::filesystem::absolute(film.video).parent_path());
-  const InterruptGuard interrupt;
   const FramesByStep a = frames_of(a_);
   const FramesByStep b = frames_of(b_);
   const auto frames = common_frames(a, b);

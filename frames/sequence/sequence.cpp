@@ -221,9 +221,9 @@ void check_outputs(const RenderRequest& request) {
 }  // namespace
 
 void render_sequence(const RenderRequest& request) {
+  const InterruptGuard interrupt;  // before there is a file that an interrupt would leave
   check_outputs(request);
   tune_allocator_for_rendering();
-  const InterruptGuard interrupt;
   Sequence(request).run(interrupt);
 }
 

@@ -83,7 +83,8 @@ class Between {
 
 class Story {
  public:
-  explicit Story(const StoryRequest& request) : request_(request), crew_(make_crew()) {}
+  Story(const StoryRequest& request, const InterruptGuard& interrupt)
+      : request_(request), interrupt_(interrupt), crew_(make_crew()) {}
 
   void run() {
     StoryCourse course = look();
@@ -125,20 +126,18 @@ class Story {
         throw Interrupted("interrupted; no film was made");
       }
     }
-    const InterruptGuard interrupt;
     const ProgressLine progress;
     StoryCourse course = follow_course(file, pictures.steps, request_.beside, [&](std::uint32_t step) {
       progress.show("counting tests, step " + std::to_string(step) + "/" +
                     std::to_string(pictures.steps.last));
-      return !interrupt.requested();
+      return !interrupt_.requested();
     });
-    if (interrupt.requested()) throw Interrupted("interrupted; no film was made");
+    if (interrupt_.requested()) throw Interrupted("interrupted; no film was made");
     return course;
   }
 
   template <int D>
   void draw(const StoryCourse& course) {
-    const InterruptGuard interrupt;
     const StepRange& steps = request_.pictures.steps;
     const auto moments = choose_moments(course.operators, steps, request_.moments);
     std::vector<std::uint32_t> stops;
@@ -147,7 +146,7 @@ class Story {
     choose_still(frames, moments);
     files_.emplace(request_.pictures.film, request_.pictures.size, request_.frames);
     try {
-      draw_frames<D>(frames, moments, course, interrupt);
+      draw_frames<D>(frames, moments, course);
     } catch (...) {
       crew_.reset();  // pictures in flight still go into the film
       files_.reset();
@@ -159,18 +158,18 @@ class Story {
 
   template <int D>
   void draw_frames(const std::vector<StoryFrame>& frames, const std::vector<StoryMoment>& moments,
-                   const StoryCourse& course, const InterruptGuard& interrupt) {
+                   const StoryCourse& course) {
     const std::unique_ptr<Film> film = make_film(request_.pictures);
     Between<D> between(*film);
     const StepRange& steps = request_.pictures.steps;
     const ProgressLine progress;
     const Stint stint;
-    const Film::GoOn go_on = [&](std::uint32_t /*step*/) { return !interrupt.requested(); };
+    const Film::GoOn go_on = [&](std::uint32_t /*step*/) { return !interrupt_.requested(); };
     std::optional<StoryMoment> last;
     for (std::size_t k = 0; k < frames.size(); ++k) {
       progress.show("frame " + std::to_string(k + 1) + "/" + std::to_string(frames.size()) + "  " +
                     stint.left(static_cast<double>(k), static_cast<double>(frames.size())));
-      if (interrupt.requested() || !between.go_to(frames[k].step, steps.last, go_on))
+      if (interrupt_.requested() || !between.go_to(frames[k].step, steps.last, go_on))
         throw Interrupted("interrupted; no film was made");
       if (frames[k].moment) last = moments[*frames[k].moment];
       add<D>(k, frames, between, course, last);
@@ -218,6 +217,7 @@ class Story {
   }
 
   const StoryRequest& request_;
+  const InterruptGuard& interrupt_;
   std::unique_ptr<FrameCrew> crew_;  ///< before all that may have threads
   std::optional<FilmFiles> files_;   ///< from the first picture on
   std::uint32_t still_index_ = 0;
@@ -227,6 +227,7 @@ class Story {
 }  // namespace
 
 void make_story(const StoryRequest& request) {
+  const InterruptGuard interrupt;  // before there is a file that an interrupt would leave
   Outputs outputs({request.pictures.recording ? request.pictures.recording->path : std::filesystem::path(),
                    request.pictures.camera_file},
                   request.pictures.overwrite);
@@ -235,7 +236,7 @@ void make_story(const StoryRequest& request) {
   make_writable_folder(std::filesystem::absolute(request.pictures.film.video).parent_path());
   if (!request.still.empty())
     make_writable_folder(std::filesystem::absolute(request.still).parent_path(), "--still");
-  Story(request).run();
+  Story(request, interrupt).run();
 }
 
 }  // namespace kerf

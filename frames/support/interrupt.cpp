@@ -6,6 +6,7 @@ namespace kerf {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+int guards = 0;  // that live
 
 void note_interrupt(int) { interrupted = 1; }
 
@@ -26,6 +27,7 @@ bool is_ignored(int signal) {
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
+  if (guards++ > 0) return;
   interrupted = 0;
   const int once = static_cast<int>(SA_RESETHAND | SA_RESTART);
   handle(SIGINT, note_interrupt, once);
@@ -35,6 +37,7 @@ InterruptGuard::InterruptGuard() {
 }
 
 InterruptGuard::~InterruptGuard() {
+  if (--guards > 0) return;
   handle(SIGINT, SIG_DFL, 0);
   handle(SIGTERM, SIG_DFL, 0);
   if (!is_ignored(SIGHUP)) handle(SIGHUP, SIG_DFL, 0);
