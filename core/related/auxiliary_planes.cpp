@@ -117,7 +117,7 @@ void AuxiliaryPlanes<D>::arrange() {
     for (const ObjectId object : *objects) find_groups(this->table().box(object), dirty);
   members_ += dirty.size() - left;
   std::ranges::sort(dirty);
-  dirty.erase(std::ranges::unique(dirty).begin(), dirty.end());
+  dirty.erase(std::unique(dirty.begin(), dirty.end()), dirty.end());
   build_again(dirty, changes);
   const auto placed = static_cast<double>(this->placed().size());
   if (static_cast<double>(members_) > (1 + kMostStraddlers) * placed) return choose_planes();

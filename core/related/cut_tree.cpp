@@ -164,7 +164,7 @@ std::vector<ObjectId> CutTree<D>::objects_below(Index node) const {
     if (!next.is_leaf()) todo.insert(todo.end(), {next.above, next.below});
   }
   std::ranges::sort(objects);
-  objects.erase(std::ranges::unique(objects).begin(), objects.end());
+  objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
   return objects;
 }
 

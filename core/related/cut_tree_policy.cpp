@@ -38,7 +38,7 @@ std::vector<typename CutTreePolicy<D>::Index> CutTreePolicy<D>::take_in(const Ch
     for (const ObjectId object : *objects)
       tree_.insert(tree_.root(), object, this->table().box(object), leaves);
   std::ranges::sort(leaves);
-  leaves.erase(std::ranges::unique(leaves).begin(), leaves.end());
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
   return leaves;
 }
 

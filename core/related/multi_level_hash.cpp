@@ -83,7 +83,7 @@ void MultiLevelHash<D>::arrange() {
     for_each_cell(level, box, [&](const Cell& cell) { cells_[cell].push_back(object); });
   }
   std::ranges::sort(levels_);
-  levels_.erase(std::ranges::unique(levels_).begin(), levels_.end());
+  levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
 }
 
 template <int D>

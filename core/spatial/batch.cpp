@@ -59,7 +59,7 @@ template <int D, class Way>
 void first_hits(const SpatialIndex<D>& index, std::span<const Way> ways, TaskPool& pool,
                 BatchResult<Hit>& result, const Filter& filter) {
   ask_all(ways.size(), pool, result, [&](std::size_t k, std::vector<Hit>& items) {
-    Hit& first = items.emplace_back(ObjectId::none(), std::numeric_limits<Scalar>::infinity());
+    Hit& first = items.emplace_back(Hit{ObjectId::none(), std::numeric_limits<Scalar>::infinity()});
     return index.first_hit(ways[k], first, filter);
   });
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <ranges>
 
 #include "core/spatial/touch.h"
 
@@ -39,7 +38,8 @@ TreeWalk<D>::TreeWalk(const Tree<D>& tree, const ObjectTable<D>& objects)
   }
   std::vector<NodeId> nodes;
   for_each_node(tree, tree.root(), [&](NodeId id) { nodes.push_back(id); });
-  for (const NodeId id : nodes | std::views::reverse) {
+  std::ranges::reverse(nodes);  // children come before their parents
+  for (const NodeId id : nodes) {
     Box<D>& bounds = bounds_[id.index()];
     if (!tree[id].is_leaf()) {
       bounds = join(bounds_[tree[id].left.index()], bounds_[tree[id].right.index()]);
