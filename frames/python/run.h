@@ -53,7 +53,7 @@ class Run {
   };
 
   template <class Ask>
-  decltype(auto) visit(Ask ask) const {
+  [[nodiscard]] decltype(auto) visit(Ask ask) const {
     return recorded_ ? ask(recorded_->bsp) : ask(*quiet_);
   }
 
