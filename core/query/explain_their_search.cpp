@@ -80,17 +80,18 @@ class Searches {
     for (std::size_t k = 1; k < way.size(); ++k) {
       const Box<D>& outer = parts_.cells[way[k - 1]].box;
       const Box<D>& inner = parts_.cells[way[k]].box;
-      if (!contains(outer, inner))
+      if (!holds_rounded(outer, inner, kSixDigits))
         return "    the fault: " + name(way[k]) + " lies outside its parent " + name(way[k - 1]) + ": " +
-               how_outside(inner, outer) + ". A refit was forgotten\n";
+               how_outside(inner, outer, kSixDigits) + ". A refit was forgotten\n";
     }
     return fault_of_object(way.back(), wanted);
   }
 
   [[nodiscard]] std::string fault_of_object(std::uint32_t cell, ObjectId object) const {
-    if (cell == kNoPart || contains(parts_.cells[cell].box, objects_.box(object))) return "";
+    if (cell == kNoPart || holds_rounded(parts_.cells[cell].box, objects_.box(object), kSixDigits)) return "";
     return "    the fault: " + object_text(object) + " lies outside its node " + name(cell) + ": " +
-           how_outside(objects_.box(object), parts_.cells[cell].box) + ". It was not put in again\n";
+           how_outside(objects_.box(object), parts_.cells[cell].box, kSixDigits) +
+           ". It was not put in again\n";
   }
 
   const TheirStructure<D>& structure_;

@@ -33,6 +33,11 @@ constexpr std::array<std::string_view, 16> kNames{"child outside its parent",
 /// What the bounds of a box and of its margin may round away together, as a share of a bound.
 constexpr Scalar kRounding = 8 * std::numeric_limits<Scalar>::epsilon();
 
+/// By more than a share of the bounds.
+bool is_below(Scalar a, Scalar b, Scalar rounding) {
+  return a < b && b - a > rounding * std::min(std::abs(a), std::abs(b));
+}
+
 std::string axis_name(int axis) { return std::string(1, static_cast<char>('x' + axis)); }
 
 template <int D>
@@ -109,10 +114,10 @@ class Checker {
   void check_inside_parent(std::uint32_t cell) {
     const Box<D>& box = parts_.cells[cell].box;
     const std::uint32_t parent = parts_.cells[cell].parent;
-    if (!contains(parts_.cells[parent].box, box))
+    if (!holds_rounded(parts_.cells[parent].box, box, limits_.rounding))
       add(Kind::child_outside_parent, cell, {},
           name(cell) + " lies outside its parent " + name(parent) + ": " +
-              how_outside(box, parts_.cells[parent].box));
+              how_outside(box, parts_.cells[parent].box, limits_.rounding));
   }
 
   void check_overlap(std::uint32_t parent) {
@@ -150,10 +155,10 @@ class Checker {
 
   void check_inside(const CellMember& member, const Box<D>& box) {
     const Box<D>& outer = parts_.cells[member.cell].box;
-    if (!contains(outer, box)) {
+    if (!holds_rounded(outer, box, limits_.rounding)) {
       add(Kind::object_outside_cell, member.cell, member.object,
           text_of(member.object) + " lies outside its cell " + name(member.cell) + ": " +
-              how_outside(box, outer));
+              how_outside(box, outer, limits_.rounding));
       return;
     }
     const Scalar wanted = margin_of(member.cell);
@@ -161,7 +166,8 @@ class Checker {
       const Scalar margin = std::min(box.min[axis] - outer.min[axis], outer.max[axis] - box.max[axis]);
       // What was moved within its margin has used some of it up on one side, but not on both.
       const Scalar both = outer.max[axis] - outer.min[axis] - (box.max[axis] - box.min[axis]);
-      const Scalar rounding = kRounding * std::max(std::abs(outer.min[axis]), std::abs(outer.max[axis]));
+      const Scalar rounding = std::max(kRounding, 2 * limits_.rounding) *
+                              std::max(std::abs(outer.min[axis]), std::abs(outer.max[axis]));
       if (margin >= 0 && both >= 2 * wanted - rounding) continue;
       add(Kind::no_margin, member.cell, member.object,
           name(member.cell) + " leaves " + text_of(member.object) + " a margin of " +
@@ -298,12 +304,21 @@ class Checker {
 }  // namespace
 
 template <int D>
-std::string how_outside(const Box<D>& inner, const Box<D>& outer) {
+bool holds_rounded(const Box<D>& outer, const Box<D>& inner, Scalar rounding) {
+  for (int axis = 0; axis < D; ++axis)
+    if (is_below(inner.min[axis], outer.min[axis], rounding) ||
+        is_below(outer.max[axis], inner.max[axis], rounding))
+      return false;
+  return true;
+}
+
+template <int D>
+std::string how_outside(const Box<D>& inner, const Box<D>& outer, Scalar rounding) {
   for (int axis = 0; axis < D; ++axis) {
-    if (inner.min[axis] < outer.min[axis])
+    if (is_below(inner.min[axis], outer.min[axis], rounding))
       return "along " + axis_name(axis) + " it begins at " + shortest_text(inner.min[axis]) + ", before " +
              shortest_text(outer.min[axis]);
-    if (inner.max[axis] > outer.max[axis])
+    if (is_below(outer.max[axis], inner.max[axis], rounding))
       return "along " + axis_name(axis) + " it ends at " + shortest_text(inner.max[axis]) + ", beyond " +
              shortest_text(outer.max[axis]);
   }
@@ -321,7 +336,8 @@ std::vector<StructureFault> check_structure(const StructureParts<D>& parts,
 }
 
 #define KERF_INSTANTIATE(D)                                                             \
-  template std::string how_outside(const Box<D>&, const Box<D>&);                       \
+  template std::string how_outside(const Box<D>&, const Box<D>&, Scalar);               \
+  template bool holds_rounded(const Box<D>&, const Box<D>&, Scalar);                    \
   template std::vector<StructureFault> check_structure(                                 \
       const StructureParts<D>&, std::span<const KnownObject<D>>, std::span<const Pair>, \
       const StructureLimits&, const StructureNames&);

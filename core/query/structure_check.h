@@ -52,6 +52,9 @@ struct StructureNames {
 struct StructureLimits {
   std::uint32_t depth = std::numeric_limits<std::uint32_t>::max();
   double overlap = std::numeric_limits<double>::infinity();  ///< of two siblings, as a share of their parent
+  /// What a bound may be off, as a share of it, without a fault: 0 for what was told in floats, and more for
+  /// numbers that were written with few digits.
+  Scalar rounding = 0;
   Scalar margin = 0;              ///< that a leaf has at least around its object, along each axis
   std::vector<Scalar> margins{};  ///< by cell, where one claims more
 };
@@ -73,6 +76,9 @@ std::vector<StructureFault> check_structure(const StructureParts<D>& parts,
 
 /// Where `inner` leaves `outer`: "along x it ends at 5.2, beyond 5".
 template <int D>
-std::string how_outside(const Box<D>& inner, const Box<D>& outer);
+std::string how_outside(const Box<D>& inner, const Box<D>& outer, Scalar rounding = 0);
+/// Whether `outer` holds `inner` but for a share `rounding` of each bound.
+template <int D>
+bool holds_rounded(const Box<D>& outer, const Box<D>& inner, Scalar rounding);
 
 }  // namespace kerf

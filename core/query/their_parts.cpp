@@ -128,6 +128,7 @@ std::vector<StructureFault> check_theirs(const TheirStructure<D>& structure, con
                                          const GivenNames& names, StructureLimits limits) {
   TheirParts<D> theirs = parts_of(structure);
   limits.margins = std::move(theirs.margins);
+  limits.rounding = kSixDigits;
   const StructureNames called{[&](ObjectId object) { return names.object(object); },
                               [&](std::uint32_t place) { return node_name(structure, place); }};
   std::vector<StructureFault> faults = std::move(theirs.faults);

@@ -30,7 +30,9 @@ TheirParts<D> parts_of(const TheirStructure<D>& structure);
 template <int D>
 std::vector<KnownObject<D>> objects_for(const TheirStructure<D>& structure, const ObjectTable<D>& objects);
 
-/// All that is wrong with it after a step. `objects`: as they were then.
+/// What numbers of six digits round away together: a program need not write boxes and nodes alike.
+inline constexpr Scalar kSixDigits = 1e-5F;
+/// All that is wrong with it after a step, but for such differences. `objects`: as they were then.
 template <int D>
 std::vector<StructureFault> check_theirs(const TheirStructure<D>& structure, const ObjectTable<D>& objects,
                                          const GivenNames& names, StructureLimits limits = {});

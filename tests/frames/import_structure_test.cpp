@@ -40,12 +40,11 @@ class ImportStructure : public testing::ImportProgram {
     PlantedBoxTree tree(bug);
     std::vector<Box<2>> objects;
     Random random(5);
-    for (std::uint32_t id = 0; id <= kFar; ++id) {
-      objects.push_back(id == kFar ? test::box_at<2>({{20.6F, 20}}, 0.5F)
-                                   : test::random_box<2>(random, 10, 0.5));
-      tree.insert({id}, objects.back());
-      put_box(1, id, objects.back(), boxes);
-    }
+    for (std::uint32_t id = 0; id < kFar; ++id) objects.push_back(test::random_box<2>(random, 10, 0.5));
+    objects.push_back(test::box_at<2>({{20.6F, 20}}, 0.5F));
+    tree.insert({kFar}, objects.back());  // first, so that its leaf lies beside all others
+    for (std::uint32_t id = 0; id < kFar; ++id) tree.insert({id}, objects[id]);
+    for (std::uint32_t id = 0; id <= kFar; ++id) put_box(1, id, objects[id], boxes);
     put_tree(1, tree, claims, nodes, objects, pairs);
     objects[3] = test::box_at<2>({{20, 20}}, 0.5F);
     if (moves) tree.move({3}, objects[3]);
