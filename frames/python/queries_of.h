@@ -24,9 +24,8 @@ class QueriesOf final : public PythonQueries {
   [[nodiscard]] pybind11::array points(const pybind11::handle& points) override;
   [[nodiscard]] pybind11::array spheres(const pybind11::handle& centers,
                                         const pybind11::handle& radii) override;
-  [[nodiscard]] pybind11::tuple rays(const pybind11::handle& rays, const HitOptions& options) override;
-  [[nodiscard]] pybind11::tuple segments(const pybind11::handle& segments,
-                                         const HitOptions& options) override;
+  [[nodiscard]] pybind11::tuple rays(const pybind11::handle& given, const HitOptions& options) override;
+  [[nodiscard]] pybind11::tuple segments(const pybind11::handle& given, const HitOptions& options) override;
   [[nodiscard]] pybind11::tuple sweeps(const pybind11::handle& boxes, const pybind11::handle& ways,
                                        const HitOptions& options) override;
   [[nodiscard]] pybind11::tuple nearest(const pybind11::handle& points, std::size_t count,

@@ -300,7 +300,7 @@ std::unique_ptr<PythonRecording> open_recording(const std::filesystem::path& pat
 
 Verdict verify_recording(const std::filesystem::path& path, std::uint32_t oracle_every) {
   Interrupts interrupts;
-  const Verdict verdict = [&] {
+  Verdict verdict = [&] {
     const py::gil_scoped_release others_run;
     return of_recording(
         [&] { return verify(path, oracle_every, [&](std::uint32_t) { return !interrupts.requested(); }); });

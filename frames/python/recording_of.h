@@ -33,7 +33,7 @@ class RecordingOf final : public PythonRecording {
 
   [[nodiscard]] std::optional<Position> find(const std::string& condition, const Position& from,
                                              bool backward) override;
-  [[nodiscard]] pybind11::array values(const std::string& expression) override;
+  [[nodiscard]] pybind11::array values(const std::string& text) override;
   [[nodiscard]] PairWhy why(std::uint32_t a, std::uint32_t b, std::uint32_t step) override;
   [[nodiscard]] std::string why_event(std::uint64_t event) override;
   [[nodiscard]] std::string why_node(std::uint32_t node, std::uint32_t step) override;
