@@ -1,7 +1,6 @@
 # `kerf_lint` runs clang-tidy over the sources of the rooms, `kerf_lint_tests` over those of tests/, which take as
 # long again and are left out of the default tests. Sources are checked a batch at a time (tidy_batch says how), and
-# again when an object file of the batch is newer, which is when a source or a header that it includes has changed:
-# the build knows that already.
+# again when one of the batch has changed, or any header of ours.
 # `kerf_format_check` compares all C++ files with what clang-format makes of them. tests/lint.cmake finds the tools.
 
 # kerf_tidy_sources(TARGET NAME) sets NAME to the full paths of the target's own sources.
@@ -19,22 +18,13 @@ function(kerf_tidy_sources target name)
   set(${name} ${sources} PARENT_SCOPE)
 endfunction()
 
-# kerf_tidy_batch(TARGET STAMP SOURCE...) adds a command that makes the stamp if all these sources are clean.
-function(kerf_tidy_batch target stamp)
-  get_target_property(folder ${target} SOURCE_DIR)
-  set(objects)
-  foreach(source IN LISTS ARGN)
-    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${folder} OUTPUT_VARIABLE object)
-    string(REGEX REPLACE "([][+.*()^$?|\\])" "\\\\\\1" object "/${object}.o")
-    list(APPEND objects ${object})
-  endforeach()
-  list(JOIN objects "|" objects)
+# kerf_tidy_batch(STAMP SOURCE...) adds a command that makes the stamp if all these sources are clean.
+function(kerf_tidy_batch stamp)
   cmake_path(GET stamp STEM name)
   add_custom_command(OUTPUT ${stamp}
     COMMAND ${tidy_batch} ${KERF_CLANG_TIDY} ${PROJECT_BINARY_DIR} ${ARGN}
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
-    DEPENDS ${tidy_batch} ${PROJECT_SOURCE_DIR}/.clang-tidy ${PROJECT_SOURCE_DIR}/tests/.clang-tidy
-      "$<FILTER:$<TARGET_OBJECTS:${target}>,INCLUDE,(${objects})$>"
+    DEPENDS ${tidy_batch} ${PROJECT_SOURCE_DIR}/.clang-tidy ${PROJECT_SOURCE_DIR}/tests/.clang-tidy ${ARGN} ${headers}
     COMMENT "clang-tidy ${name}" VERBATIM)
 endfunction()
 
@@ -46,7 +36,7 @@ function(kerf_tidy target stamps)
   while(first LESS count)
     list(SUBLIST sources ${first} 12 batch)
     set(stamp ${PROJECT_BINARY_DIR}/lint/${target}-${first}.stamp)
-    kerf_tidy_batch(${target} ${stamp} ${batch})
+    kerf_tidy_batch(${stamp} ${batch})
     set_property(GLOBAL APPEND PROPERTY ${stamps} ${stamp})
     math(EXPR first "${first} + 12")
   endwhile()
@@ -55,6 +45,8 @@ endfunction()
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/lint)
 set(tidy_batch ${PROJECT_SOURCE_DIR}/cmake/tidy_batch)
 set(rooms core viz sims2d sims3d frames tests)
+list(TRANSFORM rooms REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.h" OUTPUT_VARIABLE patterns)
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${patterns})
 foreach(room IN LISTS rooms)
   set(property KERF_LINT_STAMPS)
   if(room STREQUAL "tests")
@@ -73,7 +65,7 @@ add_custom_target(kerf_lint DEPENDS ${stamps})
 get_property(stamps GLOBAL PROPERTY KERF_LINT_TESTS_STAMPS)
 add_custom_target(kerf_lint_tests DEPENDS ${stamps})
 
-list(TRANSFORM rooms REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.h;${PROJECT_SOURCE_DIR}/\\1/*.cpp"
-  OUTPUT_VARIABLE patterns)
+list(TRANSFORM rooms REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.cpp" OUTPUT_VARIABLE patterns)
 file(GLOB_RECURSE formatted CONFIGURE_DEPENDS ${patterns})
-add_custom_target(kerf_format_check COMMAND ${KERF_CLANG_FORMAT} --dry-run -Werror ${formatted} VERBATIM)
+add_custom_target(kerf_format_check
+  COMMAND ${KERF_CLANG_FORMAT} --dry-run -Werror ${headers} ${formatted} VERBATIM)

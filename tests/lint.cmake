@@ -19,11 +19,12 @@ function(kerf_lint_build name target)
 endfunction()
 
 # The same runs give the same hashes. This build, which does not optimise, is compared with full optimisation by both
-# compilers; without variants the script compares every level.
+# compilers; without variants the script compares every level. The
+# release of g++ is what `./run lint` builds first, and `./run tests` needs.
 find_program(KERF_CLANG NAMES clang++-14 clang++-19)
 kerf_lint_test(Determinism.CompilersAndLevelsAgree
   ${CMAKE_CURRENT_SOURCE_DIR}/determinism/compare_builds ${PROJECT_BINARY_DIR}/variants
-  $<TARGET_FILE:kerf_fingerprint> g++:-O3 ${KERF_CLANG}:-O3)
+  $<TARGET_FILE:kerf_fingerprint> g++:-O3=${PROJECT_SOURCE_DIR}/build/release/tests/kerf_fingerprint ${KERF_CLANG}:-O3)
 
 # Other projects use Kerf, in each of the ways in which they can get it.
 kerf_lint_test(Embed.InstalledAndAsSources ${CMAKE_CURRENT_SOURCE_DIR}/embed/check_embed ${PROJECT_BINARY_DIR}/embed)
@@ -36,6 +37,12 @@ kerf_lint_test(House.TheReferenceIsWhole
 set_tests_properties(House.TheReferenceIsWhole PROPERTIES WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 
 kerf_lint_build(House.HeadersCompileAlone all_verify_interface_header_sets)
+
+# So does each source, which builds in unity would hide. It takes a quarter of an hour: `./run lint all`.
+option(KERF_LINT_ALL "Lints: compile each source alone, too" OFF)
+if(KERF_LINT_ALL)
+  kerf_lint_build(House.SourcesCompileAlone all)
+endif()
 
 # Releases of the tools disagree, so there is one of each.
 find_program(KERF_CLANG_TIDY clang-tidy-14)
