@@ -68,13 +68,13 @@ typename BlockHierarchy<D>::Update BlockHierarchy<D>::update(const ObjectTable<D
 
 /// Copies the boxes of a block's objects; returns how many are placed.
 template <int D>
-std::size_t BlockHierarchy<D>::take_boxes(const ObjectTable<D>& objects, std::size_t number) {
-  WideBlock<D>& block = blocks_[number];
+std::size_t BlockHierarchy<D>::take_boxes(const ObjectTable<D>& objects, std::size_t block) {
+  WideBlock<D>& wide = blocks_[block];
   std::size_t placed = 0;
   for (std::size_t k = 0; k < kWidth; ++k) {
-    const ObjectId object{block.item[k]};
+    const ObjectId object{wide.item[k]};
     const bool is_placed = objects.is_placed(object);
-    block.set(k, is_placed ? objects.box(object) : no_box<D>());
+    wide.set(k, is_placed ? objects.box(object) : no_box<D>());
     placed += is_placed ? 1 : 0;
   }
   return placed;

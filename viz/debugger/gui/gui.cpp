@@ -21,10 +21,15 @@ ImVec4 color_of(Color color, double alpha = 1) {
           static_cast<float>(color.b) / 255, static_cast<float>(alpha)};
 }
 
+/// What is seen of it: a row may be wider than its panel.
 PanelArea last_item() {
+  const ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 least = ImGui::GetItemRectMin();
-  const ImVec2 size = ImGui::GetItemRectSize();
-  return {least.x, least.y, size.x, size.y};
+  const ImVec2 most = ImGui::GetItemRectMax();
+  const float left = std::max(least.x, list.GetClipRectMin().x);
+  const float top = std::max(least.y, list.GetClipRectMin().y);
+  return {left, top, std::min(most.x, list.GetClipRectMax().x) - left,
+          std::min(most.y, list.GetClipRectMax().y) - top};
 }
 
 void set_colors(ImGuiStyle& style, const Theme& theme) {
