@@ -36,6 +36,10 @@ function(kerf_for_users target)
     # Exports no names of other libraries that are compiled in.
     target_link_options(${target} PRIVATE LINKER:--version-script=${exports})
     set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${exports})
+    # Our libraries find each other wherever they lie; where the system looks by itself, none of them says where.
+    if(NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+      set_property(TARGET ${target} PROPERTY INSTALL_RPATH "$ORIGIN")
+    endif()
   endif()
   if(KERF_INSTALL)
     get_target_property(sets ${target} INTERFACE_HEADER_SETS)

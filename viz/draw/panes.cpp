@@ -55,8 +55,7 @@ template double aspect_of(const Box<3>&);
 
 std::vector<Pair> rejected_of(std::vector<Pair> tested, const std::vector<Pair>& pairs) {
   std::ranges::sort(tested);
-  const auto same = std::ranges::unique(tested);
-  tested.erase(same.begin(), same.end());
+  tested.erase(std::unique(tested.begin(), tested.end()), tested.end());
   std::erase_if(tested, [&](const Pair& pair) { return std::ranges::binary_search(pairs, pair); });
   return tested;
 }
