@@ -53,7 +53,7 @@ class QueryCell {
   }
 
  private:
-  QueryRow row(std::string_view kind) const {
+  [[nodiscard]] QueryRow row(std::string_view kind) const {
     return {std::string(plan_.scene->name), D, plan_.objects, std::string(kind), 0, {}};
   }
   template <class Work>

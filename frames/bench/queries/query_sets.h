@@ -15,7 +15,7 @@ namespace kerf {
 template <int D>
 struct QuerySets {
   /// `count` of each kind.
-  QuerySets(std::span<const Box<D>> boxes, std::size_t count, std::uint64_t seed);
+  QuerySets(std::span<const Box<D>> of, std::size_t count, std::uint64_t seed);
 
   std::vector<Box<D>> points;
   std::vector<Box<D>> boxes;   ///< twice as wide as a usual object
