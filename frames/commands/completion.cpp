@@ -33,7 +33,7 @@ std::string spellings(const CLI::Option& option) {
 }
 
 std::string for_bash(const CLI::App& program) {
-  const std::string name = program.get_name();
+  const std::string& name = program.get_name();
   std::string names;
   std::string cases;
   for (const CLI::App* command : commands_of(program)) {

@@ -64,7 +64,7 @@ std::string upper(std::string text) {
 }  // namespace
 
 std::string manual(const CLI::App& program) {
-  const std::string name = program.get_name();
+  const std::string& name = program.get_name();
   std::string text = ".TH " + upper(name) + " 1 \"\" \"" + name + " " + version() + "\"\n.SH NAME\n" + name +
                      " \\- " + escaped(program.get_description()) + "\n.SH SYNOPSIS\n.B " + name +
                      "\n.I command\n[options]\n.SH COMMANDS\n";
