@@ -5,6 +5,8 @@ kerf_room(kerf_python FOLDERS python EXCLUDE "/python/module\\.cpp$" SEPARATE "/
 target_sources(kerf_python PRIVATE catalog/scene_catalog.cpp support/suggest.cpp sequence/part_recording.cpp
   sequence/recording_file.cpp sequence/recording_picture.cpp)
 set_target_properties(kerf_python PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
+# Also where its headers are compiled alone: types of pybind11 are hidden.
+target_compile_options(kerf_python INTERFACE -fvisibility=hidden)
 # Only the loops over numbers need much optimisation; all else calls the product, and takes long to compile.
 target_compile_options(kerf_python PRIVATE $<$<CONFIG:Release>:-O1>)
 set_source_files_properties(python/arrays.cpp python/round_boxes.cpp PROPERTIES
