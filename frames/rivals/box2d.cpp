@@ -33,16 +33,16 @@ const b2TreeNode* nodes_of(const b2DynamicTree& tree);
 int32 root_of(const b2DynamicTree& tree);
 int32 count_of(const b2DynamicTree& tree);
 const b2DynamicTree& tree_of(const b2BroadPhase& broad_phase);
-template <auto kNodes, auto kRoot, auto kCount>
+template <auto Nodes, auto Root, auto Count>
 struct TreeAccess {
-  friend const b2TreeNode* nodes_of(const b2DynamicTree& tree) { return tree.*kNodes; }
-  friend int32 root_of(const b2DynamicTree& tree) { return tree.*kRoot; }
-  friend int32 count_of(const b2DynamicTree& tree) { return tree.*kCount; }
+  friend const b2TreeNode* nodes_of(const b2DynamicTree& tree) { return tree.*Nodes; }
+  friend int32 root_of(const b2DynamicTree& tree) { return tree.*Root; }
+  friend int32 count_of(const b2DynamicTree& tree) { return tree.*Count; }
 };
 template struct TreeAccess<&b2DynamicTree::m_nodes, &b2DynamicTree::m_root, &b2DynamicTree::m_nodeCapacity>;
-template <auto kTree>
+template <auto TreePart>
 struct BroadPhaseAccess {
-  friend const b2DynamicTree& tree_of(const b2BroadPhase& broad_phase) { return broad_phase.*kTree; }
+  friend const b2DynamicTree& tree_of(const b2BroadPhase& broad_phase) { return broad_phase.*TreePart; }
 };
 template struct BroadPhaseAccess<&b2BroadPhase::m_tree>;
 const b2DynamicTree& tree_of(const b2DynamicTree& tree) { return tree; }
