@@ -167,7 +167,7 @@ std::string cell_text(const FigureTable& table, std::size_t row, std::size_t col
   const double figure = of.figures[column - 1];
   if (std::isnan(figure)) return "-";
   if (table.columns[column] == "leaf") return "n" + number_text(figure);
-  if (const std::string word = word_for(figure, table.columns[column]); !word.empty()) return word;
+  if (std::string word = word_for(figure, table.columns[column]); !word.empty()) return word;
   const bool is_of_pair = table.columns[0] == "pair";
   if (is_of_pair && table.columns[column] == "age" && figure >= kOldestPair) return number_text(figure) + "+";
   return number_text(std::round(figure * 1000) / 1000);
