@@ -52,8 +52,8 @@ struct StructureNames {
 struct StructureLimits {
   std::uint32_t depth = std::numeric_limits<std::uint32_t>::max();
   double overlap = std::numeric_limits<double>::infinity();  ///< of two siblings, as a share of their parent
-  /// What a bound may be off, as a share of it, without a fault: 0 for floats as they are, and more for numbers
-  /// that were written with few digits.
+  /// What a bound may be off, as a share of it, without a fault: 0 for floats as they are, and more for
+  /// numbers that were written with few digits.
   Scalar rounding = 0;
   Scalar margin = 0;              ///< that a leaf has at least around its object, along each axis
   std::vector<Scalar> margins{};  ///< by cell, where one claims more
