@@ -1,6 +1,7 @@
 # `kerf_lint` runs clang-tidy over the sources of the rooms, `kerf_lint_tests` over those of tests/, which take as
 # long again and are left out of the default tests. Sources are checked a batch at a time (tidy_batch says how), and
 # again when one of the batch has changed, or any header of ours.
+# `kerf_sources` compiles each source of the rooms alone, which a build in unity does not show.
 # `kerf_format_check` compares all C++ files with what clang-format makes of them. tests/lint.cmake finds the tools.
 
 # kerf_tidy_sources(TARGET NAME) sets NAME to the full paths of the target's own sources.
@@ -47,6 +48,7 @@ set(tidy_batch ${PROJECT_SOURCE_DIR}/cmake/tidy_batch)
 set(rooms core viz sims2d sims3d frames tests)
 list(TRANSFORM rooms REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.h" OUTPUT_VARIABLE patterns)
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${patterns})
+add_custom_target(kerf_sources)
 foreach(room IN LISTS rooms)
   set(property KERF_LINT_STAMPS)
   if(room STREQUAL "tests")
@@ -57,6 +59,9 @@ foreach(room IN LISTS rooms)
     get_target_property(type ${target} TYPE)
     if(type MATCHES "STATIC_LIBRARY|SHARED_LIBRARY|EXECUTABLE")
       kerf_tidy(${target} ${property})
+      if(NOT room STREQUAL "tests")
+        add_dependencies(kerf_sources ${target})
+      endif()
     endif()
   endforeach()
 endforeach()

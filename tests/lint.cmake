@@ -38,11 +38,8 @@ set_tests_properties(House.TheReferenceIsWhole PROPERTIES WORKING_DIRECTORY ${PR
 
 kerf_lint_build(House.HeadersCompileAlone all_verify_interface_header_sets)
 
-# So does each source, which builds in unity would hide. It takes a quarter of an hour: `./run lint all`.
-option(KERF_LINT_ALL "Lints: compile each source alone, too" OFF)
-if(KERF_LINT_ALL)
-  kerf_lint_build(House.SourcesCompileAlone all)
-endif()
+# Each source begins with its own header, so that its header is compiled alone, too.
+kerf_lint_build(House.SourcesCompileAlone kerf_sources)
 
 # Releases of the tools disagree, so there is one of each.
 find_program(KERF_CLANG_TIDY clang-tidy-14)

@@ -46,43 +46,26 @@ ImportCommand::ImportCommand(CLI::App& program)
   command_->add_flag("--strict", strict_, "What is odd is an error, as for example an inverted box");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording");
   command_->footer(
-      "BOXES   step,object,min_x,max_x,min_y,max_y[,min_z,max_z][,fixed][,category,mask]\n"
-      "        [,angle | ,qw,qx,qy,qz]\n"
-      "        Columns are found by the names in the heading, in any order (also xmin, lower_x, body, frame "
-      "...);\n"
-      "        without a heading they stand in this order, the last two not. Steps are rising numbers or "
-      "times,\n"
-      "        objects are any whole numbers of 64 bits, and both keep their names. A line adds an object "
-      "or\n"
-      "        changes its box; where all bounds are blank, the object goes; where the object is blank, too, "
-      "the\n"
-      "        step has this line and nothing else. Objects without a line stay as they are. fixed is 0 or "
-      "1: two\n"
-      "        fixed objects are no pair. angle, in radians, or in 3D a quaternion is how a shape is "
-      "turned.\n"
-      "        Two objects are left out unless each has a category, a set of "
-      "bits, in\n"
-      "        the mask of the other.\n"
-      "OBJECTS object[,name][,color][,shape][,radius][,half_x,half_y[,half_z]][,points][,mesh]\n"
-      "        color is #1f77b4; shape is ball (radius), brick (half extents), polygon (points 'x y; x y; x "
-      "y') "
-      "or,\n"
-      "        in 3D, mesh (an OBJ file). The middle of a shape's box is the middle of the object's box.\n"
-      "PAIRS   step,a,b   of the boxes' first step or a later one, also one without boxes\n"
-      "        What is wrong with them is then found by `kerf step FILE --to 'missed>0'` and `kerf explain`. "
-      "What\n"
-      "        --margin, --ignore and masks declare is counted apart, as ignored.\n"
-      "NODES   step,node,parent,min_x,max_x,min_y,max_y[,min_z,max_z],object[,leaf][,margin]\n"
-      "        The whole tree after a step, in any order of lines; a step without lines has no known tree. "
-      "Nodes are\n"
-      "        any whole numbers of 64 bits. A root has no parent, or -1. An object stands at the node that "
-      "holds\n"
-      "        it; several are 3 7 12. leaf, 0 or 1, is what the engine calls the node, margin how much "
-      "larger it\n"
-      "        says it makes the boxes of its objects on each side. `kerf lint FILE --structure` says what "
-      "is "
-      "wrong,\n"
-      "        `kerf explain FILE --pair` at which node a pair was lost, `kerf debug FILE` draws it.");
+      R"(BOXES   step,object,min_x,max_x,min_y,max_y[,min_z,max_z][,fixed][,category,mask][,angle or ,qw,qx,qy,qz]
+        Columns are found by the names in the heading, in any order (also xmin, lower_x, body, frame ...);
+        without a heading they stand in this order, up to fixed. Steps are rising numbers or times, objects are
+        any whole numbers of 64 bits, and both keep their names. A line adds an object or changes its box; where
+        all bounds are blank, the object goes; where the object is blank, too, the step has this line and nothing
+        else. Objects without a line stay as they are. fixed is 0 or 1: two fixed objects are no pair. Two
+        objects are left out unless each has a category, a set of bits, in the mask of the other. An angle in
+        radians, or in 3D a quaternion, is how the object's shape is turned.
+OBJECTS object[,name][,color][,shape][,radius][,half_x,half_y[,half_z]][,points][,mesh]
+        color is #1f77b4; shape is ball (radius), brick (half extents), polygon (points 'x y; x y; x y') or, in
+        3D, mesh (an OBJ file). The middle of a shape's box is the middle of the object's box.
+PAIRS   step,a,b   of the boxes' first step or a later one, also one without boxes
+        What is wrong with them is then found by `kerf step FILE --to 'missed>0'` and `kerf explain`. What
+        --margin, --ignore and masks declare is counted apart, as ignored.
+NODES   step,node,parent,min_x,max_x,min_y,max_y[,min_z,max_z],object[,leaf][,margin]
+        The whole tree after a step, in any order of lines; a step without lines has no known tree. Nodes are
+        any whole numbers of 64 bits. A root has no parent, or -1. An object stands at the node that holds it;
+        several are 3 7 12. leaf, 0 or 1, is what the engine calls the node, margin how much larger it says it
+        makes the boxes of its objects on each side. `kerf lint FILE --structure` says what is wrong, `kerf
+        explain FILE --pair` at which node a pair was lost, `kerf debug FILE` draws it.)");
 }
 
 bool ImportCommand::chosen() const { return command_->parsed(); }

@@ -59,10 +59,7 @@ class Import {
         info_(info_of(request, survey, std::move(design), shown_.marks())),
         tree_(request.config),
         recorder_(tree_, request.out, info_) {
-    if (shown_.has_shapes())
-      recorder_.show([this](ObjectId object) {
-        return shown_.appearance(object, round_outward(played_[object.index()].box));
-      });
+    if (shown_.has_shapes()) recorder_.show([this](ObjectId object) { return shown_.appearance(object); });
   }
 
   void run(BoxLines& boxes, const InterruptGuard& interrupt) {
@@ -126,9 +123,8 @@ class Import {
         return place() + ": object " + to_string(line.object) + " is " + (fixed ? "fixed" : "moving") +
                " from step " + step.text + " on";
       });
-    if (line.turn) shown_.turn(object, *line.turn);
     ask(object, played, box_of<D>(line), fixed);
-    if (shown_.is_too_large(object, round_outward(played.box)))
+    if (!shown_.place(object, round_outward(played.box), line.turn))
       oddities_.note(Oddity::large_shape, [&] {
         return place() + ": object " + to_string(line.object) + " in step " + step.text;
       });

@@ -43,24 +43,22 @@ ShownObjects<D>::ShownObjects(const std::vector<GivenObject<D>>& given, const st
 }
 
 template <int D>
-void ShownObjects<D>::turn(ObjectId object, const std::array<double, 4>& turn) {
+bool ShownObjects<D>::place(ObjectId object, const Box<D>& box,
+                            const std::optional<std::array<double, 4>>& turn) {
   const auto found = shapes_.find(object);
-  if (found != shapes_.end()) found->second.turn = turn_of<D>(axes_of<D>(turn));
+  if (found == shapes_.end()) return true;
+  Shown& shown = found->second;
+  const bool is_turned = D == 2 || !is_ball<D>(shown.shape);
+  if (turn && is_turned) shown.turn = turn_of<D>(axes_of<D>(*turn));
+  shown.fits = pose_in_box<D>(shown.shape, kerf::axes_of(shown.turn), box).has_value();
+  return shown.fits;
 }
 
 template <int D>
-Appearance<D> ShownObjects<D>::appearance(ObjectId object, const Box<D>& box) const {
+Appearance<D> ShownObjects<D>::appearance(ObjectId object) const {
   const auto found = shapes_.find(object);
-  if (found == shapes_.end() || is_too_large(object, box)) return {};
-  const bool is_turned = D == 2 || !is_ball<D>(found->second.shape);
-  return {&found->second.shape, is_turned ? found->second.turn : Turn<D>{}, std::nullopt};
-}
-
-template <int D>
-bool ShownObjects<D>::is_too_large(ObjectId object, const Box<D>& box) const {
-  const auto found = shapes_.find(object);
-  return found != shapes_.end() &&
-         !pose_in_box<D>(found->second.shape, kerf::axes_of(found->second.turn), box);
+  if (found == shapes_.end() || !found->second.fits) return {};
+  return {&found->second.shape, found->second.turn, std::nullopt};
 }
 
 template class ShownObjects<2>;

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/geometry/box.h"
@@ -22,17 +24,17 @@ class ShownObjects {
 
   [[nodiscard]] const ObjectMarks& marks() const { return marks_; }
   [[nodiscard]] bool has_shapes() const { return !shapes_.empty(); }
-  /// `turn`: see BoxLine.
-  void turn(ObjectId object, const std::array<double, 4>& turn);
+  /// Its box from now on, and how it is turned (see BoxLine) if that is said. False: it has a shape, and that
+  /// is larger than the box.
+  bool place(ObjectId object, const Box<D>& box, const std::optional<std::array<double, 4>>& turn);
   /// Without a shape if none is known, or if it is larger than the box.
-  [[nodiscard]] Appearance<D> appearance(ObjectId object, const Box<D>& box) const;
-  /// Whether the object has a shape, and it is larger than the box.
-  [[nodiscard]] bool is_too_large(ObjectId object, const Box<D>& box) const;
+  [[nodiscard]] Appearance<D> appearance(ObjectId object) const;
 
  private:
   struct Shown {
     Shape<D> shape;
     Turn<D> turn = turn_of<D>(identity_axes<D>());
+    bool fits = false;
   };
 
   ObjectMarks marks_;

@@ -37,6 +37,20 @@ TEST_F(DebuggerSearch, AThingIsFoundByItsName) {
     EXPECT_THAT(found(nothing), testing::IsEmpty()) << nothing;
 }
 
+/// What has the number itself comes before a name that only contains it.
+TEST(DebuggerLabels, AnObjectIsFoundByItsName) {
+  TimelineDriver driver(
+      60, "INSERT INTO object_marks VALUES(40, 'left wheel', NULL), (41, 'Crate 40', '#ff0000')");
+  DebuggerModel& model = driver.debugger().model();
+  model.go(Position::end_of(20));
+  EXPECT_THAT(texts_of(find_hits(model, "WHEEL")), testing::ElementsAre("object 40 left wheel"));
+  EXPECT_THAT(texts_of(find_hits(model, "40")),
+              testing::ElementsAre("object 40", "step 40", "object 41 Crate 40"));
+  find_hits(model, "wheel").at(0).go(model);
+  EXPECT_EQ(model.selection(), Selection(ObjectId{40}));
+  EXPECT_THAT(model.run().explain(ObjectId{40}), testing::StartsWith("object 40 left wheel moves"));
+}
+
 TEST_F(DebuggerSearch, ItLeadsThere) {
   follow("n0");
   EXPECT_EQ(model().selection(), Selection(NodeId{0}));

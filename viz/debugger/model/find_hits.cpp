@@ -195,8 +195,8 @@ std::vector<SearchHit> find_hits(DebuggerModel& model, std::string_view query) {
     if (may_be("pair ")) add_pair(model, id, hits);
     if (may_be("event ")) add_event(model, id, hits);
     if (may_be("object ")) add_object(model, id, hits);
-    if (may_be("object ")) add_labelled(model, id, hits);
     if (may_be("step ")) add_step(model, id, hits);
+    if (may_be("object ")) add_labelled(model, id, hits);
   }
   add_condition(text, hits);
   add_bookmarks(model, text, hits);
