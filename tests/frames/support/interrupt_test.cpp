@@ -20,6 +20,13 @@ TEST(Interrupt, OneWithinAnotherChangesNothing) {
   EXPECT_TRUE(later.requested()) << "what was requested is not forgotten";
 }
 
+TEST(Interrupt, TheEndOfOneWithinAnotherLeavesTheOtherOnGuard) {
+  const InterruptGuard outer;
+  { const InterruptGuard inner; }
+  (void)std::raise(SIGINT);
+  EXPECT_TRUE(outer.requested());
+}
+
 TEST(Interrupt, TheNextOneBeginsAnew) {
   {
     const InterruptGuard first;
