@@ -94,6 +94,17 @@ void BoxLines::find_dimension() {
   for (std::size_t column = 0; column <= max_column(dimension_ - 1); ++column) want(column);
   if (!missing.empty())
     throw UsageError(table_.name() + ": the heading lacks " + missing + "; it has " + table_.names());
+  check_turn_columns();
+}
+
+/// A rotation of the other dimension would be passed over.
+void BoxLines::check_turn_columns() const {
+  bool has_part = false;
+  for (std::size_t k = 0; k < 4; ++k) has_part |= table_.has(kQuaternion + k);
+  if (dimension_ == 2 && has_part)
+    throw UsageError(table_.name() + ": boxes in 2D are turned by angle, in radians, not by qw,qx,qy,qz");
+  if (dimension_ == 3 && table_.has(kAngle))
+    throw UsageError(table_.name() + ": boxes in 3D are turned by qw,qx,qy,qz, not by an angle");
 }
 
 void BoxLines::set_order() {

@@ -67,6 +67,7 @@ class BoxLines {
 
  private:
   void find_dimension();
+  void check_turn_columns() const;
   void set_order();
   void read_bounds(BoxLine& line) const;
   [[nodiscard]] std::optional<std::array<double, 4>> read_turn() const;

@@ -106,6 +106,12 @@ TEST_F(ImportObjects, WhatIsNoneIsRefused) {
   EXPECT_THAT(complaint("object,shape,mesh\n1,mesh,bad.obj\n", kSpatial), HasSubstr("bad.obj has"));
   EXPECT_THAT(refused(write("b.csv", "step,object,min_x,max_x,min_y,max_y,angle\n1,1,0,1,0,1,inf\n")),
               HasSubstr("is no angle"));
+  EXPECT_THAT(refused(write("b.csv", "step,object,min_x,max_x,min_y,max_y,qw\n1,1,0,1,0,1,1\n")),
+              HasSubstr("2D are turned by angle"));
+  EXPECT_THAT(refused(write("b.csv",
+                            "step,object,min_x,max_x,min_y,max_y,min_z,max_z,rotation\n"
+                            "1,1,0,1,0,1,0,1,90\n")),
+              HasSubstr("3D are turned by qw,qx,qy,qz"));
   const std::string heading = "step,object,min_x,max_x,min_y,max_y,min_z,max_z,qw,qx,qy,qz\n";
   EXPECT_THAT(refused(write("b.csv", heading + "1,1,0,1,0,1,0,1,1,1,0,0\n")), HasSubstr("no rotation"));
   EXPECT_THAT(refused(write("b.csv", heading + "1,1,0,1,0,1,0,1,1,,0,0\n")), HasSubstr("four numbers"));

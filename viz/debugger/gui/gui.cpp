@@ -21,15 +21,16 @@ ImVec4 color_of(Color color, double alpha = 1) {
           static_cast<float>(color.b) / 255, static_cast<float>(alpha)};
 }
 
-/// What is seen of it: a row may be wider than its panel.
+/// What its window shows of it: a row may be wider than its panel. (The clip of the draw list is the cell
+/// alone after a row over all columns of a table.)
 PanelArea last_item() {
-  const ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 least = ImGui::GetItemRectMin();
   const ImVec2 most = ImGui::GetItemRectMax();
-  const float left = std::max(least.x, list.GetClipRectMin().x);
-  const float top = std::max(least.y, list.GetClipRectMin().y);
-  return {left, top, std::min(most.x, list.GetClipRectMax().x) - left,
-          std::min(most.y, list.GetClipRectMax().y) - top};
+  const ImVec2 origin = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  const float left = std::max(least.x, origin.x);
+  const float top = std::max(least.y, origin.y);
+  return {left, top, std::min(most.x, origin.x + size.x) - left, std::min(most.y, origin.y + size.y) - top};
 }
 
 void set_colors(ImGuiStyle& style, const Theme& theme) {
