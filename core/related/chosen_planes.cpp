@@ -25,7 +25,7 @@ Vector<D> normalised(const std::array<double, D>& direction) {
 }
 
 template <int D>
-Vector<D> random_direction(Random& random) {
+Vector<D> drawn_direction(Random& random) {
   std::array<double, D> direction{};
   for (double& x : direction) x = random.uniform(-1, 1);
   return normalised<D>(direction);
@@ -89,7 +89,7 @@ std::optional<Plane<D>> EvolvedPlanes<D>::choose(std::span<const ObjectId> objec
   Random random(kSeed);
   std::vector<Individual> all;
   for (std::size_t k = 0; k < kPopulation; ++k)
-    all.push_back(individual(objects, random_direction<D>(random), random));
+    all.push_back(individual(objects, drawn_direction<D>(random), random));
   for (int generation = 0; generation < kGenerations; ++generation) {
     std::ranges::stable_sort(all, {}, &Individual::cost);
     for (std::size_t k = kPopulation / 2; k < kPopulation; ++k) all[k] = child(objects, all, random);
