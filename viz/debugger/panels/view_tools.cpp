@@ -15,7 +15,7 @@ constexpr std::array kLayers{Layer::objects, Layer::partitioners, Layer::leaves,
                              Layer::operators};
 
 constexpr float kTintChoice = 105;
-constexpr float kStructureChoice = 75;
+constexpr float kStructureChoice = 145;
 constexpr float kDepths = 110;
 
 float text_width(const char* text) { return ImGui::CalcTextSize(text).x; }
@@ -35,11 +35,9 @@ void draw_layers(PanelContext& context) {
 void draw_structure_choice(PanelContext& context) {
   if (!context.model.run().has_their_structure()) return;
   bool& theirs = context.model.view.theirs;
-  widgets::beside_or_below(text_width("structure") + ImGui::GetStyle().ItemSpacing.x + kStructureChoice);
-  ImGui::TextDisabled("structure");
-  ImGui::SameLine();
+  widgets::beside_or_below(kStructureChoice);
   ImGui::SetNextItemWidth(kStructureChoice);
-  const bool open = ImGui::BeginCombo("##structure", theirs ? "theirs" : "ours");
+  const bool open = ImGui::BeginCombo("##structure", theirs ? "structure: theirs" : "structure: ours");
   context.gui.name_last_item("structure");
   widgets::hint("our tree, or the nodes of the other engine, with what is wrong with them");
   if (!open) return;
@@ -129,7 +127,6 @@ void draw_error_counts(ImDrawList& list, const ShownCounts& counts, ImVec2 at) {
 void draw_view_tools(PanelContext& context) {
   DebuggerModel& model = context.model;
   draw_layers(context);
-  draw_structure_choice(context);
   draw_tint(context);
   ViewSettings& settings = model.view;
   if (widgets::button(context.gui, "focus", "look at what is selected, or at everything (F)"))
@@ -153,6 +150,7 @@ void draw_view_tools(PanelContext& context) {
                        static_cast<int>(kMaxHeight), "%d to", "%d");
   context.gui.name_last_item("depth");
   widgets::hint("drag: partitioners of these depths are drawn; the root has depth 0");
+  draw_structure_choice(context);
 }
 
 void draw_view_overlay(PanelContext& context, const SceneView& view, const PanelArea& area,

@@ -20,7 +20,7 @@ constexpr float kTabs = 418;            // the width of all tabs side by side
 constexpr float kTransportInOneRow = 958;
 constexpr float kLeastTransport = 640;
 constexpr float kToolsInTwoRows =
-    580;                              // the width of the view's tools in two rows; below it they take three,
+    600;                              // the width of the view's tools in two rows; below it they take three,
 constexpr float kToolsInThree = 380;  // and below this one four
 constexpr float kGrip = 6;            // the width in which the mouse takes a divider
 
