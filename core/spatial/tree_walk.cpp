@@ -30,15 +30,19 @@ double key_of_hit(const Cast<D>& cast, const Box<D>& box) {
 template <int D>
 TreeWalk<D>::TreeWalk(const Tree<D>& tree, const ObjectTable<D>& objects)
     : tree_(tree), objects_(objects), bounds_(tree.slots(), Box<D>::empty()), seen_(objects.bound(), 0) {
-  std::vector<std::uint8_t> waits(objects.bound(), 0);
-  for (std::uint32_t id = 0; id < objects.bound(); ++id) {
-    if (!objects.is_placed({id}) || is_stored(tree.table, objects, {id})) continue;
-    waiting_.push_back({id});
-    waits[id] = 1;
-  }
   std::vector<NodeId> nodes;
   for_each_node(tree, tree.root(), [&](NodeId id) { nodes.push_back(id); });
   std::ranges::reverse(nodes);  // children come before their parents
+  // Within a step the table may know an object that no leaf holds yet.
+  std::vector<std::uint8_t> waits(objects.bound(), 1);
+  for (const NodeId id : nodes)
+    for (const Entry& entry : tree[id].entries)
+      if (entry.object.index() < waits.size()) waits[entry.object.index()] = 0;
+  for (std::uint32_t id = 0; id < objects.bound(); ++id) {
+    if (!objects.is_placed({id})) continue;
+    if (!is_stored(tree.table, objects, {id})) waits[id] = 1;
+    if (waits[id] != 0) waiting_.push_back({id});
+  }
   for (const NodeId id : nodes) {
     Box<D>& bounds = bounds_[id.index()];
     if (!tree[id].is_leaf()) {

@@ -33,7 +33,8 @@ template <int D>
 class TreeWalk {
  public:
   /// `objects`: the boxes to ask about. Objects that changed since the tree's last step stand in none of its
-  /// leaves as they are now: they are tested one by one (`waiting`).
+  /// leaves as they are now, nor do, within a step, those that are not placed yet: they are tested one by one
+  /// (`waiting`).
   TreeWalk(const Tree<D>& tree, const ObjectTable<D>& objects);
 
   QueryStatus overlaps(const Box<D>& box, std::vector<ObjectId>& found);

@@ -1,16 +1,14 @@
 #include "frames/commands/explain_command.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdio>
-#include <optional>
-#include <vector>
+#include <stdexcept>
 
 #include "core/query/explain_event.h"
 #include "core/query/explain_node.h"
 #include "core/query/explain_pair.h"
-#include "core/query/explain_ray.h"
+#include "core/query/explain_query.h"
 #include "core/query/explain_their_search.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
@@ -48,35 +46,30 @@ Pair parse_pair(const std::string& text, const GivenNames& names) {
   return make_pair(a, b);
 }
 
-std::optional<Scalar> parse_coordinate(std::string_view text) {
-  const bool is_negative = text.starts_with('-');
-  const auto size = parse_number<Scalar>(text.substr(is_negative ? 1 : 0));
-  if (!size || !std::isfinite(*size)) return std::nullopt;
-  return is_negative ? -*size : *size;
+template <int D>
+AskedQuery<D> parse_asked(const std::string& option, QueryKind kind, const std::string& numbers) {
+  try {
+    return parse_query<D>(kind, numbers);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(option + ": " + error.what());
+  }
 }
 
-/// "0,1.5,2,1,0,0": where it begins, and where it goes.
-template <int D>
-Ray<D> parse_ray(const std::string& text) {
-  std::vector<Scalar> numbers;
-  for (std::string_view rest = text;;) {
-    const std::size_t comma = rest.find(',');
-    const auto number = parse_coordinate(rest.substr(0, comma));
-    if (!number) break;
-    numbers.push_back(*number);
-    if (comma == std::string_view::npos) break;
-    rest.remove_prefix(comma + 1);
-  }
-  const auto commas = static_cast<std::size_t>(std::ranges::count(text, ','));
-  if (numbers.size() != 2 * D || commas != 2 * D - 1)
-    throw UsageError(
-        "--ray '" + text + "' is not of the form " +
-        (D == 2 ? "OX,OY,DX,DY, for example 0,1.5,1,0" : "OX,OY,OZ,DX,DY,DZ, for example 0,1.5,2,1,0,0"));
-  Ray<D> ray;
-  std::copy_n(numbers.begin(), D, ray.origin.value.begin());
-  std::copy_n(numbers.begin() + D, D, ray.direction.value.begin());
-  return ray;
-}
+struct Asked {
+  QueryKind kind;
+  const char* option;
+  const char* meaning;
+  const char* form;
+};
+constexpr std::array kAsked{
+    Asked{QueryKind::ray, "--ray",
+          "What a ray from a point along a direction hits, and which nodes it visits",
+          "OX,OY,[OZ,]DX,DY[,DZ]"},
+    Asked{QueryKind::box, "--box", "What a box overlaps, by its lower and its upper corner",
+          "X,Y,[Z,]X,Y[,Z]"},
+    Asked{QueryKind::sphere, "--sphere", "What a sphere overlaps; with the radius 0, a point",
+          "X,Y,[Z,]RADIUS"},
+    Asked{QueryKind::nearest, "--nearest", "The objects nearest to a point", "X,Y,[Z,]COUNT"}};
 
 /// In our tree, and in another engine's structure if that is known.
 template <int D>
@@ -93,7 +86,7 @@ std::string why_pair(Replayer<D>& replayer, std::uint32_t step, const Pair& pair
 
 ExplainCommand::ExplainCommand(CLI::App& program)
     : command_(program.add_subcommand(
-          "explain", "Say why: a pair or none, a node, an event of a recording, what a ray hits")) {
+          "explain", "Say why: a pair or none, a node, an event of a recording, what a query finds")) {
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
   };
@@ -103,9 +96,9 @@ ExplainCommand::ExplainCommand(CLI::App& program)
   subject->add_option("--pair", pair_, "Why two objects are a pair, or why not")->type_name("I,J");
   subject->add_option("--node", node_, "What a node is and what happened to it")->type_name("K");
   subject->add_option("--event", event_, "Why an event happened")->type_name("E");
-  subject
-      ->add_option("--ray", ray_, "What a ray from a point along a direction hits, and which nodes it visits")
-      ->type_name("OX,OY,[OZ,]DX,DY[,DZ]");
+  for (const Asked& asked : kAsked)
+    subject->add_option(asked.option, asked_[static_cast<std::size_t>(asked.kind)], asked.meaning)
+        ->type_name(asked.form);
   subject->require_option(1);
 }
 
@@ -125,7 +118,11 @@ void ExplainCommand::run() const {
                                             : parse_position("--step", step_, *recording);
         if (!position.is_end()) throw UsageError("--step '" + step_ + "' is no step");
         if (!pair_.empty()) return why_pair(replayer, position.step, parse_pair(pair_, names));
-        if (!ray_.empty()) return to_text(explain_ray(replayer, position.step, parse_ray<D>(ray_)), names);
+        for (const Asked& asked : kAsked)
+          if (const std::string& numbers = asked_[static_cast<std::size_t>(asked.kind)]; !numbers.empty())
+            return to_text(
+                explain_query(replayer, position.step, parse_asked<D>(asked.option, asked.kind, numbers)),
+                names);
         return to_text(explain_node(replayer, position.step, NodeId{parse_id("--node", node_, "n")}), names);
       });
   std::fputs(text.c_str(), stdout);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 namespace CLI {
@@ -9,7 +10,7 @@ class App;
 namespace kerf {
 
 /// `kerf explain`: why two objects are a pair or none, what a node is, why an event happened,
-/// what a ray hits.
+/// what a query finds.
 class ExplainCommand {
  public:
   explicit ExplainCommand(CLI::App& program);
@@ -24,7 +25,7 @@ class ExplainCommand {
   std::string pair_;
   std::string node_;
   std::string event_;
-  std::string ray_;
+  std::array<std::string, 4> asked_;  ///< by kind of query
 };
 
 }  // namespace kerf

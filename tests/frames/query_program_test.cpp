@@ -81,7 +81,7 @@ TEST_F(QueryProgram, ExplainsPairsNodesAndEvents) {
   EXPECT_EQ(run_kerf({"explain", file("a"), "--step", "99", "--node", "1"}).exit, 2);
 }
 
-TEST_F(QueryProgram, ExplainsRays) {
+TEST_F(QueryProgram, ExplainsQueries) {
   const Outcome hits = run_kerf({"explain", file("a"), "--step", "50", "--ray=-100,-100,1,1"});
   EXPECT_EQ(hits.exit, 0) << hits.err;
   EXPECT_THAT(hits.out, HasSubstr("after step 50, the ray from (-100, -100) along (1, 1) hits"));
@@ -89,6 +89,11 @@ TEST_F(QueryProgram, ExplainsRays) {
   const Outcome misses = run_kerf({"explain", file("a"), "--ray", "0,1e6,1,0"});
   EXPECT_THAT(misses.out, HasSubstr("hits 0 of"));
   EXPECT_THAT(misses.out, HasSubstr("pruned, y stays 1e+06, beside y ["));
+  EXPECT_THAT(run_kerf({"explain", file("a"), "--box", "-100,-100,100,100"}).out,
+              HasSubstr("the box from (-100, -100) to (100, 100) overlaps "));
+  EXPECT_THAT(run_kerf({"explain", file("a"), "--sphere", "0,1,2"}).out, HasSubstr(" of radius 2 overlaps "));
+  EXPECT_THAT(run_kerf({"explain", file("a"), "--nearest", "0,1,3"}).out, HasSubstr(" is nearest to "));
+  EXPECT_EQ(run_kerf({"explain", file("a"), "--nearest", "0,1,3", "--box", "0,0,1,1"}).exit, 2);
   for (const char* wrong : {"1", "1,2,3", "1,2,3,4,5", "1,2,3,x", "1,2,3,inf", "1,2,3,4,"})
     EXPECT_EQ(run_kerf({"explain", file("a"), "--ray", wrong}).exit, 2) << wrong;
 }

@@ -110,6 +110,15 @@ TEST(ReferencePanels, PanelsOfTheDebugger) {
   EXPECT_EQ(still.compare("lanes-events", kWindow.area(PanelId::timeline)), "");
 }
 
+/// The bounds of nodes that it visited and pruned, what it found, and the reasons.
+TEST(ReferencePanels, AQuery) {
+  DebuggerStill<3> still;
+  still.play(kGoToSplit);
+  still.play("key P\ntype \"ray -12,2,-3,1,0.05,0.3\"\nkey Enter\nclick \"tab Why\"\nhover 5,300\nwait 2");
+  EXPECT_EQ(still.compare("view-query-3d", kWindow.all().view), "");
+  EXPECT_EQ(still.compare("tab-why-query", kWindow.area(PanelId::why)), "");
+}
+
 TEST(ReferencePanels, TabsOfTheDebugger) {
   DebuggerStill<2> still;
   still.play(kGoToSplit);

@@ -247,6 +247,7 @@ void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
   }
   const double x = double{scale * io.MousePos.x - pixels(area.x)};
   const double y = double{scale * io.MousePos.y - pixels(area.y)};
+  over_scene_ = hovered ? std::optional(Eigen::Vector2d(x, y)) : std::nullopt;
   if (hovered && io.MouseWheel != 0) view_->zoom(double{io.MouseWheel}, x, y);
   if (hovered) point_at(context, x, y);
 }

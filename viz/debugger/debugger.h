@@ -112,6 +112,7 @@ class Debugger {
   bool take_session_key(const DebuggerInput& input);
   void take_key(Key key, bool shift);
   bool take_control_key(Key key, bool shift);
+  void ask_at_mouse();
   void take_time_key(Key key, bool shift);
   void take_tree_key(Key key, bool shift);
   void update_views();
@@ -134,9 +135,10 @@ class Debugger {
   Arrangement arrangement_;  ///< of the last frame
   double content_scale_ = 1;
   std::optional<Framebuffer> framebuffer_;
-  bool is_turning_ = false;  ///< the mouse drags the scene
-  bool is_new_ = true;       ///< the framebuffer has no picture yet
-  int panel_pictures_ = 0;   ///< pictures for which not only the scene was drawn
+  bool is_turning_ = false;                    ///< the mouse drags the scene
+  std::optional<Eigen::Vector2d> over_scene_;  ///< the mouse, in pixels of the view
+  bool is_new_ = true;                         ///< the framebuffer has no picture yet
+  int panel_pictures_ = 0;                     ///< pictures for which not only the scene was drawn
   int width_ = 0;
   int height_ = 0;
   Image image_;

@@ -43,6 +43,7 @@ void add_view(Facts& facts, const SceneView& view) {
   facts["drawn_partitioners"] = std::to_string(counts.partitioners);
   facts["drawn_pairs"] = std::to_string(counts.pairs);
   facts["drawn_missed"] = std::to_string(counts.missed);
+  facts["query"] = counts.query.empty() ? "none" : counts.query;
   facts["drawn_extra"] = std::to_string(counts.extra);
   for (const SceneLabel& label : view.labels()) facts["labels"] += label.text + "; ";
   facts["tint_end"] = number_text(counts.tint_end);

@@ -65,13 +65,15 @@ void Debugger::take_key(Key key, bool shift) {
     case Key::w:
       if (model_.go_to_error(!shift)) view_->focus(model_.selection());
       return;
+    case Key::q:
+      return ask_at_mouse();
     case Key::o:
       return static_cast<void>(model_.ask_oracle());
     case Key::escape:
       if (std::exchange(memory_.help, false)) return;
       if (std::exchange(memory_.tour, std::nullopt)) return;
       if (std::exchange(memory_.welcome, false)) return;
-      model_.select({});
+      model_.deselect();
       return model_.drop_range();
     case Key::f5:
       return model_.run_to_breakpoint(!shift);
@@ -90,6 +92,11 @@ void Debugger::take_key(Key key, bool shift) {
     default:
       return take_time_key(key, shift);
   }
+}
+
+void Debugger::ask_at_mouse() {
+  if (!over_scene_) return report("put the mouse over the scene: what lies behind it is asked for", false);
+  model_.ask(view_->query_at(over_scene_->x(), over_scene_->y()));
 }
 
 /// The size of texts, and the camera. False if the key has no such meaning.

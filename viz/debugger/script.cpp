@@ -90,12 +90,13 @@ const std::map<std::string, Key>& key_names() {
                                                  {"e", Key::e},         {"l", Key::l},
                                                  {"r", Key::r},         {"a", Key::a},
                                                  {"u", Key::u},         {"d", Key::d},
-                                                 {"x", Key::x},         {"t", Key::t},
-                                                 {"j", Key::j},         {"g", Key::g},
-                                                 {"p", Key::p},         {"tab", Key::tab},
-                                                 {"w", Key::w},         {"v", Key::v},
-                                                 {"y", Key::y},         {"z", Key::z},
-                                                 {"f10", Key::f10},     {"=", Key::plus}};
+                                                 {"q", Key::q},         {"x", Key::x},
+                                                 {"t", Key::t},         {"j", Key::j},
+                                                 {"g", Key::g},         {"p", Key::p},
+                                                 {"tab", Key::tab},     {"w", Key::w},
+                                                 {"v", Key::v},         {"y", Key::y},
+                                                 {"z", Key::z},         {"f10", Key::f10},
+                                                 {"=", Key::plus}};
   return kNames;
 }
 

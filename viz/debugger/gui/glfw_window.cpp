@@ -42,6 +42,7 @@ std::optional<Key> key_of(int key) {
                                         {GLFW_KEY_A, Key::a},
                                         {GLFW_KEY_U, Key::u},
                                         {GLFW_KEY_D, Key::d},
+                                        {GLFW_KEY_Q, Key::q},
                                         {GLFW_KEY_X, Key::x},
                                         {GLFW_KEY_T, Key::t},
                                         {GLFW_KEY_J, Key::j},

@@ -59,6 +59,7 @@ enum class Key : std::uint8_t {
   v,  // directions of the view; with Ctrl: paste
   p,  // the search
   w,  // errors
+  q,  // queries
   y,  // changes of the view
   z,
   f1,

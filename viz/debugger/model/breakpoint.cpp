@@ -4,9 +4,9 @@ namespace kerf {
 namespace {
 
 /// Keeps the nearest of several moments.
-class Nearest {
+class NearestMoment {
  public:
-  Nearest(const Position& from, bool forwards, const Run::Progress& progress)
+  NearestMoment(const Position& from, bool forwards, const Run::Progress& progress)
       : from_(from), forwards_(forwards), progress_(progress) {}
 
   /// `search(from, progress)` finds a moment that is `stop`.
@@ -42,7 +42,7 @@ class Nearest {
 std::optional<Stop> next_stop(Run& run, const std::vector<Breakpoint>& breakpoints,
                               const std::vector<WatchedValue>& watches, bool forwards,
                               const Run::Progress& progress) {
-  Nearest nearest(run.position(), forwards, progress);
+  NearestMoment nearest(run.position(), forwards, progress);
   for (std::size_t k = 0; k < breakpoints.size(); ++k) {
     if (!breakpoints[k].enabled) continue;
     nearest.add({{}, k, std::nullopt}, [&](const Position& from, const Run::Progress& in_reach) {

@@ -150,6 +150,17 @@ void DebuggerModel::select(const Selection& selection) {
   if (object_in(selection_) && work <= kMostForLanes) show_object_lanes();
 }
 
+void DebuggerModel::ask(const std::string& query) {
+  static_cast<void>(run_->explain_query(query));
+  view.query = query;
+  select({});
+}
+
+void DebuggerModel::deselect() {
+  if (is_nothing(selection_)) view.query.clear();
+  select({});
+}
+
 void DebuggerModel::add_node_ribbons(NodeId node) {
   const auto add = [&](const LifeSpan& span, Ribbon::Kind kind) {
     ribbons_->push_back({span.first_step, span.last_step.value_or(run_->steps()), kind});

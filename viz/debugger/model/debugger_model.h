@@ -91,6 +91,11 @@ class DebuggerModel {
   void show_all();
   /// Shows only the part below the selected node; everything if it was isolated.
   void toggle_isolated();
+  /// Asks the tree a query, such as "ray 0,2,1,0": it is drawn, and explained while nothing is selected.
+  /// Throws std::invalid_argument for what is none.
+  void ask(const std::string& query);
+  /// Selects nothing; if nothing is selected, forgets the query.
+  void deselect();
   std::optional<std::size_t> hovered_candidate;  ///< of the ballot: its plane is drawn
   std::optional<NodeId> hovered_node;            ///< under the mouse in a panel: marked in the others, too
 

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/query/asked_query.h"
 #include "core/query/text.h"
 
 namespace kerf {
@@ -35,7 +36,7 @@ constexpr auto kCommands = std::to_array<DebuggerCommand>({
     {"hide or show the selection", "H", [](DebuggerModel& model) { model.toggle_hidden(); }},
     {"only below the selected node", "I", [](DebuggerModel& model) { model.toggle_isolated(); }},
     {"show all", "", [](DebuggerModel& model) { model.show_all(); }},
-    {"deselect", "Esc", [](DebuggerModel& model) { model.select({}); }},
+    {"deselect", "Esc", [](DebuggerModel& model) { model.deselect(); }},
     {"maximum of the lane", "M", [](DebuggerModel& model) { model.go_to_extreme(true); }},
     {"minimum of the lane", "Shift+M", [](DebuggerModel& model) { model.go_to_extreme(false); }},
     {"loop the range", "L", [](DebuggerModel& model) { model.toggle_loop(); }},
@@ -163,6 +164,14 @@ void add_condition(const std::string& query, std::vector<SearchHit>& hits) {
       {"stop where " + query, "breakpoint", [query](DebuggerModel& model) { model.add_breakpoint(query); }});
 }
 
+/// What begins as a query; whatever is not finished says its form when it is chosen.
+void add_query(const std::string& query, std::vector<SearchHit>& hits) {
+  for (const std::string_view kind : kQueryKindNames)
+    if (query.starts_with(std::string(kind) + " "))
+      hits.push_back(
+          {query, "ask the tree; drawn and explained", [query](DebuggerModel& to) { to.ask(query); }});
+}
+
 void add_bookmarks(const DebuggerModel& model, const std::string& query, std::vector<SearchHit>& hits) {
   for (const auto& [moment, note] : model.bookmarks) {
     const std::string name = "bookmark " + to_string(moment, model.run().names());
@@ -198,6 +207,7 @@ std::vector<SearchHit> find_hits(DebuggerModel& model, std::string_view query) {
     if (may_be("step ")) add_step(model, id, hits);
     if (may_be("object ")) add_labelled(model, id, hits);
   }
+  add_query(text, hits);
   add_condition(text, hits);
   add_bookmarks(model, text, hits);
   std::vector<SearchHit> commands;

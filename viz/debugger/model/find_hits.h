@@ -21,7 +21,8 @@ bool has_all_words(const std::string& name, const std::string& query);
 
 /// What the words of a query name at this moment: nodes (n17), objects, pairs (12,77), events (e1234), steps,
 /// bookmarks by the words of their notes, commands of which all words are part, and for a condition
-/// (op==merge && depth>8) its next and previous moment and a breakpoint. Things come first.
+/// (op==merge && depth>8) its next and previous moment and a breakpoint; queries (ray 0,2,1,0). Things come
+/// first.
 std::vector<SearchHit> find_hits(DebuggerModel& model, std::string_view query);
 
 /// Whether each word of a query is part of a name, in capital or small letters.

@@ -122,6 +122,9 @@ class Run {
   /// Sentences, a line each. Says so if the selection no longer exists.
   [[nodiscard]] virtual std::string explain(const Selection& selection) = 0;
   [[nodiscard]] virtual std::string explain_event(std::uint64_t event) = 0;
+  /// How the tree at this moment answers a query, see `parse_query`. Throws std::invalid_argument for what is
+  /// none.
+  [[nodiscard]] virtual std::string explain_query(const std::string& query) = 0;
   /// What Algorithm 1 would do with a living node, with the figures.
   [[nodiscard]] virtual std::string wish(NodeId node) const = 0;
   [[nodiscard]] virtual std::vector<NodeId> leaves_of(ObjectId object) const = 0;

@@ -45,6 +45,7 @@ void RunOf<D>::moved() {
   judgement_.reset();
   hash_.reset();
   strip_of_.reset();
+  answer_.reset();
 }
 
 template <int D>
@@ -220,6 +221,25 @@ std::span<const TheirFault> RunOf<D>::all_their_faults() {
 template <int D>
 std::string RunOf<D>::explain_event(std::uint64_t event) {
   return to_text(kerf::explain_event(cursor_.replayer(), event), names());
+}
+
+template <int D>
+const QueryExplanation<D>* RunOf<D>::answer(const std::string& query) {
+  if (answer_ && answer_->first == query) return &answer_->second;
+  try {
+    answer_.emplace(query, kerf::explain_query(state().tree, state().latest, parse_query<D>(query)));
+  } catch (const std::invalid_argument&) {
+    return nullptr;
+  }
+  answer_->second.at = position();
+  return &answer_->second;
+}
+
+template <int D>
+std::string RunOf<D>::explain_query(const std::string& query) {
+  if (const QueryExplanation<D>* const known = answer(query)) return to_text(*known, names());
+  static_cast<void>(parse_query<D>(query));  // says what is wrong with it
+  return "";
 }
 
 template <int D>

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/query/explain_query.h"
 #include "core/query/search.h"
 #include "core/query/their_parts.h"
 #include "core/replay/cursor.h"
@@ -49,6 +50,7 @@ class RunOf final : public Run {
   [[nodiscard]] const ProjectionStrip& strip(std::size_t candidate) override;
   [[nodiscard]] std::string explain(const Selection& selection) override;
   [[nodiscard]] std::string explain_event(std::uint64_t event) override;
+  [[nodiscard]] std::string explain_query(const std::string& query) override;
   [[nodiscard]] std::string wish(NodeId node) const override;
   [[nodiscard]] std::vector<NodeId> leaves_of(ObjectId object) const override;
   [[nodiscard]] std::vector<Event> history(NodeId node) override;
@@ -84,6 +86,9 @@ class RunOf final : public Run {
   [[nodiscard]] std::vector<Body<D>> bodies();
   /// Another engine's structure after the step that has ended last; without cells if it is not known.
   [[nodiscard]] const StructureParts<D>& their_parts();
+  /// How the tree answers a query, see `parse_query`; null if that is none. Valid until it moves or another
+  /// is asked.
+  [[nodiscard]] const QueryExplanation<D>* answer(const std::string& query);
   /// The plane of a candidate of the ballot.
   [[nodiscard]] Plane<D> plane(std::size_t candidate);
 
@@ -107,6 +112,7 @@ class RunOf final : public Run {
   // Computed at the first use, dropped when the cursor moves.
   TreeSnapshotOf<D> tree_;
   std::optional<std::vector<CandidateRow>> ballot_;
+  std::optional<std::pair<std::string, QueryExplanation<D>>> answer_;
   std::optional<PairJudgement> judgement_;
   std::uint64_t judged_pairs_ = 0;
   mutable std::optional<std::uint64_t> hash_;

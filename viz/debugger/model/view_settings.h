@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <set>
+#include <string>
 #include <string_view>
 
 #include "core/base/ids.h"
@@ -41,6 +42,7 @@ struct ViewSettings {
   std::set<NodeId> hidden_nodes;   ///< with everything below them
   std::set<ObjectId> hidden_objects;
   ViewFacing facing{};
+  std::string query;  ///< asked of the tree and drawn, see parse_query; empty: none
 
   void face(std::string_view direction) { facing = {direction, facing.times + 1}; }
   /// From the direction that follows the last one in their list, or stands before it.

@@ -58,6 +58,7 @@ struct PanelMemory {
   std::optional<std::string> press;  ///< a part that is to be clicked, by its name
   std::optional<Selection> explained;
   Position explained_at;
+  std::string explained_query;
   std::string explanation;
   Position lit_at;                            ///< moment to which Algorithm 1 has scrolled
   std::optional<std::size_t> kept_candidate;  ///< of the ballot, pressed

@@ -108,7 +108,7 @@ void draw_search(PanelContext& context) {
     ImGui::PushID(search.completions);
     if (std::exchange(search.begins, false)) ImGui::SetKeyboardFocusHere();
     const bool entered = widgets::text_field(context.gui, "search text", search.text,
-                                             "node, object, pair, event, step, condition, command", -1);
+                                             "node, object, pair, event, step, condition, query, command", -1);
     widgets::go_on_typing();
     ImGui::PopID();
     if (search.text != before) search.chosen = 0;

@@ -172,6 +172,10 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
     draw_text_on(list, {area.x + 8, top}, their_text(counts), palette::kInk);
     top += line + 4;
   }
+  if (!counts.query.empty()) {
+    draw_text_on(list, {area.x + 8, top}, widgets::elided(counts.query, area.width - 24), palette::kInk);
+    top += line + 4;
+  }
   draw_error_counts(list, counts, {area.x + 8, top});
   const ViewSettings& settings = context.model.view;
   if (settings.layers.has(Layer::leaves)) {

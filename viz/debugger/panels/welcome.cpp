@@ -32,6 +32,12 @@ constexpr std::array kErrorRows{
     LegendRow{Mark::error, palette::kMissed, "error: an overlap that the other engine missed"},
     LegendRow{Mark::error, palette::kExtra, "error: the other engine reported what is no pair"}};
 
+/// While a query is asked.
+constexpr std::array kQueryRows{
+    LegendRow{Mark::framed, palette::kSelected, "bounds of a node that the query visited"},
+    LegendRow{Mark::framed, palette::kFaintInk, "dashed: bounds of a node that it pruned"},
+    LegendRow{Mark::framed, palette::kOperator, "what it found"}};
+
 void draw_mark(const LegendRow& row) {
   constexpr float kWide = 16;
   constexpr float kHigh = 11;
@@ -99,6 +105,8 @@ void draw_welcome(PanelContext& context) {
     for (const std::string& sentence : sentences(context.model.run())) widgets::wrapped_text(sentence);
     ImGui::Spacing();
     for (const LegendRow& row : kLegendRows) draw_mark(row);
+    if (!context.model.view.query.empty())
+      for (const LegendRow& row : kQueryRows) draw_mark(row);
     if (context.model.run().has_theirs())
       for (const LegendRow& row : kErrorRows) {
         draw_mark(row);

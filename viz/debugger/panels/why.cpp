@@ -40,14 +40,18 @@ const std::string& explanation_of(PanelContext& context) {
   PanelMemory& memory = context.memory;
   DebuggerModel& model = context.model;
   const Position& now = model.run().position();
-  if (memory.explained == model.selection() && memory.explained_at == now) return memory.explanation;
+  const std::string& query = model.view.query;
+  if (memory.explained == model.selection() && memory.explained_at == now && memory.explained_query == query)
+    return memory.explanation;
   memory.explained = model.selection();
   memory.explained_at = now;
+  memory.explained_query = query;
   try {
     const bool of_event = is_nothing(model.selection());
     memory.explanation = of_event ? std::string() : model.run().explain(model.selection());
     if (of_event && !now.is_end()) memory.explanation = model.run().explain_event(now.event);
-  } catch (const std::runtime_error& error) {
+    if (of_event && !query.empty()) memory.explanation = model.run().explain_query(query);
+  } catch (const std::exception& error) {
     memory.explanation = error.what();
   }
   return memory.explanation;

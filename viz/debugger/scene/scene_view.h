@@ -29,6 +29,7 @@ struct ShownCounts {
   bool theirs = false;  ///< another engine's structure is shown
   std::size_t their_nodes = 0;
   std::size_t their_faults = 0;
+  std::string query;  ///< what it found, and what that took; empty: none is asked
 };
 
 /// What the window wants of a view.
@@ -80,6 +81,9 @@ class SceneView {
   [[nodiscard]] virtual std::optional<Pair> pick_pair(double x, double y) const = 0;
   /// The place of the middle of an object or leaf, or of an edge of a partitioner.
   [[nodiscard]] virtual std::optional<SceneLabel> place_of(const Selection& selection) const = 0;
+
+  /// What to ask about a pixel: in 3D the ray through it, in 2D the point.
+  [[nodiscard]] virtual std::string query_at(double x, double y) const = 0;
 
   virtual void turn(double dx, double dy) = 0;
   virtual void move(double dx, double dy) = 0;

@@ -6,10 +6,13 @@
 #include <utility>
 
 #include "core/base/overloaded.h"
+#include "core/base/shortest_text.h"
 #include "core/query/text.h"
 #include "viz/debugger/model/recent_operators.h"
 #include "viz/debugger/scene/body_colors.h"
+#include "viz/debugger/scene/outline_box.h"
 #include "viz/debugger/scene/pick.h"
+#include "viz/debugger/scene/query_view.h"
 #include "viz/debugger/scene/ray.h"
 #include "viz/debugger/scene/selected_box.h"
 #include "viz/debugger/scene/their_nodes_view.h"
@@ -167,6 +170,7 @@ void SceneViewOf<D>::draw(const DebuggerModel& model) {
   draw_pairs(frame, lines);
   if (layers.has(Layer::operators) && !counts_.theirs) draw_event(frame, front);
   draw_selection(frame, front);
+  draw_asked(frame, front);
   draw_wrong_pairs<D>(frame, {all_bodies_, missed_, extra_}, front);
   if (model.hovered_candidate) draw_candidate(frame, *model.hovered_candidate, front);
   put_on(*look.theme, batches_);
@@ -266,6 +270,16 @@ void SceneViewOf<D>::draw_selection(const DrawContext<D>& frame, Batch& batch) {
 }
 
 template <int D>
+void SceneViewOf<D>::draw_asked(const DrawContext<D>& frame, Batch& batch) {
+  if (seen_->settings.query.empty()) return;
+  const QueryExplanation<D>* const answer = run_.answer(seen_->settings.query);
+  if (answer == nullptr) return;
+  counts_.query = summary(*answer);
+  for (auto& [point, text] : draw_query<D>(frame, *answer, all_bodies_, run_.info().names, batch))
+    add_label(point, std::move(text));
+}
+
+template <int D>
 void SceneViewOf<D>::draw_pair(const DrawContext<D>& frame, const Pair& pair, Batch& batch) {
   draw_object(frame, pair.a, batch);
   draw_object(frame, pair.b, batch);
@@ -299,11 +313,7 @@ template <int D>
 void SceneViewOf<D>::draw_object(const DrawContext<D>& frame, ObjectId id, Batch& batch) {
   const auto box = box_of(id);
   if (!box) return;
-  const Stroke stroke{palette::kOperator, 2 * frame.line_scale};
-  for (const HalfSpace& side : half_spaces(*box)) {
-    const auto sides = half_spaces(*box);
-    add_outline(batch, frame.view, plane_within(side, *box, sides), stroke);
-  }
+  outline_box(frame, *box, {palette::kOperator, 2 * frame.line_scale}, batch);
   add_label(to_point(box->max), run_.info().names.object(id));
 }
 
@@ -355,6 +365,21 @@ Selection SceneViewOf<D>::pick(double x, double y, bool node_wanted) const {
   const auto node =
       pick_node<D>({snapshot_, partitioners_, visible_.nodes, box_, look.scale, crowds_}, seen_->view, x, y);
   return node ? Selection(*node) : Selection();
+}
+
+template <int D>
+std::string SceneViewOf<D>::query_at(double x, double y) const {
+  if (!seen_) return "";
+  const SightRay sight = ray_through(seen_->view, x, y);
+  const auto coordinates = [](const Eigen::Vector3d& v) {
+    std::string text;
+    for (int i = 0; i < D; ++i) text += shortest_text(static_cast<Scalar>(v[i])) + ",";
+    return text;
+  };
+  if (D == 2) return "sphere " + coordinates(sight.start) + "0";
+  std::string ray = "ray " + coordinates(sight.start) + coordinates(sight.way.normalized());
+  ray.pop_back();
+  return ray;
 }
 
 template <int D>

@@ -31,6 +31,7 @@ class SceneViewOf final : public SceneView {
   [[nodiscard]] const std::vector<SceneLabel>& labels() const override { return labels_; }
   [[nodiscard]] std::uint64_t drawn() const override { return drawn_; }
   [[nodiscard]] Selection pick(double x, double y, bool node_wanted) const override;
+  [[nodiscard]] std::string query_at(double x, double y) const override;
   [[nodiscard]] std::optional<Pair> pick_pair(double x, double y) const override;
   [[nodiscard]] std::optional<SceneLabel> place_of(const Selection& selection) const override;
   void turn(double dx, double dy) override { orbit_.turn(dx, dy, width_, height_); }
@@ -79,6 +80,7 @@ class SceneViewOf final : public SceneView {
   void draw_recent(const DrawContext<D>& frame, Batch& batch);
   void draw_event(const DrawContext<D>& frame, Batch& batch);
   void draw_selection(const DrawContext<D>& frame, Batch& batch);
+  void draw_asked(const DrawContext<D>& frame, Batch& batch);
   void draw_node(const DrawContext<D>& frame, NodeId id, Batch& batch);
   void draw_hovered(const DrawContext<D>& frame, NodeId id, Batch& batch);
   void draw_object(const DrawContext<D>& frame, ObjectId id, Batch& batch);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "viz/draw/clip.h"
+#include "viz/debugger/scene/outline_box.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/structure_draw.h"
 
@@ -26,12 +26,6 @@ std::optional<Box<D>> box_of(const DrawContext<D>& frame, const StructureParts<D
   return is_drawable(body) ? std::optional(body.box) : std::nullopt;
 }
 
-template <int D>
-void outline(const DrawContext<D>& frame, const Box<D>& box, const Stroke& stroke, Batch& batch) {
-  const auto sides = half_spaces(box);
-  for (const HalfSpace& side : sides) add_outline(batch, frame.view, plane_within(side, box, sides), stroke);
-}
-
 }  // namespace
 
 template <int D>
@@ -49,8 +43,8 @@ std::vector<PlacedText> draw_their_faults(const DrawContext<D>& frame, const Str
   for (const StructureFault& fault : faults) {
     const auto box = box_of(frame, parts, fault);
     if (!box) continue;
-    outline(frame, *box, {palette::kInk, kFaultEdge * frame.line_scale}, front);
-    outline(frame, *box, {palette::kMissed, kFaultLine * frame.line_scale}, front);
+    outline_box(frame, *box, {palette::kInk, kFaultEdge * frame.line_scale}, front);
+    outline_box(frame, *box, {palette::kMissed, kFaultLine * frame.line_scale}, front);
     if (texts.size() < kMostTexts)
       texts.emplace_back(to_point(box->max), fault.text.substr(0, fault.text.find(':')));
   }

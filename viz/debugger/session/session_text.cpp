@@ -75,6 +75,7 @@ Json json_of(const ViewSettings& view) {
             {"hidden_objects", numbers_of(view.hidden_objects)}};
   if (view.isolated) json["isolated"] = view.isolated->value;
   if (view.theirs) json["theirs"] = true;
+  if (!view.query.empty()) json["query"] = view.query;
   return json;
 }
 
@@ -169,6 +170,7 @@ ViewSettings view_of(const Json& json) {
   for (const Json& object : json.at("hidden_objects")) view.hidden_objects.insert(ObjectId{whole(object)});
   if (json.contains("isolated")) view.isolated = NodeId{whole(json.at("isolated"))};
   view.theirs = json.value("theirs", false);
+  view.query = json.value("query", "");
   return view;
 }
 
