@@ -114,7 +114,7 @@ TEST(ReferencePanels, PanelsOfTheDebugger) {
 TEST(ReferencePanels, AQuery) {
   DebuggerStill<3> still;
   still.play(kGoToSplit);
-  still.play("key P\ntype \"ray -12,2,-3,1,0.05,0.3\"\nkey Enter\nclick \"tab Why\"\nhover 5,300\nwait 2");
+  still.play("key P\ntype \"ray 4,3,-9,0,0.02,1\"\nkey Enter\nclick \"tab Why\"\nhover 5,300\nwait 2");
   EXPECT_EQ(still.compare("view-query-3d", kWindow.all().view), "");
   EXPECT_EQ(still.compare("tab-why-query", kWindow.area(PanelId::why)), "");
 }

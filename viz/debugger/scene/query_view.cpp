@@ -14,7 +14,8 @@
 namespace kerf {
 namespace {
 
-constexpr double kVisited = 2;  // pixels of lines
+constexpr double kVisited = 1.25;  // pixels of lines
+constexpr double kInner = 0.35;    // opacity of those that are no leaves
 constexpr double kPruned = 1;
 constexpr double kFound = 2;
 constexpr double kAsked = 2.5;
@@ -44,8 +45,9 @@ void draw_visits(const DrawContext<D>& frame, const QueryExplanation<D>& e, Batc
   for (const bool visited : {false, true})
     for (const QueryVisit<D>& v : e.visits) {
       if ((v.visit.fate == NodeFate::visited) != visited || v.bounds.min[0] > v.bounds.max[0]) continue;
+      const Color of_visited = with_alpha(palette::kSelected, v.is_leaf ? 1 : kInner);
       const Stroke stroke = visited
-                                ? Stroke{palette::kSelected, (v.is_leaf ? kVisited : kVisited / 2) * scale}
+                                ? Stroke{of_visited, kVisited * scale}
                                 : Stroke{palette::kFaintInk, kPruned * scale, kDash * scale, kDash * scale};
       outline_box(frame, v.bounds, stroke, batch);
     }
