@@ -87,9 +87,27 @@ std::string begin_text(const AskedQuery<D>& query, double key) {
       query);
 }
 
+/// What is said of the queries of a kind only.
+struct QueryWords {
+  const char* aim;    ///< what nodes are looked at for
+  const char* later;  ///< why a node is pruned that the query reaches
+  const char* found;  ///< what is counted in a leaf
+  const char* all;    ///< what is counted in all
+};
+
 template <int D>
-bool is_about_nearness(const AskedQuery<D>& query) {
-  return std::holds_alternative<Ray<D>>(query) || std::holds_alternative<Nearest<D>>(query);
+QueryWords words_of(const AskedQuery<D>& query) {
+  constexpr QueryWords kRegion{"", "", " found", " found, "};
+  return std::visit(
+      Overloaded{
+          [](const Ray<D>&) {
+            return QueryWords{" to find the first", ", after what is hit already", " nearer", " hit, "};
+          },
+          [](const Nearest<D>&) {
+            return QueryWords{"", ", farther than what is found already", " nearer", " found, "};
+          },
+          [&](const Box<D>&) { return kRegion; }, [&](const Sphere<D>&) { return kRegion; }},
+      query);
 }
 
 template <int D>
@@ -97,9 +115,7 @@ std::string pruned_text(const QueryExplanation<D>& e, const QueryVisit<D>& v) {
   if (v.bounds.min[0] > v.bounds.max[0]) return "pruned, nothing is stored there";
   if (v.visit.fate == NodeFate::apart)
     return "pruned, " + std::visit([&](const auto& query) { return apart_text(query, v.bounds); }, e.query);
-  return "pruned" + begin_text<D>(e.query, v.visit.key) +
-         (std::holds_alternative<Ray<D>>(e.query) ? ", after what is hit already"
-                                                  : ", farther than what is found already");
+  return "pruned" + begin_text<D>(e.query, v.visit.key) + words_of<D>(e.query).later;
 }
 
 template <int D>
@@ -108,8 +124,8 @@ std::string fate_text(const QueryExplanation<D>& e, const QueryVisit<D>& v) {
   std::string text = "visited" + begin_text<D>(e.query, v.visit.key);
   if (!v.is_leaf) return text;
   text += ": " + counted(v.visit.tested, "box", "boxes") + " tested";
-  const std::string found = is_about_nearness<D>(e.query) ? " nearer" : " found";
-  return text + (v.visit.found == 0 ? ", none" : ", " + std::to_string(v.visit.found)) + found;
+  const std::uint32_t found = v.visit.found;
+  return text + (found == 0 ? ", none" : ", " + std::to_string(found)) + words_of<D>(e.query).found;
 }
 
 template <int D>
@@ -120,9 +136,8 @@ std::string visit_text(const QueryExplanation<D>& e, const QueryVisit<D>& v) {
 
 template <int D>
 std::string visits_text(const QueryExplanation<D>& e) {
-  std::string text = "the tree looks at " + counted(e.visits.size(), "node") +
-                     (std::holds_alternative<Ray<D>>(e.query) ? " to find the first" : "") + ", and prunes " +
-                     std::to_string(e.pruned()) + " of them:\n";
+  std::string text = "the tree looks at " + counted(e.visits.size(), "node") + words_of<D>(e.query).aim +
+                     ", and prunes " + std::to_string(e.pruned()) + " of them:\n";
   if (e.waiting > 0)
     text =
         counted(e.waiting, "object") + " changed since the tree was made, and are tested one by one\n" + text;
@@ -251,8 +266,7 @@ template <int D>
 std::string summary(const QueryExplanation<D>& e) {
   const std::string kind = std::string(kQueryKindNames[e.query.index()]) + ": ";
   if (e.status != QueryStatus::ok) return kind + std::string(to_string(e.status));
-  return kind + std::to_string(e.found.size()) +
-         (std::holds_alternative<Ray<D>>(e.query) ? " hit, " : " found, ") +
+  return kind + std::to_string(e.found.size()) + words_of<D>(e.query).all +
          std::to_string(e.visits.size() - e.pruned()) + " of " + counted(e.visits.size(), "node") +
          " visited, " + counted(e.tested(), "box", "boxes") + " tested";
 }

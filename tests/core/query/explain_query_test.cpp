@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/base/overloaded.h"
 #include "core/replay/cursor.h"
 #include "core/spatial/touch.h"
 #include "tests/support/dimensions.h"
@@ -33,9 +34,11 @@ TYPED_TEST_SUITE(ExplainQuery, test::Dimensions, test::DimensionNames);
 /// Whether a query, but for the nearest, finds a box, by the definition.
 template <int D>
 bool is_found(const AskedQuery<D>& query, const Box<D>& box) {
-  if (const auto* const ray = std::get_if<Ray<D>>(&query)) return touches(Cast<D>(*ray), box);
-  if (const auto* const asked = std::get_if<Box<D>>(&query)) return touches(*asked, box);
-  return touches(std::get<Sphere<D>>(query), box);
+  return std::visit(Overloaded{[&](const Ray<D>& ray) { return touches(Cast<D>(ray), box); },
+                               [&](const Box<D>& asked) { return touches(asked, box); },
+                               [&](const Sphere<D>& sphere) { return touches(sphere, box); },
+                               [](const Nearest<D>&) { return false; }},
+                    query);
 }
 
 /// Brute force finds the same, and no pruned node holds any of it, but for objects that are tested one by
@@ -55,7 +58,7 @@ void expect_right(const QueryExplanation<D>& answer, const BspState<D>& state) {
     if (v.visit.fate == NodeFate::visited) continue;
     const auto expect_absent = [&](ObjectId object) {
       const bool is_first = !answer.found.empty() && answer.found.front().object == object;
-      const bool is_ray = std::holds_alternative<Ray<D>>(answer.query);
+      const bool is_ray = answer.query.index() == static_cast<std::size_t>(QueryKind::ray);
       EXPECT_FALSE(is_ray ? is_first : std::ranges::binary_search(truth, object)) << object.value;
     };
     for_each_node(state.tree, v.visit.node, [&](NodeId node) {
@@ -118,7 +121,7 @@ TEST(ParseQuery, ReadsEachKind) {
   EXPECT_EQ(to_text(parse_query<3>(" box 0,0,0,1,2,3 ")), "the box from (0, 0, 0) to (1, 2, 3)");
   EXPECT_EQ(to_text(parse_query<2>("sphere 1,2,3")), "the sphere around (1, 2) of radius 3");
   EXPECT_EQ(to_text(parse_query<2>("sphere 1,2,0")), "the point (1, 2)");
-  EXPECT_EQ(std::get<Nearest<3>>(parse_query<3>("nearest 1,2,3,4")).count, 4U);
+  EXPECT_EQ(to_text(parse_query<3>("nearest 1,2,3,4")), "the point (1, 2, 3)");
 }
 
 TEST(ParseQuery, RefusesWhatIsNone) {

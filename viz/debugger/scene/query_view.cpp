@@ -6,8 +6,9 @@
 #include <optional>
 
 #include "core/base/overloaded.h"
-#include "core/query/text.h"
+#include "core/base/shortest_text.h"
 #include "viz/debugger/scene/outline_box.h"
+#include "viz/debugger/scene/ray.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/strokes.h"
 
@@ -21,7 +22,7 @@ constexpr double kFound = 2;
 constexpr double kAsked = 2.5;
 constexpr double kPoint = 5;
 constexpr double kDash = 5;
-constexpr std::size_t kMostTexts = 6;  // more would hide the scene
+constexpr std::size_t kMostNames = 6;  // more would hide the scene
 constexpr std::size_t kMany = 20;      // thick lines of more would be one spot
 constexpr int kCorners = 48;           // of a circle
 
@@ -137,7 +138,24 @@ bool is_near(const Eigen::Vector2d& at, std::span<const Eigen::Vector2d> taken, 
   });
 }
 
+/// "1,2,": as many numbers as there are axes.
+template <int D>
+std::string coordinates(const Eigen::Vector3d& v) {
+  std::string text;
+  for (int i = 0; i < D; ++i) text += shortest_text(static_cast<Scalar>(v[i])) + ",";
+  return text;
+}
+
 }  // namespace
+
+template <int D>
+std::string query_through(const View& view, double x, double y) {
+  const SightRay sight = ray_through(view, x, y);
+  if (D == 2) return "sphere " + coordinates<D>(sight.start) + "0";
+  std::string ray = "ray " + coordinates<D>(sight.start) + coordinates<D>(sight.way.normalized());
+  ray.pop_back();
+  return ray;
+}
 
 template <int D>
 std::vector<PlacedText> draw_query(const DrawContext<D>& frame, const QueryExplanation<D>& e,
@@ -153,13 +171,15 @@ std::vector<PlacedText> draw_query(const DrawContext<D>& frame, const QueryExpla
   for (const FoundObject& found : e.found) {
     const auto box = box_of(bodies, found.object);
     const auto at = box ? frame.view.project(to_point(box->max)) : std::nullopt;
-    if (!at || texts.size() == kMostTexts || is_near(*at, taken, frame.line_scale)) continue;
+    if (!at || texts.size() == kMostNames || is_near(*at, taken, frame.line_scale)) continue;
     taken.push_back(*at);
     texts.emplace_back(to_point(box->max), names.object(found.object));
   }
   return texts;
 }
 
+template std::string query_through<2>(const View&, double, double);
+template std::string query_through<3>(const View&, double, double);
 template std::vector<PlacedText> draw_query(const DrawContext<2>&, const QueryExplanation<2>&,
                                             std::span<const Body<2>>, const GivenNames&, Batch&);
 template std::vector<PlacedText> draw_query(const DrawContext<3>&, const QueryExplanation<3>&,

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "core/base/overloaded.h"
-#include "core/base/shortest_text.h"
 #include "core/query/text.h"
 #include "viz/debugger/model/recent_operators.h"
 #include "viz/debugger/scene/body_colors.h"
+#include "viz/debugger/scene/node_marks.h"
 #include "viz/debugger/scene/outline_box.h"
 #include "viz/debugger/scene/pick.h"
 #include "viz/debugger/scene/query_view.h"
@@ -260,13 +260,13 @@ template <int D>
 void SceneViewOf<D>::draw_selection(const DrawContext<D>& frame, Batch& batch) {
   std::visit(Overloaded{
                  [](std::monostate) {},
-                 [&](NodeId node) { draw_node(frame, node, batch); },
+                 [&](NodeId node) { mark_selected(frame, node, batch); },
                  [&](ObjectId object) { draw_object(frame, object, batch); },
                  [&](const Pair& pair) { draw_pair(frame, pair, batch); },
              },
              seen_->selection);
   if (seen_->hovered && node_in(seen_->selection) != seen_->hovered)
-    draw_hovered(frame, *seen_->hovered, batch);
+    mark_hovered(frame, *seen_->hovered, batch);
 }
 
 template <int D>
@@ -288,25 +288,6 @@ void SceneViewOf<D>::draw_pair(const DrawContext<D>& frame, const Pair& pair, Ba
   if (a && b)
     add_line(batch, frame.view, to_point(a->center()), to_point(b->center()),
              {palette::kOperator, 2.5 * frame.line_scale});
-}
-
-template <int D>
-void SceneViewOf<D>::draw_node(const DrawContext<D>& frame, NodeId id, Batch& batch) {
-  if (!snapshot_.is_alive(id)) return;
-  const Stroke stroke{palette::kSelected, 2.5 * frame.line_scale};
-  const TreeSnapshot::Node& node = snapshot_[id];
-  outline_cell(frame, id, stroke, batch);
-  if (node.is_leaf()) return;
-  const Polygon plane = partitioner_in_cell(snapshot_, id, frame.space_of(id));
-  add_polygon(batch, frame.view, plane, with_alpha(palette::kSelected, 0.25));
-  add_outline(batch, frame.view, plane, {palette::kSelected, 4 * frame.line_scale});
-}
-
-template <int D>
-void SceneViewOf<D>::draw_hovered(const DrawContext<D>& frame, NodeId id, Batch& batch) {
-  if (!snapshot_.is_alive(id)) return;
-  const Stroke stroke{palette::kInk, 1.5 * frame.line_scale};
-  outline_cell(frame, id, stroke, batch);
 }
 
 template <int D>
@@ -369,17 +350,7 @@ Selection SceneViewOf<D>::pick(double x, double y, bool node_wanted) const {
 
 template <int D>
 std::string SceneViewOf<D>::query_at(double x, double y) const {
-  if (!seen_) return "";
-  const SightRay sight = ray_through(seen_->view, x, y);
-  const auto coordinates = [](const Eigen::Vector3d& v) {
-    std::string text;
-    for (int i = 0; i < D; ++i) text += shortest_text(static_cast<Scalar>(v[i])) + ",";
-    return text;
-  };
-  if (D == 2) return "sphere " + coordinates(sight.start) + "0";
-  std::string ray = "ray " + coordinates(sight.start) + coordinates(sight.way.normalized());
-  ray.pop_back();
-  return ray;
+  return seen_ ? query_through<D>(seen_->view, x, y) : "";
 }
 
 template <int D>

@@ -81,8 +81,6 @@ class SceneViewOf final : public SceneView {
   void draw_event(const DrawContext<D>& frame, Batch& batch);
   void draw_selection(const DrawContext<D>& frame, Batch& batch);
   void draw_asked(const DrawContext<D>& frame, Batch& batch);
-  void draw_node(const DrawContext<D>& frame, NodeId id, Batch& batch);
-  void draw_hovered(const DrawContext<D>& frame, NodeId id, Batch& batch);
   void draw_object(const DrawContext<D>& frame, ObjectId id, Batch& batch);
   void draw_candidate(const DrawContext<D>& frame, std::size_t candidate, Batch& batch);
   void add_label(const Eigen::Vector3d& point, std::string text);
