@@ -24,6 +24,7 @@ DebuggerSession full_session() {
   session.bookmarks = {{Position::end_of(4), ""}, {{7, 278}, "a \"note\",\nüber two lines"}};
   session.view.layers = LayerSet::parse("objects,legend", LayerSet::none());
   session.view.tint = Tint::age;
+  session.view.query = "ray 0,2,1,0";
   session.view.least_depth = 2;
   session.view.greatest_depth = 9;
   session.view.isolated = NodeId{4};
@@ -90,6 +91,7 @@ TEST(Session, DamagedPartsAreRefused) {
       {R"("stops_when": "true")", R"("stops_when": "later")"},
       {R"("colour": "age")", R"("colour": "taste")"},
       {R"("layers": "objects)", R"("layers": "subjects)"},
+      {R"("query": "ray)", R"("query": "beam)"},
       {R"("distance": 7.0)", R"("distance": 0)"},
       {R"("from": 2.25)", R"("from": 1e999)"},
       {R"("kind": "shift-split")", R"("kind": "party")"},

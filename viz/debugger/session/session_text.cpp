@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
+
+#include "core/query/asked_query.h"
 
 namespace kerf {
 namespace {
@@ -160,6 +163,22 @@ AnyCamera camera_of(const Json& json) {
   return camera;
 }
 
+template <int D>
+bool is_query(const std::string& text) {
+  try {
+    static_cast<void>(parse_query<D>(text));
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+std::string query_of(const Json& json) {
+  auto text = json.get<std::string>();
+  if (!is_query<2>(text) && !is_query<3>(text)) fail("'" + text + "' is no query such as ray 0,2,1,0");
+  return text;
+}
+
 ViewSettings view_of(const Json& json) {
   ViewSettings view;
   view.layers = LayerSet::parse(json.at("layers").get<std::string>(), LayerSet::none());
@@ -170,7 +189,7 @@ ViewSettings view_of(const Json& json) {
   for (const Json& object : json.at("hidden_objects")) view.hidden_objects.insert(ObjectId{whole(object)});
   if (json.contains("isolated")) view.isolated = NodeId{whole(json.at("isolated"))};
   view.theirs = json.value("theirs", false);
-  view.query = json.value("query", "");
+  if (json.contains("query")) view.query = query_of(json.at("query"));
   return view;
 }
 
