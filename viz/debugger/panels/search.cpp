@@ -107,8 +107,9 @@ void draw_search(PanelContext& context) {
     }
     ImGui::PushID(search.completions);
     if (std::exchange(search.begins, false)) ImGui::SetKeyboardFocusHere();
-    const bool entered = widgets::text_field(context.gui, "search text", search.text,
-                                             "node, object, pair, event, step, condition, query, command", -1);
+    const bool entered =
+        widgets::text_field(context.gui, "search text", search.text,
+                            "node, object, pair, event, step, condition, query, command", -1);
     widgets::go_on_typing();
     ImGui::PopID();
     if (search.text != before) search.chosen = 0;
