@@ -31,7 +31,7 @@ namespace {
 constexpr std::size_t kMostObjects = 10'000;
 constexpr std::size_t kMostPartitioners = 1'500;
 constexpr std::size_t kMostPairs = 20'000;
-constexpr std::size_t kMostPairsInBrief = 4'000;
+constexpr std::size_t kMostPairsInBrief = 1'500;
 constexpr double kCellAlpha = 0.5;
 constexpr double kTriad = 26;  // pixels of an axis
 
