@@ -119,10 +119,11 @@ void ExplainCommand::run() const {
         if (!position.is_end()) throw UsageError("--step '" + step_ + "' is no step");
         if (!pair_.empty()) return why_pair(replayer, position.step, parse_pair(pair_, names));
         for (const Asked& asked : kAsked)
-          if (const std::string& numbers = asked_[static_cast<std::size_t>(asked.kind)]; !numbers.empty())
-            return to_text(
-                explain_query(replayer, position.step, parse_asked<D>(asked.option, asked.kind, numbers)),
-                names);
+          if (command_->count(asked.option) > 0) {
+            const std::string& numbers = asked_[static_cast<std::size_t>(asked.kind)];
+            const AskedQuery<D> query = parse_asked<D>(asked.option, asked.kind, numbers);
+            return to_text(explain_query(replayer, position.step, query), names);
+          }
         return to_text(explain_node(replayer, position.step, NodeId{parse_id("--node", node_, "n")}), names);
       });
   std::fputs(text.c_str(), stdout);
