@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "core/base/random.h"
-#include "core/geometry/direction_set.h"
 #include "core/related/plane_tree.h"
 
 namespace kerf {
@@ -13,13 +12,10 @@ namespace kerf {
 template <int D>
 class FixedDirections final : public PlaneTree<D> {
  public:
-  FixedDirections();
   [[nodiscard]] std::string_view name() const override { return "fixed-directions"; }
 
  private:
   [[nodiscard]] std::optional<Plane<D>> choose(std::span<const ObjectId> objects) override;
-
-  DirectionSet<D> directions_;
 };
 
 /// Candidates by principal components: S. Gottschalk, M. Lin and D. Manocha, "OBBTree: a hierarchical
