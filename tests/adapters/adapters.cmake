@@ -19,7 +19,8 @@ add_executable(kerf_adapter_steps ${bench_sources})
 target_link_libraries(kerf_adapter_steps PRIVATE kerf::adapters PkgConfig::BULLET PkgConfig::FCL PkgConfig::ODE
   box2d::box2d nlohmann_json::nlohmann_json)
 
-kerf_tests(adapters kerf_adapters PkgConfig::BULLET PkgConfig::FCL PkgConfig::ODE box2d::box2d)
+kerf_tests(adapters kerf_adapters PkgConfig::BULLET PkgConfig::FCL PkgConfig::ODE box2d::box2d
+  SEPARATE ".")  # two engines in one file do not go together
 kerf_adapter_sample(bullet PkgConfig::BULLET "the ball lies at 1\\.5")
 kerf_adapter_sample(ode PkgConfig::ODE "near in 1 of 6 steps")
 kerf_adapter_sample(fcl PkgConfig::FCL "near in 3 of 5 steps")

@@ -8,7 +8,7 @@
 #include "frames/sequence/draw_list_file.h"
 #include "tests/images/plants.h"
 #include "tests/images/scene_still.h"
-#include "tests/viz/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "viz/image/png.h"
 
 // Prints, as Markdown, what several rules say of planted bugs and of harmless noise: the table of

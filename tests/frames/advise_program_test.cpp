@@ -9,19 +9,19 @@
 namespace kerf {
 namespace {
 
+using test::interrupt_kerf;
+using test::read_json;
+using test::read_text;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::interrupt_kerf;
-using testing::Outcome;
-using testing::read_json;
-using testing::read_text;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 class AdviseProgram : public ::testing::Test {
  protected:
   std::string recorded(const std::string& scene, const std::string& steps = "30") {
     const std::string file = path(scene + ".kerf");
-    const Outcome outcome =
+    const RunOutcome outcome =
         run_kerf({"record", scene, "-o", file, "--objects", "60", "--grow", "20", "--steps", steps});
     EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
     return file;
@@ -33,8 +33,8 @@ class AdviseProgram : public ::testing::Test {
 
 TEST_F(AdviseProgram, RunsEveryBroadPhaseOnARecordingOfEitherDimension) {
   for (const char* const scene : {"pile-2d", "terrain"}) {
-    const Outcome outcome = run_kerf({"advise", recorded(scene), "--rounds", "2", "--json",
-                                      path("advice.json"), "--plot", path("advice.svg"), "--overwrite"});
+    const RunOutcome outcome = run_kerf({"advise", recorded(scene), "--rounds", "2", "--json",
+                                         path("advice.json"), "--plot", path("advice.svg"), "--overwrite"});
     ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
     EXPECT_EQ(outcome.err, "") << "no progress where there is no terminal";
     const auto json = read_json(path("advice.json"));
@@ -64,8 +64,8 @@ TEST_F(AdviseProgram, MeasuresTheStepsAndBroadPhasesAskedFor) {
   std::ofstream(path("boxes.csv")) << "step,object,min_x,max_x,min_y,max_y\n"
                                    << "100,7,0,1,0,1\n100,8,0,1,0,1\n110,7,0,2,0,1\n120,7,0,3,0,1\n";
   ASSERT_EQ(run_kerf({"import", path("boxes.csv"), "-o", path("own.kerf")}).exit, kExitHolds);
-  const Outcome outcome = run_kerf({"advise", path("own.kerf"), "--steps", "110:120", "--broad-phases",
-                                    "columns,kerf:skin=0", "--rounds", "2"});
+  const RunOutcome outcome = run_kerf({"advise", path("own.kerf"), "--steps", "110:120", "--broad-phases",
+                                       "columns,kerf:skin=0", "--rounds", "2"});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("steps 110 to 120")) << "as the import calls them";
   EXPECT_THAT(outcome.out, HasSubstr("kerf:skin=0"));
@@ -76,7 +76,7 @@ TEST_F(AdviseProgram, SaysWhatIsWrongWithWhatItIsGiven) {
   const std::string file = recorded("pile-2d");
   const auto error = [](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "advise");
-    const Outcome outcome = run_kerf(arguments);
+    const RunOutcome outcome = run_kerf(arguments);
     EXPECT_EQ(outcome.exit, kExitUnusable) << outcome.out;
     EXPECT_EQ(outcome.out, "");
     return outcome.err;
@@ -97,8 +97,8 @@ TEST_F(AdviseProgram, EndsSoonWhenInterruptedAndLeavesNothing) {
   const std::string file = recorded("pile-2d", "300");
   const std::vector<std::string> before = folder_.files();
   int asked = 0;
-  const Outcome outcome = interrupt_kerf({"advise", file, "--rounds", "1000", "--json", path("advice.json")},
-                                         [&] { return ++asked > 20; });
+  const RunOutcome outcome = interrupt_kerf(
+      {"advise", file, "--rounds", "1000", "--json", path("advice.json")}, [&] { return ++asked > 20; });
   EXPECT_EQ(outcome.exit, kExitInterrupted) << outcome.err;
   EXPECT_EQ(folder_.files(), before);
 }

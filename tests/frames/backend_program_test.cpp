@@ -11,15 +11,15 @@
 namespace kerf {
 namespace {
 
+using test::read_text;
+using test::run_kerf;
+using test::RunOutcome;
+using test::Surroundings;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_text;
-using testing::run_kerf;
-using testing::Surroundings;
-using testing::TemporaryFolder;
 
-Outcome render(const std::filesystem::path& out, const std::vector<std::string>& more,
-               const Surroundings& surroundings) {
+RunOutcome render(const std::filesystem::path& out, const std::vector<std::string>& more,
+                  const Surroundings& surroundings) {
   std::vector<std::string> arguments{"render",    "pile",   "--steps", "40:41",     "--objects",
                                      "60",        "--grow", "30",      "--size",    "160x120",
                                      "--workers", "1",      "--out",   out.string()};
@@ -40,14 +40,14 @@ class WithoutOsmesa : public ::testing::Test {
 };
 
 TEST_F(WithoutOsmesa, EglDrawsTheSamePictureUnasked) {
-  const Outcome outcome = render(out("without"), {}, hidden());
+  const RunOutcome outcome = render(out("without"), {}, hidden());
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   ASSERT_EQ(render(out("with"), {"--backend", "osmesa"}, {}).exit, kExitHolds);
   EXPECT_EQ(read_text(out("without") / "pile_000001.png"), read_text(out("with") / "pile_000001.png"));
 }
 
 TEST_F(WithoutOsmesa, TheAnswerSaysWhatToDo) {
-  const Outcome outcome = render(out("without"), {"--backend", "osmesa"}, hidden());
+  const RunOutcome outcome = render(out("without"), {"--backend", "osmesa"}, hidden());
   EXPECT_NE(outcome.exit, kExitHolds);
   EXPECT_THAT(outcome.err, HasSubstr("libOSMesa.so.8 cannot be loaded; draw with --backend egl"));
 }

@@ -17,12 +17,12 @@
 namespace kerf {
 namespace {
 
+using test::kerf_command;
+using test::Process;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::kerf_command;
-using testing::Outcome;
-using testing::Process;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 void wait_for(const std::function<bool()>& condition) {
   for (int wait = 0; wait < 3000 && !condition(); ++wait)
@@ -66,7 +66,7 @@ TEST_F(CompanyProgram, ASecondWriterIsRefusedAndTheFirstGoesOn) {
                                               path("frames"), "--record", file(), "--overwrite"},
                                              {"debug", "pile", "--steps", "5", "--headless", "--script",
                                               path("boxes.csv"), "--record", file(), "--overwrite"}}) {
-    const Outcome outcome = run_kerf(second);
+    const RunOutcome outcome = run_kerf(second);
     EXPECT_EQ(outcome.exit, 2) << second.front();
   }
   EXPECT_THAT(run_kerf({"record", "pile", "-o", file(), "--steps", "5", "--overwrite"}).err,
@@ -91,7 +91,7 @@ TEST_F(CompanyProgram, AReaderBreaksNoRecorder) {
   begin();
   RecordingReader<2> reader(file());
   first_->signal(SIGINT);
-  const Outcome outcome = first_->wait();
+  const RunOutcome outcome = first_->wait();
   EXPECT_EQ(outcome.exit, 130) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
   for (std::uint32_t step = 1; step <= reader.steps(); ++step) EXPECT_NO_THROW((void)reader.step(step));
@@ -112,7 +112,7 @@ TEST_F(CompanyProgram, AReaderBreaksNoFilm) {
     return reader != nullptr;
   });
   ASSERT_NE(reader, nullptr);
-  const Outcome outcome = render.wait();
+  const RunOutcome outcome = render.wait();
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
   EXPECT_EQ(RecordingReader<2>(file()).steps(), 400U);
   EXPECT_EQ(run_kerf({"collect", path("frames")}).exit, 0);
@@ -131,7 +131,7 @@ TEST_F(CompanyProgram, AKilledRecordingOpensFromAFolderThatCannotBeWritten) {
   std::filesystem::remove(file() + "-shm");
   std::string line = mount + " && ! touch " + folder + "/x 2>/dev/null && ";
   for (const std::string& word : kerf_command({"verify", file(), "--oracle-every", "0"})) line += word + " ";
-  const Outcome outcome = Process({"unshare", "-m", "sh", "-c", line}).wait();
+  const RunOutcome outcome = Process({"unshare", "-m", "sh", "-c", line}).wait();
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("is as recorded"));
 }

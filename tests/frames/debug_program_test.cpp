@@ -12,11 +12,11 @@
 namespace kerf {
 namespace {
 
+using test::Process;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::Process;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 /// A recording, a script and a folder for pictures.
 class DebugProgram : public ::testing::Test {
@@ -24,8 +24,8 @@ class DebugProgram : public ::testing::Test {
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
   void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
   void record() const {
-    const Outcome outcome = run_kerf({"record", "pyramid", "-o", path("run.kerf"), "--steps", "40",
-                                      "--config", "min_threshold=4,max_threshold=8,schedule_interval=2"});
+    const RunOutcome outcome = run_kerf({"record", "pyramid", "-o", path("run.kerf"), "--steps", "40",
+                                         "--config", "min_threshold=4,max_threshold=8,schedule_interval=2"});
     ASSERT_EQ(outcome.exit, 0) << outcome.err;
   }
 
@@ -35,8 +35,8 @@ class DebugProgram : public ::testing::Test {
 
 TEST_F(DebugProgram, RecordsASceneAndPlaysAScript) {
   write("s", "key End\nexpect steps == 20\nexpect step == 20\nscreenshot end\n");
-  const Outcome outcome = run_kerf({"debug", "pile", "--steps", "20", "--headless", "--script", path("s"),
-                                    "-o", path("out"), "--size", "1000x640"});
+  const RunOutcome outcome = run_kerf({"debug", "pile", "--steps", "20", "--headless", "--script", path("s"),
+                                       "-o", path("out"), "--size", "1000x640"});
   ASSERT_EQ(outcome.exit, 0) << outcome.err;
   const Image image = read_png(path("out/end.png"));
   EXPECT_EQ(image.width, 1000);
@@ -46,8 +46,9 @@ TEST_F(DebugProgram, RecordsASceneAndPlaysAScript) {
 TEST_F(DebugProgram, AScaleMakesThePictureFiner) {
   record();
   write("s", "expect scale == 2\nexpect theme == dark\nscreenshot fine\n");
-  const Outcome outcome = run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s"), "-o",
-                                    path("out"), "--size", "2000x1280", "--scale", "2", "--theme", "dark"});
+  const RunOutcome outcome =
+      run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s"), "-o", path("out"), "--size",
+                "2000x1280", "--scale", "2", "--theme", "dark"});
   ASSERT_EQ(outcome.exit, 0) << outcome.err;
   EXPECT_EQ(read_png(path("out/fine.png")).width, 2000);
   const auto refused = [&](const std::string& option, const std::string& text) {
@@ -104,7 +105,7 @@ TEST_F(DebugProgram, ADamagedFileOfTheWindowIsSaidAndKeptUntilThereIsAnother) {
 TEST_F(DebugProgram, AFailedExpectationIsAnExitCodeAndALine) {
   record();
   write("s", "key End\nexpect step == 3\n");
-  const Outcome outcome = run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s")});
+  const RunOutcome outcome = run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s")});
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.err, HasSubstr("line 2, 'expect step == 3': step is '40'"));
 }
@@ -127,9 +128,9 @@ TEST_F(DebugProgram, AFileOrFolderNamedLikeASceneDoesNotHideIt) {
   for (const char* const scene : {"pile", "pyramid"}) {
     std::string line = "cd " + path("") + " && exec";
     for (const std::string& word :
-         testing::kerf_command({"debug", scene, "--steps", "2", "--headless", "--script", "s"}))
+         test::kerf_command({"debug", scene, "--steps", "2", "--headless", "--script", "s"}))
       line += " " + word;
-    const Outcome outcome = Process({"/bin/sh", "-c", line}).wait();
+    const RunOutcome outcome = Process({"/bin/sh", "-c", line}).wait();
     EXPECT_EQ(outcome.exit, 0) << scene << ": " << outcome.err;
   }
 }
@@ -151,10 +152,10 @@ TEST_F(DebugProgram, ASessionIsReadAndKeptWhereItIsNamed) {
   EXPECT_EQ(play("load session\nexpect bookmarks == 3\n", {}).exit, 0) << "beside the recording";
   EXPECT_EQ(play("expect bookmarks == 1\n", {"hers"}).exit, 0) << "it stays as it is";
   write("letter", "dear");
-  const Outcome refused = play("key b\n", {"letter"});
+  const RunOutcome refused = play("key b\n", {"letter"});
   EXPECT_EQ(refused.exit, 2);
   EXPECT_THAT(refused.err, HasSubstr(path("letter") + " stays as it is: "));
-  const Outcome unwritable = play("key b\n", {"none/mine"});
+  const RunOutcome unwritable = play("key b\n", {"none/mine"});
   EXPECT_EQ(unwritable.exit, 2);
   EXPECT_THAT(unwritable.err, HasSubstr("the session is not saved"));
 }
@@ -164,7 +165,7 @@ TEST_F(DebugProgram, OptionsOfASceneAreRefusedForARecording) {
   write("s", "expect steps == 40\n");
   for (const char* const option :
        {"--steps", "--objects", "--grow", "--broad-phase", "--config", "--seed", "--record"}) {
-    const Outcome outcome =
+    const RunOutcome outcome =
         run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s"), option, "30"});
     EXPECT_EQ(outcome.exit, 2) << option;
     EXPECT_THAT(outcome.err, HasSubstr(std::string(option) + ": "));
@@ -179,10 +180,10 @@ TEST_F(DebugProgram, InterruptedWhileItRecordsItNamesOnlyWhatIsKept) {
     std::vector<std::string> arguments{"debug", "pile",       "--steps",  "900000", "--objects",
                                        "30",    "--headless", "--script", path("s")};
     if (kept) arguments.insert(arguments.end(), {"--record", path("kept.kerf")});
-    Process process(testing::kerf_command(arguments));
+    Process process(test::kerf_command(arguments));
     std::this_thread::sleep_for(std::chrono::milliseconds(1500));
     process.signal(SIGINT);
-    const Outcome outcome = process.wait();
+    const RunOutcome outcome = process.wait();
     EXPECT_EQ(outcome.exit, 130);
     EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
     EXPECT_EQ(outcome.err.find("steps are in " + path("kept.kerf")) != std::string::npos, kept);
@@ -197,12 +198,12 @@ TEST_F(DebugProgram, TheWindowShowsARecordingThatCanBeEnded) {
   write("s", "expect steps > 0\nexpect steps < 900000\n");
   for (const bool is_enough : {true, false}) {
     test::XDisplay display;
-    Process process(testing::kerf_command(
-        {"debug", "pile", "--steps", "900000", "--objects", "30", "--script", path("s")}));
+    Process process(
+        test::kerf_command({"debug", "pile", "--steps", "900000", "--objects", "30", "--script", path("s")}));
     display.wait_for_window();
     display.tap(is_enough ? "Return" : "Escape");
     display.flush();
-    const Outcome outcome = process.wait();
+    const RunOutcome outcome = process.wait();
     EXPECT_EQ(outcome.exit, is_enough ? 0 : 130) << outcome.err;
     EXPECT_EQ(outcome.err.find("keep it by --record") == std::string::npos, is_enough) << outcome.err;
   }
@@ -211,7 +212,7 @@ TEST_F(DebugProgram, TheWindowShowsARecordingThatCanBeEnded) {
 TEST_F(DebugProgram, AFileThatIsNotThereIsNoScene) {
   for (const char* const command : {"debug", "render"}) {
     for (const std::string& name : {std::string("nope.kerf"), path("nope")}) {
-      const Outcome outcome = run_kerf({command, name});
+      const RunOutcome outcome = run_kerf({command, name});
       EXPECT_NE(outcome.exit, 0);
       EXPECT_THAT(outcome.err, HasSubstr("there is no recording " + name)) << command;
       EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("scene '"))) << command;
@@ -221,7 +222,7 @@ TEST_F(DebugProgram, AFileThatIsNotThereIsNoScene) {
 
 TEST_F(DebugProgram, AFolderThatCannotBeIsNamedBeforeTheWork) {
   write("s", "screenshot a\n");
-  const Outcome outcome =
+  const RunOutcome outcome =
       run_kerf({"debug", "pile", "--steps", "5", "--headless", "--script", path("s"), "-o", "/proc/no"});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("cannot make the folder /proc/no: "));
@@ -233,7 +234,7 @@ TEST_F(DebugProgram, PicturesStayInTheirFolder) {
   record();
   for (const std::string name : {"../a", "/a", "b/a", "\"\""}) {
     write("s", "screenshot " + name + "\n");
-    const Outcome outcome =
+    const RunOutcome outcome =
         run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s"), "-o", path("shots")});
     EXPECT_EQ(outcome.exit, 2);
     EXPECT_THAT(outcome.err, HasSubstr("is no name of a picture"));
@@ -244,8 +245,8 @@ TEST_F(DebugProgram, PicturesStayInTheirFolder) {
 TEST_F(DebugProgram, WithoutADisplayItSaysWhatToDo) {
   record();
   const std::string command = "unset DISPLAY WAYLAND_DISPLAY; exec \"$0\" debug \"$1\"";
-  const Outcome outcome =
-      Process({"/bin/sh", "-c", command, testing::kerf_command({})[0], path("run.kerf")}).wait();
+  const RunOutcome outcome =
+      Process({"/bin/sh", "-c", command, test::kerf_command({})[0], path("run.kerf")}).wait();
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("--headless"));
 }
@@ -267,14 +268,14 @@ TEST_F(DebugProgram, AWindowShowsWhatIsDrawnWithoutOne) {
       "s",
       "key End\nkey ,\ndouble view@0.5,0.5\ndrag view@0.3,0.3 view@0.45,0.4\nwheel 2\nclick \"tab Oracle\"\n"
       "screenshot a\nkey ,\nkey ,\nclick n0\nhover 5,5\nscreenshot b\n");
-  const Outcome without =
+  const RunOutcome without =
       run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s"), "-o", path("without")});
   ASSERT_EQ(without.exit, 0) << without.err;
   std::vector<std::string> command{"/usr/bin/xvfb-run", "-a", "-s", "-screen 0 1400x900x24"};
   for (const std::string& word :
-       testing::kerf_command({"debug", path("run.kerf"), "--script", path("s"), "-o", path("with")}))
+       test::kerf_command({"debug", path("run.kerf"), "--script", path("s"), "-o", path("with")}))
     command.push_back(word);
-  const Outcome with = Process(command).wait();
+  const RunOutcome with = Process(command).wait();
   ASSERT_EQ(with.exit, 0) << with.err;
   for (const std::string name : {"a", "b"}) {
     const Image expected = read_png(path("without/" + name + ".png"));
@@ -294,7 +295,7 @@ TEST_F(DebugProgram, AnImportStopsWhereTheirPairsAreWrong) {
   write("boxes.csv", boxes);
   write("pairs.csv",
         "step,a,b\n1,0,1\n1,1,2\n2,0,1\n3,0,1\n3,1,2\n3,0,2\n4,0,1\n4,2,1\n4,1,2\n5,0,1\n5,1,2\n");
-  const Outcome imported =
+  const RunOutcome imported =
       run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", path("run.kerf")});
   ASSERT_EQ(imported.exit, 0) << imported.err;
   write("s",
@@ -307,18 +308,19 @@ TEST_F(DebugProgram, AnImportStopsWhereTheirPairsAreWrong) {
         "click \"tab Oracle\"\nwait 2\nclick \"missed 0\"\nexpect selection == \"pair 1,2\"\n"
         "key F5\nwait 2\nclick \"pair 0,2\"\nexpect selection == \"pair 0,2\"\n"
         "key F5\nwait 2\nclick \"twice 0\"\nexpect selection == \"pair 1,2\"\n");
-  const Outcome debugged = run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s")});
+  const RunOutcome debugged = run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s")});
   EXPECT_EQ(debugged.exit, 0) << debugged.err;
 }
 
 TEST_F(DebugProgram, LintFindsWhatWaits) {
-  const Outcome recorded = run_kerf({"record", "pile", "-o", path("run.kerf"), "--steps", "100", "--objects",
-                                     "200", "--grow", "60", "--config", "min_threshold=8,max_threshold=16"});
+  const RunOutcome recorded =
+      run_kerf({"record", "pile", "-o", path("run.kerf"), "--steps", "100", "--objects", "200", "--grow",
+                "60", "--config", "min_threshold=8,max_threshold=16"});
   ASSERT_EQ(recorded.exit, 0) << recorded.err;
-  const Outcome found = run_kerf({"lint", path("run.kerf"), "--within", "1"});
+  const RunOutcome found = run_kerf({"lint", path("run.kerf"), "--within", "1"});
   EXPECT_EQ(found.exit, 1);
   EXPECT_THAT(found.out, ::testing::ContainsRegex("e[0-9]+  "));
-  const Outcome none = run_kerf({"lint", path("run.kerf"), "--within", "1000"});
+  const RunOutcome none = run_kerf({"lint", path("run.kerf"), "--within", "1000"});
   EXPECT_EQ(none.exit, 0) << none.out;
   EXPECT_EQ(run_kerf({"lint", path("run.kerf"), "--within", "0"}).exit, 2);
 }

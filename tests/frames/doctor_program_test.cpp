@@ -11,12 +11,12 @@
 namespace kerf {
 namespace {
 
+using test::Process;
+using test::run_kerf;
+using test::RunOutcome;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::Outcome;
-using testing::Process;
-using testing::run_kerf;
 
 const nlohmann::json& part(const nlohmann::json& report, const std::string& name) {
   for (const auto& each : report.at("parts"))
@@ -25,14 +25,14 @@ const nlohmann::json& part(const nlohmann::json& report, const std::string& name
 }
 
 TEST(DoctorProgram, SaysWhatIsThere) {
-  const Outcome outcome = run_kerf({"doctor"});
+  const RunOutcome outcome = run_kerf({"doctor"});
   EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("ok      drawing"));
   EXPECT_THAT(outcome.out, HasSubstr("ok      films"));
 }
 
 TEST(DoctorProgram, SaysWhatToDoAboutWhatIsMissing) {
-  const Outcome outcome = run_kerf({"doctor", "--json"}, {.path = "/nowhere"});
+  const RunOutcome outcome = run_kerf({"doctor", "--json"}, {.path = "/nowhere"});
   EXPECT_EQ(outcome.exit, kExitHolds) << "no picture needs them";
   const auto report = nlohmann::json::parse(outcome.out);
   for (const char* name : {"films", "plots", "Python module"}) {
@@ -43,18 +43,18 @@ TEST(DoctorProgram, SaysWhatToDoAboutWhatIsMissing) {
 }
 
 TEST(DoctorProgram, SaysWhichPythonModuleIsFound) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "kerf");
   std::ofstream(folder.path() / "kerf" / "__init__.py") << "__version__ = '9.8.7'\n";
   const std::string command = "PYTHONPATH='" + folder.path().string() + "' exec \"$0\" doctor";
-  const Outcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
+  const RunOutcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
   EXPECT_EQ(outcome.exit, kExitHolds);
   EXPECT_THAT(outcome.out, HasSubstr("ok      Python module   kerf 9.8.7 for Python 3."));
 }
 
 TEST(DoctorProgram, WithoutADisplayItSaysHowToDoWithout) {
   const std::string command = "unset DISPLAY WAYLAND_DISPLAY; exec \"$0\" doctor";
-  const Outcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
+  const RunOutcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
   EXPECT_EQ(outcome.exit, kExitHolds);
   EXPECT_THAT(outcome.out, HasSubstr("missing display"));
   EXPECT_THAT(outcome.out, HasSubstr("xvfb-run"));
@@ -62,7 +62,7 @@ TEST(DoctorProgram, WithoutADisplayItSaysHowToDoWithout) {
 
 TEST(DoctorProgram, WhatPicturesNeedIsAFailure) {
   const std::string command = "TMPDIR=/nowhere exec \"$0\" doctor";
-  const Outcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
+  const RunOutcome outcome = Process({"sh", "-c", command, KERF_PROGRAM}).wait();
   EXPECT_EQ(outcome.exit, kExitDoesNotHold);
   EXPECT_THAT(outcome.out, HasSubstr("MISSING room"));
   EXPECT_THAT(outcome.err, HasSubstr("1 part"));

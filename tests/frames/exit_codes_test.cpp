@@ -15,11 +15,11 @@
 namespace kerf {
 namespace {
 
+using test::read_text;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_text;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 /// Files of every kind that commands take, whole and damaged. A word of a command that begins with @ is one
 /// of them, or one to be written.
@@ -51,7 +51,7 @@ class ExitCodes : public ::testing::Test {
   }
   static void TearDownTestSuite() { folder.reset(); }
 
-  static Outcome run(const std::string& line) {
+  static RunOutcome run(const std::string& line) {
     std::vector<std::string> arguments;
     std::istringstream words(line);
     for (std::string word; words >> word;)
@@ -59,7 +59,7 @@ class ExitCodes : public ::testing::Test {
     return run_kerf(arguments);
   }
   static void make(const std::string& line) {
-    const Outcome outcome = run(line);
+    const RunOutcome outcome = run(line);
     ASSERT_EQ(outcome.exit, kExitHolds) << line << "\n" << outcome.err;
   }
   static void write(const std::string& name, const std::string& text) {
@@ -161,7 +161,7 @@ constexpr Case kCases[] = {
 
 TEST_F(ExitCodes, EveryCommandHasItsCodes) {
   for (const Case& each : kCases) {
-    const Outcome outcome = run(each.line);
+    const RunOutcome outcome = run(each.line);
     EXPECT_EQ(outcome.exit, each.exit) << each.line << "\n" << outcome.err;
     EXPECT_EQ(outcome.err.empty(), each.exit == 0) << each.line;
   }
@@ -177,7 +177,7 @@ TEST_F(ExitCodes, ADamagedRecordingIsUnusableForEveryCommand) {
     for (const char* name : {"half", "fifty", "empty", "version", "none"}) {
       std::string line = command;
       line.replace(line.find('F'), 1, "@" + std::string(name) + ".kerf");
-      const Outcome outcome = run(line);
+      const RunOutcome outcome = run(line);
       EXPECT_EQ(outcome.exit, kExitUnusable) << line << "\n" << outcome.out << outcome.err;
       EXPECT_THAT(outcome.err, HasSubstr(std::string(name) + ".kerf")) << line;
     }

@@ -17,11 +17,11 @@ namespace kerf {
 namespace {
 
 using nlohmann::json;
+using test::Process;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::Process;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 std::vector<std::string> long_render(const std::filesystem::path& out) {
   return {"render", "pile", "--steps", "1:1000000:1", "--objects", "50", "--size", "160x120", "--out", out};
@@ -40,7 +40,7 @@ bool appears(const std::filesystem::path& file) {
 /// What is in `folder` is a valid part of a sequence: an incomplete manifest that names exactly the frames
 /// that are there, each with the pixels that it says.
 void expect_valid_part(const std::filesystem::path& folder) {
-  const json manifest = testing::read_json(folder / "frames.json");
+  const json manifest = test::read_json(folder / "frames.json");
   EXPECT_EQ(manifest["complete"], false);
   std::vector<std::string> expected{"frames.json"};
   for (const json& frame : manifest["frames"]) {
@@ -48,7 +48,7 @@ void expect_valid_part(const std::filesystem::path& folder) {
     const std::uint64_t hash = pixel_hash(read_png(folder / frame["file"].get<std::string>()));
     EXPECT_EQ(std::stoull(frame["pixel_hash"].get<std::string>(), nullptr, 16), hash);
   }
-  EXPECT_THAT(testing::files_in(folder), ::testing::UnorderedElementsAreArray(expected));
+  EXPECT_THAT(test::files_in(folder), ::testing::UnorderedElementsAreArray(expected));
 }
 
 class FailureProgram : public ::testing::TestWithParam<int> {};
@@ -57,15 +57,15 @@ TEST_P(FailureProgram, SignalLeavesAValidPart) {
   const TemporaryFolder folder;
   auto arguments = long_render(folder.path() / "frames");
   arguments.insert(arguments.end(), {"--video", folder.path() / "film.mp4"});
-  Process process(testing::kerf_command(arguments));
+  Process process(test::kerf_command(arguments));
   ASSERT_TRUE(appears(folder.path() / "frames" / "pile_000003.png"));
   process.signal(GetParam());
-  const Outcome outcome = process.wait();
+  const RunOutcome outcome = process.wait();
   EXPECT_EQ(outcome.exit, kExitInterrupted);
   EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
   EXPECT_EQ(folder.files(), std::vector<std::string>{"frames"}) << "half a film is no film";
   expect_valid_part(folder.path() / "frames");
-  EXPECT_GE(testing::read_json(folder.path() / "frames" / "frames.json")["frames"].size(), 4U);
+  EXPECT_GE(test::read_json(folder.path() / "frames" / "frames.json")["frames"].size(), 4U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, FailureProgram, ::testing::Values(SIGINT, SIGTERM, SIGHUP),
@@ -102,9 +102,9 @@ std::vector<std::string> short_render(const std::filesystem::path& out, const st
 
 /// The same files with the same bytes.
 void expect_same_folder(const std::filesystem::path& a, const std::filesystem::path& b) {
-  ASSERT_EQ(testing::files_in(a), testing::files_in(b));
-  for (const std::string& file : testing::files_in(a))
-    EXPECT_TRUE(testing::read_text(a / file) == testing::read_text(b / file)) << file;
+  ASSERT_EQ(test::files_in(a), test::files_in(b));
+  for (const std::string& file : test::files_in(a))
+    EXPECT_TRUE(test::read_text(a / file) == test::read_text(b / file)) << file;
 }
 
 TEST(FailureProgram, KilledRunLeavesNoProcessAndIsResumed) {
@@ -112,20 +112,20 @@ TEST(FailureProgram, KilledRunLeavesNoProcessAndIsResumed) {
   const auto all = folder.path() / "all";
   const auto part = folder.path() / "part";
   const auto arguments = short_render(part, "1:2000:10");
-  Process process(testing::kerf_command(with(arguments, {"--workers", "2"})));
+  Process process(test::kerf_command(with(arguments, {"--workers", "2"})));
   ASSERT_TRUE(appears(part / "pile_000003.png"));
   const std::vector<pid_t> workers = children_of(process.id());
   EXPECT_EQ(workers.size(), 2U);
   process.signal(SIGKILL);
   EXPECT_EQ(process.wait().exit, 128 + SIGKILL);
   for (const pid_t worker : workers) EXPECT_TRUE(goes_away(worker)) << worker;
-  EXPECT_EQ(testing::read_json(part / "frames.json")["complete"], false);
+  EXPECT_EQ(test::read_json(part / "frames.json")["complete"], false);
 
   EXPECT_EQ(run_kerf(arguments).exit, kExitUnusable) << "nothing is mixed unless asked for";
-  const Outcome other = run_kerf(with(arguments, {"--resume", "--camera", "width=9"}));
+  const RunOutcome other = run_kerf(with(arguments, {"--resume", "--camera", "width=9"}));
   EXPECT_EQ(other.exit, kExitUnusable);
   EXPECT_THAT(other.err, HasSubstr("camera"));
-  const Outcome resumed = run_kerf(with(arguments, {"--resume"}));
+  const RunOutcome resumed = run_kerf(with(arguments, {"--resume"}));
   ASSERT_EQ(resumed.exit, kExitHolds) << resumed.err;
   ASSERT_EQ(run_kerf(short_render(all, "1:2000:10")).exit, kExitHolds);
   expect_same_folder(part, all);
@@ -135,17 +135,17 @@ TEST(FailureProgram, ResumedFramesAreLookedAt) {
   const TemporaryFolder folder;
   const auto part = folder.path() / "part";
   ASSERT_EQ(run_kerf(short_render(part, "1:41:10")).exit, kExitHolds);
-  const std::string whole = testing::read_text(part / "pile_000001.png");
-  const std::string before = testing::read_text(part / "frames.json");
+  const std::string whole = test::read_text(part / "pile_000001.png");
+  const std::string before = test::read_text(part / "frames.json");
   std::filesystem::resize_file(part / "pile_000001.png", 100);
   std::filesystem::copy_file(part / "pile_000003.png", part / "pile_000002.png",
                              std::filesystem::copy_options::overwrite_existing);
   std::filesystem::remove(part / "pile_000004.png");
-  const Outcome outcome = run_kerf(with(short_render(part, "1:41:10"), {"--resume"}));
+  const RunOutcome outcome = run_kerf(with(short_render(part, "1:41:10"), {"--resume"}));
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
-  EXPECT_TRUE(testing::read_text(part / "pile_000001.png") == whole);
-  EXPECT_EQ(testing::read_text(part / "frames.json"), before);
-  for (const json& frame : testing::read_json(part / "frames.json")["frames"])
+  EXPECT_TRUE(test::read_text(part / "pile_000001.png") == whole);
+  EXPECT_EQ(test::read_text(part / "frames.json"), before);
+  for (const json& frame : test::read_json(part / "frames.json")["frames"])
     EXPECT_EQ(std::stoull(frame["pixel_hash"].get<std::string>(), nullptr, 16),
               pixel_hash(read_png(part / frame["file"].get<std::string>())));
 }
@@ -153,12 +153,12 @@ TEST(FailureProgram, ResumedFramesAreLookedAt) {
 TEST(FailureProgram, FramesOfAKilledWorkerAreDrawnByTheOthers) {
   const TemporaryFolder folder;
   const auto out = folder.path() / "a";
-  Process process(testing::kerf_command(with(short_render(out, "1:2000:10"), {"--workers", "3"})));
+  Process process(test::kerf_command(with(short_render(out, "1:2000:10"), {"--workers", "3"})));
   ASSERT_TRUE(appears(out / "pile_000003.png"));
   const std::vector<pid_t> workers = children_of(process.id());
   ASSERT_EQ(workers.size(), 3U);
   ::kill(workers[1], SIGKILL);
-  const Outcome outcome = process.wait();
+  const RunOutcome outcome = process.wait();
   EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("killed by signal 9"));
   ASSERT_EQ(run_kerf(with(short_render(folder.path() / "b", "1:2000:10"), {"--workers", "0"})).exit,
@@ -168,10 +168,10 @@ TEST(FailureProgram, FramesOfAKilledWorkerAreDrawnByTheOthers) {
 
 TEST(FailureProgram, WithoutAnyWorkerItIsAnErrorThatCanBeResumed) {
   const TemporaryFolder folder;
-  Process process(testing::kerf_command(with(long_render(folder.path()), {"--workers", "1"})));
+  Process process(test::kerf_command(with(long_render(folder.path()), {"--workers", "1"})));
   ASSERT_TRUE(appears(folder.path() / "pile_000003.png"));
   ::kill(children_of(process.id()).at(0), SIGKILL);
-  const Outcome outcome = process.wait();
+  const RunOutcome outcome = process.wait();
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("--resume"));
   expect_valid_part(folder.path());
@@ -179,10 +179,10 @@ TEST(FailureProgram, WithoutAnyWorkerItIsAnErrorThatCanBeResumed) {
 
 TEST(FailureProgram, TwoRendersIntoOneFolder) {
   const TemporaryFolder folder;
-  Process first(testing::kerf_command(long_render(folder.path())));
+  Process first(test::kerf_command(long_render(folder.path())));
   ASSERT_TRUE(appears(folder.path() / "pile_000003.png"));
   for (const char* const how : {"--overwrite", "--resume"}) {
-    const Outcome second = run_kerf(with(long_render(folder.path()), {how}));
+    const RunOutcome second = run_kerf(with(long_render(folder.path()), {how}));
     EXPECT_EQ(second.exit, kExitUnusable) << how;
     EXPECT_THAT(second.err, HasSubstr("another render is writing"));
   }
@@ -196,23 +196,23 @@ TEST(FailureProgram, FolderThatCannotBeMade) {
   std::ofstream(folder.path() / "file") << "x";
   for (const std::filesystem::path& out :
        {std::filesystem::path("/proc/kerf"), folder.path() / "file" / "below"}) {
-    const Outcome outcome = run_kerf(long_render(out));
+    const RunOutcome outcome = run_kerf(long_render(out));
     EXPECT_EQ(outcome.exit, kExitUnusable);
     EXPECT_THAT(outcome.err, HasSubstr(out.string()));
     EXPECT_THAT(outcome.err, HasSubstr("--out"));
   }
-  const Outcome file = run_kerf(long_render(folder.path() / "file"));
+  const RunOutcome file = run_kerf(long_render(folder.path() / "file"));
   EXPECT_EQ(file.exit, kExitUnusable);
   EXPECT_THAT(file.err, HasSubstr("not a folder"));
 }
 
 TEST(FailureProgram, FileThatMayNotGrowIsAnError) {
   const TemporaryFolder folder;
-  const Outcome outcome = run_kerf(long_render(folder.path()), {2000, ""});
+  const RunOutcome outcome = run_kerf(long_render(folder.path()), {2000, ""});
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, ::testing::ContainsRegex("pile_00000[0-9].png"));  // whichever worker was first
   EXPECT_THAT(outcome.err, HasSubstr("too large"));
-  EXPECT_THAT(testing::files_in(folder.path()), ::testing::Not(::testing::Contains("pile_000000.png")));
+  EXPECT_THAT(test::files_in(folder.path()), ::testing::Not(::testing::Contains("pile_000000.png")));
 }
 
 /// A file system of 300 kB in a mount namespace of its own, which takes a few dozen frames.
@@ -224,9 +224,9 @@ TEST(FailureProgram, FullDiskLeavesAValidPart) {
     GTEST_SKIP() << "this user may not mount";
   }
   std::string line = "mount -t tmpfs -o size=300k tmpfs " + disk + " && ";
-  for (const std::string& word : testing::kerf_command(long_render(disk))) line += word + " ";
+  for (const std::string& word : test::kerf_command(long_render(disk))) line += word + " ";
   line += "; code=$?; cp -r " + disk + " " + (folder.path() / "copy").string() + "; exit $code";
-  const Outcome outcome = Process({"unshare", "-m", "sh", "-c", line}).wait();
+  const RunOutcome outcome = Process({"unshare", "-m", "sh", "-c", line}).wait();
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("No space left"));
   EXPECT_THAT(outcome.err, HasSubstr("free some space"));
@@ -251,7 +251,7 @@ TEST(FailureProgram, WhatIsPrintedIntoAFullDeviceIsAnError) {
            "compare " + recording + " " + recording, "lint " + recording, "export " + recording + " --csv",
            "advise " + recording + " --broad-phases kerf,columns --rounds 2",
            "diff " + frames + " " + frames}) {
-    const Outcome outcome =
+    const RunOutcome outcome =
         Process({"sh", "-c", std::string(KERF_PROGRAM) + " " + arguments + " > /dev/full"}).wait();
     EXPECT_EQ(outcome.exit, kExitUnusable) << arguments;
     EXPECT_THAT(outcome.err, HasSubstr("standard output")) << arguments;
@@ -274,7 +274,7 @@ TEST(FailureProgram, WhatIsNoRecordingHasAnExitCodeOfItsOwn) {
                                              {"compare", recording, flat},
                                              {"lint", none},
                                              {"step", none, "--to", "step==1"}}) {
-    const Outcome outcome = run_kerf(command);
+    const RunOutcome outcome = run_kerf(command);
     EXPECT_EQ(outcome.exit, kExitUnusable) << command.front() << outcome.err;
   }
 }
@@ -299,7 +299,7 @@ TEST_P(UnwritablePlace, IsNamedWithItsReasonAndItsOption) {
   std::vector<std::string> arguments;
   for (const std::string& word : GetParam().arguments)
     arguments.push_back(word == "FILE" ? file : word == "FRAMES" ? frames : word == "FILM" ? film : word);
-  const Outcome outcome = run_kerf(arguments);
+  const RunOutcome outcome = run_kerf(arguments);
   EXPECT_NE(outcome.exit, 0);
   EXPECT_THAT(outcome.err, HasSubstr("/proc/no"));
   EXPECT_THAT(outcome.err, HasSubstr("No such file or directory"));
@@ -338,7 +338,7 @@ TEST(FailureProgram, APictureOnAFullDiskIsAnError) {
     GTEST_SKIP() << "this user may not mount";
   const std::string line = "mount -t tmpfs -o size=4k tmpfs " + disk + " && " + KERF_PROGRAM + " step " +
                            file + " --to step==3 --picture " + disk + "/a.png";
-  const Outcome outcome = Process({"unshare", "-m", "sh", "-c", line}).wait();
+  const RunOutcome outcome = Process({"unshare", "-m", "sh", "-c", line}).wait();
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("free some space"));
   EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("--out")));

@@ -9,13 +9,13 @@
 namespace kerf {
 namespace {
 
+using test::read_json;
+using test::read_text;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::Outcome;
-using testing::read_json;
-using testing::read_text;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 /// Sixty objects that rest, and one that falls for ever or lies far away.
 class FramingProgram : public ::testing::TestWithParam<int> {
@@ -36,14 +36,14 @@ class FramingProgram : public ::testing::TestWithParam<int> {
       csv << step << ",60,15,16," << y << "," << y + 1 << depth << "\n";
     }
     csv.close();
-    const Outcome outcome = run_kerf({"import", path("boxes.csv"), "-o", path("a.kerf"), "--overwrite"});
+    const RunOutcome outcome = run_kerf({"import", path("boxes.csv"), "-o", path("a.kerf"), "--overwrite"});
     ASSERT_EQ(outcome.exit, 0) << outcome.err;
   }
   void render(const std::string& steps, const std::string& out, const std::string& camera = "") const {
     std::vector<std::string> command{"render",  path("a.kerf"), "--steps", steps,    "--size",
                                      "640x360", "--ids",        "--out",   path(out)};
     if (!camera.empty()) command.insert(command.end(), {"--camera", camera});
-    const Outcome outcome = run_kerf(command);
+    const RunOutcome outcome = run_kerf(command);
     ASSERT_EQ(outcome.exit, 0) << outcome.err;
   }
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }

@@ -12,8 +12,8 @@
 namespace kerf {
 namespace {
 
+using test::ImportProgram;
 using ::testing::HasSubstr;
-using testing::ImportProgram;
 
 class ImportObjects : public ImportProgram {
  protected:
@@ -73,7 +73,7 @@ TEST_F(ImportObjects, HaveMeshesInThreeDimensions) {
   const auto no_triangles = [](const auto&) { return std::size_t{0}; };
   EXPECT_EQ(std::visit(Overloaded{triangles_of, no_triangles}, bodies[3].shape), 3U)
       << "a face of four corners is two triangles";
-  EXPECT_EQ(testing::run_kerf({"verify", path("a.kerf")}).exit, 0);
+  EXPECT_EQ(test::run_kerf({"verify", path("a.kerf")}).exit, 0);
 }
 
 /// A shape that does not fit is an oddity of the step, and its box is shown.
@@ -84,7 +84,7 @@ TEST_F(ImportObjects, AShapeThatIsLargerThanItsBoxIsNamed) {
   EXPECT_THAT(said, HasSubstr("boxes.csv, line 2: object 10 in step 1"));
   EXPECT_THAT(said, HasSubstr("objects.csv, line 3: object 99"));
   EXPECT_EQ(bodies_of<2>("a", 1)[10].shape, Shape<2>(Brick<2>{{1, 1}}));
-  EXPECT_EQ(testing::run_kerf({"verify", path("a.kerf")}).exit, 0);
+  EXPECT_EQ(test::run_kerf({"verify", path("a.kerf")}).exit, 0);
 }
 
 TEST_F(ImportObjects, WhatIsNoneIsRefused) {

@@ -9,7 +9,7 @@
 
 #include "tests/frames/program.h"
 
-namespace kerf::testing {
+namespace kerf::test {
 
 /// Imports small files in the manner of bug reports; those of tests/frames/cases are one folder each.
 class ImportProgram : public ::testing::Test {
@@ -24,8 +24,8 @@ class ImportProgram : public ::testing::Test {
   }
 
   /// Imports as NAME.kerf; `more` are further arguments.
-  [[nodiscard]] Outcome import(const std::string& name, const std::string& boxes,
-                               const std::vector<std::string>& more = {}) const {
+  [[nodiscard]] RunOutcome import(const std::string& name, const std::string& boxes,
+                                  const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments{"import", boxes, "-o", path(name + ".kerf"), "--overwrite"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_kerf(arguments);
@@ -33,25 +33,25 @@ class ImportProgram : public ::testing::Test {
   /// What is printed of an import that works.
   [[nodiscard]] std::string imported(const std::string& name, const std::string& boxes,
                                      const std::vector<std::string>& more = {}) const {
-    const Outcome outcome = import(name, boxes, more);
+    const RunOutcome outcome = import(name, boxes, more);
     EXPECT_EQ(outcome.exit, 0) << outcome.err;
     return outcome.out;
   }
   [[nodiscard]] std::string refused(const std::string& boxes,
                                     const std::vector<std::string>& more = {}) const {
-    const Outcome outcome = import("refused", boxes, more);
+    const RunOutcome outcome = import("refused", boxes, more);
     EXPECT_EQ(outcome.exit, 2) << outcome.out;
     EXPECT_FALSE(std::filesystem::exists(path("refused.kerf")));
     return outcome.err;
   }
   [[nodiscard]] std::string explained(const std::string& name, const std::string& step,
                                       const std::string& pair) const {
-    const Outcome outcome = run_kerf({"explain", path(name + ".kerf"), "--step", step, "--pair", pair});
+    const RunOutcome outcome = run_kerf({"explain", path(name + ".kerf"), "--step", step, "--pair", pair});
     EXPECT_EQ(outcome.exit, 0) << outcome.err;
     return outcome.out;
   }
   [[nodiscard]] std::string exported(const std::string& name, const std::string& what) const {
-    const Outcome outcome = run_kerf({"export", path(name + ".kerf"), what});
+    const RunOutcome outcome = run_kerf({"export", path(name + ".kerf"), what});
     EXPECT_EQ(outcome.exit, 0) << outcome.err;
     return outcome.out;
   }
@@ -63,4 +63,4 @@ class ImportProgram : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-}  // namespace kerf::testing
+}  // namespace kerf::test

@@ -13,13 +13,13 @@
 namespace kerf {
 namespace {
 
+using test::ImportProgram;
+using test::kerf_command;
+using test::Process;
+using test::run_kerf;
+using test::RunOutcome;
 using ::testing::HasSubstr;
-using testing::ImportProgram;
-using testing::kerf_command;
 using ::testing::Not;
-using testing::Outcome;
-using testing::Process;
-using testing::run_kerf;
 using ::testing::StartsWith;
 
 TEST_F(ImportProgram, ColumnsAreFoundByTheirNames) {
@@ -206,15 +206,15 @@ TEST_F(ImportProgram, CommentsBlankLinesAndLineEndsMayStandAnywhere) {
 }
 
 TEST_F(ImportProgram, StandardInputIsRead) {
-  const std::string command = testing::kerf_command({}).front();
+  const std::string command = test::kerf_command({}).front();
   const auto piped = [&](const std::string& input) {
-    testing::Process process({"/bin/sh", "-c",
-                              "cat '" + given("step_offset/boxes.csv") + "' | '" + command + "' import " +
-                                  input + " -o '" + path("s.kerf") + "' --overwrite"});
+    test::Process process({"/bin/sh", "-c",
+                           "cat '" + given("step_offset/boxes.csv") + "' | '" + command + "' import " +
+                               input + " -o '" + path("s.kerf") + "' --overwrite"});
     return process.wait();
   };
   for (const std::string input : {"-", "/dev/stdin"}) {
-    const Outcome outcome = piped(input);
+    const RunOutcome outcome = piped(input);
     EXPECT_EQ(outcome.exit, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("3 steps numbered 5000 to 5002"));
   }
@@ -228,7 +228,7 @@ TEST_F(ImportProgram, InterruptedItLeavesNothing) {
   for (int wait = 0; wait < 3000 && parts_of(file).empty(); ++wait)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   process.signal(SIGINT);
-  const Outcome outcome = process.wait();
+  const RunOutcome outcome = process.wait();
   EXPECT_EQ(outcome.exit, 130) << outcome.err;
   EXPECT_TRUE(parts_of(file).empty());
   EXPECT_FALSE(std::filesystem::exists(file));

@@ -12,13 +12,13 @@
 namespace kerf {
 namespace {
 
+using test::ImportProgram;
+using test::run_kerf;
+using test::RunOutcome;
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
-using testing::ImportProgram;
 using ::testing::Not;
-using testing::Outcome;
-using testing::run_kerf;
 using ::testing::StartsWith;
 using Words = std::vector<std::string>;
 
@@ -43,20 +43,20 @@ class ImportSteps : public ImportProgram {
   /// Pixels that objects cover in a frame.
   [[nodiscard]] int covered(const std::string& frame) const {
     int pixels = 0;
-    const auto json = testing::read_json(path(frame + ".draw.json"));
+    const auto json = test::read_json(path(frame + ".draw.json"));
     for (const auto& item : json["items"])
       if (item[0] == "object") pixels += item[8].get<int>();
     return pixels;
   }
-  static Outcome run(const Words& arguments, int exit = 0) {
-    Outcome outcome = run_kerf(arguments);
+  static RunOutcome run(const Words& arguments, int exit = 0) {
+    RunOutcome outcome = run_kerf(arguments);
     EXPECT_EQ(outcome.exit, exit) << arguments.front() << ": " << outcome.out << outcome.err;
     return outcome;
   }
 };
 
 TEST_F(ImportSteps, LintNamesThem) {
-  const Outcome lint = run({"lint", file(), "--within", "2"}, 1);
+  const RunOutcome lint = run({"lint", file(), "--within", "2"}, 1);
   EXPECT_THAT(lint.out, ContainsRegex("steps 50[0-4][0-9] to 50[0-4][0-9]\n"));
   EXPECT_THAT(lint.out, Not(ContainsRegex("steps [0-9][0-9]? to")));
 }
@@ -70,7 +70,7 @@ TEST_F(ImportSteps, VerifyNamesThem) {
   EXPECT_THAT(run({"explain", file(), "--step", "5003", "--node", "n0"}, 2).err,
               HasSubstr("the row of step 5010"));
   test::reseal(file());
-  const Outcome verdict = run({"verify", file()}, 1);
+  const RunOutcome verdict = run({"verify", file()}, 1);
   EXPECT_THAT(verdict.out, HasSubstr("diverges first in step 5010\n"));
   EXPECT_THAT(verdict.out, HasSubstr("not checked: steps 5011 to 5040"));
 }
@@ -84,7 +84,7 @@ TEST_F(ImportSteps, RerunTakesAndNamesThem) {
   };
   EXPECT_THAT(run(from("3"), 2).err, HasSubstr("goes from step 5001 to 5040"));
   EXPECT_EQ(run(from("5010")).out, path("b.kerf") + ": 40 steps\n");
-  const Outcome again = run(
+  const RunOutcome again = run(
       {"rerun", path("b.kerf"), "-o", path("c.kerf"), "--from", "5003", "--config", "max_threshold=7"}, 2);
   EXPECT_THAT(again.err, HasSubstr("another configuration from step 5010 on"));
   EXPECT_THAT(run({"rerun", file(), "-o", path("c.kerf"), "--refuse", "e0"}, 2).err,
@@ -94,7 +94,7 @@ TEST_F(ImportSteps, RerunTakesAndNamesThem) {
 TEST_F(ImportSteps, CompareNamesThem) {
   run({"rerun", file(), "-o", path("b.kerf"), "--config", "min_threshold=9,max_threshold=20", "--from",
        "5010"});
-  const Outcome text = run({"compare", file(), path("b.kerf")}, 1);
+  const RunOutcome text = run({"compare", file(), path("b.kerf")}, 1);
   EXPECT_THAT(text.out, ContainsRegex("differ first in step 50[1-4][0-9]"));
   EXPECT_THAT(text.out, ContainsRegex("B: e[0-9]+ step 50[1-4][0-9] "));
   const auto json = nlohmann::json::parse(run({"compare", "--json", file(), path("b.kerf")}, 1).out);
@@ -103,10 +103,10 @@ TEST_F(ImportSteps, CompareNamesThem) {
 }
 
 TEST_F(ImportSteps, MinimizeNamesThem) {
-  const Outcome small = run({"minimize", file(), "--when", "pairs>0", "-o", path("small.kerf")});
+  const RunOutcome small = run({"minimize", file(), "--when", "pairs>0", "-o", path("small.kerf")});
   EXPECT_THAT(small.out, ContainsRegex("holds at step 50[0-4][0-9]\n"));
   EXPECT_THAT(small.out, HasSubstr("small.kerf: 1 step, "));
-  EXPECT_THAT(testing::read_text(path("small.cpp")), ContainsRegex("// step 50[0-4][0-9]\n"));
+  EXPECT_THAT(test::read_text(path("small.cpp")), ContainsRegex("// step 50[0-4][0-9]\n"));
 }
 
 TEST_F(ImportSteps, RenderTakesThem) {
@@ -116,7 +116,7 @@ TEST_F(ImportSteps, RenderTakesThem) {
                exit);
   };
   render("5010:5020:10");
-  EXPECT_THAT(testing::read_text(path("frames/a_000001.draw.json")), HasSubstr("\"5020\""));
+  EXPECT_THAT(test::read_text(path("frames/a_000001.draw.json")), HasSubstr("\"5020\""));
   EXPECT_FALSE(std::filesystem::exists(path("frames/a_000002.png")));
   EXPECT_THAT(render("3:9", 2).err, HasSubstr("there is no step '3'; the recording has steps 5001 to 5040"));
   EXPECT_THAT(render("5020:5010", 2).err, HasSubstr("the first step, 5020, comes after the last, 5010"));
@@ -131,7 +131,7 @@ TEST_F(ImportSteps, RenderTakesDatesBetweenDots) {
   const auto steps_of = [&](const std::string& steps) {
     run({"render", path("dates.kerf"), "--steps", steps, "--size", "96x64", "--workers", "0", "--out",
          path("frames"), "--overwrite"});
-    const auto made = nlohmann::json::parse(testing::read_text(path("frames/frames.json")));
+    const auto made = nlohmann::json::parse(test::read_text(path("frames/frames.json")));
     std::string shown;
     for (const auto& frame : made["frames"]) shown += frame["given_step"].get<std::string>().substr(18) + " ";
     return shown;

@@ -13,16 +13,16 @@ namespace kerf {
 namespace {
 
 using test::PlantedBoxTree;
+using test::run_kerf;
+using test::RunOutcome;
 using test::TreeBug;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::Outcome;
-using testing::run_kerf;
 using ::testing::StartsWith;
 
 /// What an engine with such a tree writes of two steps: of thirteen objects one flies to another one far
 /// away, and its pairs are those of the tree with itself.
-class ImportStructure : public testing::ImportProgram {
+class ImportStructure : public test::ImportProgram {
  protected:
   static constexpr std::uint32_t kFar = 12;  // where object 3 goes
 
@@ -56,7 +56,7 @@ class ImportStructure : public testing::ImportProgram {
   [[nodiscard]] std::string import_of(const Files& files) const {
     return imported("a", files.boxes, {"--pairs", files.pairs, "--structure", files.nodes});
   }
-  [[nodiscard]] Outcome lint(const std::vector<std::string>& more = {}) const {
+  [[nodiscard]] RunOutcome lint(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments{"lint", path("a.kerf"), "--structure"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_kerf(arguments);
@@ -105,7 +105,7 @@ TEST_F(ImportStructure, ASoundTreeHasNoFault) {
   const std::string out = import_of(run(TreeBug::none, true, "0.25"));
   EXPECT_THAT(out, HasSubstr(": 0 missed, 0 extra"));
   EXPECT_THAT(out, HasSubstr("its structure has 50 nodes in 2 steps: 0 faults\n"));
-  const Outcome outcome = lint({"--depth", "12", "--overlap", "90%", "--margin", "0.2"});
+  const RunOutcome outcome = lint({"--depth", "12", "--overlap", "90%", "--margin", "0.2"});
   EXPECT_EQ(outcome.exit, 0) << outcome.out;
   EXPECT_EQ(outcome.out, "the structure is sound in all of its steps\n");
   EXPECT_EQ(run_kerf({"verify", path("a.kerf")}).exit, 0);
@@ -117,7 +117,7 @@ TEST_F(ImportStructure, ARefitThatWasForgottenIsNamedAndEndsTheSearch) {
   EXPECT_THAT(out, HasSubstr("1 missed, 0 extra"));
   EXPECT_THAT(out, HasSubstr("1 fault in 1 step"));
   EXPECT_THAT(out, HasSubstr("first in step 2: child outside its parent: n"));
-  const Outcome outcome = lint();
+  const RunOutcome outcome = lint();
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.out, StartsWith("step 2: child outside its parent: n"));
   EXPECT_THAT(outcome.out, HasSubstr("along x it ends at 20.75, beyond "));

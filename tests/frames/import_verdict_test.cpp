@@ -6,14 +6,14 @@
 namespace kerf {
 namespace {
 
+using test::run_kerf;
+using test::RunOutcome;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::Outcome;
-using testing::run_kerf;
 using ::testing::StartsWith;
 
 /// What is said of another engine's pairs, and what is kept of them.
-using ImportVerdict = testing::ImportProgram;
+using ImportVerdict = test::ImportProgram;
 
 TEST_F(ImportVerdict, PairsAreJudgedInThePrecisionGiven) {
   const std::string boxes = given("double_far/boxes.csv");
@@ -148,7 +148,7 @@ TEST_F(ImportVerdict, TheirNumbersOfStepsAreShownEverywhere) {
   EXPECT_THAT(stepped("a", "step==5001"), StartsWith("step 5001\n"));
   EXPECT_THAT(exported("a", "--boxes"), HasSubstr("\n5002,0,0,2,0,2,0\n"));
   EXPECT_THAT(exported("a", "--pairs"), HasSubstr("step,a,b\n5000,0,1\n5002,0,1\n"));
-  const Outcome other = run_kerf({"explain", path("a.kerf"), "--step", "1", "--pair", "0,1"});
+  const RunOutcome other = run_kerf({"explain", path("a.kerf"), "--step", "1", "--pair", "0,1"});
   EXPECT_EQ(other.exit, 2);
   EXPECT_THAT(other.err, HasSubstr("goes from step 5000 to 5002"));
 }
@@ -168,7 +168,7 @@ TEST_F(ImportVerdict, WhatWasGivenSurvivesARoundTrip) {
   write("boxes2.csv", exported("a", "--boxes"));
   write("pairs2.csv", exported("a", "--pairs"));
   (void)imported("b", path("boxes2.csv"), {"--pairs", path("pairs2.csv")});
-  const Outcome compared = run_kerf({"compare", path("a.kerf"), path("b.kerf")});
+  const RunOutcome compared = run_kerf({"compare", path("a.kerf"), path("b.kerf")});
   EXPECT_EQ(compared.exit, 0) << compared.out;
   EXPECT_EQ(exported("b", "--boxes"), exported("a", "--boxes"));
   EXPECT_EQ(exported("b", "--pairs"), exported("a", "--pairs"));
@@ -179,12 +179,12 @@ TEST_F(ImportVerdict, TwoImportsAreComparedByTheirPairsToo) {
   const std::string boxes = given("step_offset/boxes.csv");
   (void)imported("a", boxes, {"--pairs", given("step_offset/pairs.csv")});
   (void)imported("b", boxes, {"--pairs", write("b.csv", "step,a,b\n5000,0,1\n5001,0,1\n5002,0,1\n")});
-  const Outcome compared = run_kerf({"compare", path("a.kerf"), path("b.kerf")});
+  const RunOutcome compared = run_kerf({"compare", path("a.kerf"), path("b.kerf")});
   EXPECT_EQ(compared.exit, 1);
   EXPECT_THAT(compared.out, HasSubstr("theirs     differ first in step 5001\n  only B reported (0,1)\n"));
   EXPECT_THAT(compared.out, HasSubstr("verdicts   differ first in step 5001\n"));
   (void)imported("c", given("pair_file/boxes.csv"), {"--pairs", given("pair_file/p3.csv")});
-  const Outcome renamed = run_kerf({"compare", path("b.kerf"), path("c.kerf")});
+  const RunOutcome renamed = run_kerf({"compare", path("b.kerf"), path("c.kerf")});
   EXPECT_EQ(renamed.exit, 1);
   EXPECT_THAT(renamed.out, HasSubstr("names      differ first in step 5000"));
 }

@@ -11,12 +11,12 @@ namespace kerf {
 namespace {
 
 namespace fs = std::filesystem;
+using test::read_json;
+using test::read_text;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_json;
-using testing::read_text;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 /// Names that a URI, a shell, an option or an encoding could take for something else. Commands are run where
 /// the files lie, so that nothing stands before the names.
@@ -32,8 +32,8 @@ class NamesProgram : public ::testing::TestWithParam<const char*> {
     return stem + ending;
   }
   /// Everything is a positional argument or the value of an option, so "--" ends the options.
-  static Outcome run(const std::vector<std::string>& command) {
-    const Outcome outcome = run_kerf(command);
+  static RunOutcome run(const std::vector<std::string>& command) {
+    const RunOutcome outcome = run_kerf(command);
     EXPECT_EQ(outcome.exit, 0) << ::testing::PrintToString(command) << outcome.err;
     return outcome;
   }

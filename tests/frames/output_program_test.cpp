@@ -10,11 +10,11 @@
 namespace kerf {
 namespace {
 
+using test::read_text;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_text;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 constexpr const char* kSplit = "op==split && kind==acted";
 
@@ -24,14 +24,14 @@ class OutputProgram : public ::testing::Test {
   void SetUp() override { record("a"); }
 
   void record(const std::string& name) const {
-    const Outcome outcome =
+    const RunOutcome outcome =
         run_kerf({"record", "pile", "-o", file(name), "--steps", "20", "--objects", "40", "--grow", "10",
                   "--config", "min_threshold=4,max_threshold=8,schedule_interval=2"});
     ASSERT_EQ(outcome.exit, 0) << outcome.err;
   }
   /// Runs what must be refused as wrong usage, or must fail with another exit code, and answers why.
   static std::string refusal(const std::vector<std::string>& arguments, int exit = 2) {
-    const Outcome outcome = run_kerf(arguments);
+    const RunOutcome outcome = run_kerf(arguments);
     EXPECT_EQ(outcome.exit, exit) << outcome.err;
     return outcome.err;
   }
@@ -102,7 +102,7 @@ TEST_F(OutputProgram, ExportReplacesFilesOnlyWhenAskedAndRecordingsNever) {
 
 TEST_F(OutputProgram, ExportLeavesNoHalfFile) {
   const auto before = files();
-  const Outcome outcome = run_kerf({"export", file("a"), "--boxes", "-o", path("boxes.csv")}, {1000, ""});
+  const RunOutcome outcome = run_kerf({"export", file("a"), "--boxes", "-o", path("boxes.csv")}, {1000, ""});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("cannot write " + path("boxes.csv")));
   EXPECT_EQ(files(), before);

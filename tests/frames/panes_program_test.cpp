@@ -14,14 +14,14 @@ namespace kerf {
 namespace {
 
 using nlohmann::json;
+using test::read_json;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_json;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
-Outcome render(const std::string& scene, const std::filesystem::path& out,
-               const std::vector<std::string>& more, const std::string& size = "640x420") {
+RunOutcome render(const std::string& scene, const std::filesystem::path& out,
+                  const std::vector<std::string>& more, const std::string& size = "640x420") {
   std::vector<std::string> arguments{"render", scene, "--steps", "1:41:10", "--objects", "60",
                                      "--grow", "30",  "--size",  size,      "--out",     out.string()};
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -35,7 +35,7 @@ TEST_P(PanesProgram, HasTheSamePixelsWithAnyNumberOfProcesses) {
   json first;
   for (const char* const workers : {"0", "1", "3"}) {
     const std::filesystem::path out = folder.path() / workers;
-    const Outcome outcome =
+    const RunOutcome outcome =
         render(GetParam(), out, {"--beside", "loose-octree,sweep-and-prune", "--workers", workers});
     ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
     const json manifest = read_json(out / "frames.json");
@@ -66,7 +66,7 @@ TEST_P(PanesProgram, FollowsTheRunOfASinglePicture) {
 
 TEST_P(PanesProgram, OfOneBroadPhaseAlsoSaysWhatEachPixelShows) {
   const TemporaryFolder folder;
-  const Outcome outcome =
+  const RunOutcome outcome =
       render(GetParam(), folder.path() / "a", {"--broad-phase", "loose-octree", "--beside", "none", "--ids"});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   const std::string stem = std::string(GetParam()) + "_000004";
@@ -91,7 +91,7 @@ TEST_P(PanesProgram, FollowsARecordingAndItsShards) {
                                        "--beside", "columns,bullet-dbvt",
                                        "--out",    (folder.path() / name).string()};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = run_kerf(arguments);
+    const RunOutcome outcome = run_kerf(arguments);
     EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
     return read_json(folder.path() / name / "frames.json")["frames"];
   };
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PanesProgram, ::testing::Values("buckets-2d", "
 TEST(PanesProgramErrors, SayWhatToDo) {
   const TemporaryFolder folder;
   const auto complaint = [&](const std::vector<std::string>& more, const std::string& size = "640x420") {
-    const Outcome outcome = render("buckets-2d", folder.path() / "none", more, size);
+    const RunOutcome outcome = render("buckets-2d", folder.path() / "none", more, size);
     EXPECT_EQ(outcome.exit, kExitUnusable);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "none"));
     return outcome.err;
@@ -132,7 +132,7 @@ TEST(PanesProgramErrors, SayWhatToDo) {
 
 TEST(PanesProgramTimed, ShowsTimes) {
   const TemporaryFolder folder;
-  const Outcome outcome = render("buckets-2d", folder.path() / "a", {"--beside", "columns", "--timed"});
+  const RunOutcome outcome = render("buckets-2d", folder.path() / "a", {"--beside", "columns", "--timed"});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_EQ(read_json(folder.path() / "a" / "frames.json")["timed"], true);
 }

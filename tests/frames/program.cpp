@@ -5,7 +5,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -17,7 +16,7 @@
 
 #include "core/files/part_file.h"
 
-namespace kerf::testing {
+namespace kerf::test {
 namespace {
 
 /// Runs in the child, after fork and before the program.
@@ -40,28 +39,6 @@ void enter(const Surroundings& surroundings, const std::filesystem::path& output
 }
 
 }  // namespace
-
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "kerf-test-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::vector<std::string> TemporaryFolder::files() const { return files_in(path_); }
-
-std::vector<std::string> files_in(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    names.push_back(entry.path().filename().string());
-  }
-  std::ranges::sort(names);
-  return names;
-}
 
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -93,7 +70,7 @@ Process::~Process() {
 
 void Process::signal(int number) const { ::kill(pid_, number); }
 
-Outcome Process::wait() {
+RunOutcome Process::wait() {
   int status = 0;
   while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }
@@ -108,11 +85,11 @@ std::vector<std::string> kerf_command(const std::vector<std::string>& arguments)
   return command;
 }
 
-Outcome run_kerf(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
+RunOutcome run_kerf(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
   return Process(kerf_command(arguments), surroundings).wait();
 }
 
-Outcome interrupt_kerf(const std::vector<std::string>& arguments, const std::function<bool()>& when) {
+RunOutcome interrupt_kerf(const std::vector<std::string>& arguments, const std::function<bool()>& when) {
   Process process(kerf_command(arguments));
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!when() && std::chrono::steady_clock::now() < give_up)
@@ -127,4 +104,4 @@ bool has_written_part(const std::filesystem::path& file) {
   return !parts.empty() && std::filesystem::file_size(parts.front(), none) > 0 && !none;
 }
 
-}  // namespace kerf::testing
+}  // namespace kerf::test

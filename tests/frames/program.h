@@ -9,30 +9,15 @@
 #include <string>
 #include <vector>
 
-namespace kerf::testing {
+#include "tests/support/temporary_folder.h"
 
-/// A new folder below the system's temporary one; it goes away with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+namespace kerf::test {
 
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Names of all files in it, hidden ones included, sorted.
-  [[nodiscard]] std::vector<std::string> files() const;
-
- private:
-  std::filesystem::path path_;
-};
-
-std::vector<std::string> files_in(const std::filesystem::path& folder);
 std::string read_text(const std::filesystem::path& file);
 nlohmann::json read_json(const std::filesystem::path& file);
 
 /// What a program did. `exit` is 128 + the signal if it was killed, as a shell has it.
-struct Outcome {
+struct RunOutcome {
   int exit = -1;
   std::string out;
   std::string err;
@@ -58,7 +43,7 @@ class Process {
 
   [[nodiscard]] pid_t id() const { return pid_; }
   void signal(int number) const;
-  Outcome wait();
+  RunOutcome wait();
 
  private:
   TemporaryFolder outputs_;
@@ -67,10 +52,10 @@ class Process {
 
 /// `kerf` with these arguments.
 std::vector<std::string> kerf_command(const std::vector<std::string>& arguments);
-Outcome run_kerf(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
+RunOutcome run_kerf(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
 /// Interrupts it (SIGINT) when the condition holds, or after a minute.
-Outcome interrupt_kerf(const std::vector<std::string>& arguments, const std::function<bool()>& when);
+RunOutcome interrupt_kerf(const std::vector<std::string>& arguments, const std::function<bool()>& when);
 /// Whether a part of the file is there that is not empty.
 bool has_written_part(const std::filesystem::path& file);
 
-}  // namespace kerf::testing
+}  // namespace kerf::test

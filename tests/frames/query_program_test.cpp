@@ -11,10 +11,10 @@
 namespace kerf {
 namespace {
 
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 /// A recording of 60 steps in which operators act.
 class QueryProgram : public ::testing::Test {
@@ -22,8 +22,8 @@ class QueryProgram : public ::testing::Test {
   QueryProgram() { record("a", "min_threshold=4,max_threshold=8,schedule_interval=2"); }
 
   void record(const std::string& name, const std::string& config) {
-    const Outcome outcome = run_kerf({"record", "pile", "-o", file(name), "--steps", "60", "--objects", "60",
-                                      "--grow", "30", "--config", config});
+    const RunOutcome outcome = run_kerf({"record", "pile", "-o", file(name), "--steps", "60", "--objects",
+                                         "60", "--grow", "30", "--config", config});
     ASSERT_EQ(outcome.exit, 0) << outcome.err;
   }
   [[nodiscard]] std::string file(const std::string& name) const { return folder_.path() / (name + ".kerf"); }
@@ -34,25 +34,25 @@ class QueryProgram : public ::testing::Test {
 };
 
 TEST_F(QueryProgram, StepsToWhereAConditionHolds) {
-  const Outcome forward = run_kerf({"step", file("a"), "--to", "op==split && kind==acted"});
+  const RunOutcome forward = run_kerf({"step", file("a"), "--to", "op==split && kind==acted"});
   ASSERT_EQ(forward.exit, 0) << forward.err;
   EXPECT_THAT(forward.out, ::testing::ContainsRegex("^e[0-9]+ step [0-9]+ split n"));
   EXPECT_THAT(forward.out, HasSubstr("state hash "));
-  const Outcome three = run_kerf({"step", file("a"), "--to", "op==split && kind==acted", "--hits", "3"});
+  const RunOutcome three = run_kerf({"step", file("a"), "--to", "op==split && kind==acted", "--hits", "3"});
   EXPECT_TRUE(three.out.starts_with(forward.out));
   EXPECT_EQ(std::ranges::count(three.out, '\n'), 9);
   const std::string last_line = three.out.substr(three.out.rfind("\ne") + 1);
   const std::string last = last_line.substr(0, last_line.find(' '));
-  const Outcome back = run_kerf(
+  const RunOutcome back = run_kerf(
       {"step", file("a"), "--to", "op==split && kind==acted", "--from", last, "--reverse", "--hits", "2"});
   EXPECT_THAT(back.out, ::testing::EndsWith(forward.out));  // the first is the second before the third
 }
 
 TEST_F(QueryProgram, SaysWhenThereIsNoSuchMomentAndWhatIsWrongWithACondition) {
-  const Outcome none = run_kerf({"step", file("a"), "--to", "missed>0"});
+  const RunOutcome none = run_kerf({"step", file("a"), "--to", "missed>0"});
   EXPECT_EQ(none.exit, 1);
   EXPECT_THAT(none.err, HasSubstr("there is no such moment"));
-  const Outcome wrong = run_kerf({"step", file("a"), "--to", "redundncy>0.05"});
+  const RunOutcome wrong = run_kerf({"step", file("a"), "--to", "redundncy>0.05"});
   EXPECT_EQ(wrong.exit, 2);
   EXPECT_THAT(wrong.err, HasSubstr("'redundncy' is not known"));
   EXPECT_EQ(run_kerf({"step", file("a"), "--to", "step>3", "--from", "61"}).exit, 2);
@@ -62,16 +62,16 @@ TEST_F(QueryProgram, SaysWhenThereIsNoSuchMomentAndWhatIsWrongWithACondition) {
 
 TEST_F(QueryProgram, ExplainsPairsNodesAndEvents) {
   RecordingReader<2> recording(file("a"));
-  const Outcome node = run_kerf({"explain", file("a"), "--step", "50", "--node", "n0"});
+  const RunOutcome node = run_kerf({"explain", file("a"), "--step", "50", "--node", "n0"});
   EXPECT_EQ(node.exit, 0) << node.err;
   EXPECT_THAT(node.out, HasSubstr("after step 50, n0"));
   const std::vector<OperatorRow> rows = recording.operators();
   const auto first = std::ranges::find(rows, NodeId{0}, [](const OperatorRow& row) { return row.node.node; });
   ASSERT_NE(first, rows.end());
-  const Outcome event = run_kerf({"explain", file("a"), "--event", "e" + std::to_string(first->event)});
+  const RunOutcome event = run_kerf({"explain", file("a"), "--event", "e" + std::to_string(first->event)});
   EXPECT_EQ(event.exit, 0) << event.err;
   EXPECT_THAT(event.out, HasSubstr("n0 was a leaf that is crowded"));
-  const Outcome pair = run_kerf({"explain", file("a"), "--pair", "5,9"});
+  const RunOutcome pair = run_kerf({"explain", file("a"), "--pair", "5,9"});
   EXPECT_EQ(pair.exit, 0) << pair.err;
   EXPECT_THAT(pair.out, HasSubstr("after step 60, 5 and 9 are"));
   EXPECT_EQ(run_kerf({"explain", file("a"), "--pair", "5,5"}).exit, 2);
@@ -82,11 +82,11 @@ TEST_F(QueryProgram, ExplainsPairsNodesAndEvents) {
 }
 
 TEST_F(QueryProgram, ExplainsQueries) {
-  const Outcome hits = run_kerf({"explain", file("a"), "--step", "50", "--ray=-100,-100,1,1"});
+  const RunOutcome hits = run_kerf({"explain", file("a"), "--step", "50", "--ray=-100,-100,1,1"});
   EXPECT_EQ(hits.exit, 0) << hits.err;
   EXPECT_THAT(hits.out, HasSubstr("after step 50, the ray from (-100, -100) along (1, 1) hits"));
   EXPECT_THAT(hits.out, HasSubstr("  n0, "));
-  const Outcome misses = run_kerf({"explain", file("a"), "--ray", "0,1e6,1,0"});
+  const RunOutcome misses = run_kerf({"explain", file("a"), "--ray", "0,1e6,1,0"});
   EXPECT_THAT(misses.out, HasSubstr("hits 0 of"));
   EXPECT_THAT(misses.out, HasSubstr("pruned, y stays 1e+06, beside y ["));
   EXPECT_THAT(run_kerf({"explain", file("a"), "--box", "-100,-100,100,100"}).out,
@@ -104,7 +104,7 @@ TEST_F(QueryProgram, ComparesRuns) {
   record("same", "min_threshold=4,max_threshold=8,schedule_interval=2");
   record("other", "min_threshold=4,max_threshold=8,schedule_interval=2,min_balance=0.3");
   EXPECT_EQ(run_kerf({"compare", file("a"), file("same")}).exit, 0);
-  const Outcome differs = run_kerf({"compare", file("a"), file("other"), "--json"});
+  const RunOutcome differs = run_kerf({"compare", file("a"), file("other"), "--json"});
   EXPECT_EQ(differs.exit, 1);
   const auto json = nlohmann::json::parse(differs.out);
   EXPECT_FALSE(json["same"]);
@@ -132,7 +132,7 @@ TEST_F(QueryProgram, RunsAgainWithAnotherConfiguration) {
 
 /// What if this split had not been, had taken another plane, or the rule had changed from here on?
 TEST_F(QueryProgram, RunsAgainWithADecision) {
-  const Outcome found = run_kerf({"step", file("a"), "--to", "op==split && kind==acted"});
+  const RunOutcome found = run_kerf({"step", file("a"), "--to", "op==split && kind==acted"});
   const std::string event = found.out.substr(0, found.out.find(' '));
   ASSERT_EQ(run_kerf({"rerun", file("a"), "-o", file("b"), "--refuse", event}).exit, 0);
   EXPECT_EQ(run_kerf({"verify", file("b")}).exit, 0);
@@ -142,7 +142,7 @@ TEST_F(QueryProgram, RunsAgainWithADecision) {
   EXPECT_THAT(found.out, HasSubstr(" step " + json["first_different"]["events"].dump() + " "));
   EXPECT_TRUE(json["first_different"]["pairs"].is_null());
 
-  const Outcome taken = run_kerf({"rerun", file("a"), "-o", file("c"), "--take", event + ":1"});
+  const RunOutcome taken = run_kerf({"rerun", file("a"), "-o", file("c"), "--take", event + ":1"});
   ASSERT_EQ(taken.exit, 0) << taken.err;
   EXPECT_EQ(run_kerf({"verify", file("c")}).exit, 0);
   ASSERT_EQ(run_kerf({"rerun", file("c"), "-o", file("d"), "--config", "merge=0", "--from", "40"}).exit, 0);
@@ -152,7 +152,7 @@ TEST_F(QueryProgram, RunsAgainWithADecision) {
 TEST_F(QueryProgram, SaysWhyADecisionCannotBe) {
   const auto error = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"rerun", file("a"), "-o", file("b")});
-    const Outcome outcome = run_kerf(arguments);
+    const RunOutcome outcome = run_kerf(arguments);
     EXPECT_EQ(outcome.exit, 2);
     EXPECT_FALSE(std::filesystem::exists(file("b")));
     return outcome.err;
@@ -165,15 +165,15 @@ TEST_F(QueryProgram, SaysWhyADecisionCannotBe) {
 }
 
 TEST_F(QueryProgram, ExportsATimelineAndTables) {
-  const Outcome trace = run_kerf({"export", file("a"), "--chrome-trace", "-o", path("trace.json")});
+  const RunOutcome trace = run_kerf({"export", file("a"), "--chrome-trace", "-o", path("trace.json")});
   ASSERT_EQ(trace.exit, 0) << trace.err;
-  const auto json = testing::read_json(path("trace.json"));
+  const auto json = test::read_json(path("trace.json"));
   std::map<std::string, int> kinds;
   for (const auto& event : json["traceEvents"]) ++kinds[event["ph"]];
   EXPECT_EQ(kinds["X"], 60 * 6);
   EXPECT_EQ(kinds["C"], 60 * 4);
   EXPECT_GT(kinds["i"], 5);
-  const Outcome csv = run_kerf({"export", file("a"), "--csv"});
+  const RunOutcome csv = run_kerf({"export", file("a"), "--csv"});
   EXPECT_EQ(std::ranges::count(csv.out, '\n'), 61);
   EXPECT_EQ(run_kerf({"export", file("a")}).exit, 2);
   EXPECT_EQ(run_kerf({"export", file("a"), "--csv", "-o", path("no/such.csv")}).exit, 2);
@@ -182,7 +182,7 @@ TEST_F(QueryProgram, ExportsATimelineAndTables) {
 /// Its own boxes, exported and imported, make the same run.
 TEST_F(QueryProgram, WhatIsExportedCanBeImported) {
   ASSERT_EQ(run_kerf({"export", file("a"), "--boxes", "-o", path("boxes.csv")}).exit, 0);
-  const Outcome imported =
+  const RunOutcome imported =
       run_kerf({"import", path("boxes.csv"), "-o", file("b"), "--config",
                 "free_directions=0,min_threshold=4,max_threshold=8,schedule_interval=2"});
   ASSERT_EQ(imported.exit, 0) << imported.err;
@@ -203,17 +203,17 @@ TEST_F(QueryProgram, TheirMissedExtraAndRepeatedPairsAreFound) {
                                       "11,1,0\n11,0,1\n11,1,2\n"  // twice, and 0-2 is missed
                                       "12,0,1\n12,0,2\n12,1,2\n"
                                       "13,0,2\n13,1,2\n";  // 1 is gone
-  const Outcome imported =
+  const RunOutcome imported =
       run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("b")});
   ASSERT_EQ(imported.exit, 0) << imported.err;
   EXPECT_THAT(imported.out, HasSubstr("9 pairs: 1 missed, 1 extra, 1 twice"));
   EXPECT_THAT(imported.out, HasSubstr("first wrong in step 11"));
   EXPECT_THAT(run_kerf({"step", file("b"), "--to", "missed>0"}).out, ::testing::StartsWith("step 11\n"));
   EXPECT_THAT(run_kerf({"step", file("b"), "--to", "extra>0"}).out, ::testing::StartsWith("step 13\n"));
-  const Outcome verified = run_kerf({"verify", file("b")});
+  const RunOutcome verified = run_kerf({"verify", file("b")});
   EXPECT_EQ(verified.exit, 0) << verified.err;
   EXPECT_THAT(verified.out, HasSubstr("theirs: 9 pairs, 1 missed, 1 extra, 1 twice"));
-  const Outcome why = run_kerf({"explain", file("b"), "--step", "11", "--pair", "0,2"});
+  const RunOutcome why = run_kerf({"explain", file("b"), "--step", "11", "--pair", "0,2"});
   EXPECT_THAT(why.out, HasSubstr("0 and 2 are a pair: their boxes overlap"));
   EXPECT_THAT(why.out, HasSubstr("the other engine missed it"));
 }
@@ -222,14 +222,14 @@ TEST_F(QueryProgram, TheirMissedExtraAndRepeatedPairsAreFound) {
 TEST_F(QueryProgram, TheirPairsAreJudgedToTheirLastStep) {
   std::ofstream(path("boxes.csv")) << "10,0,0,1,0,1\n10,1,1,2,0,1\n";
   std::ofstream(path("pairs.csv")) << "10,0,1\n13,0,1\n";
-  const Outcome imported =
+  const RunOutcome imported =
       run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("b")});
   ASSERT_EQ(imported.exit, 0) << imported.err;
   EXPECT_THAT(imported.out, HasSubstr("2 steps numbered 10 to 13"));
   EXPECT_THAT(imported.out, HasSubstr("2 pairs: 0 missed, 0 extra"));
   EXPECT_THAT(imported.out, HasSubstr("odd: 1 step with pairs and without a line of boxes"));
   std::ofstream(path("pairs.csv")) << "10,0,1\n9,0,1\n";
-  const Outcome early =
+  const RunOutcome early =
       run_kerf({"import", path("boxes.csv"), "--pairs", path("pairs.csv"), "-o", file("c")});
   EXPECT_EQ(early.exit, 2);
   EXPECT_THAT(early.err, HasSubstr("pairs.csv, line 2"));
@@ -239,7 +239,7 @@ TEST_F(QueryProgram, TheirPairsAreJudgedToTheirLastStep) {
 TEST_F(QueryProgram, MistakesInAnImportAreNamedByTheirLine) {
   const auto refusal = [&](const std::string& text) {
     std::ofstream(path("boxes.csv")) << text;
-    const Outcome outcome = run_kerf({"import", path("boxes.csv"), "-o", file("b"), "--overwrite"});
+    const RunOutcome outcome = run_kerf({"import", path("boxes.csv"), "-o", file("b"), "--overwrite"});
     EXPECT_EQ(outcome.exit, 2) << text;
     return outcome.err;
   };
@@ -254,7 +254,7 @@ TEST_F(QueryProgram, MistakesInAnImportAreNamedByTheirLine) {
 }
 
 TEST_F(QueryProgram, MinimizesToARecordingAPictureAndATest) {
-  const Outcome outcome =
+  const RunOutcome outcome =
       run_kerf({"minimize", file("a"), "--when", "op==split && kind==acted", "-o", file("small")});
   ASSERT_EQ(outcome.exit, 0) << outcome.err;
   const RecordingReader<2> whole(file("a"));
@@ -264,26 +264,27 @@ TEST_F(QueryProgram, MinimizesToARecordingAPictureAndATest) {
   EXPECT_EQ(run_kerf({"verify", file("small")}).exit, 0);
   EXPECT_EQ(run_kerf({"step", file("small"), "--to", "op==split && kind==acted"}).exit, 0);
   EXPECT_GT(std::filesystem::file_size(path("small.png")), 1000U);
-  const std::string test = testing::read_text(path("small.cpp"));
+  const std::string test = test::read_text(path("small.cpp"));
   EXPECT_THAT(test, HasSubstr("op==split && kind==acted"));
   EXPECT_THAT(test,
               HasSubstr("EXPECT_EQ(tree.state_hash(), 0x" + to_hex(small.rows().back().state_hash) + "U);"));
   EXPECT_EQ(run_kerf({"minimize", file("a"), "--when", "missed>0", "-o", file("none")}).exit, 1);
-  const Outcome timed = run_kerf({"minimize", file("a"), "--when", "step_time>2*median", "-o", file("none")});
+  const RunOutcome timed =
+      run_kerf({"minimize", file("a"), "--when", "step_time>2*median", "-o", file("none")});
   EXPECT_EQ(timed.exit, 2);
   EXPECT_THAT(timed.err, HasSubstr("times differ from run to run"));
 }
 
 TEST_F(QueryProgram, DrawsTheMomentThatItFinds) {
-  const Outcome outcome = run_kerf({"step", file("a"), "--to", "step==40", "--picture", path("40.png")});
+  const RunOutcome outcome = run_kerf({"step", file("a"), "--to", "step==40", "--picture", path("40.png")});
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
   EXPECT_GT(std::filesystem::file_size(path("40.png")), 1000U);
-  const Outcome fewer =
+  const RunOutcome fewer =
       run_kerf({"step", file("a"), "--to", "step>=40", "--hits", "50", "--picture", path("last.png")});
   EXPECT_EQ(fewer.exit, 0) << fewer.err;
   ASSERT_TRUE(std::filesystem::exists(path("last.png")));
   ASSERT_EQ(run_kerf({"step", file("a"), "--to", "step==60", "--picture", path("60.png")}).exit, 0);
-  EXPECT_TRUE(testing::read_text(path("last.png")) == testing::read_text(path("60.png")));
+  EXPECT_TRUE(test::read_text(path("last.png")) == test::read_text(path("60.png")));
 }
 
 }  // namespace

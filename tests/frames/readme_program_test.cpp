@@ -11,12 +11,12 @@
 namespace kerf {
 namespace {
 
+using test::Process;
+using test::read_text;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::Process;
-using testing::read_text;
 using ::testing::SizeIs;
-using testing::TemporaryFolder;
 
 std::string project_text(const std::string& file) { return read_text(KERF_SOURCE_DIR "/" + file); }
 
@@ -46,7 +46,7 @@ std::string joined(const std::vector<std::string>& texts) {
 }
 
 /// A shell that finds `kerf`, opens no window and ends at the first mistake.
-Outcome run_script(const std::string& script, const std::filesystem::path& folder) {
+RunOutcome run_script(const std::string& script, const std::filesystem::path& folder) {
   const std::filesystem::path program = KERF_PROGRAM;
   const std::string begin =
       "set -e\ncd '" + folder.string() + "'\nPATH='" + program.parent_path().string() + "':$PATH\n" +
@@ -65,7 +65,7 @@ TEST(ReadmeProgram, TheCommandsOfTheFirstFiveMinutesWork) {
   std::ofstream(folder.path() / "pairs.csv") << csv[1];
   const std::vector<std::string> commands = blocks(text, "sh");
   ASSERT_THAT(commands, SizeIs(4));
-  const Outcome outcome = run_script(joined(commands), folder.path());
+  const RunOutcome outcome = run_script(joined(commands), folder.path());
   EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("1 missed, 1 extra"));
   for (const char* file :
@@ -98,7 +98,7 @@ std::string first_group(const std::string& text, const char* expression) {
 
 TEST(ReadmeProgram, OneVersionIsSaidEverywhere) {
   const std::string version = first_group(project_text("CMakeLists.txt"), R"(project\(Kerf VERSION (\S+))");
-  EXPECT_EQ(testing::run_kerf({"--version"}).out, "kerf " + version + "\n");
+  EXPECT_EQ(test::run_kerf({"--version"}).out, "kerf " + version + "\n");
   EXPECT_EQ(first_group(project_text("CHANGELOG.md"), R"(\n## (\d+\.\d+\.\d+))"), version);
 }
 

@@ -13,23 +13,23 @@
 namespace kerf {
 namespace {
 
+using test::kerf_command;
+using test::Process;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::kerf_command;
-using testing::Outcome;
-using testing::Process;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 TEST(RecordProgram, RecordsAndVerifiesScenesOfBothDimensions) {
   for (const char* const scene : {"pile", "terrain"}) {
     const TemporaryFolder folder;
     const std::string file = folder.path() / "a.kerf";
-    const Outcome recorded = run_kerf({"record", scene, "-o", file, "--steps", "40", "--objects", "60",
-                                       "--grow", "20", "--config", "min_threshold=4,max_threshold=8"});
+    const RunOutcome recorded = run_kerf({"record", scene, "-o", file, "--steps", "40", "--objects", "60",
+                                          "--grow", "20", "--config", "min_threshold=4,max_threshold=8"});
     ASSERT_EQ(recorded.exit, 0) << recorded.err;
     EXPECT_THAT(recorded.out, HasSubstr("40 steps"));
     EXPECT_EQ(folder.files(), std::vector<std::string>{"a.kerf"});
-    const Outcome verified = run_kerf({"verify", file, "--timings"});
+    const RunOutcome verified = run_kerf({"verify", file, "--timings"});
     EXPECT_EQ(verified.exit, 0) << verified.err;
     EXPECT_THAT(verified.out,
                 HasSubstr("every event, figure, state hash, keyframe and set of pairs is as recorded"));
@@ -49,7 +49,7 @@ TEST(RecordProgram, RenderingRecordsTheSameRun) {
   record.insert(record.end(), scene.begin(), scene.end());
   render.insert(render.end(), scene.begin(), scene.end());
   ASSERT_EQ(run_kerf(record).exit, 0);
-  const Outcome rendered = run_kerf(render);
+  const RunOutcome rendered = run_kerf(render);
   ASSERT_EQ(rendered.exit, 0) << rendered.err;
   const RecordingReader<2> one(alone);
   const RecordingReader<2> other(beside);
@@ -65,14 +65,14 @@ TEST(RecordProgram, TheBroadPhaseIsTheRecordedOne) {
   for (const std::string name : {"kerf-paper", "kerf"}) {
     const TemporaryFolder folder;
     const std::string file = folder.path() / "a.kerf";
-    const Outcome recorded = run_kerf({"record", "pile", "-o", file, "--steps", "3", "--objects", "20",
-                                       "--broad-phase", name, "--config", "max_redundancy=0.1"});
+    const RunOutcome recorded = run_kerf({"record", "pile", "-o", file, "--steps", "3", "--objects", "20",
+                                          "--broad-phase", name, "--config", "max_redundancy=0.1"});
     ASSERT_EQ(recorded.exit, 0) << recorded.err;
     EXPECT_EQ(broad_phase_of(RecordingReader<2>(file).info()), name);
-    const Outcome rendered =
+    const RunOutcome rendered =
         run_kerf({"render", file, "--steps", "3", "--size", "160x120", "--out", folder.path() / "frames"});
     ASSERT_EQ(rendered.exit, 0) << rendered.err;
-    const auto manifest = testing::read_json(folder.path() / "frames/frames.json");
+    const auto manifest = test::read_json(folder.path() / "frames/frames.json");
     EXPECT_EQ(manifest["broad_phase"], name);
     EXPECT_NEAR(manifest["config"]["max_redundancy"].get<double>(), 0.1, 1e-6);
     EXPECT_FALSE(manifest["frames"][0].contains("contacts")) << "a recording holds none";
@@ -86,7 +86,7 @@ TEST(RecordProgram, ReplacesRecordingsOnlyWhenAskedAndNothingElseEver) {
   std::vector<std::string> forced = command;
   forced.emplace_back("--overwrite");
   EXPECT_EQ(run_kerf(command).exit, 0);
-  const Outcome refused = run_kerf(command);
+  const RunOutcome refused = run_kerf(command);
   EXPECT_EQ(refused.exit, 2);
   EXPECT_THAT(refused.err, HasSubstr("replace it with --overwrite"));
   EXPECT_EQ(run_kerf(forced).exit, 0);
@@ -95,10 +95,10 @@ TEST(RecordProgram, ReplacesRecordingsOnlyWhenAskedAndNothingElseEver) {
   EXPECT_THAT(run_kerf({"verify", file}).err, HasSubstr("version 1"));
   EXPECT_EQ(run_kerf(forced).exit, 0) << "what an older Kerf has recorded";
   std::ofstream(file) << "a letter";
-  const Outcome protected_file = run_kerf(forced);
+  const RunOutcome protected_file = run_kerf(forced);
   EXPECT_EQ(protected_file.exit, 2);
   EXPECT_THAT(protected_file.err, HasSubstr("is no recording"));
-  EXPECT_EQ(testing::read_text(file), "a letter");
+  EXPECT_EQ(test::read_text(file), "a letter");
 }
 
 TEST(RecordProgram, InterruptedOrKilledItLeavesWhatWasDone) {
@@ -118,7 +118,7 @@ TEST(RecordProgram, InterruptedOrKilledItLeavesWhatWasDone) {
     EXPECT_EQ(run_kerf({"lint", file}).exit, 0) << "while it is being written";
     process.signal(signal);
     EXPECT_EQ(process.wait().exit, signal == SIGKILL ? 128 + SIGKILL : 130);
-    const Outcome verified = run_kerf({"verify", file, "--oracle-every", "0"});
+    const RunOutcome verified = run_kerf({"verify", file, "--oracle-every", "0"});
     EXPECT_EQ(verified.exit, 0) << verified.err;
     EXPECT_EQ(RecordingReader<2>(file).info().complete, signal != SIGKILL);
     EXPECT_GT(RecordingReader<2>(file).steps(), 10U);
@@ -132,10 +132,10 @@ TEST(RecordProgram, BadInputIsNamed) {
   EXPECT_THAT(run_kerf({"record", "pile", "-o", file, "--steps", "1:10:2"}).err, HasSubstr("every step"));
   EXPECT_THAT(run_kerf({"record", "pil", "-o", file}).err, HasSubstr("did you mean 'pile'"));
   EXPECT_EQ(run_kerf({"record", "pile"}).exit, 2);
-  const Outcome missing = run_kerf({"verify", file});
+  const RunOutcome missing = run_kerf({"verify", file});
   EXPECT_EQ(missing.exit, 2);
   EXPECT_THAT(missing.err, HasSubstr("there is no recording"));
-  const Outcome nowhere = run_kerf({"record", "pile", "-o", folder.path() / "no/folder/a.kerf"});
+  const RunOutcome nowhere = run_kerf({"record", "pile", "-o", folder.path() / "no/folder/a.kerf"});
   EXPECT_EQ(nowhere.exit, 2);
   EXPECT_THAT(nowhere.err, HasSubstr("No such file or directory"));
 }

@@ -13,11 +13,11 @@ namespace kerf {
 namespace {
 
 using nlohmann::json;
+using test::read_json;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_json;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 /// A short run of few objects, small pictures.
 std::vector<std::string> small_render(const std::string& scene, const std::filesystem::path& out) {
@@ -40,7 +40,7 @@ class RenderProgram : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RenderProgram, MakesTheFramesThatTheManifestNames) {
   const TemporaryFolder folder;
-  const Outcome outcome = run_kerf(small_render(GetParam(), folder.path() / "a" / "b"));
+  const RunOutcome outcome = run_kerf(small_render(GetParam(), folder.path() / "a" / "b"));
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_EQ(outcome.out + outcome.err, "") << "a pipe is not a terminal";
   const json manifest = read_json(folder.path() / "a" / "b" / "frames.json");
@@ -60,13 +60,13 @@ TEST_P(RenderProgram, MakesTheFramesThatTheManifestNames) {
     EXPECT_EQ(frame["pixel_hash"], hex(pixel_hash(image)));
   }
   EXPECT_EQ(manifest["frames"].size(), 5U);
-  EXPECT_THAT(testing::files_in(folder.path() / "a" / "b"), ::testing::UnorderedElementsAreArray(expected));
+  EXPECT_THAT(test::files_in(folder.path() / "a" / "b"), ::testing::UnorderedElementsAreArray(expected));
 }
 
 TEST_P(RenderProgram, TwoRunsAreTheSameAndSeedsDiffer) {
   const TemporaryFolder folder;
   const auto frames_of = [&](const char* name, const std::vector<std::string>& more) {
-    const Outcome outcome = run_kerf(with(small_render(GetParam(), folder.path() / name), more));
+    const RunOutcome outcome = run_kerf(with(small_render(GetParam(), folder.path() / name), more));
     EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
     return read_json(folder.path() / name / "frames.json")["frames"];
   };
@@ -81,7 +81,7 @@ TEST_P(RenderProgram, TwoRunsAreTheSameAndSeedsDiffer) {
 TEST_P(RenderProgram, TheStepDecidesTheStateNotTheFrame) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_kerf(small_render(GetParam(), folder.path() / "a")).exit, kExitHolds);
-  const Outcome outcome =
+  const RunOutcome outcome =
       run_kerf({"render", GetParam(), "--steps", "41:41", "--objects", "60", "--grow", "30", "--size",
                 "64x64", "--show", "objects", "--out", folder.path() / "b"});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
@@ -125,15 +125,15 @@ TEST(RenderProgram, LayersReachThePicture) {
 TEST(RenderProgram, AnEarlierSequenceIsReplacedOnlyOnDemand) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_kerf(small_render("pile", folder.path())).exit, kExitHolds);
-  const std::string before = testing::read_text(folder.path() / "frames.json");
-  const Outcome refused = run_kerf(small_render("pile", folder.path()));
+  const std::string before = test::read_text(folder.path() / "frames.json");
+  const RunOutcome refused = run_kerf(small_render("pile", folder.path()));
   EXPECT_EQ(refused.exit, kExitUnusable);
   EXPECT_THAT(refused.err, HasSubstr("--overwrite"));
-  EXPECT_EQ(testing::read_text(folder.path() / "frames.json"), before);
+  EXPECT_EQ(test::read_text(folder.path() / "frames.json"), before);
 
   std::fclose(std::fopen((folder.path() / "my_holiday.png").c_str(), "w"));
-  const Outcome replaced = run_kerf({"render", "buckets-2d", "--steps", "3", "--size", "64x64", "--overwrite",
-                                     "--out", folder.path().string()});
+  const RunOutcome replaced = run_kerf({"render", "buckets-2d", "--steps", "3", "--size", "64x64",
+                                        "--overwrite", "--out", folder.path().string()});
   ASSERT_EQ(replaced.exit, kExitHolds) << replaced.err;
   EXPECT_THAT(folder.files(),
               ::testing::ElementsAre("buckets-2d_000000.png", "buckets-2d_000001.png",
@@ -155,7 +155,8 @@ TEST(RenderProgram, MakesContactSheet) {
   const auto run = with(small_render("pile", folder.path() / "f"), {"--contact-sheet", sheet.string()});
   ASSERT_EQ(run_kerf(run).exit, kExitHolds);
   EXPECT_GE(read_png(sheet).width, 4 * 160);
-  const Outcome again = run_kerf(with(small_render("pile", folder.path() / "g"), {"--contact-sheet", sheet}));
+  const RunOutcome again =
+      run_kerf(with(small_render("pile", folder.path() / "g"), {"--contact-sheet", sheet}));
   EXPECT_EQ(again.exit, kExitUnusable);
   EXPECT_THAT(again.err, HasSubstr("exists already"));
 }

@@ -9,10 +9,10 @@
 namespace kerf {
 namespace {
 
+using test::run_kerf;
+using test::RunOutcome;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::Outcome;
-using testing::run_kerf;
 
 TEST(ScenesProgram, NamesAreUniqueAndEachFindsItsScene) {
   std::set<std::string> names;
@@ -24,7 +24,7 @@ TEST(ScenesProgram, NamesAreUniqueAndEachFindsItsScene) {
 }
 
 TEST(ScenesProgram, PrintsALineForEachScene) {
-  const Outcome outcome = run_kerf({"scenes"});
+  const RunOutcome outcome = run_kerf({"scenes"});
   EXPECT_EQ(outcome.exit, 0);
   EXPECT_EQ(outcome.err, "");
   for (const CatalogScene& scene : scene_catalog())
@@ -34,7 +34,7 @@ TEST(ScenesProgram, PrintsALineForEachScene) {
 }
 
 TEST(ScenesProgram, PrintsJson) {
-  const Outcome outcome = run_kerf({"scenes", "--json"});
+  const RunOutcome outcome = run_kerf({"scenes", "--json"});
   EXPECT_EQ(outcome.exit, 0);
   const auto list = nlohmann::json::parse(outcome.out);
   ASSERT_EQ(list.size(), scene_catalog().size());

@@ -10,16 +10,16 @@
 namespace kerf {
 namespace {
 
+using test::Process;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::Process;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 TEST(SelfDescriptionProgram, EveryCommandIsInThePageAndInEachCompletion) {
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
            {"man"}, {"completion", "bash"}, {"completion", "zsh"}, {"completion", "fish"}}) {
-    const Outcome outcome = run_kerf(arguments);
+    const RunOutcome outcome = run_kerf(arguments);
     for (const ExitMeaning& meaning : exit_meanings()) {
       std::string name(meaning.command);
       if (arguments.front() == "man")

@@ -12,16 +12,16 @@
 namespace kerf {
 namespace {
 
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 /// A recording in which operators act in many steps, and what renders it.
 class ShardProgram : public ::testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
-    const Outcome outcome = run_kerf(
+    const RunOutcome outcome = run_kerf(
         {"record", GetParam(), "--steps", "60", "--objects", "200", "--grow", "40", "-o", recording()});
     ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   }
@@ -29,7 +29,7 @@ class ShardProgram : public ::testing::TestWithParam<const char*> {
   [[nodiscard]] std::string recording() const { return folder_.path() / "run.kerf"; }
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
 
-  [[nodiscard]] Outcome render(const std::string& name, std::vector<std::string> more = {}) const {
+  [[nodiscard]] RunOutcome render(const std::string& name, std::vector<std::string> more = {}) const {
     std::vector<std::string> arguments{"render", recording(), "--size", "200x120", "--steps", "3:60:5"};
     arguments.insert(arguments.end(), {"--out", path(name)});
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -37,10 +37,9 @@ class ShardProgram : public ::testing::TestWithParam<const char*> {
   }
 
   void expect_same_files(const std::string& a, const std::string& b) const {
-    ASSERT_EQ(testing::files_in(path(a)), testing::files_in(path(b)));
-    for (const std::string& file : testing::files_in(path(a)))
-      EXPECT_TRUE(testing::read_text(path(a) + "/" + file) == testing::read_text(path(b) + "/" + file))
-          << file;
+    ASSERT_EQ(test::files_in(path(a)), test::files_in(path(b)));
+    for (const std::string& file : test::files_in(path(a)))
+      EXPECT_TRUE(test::read_text(path(a) + "/" + file) == test::read_text(path(b) + "/" + file)) << file;
   }
 
   TemporaryFolder folder_;
@@ -51,8 +50,9 @@ TEST_P(ShardProgram, ShardsAreTheWhole) {
   for (const char* const k : {"1", "2", "3"})
     ASSERT_EQ(render(std::string("s") + k, {"--shard", std::string(k) + "/3", "--workers", "0"}).exit,
               kExitHolds);
-  const Outcome outcome = run_kerf({"collect", path("s1"), path("s2"), path("s3"), "--out", path("together"),
-                                    "--video", path("film.gif"), "--contact-sheet", path("sheet.png")});
+  const RunOutcome outcome =
+      run_kerf({"collect", path("s1"), path("s2"), path("s3"), "--out", path("together"), "--video",
+                path("film.gif"), "--contact-sheet", path("sheet.png")});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("all 12 frames are there, from 3 folders"));
   expect_same_files("all", "together");
@@ -62,14 +62,14 @@ TEST_P(ShardProgram, ShardsAreTheWhole) {
 
 TEST_P(ShardProgram, WhatIsMissingOrDamagedIsNamed) {
   ASSERT_EQ(render("s1", {"--shard", "1/2"}).exit, kExitHolds);
-  const Outcome half = run_kerf({"collect", path("s1")});
+  const RunOutcome half = run_kerf({"collect", path("s1")});
   EXPECT_EQ(half.exit, kExitDoesNotHold);
   EXPECT_THAT(half.err, HasSubstr("6 of 12 frames are missing: 1, 3, 5, 7, 9, 11"));
   EXPECT_THAT(half.err, HasSubstr("--shard 2/2"));
   ASSERT_EQ(render("s2", {"--shard", "2/2"}).exit, kExitHolds);
   std::filesystem::copy_file(path("s2/run_000003.png"), path("s2/run_000005.png"),
                              std::filesystem::copy_options::overwrite_existing);
-  const Outcome damaged = run_kerf({"collect", path("s1"), path("s2")});
+  const RunOutcome damaged = run_kerf({"collect", path("s1"), path("s2")});
   EXPECT_EQ(damaged.exit, kExitDoesNotHold);
   EXPECT_THAT(damaged.err, HasSubstr("run_000005.png"));
   std::filesystem::resize_file(path("s2/run_000005.png"), 200);
@@ -81,14 +81,14 @@ TEST_P(ShardProgram, WhatIsMissingOrDamagedIsNamed) {
 TEST_P(ShardProgram, CollectRefusesToWriteWhereItReads) {
   ASSERT_EQ(render("s/1", {"--shard", "1/2"}).exit, kExitHolds);
   ASSERT_EQ(render("s/2", {"--shard", "2/2"}).exit, kExitHolds);
-  const auto before = testing::files_in(path("s/1"));
+  const auto before = test::files_in(path("s/1"));
   for (const char* const out : {"s/1", "s/2/", "s", "s/../s/./1"}) {
-    const Outcome outcome =
+    const RunOutcome outcome =
         run_kerf({"collect", path("s/1"), path("s/2"), "--out", path(out), "--overwrite"});
     EXPECT_EQ(outcome.exit, kExitUnusable) << out;
     EXPECT_THAT(outcome.err, HasSubstr("which is read")) << out;
   }
-  EXPECT_EQ(testing::files_in(path("s/1")), before);
+  EXPECT_EQ(test::files_in(path("s/1")), before);
   EXPECT_EQ(run_kerf({"collect", path("s/1"), path("s/2"), "--out", path("s/12")}).exit, kExitHolds);
   EXPECT_EQ(run_kerf({"collect", path("s/1"), path("s/2"), "--out", path("s/1/below/it")}).exit, kExitHolds);
 }
@@ -105,16 +105,16 @@ TEST_P(ShardProgram, WhatLiesBesideFramesIsCollectedToo) {
 TEST_P(ShardProgram, AFullDiskLeavesNoHalfFrame) {
   ASSERT_EQ(render("all").exit, kExitHolds);
   std::filesystem::create_directory(path("disk"));
-  if (testing::Process({"unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", path("disk")}).wait().exit != 0)
+  if (test::Process({"unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", path("disk")}).wait().exit != 0)
     GTEST_SKIP() << "this user may not mount";
   std::string line = "mount -t tmpfs -o size=20k tmpfs " + path("disk") + " && ";
-  for (const std::string& word : testing::kerf_command({"collect", path("all"), "--out", path("disk")}))
+  for (const std::string& word : test::kerf_command({"collect", path("all"), "--out", path("disk")}))
     line += word + " ";
   line += "; code=$?; cp -r " + path("disk") + " " + path("copy") + "; exit $code";
-  const Outcome outcome = testing::Process({"unshare", "-m", "sh", "-c", line}).wait();
+  const RunOutcome outcome = test::Process({"unshare", "-m", "sh", "-c", line}).wait();
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("No space left"));
-  for (const std::string& file : testing::files_in(path("copy")))
+  for (const std::string& file : test::files_in(path("copy")))
     EXPECT_EQ(std::filesystem::file_size(path("copy/" + file)),
               std::filesystem::file_size(path("all/" + file)))
         << file;
@@ -138,7 +138,7 @@ TEST(ShardUsage, ErrorsSayWhatToDo) {
             kExitHolds);
   ASSERT_EQ(run_kerf({"render", recording, "--size", "64x80", "--out", b, "--shard", "2/2"}).exit,
             kExitHolds);
-  const Outcome mixed = run_kerf({"collect", a, b});
+  const RunOutcome mixed = run_kerf({"collect", a, b});
   EXPECT_EQ(mixed.exit, kExitUnusable);
   EXPECT_THAT(mixed.err, HasSubstr("size"));
   EXPECT_THAT(run_kerf({"collect", folder.path()}).err, HasSubstr("frames.json"));
@@ -152,8 +152,7 @@ TEST(CameraPathProgram, MovesTheCameraAndIsSaidInTheManifest) {
                                         "1:11:5",        "--size", "200x120",   "--out", folder.path() / "a",
                                         "--camera-path", path};
   ASSERT_EQ(run_kerf(render).exit, kExitHolds);
-  EXPECT_EQ(testing::read_json(folder.path() / "a" / "frames.json")["camera_path"],
-            "1 width=40\n11 width=10\n");
+  EXPECT_EQ(test::read_json(folder.path() / "a" / "frames.json")["camera_path"], "1 width=40\n11 width=10\n");
   std::ofstream(path) << "1 width=40\nx";
   EXPECT_THAT(run_kerf(render).err, HasSubstr("line 2"));
 }

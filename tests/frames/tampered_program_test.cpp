@@ -14,10 +14,10 @@
 namespace kerf {
 namespace {
 
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 constexpr std::uint32_t kKeyframe = 256;
 
@@ -139,7 +139,7 @@ TEST_P(TamperedProgram, EveryCommandEndsAndVerifySaysWhatIsWrong) {
   test::record_crowd<2>(file.path(), kKeyframe + 20, test::busy_config());
   GetParam().make(file);
   for (const std::vector<std::string>& command : commands(file.path(), file.path().parent_path())) {
-    const Outcome outcome = run_kerf(command, {.memory = kMemory, .seconds = kSeconds});
+    const RunOutcome outcome = run_kerf(command, {.memory = kMemory, .seconds = kSeconds});
     EXPECT_LT(outcome.exit, 3) << command.front() << ": " << outcome.err;
     EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("not enough memory"))) << command.front();
     if (command.front() != "verify") continue;
@@ -168,7 +168,7 @@ TEST(TamperedProgram, WhatLiesBesideOrBehindARecordingIsNamed) {
   const auto size = std::filesystem::file_size(file.path());
   for (const auto& other : {size + 1, size - 1}) {
     std::filesystem::resize_file(file.path(), other);
-    const Outcome outcome = run_kerf({"verify", file.path()});
+    const RunOutcome outcome = run_kerf({"verify", file.path()});
     EXPECT_EQ(outcome.exit, 2) << outcome.out;
     EXPECT_THAT(outcome.err, HasSubstr("and the file has " + std::to_string(other)));
   }
@@ -178,7 +178,7 @@ TEST(TamperedProgram, WholeRecordingsAreRead) {
   const test::TemporaryRecording file;
   test::record_crowd<2>(file.path(), kKeyframe + 20, test::busy_config());
   for (const std::vector<std::string>& command : commands(file.path(), file.path().parent_path())) {
-    const Outcome outcome = run_kerf(command, {.memory = kMemory, .seconds = kSeconds});
+    const RunOutcome outcome = run_kerf(command, {.memory = kMemory, .seconds = kSeconds});
     const bool answers_no = command.front() == "lint" && outcome.exit == 1;
     EXPECT_TRUE(outcome.exit == 0 || answers_no) << command.front() << ": " << outcome.err;
     std::filesystem::remove(file.path().parent_path() / "out.kerf");

@@ -11,16 +11,16 @@
 namespace kerf {
 namespace {
 
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::Outcome;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 TEST(UsageProgram, HelpIsNoError) {
   for (const std::vector<std::string>& arguments :
        std::vector<std::vector<std::string>>{{"--help"}, {"scenes", "--help"}, {"render", "--help"}}) {
-    const Outcome outcome = run_kerf(arguments);
+    const RunOutcome outcome = run_kerf(arguments);
     EXPECT_EQ(outcome.exit, kExitHolds);
     EXPECT_EQ(outcome.err, "");
     EXPECT_THAT(outcome.out, HasSubstr("Usage:"));
@@ -28,14 +28,14 @@ TEST(UsageProgram, HelpIsNoError) {
 }
 
 TEST(UsageProgram, RenderHelpNamesLayersAndParameters) {
-  const Outcome outcome = run_kerf({"render", "--help"});
+  const RunOutcome outcome = run_kerf({"render", "--help"});
   for (const char* word : {"--steps", "--overwrite", "partitioners", "max_redundancy", "130"}) {
     EXPECT_THAT(outcome.out, HasSubstr(word));
   }
 }
 
 TEST(UsageProgram, NothingIsAnsweredWithHelp) {
-  const Outcome outcome = run_kerf({});
+  const RunOutcome outcome = run_kerf({});
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("render"));
 }
@@ -57,7 +57,7 @@ TEST_P(UsageMistake, IsExplained) {
   if (arguments.front() == "render") {
     arguments.insert(arguments.begin() + 1, {"--out", (folder.path() / "out").string()});
   }
-  const Outcome outcome = run_kerf(arguments);
+  const RunOutcome outcome = run_kerf(arguments);
   EXPECT_EQ(outcome.exit, kExitUnusable) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr(GetParam().answer));
   EXPECT_THAT(outcome.err, HasSubstr("--help"));
@@ -77,7 +77,7 @@ TEST(UsageProgram, ANameThatBeginsWithADashIsExplained) {
 
 TEST(UsageProgram, ANameThatIsTooLongIsSaidInTheSystemsWords) {
   const std::string name(300, 'n');
-  const Outcome outcome = run_kerf({"verify", name});
+  const RunOutcome outcome = run_kerf({"verify", name});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("kerf: " + name + ": File name too long"));
 }

@@ -13,14 +13,14 @@
 namespace kerf {
 namespace {
 
+using test::Process;
+using test::run_kerf;
+using test::RunOutcome;
+using test::Surroundings;
+using test::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::Outcome;
-using testing::Process;
-using testing::run_kerf;
-using testing::Surroundings;
-using testing::TemporaryFolder;
 
 /// Eleven frames of odd size, which H.264 cannot have as they are.
 std::vector<std::string> film(const TemporaryFolder& folder, const std::string& file) {
@@ -42,13 +42,13 @@ Surroundings false_ffmpeg(const TemporaryFolder& folder, const std::string& scri
 
 TEST(VideoProgram, FilmHasEveryFrame) {
   const TemporaryFolder folder;
-  const Outcome outcome = run_kerf(film(folder, "films/pile.mp4"));
+  const RunOutcome outcome = run_kerf(film(folder, "films/pile.mp4"));
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
-  EXPECT_THAT(testing::files_in(folder.path() / "films"), ElementsAre("pile.mp4"));
-  const Outcome probe = Process({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
-                                 "stream=codec_name,width,height,pix_fmt,nb_read_frames", "-of", "csv=p=0",
-                                 folder.path() / "films" / "pile.mp4"})
-                            .wait();
+  EXPECT_THAT(test::files_in(folder.path() / "films"), ElementsAre("pile.mp4"));
+  const RunOutcome probe = Process({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                                    "stream=codec_name,width,height,pix_fmt,nb_read_frames", "-of", "csv=p=0",
+                                    folder.path() / "films" / "pile.mp4"})
+                               .wait();
   EXPECT_EQ(probe.out, "h264,162,122,yuv420p,11\n") << probe.err;
 }
 
@@ -57,11 +57,12 @@ class FilmFormats : public ::testing::TestWithParam<std::pair<const char*, const
 TEST_P(FilmFormats, HaveEveryFrame) {
   const TemporaryFolder folder;
   const std::string file = std::string("pile.") + GetParam().first;
-  const Outcome outcome = run_kerf(film(folder, file));
+  const RunOutcome outcome = run_kerf(film(folder, file));
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
-  const Outcome probe = Process({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
-                                 "stream=codec_name,nb_read_frames", "-of", "csv=p=0", folder.path() / file})
-                            .wait();
+  const RunOutcome probe =
+      Process({"ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=codec_name,nb_read_frames",
+               "-of", "csv=p=0", folder.path() / file})
+          .wait();
   EXPECT_EQ(probe.out, std::string(GetParam().second) + ",11\n") << probe.err;
 }
 
@@ -78,8 +79,8 @@ TEST(FilmDiffProgram, ShowsWhatDiffers) {
   ASSERT_EQ(render("a", "1").exit, kExitHolds);
   ASSERT_EQ(render("b", "2").exit, kExitHolds);
   const std::string film = folder.path() / "diff.mp4";
-  const Outcome outcome = run_kerf({"film-diff", folder.path() / "a", folder.path() / "b", "-o", film,
-                                    "--contact-sheet", folder.path() / "diff.png"});
+  const RunOutcome outcome = run_kerf({"film-diff", folder.path() / "a", folder.path() / "b", "-o", film,
+                                       "--contact-sheet", folder.path() / "diff.png"});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("6 frames, 5 of them different"));
   EXPECT_THAT(
@@ -108,7 +109,7 @@ TEST(VideoProgram, FramesOfImportsMeetByTheStepsOfTheirEngines) {
   };
   render_from("a", 10);
   render_from("b", 12);
-  const Outcome outcome =
+  const RunOutcome outcome =
       run_kerf({"film-diff", folder.path() / "a", folder.path() / "b", "-o", folder.path() / "diff.mp4"});
   EXPECT_EQ(outcome.exit, kExitDoesNotHold) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("2 frames, "));
@@ -118,7 +119,7 @@ TEST(VideoProgram, FramesOfImportsMeetByTheStepsOfTheirEngines) {
 
 TEST(VideoProgram, WithoutFfmpegNothingIsStarted) {
   const TemporaryFolder folder;
-  const Outcome outcome = run_kerf(film(folder, "pile.mp4"), {0, "/nowhere"});
+  const RunOutcome outcome = run_kerf(film(folder, "pile.mp4"), {0, "/nowhere"});
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("ffmpeg"));
   EXPECT_THAT(outcome.err, HasSubstr("install"));
@@ -128,7 +129,7 @@ TEST(VideoProgram, WithoutFfmpegNothingIsStarted) {
 TEST(VideoProgram, FfmpegThatDiesAtOnceIsAnErrorWithItsWords) {
   const TemporaryFolder folder;
   const TemporaryFolder tools;
-  const Outcome outcome =
+  const RunOutcome outcome =
       run_kerf(film(folder, "pile.mp4"), false_ffmpeg(tools, "echo 'no such codec' >&2; exit 1"));
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("no such codec"));
@@ -139,10 +140,10 @@ TEST(VideoProgram, FfmpegThatFailsAtTheEndIsAnError) {
   const TemporaryFolder folder;
   const TemporaryFolder tools;
   const auto liar = false_ffmpeg(tools, "cat >/dev/null; echo 'disk full' >&2; exit 1");
-  const Outcome outcome = run_kerf(film(folder, "pile.mp4"), liar);
+  const RunOutcome outcome = run_kerf(film(folder, "pile.mp4"), liar);
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("disk full"));
-  EXPECT_EQ(testing::read_json(folder.path() / "frames" / "frames.json")["complete"], true);
+  EXPECT_EQ(test::read_json(folder.path() / "frames" / "frames.json")["complete"], true);
 }
 
 TEST(VideoProgram, AnEarlierFilmSurvivesAFailure) {
@@ -153,16 +154,16 @@ TEST(VideoProgram, AnEarlierFilmSurvivesAFailure) {
   auto arguments = film(folder, "pile.mp4");
   arguments.emplace_back("--overwrite");
   EXPECT_EQ(run_kerf(arguments, false_ffmpeg(tools, "cat >/dev/null; exit 1")).exit, kExitUnusable);
-  EXPECT_EQ(testing::read_text(folder.path() / "pile.mp4"), "precious");
+  EXPECT_EQ(test::read_text(folder.path() / "pile.mp4"), "precious");
   EXPECT_EQ(run_kerf(arguments).exit, kExitHolds);
-  EXPECT_NE(testing::read_text(folder.path() / "pile.mp4"), "precious");
+  EXPECT_NE(test::read_text(folder.path() / "pile.mp4"), "precious");
 }
 
 TEST(VideoProgram, UnwritableFolderIsFoundBeforeTheWork) {
   const TemporaryFolder folder;
   auto arguments = film(folder, "pile.mp4");
   arguments.back() = "/proc/kerf/film.mp4";
-  const Outcome outcome = run_kerf(arguments);
+  const RunOutcome outcome = run_kerf(arguments);
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("/proc/kerf"));
   EXPECT_THAT(folder.files(), IsEmpty());

@@ -21,12 +21,12 @@
 namespace kerf {
 namespace {
 
+using test::Process;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::Process;
-using testing::TemporaryFolder;
 
-std::string bytes_of(const std::filesystem::path& file) { return testing::read_text(file); }
+std::string bytes_of(const std::filesystem::path& file) { return test::read_text(file); }
 
 void write_bytes(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
@@ -89,12 +89,12 @@ TEST(HardFiles, F1_ALyingImageTakesNoMemory) {
 
 TEST(HardFiles, F1_ASceneOrAParameterThatIsNoneIsNamed) {
   const TemporaryFolder folder;
-  const Outcome scene = testing::run_kerf({"render", "pyle", "--out", folder.path() / "a"});
+  const RunOutcome scene = test::run_kerf({"render", "pyle", "--out", folder.path() / "a"});
   EXPECT_EQ(scene.exit, kExitUnusable);
   EXPECT_THAT(scene.err, HasSubstr("pyle"));
   EXPECT_THAT(scene.err, HasSubstr("pile")) << "what was meant";
-  const Outcome parameter =
-      testing::run_kerf({"render", "pile", "--config", "max_height=1e9", "--out", folder.path() / "b"});
+  const RunOutcome parameter =
+      test::run_kerf({"render", "pile", "--config", "max_height=1e9", "--out", folder.path() / "b"});
   EXPECT_EQ(parameter.exit, kExitUnusable);
   EXPECT_THAT(parameter.err, HasSubstr("max_height"));
   EXPECT_TRUE(folder.files().empty());
@@ -102,18 +102,18 @@ TEST(HardFiles, F1_ASceneOrAParameterThatIsNoneIsNamed) {
 
 TEST(HardFiles, F2_AFullDeviceAndAClosedPipeAreErrors) {
   const std::string program = KERF_PROGRAM;
-  const Outcome full = Process({"sh", "-c", program + " scenes > /dev/full"}).wait();
+  const RunOutcome full = Process({"sh", "-c", program + " scenes > /dev/full"}).wait();
   EXPECT_NE(full.exit, 0);
   EXPECT_THAT(full.err, HasSubstr("kerf"));
   // The reader is gone before the first word.
-  const Outcome pipe =
+  const RunOutcome pipe =
       Process({"bash", "-c", "(sleep 0.3; " + program + " scenes) | true; exit ${PIPESTATUS[0]}"}).wait();
   EXPECT_NE(pipe.exit, 0);
 }
 
 TEST(HardFiles, F2_AFileThatMayNotGrowLeavesNothing) {
   const TemporaryFolder folder;
-  const Outcome outcome = testing::run_kerf(
+  const RunOutcome outcome = test::run_kerf(
       {"render", "pile", "--objects", "30", "--steps", "1:3:1", "--size", "320x240", "--out", folder.path()},
       {2000, ""});
   EXPECT_EQ(outcome.exit, kExitUnusable);
@@ -139,8 +139,8 @@ bool wait_for_a_frame(const TemporaryFolder& folder) {
 TEST(HardFiles, F3_AKilledSequenceHoldsOnlyWholeFrames) {
   for (const int milliseconds : {0, 7, 60, 150, 400}) {
     const TemporaryFolder folder;
-    Process process(testing::kerf_command({"render", "pile", "--steps", "1:1000000:1", "--objects", "50",
-                                           "--size", "320x240", "--out", folder.path()}));
+    Process process(test::kerf_command({"render", "pile", "--steps", "1:1000000:1", "--objects", "50",
+                                        "--size", "320x240", "--out", folder.path()}));
     ASSERT_TRUE(wait_for_a_frame(folder));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
     process.signal(SIGKILL);

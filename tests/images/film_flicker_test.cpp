@@ -19,7 +19,7 @@ class Flicker : public ::testing::Test {
                                    "480x270",    "--out", (folder_.path() / "film").string(),
                                    "--overwrite"};
     words.insert(words.end(), more.begin(), more.end());
-    const testing::Outcome outcome = testing::run_kerf(words);
+    const test::RunOutcome outcome = test::run_kerf(words);
     EXPECT_EQ(outcome.exit, 0) << outcome.err;
     return test::measure_flicker(folder_.path() / "film");
   }
@@ -29,7 +29,7 @@ class Flicker : public ::testing::Test {
                                        "--config",  "min_threshold=8,max_threshold=32,schedule_interval=8"};
 
  private:
-  testing::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 // A frame every four steps: what is highlighted for ten steps only would be gone after three frames.

@@ -9,7 +9,7 @@
 #include "frames/sequence/draw_list_file.h"
 #include "tests/images/scene_still.h"
 #include "tests/support/dimensions.h"
-#include "tests/viz/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "viz/draw/compare_drawn.h"
 #include "viz/image/compare.h"
 #include "viz/image/flip.h"

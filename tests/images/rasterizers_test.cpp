@@ -15,19 +15,19 @@ namespace kerf {
 namespace {
 
 /// Runs tests of this program in another process and surroundings; pictures go to a folder of its own.
-testing::Outcome draw_elsewhere(const std::string& surroundings, const std::string& tests,
+test::RunOutcome draw_elsewhere(const std::string& surroundings, const std::string& tests,
                                 const std::filesystem::path& folder) {
   const std::string self = std::filesystem::read_symlink("/proc/self/exe");
-  testing::Process process({"sh", "-c",
-                            surroundings + " KERF_NEW_FRAMES='" + folder.string() + "' exec '" + self +
-                                "' --gtest_also_run_disabled_tests --gtest_filter='" + tests + "'"});
+  test::Process process({"sh", "-c",
+                         surroundings + " KERF_NEW_FRAMES='" + folder.string() + "' exec '" + self +
+                             "' --gtest_also_run_disabled_tests --gtest_filter='" + tests + "'"});
   return process.wait();
 }
 
 TEST(Rasterizers, EveryNumberOfThreadsAndBackendDrawsTheReferences) {
   for (const std::string how : {"LP_NUM_THREADS=0", "LP_NUM_THREADS=3 KERF_BACKEND=egl"}) {
-    const testing::TemporaryFolder folder;
-    const testing::Outcome outcome =
+    const test::TemporaryFolder folder;
+    const test::RunOutcome outcome =
         draw_elsewhere(how, "ReferenceFrames*EachOperatorBeforeAndAfter:ReferencePanels.*", folder.path());
     EXPECT_EQ(outcome.exit, 0) << how << outcome.out;
     for (const char* const suite : {"OK ] ReferenceFrames", "OK ] ReferencePanels"})
@@ -55,8 +55,8 @@ TEST(Rasterizers, DISABLED_DrawWithOneSample) {
 
 // Mesa's other software rasteriser stands for all that are not ours. It has no smooth edges.
 TEST(Rasterizers, AnotherOneDrawsTheSamePicturesWithOtherPixels) {
-  const testing::TemporaryFolder ours;
-  const testing::TemporaryFolder other;
+  const test::TemporaryFolder ours;
+  const test::TemporaryFolder other;
   const std::string tests = "Rasterizers.DISABLED_DrawWithOneSample";
   ASSERT_EQ(draw_elsewhere("GALLIUM_DRIVER=llvmpipe", tests, ours.path()).exit, 0);
   ASSERT_EQ(draw_elsewhere("GALLIUM_DRIVER=softpipe", tests, other.path()).exit, 0);

@@ -1,6 +1,6 @@
 #include "tests/outputs/output_table.h"
 
-namespace kerf::testing {
+namespace kerf::test {
 
 const std::vector<OutputCase>& output_table() {
   using enum OutputKind;
@@ -115,4 +115,4 @@ const std::vector<std::string>& input_options() {
   return kOptions;
 }
 
-}  // namespace kerf::testing
+}  // namespace kerf::test

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace kerf::testing {
+namespace kerf::test {
 
 /// What an output option names.
 enum class OutputKind {
@@ -38,4 +38,4 @@ const std::vector<OutputCase>& output_table();
 /// Two of them are kept, too, always on top of what they were: the debugger's session and its window.
 const std::vector<std::string>& input_options();
 
-}  // namespace kerf::testing
+}  // namespace kerf::test

@@ -15,7 +15,7 @@
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
-namespace kerf::testing {
+namespace kerf::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,7 +28,7 @@ using Files = std::map<std::string, std::string>;
 constexpr int kRefused = 2;
 
 void run(const Words& arguments) {
-  const Outcome outcome = run_kerf(arguments);
+  const RunOutcome outcome = run_kerf(arguments);
   ASSERT_EQ(outcome.exit, 0) << arguments.front() << ": " << outcome.err;
 }
 
@@ -98,8 +98,8 @@ class OutputTable : public ::testing::TestWithParam<OutputCase> {
     return row().kind == OutputKind::folder ? target().parent_path() : target();
   }
 
-  [[nodiscard]] Outcome run_to(const fs::path& out, bool overwrite,
-                               const Surroundings& surroundings = {}) const {
+  [[nodiscard]] RunOutcome run_to(const fs::path& out, bool overwrite,
+                                  const Surroundings& surroundings = {}) const {
     Words words{row().command};
     for (const std::string& word : row().arguments) words.push_back(in_place(word, out));
     if (overwrite && row().kind != OutputKind::temporary) words.emplace_back("--overwrite");
@@ -124,7 +124,7 @@ class OutputTable : public ::testing::TestWithParam<OutputCase> {
   /// The run is refused as wrong usage and changes nothing. Returns why.
   std::string refusal(const fs::path& out, bool overwrite) const {
     const Files before = files_below(work());
-    const Outcome outcome = run_to(out, overwrite);
+    const RunOutcome outcome = run_to(out, overwrite);
     EXPECT_EQ(outcome.exit, kRefused) << out << ": " << outcome.err;
     EXPECT_TRUE(files_below(work()) == before) << out << " has changed something";
     return outcome.err;
@@ -209,7 +209,7 @@ TEST_P(OutputTable, ARunThatFailsKeepsWhatWasThereAndLeavesNoPart) {
   make_earlier();
   const Files before = files_below(work());
   constexpr std::uint64_t kFewBytes = 60;
-  const Outcome outcome = run_to(given(), true, {kFewBytes, ""});
+  const RunOutcome outcome = run_to(given(), true, {kFewBytes, ""});
   EXPECT_NE(outcome.exit, kExitHolds);
   EXPECT_LT(outcome.exit, 126) << "it ends by itself";
   const Files after = files_below(work());
@@ -223,7 +223,7 @@ TEST_P(OutputTable, ItIsReplacedWhenAskedAndOnlyThen) {
   make_earlier();
   const fs::path file = row().kind == OutputKind::sequence ? target() / "frames.json" : target();
   const std::string before = read_text(file);
-  const Outcome outcome = run_to(given(), true);
+  const RunOutcome outcome = run_to(given(), true);
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_FALSE(read_text(file) == before);
   EXPECT_THAT(parts_below(work()), IsEmpty());
@@ -240,7 +240,7 @@ TEST_P(OutputTable, ALinkIsFollowed) {
   fs::rename(target(), real);
   fs::create_symlink(real.filename(), target());
   const std::string before = read_text(real);
-  const Outcome outcome = run_to(given(), true);
+  const RunOutcome outcome = run_to(given(), true);
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_TRUE(fs::is_symlink(target()));
   EXPECT_FALSE(read_text(real) == before);
@@ -306,4 +306,4 @@ TEST(OutputOptions, AreAllInTheTable) {
 }
 
 }  // namespace
-}  // namespace kerf::testing
+}  // namespace kerf::test

@@ -14,7 +14,7 @@ using Words = std::vector<std::string>;
 constexpr const char* kSplit = "op==split && kind==acted";
 
 void run(const Words& arguments) {
-  const testing::Outcome outcome = testing::run_kerf(arguments);
+  const test::RunOutcome outcome = test::run_kerf(arguments);
   if (outcome.exit != 0) throw std::runtime_error(arguments.front() + " failed: " + outcome.err);
 }
 

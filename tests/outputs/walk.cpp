@@ -16,8 +16,8 @@ namespace kerf::faults {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::Outcome;
-using testing::TemporaryFolder;
+using test::RunOutcome;
+using test::TemporaryFolder;
 
 /// Contents by name of all files in a folder and below.
 using Files = std::map<std::string, std::string>;
@@ -26,7 +26,7 @@ Files files_below(const fs::path& folder) {
   Files files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file())
-      files[entry.path().lexically_relative(folder).string()] = testing::read_text(entry.path());
+      files[entry.path().lexically_relative(folder).string()] = test::read_text(entry.path());
   return files;
 }
 
@@ -127,7 +127,7 @@ class Walk {
 
  private:
   struct Run {
-    Outcome outcome;
+    RunOutcome outcome;
     Files files;
     std::uint64_t calls = 0;
   };
@@ -144,9 +144,8 @@ class Walk {
                                      "KERF_FAULT_COUNT=" + count.string(),
                                      "KERF_FAULT_AT=" + std::to_string(at),
                                      "KERF_FAULT_ERROR=" + error};
-    for (const std::string& word : testing::kerf_command(scenario_.arguments(folder)))
-      command.push_back(word);
-    Run run{testing::Process(command).wait(), files_below(folder)};
+    for (const std::string& word : test::kerf_command(scenario_.arguments(folder))) command.push_back(word);
+    Run run{test::Process(command).wait(), files_below(folder)};
     std::ifstream(count, std::ios::binary).read(reinterpret_cast<char*>(&run.calls), sizeof run.calls);
     return run;
   }

@@ -8,18 +8,18 @@
 namespace kerf {
 namespace {
 
-using testing::has_written_part;
+using test::has_written_part;
+using test::interrupt_kerf;
+using test::read_json;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::interrupt_kerf;
-using testing::Outcome;
-using testing::read_json;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 TEST(BenchProgram, PrintsRowsAndWritesJson) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "bench.json").string();
-  const Outcome outcome =
+  const RunOutcome outcome =
       run_kerf({"bench", "--scenes", "falling,needles", "--objects", "200", "--algorithms", "kerf,box2d-tree",
                 "--rounds", "1", "--steps", "5", "--warm-up", "3", "--json", file});
   EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
@@ -43,9 +43,9 @@ TEST(BenchProgram, PrintsRowsAndWritesJson) {
 TEST(BenchProgram, MeasuresBroadPhasesInTheLoopOfASimulation) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "bench.json").string();
-  const Outcome outcome = run_kerf({"bench", "--simulations", "terrain,pile-2d", "--objects", "60",
-                                    "--algorithms", "kerf,kerf-paper,sort-and-sweep", "--rounds", "2",
-                                    "--steps", "20", "--warm-up", "10", "--json", file});
+  const RunOutcome outcome = run_kerf({"bench", "--simulations", "terrain,pile-2d", "--objects", "60",
+                                       "--algorithms", "kerf,kerf-paper,sort-and-sweep", "--rounds", "2",
+                                       "--steps", "20", "--warm-up", "10", "--json", file});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_EQ(outcome.err, "") << "no progress where there is no terminal";
   const auto json = read_json(file);
@@ -67,8 +67,8 @@ TEST(BenchProgram, MeasuresBroadPhasesInTheLoopOfASimulation) {
 TEST(BenchProgram, MeasuresQueriesAndComparesTheirAnswers) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "bench.json").string();
-  const Outcome outcome = run_kerf({"bench", "--queries", "--scenes", "uniform", "--objects", "300",
-                                    "--rounds", "1", "--warm-up", "2", "--json", file});
+  const RunOutcome outcome = run_kerf({"bench", "--queries", "--scenes", "uniform", "--objects", "300",
+                                       "--rounds", "1", "--warm-up", "2", "--json", file});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   const auto rows = read_json(file)["queries"];
   ASSERT_EQ(rows.size(), 26U) << "build, move and eleven kinds, in both dimensions";
@@ -85,8 +85,8 @@ TEST(BenchProgram, MeasuresQueriesAndComparesTheirAnswers) {
 TEST(BenchProgram, MeasuresWhatEachPolicyEarnsInASimulation) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "bench.json").string();
-  const Outcome outcome = run_kerf({"bench", "--ablation", "--simulations", "pile-2d", "--objects", "60",
-                                    "--rounds", "3", "--steps", "20", "--warm-up", "10", "--json", file});
+  const RunOutcome outcome = run_kerf({"bench", "--ablation", "--simulations", "pile-2d", "--objects", "60",
+                                       "--rounds", "3", "--steps", "20", "--warm-up", "10", "--json", file});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   const auto json = read_json(file);
   const std::size_t policies = ablated_policies().size();
@@ -106,9 +106,9 @@ TEST(BenchProgram, MeasuresWhatEachPolicyEarnsInASimulation) {
 TEST(BenchProgram, MeasuresWhatAnApproximateTreeMissesAndInvents) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "bench.json").string();
-  const Outcome outcome = run_kerf({"bench", "--scenes", "uniform", "--dims", "2", "--objects", "200",
-                                    "--algorithms", "kerf,kerf:period=4:schedule_interval=5,kerf:grid=0.5",
-                                    "--rounds", "1", "--steps", "8", "--warm-up", "3", "--json", file});
+  const RunOutcome outcome = run_kerf({"bench", "--scenes", "uniform", "--dims", "2", "--objects", "200",
+                                       "--algorithms", "kerf,kerf:period=4:schedule_interval=5,kerf:grid=0.5",
+                                       "--rounds", "1", "--steps", "8", "--warm-up", "3", "--json", file});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   const auto rows = read_json(file)["results"];
   ASSERT_EQ(rows.size(), 4U) << "the floor is first";
@@ -127,7 +127,7 @@ TEST(BenchProgram, MeasuresRandomScenesAndSaysHowToRepeatThem) {
                                        "--warm-up", "2",   "--seed",       "9"};
   std::vector<std::string> arguments{"bench", "--random", "3", "--json", file};
   arguments.insert(arguments.end(), usual.begin(), usual.end());
-  const Outcome outcome = run_kerf(arguments);
+  const RunOutcome outcome = run_kerf(arguments);
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   const auto json = read_json(file);
   EXPECT_TRUE(json["complete"]);
@@ -148,7 +148,7 @@ TEST(BenchProgram, MeasuresRandomScenesAndSaysHowToRepeatThem) {
 TEST(BenchProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "bench.json";
-  const Outcome outcome =
+  const RunOutcome outcome =
       interrupt_kerf({"bench", "--scenes", "uniform,brownian", "--dims", "2", "--objects", "100,2000000",
                       "--algorithms", "kerf", "--rounds", "1", "--json", file.string()},
                      [&] { return has_written_part(file); });
@@ -160,7 +160,7 @@ TEST(BenchProgram, KeepsWhatWasMeasuredWhenInterrupted) {
 }
 
 TEST(BenchProgram, SaysWhyAFileCannotBeWritten) {
-  const Outcome outcome =
+  const RunOutcome outcome =
       run_kerf({"bench", "--scenes", "uniform", "--dims", "2", "--objects", "100", "--algorithms", "kerf",
                 "--rounds", "1", "--steps", "2", "--json", "/nowhere/bench.json"});
   EXPECT_EQ(outcome.exit, kExitUnusable);

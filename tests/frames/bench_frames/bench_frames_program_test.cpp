@@ -9,13 +9,13 @@
 namespace kerf {
 namespace {
 
-using testing::has_written_part;
+using test::has_written_part;
+using test::interrupt_kerf;
+using test::read_json;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::interrupt_kerf;
-using testing::Outcome;
-using testing::read_json;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 std::vector<std::string> bench_frames(const std::string& json, const std::string& boxes,
                                       const std::string& frames = "300") {
@@ -25,7 +25,7 @@ std::vector<std::string> bench_frames(const std::string& json, const std::string
 TEST(BenchFramesProgram, PrintsRowsAndWritesJson) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "frames.json";
-  Outcome outcome;
+  RunOutcome outcome;
   for (const char* const frames : {"300", "2000", "10000"}) {  // beside other work few can be too few
     outcome = run_kerf(bench_frames(file, "10,20", frames));
     if (outcome.exit == kExitHolds) break;
@@ -43,7 +43,7 @@ TEST(BenchFramesProgram, PrintsRowsAndWritesJson) {
 TEST(BenchFramesProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "frames.json";
-  const Outcome outcome =
+  const RunOutcome outcome =
       interrupt_kerf(bench_frames(file, "10,20,20"), [&] { return has_written_part(file); });
   EXPECT_EQ(outcome.exit, kExitInterrupted) << outcome.err;
   const auto json = read_json(file);
@@ -53,7 +53,7 @@ TEST(BenchFramesProgram, KeepsWhatWasMeasuredWhenInterrupted) {
 }
 
 TEST(BenchFramesProgram, SaysWhyAFileCannotBeWrittenBeforeItMeasures) {
-  const Outcome outcome = run_kerf(bench_frames("/nowhere/frames.json", "10"));
+  const RunOutcome outcome = run_kerf(bench_frames("/nowhere/frames.json", "10"));
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("/nowhere/frames.json"));
   EXPECT_EQ(outcome.out, "");
@@ -61,7 +61,8 @@ TEST(BenchFramesProgram, SaysWhyAFileCannotBeWrittenBeforeItMeasures) {
 
 /// The time of three small frames vanishes beside that of starting up, which is measured alone and taken off.
 TEST(BenchFramesProgram, TooFewFramesAreRefused) {
-  const Outcome outcome = run_kerf({"bench-frames", "--sizes", "320x200", "--boxes", "100", "--frames", "3"});
+  const RunOutcome outcome =
+      run_kerf({"bench-frames", "--sizes", "320x200", "--boxes", "100", "--frames", "3"});
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("3 frames of 320x200 with 100 boxes: too little to measure"));
   EXPECT_THAT(outcome.err, HasSubstr("--frames"));

@@ -70,12 +70,12 @@ TEST(BroadPhaseChoice, TreesComeWithTheirParameters) {
 }
 
 TEST(BroadPhaseChoice, RendersWithoutATree) {
-  const testing::TemporaryFolder folder;
-  const testing::Outcome outcome = testing::run_kerf(
-      {"render", "buckets", "--steps", "1:61:30", "--objects", "60", "--grow", "10", "--size", "160x120",
-       "--broad-phase", "ode-quadtree", "--out", (folder.path() / "f").string()});
+  const test::TemporaryFolder folder;
+  const test::RunOutcome outcome =
+      test::run_kerf({"render", "buckets", "--steps", "1:61:30", "--objects", "60", "--grow", "10", "--size",
+                      "160x120", "--broad-phase", "ode-quadtree", "--out", (folder.path() / "f").string()});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
-  const auto manifest = testing::read_json(folder.path() / "f" / "frames.json");
+  const auto manifest = test::read_json(folder.path() / "f" / "frames.json");
   EXPECT_EQ(manifest["broad_phase"], "ode-quadtree");
   EXPECT_TRUE(manifest["config"].is_null());
   EXPECT_EQ(manifest["frames"].size(), 3U);

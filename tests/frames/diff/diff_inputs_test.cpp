@@ -15,13 +15,13 @@ namespace {
 namespace fs = std::filesystem;
 using test::png_rows;
 using test::PngFile;
+using test::read_text;
 using test::repeat;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::Outcome;
-using testing::read_text;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 /// Whatever lies in what is compared: it is compared in full, or refused by its name.
 class DiffInputs : public ::testing::Test {
@@ -55,14 +55,14 @@ class DiffInputs : public ::testing::Test {
   static void write(const fs::path& path, const std::string& text) {
     std::ofstream(path, std::ios::binary) << text;
   }
-  [[nodiscard]] Outcome diff(const std::vector<std::string>& options = {}) const {
+  [[nodiscard]] RunOutcome diff(const std::vector<std::string>& options = {}) const {
     std::vector<std::string> arguments{"diff", reference(), test()};
     arguments.insert(arguments.end(), options.begin(), options.end());
     return run_kerf(arguments);
   }
   /// Both folders are refused, and `name` is said.
   void expect_refused(const std::string& name) const {
-    const Outcome outcome = diff();
+    const RunOutcome outcome = diff();
     EXPECT_EQ(outcome.exit, 2) << outcome.out << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr(name));
     EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("the same")));
@@ -75,7 +75,7 @@ class DiffInputs : public ::testing::Test {
 TEST_F(DiffInputs, TheLowerHalfOf16BitsCounts) {
   write(reference() / "a.png", deep(std::string("\x80\0\x12\x01\x34\x02", 6)));
   write(test() / "a.png", deep(std::string("\x80\xff\x12\x01\x34\x02", 6)));
-  const Outcome outcome = diff();
+  const RunOutcome outcome = diff();
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.out, HasSubstr("256 of 256 pixels differ in the lower 8 of their 16 bits"));
   write(test() / "a.png", plain());
@@ -157,7 +157,7 @@ TEST_F(DiffInputs, FoldersBelowAreComparedAndEmptyOnesNamed) {
 TEST_F(DiffInputs, OneFileTwiceIsSaid) {
   fs::remove_all(test());
   fs::create_directory_symlink(reference(), test());
-  const Outcome outcome = diff();
+  const RunOutcome outcome = diff();
   EXPECT_EQ(outcome.exit, 0);
   EXPECT_THAT(outcome.out, HasSubstr("are one and the same"));
 }
@@ -168,7 +168,7 @@ TEST_F(DiffInputs, ApprovingReplacesWhatALinkLeadsTo) {
   fs::permissions(store, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
   fs::create_symlink("../stored.png", reference() / "a.png");
   write(test() / "a.png", deep("\x01\x01\x01\x01\x01\x01"));
-  const Outcome outcome = diff({"--approve"});
+  const RunOutcome outcome = diff({"--approve"});
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("approved a.png (a link to "));
   EXPECT_TRUE(fs::is_symlink(reference() / "a.png"));
@@ -180,7 +180,7 @@ TEST_F(DiffInputs, ApprovingReplacesWhatALinkLeadsTo) {
 TEST_F(DiffInputs, ApprovingSaysWhatWasNotCompared) {
   write(test() / "photo.jpg", "bytes");
   write(test() / "a.png", deep("\x01\x01\x01\x01\x01\x01"));
-  const Outcome outcome = diff({"--approve"});
+  const RunOutcome outcome = diff({"--approve"});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.out, HasSubstr("photo.jpg"));
   EXPECT_THAT(outcome.err, HasSubstr("not all that lies there was compared"));

@@ -13,17 +13,17 @@
 namespace kerf {
 namespace {
 
+using test::look_at;
+using test::run_kerf;
+using test::RunOutcome;
+using test::Sight;
+using test::TemporaryFolder;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::Gt;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::look_at;
 using ::testing::Not;
-using testing::Outcome;
-using testing::run_kerf;
-using testing::Sight;
-using testing::TemporaryFolder;
 
 constexpr int kWidth = 64;
 
@@ -68,7 +68,7 @@ class DiffPage : public ::testing::Test {
   [[nodiscard]] std::filesystem::path reference() const { return folder_.path() / "it's right"; }
   [[nodiscard]] std::filesystem::path test() const { return folder_.path() / "new"; }
   [[nodiscard]] std::filesystem::path page() const { return folder_.path() / "page/index.html"; }
-  [[nodiscard]] Outcome diff(const std::vector<std::string>& options) const {
+  [[nodiscard]] RunOutcome diff(const std::vector<std::string>& options) const {
     std::vector<std::string> arguments{"diff", reference(), test()};
     arguments.insert(arguments.end(), options.begin(), options.end());
     return run_kerf(arguments);
@@ -79,7 +79,7 @@ class DiffPage : public ::testing::Test {
 };
 
 TEST_F(DiffPage, ShowsEverythingWithoutAnythingFromElsewhere) {
-  const Outcome outcome = diff({"--report", page().parent_path()});
+  const RunOutcome outcome = diff({"--report", page().parent_path()});
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.out, HasSubstr("plane n17 moved by (3.0, 0.0) pixels"));
   const Sight sight = look_at(page());
@@ -90,7 +90,7 @@ TEST_F(DiffPage, ShowsEverythingWithoutAnythingFromElsewhere) {
             4U + 1U + 1U);  // new, reference, heat and ids of one; one each of the others
   EXPECT_THAT(sight.images, Each(kWidth));
   EXPECT_TRUE(sight.fits);
-  const std::string text = testing::read_text(page());
+  const std::string text = test::read_text(page());
   EXPECT_THAT(text, HasSubstr("plane n17 moved by"));
   EXPECT_THAT(text, HasSubstr("it is missing"));
   EXPECT_THAT(text, Not(HasSubstr(">same.png<")));
@@ -125,7 +125,7 @@ TEST_F(DiffPage, PointingSwapsAndMagnifies) {
 TEST_F(DiffPage, ApprovingTouchesOnlyWhatFailed) {
   const auto same = reference() / "same.png";
   const auto before = std::filesystem::last_write_time(same);
-  const Outcome outcome = diff({"--approve"});
+  const RunOutcome outcome = diff({"--approve"});
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.err, HasSubstr("1 of the references has no frame and was left alone"));
   EXPECT_THAT(outcome.err, HasSubstr("approved differs.png"));
@@ -136,14 +136,14 @@ TEST_F(DiffPage, ApprovingTouchesOnlyWhatFailed) {
             read_ids(test() / "differs.png")->ids.list.items);
   EXPECT_TRUE(std::filesystem::exists(reference() / "extra.png"));
   EXPECT_TRUE(std::filesystem::exists(reference() / "missing.png"));
-  const Outcome again = diff({});
+  const RunOutcome again = diff({});
   EXPECT_THAT(again.err, HasSubstr("1 of 4 frames differs, 1 of them missing"));
 }
 
 TEST_F(DiffPage, ApprovingADamagedPictureIsRefusedAndChangesNothing) {
   std::ofstream(test() / "extra.png") << "no picture";
   const Image before = read_png(reference() / "differs.png");
-  const Outcome outcome = diff({"--approve"});
+  const RunOutcome outcome = diff({"--approve"});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("nothing was approved"));
   EXPECT_EQ(read_png(reference() / "differs.png"), before);
@@ -151,14 +151,14 @@ TEST_F(DiffPage, ApprovingADamagedPictureIsRefusedAndChangesNothing) {
 
 TEST_F(DiffPage, ApprovingIntoAnEmptyOrNewFolderBeginsIt) {
   std::filesystem::remove_all(reference());
-  const Outcome outcome = diff({"--approve"});
+  const RunOutcome outcome = diff({"--approve"});
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
   EXPECT_EQ(diff({}).exit, 0);
 }
 
 TEST_F(DiffPage, IdsThatCannotBeReadOrAreLackingAreUnusable) {
   std::ofstream(reference() / "differs.draw.json") << "{}";
-  Outcome outcome = diff({});
+  RunOutcome outcome = diff({});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.out, HasSubstr("it is no draw list"));
   std::filesystem::remove(reference() / "differs.draw.json");
@@ -169,7 +169,7 @@ TEST_F(DiffPage, IdsThatCannotBeReadOrAreLackingAreUnusable) {
 }
 
 TEST_F(DiffPage, AReportIntoAFolderThatCannotBeWrittenIsRefusedBeforeTheWork) {
-  const Outcome outcome = diff({"--report", "/proc/nowhere"});
+  const RunOutcome outcome = diff({"--report", "/proc/nowhere"});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("/proc/nowhere"));
   EXPECT_EQ(outcome.out, "");

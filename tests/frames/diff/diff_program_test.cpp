@@ -9,11 +9,11 @@
 namespace kerf {
 namespace {
 
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::Outcome;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 Image spotted(int x, std::uint8_t red) {
   Image image = make_image(48, 32, 0xfafaf7ffU);
@@ -35,7 +35,7 @@ class DiffProgram : public ::testing::Test {
   [[nodiscard]] std::filesystem::path in_test(int i) const {
     return test() / ("f" + std::to_string(i) + ".png");
   }
-  [[nodiscard]] Outcome diff(std::vector<std::string> options = {}) const {
+  [[nodiscard]] RunOutcome diff(std::vector<std::string> options = {}) const {
     std::vector<std::string> arguments{"diff", reference(), test()};
     arguments.insert(arguments.end(), options.begin(), options.end());
     return run_kerf(arguments);
@@ -47,14 +47,14 @@ class DiffProgram : public ::testing::Test {
 };
 
 TEST_F(DiffProgram, SameFoldersEndWithZero) {
-  const Outcome outcome = diff();
+  const RunOutcome outcome = diff();
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("3 frames are the same"));
 }
 
 TEST_F(DiffProgram, OneStepOfOneChannelIsADifferenceAndIsShown) {
   write_png(in_test(1), spotted(9, 1));
-  const Outcome outcome = diff();
+  const RunOutcome outcome = diff();
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.out,
               HasSubstr("f1.png: 1 of 1536 pixels differs, within 1x1 at (9, 10), by up to 1 of 255"));
@@ -71,7 +71,7 @@ TEST_F(DiffProgram, TheGateFlipSeesWhatPeopleSee) {
 
 TEST_F(DiffProgram, MissingAndExtraFramesAreNamed) {
   std::filesystem::rename(in_test(2), in_test(7));
-  const Outcome outcome = diff();
+  const RunOutcome outcome = diff();
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_THAT(outcome.out, HasSubstr("f2.png: it is missing"));
   EXPECT_THAT(outcome.out, HasSubstr("f7.png: it has no reference"));
@@ -80,7 +80,7 @@ TEST_F(DiffProgram, MissingAndExtraFramesAreNamed) {
 
 TEST_F(DiffProgram, JsonSaysTheSame) {
   write_png(in_test(1), spotted(9, 90));
-  const Outcome outcome = diff({"--json"});
+  const RunOutcome outcome = diff({"--json"});
   EXPECT_EQ(outcome.exit, 1);
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json.at("same"), false);
@@ -93,7 +93,7 @@ TEST_F(DiffProgram, JsonSaysTheSame) {
 // Whatever cannot be compared must not count as the same.
 TEST_F(DiffProgram, WhatCannotBeReadIsUnusable) {
   const auto expect_unusable = [this](const std::string& reason) {
-    const Outcome outcome = diff();
+    const RunOutcome outcome = diff();
     EXPECT_EQ(outcome.exit, 2) << reason;
     EXPECT_THAT(outcome.out + outcome.err, HasSubstr(reason));
     EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("the same")));
@@ -124,13 +124,13 @@ TEST_F(DiffProgram, AnImageThatIsTooLargeIsUnusableEvenAgainstItself) {
   file.seekp(29);
   file.write("\xe4\x10\x74\x8f", 4);  // and the checksum of that header
   file.close();
-  const Outcome outcome = run_kerf({"diff", wide, wide});
+  const RunOutcome outcome = run_kerf({"diff", wide, wide});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.out, HasSubstr("65536x1"));
 }
 
 TEST_F(DiffProgram, AFileAgainstAFolderIsRefused) {
-  const Outcome outcome = run_kerf({"diff", reference(), in_test(0)});
+  const RunOutcome outcome = run_kerf({"diff", reference(), in_test(0)});
   EXPECT_EQ(outcome.exit, 2);
   EXPECT_THAT(outcome.err, HasSubstr("give two files or two folders"));
 }
@@ -142,7 +142,7 @@ TEST_F(DiffProgram, WrongOptionsSayWhatIsRight) {
 
 TEST_F(DiffProgram, AnInterruptedSequenceIsNoted) {
   manifest(R"({"complete": false, "frames": [{"file": "f0.png"}]})");
-  const Outcome outcome = diff();
+  const RunOutcome outcome = diff();
   EXPECT_EQ(outcome.exit, 0);
   EXPECT_THAT(outcome.out, HasSubstr("a sequence that was not finished"));
 }

@@ -11,21 +11,21 @@
 namespace kerf {
 namespace {
 
+using test::look_at;
+using test::run_kerf;
+using test::Sight;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using testing::look_at;
 using ::testing::Not;
-using testing::run_kerf;
-using testing::Sight;
-using testing::TemporaryFolder;
 
 /// One page for all tests: it takes seconds.
 class ExperimentPage : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<TemporaryFolder>();
-    outcome_ = testing::run_kerf({"experiment", "--steps", "60", "--objects", "60", "--seeds", "3", "--out",
-                                  folder_->path().string()});
+    outcome_ = test::run_kerf({"experiment", "--steps", "60", "--objects", "60", "--seeds", "3", "--out",
+                               folder_->path().string()});
   }
   static void TearDownTestSuite() { folder_.reset(); }
   void SetUp() override { ASSERT_EQ(outcome_.exit, kExitHolds) << outcome_.err; }
@@ -39,11 +39,11 @@ class ExperimentPage : public ::testing::Test {
   }
 
   static inline std::unique_ptr<TemporaryFolder> folder_;
-  static inline testing::Outcome outcome_;
+  static inline test::RunOutcome outcome_;
 };
 
 TEST_F(ExperimentPage, StandsAloneInABrowser) {
-  const std::string text = testing::read_text(page());
+  const std::string text = test::read_text(page());
   EXPECT_THAT(text, Not(HasSubstr("src=")));
   EXPECT_THAT(text, Not(HasSubstr("<script")));
   const Sight sight = seen("");
@@ -109,7 +109,7 @@ TEST_F(ExperimentPage, AStripLeadsToItsMomentAndTheCommandThatShowsIt) {
   const std::string answer = seen(act).answer;
   EXPECT_THAT(answer, HasSubstr("true|0|"));
   EXPECT_THAT(answer, HasSubstr("kerf step simulation-1-terrain.kerf --to step=="));
-  EXPECT_THAT(testing::read_text(page()), HasSubstr("kerf record terrain -o simulation-1-terrain.kerf"));
+  EXPECT_THAT(test::read_text(page()), HasSubstr("kerf record terrain -o simulation-1-terrain.kerf"));
 }
 
 /// The words of a command on the page after "kerf", with the recording in the folder of the test.
@@ -125,13 +125,13 @@ std::vector<std::string> words_of(const std::string& text, const std::string& be
 
 /// The recording that the page's command makes is the run: it has the figures of the table at that step.
 TEST_F(ExperimentPage, ItsCommandsShowTheMomentOfTheRun) {
-  const std::string text = testing::read_text(page());
+  const std::string text = test::read_text(page());
   const std::string file = "simulation-1-terrain.kerf";
   ASSERT_EQ(run_kerf(words_of(text, "kerf record terrain", file, folder_->path())).exit, kExitHolds);
   std::vector<std::string> step =
       words_of(text, "kerf step " + file + " --to step==53", file, folder_->path());
   step.resize(step.size() - 2);  // without its picture
-  const testing::Outcome shown = run_kerf(step);
+  const test::RunOutcome shown = run_kerf(step);
   ASSERT_EQ(shown.exit, kExitHolds) << shown.err;
   const std::string answer = seen(R"(return [...document.getElementById("moment-1-53").cells]
       .map(cell => cell.textContent).join(" ");)")

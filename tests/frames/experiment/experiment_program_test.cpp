@@ -11,10 +11,10 @@
 namespace kerf {
 namespace {
 
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 constexpr const char* kFirstRun = "simulation-1-terrain-seed-1-repeat-1.csv";
 
@@ -26,26 +26,26 @@ std::vector<std::string> small_experiment(const std::filesystem::path& out, cons
 std::string all_tables(const std::filesystem::path& folder) {
   std::string all;
   for (const char* name : {"1-terrain", "2-attractors", "3-fracture", "4-buckets"})
-    all += testing::read_text(folder / ("simulation-" + std::string(name) + "-seed-1-repeat-1.csv"));
+    all += test::read_text(folder / ("simulation-" + std::string(name) + "-seed-1-repeat-1.csv"));
   return all;
 }
 
 TEST(ExperimentProgram, MakesPagesFiguresAndTablesAndDoesNothingTwice) {
   const TemporaryFolder folder;
-  const Outcome outcome = run_kerf(small_experiment(folder.path()));
+  const RunOutcome outcome = run_kerf(small_experiment(folder.path()));
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_THAT(folder.files(),
               ::testing::UnorderedElementsAre(
                   "experiment.html", "experiment.md", "figure-12.png", "figure-12.svg", "figure-13.png",
                   "figure-13.svg", kFirstRun, "simulation-2-attractors-seed-1-repeat-1.csv",
                   "simulation-3-fracture-seed-1-repeat-1.csv", "simulation-4-buckets-seed-1-repeat-1.csv"));
-  const std::string page = testing::read_text(folder.path() / "experiment.md");
+  const std::string page = test::read_text(folder.path() / "experiment.md");
   for (const char* word : {"Simulation 4", "ode-quadtree", "too few runs: 1", "figure-13.svg", kFirstRun,
                            "1 repeat of 1 seed", "fewer than", "kerf-paper:swap_share=1"})
     EXPECT_THAT(page, HasSubstr(word));
-  const std::string table = testing::read_text(folder.path() / kFirstRun);
+  const std::string table = test::read_text(folder.path() / kFirstRun);
   EXPECT_EQ(std::ranges::count(table, '\n'), 2 + 60 * 14);
-  EXPECT_THAT(testing::read_text(folder.path() / "figure-12.svg"), HasSubstr("</svg>"));
+  EXPECT_THAT(test::read_text(folder.path() / "figure-12.svg"), HasSubstr("</svg>"));
 
   // Times are never the same twice: a table that is the same was not made anew.
   const std::string before = all_tables(folder.path());
@@ -54,7 +54,7 @@ TEST(ExperimentProgram, MakesPagesFiguresAndTablesAndDoesNothingTwice) {
   std::vector<std::string> again = small_experiment(folder.path());
   again.emplace_back("--overwrite");
   ASSERT_EQ(run_kerf(again).exit, kExitHolds);
-  EXPECT_EQ(testing::read_text(folder.path() / kFirstRun), table);
+  EXPECT_EQ(test::read_text(folder.path() / kFirstRun), table);
   EXPECT_NE(all_tables(folder.path()), before);
 }
 
@@ -65,7 +65,7 @@ TEST(ExperimentProgram, RunsSeedsAndRepeatsAndCountsCandidates) {
   arguments.insert(arguments.end(), {"--repeats", "2", "--seed", "7"});
   ASSERT_EQ(run_kerf(arguments).exit, kExitHolds);
   const auto run = [&](const char* name) {
-    return testing::read_text(folder.path() / ("simulation-2-attractors-" + std::string(name) + ".csv"));
+    return test::read_text(folder.path() / ("simulation-2-attractors-" + std::string(name) + ".csv"));
   };
   EXPECT_THAT(run("seed-8-repeat-2"), HasSubstr("seed 8, repeat 2"));
   /// The broad phases of a run's eleventh step; in the first repeat the candidates of all but the tuned tree
@@ -85,7 +85,7 @@ TEST(ExperimentProgram, RunsSeedsAndRepeatsAndCountsCandidates) {
   };
   EXPECT_EQ(broad_phases("seed-7-repeat-1", true), 14U) << "seven readings are among them";
   EXPECT_EQ(broad_phases("seed-7-repeat-2", false), 7U) << "counts are those of the first repeat";
-  EXPECT_THAT(testing::read_text(folder.path() / "experiment.md"), HasSubstr("2 repeats of 2 seeds"));
+  EXPECT_THAT(test::read_text(folder.path() / "experiment.md"), HasSubstr("2 repeats of 2 seeds"));
 }
 
 /// Each run is made by one shard, and the pages are those of one command.
@@ -96,7 +96,7 @@ TEST(ExperimentProgram, ShardsMakeTheRunsOfOneExperiment) {
   for (const char* const shard : {"1/3", "2/3", "3/3"}) {
     std::vector<std::string> part = whole;
     part.insert(part.end(), {"--shard", shard});
-    const Outcome outcome = run_kerf(part);
+    const RunOutcome outcome = run_kerf(part);
     ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr(std::string(" of shard ") + shard));
     const std::size_t now = folder.files().size();
@@ -116,10 +116,10 @@ TEST(ExperimentProgram, RefusesAFolderOfAnotherSizeAndDamagedTables) {
   std::ofstream(folder.path() / "simulation-2-attractors-seed-1-repeat-1.csv")
       << "# kerf experiment 4, simulation 2 (attractors), steps 60, objects 60, seed 1, repeat "
          "1\nstep\n1,2,3\n";
-  const Outcome other = run_kerf(small_experiment(folder.path(), "70"));
+  const RunOutcome other = run_kerf(small_experiment(folder.path(), "70"));
   EXPECT_EQ(other.exit, kExitUnusable);
   EXPECT_THAT(other.err, HasSubstr("another experiment"));
-  const Outcome damaged = run_kerf(small_experiment(folder.path()));
+  const RunOutcome damaged = run_kerf(small_experiment(folder.path()));
   EXPECT_EQ(damaged.exit, kExitUnusable);
   EXPECT_THAT(damaged.err, HasSubstr("remove it"));
 }
@@ -128,7 +128,7 @@ TEST(ExperimentProgram, RefusesTheFileOfAnEarlierKerf) {
   const TemporaryFolder folder;
   const std::filesystem::path earlier = folder.path() / "simulation-2-attractors.csv";
   std::ofstream(earlier) << "# kerf experiment, simulation 2 (attractors), steps 60, objects 60, seed 1\n";
-  const Outcome outcome = run_kerf(small_experiment(folder.path()));
+  const RunOutcome outcome = run_kerf(small_experiment(folder.path()));
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("earlier kerf"));
   EXPECT_THAT(outcome.err, HasSubstr("--out"));
@@ -138,7 +138,7 @@ TEST(ExperimentProgram, RefusesTheFileOfAnEarlierKerf) {
 TEST(ExperimentProgram, KeepsWhatIsDoneWhenInterrupted) {
   const TemporaryFolder folder;
   const std::filesystem::path first = folder.path() / kFirstRun;
-  const Outcome outcome = testing::interrupt_kerf(small_experiment(folder.path(), "2000"),
+  const RunOutcome outcome = test::interrupt_kerf(small_experiment(folder.path(), "2000"),
                                                   [&] { return std::filesystem::exists(first); });
   EXPECT_EQ(outcome.exit, kExitInterrupted) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("of 4 runs are in"));
@@ -148,13 +148,13 @@ TEST(ExperimentProgram, KeepsWhatIsDoneWhenInterrupted) {
 }
 
 TEST(ExperimentProgram, MistakesAreExplained) {
-  const Outcome few = run_kerf({"experiment", "--steps", "3"});
+  const RunOutcome few = run_kerf({"experiment", "--steps", "3"});
   EXPECT_EQ(few.exit, kExitUnusable);
   EXPECT_THAT(few.err, HasSubstr("--steps '3'"));
-  const Outcome both = run_kerf({"experiment", "--full", "--steps", "100"});
+  const RunOutcome both = run_kerf({"experiment", "--full", "--steps", "100"});
   EXPECT_EQ(both.exit, kExitUnusable);
   EXPECT_THAT(both.err, HasSubstr("--full"));
-  const Outcome none = run_kerf({"experiment", "--repeats", "0"});
+  const RunOutcome none = run_kerf({"experiment", "--repeats", "0"});
   EXPECT_EQ(none.exit, kExitUnusable);
   EXPECT_THAT(none.err, HasSubstr("--repeats '0'"));
 }

@@ -9,11 +9,11 @@
 namespace kerf {
 namespace {
 
+using test::read_text;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_text;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 constexpr RelatedClaim kSlower{"words", RelatedMeasure::update, "kinetic-tree", "kerf-paper", true, 1.5};
 
@@ -36,30 +36,30 @@ RelatedRuns runs_of(std::array<double, 4> others) {
 }
 
 TEST(RelatedVerdict, HoldsInAllSimulationsPartlyInSomeOrNot) {
-  EXPECT_EQ(judge(kSlower, runs_of({4, 4, 4, 8})).outcome, kerf::Outcome::holds);
+  EXPECT_EQ(judge(kSlower, runs_of({4, 4, 4, 8})).outcome, Outcome::holds);
   EXPECT_EQ(judge(kSlower, runs_of({4, 4, 4, 8})).figures, "2, 2, 2, 4 times");
-  EXPECT_EQ(judge(kSlower, runs_of({4, 2.9, 4, 8})).outcome, kerf::Outcome::partly);
-  EXPECT_EQ(judge(kSlower, runs_of({2, 2, 1, 1})).outcome, kerf::Outcome::opposite);
+  EXPECT_EQ(judge(kSlower, runs_of({4, 2.9, 4, 8})).outcome, Outcome::partly);
+  EXPECT_EQ(judge(kSlower, runs_of({2, 2, 1, 1})).outcome, Outcome::opposite);
   RelatedClaim faster = kSlower;
   faster.more = false;
-  EXPECT_EQ(judge(faster, runs_of({1, 1, 1, 1})).outcome, kerf::Outcome::holds);
-  EXPECT_EQ(judge(faster, runs_of({1, 1.5, 1, 1})).outcome, kerf::Outcome::partly);
+  EXPECT_EQ(judge(faster, runs_of({1, 1, 1, 1})).outcome, Outcome::holds);
+  EXPECT_EQ(judge(faster, runs_of({1, 1.5, 1, 1})).outcome, Outcome::partly);
 }
 
 TEST(RelatedVerdict, ARunThatDiffersIsNotOverlooked) {
   RelatedRuns runs = runs_of({4, 4, 4, 4});
   runs[0] = {run_of(2, 4), run_of(2, 0.1), run_of(2, 5)};
-  EXPECT_EQ(judge(kSlower, runs).outcome, kerf::Outcome::partly);
+  EXPECT_EQ(judge(kSlower, runs).outcome, Outcome::partly);
 }
 
 TEST(RelatedVerdict, WhatWasNotMeasuredIsNotJudged) {
   RelatedRuns two;
   for (auto& runs : two) runs.assign(2, run_of(2, 4));
-  EXPECT_EQ(judge(kSlower, two).outcome, kerf::Outcome::cannot_be_judged) << "too few runs";
-  EXPECT_EQ(judge(kSlower, {}).outcome, kerf::Outcome::cannot_be_judged);
+  EXPECT_EQ(judge(kSlower, two).outcome, Outcome::cannot_be_judged) << "too few runs";
+  EXPECT_EQ(judge(kSlower, {}).outcome, Outcome::cannot_be_judged);
   for (const RelatedClaim& claim : related_claims()) {
     const bool is_judged = claim.measure != RelatedMeasure::none;
-    EXPECT_EQ(judge(claim, runs_of({4, 4, 4, 4})).outcome != kerf::Outcome::cannot_be_judged, is_judged)
+    EXPECT_EQ(judge(claim, runs_of({4, 4, 4, 4})).outcome != Outcome::cannot_be_judged, is_judged)
         << claim.words;
     EXPECT_FALSE(claim.note.empty()) << claim.words;
   }
@@ -82,13 +82,13 @@ TEST(RelatedRun, HasTheMeansOfItsTenths) {
 TEST(RelatedProgram, WritesAPageOnWhichNoPairIsWrong) {
   const TemporaryFolder folder;
   const std::filesystem::path out = folder.path() / "related";
-  const Outcome outcome =
+  const RunOutcome outcome =
       run_kerf({"experiment", "--related", "--steps", "60", "--objects", "60", "--seeds", "1", "--out", out});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   const std::string page = read_text(out / "related.html");
   for (const std::string_view name : related_contestants()) EXPECT_THAT(page, HasSubstr(std::string(name)));
   EXPECT_THAT(page, HasSubstr("kerf experiment --related --steps 60 --objects 60 --seeds 1 --seed 1"));
-  const Outcome again =
+  const RunOutcome again =
       run_kerf({"experiment", "--related", "--steps", "60", "--objects", "60", "--seeds", "1", "--out", out});
   EXPECT_EQ(again.exit, kExitUnusable) << "an earlier page is kept";
 }

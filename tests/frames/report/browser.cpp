@@ -6,7 +6,7 @@
 
 #include "tests/frames/program.h"
 
-namespace kerf::testing {
+namespace kerf::test {
 namespace {
 
 constexpr std::string_view kBegin = "SIGHT{{{";
@@ -68,7 +68,7 @@ Sight look_at(const std::filesystem::path& page, const std::string& act) {
                     "--host-resolver-rules=MAP * ~NOTFOUND", "--user-data-dir=" + folder.path().string(),
                     "--window-size=1200,900", "--enable-logging=stderr", "--dump-dom",
                     "file://" + copy.string()});
-  const Outcome outcome = chromium.wait();
+  const RunOutcome outcome = chromium.wait();
   Sight sight;
   sight.console = console_lines(outcome.err);
   const std::size_t begin = outcome.out.rfind(kBegin);
@@ -81,4 +81,4 @@ Sight look_at(const std::filesystem::path& page, const std::string& act) {
   return sight;
 }
 
-}  // namespace kerf::testing
+}  // namespace kerf::test

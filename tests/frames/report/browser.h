@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace kerf::testing {
+namespace kerf::test {
 
 /// What headless Chromium, without a network, makes of a page.
 struct Sight {
@@ -26,4 +26,4 @@ struct Sight {
 /// JavaScript that first does something with the page and may return a text.
 Sight look_at(const std::filesystem::path& page, const std::string& act = "");
 
-}  // namespace kerf::testing
+}  // namespace kerf::test

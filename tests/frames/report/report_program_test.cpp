@@ -10,21 +10,21 @@
 namespace kerf {
 namespace {
 
+using test::interrupt_kerf;
+using test::look_at;
+using test::read_json;
+using test::read_text;
+using test::run_kerf;
+using test::RunOutcome;
+using test::Sight;
+using test::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing::interrupt_kerf;
 using ::testing::IsEmpty;
-using testing::look_at;
 using ::testing::Not;
-using testing::Outcome;
-using testing::read_json;
-using testing::read_text;
-using testing::run_kerf;
-using testing::Sight;
-using testing::TemporaryFolder;
 
 /// A report as small as it can be, with more arguments.
-Outcome run_small_report(const std::string& page, const std::vector<std::string>& more) {
+RunOutcome run_small_report(const std::string& page, const std::vector<std::string>& more) {
   std::vector<std::string> arguments{
       "report",  "--objects", "40",    "--steps", "12",          "--rounds",         "1",
       "--seeds", "1",         "--out", page,      "--hardcases", page + ".hardcases"};
@@ -43,7 +43,7 @@ TEST(ReportProgram, APageOfAllSectionsStandsAloneInABrowser) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "page.html").string();
   write_hardcases(page + ".hardcases");
-  const Outcome outcome = run_small_report(page, {});
+  const RunOutcome outcome = run_small_report(page, {});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_EQ(outcome.err, "") << "no progress where there is no terminal";
   const std::string text = read_text(page);
@@ -121,7 +121,7 @@ TEST(ReportProgram, ShardsMakeTheMeasurementsOfOnePage) {
   ASSERT_THAT(last, HasSubstr("volumes"));
   figures["cells"][last][0]["contacts"] = 987654321;
   std::ofstream(folder.path() / "page.shard-1-of-2.json") << figures;
-  const Outcome second = run_small_report(page, {"missed", "volumes", "--shard", "2/2"});
+  const RunOutcome second = run_small_report(page, {"missed", "volumes", "--shard", "2/2"});
   ASSERT_EQ(second.exit, kExitHolds) << second.err;
   EXPECT_THAT(second.out, HasSubstr("page.shard-2-of-2.json"));
   ASSERT_EQ(run_small_report(page, {"missed", "volumes"}).exit, kExitHolds);
@@ -135,7 +135,7 @@ TEST(ReportProgram, TakesNothingOverFromAnotherMachine) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "page.html").string();
   std::ofstream(folder.path() / "page.json") << R"({"owner": "another", "cells": {"a": 1}})";
-  const Outcome refused = run_small_report(page, {"hardcases"});
+  const RunOutcome refused = run_small_report(page, {"hardcases"});
   EXPECT_EQ(refused.exit, kExitUnusable);
   EXPECT_THAT(refused.err, HasSubstr("another machine"));
   ASSERT_EQ(run_small_report(page, {"hardcases", "--overwrite"}).exit, kExitHolds);
@@ -151,7 +151,7 @@ TEST(ReportProgram, DoesNotReplaceAnotherProgramsFile) {
                                  R"({"owner": "me", "cells": [)", "[]", "a letter"}) {
     std::ofstream(folder.path() / "speed.json") << text;
     for (const char* const option : {"volumes", "--fresh"}) {
-      const Outcome outcome = run_small_report(page, {"volumes", option});
+      const RunOutcome outcome = run_small_report(page, {"volumes", option});
       EXPECT_EQ(outcome.exit, kExitUnusable) << text;
       EXPECT_THAT(outcome.err, HasSubstr("speed.json"));
     }
@@ -163,7 +163,7 @@ TEST(ReportProgram, KeepsWhatWasMeasuredWhenInterrupted) {
   const TemporaryFolder folder;
   const std::filesystem::path kept = folder.path() / "page.json";
   const std::filesystem::path page = folder.path() / "page.html";
-  const Outcome outcome = interrupt_kerf(
+  const RunOutcome outcome = interrupt_kerf(
       {"report", "physics", "--objects", "40", "--steps", "60", "--seeds", "1000", "--out", page.string()},
       [&] { return std::filesystem::exists(kept); });
   EXPECT_EQ(outcome.exit, kExitInterrupted) << outcome.err;
@@ -174,7 +174,7 @@ TEST(ReportProgram, KeepsWhatWasMeasuredWhenInterrupted) {
 
 TEST(ReportProgram, SaysWhatIsMissingForPlots) {
   const TemporaryFolder folder;
-  const Outcome outcome =
+  const RunOutcome outcome =
       run_kerf({"report", "volumes", "--objects", "20", "--out", (folder.path() / "page.html").string()},
                {.path = "/nowhere"});
   EXPECT_EQ(outcome.exit, kExitUnusable);
@@ -182,7 +182,7 @@ TEST(ReportProgram, SaysWhatIsMissingForPlots) {
 }
 
 TEST(ReportProgram, SaysWhereItCannotWrite) {
-  const Outcome outcome = run_kerf({"report", "volumes", "--out", "/proc/nowhere/page.html"});
+  const RunOutcome outcome = run_kerf({"report", "volumes", "--out", "/proc/nowhere/page.html"});
   EXPECT_EQ(outcome.exit, kExitUnusable);
   EXPECT_THAT(outcome.err, HasSubstr("/proc/nowhere"));
 }

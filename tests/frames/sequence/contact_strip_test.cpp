@@ -14,7 +14,7 @@ namespace {
 
 /// Saves the sheet of `frames` grey pictures and gives the picture back.
 Image sheet_of(std::uint32_t frames, int width, int height) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   ContactStrip strip(frames);
   const Image grey = make_image(width, height, 0xff808080U);
   for (std::uint32_t frame = 0; frame < frames; ++frame) strip.offer(frame, grey);
@@ -36,7 +36,7 @@ TEST(ContactStrip, LongSequencesGiveTwentyPictures) {
 /// The colours of a sheet in which frame n has the colour n, which is its green and blue; no others have no
 /// red.
 std::set<std::uint32_t> colours_of(std::uint32_t frames) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   ContactStrip strip(frames);
   for (std::uint32_t frame = 0; frame < frames; ++frame)
     strip.offer(frame, make_image(48, 24, frame << 8U | 0xffU));

@@ -67,7 +67,7 @@ TEST(Manifest, TextThatIsNotUtf8DoesNotLoseIt) {
 }
 
 TEST(Manifest, IsReadAsItWasWritten) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   Manifest written = example();
   written.shard = {1, 3};
   save(written, folder.path());
@@ -78,7 +78,7 @@ TEST(Manifest, IsReadAsItWasWritten) {
 }
 
 TEST(Manifest, ThatIsDamagedIsAnError) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   EXPECT_THROW((void)read_manifest(folder.path()), std::runtime_error);
   for (const char* const text : {"", "{}", "[1]", "{\"format\":\"kerf-frames-2\"}"}) {
     std::ofstream(folder.path() / kManifestName) << text;
@@ -88,7 +88,7 @@ TEST(Manifest, ThatIsDamagedIsAnError) {
 
 /// What follows from a number out of its range is a division by zero, or memory without end.
 TEST(Manifest, ThatLiesIsDamaged) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const json truth = json::parse(to_json(example()));
   const auto lie = [&](const char* where, const json& what) {
     json manifest = truth;

@@ -34,7 +34,7 @@ class TwoWays {
         "record", name,      "-o", file(),     "--objects",
         "60",     "--steps", "40", "--config", "max_threshold=24,min_threshold=12"};
     if (entry->grows) arguments.insert(arguments.end(), {"--grow", "20"});
-    const testing::Outcome recorded = testing::run_kerf(arguments);
+    const test::RunOutcome recorded = test::run_kerf(arguments);
     EXPECT_EQ(recorded.exit, 0) << recorded.err;
     SceneOptions options;
     options.objects = kObjects;
@@ -70,7 +70,7 @@ class TwoWays {
   }
 
  private:
-  testing::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   Bsp<D> tree_;
   std::unique_ptr<Scene<D>> scene_;
   std::shared_ptr<RecordingReader<D>> recording_;
@@ -126,7 +126,7 @@ TEST(RecordedShapes, ArePicturedAsThemselvesAndNotAsTheirBoxes) {
 
 TEST(RecordedShapes, AreNamedByVerify) {
   const TwoWays<3> scene("terrain");
-  const testing::Outcome verified = testing::run_kerf({"verify", scene.file()});
+  const test::RunOutcome verified = test::run_kerf({"verify", scene.file()});
   EXPECT_EQ(verified.exit, 0) << verified.err;
   EXPECT_THAT(verified.out, ::testing::ContainsRegex("shapes: [0-9]+ balls, [0-9]+ bricks, [0-9]+ surfaces"));
 }

@@ -22,9 +22,9 @@ using ::testing::Not;
 class RecordingPicture : public ::testing::Test {
  protected:
   RecordingPicture() {
-    const testing::Outcome recorded =
-        testing::run_kerf({"record", "terrain", "-o", file(), "--steps", "60", "--objects", "500", "--grow",
-                           "100", "--config", "swap_share=1"});
+    const test::RunOutcome recorded =
+        test::run_kerf({"record", "terrain", "-o", file(), "--steps", "60", "--objects", "500", "--grow",
+                        "100", "--config", "swap_share=1"});
     EXPECT_EQ(recorded.exit, 0) << recorded.err;
     cursor_ = std::make_unique<Cursor<3>>(std::make_shared<RecordingReader<3>>(file()));
   }
@@ -50,7 +50,7 @@ class RecordingPicture : public ::testing::Test {
   }
 
  private:
-  testing::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   std::unique_ptr<Cursor<3>> cursor_;
 };
 

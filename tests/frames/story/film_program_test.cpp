@@ -13,14 +13,14 @@
 namespace kerf {
 namespace {
 
+using test::interrupt_kerf;
+using test::Process;
+using test::read_text;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::interrupt_kerf;
 using ::testing::IsEmpty;
-using testing::Outcome;
-using testing::Process;
-using testing::read_text;
-using testing::run_kerf;
-using testing::TemporaryFolder;
 
 using Options = std::map<std::string, std::string>;
 
@@ -45,13 +45,13 @@ TEST(FilmProgram, HasAllItsPicturesHoweverManyDraw) {
   const std::string alone = folder.path() / "alone.apng";
   const std::string shared = folder.path() / "shared.apng";
   const std::string still = folder.path() / "still.png";
-  const Outcome outcome = run_kerf(film_of_pile(alone, {{"--workers", "0"}, {"--still", still}}));
+  const RunOutcome outcome = run_kerf(film_of_pile(alone, {{"--workers", "0"}, {"--still", still}}));
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   ASSERT_EQ(run_kerf(film_of_pile(shared, {{"--workers", "3"}})).exit, kExitHolds);
   EXPECT_EQ(read_text(alone), read_text(shared));
-  const Outcome probe = Process({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
-                                 "stream=width,height,nb_read_frames", "-of", "csv=p=0", alone})
-                            .wait();
+  const RunOutcome probe = Process({"ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                                    "stream=width,height,nb_read_frames", "-of", "csv=p=0", alone})
+                               .wait();
   EXPECT_EQ(probe.out, "640,360,20\n") << probe.err;
   const Image picture = read_png(still);
   EXPECT_EQ(picture.width, 640);
@@ -86,7 +86,7 @@ TEST(FilmProgram, OfARecordingIsThatOfItsSteps) {
           .exit,
       kExitHolds);
   const std::string out = folder.path() / "film.gif";
-  const Outcome outcome =
+  const RunOutcome outcome =
       run_kerf(small_film(recording, out, {{"--steps", "10:30"}, {"--beside", "sweep-and-prune"}}));
   EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_TRUE(std::filesystem::exists(out));
@@ -98,7 +98,7 @@ TEST(FilmProgram, MistakesAreExplained) {
   const TemporaryFolder folder;
   const std::string out = folder.path() / "film.gif";
   const auto refusal = [&](const Options& options) {
-    const Outcome outcome = run_kerf(small_film("pile", out, options));
+    const RunOutcome outcome = run_kerf(small_film("pile", out, options));
     EXPECT_EQ(outcome.exit, kExitUnusable);
     return outcome.err;
   };
@@ -116,7 +116,7 @@ TEST(FilmProgram, MistakesAreExplained) {
 TEST(FilmProgram, LeavesNothingWhenInterrupted) {
   const TemporaryFolder folder;
   const std::filesystem::path out = folder.path() / "film.gif";
-  const Outcome outcome =
+  const RunOutcome outcome =
       interrupt_kerf(film_of_pile(out, {{"--seconds", "900"}}), [&] { return !folder.files().empty(); });
   EXPECT_EQ(outcome.exit, kExitInterrupted) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("no film was made"));

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-using testing::TemporaryFolder;
+using test::TemporaryFolder;
 
 StoryMoment moment(std::uint32_t step, Operator op, std::uint32_t population) {
   StoryMoment made;

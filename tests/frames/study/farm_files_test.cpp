@@ -11,10 +11,10 @@
 namespace kerf {
 namespace {
 
+using test::read_text;
+using test::RunOutcome;
+using test::StudyFolder;
 using ::testing::HasSubstr;
-using testing::Outcome;
-using testing::read_text;
-using testing::StudyFolder;
 
 namespace fs = std::filesystem;
 
@@ -41,7 +41,7 @@ TEST(StudyFiles, TheExampleOfTheDocumentationIsRead) {
   const std::size_t begin = page.find("```json\n") + 8;
   const StudyFolder study(page.substr(begin, page.find("```", begin) - begin));
   ASSERT_EQ(
-      testing::run_kerf({"record", "pile", "--steps", "100", "--objects", "4", "-o", study.path("run.kerf")})
+      test::run_kerf({"record", "pile", "--steps", "100", "--objects", "4", "-o", study.path("run.kerf")})
           .exit,
       kExitHolds);
   // Two motions in two dimensions, two sizes, three seeds, five repeats: three trees and two others.
@@ -60,13 +60,12 @@ TEST(StudyFiles, TheJobOfKubernetesMakesAllCells) {
   const std::string command = found(job, "- (exec kerf study .*)\n");
   ASSERT_FALSE(command.empty());
   const StudyFolder study;
-  const std::string path =
-      fs::path(testing::kerf_command({}).front()).parent_path().string() + ":/usr/bin:/bin";
+  const std::string path = fs::path(test::kerf_command({}).front()).parent_path().string() + ":/usr/bin:/bin";
   for (int index = 0; index < std::stoi(completions); ++index) {
-    const Outcome outcome =
-        testing::Process({"env", "PATH=" + path, "JOB_COMPLETION_INDEX=" + std::to_string(index),
-                          "SHARDS=" + completions, "STUDY=" + study.path("study.json"),
-                          "CELLS=" + study.path("cells"), "sh", "-c", command})
+    const RunOutcome outcome =
+        test::Process({"env", "PATH=" + path, "JOB_COMPLETION_INDEX=" + std::to_string(index),
+                       "SHARDS=" + completions, "STUDY=" + study.path("study.json"),
+                       "CELLS=" + study.path("cells"), "sh", "-c", command})
             .wait();
     ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   }

@@ -11,8 +11,8 @@
 namespace kerf {
 namespace {
 
+using test::StudyFolder;
 using ::testing::HasSubstr;
-using testing::StudyFolder;
 
 Study read(const std::string& text) { return read_study(StudyFolder(text).path("study.json")); }
 

@@ -8,7 +8,7 @@
 
 #include "tests/frames/program.h"
 
-namespace kerf::testing {
+namespace kerf::test {
 
 /// A folder with a study of 24 small cells, and runs of `kerf study` in it.
 class StudyFolder {
@@ -24,7 +24,9 @@ class StudyFolder {
   void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
 
   /// `kerf study study.json` with these arguments, in which "@" is the folder.
-  [[nodiscard]] Outcome run(const std::vector<std::string>& more) const { return run_kerf(arguments(more)); }
+  [[nodiscard]] RunOutcome run(const std::vector<std::string>& more) const {
+    return run_kerf(arguments(more));
+  }
   [[nodiscard]] std::vector<std::string> arguments(const std::vector<std::string>& more) const {
     std::vector<std::string> words{"study", path("study.json")};
     for (const std::string& word : more) words.push_back(word.starts_with('@') ? path(word.substr(1)) : word);
@@ -57,4 +59,4 @@ inline std::string counts_of(const std::string& csv) {
   return counts;
 }
 
-}  // namespace kerf::testing
+}  // namespace kerf::test

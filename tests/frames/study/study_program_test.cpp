@@ -14,29 +14,29 @@
 namespace kerf {
 namespace {
 
-using testing::counts_of;
+using test::counts_of;
+using test::read_json;
+using test::read_text;
+using test::run_kerf;
+using test::RunOutcome;
+using test::StudyFolder;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
-using testing::Outcome;
-using testing::read_json;
-using testing::read_text;
-using testing::run_kerf;
-using testing::StudyFolder;
 
 namespace fs = std::filesystem;
 
 TEST(StudyProgram, ShardsAreTheWhole) {
   const StudyFolder study;
-  const Outcome whole = study.run({"-o", "@all"});
+  const RunOutcome whole = study.run({"-o", "@all"});
   ASSERT_EQ(whole.exit, kExitHolds) << whole.err;
   EXPECT_EQ(whole.err, "") << "no progress where there is no terminal";
   EXPECT_THAT(whole.out, HasSubstr("24 of 24 cells are in"));
   for (const char* const k : {"1", "2", "3"})
     ASSERT_EQ(study.run({"--shard", std::string(k) + "/3", "-o", std::string("@s") + k}).exit, kExitHolds);
   EXPECT_EQ(study.cells("s2").size(), 8U);
-  const Outcome one = study.run({"--join", "@all", "-o", "@one"});
-  const Outcome three = study.run({"--join", "@s3", "@s1", "@s2", "-o", "@three"});
+  const RunOutcome one = study.run({"--join", "@all", "-o", "@one"});
+  const RunOutcome three = study.run({"--join", "@s3", "@s1", "@s2", "-o", "@three"});
   ASSERT_EQ(one.exit, kExitHolds) << one.err;
   ASSERT_EQ(three.exit, kExitHolds) << three.err;
   const std::string table = read_text(study.path("one/cells.csv"));
@@ -109,7 +109,7 @@ TEST(StudyProgram, WhatIsThereIsNotMeasuredAgain) {
   ASSERT_EQ(study.run({"-o", "@all", "--shard", "1/2"}).exit, kExitHolds);
   const std::string file = "all/" + study.cells("all").front();
   const std::string before = read_text(study.path(file));
-  const Outcome rest = study.run({"-o", "@all"});
+  const RunOutcome rest = study.run({"-o", "@all"});
   ASSERT_EQ(rest.exit, kExitHolds);
   EXPECT_THAT(rest.out, HasSubstr("24 of 24 cells are in"));
   EXPECT_THAT(rest.out, HasSubstr("12 of them new"));
@@ -123,11 +123,11 @@ TEST(StudyProgram, AFileOfAnotherKindIsNotReplaced) {
   const std::string id = study.run({"--list"}).out.substr(0, study.run({"--list"}).out.find(' '));
   fs::create_directory(study.path("all"));
   study.write("all/" + id + ".json", "{}");
-  const Outcome refused = study.run({"-o", "@all"});
+  const RunOutcome refused = study.run({"-o", "@all"});
   EXPECT_EQ(refused.exit, kExitUnusable);
   EXPECT_THAT(refused.err, HasSubstr("exists already"));
   EXPECT_THAT(study.cells("all"), ::testing::SizeIs(1)) << "nothing begins";
-  const Outcome joined = study.run({"--join", "@all", "-o", "@one"});
+  const RunOutcome joined = study.run({"--join", "@all", "-o", "@one"});
   EXPECT_EQ(joined.exit, kExitUnusable);
   EXPECT_THAT(joined.err, HasSubstr("is damaged"));
 }
@@ -139,13 +139,13 @@ TEST(StudyProgram, OneCellIsReplayedByTheCommandInItsFile) {
   const auto kept = read_json(study.path("all/" + study.cells("all")[0]));
   const std::string id = kept["id"];
   EXPECT_EQ(kept["command"], "kerf study " + study.path("study.json") + " --cell " + id);
-  const Outcome again = study.run({"--cell", id});
+  const RunOutcome again = study.run({"--cell", id});
   ASSERT_EQ(again.exit, kExitHolds) << again.err;
   const auto printed = nlohmann::json::parse(again.out);
   EXPECT_EQ(printed["counts"], kept["counts"]);
   EXPECT_EQ(printed["cell"], kept["cell"]);
   EXPECT_FALSE(fs::exists("out/study")) << "nothing is kept";
-  const Outcome unknown = study.run({"--cell", "none"});
+  const RunOutcome unknown = study.run({"--cell", "none"});
   EXPECT_EQ(unknown.exit, kExitUnusable);
   EXPECT_THAT(unknown.err, HasSubstr("--list"));
 }
@@ -164,7 +164,7 @@ TEST(StudyProgram, TheListSaysWhatIsThere) {
 TEST(StudyProgram, WhatIsMissingIsSaid) {
   const StudyFolder study;
   ASSERT_EQ(study.run({"-o", "@s1", "--shard", "1/2"}).exit, kExitHolds);
-  const Outcome half = study.run({"--join", "@s1", "-o", "@half"});
+  const RunOutcome half = study.run({"--join", "@s1", "-o", "@half"});
   EXPECT_EQ(half.exit, kExitDoesNotHold);
   EXPECT_THAT(half.err, HasSubstr("12 of 24 cells are missing: "));
   EXPECT_THAT(half.err, HasSubstr("and 4 more"));
@@ -172,7 +172,7 @@ TEST(StudyProgram, WhatIsMissingIsSaid) {
   const std::string table = read_text(study.path("half/cells.csv"));
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 13);
   fs::create_directory(study.path("empty"));
-  const Outcome nothing = study.run({"--join", "@empty", "-o", "@none"});
+  const RunOutcome nothing = study.run({"--join", "@empty", "-o", "@none"});
   EXPECT_EQ(nothing.exit, kExitDoesNotHold);
   EXPECT_FALSE(fs::exists(study.path("none")));
 }
@@ -180,14 +180,14 @@ TEST(StudyProgram, WhatIsMissingIsSaid) {
 TEST(StudyProgram, DoublesMustHaveTheSameCounts) {
   const StudyFolder study;
   for (const char* const out : {"@a", "@b"}) ASSERT_EQ(study.run({"-o", out}).exit, kExitHolds);
-  const Outcome twice = study.run({"--join", "@a", "@b", "-o", "@twice"});
+  const RunOutcome twice = study.run({"--join", "@a", "@b", "-o", "@twice"});
   ASSERT_EQ(twice.exit, kExitHolds) << twice.err;
   EXPECT_THAT(twice.out, HasSubstr("24 are there more than once, with equal counts"));
   const std::string file = "b/" + study.cells("b")[3];
   auto cell = read_json(study.path(file));
   cell["counts"]["pairs"] = cell["counts"]["pairs"].get<int>() + 1;
   study.write(file, cell.dump());
-  const Outcome differ = study.run({"--join", "@a", "@b", "-o", "@differ"});
+  const RunOutcome differ = study.run({"--join", "@a", "@b", "-o", "@differ"});
   EXPECT_EQ(differ.exit, kExitUnusable);
   EXPECT_THAT(differ.err, HasSubstr("different counts"));
   EXPECT_THAT(differ.err, HasSubstr(file));
@@ -201,7 +201,7 @@ TEST(StudyProgram, FilesOfAnotherStudyAreCountedAndLeftOut) {
   longer.replace(longer.find("\"steps\": 3"), 10, "\"steps\": 4");
   study.write("study.json", longer);
   ASSERT_EQ(study.run({"-o", "@a", "--shard", "1/24"}).exit, kExitHolds);
-  const Outcome joined = study.run({"--join", "@a", "-o", "@one"});
+  const RunOutcome joined = study.run({"--join", "@a", "-o", "@one"});
   EXPECT_EQ(joined.exit, kExitDoesNotHold);
   EXPECT_THAT(joined.out, HasSubstr("1 of 24 cells"));
   EXPECT_THAT(joined.out, HasSubstr("24 files are of no cell of the study"));
@@ -211,12 +211,12 @@ TEST(StudyProgram, JoinKeepsItsInputsAndWhatIsThere) {
   const StudyFolder study;
   ASSERT_EQ(study.run({"-o", "@a"}).exit, kExitHolds);
   for (const char* const out : {"@a", "@a/", "@."}) {
-    const Outcome refused = study.run({"--join", "@a", "-o", out, "--overwrite"});
+    const RunOutcome refused = study.run({"--join", "@a", "-o", out, "--overwrite"});
     EXPECT_EQ(refused.exit, kExitUnusable) << out;
     EXPECT_THAT(refused.err, HasSubstr("which is read")) << out;
   }
   ASSERT_EQ(study.run({"--join", "@a", "-o", "@one"}).exit, kExitHolds);
-  const Outcome again = study.run({"--join", "@a", "-o", "@one"});
+  const RunOutcome again = study.run({"--join", "@a", "-o", "@one"});
   EXPECT_EQ(again.exit, kExitUnusable);
   EXPECT_THAT(again.err, HasSubstr("--overwrite"));
   EXPECT_EQ(study.run({"--join", "@a", "-o", "@one", "--overwrite"}).exit, kExitHolds);
@@ -229,7 +229,7 @@ TEST(StudyProgram, ACellThatCannotBeMeasuredIsNamed) {
     {"motions": ["falling"], "dimensions": [3], "objects": [100000], "steps": 100000, "patience": 1,
      "broad_phases": ["brute-force"]},
     {"motions": ["falling"], "dimensions": [3], "objects": [40], "steps": 3, "broad_phases": ["kerf"]}]})");
-  const Outcome outcome = study.run({"-o", "@all"});
+  const RunOutcome outcome = study.run({"-o", "@all"});
   EXPECT_EQ(outcome.exit, kExitDoesNotHold);
   EXPECT_THAT(outcome.err, HasSubstr("1 of 2 cells could not be measured"));
   EXPECT_THAT(outcome.err, HasSubstr("brute-force"));
@@ -241,16 +241,16 @@ TEST(StudyProgram, AnInterruptLosesNothing) {
   std::string many = StudyFolder::kSmall;
   many.replace(many.find("\"steps\": 3"), 10, "\"steps\": 3, \"repeats\": 200");
   const StudyFolder study(many);
-  testing::Process process(testing::kerf_command(study.arguments({"-o", "@all"})));
+  test::Process process(test::kerf_command(study.arguments({"-o", "@all"})));
   while (!fs::exists(study.path("all")) || study.cells("all").size() < 3)
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   process.signal(SIGINT);
-  const Outcome outcome = process.wait();
+  const RunOutcome outcome = process.wait();
   EXPECT_EQ(outcome.exit, kExitInterrupted);
   EXPECT_THAT(outcome.err, HasSubstr("goes on from there"));
   const std::size_t kept = study.cells("all").size();
   EXPECT_THAT(outcome.err, HasSubstr(std::to_string(kept) + " of 4800 cells"));
-  EXPECT_EQ(study.cells("all").size(), testing::files_in(study.path("all")).size()) << "no part is left";
+  EXPECT_EQ(study.cells("all").size(), test::files_in(study.path("all")).size()) << "no part is left";
   const std::string list = study.run({"--list", "-o", "@all"}).out;
   std::size_t there = 0;
   for (std::size_t at = 0; (at = list.find("  there\n", at)) != std::string::npos; ++at) ++there;
@@ -261,7 +261,7 @@ TEST(StudyProgram, ThePageStandsAloneInABrowser) {
   const StudyFolder study;
   ASSERT_EQ(study.run({"-o", "@all"}).exit, kExitHolds);
   ASSERT_EQ(study.run({"--join", "@all", "-o", "@one"}).exit, kExitHolds);
-  const testing::Sight sight = testing::look_at(study.path("one/index.html"));
+  const test::Sight sight = test::look_at(study.path("one/index.html"));
   ASSERT_EQ(sight.trouble, "");
   EXPECT_THAT(sight.console, IsEmpty());
   EXPECT_THAT(sight.resources, IsEmpty());
@@ -279,20 +279,20 @@ TEST(StudyProgram, FramesOfARecordingAreCells) {
       run_kerf({"record", "pile", "--steps", "20", "--objects", "30", "-o", study.path("run.kerf")}).exit,
       kExitHolds);
   for (const char* const k : {"1", "2"}) {
-    const Outcome outcome = study.run({"--shard", std::string(k) + "/2", "-o", std::string("@s") + k});
+    const RunOutcome outcome = study.run({"--shard", std::string(k) + "/2", "-o", std::string("@s") + k});
     ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   }
-  const Outcome half = study.run({"--join", "@s1", "-o", "@half"});
+  const RunOutcome half = study.run({"--join", "@s1", "-o", "@half"});
   EXPECT_EQ(half.exit, kExitDoesNotHold);
   EXPECT_FALSE(fs::exists(study.path("half/run")));
-  const Outcome joined = study.run({"--join", "@s1", "@s2", "-o", "@one"});
+  const RunOutcome joined = study.run({"--join", "@s1", "@s2", "-o", "@one"});
   ASSERT_EQ(joined.exit, kExitHolds) << joined.err;
   ASSERT_EQ(run_kerf({"render", study.path("run.kerf"), "--steps", "2:20:2", "--size", "96x64", "--out",
                       study.path("whole")})
                 .exit,
             kExitHolds);
-  ASSERT_EQ(testing::files_in(study.path("whole")), testing::files_in(study.path("one/run")));
-  for (const std::string& file : testing::files_in(study.path("whole")))
+  ASSERT_EQ(test::files_in(study.path("whole")), test::files_in(study.path("one/run")));
+  for (const std::string& file : test::files_in(study.path("whole")))
     EXPECT_TRUE(read_text(study.path("whole/" + file)) == read_text(study.path("one/run/" + file))) << file;
 }
 

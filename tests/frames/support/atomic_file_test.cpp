@@ -10,14 +10,14 @@
 namespace kerf {
 namespace {
 
-using testing::TemporaryFolder;
+using test::TemporaryFolder;
 
 TEST(AtomicFile, WritesAndReplaces) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "frames.json";
   write_file_atomically(file, std::string_view("one"));
   write_file_atomically(file, std::string_view("two"));
-  EXPECT_EQ(testing::read_text(file), "two");
+  EXPECT_EQ(test::read_text(file), "two");
   EXPECT_EQ(folder.files(), std::vector<std::string>{"frames.json"});
 }
 
@@ -45,16 +45,16 @@ TEST(AtomicFile, CopiesWholeFilesOrNothing) {
   const TemporaryFolder folder;
   write_file_atomically(folder.path() / "a", std::string_view("one"));
   copy_file_atomically(folder.path() / "a", folder.path() / "b");
-  EXPECT_EQ(testing::read_text(folder.path() / "b"), "one");
+  EXPECT_EQ(test::read_text(folder.path() / "b"), "one");
   EXPECT_THROW(copy_file_atomically(folder.path() / "none", folder.path() / "b"), std::runtime_error);
-  EXPECT_EQ(testing::read_text(folder.path() / "b"), "one");
+  EXPECT_EQ(test::read_text(folder.path() / "b"), "one");
   EXPECT_EQ(folder.files(), (std::vector<std::string>{"a", "b"}));
 }
 
 TEST(AtomicFile, WritableFolderIsMadeWithItsParentsAndLeftEmpty) {
   const TemporaryFolder folder;
   make_writable_folder(folder.path() / "a" / "b");
-  EXPECT_TRUE(testing::files_in(folder.path() / "a" / "b").empty());
+  EXPECT_TRUE(test::files_in(folder.path() / "a" / "b").empty());
 }
 
 TEST(AtomicFile, FolderBelowAFileIsRefused) {

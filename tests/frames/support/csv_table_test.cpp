@@ -43,7 +43,7 @@ class CsvTest : public ::testing::Test {
   }
   [[nodiscard]] std::string path() const { return folder_.path() / "table.csv"; }
 
-  testing::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   std::vector<std::size_t> lines_;
 };
 

@@ -23,7 +23,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr std::uint32_t kIds = 40;
+constexpr std::uint32_t kObjects = 40;
 constexpr std::uint64_t kMaxEntries = 1500;
 
 /// A few direction sets, made once: one for a DOP takes longer than a case.
@@ -42,7 +42,7 @@ std::shared_ptr<const Projector<D>> projector(VolumeKind kind, std::uint32_t cho
 }
 
 template <int D>
-void run_case(ByteReader& bytes, MachineReport& report) {
+void run_kind(ByteReader& bytes, MachineReport& report) {
   const auto kinds = volume_kinds<D>();
   OperatorMachine<D>(kinds[bytes.below(static_cast<std::uint32_t>(kinds.size()))], bytes, report).run();
 }
@@ -54,9 +54,9 @@ void run_operator_case(CaseBytes bytes, MachineReport& report) {
   ++report.cases;
   report.finding.clear();
   if (reader.below(2) == 0)
-    run_case<2>(reader, report);
+    run_kind<2>(reader, report);
   else
-    run_case<3>(reader, report);
+    run_kind<3>(reader, report);
 }
 
 std::string operators_case(CaseBytes bytes) {
@@ -119,7 +119,7 @@ template <int D>
 void OperatorMachine<D>::insert() {
   last_ = "insert";
   ++report_.requests;
-  const ObjectId object{bytes_.below(kIds)};
+  const ObjectId object{bytes_.below(kObjects)};
   const Mobility mobility = bytes_.below(8) == 0 ? Mobility::fixed : Mobility::moving;
   const bool fresh = latest_.state(object) == ObjectState::absent;
   const Status status = latest_.insert(object, volumes_.read(), mobility);
@@ -131,7 +131,7 @@ template <int D>
 void OperatorMachine<D>::move() {
   last_ = "move";
   ++report_.requests;
-  const ObjectId object{bytes_.below(kIds)};
+  const ObjectId object{bytes_.below(kObjects)};
   if (latest_.move(object, volumes_.read()) != Status::unknown_id) take_over({object});
 }
 
@@ -140,10 +140,10 @@ void OperatorMachine<D>::move_many() {
   last_ = "move of many";
   std::vector<ObjectId> moved;
   const std::uint32_t count = 2 + bytes_.below(8);
-  const std::uint32_t first = bytes_.below(kIds);
+  const std::uint32_t first = bytes_.below(kObjects);
   for (std::uint32_t i = 0; i < count; ++i) {
     ++report_.requests;
-    const ObjectId object{(first + i) % kIds};
+    const ObjectId object{(first + i) % kObjects};
     if (latest_.move(object, volumes_.read()) != Status::unknown_id) moved.push_back(object);
   }
   take_over(moved);
@@ -153,7 +153,7 @@ template <int D>
 void OperatorMachine<D>::remove() {
   last_ = "remove";
   ++report_.requests;
-  const ObjectId object{bytes_.below(kIds)};
+  const ObjectId object{bytes_.below(kObjects)};
   if (latest_.remove(object) == Status::ok) take_over({object});
 }
 

@@ -5,7 +5,7 @@
 #include "core/trace/event_facts.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
-#include "tests/viz/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "viz/debugger/model/algorithm_1.h"
 #include "viz/debugger/model/debugger_model.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "tests/support/dimensions.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/viz/debugger/timeline_driver.h"
-#include "tests/viz/temporary_folder.h"
 #include "viz/debugger/model/run_of.h"
 
 namespace kerf {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/recorded_crowd.h"
-#include "tests/viz/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 #include "viz/image/png.h"
 
 namespace kerf {

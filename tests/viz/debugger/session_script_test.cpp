@@ -2,8 +2,8 @@
 
 #include <fstream>
 
+#include "tests/support/temporary_folder.h"
 #include "tests/viz/debugger/timeline_driver.h"
-#include "tests/viz/temporary_folder.h"
 #include "viz/debugger/session/session_text.h"
 
 namespace kerf {

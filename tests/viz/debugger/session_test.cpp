@@ -4,8 +4,8 @@
 
 #include <fstream>
 
+#include "tests/support/temporary_folder.h"
 #include "tests/viz/debugger/timeline_driver.h"
-#include "tests/viz/temporary_folder.h"
 #include "viz/debugger/session/recent_files.h"
 #include "viz/debugger/session/session_keeper.h"
 #include "viz/debugger/session/session_text.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tests/viz/temporary_folder.h"
+#include "tests/viz/message_of.h"
 
 namespace kerf {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "tests/viz/temporary_folder.h"
+#include "tests/viz/message_of.h"
 
 namespace kerf {
 namespace {

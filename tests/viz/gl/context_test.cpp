@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tests/viz/temporary_folder.h"
+#include "tests/viz/message_of.h"
 #include "viz/gl/framebuffer.h"
 
 namespace kerf {

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "tests/viz/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/viz/message_of.h"
 
 namespace kerf {
 namespace {

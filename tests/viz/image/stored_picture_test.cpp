@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "tests/support/png_file.h"
-#include "tests/viz/temporary_folder.h"
+#include "tests/viz/message_of.h"
 #include "viz/image/png.h"
 
 namespace kerf {

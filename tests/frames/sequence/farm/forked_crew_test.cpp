@@ -109,7 +109,7 @@ TEST_F(ForkedCrewTest, ErrorComesOutAndWhatWasFinishedIsDelivered) {
 }
 
 TEST_F(ForkedCrewTest, FramesOfOneThatDiesAreMadeByTheOthers) {
-  const testing::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   ForkedCrew crew = this->crew(2);
   for (std::uint32_t i = 0; i < 20; ++i)
     crew.add(order(i, i == 5 ? "die once " + (folder.path() / "flag").string() : "x"));
