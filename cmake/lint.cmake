@@ -1,8 +1,8 @@
 # `kerf_lint` runs clang-tidy over the sources of the rooms, `kerf_lint_tests` over those of tests/, which take as
 # long again and are left out of the default tests. Sources are checked a batch at a time (tidy_batch says how), and
 # again when one of the batch has changed, or any header of ours.
-# `kerf_sources` has the compiler read each source of the rooms alone, which a build in unity does not show; nothing is
-# generated from it. Those of core are compiled alone in this build, for kerf_fingerprint.
+# `kerf_sources` has clang read each source of the rooms alone, which a build in unity does not show (read_alone says
+# how). Those of core are compiled alone in this build, for kerf_fingerprint.
 # `kerf_format_check` compares all C++ files with what clang-format makes of them. tests/lint.cmake finds the tools.
 
 # kerf_own_sources(TARGET NAME) sets NAME to the full paths of the target's own sources.
@@ -42,28 +42,14 @@ function(kerf_tidy_batch stamp)
     COMMENT "clang-tidy ${name}" VERBATIM)
 endfunction()
 
-# kerf_read_batch(STAMP SOURCE...) adds a command that makes the stamp if each of these sources compiles alone.
-function(kerf_read_batch stamp)
-  cmake_path(GET stamp STEM name)
-  add_custom_command(OUTPUT ${stamp}
-    COMMAND ${read_alone} ${PROJECT_BINARY_DIR} ${ARGN}
-    COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
-    DEPENDS ${read_alone} ${ARGN} ${headers}
-    COMMENT "alone: ${name}" VERBATIM)
-endfunction()
-
-# kerf_batches(TARGET KIND STAMPS) adds the batches of a target, by kerf_KIND_batch, and their stamps to a global property.
-function(kerf_batches target kind stamps)
-  kerf_own_sources(${target} sources)
-  if(kind STREQUAL "read")  # what KERF_UNITY leaves alone is alone in every build
-    kerf_united(${target} sources)
-  endif()
-  list(LENGTH sources count)
+# kerf_tidy_batches(TARGET STAMPS SOURCE...) adds the batches of a target, and their stamps to a global property.
+function(kerf_tidy_batches target stamps)
+  list(LENGTH ARGN count)
   set(first 0)
   while(first LESS count)
-    list(SUBLIST sources ${first} 12 batch)
-    set(stamp ${PROJECT_BINARY_DIR}/lint/${kind}-${target}-${first}.stamp)
-    cmake_language(CALL kerf_${kind}_batch ${stamp} ${batch})
+    list(SUBLIST ARGN ${first} 12 batch)
+    set(stamp ${PROJECT_BINARY_DIR}/lint/tidy-${target}-${first}.stamp)
+    kerf_tidy_batch(${stamp} ${batch})
     set_property(GLOBAL APPEND PROPERTY ${stamps} ${stamp})
     math(EXPR first "${first} + 12")
   endwhile()
@@ -75,6 +61,7 @@ set(read_alone ${PROJECT_SOURCE_DIR}/cmake/read_alone)
 set(rooms core viz sims2d sims3d frames tests)
 list(TRANSFORM rooms REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.h" OUTPUT_VARIABLE patterns)
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${patterns})
+set(united)
 foreach(room IN LISTS rooms)
   set(property KERF_LINT_STAMPS)
   if(room STREQUAL "tests")
@@ -84,17 +71,24 @@ foreach(room IN LISTS rooms)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
     if(type MATCHES "STATIC_LIBRARY|SHARED_LIBRARY|EXECUTABLE")
-      kerf_batches(${target} tidy ${property})
+      kerf_own_sources(${target} sources)
+      kerf_tidy_batches(${target} ${property} ${sources})
       if(NOT room MATCHES "core|tests")
-        kerf_batches(${target} read KERF_READ_STAMPS)
+        kerf_united(${target} sources)  # the others are alone in every build
+        list(APPEND united ${sources})
       endif()
     endif()
   endforeach()
 endforeach()
 get_property(stamps GLOBAL PROPERTY KERF_LINT_STAMPS)
 add_custom_target(kerf_lint DEPENDS ${stamps})
-get_property(stamps GLOBAL PROPERTY KERF_READ_STAMPS)
-add_custom_target(kerf_sources DEPENDS ${stamps})
+add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/lint/read_alone.stamp
+  COMMAND ${read_alone} ${KERF_CLANG} ${PROJECT_BINARY_DIR} ${united}
+  COMMAND ${CMAKE_COMMAND} -E touch ${PROJECT_BINARY_DIR}/lint/read_alone.stamp
+  DEPENDS ${read_alone} ${united} ${headers}
+  COMMENT "sources read alone"
+  USES_TERMINAL VERBATIM)
+add_custom_target(kerf_sources DEPENDS ${PROJECT_BINARY_DIR}/lint/read_alone.stamp)
 get_property(stamps GLOBAL PROPERTY KERF_LINT_TESTS_STAMPS)
 add_custom_target(kerf_lint_tests DEPENDS ${stamps})
 
