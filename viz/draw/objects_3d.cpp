@@ -59,8 +59,21 @@ struct Pane {
   std::uint32_t item = 0;
 };
 
+/// What all squares that face the eye have in common, in clip coordinates.
+struct Facing {
+  Eigen::Vector4d right;  ///< of a unit length
+  Eigen::Vector4d up;
+  double light = 0;  ///< the cosine between their normal and the way to the light
+
+  explicit Facing(const View& view)
+      : right(view.clip_from_world.leftCols<3>() * view.right),
+        up(view.clip_from_world.leftCols<3>() * view.right.cross(view.forward)),
+        light(-view.forward.dot(light_of(view))) {}
+};
+
 struct Targets {
   const DrawContext<3>& context;
+  const Facing facing;
   Batch& solid;
   Batch& glass;
   std::vector<Pane>& panes;
@@ -235,16 +248,12 @@ bool draw_patch(const Targets& to, const Body<3>& body, Color color) {
   constexpr double kSeenSides = 1.1;  // a box that is seen from a corner covers more than a side
   const double radius = radius_of(body);
   if (body.mobility != Mobility::moving || 2 * radius * to.pixels > kLargest) return false;
-  const View& view = to.context.view;
-  const Eigen::Vector3d middle = to_point(body.pose.position);
-  const Eigen::Vector3d right = kSeenSides * radius * view.right;
-  const Eigen::Vector3d up = kSeenSides * radius * view.right.cross(view.forward);
-  const auto at = [&](const Eigen::Vector3d& point) {
-    return Eigen::Vector4d(view.clip_from_world * point.homogeneous());
-  };
-  const std::array<Eigen::Vector4d, 4> corners{at(middle - right - up), at(middle + right - up),
-                                               at(middle + right + up), at(middle - right + up)};
-  to.solid.add_fan(corners, kerf::lit_face(color, -view.forward.dot(light_of(view))));
+  const Eigen::Vector4d middle = to.context.view.clip_from_world * to_point(body.pose.position).homogeneous();
+  const Eigen::Vector4d right = kSeenSides * radius * to.facing.right;
+  const Eigen::Vector4d up = kSeenSides * radius * to.facing.up;
+  const std::array<Eigen::Vector4d, 4> corners{middle - right - up, middle + right - up, middle + right + up,
+                                               middle - right + up};
+  to.solid.add_fan(corners, kerf::lit_face(color, to.facing.light));
   return true;
 }
 
@@ -283,7 +292,7 @@ std::vector<std::uint32_t> nearest_first(const DrawContext<3>& context) {
 
 void draw_objects(const DrawContext<3>& context, Batch& solid, Batch& glass) {
   std::vector<Pane> panes;
-  Targets to{context, solid, glass, panes};
+  Targets to{context, Facing(context.view), solid, glass, panes};
   for (const std::uint32_t object : nearest_first(context)) draw_body(to, object);
   std::ranges::stable_sort(panes, std::ranges::greater{}, &Pane::distance);
   const Stroke edge{with_alpha(palette::kFaintInk, 0.45), context.line_scale};

@@ -82,8 +82,13 @@ void SceneViewOf<D>::update(const DebuggerModel& model, int width, int height, d
   if (!moment_ || *moment_ != seen.position) take_moment();
   const bool resized = !seen_ || seen_->width != width_ || seen_->height != height_;
   seen_ = seen;
-  choose_bodies();
-  choose_colors();
+  const Choice choice{seen.position, seen.settings, seen.tint_end, seen.look.brief};
+  if (std::exchange(chosen_, choice) != choice) {
+    choose_bodies();
+    choose_colors();
+    chosen_counts_ = counts_;
+  }
+  counts_ = chosen_counts_;
   const int samples = counts_.objects < kManyBodies ? 4 : 1;
   if (resized || samples != samples_) framebuffer_.emplace(gl_, width_, height_, samples);
   samples_ = samples;

@@ -68,6 +68,15 @@ class SceneViewOf final : public SceneView {
     }
   };
 
+  /// What decides which objects and pairs are drawn, and their colours: not the camera.
+  struct Choice {
+    Position position;
+    ViewSettings settings;
+    double tint_end = 1;
+    bool brief = false;
+    friend bool operator==(const Choice&, const Choice&) = default;
+  };
+
   void take_moment();
   [[nodiscard]] Color color_of_leaf(NodeId leaf) const;
   /// While the camera turns, many objects are drawn with less detail.
@@ -102,6 +111,8 @@ class SceneViewOf final : public SceneView {
   std::optional<Seen> seen_;
   std::uint64_t drawn_ = 0;
   ShownCounts counts_;
+  std::optional<Choice> chosen_;
+  ShownCounts chosen_counts_;  ///< without what is counted in drawing
   std::vector<SceneLabel> labels_;
 
   // Of the last drawing.
