@@ -105,7 +105,8 @@ void Debugger::arrange_window() {
   gui_.set_scale(wanted <= most ? wanted : std::max(kLeastScale, std::floor(most * kSteps) / kSteps));
   gui_.set_theme(theme_called(window.theme));
   const auto units = [&](int count) { return static_cast<float>(std::ceil(count / gui_.scale())); };
-  arrangement_ = arrange(window.layout, {units(width_), units(height_), lanes});
+  arrangement_ =
+      arrange(window.layout, {units(width_), units(height_), lanes, model_.run().has_their_structure()});
   const PanelArea& view = arrangement_.view;
   const WindowSize& size = arrangement_.size;
   memory_.extents = {view.x / size.width, 1 - view.right() / size.width, 1 - view.bottom() / size.height};

@@ -64,6 +64,19 @@ TEST_F(LeastSize, ToolsOfTheViewAreWithinTheirPanel) {
     expect_within(part(name), panel, name);
 }
 
+/// And in all that are wider: each is as high as the others, so none is cut off.
+TEST_F(LeastSize, ToolsOfTheViewAreWholeAtEveryWidth) {
+  for (int width = kLeastDebuggerWidth; width <= 1920; width += 40) {
+    ScriptPlayer(debugger(), width, kLeastDebuggerHeight, {}).play(parse_script("wait 3"));
+    const PanelArea tools = test::DefaultWindow(width, kLeastDebuggerHeight).all().tools;
+    for (const std::string name : {"objects", "operators", "colour", "focus", "show all", "depth"}) {
+      const std::string what = name + " in a window " + std::to_string(width) + " wide";
+      expect_within(part(name), tools, what);
+      EXPECT_EQ(part(name).height, part("objects").height) << what;
+    }
+  }
+}
+
 TEST_F(LeastSize, TheCountOfEventsIsBesideItsBox) {
   play(kGoToSplit);
   const PanelArea count = part("events shown");

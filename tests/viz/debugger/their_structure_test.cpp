@@ -8,6 +8,7 @@
 #include "tests/support/recorded_crowd.h"
 #include "tests/viz/debugger/timeline_driver.h"
 #include "viz/debugger/model/run_of.h"
+#include "viz/debugger/window/arrangement.h"
 
 namespace kerf {
 namespace {
@@ -129,6 +130,25 @@ TYPED_TEST(DebuggerTheirs, WhyEndsAtTheirNode) {
   run.go(Position::end_of(kFirst - 1));
   EXPECT_EQ(run.their_nodes(), 0U);
   EXPECT_THAT(run.explain(run.pairs()[0]), testing::Not(HasSubstr("other engine's structure")));
+}
+
+/// However narrow the window is: the choice is as high as its neighbour, so no part of it is cut off.
+TYPED_TEST(DebuggerTheirs, TheChoiceIsWholeWithinTheToolsAtEveryWidth) {
+  Debugger debugger(*this->context_, open_run(this->file_.path()));
+  for (int width = kLeastDebuggerWidth; width <= 1920; width += 40) {
+    SCOPED_TRACE(width);
+    ScriptPlayer(debugger, width, kLeastDebuggerHeight, {}).play(parse_script("key End\nwait 3"));
+    const auto choice = debugger.gui().find("structure");
+    const auto neighbour = debugger.gui().find("colour");
+    ASSERT_TRUE(choice && neighbour);
+    const PanelArea tools = arrange(WindowLayout(), {static_cast<float>(width),
+                                                     static_cast<float>(kLeastDebuggerHeight), 0, true})
+                                .tools;
+    EXPECT_EQ(choice->height, neighbour->height);
+    EXPECT_GE(choice->x, tools.x);
+    EXPECT_LT(choice->x + choice->width, tools.x + tools.width);
+    EXPECT_LT(choice->y + choice->height, tools.y + tools.height);
+  }
 }
 
 TEST(DebuggerTheirsAlone, ARunWithoutAStructureHasNoChoice) {

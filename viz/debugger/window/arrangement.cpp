@@ -21,7 +21,7 @@ constexpr float kTransportInOneRow = 958;
 constexpr float kLeastTransport = 640;
 constexpr float kToolsInTwoRows =
     600;                              // the width of the view's tools in two rows; below it they take three,
-constexpr float kToolsInThree = 380;  // and below this one four
+constexpr float kToolsInThree = 450;  // and below this one four
 constexpr float kGrip = 6;            // the width in which the mouse takes a divider
 
 /// The two directions of a place: cells are divided along one of them.
@@ -49,7 +49,11 @@ float most_of(const std::vector<PanelCell>& cells, Measure measure) {
                          [&](float most, const PanelCell& cell) { return std::max(most, measure(cell)); });
 }
 
-float tools_height(float room) { return room < kToolsInThree ? 106 : room < kToolsInTwoRows ? 82 : 58; }
+/// The choice takes a row of its own where two rows do not suffice.
+float tools_height(float room, bool has_choice) {
+  if (room >= kToolsInTwoRows) return 58;
+  return has_choice || room < kToolsInThree ? 106 : 82;
+}
 float transport_height(float width) { return width < kTransportInOneRow ? 82 : 58; }
 
 /// Least sizes of the three places.
@@ -85,7 +89,8 @@ PlaceExtents extents_of(const WindowLayout& layout, const WindowSize& size) {
                        wanted(PanelPlace::below, h, std::max(least.below, std::min(0.28F * h, 300.0F)))};
   extents.left = std::max(extents.left, least.left);
   extents.right = std::max(extents.right, least.right);
-  const float room = h - transport_height(w) - tools_height(w - extents.left - extents.right);
+  const float room =
+      h - transport_height(w) - tools_height(w - extents.left - extents.right, size.has_choice);
   extents.below = std::max(least.below, std::min(extents.below, room - kLeastViewHeight));
   // In a narrow window both columns give way.
   const float columns = w - kLeastView;
@@ -173,7 +178,7 @@ Arrangement arrange(const WindowLayout& layout, const WindowSize& size) {
   const float top = transport_height(size.width);
   const float room = size.width - extents.left - extents.right;
   const float middle = size.height - top - extents.below;
-  const float tools = tools_height(room);
+  const float tools = tools_height(room, size.has_choice);
   result.transport = {0, 0, size.width, top};
   result.tools = {extents.left, top, room, tools};
   result.view = {extents.left, top + tools, room, middle - tools};
@@ -197,7 +202,7 @@ WindowSize least_window(const WindowLayout& layout, std::size_t lanes) {
   };
   const float row = sum_over(layout.cells(PanelPlace::below), least_width);
   const float width = std::max({kLeastTransport, row, least.left + kLeastView + least.right});
-  const float view = tools_height(kLeastView) + kLeastViewHeight;
+  const float view = tools_height(kLeastView, true) + kLeastViewHeight;
   const float middle = std::max({view, high(PanelPlace::left), high(PanelPlace::right)});
   return {width, transport_height(width) + middle + least.below, lanes};
 }

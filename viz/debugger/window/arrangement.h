@@ -13,7 +13,8 @@ namespace kerf {
 struct WindowSize {
   float width = 0;
   float height = 0;
-  std::size_t lanes = 0;  ///< of the timeline, beyond those of each run
+  std::size_t lanes = 0;    ///< of the timeline, beyond those of each run
+  bool has_choice = false;  ///< the view's tools let choose whose structure is seen
 };
 
 /// A line that can be dragged: between a place and the view, or between two cells.
