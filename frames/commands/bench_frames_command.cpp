@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 #include <thread>
 #include <vector>
@@ -29,6 +30,7 @@ namespace {
 constexpr std::uint32_t kWarmUp = 4;
 /// Two starts of a process differ by up to 20 ms, so less than this is noise, or below zero.
 constexpr double kLeastSeconds = 0.05;
+constexpr std::uint32_t kMostFrames = 100'000;
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts;
@@ -63,25 +65,26 @@ ProcessTimes run_twice(const FrameLoop& loop, void (*run)(const FrameLoop&)) {
   return {std::min(first.wall, second.wall), std::min(first.cpu, second.cpu)};
 }
 
-/// For one frame, without starting up.
-ProcessTimes per_frame(const FrameLoop& loop, void (*run)(const FrameLoop&)) {
+/// For one frame, without starting up; nothing where all frames take less than that varies by.
+std::optional<ProcessTimes> per_frame(const FrameLoop& loop, void (*run)(const FrameLoop&)) {
   FrameLoop some = loop;
   some.frames = kWarmUp;
   const ProcessTimes start = run_twice(some, run);
   some.frames = kWarmUp + loop.frames;
   const ProcessTimes all = run_twice(some, run);
   const ProcessTimes spent{all.wall - start.wall, all.cpu - start.cpu};
-  if (std::min(spent.wall, spent.cpu) < kLeastSeconds) refuse(loop);
-  return {spent.wall / loop.frames, spent.cpu / loop.frames};
+  if (std::min(spent.wall, spent.cpu) < kLeastSeconds) return std::nullopt;
+  return ProcessTimes{spent.wall / loop.frames, spent.cpu / loop.frames};
 }
 
-Row measure(const FrameLoop& loop) {
+/// Nothing where the frames are too few.
+std::optional<Row> try_measure(const FrameLoop& loop) {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  Row row{loop, 0, 0, 0, 0, 0};
-  row.naive = 1e3 * per_frame(loop, run_naive_loop).wall;
-  const ProcessTimes pipeline = per_frame(loop, run_pipeline);
-  row.pipeline = 1e3 * pipeline.wall;
-  row.floor = 1e3 * pipeline.cpu / cores;
+  const std::optional<ProcessTimes> naive = per_frame(loop, run_naive_loop);
+  if (!naive) return std::nullopt;
+  const std::optional<ProcessTimes> pipeline = per_frame(loop, run_pipeline);
+  if (!pipeline) return std::nullopt;
+  Row row{loop, 1e3 * naive->wall, 1e3 * pipeline->wall, 1e3 * pipeline->cpu / cores, 0, 0};
   double encoding = 0;
   run_timed(
       [&] { write_file_atomically(loop.folder / "encoding.txt", std::to_string(measure_encoding(loop))); });
@@ -90,8 +93,17 @@ Row measure(const FrameLoop& loop) {
     throw std::runtime_error("the worker did not report the time of encoding");
   std::fclose(file);
   row.encoding = 1e3 * encoding;
-  row.encoding_share = encoding / pipeline.cpu;
+  row.encoding_share = encoding / pipeline->cpu;
   return row;
+}
+
+/// Of as many frames as asked for. Where nothing was asked, of four times as many until they can be measured.
+Row measure(FrameLoop loop, const std::string& frames) {
+  loop.frames = frames.empty() ? frames_for(loop.boxes) : parse_whole("--frames", frames, 1U, kMostFrames);
+  for (;; loop.frames = std::min(4 * loop.frames, kMostFrames)) {
+    if (const std::optional<Row> row = try_measure(loop)) return *row;
+    if (!frames.empty() || loop.frames == kMostFrames) refuse(loop);
+  }
 }
 
 void print(const Row& row) {
@@ -140,7 +152,7 @@ BenchFramesCommand::BenchFramesCommand(CLI::App& program)
   };
   option("--sizes", sizes_, "Sizes of pictures (default 640x360,1280x720,1920x1080)", "WxH,...");
   option("--boxes", boxes_, "Numbers of boxes (default 1000,10000,100000)", "N,...");
-  option("--frames", frames_, "Frames of each (default by the number of boxes)", "N");
+  option("--frames", frames_, "Frames of each (default: enough to measure)", "N");
   option("--workers", workers_, "Processes that draw (default: one a core)", "N");
   add_output(*command_, "--out", out_,
              "Where the frames go, and are removed again (default: a temporary folder)", "DIR");
@@ -181,8 +193,7 @@ void BenchFramesCommand::run() const {
       if (interrupt.requested()) throw Interrupted("interrupted; " + results.end_early());
       loop.size = size;
       loop.boxes = count;
-      loop.frames = frames_.empty() ? frames_for(count) : parse_whole("--frames", frames_, 1U, 100'000U);
-      const Row row = measure(loop);
+      const Row row = measure(loop, frames_);
       progress.clear();
       print(row);
       results.add(row);

@@ -145,7 +145,7 @@ constexpr Case kCases[] = {
     {0, "bench --queries --scenes uniform --objects 50 --rounds 1 --warm-up 1"},
     {2, "bench --queries --threads 2"},
     {2, "bench --scenes fallin"},
-    {0, "bench-frames --sizes 320x240 --boxes 10 --frames 300"},
+    {0, "bench-frames --sizes 320x240 --boxes 10"},
     {2, "bench-frames --sizes 64x64 --boxes 5 --frames 600 --json @none/a.json"},
     {0, "doctor"},
     {1, "doctor --room 1000000"},
