@@ -2,20 +2,11 @@
 
 #include <sqlite3.h>
 
-#include <cstdlib>
 #include <stdexcept>
 
 #include "tests/support/config_of.h"
 
 namespace kerf::test {
-
-TemporaryRecording::TemporaryRecording() {
-  std::string name = (std::filesystem::temp_directory_path() / "kerf-recording-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-  folder_ = name;
-}
-
-TemporaryRecording::~TemporaryRecording() { std::filesystem::remove_all(folder_); }
 
 void TemporaryRecording::change(const std::string& sql) const {
   sqlite3* database = nullptr;

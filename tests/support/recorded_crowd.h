@@ -6,23 +6,19 @@
 #include "core/base/config.h"
 #include "core/recording/recorder.h"
 #include "tests/support/moving_boxes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::test {
 
 /// A name for a new file; whatever lies there goes away with the object.
 class TemporaryRecording {
  public:
-  TemporaryRecording();
-  ~TemporaryRecording();
-  TemporaryRecording(const TemporaryRecording&) = delete;
-  TemporaryRecording& operator=(const TemporaryRecording&) = delete;
-
-  [[nodiscard]] std::filesystem::path path() const { return folder_ / "crowd.kerf"; }
+  [[nodiscard]] std::filesystem::path path() const { return folder_.path() / "crowd.kerf"; }
   /// Changes the file behind Kerf's back.
   void change(const std::string& sql) const;
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 /// Small leaves and much to do, so that every operator acts soon.

@@ -140,9 +140,9 @@ TYPED_TEST(OwnBroadPhase, AgreesOnALatticeOfTouchingBoxes) {
 /// Nothing but the largest floats, opposite zeros, points, and a single box far out.
 TYPED_TEST(OwnBroadPhase, AgreesAtTheEndsOfTheFloats) {
   constexpr int kD = TestFixture::kDimension;
-  constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
+  constexpr Scalar kEnd = std::numeric_limits<Scalar>::max();
   constexpr Scalar kTiny = std::numeric_limits<Scalar>::denorm_min();
-  const std::vector<Scalar> ends{-kMax, -kMax / 2, -1, -kTiny, -0.0F, 0.0F, kTiny, 1, 1e9F, kMax / 2, kMax};
+  const std::vector<Scalar> ends{-kEnd, -kEnd / 2, -1, -kTiny, -0.0F, 0.0F, kTiny, 1, 1e9F, kEnd / 2, kEnd};
   std::uint32_t id = 0;
   for (const Scalar low : ends)
     for (const Scalar high : ends)

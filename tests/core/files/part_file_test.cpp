@@ -3,14 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <set>
+#include <vector>
 
 #include "core/recording/unfinished.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -25,23 +24,12 @@ std::string text_of(const fs::path& file) {
 
 class PartFiles : public ::testing::Test {
  protected:
-  PartFiles() {
-    std::string name = (fs::temp_directory_path() / "kerf-part-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-    folder_ = name;
-  }
-  ~PartFiles() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] fs::path path(const std::string& name) const { return folder_ / name; }
+  [[nodiscard]] fs::path path(const std::string& name) const { return folder_.path() / name; }
   void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
-  [[nodiscard]] std::set<std::string> files() const {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) names.insert(entry.path().filename().string());
-    return names;
-  }
+  [[nodiscard]] std::vector<std::string> files() const { return folder_.files(); }
 
  private:
-  fs::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(PartFiles, TheNameComesWithKeepAndTheEarlierFileStaysUntilThen) {
@@ -54,7 +42,7 @@ TEST_F(PartFiles, TheNameComesWithKeepAndTheEarlierFileStaysUntilThen) {
     part.keep();
     EXPECT_EQ(text_of(path("a.txt")), "new");
   }
-  EXPECT_EQ(files(), std::set<std::string>{"a.txt"});
+  EXPECT_EQ(files(), std::vector<std::string>{"a.txt"});
 }
 
 TEST_F(PartFiles, WithoutKeepNothingIsLeftNotEvenTheLogOfADatabase) {
@@ -65,7 +53,7 @@ TEST_F(PartFiles, WithoutKeepNothingIsLeftNotEvenTheLogOfADatabase) {
     write(part.path().filename().string() + "-wal", "log");
   }
   EXPECT_EQ(text_of(path("a.kerf")), "earlier");
-  EXPECT_EQ(files(), std::set<std::string>{"a.kerf"});
+  EXPECT_EQ(files(), std::vector<std::string>{"a.kerf"});
 }
 
 /// Neither has the part of the other, and what a third one left stays.
@@ -98,7 +86,7 @@ TEST_F(PartFiles, AFolderInTheWayIsAnErrorAndStays) {
     PartFile part(path("a.txt"));
     EXPECT_THROW(part.keep(), std::system_error);
   }
-  EXPECT_EQ(files(), std::set<std::string>{"a.txt"});
+  EXPECT_EQ(files(), std::vector<std::string>{"a.txt"});
 }
 
 TEST_F(PartFiles, ALinkToAFileStaysAndItsTargetIsReplaced) {
@@ -125,7 +113,7 @@ TEST_F(PartFiles, NamesOfAnyLengthHaveParts) {
   part.write("new");
   EXPECT_EQ(parts_of(path(longest)).size(), 1U);
   part.keep();
-  EXPECT_EQ(files(), std::set<std::string>{longest});
+  EXPECT_EQ(files(), std::vector<std::string>{longest});
 }
 
 TEST_F(PartFiles, NamesOfPartsAreKnown) {

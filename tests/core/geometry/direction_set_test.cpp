@@ -180,8 +180,8 @@ TYPED_TEST(Directions, CanBeGiven) {
 // HARD_CASES S12.
 TYPED_TEST(Directions, RefuseOneThatCannotDivide) {
   constexpr int kD = TypeParam::value;
-  constexpr Scalar kNan = std::numeric_limits<Scalar>::quiet_NaN();
-  for (const Scalar bad : {Scalar{0}, kNan, Scalar{1.0001F}, std::numeric_limits<Scalar>::infinity()}) {
+  constexpr Scalar kNoNumber = std::numeric_limits<Scalar>::quiet_NaN();
+  for (const Scalar bad : {Scalar{0}, kNoNumber, Scalar{1.0001F}, std::numeric_limits<Scalar>::infinity()}) {
     const std::array<Vector<kD>, 1> given{axis_vector<kD>(0) * bad};
     EXPECT_THROW(DirectionSet<kD>(std::span<const Vector<kD>>(given)), std::invalid_argument) << bad;
   }

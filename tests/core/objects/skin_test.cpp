@@ -109,8 +109,8 @@ TYPED_TEST(Skins, OnlyTheFatOfAFlightIsThickerThanAnySkin) {
 TYPED_TEST(Skins, AWrapIsAsThickAsTheSkinOnEverySide) {
   constexpr int kD = TypeParam::value;
   EXPECT_EQ(wrap(cube<kD>(0, 16), kUsual), cube<kD>(-1, 17));
-  constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
-  EXPECT_EQ(wrap(cube<kD>(0, kMax), kUsual), cube<kD>(0, kMax));
+  constexpr Scalar kEnd = std::numeric_limits<Scalar>::max();
+  EXPECT_EQ(wrap(cube<kD>(0, kEnd), kUsual), cube<kD>(0, kEnd));
 }
 
 TEST(Skin, WhatLeavesSoonAfterBeingWrappedIsLeftInPeaceTwiceAsLong) {
@@ -157,11 +157,11 @@ TEST(Skin, SharesLieBetweenAThirdAndOneAndDifferBetweenNeighbours) {
 
 TYPED_TEST(Skins, WhatWouldOverflowStaysAsItIs) {
   constexpr int kD = TypeParam::value;
-  constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
-  EXPECT_EQ(fatten(cube<kD>(-kMax, kMax), cube<kD>(-kMax / 2, kMax), kUsual, 8, 1), cube<kD>(-kMax, kMax));
-  const Box<kD> fat = fatten(cube<kD>(kMax / 2, kMax), cube<kD>(-kMax, kMax), kUsual, 0, 1);
+  constexpr Scalar kEnd = std::numeric_limits<Scalar>::max();
+  EXPECT_EQ(fatten(cube<kD>(-kEnd, kEnd), cube<kD>(-kEnd / 2, kEnd), kUsual, 8, 1), cube<kD>(-kEnd, kEnd));
+  const Box<kD> fat = fatten(cube<kD>(kEnd / 2, kEnd), cube<kD>(-kEnd, kEnd), kUsual, 0, 1);
   EXPECT_TRUE(is_valid(fat));
-  EXPECT_TRUE(contains(fat, cube<kD>(kMax / 2, kMax)));
+  EXPECT_TRUE(contains(fat, cube<kD>(kEnd / 2, kEnd)));
 }
 
 TEST(Skin, GrowsIfItIsLeftSoonAndThinsIfItLasts) {

@@ -134,9 +134,9 @@ TYPED_TEST(LooksOf, ComeBackAsTheyWere) {
 TYPED_TEST(LooksOf, EvenRotationsCostLittle) {
   constexpr int kD = TypeParam::value;
   constexpr std::uint32_t kObjects = 50;
-  constexpr std::uint32_t kSteps = 25;
+  constexpr std::uint32_t kRows = 25;
   LookEncoder<kD> encoder;
-  for (std::uint32_t step = 0; step < kSteps; ++step) {
+  for (std::uint32_t step = 0; step < kRows; ++step) {
     StepRequests<kD> requests;
     std::vector<Look<kD>> looks;
     for (std::uint32_t id = 0; id < kObjects; ++id) {
@@ -147,7 +147,7 @@ TYPED_TEST(LooksOf, EvenRotationsCostLittle) {
   }
   ByteWriter block;
   encoder.take(block);
-  EXPECT_LT(compress(block.bytes()).size(), (kD == 2 ? 1 : 2) * kObjects * kSteps);
+  EXPECT_LT(compress(block.bytes()).size(), (kD == 2 ? 1 : 2) * kObjects * kRows);
 }
 
 TYPED_TEST(LooksOf, BlocksWithoutLooksHaveNone) {

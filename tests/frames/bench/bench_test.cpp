@@ -73,8 +73,8 @@ class BenchMotion : public ::testing::TestWithParam<const BenchScene*> {
     ASSERT_EQ(motion->boxes().size(), 1000U);
     ASSERT_LE(motion->moving(), 1000U);
     double pairs = 0;
-    constexpr int kSteps = 40;
-    for (int step = 0; step < kSteps; ++step) {
+    constexpr int kPlayed = 40;
+    for (int step = 0; step < kPlayed; ++step) {
       const std::vector<Box<D>> before(motion->boxes().begin(), motion->boxes().end());
       motion->advance();
       std::uint32_t changed = 0;
@@ -91,8 +91,8 @@ class BenchMotion : public ::testing::TestWithParam<const BenchScene*> {
       pairs += static_cast<double>(true_pairs(motion->boxes(), motion->moving()).size()) / 1000;
     }
     const bool is_dense = GetParam()->name == "dense";
-    EXPECT_GT(pairs / kSteps, is_dense ? 25 : 0.8);
-    EXPECT_LT(pairs / kSteps, is_dense ? 60 : 8);
+    EXPECT_GT(pairs / kPlayed, is_dense ? 25 : 0.8);
+    EXPECT_LT(pairs / kPlayed, is_dense ? 60 : 8);
   }
 };
 

@@ -17,9 +17,9 @@ TEST(StepTimes, AreTheLeastOfAllRoundsAndKnowTheRounds) {
   EXPECT_EQ(over.mean, 5);
   EXPECT_EQ(over.round_low, 7.5);
   EXPECT_EQ(over.round_high, 20);
-  const Json json = as_json(over);
-  EXPECT_EQ(json.at(low_key("mean_ns")), 7.5);
-  EXPECT_EQ(json.at(high_key("mean_ns")), 20);
+  const Json figures = as_json(over);
+  EXPECT_EQ(figures.at(low_key("mean_ns")), 7.5);
+  EXPECT_EQ(figures.at(high_key("mean_ns")), 20);
 }
 
 TEST(StepTimes, OfOneRoundDoNotSpread) {

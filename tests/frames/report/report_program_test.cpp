@@ -105,8 +105,8 @@ TEST(ReportProgram, ShardsMakeTheMeasurementsOfOnePage) {
   const std::string page = (folder.path() / "page.html").string();
   const auto keys = [&](const char* name) {
     std::vector<std::string> found;
-    const auto json = read_json(folder.path() / name);
-    for (const auto& [key, cell] : json["cells"].items()) found.push_back(key);
+    const auto page_file = read_json(folder.path() / name);
+    for (const auto& [key, cell] : page_file["cells"].items()) found.push_back(key);
     return found;
   };
   const auto kept = [&] { return keys("page.json"); };
