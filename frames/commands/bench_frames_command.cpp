@@ -98,11 +98,11 @@ std::optional<Row> try_measure(const FrameLoop& loop) {
 }
 
 /// Of as many frames as asked for. Where nothing was asked, of four times as many until they can be measured.
-Row measure(FrameLoop loop, const std::string& frames) {
-  loop.frames = frames.empty() ? frames_for(loop.boxes) : parse_whole("--frames", frames, 1U, kMostFrames);
+Row measure(FrameLoop loop, const std::optional<std::uint32_t>& frames) {
+  loop.frames = frames.value_or(frames_for(loop.boxes));
   for (;; loop.frames = std::min(4 * loop.frames, kMostFrames)) {
     if (const std::optional<Row> row = try_measure(loop)) return *row;
-    if (!frames.empty() || loop.frames == kMostFrames) refuse(loop);
+    if (frames || loop.frames == kMostFrames) refuse(loop);
   }
 }
 
@@ -178,6 +178,8 @@ void BenchFramesCommand::run() const {
   FrameLoop loop;
   loop.workers = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   if (!workers_.empty()) loop.workers = parse_whole("--workers", workers_, 1, 256);
+  std::optional<std::uint32_t> frames;
+  if (!frames_.empty()) frames = parse_whole("--frames", frames_, 1U, kMostFrames);
   const InterruptGuard interrupt;
   const std::filesystem::path parent =
       out_.empty() ? std::filesystem::temp_directory_path() : std::filesystem::path(out_);
@@ -193,7 +195,7 @@ void BenchFramesCommand::run() const {
       if (interrupt.requested()) throw Interrupted("interrupted; " + results.end_early());
       loop.size = size;
       loop.boxes = count;
-      const Row row = measure(loop, frames_);
+      const Row row = measure(loop, frames);
       progress.clear();
       print(row);
       results.add(row);

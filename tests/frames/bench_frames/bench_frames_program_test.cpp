@@ -53,6 +53,13 @@ TEST(BenchFramesProgram, SaysWhyAFileCannotBeWrittenBeforeItMeasures) {
   EXPECT_EQ(outcome.out, "");
 }
 
+TEST(BenchFramesProgram, AWrongNumberIsRefusedBeforeAnythingIsPrinted) {
+  const RunOutcome outcome = run_kerf({"bench-frames", "--frames", "0"});
+  EXPECT_EQ(outcome.exit, kExitUnusable);
+  EXPECT_THAT(outcome.err, HasSubstr("--frames"));
+  EXPECT_EQ(outcome.out, "");
+}
+
 /// The time of three small frames vanishes beside that of starting up, which is measured alone and taken off.
 TEST(BenchFramesProgram, TooFewFramesAreRefused) {
   const RunOutcome outcome =
