@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/house/project_files.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf::house {
 namespace {
@@ -18,28 +19,21 @@ using testing::IsEmpty;
 /// A folder with planted files that goes when the test ends.
 class PlantedTree : public testing::Test {
  protected:
-  ~PlantedTree() override { std::filesystem::remove_all(root_); }
-
   void plant(const std::string& file, const std::string& text) {
-    std::filesystem::create_directories((root_ / file).parent_path());
-    std::ofstream(root_ / file) << text;
+    std::filesystem::create_directories((root_.path() / file).parent_path());
+    std::ofstream(root_.path() / file) << text;
     files_.emplace_back(file);
   }
 
   [[nodiscard]] std::vector<std::string> violations() const {
     std::vector<std::string> found;
-    for (const Violation& violation : check_includes(root_, files_)) found.push_back(to_string(violation));
+    for (const Violation& violation : check_includes(root_.path(), files_))
+      found.push_back(to_string(violation));
     return found;
   }
 
  private:
-  static std::filesystem::path fresh_folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "kerf-house-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-    return name;
-  }
-
-  std::filesystem::path root_ = fresh_folder();
+  test::TemporaryFolder root_;
   std::vector<std::filesystem::path> files_;
 };
 
