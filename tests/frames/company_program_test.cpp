@@ -2,13 +2,10 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "core/recording/recording_reader.h"
 #include "core/recording/writer_lock.h"
@@ -17,17 +14,13 @@
 namespace kerf {
 namespace {
 
+using test::holds_within_a_minute;
 using test::kerf_command;
 using test::Process;
 using test::run_kerf;
 using test::RunOutcome;
 using test::TemporaryFolder;
 using ::testing::HasSubstr;
-
-void wait_for(const std::function<bool()>& condition) {
-  for (int wait = 0; wait < 3000 && !condition(); ++wait)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-}
 
 /// A recording that goes on until it is interrupted.
 class CompanyProgram : public ::testing::Test {
@@ -36,7 +29,7 @@ class CompanyProgram : public ::testing::Test {
     std::vector<std::string> command{"record", "pile", "-o", file(), "--steps", "900000", "--objects", "30"};
     command.insert(command.end(), more.begin(), more.end());
     first_.emplace(kerf_command(command));
-    wait_for([this] { return steps() > 10; });
+    holds_within_a_minute([this] { return steps() > 10; });
   }
   [[nodiscard]] std::uint32_t steps() const {
     try {
@@ -71,7 +64,7 @@ TEST_F(CompanyProgram, ASecondWriterIsRefusedAndTheFirstGoesOn) {
   }
   EXPECT_THAT(run_kerf({"record", "pile", "-o", file(), "--steps", "5", "--overwrite"}).err,
               HasSubstr("is being written at this moment"));
-  wait_for([&] { return steps() > before; });
+  holds_within_a_minute([&] { return steps() > before; });
   EXPECT_GT(steps(), before);
   first_->signal(SIGINT);
   EXPECT_EQ(first_->wait().exit, 130);
@@ -104,7 +97,7 @@ TEST_F(CompanyProgram, AReaderBreaksNoFilm) {
   Process render(kerf_command({"render", "pile", "--steps", "1:400:20", "--size", "160x120", "--objects",
                                "30", "--out", path("frames"), "--record", file()}));
   std::unique_ptr<RecordingReader<2>> reader;
-  wait_for([&] {
+  holds_within_a_minute([&] {
     try {
       reader = std::make_unique<RecordingReader<2>>(file());
     } catch (const std::runtime_error&) {

@@ -1,9 +1,8 @@
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include "tests/frames/program.h"
 #include "tests/viz/debugger/x_display.h"
@@ -12,6 +11,8 @@
 namespace kerf {
 namespace {
 
+using test::holds_within_a_minute;
+using test::kerf_command;
 using test::Process;
 using test::run_kerf;
 using test::RunOutcome;
@@ -128,7 +129,7 @@ TEST_F(DebugProgram, AFileOrFolderNamedLikeASceneDoesNotHideIt) {
   for (const char* const scene : {"pile", "pyramid"}) {
     std::string line = "cd " + path("") + " && exec";
     for (const std::string& word :
-         test::kerf_command({"debug", scene, "--steps", "2", "--headless", "--script", "s"}))
+         kerf_command({"debug", scene, "--steps", "2", "--headless", "--script", "s"}))
       line += " " + word;
     const RunOutcome outcome = Process({"/bin/sh", "-c", line}).wait();
     EXPECT_EQ(outcome.exit, 0) << scene << ": " << outcome.err;
@@ -173,15 +174,26 @@ TEST_F(DebugProgram, OptionsOfASceneAreRefusedForARecording) {
   }
 }
 
+/// Whether a file in `folder` or below it has more than 200,000 bytes: some steps of a recording.
+bool has_much(const std::filesystem::path& folder) {
+  std::error_code none;
+  for (std::filesystem::recursive_directory_iterator at(folder, none), end; at != end; at.increment(none))
+    if (at->is_regular_file(none) && at->file_size(none) > 200'000 && !none) return true;
+  return false;
+}
+
 /// What was recorded until then goes away with the temporary folder, unless it has a name.
 TEST_F(DebugProgram, InterruptedWhileItRecordsItNamesOnlyWhatIsKept) {
   for (const bool kept : {false, true}) {
     write("s", "expect steps == 0\n");
-    std::vector<std::string> arguments{"debug", "pile",       "--steps",  "900000", "--objects",
-                                       "30",    "--headless", "--script", path("s")};
-    if (kept) arguments.insert(arguments.end(), {"--record", path("kept.kerf")});
-    Process process(test::kerf_command(arguments));
-    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    const TemporaryFolder temporary;
+    std::vector<std::string> command = kerf_command(
+        {"debug", "pile", "--steps", "900000", "--objects", "30", "--headless", "--script", path("s")});
+    if (kept) command.insert(command.end(), {"--record", path("kept.kerf")});
+    command.insert(command.begin(), {"env", "TMPDIR=" + temporary.path().string()});
+    Process process(command);
+    ASSERT_TRUE(holds_within_a_minute(
+        [&] { return has_much(kept ? std::filesystem::path(path("")) : temporary.path()); }));
     process.signal(SIGINT);
     const RunOutcome outcome = process.wait();
     EXPECT_EQ(outcome.exit, 130);
@@ -190,6 +202,7 @@ TEST_F(DebugProgram, InterruptedWhileItRecordsItNamesOnlyWhatIsKept) {
     EXPECT_EQ(outcome.err.find("run.kerf"), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.err.find("keep it by --record") != std::string::npos, !kept) << outcome.err;
     EXPECT_EQ(std::filesystem::exists(path("kept.kerf")), kept);
+    EXPECT_TRUE(temporary.files().empty());
   }
 }
 
@@ -199,7 +212,7 @@ TEST_F(DebugProgram, TheWindowShowsARecordingThatCanBeEnded) {
   for (const bool is_enough : {true, false}) {
     test::XDisplay display;
     Process process(
-        test::kerf_command({"debug", "pile", "--steps", "900000", "--objects", "30", "--script", path("s")}));
+        kerf_command({"debug", "pile", "--steps", "900000", "--objects", "30", "--script", path("s")}));
     display.wait_for_window();
     display.tap(is_enough ? "Return" : "Escape");
     display.flush();

@@ -2,11 +2,9 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "frames/support/errors.h"
@@ -17,6 +15,7 @@ namespace kerf {
 namespace {
 
 using nlohmann::json;
+using test::holds_within_a_minute;
 using test::Process;
 using test::run_kerf;
 using test::RunOutcome;
@@ -27,14 +26,8 @@ std::vector<std::string> long_render(const std::filesystem::path& out) {
   return {"render", "pile", "--steps", "1:1000000:1", "--objects", "50", "--size", "160x120", "--out", out};
 }
 
-/// Whether `file` comes into being before a minute has passed.
 bool appears(const std::filesystem::path& file) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-  while (!std::filesystem::exists(file)) {
-    if (std::chrono::steady_clock::now() > deadline) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return true;
+  return holds_within_a_minute([&] { return std::filesystem::exists(file); });
 }
 
 /// What is in `folder` is a valid part of a sequence: an incomplete manifest that names exactly the frames
@@ -84,11 +77,7 @@ std::vector<pid_t> children_of(pid_t parent) {
 }
 
 bool goes_away(pid_t process) {
-  for (int i = 0; i < 2000; ++i) {
-    if (::kill(process, 0) != 0) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return false;
+  return holds_within_a_minute([&] { return ::kill(process, 0) != 0; });
 }
 
 std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {

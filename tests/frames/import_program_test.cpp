@@ -4,15 +4,13 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
-#include <thread>
-
 #include "core/files/part_file.h"
 #include "core/recording/recording_reader.h"
 
 namespace kerf {
 namespace {
 
+using test::holds_within_a_minute;
 using test::ImportProgram;
 using test::kerf_command;
 using test::Process;
@@ -225,8 +223,7 @@ TEST_F(ImportProgram, InterruptedItLeavesNothing) {
   for (int step = 1; step <= 200'000; ++step) boxes += std::to_string(step) + ",0,0,1,0,1\n";
   const std::string file = path("a.kerf");
   Process process(kerf_command({"import", write("boxes.csv", boxes), "-o", file}));
-  for (int wait = 0; wait < 3000 && parts_of(file).empty(); ++wait)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ASSERT_TRUE(holds_within_a_minute([&] { return !parts_of(file).empty(); }));
   process.signal(SIGINT);
   const RunOutcome outcome = process.wait();
   EXPECT_EQ(outcome.exit, 130) << outcome.err;

@@ -89,11 +89,18 @@ RunOutcome run_kerf(const std::vector<std::string>& arguments, const Surrounding
   return Process(kerf_command(arguments), surroundings).wait();
 }
 
+bool holds_within_a_minute(const std::function<bool()>& condition) {
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > give_up) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
 RunOutcome interrupt_kerf(const std::vector<std::string>& arguments, const std::function<bool()>& when) {
   Process process(kerf_command(arguments));
-  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!when() && std::chrono::steady_clock::now() < give_up)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  holds_within_a_minute(when);
   process.signal(SIGINT);
   return process.wait();
 }

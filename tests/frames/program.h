@@ -53,6 +53,8 @@ class Process {
 /// `kerf` with these arguments.
 std::vector<std::string> kerf_command(const std::vector<std::string>& arguments);
 RunOutcome run_kerf(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
+/// Waits until the condition holds; false after a minute in which it did not.
+bool holds_within_a_minute(const std::function<bool()>& condition);
 /// Interrupts it (SIGINT) when the condition holds, or after a minute.
 RunOutcome interrupt_kerf(const std::vector<std::string>& arguments, const std::function<bool()>& when);
 /// Whether a part of the file is there that is not empty.

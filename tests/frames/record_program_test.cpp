@@ -3,7 +3,6 @@
 
 #include <csignal>
 #include <fstream>
-#include <thread>
 
 #include "core/files/part_file.h"
 #include "core/recording/recording_reader.h"
@@ -13,6 +12,7 @@
 namespace kerf {
 namespace {
 
+using test::holds_within_a_minute;
 using test::kerf_command;
 using test::Process;
 using test::run_kerf;
@@ -113,8 +113,7 @@ TEST(RecordProgram, InterruptedOrKilledItLeavesWhatWasDone) {
       const auto size = std::filesystem::file_size(parts.front().string() + "-wal", none);
       return !none && size > 200'000;
     };
-    for (int wait = 0; wait < 500 && !enough(); ++wait)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    ASSERT_TRUE(holds_within_a_minute(enough));
     EXPECT_EQ(run_kerf({"lint", file}).exit, 0) << "while it is being written";
     process.signal(signal);
     EXPECT_EQ(process.wait().exit, signal == SIGKILL ? 128 + SIGKILL : 130);

@@ -126,12 +126,7 @@ bool is_frame(const std::string& name) { return name.starts_with("pile_") && nam
 
 /// Until the first frame of a sequence is there; false after a minute without.
 bool wait_for_a_frame(const TemporaryFolder& folder) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-  while (std::chrono::steady_clock::now() < end) {
-    if (std::ranges::any_of(folder.files(), is_frame)) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return false;
+  return test::holds_within_a_minute([&] { return std::ranges::any_of(folder.files(), is_frame); });
 }
 
 /// Killed without a warning at different times after the first frame: each file that has its final name

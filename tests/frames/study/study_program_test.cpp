@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
 #include <filesystem>
-#include <thread>
 
 #include "core/recording/database.h"
 #include "frames/support/errors.h"
@@ -242,8 +240,8 @@ TEST(StudyProgram, AnInterruptLosesNothing) {
   many.replace(many.find("\"steps\": 3"), 10, "\"steps\": 3, \"repeats\": 200");
   const StudyFolder study(many);
   test::Process process(test::kerf_command(study.arguments({"-o", "@all"})));
-  while (!fs::exists(study.path("all")) || study.cells("all").size() < 3)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  ASSERT_TRUE(test::holds_within_a_minute(
+      [&] { return fs::exists(study.path("all")) && study.cells("all").size() >= 3; }));
   process.signal(SIGINT);
   const RunOutcome outcome = process.wait();
   EXPECT_EQ(outcome.exit, kExitInterrupted);
