@@ -3,8 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <set>
 
@@ -17,6 +15,7 @@
 #include "frames/support/outputs.h"
 #include "frames/support/parse_number.h"
 #include "frames/support/scratch_folder.h"
+#include "frames/support/text_file.h"
 #include "viz/debugger/debugger.h"
 #include "viz/debugger/gui/glfw_window.h"
 #include "viz/debugger/script.h"
@@ -33,12 +32,6 @@ constexpr const char* kSceneOfTour = "pile";
 constexpr const char* kDebugFooter =
     "SCENE is recorded first, into a temporary file; FILE is what `kerf record` or `kerf import` wrote.\n"
     "In the window, F1 shows the keys. docs/DEBUGGING.md is a guide, and has the commands of scripts.";
-
-std::string read_script(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw UsageError("--script: " + path + " cannot be read");
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Of the pictures whose names a script says, each once: it may replace its own.
 void add_pictures(const std::vector<ScriptLine>& lines, const std::filesystem::path& folder,
@@ -230,7 +223,9 @@ std::optional<ThemeName> DebugCommand::theme() const {
 std::optional<std::filesystem::path> DebugCommand::window_file() const {
   if (window_file_ == "none") return std::nullopt;
   if (!window_file_.empty()) return window_file_;
-  return script_.empty() ? usual_window_file() : std::nullopt;
+  const std::filesystem::path folder = config_folder();
+  if (!script_.empty() || folder.empty()) return std::nullopt;
+  return folder / "debug-window";
 }
 
 void DebugCommand::run() const {
@@ -238,7 +233,7 @@ void DebugCommand::run() const {
     throw UsageError("--headless needs a --script to drive it; leave it out for a window");
   std::vector<ScriptLine> lines;
   try {
-    if (!script_.empty()) lines = parse_script(read_script(script_));
+    if (!script_.empty()) lines = parse_script(read_text_file(script_));
   } catch (const ScriptError& error) {
     throw UsageError(script_ + ", " + error.what());
   }

@@ -1,11 +1,10 @@
 #include "frames/diff/approve.h"
 
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 
 #include "core/files/part_file.h"
+#include "core/files/whole_file.h"
 #include "frames/sequence/draw_list_file.h"
 #include "frames/sequence/sidecar.h"
 #include "frames/support/errors.h"
@@ -17,13 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw std::runtime_error("cannot read " + file.string());
-  return bytes;
-}
-
 /// Builds the new files of one frame beside their references before one of those is replaced. Ids that no
 /// longer belong to the picture must not stay beside it. The picture comes last: after an
 /// interruption in between the difference is still found.
@@ -33,7 +25,7 @@ void replace(const fs::path& test, const fs::path& reference) {
   const auto add = [&](const fs::path& from, const fs::path& to) {
     if (!fs::exists(from)) return outdated.push_back(to);
     parts.push_back(std::make_unique<PartFile>(to));
-    parts.back()->write(bytes_of(from));
+    parts.back()->write(read_whole_file(from));
   };
   add(ids_path(test), ids_path(reference));
   add(draw_list_path(test), draw_list_path(reference));

@@ -1,11 +1,11 @@
 #include "frames/diff/frame_pairs.h"
 
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
 
+#include "core/files/whole_file.h"
 #include "frames/diff/folder_listing.h"
 #include "frames/sequence/manifest.h"
 
@@ -32,8 +32,7 @@ void require_frames(const fs::path& folder, const FolderListing& listing) {
 
 /// A manifest names the frames that must exist.
 void check_manifest(const fs::path& path, PairedFrames& result) {
-  std::ifstream file(path);
-  const auto json = nlohmann::json::parse(file, nullptr, false);
+  const auto json = nlohmann::json::parse(read_whole_file(path), nullptr, false);
   if (!json.is_object() || !json.contains("frames") || !json["frames"].is_array()) {
     result.faults.push_back(path.string() + " is no manifest of frames");
     return;

@@ -1,9 +1,9 @@
 #include "frames/report/cell_store.h"
 
 #include <algorithm>
-#include <fstream>
 #include <utility>
 
+#include "core/files/whole_file.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/machine.h"
@@ -68,9 +68,9 @@ void CellStore::join() {
 }
 
 void CellStore::read(const std::filesystem::path& file, bool forget) {
-  if (!std::filesystem::exists(file)) return;
-  std::ifstream stream(file);
-  const Json kept = Json::parse(stream, nullptr, false);
+  const auto text = read_whole_file_if_there(file);
+  if (!text) return;
+  const Json kept = Json::parse(*text, nullptr, false);
   if (!is_ours(kept))
     throw UsageError(file.string() +
                      " would keep the figures, and holds something else; choose another name with --out, or "

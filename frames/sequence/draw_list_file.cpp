@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 
 #include "core/files/part_file.h"
+#include "core/files/whole_file.h"
 #include "frames/page/json.h"
 #include "frames/sequence/sidecar.h"
 #include "frames/support/json_number.h"
@@ -79,10 +79,9 @@ std::string to_json(const StoredIds& stored) {
 }
 
 StoredIds parse(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error("cannot read " + path.string());
+  const std::string bytes = read_whole_file(path);
   try {
-    const Json json = Json::parse(file);
+    const Json json = Json::parse(bytes);
     if (json.at("format") != kDrawListFormat) throw std::runtime_error("it is of another format");
     StoredIds stored;
     stored.rasterizer = json.at("rasterizer");

@@ -2,11 +2,11 @@
 
 #include <charconv>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "core/files/whole_file.h"
 #include "frames/page/json.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/hex.h"
@@ -197,10 +197,9 @@ void save(const Manifest& manifest, const std::filesystem::path& folder) {
 
 Manifest read_manifest(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / kManifestName;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + path.string());
+  const std::string text = read_whole_file(path);
   try {
-    Json json = Json::parse(file);
+    Json json = Json::parse(text);
     if (json.at("format") == kManifestFormat) return from_object(std::move(json));
   } catch (const std::exception& error) {
     throw std::runtime_error(path.string() + " is damaged (" + error.what() + "): render anew");

@@ -1,8 +1,6 @@
 #include "frames/sequence/render_request.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -15,6 +13,7 @@
 #include "frames/support/parse_config.h"
 #include "frames/support/parse_whole.h"
 #include "frames/support/suggest.h"
+#include "frames/support/text_file.h"
 #include "frames/support/utf8.h"
 #include "viz/draw/camera.h"
 #include "viz/draw/camera_path.h"
@@ -142,19 +141,16 @@ std::string camera_text(const RenderTexts& texts, int dimension) {
 
 std::string read_camera_path(int dimension, const std::string& file) {
   if (file.empty()) return "";
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream) throw UsageError("--camera-path: cannot read " + file);
+  const std::string text = read_text_file(file);
   parse_option("--camera-path " + file, [&] {
     if (dimension == 2) {
-      (void)CameraPath<2>(text.str());
+      (void)CameraPath<2>(text);
     } else {
-      (void)CameraPath<3>(text.str());
+      (void)CameraPath<3>(text);
     }
     return 0;
   });
-  return text.str();
+  return text;
 }
 
 int parse_samples(const RenderTexts& texts, PictureSize size) {

@@ -1,8 +1,8 @@
 #include "frames/study/cell_file.h"
 
-#include <fstream>
 #include <utility>
 
+#include "core/files/whole_file.h"
 #include "frames/support/machine.h"
 #include "frames/support/version.h"
 
@@ -49,9 +49,9 @@ std::string to_json(const CellFile& file) {
 bool is_equal(const Json& a, const Json& b) { return nlohmann::json(a) == nlohmann::json(b); }
 
 std::optional<CellFile> read_cell_file(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) return std::nullopt;
-  const Json json = Json::parse(stream, nullptr, false);
+  const auto text = read_whole_file_if_there(file);
+  if (!text) return std::nullopt;
+  const Json json = Json::parse(*text, nullptr, false);
   if (!is_cell(json)) return std::nullopt;
   return CellFile{
       json["id"], json["cell"], {json["counts"], json["times"]}, json["machine"], json["command"]};

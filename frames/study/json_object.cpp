@@ -1,12 +1,12 @@
 #include "frames/study/json_object.h"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <utility>
 
 #include "frames/support/errors.h"
 #include "frames/support/suggest.h"
+#include "frames/support/text_file.h"
 
 namespace kerf {
 namespace {
@@ -119,10 +119,9 @@ void JsonObject::refuse(const std::string& key, std::size_t item, const std::str
 }
 
 Json read_json_object(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) throw UsageError(file + ": there is no such file that could be read");
+  const std::string read = read_text_file(file);
   try {
-    Json json = Json::parse(stream, DoubleKeys(), true, true);
+    Json json = Json::parse(read, DoubleKeys(), true, true);
     if (!json.is_object()) throw UsageError("the file must hold an object, { ... }");
     return json;
   } catch (const Json::parse_error& error) {

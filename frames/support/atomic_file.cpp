@@ -1,10 +1,10 @@
 #include "frames/support/atomic_file.h"
 
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+
+#include "core/files/whole_file.h"
 
 namespace kerf {
 
@@ -20,10 +20,7 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view t
 }
 
 void copy_file_atomically(const std::filesystem::path& from, const std::filesystem::path& to) {
-  std::ifstream file(from, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw std::runtime_error("cannot read " + from.string());
-  write_file_atomically(to, bytes);
+  write_file_atomically(to, read_whole_file(from));
 }
 
 void make_writable_folder(const std::filesystem::path& folder, const std::string& option) {

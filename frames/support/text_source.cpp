@@ -2,36 +2,17 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
 
-#include "frames/support/errors.h"
+#include "frames/support/text_file.h"
 
 namespace kerf {
 namespace {
 
-using namespace std::string_view_literals;
-
 constexpr std::size_t kBuffer = std::size_t{1} << 16U;
-constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
-
-/// How files begin that are no text of bytes; the longer beginning stands before the shorter.
-struct Beginning {
-  std::string_view bytes;
-  std::string_view meaning;
-};
-constexpr std::array kBeginnings{
-    Beginning{"\xFF\xFE\0\0"sv, "a text in UTF-32; save it as UTF-8"},
-    Beginning{"\0\0\xFE\xFF"sv, "a text in UTF-32; save it as UTF-8"},
-    Beginning{"\xFF\xFE"sv, "a text in UTF-16; save it as UTF-8 (iconv -f utf-16 -t utf-8)"},
-    Beginning{"\xFE\xFF"sv, "a text in UTF-16; save it as UTF-8 (iconv -f utf-16 -t utf-8)"},
-    Beginning{"\x1F\x8B"sv, "compressed by gzip; unpack it first"},
-    Beginning{"PK\x03\x04"sv, "a zip archive or a spreadsheet; export it as CSV"},
-    Beginning{"SQLite format 3\0"sv, "a database, perhaps a recording, and no table of text"},
-};
 
 }  // namespace
 
@@ -42,11 +23,7 @@ TextSource::TextSource(const std::filesystem::path& path)
   if (!file_) fail();
   if (is_input || std::fseek(file_.get(), 0, SEEK_SET) != 0) keep_copy();
   rewind();
-  const std::string_view begin(buffer_.data(), size_);
-  for (const Beginning& known : kBeginnings)
-    if (begin.starts_with(known.bytes)) throw UsageError(name_ + " is " + std::string(known.meaning));
-  if (begin.find('\0') != std::string_view::npos)
-    throw UsageError(name_ + " has bytes of value 0: it is a text in UTF-16 without its mark, or no text");
+  check_is_text(name_, {buffer_.data(), size_});
 }
 
 void TextSource::fail() const {

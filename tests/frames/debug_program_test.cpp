@@ -116,7 +116,7 @@ TEST_F(DebugProgram, SaysWhatItNeeds) {
   EXPECT_THAT(run_kerf({"debug", "pile", "--headless"}).err, HasSubstr("needs a --script"));
   EXPECT_THAT(run_kerf({"debug", "pile", "--headless", "--script", path("s")}).err, HasSubstr("a quote"));
   EXPECT_THAT(run_kerf({"debug", "pile", "--headless", "--script", path("none")}).err,
-              HasSubstr("cannot be read"));
+              HasSubstr("cannot read " + path("none") + ": No such file"));
   EXPECT_THAT(run_kerf({"debug", "pil"}).err, HasSubstr("pile"));
   EXPECT_THAT(run_kerf({"debug", "pile", "--size", "300x200"}).err, HasSubstr("at least 960x600"));
 }

@@ -32,7 +32,7 @@ class ExitCodes : public ::testing::Test {
     make(
         "record pile -o @waits.kerf --steps 100 --objects 200 --grow 60 --config "
         "min_threshold=8,max_threshold=16");
-    test::record_crowd<2>(folder->path() / "other.kerf", 20, test::busy_config(), Config{});
+    test::record_crowd<2>(path("other.kerf"), 20, test::busy_config(), Config{});
     make("render @a.kerf --steps 1:6 --size 64x64 --out @frames");
     make("render @a.kerf --steps 1:6 --size 64x64 --out @shard --shard 1/2");
     make("render @b.kerf --steps 1:3 --size 64x64 --out @fewer");
@@ -55,21 +55,22 @@ class ExitCodes : public ::testing::Test {
     std::vector<std::string> arguments;
     std::istringstream words(line);
     for (std::string word; words >> word;)
-      arguments.push_back(word.starts_with("@") ? (folder->path() / word.substr(1)).string() : word);
+      arguments.push_back(word.starts_with("@") ? path(word.substr(1)).string() : word);
     return run_kerf(arguments);
   }
+  static std::filesystem::path path(const std::string& name) { return folder->path() / name; }
   static void make(const std::string& line) {
     const RunOutcome outcome = run(line);
     ASSERT_EQ(outcome.exit, kExitHolds) << line << "\n" << outcome.err;
   }
   static void write(const std::string& name, const std::string& text) {
-    std::ofstream(folder->path() / name, std::ios::binary) << text;
+    std::ofstream(path(name), std::ios::binary) << text;
   }
 
  private:
   /// Recordings cut short, empty, of another version, and what is none at all.
   static void damage() {
-    const std::string whole = read_text(folder->path() / "a.kerf");
+    const std::string whole = read_text(path("a.kerf"));
     write("half.kerf", whole.substr(0, whole.size() / 2));
     write("fifty.kerf", whole.substr(0, 50));
     write("empty.kerf", "");
@@ -182,6 +183,44 @@ TEST_F(ExitCodes, ADamagedRecordingIsUnusableForEveryCommand) {
       EXPECT_THAT(outcome.err, HasSubstr(std::string(name) + ".kerf")) << line;
     }
   }
+}
+
+/// Texts and tables that commands read: where F stands they are given what is none. The message is ours, not
+/// that of a library's stream.
+TEST_F(ExitCodes, WhatIsNoTextIsRefusedByName) {
+  std::filesystem::create_directory(path("folder.x"));
+  write("zeros.x", std::string(300, '\0'));
+  write("utf16.x", std::string("\xFF\xFE{\0}\0", 6));
+  for (const char* command :
+       {"debug @a.kerf --headless --script F", "render @a.kerf --camera-path F --out @d",
+        "render pile --camera-path F --steps 1:2 --out @d", "study F --out @d", "import F -o @d.kerf",
+        "import @boxes.csv --pairs F -o @d.kerf", "import @boxes.csv --objects F -o @d.kerf",
+        "import @boxes.csv --ignore F --pairs @pairs.csv -o @d.kerf",
+        "import @boxes.csv --structure F -o @d.kerf"}) {
+    for (const std::string name : {"folder.x", "zeros.x", "utf16.x", "none/missing.x"}) {
+      std::string line = command;
+      line.replace(line.find('F'), 1, "@" + name);
+      const RunOutcome outcome = run(line);
+      EXPECT_EQ(outcome.exit, kExitUnusable) << line << "\n" << outcome.out << outcome.err;
+      EXPECT_THAT(outcome.err, HasSubstr(name)) << line;
+      EXPECT_THAT(outcome.err, ::testing::Not(HasSubstr("basic_"))) << line;
+    }
+  }
+}
+
+/// A folder that has the name of a file which an earlier run could have left.
+TEST_F(ExitCodes, AFolderInThePlaceOfAFileIsNamed) {
+  const auto expect_named = [](const std::string& line, const std::string& file) {
+    const RunOutcome outcome = run(line);
+    EXPECT_EQ(outcome.exit, kExitUnusable) << line;
+    EXPECT_THAT(outcome.err, HasSubstr(file + ": Is a directory")) << line;
+  };
+  std::filesystem::create_directories(path("of_frames/frames.json"));
+  expect_named("collect @of_frames", "frames.json");
+  expect_named("film-diff @of_frames @frames -o @f4.gif", "frames.json");
+  const std::string cell = test::files_in(path("shards")).front();
+  std::filesystem::create_directories(path("of_study/" + cell));
+  expect_named("study @study.json --out @of_study", cell);
 }
 
 /// A command without a case is found, as is a case of a code that the command does not have.

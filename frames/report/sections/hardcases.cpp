@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <fstream>
 
+#include "core/files/whole_file.h"
 #include "frames/page/plot.h"
 #include "frames/report/section.h"
 
@@ -52,8 +52,7 @@ void write_maps(const Json& table, Page& page) {
 
 void write(const ReportRequest& request, const CellStore& /*store*/, Page& page) {
   const std::filesystem::path file = request.hardcases / "hardcases.json";
-  std::ifstream stream(file);
-  const Json table = Json::parse(stream, nullptr, false);
+  const Json table = Json::parse(read_whole_file_if_there(file).value_or(""), nullptr, false);
   if (table.is_object() && table.contains("columns") && table.contains("cases")) {
     write_maps(table, page);
   } else {

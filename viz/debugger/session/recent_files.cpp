@@ -30,7 +30,7 @@ std::size_t rank(const std::filesystem::directory_entry& entry) {
 std::filesystem::path config_folder() {
   if (const auto folder = folder_in("XDG_CONFIG_HOME"); folder.is_absolute()) return folder / "kerf";
   const auto home = folder_in("HOME");
-  return home.empty() ? home : home / ".config" / "kerf";
+  return home.is_absolute() ? home / ".config" / "kerf" : std::filesystem::path();
 }
 
 RecentFiles::RecentFiles(const std::filesystem::path& folder)

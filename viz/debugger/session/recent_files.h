@@ -8,7 +8,8 @@ namespace kerf {
 
 inline constexpr std::size_t kMostRecent = 10;
 
-/// $XDG_CONFIG_HOME/kerf, else ~/.config/kerf; empty if the user has neither.
+/// What the debugger remembers for a user: $XDG_CONFIG_HOME/kerf, else ~/.config/kerf; empty if neither is an
+/// absolute path.
 std::filesystem::path config_folder();
 
 /// The recordings that were opened lately, the latest first: a line each in the file `recent` of a folder.

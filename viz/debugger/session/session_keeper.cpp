@@ -1,21 +1,22 @@
 #include "viz/debugger/session/session_keeper.h"
 
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "core/files/part_file.h"
+#include "core/files/whole_file.h"
 #include "viz/debugger/session/session_text.h"
 
 namespace kerf {
 namespace {
 
 std::string content_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw SessionError("the session " + file.string() + " cannot be read");
-  return {std::istreambuf_iterator<char>(stream), {}};
+  try {
+    return read_whole_file(file);
+  } catch (const std::runtime_error& error) {
+    throw SessionError(std::string("the session cannot be used: ") + error.what());
+  }
 }
 
 DebuggerSession parse(const std::string& text, const std::filesystem::path& file) {

@@ -26,9 +26,6 @@ std::string to_text(const WindowSettings& settings);
 /// Throws std::invalid_argument that says which line is wrong, or that the end is missing.
 WindowSettings parse_window_settings(std::string_view text);
 
-/// Where they are remembered: kerf/debug-window in $XDG_CONFIG_HOME, else in ~/.config. None if neither is
-/// known.
-std::optional<std::filesystem::path> usual_window_file();
 /// The settings of a file; none if there is no file. Throws std::runtime_error that names the file, and what
 /// is wrong with it.
 std::optional<WindowSettings> load_window_settings(const std::filesystem::path& path);
