@@ -52,6 +52,7 @@ Brick<D> read_brick(const CsvTable& table) {
 
 /// "x y; x y; x y"
 std::vector<Vector<2>> read_points(const CsvTable& table) {
+  if (table.is_blank(Said::points)) table.reject("a polygon needs points, such as 0 0; 1 0; 0 1");
   std::vector<Scalar> numbers;
   std::string text(table.text(Said::points));
   std::ranges::replace_if(

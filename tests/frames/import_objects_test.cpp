@@ -93,6 +93,7 @@ TEST_F(ImportObjects, WhatIsNoneIsRefused) {
   EXPECT_THAT(complaint("object,shape,radius\n10,ball,-1\n"), HasSubstr("is no length"));
   EXPECT_THAT(complaint("object,shape,radius\n10,ball,nan\n"), HasSubstr("is no length"));
   EXPECT_THAT(complaint("object,shape\n10,mesh\n"), HasSubstr("there are ball, brick and polygon"));
+  EXPECT_THAT(complaint("object,shape\n10,polygon\n"), HasSubstr("line 2: a polygon needs points"));
   EXPECT_THAT(complaint("object,shape,points\n10,polygon,0 0; 1 0\n"), HasSubstr("has no three points"));
   EXPECT_THAT(complaint("object,shape,points\n10,polygon,0 0; 1 0; 2 0\n"), HasSubstr("is not convex"));
   EXPECT_THAT(complaint("object,shape,points\n10,polygon,0 0; 4 0; 1 1; 0 4\n"), HasSubstr("is not convex"));
