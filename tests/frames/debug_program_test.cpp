@@ -35,7 +35,7 @@ class DebugProgram : public ::testing::Test {
 };
 
 TEST_F(DebugProgram, RecordsASceneAndPlaysAScript) {
-  write("s", "key End\nexpect steps == 20\nexpect step == 20\nscreenshot end\n");
+  write("s", "\xEF\xBB\xBFkey End\nexpect steps == 20\nexpect step == 20\nscreenshot end\n");
   const RunOutcome outcome = run_kerf({"debug", "pile", "--steps", "20", "--headless", "--script", path("s"),
                                        "-o", path("out"), "--size", "1000x640"});
   ASSERT_EQ(outcome.exit, 0) << outcome.err;
