@@ -1,6 +1,7 @@
 #include "frames/support/text_file.h"
 
 #include <array>
+#include <stdexcept>
 
 #include "core/files/whole_file.h"
 #include "frames/support/errors.h"
@@ -37,7 +38,12 @@ void check_is_text(const std::string& name, std::string_view begin) {
 }
 
 std::string read_text_file(const std::filesystem::path& file) {
-  std::string text = read_whole_file(file, kMostText);
+  std::string text;
+  try {
+    text = read_whole_file(file, kMostText);
+  } catch (const std::runtime_error& error) {
+    throw UsageError(error.what());
+  }
   check_is_text(file.string(), text);
   if (text.starts_with(kUtf8Mark)) text.erase(0, kUtf8Mark.size());
   return text;

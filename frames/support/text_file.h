@@ -13,8 +13,8 @@ inline constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 /// a text of bytes.
 void check_is_text(const std::string& name, std::string_view begin);
 
-/// The text of a whole file that a user wrote, 64 MB at most, without the mark of UTF-8. Throws as
-/// read_whole_file and check_is_text do.
+/// The text of a whole file that a user wrote, 64 MB at most, without the mark of UTF-8. Throws UsageError,
+/// naming the file, if it cannot be read or is no text.
 std::string read_text_file(const std::filesystem::path& file);
 
 }  // namespace kerf
