@@ -141,7 +141,7 @@ std::string camera_text(const RenderTexts& texts, int dimension) {
 
 std::string read_camera_path(int dimension, const std::string& file) {
   if (file.empty()) return "";
-  const std::string text = read_text_file(file);
+  std::string text = read_text_file(file);
   parse_option("--camera-path " + file, [&] {
     if (dimension == 2) {
       (void)CameraPath<2>(text);
