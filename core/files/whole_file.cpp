@@ -19,7 +19,7 @@ namespace {
 std::optional<std::string> read_whole_file_if_there(const std::filesystem::path& file, std::size_t most) {
   const auto close = [](std::FILE* stream) { std::fclose(stream); };
   const std::unique_ptr<std::FILE, decltype(close)> stream(std::fopen(file.c_str(), "rb"), close);
-  if (!stream && errno == ENOENT) return std::nullopt;
+  if (!stream && (errno == ENOENT || errno == ENOTDIR)) return std::nullopt;
   if (!stream) refuse(file, std::strerror(errno));
   std::string bytes;
   std::array<char, std::size_t{1} << 16U> buffer{};

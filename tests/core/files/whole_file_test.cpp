@@ -40,6 +40,7 @@ TEST(WholeFile, SaysWhyItCannotBeRead) {
   const test::TemporaryFolder folder;
   const std::filesystem::path missing = folder.path() / "missing";
   EXPECT_EQ(read_whole_file_if_there(missing), std::nullopt);
+  EXPECT_EQ(read_whole_file_if_there("/dev/null/kerf/debug-window"), std::nullopt);
   EXPECT_EQ(error_of([&] { read_whole_file(missing); }),
             "cannot read " + missing.string() + ": No such file or directory");
   const std::string of_folder = "cannot read " + folder.path().string() + ": Is a directory";
