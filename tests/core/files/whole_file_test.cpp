@@ -31,6 +31,8 @@ TEST(WholeFile, HasAllBytes) {
   std::ofstream(folder.path() / "a", std::ios::binary) << bytes;
   EXPECT_EQ(read_whole_file(folder.path() / "a"), bytes);
   EXPECT_EQ(read_whole_file(folder.path() / "a", bytes.size()), bytes);
+  EXPECT_THAT(error_of([&] { read_whole_file(folder.path() / "a", bytes.size() - 1); }),
+              HasSubstr("a: it has more than 199999 bytes"));
   EXPECT_EQ(read_whole_file_if_there(folder.path() / "a"), bytes);
   std::ofstream(folder.path() / "empty").flush();
   EXPECT_EQ(read_whole_file(folder.path() / "empty"), "");
