@@ -97,7 +97,7 @@ constexpr auto kLayers = std::to_array<Layer>({
     {"core/world/", 8, "objects with handles, kinds and filters; begun and ended pairs"},
     {"core/c/", 9, "`kerf.h`: the C interface"},
     {"core/scene/", 8, "what a scene is: shapes, poses, needs, bounding"},
-    {"core/files/", 9, "files that are read whole, or get their names when they are complete"},
+    {"core/files/", 9, "files read whole, or named when complete"},
     {"core/recording/", 10, "recordings: writer, reader, codecs"},
     {"core/replay/", 11, "replay, cursor, verification, what-if"},
     {"core/query/", 12, "conditions, search, explanations, comparison"},
