@@ -6,18 +6,17 @@
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
-#include <vector>
+#include <utility>
 
 #include "core/base/counted.h"
 #include "frames/commands/output_option.h"
-#include "frames/experiment/experiment_file.h"
+#include "frames/experiment/experiment_maker.h"
 #include "frames/experiment/experiment_page.h"
 #include "frames/experiment/experiment_plan.h"
 #include "frames/experiment/experiment_plots.h"
 #include "frames/experiment/related.h"
 #include "frames/page/gnuplot.h"
 #include "frames/support/atomic_file.h"
-#include "frames/support/countdown.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
@@ -32,135 +31,50 @@ constexpr const char* kPageName = "experiment.html";
 constexpr const char* kRelatedName = "related.html";
 constexpr ExperimentPlan kFullPlan{.size = {.steps = 6000, .objects = 4250}, .seeds = 3, .repeats = 5};
 
-/// Makes the runs of a shard of which there is no file yet.
-class Experiment {
- public:
-  Experiment(std::filesystem::path folder, const ExperimentPlan& plan, const Shard& shard, Replace replace)
-      : folder_(std::move(folder)), plan_(plan), shard_(shard), replace_(replace) {
-    const bool forget = replace == Replace::earlier;
-    if (!forget) refuse_earlier_files(folder_);
-    for (std::uint32_t repeat = 1; repeat <= plan.repeats; ++repeat)
-      for (std::uint32_t k = 0; k < plan.seeds; ++k)
-        for (std::size_t simulation = 0; simulation < runs_.size(); ++simulation)
-          load(simulation, plan.with_seed(k), repeat, forget);
-    make_writable_folder(folder_);
-  }
-
-  void run() {
-    const InterruptGuard interrupt;
-    for (const Place& place : missing_) {
-      const Simulation& simulation = simulations()[place.simulation];
-      TimedRun& run = runs_[place.simulation][place.index];
-      const ExperimentSize size = plan_.with_seed(static_cast<std::uint32_t>(run.seed - plan_.size.seed));
-      run.steps = run_simulation(simulation, size, lineup_of(run.repeat), [&](std::uint32_t step) {
-        show(simulation, run, step);
-        return !interrupt.requested();
-      });
-      if (interrupt.requested()) throw Interrupted(interruption());
-      save_run(folder_, simulation, size, run.repeat, run.steps);
-      ++done_;
-    }
-  }
-
-  [[nodiscard]] std::string shard_words(const std::string& shard) const {
-    return counted(done_, "run") + " of shard " + shard + " made in " + folder_.string() +
-           "; when all shards are there, the same command without --shard writes the pages";
-  }
-
-  /// All files are there before one of them gets its name.
-  void report() const {
-    const InterruptGuard interrupt;
-    std::array<std::unique_ptr<PartFile>, kFigureNames.size()> figures;
-    std::array<std::filesystem::path, kFigureNames.size()> files;
-    for (std::size_t k = 0; k < figures.size(); ++k) {
-      figures[k] = std::make_unique<PartFile>(folder_ / kFigureNames[k], replace_);
-      files[k] = figures[k]->path();
-    }
-    PartFile text(folder_ / kTextName, replace_);
-    PartFile page(folder_ / kPageName, replace_);
-    text.write(experiment_text(plan_, runs_));
-    try {
-      plot_experiment(files, runs_);
-      page.write(experiment_page(plan_, runs_));
-    } catch (const std::runtime_error&) {
-      if (!interrupt.requested()) throw;  // an interrupt stops gnuplot, too
-    }
-    if (interrupt.requested())
-      throw Interrupted("interrupted: the simulations are in " + folder_.string() +
-                        "; the same command draws the figures");
-    for (const auto& figure : figures) figure->keep();
-    text.keep();
-    page.keep();
-  }
-
- private:
-  /// Of a run that is still to be made.
-  struct Place {
-    std::size_t simulation;
-    std::size_t index;
-  };
-
-  void load(std::size_t simulation, const ExperimentSize& size, std::uint32_t repeat, bool forget) {
-    auto steps = load_run(folder_, simulations()[simulation], size, repeat, forget);
-    // Simulations take differently long: each shard gets some of each.
-    const auto turn = static_cast<std::uint32_t>(simulation + runs_[simulation].size());
-    if (steps) ++kept_;
-    if (!steps && shard_.has(turn)) missing_.push_back({simulation, runs_[simulation].size()});
-    runs_[simulation].push_back({size.seed, repeat, steps ? std::move(*steps) : ExperimentRun{}});
-  }
-
-  void show(const Simulation& simulation, const TimedRun& run, std::uint32_t step) const {
-    const double all = static_cast<double>(missing_.size()) * plan_.size.steps;
-    const double done = static_cast<double>(done_) * plan_.size.steps + step - 1;
-    const std::string left = stint_.left(done, all);
-    line_.show("run " + std::to_string(done_ + 1) + " of " + std::to_string(missing_.size()) +
-               ": simulation " + std::to_string(simulation.number) + " (" + std::string(simulation.scene) +
-               "), seed " + std::to_string(run.seed) + ", repeat " + std::to_string(run.repeat) + "  step " +
-               std::to_string(step) + "/" + std::to_string(plan_.size.steps) +
-               (left.empty() ? "" : "  about ") + left);
-  }
-
-  [[nodiscard]] std::string interruption() const {
-    const std::size_t all = runs_.size() * plan_.runs();
-    return "interrupted: " + std::to_string(kept_ + done_) + " of " + std::to_string(all) + " runs are in " +
-           folder_.string() + "; the same command goes on from there";
-  }
-
-  std::filesystem::path folder_;
-  ExperimentPlan plan_;
-  Shard shard_;
-  Replace replace_;
-  ExperimentRuns runs_;
-  std::vector<Place> missing_;
-  std::size_t kept_ = 0;  ///< runs that were there
-  std::size_t done_ = 0;  ///< of the missing ones
-  ProgressLine line_;
-  Stint stint_;
-};
-
-/// Runs the related work on each simulation with each seed; writes the page.
-void compare_related(const ExperimentPlan& plan, const std::filesystem::path& folder, Replace replace) {
+/// Draws the figures and writes the pages. All files are there before one of them gets its name.
+void report(const ExperimentPlan& plan, const ExperimentMaker& maker, const std::filesystem::path& folder,
+            Replace replace) {
+  ExperimentRuns runs;
+  maker.for_each([&](const RunId& run, ExperimentRun steps) {
+    runs[run.simulation].push_back({run.size.seed, run.repeat, std::move(steps)});
+  });
   const InterruptGuard interrupt;
-  make_writable_folder(folder);
-  const ProgressLine line;
-  PartFile page(folder / kRelatedName, replace);
-  RelatedRuns runs;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    for (std::uint32_t seed = 0; seed < plan.seeds; ++seed) {
-      const Simulation& simulation = simulations()[k];
-      const ExperimentRun run = run_simulation(
-          simulation, plan.with_seed(seed), {related_contestants(), true}, [&](std::uint32_t step) {
-            line.show("simulation " + std::to_string(simulation.number) + " (" +
-                      std::string(simulation.scene) + "), seed " + std::to_string(plan.with_seed(seed).seed) +
-                      "  step " + std::to_string(step) + "/" + std::to_string(plan.size.steps));
-            return !interrupt.requested();
-          });
-      if (interrupt.requested()) throw Interrupted("interrupted: nothing was written");
-      runs[k].push_back(summarise(run));
-    }
+  std::array<std::unique_ptr<PartFile>, kFigureNames.size()> figures;
+  std::array<std::filesystem::path, kFigureNames.size()> files;
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    figures[k] = std::make_unique<PartFile>(folder / kFigureNames[k], replace);
+    files[k] = figures[k]->path();
   }
-  page.write(related_page(runs, plan.size));
+  PartFile text(folder / kTextName, replace);
+  PartFile page(folder / kPageName, replace);
+  text.write(experiment_text(plan, runs));
+  try {
+    plot_experiment(files, runs);
+    page.write(experiment_page(plan, runs));
+  } catch (const std::runtime_error&) {
+    if (!interrupt.requested()) throw;  // an interrupt stops gnuplot, too
+  }
+  if (interrupt.requested())
+    throw Interrupted("interrupted: the simulations are in " + folder.string() +
+                      "; the same command draws the figures");
+  for (const auto& figure : figures) figure->keep();
+  text.keep();
   page.keep();
+}
+
+/// The same for the related work.
+void report_related(const ExperimentPlan& plan, const ExperimentMaker& maker,
+                    const std::filesystem::path& folder, Replace replace) {
+  RelatedRuns runs;
+  maker.for_each([&](const RunId& run, const ExperimentRun& steps) {
+    runs[run.simulation].push_back(summarise(steps));
+  });
+  write_file_atomically(folder / kRelatedName, related_page(plan, runs), replace);
+}
+
+void make_runs(ExperimentMaker& maker) {
+  const InterruptGuard interrupt;
+  maker.make([&] { return interrupt.requested(); });
 }
 
 }  // namespace
@@ -199,7 +113,8 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
       "each\n"
       "        statement of the paper's sections 6.2 and 7 whether it holds here; DIR/figure-12 and "
       "figure-13, as "
-      ".svg and .png;\n        DIR/simulation-N-SCENE-seed-S-repeat-R.csv, a line for each step and broad "
+      ".svg and .png;\n        DIR/simulation-N-SCENE-seed-S-repeat-R.csv (related-simulation-...), a line "
+      "for each step and broad "
       "phase. "
       "Ctrl-C keeps the runs that are done,\n        and the same command goes on from there.");
 }
@@ -212,9 +127,8 @@ void ExperimentCommand::run() const {
         "--full says the steps, objects, seeds and repeats already; leave out --steps, --objects, --seeds "
         "and "
         "--repeats");
-  if (related_ && !(repeats_.empty() && shard_.empty()))
-    throw UsageError("--related makes all its runs at once: leave out --repeats and --shard");
   ExperimentPlan plan = full_ ? kFullPlan : ExperimentPlan{};
+  if (related_) plan.kind = RunKind::related;
   if (!steps_.empty()) plan.size.steps = parse_whole<std::uint32_t>("--steps", steps_, 50, 1'000'000);
   if (!objects_.empty()) plan.size.objects = parse_whole<std::uint32_t>("--objects", objects_, 50, 100'000);
   if (!seeds_.empty()) plan.seeds = parse_whole<std::uint32_t>("--seeds", seeds_, 1, 1000);
@@ -224,25 +138,25 @@ void ExperimentCommand::run() const {
   Outputs outputs({}, overwrite_);
   outputs.add_folder(folder);
   if (!shard_.empty()) {
-    Experiment experiment(folder, plan, parse_shard(shard_), outputs.replace());
-    experiment.run();
-    std::printf("%s\n", experiment.shard_words(shard_).c_str());
+    ExperimentMaker maker(folder, plan, parse_shard(shard_), outputs.replace());
+    make_runs(maker);
+    std::printf(
+        "%s of shard %s made in %s; when all shards are there, the same command without --shard writes the "
+        "pages\n",
+        counted(maker.made(), "run").c_str(), shard_.c_str(), folder.string().c_str());
     return;
   }
   require_gnuplot();
-  if (related_) {
-    outputs.add_file(folder / kRelatedName);
-    compare_related(plan, folder, outputs.replace());
-    std::printf("%s\n", (folder / kRelatedName).string().c_str());
-    return;
+  const char* const page = related_ ? kRelatedName : kPageName;
+  outputs.add_file(folder / page);
+  if (!related_) {
+    for (const char* const figure : kFigureNames) outputs.add_file(folder / figure);
+    outputs.add_file(folder / kTextName);
   }
-  for (const char* const figure : kFigureNames) outputs.add_file(folder / figure);
-  outputs.add_file(folder / kTextName);
-  outputs.add_file(folder / kPageName);
-  Experiment experiment(folder, plan, Shard{}, outputs.replace());
-  experiment.run();
-  experiment.report();
-  std::printf("%s\n", (folder / kPageName).string().c_str());
+  ExperimentMaker maker(folder, plan, Shard{}, outputs.replace());
+  make_runs(maker);
+  (related_ ? report_related : report)(plan, maker, folder, outputs.replace());
+  std::printf("%s\n", (folder / page).string().c_str());
 }
 
 }  // namespace kerf

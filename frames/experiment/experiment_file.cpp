@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "frames/experiment/related.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 
@@ -19,11 +20,13 @@ constexpr const char* kColumns =
 constexpr const char* kTitle = "# kerf experiment";
 
 /// The first line, which identifies a file's format, simulation, size and run.
-std::string title(const Simulation& simulation, const ExperimentSize& size, std::uint32_t repeat) {
-  return kTitle + std::string(" 4, simulation ") + std::to_string(simulation.number) + " (" +
-         std::string(simulation.scene) + "), steps " + std::to_string(size.steps) + ", objects " +
-         std::to_string(size.objects) + ", seed " + std::to_string(size.seed) + ", repeat " +
-         std::to_string(repeat);
+std::string title(const RunId& run) {
+  const Simulation& simulation = simulations()[run.simulation];
+  return kTitle + std::string(run.kind == RunKind::related ? " of related work" : "") +
+         std::string(" 4, simulation ") + std::to_string(simulation.number) + " (" +
+         std::string(simulation.scene) + "), steps " + std::to_string(run.size.steps) + ", objects " +
+         std::to_string(run.size.objects) + ", seed " + std::to_string(run.size.seed) + ", repeat " +
+         std::to_string(run.repeat);
 }
 
 /// "simulation-1-terrain".
@@ -31,11 +34,10 @@ std::string file_stem(const Simulation& simulation) {
   return "simulation-" + std::to_string(simulation.number) + "-" + std::string(simulation.scene);
 }
 
-void write_step(std::ostream& text, const ExperimentStep& row) {
+void write_step(std::ostream& text, const ExperimentStep& row, std::span<const std::string_view> names) {
   for (std::size_t k = 0; k < row.contestants.size(); ++k) {
     const ContestantStep& one = row.contestants[k];
-    text << row.step << ',' << row.moving << ',' << contestants()[k] << ',' << row.fps(k) << ',' << row.pairs
-         << ',';
+    text << row.step << ',' << row.moving << ',' << names[k] << ',' << row.fps(k) << ',' << row.pairs << ',';
     if (one.candidates >= 0) text << one.candidates;
     text << ',' << one.collision << ',' << one.update << ',';
     if (one.leaves > 0)
@@ -83,34 +85,43 @@ void read_line(const std::string& line, std::span<const std::string_view> names,
 
 }  // namespace
 
-std::filesystem::path run_path(const std::filesystem::path& folder, const Simulation& simulation,
-                               const ExperimentSize& size, std::uint32_t repeat) {
-  return folder / (file_stem(simulation) + "-seed-" + std::to_string(size.seed) + "-repeat-" +
-                   std::to_string(repeat) + ".csv");
+std::string name_of(const RunId& run) {
+  const Simulation& simulation = simulations()[run.simulation];
+  return "simulation " + std::to_string(simulation.number) + " (" + std::string(simulation.scene) +
+         "), seed " + std::to_string(run.size.seed) + ", repeat " + std::to_string(run.repeat);
 }
 
-void save_run(const std::filesystem::path& folder, const Simulation& simulation, const ExperimentSize& size,
-              std::uint32_t repeat, const ExperimentRun& run) {
+Lineup lineup_of(const RunId& run) {
+  if (run.kind == RunKind::related) return {related_contestants(), true};
+  return {contestants_in(run.repeat), run.repeat == 1};
+}
+
+std::filesystem::path run_path(const std::filesystem::path& folder, const RunId& run) {
+  return folder /
+         ((run.kind == RunKind::related ? "related-" : "") + file_stem(simulations()[run.simulation]) +
+          "-seed-" + std::to_string(run.size.seed) + "-repeat-" + std::to_string(run.repeat) + ".csv");
+}
+
+void save_run(const std::filesystem::path& folder, const RunId& run, const ExperimentRun& steps) {
   std::ostringstream text;
-  text << title(simulation, size, repeat) << '\n' << kColumns << '\n';
-  for (const ExperimentStep& row : run) write_step(text, row);
-  write_file_atomically(run_path(folder, simulation, size, repeat), text.str());
+  text << title(run) << '\n' << kColumns << '\n';
+  for (const ExperimentStep& row : steps) write_step(text, row, lineup_of(run).names);
+  write_file_atomically(run_path(folder, run), text.str());
 }
 
-std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const Simulation& simulation,
-                                      const ExperimentSize& size, std::uint32_t repeat, bool forget) {
-  const std::filesystem::path path = run_path(folder, simulation, size, repeat);
+std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const RunId& id, bool forget) {
+  const std::filesystem::path path = run_path(folder, id);
   std::ifstream file(path);
   if (!file) return std::nullopt;
   std::string line;
   std::getline(file, line);
-  const bool is_of_another = line != title(simulation, size, repeat);
+  const bool is_of_another = line != title(id);
   if (forget && is_of_another && line.starts_with(kTitle)) return std::nullopt;
   if (is_of_another)
     throw UsageError(
         path.string() +
         " is of another experiment; choose another folder with --out, or replace it with --overwrite");
-  const std::span<const std::string_view> names = contestants_in(repeat);
+  const std::span<const std::string_view> names = lineup_of(id).names;
   ExperimentRun run;
   try {
     std::getline(file, line);
@@ -118,7 +129,7 @@ std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const
   } catch (const std::logic_error&) {
     run.clear();
   }
-  if (run.size() != size.steps || run.back().contestants.size() != names.size())
+  if (run.size() != id.size.steps || run.back().contestants.size() != names.size())
     throw std::runtime_error(path.string() + " is damaged; remove it, and the run is made again");
   return run;
 }

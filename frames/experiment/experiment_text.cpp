@@ -28,7 +28,9 @@ std::string cell(const std::vector<TimedRun>& runs, std::string_view contestant,
 
 void write_means(std::ostream& text, const ExperimentPlan& plan, const Simulation& simulation,
                  const std::vector<TimedRun>& runs) {
-  const std::string file = run_path("", simulation, plan.size, 1).string();
+  const std::string file =
+      run_path("", {.simulation = static_cast<std::size_t>(simulation.number - 1), .size = plan.size})
+          .string();
   text << "\n## Simulation " << simulation.number << ": " << simulation.title << "\n\nScene `"
        << simulation.scene << "`, " << plan.size.steps << " steps, " << runs.front().steps.back().moving
        << " moving objects at the end; the steps of the first run are in [" << file << "](" << file

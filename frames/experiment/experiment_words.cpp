@@ -29,7 +29,8 @@ std::string run_words(const ExperimentPlan& plan) {
 std::vector<std::string> method_words(const ExperimentPlan& plan) {
   return {
       run_words(plan),
-      "Each run is on ODE, with all broad phases side by side: in each step all are given the same boxes, in "
+      "Each run is on ODE in a process of its own, with all broad phases side by side: in each step all are "
+      "given the same boxes, in "
       "turns, and each is timed by itself. All have to report the same pairs, which is checked in each step. "
       "So what the paper calls the number of pairs is here the number of pairs whose boxes a structure "
       "leaves "

@@ -61,7 +61,7 @@ double figure_of(const RelatedRun& run, std::string_view contestant, RelatedMeas
   return measure == RelatedMeasure::update ? update : update + sum_of(run, place, &RelatedFigures::collision);
 }
 
-/// Subject over rival, rising, one for each seed.
+/// Subject over rival, rising, one for each run.
 std::vector<double> ratios_of(const RelatedClaim& claim, const std::vector<RelatedRun>& runs) {
   std::vector<double> ratios;
   for (const RelatedRun& run : runs) {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "frames/experiment/simulation.h"
+#include "frames/experiment/experiment_plan.h"
 #include "frames/experiment/verdict.h"
 
 namespace kerf {
@@ -33,7 +33,7 @@ struct RelatedRun {
 };
 RelatedRun summarise(const ExperimentRun& run);
 
-/// Runs of each simulation, one for each seed.
+/// Runs of each simulation, one for each seed and repeat.
 using RelatedRuns = std::array<std::vector<RelatedRun>, 4>;
 
 /// What a sentence says of a figure: that it is so many times another, or more, or less.
@@ -65,6 +65,6 @@ struct RelatedVerdict {
 RelatedVerdict judge(const RelatedClaim& claim, const RelatedRuns& runs);
 
 /// The page: what each of them is, how it was read, verdicts, figures over time.
-std::string related_page(const RelatedRuns& runs, const ExperimentSize& size);
+std::string related_page(const ExperimentPlan& plan, const RelatedRuns& runs);
 
 }  // namespace kerf

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "frames/catalog/algorithm.h"
 #include "frames/experiment/related.h"
 #include "frames/page/page.h"
@@ -9,7 +10,7 @@
 namespace kerf {
 namespace {
 
-/// The mean of the seeds.
+/// The mean of the runs.
 double mean_of(const std::vector<RelatedRun>& runs, std::size_t contestant, std::size_t part,
                double RelatedFigures::*figure) {
   double sum = 0;
@@ -67,7 +68,7 @@ void write_simulation(Page& page, const Simulation& simulation, const std::vecto
   const std::string title =
       "Simulation " + std::to_string(simulation.number) + ": " + std::string(simulation.title);
   page.figure(draw(plot_over_time(title, runs, size), "related" + std::to_string(simulation.number)),
-              "Means of tenths of the run and of all seeds.");
+              "Means of tenths of a run, over all runs.");
   Json rows = Json::array();
   const auto names = related_contestants();
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -92,23 +93,21 @@ void write_simulation(Page& page, const Simulation& simulation, const std::vecto
 
 }  // namespace
 
-std::string related_page(const RelatedRuns& runs, const ExperimentSize& size) {
-  Page page("The related work of the paper", std::to_string(size.objects) + " objects, " +
-                                                 std::to_string(size.steps) + " steps, " +
-                                                 std::to_string(runs[0].size()) + " seeds");
+std::string related_page(const ExperimentPlan& plan, const RelatedRuns& runs) {
+  Page page("The related work of the paper",
+            std::to_string(plan.size.objects) + " objects, " + std::to_string(plan.size.steps) + " steps, " +
+                counted(plan.repeats, "repeat") + " of " + counted(plan.seeds, "seed"));
   page.section("verdicts", "What the paper says of them");
   page.paragraph(
       "Each is built as its source says, on boxes; where the source leaves things open, the comment of its "
       "header says how it was read. A sentence holds if it does in every run. All get the same boxes in each "
-      "step, in turns, and all have to report "
-      "the "
-      "same pairs. Times are of the processor.");
+      "step, in turns, and all have to report the same pairs. Times are of the processor; a run has a "
+      "process "
+      "of its own.");
   write_verdicts(page, runs);
   page.section("figures", "Figures over time");
-  for (std::size_t k = 0; k < runs.size(); ++k) write_simulation(page, simulations()[k], runs[k], size);
-  page.command("kerf experiment --related --steps " + std::to_string(size.steps) + " --objects " +
-               std::to_string(size.objects) + " --seeds " + std::to_string(runs[0].size()) + " --seed " +
-               std::to_string(size.seed));
+  for (std::size_t k = 0; k < runs.size(); ++k) write_simulation(page, simulations()[k], runs[k], plan.size);
+  page.command(plan.command());
   return page.html();
 }
 

@@ -30,8 +30,6 @@ struct Lineup {
   std::span<const std::string_view> names;  ///< the world follows the first, whose pairs are held to be true
   bool counts = true;                       ///< the pairs that they leave to be compared, too
 };
-/// Candidates are counted in the first repeat, since later ones have the same.
-Lineup lineup_of(std::uint32_t repeat);
 /// The paper's name of a contestant in figures: "BSP", "QT", "SH", "LO" or "SP"; a like one for those that it
 /// has not.
 std::string_view paper_name(std::string_view contestant);

@@ -1,6 +1,7 @@
 #include "frames/support/child_process.h"
 
 #include <fcntl.h>
+#include <limits.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -111,7 +112,7 @@ bool ChildProcess::ask(char request, std::chrono::duration<double> limit, const 
     if (taken > limit)
       return end("took longer than " + std::to_string(static_cast<int>(limit.count())) + " s");
   }
-  std::array<char, 256> text{};
+  std::array<char, PIPE_BUF> text{};  // as much as is written at once
   const ssize_t size = read(replies_, text.data(), text.size());
   if (size == 1 && text[0] == kDone) return true;
   if (size > 0) trouble_.assign(text.data(), static_cast<std::size_t>(size));

@@ -14,7 +14,6 @@
 namespace kerf {
 namespace {
 
-using nlohmann::json;
 using test::holds_within_a_minute;
 using test::Process;
 using test::run_kerf;
@@ -33,10 +32,10 @@ bool appears(const std::filesystem::path& file) {
 /// What is in `folder` is a valid part of a sequence: an incomplete manifest that names exactly the frames
 /// that are there, each with the pixels that it says.
 void expect_valid_part(const std::filesystem::path& folder) {
-  const json manifest = test::read_json(folder / "frames.json");
+  const nlohmann::json manifest = test::read_json(folder / "frames.json");
   EXPECT_EQ(manifest["complete"], false);
   std::vector<std::string> expected{"frames.json"};
-  for (const json& frame : manifest["frames"]) {
+  for (const nlohmann::json& frame : manifest["frames"]) {
     expected.push_back(frame["file"]);
     const std::uint64_t hash = pixel_hash(read_png(folder / frame["file"].get<std::string>()));
     EXPECT_EQ(std::stoull(frame["pixel_hash"].get<std::string>(), nullptr, 16), hash);
@@ -134,7 +133,7 @@ TEST(FailureProgram, ResumedFramesAreLookedAt) {
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_TRUE(test::read_text(part / "pile_000001.png") == whole);
   EXPECT_EQ(test::read_text(part / "frames.json"), before);
-  for (const json& frame : test::read_json(part / "frames.json")["frames"])
+  for (const nlohmann::json& frame : test::read_json(part / "frames.json")["frames"])
     EXPECT_EQ(std::stoull(frame["pixel_hash"].get<std::string>(), nullptr, 16),
               pixel_hash(read_png(part / frame["file"].get<std::string>())));
 }

@@ -13,7 +13,6 @@
 namespace kerf {
 namespace {
 
-using nlohmann::json;
 using test::read_json;
 using test::run_kerf;
 using test::RunOutcome;
@@ -32,14 +31,14 @@ class PanesProgram : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(PanesProgram, HasTheSamePixelsWithAnyNumberOfProcesses) {
   const TemporaryFolder folder;
-  json first;
+  nlohmann::json first;
   for (const char* const workers : {"0", "1", "3"}) {
     const std::filesystem::path out = folder.path() / workers;
     const RunOutcome outcome =
         render(GetParam(), out, {"--beside", "loose-octree,sweep-and-prune", "--workers", workers});
     ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
-    const json manifest = read_json(out / "frames.json");
-    EXPECT_EQ(manifest["beside"], (json{"loose-octree", "sweep-and-prune"}));
+    const nlohmann::json manifest = read_json(out / "frames.json");
+    EXPECT_EQ(manifest["beside"], (nlohmann::json{"loose-octree", "sweep-and-prune"}));
     EXPECT_EQ(manifest["timed"], false);
     if (first.is_null()) first = manifest["frames"];
     EXPECT_EQ(manifest["frames"], first);
@@ -55,8 +54,8 @@ TEST_P(PanesProgram, FollowsTheRunOfASinglePicture) {
                    {"--broad-phase", "columns", "--beside", "sort-and-sweep,loose-octree,sweep-and-prune"})
                 .exit,
             kExitHolds);
-  const json a = read_json(folder.path() / "a" / "frames.json")["frames"];
-  const json b = read_json(folder.path() / "b" / "frames.json")["frames"];
+  const nlohmann::json a = read_json(folder.path() / "a" / "frames.json")["frames"];
+  const nlohmann::json b = read_json(folder.path() / "b" / "frames.json")["frames"];
   for (std::size_t k = 0; k < a.size(); ++k) {
     EXPECT_EQ(a[k]["pairs"], b[k]["pairs"]);
     EXPECT_EQ(a[k]["contacts"], b[k]["contacts"]);
@@ -70,9 +69,9 @@ TEST_P(PanesProgram, OfOneBroadPhaseAlsoSaysWhatEachPixelShows) {
       render(GetParam(), folder.path() / "a", {"--broad-phase", "loose-octree", "--beside", "none", "--ids"});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   const std::string stem = std::string(GetParam()) + "_000004";
-  const json list = read_json(folder.path() / "a" / (stem + ".draw.json"));
+  const nlohmann::json list = read_json(folder.path() / "a" / (stem + ".draw.json"));
   std::size_t cells = 0;
-  for (const json& item : list["items"]) cells += item[0] == "leaf" && item[8] > 0 ? 1U : 0U;
+  for (const nlohmann::json& item : list["items"]) cells += item[0] == "leaf" && item[8] > 0 ? 1U : 0U;
   EXPECT_GT(cells, 3U);
   EXPECT_EQ(read_png(folder.path() / "a" / (stem + ".ids.png")).height, 420);
 }
@@ -95,8 +94,8 @@ TEST_P(PanesProgram, FollowsARecordingAndItsShards) {
     EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
     return read_json(folder.path() / name / "frames.json")["frames"];
   };
-  const json whole = frames_of("whole", {});
-  const json shard = frames_of("shard", {"--shard", "2/2"});
+  const nlohmann::json whole = frames_of("whole", {});
+  const nlohmann::json shard = frames_of("shard", {"--shard", "2/2"});
   ASSERT_EQ(whole.size(), 4U);
   ASSERT_EQ(shard.size(), 2U);
   EXPECT_EQ(shard[0], whole[1]);

@@ -12,7 +12,6 @@
 namespace kerf {
 namespace {
 
-using nlohmann::json;
 using test::read_json;
 using test::run_kerf;
 using test::RunOutcome;
@@ -43,13 +42,13 @@ TEST_P(RenderProgram, MakesTheFramesThatTheManifestNames) {
   const RunOutcome outcome = run_kerf(small_render(GetParam(), folder.path() / "a" / "b"));
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   EXPECT_EQ(outcome.out + outcome.err, "") << "a pipe is not a terminal";
-  const json manifest = read_json(folder.path() / "a" / "b" / "frames.json");
+  const nlohmann::json manifest = read_json(folder.path() / "a" / "b" / "frames.json");
   EXPECT_EQ(manifest["scene"], GetParam());
   EXPECT_EQ(manifest["complete"], true);
   EXPECT_EQ(manifest["requested_objects"], 60);
   std::vector<std::string> expected{"frames.json"};
   for (std::size_t k = 0; k < 5; ++k) {
-    const json& frame = manifest["frames"].at(k);
+    const nlohmann::json& frame = manifest["frames"].at(k);
     EXPECT_EQ(frame["step"], 1 + 10 * k);
     EXPECT_LE(frame["contacts"], frame["pairs"]);
     EXPECT_GE(frame["entries"], 1);
@@ -70,9 +69,9 @@ TEST_P(RenderProgram, TwoRunsAreTheSameAndSeedsDiffer) {
     EXPECT_EQ(outcome.exit, kExitHolds) << outcome.err;
     return read_json(folder.path() / name / "frames.json")["frames"];
   };
-  const json first = frames_of("a", {});
+  const nlohmann::json first = frames_of("a", {});
   EXPECT_EQ(first, frames_of("b", {}));
-  const json other = frames_of("c", {"--seed", "2"});
+  const nlohmann::json other = frames_of("c", {"--seed", "2"});
   EXPECT_NE(first.back()["state_hash"], other.back()["state_hash"]);
   EXPECT_NE(first.back()["pixel_hash"], other.back()["pixel_hash"]);
 }
@@ -85,13 +84,13 @@ TEST_P(RenderProgram, TheStepDecidesTheStateNotTheFrame) {
       run_kerf({"render", GetParam(), "--steps", "41:41", "--objects", "60", "--grow", "30", "--size",
                 "64x64", "--show", "objects", "--out", folder.path() / "b"});
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
-  const json all = read_json(folder.path() / "a" / "frames.json")["frames"];
-  const json one = read_json(folder.path() / "b" / "frames.json")["frames"];
+  const nlohmann::json all = read_json(folder.path() / "a" / "frames.json")["frames"];
+  const nlohmann::json one = read_json(folder.path() / "b" / "frames.json")["frames"];
   ASSERT_EQ(one.size(), 1U);
   EXPECT_EQ(one[0]["state_hash"], all[4]["state_hash"]);
   EXPECT_EQ(one[0]["pairs"], all[4]["pairs"]);
   std::uint64_t events = 0;
-  for (const json& frame : all) events += frame["events"].get<std::uint64_t>();
+  for (const nlohmann::json& frame : all) events += frame["events"].get<std::uint64_t>();
   EXPECT_EQ(one[0]["events"], events);
 }
 
@@ -106,7 +105,7 @@ TEST(RenderProgram, ConfigurationReachesTheTree) {
   const TemporaryFolder folder;
   const auto run = with(small_render("pile", folder.path()), {"--config", "budget_divisor=0"});
   ASSERT_EQ(run_kerf(run).exit, kExitHolds);
-  const json manifest = read_json(folder.path() / "frames.json");
+  const nlohmann::json manifest = read_json(folder.path() / "frames.json");
   EXPECT_EQ(manifest["config"]["budget_divisor"], 0);
   EXPECT_EQ(manifest["frames"].back()["leaves"], 1) << "no operator, no split";
 }
@@ -116,8 +115,8 @@ TEST(RenderProgram, LayersReachThePicture) {
   ASSERT_EQ(run_kerf(small_render("pile", folder.path() / "a")).exit, kExitHolds);
   ASSERT_EQ(run_kerf(with(small_render("pile", folder.path() / "b"), {"--show", "objects"})).exit,
             kExitHolds);
-  const json all = read_json(folder.path() / "a" / "frames.json");
-  const json objects = read_json(folder.path() / "b" / "frames.json");
+  const nlohmann::json all = read_json(folder.path() / "a" / "frames.json");
+  const nlohmann::json objects = read_json(folder.path() / "b" / "frames.json");
   EXPECT_EQ(objects["layers"], "objects");
   EXPECT_NE(all["frames"].back()["pixel_hash"], objects["frames"].back()["pixel_hash"]);
 }

@@ -87,15 +87,30 @@ TEST(RelatedProgram, WritesAPageOnWhichNoPairIsWrong) {
   ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
   const std::string page = read_text(out / "related.html");
   for (const std::string_view name : related_contestants()) EXPECT_THAT(page, HasSubstr(std::string(name)));
-  EXPECT_THAT(page, HasSubstr("kerf experiment --related --steps 60 --objects 60 --seeds 1 --seed 1"));
+  EXPECT_THAT(page,
+              HasSubstr("kerf experiment --related --steps 60 --objects 60 --seed 1 --seeds 1 --repeats 1"));
   const RunOutcome again =
       run_kerf({"experiment", "--related", "--steps", "60", "--objects", "60", "--seeds", "1", "--out", out});
   EXPECT_EQ(again.exit, kExitUnusable) << "an earlier page is kept";
 }
 
-TEST(RelatedProgram, RefusesOptionsThatItWouldNotFollow) {
-  EXPECT_THAT(run_kerf({"experiment", "--related", "--repeats", "2"}).err, HasSubstr("--repeats"));
-  EXPECT_THAT(run_kerf({"experiment", "--related", "--shard", "1/2"}).err, HasSubstr("--shard"));
+TEST(RelatedProgram, ItsRunsAreSharedAndGoOnFromWhereTheyWere) {
+  const TemporaryFolder folder;
+  std::vector<std::string> whole{"experiment", "--related", "--steps", "50",
+                                 "--objects",  "50",        "--seeds", "1",
+                                 "--repeats",  "2",         "--out",   folder.path().string()};
+  std::vector<std::string> part = whole;
+  part.insert(part.end(), {"--shard", "2/2"});
+  const RunOutcome outcome = run_kerf(part);
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
+  EXPECT_EQ(folder.files().size(), 4U) << "half of two repeats of four simulations";
+  const std::filesystem::path made = folder.path() / "related-simulation-1-terrain-seed-1-repeat-2.csv";
+  const std::string before = read_text(made);
+  EXPECT_THAT(before, HasSubstr("self-organising-tree"));
+  ASSERT_EQ(run_kerf(whole).exit, kExitHolds);
+  EXPECT_EQ(folder.files().size(), 9U);
+  EXPECT_EQ(read_text(made), before) << "no run was made anew";
+  EXPECT_THAT(read_text(folder.path() / "related.html"), HasSubstr("2 repeats of 1 seed"));
 }
 
 }  // namespace

@@ -11,8 +11,6 @@
 namespace kerf {
 namespace {
 
-using nlohmann::json;
-
 RenderRequest request() {
   RenderRequest request;
   request.scene = find_scene("pile");
@@ -41,7 +39,7 @@ TEST(Manifest, FileNamesHaveSixDigits) {
 }
 
 TEST(Manifest, SaysWhatTheSequenceIs) {
-  const json read = json::parse(to_json(example()));
+  const nlohmann::json read = nlohmann::json::parse(to_json(example()));
   EXPECT_EQ(read["scene"], "pile");
   EXPECT_EQ(read["dimension"], 2);
   EXPECT_EQ(read["seed"], UINT64_MAX);
@@ -51,7 +49,7 @@ TEST(Manifest, SaysWhatTheSequenceIs) {
 }
 
 TEST(Manifest, SaysWhatAFrameShows) {
-  const json frame = json::parse(to_json(example()))["frames"][0];
+  const nlohmann::json frame = nlohmann::json::parse(to_json(example()))["frames"][0];
   EXPECT_EQ(frame["file"], "pile_000042.png");
   EXPECT_EQ(frame["step"], 169);
   EXPECT_EQ(frame["pairs"], 7);
@@ -63,7 +61,7 @@ TEST(Manifest, SaysWhatAFrameShows) {
 TEST(Manifest, TextThatIsNotUtf8DoesNotLoseIt) {
   RenderRequest strange = request();
   strange.camera = "\xff\xfe";
-  EXPECT_TRUE(json::accept(to_json(begin_manifest(strange))));
+  EXPECT_TRUE(nlohmann::json::accept(to_json(begin_manifest(strange))));
 }
 
 TEST(Manifest, IsReadAsItWasWritten) {
@@ -89,10 +87,10 @@ TEST(Manifest, ThatIsDamagedIsAnError) {
 /// What follows from a number out of its range is a division by zero, or memory without end.
 TEST(Manifest, ThatLiesIsDamaged) {
   const test::TemporaryFolder folder;
-  const json truth = json::parse(to_json(example()));
-  const auto lie = [&](const char* where, const json& what) {
-    json manifest = truth;
-    manifest[json::json_pointer(where)] = what;
+  const nlohmann::json truth = nlohmann::json::parse(to_json(example()));
+  const auto lie = [&](const char* where, const nlohmann::json& what) {
+    nlohmann::json manifest = truth;
+    manifest[nlohmann::json::json_pointer(where)] = what;
     std::ofstream(folder.path() / kManifestName) << manifest;
     try {
       (void)read_manifest(folder.path());
@@ -102,18 +100,30 @@ TEST(Manifest, ThatLiesIsDamaged) {
     }
     ADD_FAILURE() << where << " may be " << what;
   };
-  for (const json& first : {json(0), json(1001), json(-1), json("1")}) lie("/steps/first", first);
-  for (const json& last : {json(0), json(UINT32_MAX), json(UINT64_C(1) << 32 | 100), json(99.5), json(1e99)})
+  for (const nlohmann::json& first :
+       {nlohmann::json(0), nlohmann::json(1001), nlohmann::json(-1), nlohmann::json("1")})
+    lie("/steps/first", first);
+  for (const nlohmann::json& last :
+       {nlohmann::json(0), nlohmann::json(UINT32_MAX), nlohmann::json(UINT64_C(1) << 32 | 100),
+        nlohmann::json(99.5), nlohmann::json(1e99)})
     lie("/steps/last", last);
-  for (const json& stride : {json(0), json(-4), json(UINT32_MAX)}) lie("/steps/stride", stride);
-  for (const json& side : {json(0), json(-1), json(1'000'000)}) lie("/size/width", side);
-  for (const json& count : {json(0), json(-1), json(UINT64_C(1) << 32)}) lie("/shard/count", count);
+  for (const nlohmann::json& stride : {nlohmann::json(0), nlohmann::json(-4), nlohmann::json(UINT32_MAX)})
+    lie("/steps/stride", stride);
+  for (const nlohmann::json& side : {nlohmann::json(0), nlohmann::json(-1), nlohmann::json(1'000'000)})
+    lie("/size/width", side);
+  for (const nlohmann::json& count :
+       {nlohmann::json(0), nlohmann::json(-1), nlohmann::json(UINT64_C(1) << 32)})
+    lie("/shard/count", count);
   lie("/shard/index", 1);
-  for (const json& name : {json("a/b"), json("../pile")}) lie("/name", name);
-  for (const json& index : {json(250), json(-1), json(UINT64_C(1) << 32)}) lie("/frames/0/index", index);
-  for (const json& file : {json("../pile_000042.png"), json("/etc/passwd"), json(".."), json("."), json("")})
+  for (const nlohmann::json& name : {nlohmann::json("a/b"), nlohmann::json("../pile")}) lie("/name", name);
+  for (const nlohmann::json& index :
+       {nlohmann::json(250), nlohmann::json(-1), nlohmann::json(UINT64_C(1) << 32)})
+    lie("/frames/0/index", index);
+  for (const nlohmann::json& file : {nlohmann::json("../pile_000042.png"), nlohmann::json("/etc/passwd"),
+                                     nlohmann::json(".."), nlohmann::json("."), nlohmann::json("")})
     lie("/frames/0/file", file);
-  for (const json& hash : {json("xyz"), json(""), json("1 and more"), json("-1")})
+  for (const nlohmann::json& hash :
+       {nlohmann::json("xyz"), nlohmann::json(""), nlohmann::json("1 and more"), nlohmann::json("-1")})
     lie("/frames/0/pixel_hash", hash);
   lie("/frames/0/pairs", -1);
 }
