@@ -37,8 +37,8 @@ Config config_of_reading(std::string_view contestant) {
   return config;
 }
 
-/// Has the C library sort what was freed. It leaves that to whoever next asks for a large piece: a step of one
-/// would be timed with what others have freed, up to milliseconds of it.
+/// Makes the C library sort what was freed. It leaves that to the next request for a large piece: a step of
+/// one broad phase would be timed with what others have freed, up to milliseconds of it.
 void settle_heap() {
   constexpr std::size_t kLarge = std::size_t{100} << 10U;  // not so large that it is mapped by itself
   void* volatile piece = std::malloc(kLarge);  // volatile: the compiler may leave out what is not used
