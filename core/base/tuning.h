@@ -43,6 +43,11 @@ inline constexpr float kFlightMargin = 1.05F;
 
 /// Objects in a sample of motions, which shows the share of fast objects to about 6 %.
 inline constexpr std::size_t kMotionSample = 64;
+/// The share of objects that must move alike, as far as a sample shows, for the tree to come along
+/// (common_motion).
+inline constexpr float kLeastShareAlike = 0.75F;
+/// Two motions are alike if they differ by no more than this share of an object's size.
+inline constexpr float kAlike = 0.1F;
 /// The share of objects that leave their fat boxes in a step above which sweeping pays.
 inline constexpr float kHotShare = 0.03F;
 /// The same while skins learn how thick they must be, for the first `kLearningSteps`.

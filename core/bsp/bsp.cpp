@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/bsp/common_motion.h"
 #include "core/tree/hash.h"
 
 namespace kerf {
@@ -97,24 +98,33 @@ void Bsp<D, Trace>::adapt() {
   begin(Phase::sweep);
 }
 
-/// Samples what the present mode needs to know.
+/// The motion by which the tree comes along. The paper's configuration knows none.
 template <int D, class Trace>
-Evidence Bsp<D, Trace>::evidence() const {
+std::optional<Vector<D>> Bsp<D, Trace>::common_motion() const {
+  if (!config_.byte_sweep || !(config_.skin > 0) || modes_.mode() == Mode::ordered) return std::nullopt;
+  return kerf::common_motion(requests_, tree_.table, modes_.mode() == Mode::kept);
+}
+
+/// Samples what the present mode needs to know. A shift says nothing of how objects move beside it.
+template <int D, class Trace>
+Evidence Bsp<D, Trace>::evidence(bool is_shift) const {
   Evidence evidence;
+  evidence.shift = is_shift;
   evidence.bytes = config_.byte_sweep;
   evidence.skins = config_.skin > 0 && requests_.kind() == VolumeKind::box;
   if (!evidence.bytes || !evidence.skins) return evidence;
-  if (modes_.mode() == Mode::swept) {
+  if (modes_.mode() == Mode::swept && !is_shift) {
     evidence.motions = sample_motions(requests_.latest(), tree_.table, config_, step_);
   } else if (modes_.mode() == Mode::kept && !modes_.regrets()) {
     evidence.leaving = sample_leaving(requests_.latest(), config_, requests_.changed(), requests_.before());
+    if (is_shift) evidence.leaving.motions = {};
   }
   return evidence;
 }
 
 template <int D, class Trace>
-void Bsp<D, Trace>::choose_mode() {
-  modes_.decide(evidence());
+void Bsp<D, Trace>::choose_mode(bool is_shift) {
+  modes_.decide(evidence(is_shift));
   if (modes_.taken() == nullptr) return;
   kept_.forget_pairs();
   if (modes_.mode() != Mode::swept) swept_.forget();
@@ -125,14 +135,17 @@ void Bsp<D, Trace>::choose_mode() {
 template <int D, class Trace>
 void Bsp<D, Trace>::place() {
   const Mode before = modes_.mode();
-  choose_mode();
+  const std::optional<Vector<D>> shift = common_motion();
+  choose_mode(shift.has_value());
   const Mode mode = modes_.mode();
   swept_.begin_step(tree_);
-  const StepContext<D> context{config_, tree_, requests_, workers_, step_};
+  if (shift) shift_planes(tree_, *shift);
+  const StepContext<D> context{config_, tree_, requests_, workers_, step_, shift};
   if (mode == Mode::kept) {
     placed_ = kept_.place(context, before != Mode::kept, reporter_);
     modes_.note_cost(kept_.cost());
-  } else if (before == Mode::kept || (mode == Mode::swept && requests_.exceed(config_.stream_share))) {
+  } else if (before == Mode::kept || shift ||
+             (mode == Mode::swept && requests_.exceed(config_.stream_share))) {
     placed_ = swept_.place_all(context, before, mode, reporter_);
   } else {
     placed_ = OrderedStep<D>::place(context, reporter_);

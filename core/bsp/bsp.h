@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -98,8 +99,9 @@ class Bsp final : public BroadPhase<D> {
     return {tree_.table, *workers_.pool, modes_.mode() == Mode::kept};
   }
   void adapt();
-  [[nodiscard]] Evidence evidence() const;
-  void choose_mode();
+  [[nodiscard]] std::optional<Vector<D>> common_motion() const;
+  [[nodiscard]] Evidence evidence(bool is_shift) const;
+  void choose_mode(bool is_shift);
   void place();
   void sort_leaves();
   void find_pairs();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/tuning.h"
+#include "core/bsp/common_motion.h"
 #include "core/bsp/leaf_boxes.h"
 #include "core/bsp/stream.h"
 #include "core/bsp/view_leaf.h"
@@ -21,9 +22,10 @@ std::uint64_t KeptStep<D>::place(const StepContext<D>& step, bool begins, Report
     return place_all(step, reporter);
   }
   list_sleepers(step);
+  if (step.shift) shift_restless(step);
   follow_restless(step);
   make_fat_boxes(step);
-  if (!step.requests.exceed(tuning::kStreamFactorIfKept * step.config.stream_share))
+  if (!step.shift && !step.requests.exceed(tuning::kStreamFactorIfKept * step.config.stream_share))
     return place_changed(step, reporter);
   take_fat_boxes(step);
   return place_all(step, reporter);
@@ -106,6 +108,30 @@ void KeptStep<D>::follow_restless(const StepContext<D>& step) {
   cost_ = restless_pass_.cost();
 }
 
+/// Restless objects come along, so that most of them are in their leaves still.
+template <int D>
+void KeptStep<D>::shift_restless(const StepContext<D>& step) {
+  const std::span<const ObjectFlags> flags = std::as_const(step.requests).flags();
+  ObjectTable<D>& table = step.tree.table;
+  for (std::uint32_t id = 0; id < std::min(flags.size(), table.bound()); ++id) {
+    if (flags[id] != flag::kUnrequested || !table.is_placed({id})) continue;
+    const Box<D> box = shifted(table.box({id}), *step.shift);
+    if (is_valid(box)) table.widen({id}, box);
+  }
+}
+
+/// The fat box of an object that came along with a shift: its own at another place, if it holds the new box.
+template <int D>
+std::optional<Box<D>> KeptStep<D>::shift_fat_box(const StepContext<D>& step, ObjectId object,
+                                                 const Box<D>& before) const {
+  const ObjectTable<D>& table = step.tree.table;
+  if (!step.shift || !table.is_placed(object) || skins_[object.index()].is_restless()) return std::nullopt;
+  const Box<D> box = step.requests.latest().box(object);
+  const Box<D> fat = table.box(object);
+  const Box<D> moved = fat == before ? box : shifted(fat, *step.shift);
+  return is_valid(moved) && contains(moved, box) ? std::optional(moved) : std::nullopt;
+}
+
 /// The new fat boxes of the objects that left theirs, into fat_.
 template <int D>
 void KeptStep<D>::make_fat_boxes(const StepContext<D>& step) {
@@ -124,7 +150,8 @@ void KeptStep<D>::make_fat_boxes(const StepContext<D>& step) {
       if (latest.is_placed(object)) {
         const PackedBox<D>& before = step.requests.before()[k];
         const bool had_fat = table.is_placed(object) && table.packed(object).lane != before.lane;
-        fat_[k] = make_fat_box(step, object, before.unpack(), had_fat);
+        const auto moved = shift_fat_box(step, object, before.unpack());
+        fat_[k] = moved ? *moved : make_fat_box(step, object, before.unpack(), had_fat);
       } else {
         skin.restless = 0;
       }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,7 +42,10 @@ class KeptStep {
                                     bool had_fat);
   void make_all_fat(const StepContext<D>& step);
   void list_sleepers(const StepContext<D>& step);
+  void shift_restless(const StepContext<D>& step);
   void follow_restless(const StepContext<D>& step);
+  [[nodiscard]] std::optional<Box<D>> shift_fat_box(const StepContext<D>& step, ObjectId object,
+                                                    const Box<D>& before) const;
   void make_fat_boxes(const StepContext<D>& step);
   void take_fat_boxes(const StepContext<D>& step) const;
   template <class Trace>

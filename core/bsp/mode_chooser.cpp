@@ -11,7 +11,7 @@ void ModeChooser::decide(const Evidence& evidence) {
   const auto* const due = std::ranges::find_if(kTransitions, [&](const Transition& transition) {
     return transition.from == mode_ && holds(transition.condition, evidence);
   });
-  const bool knows_motions = mode_ == Mode::swept && evidence.bytes && evidence.skins;
+  const bool knows_motions = mode_ == Mode::swept && evidence.bytes && evidence.skins && !evidence.shift;
   taken_ = due == kTransitions.end() ? nullptr : due;
   if (taken_ != nullptr) enter(taken_->to);
   if (knows_motions) patience_ = std::max(patience_, tuning::kFirstPatience);
@@ -33,7 +33,7 @@ bool ModeChooser::holds(Condition condition, const Evidence& evidence) const {
       return steps_ >= tuning::kLearningSteps && evidence.leaving.share > tuning::kHopelessShare &&
              !are_mild(evidence.leaving.motions);
     case Condition::slow_at_first:
-      return evidence.skins && patience_ == 0 && are_mild(evidence.motions);
+      return evidence.skins && !evidence.shift && patience_ == 0 && are_mild(evidence.motions);
     case Condition::slow_for_long:
       return evidence.skins &&
              against_ >= (crowded_ ? tuning::kLongestPatience : std::max(patience_, tuning::kFirstPatience));
@@ -46,7 +46,7 @@ void ModeChooser::count(const Evidence& evidence) {
   if (mode_ == Mode::ordered || !evidence.bytes || !evidence.skins) {
     forget();
   } else if (mode_ == Mode::swept) {
-    count_motions(evidence.motions);
+    if (!evidence.shift) count_motions(evidence.motions);
   } else if (!regrets_) {
     count_leaving(evidence.leaving);
   }

@@ -14,6 +14,7 @@ struct Evidence {
   bool skins = false;  ///< pairs of fat boxes may be kept
   Motions motions;     ///< while leaves are swept: of all objects
   Leaving leaving;     ///< while pairs are kept: of the objects that left their fat boxes
+  bool shift = false;  ///< nearly all objects moved alike: how they move beside that is not known
 };
 
 /// Decides before each step in which mode it finds its pairs, by the table of transitions (docs/MODES.md).

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "core/base/config.h"
 #include "core/base/task_pool.h"
@@ -27,7 +28,8 @@ struct StepContext {
   Tree<D>& tree;
   Requests<D>& requests;
   Workers<D>& workers;
-  std::uint32_t number;  ///< of the step
+  std::uint32_t number;              ///< of the step
+  std::optional<Vector<D>> shift{};  ///< by which the tree's partitioners moved, with nearly all objects
 
   [[nodiscard]] TaskPool& pool() const { return *workers.pool; }
 };

@@ -79,6 +79,15 @@ kerf_status kerf_world_move(kerf_world* world, const kerf_handle* handles, const
   });
 }
 
+kerf_status kerf_world_shift_origin(kerf_world* world, const float* by) {
+  if (by == nullptr) return KERF_NULL_ARGUMENT;
+  return change_world(world, [=]<int D>(kerf::World<D>& body) {
+    kerf::Vector<D> vector;
+    std::copy_n(by, D, vector.value.begin());
+    return kerf::c::to_c(body.shift_origin(vector));
+  });
+}
+
 kerf_status kerf_world_remove(kerf_world* world, const kerf_handle* handles, size_t count,
                               kerf_status* statuses) {
   if (is_missing(handles, count)) return KERF_NULL_ARGUMENT;

@@ -82,6 +82,11 @@ class World {
   /// Moves are made in the order of the lists; the last one of an object counts.
   WorldStatus move(std::span<const Handle> objects, std::span<const Box<D>> boxes,
                    std::span<WorldStatus> statuses = {});
+  /// Moves every object by the vector: what a program with a floating origin calls. Boxes are moved as floats
+  /// round, and where moves of this step say otherwise, they are moved from there. The tree comes along, so
+  /// that only the step of the shift costs more than others. `bad_value` if the vector is not finite, `clamped`
+  /// if a box would be beyond the range of floats.
+  WorldStatus shift_origin(const Vector<D>& by);
   /// The handle is stale at once. Pairs that the object had in the last step are reported as ended in the
   /// next one, with its handle.
   WorldStatus remove(Handle object);

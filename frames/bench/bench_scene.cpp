@@ -11,7 +11,7 @@
 namespace kerf {
 namespace {
 
-constexpr std::array<BenchScene, 13> kScenes{
+constexpr std::array<BenchScene, 14> kScenes{
     {{"falling", "a third falls onto heaps", make_falling<2>, make_falling<3>},
      {"settled", "a pile that still stirs", make_settled<2>, make_settled<3>},
      {"brownian", "random walk by most of a size a step", make_brownian<2>, make_brownian<3>},
@@ -24,7 +24,8 @@ constexpr std::array<BenchScene, 13> kScenes{
      {"flat", "a crowd on a plane of the world, in 2D along a line", make_flat<2>, make_flat<3>},
      {"dense", "fifty pairs an object", make_dense<2>, make_dense<3>},
      {"rods", "sixty times as long as thick, along the axes", make_rods<2>, make_rods<3>},
-     {"pauses", "all walk for 20 steps and rest for 40, in turns", make_pauses<2>, make_pauses<3>}}};
+     {"pauses", "all walk for 20 steps and rest for 40, in turns", make_pauses<2>, make_pauses<3>},
+     {"shifts", "mostly static; the origin is moved in every tenth step", make_shifts<2>, make_shifts<3>}}};
 
 }  // namespace
 

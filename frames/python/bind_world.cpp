@@ -58,6 +58,10 @@ void bind_requests(py::class_<PythonWorld>& type) {
           py::arg("user_data") = py::none(), kWorldInsert)
       .def("move", &PythonWorld::move, py::arg("handles"), py::arg("boxes"),
            "Gives objects new boxes (n, 2, d); pairs follow in the next step.")
+      .def("shift_origin", &PythonWorld::shift_origin, py::arg("by"),
+           "Moves every object by the vector (d,), as float32 rounds: for a floating origin. The tree comes "
+           "along.\n"
+           "Raises ValueError if the vector is not finite.")
       .def("remove", &PythonWorld::remove, py::arg("handles"),
            "Removes objects. Their pairs end in the next step; their handles name nothing from now on.")
       .def(

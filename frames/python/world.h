@@ -32,6 +32,7 @@ class PythonWorld {
   [[nodiscard]] virtual int dimension() const = 0;
   virtual pybind11::array insert(const pybind11::handle& boxes, const WorldColumns& columns) = 0;
   virtual void move(const pybind11::handle& handles, const pybind11::handle& boxes) = 0;
+  virtual void shift_origin(const pybind11::handle& by) = 0;
   virtual void remove(const pybind11::handle& handles) = 0;
   virtual void set(const pybind11::handle& handles, const WorldColumns& columns) = 0;
   virtual pybind11::array step() = 0;

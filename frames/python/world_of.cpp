@@ -1,6 +1,7 @@
 #include "frames/python/world_of.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <iterator>
 #include <stdexcept>
@@ -92,6 +93,21 @@ void WorldOf<D>::move(const py::handle& handles, const py::handle& boxes) {
     throw py::value_error("boxes: there are " + std::to_string(rows.size()) + " for " +
                           std::to_string(moved.size()) + " handles");
   check_status(world_.move(moved, rows.all()));
+}
+
+template <int D>
+void WorldOf<D>::shift_origin(const py::handle& by) {
+  const UseOnce use(in_use_);
+  const auto numbers = py::array_t<double, kInOrder>::ensure(by);
+  if (!numbers) throw py::error_already_set();
+  Vector<D> vector;
+  if (numbers.ndim() != 1 || numbers.size() != D ||
+      !std::all_of(numbers.data(), numbers.data() + numbers.size(),
+                   [](double x) { return std::isfinite(x); }))
+    throw py::value_error("by: give a finite number for each of the " + std::to_string(D) + " axes");
+  std::transform(numbers.data(), numbers.data() + D, vector.value.begin(),
+                 [](double x) { return static_cast<Scalar>(x); });
+  check_status(world_.shift_origin(vector));
 }
 
 template <int D>

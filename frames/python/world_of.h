@@ -18,6 +18,7 @@ class WorldOf final : public PythonWorld {
   [[nodiscard]] int dimension() const override { return D; }
   pybind11::array insert(const pybind11::handle& boxes, const WorldColumns& columns) override;
   void move(const pybind11::handle& handles, const pybind11::handle& boxes) override;
+  void shift_origin(const pybind11::handle& by) override;
   void remove(const pybind11::handle& handles) override;
   void set(const pybind11::handle& handles, const WorldColumns& columns) override;
   pybind11::array step() override;

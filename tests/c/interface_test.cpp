@@ -313,6 +313,8 @@ TEST(CInterface, NullIsRefused) {
       kerf_world_set_filter(nullptr, handle, 0, 0, 0),
       kerf_world_set_user_data(nullptr, handle, 0),
       kerf_world_set_margin(nullptr, handle, 0),
+      kerf_world_shift_origin(nullptr, to.data()),
+      kerf_world_shift_origin(world, nullptr),
       kerf_world_set_callback(nullptr, nullptr, nullptr),
       kerf_world_set_threads(nullptr, 1),
       kerf_world_step(nullptr),
@@ -370,6 +372,8 @@ TEST(CInterface, BadBoxesAndStaleHandlesHaveStatusesOfTheirOwn) {
   EXPECT_EQ(kerf_world_get_box(world.get(), handle, box.data()), KERF_OK);
   EXPECT_EQ(box[0], -std::numeric_limits<float>::max());
   EXPECT_EQ(kerf_world_set_margin(world.get(), handle, kNan), KERF_BAD_VALUE);
+  const std::array<float, 2> nowhere{0, kNan};
+  EXPECT_EQ(kerf_world_shift_origin(world.get(), nowhere.data()), KERF_BAD_VALUE);
   for (const std::uint32_t kind : {4U, 255U, 256U, UINT32_MAX})
     EXPECT_EQ(kerf_world_set_kind(world.get(), handle, kind), KERF_BAD_VALUE);
   EXPECT_EQ(kerf_world_set_threads(world.get(), 0), KERF_BAD_OPTION);

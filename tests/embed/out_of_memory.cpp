@@ -121,6 +121,7 @@ bool run(long allocation) {
     expect(kerf_world_step(world), allocation);
     expect(kerf_world_move(world, handles.data(), boxes[step].data(), kObjects, nullptr), allocation);
     expect(kerf_world_set_margin(world, handles[step], 0.5F), allocation);
+    expect(kerf_world_shift_origin(world, boxes[step].data()), allocation);
     expect(kerf_world_set_kind(world, handles[step], KERF_FIXED), allocation);
     expect(kerf_world_set_kind(world, handles[step], KERF_MOVING), allocation);
     expect(kerf_world_remove(world, &handles[20 + step], 1, nullptr), allocation);

@@ -27,6 +27,21 @@ def test_pairs_are_those_of_brute_force(dimension):
     assert (world.handles == handles).all() and len(world) == 300 and world.bound == 300
 
 
+def test_the_origin_is_shifted():
+    boxes = random_boxes(300, 3, size=0.2)
+    world = kerf.World(3)
+    handles = world.insert(boxes)
+    world.step()
+    world.shift_origin([100, 0, -50])
+    moved = boxes + np.array([100, 0, -50], np.float32)
+    assert (world.boxes(handles) == moved).all()
+    assert indices(world.step()) == brute_force(moved)
+    for by in [[1, 2], [1, 2, np.nan], [1, 2, np.inf], 3]:
+        with pytest.raises(ValueError, match="by: give a finite number for each of the 3 axes"):
+            world.shift_origin(by)
+    assert (world.boxes(handles) == moved).all()
+
+
 def test_kinds_and_filters_decide_which_pairs_are_reported():
     world = kerf.World(2)
     kinds = ["fixed", "kinematic", "moving", "sensor"]

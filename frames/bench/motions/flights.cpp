@@ -51,7 +51,7 @@ class Teleport final : public Scattered<D> {
 };
 
 template <int D>
-class MostlyStatic final : public Scattered<D> {
+class MostlyStatic : public Scattered<D> {
  public:
   MostlyStatic(std::uint32_t count, std::uint64_t seed) : Scattered<D>(count, seed, side_for(count, D)) {
     this->all_move_ = false;
@@ -88,6 +88,32 @@ class MostlyStatic final : public Scattered<D> {
   std::vector<ObjectId> order_;  ///< the awake ones come first
 };
 
+/// The same world, seen from an origin that goes away and comes back again.
+template <int D>
+class Shifts final : public MostlyStatic<D> {
+ public:
+  Shifts(std::uint32_t count, std::uint64_t seed) : MostlyStatic<D>(count, seed) {
+    this->bounds_ = this->cube(2 * this->side_);
+  }
+  void advance() override {
+    MostlyStatic<D>::advance();
+    if (++step_ % kInterval == 0) {
+      is_away_ = !is_away_;
+      this->moved_.clear();
+      for (std::uint32_t k = 0; k < this->moving_; ++k) this->moved_.push_back({k});
+    }
+    const Vector<D> by = this->along_all(is_away_ ? this->side_ : 0);
+    for (const ObjectId object : this->moved_)
+      this->boxes_[object.index()] =
+          this->around(this->centers_[object.index()] + by, this->halves_[object.index()]);
+  }
+
+ private:
+  static constexpr std::uint32_t kInterval = 10;
+  std::uint32_t step_ = 0;
+  bool is_away_ = false;
+};
+
 }  // namespace
 
 template <int D>
@@ -115,6 +141,11 @@ std::unique_ptr<Motion<D>> make_mostly_static(std::uint32_t count, std::uint64_t
   return std::make_unique<MostlyStatic<D>>(count, seed);
 }
 
+template <int D>
+std::unique_ptr<Motion<D>> make_shifts(std::uint32_t count, std::uint64_t seed) {
+  return std::make_unique<Shifts<D>>(count, seed);
+}
+
 template std::unique_ptr<Motion<2>> make_brownian<2>(std::uint32_t, std::uint64_t);
 template std::unique_ptr<Motion<3>> make_brownian<3>(std::uint32_t, std::uint64_t);
 template std::unique_ptr<Motion<2>> make_pauses<2>(std::uint32_t, std::uint64_t);
@@ -125,5 +156,7 @@ template std::unique_ptr<Motion<2>> make_teleport<2>(std::uint32_t, std::uint64_
 template std::unique_ptr<Motion<3>> make_teleport<3>(std::uint32_t, std::uint64_t);
 template std::unique_ptr<Motion<2>> make_mostly_static<2>(std::uint32_t, std::uint64_t);
 template std::unique_ptr<Motion<3>> make_mostly_static<3>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<2>> make_shifts<2>(std::uint32_t, std::uint64_t);
+template std::unique_ptr<Motion<3>> make_shifts<3>(std::uint32_t, std::uint64_t);
 
 }  // namespace kerf

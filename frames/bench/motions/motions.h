@@ -43,6 +43,9 @@ std::unique_ptr<Motion<D>> make_buckets(std::uint32_t count, std::uint64_t seed)
 /// objects are not fixed: their pairs belong to the complete set.
 template <int D>
 std::unique_ptr<Motion<D>> make_mostly_static(std::uint32_t count, std::uint64_t seed);
+/// Mostly static, but the origin is moved by the world's diagonal, there or back, in every tenth step.
+template <int D>
+std::unique_ptr<Motion<D>> make_shifts(std::uint32_t count, std::uint64_t seed);
 
 /// Needles of length 1 to 8, nearly diagonal, that fly lengthwise and turn. Their boxes are large and differ
 /// much in size.

@@ -14,6 +14,8 @@ class Choice {
   void swept(const Motions& motions) { chooser_.decide({true, true, motions, {}}); }
   /// Decides about the step after one with kept pairs.
   void kept(const Leaving& leaving) { chooser_.decide({true, true, {}, leaving}); }
+  /// Decides about the step after one with swept leaves, in which all objects moved alike.
+  void swept_shift(const Motions& motions) { chooser_.decide({true, true, motions, {}, true}); }
   void cost(float cost) { chooser_.note_cost(cost); }
   [[nodiscard]] ModeChooser& chooser() { return chooser_; }
 
@@ -45,6 +47,20 @@ Choice keeping() {
   Choice choice;
   choice.swept({});
   return choice;
+}
+
+TEST(ModeChooser, AShiftOfTheOriginIsNoEvidenceOfSpeed) {
+  Choice choice;
+  choice.swept_shift({});
+  EXPECT_FALSE(choice.keeps()) << "no speed is known yet";
+  choice.swept({0.016F, 0});
+  for (int k = 0; k < 3; ++k) {
+    choice.swept({0.009F, 0});
+    choice.swept_shift({100, 1});
+    EXPECT_FALSE(choice.keeps()) << k;
+  }
+  choice.swept({0.009F, 0});
+  EXPECT_TRUE(choice.keeps()) << "four slow steps beside the shifts";
 }
 
 TEST(ModeChooser, TheFirstSpeedsDecideAtOnce) {

@@ -34,6 +34,9 @@ class ModelWorld {
     if (object.def.margin == 0 || !kerf::contains(object.fat, box))
       object.fat = grown(box, object.def.margin);
   }
+  void shift_origin(const Vector<D>& by) {
+    for (const auto& [handle, object] : objects) move(handle, {object.box.min + by, object.box.max + by});
+  }
   void set_margin(Handle handle, Scalar margin) {
     Object& object = objects.at(handle);
     object.def.margin = margin;

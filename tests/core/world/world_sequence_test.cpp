@@ -54,7 +54,7 @@ class Sequence {
   }
 
   void request() {
-    switch (random_.below(16)) {
+    switch (random_.below(17)) {
       case 0:
       case 1:
         return insert();
@@ -77,12 +77,17 @@ class Sequence {
       case 10:
       case 11:
         return step();
+      case 12:
+        return shift_origin();
       default:
         return move_many();
     }
   }
 
-  Box<D> some_box() { return random_box<D>(random_, kSide, random_.below(20) == 0 ? kSide / 2 : 1); }
+  Box<D> some_box() {
+    const Box<D> box = random_box<D>(random_, kSide, random_.below(20) == 0 ? kSide / 2 : 1);
+    return {box.min + origin_, box.max + origin_};
+  }
   /// Now and then a box that is none.
   Box<D> given_box() {
     Box<D> box = some_box();
@@ -219,6 +224,12 @@ class Sequence {
     const Scalar margin = random_.below(2) == 0 ? 0 : static_cast<Scalar>(random_.uniform(0, 1));
     if (expect_alive(world_.set_margin(handle, margin), handle)) model_.set_margin(handle, margin);
   }
+  void shift_origin() {
+    const Vector<D> by = random_point<D>(random_, -kSide, kSide);
+    EXPECT_EQ(world_.shift_origin(by), WorldStatus::ok);
+    model_.shift_origin(by);
+    origin_ = origin_ + by;
+  }
   bool expect_alive(WorldStatus status, Handle handle) {
     EXPECT_EQ(status, lives(handle) ? WorldStatus::ok : WorldStatus::stale_handle);
     return lives(handle);
@@ -269,6 +280,7 @@ class Sequence {
   }
 
   Random random_;
+  Vector<D> origin_{};  ///< of the boxes that come
   bool asks_;
   ModelWorld<D> model_;
   World<D> world_;

@@ -1,0 +1,135 @@
+// Worlds whose origin is moved while pairs are kept, or while leaves are swept.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/bsp/bsp.h"
+#include "core/bsp/bsp_state.h"
+#include "core/replay/oracle.h"
+#include "core/tree/validate.h"
+#include "tests/support/boxes.h"
+#include "tests/support/dimensions.h"
+#include "tests/support/pairs.h"
+
+namespace kerf::test {
+namespace {
+
+Config leaves_of_32() {
+  Config config = tuned_config();
+  config.min_threshold = config.max_threshold = 32;
+  return config;
+}
+
+/// Objects of which a share moves a little in each step.
+template <int D>
+class ShiftedWorld {
+ public:
+  static constexpr std::uint32_t kCount = 600;
+
+  ShiftedWorld(double moving, double reach) : moving_(moving), reach_(reach) {
+    for (std::uint32_t id = 0; id < kCount; ++id) {
+      ids_.push_back({id});
+      boxes_.push_back(random_box<D>(random_, 10, 0.5));
+      EXPECT_EQ(tree_.insert({id}, boxes_[id], id % 8 == 0 ? Mobility::fixed : Mobility::moving), Status::ok);
+    }
+    tree_.step();
+  }
+
+  /// One step, in which everything moves by the vector, too, and one object to the place of another.
+  void step(const Vector<D>& by = {}, std::optional<std::pair<std::uint32_t, std::uint32_t>> jump = {}) {
+    for (std::uint32_t id = 0; id < kCount; ++id) {
+      const bool moves = id % 8 != 0 && random_.uniform(0, 1) < moving_;
+      const Vector<D> way = moves ? random_point<D>(random_, -reach_, reach_) + by : by;
+      boxes_[id] = {boxes_[id].min + way, boxes_[id].max + way};
+    }
+    if (jump) boxes_[jump->first] = boxes_[jump->second];
+    EXPECT_EQ(tree_.move_many(ids_, boxes_), Status::ok);
+    tree_.step();
+    EXPECT_TRUE(same_pairs(tree_.pairs(), oracle_pairs(tree_.objects())));
+    EXPECT_TRUE(validate(tree_.tree()).empty());
+  }
+  void steps(int count) {
+    for (int k = 0; k < count; ++k) step();
+  }
+  [[nodiscard]] const Bsp<D>& tree() const { return tree_; }
+  Random& random() { return random_; }
+
+ private:
+  Random random_{11};
+  double moving_;
+  double reach_;
+  std::vector<ObjectId> ids_;
+  std::vector<Box<D>> boxes_;
+  Bsp<D> tree_{leaves_of_32()};
+};
+
+template <class Dim>
+class Shifts : public testing::Test {};
+TYPED_TEST_SUITE(Shifts, Dimensions, DimensionNames);
+
+/// Far shifts round the boxes, so that touching ones overlap or part.
+TYPED_TEST(Shifts, PairsAreThoseOfTheBoxesWhereverTheOriginIs) {
+  constexpr int kD = TypeParam::value;
+  for (const double moving : {0.0, 0.05, 1.0}) {
+    ShiftedWorld<kD> world(moving, 0.01);
+    world.steps(12);
+    for (const double reach : {5.0, 300.0, 1e5, 3e7}) {
+      for (int k = 0; k < 6; ++k) {
+        world.step(random_point<kD>(world.random(), -reach, reach));
+        world.steps(k);
+      }
+    }
+  }
+}
+
+/// Neither what is kept nor how the tree is divided is given up.
+TYPED_TEST(Shifts, TheTreeComesAlong) {
+  constexpr int kD = TypeParam::value;
+  ShiftedWorld<kD> world(0.05, 0.01);
+  world.steps(40);
+  ASSERT_EQ(world.tree().mode(), Mode::kept);
+  const Statistics before = world.tree().statistics();
+  ASSERT_GT(before.leaves, 8U);
+  for (int k = 0; k < 10; ++k) {
+    Vector<kD> by;
+    by[k % kD] = 100;
+    world.step(by);
+    EXPECT_EQ(world.tree().mode(), Mode::kept) << "shift " << k;
+    world.steps(5);
+    EXPECT_EQ(world.tree().mode(), Mode::kept) << "after shift " << k;
+  }
+  const Statistics after = world.tree().statistics();
+  EXPECT_NEAR(after.leaves, before.leaves, before.leaves / 4.0);
+  EXPECT_LE(after.operators[0] + after.operators[2], before.operators[0] + before.operators[2] + 20);
+}
+
+/// Its fat box does not come along.
+TYPED_TEST(Shifts, WhatMovesElsewhereInTheSameStepIsFoundThere) {
+  constexpr int kD = TypeParam::value;
+  ShiftedWorld<kD> world(0.01, 0.01);
+  world.steps(40);
+  for (std::uint32_t k = 0; k < 10; ++k) {
+    Vector<kD> by;
+    by[0] = k % 2 == 0 ? 100 : -100;
+    world.step(by, std::pair{8 * k + 1, 8 * k + 2});
+    EXPECT_EQ(world.tree().mode(), Mode::kept) << "shift " << k;
+    world.steps(5);
+  }
+}
+
+/// A world that flies by in every step is swept, not kept.
+TYPED_TEST(Shifts, WhatShiftsInEachStepIsSwept) {
+  constexpr int kD = TypeParam::value;
+  ShiftedWorld<kD> world(0.05, 0.01);
+  world.steps(40);
+  Vector<kD> by;
+  by[0] = 3;
+  for (int k = 0; k < 12; ++k) world.step(by);
+  EXPECT_EQ(world.tree().mode(), Mode::swept);
+}
+
+}  // namespace
+}  // namespace kerf::test
