@@ -84,8 +84,8 @@ class World {
                    std::span<WorldStatus> statuses = {});
   /// Moves every object by the vector: what a program with a floating origin calls. Boxes are moved as floats
   /// round, and where moves of this step say otherwise, they are moved from there. The tree comes along, so
-  /// that only the step of the shift costs more than others. `bad_value` if the vector is not finite, `clamped`
-  /// if a box would be beyond the range of floats.
+  /// that only the step of the shift costs more than others. `bad_value` if the vector is not finite,
+  /// `clamped` if a box would be beyond the range of floats.
   WorldStatus shift_origin(const Vector<D>& by);
   /// The handle is stale at once. Pairs that the object had in the last step are reported as ended in the
   /// next one, with its handle.
