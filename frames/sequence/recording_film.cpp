@@ -71,7 +71,7 @@ class RecordingFilm final : public Film {
     while (replayer_.step() < step) {
       replayer_.advance();
       take_events();
-      if (replayer_.step() < step) planner_.observe(moment());
+      if (replayer_.step() < step) observe();
       if (!go_on(replayer_.step())) return false;
     }
     return true;
@@ -119,7 +119,15 @@ class RecordingFilm final : public Film {
     replayer_.seek(step);
     planner_.forget();
     recent_.clear();
-    planner_.observe(moment());
+    observe();
+  }
+
+  /// A moment that is not drawn here, but may be by another shard: both have to see the same.
+  void observe() {
+    const std::vector<Body<D>> bodies = recorded_bodies<D>(replayer_.tree().objects());
+    FrameInput<D> input = moment();
+    input.bodies = bodies;
+    planner_.observe(input);
   }
 
   void take_events() {
@@ -127,7 +135,7 @@ class RecordingFilm final : public Film {
     keep_recent_operators(recording_->step(now).events, now, highlight_steps_, recent_);
   }
 
-  /// The input that a planner needs for any step.
+  /// What a planner needs of any step beside its bodies.
   [[nodiscard]] FrameInput<D> moment() const {
     FrameInput<D> input;
     input.tree = &replayer_.tree().tree();

@@ -28,9 +28,11 @@ std::vector<Event> recent_operators(RecordingReader<D>& recording, const Positio
 template <int D>
 void observe_moments_before(Cursor<D>& cursor, FramePlanner<D>& planner) {
   const Position now = cursor.position();
-  const auto observe = [&](const Tree<D>& tree, const Position& at) {
+  const auto observe = [&](const Tree<D>& tree, const ObjectTable<D>& latest, const Position& at) {
     const std::vector<Event> events = recent_operators(cursor.recording(), at);
+    const std::vector<Body<D>> bodies = recorded_bodies<D>(latest);
     FrameInput<D> input;
+    input.bodies = bodies;
     input.tree = &tree;
     input.events = events;
     input.caption.step = at.step;
@@ -39,10 +41,11 @@ void observe_moments_before(Cursor<D>& cursor, FramePlanner<D>& planner) {
   Replayer<D>& replayer = cursor.replayer();
   for (std::uint32_t step = now.step - std::min(now.step, kHighlightSteps); step < now.step; ++step) {
     replayer.seek(step);
-    observe(replayer.tree().tree(), Position::end_of(step));
+    observe(replayer.tree().tree(), replayer.tree().objects(), Position::end_of(step));
   }
   if (now.is_end() || now.event == 0) return;
-  observe(state_before(replayer, now.event).tree, {now.step, now.event - 1});
+  const auto before = state_before(replayer, now.event);
+  observe(before.tree, before.latest, {now.step, now.event - 1});
 }
 
 /// The text for an event. In the middle of a step the pairs are those of the step before.

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -30,7 +31,9 @@ class ShardProgram : public ::testing::TestWithParam<const char*> {
   [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
 
   [[nodiscard]] RunOutcome render(const std::string& name, std::vector<std::string> more = {}) const {
-    std::vector<std::string> arguments{"render", recording(), "--size", "200x120", "--steps", "3:60:5"};
+    std::vector<std::string> arguments{"render", recording(), "--size", "200x120"};
+    if (std::ranges::find(more, "--steps") == more.end())
+      arguments.insert(arguments.end(), {"--steps", "3:60:5"});
     arguments.insert(arguments.end(), {"--out", path(name)});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_kerf(arguments);
@@ -58,6 +61,18 @@ TEST_P(ShardProgram, ShardsAreTheWhole) {
   expect_same_files("all", "together");
   EXPECT_TRUE(std::filesystem::exists(path("film.gif")));
   EXPECT_GT(read_png(path("sheet.png")).width, 200);
+}
+
+/// An operator's label stays where it was first seen, also if that frame was another shard's.
+TEST_P(ShardProgram, AFrameIsTheSameWhicheverFramesAreDrawnBeforeIt) {
+  ASSERT_EQ(render("all", {"--steps", "1:60:1"}).exit, kExitHolds);
+  for (const char* const k : {"1", "2", "3", "4"})
+    ASSERT_EQ(render(std::string("s") + k, {"--steps", "1:60:1", "--shard", std::string(k) + "/4"}).exit,
+              kExitHolds);
+  ASSERT_EQ(
+      run_kerf({"collect", path("s1"), path("s2"), path("s3"), path("s4"), "--out", path("together")}).exit,
+      kExitHolds);
+  expect_same_files("all", "together");
 }
 
 TEST_P(ShardProgram, WhatIsMissingOrDamagedIsNamed) {

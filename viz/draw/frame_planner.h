@@ -43,7 +43,8 @@ class FramePlanner {
 
   /// The plan is valid until the next call.
   const FramePlan<D>& plan(const FrameInput<D>& input);
-  /// A moment that is not drawn; its operators may be shown by a later frame.
+  /// A moment that is not drawn; its operators may be shown by a later frame. Its bodies belong to it: they
+  /// say how large planes and cells are.
   void observe(const FrameInput<D>& input);
   /// Forgets all moments, but not what was fixed.
   void forget();
