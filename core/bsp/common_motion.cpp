@@ -1,9 +1,9 @@
 #include "core/bsp/common_motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "core/base/tuning.h"
 #include "core/bsp/sample_place.h"
@@ -40,30 +40,79 @@ float reach_of(const Vector<D>& by) {
   return most;
 }
 
+/// The motions of the objects of a sample.
+template <int D>
+class ShiftSample {
+ public:
+  ShiftSample(const Requests<D>& requests, const ObjectTable<D>& tree, bool keeps)
+      : requests_(requests), tree_(tree), keeps_(keeps) {}
+  [[nodiscard]] std::uint32_t size() const {
+    return static_cast<std::uint32_t>(std::min(tuning::kMotionSample, requests_.changed().size()));
+  }
+  /// None for an object that comes or goes.
+  [[nodiscard]] std::optional<SampledMotion<D>> operator[](std::uint32_t k) const {
+    const std::size_t at = sample_place(k, requests_.changed().size());
+    const ObjectId object = requests_.changed()[at];
+    if (!requests_.latest().is_placed(object) || !tree_.is_placed(object)) return std::nullopt;
+    const Box<D> before = keeps_ ? requests_.before()[at].unpack() : tree_.box(object);
+    const Box<D> now = requests_.latest().box(object);
+    return SampledMotion<D>{now.min - before.min, size_and_speed(now, before).size};
+  }
+
+ private:
+  const Requests<D>& requests_;
+  const ObjectTable<D>& tree_;
+  bool keeps_;
+};
+
+/// Whether two objects moved alike, as far as one of them shows.
+template <int D>
+bool is_alike(const SampledMotion<D>& motion, const Vector<D>& by, float tolerance) {
+  return reach_of(motion.by - by) <= tolerance * motion.size;
+}
+
+/// False after a few objects if most of them move slowly or each its own way, as in nearly every step.
+template <int D>
+bool may_be_common(const ShiftSample<D>& sample) {
+  Vector<D> by;
+  std::uint32_t votes = 0;
+  std::uint32_t others = 0;
+  for (std::uint32_t k = 0; k < sample.size(); ++k) {
+    const auto motion = sample[k];
+    if (!motion || reach_of(motion->by) < (1 - tuning::kAlike) * motion->size) {
+      ++others;
+    } else if (votes == 0) {
+      by = motion->by;
+      votes = 1;
+    } else if (is_alike(*motion, by, 2 * tuning::kAlike)) {
+      ++votes;
+    } else {
+      --votes;
+      ++others;
+    }
+    if (others > 2 + k / 3) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 template <int D>
 std::optional<Vector<D>> common_motion(const Requests<D>& requests, const ObjectTable<D>& tree, bool keeps) {
   if (requests.kind() != VolumeKind::box || !requests.exceed(tuning::kLeastShareAlike)) return std::nullopt;
-  const std::span<const ObjectId> changed = requests.changed();
-  const ObjectTable<D>& latest = requests.latest();
-  std::vector<SampledMotion<D>> sample;
-  const auto count = static_cast<std::uint32_t>(std::min(tuning::kMotionSample, changed.size()));
-  for (std::uint32_t k = 0; k < count; ++k) {
-    const std::size_t at = sample_place(k, changed.size());
-    const ObjectId object = changed[at];
-    if (!latest.is_placed(object) || !tree.is_placed(object)) continue;
-    const Box<D> before = keeps ? requests.before()[at].unpack() : tree.box(object);
-    const Box<D> now = latest.box(object);
-    sample.push_back({now.min - before.min, size_and_speed(now, before).size});
-  }
-  if (sample.empty()) return std::nullopt;
-  const Vector<D> by = median<D>(sample);
+  const ShiftSample<D> sample(requests, tree, keeps);
+  if (!may_be_common(sample)) return std::nullopt;
+  std::vector<SampledMotion<D>> motions;
+  for (std::uint32_t k = 0; k < sample.size(); ++k)
+    if (const auto motion = sample[k]) motions.push_back(*motion);
+  if (motions.empty()) return std::nullopt;
+  const Vector<D> by = median<D>(motions);
   const float reach = reach_of(by);
-  const auto alike = std::ranges::count_if(sample, [&](const SampledMotion<D>& motion) {
-    return reach >= motion.size && reach_of(motion.by - by) <= tuning::kAlike * motion.size;
+  const auto alike = std::ranges::count_if(motions, [&](const SampledMotion<D>& motion) {
+    return reach >= motion.size && is_alike(motion, by, tuning::kAlike);
   });
-  const bool are_alike = static_cast<float>(alike) >= tuning::kLeastShareAlike * static_cast<float>(count);
+  const bool are_alike =
+      static_cast<float>(alike) >= tuning::kLeastShareAlike * static_cast<float>(sample.size());
   return are_alike && std::isfinite(reach) ? std::optional(by) : std::nullopt;
 }
 

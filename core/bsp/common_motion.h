@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "core/bsp/requests.h"
 #include "core/geometry/vector.h"
@@ -12,8 +9,8 @@
 namespace kerf {
 
 /// The vector by which the objects of a world moved since the last step, if nearly all of them moved alike
-/// and farther than they are large: the origin was moved, and the world itself hardly. A sample
-/// decides; a mistake costs time, never a pair. None for volumes that are not boxes.
+/// and farther than they are large: the origin was moved, and the world itself hardly. A sample decides; a
+/// mistake costs time, never a pair. None for volumes that are not boxes.
 template <int D>
 std::optional<Vector<D>> common_motion(const Requests<D>& requests, const ObjectTable<D>& tree, bool keeps);
 

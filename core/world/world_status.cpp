@@ -14,7 +14,7 @@ std::string_view to_string(WorldStatus status) {
     case WorldStatus::bad_box:
       return "the box has NaN, or a minimum above its maximum: give it finite numbers with min <= max";
     case WorldStatus::bad_value:
-      return "a kind must be one of the list, a margin finite and not negative";
+      return "a kind must be one of the list, a margin finite and not negative, a shift finite";
     case WorldStatus::bad_length:
       return "the lists of a batch have different lengths: nothing was done";
     case WorldStatus::full:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 
 #include "frames/python/arrays.h"
@@ -103,7 +104,7 @@ void WorldOf<D>::shift_origin(const py::handle& by) {
   Vector<D> vector;
   if (numbers.ndim() != 1 || numbers.size() != D ||
       !std::all_of(numbers.data(), numbers.data() + numbers.size(),
-                   [](double x) { return std::isfinite(x); }))
+                   [](double x) { return std::abs(x) <= std::numeric_limits<Scalar>::max(); }))
     throw py::value_error("by: give a finite number for each of the " + std::to_string(D) + " axes");
   std::transform(numbers.data(), numbers.data() + D, vector.value.begin(),
                  [](double x) { return static_cast<Scalar>(x); });

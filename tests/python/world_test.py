@@ -36,7 +36,7 @@ def test_the_origin_is_shifted():
     moved = boxes + np.array([100, 0, -50], np.float32)
     assert (world.boxes(handles) == moved).all()
     assert indices(world.step()) == brute_force(moved)
-    for by in [[1, 2], [1, 2, np.nan], [1, 2, np.inf], 3]:
+    for by in [[1, 2], [1, 2, np.nan], [1, 2, np.inf], [1, 2, 1e300], 3]:
         with pytest.raises(ValueError, match="by: give a finite number for each of the 3 axes"):
             world.shift_origin(by)
     assert (world.boxes(handles) == moved).all()
