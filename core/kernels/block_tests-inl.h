@@ -21,7 +21,6 @@ HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::size_t kWidth = 8;
 #if HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86
 constexpr std::size_t kPart = 8;
 #else
@@ -115,8 +114,9 @@ struct TestOf<D, CastTest<D>> {
         meet(rows, i, begin, end);
         continue;
       }
-      stays = hn::And(stays, hn::Le(hn::Load(f, rows + i * kWidth), hn::Set(f, given_.near_start[i])));
-      stays = hn::And(stays, hn::Ge(hn::Load(f, rows + (i + D) * kWidth), hn::Set(f, given_.far_start[i])));
+      stays = hn::And(stays, hn::Le(hn::Load(f, rows + i * kBlockWidth), hn::Set(f, given_.near_start[i])));
+      stays =
+          hn::And(stays, hn::Ge(hn::Load(f, rows + (i + D) * kBlockWidth), hn::Set(f, given_.far_start[i])));
     }
     return {hn::And(stays, hn::Le(begin, end)), begin, end};
   }
@@ -129,8 +129,8 @@ struct TestOf<D, CastTest<D>> {
  private:
   HWY_INLINE void meet(const float* rows, std::size_t i, Some& begin, Some& end) const {
     const FloatTag f;
-    const Some near = hn::Load(f, rows + (i + falls_[i]) * kWidth);
-    const Some far = hn::Load(f, rows + (i + D - falls_[i]) * kWidth);
+    const Some near = hn::Load(f, rows + (i + falls_[i]) * kBlockWidth);
+    const Some far = hn::Load(f, rows + (i + D - falls_[i]) * kBlockWidth);
     begin = hn::Max(
         begin, hn::Mul(hn::Sub(near, hn::Set(f, given_.near_start[i])), hn::Set(f, given_.near_factor[i])));
     end = hn::Min(end,

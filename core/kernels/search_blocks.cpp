@@ -28,7 +28,7 @@ struct Queue {
 
 HWY_INLINE bool has_blocks(std::uint32_t item) { return (item & 1U) != 0; }
 HWY_INLINE bool has_room(const FoundRoom& room) {
-  return static_cast<std::size_t>(room.limit - room.next) >= kWidth;
+  return static_cast<std::size_t>(room.limit - room.next) >= kBlockWidth;
 }
 
 template <int D>
@@ -40,12 +40,12 @@ HWY_INLINE void overlap_all(const BlockView<D>& view, const Box<D>& box, FoundRo
     const std::uint32_t item = queue.take();
     const WideBlock<D>& block = view.blocks[item >> 1U];
     if (has_blocks(item)) {
-      for (std::size_t k = 0; k < kWidth; k += kPart)
+      for (std::size_t k = 0; k < kBlockWidth; k += kPart)
         queue.tail += write_items(block, k, test(block, k), queue.waiting + queue.tail);
       continue;
     }
     if (!has_room(room) && !room.make_room(room)) return;
-    for (std::size_t k = 0; k < kWidth; k += kPart)
+    for (std::size_t k = 0; k < kBlockWidth; k += kPart)
       room.next += write_items(block, k, test(block, k), room.next);
   }
 }
@@ -59,13 +59,13 @@ HWY_INLINE void possible_all(const BlockView<D>& view, const Test& given, FoundR
     const std::uint32_t item = queue.take();
     const WideBlock<D>& block = view.blocks[item >> 1U];
     if (has_blocks(item)) {
-      for (std::size_t k = 0; k < kWidth; k += kPart)
+      for (std::size_t k = 0; k < kBlockWidth; k += kPart)
         queue.tail += write_items(block, k, test(block, k).possible, queue.waiting + queue.tail);
       continue;
     }
     if (!has_room(room) && !room.make_room(room)) return;
-    const std::uint32_t first = (item >> 1U) * kWidth;
-    for (std::size_t k = 0; k < kWidth; k += kPart) {
+    const std::uint32_t first = (item >> 1U) * kBlockWidth;
+    for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
       const auto answer = test(block, k);
       std::uint32_t bits = bits_of(answer.possible);
       if (bits == 0) continue;
@@ -111,11 +111,11 @@ HWY_INLINE void near_all(const BlockView<D>& view, const Test& given, NearRoom& 
     if (!(top.key <= room.bound)) continue;
     const WideBlock<D>& block = view.blocks[top.item >> 1U];
     const Some bound = hn::Set(FloatTag(), room.bound);
-    HWY_ALIGN float keys[kWidth];
+    HWY_ALIGN float keys[kBlockWidth];
     std::uint32_t possible = 0;
     std::uint32_t sure = 0;
     const bool inner = has_blocks(top.item);
-    for (std::size_t k = 0; k < kWidth; k += kPart) {
+    for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
       const Answer answer = test(block, k);
       hn::Store(answer.key, FloatTag(), keys + k);
       possible |= bits_of(hn::And(answer.possible, hn::Le(answer.key, bound))) << k;
@@ -125,7 +125,7 @@ HWY_INLINE void near_all(const BlockView<D>& view, const Test& given, NearRoom& 
       size += add_sorted(block, possible, keys, waiting + size);
       continue;
     }
-    const std::uint32_t first = (top.item >> 1U) * kWidth;
+    const std::uint32_t first = (top.item >> 1U) * kBlockWidth;
     for (; possible != 0; possible &= possible - 1) {
       const std::uint32_t lane = first_bit(possible);
       if (keys[lane] <= room.bound)

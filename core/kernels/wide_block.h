@@ -7,17 +7,18 @@
 
 namespace kerf {
 
+inline constexpr std::size_t kBlockWidth = 8;
+
 /// Eight boxes side by side, so that a vector instruction tests all of them, and what each of them bounds: an
 /// object, or another block. An empty slot has the box from infinity to minus infinity.
 template <int D>
 struct alignas(64) WideBlock {
-  static constexpr std::size_t kWidth = 8;
   static constexpr std::uint32_t kUnused = UINT32_MAX;
 
-  Scalar min[D][kWidth];
-  Scalar max[D][kWidth];
+  Scalar min[D][kBlockWidth];
+  Scalar max[D][kBlockWidth];
   std::uint32_t
-      item[kWidth];  ///< the object's id, or twice the block's index, plus 1 if its items are blocks
+      item[kBlockWidth];  ///< the object's id, or twice the block's index, plus 1 if its items are blocks
 
   [[nodiscard]] Box<D> box(std::size_t k) const {
     Box<D> box;

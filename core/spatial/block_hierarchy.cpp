@@ -6,7 +6,6 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t kWidth = 8;
 /// How much the bounds may grow before the hierarchy is built anew.
 constexpr double kMostCost = 1.5;
 
@@ -25,7 +24,7 @@ Box<D> bounds_of(const WideBlock<D>& block) {
   for (int i = 0; i < D; ++i) {
     Scalar low = block.min[i][0];
     Scalar high = block.max[i][0];
-    for (std::size_t k = 1; k < kWidth; ++k) {
+    for (std::size_t k = 1; k < kBlockWidth; ++k) {
       low = std::min(low, block.min[i][k]);
       high = std::max(high, block.max[i][k]);
     }
@@ -71,7 +70,7 @@ template <int D>
 std::size_t BlockHierarchy<D>::take_boxes(const ObjectTable<D>& objects, std::size_t block) {
   WideBlock<D>& wide = blocks_[block];
   std::size_t placed = 0;
-  for (std::size_t k = 0; k < kWidth; ++k) {
+  for (std::size_t k = 0; k < kBlockWidth; ++k) {
     const ObjectId object{wide.item[k]};
     const bool is_placed = objects.is_placed(object);
     wide.set(k, is_placed ? objects.box(object) : no_box<D>());
@@ -86,7 +85,7 @@ void BlockHierarchy<D>::join_upwards() {
   double sum = 0;
   for (std::size_t block = blocks_.size(); block-- > 1;) {
     const Box<D> box = bounds_of(blocks_[block]);
-    blocks_[above_[block] / kWidth].set(above_[block] % kWidth, box);
+    blocks_[above_[block] / kBlockWidth].set(above_[block] % kBlockWidth, box);
     sum += measure(box);
   }
   const double whole = blocks_.empty() ? 0 : measure(bounds_of(blocks_[0]));
@@ -117,8 +116,8 @@ void BlockHierarchy<D>::build(const ObjectTable<D>& objects) {
   above_.clear();
   is_inner_.clear();
   size_ = slots_ = places.size();
-  std::size_t room = kWidth;
-  while (room < places.size()) room *= kWidth;
+  std::size_t room = kBlockWidth;
+  while (room < places.size()) room *= kBlockWidth;
   add_block(places, room, 0);
   for (std::size_t block = 0; block < blocks_.size(); ++block)
     if (has_objects(block)) take_boxes(objects, block);
@@ -131,16 +130,16 @@ void BlockHierarchy<D>::build(const ObjectTable<D>& objects) {
 template <int D>
 std::uint32_t BlockHierarchy<D>::add_block(std::span<Place> places, std::size_t room, std::uint32_t above) {
   const auto block = static_cast<std::uint32_t>(blocks_.size());
-  const bool is_inner = room > kWidth;
+  const bool is_inner = room > kBlockWidth;
   WideBlock<D>& added = blocks_.emplace_back();
-  for (std::size_t k = 0; k < kWidth; ++k) {
+  for (std::size_t k = 0; k < kBlockWidth; ++k) {
     added.set(k, no_box<D>());
     added.item[k] = !is_inner && k < places.size() ? places[k].object : WideBlock<D>::kUnused;
   }
   above_.push_back(above);
   is_inner_.push_back(is_inner ? 1 : 0);
-  const std::size_t part = room / kWidth;
-  if (is_inner) add_children(places, part, (places.size() + part - 1) / part, block * kWidth);
+  const std::size_t part = room / kBlockWidth;
+  if (is_inner) add_children(places, part, (places.size() + part - 1) / part, block * kBlockWidth);
   return block * 2 + (is_inner ? 1 : 0);
 }
 
@@ -150,7 +149,7 @@ void BlockHierarchy<D>::add_children(std::span<Place> places, std::size_t room, 
                                      std::uint32_t slot) {
   if (children == 1) {
     const std::uint32_t item = add_block(places, room, slot);
-    blocks_[slot / kWidth].item[slot % kWidth] = item;
+    blocks_[slot / kBlockWidth].item[slot % kBlockWidth] = item;
     return;
   }
   Box<D> centers = Box<D>::empty();

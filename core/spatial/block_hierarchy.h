@@ -19,7 +19,7 @@ class BlockHierarchy {
   /// What an update had to do.
   enum class Update : std::uint8_t { refit, built };
 
-  BlockHierarchy() { add_block({}, WideBlock<D>::kWidth, 0); }
+  BlockHierarchy() { add_block({}, kBlockWidth, 0); }
 
   /// Takes the boxes of all placed objects. Builds the hierarchy anew if there are new ones, if most of the
   /// old ones have gone, or if motion made the bounds too large.

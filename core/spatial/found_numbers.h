@@ -21,7 +21,7 @@ class FoundNumbers : public FoundRoom {
  public:
   FoundNumbers(HandOn when, Take take) : take_(take) {
     next = numbers_.data();
-    limit = next + (when == HandOn::at_once ? kWidth : kMost);
+    limit = next + (when == HandOn::at_once ? kBlockWidth : kMost);
     make_room = [](FoundRoom& room) { return static_cast<FoundNumbers&>(room).flush(); };
   }
   bool flush() {
@@ -31,7 +31,6 @@ class FoundNumbers : public FoundRoom {
   }
 
  private:
-  static constexpr std::size_t kWidth = 8;
   static constexpr std::size_t kMost = 512;
   Take take_;
   std::array<std::uint32_t, kMost> numbers_;  // written before it is read

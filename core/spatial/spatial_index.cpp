@@ -16,8 +16,6 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t kWidth = 8;
-
 static_assert(sizeof(ObjectId) == sizeof(std::uint32_t));
 void sort_objects(std::span<ObjectId> objects) {
   sort_found({reinterpret_cast<std::uint32_t*>(objects.data()), objects.size()});
@@ -31,11 +29,11 @@ void sort_hits(std::span<Hit> hits) {
 
 template <int D>
 Box<D> box_in(const BlockHierarchy<D>& blocks, std::uint32_t slot) {
-  return blocks.blocks()[slot / kWidth].box(slot % kWidth);
+  return blocks.blocks()[slot / kBlockWidth].box(slot % kBlockWidth);
 }
 template <int D>
 ObjectId object_in(const BlockHierarchy<D>& blocks, std::uint32_t slot) {
-  return {blocks.blocks()[slot / kWidth].item[slot % kWidth]};
+  return {blocks.blocks()[slot / kBlockWidth].item[slot % kBlockWidth]};
 }
 
 /// Calls `take(slot)` for all objects, until it returns false.
@@ -43,8 +41,8 @@ template <int D, class Take>
 void for_each_slot(const BlockHierarchy<D>& blocks, Take take) {
   for (std::size_t block = 0; block < blocks.blocks().size(); ++block) {
     if (!blocks.has_objects(block)) continue;
-    for (std::size_t k = 0; k < kWidth; ++k)
-      if (!blocks.blocks()[block].is_empty(k) && !take(static_cast<std::uint32_t>(block * kWidth + k)))
+    for (std::size_t k = 0; k < kBlockWidth; ++k)
+      if (!blocks.blocks()[block].is_empty(k) && !take(static_cast<std::uint32_t>(block * kBlockWidth + k)))
         return;
   }
 }
