@@ -8,8 +8,20 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 namespace kerf {
+namespace {
+
+unsigned checked_threads(unsigned threads) {
+  if (threads == 0) throw std::invalid_argument("threads: at least one is needed");
+  if (threads > TaskPool::kMostThreads)
+    throw std::invalid_argument("threads: " + std::to_string(threads) + " are too many; at most " +
+                                std::to_string(TaskPool::kMostThreads) + " can share the work");
+  return threads;
+}
+
+}  // namespace
 
 /// oneTBB limits threads to the number of processors unless the control allows more.
 struct TaskPool::Arena {
@@ -20,9 +32,7 @@ struct TaskPool::Arena {
 };
 
 TaskPool::TaskPool(unsigned threads)
-    : threads_(threads), arena_(threads > 1 ? std::make_unique<Arena>(threads) : nullptr) {
-  if (threads == 0) throw std::invalid_argument("threads: at least one is needed");
-}
+    : threads_(checked_threads(threads)), arena_(threads > 1 ? std::make_unique<Arena>(threads) : nullptr) {}
 
 TaskPool::~TaskPool() = default;
 

@@ -22,11 +22,14 @@ constexpr Slice slice(std::size_t count, std::size_t pieces, std::size_t k) {
 /// Threads that share independent pieces of work.
 class TaskPool {
  public:
+  static constexpr unsigned kMostThreads = 256;
+
   /// Calls with the piece and with the thread that does it, which is below `threads()`.
   using Work = std::function<void(std::size_t piece, std::size_t thread)>;
 
   /// The number of threads at work, the caller's included; at most the number of processors. With one thread,
-  /// all work is done by the caller and no thread is created. Throws std::invalid_argument for 0.
+  /// all work is done by the caller and no thread is created. Throws std::invalid_argument for 0 and for more
+  /// than kMostThreads.
   explicit TaskPool(unsigned threads = 1);
   TaskPool(const TaskPool&) = delete;
   TaskPool& operator=(const TaskPool&) = delete;

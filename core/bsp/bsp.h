@@ -69,7 +69,8 @@ class Bsp final : public BroadPhase<D> {
   /// or for a partitioner that cannot be.
   void decide(std::vector<Decision> decisions);
   /// How many threads may share the work of a step; 1 to begin with. Pairs and their order, events and state
-  /// are the same for any number. Throws std::invalid_argument for 0.
+  /// are the same for any number. Throws std::invalid_argument for 0 and for more than
+  /// TaskPool::kMostThreads.
   void set_threads(unsigned threads) { workers_.pool = std::make_unique<TaskPool>(threads); }
   [[nodiscard]] const Tree<D>& tree() const { return tree_; }
   /// The objects as the caller sees them, up to the next request or step; the tree's own table follows in

@@ -55,6 +55,7 @@ void get_table(ByteReader& in, std::size_t size, ObjectTable<D>& table) {
   const std::size_t bound = in.count(kLeast);
   if (least_keyframe(bound) > size)
     fail_damaged("a keyframe of " + counted(size, "byte") + " says that it has " + counted(bound, "object"));
+  table.make_room(bound);
   for (std::uint32_t id = 0; id < bound; ++id) {
     const auto state = static_cast<ObjectState>(in.choice(3));
     const Mobility mobility = in.choice(2) == 0 ? Mobility::moving : Mobility::fixed;

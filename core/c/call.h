@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -18,7 +19,8 @@ struct kerf_world {
   std::variant<kerf::WorldIndex<2>, kerf::WorldIndex<3>> index;  ///< of the world's dimension
   bool steps = false;                 ///< `kerf_world_step` is running, and may have called the callback
   std::vector<kerf::ObjectDef> defs;  ///< of one call
-  std::vector<kerf::WorldStatus> statuses;  ///< of one call
+  std::vector<kerf::WorldStatus> statuses;       ///< of one call
+  mutable std::atomic<std::uint32_t> asking{0};  ///< queries that may call a callback now, of any thread
 };
 
 namespace kerf::c {
@@ -64,7 +66,7 @@ kerf_status with_world(const kerf_world* world, Call call) noexcept {
 template <class Call>
 kerf_status change_world(kerf_world* world, Call call) noexcept {
   if (world == nullptr) return KERF_NULL_ARGUMENT;
-  if (world->steps) return KERF_BUSY;
+  if (world->steps || world->asking > 0) return KERF_BUSY;
   return guarded([&] { return std::visit(call, world->world); });
 }
 

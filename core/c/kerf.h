@@ -47,7 +47,7 @@ enum kerf_status_code {
   KERF_CLAMPED = 1,      /* done; infinite bounds of the box were replaced by the largest finite ones */
   KERF_STALE_HANDLE = 2, /* names no object of this world: removed, of a world with another tag, or none */
   KERF_BAD_BOX = 3,      /* NaN, or a minimum above its maximum: the object stays where it was */
-  KERF_BAD_VALUE = 4,    /* an unknown kind, or a margin that is NaN, infinite or negative */
+  KERF_BAD_VALUE = 4,    /* an unknown kind, a margin that is no length, or a vector that is not finite */
   KERF_BAD_LENGTH = 5,   /* lists of lengths that do not fit together */
   KERF_FULL = 6,         /* no index is free: a step frees those of removed objects */
   KERF_UNSTEPPED = 7,    /* there are requests since the last step: step first */
@@ -56,7 +56,7 @@ enum kerf_status_code {
   KERF_BAD_SIZE = 65,   /* a struct's size is too small, or it has members that this version does not know */
   KERF_BAD_OPTION = 66, /* options that cannot work: kerf_error says which */
   KERF_SMALL_BUFFER = 67, /* the caller's memory is too small: the size that is needed was written */
-  KERF_BUSY = 68, /* called by the callback of a step, which may only call functions of a const world */
+  KERF_BUSY = 68, /* called by a callback of the world, which may only call functions of a const world */
   KERF_OUT_OF_MEMORY = 69,
   KERF_INTERNAL_ERROR = 70, /* a fault of Kerf's: please report it */
   KERF_BAD_QUERY = 71       /* a query with NaN, an infinite place, min > max or a negative length */
@@ -81,7 +81,7 @@ enum kerf_pair_flag { KERF_PAIR_OF_SENSOR = 1 }; /* flag of a pair: one of both 
 typedef struct kerf_world_options {
   uint32_t size;
   uint32_t pairs_of; /* KERF_PAIRS_OF_FAT_BOXES */
-  uint32_t threads;  /* that share the work of a step; 1. Never part of a result. */
+  uint32_t threads;  /* that share the work of a step, at most 256; 1. Never part of a result. */
   uint32_t tag;      /* 0 to 255. Handles of worlds with different tags are never mistaken for each other. */
   const char*
       config; /* "NAME=VALUE,...": changes to the tree's tuned configuration (kerf bench --help); or NULL */

@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-/* Which objects take part. NULL: all of them. */
+/* Which objects take part. NULL: all of them, whatever their category, mask and group. */
 typedef struct kerf_query_filter {
   uint32_t size;
   uint32_t kinds;    /* bit k: those of kind k; all */
@@ -25,7 +25,8 @@ typedef struct kerf_query_filter {
   uint64_t mask;     /* all bits */
   int32_t group;     /* 0 */
   uint32_t reserved; /* 0 */
-  /* Asked last, for objects that would be reported; a result other than 0 accepts. NULL: accepts all. */
+  /* Asked last, for objects that would be reported; a result other than 0 accepts. NULL: accepts all. It may
+   * only call functions of a const world: others answer KERF_BUSY. */
   int (*accepts)(void* context, kerf_handle handle);
   void* context;
 } kerf_query_filter;

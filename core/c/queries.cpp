@@ -16,11 +16,28 @@ kerf_status read_filter(const kerf_query_filter* from, WorldQueryFilter& to) {
   kerf_query_filter given = kAll;
   if (const kerf_status status = read_struct(from, kLeastFilter, given); status != KERF_OK) return status;
   to.kinds = given.kinds;
-  to.filter = {given.category, given.mask, given.group};
+  to.filter = PairFilter{given.category, given.mask, given.group};
   if (given.accepts != nullptr)
     to.accepts = [given](Handle handle) { return given.accepts(given.context, handle.value) != 0; };
   return KERF_OK;
 }
+
+/// While it lives, the world takes no changes if the query asks a callback: that must not make any.
+class Asking {
+ public:
+  Asking(const kerf_world& world, bool asks) : asking_(world.asking), asks_(asks) {
+    if (asks_) ++asking_;
+  }
+  ~Asking() {
+    if (asks_) --asking_;
+  }
+  Asking(const Asking&) = delete;
+  Asking& operator=(const Asking&) = delete;
+
+ private:
+  std::atomic<std::uint32_t>& asking_;
+  bool asks_;
+};
 
 template <int D>
 Vector<D> read_vector(const float* from) {
@@ -43,6 +60,7 @@ kerf_status ask(const kerf_world* world, const kerf_query_filter* filter, To* fo
   return with_world(world, [&]<int D>(const World<D>& body) -> kerf_status {
     WorldQueryFilter allowed;
     if (const kerf_status status = read_filter(filter, allowed); status != KERF_OK) return status;
+    const Asking asking(*world, static_cast<bool>(allowed.accepts));
     std::vector<Item> items;
     if (query(body, index_of<D>(world), allowed, items) != QueryStatus::ok) return KERF_BAD_QUERY;
     *count = items.size();

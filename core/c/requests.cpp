@@ -139,7 +139,7 @@ kerf_status kerf_world_set_threads(kerf_world* world, uint32_t threads) {
 
 kerf_status kerf_world_step(kerf_world* world) {
   if (world == nullptr) return KERF_NULL_ARGUMENT;
-  if (world->steps) return KERF_BUSY;
+  if (world->steps || world->asking > 0) return KERF_BUSY;
   world->steps = true;
   const kerf_status status = guarded([world]() -> kerf_status {
     std::visit([](auto& body) { body.step(); }, world->world);

@@ -40,10 +40,10 @@ Status ObjectTable<D>::accept(ObjectId object, const Volume<D>& given) {
 }
 
 template <int D>
-void ObjectTable<D>::make_room(ObjectId object) {
-  if (object.index() < states_.size()) return;
+void ObjectTable<D>::make_room(std::size_t bound) {
+  if (bound <= states_.size()) return;
   // A failed allocation may have left more boxes than flags: the number of boxes never falls.
-  const std::size_t count = std::max<std::size_t>(object.index() + 1, boxes_.size());
+  const std::size_t count = std::max(bound, boxes_.size());
   boxes_.resize(count);
   extra_.resize(count * static_cast<std::size_t>(extra_size<D>(kind_)));
   fixed_.resize(count, 0);
@@ -55,7 +55,7 @@ Status ObjectTable<D>::admit(ObjectId object, Mobility mobility) {
   if (object.is_none()) return Status::unknown_id;
   if (state(object) != ObjectState::absent) return Status::duplicate_id;
   if (is_sparse(object)) return Status::sparse_id;
-  make_room(object);
+  make_room(object.index() + 1);
   ++size_;
   fixed_[object.index()] = mobility == Mobility::fixed ? 1 : 0;
   has_fixed_ |= mobility == Mobility::fixed;
@@ -72,7 +72,7 @@ Status ObjectTable<D>::remove(ObjectId object) {
 
 template <int D>
 void ObjectTable<D>::copy(const ObjectTable& from, ObjectId object) {
-  make_room(object);
+  make_room(object.index() + 1);
   const std::size_t i = object.index();
   const auto size = static_cast<std::size_t>(extra_size<D>(kind_));
   if (states_[i] != ObjectState::absent) --size_;

@@ -39,6 +39,8 @@ class ObjectTable {
     return state(object) == ObjectState::absent ? Status::unknown_id : accept(object, bound);
   }
   Status remove(ObjectId object);
+  /// Makes room for all ids below `bound`: none of them is too far beyond the number of objects any more.
+  void make_room(std::size_t bound);
   /// Replaces the box of a placed object by one around it.
   void widen(ObjectId object, const Box<D>& box) { boxes_[object.index()] = PackedBox<D>(box); }
 
@@ -84,7 +86,6 @@ class ObjectTable {
 
  private:
   Status admit(ObjectId object, Mobility mobility);
-  void make_room(ObjectId object);
   [[nodiscard]] bool is_sparse(ObjectId object) const {
     return object.index() >= states_.size() && object.index() >= kFreeIds + 4 * std::size_t{size_};
   }

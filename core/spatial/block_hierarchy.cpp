@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace kerf {
 namespace {
@@ -61,7 +62,10 @@ std::size_t BlockHierarchy<D>::bytes() const {
 template <int D>
 typename BlockHierarchy<D>::Update BlockHierarchy<D>::update(const ObjectTable<D>& objects) {
   if (built_cost_ > 0 && refit(objects)) return Update::refit;
-  build(objects);
+  built_cost_ = 0;  // if memory ends, the next update builds
+  BlockHierarchy built;
+  built.build(objects);
+  *this = std::move(built);
   return Update::built;
 }
 
@@ -101,9 +105,8 @@ bool BlockHierarchy<D>::refit(const ObjectTable<D>& objects) {
   size_ = 0;
   for (std::size_t block = 0; block < blocks_.size(); ++block)
     if (has_objects(block)) size_ += take_boxes(objects, block);
-  if (size_ != placed) return false;
   join_upwards();
-  return cost_ <= kMostCost * built_cost_;
+  return size_ == placed && cost_ <= kMostCost * built_cost_;
 }
 
 template <int D>

@@ -11,6 +11,8 @@ namespace {
 // The kernels' sums and products of three floats have errors far below this share of their terms.
 constexpr double kSlack = 0x1p-20;
 constexpr double kTiny = 0x1p-140;
+/// Below this, squared distances may be zero for a processor that takes denormals for zero.
+constexpr double kLeastSure = 0x1p-100;
 
 /// A coordinate from which every box has a finite distance.
 bool is_usual(Scalar coordinate) { return std::abs(coordinate) <= 0x1p102F; }
@@ -58,7 +60,8 @@ SphereQuery<D>::SphereQuery(const Sphere<D>& sphere)
   const double reach = static_cast<double>(sphere.radius) * static_cast<double>(sphere.radius);
   test.center = sphere.center.value;
   test.possible = bound_above(reach);
-  test.sure = round_down(reach * (1 - kSlack) - kTiny);
+  const double sure = reach * (1 - kSlack) - kTiny;
+  test.sure = sure < kLeastSure ? -1 : round_down(sure);
 }
 
 template <int D>

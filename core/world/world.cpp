@@ -75,15 +75,17 @@ void World<D>::set_threads(unsigned threads) {
 }
 
 /// All objects of the world go into a new tree. The box of an object that lives is in the old one's table,
-/// whatever its state there.
+/// whatever its state there. The dead come and go: a tree refuses an index without most of those below it.
 template <int D>
 void World<D>::rebuild() {
   auto tree = std::make_unique<Bsp<D>>(options_.config);
   tree->set_threads(options_.threads);
-  slots_.for_each([&](Handle handle) {
-    const ObjectId object{handle.index()};
-    (void)tree->insert(object, tree_->objects().box(object), mobility(defs_[object.index()].kind));
-  });
+  for (std::uint32_t i = 0; i < slots_.size(); ++i) {
+    const Box<D> box = slots_.is_alive(i) ? tree_->objects().box({i}) : Box<D>{};
+    (void)tree->insert({i}, box, mobility(defs_[i].kind));
+  }
+  for (std::uint32_t i = 0; i < slots_.size(); ++i)
+    if (!slots_.is_alive(i)) (void)tree->remove({i});
   tree_ = std::move(tree);
   torn_ = false;
 }
@@ -166,7 +168,7 @@ WorldStatus World<D>::move(std::span<const Handle> objects, std::span<const Box<
   WorldStatus sum = WorldStatus::ok;
   if (list_moves(objects, boxes)) {
     const Status status = tree_->move_many(ids_, boxes);
-    unstepped_ = true;
+    unstepped_ |= !boxes.empty();
     if (status != Status::ok || !statuses.empty())
       sum = for_each_of(boxes.size(), statuses, [&](std::size_t k) {
         return is_valid(boxes[k]) ? WorldStatus::ok : WorldStatus::clamped;

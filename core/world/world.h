@@ -67,7 +67,7 @@ using PairCallback = std::function<bool(const WorldPair&)>;
 template <int D>
 class World {
  public:
-  /// Throws std::invalid_argument for a configuration that cannot work, or no threads.
+  /// Throws std::invalid_argument for a configuration that cannot work, no threads, or too many.
   explicit World(const WorldOptions& options = {});
 
   struct Inserted {
@@ -84,8 +84,8 @@ class World {
                    std::span<WorldStatus> statuses = {});
   /// Moves every object by the vector: what a program with a floating origin calls. Boxes are moved as floats
   /// round, and where moves of this step say otherwise, they are moved from there. The tree comes along, so
-  /// that only the step of the shift costs more than others. `bad_value` if the vector is not finite,
-  /// `clamped` if a box would be beyond the range of floats.
+  /// that only the step of the shift costs more than others. Objects with a margin get it anew, around where
+  /// they are. `bad_value` if the vector is not finite, `clamped` if a box would exceed the range of floats.
   WorldStatus shift_origin(const Vector<D>& by);
   /// The handle is stale at once. Pairs that the object had in the last step are reported as ended in the
   /// next one, with its handle.
@@ -100,7 +100,7 @@ class World {
   WorldStatus set_margin(Handle object, Scalar margin);
   /// An empty function: no pair is asked about.
   void set_callback(PairCallback callback) { callback_ = std::move(callback); }
-  /// Throws std::invalid_argument for 0.
+  /// Throws std::invalid_argument for 0, and for more than TaskPool::kMostThreads.
   void set_threads(unsigned threads);
 
   /// Meets all requests and makes the reports.

@@ -1,5 +1,7 @@
 #include "core/world/world_index.h"
 
+#include <algorithm>
+
 namespace kerf {
 
 /// The filter of SpatialIndex for one query.
@@ -23,7 +25,8 @@ class WorldIndex<D>::Acceptance {
     const Handle handle = index_.handle(object);
     const ObjectDef* const def = world_.find(handle);
     return def != nullptr && (filter_.kinds >> static_cast<unsigned>(def->kind) & 1U) != 0 &&
-           may_pair(filter_.filter, def->filter) && (!filter_.accepts || filter_.accepts(handle));
+           (!filter_.filter || may_pair(*filter_.filter, def->filter)) &&
+           (!filter_.accepts || filter_.accepts(handle));
   }
 
   const WorldIndex& index_;
@@ -31,21 +34,30 @@ class WorldIndex<D>::Acceptance {
   const WorldQueryFilter& filter_;
 };
 
+/// Where memory ended within a change of the world, its tree may have objects that the world has not, or
+/// lack some.
 template <int D>
 void WorldIndex<D>::update(const World<D>& world) {
-  handles_.assign(world.bound(), {});
-  bool has_margins = false;
+  const ObjectTable<D>& objects = world.tree().objects();
+  next_handles_.assign(std::max(world.bound(), objects.bound()), {});
+  bool are_exact = true;
   world.for_each([&](Handle handle) {
-    handles_[handle.index()] = handle;
-    has_margins |= world.find(handle)->margin > 0;
+    next_handles_[handle.index()] = handle;
+    are_exact &= world.find(handle)->margin == 0 && objects.is_placed({handle.index()});
   });
-  if (!has_margins) {
-    index_.update(world.tree().objects());
-    return;
+  if (are_exact) {
+    index_.update(objects);
+  } else {
+    ObjectTable<D> exact = objects;
+    exact.make_room(world.bound());
+    world.for_each([&](Handle handle) {
+      const Box<D> box = *world.box(handle);
+      (void)exact.insert({handle.index()}, box, Mobility::moving);  // unless it is there
+      exact.widen({handle.index()}, box);
+    });
+    index_.update(exact);
   }
-  ObjectTable<D> exact = world.tree().objects();
-  world.for_each([&](Handle handle) { exact.widen({handle.index()}, *world.box(handle)); });
-  index_.update(exact);
+  handles_.swap(next_handles_);
 }
 
 template <int D>

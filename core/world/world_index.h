@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,8 +14,10 @@ namespace kerf {
 /// Which objects take part in a query of a world.
 struct WorldQueryFilter {
   std::uint32_t kinds = 0xF;  ///< bit k: those of ObjectKind k
-  PairFilter filter;          ///< as if the query were an object with it
-  /// Asked last, for objects that the query would report; an empty one accepts all. It must not throw.
+  /// As if the query were an object with it; none: objects of every category, mask and group take part.
+  std::optional<PairFilter> filter;
+  /// Asked last, for objects that the query would report; an empty one accepts all. It must not throw, nor
+  /// call functions of the world or the index that are not const.
   std::function<bool(Handle)> accepts;
 };
 
@@ -41,7 +44,8 @@ struct WorldNeighbour {
 template <int D>
 class WorldIndex {
  public:
-  /// Takes the boxes as they are, requests since the last step included.
+  /// Takes the boxes as they are, requests since the last step included. If memory ends, new objects
+  /// are not found, and all others are where they were or where they are now.
   void update(const World<D>& world);
 
   /// `Region`: Box<D>, Vector<D> (a point), Sphere<D> or Frustum<D>.
@@ -63,7 +67,8 @@ class WorldIndex {
   [[nodiscard]] Handle handle(ObjectId object) const { return handles_[object.index()]; }
 
   SpatialIndex<D> index_;
-  std::vector<Handle> handles_;  ///< by index, as they were
+  std::vector<Handle> handles_;       ///< by index, as they were
+  std::vector<Handle> next_handles_;  ///< of one update
 };
 
 extern template class WorldIndex<2>;

@@ -12,7 +12,7 @@ enum class [[nodiscard]] WorldStatus : std::uint8_t{
     clamped,       ///< done; infinite bounds of the box were replaced by +-FLT_MAX
     stale_handle,  ///< names no object of this world: removed, of a world with another tag, or none
     bad_box,       ///< NaN, or min > max: the object stays where it was
-    bad_value,     ///< an unknown kind, or a margin that is NaN, infinite or negative
+    bad_value,     ///< an unknown kind, a margin that is no length, or a vector that is not finite
     bad_length,    ///< the lists of a batch have different lengths
     full,          ///< no index is free: `step()` frees those of removed objects
     unstepped,     ///< there are requests since the last `step()`: call it first

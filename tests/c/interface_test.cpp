@@ -204,6 +204,7 @@ TEST(CInterface, OptionsThatCannotWorkAreNamed) {
   EXPECT_NE(why([](auto& options) { options.tag = 256; }).find("tag"), std::string::npos);
   EXPECT_NE(why([](auto& options) { options.pairs_of = 2; }).find("pairs_of"), std::string::npos);
   EXPECT_NE(why([](auto& options) { options.threads = 0; }), "");
+  EXPECT_NE(why([](auto& options) { options.threads = 257; }).find("at most 256"), std::string::npos);
   EXPECT_NE(why(nothing, 4).find("dimension"), std::string::npos);
   EXPECT_NE(why(nothing, 0).find("dimension"), std::string::npos);
 }
@@ -377,6 +378,7 @@ TEST(CInterface, BadBoxesAndStaleHandlesHaveStatusesOfTheirOwn) {
   for (const std::uint32_t kind : {4U, 255U, 256U, UINT32_MAX})
     EXPECT_EQ(kerf_world_set_kind(world.get(), handle, kind), KERF_BAD_VALUE);
   EXPECT_EQ(kerf_world_set_threads(world.get(), 0), KERF_BAD_OPTION);
+  EXPECT_EQ(kerf_world_set_threads(world.get(), UINT32_MAX), KERF_BAD_OPTION);
   kerf_handle some = 0;
   std::array<kerf_object, 3> objects{};
   for (kerf_object& object : objects) ASSERT_EQ(kerf_object_init(&object, sizeof object), KERF_OK);

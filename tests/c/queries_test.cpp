@@ -132,6 +132,31 @@ TEST_F(CQueries, HaveFilters) {
   EXPECT_EQ(ask(), KERF_BAD_SIZE);
 }
 
+TEST_F(CQueries, WithoutAFilterFindEveryObject) {
+  EXPECT_EQ(kerf_world_set_filter(world.get(), handles[1], 0, 0, 0), KERF_OK);
+  EXPECT_EQ(kerf_world_set_filter(world.get(), handles[2], 2, 2, -1), KERF_OK);
+  std::size_t count = 0;
+  EXPECT_EQ(kerf_world_overlap_box(world.get(), all.data(), nullptr, nullptr, 0, &count), KERF_OK);
+  EXPECT_EQ(count, 5U);
+  EXPECT_EQ(kerf_world_overlap_box(world.get(), all.data(), &filter, nullptr, 0, &count), KERF_OK);
+  EXPECT_EQ(count, 3U) << "as an object of the defaults";
+}
+
+TEST_F(CQueries, ACallbackCannotChangeItsWorld) {
+  filter.context = world.get();
+  filter.accepts = [](void* context, kerf_handle handle) {
+    auto* const asked = static_cast<kerf_world*>(context);
+    EXPECT_EQ(kerf_world_remove(asked, &handle, 1, nullptr), KERF_BUSY);
+    EXPECT_EQ(kerf_world_update_index(asked), KERF_BUSY);
+    EXPECT_EQ(kerf_world_step(asked), KERF_BUSY);
+    return kerf_world_contains(asked, handle) == KERF_OK ? 1 : 0;
+  };
+  std::size_t count = 0;
+  EXPECT_EQ(kerf_world_overlap_box(world.get(), all.data(), &filter, nullptr, 0, &count), KERF_OK);
+  EXPECT_EQ(count, 5U);
+  EXPECT_EQ(kerf_world_step(world.get()), KERF_OK) << "the query is over";
+}
+
 TEST_F(CQueries, LiesAreRefused) {
   std::array<kerf_handle, 5> found{};
   std::array<kerf_neighbour, 1> near{};

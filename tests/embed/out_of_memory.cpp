@@ -1,8 +1,10 @@
 // Lets each allocation of a run fail once, and looks whether the world stays usable: the call says so, every
-// object was taken or was not, and the next step reports exactly the pairs of the boxes that are there.
+// object was taken or was not, the next step reports exactly the pairs of the boxes that are there, and
+// queries find them.
 
 #include <kerf.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -97,6 +99,27 @@ std::size_t true_pairs(const kerf_world* world) {
   return pairs;
 }
 
+bool is_found(const kerf_world* world, const float* box, kerf_handle object) {
+  std::vector<kerf_handle> found(2 * kObjects);
+  std::size_t count = 0;
+  if (kerf_world_overlap_box(world, box, nullptr, found.data(), found.size(), &count) != KERF_OK)
+    return false;
+  return std::find(found.begin(), found.end(), object) != found.end();
+}
+
+/// Whether the index, which is updated, has each object where it is.
+bool are_all_found(kerf_world* world) {
+  std::vector<kerf_handle> handles(kObjects);
+  std::size_t count = 0;
+  if (kerf_world_update_index(world) != KERF_OK) return false;
+  if (kerf_world_get_handles(world, handles.data(), handles.size(), &count) != KERF_OK) return false;
+  handles.resize(count);
+  return std::all_of(handles.begin(), handles.end(), [world](kerf_handle handle) {
+    float box[4];
+    return kerf_world_get_box(world, handle, box) == KERF_OK && is_found(world, box, handle);
+  });
+}
+
 /// A run in which the allocation of that number fails. False if it has fewer.
 bool run(long allocation) {
   failed = false;
@@ -127,6 +150,9 @@ bool run(long allocation) {
     expect(kerf_world_remove(world, &handles[20 + step], 1, nullptr), allocation);
     expect(kerf_world_insert(world, boxes[step].data(), nullptr, 0, 1, &handles[20 + step], nullptr),
            allocation);
+    expect(kerf_world_update_index(world), allocation);
+    std::size_t found = 0;
+    expect(kerf_world_overlap_box(world, boxes[step].data(), nullptr, nullptr, 0, &found), allocation);
   }
   left = -1;
   for (std::size_t step = 1; step < 6; ++step)  // what a failed set_kind left
@@ -136,8 +162,60 @@ bool run(long allocation) {
   std::size_t count = 0;
   if (kerf_world_pairs(world, &pairs, &count) != KERF_OK || count != true_pairs(world))
     fail("the pairs are not those of the boxes", allocation);
+  if (!are_all_found(world)) fail("a query does not find what is there", allocation);
   kerf_world_destroy(world);
   return failed;
+}
+
+/// An update of an index in which the allocation of that number fails, after an object came, one went and all
+/// moved far. False if it has fewer.
+bool run_update(long allocation) {
+  failed = false;
+  kerf_world* world = nullptr;
+  expect(kerf_world_create(2, nullptr, &world, nullptr), allocation);
+  std::vector<kerf_handle> handles(kObjects);
+  const std::vector<float> before = boxes_of(0);
+  std::vector<float> after = before;
+  for (std::size_t k = 0; k < after.size(); k += 2) after[k] += 1000;
+  expect(kerf_world_insert(world, before.data(), nullptr, 0, kObjects, handles.data(), nullptr), allocation);
+  expect(kerf_world_step(world), allocation);
+  expect(kerf_world_update_index(world), allocation);
+  expect(kerf_world_remove(world, handles.data(), 1, nullptr), allocation);
+  expect(kerf_world_insert(world, before.data(), nullptr, 0, 1, handles.data(), nullptr), allocation);
+  expect(kerf_world_move(world, handles.data(), after.data(), kObjects, nullptr), allocation);
+  left = allocation;
+  expect(kerf_world_update_index(world), allocation);
+  left = -1;
+  for (std::size_t k = 1; k < kObjects; ++k)
+    if (!is_found(world, &before[4 * k], handles[k]) && !is_found(world, &after[4 * k], handles[k]))
+      fail("an object is neither found where it was nor where it is", allocation);
+  if (!are_all_found(world)) fail("the index is of no more use", allocation);
+  kerf_world_destroy(world);
+  return failed;
+}
+
+/// A world that has one object, of a high index, is built anew after its memory ended.
+void keep_a_far_object() {
+  constexpr std::size_t kMany = (std::size_t{1} << 22U) + 1;
+  constexpr std::size_t kAtOnce = std::size_t{1} << 16U;
+  kerf_world* world = nullptr;
+  expect(kerf_world_create(2, nullptr, &world, nullptr), 0);
+  std::vector<kerf_handle> handles(kMany);
+  const std::vector<float> points(4 * kAtOnce);
+  for (std::size_t k = 0; k < kMany; k += kAtOnce)
+    expect(kerf_world_insert(world, points.data(), nullptr, 0, std::min(kAtOnce, kMany - k), &handles[k],
+                             nullptr),
+           0);
+  expect(kerf_world_remove(world, handles.data(), kMany - 1, nullptr), 0);
+  left = 0;
+  if (kerf_world_step(world) != KERF_OUT_OF_MEMORY) fail("a step took no memory", 0);
+  left = -1;
+  expect(kerf_world_insert(world, points.data(), nullptr, 0, 1, handles.data(), nullptr), 0);
+  const kerf_pair* pairs = nullptr;
+  std::size_t count = 0;
+  if (kerf_world_step(world) != KERF_OK || kerf_world_pairs(world, &pairs, &count) != KERF_OK || count != 1)
+    fail("an object of a high index is lost", 0);
+  kerf_world_destroy(world);
 }
 
 }  // namespace
@@ -145,6 +223,9 @@ bool run(long allocation) {
 int main() {
   long allocation = 0;
   while (run(allocation)) ++allocation;
+  long update = 0;
+  while (run_update(update)) ++update;
+  keep_a_far_object();
   std::printf("each of %ld allocations failed once\n", allocation);
   return allocation > 100 ? 0 : 1;
 }

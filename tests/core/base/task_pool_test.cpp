@@ -7,6 +7,7 @@
 #include <limits>
 #include <mutex>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "tests/hard/flush_to_zero.h"
@@ -98,6 +99,18 @@ TEST(TaskPool, AnErrorReachesTheCaller) {
 }
 
 TEST(TaskPool, RefusesToHaveNoThread) { EXPECT_THROW(TaskPool(0), std::invalid_argument); }
+
+TEST(TaskPool, RefusesMoreThreadsThanAnyMachineUses) {
+  for (const unsigned threads : {257U, std::numeric_limits<unsigned>::max()}) {
+    try {
+      const TaskPool pool(threads);
+      ADD_FAILURE() << "it has " << pool.threads() << " threads";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(std::string(error.what()),
+                "threads: " + std::to_string(threads) + " are too many; at most 256 can share the work");
+    }
+  }
+}
 
 }  // namespace
 }  // namespace kerf::test

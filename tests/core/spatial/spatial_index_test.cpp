@@ -8,6 +8,7 @@
 #include "core/kernels/machine.h"
 #include "core/spatial/batch.h"
 #include "core/spatial/touch.h"
+#include "tests/hard/flush_to_zero.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/moving_boxes.h"
@@ -124,6 +125,20 @@ TYPED_TEST(SpatialIndexTest, RefusesWhatIsNoQuery) {
   EXPECT_EQ(this->index_.hits(Segment<D>{{}, all<D>(kNaN)}, hits), QueryStatus::not_a_number);
   EXPECT_EQ(this->index_.nearest({all<D>(kNaN), 1}, neighbours), QueryStatus::not_a_number);
   EXPECT_TRUE(objects.empty() && hits.empty() && neighbours.empty());
+}
+
+TYPED_TEST(SpatialIndexTest, TinySpheresAreExactThoughDenormalsAreZero) {
+  constexpr int D = TypeParam::value;
+  Box<D> box{all<D>(-1), all<D>(1)};
+  box.min[0] = 0x1p-68F;
+  ASSERT_EQ(this->bsp_.insert({0}, box, Mobility::moving), Status::ok);
+  this->index_.update(this->bsp_.objects());
+  const FlushToZero flush(true);
+  std::vector<ObjectId> found;
+  ASSERT_EQ(this->index_.overlaps(Sphere<D>{{}, 0x1p-69F}, found), QueryStatus::ok);
+  EXPECT_TRUE(found.empty()) << "it is half as far as the box";
+  ASSERT_EQ(this->index_.overlaps(Sphere<D>{{}, 0x1p-68F}, found), QueryStatus::ok);
+  EXPECT_EQ(found.size(), 1U);
 }
 
 TYPED_TEST(SpatialIndexTest, FiltersByMaskAndByCall) {

@@ -38,8 +38,8 @@ class WorldIndexOf : public testing::Test {
     world.for_each([&](Handle handle) {
       const ObjectDef& def = *world.find(handle);
       const bool has_kind = (filter.kinds & 1U << static_cast<unsigned>(def.kind)) != 0;
-      if (has_kind && may_pair(def.filter, filter.filter) && (!filter.accepts || filter.accepts(handle)) &&
-          touches(*world.box(handle)))
+      if (has_kind && (!filter.filter || may_pair(def.filter, *filter.filter)) &&
+          (!filter.accepts || filter.accepts(handle)) && touches(*world.box(handle)))
         found.push_back(handle);
     });
     return found;
@@ -60,7 +60,7 @@ TYPED_TEST(WorldIndexOf, FindsByExactBoxesWhatFiltersAllow) {
     const Box<kD> box = random_box<kD>(this->random, 20, 3);
     WorldQueryFilter filter;
     if (k % 2 == 0) filter.kinds = this->random.below(16);
-    if (k % 3 == 0) filter.filter = {this->random.below(8), this->random.below(8), 0};
+    if (k % 3 == 0) filter.filter = PairFilter{this->random.below(8), this->random.below(8), 0};
     if (k % 5 == 0) filter.accepts = [&](Handle handle) { return this->world.find(handle)->user_data == 1; };
     std::vector<Handle> found;
     ASSERT_EQ(this->index.overlaps(this->world, box, found, filter), QueryStatus::ok);
@@ -75,6 +75,20 @@ TYPED_TEST(WorldIndexOf, FindsByExactBoxesWhatFiltersAllow) {
     }));
   }
   EXPECT_GT(found_at_all, kD == 2 ? 300U : 50U);
+}
+
+TYPED_TEST(WorldIndexOf, WithoutAFilterEveryObjectIsFound) {
+  constexpr int kD = TypeParam::value;
+  this->index.update(this->world);
+  const Box<kD> everything{all<kD>(-100), all<kD>(100)};
+  std::vector<Handle> found;
+  ASSERT_EQ(this->index.overlaps(this->world, everything, found), QueryStatus::ok);
+  EXPECT_EQ(found, this->handles) << "of each category and mask, none among them";
+  WorldQueryFilter filter;
+  filter.filter = PairFilter{};
+  found.clear();
+  ASSERT_EQ(this->index.overlaps(this->world, everything, found, filter), QueryStatus::ok);
+  EXPECT_LT(found.size(), this->handles.size()) << "as an object of the defaults";
 }
 
 TYPED_TEST(WorldIndexOf, CastsHitInOrder) {

@@ -118,6 +118,20 @@ TYPED_TEST(WorldState, IsNotTakenBetweenARequestAndItsStep) {
   EXPECT_EQ(other.find(handle)->user_data, 9U);
 }
 
+TYPED_TEST(WorldState, IsTakenAfterRequestsOfNothing) {
+  constexpr int kD = TypeParam::value;
+  World<kD> world;
+  Bytes bytes;
+  EXPECT_EQ(world.shift_origin(all<kD>(1)), WorldStatus::ok);
+  EXPECT_EQ(world.save(bytes), WorldStatus::ok);
+  (void)world.insert(box_at<kD>({}, 1));
+  world.step();
+  const std::vector<Box<kD>> no_boxes;
+  const std::vector<Handle> no_handles;
+  EXPECT_EQ(world.move(no_handles, no_boxes), WorldStatus::ok);
+  EXPECT_EQ(world.save(bytes), WorldStatus::ok);
+}
+
 TYPED_TEST(WorldState, ChangedAndCutBytesAreRefused) {
   constexpr int kD = TypeParam::value;
   const Bytes bytes = saved_crowd<kD>(4);

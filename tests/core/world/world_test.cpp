@@ -331,9 +331,19 @@ TYPED_TEST(WorldOf, MemoryFollowsWhatLives) {
 
 TEST(World, OptionsThatCannotWorkAreRefused) {
   EXPECT_THROW(World<2>({.threads = 0}), std::invalid_argument);
+  EXPECT_THROW(World<2>({.threads = 257}), std::invalid_argument);
   WorldOptions options;
   options.config.directions = 0;
   EXPECT_THROW(World<2>{options}, std::invalid_argument);
+}
+
+TEST(World, ANumberOfThreadsThatIsRefusedChangesNothing) {
+  World<2> world({.threads = 2});
+  for (const unsigned threads : {0U, 257U}) EXPECT_THROW(world.set_threads(threads), std::invalid_argument);
+  (void)world.insert(box_at<2>({}, 1));
+  (void)world.insert(box_at<2>({}, 1));
+  world.step();
+  EXPECT_EQ(world.pairs().size(), 1U);
 }
 
 TEST(World, EachStatusSaysSomethingElse) {
