@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <new>
 
 #include "frames/python/round_boxes.h"
 
@@ -105,6 +106,13 @@ void check_number_type(const py::array& array, const std::string& what) {
     fail(what, "the dtype is " + dtype_text(array) + "; give float32, float64 or whole numbers");
 }
 
+/// The type has been checked: only memory can be short.
+py::array_t<double> doubles_of(const py::array& array) {
+  auto doubles = py::array_t<double, kInOrder>::ensure(array);
+  if (!doubles) throw std::bad_alloc();
+  return doubles;
+}
+
 }  // namespace
 
 py::array as_array(const py::handle& given, const std::string& what) {
@@ -127,6 +135,12 @@ void check_box_shape(const py::array& array, int dimension, const std::string& w
   fail(what, problem);
 }
 
+py::array_t<double> number_array(const py::handle& given, const std::string& what) {
+  const py::array array = as_array(given, what);
+  check_number_type(array, what);
+  return doubles_of(array);
+}
+
 template <int D>
 BoxRows<D>::BoxRows(const py::handle& given, const std::string& what, AppendBuffer<Box<D>>* room) {
   static_assert(sizeof(Box<D>) == 2 * D * sizeof(float));
@@ -144,7 +158,7 @@ BoxRows<D>::BoxRows(const py::handle& given, const std::string& what, AppendBuff
 template <int D>
 void BoxRows<D>::take_floats(const py::array& array, const std::string& what) {
   const auto floats = py::array_t<float, kInOrder>::ensure(array);
-  if (!floats) throw py::error_already_set();
+  if (!floats) throw std::bad_alloc();
   const auto rows = static_cast<std::size_t>(floats.shape(0));
   check_rows<D>(floats.data(), rows, what);
   held_ = floats;
@@ -153,8 +167,7 @@ void BoxRows<D>::take_floats(const py::array& array, const std::string& what) {
 
 template <int D>
 void BoxRows<D>::take_doubles(const py::array& array, const std::string& what, AppendBuffer<Box<D>>& room) {
-  const auto doubles = py::array_t<double, kInOrder>::ensure(array);
-  if (!doubles) throw py::error_already_set();
+  const auto doubles = doubles_of(array);
   const std::span<const double> numbers(doubles.data(), static_cast<std::size_t>(doubles.size()));
   const std::size_t rows = numbers.size() / (2 * D);
   check_rows<D>(numbers.data(), rows, what);

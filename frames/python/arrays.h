@@ -61,6 +61,8 @@ inline constexpr int kInOrder =
 
 /// Any array-like of Python's as an array; throws ValueError if it is none.
 pybind11::array as_array(const pybind11::handle& given, const std::string& what);
+/// Real numbers, in plain memory; throws ValueError for anything else.
+pybind11::array_t<double> number_array(const pybind11::handle& given, const std::string& what);
 
 /// "(3, 2)"
 std::string shape_text(const pybind11::array& array);

@@ -40,11 +40,16 @@ py::object moment(const Position& at) {
   return py::module_::import("kerf").attr("Moment")(at.step, event_of(at));
 }
 
-/// A step, or a tuple of a step and an event or None.
+/// A step, or a tuple of a step and an event or None. Throws ValueError for anything else.
 Position position_from(const py::handle& given) {
-  if (py::isinstance<py::int_>(given)) return Position::end_of(given.cast<std::uint32_t>());
-  const auto pair = given.cast<std::pair<std::uint32_t, std::optional<std::uint64_t>>>();
-  return {pair.first, pair.second.value_or(Position::kEnd)};
+  try {
+    if (PyIndex_Check(given.ptr()) != 0) return Position::end_of(given.cast<std::uint32_t>());
+    const auto pair = given.cast<std::pair<std::uint32_t, std::optional<std::uint64_t>>>();
+    return {pair.first, pair.second.value_or(Position::kEnd)};
+  } catch (const py::cast_error&) {
+    throw py::value_error("after, before: " + std::string(py::repr(given)) +
+                          " is neither a step nor a kerf.Moment");
+  }
 }
 
 py::object find(Opened& recording, const std::string& condition, const py::object& after,

@@ -128,6 +128,7 @@ template <int D>
 py::array BroadPhaseOf<D>::step(const py::handle& boxes) {
   if (!boxes.is_none()) move(boxes, py::none());
   const UseOnce use(in_use_);
+  (void)run_.broad_phase();  // throws after close, and then the pairs stay
   pairs_ = py::object();
   lists_.let_go([this](PairBuffer& memory) { run_.exchange_pairs(memory); });
   {

@@ -15,6 +15,11 @@ std::string value_text(const py::handle& value) {
   return py::str(value);
 }
 
+bool is_mapping(const py::handle& given) {
+  const py::object mapping = py::module_::import("collections.abc").attr("Mapping");
+  return py::isinstance(given, mapping);
+}
+
 }  // namespace
 
 Config config_of_tree(const std::string& tree) {
@@ -28,8 +33,8 @@ Config config_from(const Config& base, const py::handle& given) {
   if (given.is_none()) return config;
   if (py::isinstance<py::str>(given)) {
     kerf::apply(config, given.cast<std::string>());
-  } else if (py::isinstance<py::dict>(given)) {
-    for (const auto& [name, value] : given.cast<py::dict>())
+  } else if (is_mapping(given)) {
+    for (const auto& [name, value] : py::dict(py::reinterpret_borrow<py::object>(given)))
       kerf::set(config, py::str(name).cast<std::string>(), value_text(value));
   } else {
     throw py::value_error(

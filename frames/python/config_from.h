@@ -11,8 +11,8 @@ namespace kerf::python {
 /// The parameters of "kerf" or "kerf-paper".
 Config config_of_tree(const std::string& tree);
 
-/// `base` with the parameters of None, a dict by name, or "name=value,...". Throws ValueError that says which
-/// parameter cannot be, and what can.
+/// `base` with the parameters of None, a mapping by name, or "name=value,...". Throws ValueError that says
+/// which parameter cannot be, and what can.
 Config config_from(const Config& base, const pybind11::handle& given);
 
 /// All parameters by name; numbers as numbers.

@@ -32,7 +32,7 @@ py::array given_array(const GivenBox<D>& box) {
 }
 
 template <int D>
-PairWhy python_why(const PairExplanation<D>& found, const GivenNames& names) {
+PairWhy python_why(const PairExplanation<D>& found, const RecordingInfo& info) {
   PairWhy why;
   why.step = found.step;
   why.a = found.pair.a.value;
@@ -48,7 +48,7 @@ PairWhy python_why(const PairExplanation<D>& found, const GivenNames& names) {
   if (found.shared_leaf) why.leaf = found.shared_leaf->value;
   if (found.shared_since) why.since = found.shared_since->id;
   std::ranges::transform(found.history, std::back_inserter(why.changes), &PairChange::step);
-  why.text = to_text(found, names);
+  why.text = to_text(found, info);
   return why;
 }
 
@@ -115,7 +115,8 @@ template <int D>
 py::array RecordingOf<D>::pairs(std::uint32_t step) {
   return pair_array(undisturbed([&] {
     (void)objects_at(step);
-    return replayer_->tree().pairs();
+    const auto pairs = replayer_->tree().pairs();
+    return std::vector<Pair>(pairs.begin(), pairs.end());
   }));
 }
 
@@ -148,10 +149,13 @@ py::array RecordingOf<D>::boxes(std::uint32_t step) {
 
 template <int D>
 py::array RecordingOf<D>::fixed(std::uint32_t step) {
-  const std::vector<ObjectId> ids = undisturbed([&] { return ids_at(step); });
-  py::array_t<bool> flags(static_cast<py::ssize_t>(ids.size()));
-  std::ranges::transform(ids, flags.mutable_data(),
-                         [&](ObjectId id) { return replayer_->tree().objects().is_fixed(id); });
+  const auto fixed = undisturbed([&] {
+    std::vector<std::uint8_t> all;
+    for (const ObjectId id : ids_at(step)) all.push_back(objects_at(step).is_fixed(id) ? 1 : 0);
+    return all;
+  });
+  py::array_t<bool> flags(static_cast<py::ssize_t>(fixed.size()));
+  std::ranges::transform(fixed, flags.mutable_data(), [](std::uint8_t flag) { return flag != 0; });
   return flags;
 }
 
@@ -203,7 +207,7 @@ PairWhy RecordingOf<D>::why(std::uint32_t a, std::uint32_t b, std::uint32_t step
                                                " up to step " + std::to_string(step));
                       return explain_pair(*replayer_, step, make_pair(ObjectId{a}, ObjectId{b}));
                     }),
-                    info().names);
+                    info());
 }
 
 template <int D>

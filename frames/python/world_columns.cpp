@@ -63,12 +63,29 @@ class Column {
   bool single_ = true;
 };
 
-py::object kind_number(const py::object& given) {
+/// A name becomes a number. `where`: the row, for the message.
+py::object kind_number(const py::object& given, const std::string& where) {
   if (!py::isinstance<py::str>(given)) return given;
   const auto name = given.cast<std::string>();
   for (std::size_t k = 0; k < kKinds.size(); ++k)
     if (kKinds[k] == name) return py::int_(k);
-  throw py::value_error("kind: '" + name + "' is none of 'fixed', 'kinematic', 'moving', 'sensor'");
+  throw py::value_error("kind: " + where + "'" + name +
+                        "' is none of 'fixed', 'kinematic', 'moving', 'sensor'");
+}
+
+/// The same for one, or for one a row.
+py::object kind_numbers(const py::object& given) {
+  if (given.is_none()) return given;
+  const py::array array = column_array(given, "kind");
+  const char type = array.dtype().kind();
+  if (array.ndim() > 1 || (type != 'O' && type != 'U')) return array;
+  const py::object values = array.attr("tolist")();
+  if (array.ndim() == 0) return kind_number(values, "");
+  py::list numbers;
+  for (const py::handle value : values)
+    numbers.append(kind_number(py::reinterpret_borrow<py::object>(value),
+                               "row " + std::to_string(numbers.size()) + ": "));
+  return numbers;
 }
 
 template <class Set>
@@ -95,7 +112,7 @@ void apply_columns(const WorldColumns& columns, std::span<ObjectDef> defs) {
   constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
   constexpr auto kLeast = std::numeric_limits<std::int32_t>::min();
   constexpr auto kMost = std::numeric_limits<std::int32_t>::max();
-  for_rows(kind_number(columns.kind), defs, "kind",
+  for_rows(kind_numbers(columns.kind), defs, "kind",
            [](ObjectDef& def, const Column& column, std::size_t row) {
              def.kind = static_cast<ObjectKind>(column.whole<std::uint64_t>(row, 0, kObjectKinds - 1));
            });

@@ -81,7 +81,9 @@ py::array WorldOf<D>::insert(const py::handle& boxes, const WorldColumns& column
   std::vector<ObjectDef> defs(rows.size());
   apply_columns(columns, defs);
   std::vector<Handle> handles(rows.size());
-  check_status(world_.insert(rows.all(), defs, handles));
+  const WorldStatus status = world_.insert(rows.all(), defs, handles);
+  if (is_failure(status)) (void)world_.remove(handles);  // those that found an index
+  check_status(status);
   return handle_array(handles);
 }
 
@@ -99,8 +101,7 @@ void WorldOf<D>::move(const py::handle& handles, const py::handle& boxes) {
 template <int D>
 void WorldOf<D>::shift_origin(const py::handle& by) {
   const UseOnce use(in_use_);
-  const auto numbers = py::array_t<double, kInOrder>::ensure(by);
-  if (!numbers) throw py::error_already_set();
+  const auto numbers = number_array(by, "by");
   Vector<D> vector;
   if (numbers.ndim() != 1 || numbers.size() != D ||
       !std::all_of(numbers.data(), numbers.data() + numbers.size(),

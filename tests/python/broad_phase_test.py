@@ -1,6 +1,7 @@
 """kerf.BroadPhase: what goes in, what comes out, and what is refused."""
 
 import threading
+from types import MappingProxyType
 
 import numpy as np
 import pytest
@@ -281,6 +282,7 @@ def test_parameters_are_those_of_the_program():
     assert kerf.BroadPhase(2, tree="kerf-paper").config["max_threshold"] == 128
     assert kerf.BroadPhase(2, config={"max_threshold": 9999, "dense": False}).config["max_threshold"] == 9999
     assert kerf.BroadPhase(2, config="max_threshold=9999,dense=0").config["dense"] == 0
+    assert kerf.BroadPhase(2, config=MappingProxyType({"max_threshold": 9999})).config["max_threshold"] == 9999
     for wrong in ["max_treshold=1", "max_threshold=-1", {"max_threshold": "x"}, 3]:
         with pytest.raises(ValueError):
             kerf.BroadPhase(2, config=wrong)
@@ -288,8 +290,9 @@ def test_parameters_are_those_of_the_program():
         kerf.BroadPhase(2, tree="octree")
     with pytest.raises(ValueError, match="must be 2 or 3"):
         kerf.BroadPhase(4)
-    with pytest.raises(ValueError):
-        kerf.BroadPhase(2, threads=0)
+    for threads in [0, 257]:
+        with pytest.raises(ValueError, match="threads: "):
+            kerf.BroadPhase(2, threads=threads)
 
 
 def test_another_thread_gets_an_error_while_a_step_runs():
@@ -337,3 +340,4 @@ def test_a_run_is_recorded(tmp_path):
     assert (run.boxes(5) == boxes + np.float32(0.04)).all()
     with pytest.raises(RuntimeError, match="the recording is complete"):
         phase.step()
+    assert as_set(phase.pairs) == as_set(pairs[4]), "a step that is refused changes nothing"

@@ -69,6 +69,10 @@ def test_conditions_find_moments(run):
     assert [moment.step for moment in full] == (np.flatnonzero(run.rows["pairs"] > 50) + 1).tolist()
     assert all(moment.event is None for moment in full)
     assert run.find("pairs>50", after=full[3].step) == full[4]
+    assert run.find("pairs>50", after=np.int64(full[3].step)) == full[4]
+    for moment in [-1, 2**32, 0.5, "ab", (1, -1)]:
+        with pytest.raises(ValueError, match="is neither a step nor a kerf.Moment"):
+            run.find("pairs>50", after=moment)
     assert run.find("pairs<0") is None
     with pytest.raises(ValueError, match="pears"):
         run.find("pears>1")

@@ -39,6 +39,9 @@ def test_the_origin_is_shifted():
     for by in [[1, 2], [1, 2, np.nan], [1, 2, np.inf], [1, 2, 1e300], 3]:
         with pytest.raises(ValueError, match="by: give a finite number for each of the 3 axes"):
             world.shift_origin(by)
+    for by in ["abc", ["x", "y", "z"], [10**400, 0, 0], None]:
+        with pytest.raises(ValueError, match="by: the dtype is"):
+            world.shift_origin(by)
     assert (world.boxes(handles) == moved).all()
 
 
@@ -61,6 +64,16 @@ def test_kinds_and_filters_decide_which_pairs_are_reported():
             if not same and category[a] & mask[b] and category[b] & mask[a]:
                 expected.add((a, b))
     assert indices(world.pairs) == expected
+
+
+def test_kinds_are_a_name_or_a_number_for_each_row():
+    world = kerf.World(2)
+    handles = world.insert(np.repeat(ONE, 3, 0), kind=["fixed", "moving", kerf.Kind.sensor])
+    assert world.objects(handles)["kind"].tolist() == [0, 2, 3]
+    world.set(handles, kind=np.array(["kinematic", "sensor", "fixed"]))
+    assert world.objects(handles)["kind"].tolist() == [1, 3, 0]
+    world.set(handles, kind=np.array([2, 2, 1]))
+    assert world.objects(handles)["kind"].tolist() == [2, 2, 1]
 
 
 def test_what_an_object_is_can_change():
@@ -98,6 +111,8 @@ def test_a_handle_names_one_life():
     "columns, problem",
     [
         ({"kind": "liquid"}, "kind: 'liquid' is none of"),
+        ({"kind": ["fixed", "liquid"]}, "kind: row 1: 'liquid' is none of"),
+        ({"kind": ["fixed"]}, r"kind: the shape is \(1,\), but must be \(2,\)"),
         ({"kind": [0, 4]}, "kind: row 1 is 4"),
         ({"category": [1, -1]}, "category: row 1 is -1"),
         ({"mask": [1, 2, 3]}, r"mask: the shape is \(3,\), but must be \(2,\)"),
@@ -139,4 +154,7 @@ def test_fat_and_exact_pairs():
         assert len(world.step()) == count
     with pytest.raises(ValueError, match="neither 'fat' nor 'exact'"):
         kerf.World(2, pairs_of="both")
+    for threads in [0, 257]:
+        with pytest.raises(ValueError, match="threads: "):
+            kerf.World(2, threads=threads)
     assert kerf.World(3).insert([]).shape == (0,)

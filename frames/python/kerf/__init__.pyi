@@ -2,7 +2,7 @@ import enum
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from math import inf
-from typing import Any, Literal, NamedTuple, Optional, Union, overload
+from typing import Any, Literal, NamedTuple, Optional, SupportsIndex, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -21,7 +21,7 @@ _F64 = npt.NDArray[np.float64]
 _Bool = npt.NDArray[np.bool_]
 _Boxes = npt.NDArray[Any]
 _Pairs = Union[npt.NDArray[Any], Iterable[Iterable[int]]]
-_When = Union[int, tuple[int, Optional[int]]]
+_When = Union[SupportsIndex, tuple[int, Optional[int]]]
 
 class BroadPhase:
     def __init__(
