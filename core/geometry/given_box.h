@@ -56,14 +56,17 @@ constexpr bool overlaps(const GivenBox<D>& a, const GivenBox<D>& b) {
   return all;
 }
 
-/// The box with a margin, rounded outward.
+/// The box with a margin, rounded outward to floats and one further, for an engine of floats rounds its own
+/// margin so. Without a margin it stays as it is; a share of an extent that has no end is none.
 template <int D>
 GivenBox<D> grow(GivenBox<D> box, const Margin& margin) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
+  if (margin == Margin{}) return box;
   for (std::size_t i = 0; i < D; ++i) {
-    const double by = margin.absolute + margin.share * (box.max[i] - box.min[i]);
-    box.min[i] = std::nextafter(box.min[i] - by, -kInfinity);
-    box.max[i] = std::nextafter(box.max[i] + by, kInfinity);
+    const double extent = box.max[i] - box.min[i];
+    const double by = margin.absolute + (std::isfinite(extent) ? margin.share * extent : 0);
+    box.min[i] = static_cast<double>(std::nextafter(round_down(box.min[i] - by), -kInfinity));
+    box.max[i] = static_cast<double>(std::nextafter(round_up(box.max[i] + by), kInfinity));
   }
   return box;
 }

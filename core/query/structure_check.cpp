@@ -31,11 +31,18 @@ constexpr std::array<std::string_view, 16> kNames{"child outside its parent",
                                                   "leaf with children"};
 
 /// What the bounds of a box and of its margin may round away together, as a share of a bound.
-constexpr Scalar kRounding = 8 * std::numeric_limits<Scalar>::epsilon();
+constexpr double kRounding = 8 * double{std::numeric_limits<Scalar>::epsilon()};
 
-/// By more than a share of the bounds.
-bool is_below(Scalar a, Scalar b, Scalar rounding) {
-  return a < b && b - a > rounding * std::min(std::abs(a), std::abs(b));
+template <int D>
+bool begins_before(const Box<D>& inner, const Box<D>& outer, int axis, const BoundTolerance& tolerance) {
+  const double by = double{outer.min[axis]} - double{inner.min[axis]};
+  return by > 0 && by > tolerance.allowed(double{outer.min[axis]}, double{inner.min[axis]});
+}
+
+template <int D>
+bool ends_beyond(const Box<D>& inner, const Box<D>& outer, int axis, const BoundTolerance& tolerance) {
+  const double by = double{inner.max[axis]} - double{outer.max[axis]};
+  return by > 0 && by > tolerance.allowed(double{outer.max[axis]}, double{inner.max[axis]});
 }
 
 std::string axis_name(int axis) { return std::string(1, static_cast<char>('x' + axis)); }
@@ -114,13 +121,14 @@ class Checker {
   void check_inside_parent(std::uint32_t cell) {
     const Box<D>& box = parts_.cells[cell].box;
     const std::uint32_t parent = parts_.cells[cell].parent;
-    if (!holds_rounded(parts_.cells[parent].box, box, limits_.rounding))
+    if (!holds_rounded(parts_.cells[parent].box, box, limits_.tolerance.child))
       add(Kind::child_outside_parent, cell, {},
           name(cell) + " lies outside its parent " + name(parent) + ": " +
-              how_outside(box, parts_.cells[parent].box, limits_.rounding));
+              how_outside(box, parts_.cells[parent].box, limits_.tolerance.child));
   }
 
   void check_overlap(std::uint32_t parent) {
+    if (std::isinf(limits_.overlap)) return;
     const auto& children = children_[parent];
     for (std::size_t i = 0; i < children.size(); ++i)
       for (std::size_t k = i + 1; k < children.size(); ++k) {
@@ -155,23 +163,33 @@ class Checker {
 
   void check_inside(const CellMember& member, const Box<D>& box) {
     const Box<D>& outer = parts_.cells[member.cell].box;
-    if (!holds_rounded(outer, box, limits_.rounding)) {
+    if (holds_rounded(outer, box, limits_.tolerance.object)) {
+      check_margin(member, box);
+    } else {
       add(Kind::object_outside_cell, member.cell, member.object,
           text_of(member.object) + " lies outside its cell " + name(member.cell) + ": " +
-              how_outside(box, outer, limits_.rounding));
-      return;
+              how_outside(box, outer, limits_.tolerance.object));
     }
-    const Scalar wanted = margin_of(member.cell);
+  }
+
+  /// What was moved within its margin has used some of it up on one side, but not on both. In doubles: floats
+  /// do not hold how long an axis without ends is.
+  void check_margin(const CellMember& member, const Box<D>& box) {
+    const Box<D>& outer = parts_.cells[member.cell].box;
+    const BoundTolerance& tolerance = limits_.tolerance.object;
+    const double wanted{margin_of(member.cell)};
     for (int axis = 0; axis < D && wanted > 0; ++axis) {
-      const Scalar margin = std::min(box.min[axis] - outer.min[axis], outer.max[axis] - box.max[axis]);
-      // What was moved within its margin has used some of it up on one side, but not on both.
-      const Scalar both = outer.max[axis] - outer.min[axis] - (box.max[axis] - box.min[axis]);
-      const Scalar rounding = std::max(kRounding, 2 * limits_.rounding) *
-                              std::max(std::abs(outer.min[axis]), std::abs(outer.max[axis]));
-      if (margin >= 0 && both >= 2 * wanted - rounding) continue;
+      const double low{outer.min[axis]};
+      const double high{outer.max[axis]};
+      const double both = high - low - (double{box.max[axis]} - double{box.min[axis]});
+      const double rounding = kRounding * std::max(std::abs(low), std::abs(high)) +
+                              tolerance.allowed(low, double{box.min[axis]}) +
+                              tolerance.allowed(high, double{box.max[axis]});
+      if (both >= 2 * wanted - rounding) continue;
       add(Kind::no_margin, member.cell, member.object,
           name(member.cell) + " leaves " + text_of(member.object) + " a margin of " +
-              shortest_text(both / 2) + " along " + axis_name(axis) + ", less than " + shortest_text(wanted));
+              shortest_text(static_cast<Scalar>(both / 2)) + " along " + axis_name(axis) + ", less than " +
+              shortest_text(static_cast<Scalar>(wanted)));
       return;
     }
   }
@@ -303,22 +321,28 @@ class Checker {
 
 }  // namespace
 
+double BoundTolerance::allowed(double outer, double inner) const {
+  using Float = std::numeric_limits<Scalar>;
+  const double least = std::min({std::abs(outer), std::abs(inner), double{Float::max()}});
+  return share * least + ulps * (least * double{Float::epsilon()} + double{Float::denorm_min()}) +
+         rounded_away(outer_digits, outer) + rounded_away(inner_digits, inner);
+}
+
 template <int D>
-bool holds_rounded(const Box<D>& outer, const Box<D>& inner, Scalar rounding) {
+bool holds_rounded(const Box<D>& outer, const Box<D>& inner, const BoundTolerance& tolerance) {
   for (int axis = 0; axis < D; ++axis)
-    if (is_below(inner.min[axis], outer.min[axis], rounding) ||
-        is_below(outer.max[axis], inner.max[axis], rounding))
+    if (begins_before(inner, outer, axis, tolerance) || ends_beyond(inner, outer, axis, tolerance))
       return false;
   return true;
 }
 
 template <int D>
-std::string how_outside(const Box<D>& inner, const Box<D>& outer, Scalar rounding) {
+std::string how_outside(const Box<D>& inner, const Box<D>& outer, const BoundTolerance& tolerance) {
   for (int axis = 0; axis < D; ++axis) {
-    if (is_below(inner.min[axis], outer.min[axis], rounding))
+    if (begins_before(inner, outer, axis, tolerance))
       return "along " + axis_name(axis) + " it begins at " + shortest_text(inner.min[axis]) + ", before " +
              shortest_text(outer.min[axis]);
-    if (is_below(outer.max[axis], inner.max[axis], rounding))
+    if (ends_beyond(inner, outer, axis, tolerance))
       return "along " + axis_name(axis) + " it ends at " + shortest_text(inner.max[axis]) + ", beyond " +
              shortest_text(outer.max[axis]);
   }
@@ -335,11 +359,11 @@ std::vector<StructureFault> check_structure(const StructureParts<D>& parts,
   return Checker<D>(parts, objects, pairs, limits, names).run();
 }
 
-#define KERF_INSTANTIATE(D)                                                             \
-  template std::string how_outside(const Box<D>&, const Box<D>&, Scalar);               \
-  template bool holds_rounded(const Box<D>&, const Box<D>&, Scalar);                    \
-  template std::vector<StructureFault> check_structure(                                 \
-      const StructureParts<D>&, std::span<const KnownObject<D>>, std::span<const Pair>, \
+#define KERF_INSTANTIATE(D)                                                              \
+  template std::string how_outside(const Box<D>&, const Box<D>&, const BoundTolerance&); \
+  template bool holds_rounded(const Box<D>&, const Box<D>&, const BoundTolerance&);      \
+  template std::vector<StructureFault> check_structure(                                  \
+      const StructureParts<D>&, std::span<const KnownObject<D>>, std::span<const Pair>,  \
       const StructureLimits&, const StructureNames&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

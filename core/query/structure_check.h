@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/objects/structure.h"
+#include "core/recording/their_digits.h"
 
 namespace kerf {
 
@@ -48,13 +49,28 @@ struct StructureNames {
   std::function<std::string(std::uint32_t)> cell{};  ///< by its name; "n17"
 };
 
+/// How far a bound may lie outside of another without a fault: not at all, for floats as they are, and more
+/// for numbers that were written as text.
+struct BoundTolerance {
+  double share = 0;              ///< of the lesser of the two
+  double ulps = 0;               ///< of a float of their size
+  WrittenDigits outer_digits{};  ///< how each was written
+  WrittenDigits inner_digits{};
+
+  [[nodiscard]] double allowed(double outer, double inner) const;
+};
+
+/// Of the boxes of a structure.
+struct StructureTolerance {
+  BoundTolerance child{};   ///< in its parent
+  BoundTolerance object{};  ///< in its cell
+};
+
 /// Bounds for a structure; by default there are none.
 struct StructureLimits {
   std::uint32_t depth = std::numeric_limits<std::uint32_t>::max();
   double overlap = std::numeric_limits<double>::infinity();  ///< of two siblings, as a share of their parent
-  /// What a bound may be off, as a share of it, without a fault: 0 for floats as they are, and more for
-  /// numbers that were written with few digits.
-  Scalar rounding = 0;
+  StructureTolerance tolerance{};
   Scalar margin = 0;              ///< that a leaf has at least around its object, along each axis
   std::vector<Scalar> margins{};  ///< by cell, where one claims more
 };
@@ -76,9 +92,9 @@ std::vector<StructureFault> check_structure(const StructureParts<D>& parts,
 
 /// Where `inner` leaves `outer`: "along x it ends at 5.2, beyond 5".
 template <int D>
-std::string how_outside(const Box<D>& inner, const Box<D>& outer, Scalar rounding = 0);
-/// Whether `outer` holds `inner` but for a share `rounding` of each bound.
+std::string how_outside(const Box<D>& inner, const Box<D>& outer, const BoundTolerance& tolerance = {});
+/// Whether `outer` holds `inner` but for what is allowed.
 template <int D>
-bool holds_rounded(const Box<D>& outer, const Box<D>& inner, Scalar rounding);
+bool holds_rounded(const Box<D>& outer, const Box<D>& inner, const BoundTolerance& tolerance);
 
 }  // namespace kerf

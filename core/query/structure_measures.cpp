@@ -133,9 +133,17 @@ template <int D>
 double overlap_share(const StructureParts<D>& parts, std::uint32_t a, std::uint32_t b, const Box<D>& bounds) {
   const StructureCell<D>& first = parts.cells[a];
   if (first.cut != kNoPart || first.parent == kNoPart) return 0;
-  const double whole = volume(with_ends(parts.cells[first.parent].box, bounds));
-  const double common =
-      volume(common_part(with_ends(first.box, bounds), with_ends(parts.cells[b].box, bounds)));
+  const Box<D> parent = with_ends(parts.cells[first.parent].box, bounds);
+  const Box<D> shared = common_part(with_ends(first.box, bounds), with_ends(parts.cells[b].box, bounds));
+  double whole = 0;  // of the axes along which the parent is not flat
+  double common = 0;
+  for (int i = 0; i < D; ++i) {
+    const double length = double{parent.max[i]} - double{parent.min[i]};
+    if (length < 0) return 0;
+    if (length == 0) continue;
+    common = (whole > 0 ? common : 1) * std::max(0.0, double{shared.max[i]} - double{shared.min[i]});
+    whole = (whole > 0 ? whole : 1) * length;
+  }
   // A parent without ends has no share.
   return whole > 0 && whole < std::numeric_limits<double>::infinity() ? common / whole : 0;
 }

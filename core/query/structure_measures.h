@@ -31,8 +31,8 @@ std::vector<std::vector<std::uint32_t>> children_of(const StructureParts<D>& par
 template <int D>
 Box<D> with_ends(Box<D> box, const Box<D>& bounds);
 
-/// The share of their parent's box that two siblings cover both; 0 of siblings that a plane divides, and of a
-/// parent without ends unless there are `bounds`.
+/// The share of their parent's box that two siblings cover both, without axes along which it is flat; 0 of
+/// siblings that a plane divides, and of a parent without ends unless there are `bounds`.
 template <int D>
 double overlap_share(const StructureParts<D>& parts, std::uint32_t a, std::uint32_t b,
                      const Box<D>& bounds = everywhere<D>());

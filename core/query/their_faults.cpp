@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "core/base/counted.h"
 #include "core/query/their_parts.h"
@@ -16,11 +17,16 @@ std::vector<TheirFault> find_their_faults(Replayer<D>& replayer, const Structure
   std::vector<TheirFault> faults;
   std::map<Key, std::size_t> known;
   const GivenNames& names = replayer.recording().info().names;
+  TheirStructure<D> before;
+  std::uint32_t before_step = 0;  // 0: none is known
+  bool held_fixed = false;
   for (const std::uint32_t step : replayer.recording().structure_steps()) {
     if (stop && stop(step)) break;
-    const TheirStructure<D> structure = *replayer.recording().their_structure(step);
+    TheirStructure<D> structure = *replayer.recording().their_structure(step);
     replayer.seek(step);
-    for (StructureFault& fault : check_theirs<D>(structure, replayer.tree().objects(), names, limits)) {
+    const ObjectTable<D>& objects = replayer.tree().objects();
+    const TheirPast<D> past{before_step == 0 ? nullptr : &before, step == before_step + 1, held_fixed};
+    for (StructureFault& fault : check_theirs<D>(structure, objects, names, past, limits)) {
       const auto node =
           fault.cell == kNoPart ? std::nullopt : std::optional(structure.nodes[fault.cell].name);
       const auto [found, is_new] = known.emplace(Key{fault.kind, node, fault.object}, faults.size());
@@ -29,6 +35,9 @@ std::vector<TheirFault> find_their_faults(Replayer<D>& replayer, const Structure
       if (same.steps == 0 || same.last_step != step) ++same.steps;
       same.last_step = step;
     }
+    held_fixed = held_fixed || holds_fixed(structure, objects);
+    before = std::move(structure);
+    before_step = step;
   }
   return faults;
 }

@@ -1,7 +1,9 @@
 #include "core/query/their_parts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace kerf {
@@ -71,10 +73,15 @@ class PartsMaker {
     const std::uint32_t depth = parent == kNoPart ? 0 : made_.parts.cells[parent].depth + 1;
     made_.parts.cells.push_back({told.box, first_[told.name], parent, depth, kNoPart});
     made_.margins.push_back(told.margin);
-    for (const ObjectId object : told.objects) made_.parts.members.push_back({cell, object});
+    std::vector<ObjectId> objects = told.objects;  // one that is named twice is there once
+    std::ranges::sort(objects);
+    objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
+    for (const ObjectId object : objects) made_.parts.members.push_back({cell, object});
   }
 
+  /// A node of the circle becomes a root; what hangs below the circle stays there.
   void add_circle(std::uint32_t node) {
+    for (std::set<std::uint32_t> seen; seen.insert(node).second;) node = parents_[node];
     add_fault(
         StructureFaultKind::node_lost, node,
         node_name(structure_, node) + " is lost: it hangs below itself, and no way leads to it from a root");
@@ -98,6 +105,54 @@ class PartsMaker {
   TheirParts<D> made_;
 };
 
+/// Without fixed ones where engines keep these apart.
+template <int D>
+std::vector<KnownObject<D>> objects_for(const ObjectTable<D>& objects, bool with_fixed) {
+  std::vector<KnownObject<D>> known;
+  for (std::uint32_t id = 0; id < objects.bound(); ++id)
+    if (objects.is_placed({id}) && (with_fixed || !objects.is_fixed({id})))
+      known.push_back({{id}, objects.box({id})});
+  return known;
+}
+
+/// By cell. A leaf is the same as before if its name and its objects are.
+template <int D>
+std::vector<Scalar> margins_to_judge(const TheirStructure<D>& structure, const TheirParts<D>& theirs,
+                                     const TheirPast<D>& past, Scalar asked) {
+  if (!(asked > 0) && std::ranges::all_of(theirs.margins, [](Scalar claimed) { return !(claimed > 0); }))
+    return {};
+  std::map<GivenId, const TheirNode<D>*> before;
+  if (past.structure != nullptr)
+    for (const TheirNode<D>& node : past.structure->nodes) before.emplace(node.name, &node);
+  std::vector<Scalar> margins;
+  for (std::uint32_t cell = 0; cell < theirs.parts.cells.size(); ++cell) {
+    const StructureCell<D>& told = theirs.parts.cells[cell];
+    const TheirNode<D>& node = structure.nodes[told.name];
+    const auto found = before.find(node.name);
+    const bool is_new = found == before.end() || found->second->objects != node.objects;
+    const bool is_placed_anew = !is_new && found->second->box != told.box;
+    const Scalar claimed = is_placed_anew && past.is_next ? theirs.margins[cell] : 0;
+    margins.push_back(std::max(claimed, is_new || is_placed_anew ? asked : 0));
+  }
+  return margins;
+}
+
+template <int D>
+bool most_leaves_hold(const StructureParts<D>& parts) {
+  std::vector<std::uint8_t> is_leaf(parts.cells.size(), 1);
+  for (const StructureCell<D>& cell : parts.cells)
+    if (cell.parent != kNoPart) is_leaf[cell.parent] = 0;
+  const auto leaves = std::ranges::count(is_leaf, 1);
+  for (const CellMember& member : parts.members) is_leaf[member.cell] = 0;
+  return 2 * std::ranges::count(is_leaf, 1) < leaves;
+}
+
+/// Whether it is wrong that a leaf holds no object. A root alone is an empty tree.
+template <int D>
+bool must_hold(const TheirNode<D>& leaf, bool most_leaves_do) {
+  return leaf.leaf ? *leaf.leaf : leaf.parent.has_value() && most_leaves_do;
+}
+
 }  // namespace
 
 template <int D>
@@ -111,38 +166,54 @@ TheirParts<D> parts_of(const TheirStructure<D>& structure) {
 }
 
 template <int D>
-std::vector<KnownObject<D>> objects_for(const TheirStructure<D>& structure, const ObjectTable<D>& objects) {
-  const bool has_fixed = std::ranges::any_of(structure.nodes, [&](const TheirNode<D>& node) {
+bool holds_fixed(const TheirStructure<D>& structure, const ObjectTable<D>& objects) {
+  return std::ranges::any_of(structure.nodes, [&](const TheirNode<D>& node) {
     return std::ranges::any_of(
         node.objects, [&](ObjectId object) { return objects.is_placed(object) && objects.is_fixed(object); });
   });
-  std::vector<KnownObject<D>> known;
-  for (std::uint32_t id = 0; id < objects.bound(); ++id)
-    if (objects.is_placed({id}) && (has_fixed || !objects.is_fixed({id})))
-      known.push_back({{id}, objects.box({id})});
-  return known;
+}
+
+StructureTolerance tolerance_of(const std::optional<TheirDigits>& digits) {
+  constexpr BoundTolerance kSixDigits{1e-5, 0};
+  constexpr double kUlps = 2;
+  if (!digits) return {kSixDigits, kSixDigits};
+  return {{0, kUlps}, {0, kUlps, digits->nodes, digits->boxes}};
 }
 
 template <int D>
 std::vector<StructureFault> check_theirs(const TheirStructure<D>& structure, const ObjectTable<D>& objects,
-                                         const GivenNames& names, StructureLimits limits) {
-  TheirParts<D> theirs = parts_of(structure);
-  limits.margins = std::move(theirs.margins);
-  limits.rounding = kSixDigits;
+                                         const GivenNames& names, const TheirPast<D>& past,
+                                         StructureLimits limits) {
+  const TheirParts<D> theirs = parts_of(structure);
+  limits.margins = margins_to_judge(structure, theirs, past, limits.margin);
+  limits.margin = 0;
+  limits.tolerance = tolerance_of(structure.digits);
   const StructureNames called{[&](ObjectId object) { return names.object(object); },
                               [&](std::uint32_t place) { return node_name(structure, place); }};
-  std::vector<StructureFault> faults = std::move(theirs.faults);
-  std::ranges::move(check_structure<D>(theirs.parts, objects_for(structure, objects), {}, limits, called),
-                    std::back_inserter(faults));
+  const auto known = objects_for(objects, past.held_fixed || holds_fixed(structure, objects));
+  std::vector<StructureFault> faults = theirs.faults;
+  std::ranges::move(check_structure<D>(theirs.parts, known, {}, limits, called), std::back_inserter(faults));
+  if (structure.nodes.empty())
+    for (const KnownObject<D>& one : known)
+      faults.push_back({StructureFaultKind::object_in_no_cell, kNoPart, one.object,
+                        "object " + names.object(one.object) + " is in no cell"});
+  const bool most_hold = most_leaves_hold(theirs.parts);
+  std::erase_if(faults, [&](const StructureFault& fault) {
+    if (fault.kind == StructureFaultKind::unknown_object)
+      return objects.state(fault.object) != ObjectState::absent;  // it has no box that could be compared
+    return fault.kind == StructureFaultKind::leaf_without_object &&
+           !must_hold(structure.nodes[fault.cell], most_hold);
+  });
   return faults;
 }
 
 #define KERF_INSTANTIATE(D)                                                                          \
   template std::string node_name(const TheirStructure<D>&, std::uint32_t);                           \
   template TheirParts<D> parts_of(const TheirStructure<D>&);                                         \
-  template std::vector<KnownObject<D>> objects_for(const TheirStructure<D>&, const ObjectTable<D>&); \
+  template bool holds_fixed(const TheirStructure<D>&, const ObjectTable<D>&);                        \
   template std::vector<StructureFault> check_theirs(const TheirStructure<D>&, const ObjectTable<D>&, \
-                                                    const GivenNames&, StructureLimits);
+                                                    const GivenNames&, const TheirPast<D>&,          \
+                                                    StructureLimits);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

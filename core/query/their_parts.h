@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,15 +27,30 @@ std::string node_name(const TheirStructure<D>& structure, std::uint32_t place);
 template <int D>
 TheirParts<D> parts_of(const TheirStructure<D>& structure);
 
-/// The placed objects. Without fixed ones if the structure has none of these: engines keep them apart.
+/// Whether any of its objects is fixed: engines may keep these apart.
 template <int D>
-std::vector<KnownObject<D>> objects_for(const TheirStructure<D>& structure, const ObjectTable<D>& objects);
+bool holds_fixed(const TheirStructure<D>& structure, const ObjectTable<D>& objects);
 
-/// What numbers of six digits round away together: a program need not write boxes and nodes alike.
-inline constexpr Scalar kSixDigits = 1e-5F;
-/// All that is wrong with it after a step, but for such differences. `objects`: as they were then.
+/// What bounds may be off for how they were written. A child and its parent stand in one table, and what
+/// rounds both alike keeps their order. A recording that does not say it is taken to have six digits
+/// everywhere.
+StructureTolerance tolerance_of(const std::optional<TheirDigits>& digits);
+
+/// What is known of the steps before the one that is checked.
+template <int D>
+struct TheirPast {
+  const TheirStructure<D>* structure = nullptr;  ///< the last one known; none: this is the first
+  bool is_next = false;                          ///< it is of the step just before
+  bool held_fixed = false;                       ///< one of them held a fixed object
+};
+
+/// All that is wrong with it after a step. `objects`: as they were then. Fixed ones are missed if it holds,
+/// or has held, any. A margin that is claimed is judged where a leaf was placed anew since the step before,
+/// one that is asked for (`limits`) in new leaves, too: in one that stayed an object may have turned or
+/// grown.
 template <int D>
 std::vector<StructureFault> check_theirs(const TheirStructure<D>& structure, const ObjectTable<D>& objects,
-                                         const GivenNames& names, StructureLimits limits = {});
+                                         const GivenNames& names, const TheirPast<D>& past = {},
+                                         StructureLimits limits = {});
 
 }  // namespace kerf

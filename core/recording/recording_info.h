@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/base/given_names.h"
 #include "core/objects/broad_phase.h"
 #include "core/recording/object_marks.h"
+#include "core/recording/their_digits.h"
 #include "core/recording/theirs.h"
 #include "core/trace/decision.h"
 #include "core/trace/statistics.h"
@@ -34,6 +36,7 @@ struct RecordingInfo {
   GivenNames names;                   ///< what that engine calls objects and steps
   ObjectMarks marks;                  ///< labels and colours of objects
   PairDesign design;                  ///< what it does by design
+  std::optional<TheirDigits> digits;  ///< how boxes and nodes of a structure were written; none: not known
   std::uint64_t seed = 1;             ///< of the scene
   std::uint32_t objects = 0;          ///< as requested; 0: the scene's own number
   std::uint32_t grow = 0;             ///< steps of growth; 0: the scene's own number

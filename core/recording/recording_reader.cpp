@@ -292,7 +292,9 @@ template <int D>
 std::optional<TheirStructure<D>> RecordingReader<D>::their_structure(std::uint32_t step) const {
   if (step == 0 || step > steps() || !has_structures(database_)) return std::nullopt;
   check_theirs(step);
-  return read_structure<D>(database_, step);
+  auto structure = read_structure<D>(database_, step);
+  if (structure) structure->digits = info_.digits;
+  return structure;
 }
 
 template <int D>

@@ -139,6 +139,20 @@ void set_meta(Database& database, std::string_view key, std::string_view value) 
   database.prepare("INSERT OR REPLACE INTO meta VALUES(?, ?)").bind(1, key).bind(2, value).run();
 }
 
+void write_digits(Database& database, const TheirDigits& digits) {
+  set_meta(database, "their_box_digits", std::to_string(digits.boxes.significant));
+  set_meta(database, "their_box_decimals", std::to_string(digits.boxes.decimals));
+  set_meta(database, "their_node_digits", std::to_string(digits.nodes.significant));
+  set_meta(database, "their_node_decimals", std::to_string(digits.nodes.decimals));
+}
+
+std::optional<TheirDigits> read_digits(const std::map<std::string, std::string>& meta) {
+  if (!meta.contains("their_box_digits")) return std::nullopt;
+  const auto count = [&](const char* key) { return number<std::uint32_t>(meta, key); };
+  return TheirDigits{{count("their_box_digits"), count("their_box_decimals")},
+                     {count("their_node_digits"), count("their_node_decimals")}};
+}
+
 bool has_recording_id(const Database& database) {
   try {
     return database.ask("PRAGMA application_id") == kRecordingId;
@@ -183,6 +197,7 @@ void create_schema(Database& database, const RecordingInfo& info) {
   write_names(database, info.names);
   write_marks(database, info.marks);
   write_design(database, info.design);
+  if (info.digits) write_digits(database, *info.digits);
   database.execute("COMMIT");
 }
 
@@ -234,6 +249,7 @@ RecordingInfo read_info(const Database& database) {
   info.names = read_names(database);
   info.marks = read_marks(database);
   info.design = read_design(database);
+  info.digits = read_digits(meta);
   info.scene = meta["scene"];
   info.imported = flag_of(meta, "imported");
   info.complete = flag_of(meta, "complete");

@@ -10,6 +10,7 @@
 #include "core/base/ids.h"
 #include "core/geometry/box.h"
 #include "core/recording/database.h"
+#include "core/recording/their_digits.h"
 
 namespace kerf {
 
@@ -32,9 +33,11 @@ struct TheirNode {
 template <int D>
 struct TheirStructure {
   std::vector<TheirNode<D>> nodes;
+  std::optional<TheirDigits> digits{};  ///< of the recording: how numbers were written; none: not known
   friend bool operator==(const TheirStructure&, const TheirStructure&) = default;
 };
 
+/// The nodes alone.
 template <int D>
 Bytes encode_structure(const TheirStructure<D>& structure);
 /// The reverse. Throws std::runtime_error for damaged bytes, and for bounds that are no numbers.

@@ -61,11 +61,12 @@ PAIRS   step,a,b   of the boxes' first step or a later one, also one without box
         What is wrong with them is then found by `kerf step FILE --to 'missed>0'` and `kerf explain`. What
         --margin, --ignore and masks declare is counted apart, as ignored.
 NODES   step,node,parent,min_x,max_x,min_y,max_y[,min_z,max_z],object[,leaf][,margin]
-        The whole tree after a step, in any order of lines; a step without lines has no known tree. Nodes are
-        any whole numbers of 64 bits. A root has no parent, or -1. An object stands at the node that holds it;
-        several are 3 7 12. leaf, 0 or 1, is what the engine calls the node, margin how much larger it says it
-        makes the boxes of its objects on each side. `kerf lint FILE --structure` says what is wrong, `kerf
-        explain FILE --pair` at which node a pair was lost, `kerf debug FILE` draws it.)");
+        The whole tree after a step, in any order of lines; a step without lines has no known tree, one with a
+        line of nothing but the step an empty one. Nodes are any whole numbers of 64 bits but -1. A root has no
+        parent, or -1. An object stands at the node that holds it; several are 3 7 12. leaf, 0 or 1, is what the
+        engine calls the node, margin how much larger it says it makes the boxes of its objects on each side;
+        blank where it placed one tight. `kerf lint FILE --structure` says what is wrong, `kerf explain FILE
+        --pair` at which node a pair was lost, `kerf debug FILE` draws it.)");
 }
 
 bool ImportCommand::chosen() const { return command_->parsed(); }

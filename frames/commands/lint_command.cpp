@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/base/counted.h"
 #include "core/query/their_faults.h"
 #include "core/query/thrash.h"
 #include "frames/sequence/recording_file.h"
@@ -21,6 +22,8 @@ double parse_share(const std::string& text) {
       parse_number<double>(std::string_view(text).substr(0, text.size() - (is_percent ? 1 : 0)));
   if (!number || !std::isfinite(*number))
     throw UsageError("--overlap '" + text + "' is no share such as 0.3 or 30%");
+  if (!is_percent && *number > 1)
+    throw UsageError("--overlap '" + text + "' is more than all of a box; do you mean '" + text + "%'?");
   return is_percent ? *number / 100 : *number;
 }
 
@@ -61,7 +64,8 @@ LintCommand::LintCommand(CLI::App& program)
   };
   limit("--depth", depth_, "Find deeper nodes, too; a root has depth 0", "N");
   limit("--overlap", overlap_, "Find siblings that share more of their parent's box, too", "X|N%");
-  limit("--margin", margin_, "Find leaves that leave less around their objects, too", "X");
+  limit("--margin", margin_, "Find leaves that leave less around their objects where they are placed, too",
+        "X");
   command_->footer(
       "FINDS   a node that was split, merged and split again; a partitioner that was balanced one way, back\n"
       "        and again; an operator that was listed and waited for longer\n"
@@ -75,8 +79,7 @@ bool LintCommand::chosen() const { return command_->parsed(); }
 void LintCommand::run() const {
   const std::size_t found = structure_ ? lint_structure() : lint_operators();
   if (found > 0) throw DoesNotHold(std::to_string(found) + " found");
-  std::puts(structure_ ? "the structure is sound in all of its steps"
-                       : "nothing undoes itself, and nothing waits");
+  if (!structure_) std::puts("nothing undoes itself, and nothing waits");
 }
 
 std::size_t LintCommand::lint_operators() const {
@@ -104,6 +107,9 @@ std::size_t LintCommand::lint_structure() const {
     const auto faults = find_their_faults<D>(replayer, limits);
     for (const TheirFault& fault : faults)
       std::printf("%s\n", to_text(fault, recording->info().names).c_str());
+    if (faults.empty())
+      std::printf("the structure is sound in the %zu of %s in which it is known\n",
+                  recording->structure_steps().size(), counted(recording->steps(), "step").c_str());
     return faults.size();
   });
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/given_names.h"
+#include "frames/import/written_digits.h"
 #include "frames/support/errors.h"
 
 namespace kerf {
@@ -185,6 +186,11 @@ void BoxLines::read_bounds(BoxLine& line) const {
   } else {
     line.oddity = blank > 0 ? BoxLine::Oddity::half_blank : oddity_of(line, dimension_);
   }
+}
+
+void BoxLines::note_digits(WrittenDigits& written) const {
+  for (std::size_t column = kBounds; column <= max_column(dimension_ - 1); ++column)
+    kerf::note_digits(table_.text(column), written);
 }
 
 std::string conflict_of(const GivenStep& a, const GivenStep& b) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/given_id.h"
+#include "core/recording/their_digits.h"
 #include "core/recording/theirs.h"
 #include "frames/support/csv_table.h"
 
@@ -62,6 +63,8 @@ class BoxLines {
   /// None: the line has no object.
   [[nodiscard]] std::optional<GivenId> object() const;
   [[nodiscard]] BoxLine read() const;
+  /// Notes how the bounds of the line were written.
+  void note_digits(WrittenDigits& written) const;
   [[noreturn]] void reject(const std::string& what) const { table_.reject(what); }
   [[nodiscard]] const CsvTable& table() const { return table_; }
 

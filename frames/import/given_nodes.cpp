@@ -1,10 +1,15 @@
 #include "frames/import/given_nodes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
 
+#include "core/base/ids.h"
+#include "frames/import/written_digits.h"
 #include "frames/support/errors.h"
 
 namespace kerf {
@@ -50,13 +55,29 @@ void check_columns(const CsvTable& table, int dimension) {
     if (!table.has(column))
       throw UsageError(table.name() + ": the heading must be " + form +
                        ", and perhaps leaf and margin, in any order; it has " + table.names());
+  for (std::size_t column = kBoundsOfNode + 2 * static_cast<std::size_t>(dimension); column < kObjectsOfNode;
+       ++column)
+    if (table.has(column))
+      throw UsageError(table.name() +
+                       ": its boxes have a z, and those of the objects have none; give both a z, or neither");
 }
 
 /// Nothing, or -1, is no parent.
 std::optional<GivenId> read_parent(const CsvTable& table) {
   if (table.is_blank(kParentNode)) return std::nullopt;
   const GivenId parent = table.id(kParentNode);
-  return parent == GivenId{true, 1} ? std::nullopt : std::optional(parent);
+  return parent == kNoIndex ? std::nullopt : std::optional(parent);
+}
+
+/// Null pointers and null indices are no parents where no root is blank or has -1.
+void drop_null_parents(std::vector<GivenNode>& nodes) {
+  if (std::ranges::any_of(nodes, [](const GivenNode& node) { return !node.parent; })) return;
+  for (const std::uint64_t null : {std::uint64_t{0}, std::uint64_t{UINT32_MAX}, UINT64_MAX}) {
+    const GivenId id{false, null};
+    if (std::ranges::find(nodes, id, &GivenNode::node) != nodes.end()) continue;
+    for (GivenNode& node : nodes)
+      if (node.parent == id) node.parent.reset();
+  }
 }
 
 /// "3", or several: "3 7 12" or "3;7;12".
@@ -75,51 +96,64 @@ std::vector<GivenId> read_objects(const CsvTable& table) {
   }
 }
 
-double read_bound(const CsvTable& table, std::size_t column) {
+double read_bound(const CsvTable& table, std::size_t column, WrittenDigits& digits) {
   if (table.is_blank(column))
     table.reject("node " + std::string(table.text(kNodeName)) + " lacks a bound of its box");
   const double bound = table.real(column);
   if (std::isnan(bound)) table.reject(column, "is no number");
+  note_digits(table.text(column), digits);
   return bound;
 }
 
-GivenNode read_node(const CsvTable& table, int dimension) {
+GivenNode read_node(const CsvTable& table, int dimension, WrittenDigits& digits) {
   GivenNode node;
   node.line = table.line();
   if (table.is_blank(kNodeName)) table.reject("the node is blank");
   node.node = table.id(kNodeName);
+  if (node.node == kNoIndex) table.reject(kNodeName, "is no name: a parent of -1 says that there is none");
   node.parent = read_parent(table);
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) {
-    node.min[axis] = read_bound(table, kBoundsOfNode + 2 * axis);
-    node.max[axis] = read_bound(table, kBoundsOfNode + 2 * axis + 1);
+    node.min[axis] = read_bound(table, kBoundsOfNode + 2 * axis, digits);
+    node.max[axis] = read_bound(table, kBoundsOfNode + 2 * axis + 1, digits);
   }
   node.objects = read_objects(table);
   if (!table.is_blank(kLeafFlag)) node.leaf = table.boolean(kLeafFlag);
   if (table.is_blank(kMarginOfNode)) return node;
   node.margin = table.real(kMarginOfNode);
-  if (!(node.margin >= 0) || std::isinf(node.margin)) table.reject(kMarginOfNode, "is no length");
+  constexpr double kMost = std::numeric_limits<Scalar>::max();
+  if (!(node.margin >= 0 && node.margin <= kMost)) table.reject(kMarginOfNode, "is no length");
   return node;
+}
+
+bool has_only_step(const CsvTable& table) {
+  for (std::size_t column = kNodeName; column <= kMarginOfNode; ++column)
+    if (!table.is_blank(column)) return false;
+  return true;
 }
 
 }  // namespace
 
-std::vector<GivenNodes> read_given_nodes(const std::filesystem::path& path, int dimension) {
+GivenTrees read_given_nodes(const std::filesystem::path& path, int dimension) {
   CsvTable table(path, node_columns());
   check_columns(table, dimension);
+  GivenTrees trees;
   std::map<long double, GivenNodes> by_time;
   while (table.next()) {
     GivenStep step = read_step(table, kStepOfNode);
     const auto [found, is_new] = by_time.try_emplace(step.time);
     if (is_new) {
       found->second.step = std::move(step);
+      found->second.line = table.line();
     } else if (const std::string conflict = conflict_of(step, found->second.step); !conflict.empty()) {
       table.reject(conflict);
     }
-    found->second.nodes.push_back(read_node(table, dimension));
+    if (!has_only_step(table)) found->second.nodes.push_back(read_node(table, dimension, trees.digits));
   }
-  std::vector<GivenNodes> steps;
-  for (auto& [time, nodes] : by_time) steps.push_back(std::move(nodes));
-  return steps;
+  for (auto& [time, of_step] : by_time) {
+    drop_null_parents(of_step.nodes);
+    trees.steps.push_back(std::move(of_step));
+  }
+  return trees;
 }
 
 }  // namespace kerf

@@ -31,6 +31,7 @@ GivenBox<D> box_of(const BoxLine& line) {
 struct Theirs {
   std::vector<GivenPairs> pairs;
   std::vector<GivenNodes> nodes;
+  std::optional<TheirDigits> digits;  ///< of boxes and nodes; none: there is nothing to compare
 };
 
 /// What is known of an object while it is played.
@@ -53,10 +54,10 @@ class Import {
       : request_(request),
         survey_(survey),
         pairs_(std::move(theirs.pairs)),
-        nodes_(std::move(theirs.nodes), survey),
+        nodes_(std::move(theirs.nodes), theirs.digits, survey),
         oddities_(oddities),
         shown_(std::move(shown)),
-        info_(info_of(request, survey, std::move(design), shown_.marks())),
+        info_(info_of(request, survey, std::move(design), theirs.digits, shown_.marks())),
         tree_(request.config),
         recorder_(tree_, request.out, info_) {
     if (shown_.has_shapes()) recorder_.show([this](ObjectId object) { return shown_.appearance(object); });
@@ -69,10 +70,13 @@ class Import {
       for (const BoxLine& line : lines.next(step)) play(boxes, line, step);
       end_step(step);
     }
+    note_end_of_pairs();
     recorder_.finish();
   }
 
-  [[nodiscard]] std::string text() const { return pairs_text() + nodes_.text(); }
+  [[nodiscard]] std::string text() const {
+    return pairs_text() + (request_.structure.empty() ? "" : nodes_.text());
+  }
 
  private:
   [[nodiscard]] std::string pairs_text() const {
@@ -89,7 +93,7 @@ class Import {
   }
 
   static RecordingInfo info_of(const ImportRequest& request, const Survey& survey, PairDesign design,
-                               const ObjectMarks& marks) {
+                               const std::optional<TheirDigits>& digits, const ObjectMarks& marks) {
     RecordingInfo info;
     info.marks = marks;
     info.dimension = D;
@@ -98,6 +102,7 @@ class Import {
     info.imported = true;
     info.names = survey.names;
     info.design = std::move(design);
+    info.digits = digits;
     return info;
   }
 
@@ -117,6 +122,7 @@ class Import {
       played.is_there = false;
       return;
     }
+    if (!played.is_there) set_filter(played, {});  // what was said of it before it went is over
     const bool fixed = line.fixed.value_or(played.is_there && played.fixed);
     if (played.is_there && fixed != played.fixed)
       oddities_.note(Oddity::mobility, [&] {
@@ -152,8 +158,12 @@ class Import {
   void note_change(ObjectId object, Played<D>& played, const BoxLine& line) {
     if (!played.changed_box) changed_.push_back(object);
     played.changed_box = true;
-    if (!line.filter || *line.filter == played.filter) return;
-    played.filter = *line.filter;
+    if (line.filter) set_filter(played, *line.filter);
+  }
+
+  static void set_filter(Played<D>& played, const GivenFilter& filter) {
+    if (filter == played.filter) return;
+    played.filter = filter;
     played.changed_filter = true;
   }
 
@@ -196,6 +206,16 @@ class Import {
     sum_ += sum;
     for (const JudgedPair& one : judged) ++verdicts_[static_cast<std::size_t>(one.verdict)];
     if (sum.missed + sum.extra + sum.twice > 0 && first_wrong_.empty()) first_wrong_ = step.text;
+    misses_at_end_ |= sum.missed > 0 && !pairs_.empty() && step.time > pairs_.back().step.time;
+  }
+
+  /// A table that was cut off looks like an engine that reports nothing any more.
+  void note_end_of_pairs() {
+    if (misses_at_end_)
+      oddities_.note(Oddity::pairs_end, [&] {
+        return request_.pairs.string() + ": pairs end in step " + pairs_.back().step.text +
+               ", boxes in step " + survey_.steps.back().text;
+      });
   }
 
   Pair reported_pair(const GivenPair& pair, const GivenStep& step) {
@@ -224,6 +244,7 @@ class Import {
   TheirStep sum_;
   std::array<std::uint64_t, kVerdicts> verdicts_{};
   std::string first_wrong_;
+  bool misses_at_end_ = false;  ///< after the last step that has pairs
 };
 
 /// Objects that the run does not have make no pair in it.
@@ -282,13 +303,21 @@ void import_boxes(const ImportRequest& request, const InterruptGuard& interrupt)
   if ((request.boxes == "-" ? 1 : 0) + (request.pairs == "-" ? 1 : 0) + (request.structure == "-" ? 1 : 0) >
       1)
     throw UsageError("only one of boxes, pairs and nodes can come from standard input");
+  if (request.unite && !request.structure.empty())
+    throw UsageError(
+        "--unite and --structure: an object of several boxes has several nodes, and none of them holds all; "
+        "leave out one, or give each box an object of its own");
   BoxLines boxes(request.boxes);
   Theirs theirs;
   if (!request.pairs.empty()) theirs.pairs = read_given_pairs(request.pairs);
-  if (!request.structure.empty()) theirs.nodes = read_given_nodes(request.structure, boxes.dimension());
+  GivenTrees trees;
+  if (!request.structure.empty()) trees = read_given_nodes(request.structure, boxes.dimension());
+  theirs.nodes = std::move(trees.steps);
   Oddities oddities;
   const Survey found =
       survey(boxes, theirs.pairs, request.pairs.string(), theirs.nodes, request.structure.string(), oddities);
+  if (found.digits.significant > 0 && trees.digits.significant > 0)
+    theirs.digits = TheirDigits{found.digits, trees.digits};
   if (boxes.dimension() == 2) {
     import_in<2>(request, interrupt, boxes, found, std::move(theirs), oddities);
   } else {

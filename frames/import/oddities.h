@@ -23,6 +23,7 @@ enum class Oddity : std::uint8_t {
   unknown_ignored,
   unknown_object,
   large_shape,
+  pairs_end,
 };
 
 /// Counts what is odd, and keeps where the first five of each kind are.
@@ -44,7 +45,7 @@ class Oddities {
 
  private:
   static constexpr std::size_t kNamed = 5;
-  static constexpr std::size_t kKinds = static_cast<std::size_t>(Oddity::large_shape) + 1;
+  static constexpr std::size_t kKinds = static_cast<std::size_t>(Oddity::pairs_end) + 1;
   struct Kind {
     std::size_t count = 0;
     std::vector<std::string> places;

@@ -1,6 +1,7 @@
 #include "frames/import/survey.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "frames/support/errors.h"
@@ -16,6 +17,7 @@ struct BoxStep {
 struct BoxSurvey {
   std::vector<BoxStep> steps;
   std::vector<GivenId> objects;  ///< sorted
+  WrittenDigits digits;
 };
 
 void sort_unique(std::vector<GivenId>& ids) {
@@ -23,7 +25,7 @@ void sort_unique(std::vector<GivenId>& ids) {
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
-BoxSurvey read_boxes(BoxLines& lines) {
+BoxSurvey read_boxes(BoxLines& lines, bool notes_digits) {
   BoxSurvey survey;
   std::size_t sorted = 0;
   while (lines.next()) {
@@ -35,6 +37,7 @@ BoxSurvey read_boxes(BoxLines& lines) {
         lines.reject(conflict);
     if (survey.steps.empty() || step.time > survey.steps.back().step.time)
       survey.steps.push_back({std::move(step), lines.table().line()});
+    if (notes_digits) lines.note_digits(survey.digits);
     if (const auto object = lines.object()) survey.objects.push_back(*object);
     if (survey.objects.size() < 2 * sorted + 1'000'000) continue;
     sort_unique(survey.objects);  // so that memory depends on the number of objects
@@ -73,7 +76,7 @@ std::vector<GivenStep> union_of(const std::vector<BoxStep>& boxes, const std::ve
 void check_steps(const std::vector<GivenNodes>& nodes, const std::string& nodes_name,
                  const std::vector<GivenStep>& steps) {
   for (const GivenNodes& of_step : nodes) {
-    const std::string where = nodes_name + ", line " + std::to_string(of_step.nodes.front().line) + ": ";
+    const std::string where = nodes_name + ", line " + std::to_string(of_step.line) + ": ";
     const auto found = std::ranges::lower_bound(steps, of_step.step.time, {}, &GivenStep::time);
     if (found == steps.end() || found->time != of_step.step.time)
       throw UsageError(where + "step " + of_step.step.text + " has neither boxes nor pairs");
@@ -119,17 +122,19 @@ bool count_from_one(const std::vector<GivenStep>& steps) {
 
 Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::string& pairs_name,
               const std::vector<GivenNodes>& nodes, const std::string& nodes_name, Oddities& oddities) {
-  BoxSurvey read = read_boxes(boxes);
+  BoxSurvey read = read_boxes(boxes, !nodes.empty());
   Survey result;
   result.steps = union_of(read.steps, pairs, pairs_name, oddities);
   check_steps(nodes, nodes_name, result.steps);
   note_gaps(result.steps, read.steps, boxes.table().name(), oddities);
   result.objects = read.objects;
+  result.digits = read.digits;
   for (const GivenPairs& of_step : pairs)
     for (const GivenPair& pair : of_step.pairs) read.objects.insert(read.objects.end(), {pair.a, pair.b});
   for (const GivenNodes& of_step : nodes)
     for (const GivenNode& node : of_step.nodes)
-      read.objects.insert(read.objects.end(), node.objects.begin(), node.objects.end());
+      std::ranges::copy_if(node.objects, std::back_inserter(read.objects),
+                           [&](const GivenId& object) { return result.is_object(object); });
   sort_unique(read.objects);
   std::vector<std::string> steps;
   if (!count_from_one(result.steps))

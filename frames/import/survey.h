@@ -17,8 +17,13 @@ struct Survey {
   std::vector<GivenStep> steps;  ///< of boxes and pairs together, in order
   GivenNames names;              ///< of the recording: none where the engine counts as we do
   std::vector<GivenId> objects;  ///< those that have a line, rising
+  WrittenDigits digits{};        ///< of the boxes' bounds, if there are nodes to compare them with
 
   [[nodiscard]] ObjectId object(const GivenId& id) const { return *names.find_object(id); }
+  /// Whether what a node holds is one: -1 is none, unless it has a line.
+  [[nodiscard]] bool is_object(const GivenId& id) const {
+    return id != kNoIndex || std::ranges::binary_search(objects, id);
+  }
   /// None: no box has this object.
   [[nodiscard]] std::optional<ObjectId> find(const GivenId& id) const {
     return std::ranges::binary_search(objects, id) ? names.find_object(id) : std::nullopt;

@@ -1,5 +1,7 @@
 #include "frames/support/csv_reader.h"
 
+#include <utility>
+
 #include "frames/support/errors.h"
 
 namespace kerf {
@@ -11,9 +13,10 @@ bool is_blank(char c) { return c == ' ' || c == '\t'; }
 }  // namespace
 
 bool CsvReader::next() {
-  while (source_.peek() != TextSource::kEnd)
-    if (read_record()) return true;
-  return false;
+  bool found = false;
+  while (!found && source_.peek() != TextSource::kEnd) found = read_record();
+  has_record_ |= found;
+  return found;
 }
 
 void CsvReader::rewind() {
@@ -78,7 +81,14 @@ bool CsvReader::skip_blanks() {
 }
 
 void CsvReader::skip_comment() {
-  while (!is_line_end(source_.peek())) (void)source_.take();
+  constexpr std::size_t kMost = 4096;
+  std::string comment;
+  (void)source_.take();  // the #
+  while (!is_line_end(source_.peek())) {
+    const auto c = static_cast<char>(source_.take());
+    if (!has_record_ && comment.size() < kMost) comment += c;
+  }
+  if (comment.find(',') != std::string::npos) comment_ = std::move(comment);
   (void)take_line_end();
 }
 

@@ -28,6 +28,8 @@ class CsvReader {
   [[nodiscard]] std::string_view field(std::size_t column) const;
   /// Where the line begins, counted from 1 as editors do.
   [[nodiscard]] std::size_t line() const { return line_; }
+  /// The last comment with a comma before the first line that says something, without its #.
+  [[nodiscard]] const std::string& comment() const { return comment_; }
   [[nodiscard]] const std::string& name() const { return source_.name(); }
   [[noreturn]] void reject(const std::string& what) const;
 
@@ -42,6 +44,8 @@ class CsvReader {
   TextSource source_;
   std::size_t next_line_ = 1;
   std::size_t line_ = 0;
+  bool has_record_ = false;
+  std::string comment_;
   std::string text_;               ///< the fields, one after another
   std::vector<std::size_t> ends_;  ///< of each in the text
 };

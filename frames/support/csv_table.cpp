@@ -53,11 +53,16 @@ std::string columns_text(std::size_t count) { return counted(count, "column"); }
 
 CsvTable::CsvTable(const std::filesystem::path& path, std::vector<CsvColumn> columns)
     : reader_(path), columns_(std::move(columns)), place_(columns_.size()) {
-  if (!reader_.next()) return;
-  check_separator();
-  has_heading_ = is_heading();
-  if (has_heading_) read_heading();
-  if (!has_heading_ || reader_.next()) first_width_ = reader_.columns();
+  const bool has_line = reader_.next();
+  if (has_line) check_separator();
+  has_heading_ = has_line && is_heading();
+  if (has_heading_) {
+    read_heading();
+    if (reader_.next()) first_width_ = reader_.columns();
+  } else {
+    if (has_line) first_width_ = reader_.columns();
+    read_heading_of_comment();
+  }
   rewind();
 }
 
@@ -92,14 +97,34 @@ void CsvTable::read_heading() {
   least_ = order_.size();
 }
 
-std::size_t CsvTable::column_called(std::size_t place) const {
-  const std::string given = letters_of(reader_.field(place));
-  std::string known;
+/// If each of its names is one of ours, and the first line has as many columns.
+void CsvTable::read_heading_of_comment() {
+  std::vector<std::size_t> order;
+  for (std::string_view rest = reader_.comment(); !rest.empty();) {
+    const std::size_t end = std::min(rest.find(','), rest.size());
+    const auto column = find_column(rest.substr(0, end));
+    if (!column || std::ranges::find(order, *column) != order.end()) return;
+    order.push_back(*column);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  if (order.empty() || (first_width_ != 0 && first_width_ != order.size())) return;
+  set_order(order, order.size());
+  has_heading_ = is_heading_comment_ = true;
+}
+
+std::optional<std::size_t> CsvTable::find_column(std::string_view called) const {
+  const std::string given = letters_of(called);
   for (std::size_t column = 0; column < columns_.size(); ++column) {
     const auto& [name, aliases] = columns_[column];
     if (letters_of(name) == given || std::ranges::find(aliases, given) != aliases.end()) return column;
-    known += (known.empty() ? "" : ", ") + name;
   }
+  return std::nullopt;
+}
+
+std::size_t CsvTable::column_called(std::size_t place) const {
+  if (const auto column = find_column(reader_.field(place))) return *column;
+  std::string known;
+  for (const CsvColumn& column : columns_) known += (known.empty() ? "" : ", ") + column.name;
   const std::string what =
       reader_.field(place).empty()
           ? "column " + std::to_string(place + 1) + " of the heading has no name"
@@ -138,7 +163,7 @@ void CsvTable::check_width() const {
 
 void CsvTable::rewind() {
   reader_.rewind();
-  if (has_heading_) (void)reader_.next();
+  if (has_heading_ && !is_heading_comment_) (void)reader_.next();
 }
 
 std::string_view CsvTable::text(std::size_t column) const {

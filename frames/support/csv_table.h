@@ -24,8 +24,9 @@ struct CsvColumn {
 /// column.
 class CsvTable {
  public:
-  /// Reads the heading, if there is one: a first line without any number. Throws as TextSource does; throws
-  /// UsageError for a name that is unknown, with the known ones, that stands twice, or is none.
+  /// Reads the heading, if there is one: a first line without any number, or a comment before it that has a
+  /// known name for each column, as numpy writes it. Throws as TextSource does; throws UsageError for a name
+  /// that is unknown, with the known ones, that stands twice, or is none.
   CsvTable(const std::filesystem::path& path, std::vector<CsvColumn> columns);
 
   [[nodiscard]] bool has_heading() const { return has_heading_; }
@@ -62,6 +63,8 @@ class CsvTable {
   [[nodiscard]] bool is_heading() const;
   void check_separator() const;
   void read_heading();
+  void read_heading_of_comment();
+  [[nodiscard]] std::optional<std::size_t> find_column(std::string_view called) const;
   [[nodiscard]] std::size_t column_called(std::size_t place) const;
   void check_width() const;
 
@@ -71,6 +74,7 @@ class CsvTable {
   std::vector<std::size_t> order_;                 ///< the column at each place
   std::size_t least_ = 0;
   bool has_heading_ = false;
+  bool is_heading_comment_ = false;
   std::size_t first_width_ = 0;
 };
 

@@ -44,6 +44,28 @@ TEST_F(ImportVerdict, ChangesOfMobilityAreFollowedAndExported) {
               HasSubstr("1 pair: 0 missed, 0 extra"));
 }
 
+TEST_F(ImportVerdict, AnObjectThatComesAgainHasNoFilterOfBefore) {
+  const std::string boxes = write("boxes.csv",
+                                  "step,object,min_x,max_x,min_y,max_y,category,mask\n1,0,0,2,0,2,1,1\n"
+                                  "1,1,1,3,0,2,2,2\n2,1,,,,,,\n3,1,1,3,0,2,,\n4,1,1,3,0,2,,\n");
+  EXPECT_THAT(imported("a", boxes, {"--pairs", write("pairs.csv", "step,a,b\n")}),
+              HasSubstr("0 pairs: 2 missed, 0 extra, 0 twice, 1 ignored"));
+}
+
+/// A table that was cut off, or an engine that stopped to report: neither is passed over.
+TEST_F(ImportVerdict, PairsThatEndBeforeTheBoxesAreOddIfAnyIsMissed) {
+  const std::string heading = "step,object,min_x,max_x,min_y,max_y\n1,0,0,2,0,2\n1,1,1,3,0,2\n";
+  const std::string pairs = write("pairs.csv", "step,a,b\n1,0,1\n");
+  const std::string stays = write("boxes.csv", heading + "2,0,0,2,0,2\n");
+  EXPECT_THAT(
+      imported("a", stays, {"--pairs", pairs}),
+      HasSubstr("odd: 1 table of pairs that ends before the boxes: later overlaps count as missed\n  " +
+                pairs + ": pairs end in step 1, boxes in step 2\n"));
+  EXPECT_THAT(refused(stays, {"--pairs", pairs, "--strict"}), HasSubstr("pairs end in step 1"));
+  EXPECT_THAT(imported("a", write("boxes.csv", heading + "2,0,7,9,0,2\n"), {"--pairs", pairs}),
+              Not(HasSubstr("odd")));
+}
+
 TEST_F(ImportVerdict, InvertedBoxesAreCountedAndExplained) {
   const std::string out =
       imported("a", given("inverted/boxes.csv"), {"--pairs", given("inverted/pairs.csv")});

@@ -49,6 +49,22 @@ TEST(GivenBox, GrowsByALengthOrAShare) {
   EXPECT_FALSE(overlaps(grow(given(0, 1), {0.024, 0}), grow(given(1.05, 2), {0.024, 0})));
   EXPECT_TRUE(overlaps(grow(given(0, 10), {0, 0.1}), given(11, 12)));
   EXPECT_FALSE(overlaps(grow(given(0, 10), {0, 0.1}), given(11.001, 12)));
+  EXPECT_EQ(grow(given(0.1, 1), {}), given(0.1, 1)) << "no margin, no growth";
+}
+
+TEST(GivenBox, WithoutAnEndHasNoShareOfItsExtent) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(overlaps(grow(given(-kInfinity, 0), {0.05, 0}), grow(given(0.02, 1), {0.05, 0})));
+  EXPECT_TRUE(overlaps(grow(given(-kInfinity, kInfinity), {0.05, 0}), grow(given(3, 4), {0.05, 0})));
+  EXPECT_TRUE(overlaps(grow(given(-kInfinity, 0), {0, 0.1}), given(0, 1)));
+  EXPECT_FALSE(overlaps(grow(given(-kInfinity, 0), {0, 0.1}), given(0.5, 1)));
+}
+
+/// 1500 + 0.05 and 1500.10009765625 - 0.05 meet in floats and not in doubles.
+TEST(GivenBox, GrowsAsFarAsFloatsRound) {
+  const GivenBox<2> a = given(1499, 1500);
+  EXPECT_TRUE(overlaps(grow(a, {0.05, 0}), grow(given(1500.10009765625, 1501), {0.05, 0})));
+  EXPECT_FALSE(overlaps(grow(a, {0.05, 0}), grow(given(1500.1012, 1501), {0.05, 0})));
 }
 
 TEST(GivenBox, JoinsAndKeepsNan) {

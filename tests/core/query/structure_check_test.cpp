@@ -5,8 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
 
+#include "core/query/structure_measures.h"
 #include "tests/support/boxes.h"
 #include "tests/support/planted_box_tree.h"
 
@@ -110,6 +112,37 @@ TEST_F(BoxTreeCheck, NamesALeafWithoutAnObjectAndAnObjectThatIsNone) {
   EXPECT_THAT(kinds_of(check()), ElementsAre(Kind::object_in_no_cell, Kind::leaf_without_object));
   parts_.members.push_back(last);
   EXPECT_TRUE(check().empty());
+}
+
+/// A plane of an engine reaches from one end of the floats to the other: how long it is overflows them.
+TEST(StructureCheck, AsksForNoMarginBeyondTheEndsOfTheFloats) {
+  constexpr Scalar kMost = std::numeric_limits<Scalar>::max();
+  StructureParts<2> parts;
+  parts.cells.push_back({{all<2>(-kMost), all<2>(kMost)}, 0, kNoPart, 0, kNoPart});
+  parts.members.push_back({0, {0}});
+  const std::vector<KnownObject<2>> objects{{{0}, parts.cells[0].box}};
+  EXPECT_TRUE(check_structure<2>(parts, objects, {}, {.margin = 0.2F}).empty());
+}
+
+/// What is written with few digits may lie outside of its cell by what was rounded away.
+TEST(StructureCheck, RoundsAMarginAsItRoundsBounds) {
+  StructureParts<2> parts;
+  parts.cells.push_back({{{{1, 0}}, {{2.4F, 1.4F}}}, 0, kNoPart, 0, kNoPart});
+  parts.members.push_back({0, {0}});
+  const std::vector<KnownObject<2>> objects{{{0}, {{{0.999999F, 0.2F}}, {{2, 1.2F}}}}};
+  StructureLimits limits{.margin = 0.2F};
+  EXPECT_EQ(check_structure<2>(parts, objects, {}, limits).size(), 1U) << "it lies outside";
+  limits.tolerance.object.share = 1e-5;
+  EXPECT_TRUE(check_structure<2>(parts, objects, {}, limits).empty());
+}
+
+/// As 2D engines of which the nodes have a third axis.
+TEST(StructureCheck, LeavesOutAnAxisAlongWhichAParentIsFlat) {
+  const auto flat = [](Scalar low, Scalar high) { return Box<3>{{{low, 0, 0}}, {{high, 4, 0}}}; };
+  StructureParts<3> parts;
+  parts.cells = {
+      {flat(0, 4), 0, kNoPart, 0, kNoPart}, {flat(0, 3), 1, 0, 1, kNoPart}, {flat(2, 4), 2, 0, 1, kNoPart}};
+  EXPECT_DOUBLE_EQ(overlap_share(parts, 1, 2), 0.25);
 }
 
 /// Two columns, the second from x = 1 on.

@@ -31,9 +31,10 @@ class TheirPartsTest : public testing::Test {
            std::vector<ObjectId> objects) {
     structure_.nodes.push_back({GivenId::of(name), parent, box, std::move(objects), std::nullopt, 0});
   }
-  [[nodiscard]] std::vector<std::string> faults(const StructureLimits& limits = {}) const {
+  [[nodiscard]] std::vector<std::string> faults(const StructureLimits& limits = {},
+                                                const TheirPast<2>& past = {}) const {
     std::vector<std::string> texts;
-    for (const StructureFault& fault : check_theirs<2>(structure_, objects_, {}, limits))
+    for (const StructureFault& fault : check_theirs<2>(structure_, objects_, {}, past, limits))
       texts.push_back(std::string(to_string(fault.kind)) + ": " + fault.text);
     return texts;
   }
@@ -79,7 +80,55 @@ TEST_F(TheirPartsTest, NodesThatHangBelowThemselvesAreLost) {
   const auto texts = faults();
   EXPECT_THAT(texts, testing::Contains("node lost: n7 is lost: it hangs below itself, and no way leads to it "
                                        "from a root"));
-  EXPECT_THAT(texts, testing::Contains("leaf without an object: the leaf n100 holds no object"));
+}
+
+/// A leaf that hangs below a circle stays there, and a node of the circle is named.
+TEST_F(TheirPartsTest, ACircleIsNamedByOneOfItsNodes) {
+  structure_.nodes.resize(1);
+  add(5, GivenId::of(7), slab<2>(0, 1.5F), {{0}});
+  add(7, GivenId::of(9), slab<2>(0, 1.5F), {});
+  add(9, GivenId::of(7), slab<2>(0, 1.5F), {{1}});
+  EXPECT_THAT(faults(), ElementsAre("node lost: n7 is lost: it hangs below itself, and no way leads to it "
+                                    "from a root"));
+  const StructureParts<2> parts = parts_of(structure_).parts;
+  ASSERT_EQ(parts.cells.size(), 4U);
+  EXPECT_EQ(node_name(structure_, parts.cells[2].name), "n5");
+  EXPECT_EQ(parts.cells[2].parent, 1U);
+}
+
+TEST_F(TheirPartsTest, ALeafWithoutAnObjectIsNamedIfItIsCalledALeafOrIfMostHoldOne) {
+  add(11, GivenId::of(100), slab<2>(0, 1), {});
+  EXPECT_THAT(faults(), ElementsAre("leaf without an object: the leaf n11 holds no object"));
+  structure_.nodes[3].leaf = false;
+  EXPECT_THAT(faults(), IsEmpty());
+  structure_.nodes[3].leaf = std::nullopt;
+  add(12, GivenId::of(100), slab<2>(0, 1), {});
+  EXPECT_THAT(faults(), IsEmpty());
+  structure_.nodes[3].leaf = true;
+  EXPECT_THAT(faults(), ElementsAre("leaf without an object: the leaf n11 holds no object"));
+}
+
+TEST_F(TheirPartsTest, AnEmptyTreeLacksItsObjectsAndNothingElse) {
+  structure_.nodes.resize(1);
+  const auto lost =
+      ElementsAre("object in no cell: object 0 is in no cell", "object in no cell: object 1 is in no cell");
+  EXPECT_THAT(faults(), lost) << "a root alone is no leaf without an object";
+  structure_.nodes.clear();
+  EXPECT_THAT(faults(), lost);
+}
+
+TEST_F(TheirPartsTest, AnObjectThatANodeNamesTwiceIsInItOnce) {
+  structure_.nodes[1].objects = {{0}, {0}};
+  EXPECT_THAT(faults(), IsEmpty());
+}
+
+/// It has a box that cannot be placed, and it is there all the same.
+TEST_F(TheirPartsTest, AnObjectInQuarantineIsKnown) {
+  static_cast<void>(objects_.insert({2}, slab<2>(3, 2), Mobility::moving));
+  add(8, GivenId::of(100), slab<2>(0, 1), {{2}});
+  EXPECT_THAT(faults(), IsEmpty());
+  static_cast<void>(objects_.remove({2}));
+  EXPECT_THAT(faults(), ElementsAre("unknown object: n8 holds object 2, which is no object"));
 }
 
 TEST_F(TheirPartsTest, WhatTheEngineCallsALeafHasNoChildren) {
@@ -87,14 +136,50 @@ TEST_F(TheirPartsTest, WhatTheEngineCallsALeafHasNoChildren) {
   EXPECT_THAT(faults(), ElementsAre("leaf with children: n100 is called a leaf, and has the child n7"));
 }
 
-TEST_F(TheirPartsTest, AMarginIsWhatTheEngineClaims) {
+TEST_F(TheirPartsTest, AMarginThatIsClaimedIsJudgedWhereALeafWasPlacedAnew) {
+  TheirStructure<2> before = structure_;
   structure_.nodes[1].margin = 0.1F;
-  EXPECT_THAT(faults(), ElementsAre("no margin: n7 leaves object 0 a margin of 0 along x, less than 0.1"));
+  EXPECT_THAT(faults(), IsEmpty()) << "in the first step all leaves are new";
+  EXPECT_THAT(faults({}, {&before, true, false}), IsEmpty()) << "it stayed: its object may have turned";
+  before.nodes[1].box.max[0] = 0.9F;
+  EXPECT_THAT(faults({}, {&before, true, false}),
+              ElementsAre("no margin: n7 leaves object 0 a margin of 0 along x, less than 0.1"));
+  EXPECT_THAT(faults({}, {&before, false, false}), IsEmpty()) << "its object may have turned in between";
+  before.nodes[1].objects.front() = {1};
+  EXPECT_THAT(faults({}, {&before, true, false}), IsEmpty()) << "it was the leaf of another object";
+  before.nodes[1].name = GivenId::of(70);
+  EXPECT_THAT(faults({}, {&before, true, false}), IsEmpty()) << "it is new";
+  before = structure_;
   structure_.nodes[1].box = slab<2>(-0.1F, 1.1F);
   structure_.nodes[1].box.min[1] -= 0.1F;
   structure_.nodes[1].box.max[1] += 0.1F;
   structure_.nodes[0].box = join(structure_.nodes[0].box, structure_.nodes[1].box);
+  EXPECT_THAT(faults({}, {&before, true, false}), IsEmpty());
+}
+
+TEST_F(TheirPartsTest, AMarginThatIsAskedForIsJudgedInNewLeavesToo) {
+  const StructureLimits limits{.margin = 0.1F};
+  EXPECT_THAT(faults(limits), ElementsAre(HasSubstr("no margin: n7"), HasSubstr("no margin: n9")));
+  TheirStructure<2> before = structure_;
+  EXPECT_THAT(faults(limits, {&before, true, false}), IsEmpty());
+  before.nodes[1].box.max[0] = 0.9F;
+  EXPECT_THAT(faults(limits, {&before, true, false}), ElementsAre(HasSubstr("no margin: n7")));
+  before = structure_;
+  before.nodes.pop_back();
+  EXPECT_THAT(faults(limits, {&before, true, false}), ElementsAre(HasSubstr("no margin: n9")));
+}
+
+/// A child and its parent were written alike, an object and its cell need not have been.
+TEST_F(TheirPartsTest, DigitsSayWhatBoundsMayBeOff) {
+  structure_.nodes[1].box.max[0] = 0.9999F;
+  EXPECT_THAT(faults(), ElementsAre(HasSubstr("object outside its cell: object 0")));
+  structure_.digits = TheirDigits{{9, 0}, {4, 3}};
   EXPECT_THAT(faults(), IsEmpty());
+  structure_.digits = TheirDigits{{9, 0}, {9, 0}};
+  EXPECT_THAT(faults(), ElementsAre(HasSubstr("object outside its cell: object 0")));
+  structure_.digits = TheirDigits{{9, 0}, {4, 3}};
+  structure_.nodes[0].box.max[0] = 1.4999F;
+  EXPECT_THAT(faults(), ElementsAre(HasSubstr("child outside its parent: n9")));
 }
 
 TEST_F(TheirPartsTest, DepthAndOverlapHaveBoundsIfOneGivesThem) {
@@ -107,6 +192,7 @@ TEST_F(TheirPartsTest, FixedObjectsMayLiveElsewhere) {
   static_cast<void>(objects_.insert({2}, slab<2>(4, 5), Mobility::fixed));
   static_cast<void>(objects_.insert({3}, slab<2>(1, 1.2F), Mobility::fixed));
   EXPECT_THAT(faults(), IsEmpty());
+  EXPECT_THAT(faults({}, {nullptr, false, true}), testing::SizeIs(2)) << "the tree has held fixed ones";
   structure_.nodes[2].objects.push_back({3});
   EXPECT_THAT(faults(), ElementsAre("object in no cell: object 2 is in no cell"));
 }
@@ -114,6 +200,22 @@ TEST_F(TheirPartsTest, FixedObjectsMayLiveElsewhere) {
 TEST_F(TheirPartsTest, SearchesThatFindAPairSayThatItWasLostLater) {
   EXPECT_THAT(search(), HasSubstr("a search with the box of n7 for object 1 finds it"));
   EXPECT_THAT(search(), HasSubstr("if the pair was missed, it was lost behind them"));
+}
+
+TEST_F(TheirPartsTest, AFaultIsNamedThoughTheSearchFindsThePair) {
+  structure_.nodes[1].box.max[0] = 0.9F;
+  EXPECT_THAT(search(), HasSubstr("it was lost behind them"));
+  EXPECT_THAT(search(), HasSubstr("the fault: object 0 lies outside its node n7: along x it ends at 1, "
+                                  "beyond 0.9. It was not put in again\n"));
+}
+
+TEST_F(TheirPartsTest, ASearchFindsAnObjectInAnyOfItsNodes) {
+  structure_.nodes[0].box.min[0] = -9;
+  structure_.nodes[1].box = slab<2>(-9, -8);
+  add(8, GivenId::of(100), slab<2>(0, 1), {{0}});
+  EXPECT_THAT(search(), HasSubstr("object 0 is in n8 at depth 1"));
+  EXPECT_THAT(search(), HasSubstr("a search with the box of n9 for object 0 finds it"));
+  EXPECT_THAT(search(), HasSubstr("a search with the box of n8 for object 1 finds it"));
 }
 
 TEST_F(TheirPartsTest, ASearchEndsAtTheNodeThatWasNotRefitted) {

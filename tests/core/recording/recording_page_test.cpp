@@ -45,7 +45,9 @@ class EmptyRecording : public ::testing::Test {
   EmptyRecording() : path_(::testing::TempDir() + "kerf_recording_page.kerf") {
     remove_recording(path_);
     database_ = std::make_unique<Database>(Database::create(path_));
-    create_schema(*database_, {});
+    RecordingInfo info;
+    info.digits = TheirDigits();
+    create_schema(*database_, info);
     write_structure<3>(*database_, 1, {});
   }
   ~EmptyRecording() override {

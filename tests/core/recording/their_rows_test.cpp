@@ -32,7 +32,7 @@ class TheirRows : public testing::Test {
     test::play_crowd<kDimension>(recorder, 3, 3, [&](std::uint32_t step) {
       if (step == 1) recorder.add_theirs(first_);
       if (step == 2) recorder.add_theirs(std::vector<Pair>{{{0}, {2}}, {{0}, {1}}}, judged_);
-      if (step == 3) recorder.add_theirs({{{{1}, std::nullopt}}, {}});
+      if (step == 3) recorder.add_theirs(TheirChanges<kDimension>{{{{1}, std::nullopt}}, {}});
     });
     recorder.finish();
   }

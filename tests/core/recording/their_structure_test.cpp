@@ -49,6 +49,7 @@ class TheirStructures : public testing::Test {
     Bsp<kDimension, EventLog> tree(test::busy_config());
     RecordingInfo info = test::info_of<kDimension>(test::busy_config());
     info.imported = true;
+    info.digits = digits_;
     Recorder<kDimension> recorder(tree, file_.path(), info);
     test::play_crowd<kDimension>(recorder, 8, 3, [&](std::uint32_t step) {
       if (step >= first) recorder.add_theirs(structure_of<kDimension>(step));
@@ -60,6 +61,7 @@ class TheirStructures : public testing::Test {
   }
 
   TemporaryRecording file_;
+  std::optional<TheirDigits> digits_;
 };
 TYPED_TEST_SUITE(TheirStructures, test::Dimensions, test::DimensionNames);
 
@@ -91,6 +93,18 @@ TYPED_TEST(TheirStructures, AreKeptByARerun) {
   const TemporaryRecording again;
   ASSERT_TRUE(rerun(reader, reader.info(), again.path()));
   EXPECT_EQ(RecordingReader<kD>(again.path()).their_structure(7), structure_of<kD>(7));
+}
+
+TYPED_TEST(TheirStructures, SayHowTheirNumbersWereWritten) {
+  constexpr int kD = TestFixture::kDimension;
+  this->digits_ = TheirDigits{{9, 3}, {6, 12}};
+  this->record(2);
+  RecordingReader<kD> reader(this->file_.path());
+  EXPECT_EQ(reader.info().digits, this->digits_);
+  EXPECT_EQ(reader.their_structure(3)->digits, this->digits_);
+  const TemporaryRecording again;
+  ASSERT_TRUE(rerun(reader, reader.info(), again.path()));
+  EXPECT_EQ(RecordingReader<kD>(again.path()).info().digits, this->digits_);
 }
 
 TYPED_TEST(TheirStructures, ChangesAreSeen) {

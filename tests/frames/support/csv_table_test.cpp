@@ -90,6 +90,22 @@ TEST_F(CsvTest, WhatIsNoTableIsRefusedByName) {
   EXPECT_THROW(CsvReader(folder_.path()), std::runtime_error);
 }
 
+/// As numpy writes it.
+TEST_F(CsvTest, AHeadingMayStandInAComment) {
+  const auto first_of = [&](const std::string& text) {
+    CsvTable table(write(text), {{"a", {}}, {"b", {"bee"}}});
+    if (!table.has_heading()) table.set_order({0, 1}, 2);
+    EXPECT_TRUE(table.next());
+    return std::string(table.text(0)) + "," + std::string(table.text(1));
+  };
+  EXPECT_EQ(first_of("# a table, made today\n# bee, a\n1,2\n"), "2,1");
+  EXPECT_EQ(first_of("#b,a\n1,2\n# a,b\n3,4\n"), "2,1");
+  for (const char* const comment : {"# b, c\n", "# b, b\n", "# b, a, step\n", "# b\n"})
+    EXPECT_EQ(first_of(comment + std::string("1,2\n")), "1,2") << comment;
+  EXPECT_EQ(first_of("# b,a\na,b\n1,2\n"), "1,2") << "the line itself is one";
+  EXPECT_TRUE(CsvTable(write("# b,a\n"), {{"a", {}}, {"b", {}}}).has_heading());
+}
+
 TEST_F(CsvTest, NumbersAreReadAsTheyAre) {
   CsvTable table(write("x,i,b\n+1.5,-7,TRUE\n-1e-400,1.0,0\ninf,+5,no\n1e-40,18446744073709551615,1.0\n0x10,"
                        "1e3,2\n1e999,,\n"),

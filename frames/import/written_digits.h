@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+#include "core/recording/their_digits.h"
+
+namespace kerf {
+
+/// Notes with how many digits a number was written: 1.50e-3 has 3, and 5 decimals. What is no number, nan or
+/// inf has none.
+void note_digits(std::string_view text, WrittenDigits& written);
+
+}  // namespace kerf
