@@ -226,6 +226,10 @@ PairExplanation<D> explain_pair(Replayer<D>& replayer, std::uint32_t step, const
 
 namespace {
 
+std::string title(const RecordingInfo& info, ObjectId object) {
+  return info.marks.title(object, info.names.object(object));
+}
+
 /// What keeps the two from being compared at all; empty: both are placed.
 template <int D>
 std::string absence_text(const PairExplanation<D>& e, const GivenNames& names) {
@@ -236,7 +240,8 @@ std::string absence_text(const PairExplanation<D>& e, const GivenNames& names) {
 }
 
 template <int D>
-std::string comparison_text(const PairExplanation<D>& e, const GivenNames& names) {
+std::string comparison_text(const PairExplanation<D>& e, const RecordingInfo& info) {
+  const GivenNames& names = info.names;
   std::string text = reason_text(e) + "\n" + their_text(e);
   if (e.reported != e.is_pair)
     text += "this is a fault of the tree: by the definition it is the other way round\n";
@@ -244,8 +249,8 @@ std::string comparison_text(const PairExplanation<D>& e, const GivenNames& names
     text +=
         "rounded outward to floats, with which the tree works, their boxes overlap, so the tree reports "
         "them\n";
-  text += "  " + names.object(e.pair.a) + ": " + box_text(e.a_box, e.b_box) + filter_text(e.a_filter) + "\n";
-  text += "  " + names.object(e.pair.b) + ": " + box_text(e.b_box, e.a_box) + filter_text(e.b_filter) + "\n";
+  text += "  " + title(info, e.pair.a) + ": " + box_text(e.a_box, e.b_box) + filter_text(e.a_filter) + "\n";
+  text += "  " + title(info, e.pair.b) + ": " + box_text(e.b_box, e.a_box) + filter_text(e.b_filter) + "\n";
   if (!e.tests.empty()) text += "from the root:\n";
   for (const HalfSpaceTest<D>& test : e.tests) text += test_text(e, test, names);
   return text + place_text(e, names);
@@ -254,12 +259,13 @@ std::string comparison_text(const PairExplanation<D>& e, const GivenNames& names
 }  // namespace
 
 template <int D>
-std::string to_text(const PairExplanation<D>& e, const GivenNames& names) {
+std::string to_text(const PairExplanation<D>& e, const RecordingInfo& info) {
+  const GivenNames& names = info.names;
   const bool is_pair = e.reported && (e.is_given_pair || !e.is_pair);
-  std::string text = "after step " + names.step(e.step) + ", " + names.object(e.pair.a) + " and " +
-                     names.object(e.pair.b) + (is_pair ? " are a pair" : " are no pair") + ": ";
+  std::string text = "after step " + names.step(e.step) + ", " + title(info, e.pair.a) + " and " +
+                     title(info, e.pair.b) + (is_pair ? " are a pair" : " are no pair") + ": ";
   const std::string absence = absence_text(e, names);
-  text += absence.empty() ? comparison_text(e, names) : absence + "\n" + their_text(e);
+  text += absence.empty() ? comparison_text(e, info) : absence + "\n" + their_text(e);
   for (const PairChange& change : e.history)
     text += std::string(change.is_pair ? "became a pair" : "ceased to be one") + " in step " +
             names.step(change.step) + "\n";
@@ -268,7 +274,7 @@ std::string to_text(const PairExplanation<D>& e, const GivenNames& names) {
 
 #define KERF_INSTANTIATE(D)                                                              \
   template PairExplanation<D> explain_pair<D>(Replayer<D>&, std::uint32_t, const Pair&); \
-  template std::string to_text<D>(const PairExplanation<D>&, const GivenNames&);
+  template std::string to_text<D>(const PairExplanation<D>&, const RecordingInfo&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)
 #undef KERF_INSTANTIATE

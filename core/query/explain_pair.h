@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/query/history.h"
+#include "core/recording/recording_info.h"
 #include "core/replay/replayer.h"
 
 namespace kerf {
@@ -54,8 +55,8 @@ struct PairExplanation {
 template <int D>
 PairExplanation<D> explain_pair(Replayer<D>& replayer, std::uint32_t step, const Pair& pair);
 
-/// The explanation in sentences, a line each.
+/// The explanation in sentences, a line each, with the labels of the two.
 template <int D>
-std::string to_text(const PairExplanation<D>& explanation, const GivenNames& names);
+std::string to_text(const PairExplanation<D>& explanation, const RecordingInfo& info);
 
 }  // namespace kerf

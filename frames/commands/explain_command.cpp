@@ -74,11 +74,11 @@ constexpr std::array kAsked{
 /// In our tree, and in another engine's structure if that is known.
 template <int D>
 std::string why_pair(Replayer<D>& replayer, std::uint32_t step, const Pair& pair) {
-  const GivenNames& names = replayer.recording().info().names;
-  std::string text = to_text(explain_pair(replayer, step, pair), names);
+  const RecordingInfo& info = replayer.recording().info();
+  std::string text = to_text(explain_pair(replayer, step, pair), info);
   replayer.seek(step);
   if (const auto theirs = replayer.recording().their_structure(step))
-    text += explain_their_search<D>(*theirs, replayer.tree().objects(), pair, names);
+    text += explain_their_search<D>(*theirs, replayer.tree().objects(), pair, info.names);
   return text;
 }
 

@@ -70,6 +70,14 @@ TYPED_TEST(Explain, PairsAndNoPairs) {
               HasSubstr("are a pair: their boxes overlap on every axis"));
 }
 
+TYPED_TEST(Explain, PairsAreCalledByTheirLabels) {
+  RecordingInfo info = this->recording_->info();
+  info.marks.set({3}, {"left wheel", std::nullopt});
+  const std::string text = to_text(explain_pair(this->replayer(), 40, {{3}, {8}}), info);
+  EXPECT_THAT(text, HasSubstr("after step 40, 3 left wheel and 8 are "));
+  EXPECT_THAT(text, HasSubstr("\n  3 left wheel: x ["));
+}
+
 /// Right before the event they did not share the leaf, right after it they do.
 TYPED_TEST(Explain, TheEventThatBroughtTwoTogether) {
   constexpr int kD = TypeParam::value;

@@ -179,17 +179,20 @@ std::string RunOf<D>::explain_object(ObjectId object) const {
 
 template <int D>
 std::string RunOf<D>::explain_pair(const Pair& pair) {
-  std::string text = to_text(kerf::explain_pair(cursor_.replayer(), position().step, pair), names());
-  if (theirs().nodes.empty()) return text;
+  std::string text = to_text(kerf::explain_pair(cursor_.replayer(), position().step, pair), info());
+  const TheirStructure<D>& structure = theirs();
+  if (!knows_theirs_) return text;
   cursor_.replayer().seek(ended_step());
-  return text + explain_their_search<D>(theirs_, cursor_.replayer().tree().objects(), pair, names());
+  return text + explain_their_search<D>(structure, cursor_.replayer().tree().objects(), pair, names());
 }
 
 template <int D>
 const TheirStructure<D>& RunOf<D>::theirs() {
   if (theirs_of_ == ended_step()) return theirs_;
   theirs_of_ = ended_step();
-  theirs_ = recording_->their_structure(*theirs_of_).value_or(TheirStructure<D>());
+  auto structure = recording_->their_structure(*theirs_of_);
+  knows_theirs_ = structure.has_value();
+  theirs_ = knows_theirs_ ? std::move(*structure) : TheirStructure<D>();
   their_parts_.reset();
   their_faults_.reset();
   return theirs_;
@@ -204,10 +207,20 @@ const StructureParts<D>& RunOf<D>::their_parts() {
 
 template <int D>
 std::span<const StructureFault> RunOf<D>::their_faults() {
-  if (theirs().nodes.empty()) return {};
+  const TheirStructure<D>& structure = theirs();
+  if (!knows_theirs_) return {};
   if (!their_faults_) {
     cursor_.replayer().seek(ended_step());
-    their_faults_ = check_theirs<D>(theirs_, cursor_.replayer().tree().objects(), names());
+    const ObjectTable<D>& table = cursor_.replayer().tree().objects();
+    const std::vector<std::uint32_t> known = recording_->structure_steps();
+    const auto found = std::ranges::lower_bound(known, ended_step());
+    TheirStructure<D> before;
+    TheirPast<D> past;
+    if (found != known.begin()) {
+      before = recording_->their_structure(found[-1]).value_or(TheirStructure<D>());
+      past = {&before, found[-1] + 1 == ended_step(), holds_fixed(before, table)};
+    }
+    their_faults_ = check_theirs<D>(structure, table, names(), past);
   }
   return *their_faults_;
 }

@@ -123,8 +123,9 @@ class RunOf final : public Run {
   std::vector<std::pair<std::uint32_t, TheirStep>> their_steps_;
   std::optional<std::vector<WrongPair>> wrong_pairs_;
   bool has_their_structure_ = false;
-  std::optional<std::uint32_t> theirs_of_;  ///< the step of the next three
+  std::optional<std::uint32_t> theirs_of_;  ///< the step of the next four
   TheirStructure<D> theirs_;
+  bool knows_theirs_ = false;
   std::optional<StructureParts<D>> their_parts_;
   std::optional<std::vector<StructureFault>> their_faults_;
   std::optional<std::vector<TheirFault>> all_their_faults_;
