@@ -1,6 +1,7 @@
 #include "frames/commands/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -113,6 +114,14 @@ std::string help_hint(const CLI::App& program) {
          " --help`.";
 }
 
+/// An empty text asks for nothing: most likely a variable of a script was not set.
+void refuse_empty_options(const CLI::App& command) {
+  for (const CLI::Option* const option : command.get_options())
+    if (option->nonpositional() && std::ranges::count(option->results(), std::string()) > 0)
+      throw UsageError("--" + option->get_lnames().front() + " is empty; give it " + option->get_type_name() +
+                       ", or leave it out");
+}
+
 /// An exit code. Printed text may still lie in memory, and a full disk shows only when it is flushed.
 int finish_output() {
   std::cout.flush();
@@ -124,6 +133,7 @@ int finish_output() {
 template <class... Command>
 int run(const CLI::App& program, const Command&... commands) {
   try {
+    refuse_empty_options(chosen_command(program));
     ((commands.chosen() ? commands.run() : void()), ...);
     return finish_output();
   } catch (const DoesNotHold& error) {

@@ -14,6 +14,9 @@ inline constexpr double kTolerance = 1.5;
 /// Figures that differ by less are alike: neither is the smaller one.
 inline constexpr double kAlike = 1.02;
 
+/// Why some statements cannot be judged.
+inline constexpr std::string_view kNoFigure = "its words name no figure";
+
 /// What a statement says of a figure over another.
 enum class Relation : std::uint8_t {
   less,

@@ -1,5 +1,6 @@
 #include "frames/experiment/experiment_file.h"
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 #include "frames/experiment/related.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
+#include "frames/support/parse_number.h"
 
 namespace kerf {
 namespace {
@@ -23,7 +25,7 @@ constexpr const char* kTitle = "# kerf experiment";
 std::string title(const RunId& run) {
   const Simulation& simulation = simulations()[run.simulation];
   return kTitle + std::string(run.kind == RunKind::related ? " of related work" : "") +
-         std::string(" 4, simulation ") + std::to_string(simulation.number) + " (" +
+         std::string(" 5, simulation ") + std::to_string(simulation.number) + " (" +
          std::string(simulation.scene) + "), steps " + std::to_string(run.size.steps) + ", objects " +
          std::to_string(run.size.objects) + ", seed " + std::to_string(run.size.seed) + ", repeat " +
          std::to_string(run.repeat);
@@ -38,7 +40,7 @@ void write_step(std::ostream& text, const ExperimentStep& row, std::span<const s
   for (std::size_t k = 0; k < row.contestants.size(); ++k) {
     const ContestantStep& one = row.contestants[k];
     text << row.step << ',' << row.moving << ',' << names[k] << ',' << row.fps(k) << ',' << row.pairs << ',';
-    if (one.candidates >= 0) text << one.candidates;
+    if (one.candidates >= 0) text << static_cast<std::uint64_t>(one.candidates);
     text << ',' << one.collision << ',' << one.update << ',';
     if (one.leaves > 0)
       text << one.height << ',' << one.leaves << ',' << one.operators;
@@ -55,10 +57,22 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-std::uint64_t whole(const std::string& cell) { return cell.empty() ? 0 : std::stoull(cell); }
+/// Throws std::invalid_argument for anything but a number from 0 on, and not without end.
+template <class Number>
+Number number_in(const std::string& cell) {
+  const auto number = parse_number<Number>(cell);
+  if (!number || !std::isfinite(static_cast<double>(*number)))
+    throw std::invalid_argument("not a number of an experiment");
+  return *number;
+}
 
-/// Adds a line to its step, which has a line for each of the names. Throws std::logic_error for an invalid
-/// line.
+template <class Number>
+Number number_or_0(const std::string& cell) {
+  return cell.empty() ? 0 : number_in<Number>(cell);
+}
+
+/// Adds a line to its step, which has a line for each of the names. Throws std::invalid_argument for one that
+/// is none, or of another step.
 void read_line(const std::string& line, std::span<const std::string_view> names, ExperimentRun& run) {
   const std::vector<std::string> cells = cells_of(line);
   const std::size_t contestant = run.empty() ? 0 : run.back().contestants.size() % names.size();
@@ -66,20 +80,22 @@ void read_line(const std::string& line, std::span<const std::string_view> names,
     throw std::invalid_argument("not a line of an experiment");
   if (contestant == 0) {
     ExperimentStep& row = run.emplace_back();
-    row.step = static_cast<std::uint32_t>(whole(cells[0]));
-    row.moving = static_cast<std::uint32_t>(whole(cells[1]));
-    row.pairs = whole(cells[4]);
-    row.contacts = whole(cells[12]);
-    row.rest = std::stod(cells[13]);
+    row.step = number_in<std::uint32_t>(cells[0]);
+    row.moving = number_in<std::uint32_t>(cells[1]);
+    row.pairs = number_in<std::uint64_t>(cells[4]);
+    row.contacts = number_in<std::uint64_t>(cells[12]);
+    row.rest = number_in<double>(cells[13]);
   }
+  if (number_in<std::uint32_t>(cells[0]) != run.size())
+    throw std::invalid_argument("not the next step of an experiment");
   ContestantStep one;
-  if (!cells[5].empty()) one.candidates = std::stod(cells[5]);
-  one.collision = std::stod(cells[6]);
-  one.update = std::stod(cells[7]);
-  one.height = static_cast<std::uint32_t>(whole(cells[8]));
-  one.leaves = static_cast<std::uint32_t>(whole(cells[9]));
-  one.operators = whole(cells[10]);
-  one.wrong = whole(cells[11]);
+  if (!cells[5].empty()) one.candidates = number_in<double>(cells[5]);
+  one.collision = number_in<double>(cells[6]);
+  one.update = number_in<double>(cells[7]);
+  one.height = number_or_0<std::uint32_t>(cells[8]);
+  one.leaves = number_or_0<std::uint32_t>(cells[9]);
+  one.operators = number_or_0<std::uint64_t>(cells[10]);
+  one.wrong = number_in<std::uint64_t>(cells[11]);
   run.back().contestants.push_back(one);
 }
 
@@ -115,16 +131,19 @@ std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const
   if (!file) return std::nullopt;
   std::string line;
   std::getline(file, line);
+  if (line.empty()) throw std::runtime_error(path.string() + " is empty; remove it, and the run is made");
   const bool is_of_another = line != title(id);
   if (forget && is_of_another && line.starts_with(kTitle)) return std::nullopt;
   if (is_of_another)
     throw UsageError(
         path.string() +
-        " is of another experiment; choose another folder with --out, or replace it with --overwrite");
+        " is of another experiment, or of another kerf; choose another folder with --out, or replace it with "
+        "--overwrite");
   const std::span<const std::string_view> names = lineup_of(id).names;
   ExperimentRun run;
   try {
     std::getline(file, line);
+    if (line != kColumns) throw std::invalid_argument("not the columns of an experiment");
     while (std::getline(file, line)) read_line(line, names, run);
   } catch (const std::logic_error&) {
     run.clear();

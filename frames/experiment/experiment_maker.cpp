@@ -1,7 +1,10 @@
 #include "frames/experiment/experiment_maker.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <map>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -35,6 +38,14 @@ std::vector<RunId> runs_of(const ExperimentPlan& plan) {
   return runs;
 }
 
+/// What is the same in each repeat of a seed: objects, pairs and contacts.
+using StepCounts = std::array<std::uint64_t, 3>;
+std::vector<StepCounts> counts_of(const ExperimentRun& steps) {
+  std::vector<StepCounts> counts;
+  for (const ExperimentStep& row : steps) counts.push_back({row.moving, row.pairs, row.contacts});
+  return counts;
+}
+
 }  // namespace
 
 ExperimentMaker::ExperimentMaker(std::filesystem::path folder, const ExperimentPlan& plan, const Shard& shard,
@@ -45,8 +56,10 @@ ExperimentMaker::ExperimentMaker(std::filesystem::path folder, const ExperimentP
       runs_(runs_of(plan)) {
   if (!forgets_) refuse_earlier_files(folder_);
   for (std::size_t k = 0; k < runs_.size(); ++k) {
-    // Simulations take differently long: each shard gets some of each.
-    const std::size_t turn = runs_[k].simulation + k / simulations().size();
+    // Simulations take differently long: each shard gets some of each, and as many runs as the others or one
+    // more.
+    const std::size_t turn =
+        runs_[k].simulation * (runs_.size() / simulations().size()) + k / simulations().size();
     if (load_run(folder_, runs_[k], forgets_))
       ++kept_;
     else if (shard.has(turn))
@@ -69,11 +82,15 @@ void ExperimentMaker::make_one(const RunId& run, const std::function<bool()>& st
       at.set(step);
       return true;
     };
-    save_run(folder_, run, run_simulation(simulations()[run.simulation], run.size, lineup_of(run), watch));
+    const ExperimentRun steps =
+        run_simulation(simulations()[run.simulation], run.size, lineup_of(run), watch);
+    at.set(run.size.steps + 1);  // from now on it is not stopped, since it is about to be saved
+    save_run(folder_, run, steps);
   });
   const bool done = child.ask(' ', std::chrono::duration<double>::max(), [&] {
-    show(run, at.get());
-    return stop();
+    const std::uint32_t step = at.get();
+    show(run, std::min(step, run.size.steps));
+    return step <= run.size.steps && stop();
   });
   if (done) return;
   if (stop()) throw Interrupted(interruption());
@@ -82,10 +99,18 @@ void ExperimentMaker::make_one(const RunId& run, const std::function<bool()>& st
 }
 
 void ExperimentMaker::for_each(const std::function<void(const RunId&, ExperimentRun)>& visit) const {
+  std::map<std::pair<std::size_t, std::uint64_t>, std::vector<StepCounts>> known;  // by simulation and seed
   for (const RunId& run : runs_) {
     auto steps = load_run(folder_, run, forgets_);
     if (!steps)
       throw std::runtime_error(run_path(folder_, run).string() + " is gone; the same command makes it");
+    const auto [first, is_new] = known.try_emplace({run.simulation, run.size.seed});
+    if (is_new) first->second = counts_of(*steps);
+    if (first->second != counts_of(*steps))
+      throw std::runtime_error(
+          run_path(folder_, run).string() +
+          " has other pairs than the first repeat of its seed: another kerf has made one of "
+          "them; remove both, and the same command makes them");
     visit(run, std::move(*steps));
   }
 }

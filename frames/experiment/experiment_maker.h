@@ -27,7 +27,9 @@ class ExperimentMaker {
   /// is kept, when `stop` becomes true, and std::runtime_error for a run that fails.
   void make(const std::function<bool()>& stop);
 
-  /// How many runs `make` has made.
+  /// How many runs `make` is to make.
+  [[nodiscard]] std::size_t missing() const { return missing_.size(); }
+  /// How many it has made.
   [[nodiscard]] std::size_t made() const { return made_; }
 
   /// Reads all runs, one after the other. Pre: they are there.

@@ -154,8 +154,9 @@ void write_verdicts(Page& page, const ExperimentRuns& runs) {
 void write_wrong(Page& page, const ExperimentRuns& runs) {
   const std::vector<std::string> lines = wrong_words(runs);
   for (const std::string& line : lines) page.paragraph(line);
-  page.paragraph(lines.empty() ? "None: all reported the same pairs in every step."
-                               : "Boxes and their order are the same for all: these are the libraries' own.");
+  page.paragraph(lines.empty()
+                     ? "None: all reported the same pairs in every step."
+                     : "Boxes and their order are the same for all; the pairs of BSP are held to be true.");
 }
 
 }  // namespace

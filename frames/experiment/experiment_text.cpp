@@ -48,8 +48,9 @@ void write_wrong(std::ostream& text, const ExperimentRuns& runs) {
   text << "\n## Wrong answers\n\n";
   const std::vector<std::string> lines = wrong_words(runs);
   for (const std::string& line : lines) text << "- " << line << "\n";
-  text << (lines.empty() ? "None: all reported the same pairs in every step.\n"
-                         : "\nBoxes and their order are the same for all: these are the libraries' own.\n");
+  text << (lines.empty()
+               ? "None: all reported the same pairs in every step.\n"
+               : "\nBoxes and their order are the same for all; the pairs of BSP are held to be true.\n");
 }
 
 void write_verdicts(std::ostream& text, const ExperimentRuns& runs) {

@@ -6,24 +6,25 @@ namespace kerf {
 namespace {
 
 constexpr std::array<MeasureTraits, 18> kTraits{
-    {{"frames a second", "", false, true},
-     {"pairs", "", true, false},
-     {"collision time", " ms", true, true},
-     {"overhead", " ms", true, true},
-     {"frames a second over those of the fastest other", "", false, true},
-     {"frames a second before the first fracture", "", false, true},
-     {"pairs before the first fracture", "", true, false},
-     {"frames a second, after the first fracture over before", "", false, true},
-     {"pairs for each moving object, after the first fracture over before", "", true, false},
-     {"pairs, last fifth of the run over the second", "", true, false},
-     {"collision time, last fifth of the run over the second", "", true, true},
-     {"pairs for each moving object, first tenth of the run over the last half", "", true, false},
-     {"pairs for each moving object, greatest over least fifth of the last two thirds", "", true, false},
-     {"frames a second, greatest over least fifth of the last two thirds", "", true, true},
-     {"leaves, greatest over least fifth of the last two thirds", "", true, false},
-     {"greatest change of depth within ten steps", "", true, false},
-     {"changes of depth, after the first fracture over before", "", true, false},
-     {"changes of depth, at the end over after the first fracture", "", true, false}}};
+    {{"frames a second", "", Merit::more, true},
+     {"pairs", "", Merit::less, false},
+     {"collision time", " ms", Merit::less, true},
+     {"overhead", " ms", Merit::less, true},
+     {"frames a second over those of the fastest other", "", Merit::none, true},
+     {"frames a second before the first fracture", "", Merit::more, true},
+     {"pairs before the first fracture", "", Merit::less, false},
+     {"frames a second, after the first fracture over before", "", Merit::more, true},
+     {"pairs for each moving object, after the first fracture over before", "", Merit::less, false},
+     {"pairs for each moving object, last fifth of the run over the second", "", Merit::less, false},
+     {"collision time for each moving object, last fifth of the run over the second", "", Merit::less, true},
+     {"pairs, first twenty steps over the least of as many in the first tenth", "", Merit::none, false},
+     {"pairs for each moving object, greatest over least fifth of the last two thirds", "", Merit::less,
+      false},
+     {"frames a second, greatest over least fifth of the last two thirds", "", Merit::less, true},
+     {"leaves, greatest over least fifth of the last two thirds", "", Merit::less, false},
+     {"greatest change of depth within ten steps", "", Merit::less, false},
+     {"changes of depth, after the first fracture over before", "", Merit::none, false},
+     {"changes of depth, at the end over after the first fracture", "", Merit::less, false}}};
 
 }  // namespace
 

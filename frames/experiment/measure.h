@@ -11,33 +11,37 @@ namespace kerf {
 /// What the paper's statements compare, one figure a run. "Pairs" are those that a structure leaves to be
 /// tested: all report the same.
 enum class Measure : std::uint8_t {
-  frames,                ///< frames a second with that broad phase alone in the loop
-  pairs,                 ///< a step
-  collision,             ///< milliseconds a step to find the pairs
-  overhead,              ///< milliseconds a step to take over boxes and bring the structure up to date
-  lead,                  ///< frames a second over those of the fastest other of the paper's five
-  frames_before,         ///< frames a second before the first fracture
-  pairs_before,          ///< pairs a step before the first fracture
-  frames_gain,           ///< frames a second after the first fracture over those before
-  object_pairs_gain,     ///< pairs for each moving object after the first fracture over those before
-  pairs_growth,          ///< pairs in the last fifth of the run over those in the second
-  collision_growth,      ///< collision time in the last fifth of the run over that in the second
-  object_pairs_start,    ///< pairs for each moving object in the first tenth of the run over the last half
+  frames,                   ///< frames a second with that broad phase alone in the loop
+  pairs,                    ///< a step
+  collision,                ///< milliseconds a step to find the pairs
+  overhead,                 ///< milliseconds a step to take over boxes and bring the structure up to date
+  lead,                     ///< frames a second over those of the fastest other of the paper's five
+  frames_before,            ///< frames a second before the first fracture
+  pairs_before,             ///< pairs a step before the first fracture
+  frames_gain,              ///< frames a second after the first fracture over those before
+  object_pairs_gain,        ///< pairs for each moving object after the first fracture over those before
+  object_pairs_growth,      ///< pairs for each moving object in the last fifth of the run over those in the
+                            ///< second
+  object_collision_growth,  ///< collision time for each moving object: likewise
+  pairs_start,              ///< pairs in the first twenty steps over the least of as many in the first tenth
   object_pairs_swing,    ///< pairs for each moving object: the greatest over the least fifth of the last two
                          ///< thirds
   frames_swing,          ///< frames a second: likewise
   leaves_swing,          ///< leaves of the tree: likewise
   depth_change,          ///< greatest change of a tree's depth within ten steps, after the first third
   depth_after_fracture,  ///< changes of depth in the tenth of the run after the first fracture over the tenth
-                         ///< before
-  depth_settling,        ///< changes of depth in the last tenth of the run over as many steps after the first
+                         ///< before, if there is one
+  depth_settling,        ///< changes of depth in the last tenth of the run over the tenth after the first
                          ///< fracture
 };
+
+/// Which of two figures is the better one.
+enum class Merit : std::uint8_t { less, more, none };
 
 struct MeasureTraits {
   std::string_view name;  ///< "collision time"
   std::string_view unit;  ///< " ms"
-  bool less_is_better = true;
+  Merit merit = Merit::less;
   bool is_time = true;  ///< differs from repeat to repeat; counts differ by seed only
 };
 const MeasureTraits& traits_of(Measure measure);

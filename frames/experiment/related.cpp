@@ -15,7 +15,6 @@ constexpr std::array<std::string_view, 14> kRelated{
     "shifting-cuts-only", "kinetic-tree",     "self-organising-tree", "loose-octree",     "multi-level-hash",
     "sphere-tree",        "fixed-directions", "principal-components", "evolved-planes"};
 
-constexpr std::string_view kNoFigure = "its words name no figure";
 constexpr std::string_view kAsAWhole = "half as much again as the paper's tree's";
 constexpr std::string_view kAlone =
     "half as much again as for the same tree with the best of 2 sqrt(n) directions at each node";
@@ -115,6 +114,7 @@ RelatedVerdict judge(const RelatedClaim& claim, const RelatedRuns& runs) {
   RelatedVerdict verdict;
   if (claim.measure == RelatedMeasure::none) return verdict;
   std::size_t hold = 0;
+  std::size_t in_kind = 0;
   std::size_t judged = 0;
   for (const std::vector<RelatedRun>& simulation : runs) {
     const std::vector<double> ratios = ratios_of(claim, simulation);
@@ -122,13 +122,15 @@ RelatedVerdict judge(const RelatedClaim& claim, const RelatedRuns& runs) {
     const auto holds = [&](double ratio) {
       return claim.more ? ratio > claim.factor : ratio < 1 / claim.factor;
     };
+    const auto is_on_its_side = [&](double ratio) { return claim.more ? ratio > 1 : ratio < 1; };
     judged += ratios.size();
     hold += static_cast<std::size_t>(std::ranges::count_if(ratios, holds));
+    in_kind += static_cast<std::size_t>(std::ranges::count_if(ratios, is_on_its_side));
     verdict.figures += (verdict.figures.empty() ? "" : ", ") + short_number(ratios[ratios.size() / 2]);
   }
   if (judged == 0) return verdict;
   verdict.figures += " times";
-  verdict.outcome = hold == judged ? Outcome::holds : hold > 0 ? Outcome::partly : Outcome::opposite;
+  verdict.outcome = hold == judged ? Outcome::holds : in_kind > 0 ? Outcome::partly : Outcome::opposite;
   return verdict;
 }
 

@@ -11,6 +11,7 @@ namespace kerf {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kStretch = 20;
 
 /// What the measures ask of one contestant in one run.
 class RunOf {
@@ -28,7 +29,8 @@ class RunOf {
     return std::span(run_).subspan(first, last - first);
   }
   [[nodiscard]] double mean(Measure measure, double begin = 0, double end = 1) const {
-    return mean_of_medians(part(begin, end), value_of(measure));
+    const double mean = mean_of_medians(part(begin, end), value_of(measure));
+    return measure == Measure::frames ? 1000 / mean : mean;
   }
   /// The greatest over the least fifth of the last two thirds.
   [[nodiscard]] double swing(const StepValue& value) const {
@@ -43,16 +45,21 @@ class RunOf {
     }
     return most / least;
   }
-  [[nodiscard]] double object_pairs(double begin, double end) const {
-    return mean_of_medians(part(begin, end), object_pairs_value());
+  /// For each moving object.
+  [[nodiscard]] double mean_each(Measure measure, double begin, double end) const {
+    return mean_of_medians(part(begin, end), value_each(measure));
   }
-  [[nodiscard]] StepValue object_pairs_value() const {
-    return [pairs = value_of(Measure::pairs)](const ExperimentStep& row) { return pairs(row) / row.moving; };
+  [[nodiscard]] double growth_each(Measure measure) const {
+    return mean_each(measure, 0.8, 1) / mean_each(measure, 0.2, 0.4);
   }
+  [[nodiscard]] StepValue value_each(Measure measure) const {
+    return [value = value_of(measure)](const ExperimentStep& row) { return value(row) / row.moving; };
+  }
+  /// Of frames a second: the milliseconds of one, since a rate is high where hardly anything is there.
   [[nodiscard]] StepValue value_of(Measure measure) const {
     switch (measure) {
       case Measure::frames:
-        return [k = index_](const ExperimentStep& row) { return row.fps(k); };
+        return [k = index_](const ExperimentStep& row) { return 1000 / row.fps(k); };
       case Measure::pairs:
         return [k = index_](const ExperimentStep& row) { return row.contestants[k].candidates; };
       case Measure::collision:
@@ -63,6 +70,19 @@ class RunOf {
   }
   [[nodiscard]] StepValue leaves() const {
     return [k = index_](const ExperimentStep& row) { return double{1} * row.contestants[k].leaves; };
+  }
+  /// How many times as many pairs the first stretch has as the one with the fewest of the first tenth.
+  [[nodiscard]] double pairs_start() const {
+    const std::span<const ExperimentStep> tenth = part(0, 0.1);
+    double first = kNone;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t begin = 0; begin < tenth.size(); begin += kStretch) {
+      const double pairs = mean_of_medians(tenth.subspan(begin, std::min(kStretch, tenth.size() - begin)),
+                                           value_of(Measure::pairs));
+      if (begin == 0) first = pairs;
+      least = std::min(least, pairs);
+    }
+    return first / least;
   }
   /// The part of the run before the number of objects begins to grow by a fracture; NaN if it never does.
   [[nodiscard]] double fracture() const {
@@ -107,26 +127,27 @@ double lead_of(const ExperimentRun& run, std::string_view contestant) {
   return RunOf(run, contestant).mean(Measure::frames) / fastest;
 }
 
-/// A twentieth of the run after the first fracture is left out: blocks fly apart.
-double after(double fracture) { return std::min(0.9, fracture + 0.05); }
+constexpr double kTenth = 0.1;
 
 double measure_fracture(const RunOf& run, Measure measure) {
   const double fracture = run.fracture();
-  if (std::isnan(fracture)) return kNone;
-  const double window = std::min(0.1, fracture);
+  constexpr double kLatest = 0.8;
+  if (std::isnan(fracture) || fracture > kLatest) return kNone;
+  const double after = fracture + 0.05;  // blocks fly apart meanwhile
   switch (measure) {
     case Measure::frames_before:
       return run.mean(Measure::frames, 0, fracture);
     case Measure::pairs_before:
       return run.mean(Measure::pairs, 0, fracture);
     case Measure::frames_gain:
-      return run.mean(Measure::frames, after(fracture), 1) / run.mean(Measure::frames, 0, fracture);
+      return run.mean(Measure::frames, after, 1) / run.mean(Measure::frames, 0, fracture);
     case Measure::object_pairs_gain:
-      return run.object_pairs(after(fracture), 1) / run.object_pairs(0, fracture);
+      return run.mean_each(Measure::pairs, after, 1) / run.mean_each(Measure::pairs, 0, fracture);
     case Measure::depth_after_fracture:
-      return run.depth_moves(fracture, fracture + window) / run.depth_moves(fracture - window, fracture);
+      if (fracture < kTenth) return kNone;
+      return run.depth_moves(fracture, fracture + kTenth) / run.depth_moves(fracture - kTenth, fracture);
     case Measure::depth_settling:
-      return run.depth_moves(1 - window, 1) / run.depth_moves(fracture, fracture + window);
+      return run.depth_moves(1 - kTenth, 1) / run.depth_moves(fracture, fracture + kTenth);
     default:
       return kNone;
   }
@@ -135,7 +156,6 @@ double measure_fracture(const RunOf& run, Measure measure) {
 }  // namespace
 
 double mean_of_medians(std::span<const ExperimentStep> steps, const StepValue& value) {
-  constexpr std::size_t kStretch = 20;
   double sum = 0;
   double count = 0;
   for (std::size_t begin = 0; begin < steps.size(); begin += kStretch) {
@@ -143,9 +163,8 @@ double mean_of_medians(std::span<const ExperimentStep> steps, const StepValue& v
     for (const ExperimentStep& row : steps.subspan(begin, std::min(kStretch, steps.size() - begin)))
       if (const double one = value(row); one >= 0) values.push_back(one);
     if (values.empty()) continue;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    sum += *middle;
+    std::ranges::sort(values);
+    sum += (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
     ++count;
   }
   return count > 0 ? sum / count : kNone;
@@ -161,14 +180,14 @@ double measure(const ExperimentRun& run, std::string_view contestant, Measure me
       return one.mean(measure);
     case Measure::lead:
       return lead_of(run, contestant);
-    case Measure::pairs_growth:
-      return one.mean(Measure::pairs, 0.8, 1) / one.mean(Measure::pairs, 0.2, 0.4);
-    case Measure::collision_growth:
-      return one.mean(Measure::collision, 0.8, 1) / one.mean(Measure::collision, 0.2, 0.4);
-    case Measure::object_pairs_start:
-      return one.object_pairs(0, 0.1) / one.object_pairs(0.5, 1);
+    case Measure::object_pairs_growth:
+      return one.growth_each(Measure::pairs);
+    case Measure::object_collision_growth:
+      return one.growth_each(Measure::collision);
+    case Measure::pairs_start:
+      return one.pairs_start();
     case Measure::object_pairs_swing:
-      return one.swing(one.object_pairs_value());
+      return one.swing(one.value_each(Measure::pairs));
     case Measure::frames_swing:
       return one.swing(one.value_of(Measure::frames));
     case Measure::leaves_swing:

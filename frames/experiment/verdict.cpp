@@ -86,15 +86,15 @@ std::string words_of(const Comparison& comparison) {
   return comparison.rival ? words : words + " than " + short_number(comparison.number);
 }
 
+bool are_alike(const Spread& ratio) { return ratio.low >= 1 / kAlike && ratio.high <= kAlike; }
+
 /// Whether the ratio is on the side that a relation with a direction means.
 Outcome outcome_by_direction(const Band& band, const Spread& spread) {
+  if (are_alike(spread)) return Outcome::partly;
   const bool below = spread.high < 1;
   const bool above = spread.low > 1;
   if (band.direction < 0 ? above : below) return Outcome::opposite;
-  if (!(band.direction < 0 ? below : above)) {
-    const bool alike = spread.low >= 1 / kAlike && spread.high <= kAlike;
-    return alike ? Outcome::partly : Outcome::cannot_be_judged;
-  }
+  if (!(band.direction < 0 ? below : above)) return Outcome::cannot_be_judged;
   return spread.low >= band.low && spread.high <= band.high ? Outcome::holds : Outcome::partly;
 }
 
@@ -108,10 +108,11 @@ std::string reason_of(Outcome outcome, const Comparison& comparison, const Sprea
   const std::string found = sentence(comparison, spread);
   if (outcome == Outcome::cannot_be_judged) return found + ", which leaves it open";
   if (outcome == Outcome::opposite) return found + ", not " + words_of(comparison);
-  if (spread.low <= 1 && spread.high >= 1) return found + ", alike";
-  const bool weak = comparison.relation == Relation::much_less || comparison.relation == Relation::much_more;
+  if (are_alike(spread)) return found + ", alike";
   const std::string kind = band.direction < 0 ? "less" : "more";
-  return found + ", " + (weak ? kind + " and not surely much " + kind : "much less, not slightly");
+  if (comparison.relation != Relation::slightly_less)
+    return found + ", " + kind + " and not surely much " + kind;
+  return found + (spread.high < band.low ? ", much less, not slightly" : ", less and not surely slightly");
 }
 
 Finding examine(const Comparison& comparison, const ClaimFigures& figures) {
@@ -165,8 +166,9 @@ bool is_in(std::string_view name, const Comparison& comparison) {
 
 /// 1 if ours fares better than the paper says, -1 if worse, 0 if as it says or unknown.
 int gain_of(std::string_view ours, const Comparison& comparison, const Finding& finding) {
-  if (finding.side == 0 || !is_in(ours, comparison)) return 0;
-  const bool less_is_better = traits_of(comparison.subject.measure).less_is_better;
+  const Merit merit = traits_of(comparison.subject.measure).merit;
+  if (finding.side == 0 || merit == Merit::none || !is_in(ours, comparison)) return 0;
+  const bool less_is_better = merit == Merit::less;
   const bool ours_is_subject = paper_name(comparison.subject.contestant) == ours;
   return (finding.side < 0) == less_is_better ? (ours_is_subject ? 1 : -1) : (ours_is_subject ? -1 : 1);
 }
@@ -187,7 +189,8 @@ Standing standing_of(std::string_view ours, const Claim& claim, const std::vecto
     const int gain = gain_of(ours, claim.comparisons[k], findings[k]);
     better |= gain > 0;
     worse |= gain < 0;
-    decided |= findings[k].outcome != Outcome::cannot_be_judged;
+    decided |= findings[k].outcome != Outcome::cannot_be_judged &&
+               traits_of(claim.comparisons[k].subject.measure).merit != Merit::none;
   }
   if (better && worse) return Standing::mixed;
   if (better || worse) return better ? Standing::better : Standing::worse;

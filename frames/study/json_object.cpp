@@ -124,7 +124,7 @@ Json read_json_object(const std::string& file) {
     Json json = Json::parse(read, DoubleKeys(), true, true);
     if (!json.is_object()) throw UsageError("the file must hold an object, { ... }");
     return json;
-  } catch (const Json::parse_error& error) {
+  } catch (const Json::exception& error) {
     const std::string text = error.what();  // "[json.exception.parse_error.101] parse error at line 3, ..."
     throw UsageError(file + ": " + text.substr(std::min(text.size(), text.find("] ") + 2)));
   } catch (const UsageError& error) {

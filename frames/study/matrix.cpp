@@ -1,6 +1,14 @@
 #include "frames/study/matrix.h"
 
+#include <string>
+
 namespace kerf {
+
+void refuse_too_many(const JsonObject& matrix, double cells) {
+  constexpr int kMost = 1'000'000;
+  if (cells > kMost)
+    matrix.refuse("repeats", "more than " + std::to_string(kMost) + " cells; make several studies");
+}
 
 std::vector<StudyCell> read_matrix(JsonObject& matrix, const std::filesystem::path& folder) {
   const bool runs = matrix.has("motions") || matrix.has("scenes");

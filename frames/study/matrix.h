@@ -13,6 +13,9 @@ namespace kerf {
 /// `folder`. Throws UsageError as JsonObject does.
 std::vector<StudyCell> read_matrix(JsonObject& matrix, const std::filesystem::path& folder);
 
+/// Throws UsageError for more cells than a study can have.
+void refuse_too_many(const JsonObject& matrix, double cells);
+
 /// The parts of it: a matrix of motions or scenes, and one of frames.
 std::vector<StudyCell> read_runs(JsonObject& matrix);
 std::vector<StudyCell> read_frames(JsonObject& matrix, const std::filesystem::path& folder);

@@ -173,6 +173,12 @@ std::vector<StudyCell> read_runs(JsonObject& matrix) {
   const std::uint64_t repeats = matrix.number("repeats", 1, 10'000, 1);
   const auto grow = static_cast<std::uint32_t>(matrix.number("grow", 0, kMaxStep, 0));
   RunCell run = read_run(matrix);
+  if (matrix.has("grow") && std::ranges::none_of(places, &Place::grows))
+    matrix.refuse("grow", "none of the scenes grows; leave the key out");
+  std::size_t runs = 0;  // of a repeat with one seed and one number of objects
+  for (const Place& place : places) runs += place.broad_phases.size();
+  refuse_too_many(matrix,
+                  static_cast<double>(repeats) * static_cast<double>(runs * objects.size() * seeds.size()));
   std::vector<StudyCell> cells;
   for (std::uint64_t repeat = 1; repeat <= repeats; ++repeat)
     for (const Place& place : places)

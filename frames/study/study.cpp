@@ -14,8 +14,6 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t kMostCells = 1'000'000;
-
 bool is_plain(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '='; }
 
 void add(std::vector<StudyCell> more, const JsonObject& matrix, std::set<std::string>& ids, Study& study) {
@@ -24,8 +22,7 @@ void add(std::vector<StudyCell> more, const JsonObject& matrix, std::set<std::st
       matrix.refuse("repeats", "the cell " + cell.id + " is in this file twice; take it out of one matrix");
     study.cells.push_back(std::move(cell));
   }
-  if (study.cells.size() > kMostCells)
-    matrix.refuse("repeats", "more than " + std::to_string(kMostCells) + " cells; make several studies");
+  refuse_too_many(matrix, static_cast<double>(study.cells.size()));
 }
 
 }  // namespace

@@ -77,7 +77,11 @@ std::vector<Failure> run_cells(const Study& study, const std::vector<const Study
     ++done;
     if (is_done()) continue;  // another process has the same cells, and was faster
     const CellFile file = make_cell_file(study, *cell, std::move(result.figures));
-    write_file_atomically(path, to_json(file), replace);
+    try {
+      write_file_atomically(path, to_json(file), replace);
+    } catch (const std::runtime_error&) {
+      if (!is_done()) throw;  // faster by less than a write takes
+    }
   }
   return failures;
 }

@@ -145,7 +145,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"ReportSteps", {"report", "--steps", "ten"}, "whole number from"},
         Mistake{"ReportSeeds", {"report", "--seeds", "0"}, "whole number from 1"},
         Mistake{"ReportPage", {"report", "--out", "page.json"}, "call the page something.html"},
-        Mistake{"ReportNoPage", {"report", "--out", ""}, "needs the name of a file"},
+        Mistake{"ReportNoPage", {"report", "--out", ""}, "--out is empty"},
+        Mistake{"StudyNoShard", {"study", "x.json", "--shard", ""}, "--shard is empty; give it K/N"},
+        Mistake{"ExperimentNoSteps", {"experiment", "--steps", ""}, "--steps is empty; give it N"},
         Mistake{"ReportOption", {"report", "--objcts", "30"}, "did you mean '--objects'?"}),
     [](const ::testing::TestParamInfo<Mistake>& mistake) { return std::string(mistake.param.name); });
 

@@ -5,9 +5,13 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <fstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "frames/support/errors.h"
+#include "tests/frames/program.h"
 #include "tests/support/temporary_folder.h"
 
 namespace kerf::test {
@@ -38,6 +42,65 @@ TEST(ExperimentMaker, EachRunIsMadeByAnotherProcess) {
     EXPECT_EQ(steps.size(), 100U);
   });
   EXPECT_EQ(runs, 4U);
+}
+
+/// A shard has as many runs as another, or one more.
+TEST(ExperimentMaker, ShardsAreAlikeInSize) {
+  const TemporaryFolder folder;
+  const ExperimentPlan plan{.size = {.steps = 50, .objects = 50}, .seeds = 3, .repeats = 5};
+  for (std::uint32_t index = 0; index < 7; ++index) {
+    const std::size_t runs =
+        ExperimentMaker(folder.path(), plan, Shard{index, 7}, Replace::nothing).missing();
+    EXPECT_TRUE(runs == 8 || runs == 9) << runs;
+  }
+}
+
+/// As a file of which a part was pasted from elsewhere, or one of another kerf.
+class ExperimentRunFile : public testing::Test {
+ protected:
+  ExperimentRunFile() {
+    for (std::uint32_t step = 1; step <= 50; ++step)
+      steps_.push_back({step, 3, 2, 1, 0.5, std::vector<ContestantStep>(lineup_of(run_).names.size())});
+    save_run(folder_.path(), run_, steps_);
+    text_ = test::read_text(run_path(folder_.path(), run_));
+  }
+  [[nodiscard]] std::string refusal(const std::string& from, const std::string& to) {
+    std::string text = text_;
+    const std::size_t place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    text.replace(place, from.size(), to);
+    std::ofstream(run_path(folder_.path(), run_)) << text;
+    try {
+      (void)load_run(folder_.path(), run_, false);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "it was read";
+  }
+
+  RunId run_{.size = {.steps = 50, .objects = 50}};
+  ExperimentRun steps_;
+  TemporaryFolder folder_;
+  std::string text_;
+};
+
+TEST_F(ExperimentRunFile, ComesBack) {
+  const auto found = load_run(folder_.path(), run_, false);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->size(), 50U);
+  EXPECT_EQ(found->back().rest, 0.5);
+}
+
+TEST_F(ExperimentRunFile, LinesThatAreNotItsOwnAreRefused) {
+  EXPECT_THAT(refusal("\n7,3,", "\n8,3,"), HasSubstr("is damaged; remove it"));
+  EXPECT_THAT(refusal("\n7,3,", "\n0,3,"), HasSubstr("is damaged"));
+  EXPECT_THAT(refusal("\n7,3,", "\n7,-3,"), HasSubstr("is damaged"));
+  EXPECT_THAT(refusal("\n7,3,", "\n7,3x,"), HasSubstr("is damaged"));
+  EXPECT_THAT(refusal(",0,1,0.5\n", ",0,1,nan\n"), HasSubstr("is damaged"));
+  EXPECT_THAT(refusal(",0,1,0.5\n", ",0,1,-0.5\n"), HasSubstr("is damaged"));
+  EXPECT_THAT(refusal("candidates,collision_ms", "collision_ms,candidates"), HasSubstr("is damaged"));
+  EXPECT_THAT(refusal("# kerf experiment 5", "# kerf experiment 4"), HasSubstr("of another kerf"));
+  EXPECT_THAT(refusal(text_, ""), HasSubstr("is empty; remove it"));
 }
 
 TEST(ExperimentMaker, WhatIsStoppedIsSaid) {

@@ -114,7 +114,7 @@ TEST(ExperimentProgram, ShardsMakeTheRunsOfOneExperiment) {
 TEST(ExperimentProgram, RefusesAFolderOfAnotherSizeAndDamagedTables) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "simulation-2-attractors-seed-1-repeat-1.csv")
-      << "# kerf experiment 4, simulation 2 (attractors), steps 60, objects 60, seed 1, repeat "
+      << "# kerf experiment 5, simulation 2 (attractors), steps 60, objects 60, seed 1, repeat "
          "1\nstep\n1,2,3\n";
   const RunOutcome other = run_kerf(small_experiment(folder.path(), "70"));
   EXPECT_EQ(other.exit, kExitUnusable);

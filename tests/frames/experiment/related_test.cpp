@@ -39,6 +39,7 @@ TEST(RelatedVerdict, HoldsInAllSimulationsPartlyInSomeOrNot) {
   EXPECT_EQ(judge(kSlower, runs_of({4, 4, 4, 8})).outcome, Outcome::holds);
   EXPECT_EQ(judge(kSlower, runs_of({4, 4, 4, 8})).figures, "2, 2, 2, 4 times");
   EXPECT_EQ(judge(kSlower, runs_of({4, 2.9, 4, 8})).outcome, Outcome::partly);
+  EXPECT_EQ(judge(kSlower, runs_of({2.8, 2.8, 1, 1})).outcome, Outcome::partly) << "in kind, not in degree";
   EXPECT_EQ(judge(kSlower, runs_of({2, 2, 1, 1})).outcome, Outcome::opposite);
   RelatedClaim faster = kSlower;
   faster.more = false;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -65,15 +66,41 @@ TEST(RunMeasures, StepsThatAreNotCountedAreNotZero) {
   EXPECT_EQ(measure(run, kQt, Measure::pairs), 100);
   set(run, kQt, 0, run.size(), &ContestantStep::candidates, -1);
   EXPECT_TRUE(std::isnan(measure(run, kQt, Measure::pairs)));
-  EXPECT_TRUE(std::isnan(measure(run, kQt, Measure::pairs_growth)));
+  EXPECT_TRUE(std::isnan(measure(run, kQt, Measure::object_pairs_growth)));
 }
 
-TEST(RunMeasures, GrowthIsOfTheLastFifthOverTheSecond) {
+TEST(RunMeasures, GrowthIsOfTheLastFifthOverTheSecondForEachObject) {
   ExperimentRun run = even_run(100);
   set(run, kBsp, 80, 100, &ContestantStep::collision, 6);
   set(run, kBsp, 20, 40, &ContestantStep::candidates, 50);
-  EXPECT_EQ(measure(run, kBsp, Measure::collision_growth), 3);
-  EXPECT_EQ(measure(run, kBsp, Measure::pairs_growth), 2);
+  EXPECT_DOUBLE_EQ(measure(run, kBsp, Measure::object_collision_growth), 3);
+  EXPECT_DOUBLE_EQ(measure(run, kBsp, Measure::object_pairs_growth), 2);
+  for (std::size_t k = 80; k < 100; ++k) run[k].moving = 20;
+  EXPECT_DOUBLE_EQ(measure(run, kBsp, Measure::object_collision_growth), 1.5);
+  EXPECT_DOUBLE_EQ(measure(run, kBsp, Measure::object_pairs_growth), 1);
+}
+
+TEST(RunMeasures, ATreeThatAdaptsHasMorePairsAtFirst) {
+  ExperimentRun run = even_run(1000);
+  EXPECT_EQ(measure(run, kBsp, Measure::pairs_start), 1);
+  set(run, kBsp, 0, 40, &ContestantStep::candidates, 600);
+  EXPECT_EQ(measure(run, kBsp, Measure::pairs_start), 6);
+  set(run, kBsp, 40, 1000, &ContestantStep::candidates, 900);
+  EXPECT_EQ(measure(run, kBsp, Measure::pairs_start), 1) << "what comes later is more";
+  set(run, kBsp, 500, 1000, &ContestantStep::candidates, 5);
+  EXPECT_EQ(measure(run, kBsp, Measure::pairs_start), 1) << "this is not the start";
+}
+
+TEST(RunMeasures, FramesASecondAreOfTheMeanTime) {
+  ExperimentRun run = even_run(100);
+  for (std::size_t k = 0; k < 20; ++k) run[k].rest = 0;  // a fifth of the steps take 3 ms, the others 10
+  EXPECT_DOUBLE_EQ(measure(run, kBsp, Measure::frames), 1000 / 8.6);
+}
+
+TEST(RunMeasures, TheMedianOfAnEvenNumberIsBetweenTheMiddleTwo) {
+  ExperimentRun run = even_run(4);
+  for (std::size_t k = 0; k < 4; ++k) at(run, k, kBsp).candidates = std::array{6458, 564, 1313, 832}[k];
+  EXPECT_DOUBLE_EQ(measure(run, kBsp, Measure::pairs), (832 + 1313) / 2.0);
 }
 
 TEST(RunMeasures, TheLeadIsOverTheFastestOther) {
@@ -124,6 +151,21 @@ TEST(RunMeasures, WithoutAFractureThereIsNothingBeforeIt) {
        {Measure::frames_before, Measure::pairs_before, Measure::frames_gain, Measure::object_pairs_gain,
         Measure::depth_after_fracture, Measure::depth_settling})
     EXPECT_TRUE(std::isnan(measure(run, kBsp, of)));
+}
+
+/// The tree is still being built.
+TEST(RunMeasures, AnEarlyFractureHasNoDepthBeforeIt) {
+  ExperimentRun run = even_run(1000);
+  for (std::size_t k = 38; k < 1000; ++k) run[k].moving = 20;
+  for (std::size_t k = 38; k < 138; ++k) at(run, k, kBsp).height = k % 2 == 0 ? 3 : 5;
+  EXPECT_TRUE(std::isnan(measure(run, kBsp, Measure::depth_after_fracture)));
+  EXPECT_LT(measure(run, kBsp, Measure::depth_settling), 0.01);
+}
+
+TEST(RunMeasures, AfterALateFractureTooLittleIsLeft) {
+  ExperimentRun run = even_run(100);
+  for (std::size_t k = 90; k < 100; ++k) run[k].moving = 20;
+  EXPECT_TRUE(std::isnan(measure(run, kBsp, Measure::frames_gain)));
 }
 
 TEST(RunMeasures, DepthMovesAfterTheFractureAndSettles) {

@@ -88,7 +88,7 @@ TEST(Verdict, ASmallAdvantageIsNotOneByAFactorOf43) {
 
 TEST(Verdict, ScalingIsJudgedByCollisionTimeAndOverheadByOverhead) {
   for (const Comparison& comparison : claim(4, "SP has the worst scaling").comparisons)
-    EXPECT_EQ(comparison.subject.measure, Measure::collision_growth);
+    EXPECT_EQ(comparison.subject.measure, Measure::object_collision_growth);
   for (const Comparison& comparison : claim(4, "SH has the worst overhead time").comparisons)
     EXPECT_EQ(comparison.subject.measure, Measure::overhead);
 }
@@ -182,6 +182,32 @@ TEST(Verdict, FiguresThatAreAlikeAreNotOneLessThanTheOther) {
             Outcome::partly);
 }
 
+/// By 1 % in every run.
+TEST(Verdict, FiguresWithinTwoPercentAreAlikeInAllRuns) {
+  const char* words = "the BSP overhead is better than SH";
+  for (const double bsp : {99.0, 101.0}) {
+    const ClaimVerdict verdict =
+        judged(1, words, Measure::overhead, {{kBsp, {bsp, bsp, bsp}}, {kSh, {100, 100, 100}}});
+    EXPECT_EQ(verdict.outcome, Outcome::partly);
+    EXPECT_THAT(verdict.reason, HasSubstr("alike"));
+  }
+}
+
+TEST(Verdict, WhatMayBeSlightIsNotCalledMuch) {
+  const ClaimVerdict verdict =
+      judged(3, "and in time", Measure::collision, {{kBsp, {0.6, 0.7, 0.8}}, {kQt, {1, 1, 1}}});
+  EXPECT_EQ(verdict.outcome, Outcome::partly);
+  EXPECT_THAT(verdict.reason, HasSubstr("less and not surely slightly"));
+}
+
+/// That a tree adapts late, or gains much in one simulation, is neither better nor worse than it is said to.
+TEST(Verdict, SomeFiguresAreNoMerit) {
+  const ClaimVerdict verdict = judged(3, "BSP depth changed in a faster ratio", Measure::depth_after_fracture,
+                                      {{kBsp, {0.5, 0.5, 0.5}}});
+  EXPECT_EQ(verdict.outcome, Outcome::opposite);
+  EXPECT_EQ(text_of_standing(verdict), "");
+}
+
 TEST(Verdict, MuchIsMoreThanTheTolerance) {
   const auto outcome = [](double bsp) {
     return judged(4, "but in a much faster way", Measure::collision, {{kBsp, about(bsp)}, {kSh, about(1)}})
@@ -253,7 +279,10 @@ TEST(Verdict, BesideANumberNamesTheFigure) {
   const ClaimVerdict verdict = judge(claim(0, words), figures);
   EXPECT_EQ(verdict.outcome, Outcome::partly);
   EXPECT_EQ(verdict.standing, Standing::worse);
-  EXPECT_THAT(verdict.reason, HasSubstr("BSP is 6 (5 to 7), not less than 4"));
+  EXPECT_THAT(verdict.reason, HasSubstr("BSP is 6 (5 to 7), not less than 3.5"));
+  figures[{2, kBsp, Measure::depth_change}] = {4, 4, 4};
+  EXPECT_EQ(judge(claim(0, words), figures).outcome, Outcome::partly) << "four levels are not at most three";
+  EXPECT_THAT(judge(claim(0, words), figures).reason, HasSubstr("BSP is 4, not less than 3.5"));
 }
 
 TEST(Verdict, OneSimulationSufficesForSomeCases) {
