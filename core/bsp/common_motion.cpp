@@ -79,7 +79,7 @@ bool may_be_common(const ShiftSample<D>& sample) {
   std::uint32_t others = 0;
   for (std::uint32_t k = 0; k < sample.size(); ++k) {
     const auto motion = sample[k];
-    if (!motion || reach_of(motion->by) < (1 - tuning::kAlike) * motion->size) {
+    if (!motion || reach_of(motion->by) <= (1 - tuning::kAlike) * motion->size) {
       ++others;
     } else if (votes == 0) {
       by = motion->by;
@@ -109,7 +109,7 @@ std::optional<Vector<D>> common_motion(const Requests<D>& requests, const Object
   const Vector<D> by = median<D>(motions);
   const float reach = reach_of(by);
   const auto alike = std::ranges::count_if(motions, [&](const SampledMotion<D>& motion) {
-    return reach >= motion.size && is_alike(motion, by, tuning::kAlike);
+    return reach > motion.size && is_alike(motion, by, tuning::kAlike);
   });
   const bool are_alike =
       static_cast<float>(alike) >= tuning::kLeastShareAlike * static_cast<float>(sample.size());

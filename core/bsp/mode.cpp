@@ -3,13 +3,13 @@
 namespace kerf {
 namespace {
 
-struct Words {
+struct ConditionWords {
   std::string_view name;
   std::string_view meaning;
 };
 
 /// In the order of Condition.
-constexpr std::array<Words, kConditionCount> kConditions{{
+constexpr std::array<ConditionWords, kConditionCount> kConditions{{
     {"bytes_on", "`byte_sweep` is on"},
     {"bytes_off", "`byte_sweep` is off"},
     {"skins_off", "`skin` is 0"},

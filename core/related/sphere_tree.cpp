@@ -9,7 +9,7 @@ namespace kerf {
 namespace {
 
 /// More than doubles round away in the few operations that make a sphere.
-constexpr double kRounding = 1 + 1e-12;
+constexpr double kOutward = 1 + 1e-12;
 
 template <std::size_t D>
 double distance(const std::array<double, D>& a, const std::array<double, D>& b) {
@@ -43,7 +43,7 @@ typename SphereTree<D>::Sphere SphereTree<D>::around(const Box<D>& box) {
     sphere.centre[i] = (double{box.min[axis]} + double{box.max[axis]}) / 2;
     corner[i] = double{box.max[axis]};
   }
-  sphere.radius = distance(sphere.centre, corner) * kRounding + rounding_of(corner);
+  sphere.radius = distance(sphere.centre, corner) * kOutward + rounding_of(corner);
   return sphere;
 }
 
@@ -56,13 +56,13 @@ typename SphereTree<D>::Sphere SphereTree<D>::around(const Sphere& a, const Sphe
   sphere.radius = (apart + a.radius + b.radius) / 2;
   const double way = apart > 0 ? (sphere.radius - a.radius) / apart : 0;
   for (std::size_t i = 0; i < D; ++i) sphere.centre[i] = a.centre[i] + way * (b.centre[i] - a.centre[i]);
-  sphere.radius = sphere.radius * kRounding + rounding_of(sphere.centre);
+  sphere.radius = sphere.radius * kOutward + rounding_of(sphere.centre);
   return sphere;
 }
 
 template <int D>
 bool SphereTree<D>::meet(const Sphere& a, const Sphere& b) {
-  return distance(a.centre, b.centre) <= (a.radius + b.radius) * kRounding;
+  return distance(a.centre, b.centre) <= (a.radius + b.radius) * kOutward;
 }
 
 template <int D>

@@ -27,6 +27,17 @@ void note_types(const std::string& file, const std::vector<std::string>& lines, 
   }
 }
 
+/// Notes the types and constants that begin a line of a source.
+void note_local_names(const std::string& file, const std::vector<std::string>& lines,
+                      Definitions& definitions) {
+  static const std::regex kName(R"(^(?:(?:struct|class|enum class) (\w+)\b(?!::)[^;]*$)"
+                                R"(|(?:inline )?constexpr [^=({]*\b(k[A-Z]\w*)(?:\[.*\])? ?[={]))");
+  std::smatch match;
+  for (const std::string& line : lines)
+    if (std::regex_search(line, match, kName))
+      definitions[match[1].matched ? match[1].str() : match[2].str()].insert(file);
+}
+
 /// "name: files" of each type with more than one header.
 std::vector<std::string> ambiguous(const Definitions& definitions) {
   std::vector<std::string> found;
@@ -47,6 +58,31 @@ TEST(TypeNames, EachTypeIsDefinedInOneHeader) {
     if (file.extension() == ".h") note_types(file.string(), lines_of(file), definitions);
   EXPECT_GT(definitions.size(), 200U);
   EXPECT_THAT(ambiguous(definitions), testing::IsEmpty());
+}
+
+// A user's build may compile sources of the library together, any number at a time. Kernels are compiled by
+// themselves; the other folders are other libraries.
+TEST(TypeNames, LocalNamesOfTheBroadPhaseDiffer) {
+  static const std::regex kApart("^core/(kernels|scene|files|recording|replay|query|c)/");
+  Definitions definitions;
+  for (const auto& file : source_files())
+    if (file.extension() == ".cpp" && file.string().starts_with("core/") &&
+        !std::regex_search(file.string(), kApart))
+      note_local_names(file.string(), lines_of(file), definitions);
+  EXPECT_GT(definitions.size(), 60U);
+  EXPECT_THAT(ambiguous(definitions), testing::IsEmpty());
+}
+
+TEST(TypeNames, PlantedLocalTwinsAreSeen) {
+  Definitions definitions;
+  note_local_names("a.cpp", {"constexpr std::size_t kWidth = 8;", "struct Piece {", "class Own {"},
+                   definitions);
+  note_local_names("b.cpp", {"constexpr std::array<int, 2> kWidth{1, 2};", "struct Piece final {"},
+                   definitions);
+  note_local_names("c.cpp",
+                   {"  constexpr int kWidth = 3;", "struct Own;", "constexpr int f() { return kWidth; }"},
+                   definitions);
+  EXPECT_THAT(ambiguous(definitions), testing::ElementsAre("Piece: a.cpp b.cpp", "kWidth: a.cpp b.cpp"));
 }
 
 TEST(TypeNames, PlantedTwinsAreSeen) {

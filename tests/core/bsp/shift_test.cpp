@@ -120,6 +120,27 @@ TYPED_TEST(Shifts, WhatMovesElsewhereInTheSameStepIsFoundThere) {
   }
 }
 
+/// Not to move at all is no common motion, though it is as far as a point is large.
+TYPED_TEST(Shifts, PointsAtRestAreKept) {
+  constexpr int kD = TypeParam::value;
+  Random random(5);
+  std::vector<ObjectId> ids;
+  std::vector<Box<kD>> points;
+  Bsp<kD> tree(leaves_of_32());
+  for (std::uint32_t id = 0; id < 600; ++id) {
+    const Vector<kD> at = random_point<kD>(random, 0, 10);
+    ids.push_back({id});
+    points.push_back({at, at});
+    ASSERT_EQ(tree.insert({id}, points.back(), Mobility::moving), Status::ok);
+  }
+  tree.step();
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(tree.move_many(ids, points), Status::ok);
+    tree.step();
+  }
+  EXPECT_EQ(tree.mode(), Mode::kept);
+}
+
 /// A world that flies by in every step is swept, not kept.
 TYPED_TEST(Shifts, WhatShiftsInEachStepIsSwept) {
   constexpr int kD = TypeParam::value;
