@@ -198,7 +198,7 @@ TEST_F(DebugProgram, InterruptedWhileItRecordsItNamesOnlyWhatIsKept) {
     const RunOutcome outcome = process.wait();
     EXPECT_EQ(outcome.exit, 130);
     EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
-    EXPECT_EQ(outcome.err.find("steps are in " + path("kept.kerf")) != std::string::npos, kept);
+    EXPECT_EQ(outcome.err.find(" in " + path("kept.kerf")) != std::string::npos, kept);
     EXPECT_EQ(outcome.err.find("run.kerf"), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.err.find("keep it by --record") != std::string::npos, !kept) << outcome.err;
     EXPECT_EQ(std::filesystem::exists(path("kept.kerf")), kept);
