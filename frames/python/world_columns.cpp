@@ -76,7 +76,7 @@ py::object kind_number(const py::object& given, const std::string& where) {
 /// The same for one, or for one a row.
 py::object kind_numbers(const py::object& given) {
   if (given.is_none()) return given;
-  const py::array array = column_array(given, "kind");
+  py::array array = column_array(given, "kind");
   const char type = array.dtype().kind();
   if (array.ndim() > 1 || (type != 'O' && type != 'U')) return array;
   const py::object values = array.attr("tolist")();

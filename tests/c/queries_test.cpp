@@ -15,7 +15,7 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 /// Unit squares at x = 0, 10, 20, 30, 40; the last one is a sensor.
 class CQueries : public testing::Test {
- protected:
+ public:
   CQueries() {
     kerf_world* made = nullptr;
     EXPECT_EQ(kerf_world_create(2, nullptr, &made, nullptr), KERF_OK);

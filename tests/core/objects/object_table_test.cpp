@@ -19,7 +19,7 @@ constexpr Scalar kNan = std::numeric_limits<Scalar>::quiet_NaN();
 
 template <class T>
 class ObjectTable : public testing::Test {
- protected:
+ public:
   kerf::ObjectTable<T::value> table;
 };
 TYPED_TEST_SUITE(ObjectTable, Dimensions, DimensionNames);
