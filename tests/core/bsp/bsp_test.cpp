@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/bsp/state_codec.h"
 #include "core/trace/event_facts.h"
 #include "core/tree/hash.h"
 #include "tests/support/boxes.h"
@@ -302,6 +303,29 @@ TYPED_TEST(Bsp, TreeOfAStepIsAKeyframeThatLaterStepsDoNotTouch) {
   EXPECT_EQ(hash(keyframe), before);
   EXPECT_NE(hash(tree.tree()), before);
   EXPECT_TRUE(is_sound(keyframe));
+}
+
+/// Of a tree whose only object has an id that a new tree refuses: another one was there when it came.
+Bytes state_of_a_far_object(ObjectId far) {
+  kerf::Bsp<2> tree;
+  EXPECT_EQ(tree.insert({0}, slab<2>(0, 1), Mobility::moving), Status::ok);
+  EXPECT_EQ(tree.insert(far, slab<2>(0, 1), Mobility::moving), Status::ok);
+  EXPECT_EQ(tree.remove({0}), Status::ok);
+  tree.step();
+  return encode_state(tree.state());
+}
+
+TEST(StateCodec, IdsFarBeyondTheNumberOfObjectsStayTaken) {
+  const ObjectId far{kFreeIds + 3};
+  const Bytes bytes = state_of_a_far_object(far);
+  const BspState<2> state =
+      decode_state<2>(bytes, bytes.size(), make_projector<2>(Config{}, VolumeKind::box));
+  EXPECT_TRUE(state.latest.is_placed(far));
+  kerf::Bsp<2> again;
+  again.restore(state);
+  EXPECT_EQ(again.remove(far), Status::ok);
+  again.step();
+  EXPECT_EQ(again.insert(far, slab<2>(0, 1), Mobility::moving), Status::ok) << "there is room for it";
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 template <class T>
 class WorldIndexOf : public testing::Test {
- protected:
+ public:
   static constexpr int kDimension = T::value;
 
   WorldIndexOf() {

@@ -19,7 +19,7 @@ constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
 
 template <class T>
 class WorldOf : public testing::Test {
- protected:
+ public:
   static constexpr int kD = T::value;
   using Boxes = std::vector<Box<kD>>;
 
