@@ -106,7 +106,7 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
                    "Only every N-th run, the K-th first, and no pages: on other machines, in one folder")
       ->type_name("K/N");
   command_->add_flag("--overwrite", overwrite_,
-                     "Replace an earlier page and its figures, and runs of another size");
+                     "Replace an earlier page and its figures, and runs of another size or another kerf");
   command_->footer(
       "OUTPUT  DIR/experiment.html (with --related DIR/related.html), which opens offline, and "
       "DIR/experiment.md: figures 12 and 13, and of "

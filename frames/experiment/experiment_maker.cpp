@@ -104,9 +104,8 @@ void ExperimentMaker::for_each(const std::function<void(const RunId&, Experiment
     auto steps = load_run(folder_, run, forgets_);
     if (!steps)
       throw std::runtime_error(run_path(folder_, run).string() + " is gone; the same command makes it");
-    const auto [first, is_new] = known.try_emplace({run.simulation, run.size.seed});
-    if (is_new) first->second = counts_of(*steps);
-    if (first->second != counts_of(*steps))
+    const std::vector<StepCounts> counts = counts_of(*steps);
+    if (known.try_emplace({run.simulation, run.size.seed}, counts).first->second != counts)
       throw std::runtime_error(
           run_path(folder_, run).string() +
           " has other pairs than the first repeat of its seed: another kerf has made one of "

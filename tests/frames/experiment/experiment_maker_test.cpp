@@ -55,6 +55,33 @@ TEST(ExperimentMaker, ShardsAreAlikeInSize) {
   }
 }
 
+/// Repeats of a seed have the same pairs, whatever they take: another kerf may have had others.
+TEST(ExperimentMaker, RepeatsThatCountOtherPairsAreRefused) {
+  const TemporaryFolder folder;
+  const ExperimentPlan plan{.size = {.steps = 50, .objects = 50}, .seeds = 1, .repeats = 2};
+  const auto save = [&](const RunId& run, std::uint64_t pairs) {
+    ExperimentRun steps;
+    for (std::uint32_t step = 1; step <= 50; ++step)
+      steps.push_back({step, 3, pairs, 1, 0.5, std::vector<ContestantStep>(lineup_of(run).names.size())});
+    save_run(folder.path(), run, steps);
+  };
+  for (std::size_t simulation = 0; simulation < 4; ++simulation)
+    for (const std::uint32_t repeat : {1U, 2U}) save({RunKind::paper, simulation, plan.size, repeat}, 7);
+  const ExperimentMaker maker(folder.path(), plan, Shard{}, Replace::nothing);
+  std::size_t runs = 0;
+  const auto count = [&](const RunId&, const ExperimentRun&) { ++runs; };
+  maker.for_each(count);
+  EXPECT_EQ(runs, 8U);
+  std::filesystem::remove(run_path(folder.path(), {RunKind::paper, 2, plan.size, 2}));
+  save({RunKind::paper, 2, plan.size, 2}, 8);
+  try {
+    maker.for_each(count);
+    FAIL() << "it was read";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("simulation-3-fracture-seed-1-repeat-2.csv has other pairs"));
+  }
+}
+
 /// As a file of which a part was pasted from elsewhere, or one of another kerf.
 class ExperimentRunFile : public testing::Test {
  protected:
