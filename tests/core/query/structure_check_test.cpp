@@ -136,6 +136,29 @@ TEST(StructureCheck, RoundsAMarginAsItRoundsBounds) {
   EXPECT_TRUE(check_structure<2>(parts, objects, {}, limits).empty());
 }
 
+/// A cell from 0.9996 to 2.4004 is written with three decimals as one from 1 to 2.4. What both of its ends
+/// have lost together counts.
+TEST(StructureCheck, AMarginMayLackWhatTheDigitsOfItsCellLeaveOpen) {
+  StructureParts<2> parts;
+  parts.cells.push_back({{{{1, 0}}, {{2.4F, 1.4F}}}, 0, kNoPart, 0, kNoPart});
+  parts.members.push_back({0, {0}});
+  std::vector<KnownObject<2>> objects{{{0}, {{{1.1996F, 0.2F}}, {{2.2004F, 1.2F}}}}};
+  StructureLimits limits{.margin = 0.2F};
+  const auto lacks_margin = [&] {
+    const auto faults = check_structure<2>(parts, objects, {}, limits);
+    return faults.size() == 1 && faults[0].kind == Kind::no_margin;
+  };
+  EXPECT_TRUE(lacks_margin()) << "it lacks 0.0004 on each side, and floats are as they are";
+  limits.tolerance.object.outer_digits = WrittenDigits{4, 3};
+  EXPECT_TRUE(check_structure<2>(parts, objects, {}, limits).empty());
+  limits.tolerance.object.outer_digits = WrittenDigits{9, 8};
+  EXPECT_TRUE(lacks_margin()) << "so many digits leave nothing open";
+  limits.tolerance.object.outer_digits = WrittenDigits{4, 3};
+  objects[0].box.min[0] = 1.1992F;
+  objects[0].box.max[0] = 2.2008F;
+  EXPECT_TRUE(lacks_margin()) << "it lacks 0.0008 on each side";
+}
+
 /// As 2D engines of which the nodes have a third axis.
 TEST(StructureCheck, LeavesOutAnAxisAlongWhichAParentIsFlat) {
   const auto flat = [](Scalar low, Scalar high) { return Box<3>{{{low, 0, 0}}, {{high, 4, 0}}}; };

@@ -6,6 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
+
 #include "core/query/explain_their_search.h"
 #include "tests/support/boxes.h"
 
@@ -207,6 +210,39 @@ TEST_F(TheirPartsTest, AFaultIsNamedThoughTheSearchFindsThePair) {
   EXPECT_THAT(search(), HasSubstr("it was lost behind them"));
   EXPECT_THAT(search(), HasSubstr("the fault: object 0 lies outside its node n7: along x it ends at 1, "
                                   "beyond 0.9. It was not put in again\n"));
+}
+
+TEST_F(TheirPartsTest, ASearchBlamesNoNodeForWhatItsDigitsLeaveOpen) {
+  const auto is_named =
+      HasSubstr("the fault: object 0 lies outside its node n7: along x it ends at 1, beyond ");
+  const auto is_none = Not(HasSubstr("the fault"));
+  structure_.nodes[1].box.max[0] = 0.9999F;
+  EXPECT_THAT(search(), is_named) << "six digits, since it is not known how many";
+  structure_.digits = TheirDigits{{9, 0}, {4, 3}};
+  EXPECT_THAT(search(), is_none);
+  structure_.nodes[1].box.max[0] = 0.999F;
+  EXPECT_THAT(search(), is_named) << "more than three decimals leave open";
+  structure_.nodes[1].box.max[0] = 0.999995F;
+  structure_.digits = TheirDigits{{9, 0}, {9, 0}};
+  EXPECT_THAT(search(), is_named) << "nine digits show it";
+  structure_.digits = std::nullopt;
+  EXPECT_THAT(search(), is_none) << "six digits do not";
+}
+
+/// A child and its parent were written alike, however many digits they have.
+TEST_F(TheirPartsTest, ASearchBlamesAParentForMoreThanRoundingFloats) {
+  const auto is_named =
+      HasSubstr("the fault: n9 lies outside its parent n100: along x it ends at 1.5, beyond ");
+  const auto is_none = Not(HasSubstr("the fault"));
+  structure_.nodes[0].box.max[0] = 1.49999F;
+  EXPECT_THAT(search(), is_none) << "six digits, since it is not known how many";
+  structure_.digits = TheirDigits{{9, 0}, {4, 3}};
+  EXPECT_THAT(search(), is_named);
+  structure_.nodes[0].box.max[0] = std::nextafter(1.5F, 0.0F);
+  EXPECT_THAT(search(), is_none) << "the next float";
+  structure_.digits = std::nullopt;
+  structure_.nodes[0].box.max[0] = 1.4999F;
+  EXPECT_THAT(search(), is_named) << "six digits show it";
 }
 
 TEST_F(TheirPartsTest, ASearchFindsAnObjectInAnyOfItsNodes) {

@@ -55,31 +55,45 @@ TEST(ExperimentMaker, ShardsAreAlikeInSize) {
   }
 }
 
-/// Repeats of a seed have the same pairs, whatever they take: another kerf may have had others.
+/// Repeats of a seed have the same objects, pairs and contacts, whatever they take: another kerf may have had
+/// others.
 TEST(ExperimentMaker, RepeatsThatCountOtherPairsAreRefused) {
   const TemporaryFolder folder;
   const ExperimentPlan plan{.size = {.steps = 50, .objects = 50}, .seeds = 1, .repeats = 2};
-  const auto save = [&](const RunId& run, std::uint64_t pairs) {
+  const auto save = [&](const RunId& run, std::uint32_t moving, std::uint64_t pairs, std::uint64_t contacts) {
     ExperimentRun steps;
     for (std::uint32_t step = 1; step <= 50; ++step)
-      steps.push_back({step, 3, pairs, 1, 0.5, std::vector<ContestantStep>(lineup_of(run).names.size())});
+      steps.push_back(
+          {step, moving, pairs, contacts, 0.5, std::vector<ContestantStep>(lineup_of(run).names.size())});
+    std::filesystem::remove(run_path(folder.path(), run));
     save_run(folder.path(), run, steps);
   };
   for (std::size_t simulation = 0; simulation < 4; ++simulation)
-    for (const std::uint32_t repeat : {1U, 2U}) save({RunKind::paper, simulation, plan.size, repeat}, 7);
+    for (const std::uint32_t repeat : {1U, 2U})
+      save({RunKind::paper, simulation, plan.size, repeat}, 3, 7, 1);
   const ExperimentMaker maker(folder.path(), plan, Shard{}, Replace::nothing);
   std::size_t runs = 0;
   const auto count = [&](const RunId&, const ExperimentRun&) { ++runs; };
   maker.for_each(count);
   EXPECT_EQ(runs, 8U);
-  std::filesystem::remove(run_path(folder.path(), {RunKind::paper, 2, plan.size, 2}));
-  save({RunKind::paper, 2, plan.size, 2}, 8);
-  try {
-    maker.for_each(count);
-    FAIL() << "it was read";
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("simulation-3-fracture-seed-1-repeat-2.csv has other pairs"));
-  }
+  const auto refusal = [&]() -> std::string {
+    try {
+      maker.for_each(count);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "it was read";
+  };
+  const auto is_refused = HasSubstr("simulation-3-fracture-seed-1-repeat-2.csv has other pairs");
+  const RunId again{RunKind::paper, 2, plan.size, 2};
+  save(again, 3, 8, 1);
+  EXPECT_THAT(refusal(), is_refused) << "other pairs";
+  save(again, 4, 7, 1);
+  EXPECT_THAT(refusal(), is_refused) << "other objects";
+  save(again, 3, 7, 2);
+  EXPECT_THAT(refusal(), is_refused) << "other contacts";
+  save(again, 3, 7, 1);
+  EXPECT_EQ(refusal(), "it was read");
 }
 
 /// As a file of which a part was pasted from elsewhere, or one of another kerf.
@@ -128,6 +142,28 @@ TEST_F(ExperimentRunFile, LinesThatAreNotItsOwnAreRefused) {
   EXPECT_THAT(refusal("candidates,collision_ms", "collision_ms,candidates"), HasSubstr("is damaged"));
   EXPECT_THAT(refusal("# kerf experiment 5", "# kerf experiment 4"), HasSubstr("of another kerf"));
   EXPECT_THAT(refusal(text_, ""), HasSubstr("is empty; remove it"));
+}
+
+TEST_F(ExperimentRunFile, ALineOfAnotherBroadPhaseIsRefused) {
+  EXPECT_THAT(refusal("\n7,3,ode-quadtree,", "\n7,3,ode-hash,"), HasSubstr("is damaged; remove it"));
+  EXPECT_THAT(refusal("\n7,3,kerf-paper,", "\n7,3,kerf-papers,"), HasSubstr("is damaged"));
+  EXPECT_THAT(refusal("\n7,3,kerf-paper,", "\n7,3,,"), HasSubstr("is damaged"));
+}
+
+TEST_F(ExperimentRunFile, ALineOfOtherColumnsIsRefused) {
+  EXPECT_THAT(refusal(",0,1,0.5\n", ",0,1,0.5,0\n"), HasSubstr("is damaged; remove it"));
+  EXPECT_THAT(refusal(",0,1,0.5\n", ",0,1,0.5,\n"), HasSubstr("is damaged"));
+  EXPECT_THAT(refusal(",0,1,0.5\n", ",0,1\n"), HasSubstr("is damaged"));
+}
+
+/// As a copy that was stopped leaves it. No line that is left is wrong.
+TEST_F(ExperimentRunFile, OneThatEndsEarlyIsRefused) {
+  const std::string last_step = text_.substr(text_.find("\n50,3,") + 1);
+  EXPECT_THAT(refusal(last_step, ""), HasSubstr("is damaged; remove it")) << "it lacks a step";
+  const std::string last_line = text_.substr(text_.rfind("\n50,3,") + 1);
+  ASSERT_LT(last_line.size(), last_step.size());
+  EXPECT_THAT(refusal(last_line, ""), HasSubstr("is damaged; remove it"))
+      << "its last step lacks a broad phase";
 }
 
 TEST(ExperimentMaker, WhatIsStoppedIsSaid) {

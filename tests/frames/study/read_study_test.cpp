@@ -140,6 +140,22 @@ TEST(ReadStudy, ErrorsNameTheLineOrTheKey) {
   }
 }
 
+TEST(ReadStudy, TextsStandInQuotesAndOnce) {
+  EXPECT_THAT(refusal(matrix(R"("motions": 3)")),
+              HasSubstr("study.json: matrices[0].motions: 3 is not a text in quotes"));
+  EXPECT_THAT(refusal(matrix(R"("motions": ["falling", null])")),
+              HasSubstr("study.json: matrices[0].motions[1]: null is not a text in quotes"));
+  EXPECT_THAT(refusal(matrix(R"("motions": "falling", "measure": ["times", "counts", "times"])")),
+              HasSubstr(R"(study.json: matrices[0].measure[2]: "times" stands twice)"));
+}
+
+TEST(ReadStudy, AListIsRefusedWhereOneTextIsAsked) {
+  EXPECT_THAT(refusal(matrix(R"("recording": ["none.kerf", "other.kerf"])")),
+              HasSubstr("study.json: matrices[0].recording: this is one text, not a list"));
+  EXPECT_THAT(refusal(matrix(R"("recording": "none.kerf", "size": ["80x60", "160x120"])")),
+              HasSubstr("study.json: matrices[0].size: this is one text, not a list"));
+}
+
 TEST(ReadStudy, AFileThatIsNotThereIsSaid) {
   try {
     (void)read_study("nowhere/study.json");
