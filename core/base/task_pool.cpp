@@ -36,17 +36,13 @@ TaskPool::TaskPool(unsigned threads)
 
 TaskPool::~TaskPool() = default;
 
-std::size_t TaskPool::pieces() const { return threads_ == 1 ? 1 : tuning::kPiecesPerThread * threads_; }
+std::size_t TaskPool::pieces() const { return threads() == 1 ? 1 : tuning::kPiecesPerThread * threads_; }
 
 std::size_t TaskPool::slices_of(std::size_t count, std::size_t few) const {
   return std::clamp<std::size_t>(count / few, 1, pieces());
 }
 
-void TaskPool::for_each(std::size_t pieces, const Work& work) {
-  if (!arena_ || pieces == 1) {
-    for (std::size_t k = 0; k < pieces; ++k) work(k, 0);
-    return;
-  }
+void TaskPool::share(std::size_t pieces, const std::function<void(std::size_t, std::size_t)>& work) {
   // Every piece takes the caller's rounding and denormal modes. A thread would otherwise keep the modes of
   // its first work, and find other pairs.
   tbb::task_group_context modes(tbb::task_group_context::isolated, tbb::task_group_context::default_traits |

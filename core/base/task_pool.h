@@ -24,9 +24,6 @@ class TaskPool {
  public:
   static constexpr unsigned kMostThreads = 256;
 
-  /// Calls with the piece and with the thread that does it, which is below `threads()`.
-  using Work = std::function<void(std::size_t piece, std::size_t thread)>;
-
   /// The number of threads at work, the caller's included; at most the number of processors. With one thread,
   /// all work is done by the caller and no thread is created. Throws std::invalid_argument for 0 and for more
   /// than kMostThreads.
@@ -35,11 +32,19 @@ class TaskPool {
   TaskPool& operator=(const TaskPool&) = delete;
   ~TaskPool();
 
-  [[nodiscard]] unsigned threads() const { return threads_; }
+  /// Those that share work now.
+  [[nodiscard]] unsigned threads() const { return shares_ ? threads_ : 1; }
+  /// Whether work is shared from now on, as it is to begin with, or done by the caller.
+  void share_work(bool on) { shares_ = on; }
   /// The number of pieces into which work should be cut, so that no thread waits long for the last one.
   [[nodiscard]] std::size_t pieces() const;
-  /// Does each piece once, several at a time and in no order; returns when all are done.
-  void for_each(std::size_t pieces, const Work& work);
+  /// Does each piece once, several at a time and in no order; returns when all are done. Calls
+  /// `work(piece, thread)` with the thread that does it, which is below `threads()`.
+  template <class Work>
+  void for_each(std::size_t pieces, Work work) {
+    if (arena_ && shares_ && pieces > 1) return share(pieces, std::ref(work));
+    for (std::size_t k = 0; k < pieces; ++k) work(k, std::size_t{0});
+  }
   /// The same for the slices of a list of `count` small things, of at least `few` each; `work(slice, piece)`.
   /// Gives their number.
   template <class SliceWork>
@@ -53,7 +58,10 @@ class TaskPool {
 
  private:
   struct Arena;
+  void share(std::size_t pieces, const std::function<void(std::size_t piece, std::size_t thread)>& work);
+
   unsigned threads_;
+  bool shares_ = true;
   std::unique_ptr<Arena> arena_;
 };
 

@@ -48,10 +48,10 @@ void Tabled<D>::list_placed() {
 template <int D>
 void Tabled<D>::step() {
   using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
+  const Clock::time_point start = times_arranging_ ? Clock::now() : Clock::time_point{};
   if (list_is_old_) list_placed();
   arrange();
-  arrange_seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
+  if (times_arranging_) arrange_seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
   pairs_.clear();
   find_pairs(pairs_);
 }

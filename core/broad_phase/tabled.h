@@ -20,7 +20,10 @@ class Tabled : public BroadPhase<D> {
   void step() final;
   [[nodiscard]] std::span<const Pair> pairs() const final { return pairs_.pairs(); }
 
-  /// The seconds that the last `step()` spent on its structure, before it searched for pairs.
+  /// Has each step measure `arrange_seconds`. To read the time takes as long as some tens of boxes.
+  void time_arranging() { times_arranging_ = true; }
+  /// The seconds that the last `step()` spent on its structure, before it searched for pairs; 0 unless it
+  /// measures them.
   [[nodiscard]] double arrange_seconds() const { return arrange_seconds_; }
 
  protected:
@@ -41,6 +44,7 @@ class Tabled : public BroadPhase<D> {
   std::vector<ObjectId> placed_;
   std::vector<std::uint8_t> listed_;  ///< per object: it is in placed_
   bool list_is_old_ = false;
+  bool times_arranging_ = false;
   double arrange_seconds_ = 0;
   PairList pairs_;
 };

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/tuning.h"
 #include "core/bsp/common_motion.h"
 #include "core/tree/hash.h"
 
@@ -13,7 +14,9 @@ namespace kerf {
 
 template <int D, class Trace>
 Bsp<D, Trace>::Bsp(const Config& config, VolumeKind kind)
-    : config_(config), tree_(make_projector<D>(config, kind)), requests_(kind) {}
+    : config_(config), tree_(make_projector<D>(config, kind)), requests_(kind) {
+  time_phases(Trace::kEnabled);
+}
 
 template <int D, class Trace>
 void Bsp<D, Trace>::set_config(const Config& config) {
@@ -57,7 +60,11 @@ Status Bsp<D, Trace>::move(ObjectId object, const Volume<D>& volume) {
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) {
-  return requests_.move_many(objects, boxes, receiver());
+  if (objects.size() < tuning::kFewThings) return requests_.move_many(objects, boxes, receiver());
+  const auto start = workers_.threads.now();
+  const Status first = requests_.move_many(objects, boxes, receiver());
+  workers_.threads.end_requests(start);
+  return first;
 }
 
 template <int D, class Trace>
@@ -67,9 +74,11 @@ Status Bsp<D, Trace>::remove(ObjectId object) {
 
 template <int D, class Trace>
 void Bsp<D, Trace>::step() {
+  const auto start = workers_.threads.now();
   adapt();
   find_pairs();
   clock_.end();
+  workers_.threads.end_step(start, modes_.mode(), tree_.objects());
 }
 
 /// Without its pairs nothing of a leaf can be kept.
@@ -150,7 +159,8 @@ void Bsp<D, Trace>::place() {
   } else {
     placed_ = OrderedStep<D>::place(context, reporter_);
   }
-  requests_.finish_step(mode == Mode::kept ? kept_.skins() : std::span<const Skin>{}, *workers_.pool);
+  requests_.finish_step(mode == Mode::kept ? kept_.skins() : std::span<const Skin>{},
+                        workers_.threads.pool());
 }
 
 template <int D, class Trace>
@@ -164,7 +174,7 @@ void Bsp<D, Trace>::find_pairs() {
   const bool ordered = modes_.mode() == Mode::ordered;
   pairs_.clear();
   workers_.leaf_pass.run(
-      tree_, *workers_.pool, config_.dense,
+      tree_, workers_.threads.pool(), config_.dense,
       [this, ordered](NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs) {
         ordered ? OrderedStep<D>::find(tree_, leaf, scratch, pairs)
                 : swept_.find(tree_, leaf, scratch, pairs);

@@ -68,10 +68,14 @@ class Bsp final : public BroadPhase<D> {
   /// same in every run up to there. Throws std::invalid_argument for a tree that numbers no events (NoTrace),
   /// or for a partitioner that cannot be.
   void decide(std::vector<Decision> decisions);
-  /// How many threads may share the work of a step; 1 to begin with. Pairs and their order, events and state
-  /// are the same for any number. Throws std::invalid_argument for 0 and for more than
-  /// TaskPool::kMostThreads.
-  void set_threads(unsigned threads) { workers_.pool = std::make_unique<TaskPool>(threads); }
+  /// How many threads may share the work of a step; 1 to begin with. They do where steps take less time by it
+  /// than by one thread, unless `sharing` says always. Pairs and their order, events and state are the same
+  /// for any number. Throws std::invalid_argument for 0 and for more than TaskPool::kMostThreads.
+  void set_threads(unsigned threads, Sharing sharing = Sharing::if_faster) {
+    workers_.threads.set(threads, sharing);
+  }
+  /// Whether `statistics()` has the time of each phase: only with a trace to begin with.
+  void time_phases(bool on) { clock_.set_going(on); }
   [[nodiscard]] const Tree<D>& tree() const { return tree_; }
   /// The objects as the caller sees them, up to the next request or step; the tree's own table follows in
   /// `step()` and may have fat boxes.
@@ -97,7 +101,7 @@ class Bsp final : public BroadPhase<D> {
  private:
   /// The receiver of requests.
   typename Requests<D>::Receiver receiver() {
-    return {tree_.table, *workers_.pool, modes_.mode() == Mode::kept};
+    return {tree_.table, workers_.threads.pool(), modes_.mode() == Mode::kept};
   }
   void adapt();
   [[nodiscard]] std::optional<Vector<D>> common_motion() const;

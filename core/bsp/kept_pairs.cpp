@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/list_room.h"
 #include "core/base/tuning.h"
 #include "core/bsp/view_leaf.h"
 #include "core/kernels/prefetch.h"
@@ -88,11 +89,13 @@ void keep_pairs(std::span<const Pair> pairs, HasFat has_fat, KeptLeaf<D>& leaf) 
     const Pair two = objects_of(pair);
     return !has_fat(two.a) && !has_fat(two.b);
   };
+  const auto resting = static_cast<std::size_t>(std::ranges::count_if(pairs, rests));
   if (leaf.resting.pairs.empty() && leaf.candidates.empty()) {
-    const auto resting = static_cast<std::size_t>(std::ranges::count_if(pairs, rests));
     leaf.resting.pairs.reserve(resting);
     leaf.candidates.reserve(pairs.size() - resting);
   }
+  grow_list(leaf.resting.pairs, leaf.resting.pairs.size() + resting);
+  grow_list(leaf.candidates, leaf.candidates.size() + pairs.size() - resting);
   for (const Pair& pair : pairs) {
     const Pair two = objects_of(pair);
     if (rests(pair)) {
@@ -165,7 +168,7 @@ void KeptPairs<D>::find(const Tree<D>& tree, const KeptObjects<D>& objects, Work
   changes_.resize(leaves_.size());
   resting_.begin_step(tree, leaves_, pairs);
   workers.leaf_pass.run(
-      tree, *workers.pool, dense,
+      tree, workers.threads.pool(), dense,
       [&](NodeId leaf, LeafScratch<D>& scratch, PairBuffer& found) {
         renew(tree, objects, leaf, scratch);
         find_in(tree, objects, leaf, scratch, found);

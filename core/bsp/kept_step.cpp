@@ -44,7 +44,7 @@ Box<D> KeptStep<D>::make_fat_box(const StepContext<D>& step, ObjectId object, co
     return wrap(box, skin);
   }
   skin.left(step.number, had_fat);
-  skin.moved(step.config.restless && is_fast(box, before));
+  skin.moved(step.config.restless && size_and_speed(box, before).is_fast());
   if (skin.is_restless()) return box;
   return fatten(box, before, skin, step.config.skin, fat_share(object.value));
 }
@@ -250,9 +250,9 @@ void KeptStep<D>::take_out(const StepContext<D>& step, Reporter<Trace>& reporter
     for (const NodeId leaf : piece.touched) step.tree[leaf].unsorted = true;
     for (const ObjectId object : piece.leaving)
       if (!step.requests.latest().is_placed(object)) reporter.report([&] { return ObjectPlaced{object, 0}; });
-    departures.push_back({piece.leaving, piece.left});
+    if (!piece.left.empty()) departures.push_back({piece.leaving, piece.left});
   }
-  displace<D>(step.tree, departures, step.pool());
+  if (!departures.empty()) displace<D>(step.tree, departures, step.pool());
 }
 
 template <int D>

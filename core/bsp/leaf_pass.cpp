@@ -6,9 +6,10 @@
 namespace kerf {
 
 template <int D>
-void LeafPass<D>::run(const Tree<D>& tree, TaskPool& pool, bool dense, const Work& work, PairBuffer& pairs) {
+void LeafPass<D>::visit_leaves(const Tree<D>& tree, TaskPool& pool, bool dense, const AnyWork& work,
+                               PairBuffer& pairs) {
   list_leaves(tree, leaves_);
-  scratch_.resize(pool.threads());
+  scratch_.resize(std::max<std::size_t>(scratch_.size(), pool.threads()));
   for (LeafScratch<D>& scratch : scratch_) scratch.byte_sweep.may_be_dense = dense;
   if (pool.threads() == 1) {
     for (const NodeId leaf : leaves_) work(leaf, scratch_.front(), pairs);

@@ -29,13 +29,16 @@ struct LeafScratch {
 template <int D>
 class LeafPass {
  public:
-  /// Appends the pairs of the leaf to the buffer. It may change that leaf and nothing shared.
-  using Work = std::function<void(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs)>;
-
-  /// `dense`: bytes may decide pairs without a test of floats.
-  void run(const Tree<D>& tree, TaskPool& pool, bool dense, const Work& work, PairBuffer& pairs);
+  /// Calls `work(leaf, scratch, pairs)`, which appends the pairs of the leaf to the buffer. It may change
+  /// that leaf and nothing shared. `dense`: bytes may decide pairs without a test of floats.
+  template <class Work>
+  void run(const Tree<D>& tree, TaskPool& pool, bool dense, Work work, PairBuffer& pairs) {
+    visit_leaves(tree, pool, dense, std::ref(work), pairs);
+  }
 
  private:
+  using AnyWork = std::function<void(NodeId leaf, LeafScratch<D>& scratch, PairBuffer& pairs)>;
+  void visit_leaves(const Tree<D>& tree, TaskPool& pool, bool dense, const AnyWork& work, PairBuffer& pairs);
   void cut(const Tree<D>& tree, std::size_t pieces);
   void join(std::size_t first, TaskPool& pool, PairBuffer& pairs);
 

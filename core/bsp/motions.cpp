@@ -14,11 +14,12 @@ class MotionSample {
  public:
   explicit MotionSample(const Config& config) : follows_fast_(config.restless) {}
   template <int D>
-  void add(const Box<D>& box, const Box<D>& before) {
-    if (follows_fast_ && is_fast(box, before)) {
+  void add(const PackedBox<D>& box, const PackedBox<D>& before) {
+    const SizeAndSpeed motion = size_and_speed(box, before);
+    if (follows_fast_ && motion.is_fast()) {
       ++sum_.fast;
     } else {
-      sum_.speed += relative_speed(box, before);
+      sum_.speed += motion.relative_speed();
     }
     ++count_;
   }
@@ -41,7 +42,8 @@ Motions sample_motions(const ObjectTable<D>& latest, const ObjectTable<D>& tree,
   const auto first = static_cast<std::uint32_t>(tuning::kMotionSample) * step;
   for (std::uint32_t k = 0; k < std::min(tuning::kMotionSample, tree.bound()); ++k) {
     const ObjectId object{static_cast<std::uint32_t>(sample_place(first + k, tree.bound()))};
-    if (tree.is_placed(object) && latest.is_placed(object)) sample.add(latest.box(object), tree.box(object));
+    if (tree.is_placed(object) && latest.is_placed(object))
+      sample.add(latest.packed(object), tree.packed(object));
   }
   return sample.motions();
 }
@@ -57,7 +59,7 @@ Leaving sample_leaving(const ObjectTable<D>& latest, const Config& config, std::
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::size_t at = sample_place(k, changed.size());
     const ObjectId object = changed[at];
-    if (latest.is_placed(object)) sample.add(latest.box(object), before[at].unpack());
+    if (latest.is_placed(object)) sample.add(latest.packed(object), before[at]);
   }
   leaving.motions = sample.motions();
   return leaving;
@@ -70,7 +72,7 @@ bool most_jump(const ObjectTable<D>& latest, const ObjectTable<D>& tree) {
   for (std::uint32_t k = 0; k < std::min(tuning::kJumpSample, tree.bound()); ++k) {
     const ObjectId object{static_cast<std::uint32_t>(sample_place(k, tree.bound()))};
     if (!tree.is_placed(object)) continue;
-    const auto [size, speed] = size_and_speed(latest.box(object), tree.box(object));
+    const auto [size, speed] = size_and_speed(latest.packed(object), tree.packed(object));
     jumped += speed > tuning::kJumpSizes * size ? 1 : 0;
     ++count;
   }

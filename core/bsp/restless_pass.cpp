@@ -102,7 +102,7 @@ bool RestlessPass<D>::try_follow(Tree<D>& tree, const Objects& objects, const Pa
   const PackedBox<D>& now = objects.latest.packed(object);
   PackedBox<D>& before = tree.table.packed()[object.index()];
   Skin skin = objects.skins[object.index()];
-  skin.moved(is_fast(now.unpack(), before.unpack()));
+  skin.moved(size_and_speed(now, before).is_fast());
   if (!skin.is_restless()) return false;
   if (!contains(cell, now) || !contains(cell, before)) {
     ++piece.counts.walked;

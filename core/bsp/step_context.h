@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 
 #include "core/base/config.h"
@@ -9,6 +8,7 @@
 #include "core/bsp/leaf_pass.h"
 #include "core/bsp/requests.h"
 #include "core/bsp/stream.h"
+#include "core/bsp/thread_use.h"
 #include "core/tree/tree.h"
 
 namespace kerf {
@@ -16,7 +16,7 @@ namespace kerf {
 /// The threads that share the work of a step, and their memory, kept between steps.
 template <int D>
 struct Workers {
-  std::unique_ptr<TaskPool> pool = std::make_unique<TaskPool>();
+  ThreadUse threads;
   LeafPass<D> leaf_pass;
   StreamMemory stream_memory;
 };
@@ -31,7 +31,7 @@ struct StepContext {
   std::uint32_t number;              ///< of the step
   std::optional<Vector<D>> shift{};  ///< by which the tree's partitioners moved, with nearly all objects
 
-  [[nodiscard]] TaskPool& pool() const { return *workers.pool; }
+  [[nodiscard]] TaskPool& pool() const { return workers.threads.pool(); }
 };
 
 }  // namespace kerf

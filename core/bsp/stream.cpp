@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/list_room.h"
+#include "core/base/short_stack.h"
 #include "core/base/tuning.h"
 #include "core/kernels/divide_list.h"
 #include "core/kernels/prefetch.h"
@@ -143,10 +144,9 @@ class Streamer {
   /// its node.
   template <class Visit>
   void run(NodeId from, std::size_t count, Visit visit) {
-    std::vector<Range> todo{{from, 0, count}};
+    ShortStack<Range> todo({from, 0, count});
     while (!todo.empty()) {
-      const Range range = todo.back();
-      todo.pop_back();
+      const Range range = todo.pop();
       if (visit(range)) divide(tree_[range.node], range, todo);
     }
   }
@@ -156,7 +156,7 @@ class Streamer {
 
   /// Keeps the left objects at the list's place and writes the right ones behind its end. The right child is
   /// done first: nothing but dead lists lies behind the left one then. No branch depends on the sides.
-  void divide(const Node<D>& node, const Range& range, std::vector<Range>& todo) {
+  void divide(const Node<D>& node, const Range& range, ShortStack<Range>& todo) {
     make_room(buffer_, range.end + (range.end - range.begin) + kDividePad);
     std::uint32_t* const places = buffer_.places.data();
     DepthMask* const straddle = buffer_.straddle.data();
@@ -179,8 +179,8 @@ class Streamer {
         right += sides.right ? 1 : 0;
       }
     });
-    todo.push_back({node.left, range.begin, left});
-    todo.push_back({node.right, range.end, right});
+    todo.push({node.left, range.begin, left});
+    todo.push({node.right, range.end, right});
   }
 
   /// The part of it that vectors can do: nothing unless the partitioner lies along an axis of the packed
@@ -310,7 +310,7 @@ void stream_in_parts(const Placing<D, Objects>& to, StreamMemory& memory, TaskPo
 
 template <int D, class Objects>
 void send_down(const Placing<D, Objects>& to, StreamMemory& memory, TaskPool& pool) {
-  memory.by_thread.resize(pool.threads());
+  memory.by_thread.resize(std::max<std::size_t>(memory.by_thread.size(), pool.threads()));
   if (pool.threads() == 1) {
     StreamBuffer& buffer = memory.by_thread.front();
     const std::size_t count = to.objects.list({0, to.objects.size()}, buffer);

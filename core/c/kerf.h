@@ -81,7 +81,7 @@ enum kerf_pair_flag { KERF_PAIR_OF_SENSOR = 1 }; /* flag of a pair: one of both 
 typedef struct kerf_world_options {
   uint32_t size;
   uint32_t pairs_of; /* KERF_PAIRS_OF_FAT_BOXES */
-  uint32_t threads;  /* that share the work of a step, at most 256; 1. Never part of a result. */
+  uint32_t threads;  /* that may share a step, if that is faster; at most 256; 1. Never part of a result. */
   uint32_t tag;      /* 0 to 255. Handles of worlds with different tags are never mistaken for each other. */
   const char*
       config; /* "NAME=VALUE,...": changes to the tree's tuned configuration (kerf bench --help); or NULL */

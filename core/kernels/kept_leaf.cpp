@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/list_room.h"
 #include "core/base/tuning.h"
 #include "core/kernels/prefetch.h"
 
@@ -271,7 +272,12 @@ void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf) {
   } else {
     HWY_DYNAMIC_DISPATCH(append_3)(view, leaf);
   }
-  if (leaf.objects.empty()) leaf.objects.reserve(view.size());  // most leaves get no more
+  if (leaf.objects.empty()) {  // most leaves get no more
+    leaf.objects.reserve(view.size());
+    leaf.apart.reserve(view.size());
+  }
+  grow_list(leaf.objects, leaf.objects.size() + view.size());
+  grow_list(leaf.apart, leaf.apart.size() + view.size());
   for (const ObjectId object : view.objects) leaf.objects.push_back(object.value);
   leaf.apart.insert(leaf.apart.end(), view.apart.begin(), view.apart.end());
 }

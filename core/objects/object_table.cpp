@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/list_room.h"
+
 namespace kerf {
 namespace {
 
@@ -44,8 +46,13 @@ void ObjectTable<D>::make_room(std::size_t bound) {
   if (bound <= states_.size()) return;
   // A failed allocation may have left more boxes than flags: the number of boxes never falls.
   const std::size_t count = std::max(bound, boxes_.size());
+  const std::size_t extras = count * static_cast<std::size_t>(extra_size<D>(kind_));
+  grow_list(boxes_, count);
+  grow_list(extra_, extras);
+  grow_list(fixed_, count);
+  grow_list(states_, count);
   boxes_.resize(count);
-  extra_.resize(count * static_cast<std::size_t>(extra_size<D>(kind_)));
+  extra_.resize(extras);
   fixed_.resize(count, 0);
   states_.resize(count, ObjectState::absent);
 }

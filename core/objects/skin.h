@@ -73,27 +73,32 @@ std::uint16_t fingerprint(const PackedBox<D>& box) {
 struct SizeAndSpeed {
   float size = 0;
   float speed = 0;
+
+  /// Whether the object moved by more than any skin. It would leave any fat box soon, and have many
+  /// candidates until then.
+  [[nodiscard]] bool is_fast() const { return speed > 0 && speed >= Skin::kMost * size; }
+  /// The speed over the size, 1 at most.
+  [[nodiscard]] float relative_speed() const {
+    return speed < size ? speed / size : (speed > 0 ? 1.0F : 0.0F);
+  }
 };
 template <int D>
-SizeAndSpeed size_and_speed(const Box<D>& box, const Box<D>& before) {
+[[gnu::always_inline]] inline SizeAndSpeed size_and_speed(const PackedBox<D>& box,
+                                                          const PackedBox<D>& before) {
   SizeAndSpeed result;
   float largest = 0;
-  for (int i = 0; i < D; ++i) {
-    const float extent = box.max[i] - box.min[i];
+  for (std::size_t i = 0; i < D; ++i) {
+    const float extent = -box.lane[PackedBox<D>::kHalf + i] - box.lane[i];
     result.size = std::max(result.size, std::min(largest, extent));
     largest = std::max(largest, extent);
-    result.speed =
-        std::max({result.speed, std::abs(box.min[i] - before.min[i]), std::abs(box.max[i] - before.max[i])});
   }
+  for (std::size_t i = 0; i < box.lane.size(); ++i)
+    result.speed = std::max(result.speed, std::abs(box.lane[i] - before.lane[i]));
   return result;
 }
-
-/// Whether an object moved by more than any skin since `before`. It would leave any fat box soon, and have
-/// many candidates until then.
 template <int D>
-bool is_fast(const Box<D>& box, const Box<D>& before) {
-  const auto [size, speed] = size_and_speed(box, before);
-  return speed > 0 && speed >= Skin::kMost * size;
+SizeAndSpeed size_and_speed(const Box<D>& box, const Box<D>& before) {
+  return size_and_speed(PackedBox<D>(box), PackedBox<D>(before));
 }
 
 /// The share of the way ahead that an object gets in its fat box. Shares differ, since objects that move
@@ -140,13 +145,6 @@ template <int D>
 bool is_for_flight(const Box<D>& fat, const Box<D>& box) {
   const auto [size, margin] = size_and_speed(box, fat);
   return margin > tuning::kFlightMargin * Skin::kMost * size;
-}
-
-/// The speed since `before` over the object's size, 1 at most.
-template <int D>
-float relative_speed(const Box<D>& box, const Box<D>& before) {
-  const auto [size, speed] = size_and_speed(box, before);
-  return speed < size ? speed / size : (speed > 0 ? 1.0F : 0.0F);
 }
 
 }  // namespace kerf

@@ -18,7 +18,7 @@ struct Statistics {
   std::uint64_t refused = 0;                        ///< operators refused or dropped since the beginning
   std::uint32_t deferred = 0;                       ///< events waiting now
   std::uint64_t placed = 0;                         ///< objects that changed leaves in the last step
-  std::array<double, kPhaseCount> phase_seconds{};  ///< of the last step
+  std::array<double, kPhaseCount> phase_seconds{};  ///< of the last step, if they are timed; else 0
 
   [[nodiscard]] std::uint64_t count(Operator op) const { return operators[static_cast<std::size_t>(op)]; }
 };

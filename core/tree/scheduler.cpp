@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/base/random.h"
+#include "core/base/short_stack.h"
 #include "core/base/tuning.h"
 #include "core/tree/balance.h"
 #include "core/tree/criteria.h"
@@ -75,13 +76,12 @@ void Scheduler<D>::traverse(Tree<D>& tree, const Config& config, std::uint32_t s
   std::vector<NodeRef>& merges = lists_[index(Operator::merge)];
   if (config.budget_divisor == 0 || step % config.schedule_interval != 0 || pending() > merges.size()) return;
   merges.clear();  // those still needed are found again
-  std::vector<NodeId> todo{tree.root()};
+  ShortStack<NodeId> todo(tree.root());
   while (!todo.empty()) {
-    const NodeId id = todo.back();
-    todo.pop_back();
+    const NodeId id = todo.pop();
     if (visit(tree, id, config, step, reporter) || tree[id].is_leaf()) continue;
-    todo.push_back(tree[id].right);
-    todo.push_back(tree[id].left);
+    todo.push(tree[id].right);
+    todo.push(tree[id].left);
   }
 }
 
@@ -93,19 +93,18 @@ void Scheduler<D>::divide_bulk(Tree<D>& tree, const Config& config, std::uint32_
                                Reporter<Trace>& reporter) {
   struct Due {
     NodeId node;
-    float most;  ///< the most objects of a leaf that is not divided
+    float most = 0;  ///< the most objects of a leaf that is not divided
   };
   const auto threshold = static_cast<float>(split_threshold(tree.objects(), config));
-  std::vector<Due> todo{{tree.root(), config.bulk_factor * threshold}};
+  ShortStack<Due> todo({tree.root(), config.bulk_factor * threshold});
   while (!todo.empty()) {
-    const auto [id, most] = todo.back();
-    todo.pop_back();
+    const auto [id, most] = todo.pop();
     const bool is_bulk = tree[id].is_leaf() && static_cast<float>(tree[id].population) > most;
     if (is_bulk && tree[id].retry_step <= step)
       divide_leaf(tree, Operator::split, tree.ref(id), config, step, reporter);
     if (tree[id].is_leaf()) continue;
-    todo.push_back({tree[id].right, is_bulk ? threshold : most});
-    todo.push_back({tree[id].left, is_bulk ? threshold : most});
+    todo.push({tree[id].right, is_bulk ? threshold : most});
+    todo.push({tree[id].left, is_bulk ? threshold : most});
   }
 }
 

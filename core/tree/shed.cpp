@@ -1,5 +1,6 @@
 #include "core/tree/shed.h"
 
+#include "core/base/short_stack.h"
 #include "core/base/tuning.h"
 #include "core/tree/criteria.h"
 #include "core/tree/merge.h"
@@ -15,17 +16,16 @@ bool exceeds(const Tree<D>& tree, float entries_an_object) {
 /// Merges the topmost nodes that have more than `share` of their objects on both sides.
 template <int D>
 void merge_straddled(Tree<D>& tree, float share, std::vector<OperatorActed>& events) {
-  std::vector<NodeId> todo{tree.root()};
+  ShortStack<NodeId> todo(tree.root());
   while (!todo.empty()) {
-    const NodeId id = todo.back();
-    todo.pop_back();
+    const NodeId id = todo.pop();
     if (tree[id].is_leaf()) continue;
     const Quality q = quality(tree, id);
     if (static_cast<float>(redundancy(q)) > share * static_cast<float>(q.population)) {
       events.push_back(merge(tree, id));
     } else {
-      todo.push_back(tree[id].right);
-      todo.push_back(tree[id].left);
+      todo.push(tree[id].right);
+      todo.push(tree[id].left);
     }
   }
 }

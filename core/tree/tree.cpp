@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/list_room.h"
-#include "core/base/tuning.h"
 
 namespace kerf {
 
@@ -54,10 +53,7 @@ void Tree<D>::release(NodeId id) {
 template <int D>
 void Tree<D>::add_entry(NodeId leaf, ObjectId object, DepthMask straddle) {
   Node<D>& node = nodes_[leaf.index()];
-  const std::size_t count = node.entries.size() + 1;
-  // Entries come one by one: the room grows by a quarter, so that a growing leaf is not copied too often.
-  if (count > node.entries.capacity())
-    make_list_room(node.entries, count + count / tuning::kElementsPerSpare);
+  grow_list(node.entries, node.entries.size() + 1);
   node.entries.push_back({project(node.direction, object), object, straddle});
   node.unsorted = true;
   ++node.version;

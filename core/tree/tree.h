@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/base/short_stack.h"
 #include "core/base/task_pool.h"
 #include "core/geometry/direction_set.h"
 #include "core/objects/object_table.h"
@@ -109,14 +110,13 @@ void Tree<D>::drop_marked_entries(NodeId leaf, Visit visit) {
 /// Calls `visit(id)` for each node below `from`, itself included, left before right, parents first.
 template <int D, class Visit>
 void for_each_node(const Tree<D>& tree, NodeId from, Visit visit) {
-  std::vector<NodeId> todo{from};  // no recursion: the input decides the height
+  ShortStack<NodeId> todo(from);  // no recursion: the input decides the height
   while (!todo.empty()) {
-    const NodeId id = todo.back();
-    todo.pop_back();
+    const NodeId id = todo.pop();
     visit(id);
     if (tree[id].is_leaf()) continue;
-    todo.push_back(tree[id].right);
-    todo.push_back(tree[id].left);
+    todo.push(tree[id].right);
+    todo.push(tree[id].left);
   }
 }
 

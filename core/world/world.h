@@ -33,7 +33,7 @@ enum class PairsOf : std::uint8_t {
 struct WorldOptions {
   Config config = tuned_config();  ///< of the tree
   PairsOf pairs_of = PairsOf::fat_boxes;
-  unsigned threads = 1;  ///< that share the work of a step, the caller's included; never part of a result
+  unsigned threads = 1;  ///< that may share a step, the caller's included; never part of a result
   /// Part of each handle. Handles of worlds with different tags are never mistaken for each other; between
   /// worlds of one tag they may be, which harms nothing but what the caller meant.
   std::uint8_t tag = 0;
@@ -60,7 +60,7 @@ using PairCallback = std::function<bool(const WorldPair&)>;
 /// after 2^28 lives.)
 ///
 /// **Threads**: functions that are const may be called at the same time; no other may be meanwhile. Different
-/// worlds share nothing. `step()` uses a pool of its own.
+/// worlds share nothing. `step()` uses a pool of its own, where that makes it faster (see Bsp::set_threads).
 ///
 /// Throws std::bad_alloc where memory ends. The world then stays usable, and of a batch each object was taken
 /// or was not.

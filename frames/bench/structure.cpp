@@ -96,6 +96,8 @@ Structure structure_of(const BroadPhase<D>& subject) {
 
 template <int D>
 void measure_parts(BroadPhase<D>& subject) {
+  if (auto* tree = dynamic_cast<Bsp<D>*>(&subject)) tree->time_phases(true);
+  if (auto* tabled = dynamic_cast<Tabled<D>*>(&subject)) tabled->time_arranging();
   if constexpr (D == 3)
     if (auto* space = dynamic_cast<OdeSpace*>(&subject)) space->separate_times();
 }

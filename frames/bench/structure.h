@@ -38,7 +38,7 @@ struct SplitCost {
   std::optional<double> overhead;  ///< taking over the boxes and bringing the structure up to date; none: the
                                    ///< broad phase does not measure this. The rest is the search for pairs
 };
-/// Has the broad phase measure its parts apart, where it does so only when asked (ODE's hash space).
+/// Has the broad phase measure its parts apart, which none does unless asked: a clock takes time itself.
 template <int D>
 void measure_parts(BroadPhase<D>& subject);
 /// Passes on the requests and does a step in this thread.

@@ -23,7 +23,7 @@ apart by less than float32 can tell are a pair. Infinite bounds become the large
 dimension    2 or 3
 tree         'kerf', the fastest parameters known, or 'kerf-paper', those of the paper
 config       parameters that differ: a dict, or 'name=value,...' (`kerf render --help` lists them)
-threads      how many share the work of a step; pairs and their order are the same for any number
+threads      how many may share a step, and do if that is faster; pairs and their order are the same for any number
 changes      True: each step also finds the pairs that begin and end
 record       a file: also records the run, for kerf.Recording and `kerf debug`; close() completes it
 

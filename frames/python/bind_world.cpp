@@ -22,7 +22,7 @@ depend on the requests only.
 dimension   2 or 3
 pairs_of    'fat': pairs of the boxes with their margins; 'exact': of the boxes as given
 config      parameters of the tree that differ: a dict, or 'name=value,...'
-threads     how many share the work of a step
+threads     how many may share a step, and do if that is faster
 
 Boxes are taken as by kerf.BroadPhase. An object is used by one thread at a time.)";
 

@@ -26,6 +26,7 @@ template <int D>
 Run<D>::Run(const Config& config, const std::filesystem::path& record) {
   if (record.empty()) {
     quiet_ = std::make_unique<Bsp<D>>(config);
+    quiet_->time_phases(true);
   } else {
     recorded_ = std::make_unique<Recorded>(config, record);
   }

@@ -64,7 +64,8 @@ template <int D>
 nlohmann::json run_steps(const Run& run) {
   const auto motion = find_bench_scene(run.scene).make<D>(run.objects, 1);
   Bsp<D> tree(tuned_config());
-  tree.set_threads(run.threads);
+  tree.set_threads(run.threads, Sharing::always);
+  tree.time_phases(true);
   for (std::uint32_t k = 0; k < run.objects; ++k)
     (void)tree.insert({k}, motion->boxes()[k], k < motion->moving() ? Mobility::moving : Mobility::fixed);
   std::vector<ObjectId> moved;

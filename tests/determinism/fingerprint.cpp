@@ -73,7 +73,7 @@ std::string run(const char* name, VolumeKind kind, const Config& config, const C
   std::vector<ObjectId> moving;
   std::vector<Box<D>> boxes;
   Bsp<D, EventLog> bsp(config, kind);
-  bsp.set_threads(crowd.threads);
+  bsp.set_threads(crowd.threads, Sharing::always);
   Stream pairs;
   Stream events;
   Stream states;

@@ -60,7 +60,7 @@ TYPED_TEST(Bsp, ThreadsTakeRequestsAsOneAfterAnotherWould) {
     Random random(31);
     kerf::Bsp<kD> shared(tuned_config());
     kerf::Bsp<kD> alone(tuned_config());
-    shared.set_threads(3);
+    shared.set_threads(3, Sharing::always);
     for (std::uint32_t id = 0; id < kCount; id += 2) {
       ASSERT_EQ(shared.insert({id}, slab<kD>(0, 1), Mobility::moving), Status::ok);
       ASSERT_EQ(alone.insert({id}, slab<kD>(0, 1), Mobility::moving), Status::ok);
@@ -275,6 +275,21 @@ TYPED_TEST(Bsp, StatisticsSayWhatTheTreeIs) {
   }
   EXPECT_GT(seconds, 0);
   EXPECT_LT(seconds, 10) << "of one step";
+}
+
+TYPED_TEST(Bsp, TimesItsPhasesOnlyIfItIsAsked) {
+  kerf::Bsp<TypeParam::value> tree;
+  const auto seconds_of_a_step = [&tree] {
+    tree.step();
+    double sum = 0;
+    for (const double phase : tree.statistics().phase_seconds) sum += phase;
+    return sum;
+  };
+  EXPECT_EQ(seconds_of_a_step(), 0);
+  tree.time_phases(true);
+  EXPECT_GT(seconds_of_a_step(), 0);
+  tree.time_phases(false);
+  EXPECT_EQ(seconds_of_a_step(), 0);
 }
 
 TYPED_TEST(Bsp, StatisticsOfNothingAreZero) {

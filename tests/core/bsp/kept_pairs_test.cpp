@@ -35,7 +35,7 @@ class Kept : public testing::Test {
   static std::vector<Pair> pairs_of(KeptPairs<T::value>& kept, kerf::Tree<T::value>& tree,
                                     const ObjectTable<T::value>& table) {
     Workers<T::value> workers;
-    workers.pool = std::make_unique<TaskPool>(2);
+    workers.threads.set(2, Sharing::always);
     const std::vector<Skin> skins(kCount);
     PairBuffer pairs;
     kept.find(tree, {tree.table, table, skins, true, true}, workers, true, pairs);

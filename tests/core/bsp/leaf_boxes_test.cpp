@@ -143,7 +143,7 @@ TYPED_TEST(LeavesWithBoxes, FindThePairsOfLongTables) {
     Bsp<kD> tree(
         config_of("byte_sweep=1,skin=0,stream_share=0.06,max_redundancy=0.4,schedule_interval=1,"
                   "budget_divisor=1,min_threshold=16,max_threshold=32,free_directions=0"));
-    tree.set_threads(threads);
+    tree.set_threads(threads, Sharing::always);
     Checked<kD> checked(tree);
     MovingBoxes<kD> crowd(checked, kD == 2 ? 20 : 10, 1, 31);
     crowd.add(200, 9);

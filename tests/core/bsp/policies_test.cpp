@@ -161,7 +161,8 @@ TYPED_TEST(Policies, WithoutLeafBoxesNoneAreCopied) {
     Reporter<NoTrace> reporter;
     SweptStep<kD> swept;
     const StepContext<kD> step{config, tree, requests, workers, 1};
-    ASSERT_EQ(requests.insert({kFar}, slab<kD>(0, 1), Mobility::moving, {tree.table, *workers.pool, false}),
+    ASSERT_EQ(requests.insert({kFar}, slab<kD>(0, 1), Mobility::moving,
+                              {tree.table, workers.threads.pool(), false}),
               Status::ok);
     swept.place_all(step, Mode::swept, Mode::swept, reporter);
     EXPECT_EQ(swept.copies_boxes(), leaf_boxes);

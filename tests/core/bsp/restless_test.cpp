@@ -207,7 +207,7 @@ TYPED_TEST(Restless, ThreadsAndStatesGiveTheSameRun) {
   kerf::Bsp<kD, EventLog> alone(tuned_config());
   kerf::Bsp<kD, EventLog> shared(tuned_config());
   kerf::Bsp<kD, EventLog> restored(tuned_config());
-  shared.set_threads(3);
+  shared.set_threads(3, Sharing::always);
   Crowd<kD> crowd(20000, {&alone, &shared, &restored}, 1200);
   for (int step = 0; step < 24; ++step) {
     alone.step();

@@ -75,7 +75,7 @@ TYPED_TEST(FollowObjects, WhatLiesInTheCellAndIsFastIsFollowedTheRestIsLeftOver)
       for (const std::uint32_t id : given.objects) {
         const PackedBox<kD>& now = given.latest[id];
         const PackedBox<kD>& before = given.followed[id];
-        const auto [size, speed] = size_and_speed(now.unpack(), before.unpack());
+        const auto [size, speed] = size_and_speed(now, before);
         const bool follows = given.flags[id] == flag::kUnrequested && contains(given.cell, now) &&
                              contains(given.cell, before) && speed > Skin::kMost * size;
         if (!follows) expected.push_back(id);

@@ -63,8 +63,8 @@ TYPED_TEST(Skins, ARodGetsASkinForItsThickness) {
     rod.max[axis] = 100;
     const Box<kD> fat = wrap(rod, kUsual);
     for (int i = 0; i < kD; ++i) EXPECT_EQ(fat.max[i] - rod.max[i], kUsual.thickness(1)) << axis;
-    EXPECT_TRUE(is_fast(moved(rod, axis, 0.13F), rod)) << axis;
-    EXPECT_FALSE(is_fast(moved(rod, axis, 0.12F), rod)) << axis;
+    EXPECT_TRUE(size_and_speed(moved(rod, axis, 0.13F), rod).is_fast()) << axis;
+    EXPECT_FALSE(size_and_speed(moved(rod, axis, 0.12F), rod).is_fast()) << axis;
   }
 }
 
@@ -78,10 +78,10 @@ TYPED_TEST(Skins, WhatMovesByMoreThanASkinGetsNoFat) {
 
 TYPED_TEST(Skins, FastIsWhatMovesByMoreThanTheThickestSkin) {
   constexpr int kD = TypeParam::value;
-  EXPECT_TRUE(is_fast(moved(cube<kD>(0, 1), kD - 1, 0.126F), cube<kD>(0, 1)));
-  EXPECT_FALSE(is_fast(moved(cube<kD>(0, 1), kD - 1, 0.124F), cube<kD>(0, 1)));
-  EXPECT_TRUE(is_fast(cube<kD>(1, 1), cube<kD>(0, 0))) << "a point";
-  EXPECT_FALSE(is_fast(cube<kD>(1, 1), cube<kD>(1, 1))) << "a point at rest";
+  EXPECT_TRUE(size_and_speed(moved(cube<kD>(0, 1), kD - 1, 0.126F), cube<kD>(0, 1)).is_fast());
+  EXPECT_FALSE(size_and_speed(moved(cube<kD>(0, 1), kD - 1, 0.124F), cube<kD>(0, 1)).is_fast());
+  EXPECT_TRUE(size_and_speed(cube<kD>(1, 1), cube<kD>(0, 0)).is_fast()) << "a point";
+  EXPECT_FALSE(size_and_speed(cube<kD>(1, 1), cube<kD>(1, 1)).is_fast()) << "a point at rest";
 }
 
 TYPED_TEST(Skins, AShareOfTheWayAheadIsGivenAndTheNextStepAlways) {

@@ -1,0 +1,119 @@
+#include "core/bsp/thread_chooser.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace kerf::test {
+namespace {
+
+/// A machine on which a step takes one time alone and another one shared.
+struct Machine {
+  double alone = 1;
+  double shared = 1;
+};
+
+/// What a chooser chose in some steps.
+struct Course {
+  std::uint32_t shared = 0;  ///< steps
+  double seconds = 0;
+};
+
+/// Steps on a machine, whose way the chooser decides from one to the next.
+class ChoosingSteps {
+ public:
+  Course run(const Machine& machine, std::uint32_t steps, Mode mode = Mode::swept) {
+    Course course;
+    for (std::uint32_t step = 0; step < steps; ++step) {
+      const double seconds = shares_ ? machine.shared : machine.alone;
+      course.shared += shares_ ? 1 : 0;
+      course.seconds += seconds;
+      shares_ = chooser_.choose(mode, objects, seconds);
+    }
+    return course;
+  }
+
+  std::uint32_t objects = 10000;
+
+ private:
+  ThreadChooser chooser_;
+  bool shares_ = false;
+};
+
+TEST(ThreadChooser, GoesOnWithTheFasterWay) {
+  ChoosingSteps gains;
+  (void)gains.run({1, 0.6}, 20);
+  EXPECT_EQ(gains.run({1, 0.6}, 50).shared, 50U);
+  ChoosingSteps loses;
+  (void)loses.run({1, 1.4}, 20);
+  EXPECT_EQ(loses.run({1, 1.4}, 50).shared, 0U);
+  ChoosingSteps neither;
+  (void)neither.run({1, 0.97}, 20);
+  EXPECT_EQ(neither.run({1, 0.97}, 50).shared, 0U) << "the other cores are left to others";
+}
+
+TEST(ThreadChooser, ATrialThatLosesMuchIsRepeatedLate) {
+  for (const double shared : {0.5, 0.9, 1.1, 2.0, 25.0}) {
+    ChoosingSteps steps;
+    (void)steps.run({1, shared}, 20);
+    const Course course = steps.run({1, shared}, 20000);
+    EXPECT_LT(course.seconds, 20000 * std::min(1.0, shared) * 1.03) << shared;
+  }
+}
+
+TEST(ThreadChooser, SeesThatTheMachineHasChanged) {
+  ChoosingSteps steps;
+  (void)steps.run({1, 0.6}, 200);
+  (void)steps.run({1, 3}, 200);
+  EXPECT_EQ(steps.run({1, 3}, 30).shared, 0U);
+  (void)steps.run({1, 0.6}, 1000);
+  EXPECT_EQ(steps.run({1, 0.6}, 30).shared, 30U);
+}
+
+TEST(ThreadChooser, OneSlowStepDecidesNothing) {
+  ChoosingSteps steps;
+  (void)steps.run({1, 0.6}, ThreadChooser::kStepsBefore + 6);
+  (void)steps.run({90, 90}, 1);
+  (void)steps.run({1, 0.6}, 4);
+  EXPECT_EQ(steps.run({1, 0.6}, 50).shared, 50U);
+}
+
+TEST(ThreadChooser, FewObjectsAreNeverShared) {
+  ChoosingSteps steps;
+  steps.objects = ThreadChooser::kFew - 1;
+  EXPECT_EQ(steps.run({1, 0.1}, 500).shared, 0U);
+  steps.objects = ThreadChooser::kFew;
+  (void)steps.run({1, 0.1}, 50);
+  EXPECT_EQ(steps.run({1, 0.1}, 10).shared, 10U);
+  steps.objects = 10;
+  (void)steps.run({1, 0.1}, 1);
+  EXPECT_EQ(steps.run({1, 0.1}, 10).shared, 0U);
+}
+
+TEST(ThreadChooser, ManyObjectsAreSharedUntilATrialTells) {
+  ChoosingSteps steps;
+  steps.objects = ThreadChooser::kMany;
+  (void)steps.run({1, 3}, 1);
+  EXPECT_EQ(steps.run({1, 3}, 2).shared, 2U);
+}
+
+TEST(ThreadChooser, AnotherCrowdIsTriedAnew) {
+  ChoosingSteps steps;
+  (void)steps.run({1, 25}, 50);
+  steps.objects *= 4;
+  (void)steps.run({1, 0.6}, 12);
+  EXPECT_EQ(steps.run({1, 0.6}, 30).shared, 30U);
+}
+
+TEST(ThreadChooser, EachModeHasItsWay) {
+  ChoosingSteps steps;
+  (void)steps.run({1, 0.6}, 30, Mode::swept);
+  (void)steps.run({1, 2}, 30, Mode::kept);
+  EXPECT_EQ(steps.run({1, 2}, 20, Mode::kept).shared, 0U);
+  (void)steps.run({1, 0.6}, 1, Mode::swept);
+  EXPECT_EQ(steps.run({1, 0.6}, 20, Mode::swept).shared, 20U) << "it is known from before";
+}
+
+}  // namespace
+}  // namespace kerf::test
