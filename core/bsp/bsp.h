@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -75,7 +74,7 @@ class Bsp final : public BroadPhase<D> {
     workers_.threads.set(threads, sharing);
   }
   /// Whether `statistics()` has the time of each phase: only with a trace to begin with.
-  void time_phases(bool on) { clock_.set_going(on); }
+  void time_phases(bool on) { clock_.set_on(on); }
   [[nodiscard]] const Tree<D>& tree() const { return tree_; }
   /// The objects as the caller sees them, up to the next request or step; the tree's own table follows in
   /// `step()` and may have fat boxes.

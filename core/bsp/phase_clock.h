@@ -8,13 +8,14 @@
 
 namespace kerf {
 
-/// How long each phase of the last step took. It is stopped until it is set going: to read the time six times
-/// a step takes as long as all else in a step of a few objects at rest.
+/// How long each phase of the last step took. It is off until it is set on: to read the time six times a step
+/// takes as long as all else in a step of a few objects at rest.
 class PhaseClock {
  public:
-  void set_going(bool goes) {
-    goes_ = goes;
+  void set_on(bool on) {
+    is_on_ = on;
     seconds_ = {};
+    start_ = std::chrono::steady_clock::now();
   }
   /// Ends the phase that runs and begins another one.
   void begin(Phase phase) {
@@ -22,7 +23,7 @@ class PhaseClock {
     phase_ = phase;
   }
   void end() {
-    if (!goes_) return;
+    if (!is_on_) return;
     const auto now = std::chrono::steady_clock::now();
     seconds_[static_cast<std::size_t>(phase_)] = std::chrono::duration<double>(now - start_).count();
     start_ = now;
@@ -30,7 +31,7 @@ class PhaseClock {
   [[nodiscard]] const std::array<double, kPhaseCount>& seconds() const { return seconds_; }
 
  private:
-  bool goes_ = false;
+  bool is_on_ = false;
   Phase phase_ = Phase::sweep;
   std::chrono::steady_clock::time_point start_;
   std::array<double, kPhaseCount> seconds_{};

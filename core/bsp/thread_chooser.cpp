@@ -1,26 +1,31 @@
 #include "core/bsp/thread_chooser.h"
 
 #include <algorithm>
-#include <numeric>
-#include <span>
 
 namespace kerf {
 namespace {
 
 /// What sharing must gain: where it gains nothing, other work gets the cores.
 constexpr double kGain = 0.95;
-/// The share of all time that trials may take, and the limits of the steps from one to the next.
+/// The share of all time that trials may take.
 constexpr double kShareOfTrials = 0.02;
-constexpr double kLeastWait = 64;
 constexpr double kMostWait = 20000;
+/// A step of another scene takes so many times as long, or as little, as those of the last trial.
+constexpr double kAnotherTime = 4;
+/// So many of them in a row are no accident.
+constexpr std::uint32_t kOddSteps = 8;
 
-/// The middle one of an odd number of times.
-double median(std::span<const double> seconds) {
-  std::array<double, 8> sorted{};
-  std::ranges::copy(seconds, sorted.begin());
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(seconds.size()));
-  return *middle;
+/// Whether a step of a trial is shared: those in the middle, so that neither way gains by times that fall.
+constexpr bool is_shared(std::size_t step) { return step >= 3 && step < 7; }
+
+/// The median of the steps of one way; the first one after a change of the way does not count.
+double median(const std::array<double, ThreadChooser::kTrialSteps>& seconds, bool shared) {
+  std::array<double, ThreadChooser::kTrialSteps> counting{};
+  std::size_t count = 0;
+  for (std::size_t step = 1; step < seconds.size(); ++step)
+    if (is_shared(step) == shared && is_shared(step - 1) == shared) counting[count++] = seconds[step];
+  std::sort(counting.begin(), counting.begin() + static_cast<std::ptrdiff_t>(count));
+  return (counting[(count - 1) / 2] + counting[count / 2]) / 2;
 }
 
 /// Whether so many objects came or went that an earlier trial says nothing.
@@ -33,37 +38,55 @@ bool is_another_crowd(std::uint32_t objects, std::uint32_t before) {
 bool ThreadChooser::choose(Mode mode, std::uint32_t objects, double seconds) {
   Trials& trials = trials_[static_cast<std::size_t>(mode)];
   if (objects < kFew || mode != last_) {
-    last_ = mode;
-    trials.runs = false;
-    trials.wait = std::max(trials.wait, kStepsBefore);
+    interrupt(trials);
   } else if (trials.runs) {
     trials.seconds[trials.done++] = seconds;
-    if (trials.done == trials.seconds.size()) end_trial(trials, objects);
-  } else if (trials.wait > 0 && !(trials.knows && is_another_crowd(objects, trials.objects))) {
+    if (trials.done == kTrialSteps) end_trial(trials, objects);
+  } else {
+    wait_for_trial(trials, objects, seconds);
+  }
+  last_ = mode;
+  if (objects < kFew) return false;
+  if (trials.runs) return is_shared(trials.done);
+  return trials.knows ? trials.is_shared_faster : objects >= kMany;
+}
+
+/// A trial that was interrupted while it shared steps has cost what one costs that ends.
+void ThreadChooser::interrupt(Trials& trials) {
+  const bool was_costly = trials.runs && trials.done > 3;
+  trials.wait = std::max(trials.wait, was_costly ? kLeastWait : kStepsBefore);
+  trials.runs = false;
+  trials.odd = 0;
+}
+
+void ThreadChooser::wait_for_trial(Trials& trials, std::uint32_t objects, double seconds) {
+  ++trials.since;
+  const bool is_odd = seconds > kAnotherTime * trials.faster || kAnotherTime * seconds < trials.faster;
+  trials.odd = trials.knows && is_odd ? trials.odd + 1 : 0;
+  const bool is_another = trials.odd >= kOddSteps || is_another_crowd(objects, trials.objects);
+  if (trials.knows && is_another && trials.since >= kLeastWait)
+    trials.wait = std::min(trials.wait, kStepsBefore);
+  if (trials.wait > 0) {
     --trials.wait;
   } else {
     trials.runs = true;
     trials.done = 0;
   }
-  if (objects < kFew) return false;
-  if (trials.runs) return trials.done >= kTried;
-  return trials.knows ? trials.is_shared_faster : objects >= kMany;
 }
 
 void ThreadChooser::end_trial(Trials& trials, std::uint32_t objects) {
-  const std::span<const double> all = trials.seconds;
-  const double alone = median(all.subspan(1, kTried - 1));
-  const double shared = median(all.subspan(kTried + 1, kTried - 1));
+  const double alone = median(trials.seconds, false);
+  const double shared = median(trials.seconds, true);
   trials.is_shared_faster = shared < alone * kGain;
-  const std::span<const double> slower = all.subspan(trials.is_shared_faster ? 0 : kTried, kTried);
-  const double faster = trials.is_shared_faster ? shared : alone;
-  const double lost =
-      std::accumulate(slower.begin(), slower.end(), 0.0) - static_cast<double>(kTried) * faster;
-  const double wait = faster > 0 ? lost / faster / kShareOfTrials : 0;
+  trials.faster = trials.is_shared_faster ? shared : alone;
+  const double slower = trials.is_shared_faster ? alone : shared;
+  const double lost = static_cast<double>(kTrialSteps) / 2 * (slower - trials.faster);
+  const double wait = trials.faster > 0 ? lost / trials.faster / kShareOfTrials : 0;
   trials.wait = static_cast<std::uint32_t>(std::clamp<double>(wait, kLeastWait, kMostWait));
   trials.runs = false;
   trials.knows = true;
   trials.objects = objects;
+  trials.since = trials.odd = 0;
 }
 
 }  // namespace kerf

@@ -44,7 +44,8 @@ Status ObjectTable<D>::accept(ObjectId object, const Volume<D>& given) {
 template <int D>
 void ObjectTable<D>::make_room(std::size_t bound) {
   if (bound <= states_.size()) return;
-  // A failed allocation may have left more boxes than flags: the number of boxes never falls.
+  // A copy that ended for lack of memory may have left more boxes than flags: the number of boxes never
+  // falls.
   const std::size_t count = std::max(bound, boxes_.size());
   const std::size_t extras = count * static_cast<std::size_t>(extra_size<D>(kind_));
   grow_list(boxes_, count);
@@ -97,8 +98,8 @@ void ObjectTable<D>::copy_but_boxes(const ObjectTable& from, TaskPool& pool) {
   boxes_.insert(boxes_.end(), from.boxes_.begin() + static_cast<std::ptrdiff_t>(boxes_.size()),
                 from.boxes_.end());
   copy_vector(from.extra_, extra_, pool);
-  copy_vector(from.states_, states_, pool);
   copy_vector(from.fixed_, fixed_, pool);
+  copy_vector(from.states_, states_, pool);  // last, since make_room goes by it
   has_fixed_ |= from.has_fixed_;
   size_ = from.size_;
 }

@@ -65,13 +65,14 @@ class World<D>::Change {
 template <int D>
 World<D>::World(const WorldOptions& options)
     : options_(options), tree_(std::make_unique<Bsp<D>>(options.config)), slots_(options.tag) {
-  set_threads(options.threads);
+  set_threads(options.threads, options.sharing);
 }
 
 template <int D>
-void World<D>::set_threads(unsigned threads) {
-  tree_->set_threads(threads);
+void World<D>::set_threads(unsigned threads, Sharing sharing) {
+  tree_->set_threads(threads, sharing);
   options_.threads = threads;
+  options_.sharing = sharing;
 }
 
 /// All objects of the world go into a new tree. The box of an object that lives is in the old one's table,
@@ -79,7 +80,7 @@ void World<D>::set_threads(unsigned threads) {
 template <int D>
 void World<D>::rebuild() {
   auto tree = std::make_unique<Bsp<D>>(options_.config);
-  tree->set_threads(options_.threads);
+  tree->set_threads(options_.threads, options_.sharing);
   for (std::uint32_t i = 0; i < slots_.size(); ++i) {
     const Box<D> box = slots_.is_alive(i) ? tree_->objects().box({i}) : Box<D>{};
     (void)tree->insert({i}, box, mobility(defs_[i].kind));

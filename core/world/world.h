@@ -34,6 +34,7 @@ struct WorldOptions {
   Config config = tuned_config();  ///< of the tree
   PairsOf pairs_of = PairsOf::fat_boxes;
   unsigned threads = 1;  ///< that may share a step, the caller's included; never part of a result
+  Sharing sharing = Sharing::if_faster;  ///< when they do (see Bsp::set_threads)
   /// Part of each handle. Handles of worlds with different tags are never mistaken for each other; between
   /// worlds of one tag they may be, which harms nothing but what the caller meant.
   std::uint8_t tag = 0;
@@ -101,7 +102,7 @@ class World {
   /// An empty function: no pair is asked about.
   void set_callback(PairCallback callback) { callback_ = std::move(callback); }
   /// Throws std::invalid_argument for 0, and for more than TaskPool::kMostThreads.
-  void set_threads(unsigned threads);
+  void set_threads(unsigned threads, Sharing sharing = Sharing::if_faster);
 
   /// Meets all requests and makes the reports.
   void step();

@@ -228,7 +228,7 @@ template <int D>
 WorldStatus World<D>::restore(std::span<const std::uint8_t> bytes, std::string* why) {
   try {
     World restored = WorldCodec<D>::decode(bytes);
-    restored.set_threads(options_.threads);
+    restored.set_threads(options_.threads, options_.sharing);
     restored.callback_ = std::move(callback_);
     *this = std::move(restored);
     return WorldStatus::ok;

@@ -47,5 +47,16 @@ TEST(ListRoom, KeepsWhatIsThereWhenItGrows) {
   EXPECT_EQ(list, list_of(100));
 }
 
+TEST(ListRoom, GrowsByAQuarter) {
+  std::vector<int> list = list_of(1000);
+  list.shrink_to_fit();
+  grow_list(list, 1000);
+  EXPECT_EQ(list.capacity(), 1000U);
+  grow_list(list, 1001);
+  EXPECT_GE(list.capacity(), 1250U);
+  EXPECT_LE(list.capacity(), 1300U);
+  EXPECT_EQ(list, list_of(1000));
+}
+
 }  // namespace
 }  // namespace kerf

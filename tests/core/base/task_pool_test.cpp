@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <limits>
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/hard/flush_to_zero.h"
@@ -87,6 +89,25 @@ TEST(TaskPool, ASmallListIsNotCut) {
   EXPECT_EQ(TaskPool(8).slices_of(100), 1U);
   EXPECT_EQ(TaskPool(1).slices_of(1000000), 1U);
   EXPECT_GT(TaskPool(2).slices_of(1000000), 1U);
+}
+
+TEST(TaskPool, LeavesWorkToTheCallerWhereItIsNotShared) {
+  TaskPool pool(4);
+  pool.share_work(false);
+  EXPECT_EQ(pool.threads(), 1U);
+  EXPECT_EQ(pool.pieces(), 1U);
+  EXPECT_EQ(pool.slices_of(1000000), 1U);
+  std::vector<std::size_t> done;
+  const auto caller = std::this_thread::get_id();
+  pool.for_each(100, [&](std::size_t piece, std::size_t thread) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    EXPECT_EQ(thread, 0U);
+    done.push_back(piece);
+  });
+  EXPECT_EQ(done.size(), 100U);
+  EXPECT_TRUE(std::ranges::is_sorted(done));
+  pool.share_work(true);
+  EXPECT_EQ(pool.threads(), 4U);
 }
 
 TEST(TaskPool, AnErrorReachesTheCaller) {

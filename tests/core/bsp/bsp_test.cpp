@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -275,6 +277,42 @@ TYPED_TEST(Bsp, StatisticsSayWhatTheTreeIs) {
   }
   EXPECT_GT(seconds, 0);
   EXPECT_LT(seconds, 10) << "of one step";
+}
+
+/// Objects that fly, rest and fly again, so that the tree goes through all its modes but the paper's.
+TYPED_TEST(Bsp, OtherThreadsInEachStepChangeNothing) {
+  constexpr int kD = TypeParam::value;
+  constexpr std::uint32_t kCount = 1500;
+  Random random(8);
+  kerf::Bsp<kD> alone(tuned_config());
+  kerf::Bsp<kD> shared(tuned_config());
+  std::vector<ObjectId> objects;
+  std::vector<Box<kD>> boxes;
+  for (std::uint32_t k = 0; k < kCount; ++k) {
+    const auto place = static_cast<Scalar>(random.uniform(0, 700));
+    objects.push_back({k});
+    boxes.push_back(slab<kD>(place, place + 1));
+    ASSERT_EQ(alone.insert({k}, boxes[k], Mobility::moving), Status::ok);
+    ASSERT_EQ(shared.insert({k}, boxes[k], Mobility::moving), Status::ok);
+  }
+  std::set<Mode> modes;
+  for (std::uint32_t step = 0; step < 90; ++step) {
+    const double speed = step < 20 || step >= 70 ? 2 : 0.001;
+    for (Box<kD>& box : boxes) {
+      const auto by = static_cast<Scalar>(random.uniform(-speed, speed));
+      box.min[0] += by;
+      box.max[0] += by;
+    }
+    shared.set_threads(1 + step % 3, Sharing::always);
+    for (kerf::Bsp<kD>* tree : {&alone, &shared}) {
+      ASSERT_EQ(tree->move_many(objects, boxes), Status::ok);
+      tree->step();
+    }
+    ASSERT_TRUE(std::ranges::equal(shared.pairs(), alone.pairs())) << step;
+    ASSERT_EQ(shared.state_hash(), alone.state_hash()) << step;
+    modes.insert(shared.mode());
+  }
+  EXPECT_EQ(modes, (std::set{Mode::swept, Mode::kept}));
 }
 
 TYPED_TEST(Bsp, TimesItsPhasesOnlyIfItIsAsked) {

@@ -72,11 +72,40 @@ TEST(ThreadChooser, SeesThatTheMachineHasChanged) {
 }
 
 TEST(ThreadChooser, OneSlowStepDecidesNothing) {
+  for (std::uint32_t slow = 0; slow < ThreadChooser::kTrialSteps; ++slow) {
+    ChoosingSteps steps;
+    (void)steps.run({1, 0.6}, ThreadChooser::kStepsBefore + 1 + slow);
+    (void)steps.run({900, 900}, 1);
+    (void)steps.run({1, 0.6}, ThreadChooser::kTrialSteps);
+    EXPECT_EQ(steps.run({1, 0.6}, 30).shared, 30U) << slow;
+    (void)steps.run({1, 2}, 300);
+    EXPECT_EQ(steps.run({1, 2}, 30).shared, 0U) << slow << ": the next trial is not late for it";
+  }
+}
+
+/// As while a tree is built, or while skins learn.
+TEST(ThreadChooser, TimesThatFallFavourNeitherWay) {
   ChoosingSteps steps;
-  (void)steps.run({1, 0.6}, ThreadChooser::kStepsBefore + 6);
-  (void)steps.run({90, 90}, 1);
-  (void)steps.run({1, 0.6}, 4);
-  EXPECT_EQ(steps.run({1, 0.6}, 50).shared, 50U);
+  for (std::uint32_t step = 0; step < 20; ++step) (void)steps.run({20.0 - step, 1.1 * (20.0 - step)}, 1);
+  EXPECT_EQ(steps.run({1, 1.1}, 30).shared, 0U);
+}
+
+/// As a pile at rest that is kicked: same mode, other work.
+TEST(ThreadChooser, AnotherTimeIsTriedSoon) {
+  ChoosingSteps steps;
+  (void)steps.run({1, 25}, 100);
+  (void)steps.run({60, 36}, 25);
+  EXPECT_EQ(steps.run({60, 36}, 30).shared, 30U);
+}
+
+TEST(ThreadChooser, CrowdsThatSwingAreNotTriedInEachSwing) {
+  ChoosingSteps steps;
+  std::uint32_t shared = 0;
+  for (std::uint32_t swing = 0; swing < 100; ++swing) {
+    steps.objects = swing % 2 == 0 ? 3000 : 10000;
+    shared += steps.run({1, 3}, 20).shared;
+  }
+  EXPECT_LE(shared, 2000 / ThreadChooser::kLeastWait * 4);
 }
 
 TEST(ThreadChooser, FewObjectsAreNeverShared) {
@@ -91,7 +120,7 @@ TEST(ThreadChooser, FewObjectsAreNeverShared) {
   EXPECT_EQ(steps.run({1, 0.1}, 10).shared, 0U);
 }
 
-TEST(ThreadChooser, ManyObjectsAreSharedUntilATrialTells) {
+TEST(ThreadChooser, ManyObjectsAreSharedUntilATrialEnds) {
   ChoosingSteps steps;
   steps.objects = ThreadChooser::kMany;
   (void)steps.run({1, 3}, 1);
@@ -100,9 +129,9 @@ TEST(ThreadChooser, ManyObjectsAreSharedUntilATrialTells) {
 
 TEST(ThreadChooser, AnotherCrowdIsTriedAnew) {
   ChoosingSteps steps;
-  (void)steps.run({1, 25}, 50);
+  (void)steps.run({1, 25}, 100);
   steps.objects *= 4;
-  (void)steps.run({1, 0.6}, 12);
+  (void)steps.run({1, 0.6}, 16);
   EXPECT_EQ(steps.run({1, 0.6}, 30).shared, 30U);
 }
 

@@ -245,7 +245,7 @@ class Sequence {
     EXPECT_EQ(list(other.begun()), list(world_.begun()));
     EXPECT_EQ(list(other.ended()), list(world_.ended()));
     world_ = std::move(other);
-    world_.set_threads(1 + random_.below(2));
+    world_.set_threads(1 + random_.below(2), Sharing::always);
     if (asks_) listen(world_);
     compare();
   }

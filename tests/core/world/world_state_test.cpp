@@ -76,7 +76,7 @@ TYPED_TEST(WorldState, ARestoredWorldGoesOnAsTheOther) {
   World<kD> world({.tag = 7});
   Crowd<kD> crowd(1);
   for (int step = 0; step < 40; ++step) crowd.step(world);
-  World<kD> other({.threads = 2});
+  World<kD> other({.threads = 2, .sharing = Sharing::always});
   std::string why;
   ASSERT_EQ(other.restore(saved(world), &why), WorldStatus::ok) << why;
   Crowd<kD> same = crowd;

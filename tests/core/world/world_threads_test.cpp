@@ -16,7 +16,7 @@ namespace {
 template <int D>
 std::vector<WorldPair> run(unsigned threads) {
   constexpr std::size_t kObjects = 3000;
-  World<D> world({.threads = threads});
+  World<D> world({.threads = threads, .sharing = Sharing::always});
   Random random(4);
   std::vector<Box<D>> boxes(kObjects);
   std::vector<Handle> handles(kObjects);
