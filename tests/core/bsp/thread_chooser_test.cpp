@@ -26,19 +26,24 @@ class ChoosingSteps {
   Course run(const Machine& machine, std::uint32_t steps, Mode mode = Mode::swept) {
     Course course;
     for (std::uint32_t step = 0; step < steps; ++step) {
-      const double seconds = shares_ ? machine.shared : machine.alone;
+      const double slow = since_change_++ < slow_after_change ? 10 : 1;
+      const double seconds = slow * (shares_ ? machine.shared : machine.alone);
       course.shared += shares_ ? 1 : 0;
       course.seconds += seconds;
-      shares_ = chooser_.choose(mode, objects, seconds);
+      const bool shares = chooser_.choose(mode, objects, seconds);
+      if (shares != shares_) since_change_ = 0;
+      shares_ = shares;
     }
     return course;
   }
 
   std::uint32_t objects = 10000;
+  std::uint32_t slow_after_change = 0;  ///< steps that take ten times as long after a change of the way
 
  private:
   ThreadChooser chooser_;
   bool shares_ = false;
+  std::uint32_t since_change_ = 10;
 };
 
 TEST(ThreadChooser, GoesOnWithTheFasterWay) {
@@ -88,6 +93,22 @@ TEST(ThreadChooser, TimesThatFallFavourNeitherWay) {
   ChoosingSteps steps;
   for (std::uint32_t step = 0; step < 20; ++step) (void)steps.run({20.0 - step, 1.1 * (20.0 - step)}, 1);
   EXPECT_EQ(steps.run({1, 1.1}, 30).shared, 0U);
+}
+
+/// As where caches are filled anew, and threads wake.
+TEST(ThreadChooser, StepsAfterAChangeOfTheWayDecideNothing) {
+  ChoosingSteps steps;
+  steps.slow_after_change = 2;
+  (void)steps.run({1, 0.6}, 20);
+  EXPECT_EQ(steps.run({1, 0.6}, 30).shared, 30U);
+}
+
+TEST(ThreadChooser, ModesThatChangeAreNotTriedEachTime) {
+  ChoosingSteps steps;
+  std::uint32_t shared = 0;
+  for (std::uint32_t turn = 0; turn < 100; ++turn)
+    shared += steps.run({1, 3}, 10, turn % 2 == 0 ? Mode::swept : Mode::kept).shared;
+  EXPECT_LE(shared, 130U);
 }
 
 /// As a pile at rest that is kicked: same mode, other work.
