@@ -15,6 +15,25 @@
 namespace kerf {
 namespace {
 
+#if KERF_EMBREE >= 4
+using RayContext = RTCRayQueryContext;
+
+void begin(RayContext& context) { rtcInitRayQueryContext(&context); }
+
+void intersect(RTCScene scene, RayContext& context, RTCRayHit& hit) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &context;
+  rtcIntersect1(scene, &hit, &arguments);
+}
+#else
+using RayContext = RTCIntersectContext;
+
+void begin(RayContext& context) { rtcInitIntersectContext(&context); }
+
+void intersect(RTCScene scene, RayContext& context, RTCRayHit& hit) { rtcIntersect1(scene, &context, &hit); }
+#endif
+
 /// Boxes as a geometry of Embree's kind "user". Its hierarchy has the default quality.
 class EmbreeQueries final : public QueryRival<3> {
  public:
@@ -88,7 +107,7 @@ class EmbreeQueries final : public QueryRival<3> {
   }
 
  private:
-  struct Context : RTCIntersectContext {
+  struct Context : RayContext {
     const QuickRay<3>* ray = nullptr;
     std::vector<Hit>* all = nullptr;  ///< none: the first is wanted
   };
@@ -111,7 +130,7 @@ class EmbreeQueries final : public QueryRival<3> {
   Hit cast(const Ray<3>& ray, std::vector<Hit>* all) {
     const QuickRay<3> quick(ray);
     Context context;
-    rtcInitIntersectContext(&context);
+    begin(context);
     context.ray = &quick;
     context.all = all;
     RTCRayHit hit{};
@@ -128,7 +147,7 @@ class EmbreeQueries final : public QueryRival<3> {
                0,
                0};
     hit.hit.geomID = hit.hit.primID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene_, &context, &hit);
+    intersect(scene_, context, hit);
     if (hit.hit.primID == RTC_INVALID_GEOMETRY_ID) return {ObjectId::none(), INFINITY};
     return {{hit.hit.primID}, hit.ray.tfar};
   }
