@@ -3,6 +3,7 @@
 #include <kerf.h>
 
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
