@@ -89,13 +89,14 @@ void keep_pairs(std::span<const Pair> pairs, HasFat has_fat, KeptLeaf<D>& leaf) 
     const Pair two = objects_of(pair);
     return !has_fat(two.a) && !has_fat(two.b);
   };
-  const auto resting = static_cast<std::size_t>(std::ranges::count_if(pairs, rests));
   if (leaf.resting.pairs.empty() && leaf.candidates.empty()) {
+    const auto resting = static_cast<std::size_t>(std::ranges::count_if(pairs, rests));
     leaf.resting.pairs.reserve(resting);
     leaf.candidates.reserve(pairs.size() - resting);
+  } else {  // of a few objects: either list may get all of them
+    grow_list(leaf.resting.pairs, leaf.resting.pairs.size() + pairs.size());
+    grow_list(leaf.candidates, leaf.candidates.size() + pairs.size());
   }
-  grow_list(leaf.resting.pairs, leaf.resting.pairs.size() + resting);
-  grow_list(leaf.candidates, leaf.candidates.size() + pairs.size() - resting);
   for (const Pair& pair : pairs) {
     const Pair two = objects_of(pair);
     if (rests(pair)) {

@@ -15,8 +15,10 @@ constexpr double kAnotherTime = 4;
 /// So many of them in a row are no accident.
 constexpr std::uint32_t kOddSteps = 8;
 
-/// Whether a step of a trial is shared: those in the middle, so that neither way gains by times that fall.
-constexpr bool is_shared(std::size_t step) { return step >= 3 && step < 7; }
+/// The steps of a trial that are shared: those in the middle, so that neither way gains by times that fall.
+constexpr std::size_t kFirstShared = 3;
+constexpr std::size_t kEndShared = 7;
+constexpr bool is_shared(std::size_t step) { return step >= kFirstShared && step < kEndShared; }
 
 /// The median of the steps of one way; the first one after a change of the way does not count.
 double median(const std::array<double, ThreadChooser::kTrialSteps>& seconds, bool shared) {
@@ -53,7 +55,7 @@ bool ThreadChooser::choose(Mode mode, std::uint32_t objects, double seconds) {
 
 /// A trial that was interrupted while it shared steps has cost what one costs that ends.
 void ThreadChooser::interrupt(Trials& trials) {
-  const bool was_costly = trials.runs && trials.done > 3;
+  const bool was_costly = trials.runs && trials.done > kFirstShared;
   trials.wait = std::max(trials.wait, was_costly ? kLeastWait : kStepsBefore);
   trials.runs = false;
   trials.odd = 0;
