@@ -46,8 +46,12 @@ inline constexpr std::size_t kMotionSample = 64;
 /// The share of objects that must move alike, as far as a sample shows, for the tree to come along
 /// (common_motion).
 inline constexpr float kLeastShareAlike = 0.75F;
-/// Two motions are alike if they differ by no more than this share of an object's size.
-inline constexpr float kAlike = 0.1F;
+/// The least way that they must go, over an object's size.
+inline constexpr float kLeastWayAlike = 0.9F;
+/// Two motions are alike if they differ by no more than this share of the way, and of an object's size: what
+/// moves in a world that is shifted far moves beside that.
+inline constexpr float kAlikeOfWay = 1.0F / 8;
+inline constexpr float kAlike = 1;
 /// The share of objects that leave their fat boxes in a step above which sweeping pays.
 inline constexpr float kHotShare = 0.03F;
 /// The same while skins learn how thick they must be, for the first `kLearningSteps`.

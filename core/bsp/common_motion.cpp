@@ -65,10 +65,17 @@ class ShiftSample {
   bool keeps_;
 };
 
-/// Whether two objects moved alike, as far as one of them shows.
+/// Whether an object went far enough to tell its motion from others.
 template <int D>
-bool is_alike(const SampledMotion<D>& motion, const Vector<D>& by, float tolerance) {
-  return reach_of(motion.by - by) <= tolerance * motion.size;
+bool is_far(const SampledMotion<D>& motion, float reach) {
+  return reach > tuning::kLeastWayAlike * motion.size;
+}
+
+/// Whether an object moved by the vector, as far as that can be told.
+template <int D>
+bool is_alike(const SampledMotion<D>& motion, const Vector<D>& by, float tolerance = 1) {
+  const float most = std::min(tuning::kAlike * motion.size, tuning::kAlikeOfWay * reach_of(by));
+  return reach_of(motion.by - by) <= tolerance * most;
 }
 
 /// False after a few objects if most of them move slowly or each its own way, as in nearly every step.
@@ -79,12 +86,12 @@ bool may_be_common(const ShiftSample<D>& sample) {
   std::uint32_t others = 0;
   for (std::uint32_t k = 0; k < sample.size(); ++k) {
     const auto motion = sample[k];
-    if (!motion || reach_of(motion->by) <= (1 - tuning::kAlike) * motion->size) {
+    if (!motion || !is_far(*motion, reach_of(motion->by))) {
       ++others;
     } else if (votes == 0) {
       by = motion->by;
       votes = 1;
-    } else if (is_alike(*motion, by, 2 * tuning::kAlike)) {
+    } else if (is_alike(*motion, by, 2)) {
       ++votes;
     } else {
       --votes;
@@ -108,9 +115,8 @@ std::optional<Vector<D>> common_motion(const Requests<D>& requests, const Object
   if (motions.empty()) return std::nullopt;
   const Vector<D> by = median<D>(motions);
   const float reach = reach_of(by);
-  const auto alike = std::ranges::count_if(motions, [&](const SampledMotion<D>& motion) {
-    return reach > motion.size && is_alike(motion, by, tuning::kAlike);
-  });
+  const auto alike = std::ranges::count_if(
+      motions, [&](const SampledMotion<D>& motion) { return is_far(motion, reach) && is_alike(motion, by); });
   const bool are_alike =
       static_cast<float>(alike) >= tuning::kLeastShareAlike * static_cast<float>(sample.size());
   return are_alike && std::isfinite(reach) ? std::optional(by) : std::nullopt;

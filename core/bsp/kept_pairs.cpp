@@ -67,42 +67,71 @@ void make_room(std::vector<std::uint8_t>& marks, std::size_t objects) {
   marks.resize(std::max(marks.size(), objects), 0);
 }
 
-/// Marks the leaf's objects that have fat: each has many pairs, and is looked at but once.
+/// Marks the leaf's entries whose objects have fat, by their places: each has many pairs, and is looked at
+/// but once. The view has their fat boxes.
 template <int D>
-std::span<const std::uint8_t> mark_fat(const KeptObjects<D>& objects, const KeptLeaf<D>& leaf,
-                                       std::vector<std::uint8_t>& marks) {
-  make_room(marks, objects.fat.bound());
-  for (const std::uint32_t object : leaf.objects) marks[object] = objects.has_fat({object}) ? 1 : 0;
-  return marks;
+void mark_fat(const KeptObjects<D>& objects, const LeafView<D>& view, std::vector<std::uint8_t>& marks) {
+  const std::size_t count = view.size();
+  marks.assign(count, 1);
+  if (!objects.some_rest) return;
+  for (std::size_t k = 0; k < count; ++k) {
+    prefetch(&objects.latest.packed(view.objects[std::min(k + tuning::kPrefetchAhead, count - 1)]));
+    marks[k] = is_same(view.boxes[k], objects.latest.packed(view.objects[k])) ? 0 : 1;
+  }
 }
 
-/// Takes pairs of fat boxes, named as the leaf's candidates are. The first pairs get no room for more, since
-/// most leaves get no more.
-template <int D, class HasFat>
-void keep_pairs(std::span<const Pair> pairs, HasFat has_fat, KeptLeaf<D>& leaf) {
-  const auto objects_of = [&leaf](const Pair& pair) {
-    return leaf.names == Names::objects
-               ? pair
-               : Pair{{leaf.objects[pair.a.index()]}, {leaf.objects[pair.b.index()]}};
+/// Where to write the pairs of an empty list, and one more in vain. A list of none gets no memory.
+Pair* begin_list(std::vector<Pair>& list, std::size_t count, Pair& nowhere) {
+  if (count == 0) return &nowhere;
+  list.resize(count + 1);
+  return list.data();
+}
+
+/// Takes the first pairs of fat boxes of a leaf, named by places. They get no room for more, since most
+/// leaves get no more. No branch depends on a pair.
+template <int D>
+void keep_first_pairs(std::span<const Pair> pairs, std::span<const std::uint8_t> has_fat, KeptLeaf<D>& leaf) {
+  const auto has = [marks = has_fat.data()](const Pair& pair) {
+    return std::size_t{marks[pair.a.index()]} | std::size_t{marks[pair.b.index()]};
   };
-  const auto rests = [&](const Pair& pair) {
-    const Pair two = objects_of(pair);
-    return !has_fat(two.a) && !has_fat(two.b);
-  };
-  if (leaf.resting.pairs.empty() && leaf.candidates.empty()) {
-    const auto resting = static_cast<std::size_t>(std::ranges::count_if(pairs, rests));
-    leaf.resting.pairs.reserve(resting);
-    leaf.candidates.reserve(pairs.size() - resting);
-  } else {  // of a few objects: either list may get all of them
-    grow_list(leaf.resting.pairs, leaf.resting.pairs.size() + pairs.size());
-    grow_list(leaf.candidates, leaf.candidates.size() + pairs.size());
-  }
+  std::size_t fat = 0;
+  for (const Pair& pair : pairs) fat += has(pair);
+  Pair nowhere{};
+  Pair* const to_resting = begin_list(leaf.resting.pairs, pairs.size() - fat, nowhere);
+  Pair* const to_candidates = begin_list(leaf.candidates, fat, nowhere);
+  std::size_t resting = 0;
+  std::size_t candidates = 0;
+  const std::uint32_t* const ids = leaf.objects.data();
+  const bool by_objects = leaf.names == Names::objects;
   for (const Pair& pair : pairs) {
-    const Pair two = objects_of(pair);
-    if (rests(pair)) {
-      leaf.resting.push_back(make_pair(two.a, two.b));
-    } else {
+    const ObjectId a{ids[pair.a.index()]};
+    const ObjectId b{ids[pair.b.index()]};
+    const Pair two = make_pair(a, b);
+    const Pair places = a < b ? pair : Pair{pair.b, pair.a};
+    to_resting[resting] = two;
+    to_candidates[candidates] = by_objects ? two : places;
+    resting += 1 - has(pair);
+    candidates += has(pair);
+  }
+  leaf.candidates.resize(candidates);
+  leaf.resting.pairs.resize(resting);
+  leaf.resting.all_changed();
+}
+
+/// Takes further pairs of fat boxes, named as the leaf's candidates are, of a few objects: either list may
+/// get all of them.
+template <int D>
+void keep_pairs(std::span<const Pair> pairs, const KeptObjects<D>& objects, KeptLeaf<D>& leaf) {
+  grow_list(leaf.resting.pairs, leaf.resting.pairs.size() + pairs.size());
+  grow_list(leaf.candidates, leaf.candidates.size() + pairs.size());
+  for (const Pair& pair : pairs) {
+    const Pair two = leaf.names == Names::objects
+                         ? pair
+                         : Pair{{leaf.objects[pair.a.index()]}, {leaf.objects[pair.b.index()]}};
+    if (objects.has_fat(two.a) || objects.has_fat(two.b)) {
       leaf.candidates.push_back(two.a < two.b ? pair : Pair{pair.b, pair.a});
+    } else {
+      leaf.resting.push_back(make_pair(two.a, two.b));
     }
   }
 }
@@ -227,8 +256,7 @@ void KeptPairs<D>::patch(const Objects& objects, Changes changes, LeafScratch<D>
   scratch.pairs.clear();
   probe_last(leaf, scratch.view.size(), objects.fat.packed(), leaf.names, scratch.byte_sweep.found,
              scratch.pairs);
-  keep_pairs(
-      std::as_const(scratch.pairs).all(), [&](ObjectId object) { return objects.has_fat(object); }, leaf);
+  keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
 }
 
 /// A few objects are looked for one by one; for many, one pass over all pairs is cheaper. `objects`: one more
@@ -263,13 +291,10 @@ void KeptPairs<D>::sweep(const Tree<D>& tree, const Objects& objects, NodeId id,
   append_entries(scratch.view, leaf);
   scratch.pairs.clear();
   leaf.names = exceeds(objects.latest.packed(), tuning::kOwnPages) ? Names::places : Names::objects;
-  if (leaf.names == Names::places) name_by_places(scratch.view);
+  mark_fat(objects, scratch.view, scratch.has_fat);
+  name_by_places(scratch.view);
   scratch.byte_sweep.find(scratch.view, scratch.pairs);
-  const std::span<const std::uint8_t> has_fat = mark_fat(objects, leaf, scratch.marks);
-  keep_pairs(
-      std::as_const(scratch.pairs).all(), [&](ObjectId object) { return has_fat[object.index()] != 0; },
-      leaf);
-  for (const std::uint32_t object : leaf.objects) scratch.marks[object] = 0;
+  keep_first_pairs<D>(std::as_const(scratch.pairs).all(), scratch.has_fat, leaf);
 }
 
 template class KeptPairs<2>;

@@ -9,7 +9,7 @@
 #include "core/bsp/resting_pairs.h"
 #include "core/bsp/step_context.h"
 #include "core/kernels/kept_leaf.h"
-#include "core/objects/skin.h"
+#include "core/objects/object_flags.h"
 #include "core/tree/tree.h"
 
 namespace kerf {
@@ -28,14 +28,16 @@ template <int D>
 struct KeptObjects {
   const ObjectTable<D>& fat;
   const ObjectTable<D>& latest;
-  const std::vector<Skin>& skins;
-  bool some_rest;    ///< pairs of objects without fat are kept apart, and not tested
-  bool far = false;  ///< most of the latest boxes are not in a core's own cache
+  std::span<const ObjectFlags> flags;  ///< restless: kUnrequested
+  bool some_rest;                      ///< pairs of objects without fat are kept apart, and not tested
+  bool far = false;                    ///< most of the latest boxes are not in a core's own cache
 
-  [[nodiscard]] bool is_restless(ObjectId object) const { return skins[object.index()].is_restless(); }
+  [[nodiscard]] bool is_restless(ObjectId object) const {
+    return (flags[object.index()] & flag::kUnrequested) != 0;
+  }
   /// Whether pairs of the object must be tested in each step (see KeptLeaf).
   [[nodiscard]] bool has_fat(ObjectId object) const {
-    return !some_rest || fat.packed(object).lane != latest.packed(object).lane;
+    return !some_rest || !is_same(fat.packed(object), latest.packed(object));
   }
 };
 

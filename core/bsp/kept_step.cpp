@@ -1,25 +1,45 @@
 #include "core/bsp/kept_step.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/base/tuning.h"
 #include "core/bsp/common_motion.h"
 #include "core/bsp/leaf_boxes.h"
-#include "core/bsp/stream.h"
+#include "core/bsp/place_boxes.h"
 #include "core/bsp/view_leaf.h"
 #include "core/kernels/prefetch.h"
 #include "core/tree/placement.h"
 
 namespace kerf {
+namespace {
+
+/// The fat box of an object that came along with a shift: its own at another place, if it holds the new box.
+/// One that had no fat has none now. Returns false if there is none.
+template <int D>
+bool shift_fat_box(const PackedBox<D>& fat, const PackedBox<D>& before, const PackedBox<D>& box,
+                   const PackedBox<D>& by, PackedBox<D>& result) {
+  result = box;
+  if (is_same(fat, before)) return true;
+  bool holds = true;
+  for (std::size_t k = 0; k < box.lane.size(); ++k) {
+    result.lane[k] = fat.lane[k] + by.lane[k];
+    holds &= (result.lane[k] <= box.lane[k]) & (result.lane[k] >= std::numeric_limits<Scalar>::lowest());
+  }
+  return holds;
+}
+
+}  // namespace
 
 template <int D>
 template <class Trace>
 std::uint64_t KeptStep<D>::place(const StepContext<D>& step, bool begins, Reporter<Trace>& reporter) {
   cost_ = 0;
   if (begins) {
+    const bool many_stay = may_stay(step);
     make_all_fat(step);
-    return place_all(step, reporter);
+    return place_all(step, many_stay, reporter);
   }
   list_sleepers(step);
   if (step.shift) shift_restless(step);
@@ -27,8 +47,9 @@ std::uint64_t KeptStep<D>::place(const StepContext<D>& step, bool begins, Report
   make_fat_boxes(step);
   if (!step.shift && !step.requests.exceed(tuning::kStreamFactorIfKept * step.config.stream_share))
     return place_changed(step, reporter);
+  const bool many_stay = may_stay(step);
   take_fat_boxes(step);
-  return place_all(step, reporter);
+  return place_all(step, many_stay, reporter);
 }
 
 /// The fat box of an object that left its own, or has none yet, or was listed by `list_sleepers`.
@@ -85,7 +106,7 @@ void KeptStep<D>::list_sleepers(const StepContext<D>& step) {
   for (std::size_t id = some.begin; id < some.end; ++id) {
     const ObjectId object{static_cast<std::uint32_t>(id)};
     const PackedBox<D>& box = latest.packed(object);
-    if (flags[id] != 0 || fat.packed(object).lane == box.lane) continue;
+    if (flags[id] != 0 || is_same(fat.packed(object), box)) continue;
     Skin& skin = skins_[id];
     const std::uint16_t seen = fingerprint(box);
     if (skin.is_unmoved(seen)) {
@@ -120,38 +141,30 @@ void KeptStep<D>::shift_restless(const StepContext<D>& step) {
   }
 }
 
-/// The fat box of an object that came along with a shift: its own at another place, if it holds the new box.
-template <int D>
-std::optional<Box<D>> KeptStep<D>::shift_fat_box(const StepContext<D>& step, ObjectId object,
-                                                 const Box<D>& before) const {
-  const ObjectTable<D>& table = step.tree.table;
-  if (!step.shift || !table.is_placed(object) || skins_[object.index()].is_restless()) return std::nullopt;
-  const Box<D> box = step.requests.latest().box(object);
-  const Box<D> fat = table.box(object);
-  const Box<D> moved = fat == before ? box : shifted(fat, *step.shift);
-  return is_valid(moved) && contains(moved, box) ? std::optional(moved) : std::nullopt;
-}
-
 /// The new fat boxes of the objects that left theirs, into fat_.
 template <int D>
 void KeptStep<D>::make_fat_boxes(const StepContext<D>& step) {
   const ObjectTable<D>& latest = step.requests.latest();
   const ObjectTable<D>& table = step.tree.table;
   const std::span<const ObjectId> changed = step.requests.changed();
+  const PackedBox<D> by = step.shift ? PackedBox<D>({*step.shift, *step.shift}) : PackedBox<D>();
   skins_.resize(latest.bound());
   fat_.resize(changed.size());
   step.pool().for_slices(changed.size(), [&](const Slice& slice, std::size_t) {
     const std::span<ObjectFlags> flags = step.requests.flags();
     for (std::size_t k = slice.begin; k < slice.end; ++k) {
       const ObjectId object = changed[k];
+      const PackedBox<D>& before = step.requests.before()[k];
+      const bool stays = table.is_placed(object) && latest.is_placed(object);
+      if (step.shift && stays && (flags[object.index()] & flag::kUnrequested) == 0 &&
+          shift_fat_box(table.packed(object), before, latest.packed(object), by, fat_[k]))
+        continue;
       Skin& skin = skins_[object.index()];
       if (!table.is_placed(object)) skin.restless = 0;  // from an earlier life
       if (skin.is_restless()) flags[object.index()] |= flag::kWasRestless;
       if (latest.is_placed(object)) {
-        const PackedBox<D>& before = step.requests.before()[k];
-        const bool had_fat = table.is_placed(object) && table.packed(object).lane != before.lane;
-        const auto moved = shift_fat_box(step, object, before.unpack());
-        fat_[k] = moved ? *moved : make_fat_box(step, object, before.unpack(), had_fat);
+        const bool had_fat = table.is_placed(object) && !is_same(table.packed(object), before);
+        fat_[k] = PackedBox<D>(make_fat_box(step, object, before.unpack(), had_fat));
       } else {
         skin.restless = 0;
       }
@@ -162,18 +175,23 @@ void KeptStep<D>::make_fat_boxes(const StepContext<D>& step) {
 template <int D>
 void KeptStep<D>::take_fat_boxes(const StepContext<D>& step) const {
   const std::span<const ObjectId> changed = step.requests.changed();
-  for (std::size_t k = 0; k < changed.size(); ++k) {
-    step.tree.table.copy(step.requests.latest(), changed[k]);
-    if (step.requests.latest().is_placed(changed[k])) step.tree.table.widen(changed[k], fat_[k]);
-  }
+  const ObjectTable<D>& latest = step.requests.latest();
+  ObjectTable<D>& table = step.tree.table;
+  if (!step.requests.are_moves())
+    for (const ObjectId object : changed) table.copy(latest, object);
+  step.pool().for_slices(changed.size(), [&](const Slice& slice, std::size_t) {
+    for (std::size_t k = slice.begin; k < slice.end; ++k)
+      if (latest.is_placed(changed[k])) table.packed()[changed[k].index()] = fat_[k];
+  });
 }
 
 /// Places all fat boxes in one pass.
 template <int D>
 template <class Trace>
-std::uint64_t KeptStep<D>::place_all(const StepContext<D>& step, Reporter<Trace>& reporter) const {
+std::uint64_t KeptStep<D>::place_all(const StepContext<D>& step, bool many_stay,
+                                     Reporter<Trace>& reporter) const {
   LeafBoxes<D> none;
-  stream(step.tree, none, step.workers.stream_memory, step.pool());
+  place_boxes(step, many_stay, none);
   reporter.report([&] { return AllPlaced{step.tree.objects()}; });
   return step.requests.changed().size();
 }
@@ -212,7 +230,7 @@ void KeptStep<D>::find_places(const StepContext<D>& step, std::size_t k, FatPiec
   piece.old_places.clear();
   piece.new_places.clear();
   if (was_placed) reach(tree, tree.table.box(object), piece.old_places, piece.left);
-  if (is_placed) reach(tree, fat_[k], piece.new_places, piece.entered);
+  if (is_placed) reach(tree, fat_[k].unpack(), piece.new_places, piece.entered);
   note_entries(step, object, piece);
   if (piece.old_places == piece.new_places) {
     for (const Reached& place : piece.new_places) piece.touched.push_back(place.leaf);
@@ -271,8 +289,9 @@ template <int D>
 void KeptStep<D>::find(const StepContext<D>& step, PairBuffer& pairs) {
   const ObjectTable<D>& latest = step.requests.latest();
   const bool far = step.pool().threads() > 1 || exceeds(latest.packed(), tuning::kOwnCache);
-  kept_.find(step.tree, {step.tree.table, latest, skins_, step.config.resting_pairs, far}, step.workers,
-             step.config.dense, pairs);
+  kept_.find(step.tree,
+             {step.tree.table, latest, std::as_const(step.requests).flags(), step.config.resting_pairs, far},
+             step.workers, step.config.dense, pairs);
 }
 
 /// A damaged recording may have too few skins.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,12 +43,10 @@ class KeptStep {
   void list_sleepers(const StepContext<D>& step);
   void shift_restless(const StepContext<D>& step);
   void follow_restless(const StepContext<D>& step);
-  [[nodiscard]] std::optional<Box<D>> shift_fat_box(const StepContext<D>& step, ObjectId object,
-                                                    const Box<D>& before) const;
   void make_fat_boxes(const StepContext<D>& step);
   void take_fat_boxes(const StepContext<D>& step) const;
   template <class Trace>
-  std::uint64_t place_all(const StepContext<D>& step, Reporter<Trace>& reporter) const;
+  std::uint64_t place_all(const StepContext<D>& step, bool many_stay, Reporter<Trace>& reporter) const;
   template <class Trace>
   std::uint64_t place_changed(const StepContext<D>& step, Reporter<Trace>& reporter);
   void find_places(const StepContext<D>& step, std::size_t k, FatPiece& piece) const;
@@ -59,8 +56,8 @@ class KeptStep {
   template <class Trace>
   static void put_in(Tree<D>& tree, const FatPiece& piece, Reporter<Trace>& reporter);
 
-  std::vector<Skin> skins_;  ///< by object
-  std::vector<Box<D>> fat_;  ///< of the changed objects, in their order
+  std::vector<Skin> skins_;        ///< by object
+  std::vector<PackedBox<D>> fat_;  ///< of the changed objects, in their order
   std::vector<FatPiece> pieces_;
   RestlessPass<D> restless_pass_;
   KeptPairs<D> kept_;

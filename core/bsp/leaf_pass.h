@@ -20,7 +20,8 @@ struct LeafScratch {
   ByteSweep<D> byte_sweep;
   PairBuffer pairs;
   std::vector<PackedBox<D>> gathered;
-  std::vector<std::uint8_t> marks;  ///< by object; all are 0 between leaves
+  std::vector<std::uint8_t> marks;    ///< by object; all are 0 between leaves
+  std::vector<std::uint8_t> has_fat;  ///< by entry of one leaf
 };
 
 /// One visit to each leaf of a tree. Leaves are the unit of parallel work (DESIGN.md, "Fast"): threads take

@@ -6,6 +6,7 @@
 #include "core/base/config.h"
 #include "core/base/task_pool.h"
 #include "core/bsp/leaf_pass.h"
+#include "core/bsp/leave.h"
 #include "core/bsp/requests.h"
 #include "core/bsp/stream.h"
 #include "core/bsp/thread_use.h"
@@ -18,6 +19,7 @@ template <int D>
 struct Workers {
   ThreadUse threads;
   LeafPass<D> leaf_pass;
+  LeavePass<D> leave_pass;
   StreamMemory stream_memory;
 };
 

@@ -3,9 +3,8 @@
 #include <utility>
 
 #include "core/base/tuning.h"
-#include "core/bsp/motions.h"
 #include "core/bsp/ordered_sweep.h"
-#include "core/bsp/stream.h"
+#include "core/bsp/place_boxes.h"
 #include "core/bsp/view_leaf.h"
 #include "core/kernels/prefetch.h"
 
@@ -19,8 +18,7 @@ std::uint64_t SweptStep<D>::place_all(const StepContext<D>& step, Mode before, M
                                       Reporter<Trace>& reporter) {
   Tree<D>& tree = step.tree;
   Requests<D>& requests = step.requests;
-  StreamMemory& memory = step.workers.stream_memory;
-  const bool many_stay = requests.are_moves() && !most_jump(requests.latest(), tree.table);
+  const bool many_stay = may_stay(step);
   if (requests.are_moves() && before == Mode::swept) {
     tree.table.copy_boxes(requests.latest(), step.pool());
   } else {
@@ -28,12 +26,7 @@ std::uint64_t SweptStep<D>::place_all(const StepContext<D>& step, Mode before, M
   }
   const bool are_far = exceeds(std::as_const(tree.table).packed(), tuning::kOwnPages);
   leaf_boxes_.begin(tree, mode == Mode::swept && are_far && step.config.leaf_boxes);
-  if (many_stay) {
-    leave_pass_.run(tree, step.pool(), leaf_boxes_);
-    stream(tree, leave_pass_, leaf_boxes_, memory, step.pool());
-  } else {
-    stream(tree, leaf_boxes_, memory, step.pool());
-  }
+  place_boxes(step, many_stay, leaf_boxes_);
   reporter.report([&] { return AllPlaced{tree.objects()}; });
   return requests.changed().size();
 }

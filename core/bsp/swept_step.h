@@ -5,7 +5,6 @@
 #include "core/base/append_buffer.h"
 #include "core/bsp/leaf_boxes.h"
 #include "core/bsp/leaf_pass.h"
-#include "core/bsp/leave.h"
 #include "core/bsp/mode.h"
 #include "core/bsp/step_context.h"
 #include "core/trace/reporter.h"
@@ -31,7 +30,6 @@ class SweptStep {
   void forget() { leaf_boxes_ = {}; }
 
  private:
-  LeavePass<D> leave_pass_;
   LeafBoxes<D> leaf_boxes_;  ///< of all leaves, where the table exceeds what is read fast
 };
 

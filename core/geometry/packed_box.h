@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
 
 #include "core/geometry/box.h"
 
@@ -30,6 +33,17 @@ struct alignas(D == 2 ? 16 : 32) PackedBox {
     return box;
   }
 };
+
+/// Whether two boxes have the same bits. No branch depends on them.
+template <int D>
+constexpr bool is_same(const PackedBox<D>& a, const PackedBox<D>& b) {
+  using Words = std::array<std::uint64_t, sizeof(PackedBox<D>) / sizeof(std::uint64_t)>;
+  const auto words_a = std::bit_cast<Words>(a.lane);
+  const auto words_b = std::bit_cast<Words>(b.lane);
+  std::uint64_t differ = 0;
+  for (std::size_t i = 0; i < words_a.size(); ++i) differ |= words_a[i] ^ words_b[i];
+  return differ == 0;
+}
 
 template <int D>
 constexpr bool contains(const PackedBox<D>& outer, const PackedBox<D>& inner) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -20,6 +22,11 @@ struct RestingList {
   void push_back(const Pair& pair) {
     if (pairs.size() < room) changed.push_back(static_cast<std::uint32_t>(pairs.size()));
     pairs.push_back(pair);
+  }
+  /// Call it when all pairs are others than before.
+  void all_changed() {
+    changed.resize(std::min(pairs.size(), room));
+    std::iota(changed.begin(), changed.end(), 0U);
   }
   /// The pairs that have no place yet.
   [[nodiscard]] std::span<const Pair> others() const {
