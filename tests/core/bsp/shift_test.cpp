@@ -51,6 +51,12 @@ class ShiftedWorld {
     EXPECT_TRUE(same_pairs(tree_.pairs(), oracle_pairs(tree_.objects())));
     EXPECT_TRUE(validate(tree_.tree()).empty());
   }
+  /// The object goes, and comes back at another place before the next step.
+  void renew(std::uint32_t id, Mobility mobility) {
+    boxes_[id] = random_box<D>(random_, 10, 0.5);
+    EXPECT_EQ(tree_.remove({id}), Status::ok);
+    EXPECT_EQ(tree_.insert({id}, boxes_[id], mobility), Status::ok);
+  }
   void steps(int count) {
     for (int k = 0; k < count; ++k) step();
   }
@@ -117,6 +123,39 @@ TYPED_TEST(Shifts, WhatMovesElsewhereInTheSameStepIsFoundThere) {
     world.step(by, std::pair{8 * k + 1, 8 * k + 2});
     EXPECT_EQ(world.tree().mode(), Mode::kept) << "shift " << k;
     world.steps(5);
+  }
+}
+
+/// Objects that come, go or get fixed in the step of a shift, between others that come along.
+TYPED_TEST(Shifts, WhatComesInTheSameStepIsFound) {
+  constexpr int kD = TypeParam::value;
+  ShiftedWorld<kD> world(0.05, 0.01);
+  world.steps(40);
+  for (std::uint32_t k = 0; k < 10; ++k) {
+    for (std::uint32_t id = k; id < 60; id += 10)
+      world.renew(id, id % 3 == 0 ? Mobility::fixed : Mobility::moving);
+    Vector<kD> by;
+    by[0] = k % 2 == 0 ? 100 : -100;
+    world.step(by);
+    EXPECT_EQ(world.tree().mode(), Mode::kept) << "shift " << k;
+    world.steps(3);
+  }
+}
+
+/// Half of the objects move by as much as they are large.
+TYPED_TEST(Shifts, IsKnownThoughMuchMovesBesideIt) {
+  constexpr int kD = TypeParam::value;
+  ShiftedWorld<kD> world(0.5, 0.15);
+  world.steps(40);
+  ASSERT_EQ(world.tree().mode(), Mode::swept);
+  const Tree<kD>& tree = world.tree().tree();
+  for (int k = 0; k < 10; ++k) {
+    const Plane<kD> before = tree[tree.root()].plane;
+    Vector<kD> by;
+    by[k % kD] = 100;
+    world.step(by);
+    EXPECT_NEAR(tree[tree.root()].plane.offset, before.offset + dot(before.normal, by), 2) << "shift " << k;
+    world.steps(3);
   }
 }
 
