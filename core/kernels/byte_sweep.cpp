@@ -87,6 +87,8 @@ HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuf
   sweep.make_room(leaf.size());
   make_keys(leaf, sweep);
   order_entries(leaf, sweep);
+  const auto n = static_cast<std::uint32_t>(leaf.size());
+  sweep.is_dense = sweep.is_dense && n > 1 && sure_in_row(sweep, n) > tuning::kSurePerRow;
   sweep.is_dense ? compare_dense(leaf, sweep, pairs) : compare_all(leaf, sweep, pairs);
 }
 

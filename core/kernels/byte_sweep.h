@@ -41,6 +41,7 @@ class ByteSweep {
       false;  ///< most pairs are proved by bytes alone; only then are the following members in use
   std::vector<std::uint32_t> objects;  ///< of the entries in order
   std::vector<std::uint8_t> apart;     ///< exclusion masks folded to a byte, in order
+  std::vector<std::uint32_t> others;   ///< those of one entry's pairs that need no floats
   PairBuffer unsure;                   ///< the pairs that need the floats
 
   [[nodiscard]] std::uint8_t* plane(std::size_t k) { return planes.data() + k * stride; }

@@ -7,6 +7,7 @@
 #define KERF_COMPARE_DENSE_INL_H
 #endif
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,7 @@ template <int D>
 HWY_INLINE bool copy_in_order(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   sweep.objects.resize(leaf.size() + ByteSweep<D>::kPad);
   sweep.apart.resize(leaf.size() + ByteSweep<D>::kPad);
+  sweep.others.resize(leaf.size() + kRowRoom);
   DepthMask all = 0;
   for (std::size_t k = 0; k < leaf.size(); ++k) {
     const std::uint32_t place = sweep.order[k];
@@ -43,6 +45,57 @@ HWY_INLINE bool copy_in_order(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   return std::popcount(fold(all)) == std::popcount(all);
 }
 
+struct ProvedLanes {
+  hn::Vec<Bytes> beyond;  ///< zero where boxes may overlap
+  hn::Vec<Bytes> within;  ///< more than zero where they do, as bytes alone prove
+};
+
+/// What bytes prove of a leaf in its order. The map to bytes is monotone: a smaller byte stands for a smaller
+/// float.
+template <int D>
+struct Proved : Ordered<D> {
+  hn::Vec<Bytes> begin;
+
+  HWY_INLINE explicit Proved(ByteSweep<D>& sweep) : Ordered<D>(sweep), begin(hn::Zero(Bytes())) {}
+
+  HWY_INLINE void seek(std::uint32_t i) {
+    Ordered<D>::seek(i);
+    begin = hn::Set(Bytes(), this->own_min[i]);
+  }
+  /// The lanes of the entries from `at` on.
+  [[nodiscard]] HWY_INLINE ProvedLanes lanes(std::size_t at) const {
+    const Bytes bytes;
+    ProvedLanes lanes{hn::Zero(bytes), hn::SaturatedSub(hn::LoadU(bytes, this->own_max + at), begin)};
+    for (int k = 0; k < D - 1; ++k) {
+      const auto other_max = hn::LoadU(bytes, this->probe.other_max[k] + at);
+      lanes.beyond = hn::Or(lanes.beyond, hn::SaturatedSub(this->probe.min[k], other_max));
+      lanes.within = hn::Min(lanes.within, hn::SaturatedSub(other_max, this->probe.min[k]));
+      const auto other_min = hn::LoadU(bytes, this->probe.other_min[k] + at);
+      lanes.beyond = hn::Or(lanes.beyond, hn::SaturatedSub(other_min, this->probe.max[k]));
+      lanes.within = hn::Min(lanes.within, hn::SaturatedSub(this->probe.max[k], other_min));
+    }
+    return lanes;
+  }
+};
+
+/// How many of the 64 entries behind one of a leaf are proved to overlap it, in the mean of a few.
+template <int D>
+HWY_INLINE float sure_in_row(ByteSweep<D>& sweep, std::uint32_t n) {
+  Proved<D> proved(sweep);
+  const std::uint32_t rows = std::min(n - 1, tuning::kDensityRows);
+  std::size_t sure = 0;
+  for (std::uint32_t k = 0; k < rows; ++k) {
+    const auto i = static_cast<std::uint32_t>(std::uint64_t{k} * (n - 1) / rows);
+    const std::uint32_t end = proved.sure_end(i);
+    proved.seek(i);
+    std::uint64_t unsure = 0;
+    for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(Bytes()))
+      unsure |= bits_of_zeros(proved.lanes(i + 1 + lane).within) << lane;
+    sure += static_cast<std::size_t>(std::popcount(~unsure & first_bits(end > i ? end - i - 1 : 0)));
+  }
+  return static_cast<float>(sure) / static_cast<float>(rows);
+}
+
 /// What bytes show of 64 entries that begin before another one ends.
 struct RowBits {
   std::uint64_t maybe = 0;  ///< they may overlap
@@ -50,22 +103,17 @@ struct RowBits {
   std::uint64_t here = 0;   ///< their masks exclude nothing, as far as the bytes show
 };
 
-/// A dense leaf in its order. The map to bytes is monotone: a smaller byte stands for a smaller float.
+/// A dense leaf in its order.
 template <int D>
-struct Dense : Ordered<D> {
+struct Dense : Proved<D> {
   const std::uint8_t* others_apart;
-  hn::Vec<Bytes> begin;
   hn::Vec<Bytes> apart;
 
   HWY_INLINE explicit Dense(ByteSweep<D>& sweep)
-      : Ordered<D>(sweep),
-        others_apart(sweep.apart.data()),
-        begin(hn::Zero(Bytes())),
-        apart(hn::Zero(Bytes())) {}
+      : Proved<D>(sweep), others_apart(sweep.apart.data()), apart(hn::Zero(Bytes())) {}
 
   HWY_INLINE void seek(std::uint32_t i) {
-    Ordered<D>::seek(i);
-    begin = hn::Set(Bytes(), this->own_min[i]);
+    Proved<D>::seek(i);
     apart = hn::Set(Bytes(), others_apart[i]);
   }
   [[nodiscard]] HWY_INLINE RowBits row(std::uint32_t j) const {
@@ -73,27 +121,13 @@ struct Dense : Ordered<D> {
     RowBits row;
     std::uint64_t unsure = 0;
     for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(bytes)) {
-      const auto common = hn::And(apart, hn::LoadU(bytes, others_apart + j + lane));
-      row.maybe |= bits_of_zeros(lanes_beyond(this->probe, j + lane)) << lane;
-      row.here |= bits_of_zeros(common) << lane;
-      unsure |= bits_of_zeros(lanes_within(j + lane)) << lane;
+      const ProvedLanes lanes = this->lanes(j + lane);
+      row.maybe |= bits_of_zeros(lanes.beyond) << lane;
+      unsure |= bits_of_zeros(lanes.within) << lane;
+      row.here |= bits_of_zeros(hn::And(apart, hn::LoadU(bytes, others_apart + j + lane))) << lane;
     }
     row.sure = row.here & ~unsure;
     return row;
-  }
-
- private:
-  /// More than zero in the lanes of the pairs that bytes alone prove.
-  [[nodiscard]] HWY_INLINE hn::Vec<Bytes> lanes_within(std::size_t at) const {
-    const Bytes bytes;
-    auto within = hn::SaturatedSub(hn::LoadU(bytes, this->own_max + at), begin);
-    for (int k = 0; k < D - 1; ++k) {
-      const auto other_max = hn::LoadU(bytes, this->probe.other_max[k] + at);
-      const auto other_min = hn::LoadU(bytes, this->probe.other_min[k] + at);
-      within = hn::Min(within, hn::SaturatedSub(other_max, this->probe.min[k]));
-      within = hn::Min(within, hn::SaturatedSub(this->probe.max[k], other_min));
-    }
-    return within;
   }
 };
 
@@ -106,6 +140,7 @@ HWY_INLINE void compare_dense(const LeafView<D>& leaf, ByteSweep<D>& sweep, Pair
   Dense<D> dense(sweep);
   const std::uint32_t* const objects = sweep.objects.data();
   const std::uint32_t* const order = sweep.order.data();
+  std::uint32_t* const list = sweep.others.data();
   sweep.unsure.clear();
   Found found(sweep.found);
   for (std::uint32_t i = 0; i + 1 < n; ++i) {
@@ -113,18 +148,18 @@ HWY_INLINE void compare_dense(const LeafView<D>& leaf, ByteSweep<D>& sweep, Pair
     const std::uint32_t sure_end = dense.sure_end(i);
     const std::uint32_t end = dense.end(i);
     Pair* const begin = pairs.reserve(end - i + kRowRoom);
-    Pair* out = begin;
+    RowWriter rows(objects[i], begin, list);
     for (std::uint32_t j = i + 1; j < end; j += 64) {
       const RowBits row = dense.row(j);
       const std::uint64_t sure = row.sure & first_bits(sure_end > j ? sure_end - j : 0);
       const std::uint64_t others = row.maybe & ~sure & (row.here | unknown) & first_bits(end - j);
-      out = write_row(objects[i], objects + j, sure, out);
+      rows.add(objects + j, sure);
       found.add(others, order[i], j);
       if (!found.is_full()) continue;
       confirm_in<D>(leaf, order, found, sweep.unsure);
       found.clear();
     }
-    pairs.commit(static_cast<std::size_t>(out - begin));
+    pairs.commit(static_cast<std::size_t>(rows.end() - begin));
   }
   confirm_in<D>(leaf, order, found, sweep.unsure);
   pairs.append(std::as_const(sweep.unsure).all());

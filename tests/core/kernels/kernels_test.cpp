@@ -14,6 +14,7 @@
 #include "core/kernels/divide_list.h"
 #include "core/kernels/machine.h"
 #include "core/kernels/stay_in_cell.h"
+#include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/every_kernel.h"
 #include "tests/support/leaf_views.h"
@@ -75,6 +76,22 @@ TYPED_TEST(Kernels, DenseLeavesAreSweptAlikeWhateverKeepsTheirEntriesApart) {
       EXPECT_EQ(sweep.is_dense, spread == Spread::dense);
     }
   }
+}
+
+/// Rods along all axes: boxes of their mean lengths would all overlap, and hardly two of them do.
+TYPED_TEST(Kernels, RodsAreNotDenseHoweverLong) {
+  constexpr int kD = TypeParam::value;
+  Random random(6);
+  LeafView<kD> leaf;
+  for (std::uint32_t k = 0; k < 900; ++k) {
+    const Vector<kD> at = random_point<kD>(random, 0, 10);
+    Box<kD> rod{at, at};
+    rod.max[static_cast<int>(k % kD)] += 8;
+    leaf.boxes.emplace_back(rod);
+    leaf.objects.push_back({k});
+    leaf.apart.push_back(0);
+  }
+  EXPECT_FALSE(expect_swept_alike(leaf).is_dense);
 }
 
 TYPED_TEST(Kernels, AnAxisOnWhichAllShareAPointIsNotSweptAlong) {
