@@ -181,9 +181,11 @@ inline constexpr std::size_t kConfirmListed = 1024;
 /// Sure pairs in a row of 64 entries above which they are separated from those that floats confirm. Scene
 /// dense: above some ten pairs an object it pays, in scenes with four it does not.
 inline constexpr float kSurePerRow = 7;
-/// Rows of a leaf in which sure pairs are counted, where boxes of its mean lengths would be dense: lengths of
-/// rods along several axes are not those of any box.
-inline constexpr std::uint32_t kDensityRows = 16;
+/// Rows of a leaf in which sure pairs are counted, since the mean lengths of its boxes say little: rods along
+/// several axes look long, and boxes on a ring look sparse. Below so many entries that costs too much unless
+/// boxes of the mean lengths would be dense.
+inline constexpr std::uint32_t kDensityRows = 8;
+inline constexpr std::uint32_t kLeastCrowd = 256;
 
 // The grid of columns, with which ours is compared.
 

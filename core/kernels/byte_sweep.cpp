@@ -88,7 +88,8 @@ HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuf
   make_keys(leaf, sweep);
   order_entries(leaf, sweep);
   const auto n = static_cast<std::uint32_t>(leaf.size());
-  sweep.is_dense = sweep.is_dense && n > 1 && sure_in_row(sweep, n) > tuning::kSurePerRow;
+  const bool may_be = sweep.is_dense || (sweep.may_be_dense && n >= tuning::kLeastCrowd);
+  sweep.is_dense = may_be && n > 1 && sure_in_row(sweep, n) > tuning::kSurePerRow;
   sweep.is_dense ? compare_dense(leaf, sweep, pairs) : compare_all(leaf, sweep, pairs);
 }
 
