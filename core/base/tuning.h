@@ -46,10 +46,9 @@ inline constexpr std::size_t kMotionSample = 64;
 /// The share of objects that must move alike, as far as a sample shows, for the tree to come along
 /// (common_motion).
 inline constexpr float kLeastShareAlike = 0.75F;
-/// The least way that they must go, over an object's size.
+/// The least way that they must go, over an object's size. Two motions are alike if they differ by no more
+/// than these shares of the way and of an object's size: what is shifted far moves beside that.
 inline constexpr float kLeastWayAlike = 0.9F;
-/// Two motions are alike if they differ by no more than this share of the way, and of an object's size: what
-/// moves in a world that is shifted far moves beside that.
 inline constexpr float kAlikeOfWay = 1.0F / 8;
 inline constexpr float kAlike = 1;
 /// The share of objects that leave their fat boxes in a step above which sweeping pays.
@@ -181,9 +180,8 @@ inline constexpr std::size_t kConfirmListed = 1024;
 /// Sure pairs in a row of 64 entries above which they are separated from those that floats confirm. Scene
 /// dense: above some ten pairs an object it pays, in scenes with four it does not.
 inline constexpr float kSurePerRow = 7;
-/// Rows of a leaf in which sure pairs are counted, since the mean lengths of its boxes say little: rods along
-/// several axes look long, and boxes on a ring look sparse. Below so many entries that costs too much unless
-/// boxes of the mean lengths would be dense.
+/// Rows of a leaf in which they are counted: by the mean lengths of boxes rods look dense, and rings sparse.
+/// Below so many entries only leaves are counted that are dense by mean lengths.
 inline constexpr std::uint32_t kDensityRows = 8;
 inline constexpr std::uint32_t kLeastCrowd = 256;
 
