@@ -71,10 +71,12 @@ bool is_far(const SampledMotion<D>& motion, float reach) {
   return reach > tuning::kLeastWayAlike * motion.size;
 }
 
-/// Whether an object moved by the vector, as far as that can be told.
+/// Whether an object moved by the vector, as far as that can be told. What goes many times its size was
+/// shifted, however it moved beside that; what goes less far may flow by others that stay, in each step.
 template <int D>
 bool is_alike(const SampledMotion<D>& motion, const Vector<D>& by, float tolerance = 1) {
-  const float most = std::min(tuning::kAlike * motion.size, tuning::kAlikeOfWay * reach_of(by));
+  const bool was_shifted = tuning::kAlikeOfWay * reach_of(by) >= tuning::kAlike * motion.size;
+  const float most = (was_shifted ? tuning::kAlike : tuning::kAlikeOfWay) * motion.size;
   return reach_of(motion.by - by) <= tolerance * most;
 }
 

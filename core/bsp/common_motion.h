@@ -9,8 +9,9 @@
 namespace kerf {
 
 /// The vector by which the objects of a world moved since the last step, if nearly all of them moved alike
-/// and farther than they are large: the origin was moved, and the world itself hardly. A sample decides; a
-/// mistake costs time, never a pair. None for volumes that are not boxes.
+/// and nearly as far as they are large: the origin was moved. Beside it they may move by an eighth of their
+/// size, or by all of it if the way is eight times as long. A sample decides; a mistake costs time, never a
+/// pair. None for volumes that are not boxes.
 template <int D>
 std::optional<Vector<D>> common_motion(const Requests<D>& requests, const ObjectTable<D>& tree, bool keeps);
 

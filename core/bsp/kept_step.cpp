@@ -156,15 +156,16 @@ void KeptStep<D>::make_fat_boxes(const StepContext<D>& step) {
       const ObjectId object = changed[k];
       const PackedBox<D>& before = step.requests.before()[k];
       const bool stays = table.is_placed(object) && latest.is_placed(object);
-      if (step.shift && stays && (flags[object.index()] & flag::kUnrequested) == 0 &&
-          shift_fat_box(table.packed(object), before, latest.packed(object), by, fat_[k]))
+      const bool is_shifted = step.shift && stays && (flags[object.index()] & flag::kUnrequested) == 0;
+      if (is_shifted && shift_fat_box(table.packed(object), before, latest.packed(object), by, fat_[k]))
         continue;
       Skin& skin = skins_[object.index()];
       if (!table.is_placed(object)) skin.restless = 0;  // from an earlier life
       if (skin.is_restless()) flags[object.index()] |= flag::kWasRestless;
       if (latest.is_placed(object)) {
         const bool had_fat = table.is_placed(object) && !is_same(table.packed(object), before);
-        fat_[k] = PackedBox<D>(make_fat_box(step, object, before.unpack(), had_fat));
+        const Box<D> from = is_shifted ? shifted(before.unpack(), *step.shift) : before.unpack();
+        fat_[k] = PackedBox<D>(make_fat_box(step, object, from, had_fat));
       } else {
         skin.restless = 0;
       }

@@ -1,6 +1,7 @@
 #include "core/bsp/place_boxes.h"
 
 #include "core/bsp/motions.h"
+#include "core/bsp/stream.h"
 
 namespace kerf {
 

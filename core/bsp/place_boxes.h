@@ -5,9 +5,9 @@
 
 namespace kerf {
 
-/// Whether most objects may still lie in their leaf's cell: all were only moved, and few of them jumped, or
-/// the partitioners came along. Call it while the tree's table has the boxes of the last step. A mistake
-/// costs time.
+/// Whether most objects may still lie in their leaf's cell: objects were only moved, and most did not jump,
+/// or the partitioners came along. Call it before the tree's table gets the latest boxes. A mistake costs
+/// time.
 template <int D>
 bool may_stay(const StepContext<D>& step);
 

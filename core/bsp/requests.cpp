@@ -57,7 +57,8 @@ Status Requests<D>::move_many(std::span<const ObjectId> objects, std::span<const
   return move_left_over(objects, boxes, tree.keeps);
 }
 
-/// Moves what the kernel left over, one by one. Returns the first status that is not ok.
+/// Moves what the kernel left over, one by one: an object that moves again, too. Returns the first status
+/// that is not ok.
 template <int D>
 Status Requests<D>::move_left_over(std::span<const ObjectId> objects, std::span<const Box<D>> boxes,
                                    bool keeps) {
@@ -65,7 +66,10 @@ Status Requests<D>::move_left_over(std::span<const ObjectId> objects, std::span<
   for (const std::uint32_t k : left_over_.all()) {
     if (objects[k].index() < flags_.size())
       flags_[objects[k].index()] &= static_cast<ObjectFlags>(~flag::kDeferred);
+    const bool only_moves = only_moves_;
+    const bool was_placed = latest_.is_placed(objects[k]);
     const Status status = note(objects[k], latest_.move(objects[k], boxes[k]), keeps);
+    if (was_placed && latest_.is_placed(objects[k])) only_moves_ = only_moves;
     if (first == Status::ok) first = status;
   }
   left_over_.clear();

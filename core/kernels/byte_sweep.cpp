@@ -16,10 +16,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// Whether so much is found that it pays to separate what bytes alone prove: if boxes of such a mean
-/// length along each axis, in bytes, lay anywhere, more than a few in a row of 64.
+/// Whether so much would be found that it pays to separate what bytes alone prove, if boxes of such a mean
+/// length along each axis, in bytes, lay anywhere: more than a few in a row of 64.
 template <std::size_t D>
-HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, std::size_t axis) {
+HWY_INLINE bool would_be_dense(std::size_t count, const std::array<float, D>& length, std::size_t axis) {
   const auto n = static_cast<float>(count);
   float sure = n * (length[axis] - 1) / 255;
   for (std::size_t other = 0; other < D; ++other)
@@ -28,7 +28,8 @@ HWY_INLINE bool is_dense(std::size_t count, const std::array<float, D>& length, 
   return sure > tuning::kSurePerRow * rows;
 }
 
-/// Fills `keys`, chooses the axis along which the boxes are shortest, and sets whether they lie dense.
+/// Fills `keys`, chooses the axis along which the boxes are shortest, and sets whether rows must be counted
+/// to know how dense they lie: in a small leaf only if its mean lengths say so.
 template <int D>
 HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
   const ByteMap<D> map(make_byte_scale(leaf));
@@ -51,7 +52,8 @@ HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
     length[axis] = (sum.lane[PackedBox<D>::kHalf + axis] - sum.lane[axis]) / static_cast<float>(leaf.size());
   const auto axis = static_cast<std::size_t>(std::ranges::min_element(length) - length.begin());
   sweep.axis = static_cast<int>(axis);
-  sweep.is_dense = sweep.may_be_dense && is_dense(leaf.size(), length, axis);
+  sweep.is_dense =
+      sweep.may_be_dense && (leaf.size() >= tuning::kLeastCrowd || would_be_dense(leaf.size(), length, axis));
 }
 
 /// Counts the entries that begin at each byte of the axis, and writes their places and bytes in that order.
@@ -88,8 +90,7 @@ HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuf
   make_keys(leaf, sweep);
   order_entries(leaf, sweep);
   const auto n = static_cast<std::uint32_t>(leaf.size());
-  const bool may_be = sweep.is_dense || (sweep.may_be_dense && n >= tuning::kLeastCrowd);
-  sweep.is_dense = may_be && n > 1 && sure_in_row(sweep, n) > tuning::kSurePerRow;
+  sweep.is_dense = sweep.is_dense && n > 1 && sure_in_row(sweep, n) > tuning::kSurePerRow;
   sweep.is_dense ? compare_dense(leaf, sweep, pairs) : compare_all(leaf, sweep, pairs);
 }
 

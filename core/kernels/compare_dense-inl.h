@@ -159,7 +159,7 @@ HWY_INLINE void compare_dense(const LeafView<D>& leaf, ByteSweep<D>& sweep, Pair
       confirm_in<D>(leaf, order, found, sweep.unsure);
       found.clear();
     }
-    pairs.commit(static_cast<std::size_t>(rows.end() - begin));
+    pairs.commit(static_cast<std::size_t>(rows.finish() - begin));
   }
   confirm_in<D>(leaf, order, found, sweep.unsure);
   pairs.append(std::as_const(sweep.unsure).all());

@@ -1,7 +1,6 @@
 #include "core/kernels/kept_leaf.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "core/base/list_room.h"
 #include "core/base/tuning.h"
@@ -308,8 +307,7 @@ void drop_marked(KeptLeaf<D>& leaf, std::span<const std::uint8_t> marks) {
   drop_pairs_if(leaf.candidates, [&](const Pair& pair) { return mark_of(pair.a) | mark_of(pair.b); });
   drop_pairs_if(leaf.resting.pairs,
                 [&](const Pair& pair) { return marks[pair.a.index()] | marks[pair.b.index()]; });
-  leaf.resting.changed.resize(std::min(leaf.resting.room, leaf.resting.pairs.size()));
-  std::iota(leaf.resting.changed.begin(), leaf.resting.changed.end(), 0U);  // nearly all
+  leaf.resting.all_changed();  // nearly all
   std::vector<std::uint32_t> place(before);
   std::uint32_t left = 0;
   for (std::size_t k = 0; k < before; ++k) {

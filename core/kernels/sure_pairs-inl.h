@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include "core/base/ids.h"
+#include "core/kernels/compress-inl.h"
 #include "core/kernels/findings-inl.h"
 #include "core/kernels/write_pairs-inl.h"
 
@@ -22,7 +23,7 @@ namespace kerf::HWY_NAMESPACE {
 inline constexpr std::size_t kRowRoom = 64;
 
 // `RowWriter` writes the canonical pairs of one object with others, row by row: `add` takes those of 64
-// others whose bits are set, in their order, and `end` returns the end of the pairs.
+// others whose bits are set, in their order, and `finish` returns the end of the pairs.
 
 #if HWY_TARGET <= HWY_AVX3_DL && HWY_ARCH_X86_64
 /// Sixteen of 64 words, chosen by their numbers.
@@ -37,7 +38,7 @@ class RowWriter {
   HWY_INLINE RowWriter(std::uint32_t object, Pair* out, std::uint32_t* /*list*/)
       : own_(hn::Set(Words(), object)), out_(out) {}
   HWY_INLINE void add(const std::uint32_t* others, std::uint64_t bits);
-  [[nodiscard]] HWY_INLINE Pair* end() const { return out_; }
+  [[nodiscard]] HWY_INLINE Pair* finish() const { return out_; }
 
  private:
   hn::Vec<Words> own_;
@@ -78,13 +79,13 @@ class RowWriter {
     const auto count = static_cast<std::size_t>(std::popcount(bits));
     if (HWY_UNLIKELY(count > kFewInRow)) {
       list_many(others, bits);
-    } else {
-      for (std::size_t k = 0; k < count; k += 8)  // a fixed stride: the end of the row is easier to predict
+    } else {  // in a fixed stride: the end of the row is easier to predict. Without a bit it reads the 65th
+      for (std::size_t k = 0; k < count; k += 8)
         for (std::size_t m = k; m < k + 8; ++m, bits &= bits - 1) next_[m] = others[_tzcnt_u64(bits)];
     }
     next_ += count;
   }
-  [[nodiscard]] HWY_INLINE Pair* end() const {
+  [[nodiscard]] HWY_INLINE Pair* finish() const {
     const Words w;
     const auto own = hn::Set(w, object_);
     const auto count = static_cast<std::size_t>(next_ - list_);
@@ -114,7 +115,7 @@ class RowWriter {
   std::uint32_t* list_;
   std::uint32_t* next_;
 };
-#elif HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86_64
+#elif HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86_64
 class RowWriter {
  public:
   HWY_INLINE RowWriter(std::uint32_t object, Pair* out, std::uint32_t* /*list*/)
@@ -127,7 +128,7 @@ class RowWriter {
       out_ = write_pairs(own_, hn::LoadU(w, others + k), reported, out_);
     }
   }
-  [[nodiscard]] HWY_INLINE Pair* end() const { return out_; }
+  [[nodiscard]] HWY_INLINE Pair* finish() const { return out_; }
 
  private:
   hn::Vec<Words> own_;
@@ -147,7 +148,7 @@ class RowWriter {
     order_ids(out_, count);
     out_ += count;
   }
-  [[nodiscard]] HWY_INLINE Pair* end() const { return out_; }
+  [[nodiscard]] HWY_INLINE Pair* finish() const { return out_; }
 
  private:
   std::uint32_t object_;

@@ -36,9 +36,9 @@ class Kept : public testing::Test {
                                     const ObjectTable<T::value>& table) {
     Workers<T::value> workers;
     workers.threads.set(2, Sharing::always);
-    const std::vector<Skin> skins(kCount);
+    const std::vector<ObjectFlags> flags(kCount);
     PairBuffer pairs;
-    kept.find(tree, {tree.table, table, skins, true, true}, workers, true, pairs);
+    kept.find(tree, {tree.table, table, flags, true, true}, workers, true, pairs);
     return {pairs.all().begin(), pairs.all().end()};
   }
   static std::vector<Pair> pairs_of(KeptPairs<T::value>& kept, kerf::Tree<T::value>& tree) {

@@ -40,7 +40,7 @@ class ShiftedWorld {
 
   /// One step, in which everything moves by the vector, too, and one object to the place of another.
   void step(const Vector<D>& by = {}, std::optional<std::pair<std::uint32_t, std::uint32_t>> jump = {}) {
-    for (std::uint32_t id = 0; id < kCount; ++id) {
+    for (std::uint32_t id = 0; id < ids_.size(); ++id) {
       const bool moves = id % 8 != 0 && random_.uniform(0, 1) < moving_;
       const Vector<D> way = moves ? random_point<D>(random_, -reach_, reach_) + by : by;
       boxes_[id] = {boxes_[id].min + way, boxes_[id].max + way};
@@ -51,11 +51,34 @@ class ShiftedWorld {
     EXPECT_TRUE(same_pairs(tree_.pairs(), oracle_pairs(tree_.objects())));
     EXPECT_TRUE(validate(tree_.tree()).empty());
   }
-  /// The object goes, and comes back at another place before the next step.
-  void renew(std::uint32_t id, Mobility mobility) {
-    boxes_[id] = random_box<D>(random_, 10, 0.5);
+  /// The object goes, and comes back at the place of another before the next step.
+  void renew(std::uint32_t id, std::uint32_t place, Mobility mobility) {
+    boxes_[id] = boxes_[place];
     EXPECT_EQ(tree_.remove({id}), Status::ok);
     EXPECT_EQ(tree_.insert({id}, boxes_[id], mobility), Status::ok);
+  }
+  /// The last object is gone.
+  void drop_last() {
+    EXPECT_EQ(tree_.remove(ids_.back()), Status::ok);
+    ids_.pop_back();
+    boxes_.pop_back();
+  }
+  /// One more, at the place of another.
+  void add(std::uint32_t place) {
+    const auto id = static_cast<std::uint32_t>(ids_.size());
+    ids_.push_back({id});
+    boxes_.push_back(boxes_[place]);
+    EXPECT_EQ(tree_.insert({id}, boxes_[id], Mobility::moving), Status::ok);
+  }
+  /// Some of the objects move before all of them do, as when a host moves its bodies and then the origin.
+  void move_some() {
+    for (std::uint32_t id = 1; id < 40; id += 8) {
+      for (int axis = 0; axis < D; ++axis) {
+        boxes_[id].min[axis] += 0.001F;
+        boxes_[id].max[axis] += 0.001F;
+      }
+      EXPECT_EQ(tree_.move({id}, boxes_[id]), Status::ok);
+    }
   }
   void steps(int count) {
     for (int k = 0; k < count; ++k) step();
@@ -126,14 +149,17 @@ TYPED_TEST(Shifts, WhatMovesElsewhereInTheSameStepIsFoundThere) {
   }
 }
 
-/// Objects that come, go or get fixed in the step of a shift, between others that come along.
+/// Objects that come, go or get fixed in the step of a shift, between others that come along, some of
+/// which move twice.
 TYPED_TEST(Shifts, WhatComesInTheSameStepIsFound) {
   constexpr int kD = TypeParam::value;
   ShiftedWorld<kD> world(0.05, 0.01);
   world.steps(40);
   for (std::uint32_t k = 0; k < 10; ++k) {
     for (std::uint32_t id = k; id < 60; id += 10)
-      world.renew(id, id % 3 == 0 ? Mobility::fixed : Mobility::moving);
+      world.renew(id, 100 + id, id % 3 == 0 ? Mobility::fixed : Mobility::moving);
+    k % 3 == 0 ? world.add(k + 20) : world.drop_last();
+    world.move_some();
     Vector<kD> by;
     by[0] = k % 2 == 0 ? 100 : -100;
     world.step(by);
@@ -142,7 +168,7 @@ TYPED_TEST(Shifts, WhatComesInTheSameStepIsFound) {
   }
 }
 
-/// Half of the objects move by as much as they are large.
+/// Half of the objects move by a good part of their size.
 TYPED_TEST(Shifts, IsKnownThoughMuchMovesBesideIt) {
   constexpr int kD = TypeParam::value;
   ShiftedWorld<kD> world(0.5, 0.15);

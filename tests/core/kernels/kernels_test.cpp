@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <tuple>
@@ -78,20 +79,39 @@ TYPED_TEST(Kernels, DenseLeavesAreSweptAlikeWhateverKeepsTheirEntriesApart) {
   }
 }
 
-/// Rods along all axes: boxes of their mean lengths would all overlap, and hardly two of them do.
-TYPED_TEST(Kernels, RodsAreNotDenseHoweverLong) {
-  constexpr int kD = TypeParam::value;
+/// Rods through the whole leaf along each axis: boxes of their mean lengths would all overlap, and no two
+/// meet.
+TEST(RodsInALeaf, AreNotDenseHoweverLong) {
   Random random(6);
-  LeafView<kD> leaf;
+  LeafView<3> leaf;
   for (std::uint32_t k = 0; k < 900; ++k) {
-    const Vector<kD> at = random_point<kD>(random, 0, 10);
-    Box<kD> rod{at, at};
-    rod.max[static_cast<int>(k % kD)] += 8;
+    Box<3> rod;
+    rod.min = rod.max = random_point<3>(random, 0, 10);
+    const int along = static_cast<int>(k % 3);
+    rod.min[along] = -10;
+    rod.max[along] = 20;
     leaf.boxes.emplace_back(rod);
     leaf.objects.push_back({k});
     leaf.apart.push_back(0);
   }
   EXPECT_FALSE(expect_swept_alike(leaf).is_dense);
+}
+
+/// Boxes on a ring, which leave most of the leaf empty: boxes of their mean lengths would hardly meet.
+TEST(ARingInALeaf, IsDenseThoughMostOfTheLeafIsEmpty) {
+  Random random(7);
+  LeafView<2> leaf;
+  for (std::uint32_t k = 0; k < 900; ++k) {
+    const double angle = random.uniform(0, 6.28);
+    Box<2> box;
+    box.min[0] = static_cast<Scalar>(20 * std::cos(angle));
+    box.min[1] = static_cast<Scalar>(20 * std::sin(angle));
+    box.max = box.min + Vector<2>{{2, 2}};
+    leaf.boxes.emplace_back(box);
+    leaf.objects.push_back({k});
+    leaf.apart.push_back(0);
+  }
+  EXPECT_TRUE(expect_swept_alike(leaf).is_dense);
 }
 
 TYPED_TEST(Kernels, AnAxisOnWhichAllShareAPointIsNotSweptAlong) {
