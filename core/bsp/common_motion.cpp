@@ -65,13 +65,13 @@ class ShiftSample {
   bool keeps_;
 };
 
-/// Whether an object went far enough to tell its motion from others.
+/// Whether the way is so long that motions alike are no chance.
 template <int D>
 bool is_far(const SampledMotion<D>& motion, float reach) {
   return reach > tuning::kLeastWayAlike * motion.size;
 }
 
-/// Whether an object moved by the vector, as far as that can be told. What goes many times its size was
+/// Whether an object moved by the vector, or nearly. What goes many times its size was
 /// shifted, however it moved beside that; what goes less far may flow by others that stay, in each step.
 template <int D>
 bool is_alike(const SampledMotion<D>& motion, const Vector<D>& by, float tolerance = 1) {
