@@ -59,6 +59,25 @@ void LeavePass<D>::run(Tree<D>& tree, TaskPool& pool, LeafBoxes<D>& boxes) {
       stayed_[id->index()] = stayed_[tree[*id].left.index()] + stayed_[tree[*id].right.index()];
 }
 
+template <int D>
+void LeavePass<D>::amend(const ObjectTable<D>& table, std::span<const ObjectId> came, bool boxes_wanted) {
+  auto& [objects, boxes] = leavers_.front();
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    const std::uint32_t object = objects.all()[k];
+    if (!table.is_placed({object})) continue;
+    objects.all()[left] = object;
+    if (boxes_wanted) boxes.all()[left] = boxes.all()[k];
+    ++left;
+  }
+  objects.truncate(left);
+  if (boxes_wanted) boxes.truncate(left);
+  for (const ObjectId object : came) {
+    objects.push_back(object.value);
+    if (boxes_wanted) boxes.push_back(table.packed(object));
+  }
+}
+
 template class LeavePass<2>;
 template class LeavePass<3>;
 

@@ -20,8 +20,13 @@ class LeavePass {
   /// placed; until then populations and the number of entries are wrong. If boxes are wanted, all are copied:
   /// those of the leavers into `leaver_boxes`, the others into `boxes`.
   ///
-  /// Pre: the table has boxes; all placed objects have entries, and no others do.
+  /// Pre: the table has boxes; all placed objects have entries, and no others do, but for those that `amend`
+  /// gets. A box of NaN lies in no cell.
   void run(Tree<D>& tree, TaskPool& pool, LeafBoxes<D>& boxes);
+
+  /// Call it before the leavers are placed, if objects came or went: those that are not placed any more are
+  /// no leavers, and those that came are.
+  void amend(const ObjectTable<D>& table, std::span<const ObjectId> came, bool boxes_wanted);
 
   /// Each object that left, once, in an order that does not depend on the number of threads.
   [[nodiscard]] std::span<const std::uint32_t> leavers() const { return leavers_.front().objects.all(); }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/base/config.h"
 #include "core/base/task_pool.h"
@@ -14,11 +15,18 @@
 
 namespace kerf {
 
+/// Objects that come into the tree in a step, in ascending order, and objects that leave it.
+struct Traffic {
+  std::vector<ObjectId> came;
+  std::vector<ObjectId> gone;
+};
+
 /// The threads that share the work of a step, and their memory, kept between steps.
 template <int D>
 struct Workers {
   ThreadUse threads;
   LeafPass<D> leaf_pass;
+  Traffic traffic;
   LeavePass<D> leave_pass;
   StreamMemory stream_memory;
 };

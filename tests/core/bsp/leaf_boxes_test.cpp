@@ -156,6 +156,8 @@ TYPED_TEST(LeavesWithBoxes, FindThePairsOfLongTables) {
       } else {
         crowd.walk(0.5);
       }
+      if (step % 4 == 1) crowd.remove(3);
+      if (step % 4 == 2) crowd.add(3, 9);
       checked.step();
     }
     EXPECT_GT(tree.statistics().leaves, 4U);
