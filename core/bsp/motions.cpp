@@ -71,7 +71,7 @@ bool most_jump(const ObjectTable<D>& latest, const ObjectTable<D>& tree) {
   std::uint32_t count = 0;
   for (std::uint32_t k = 0; k < std::min(tuning::kJumpSample, tree.bound()); ++k) {
     const ObjectId object{static_cast<std::uint32_t>(sample_place(k, tree.bound()))};
-    if (!tree.is_placed(object)) continue;
+    if (!tree.is_placed(object) || !latest.is_placed(object)) continue;
     const auto [size, speed] = size_and_speed(latest.packed(object), tree.packed(object));
     jumped += speed > tuning::kJumpSizes * size ? 1 : 0;
     ++count;

@@ -10,8 +10,8 @@
 
 namespace kerf {
 
-/// If no object came or went, those that still lie in their leaf's cell are looked for first, unless most
-/// jump. Where objects only moved, the tables differ in nothing but boxes.
+/// Those that still lie in their leaf's cell are looked for first, unless most jump or many come or go. Where
+/// objects only moved, the tables differ in nothing but boxes.
 template <int D>
 template <class Trace>
 std::uint64_t SweptStep<D>::place_all(const StepContext<D>& step, Mode before, Mode mode,
