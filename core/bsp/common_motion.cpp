@@ -68,16 +68,14 @@ class ShiftSample {
 /// Whether the way is so long that motions alike are no chance.
 template <int D>
 bool is_far(const SampledMotion<D>& motion, float reach) {
-  return reach > tuning::kLeastWayAlike * motion.size;
+  return reach > tuning::kLeastWay * motion.size;
 }
 
-/// Whether an object moved by the vector, or nearly. What goes many times its size was
-/// shifted, however it moved beside that; what goes less far may flow by others that stay, in each step.
+/// Whether an object moved by the vector, or nearly.
 template <int D>
 bool is_alike(const SampledMotion<D>& motion, const Vector<D>& by, float tolerance = 1) {
-  const bool was_shifted = tuning::kAlikeOfWay * reach_of(by) >= tuning::kAlike * motion.size;
-  const float most = (was_shifted ? tuning::kAlike : tuning::kAlikeOfWay) * motion.size;
-  return reach_of(motion.by - by) <= tolerance * most;
+  const bool was_shifted = reach_of(by) >= tuning::kWayOfShift * motion.size;
+  return reach_of(motion.by - by) <= tolerance * (was_shifted ? 1 : tuning::kAlike) * motion.size;
 }
 
 /// False after a few objects if most of them move slowly or each its own way, as in nearly every step.

@@ -23,7 +23,11 @@ namespace kerf::HWY_NAMESPACE {
 inline constexpr std::size_t kRowRoom = 64;
 
 // `RowWriter` writes the canonical pairs of one object with others, row by row: `add` takes those of 64
-// others whose bits are set, in their order, and `finish` returns the end of the pairs.
+// others whose bits are set, in their order, and `finish` returns the end of the pairs. `write_row` does so
+// for one row.
+
+#undef KERF_LISTS_OTHERS
+#define KERF_LISTS_OTHERS (HWY_TARGET == HWY_AVX2 && HWY_ARCH_X86_64)
 
 #if HWY_TARGET <= HWY_AVX3_DL && HWY_ARCH_X86_64
 /// Sixteen of 64 words, chosen by their numbers.
@@ -33,32 +37,21 @@ HWY_INLINE __m512i look_up(const __m512i (&words)[4], __m512i numbers) {
                                  _mm512_permutex2var_epi32(words[2], numbers, words[3]));
 }
 
-class RowWriter {
- public:
-  HWY_INLINE RowWriter(std::uint32_t object, Pair* out, std::uint32_t* /*list*/)
-      : own_(hn::Set(Words(), object)), out_(out) {}
-  HWY_INLINE void add(const std::uint32_t* others, std::uint64_t bits);
-  [[nodiscard]] HWY_INLINE Pair* finish() const { return out_; }
-
- private:
-  hn::Vec<Words> own_;
-  Pair* out_;
-};
-
-HWY_INLINE void RowWriter::add(const std::uint32_t* others, std::uint64_t bits) {
+HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, std::uint64_t bits, Pair* out) {
   const Words w;
+  const auto own = hn::Set(w, object);
   const auto count = static_cast<std::size_t>(std::popcount(bits));
   const __m512i numbers = _mm512_maskz_compress_epi8(bits, hn::Iota(Bytes(), 0).raw);
   __m512i ids[4];
   for (std::size_t k = 0; k < 4; ++k) ids[k] = hn::LoadU(w, others + 16 * k).raw;
   const auto write = [&](__m128i which, std::size_t place) HWY_ATTR {
     const hn::Vec<Words> other{look_up(ids, _mm512_cvtepu8_epi32(which))};
-    const __m512i low = hn::Min(other, own_).raw;
-    const __m512i high = hn::Max(other, own_).raw;
+    const __m512i low = hn::Min(other, own).raw;
+    const __m512i high = hn::Max(other, own).raw;
     const __m512i first = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
     const __m512i second = _mm512_add_epi32(first, _mm512_set1_epi32(8));
-    _mm512_storeu_si512(out_ + place, _mm512_permutex2var_epi32(low, first, high));
-    _mm512_storeu_si512(out_ + place + 8, _mm512_permutex2var_epi32(low, second, high));
+    _mm512_storeu_si512(out + place, _mm512_permutex2var_epi32(low, first, high));
+    _mm512_storeu_si512(out + place + 8, _mm512_permutex2var_epi32(low, second, high));
   };
   write(_mm512_castsi512_si128(numbers), 0);
   write(_mm512_extracti32x4_epi32(numbers, 1), 16);
@@ -66,9 +59,32 @@ HWY_INLINE void RowWriter::add(const std::uint32_t* others, std::uint64_t bits) 
     write(_mm512_extracti32x4_epi32(numbers, 2), 32);
     write(_mm512_extracti32x4_epi32(numbers, 3), 48);
   }
-  out_ += count;
+  return out + count;
 }
-#elif HWY_TARGET == HWY_AVX2 && HWY_ARCH_X86_64
+#elif HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86_64
+HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, std::uint64_t bits, Pair* out) {
+  const Words w;
+  const auto own = hn::Set(w, object);
+  const std::size_t lanes = hn::Lanes(w);
+  for (std::size_t k = 0; k < 64; k += lanes, bits >>= lanes) {
+    const auto reported = hn::LoadMaskBits(w, reinterpret_cast<const std::uint8_t*>(&bits));
+    out = write_pairs(own, hn::LoadU(w, others + k), reported, out);
+  }
+  return out;
+}
+#elif !KERF_LISTS_OTHERS
+HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, std::uint64_t bits, Pair* out) {
+  const auto count = static_cast<std::size_t>(std::popcount(bits));
+  constexpr std::uint64_t kLast = std::uint64_t{1} << 63U;
+  for (std::size_t k = 0; k < count; k += 8)  // a fixed stride: the end of the row is easier to predict
+    for (std::size_t m = k; m < k + 8; ++m, bits &= bits - 1)
+      out[m] = {{object}, {others[hwy::Num0BitsBelowLS1Bit_Nonzero64(bits | kLast)]}};
+  order_ids(out, count);
+  return out + count;
+}
+#endif
+
+#if KERF_LISTS_OTHERS
 /// The others of all rows are listed first: few in a row are set, so the list has far fewer vectors than the
 /// rows, and each makes eight pairs.
 class RowWriter {
@@ -115,38 +131,13 @@ class RowWriter {
   std::uint32_t* list_;
   std::uint32_t* next_;
 };
-#elif HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86_64
-class RowWriter {
- public:
-  HWY_INLINE RowWriter(std::uint32_t object, Pair* out, std::uint32_t* /*list*/)
-      : own_(hn::Set(Words(), object)), out_(out) {}
-  HWY_INLINE void add(const std::uint32_t* others, std::uint64_t bits) {
-    const Words w;
-    const std::size_t lanes = hn::Lanes(w);
-    for (std::size_t k = 0; k < 64; k += lanes, bits >>= lanes) {
-      const auto reported = hn::LoadMaskBits(w, reinterpret_cast<const std::uint8_t*>(&bits));
-      out_ = write_pairs(own_, hn::LoadU(w, others + k), reported, out_);
-    }
-  }
-  [[nodiscard]] HWY_INLINE Pair* finish() const { return out_; }
-
- private:
-  hn::Vec<Words> own_;
-  Pair* out_;
-};
 #else
 class RowWriter {
  public:
   HWY_INLINE RowWriter(std::uint32_t object, Pair* out, std::uint32_t* /*list*/)
       : object_(object), out_(out) {}
   HWY_INLINE void add(const std::uint32_t* others, std::uint64_t bits) {
-    const auto count = static_cast<std::size_t>(std::popcount(bits));
-    constexpr std::uint64_t kLast = std::uint64_t{1} << 63U;
-    for (std::size_t k = 0; k < count; k += 8)  // a fixed stride: the end of the row is easier to predict
-      for (std::size_t m = k; m < k + 8; ++m, bits &= bits - 1)
-        out_[m] = {{object_}, {others[hwy::Num0BitsBelowLS1Bit_Nonzero64(bits | kLast)]}};
-    order_ids(out_, count);
-    out_ += count;
+    out_ = write_row(object_, others, bits, out_);
   }
   [[nodiscard]] HWY_INLINE Pair* finish() const { return out_; }
 

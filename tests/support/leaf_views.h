@@ -98,6 +98,14 @@ LeafView<D> draw_leaf(Spread spread, std::size_t count, Random& random, DepthMas
   return leaf;
 }
 
+/// One more entry, which nothing keeps apart from others. Its id is its place.
+template <int D>
+void add_entry(LeafView<D>& leaf, const Box<D>& box) {
+  leaf.boxes.emplace_back(box);
+  leaf.objects.push_back({static_cast<std::uint32_t>(leaf.objects.size())});
+  leaf.apart.push_back(0);
+}
+
 template <int D>
 std::vector<Pair> expected_pairs(const LeafView<D>& leaf) {
   std::vector<Pair> pairs;

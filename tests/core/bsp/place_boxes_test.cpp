@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 #include "core/bsp/bsp.h"
@@ -13,6 +14,28 @@
 
 namespace kerf::test {
 namespace {
+
+/// What a step may take for moves alone: with them it asks for no one who came or went.
+TEST(RequestsOfMoves, AreMovesHoweverOftenAnObjectMoves) {
+  ObjectTable<2> table;
+  TaskPool pool(1);
+  const Requests<2>::Receiver tree{table, pool, false};
+  Requests<2> requests(VolumeKind::box);
+  const auto move = [&](Scalar to) {
+    const ObjectId object{0};
+    const Box<2> box{{{to, 0}}, {{to + 1, 1}}};
+    return requests.move_many({&object, 1}, {&box, 1}, tree);
+  };
+  ASSERT_EQ(requests.insert({0}, Box<2>{{{0, 0}}, {{1, 1}}}, Mobility::moving, tree), Status::ok);
+  EXPECT_FALSE(requests.are_moves());
+  requests.finish_step({}, pool);
+  EXPECT_EQ(move(1), Status::ok);
+  EXPECT_EQ(move(2), Status::ok);
+  EXPECT_TRUE(requests.are_moves());
+  EXPECT_EQ(requests.changed().size(), 1U);
+  EXPECT_NE(move(std::numeric_limits<Scalar>::quiet_NaN()), Status::ok);
+  EXPECT_FALSE(requests.are_moves());
+}
 
 template <class T>
 class PlacedWithTraffic : public testing::Test {};

@@ -149,6 +149,23 @@ TYPED_TEST(Shifts, WhatMovesElsewhereInTheSameStepIsFoundThere) {
   }
 }
 
+/// Only what moved beside the shift counts: nothing of it is fast.
+TYPED_TEST(Shifts, WhatLeavesItsFatBoxInAShiftIsNotRestless) {
+  constexpr int kD = TypeParam::value;
+  ShiftedWorld<kD> world(1, 0.02);
+  world.steps(30);
+  ASSERT_EQ(world.tree().mode(), Mode::kept);
+  const auto restless = [&world] {
+    return std::ranges::count_if(world.tree().state().skins, &Skin::is_restless);
+  };
+  const auto before = restless();
+  Vector<kD> by;
+  by[0] = 100;
+  world.step(by);
+  ASSERT_EQ(world.tree().mode(), Mode::kept);
+  EXPECT_LE(restless(), before);
+}
+
 /// Objects that come, go or get fixed in the step of a shift, between others that come along, some of
 /// which move twice.
 TYPED_TEST(Shifts, WhatComesInTheSameStepIsFound) {

@@ -84,15 +84,13 @@ TYPED_TEST(Kernels, DenseLeavesAreSweptAlikeWhateverKeepsTheirEntriesApart) {
 TEST(RodsInALeaf, AreNotDenseHoweverLong) {
   Random random(6);
   LeafView<3> leaf;
-  for (std::uint32_t k = 0; k < 900; ++k) {
+  for (int k = 0; k < 900; ++k) {
     Box<3> rod;
     rod.min = rod.max = random_point<3>(random, 0, 10);
-    const int along = static_cast<int>(k % 3);
+    const int along = k % 3;
     rod.min[along] = -10;
     rod.max[along] = 20;
-    leaf.boxes.emplace_back(rod);
-    leaf.objects.push_back({k});
-    leaf.apart.push_back(0);
+    add_entry(leaf, rod);
   }
   EXPECT_FALSE(expect_swept_alike(leaf).is_dense);
 }
@@ -101,15 +99,13 @@ TEST(RodsInALeaf, AreNotDenseHoweverLong) {
 TEST(ARingInALeaf, IsDenseThoughMostOfTheLeafIsEmpty) {
   Random random(7);
   LeafView<2> leaf;
-  for (std::uint32_t k = 0; k < 900; ++k) {
+  for (int k = 0; k < 900; ++k) {
     const double angle = random.uniform(0, 6.28);
     Box<2> box;
     box.min[0] = static_cast<Scalar>(20 * std::cos(angle));
     box.min[1] = static_cast<Scalar>(20 * std::sin(angle));
     box.max = box.min + Vector<2>{{2, 2}};
-    leaf.boxes.emplace_back(box);
-    leaf.objects.push_back({k});
-    leaf.apart.push_back(0);
+    add_entry(leaf, box);
   }
   EXPECT_TRUE(expect_swept_alike(leaf).is_dense);
 }
