@@ -1,6 +1,6 @@
 // kerf_profile_steps SCENE 2|3 OBJECTS STEPS [THREADS]: steps of a scene of `kerf bench` in this process.
-// Prints as a line of JSON how long each phase takes; and `./run speed` runs it under callgrind, too, which
-// counts what Bsp::step and Bsp::move_many do.
+// Prints as a line of JSON how long each phase takes; and callgrind counts what Bsp::step and Bsp::move_many
+// (`./run speed`) or later_step (frames/bench/work_span) do.
 
 #include <algorithm>
 #include <array>
@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -60,11 +61,30 @@ void collect(const Motion<D>& motion, std::vector<ObjectId>& moved, std::vector<
   for (const ObjectId object : moved) boxes.push_back(motion.boxes()[object.index()]);
 }
 
+/// Steps in which the tree learns the motion, by one thread.
+constexpr std::uint32_t kFirstSteps = 30;
+
+/// Returns the seconds of the requests.
+template <int D>
+double take_step(Bsp<D>& tree, std::span<const ObjectId> moved, std::span<const Box<D>> boxes) {
+  const auto start = std::chrono::steady_clock::now();
+  (void)tree.move_many(moved, boxes);
+  const std::chrono::duration<double> requests = std::chrono::steady_clock::now() - start;
+  tree.step();
+  return requests.count();
+}
+
+/// The same, under a name by which callgrind leaves out the first steps.
+template <int D>
+[[gnu::noinline]] double later_step(Bsp<D>& tree, std::span<const ObjectId> moved,
+                                    std::span<const Box<D>> boxes) {
+  return take_step<D>(tree, moved, boxes);
+}
+
 template <int D>
 nlohmann::json run_steps(const Run& run) {
   const auto motion = find_bench_scene(run.scene).make<D>(run.objects, 1);
   Bsp<D> tree(tuned_config());
-  tree.set_threads(run.threads, Sharing::always);
   tree.time_phases(true);
   for (std::uint32_t k = 0; k < run.objects; ++k)
     (void)tree.insert({k}, motion->boxes()[k], k < motion->moving() ? Mobility::moving : Mobility::fixed);
@@ -72,10 +92,8 @@ nlohmann::json run_steps(const Run& run) {
   std::vector<Box<D>> boxes;
   std::vector<Times> steps;
   for (std::uint32_t step = 0; step < run.steps; ++step) {
-    const auto start = std::chrono::steady_clock::now();
-    (void)tree.move_many(moved, boxes);
-    Times times{std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
-    tree.step();
+    if (step == kFirstSteps) tree.set_threads(run.threads, Sharing::always);
+    Times times{step < kFirstSteps ? take_step<D>(tree, moved, boxes) : later_step<D>(tree, moved, boxes)};
     std::ranges::copy(tree.statistics().phase_seconds, times.begin() + 1);
     steps.push_back(times);
     motion->advance();
