@@ -6,6 +6,7 @@
 namespace kerf::tuning {
 
 // The numbers that are no parameters of `Config`, each beside what it was measured on.
+// (Those of the sweep by bytes are in core/kernels/sweep_tuning.h.)
 // This header lies at the bottom, since objects, kernels and tree use it as bsp does. "ns" are nanoseconds an
 // object and step; docs/notes and docs/SPEED.md have the tables. None of these numbers decides which pairs
 // are reported: a bad one costs time. Numbers that a format or an instruction set dictates stand where they
@@ -167,23 +168,6 @@ inline constexpr std::size_t kFewThings = 512;
 inline constexpr std::size_t kFewWalks = 64;
 /// Pieces of work for each thread. Falling in 2D, two threads: eight instead of four, 17.1 -> 16.0 ns.
 inline constexpr std::size_t kPiecesPerThread = 8;
-
-// The sweep by bytes.
-
-/// Sums or maxima side by side, each of which waits for its predecessor. Brownian, 4,250 objects: 51.1 ->
-/// 46.4 ns in 3D (AVX-512), with bytes that are made faster.
-inline constexpr std::size_t kChains = 4;
-/// Rows of findings that are confirmed in one go, and findings where rows are spread over a list: what fits
-/// into half of the first cache.
-inline constexpr std::size_t kConfirmRows = 512;
-inline constexpr std::size_t kConfirmListed = 1024;
-/// Sure pairs in a row of 64 entries above which they are separated from those that floats confirm. Scene
-/// dense: above some ten pairs an object it pays, in scenes with four it does not.
-inline constexpr float kSurePerRow = 7;
-/// Rows of a leaf in which they are counted: by the mean lengths of boxes rods look dense, and rings sparse.
-/// Below so many entries only leaves are counted that are dense by mean lengths.
-inline constexpr std::uint32_t kDensityRows = 8;
-inline constexpr std::uint32_t kLeastCrowd = 256;
 
 // The grid of columns, with which ours is compared.
 

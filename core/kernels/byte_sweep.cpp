@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/base/tuning.h"
+#include "core/kernels/sweep_tuning.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/byte_sweep.cpp"
@@ -12,6 +12,7 @@
 
 #include "core/kernels/compare-inl.h"
 #include "core/kernels/compare_dense-inl.h"
+#include "core/kernels/order-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
@@ -28,11 +29,22 @@ HWY_INLINE bool would_be_dense(std::size_t count, const std::array<float, D>& le
   return sure > tuning::kSurePerRow * rows;
 }
 
-/// Fills `keys`, chooses the axis along which the boxes are shortest, and sets whether rows must be counted
-/// to know how dense they lie: in a small leaf only if its mean lengths say so.
+/// Whether many entries that begin at the byte at which another one ends would be found: on the other axes
+/// nothing keeps them apart.
+template <std::size_t D>
+HWY_INLINE bool are_bytes_coarse(std::size_t count, const std::array<float, D>& length, std::size_t axis) {
+  float found = static_cast<float>(count) / 255;
+  for (std::size_t other = 0; other < D; ++other)
+    if (other != axis) found *= std::clamp(2 * (length[other] + 1) / 255, 0.0F, 1.0F);
+  return found > tuning::kTooCoarse;
+}
+
+/// Fills `keys`, chooses the axis along which the boxes are shortest, and sets how the entries are ordered
+/// and compared. Whether rows must be counted to know how dense the boxes lie, in a small leaf their mean
+/// lengths say.
 template <int D>
-HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
-  const ByteMap<D> map(make_byte_scale(leaf));
+HWY_INLINE void make_keys(const LeafView<D>& leaf, const ByteScale<D>& scale, ByteSweep<D>& sweep) {
+  const ByteMap<D> map(scale);
   ByteKey<D>* const HWY_RESTRICT keys = sweep.keys.data();
   Packed<D> sums[kChains];
   for (Packed<D>& chain : sums) chain = all_lanes<D>(0);
@@ -52,46 +64,27 @@ HWY_INLINE void make_keys(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
     length[axis] = (sum.lane[PackedBox<D>::kHalf + axis] - sum.lane[axis]) / static_cast<float>(leaf.size());
   const auto axis = static_cast<std::size_t>(std::ranges::min_element(length) - length.begin());
   sweep.axis = static_cast<int>(axis);
+  sweep.is_fine = are_bytes_coarse(leaf.size(), length, axis);
+  sweep.is_short = static_cast<float>(leaf.size()) * (length[axis] + 1) / 255 < tuning::kShortRow;
   sweep.is_dense =
       sweep.may_be_dense && (leaf.size() >= tuning::kLeastCrowd || would_be_dense(leaf.size(), length, axis));
-}
-
-/// Counts the entries that begin at each byte of the axis, and writes their places and bytes in that order.
-/// The order is stable. The entries stay where they are: copying them costs more than finding them by their
-/// places.
-template <int D>
-HWY_INLINE void order_entries(const LeafView<D>& leaf, ByteSweep<D>& sweep) {
-  const std::size_t n = leaf.size();
-  const unsigned shift = 8U * static_cast<unsigned>(sweep.axis);
-  const ByteKey<D>* const keys = sweep.keys.data();
-  std::uint32_t* const ends = sweep.ends.data();
-  std::fill_n(ends, 257, 0U);
-  for (std::size_t i = 0; i < n; ++i) ++ends[((keys[i] >> shift) & 255U) + 1];
-  for (std::size_t q = 1; q < 257; ++q) ends[q] += ends[q - 1];
-  std::uint32_t next[256];
-  std::copy_n(ends, 256, next);
-  std::uint32_t* const HWY_RESTRICT order = sweep.order.data();
-  ByteKey<D>* const HWY_RESTRICT sorted_keys = sweep.sorted_keys.data();
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t place = next[(keys[i] >> shift) & 255U]++;
-    order[place] = static_cast<std::uint32_t>(i);
-    sorted_keys[place] = keys[i];
-  }
-  for (unsigned k = 0; k < 2U * D; ++k) {
-    const unsigned byte = 8U * (k < D ? k : k - D + PackedBox<D>::kHalf);
-    std::uint8_t* const HWY_RESTRICT plane = sweep.plane(k);
-    for (std::size_t i = 0; i < n; ++i) plane[i] = static_cast<std::uint8_t>(sorted_keys[i] >> byte);
-  }
 }
 
 template <int D>
 HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuffer& pairs) {
   sweep.make_room(leaf.size());
-  make_keys(leaf, sweep);
-  order_entries(leaf, sweep);
+  const ByteScale<D> scale = make_byte_scale(leaf);
+  make_keys(leaf, scale, sweep);
+  if (sweep.is_fine) make_fine_keys(leaf, scale, sweep);
+  order_entries(sweep, leaf.size());
   const auto n = static_cast<std::uint32_t>(leaf.size());
-  sweep.is_dense = sweep.is_dense && n > 1 && sure_in_row(sweep, n) > tuning::kSurePerRow;
-  sweep.is_dense ? compare_dense(leaf, sweep, pairs) : compare_all(leaf, sweep, pairs);
+  const float few = sweep.is_short ? tuning::kSurePerShortRow : tuning::kSurePerRow;
+  sweep.is_dense = sweep.is_dense && n > 1 && sure_in_row(sweep, n) > few;
+  if (sweep.is_short && hn::Lanes(Bytes()) <= 32) {
+    sweep.is_dense ? compare_dense<32>(leaf, sweep, pairs) : compare_all<32>(leaf, sweep, pairs);
+  } else {
+    sweep.is_dense ? compare_dense<64>(leaf, sweep, pairs) : compare_all<64>(leaf, sweep, pairs);
+  }
 }
 
 void find_2(const LeafView<2>& leaf, ByteSweep<2>& sweep, PairBuffer& pairs) {

@@ -8,16 +8,17 @@
 #include "core/base/append_buffer.h"
 #include "core/kernels/found_rows.h"
 #include "core/kernels/leaf_view.h"
+#include "core/kernels/sweep_tuning.h"
 
 namespace kerf {
 
 /// The sweep of one leaf by vectors of bytes.
 ///
 /// Each axis is mapped to bytes by a function whose every operation is monotone, also in floats (ByteScale),
-/// so every overlap remains and a few are added. Bytes are ordered by counting along the axis that separates
-/// best, and compared 64 at a time with all entries that begin before the entry ends. Findings are confirmed
-/// on the floats; in dense leaves only those that bytes alone do not prove. The pairs are exact, and in the
-/// same order for every width of vectors.
+/// so every overlap remains and a few are added. They are ordered by counting along the axis that separates
+/// best, where it is long in finer steps, and compared 64 at a time with all entries that begin before the
+/// entry ends. Findings are confirmed on the floats; in dense leaves only those that bytes alone do not
+/// prove. The pairs are exact, and in the same order for every width of vectors.
 template <int D>
 class ByteSweep {
  public:
@@ -33,10 +34,15 @@ class ByteSweep {
   std::vector<std::uint32_t> order;        ///< the places of the entries in the view, in order
   std::vector<ByteKey<D>> sorted_keys;     ///< of the entries in order
   std::vector<std::uint8_t> planes;        ///< bytes in order: min of each axis, then max
-  std::array<std::uint32_t, 257> ends{};   ///< [q + 1]: entries that begin at or before q
+  std::vector<std::uint32_t> fine;   ///< steps of the entries: of min in the low half, of max in the high one
+  std::vector<std::uint16_t> stops;  ///< the steps at which the entries end, in order
+  /// [q + 1]: entries that begin at step q or before. Where the steps are bytes there are 256.
+  std::array<std::uint32_t, tuning::kFineSteps + 1> ends{};
   Findings found{};
   std::size_t stride = 0;
-  int axis = 0;  ///< along which the entries are ordered
+  int axis = 0;           ///< along which the entries are ordered
+  bool is_fine = false;   ///< steps of that axis are finer than bytes; only then `fine` is in use
+  bool is_short = false;  ///< few entries begin before another one ends
   bool is_dense =
       false;  ///< most pairs are proved by bytes alone; only then are the following members in use
   std::vector<std::uint32_t> objects;  ///< of the entries in order

@@ -13,9 +13,9 @@
 #include <cfloat>
 #include <cstdint>
 
-#include "core/base/tuning.h"
 #include "core/kernels/leaf_view.h"
 #include "core/kernels/packed-inl.h"
+#include "core/kernels/sweep_tuning.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
@@ -137,10 +137,10 @@ HWY_INLINE std::uint64_t bits_of_zeros(hn::Vec<Bytes> lanes) {
 }
 
 /// Bit k: the probe overlaps entry j + k on the probe's axes.
-template <int A>
+template <std::uint32_t Row = 64, int A>
 HWY_INLINE std::uint64_t overlap_bits(const Probe<A>& probe, std::size_t j) {
   std::uint64_t result = 0;
-  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(Bytes()))
+  for (std::size_t lane = 0; lane < Row; lane += hn::Lanes(Bytes()))
     result |= bits_of_zeros(lanes_beyond(probe, j + lane)) << lane;
   return result;
 }

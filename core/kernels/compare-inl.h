@@ -7,6 +7,7 @@
 #define KERF_COMPARE_INL_H
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -22,11 +23,13 @@ struct Ordered {
   Probe<D - 1> probe;  ///< the entry, on the axes that the order leaves open
   const std::uint8_t* own_min;
   const std::uint8_t* own_max;
-  const std::uint32_t* ends;  ///< [q]: entries that begin before q
+  const std::uint16_t* stops;
+  const std::uint32_t* ends;  ///< [q]: entries that begin before step q
 
   HWY_INLINE explicit Ordered(ByteSweep<D>& sweep)
       : own_min(sweep.plane(static_cast<std::size_t>(sweep.axis))),
         own_max(sweep.plane(static_cast<std::size_t>(D + sweep.axis))),
+        stops(sweep.stops.data()),
         ends(sweep.ends.data()) {
     for (int k = 0; k < D - 1; ++k) {
       const auto other = static_cast<std::size_t>((sweep.axis + 1 + k) % D);
@@ -41,8 +44,8 @@ struct Ordered {
     }
   }
   /// Behind the entries that may begin before entry i ends.
-  [[nodiscard]] HWY_INLINE std::uint32_t end(std::uint32_t i) const { return ends[own_max[i] + 1U]; }
-  [[nodiscard]] HWY_INLINE std::uint32_t sure_end(std::uint32_t i) const { return ends[own_max[i]]; }
+  [[nodiscard]] HWY_INLINE std::uint32_t end(std::uint32_t i) const { return ends[stops[i] + 1U]; }
+  [[nodiscard]] HWY_INLINE std::uint32_t sure_end(std::uint32_t i) const { return ends[stops[i]]; }
 };
 
 /// Not inlined, and takes the findings by value: the loop that calls it, once in hundreds of findings, then
@@ -59,7 +62,7 @@ HWY_NOINLINE void confirm_in(const LeafView<D>& leaf, const std::uint32_t* order
 }
 
 /// Compares each entry with those behind it that begin before it ends.
-template <int D>
+template <std::uint32_t Row, int D>
 HWY_INLINE void compare_all(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuffer& pairs) {
   const auto n = static_cast<std::uint32_t>(leaf.size());
   Ordered<D> ordered(sweep);
@@ -68,8 +71,8 @@ HWY_INLINE void compare_all(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBu
   for (std::uint32_t i = 0; i + 1 < n; ++i) {
     ordered.seek(i);
     const std::uint32_t end = ordered.end(i);
-    for (std::uint32_t j = i + 1; j < end; j += 64) {
-      found.add(overlap_bits(ordered.probe, j) & first_bits(end - j), order[i], j);
+    for (std::uint32_t j = i + 1; j < end; j += Row) {
+      found.add(overlap_bits<Row>(ordered.probe, j) & first_bits<Row>(end - j), order[i], j);
       if (!found.is_full()) continue;
       confirm_in<D>(leaf, order, found, pairs);
       found.clear();

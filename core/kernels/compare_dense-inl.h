@@ -15,6 +15,7 @@
 
 #include "core/kernels/compare-inl.h"
 #include "core/kernels/sure_pairs-inl.h"
+#include "core/kernels/sweep_tuning.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
@@ -116,11 +117,12 @@ struct Dense : Proved<D> {
     Proved<D>::seek(i);
     apart = hn::Set(Bytes(), others_apart[i]);
   }
+  template <std::uint32_t Row>
   [[nodiscard]] HWY_INLINE RowBits row(std::uint32_t j) const {
     const Bytes bytes;
     RowBits row;
     std::uint64_t unsure = 0;
-    for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(bytes)) {
+    for (std::size_t lane = 0; lane < Row; lane += hn::Lanes(bytes)) {
       const ProvedLanes lanes = this->lanes(j + lane);
       row.maybe |= bits_of_zeros(lanes.beyond) << lane;
       unsure |= bits_of_zeros(lanes.within) << lane;
@@ -133,7 +135,7 @@ struct Dense : Proved<D> {
 
 /// Compares as `compare_all` does, and writes at once the pairs that need no confirmation. The other pairs
 /// follow behind all of those, so that the order does not depend on the time of their confirmation.
-template <int D>
+template <std::uint32_t Row, int D>
 HWY_INLINE void compare_dense(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuffer& pairs) {
   const auto n = static_cast<std::uint32_t>(leaf.size());
   const std::uint64_t unknown = copy_in_order(leaf, sweep) ? 0 : UINT64_MAX;
@@ -149,11 +151,11 @@ HWY_INLINE void compare_dense(const LeafView<D>& leaf, ByteSweep<D>& sweep, Pair
     const std::uint32_t end = dense.end(i);
     Pair* const begin = pairs.reserve(end - i + kRowRoom);
     RowWriter rows(objects[i], begin, list);
-    for (std::uint32_t j = i + 1; j < end; j += 64) {
-      const RowBits row = dense.row(j);
-      const std::uint64_t sure = row.sure & first_bits(sure_end > j ? sure_end - j : 0);
-      const std::uint64_t others = row.maybe & ~sure & (row.here | unknown) & first_bits(end - j);
-      rows.add(objects + j, sure);
+    for (std::uint32_t j = i + 1; j < end; j += Row) {
+      const RowBits row = dense.template row<Row>(j);
+      const std::uint64_t sure = row.sure & first_bits<Row>(sure_end > j ? sure_end - j : 0);
+      const std::uint64_t others = row.maybe & ~sure & (row.here | unknown) & first_bits<Row>(end - j);
+      rows.template add<Row>(objects + j, sure, end - j);
       found.add(others, order[i], j);
       if (!found.is_full()) continue;
       confirm_in<D>(leaf, order, found, sweep.unsure);

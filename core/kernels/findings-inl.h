@@ -185,9 +185,10 @@ HWY_INLINE void confirm(Found& found, First first, Second second, PairBuffer& pa
   found.clear();
 }
 
-/// The `count` lowest bits, or all 64.
+/// The `count` lowest of the bits of a row, or all.
+template <std::uint32_t Row = 64>
 HWY_INLINE std::uint64_t first_bits(std::uint32_t count) {
-  return count < 64 ? (std::uint64_t{1} << count) - 1 : UINT64_MAX;
+  return count < Row ? (std::uint64_t{1} << count) - 1 : ~std::uint64_t{0} >> (64 - Row);
 }
 
 }  // namespace kerf::HWY_NAMESPACE

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/base/tuning.h"
+#include "core/kernels/sweep_tuning.h"
 
 namespace kerf {
 

@@ -7,6 +7,7 @@
 #define KERF_SURE_PAIRS_INL_H
 #endif
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -22,9 +23,9 @@ namespace kerf::HWY_NAMESPACE {
 /// Behind the last pair of an object, up to so many undefined ones may be written.
 inline constexpr std::size_t kRowRoom = 64;
 
-// `RowWriter` writes the canonical pairs of one object with others, row by row: `add` takes those of 64
-// others whose bits are set, in their order, and `finish` returns the end of the pairs. `write_row` does so
-// for one row.
+// `RowWriter` writes the canonical pairs of one object with others, row by row: `add` takes those of `Row`
+// others whose bits are set, in their order; from `room` on none is. `finish` returns the end of the pairs.
+// `write_row` does so for one row.
 
 #undef KERF_LISTS_OTHERS
 #define KERF_LISTS_OTHERS (HWY_TARGET == HWY_AVX2 && HWY_ARCH_X86_64)
@@ -91,10 +92,13 @@ class RowWriter {
  public:
   HWY_INLINE RowWriter(std::uint32_t object, Pair* out, std::uint32_t* list)
       : object_(object), out_(out), list_(list), next_(list) {}
-  HWY_INLINE void add(const std::uint32_t* others, std::uint64_t bits) {
+  template <std::uint32_t Row>
+  HWY_INLINE void add(const std::uint32_t* others, std::uint64_t bits, std::uint32_t room) {
     const auto count = static_cast<std::size_t>(std::popcount(bits));
-    if (HWY_UNLIKELY(count > kFewInRow)) {
-      list_many(others, bits);
+    if constexpr (Row < 64) {
+      list_many(others, bits, std::min(room, Row));
+    } else if (HWY_UNLIKELY(count > kFewInRow)) {
+      list_many(others, bits, Row);
     } else {  // in a fixed stride: the end of the row is easier to predict. Without a bit it reads the 65th
       for (std::size_t k = 0; k < count; k += 8)
         for (std::size_t m = k; m < k + 8; ++m, bits &= bits - 1) next_[m] = others[_tzcnt_u64(bits)];
@@ -116,10 +120,10 @@ class RowWriter {
  private:
   static constexpr std::size_t kFewInRow = 16;
 
-  HWY_INLINE void list_many(const std::uint32_t* others, std::uint64_t bits) {
+  HWY_INLINE void list_many(const std::uint32_t* others, std::uint64_t bits, std::uint32_t room) {
     const Words w;
     std::uint32_t* out = next_;
-    for (std::size_t k = 0; k < 64; k += 8, bits >>= 8U) {
+    for (std::size_t k = 0; k < room; k += 8, bits >>= 8U) {
       const auto chosen = static_cast<std::uint8_t>(bits);
       hn::StoreU(lanes_in_order(hn::LoadU(w, others + k), kCompressTable.order[chosen]), w, out);
       out += std::popcount(chosen);
@@ -136,7 +140,8 @@ class RowWriter {
  public:
   HWY_INLINE RowWriter(std::uint32_t object, Pair* out, std::uint32_t* /*list*/)
       : object_(object), out_(out) {}
-  HWY_INLINE void add(const std::uint32_t* others, std::uint64_t bits) {
+  template <std::uint32_t Row>
+  HWY_INLINE void add(const std::uint32_t* others, std::uint64_t bits, std::uint32_t /*room*/) {
     out_ = write_row(object_, others, bits, out_);
   }
   [[nodiscard]] HWY_INLINE Pair* finish() const { return out_; }

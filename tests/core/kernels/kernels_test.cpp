@@ -110,6 +110,32 @@ TEST(ARingInALeaf, IsDenseThoughMostOfTheLeafIsEmpty) {
   EXPECT_TRUE(expect_swept_alike(leaf).is_dense);
 }
 
+/// Boxes of one size in a row, which keeps no two apart on the other axes: along it bytes are too coarse,
+/// whether each meets few others or many, and wherever one begins where another one ends.
+TYPED_TEST(Kernels, ALineIsOrderedByFinerSteps) {
+  constexpr int kD = TypeParam::value;
+  Random random(8);
+  for (const double pairs : {2.0, 6.0, 12.0, 40.0}) {
+    for (const bool on_grid : {false, true}) {
+      SCOPED_TRACE(testing::Message() << pairs << (on_grid ? " pairs, on a grid" : " pairs"));
+      LeafView<kD> leaf;
+      for (int k = 0; k < 900; ++k) {
+        const double at = random.uniform(0, 900 / pairs);
+        Box<kD> box;
+        box.min = random_point<kD>(random, 0, 0.1);
+        box.min[0] = static_cast<Scalar>(on_grid ? std::round(8 * at) / 8 : at);
+        for (int axis = 0; axis < kD; ++axis) box.max[axis] = box.min[axis] + 1;
+        add_entry(leaf, box);
+      }
+      const auto sweep = expect_swept_alike(leaf);
+      EXPECT_EQ(sweep.axis, 0);
+      EXPECT_TRUE(sweep.is_fine);
+      EXPECT_EQ(sweep.is_short, pairs < 20);
+      EXPECT_EQ(sweep.is_dense, pairs > 5);
+    }
+  }
+}
+
 TYPED_TEST(Kernels, AnAxisOnWhichAllShareAPointIsNotSweptAlong) {
   constexpr int kD = TypeParam::value;
   Random random(5);

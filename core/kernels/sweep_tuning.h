@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace kerf::tuning {
+
+// The numbers of the sweep by bytes (ByteSweep), each beside what it was measured on, as in
+// core/base/tuning.h.
+
+/// Sums or maxima side by side, each of which waits for its predecessor. Brownian, 4,250 objects: 51.1 ->
+/// 46.4 ns in 3D (AVX-512), with bytes that are made faster.
+inline constexpr std::size_t kChains = 4;
+/// Rows of findings that are confirmed in one go, and findings where rows are spread over a list: what fits
+/// into half of the first cache.
+inline constexpr std::size_t kConfirmRows = 512;
+inline constexpr std::size_t kConfirmListed = 1024;
+/// Sure pairs in a row of 64 entries above which they are separated from those that floats confirm. Scene
+/// dense: above some ten pairs an object it pays, in scenes with four it does not.
+inline constexpr float kSurePerRow = 7;
+/// Rows of a leaf in which they are counted: by the mean lengths of boxes rods look dense, and rings sparse.
+/// Below so many entries only leaves are counted that are dense by mean lengths.
+inline constexpr std::uint32_t kDensityRows = 8;
+inline constexpr std::uint32_t kLeastCrowd = 256;
+/// The same where entries are compared with few others in the mean. Boxes of one size on a line, 2D, with
+/// seven pairs each: 41 -> 37 ns.
+inline constexpr float kSurePerShortRow = 4;
+/// Entries that begin before another one ends, in the mean, below which rows are 32 long where vectors are.
+/// Boxes on a line, 2D, 2,000 objects with 10 and 15 pairs each: 8 to 12 % (AVX2).
+inline constexpr float kShortRow = 24;
+/// Steps of the axis along which entries are ordered, where bytes are too coarse for it: where more entries
+/// than so many begin at the byte at which another one ends and overlap it on the other axes, so that floats
+/// must confirm them. The same boxes: 15 to 20 %; where they fill a square or a cube nothing is gained.
+inline constexpr std::size_t kFineSteps = 1024;
+inline constexpr float kTooCoarse = 2;
+
+}  // namespace kerf::tuning
