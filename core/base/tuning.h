@@ -44,12 +44,12 @@ inline constexpr float kFlightMargin = 1.05F;
 
 /// Objects in a sample of motions, which shows the share of fast objects to about 6 %.
 inline constexpr std::size_t kMotionSample = 64;
-/// The share of a sample that must move alike for the tree to come along (common_motion).
+/// The share of a sample that must move alike, and of all that must move, for the tree to come along.
 inline constexpr float kLeastShareAlike = 0.75F;
 /// The least way that they must go, over an object's size.
 inline constexpr float kLeastWay = 0.9F;
 /// Two motions are alike if they differ by no more than this share of an object's size, or by its size where
-/// the way is so many times as long: then it was a shift, and no flow by others that stay, in each step.
+/// the way is so many times as long. A way that long is a shift; a shorter one may be a flow past others.
 inline constexpr float kAlike = 1.0F / 8;
 inline constexpr float kWayOfShift = 8;
 /// The share of objects that leave their fat boxes in a step above which sweeping pays.

@@ -15,10 +15,10 @@ namespace kerf {
 /// The sweep of one leaf by vectors of bytes.
 ///
 /// Each axis is mapped to bytes by a function whose every operation is monotone, also in floats (ByteScale),
-/// so every overlap remains and a few are added. They are ordered by counting along the axis that separates
-/// best, where it is long in finer steps, and compared 64 at a time with all entries that begin before the
-/// entry ends. Findings are confirmed on the floats; in dense leaves only those that bytes alone do not
-/// prove. The pairs are exact, and in the same order for every width of vectors.
+/// so every overlap remains and a few are added. Entries are ordered by counting along the axis that
+/// separates best, in finer steps where bytes are too coarse, and 32 or 64 at a time are compared with one
+/// that ends behind where they begin. Findings are confirmed on the floats; in dense leaves only those that
+/// bytes alone do not prove. The pairs are exact, and in the same order for every width of vectors.
 template <int D>
 class ByteSweep {
  public:

@@ -7,7 +7,6 @@
 #define KERF_COMPARE_INL_H
 #endif
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 

@@ -97,7 +97,7 @@ HWY_INLINE float sure_in_row(ByteSweep<D>& sweep, std::uint32_t n) {
   return static_cast<float>(sure) / static_cast<float>(rows);
 }
 
-/// What bytes show of 64 entries that begin before another one ends.
+/// What bytes show of a row of entries that begin before another one ends.
 struct RowBits {
   std::uint64_t maybe = 0;  ///< they may overlap
   std::uint64_t sure = 0;   ///< they are pairs

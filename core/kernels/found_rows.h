@@ -8,7 +8,7 @@
 
 namespace kerf {
 
-/// Of 64 entries: bit k says that entry j + k overlaps entry i as far as bytes show.
+/// Of up to 64 entries: bit k says that entry j + k overlaps entry i as far as bytes show.
 struct FoundRow {
   std::uint64_t bits;
   std::uint32_t i;

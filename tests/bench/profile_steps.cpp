@@ -10,6 +10,7 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -118,6 +119,9 @@ int profile_steps(int argc, char** argv) {
   const Run run{argv[1], parse_whole<std::uint32_t>("OBJECTS", argv[3], 1, kMost),
                 parse_whole<std::uint32_t>("STEPS", argv[4], 1, kMost),
                 argc < 6 ? 1 : parse_whole<std::uint32_t>("THREADS", argv[5], 1, 64)};
+  if (run.threads > 1 && run.steps < 2 * kFirstSteps)
+    throw UsageError("STEPS: at least " + std::to_string(2 * kFirstSteps) +
+                     " with threads, which do not share the first " + std::to_string(kFirstSteps));
   const bool flat = parse_whole<int>("dimension", argv[2], 2, 3) == 2;
   std::puts((flat ? run_steps<2>(run) : run_steps<3>(run)).dump().c_str());
   return kExitHolds;

@@ -58,7 +58,7 @@ TYPED_TEST(Kernels, SweepFindsWhatTheDefinitionGivesInOneOrder) {
   Random random(3);
   for (const Spread spread : {Spread::even, Spread::grid, Spread::tiny, Spread::huge, Spread::outlier,
                               Spread::one_point, Spread::flat, Spread::touching, Spread::dense}) {
-    for (const std::size_t count : {0U, 1U, 2U, 63U, 64U, 65U, 129U, 400U}) {
+    for (const std::size_t count : {0U, 1U, 2U, 63U, 64U, 65U, 129U, 400U, 600U}) {
       SCOPED_TRACE(testing::Message() << "spread " << static_cast<int>(spread) << ", entries " << count);
       expect_swept_alike(draw_leaf<kD>(spread, count, random));
     }
@@ -133,6 +133,24 @@ TYPED_TEST(Kernels, ALineIsOrderedByFinerSteps) {
       EXPECT_EQ(sweep.is_short, pairs < 20);
       EXPECT_EQ(sweep.is_dense, pairs > 5);
     }
+  }
+}
+
+/// The same with boxes so large that the leaf is longer than floats are, and with boxes of denormals.
+TYPED_TEST(Kernels, ALineOfAnySizeIsOrderedByFinerSteps) {
+  constexpr int kD = TypeParam::value;
+  Random random(9);
+  for (const Scalar size : {5e36F, 1e-40F}) {
+    SCOPED_TRACE(testing::Message() << "size " << size);
+    LeafView<kD> leaf;
+    for (int k = 0; k < 600; ++k) {
+      Box<kD> box;
+      box.min = random_point<kD>(random, 0, 0.1 * size);
+      box.min[0] = static_cast<Scalar>(random.uniform(-60, 60)) * size;
+      for (int axis = 0; axis < kD; ++axis) box.max[axis] = box.min[axis] + size;
+      add_entry(leaf, box);
+    }
+    EXPECT_TRUE(expect_swept_alike(leaf).is_fine);
   }
 }
 
