@@ -70,16 +70,28 @@ HWY_INLINE void make_keys(const LeafView<D>& leaf, const ByteScale<D>& scale, By
       sweep.may_be_dense && (leaf.size() >= tuning::kLeastCrowd || would_be_dense(leaf.size(), length, axis));
 }
 
+/// Counts in some rows how dense the boxes lie. A slanted line needs finer steps, too, though on no axis all
+/// of its boxes meet: then the entries are ordered anew.
+template <int D>
+HWY_INLINE bool is_crowded(const LeafView<D>& leaf, const ByteScale<D>& scale, ByteSweep<D>& sweep) {
+  const auto n = static_cast<std::uint32_t>(leaf.size());
+  RowSample rows = sample_rows(sweep, n);
+  if (!sweep.is_fine && rows.at_end > tuning::kTooCoarse) {
+    sweep.is_fine = true;
+    order_entries(leaf, scale, sweep);
+    rows = sample_rows(sweep, n);
+  }
+  return rows.sure > (sweep.is_short ? tuning::kSurePerShortRow : tuning::kSurePerRow);
+}
+
 template <int D>
 HWY_INLINE void find_pairs(const LeafView<D>& leaf, ByteSweep<D>& sweep, PairBuffer& pairs) {
   sweep.make_room(leaf.size());
   const ByteScale<D> scale = make_byte_scale(leaf);
   make_keys(leaf, scale, sweep);
-  if (sweep.is_fine) make_fine_keys(leaf, scale, sweep);
-  order_entries(sweep, leaf.size());
+  order_entries(leaf, scale, sweep);
   const auto n = static_cast<std::uint32_t>(leaf.size());
-  const float few = sweep.is_short ? tuning::kSurePerShortRow : tuning::kSurePerRow;
-  sweep.is_dense = sweep.is_dense && n > 1 && sure_in_row(sweep, n) > few;
+  sweep.is_dense = sweep.is_dense && n > 1 && is_crowded(leaf, scale, sweep);
   if (sweep.is_short && hn::Lanes(Bytes()) <= 32) {
     sweep.is_dense ? compare_dense<32>(leaf, sweep, pairs) : compare_all<32>(leaf, sweep, pairs);
   } else {

@@ -79,22 +79,35 @@ struct Proved : Ordered<D> {
   }
 };
 
-/// How many of the 64 entries behind one of a leaf are proved to overlap it, in the mean of a few.
+/// Of the 64 entries behind one of a leaf, in the mean of a few rows.
+struct RowSample {
+  float sure = 0;    ///< proved to overlap it
+  float at_end = 0;  ///< begin at the step at which it ends, and may overlap it
+};
+
 template <int D>
-HWY_INLINE float sure_in_row(ByteSweep<D>& sweep, std::uint32_t n) {
+HWY_INLINE RowSample sample_rows(ByteSweep<D>& sweep, std::uint32_t n) {
   Proved<D> proved(sweep);
   const std::uint32_t rows = std::min(n - 1, tuning::kDensityRows);
-  std::size_t sure = 0;
+  int sure = 0;
+  int at_end = 0;
   for (std::uint32_t k = 0; k < rows; ++k) {
     const auto i = static_cast<std::uint32_t>(std::uint64_t{k} * (n - 1) / rows);
-    const std::uint32_t end = proved.sure_end(i);
+    const std::uint32_t sure_end = proved.sure_end(i);
     proved.seek(i);
     std::uint64_t unsure = 0;
-    for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(Bytes()))
-      unsure |= bits_of_zeros(proved.lanes(i + 1 + lane).within) << lane;
-    sure += static_cast<std::size_t>(std::popcount(~unsure & first_bits(end > i ? end - i - 1 : 0)));
+    std::uint64_t maybe = 0;
+    for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(Bytes())) {
+      const ProvedLanes lanes = proved.lanes(i + 1 + lane);
+      unsure |= bits_of_zeros(lanes.within) << lane;
+      maybe |= bits_of_zeros(lanes.beyond) << lane;
+    }
+    const std::uint64_t before_end = first_bits(sure_end > i ? sure_end - i - 1 : 0);
+    sure += std::popcount(~unsure & before_end);
+    at_end += std::popcount(maybe & ~before_end & first_bits(proved.end(i) - i - 1));
   }
-  return static_cast<float>(sure) / static_cast<float>(rows);
+  return {static_cast<float>(sure) / static_cast<float>(rows),
+          static_cast<float>(at_end) / static_cast<float>(rows)};
 }
 
 /// What bytes show of a row of entries that begin before another one ends.

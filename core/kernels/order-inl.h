@@ -59,12 +59,14 @@ HWY_INLINE void order_by(ByteSweep<D>& sweep, std::size_t n, std::size_t steps, 
 
 /// Orders the entries along the axis, by fine steps or by bytes, which are 256 steps.
 template <int D>
-HWY_INLINE void order_entries(ByteSweep<D>& sweep, std::size_t n) {
+HWY_INLINE void order_entries(const LeafView<D>& leaf, const ByteScale<D>& scale, ByteSweep<D>& sweep) {
+  const std::size_t n = leaf.size();
   sweep.stops.resize(n);
   std::uint16_t* const HWY_RESTRICT stops = sweep.stops.data();
   const ByteKey<D>* const keys = sweep.keys.data();
   const unsigned byte_of_axis = 8U * static_cast<unsigned>(sweep.axis);
   if (sweep.is_fine) {
+    make_fine_keys(leaf, scale, sweep);
     const std::uint32_t* const fine = sweep.fine.data();
     order_by(
         sweep, n, tuning::kFineSteps, [=](std::size_t i) HWY_ATTR { return fine[i] & 0xFFFFU; },

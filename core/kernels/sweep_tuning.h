@@ -29,7 +29,7 @@ inline constexpr float kSurePerShortRow = 4;
 /// Boxes on a line, 2D, 2,000 objects with 10 and 15 pairs each: 8 to 12 % (AVX2).
 inline constexpr float kShortRow = 24;
 /// Steps of the axis along which entries are ordered, where bytes are too coarse for it: where more entries
-/// than so many begin at the byte at which another one ends and overlap it on the other axes, so that floats
+/// than so many begin at the byte at which another one ends and meet it on the other axes, so that floats
 /// must confirm them. The same boxes: 15 to 20 %; where they fill a square or a cube nothing is gained.
 inline constexpr std::size_t kFineSteps = 1024;
 inline constexpr float kTooCoarse = 2;

@@ -136,7 +136,26 @@ TYPED_TEST(Kernels, ALineIsOrderedByFinerSteps) {
   }
 }
 
-/// The same with boxes so large that the leaf is longer than floats are, and with boxes of denormals.
+/// Boxes along the diagonal: they meet all others on no axis, but whatever meets on one meets on all.
+TYPED_TEST(Kernels, ASlantedLineIsOrderedByFinerSteps) {
+  constexpr int kD = TypeParam::value;
+  Random random(10);
+  LeafView<kD> leaf;
+  for (int k = 0; k < 900; ++k) {
+    const double at = random.uniform(0, 90);
+    Box<kD> box;
+    for (int axis = 0; axis < kD; ++axis) {
+      box.min[axis] = static_cast<Scalar>(at + random.uniform(0, 0.1));
+      box.max[axis] = box.min[axis] + 1;
+    }
+    add_entry(leaf, box);
+  }
+  const auto sweep = expect_swept_alike(leaf);
+  EXPECT_TRUE(sweep.is_fine);
+  EXPECT_TRUE(sweep.is_dense);
+}
+
+/// A line of boxes so large that the leaf is longer than floats are, and with boxes of denormals.
 TYPED_TEST(Kernels, ALineOfAnySizeIsOrderedByFinerSteps) {
   constexpr int kD = TypeParam::value;
   Random random(9);
