@@ -87,7 +87,8 @@ HWY_INLINE Pair* write_row(std::uint32_t object, const std::uint32_t* others, st
 
 #if KERF_LISTS_OTHERS
 /// The others of all rows are listed first: few in a row are set, so the list has far fewer vectors than the
-/// rows, and each makes eight pairs.
+/// rows, and each makes eight pairs. In short rows nearly all that begin before the object ends are set, so
+/// vectors list them.
 class RowWriter {
  public:
   HWY_INLINE RowWriter(std::uint32_t object, Pair* out, std::uint32_t* list)
