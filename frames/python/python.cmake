@@ -31,7 +31,10 @@ foreach(file IN LISTS python_files)
 endforeach()
 add_custom_target(kerf_python_package ALL DEPENDS kerf_module ${python_copies})
 
-# Where the interpreter looks, below the prefix; Debian's packages use python3/dist-packages.
-set(KERF_PYTHON_FOLDER lib/python3/dist-packages CACHE STRING "Where the Python module is installed, below the prefix")
+# Where the interpreter looks below /usr/local; the folder's last name is Debian's or Python's. Debian's packages lie in
+# lib/python3.
+cmake_path(GET Python_SITEARCH FILENAME site_packages)
+set(KERF_PYTHON_FOLDER lib/python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}/${site_packages}
+  CACHE STRING "Where the Python module is installed, below the prefix")
 install(TARGETS kerf_module LIBRARY DESTINATION ${KERF_PYTHON_FOLDER}/kerf COMPONENT python)
 install(FILES ${python_files} DESTINATION ${KERF_PYTHON_FOLDER}/kerf COMPONENT python)

@@ -33,7 +33,9 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
   using Manager = fcl::BroadPhaseCollisionManager<S>;
 
   /// Throws std::invalid_argument for options that World refuses.
-  explicit FclManager(const WorldOptions& options = {}) : options_(options), world_(options) {}
+  explicit FclManager(const WorldOptions& options = {}) : world_(options) {}
+
+  [[nodiscard]] World<3>& world() { return world_; }
 
   using Manager::update;
 
@@ -74,7 +76,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     find_pairs();
   }
   void clear() override {
-    world_ = World<3>(options_);
+    for (const auto& [object, handle] : handles_) static_cast<void>(world_.remove(handle));
     members_.clear();
     handles_.clear();
     stale_ = true;

@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import site
 import subprocess
 import sys
 
@@ -20,6 +21,14 @@ def test_the_component_is_whole(tmp_path):
     environment = dict(os.environ, PYTHONPATH=str(module.parent.parent))
     found = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
     assert found.stdout.split() == [str(module), kerf.__version__, "0"]
+
+
+def test_the_folder_is_one_in_which_the_interpreter_looks(tmp_path):
+    build = os.environ["KERF_BUILD_DIR"]
+    subprocess.run(["cmake", "--install", build, "--component", "python", "--prefix", tmp_path], check=True)
+    (module,) = tmp_path.rglob("kerf/__init__.py")
+    folder = str(module.parent.parent.relative_to(tmp_path))
+    assert any(path.endswith(f"/{folder}") for path in site.getsitepackages()), folder
 
 
 def test_the_version_is_that_of_the_project():
