@@ -1,12 +1,14 @@
 #include "core/base/task_pool.h"
 
 #include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_group.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -23,11 +25,8 @@ unsigned checked_threads(unsigned threads) {
 
 }  // namespace
 
-/// oneTBB limits threads to the number of processors unless the control allows more.
 struct TaskPool::Arena {
-  explicit Arena(unsigned threads)
-      : allowed(tbb::global_control::max_allowed_parallelism, threads), tbb(static_cast<int>(threads)) {}
-  tbb::global_control allowed;
+  explicit Arena(unsigned threads) : tbb(static_cast<int>(threads)) {}
   tbb::task_arena tbb;
 };
 
@@ -47,6 +46,11 @@ void TaskPool::share(std::size_t pieces, const std::function<void(std::size_t, s
   // its first work, and find other pairs.
   tbb::task_group_context modes(tbb::task_group_context::isolated, tbb::task_group_context::default_traits |
                                                                        tbb::task_group_context::fp_settings);
+  // oneTBB has no more threads than processors unless a control allows them. A control is for the whole
+  // process, where the least one holds: so there is one only for more threads than that, and only in here.
+  std::optional<tbb::global_control> more;
+  if (threads_ > static_cast<unsigned>(tbb::info::default_concurrency()))
+    more.emplace(tbb::global_control::max_allowed_parallelism, threads_);
   arena_->tbb.execute([&] {
     tbb::parallel_for(
         std::size_t{0}, pieces,

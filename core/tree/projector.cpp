@@ -65,21 +65,28 @@ Interval project_slabs(const SlabSum<D>& sum, const Box<D>& box, const Scalar* e
   return result;
 }
 
-/// The most recent projectors. Repulsion takes some ten milliseconds, and comparisons of runs make many trees
-/// of one configuration.
+/// The most recent projectors. Repulsion takes some ten milliseconds, and for many directions seconds, in
+/// which no other thread waits; comparisons of runs make many trees of one configuration.
 template <int D>
 class MadeProjectors {
  public:
   std::shared_ptr<const Projector<D>> get(std::uint32_t size, std::uint64_t seed, VolumeKind kind) {
+    if (auto known = find(size, seed, kind)) return known;
+    auto projector = std::make_shared<const Projector<D>>(DirectionSet<D>(size, seed), kind);
     const std::scoped_lock lock(mutex_);
-    for (const Made& made : made_)
-      if (made.size == size && made.seed == seed && made.projector->kind() == kind) return made.projector;
-    Made& oldest = made_[next_++ % made_.size()];
-    oldest = {size, seed, std::make_shared<const Projector<D>>(DirectionSet<D>(size, seed), kind)};
-    return oldest.projector;
+    made_[next_++ % made_.size()] = {size, seed, projector};
+    return projector;
   }
 
  private:
+  std::shared_ptr<const Projector<D>> find(std::uint32_t size, std::uint64_t seed, VolumeKind kind) {
+    const std::scoped_lock lock(mutex_);
+    const auto known = std::ranges::find_if(made_, [&](const Made& made) {
+      return made.size == size && made.seed == seed && made.projector->kind() == kind;
+    });
+    return known == made_.end() ? nullptr : known->projector;
+  }
+
   struct Made {
     std::uint32_t size = 0;
     std::uint64_t seed = 0;

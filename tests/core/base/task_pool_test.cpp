@@ -1,6 +1,8 @@
 #include "core/base/task_pool.h"
 
 #include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 
 #include <algorithm>
 #include <atomic>
@@ -28,6 +30,23 @@ TEST(TaskPool, DoesEachPieceOnceWhateverTheNumberOfThreads) {
     });
     for (const auto& times : done) EXPECT_EQ(times, 1);
     EXPECT_TRUE(known) << "a thread had a number beyond " << threads;
+  }
+}
+
+/// What the host's own work by oneTBB may use.
+TEST(TaskPool, OthersKeepTheirThreads) {
+  const auto allowed = [] {
+    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  };
+  const auto processors = static_cast<unsigned>(tbb::info::default_concurrency());
+  const std::size_t before = allowed();
+  for (const unsigned threads : {2U, processors, processors + 1}) {
+    TaskPool pool(threads);
+    EXPECT_EQ(allowed(), before) << threads;
+    std::atomic<std::size_t> least = before;
+    pool.for_each(64, [&](std::size_t, std::size_t) { least = std::min(least.load(), allowed()); });
+    EXPECT_EQ(least, before) << threads;
+    EXPECT_EQ(allowed(), before) << threads;
   }
 }
 
