@@ -7,7 +7,7 @@
 namespace kerf {
 
 /// Delta debugging (Zeller and Hildebrandt 2002, ddmin): leaves out ever smaller parts of `items` as long as
-/// `fails(rest)` still holds. The result fails, and without any one of its items it does not.
+/// `fails(rest)` still holds. The result fails, and without any one of its items it does not; one is left.
 ///
 /// Pre: fails(items). `fails` is called O(n^2) times at worst, O(log n) times if one item is to blame.
 template <class Item, class Fails>

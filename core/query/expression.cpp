@@ -76,7 +76,10 @@ class Parser {
   void expect(std::string_view text) {
     if (!accept(text)) reject("here '" + std::string(text) + "' was expected");
   }
+  /// A chain of operators nests, too, and each takes room on the stack where it is evaluated.
   std::size_t add(const ExpressionPart& part) {
+    constexpr std::size_t kMost = 10'000;
+    if (parts_.size() == kMost) reject("more than 10,000 values and operators are too many");
     parts_.push_back(part);
     return parts_.size() - 1;
   }
