@@ -83,14 +83,15 @@ std::vector<ObjectId> BroadPhaseOf<D>::present_ids(const py::handle& given, std:
 template <int D>
 py::array BroadPhaseOf<D>::insert(const py::handle& boxes, const py::handle& ids, const py::handle& fixed) {
   const UseOnce use(in_use_);
-  BroadPhase<D>& broad_phase = run_.broad_phase();
   const BoxRows<D> rows(boxes, "boxes");
   const std::vector<std::uint8_t> is_fixed = flag_rows(fixed, rows.size(), "fixed");
   const std::vector<ObjectId> inserted = new_ids(ids, rows.size());
-  for (std::size_t row = 0; row < rows.size(); ++row)
-    (void)broad_phase.insert(inserted[row], rows.all()[row],
-                             is_fixed[row] != 0 ? Mobility::fixed : Mobility::moving);
-  ids_.add(inserted);
+  run_.change([&](BroadPhase<D>& broad_phase) {
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      (void)broad_phase.insert(inserted[row], rows.all()[row],
+                               is_fixed[row] != 0 ? Mobility::fixed : Mobility::moving);
+    ids_.add(inserted);
+  });
   moved_ = true;
   return id_array(inserted);
 }
@@ -98,29 +99,29 @@ py::array BroadPhaseOf<D>::insert(const py::handle& boxes, const py::handle& ids
 template <int D>
 void BroadPhaseOf<D>::move(const py::handle& boxes, const py::handle& ids) {
   const UseOnce use(in_use_);
-  BroadPhase<D>& broad_phase = run_.broad_phase();
   const BoxRows<D> rows(boxes, "boxes", &rounded_);
   moved_ = true;
-  if (!ids.is_none()) {
-    (void)broad_phase.move_many(present_ids(ids, rows.size()), rows.all());
-    return;
-  }
+  const auto move_all = [&](std::span<const ObjectId> moved) {
+    run_.change([&](BroadPhase<D>& broad_phase) { (void)broad_phase.move_many(moved, rows.all()); });
+  };
+  if (!ids.is_none()) return move_all(present_ids(ids, rows.size()));
   if (rows.size() != ids_.size())
     throw py::value_error("boxes: there are " + std::to_string(rows.size()) + " rows for " +
                           std::to_string(ids_.size()) +
                           " objects; give a row for each, in the order of .ids, or say which ones by ids=");
-  (void)broad_phase.move_many(ids_.all(), rows.all());
+  move_all(ids_.all());
 }
 
 template <int D>
 void BroadPhaseOf<D>::remove(const py::handle& ids) {
   const UseOnce use(in_use_);
-  BroadPhase<D>& broad_phase = run_.broad_phase();
   const IdRows rows(ids, "ids");
   const std::vector<ObjectId> removed = present_ids(ids, rows.size());
   check_once(removed);
-  for (const ObjectId id : removed) (void)broad_phase.remove(id);
-  ids_.remove(removed);
+  run_.change([&](BroadPhase<D>& broad_phase) {
+    for (const ObjectId id : removed) (void)broad_phase.remove(id);
+    ids_.remove(removed);
+  });
   moved_ = true;
 }
 
@@ -128,7 +129,7 @@ template <int D>
 py::array BroadPhaseOf<D>::step(const py::handle& boxes) {
   if (!boxes.is_none()) move(boxes, py::none());
   const UseOnce use(in_use_);
-  (void)run_.broad_phase();  // throws after close, and then the pairs stay
+  (void)run_.broad_phase();  // may throw, and then the pairs stay
   pairs_ = py::object();
   lists_.let_go([this](PairBuffer& memory) { run_.exchange_pairs(memory); });
   {

@@ -27,4 +27,11 @@ auto of_recording(Work work) {
   }
 }
 
+/// Throws RecordingError if there is a file of the name that must not be replaced: before the work, not
+/// after.
+inline void check_free(const std::filesystem::path& out, bool overwrite) {
+  if (!overwrite && std::filesystem::exists(out))
+    throw RecordingError(out.string() + " exists: give another name, or overwrite=True");
+}
+
 }  // namespace kerf::python

@@ -134,8 +134,9 @@ template <int D>
 py::array QueriesOf<D>::spheres(const py::handle& centers, const py::handle& radii) {
   const Floats floats = float_rows(centers, {D}, "centers");
   const auto points = vectors_of<D>(floats);
-  const bool single = as_array(radii, "radii").ndim() == 0;
-  const Floats lengths = single ? Floats(as_array(radii, "radii")) : float_rows(radii, {}, "radii");
+  const py::array given = as_array(radii, "radii");  // once: it may be another one each time
+  const bool single = given.ndim() == 0;
+  const Floats lengths = single ? Floats(given) : float_rows(given, {}, "radii");
   if (!single && static_cast<std::size_t>(lengths.size()) != points.size())
     throw py::value_error("radii: there are " + std::to_string(lengths.size()) + " for " +
                           std::to_string(points.size()) + " centers");

@@ -232,6 +232,7 @@ void RecordingOf<D>::what_if(const WhatIf& change, const std::filesystem::path& 
   const Config config = config_from(config_of(info(), change.first), change.config);
   Interrupts interrupts;
   undisturbed([&] {
+    check_free(out, overwrite);
     if (!replayer_) replayer_.emplace(reader_);
     if (change.refuse) decide(changed, *replayer_, *change.refuse);
     if (change.take) decide(changed, *replayer_, change.take->first, change.take->second);
@@ -247,6 +248,7 @@ void RecordingOf<D>::minimize(const StillHolds& holds, std::uint32_t last, const
                               bool overwrite) {
   Interrupts interrupts;
   undisturbed([&] {
+    check_free(out, overwrite);
     if (!replayer_) replayer_.emplace(reader_);
     const auto fails = [&](const Scenario<D>& scenario) {
       if (interrupts.requested()) interrupts.rethrow();

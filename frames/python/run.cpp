@@ -34,6 +34,9 @@ Run<D>::Run(const Config& config, const std::filesystem::path& record) {
 
 template <int D>
 BroadPhase<D>& Run<D>::broad_phase() {
+  if (is_torn_)
+    throw std::runtime_error(
+        "an earlier call failed half-way, so its objects are no more known: make a new BroadPhase");
   if (!recorded_) return *quiet_;
   if (!recorded_->recorder)
     throw std::runtime_error("the recording is complete, and nothing can be added: make a new BroadPhase");
@@ -42,8 +45,10 @@ BroadPhase<D>& Run<D>::broad_phase() {
 
 template <int D>
 void Run<D>::step() {
-  broad_phase().step();
-  if (recorded_) (void)recorded_->bsp.trace().take();
+  change([this](BroadPhase<D>& broad_phase) {
+    broad_phase.step();
+    if (recorded_) (void)recorded_->bsp.trace().take();
+  });
 }
 
 template <int D>

@@ -18,8 +18,17 @@ class Run {
   /// cannot be written. `record` may be empty.
   Run(const Config& config, const std::filesystem::path& record);
 
-  /// What takes the requests. Throws std::runtime_error after `close`.
+  /// What takes the requests. Throws std::runtime_error after `close`, and after a change that was left
+  /// half-made.
   [[nodiscard]] BroadPhase<D>& broad_phase();
+  /// Calls `change(broad_phase())`. An exception leaves the change half-made.
+  template <class Change>
+  void change(Change change) {
+    BroadPhase<D>& changed = broad_phase();
+    is_torn_ = true;
+    change(changed);
+    is_torn_ = false;
+  }
   void step();
   void set_threads(unsigned threads);
   /// Ends the recording, which then has its name.
@@ -59,6 +68,7 @@ class Run {
 
   std::unique_ptr<Bsp<D>> quiet_;
   std::unique_ptr<Recorded> recorded_;
+  bool is_torn_ = false;
 };
 
 }  // namespace kerf::python

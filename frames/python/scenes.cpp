@@ -140,8 +140,7 @@ void record_scene(const SceneRun& run, const std::string& tree, const std::files
   {
     const py::gil_scoped_release others_run;
     of_recording([&] {
-      if (!overwrite && std::filesystem::exists(out))
-        throw RecordingError(out.string() + " exists: give another name, or overwrite=True");
+      check_free(out, overwrite);
       PartRecording part(out, replace_if(overwrite));
       std::visit(
           [&](const auto* entry) {

@@ -81,9 +81,12 @@ py::array WorldOf<D>::insert(const py::handle& boxes, const WorldColumns& column
   std::vector<ObjectDef> defs(rows.size());
   apply_columns(columns, defs);
   std::vector<Handle> handles(rows.size());
-  const WorldStatus status = world_.insert(rows.all(), defs, handles);
-  if (is_failure(status)) (void)world_.remove(handles);  // those that found an index
-  check_status(status);
+  try {
+    check_status(world_.insert(rows.all(), defs, handles));
+  } catch (...) {
+    (void)world_.remove(handles);  // those that found an index
+    throw;
+  }
   return handle_array(handles);
 }
 

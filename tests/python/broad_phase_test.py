@@ -1,5 +1,8 @@
 """kerf.BroadPhase: what goes in, what comes out, and what is refused."""
 
+import re
+import subprocess
+import sys
 import threading
 from types import MappingProxyType
 
@@ -341,3 +344,22 @@ def test_a_run_is_recorded(tmp_path):
     with pytest.raises(RuntimeError, match="the recording is complete"):
         phase.step()
     assert as_set(phase.pairs) == as_set(pairs[4]), "a step that is refused changes nothing"
+
+
+def test_a_change_that_memory_left_half_made_is_the_last():
+    """In a process of its own, which may have little more memory than it has."""
+    code = """
+import resource, numpy as np, kerf
+phase = kerf.BroadPhase(3)
+corner = np.random.default_rng(1).random((1_000_000, 3), np.float32)
+boxes = np.stack([corner, corner + np.float32(0.001)], axis=1)
+used = int(open('/proc/self/statm').read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (used + (64 << 20),) * 2)
+for call in (lambda: phase.insert(boxes), phase.step, lambda: phase.move(boxes)):
+    try:
+        call()
+    except (MemoryError, RuntimeError) as error:
+        print(type(error).__name__, str(error)[-23:])
+"""
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert re.fullmatch(r"MemoryError .*\n(RuntimeError make a new BroadPhase\n){2}", found), found

@@ -131,3 +131,20 @@ def test_what_cannot_be_asked_is_refused_by_its_row(world):
         phase.query_points(np.zeros((4, dimension), complex))
     with pytest.raises(ValueError, match="ways: there are 1 for 2 boxes"):
         phase.query_sweeps(random_boxes(2, dimension), np.zeros((1, dimension)))
+
+
+def test_radii_are_read_once():
+    """What is an array of another shape each time."""
+
+    class Fickle:
+        asked = 0
+
+        def __array__(self, dtype=None, copy=None):
+            self.asked += 1
+            return np.array(1.0, np.float32) if self.asked == 1 else np.zeros(0, np.float32)
+
+    phase = kerf.BroadPhase(2)
+    phase.insert(np.array([[[0, 0], [1, 1]]], np.float32))
+    fickle = Fickle()
+    assert phase.query_spheres(np.zeros((1, 2), np.float32), fickle).tolist() == [[0, 0]]
+    assert fickle.asked == 1

@@ -132,6 +132,8 @@ def test_what_if_an_operator_were_refused(run, tmp_path):
     run.what_if(tmp_path / "taken.kerf", take=(event, 0), overwrite=True)
     with pytest.raises(ValueError, match="say what differs"):
         run.what_if(tmp_path / "nothing.kerf")
+    with pytest.raises(kerf.RecordingError, match="exists: give another name"):
+        run.minimise(lambda other: pytest.fail("it is asked before the name is"), tmp_path / "taken.kerf")
     with pytest.raises(ValueError, match="candidate"):
         run.what_if(tmp_path / "nothing.kerf", take=(event, 9999))
     assert not (tmp_path / "nothing.kerf").exists()
