@@ -58,6 +58,8 @@ std::string fault_of(const BspState<D>& state) {
   if (std::string fault = fault_of_tree(state.tree); !fault.empty()) return fault;
   if (!are_all_dead(state.tree))
     return "a node that waits for another life is alive, or waits twice, or does not wait";
+  if (!state.scheduler.listed(Operator::balance).empty())
+    return "a balance is listed, though it acts at once or never";
   if (!are_alike(state)) return "its objects are not those that were asked for";
   return "";
 }

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/c/call.h"
 
@@ -12,14 +13,17 @@ namespace {
 
 constexpr kerf_world_options kDefaults{0, KERF_PAIRS_OF_FAT_BOXES, 1, 0, nullptr};
 
-void describe(kerf_error* error, kerf_status status, std::string_view text) {
-  if (error == nullptr || error->size < kLeastError) return;
+/// How a call ended: `why`, or what the status means.
+kerf_status tell(kerf_error* error, kerf_status status, std::string_view why) {
+  if (error == nullptr || error->size < kLeastError) return status;
+  const std::string_view text = why.empty() ? kerf_status_text(status) : why;
   error->status = status;
   const std::size_t room =
       std::min<std::size_t>(error->size - offsetof(kerf_error, text), sizeof error->text);
   const std::size_t length = std::min(room - 1, text.size());
   std::memcpy(error->text, text.data(), length);
   error->text[length] = '\0';
+  return status;
 }
 
 WorldOptions to_options(const kerf_world_options& given) {
@@ -51,6 +55,7 @@ using kerf::c::change_world;
 using kerf::c::guarded;
 using kerf::c::is_missing;
 using kerf::c::kDefaults;
+using kerf::c::tell;
 using kerf::c::with_world;
 
 const char* kerf_version() { return KERF_VERSION_TEXT; }
@@ -98,9 +103,10 @@ kerf_status kerf_error_init(kerf_error* error, size_t size) {
 
 kerf_status kerf_world_create(uint32_t dimension, const kerf_world_options* options, kerf_world** world,
                               kerf_error* error) {
-  if (world == nullptr) return KERF_NULL_ARGUMENT;
+  if (world == nullptr) return tell(error, KERF_NULL_ARGUMENT, {});
   *world = nullptr;
-  return guarded([&]() -> kerf_status {
+  std::string why;
+  const kerf_status created = guarded([&]() -> kerf_status {
     kerf_world_options given = kDefaults;
     if (options != nullptr) {
       const kerf_status status = kerf::c::read_struct(options, kerf::c::kLeastOptions, given);
@@ -109,10 +115,11 @@ kerf_status kerf_world_create(uint32_t dimension, const kerf_world_options* opti
     try {
       return kerf::c::create(dimension, kerf::c::to_options(given), world);
     } catch (const std::invalid_argument& wrong) {
-      kerf::c::describe(error, KERF_BAD_OPTION, wrong.what());
+      why = wrong.what();
       return KERF_BAD_OPTION;
     }
   });
+  return tell(error, created, why);
 }
 
 void kerf_world_destroy(kerf_world* world) { delete world; }
@@ -130,12 +137,14 @@ kerf_status kerf_world_save(const kerf_world* world, void* bytes, size_t capacit
 }
 
 kerf_status kerf_world_restore(kerf_world* world, const void* bytes, size_t size, kerf_error* error) {
-  if (is_missing(bytes, size)) return KERF_NULL_ARGUMENT;
-  return change_world(world, [=](auto& body) {
-    std::string why;
+  if (is_missing(bytes, size)) return tell(error, KERF_NULL_ARGUMENT, {});
+  std::string why;
+  const kerf_status restored = change_world(world, [&]<int D>(kerf::World<D>& body) {
+    kerf::WorldIndex<D> none;  // the other one is of other objects
     const std::span<const std::uint8_t> view(static_cast<const std::uint8_t*>(bytes), size);
     const kerf::WorldStatus status = body.restore(view, &why);
-    if (is_failure(status)) kerf::c::describe(error, kerf::c::to_c(status), why);
+    if (!is_failure(status)) std::get<kerf::WorldIndex<D>>(world->index) = std::move(none);
     return kerf::c::to_c(status);
   });
+  return tell(error, restored, why);
 }

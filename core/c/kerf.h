@@ -5,11 +5,11 @@
  *
  * Boxes are rows of floats: the minimum on each axis, then the maximum on each axis; 4 floats in 2D, 6 in 3D.
  *
- * Errors: a function returns KERF_OK, or says by its status what is wrong; nothing was done then. Nothing
- * aborts, and no exception leaves the library. In a batch each object is a request of its own: those that can
- * be met are, statuses (or NULL) gets the status of each, and the function returns the first failure, else
- * KERF_CLAMPED if any is, else KERF_OK. NULL where data is needed is KERF_NULL_ARGUMENT; lists of no elements
- * may be NULL.
+ * Errors: KERF_OK and KERF_CLAMPED mean done; any other status says what is wrong, and nothing was done.
+ * Nothing aborts, and no exception leaves the library. In a batch each object is a request of its own: those
+ * that can be met are, statuses (or NULL) gets the status of each, and the function returns the first
+ * failure, else KERF_CLAMPED if any is, else KERF_OK. NULL where data is needed is KERF_NULL_ARGUMENT; lists
+ * of no elements may be NULL.
  *
  * Structs begin with their size, so that later versions can have more members: kerf_..._init() sets it, and
  * defaults. Members beyond those that the library knows must be 0. kerf_pair never changes.
@@ -18,7 +18,7 @@
  * Different worlds share nothing: there is no global state.
  *
  * Memory follows the most objects that lived at a time. If it ends, KERF_OUT_OF_MEMORY is returned and the
- * world stays usable; of a batch each object was taken or was not. */
+ * world stays usable; of a batch objects with that status were taken or were not. */
 #ifndef KERF_H
 #define KERF_H
 
@@ -84,7 +84,7 @@ typedef struct kerf_world_options {
   uint32_t threads;  /* that may share a step, if that is faster; at most 256; 1. Never part of a result. */
   uint32_t tag;      /* 0 to 255. Handles of worlds with different tags are never mistaken for each other. */
   const char*
-      config; /* "NAME=VALUE,...": changes to the tree's tuned configuration (kerf bench --help); or NULL */
+      config; /* "NAME=VALUE,...": changes to the tree's tuned configuration (core/base/config.h); or NULL */
 } kerf_world_options;
 
 /* Everything of an object but its box. */
@@ -106,7 +106,7 @@ typedef struct kerf_pair {
   uint32_t reserved;
 } kerf_pair;
 
-/* What was wrong, as a sentence. Give NULL if only the status matters. */
+/* How a call ended, as a sentence, good or bad. Give NULL if only the status matters. */
 typedef struct kerf_error {
   uint32_t size;
   kerf_status status;

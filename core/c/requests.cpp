@@ -8,20 +8,25 @@
 namespace kerf::c {
 namespace {
 
-/// The statuses of a batch: room for them if C wants them, and what becomes of them.
+/// The statuses of a batch: room for them if C wants them, and what becomes of them, also where memory ends.
 class Statuses {
  public:
   Statuses(kerf_world& world, kerf_status* to, std::size_t count) : to_(to), from_(world.statuses) {
-    from_.resize(to == nullptr ? 0 : count);
+    from_.assign(to == nullptr ? 0 : count, kUnknown);
   }
+  ~Statuses() {
+    if (to_ == nullptr) return;
+    std::ranges::transform(from_, to_, [](WorldStatus status) {
+      return status == kUnknown ? kerf_status{KERF_OUT_OF_MEMORY} : to_c(status);
+    });
+  }
+  Statuses(const Statuses&) = delete;
+  Statuses& operator=(const Statuses&) = delete;
   std::span<WorldStatus> room() { return from_; }
-  kerf_status finish(WorldStatus sum) {
-    if (to_ != nullptr && sum != WorldStatus::bad_length)
-      std::transform(from_.begin(), from_.end(), to_, to_c);
-    return to_c(sum);
-  }
 
  private:
+  static constexpr auto kUnknown = static_cast<WorldStatus>(UINT8_MAX);
+
   kerf_status* to_;
   std::vector<WorldStatus>& from_;
 };
@@ -64,8 +69,8 @@ kerf_status kerf_world_insert(kerf_world* world, const float* boxes, const kerf_
     const kerf_status status = kerf::c::read_objects(objects, object_count, world->defs);
     if (status != KERF_OK) return status;
     kerf::c::Statuses to(*world, statuses, count);
-    return to.finish(body.insert(kerf::c::view<const kerf::Box<D>>(boxes, count), world->defs,
-                                 kerf::c::view<kerf::Handle>(handles, count), to.room()));
+    return kerf::c::to_c(body.insert(kerf::c::view<const kerf::Box<D>>(boxes, count), world->defs,
+                                     kerf::c::view<kerf::Handle>(handles, count), to.room()));
   });
 }
 
@@ -74,8 +79,8 @@ kerf_status kerf_world_move(kerf_world* world, const kerf_handle* handles, const
   if (is_missing(handles, count) || is_missing(boxes, count)) return KERF_NULL_ARGUMENT;
   return change_world(world, [=]<int D>(kerf::World<D>& body) {
     kerf::c::Statuses to(*world, statuses, count);
-    return to.finish(body.move(kerf::c::view<const kerf::Handle>(handles, count),
-                               kerf::c::view<const kerf::Box<D>>(boxes, count), to.room()));
+    return kerf::c::to_c(body.move(kerf::c::view<const kerf::Handle>(handles, count),
+                                   kerf::c::view<const kerf::Box<D>>(boxes, count), to.room()));
   });
 }
 
@@ -93,7 +98,7 @@ kerf_status kerf_world_remove(kerf_world* world, const kerf_handle* handles, siz
   if (is_missing(handles, count)) return KERF_NULL_ARGUMENT;
   return change_world(world, [=](auto& body) {
     kerf::c::Statuses to(*world, statuses, count);
-    return to.finish(body.remove(kerf::c::view<const kerf::Handle>(handles, count), to.room()));
+    return kerf::c::to_c(body.remove(kerf::c::view<const kerf::Handle>(handles, count), to.room()));
   });
 }
 

@@ -2,41 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "core/world/world_boxes.h"
+
 namespace kerf {
 namespace {
-
-template <int D>
-constexpr bool is_ordered(const Box<D>& box) {
-  bool all = true;
-  for (int i = 0; i < D; ++i) all &= box.min[i] <= box.max[i];  // false for NaN
-  return all;
-}
-
-/// Makes the bounds finite.
-template <int D>
-WorldStatus clamp(Box<D>& box) {
-  if (is_valid(box)) return WorldStatus::ok;
-  constexpr Scalar kMax = std::numeric_limits<Scalar>::max();
-  for (int i = 0; i < D; ++i) {
-    box.min[i] = std::clamp(box.min[i], -kMax, kMax);
-    box.max[i] = std::clamp(box.max[i], -kMax, kMax);
-  }
-  return WorldStatus::clamped;
-}
-
-template <int D>
-Box<D> grow(Box<D> box, Scalar margin) {
-  for (int i = 0; i < D; ++i) {
-    box.min[i] -= margin;
-    box.max[i] += margin;
-  }
-  (void)clamp(box);
-  return box;
-}
 
 constexpr bool is_kind(ObjectKind kind) { return static_cast<int>(kind) < kObjectKinds; }
 bool is_margin(Scalar margin) { return std::isfinite(margin) && margin >= 0; }
@@ -89,6 +61,7 @@ void World<D>::rebuild() {
     if (!slots_.is_alive(i)) (void)tree->remove({i});
   tree_ = std::move(tree);
   torn_ = false;
+  unstepped_ = true;
 }
 
 template <int D>
@@ -326,6 +299,7 @@ WorldPair World<D>::describe(std::uint32_t a, Partner b) const {
 
 template <int D>
 void World<D>::step() {
+  unstepped_ = true;  // also for the callback, and if memory ends
   Change change(*this);
   tree_->step();
   change.finish();

@@ -84,9 +84,10 @@ class World {
   WorldStatus move(std::span<const Handle> objects, std::span<const Box<D>> boxes,
                    std::span<WorldStatus> statuses = {});
   /// Moves every object by the vector: what a program with a floating origin calls. Boxes are moved as floats
-  /// round, and where moves of this step say otherwise, they are moved from there. The tree comes along, so
-  /// that only the step of the shift costs more than others. Objects with a margin get it anew, around where
-  /// they are. `bad_value` if the vector is not finite, `clamped` if a box would exceed the range of floats.
+  /// round, and where moves of this step say otherwise, they are moved from there. Tree and
+  /// fat boxes come along: only the step of the shift costs more than others, and pairs begin or end by
+  /// rounding alone. `bad_value` if the vector is not finite, `clamped` if a box would exceed the range of
+  /// floats.
   WorldStatus shift_origin(const Vector<D>& by);
   /// The handle is stale at once. Pairs that the object had in the last step are reported as ended in the
   /// next one, with its handle.
@@ -132,7 +133,7 @@ class World {
   [[nodiscard]] const Bsp<D>& tree() const { return *tree_; }
 
   /// Everything but callback and threads, as bytes with a version and a checksum. Fails between a request and
-  /// the next step.
+  /// the next step, and within a step.
   WorldStatus save(std::vector<std::uint8_t>& bytes) const;
   /// Becomes the world that was saved: it goes on exactly as that one. `bytes` may be anything: whatever no
   /// world wrote is refused, and the world is as it was. `why`, if given, gets a sentence.
@@ -145,6 +146,7 @@ class World {
   WorldStatus insert_one(Box<D> box, const ObjectDef& def, Handle& handle);
   WorldStatus move_one(Handle object, Box<D> box);
   WorldStatus remove_one(Handle object);
+  WorldStatus shift_each(const Vector<D>& by);
   bool list_moves(std::span<const Handle> objects, std::span<const Box<D>> boxes);
   void count(const ObjectDef& def, std::ptrdiff_t times);
   void rebuild();

@@ -145,6 +145,8 @@ TEST(CInterface, ACallbackDecidesAndCannotChangeItsWorld) {
     self.status = kerf_world_remove(self.world, &pair->a, 1, nullptr);
     EXPECT_EQ(kerf_world_step(self.world), KERF_BUSY);
     EXPECT_EQ(kerf_world_contains(self.world, pair->a), KERF_OK) << "const functions are allowed";
+    std::size_t size = 0;
+    EXPECT_EQ(kerf_world_save(self.world, nullptr, 0, &size), KERF_UNSTEPPED) << "the step is not done";
     return kerf_handle_index(pair->a) == 0 ? 1 : 0;
   };
   EXPECT_EQ(kerf_world_set_callback(world.get(), ask, &seen), KERF_OK);
@@ -179,6 +181,8 @@ TEST(CInterface, AWorldIsSavedAndRestored) {
   EXPECT_NE(std::string(error.text).find("checksum"), std::string::npos) << error.text;
   bytes[size / 2] ^= 1U;
   EXPECT_EQ(kerf_world_restore(other.get(), bytes.data(), size, &error), KERF_OK);
+  EXPECT_EQ(error.status, KERF_OK);
+  EXPECT_STREQ(error.text, kerf_status_text(KERF_OK));
   EXPECT_EQ(kerf_world_contains(other.get(), handle), KERF_OK);
   EXPECT_EQ(text(other.get(), kerf_world_pairs), "0-1");
   EXPECT_EQ(kerf_world_restore(make_world(3).get(), bytes.data(), size, nullptr), KERF_DAMAGED);
@@ -207,6 +211,26 @@ TEST(CInterface, OptionsThatCannotWorkAreNamed) {
   EXPECT_NE(why([](auto& options) { options.threads = 257; }).find("at most 256"), std::string::npos);
   EXPECT_NE(why(nothing, 4).find("dimension"), std::string::npos);
   EXPECT_NE(why(nothing, 0).find("dimension"), std::string::npos);
+}
+
+TEST(CInterface, AnErrorIsThatOfTheLastCall) {
+  kerf_error error{};
+  ASSERT_EQ(kerf_error_init(&error, sizeof error), KERF_OK);
+  kerf_world_options options{};
+  ASSERT_EQ(kerf_world_options_init(&options, sizeof options), KERF_OK);
+  options.config = "what=1";
+  kerf_world* world = nullptr;
+  EXPECT_EQ(kerf_world_create(2, &options, &world, &error), KERF_BAD_OPTION);
+  options.size = 4;
+  EXPECT_EQ(kerf_world_create(2, &options, &world, &error), KERF_BAD_SIZE);
+  EXPECT_EQ(error.status, KERF_BAD_SIZE);
+  EXPECT_STREQ(error.text, kerf_status_text(KERF_BAD_SIZE));
+  EXPECT_EQ(kerf_world_create(2, nullptr, nullptr, &error), KERF_NULL_ARGUMENT);
+  EXPECT_EQ(error.status, KERF_NULL_ARGUMENT);
+  EXPECT_EQ(kerf_world_restore(nullptr, &options, 4, &error), KERF_NULL_ARGUMENT);
+  EXPECT_EQ(kerf_world_create(2, nullptr, &world, &error), KERF_OK);
+  EXPECT_EQ(error.status, KERF_OK);
+  kerf_world_destroy(world);
 }
 
 TEST(CInterface, OptionsAreTaken) {

@@ -142,6 +142,24 @@ TEST_F(CQueries, WithoutAFilterFindEveryObject) {
   EXPECT_EQ(count, 3U) << "as an object of the defaults";
 }
 
+TEST_F(CQueries, NothingIsKnownAfterARestoreUntilTheIndexIsUpdated) {
+  EXPECT_EQ(kerf_world_step(world.get()), KERF_OK);
+  std::size_t size = 0;
+  ASSERT_EQ(kerf_world_save(world.get(), nullptr, 0, &size), KERF_OK);
+  std::vector<unsigned char> bytes(size);
+  ASSERT_EQ(kerf_world_save(world.get(), bytes.data(), size, &size), KERF_OK);
+  const std::array<float, 4> far{500, 0, 501, 1};
+  EXPECT_EQ(kerf_world_move(world.get(), handles.data(), far.data(), 1, nullptr), KERF_OK);
+  EXPECT_EQ(kerf_world_update_index(world.get()), KERF_OK);
+  ASSERT_EQ(kerf_world_restore(world.get(), bytes.data(), size, nullptr), KERF_OK);
+  std::size_t count = 9;
+  EXPECT_EQ(kerf_world_overlap_box(world.get(), far.data(), nullptr, nullptr, 0, &count), KERF_OK);
+  EXPECT_EQ(count, 0U) << "where it was in the other run";
+  EXPECT_EQ(kerf_world_update_index(world.get()), KERF_OK);
+  EXPECT_EQ(kerf_world_overlap_box(world.get(), all.data(), nullptr, nullptr, 0, &count), KERF_OK);
+  EXPECT_EQ(count, 5U);
+}
+
 TEST_F(CQueries, ACallbackCannotChangeItsWorld) {
   filter.context = world.get();
   filter.accepts = [](void* context, kerf_handle handle) {

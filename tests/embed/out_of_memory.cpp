@@ -120,6 +120,33 @@ bool are_all_found(kerf_world* world) {
   });
 }
 
+/// A state that is saved is one that can be restored, also after memory ended and a bad request was refused.
+void judge_saved(kerf_world* world, long allocation) {
+  const long rest = left;
+  left = -1;
+  const float nan[4] = {0, 0, -1, 0};
+  kerf_handle none = 0;
+  if (kerf_world_insert(world, nan, nullptr, 0, 1, &none, nullptr) != KERF_BAD_BOX)
+    fail("a bad box is taken", allocation);
+  std::size_t size = 0;
+  if (kerf_world_save(world, nullptr, 0, &size) == KERF_OK) {
+    std::vector<unsigned char> bytes(size);
+    if (kerf_world_save(world, bytes.data(), size, &size) != KERF_OK ||
+        kerf_world_restore(world, bytes.data(), size, nullptr) != KERF_OK)
+      fail("a state is saved that cannot be restored", allocation);
+  }
+  left = rest;
+}
+
+/// A batch of moves: also where memory ends, each object has a status.
+void move_all(kerf_world* world, const std::vector<kerf_handle>& handles, const std::vector<float>& boxes,
+              long allocation) {
+  kerf_status statuses[kObjects];
+  std::fill(statuses, statuses + kObjects, -1);
+  expect(kerf_world_move(world, handles.data(), boxes.data(), kObjects, statuses), allocation);
+  for (const kerf_status status : statuses) expect(status, allocation);
+}
+
 /// A run in which the allocation of that number fails. False if it has fewer.
 bool run(long allocation) {
   failed = false;
@@ -142,7 +169,7 @@ bool run(long allocation) {
          allocation);
   for (std::size_t step = 1; step < 6; ++step) {
     expect(kerf_world_step(world), allocation);
-    expect(kerf_world_move(world, handles.data(), boxes[step].data(), kObjects, nullptr), allocation);
+    move_all(world, handles, boxes[step], allocation);
     expect(kerf_world_set_margin(world, handles[step], 0.5F), allocation);
     expect(kerf_world_shift_origin(world, boxes[step].data()), allocation);
     expect(kerf_world_set_kind(world, handles[step], KERF_FIXED), allocation);
@@ -150,6 +177,7 @@ bool run(long allocation) {
     expect(kerf_world_remove(world, &handles[20 + step], 1, nullptr), allocation);
     expect(kerf_world_insert(world, boxes[step].data(), nullptr, 0, 1, &handles[20 + step], nullptr),
            allocation);
+    judge_saved(world, allocation);
     expect(kerf_world_update_index(world), allocation);
     std::size_t found = 0;
     expect(kerf_world_overlap_box(world, boxes[step].data(), nullptr, nullptr, 0, &found), allocation);

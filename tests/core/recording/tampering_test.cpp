@@ -269,6 +269,10 @@ TYPED_TEST(Tampering, AForgedTreeIsRefused) {
       {"right-of mask", with_nodes([&](Nodes& nodes) { leaf(nodes).right_of ^= 1; })},
       {"alive but not", with_nodes([&](Nodes& nodes) { nodes.emplace_back().alive = true; })},
       {"waits", with_nodes([&](Nodes& nodes) { nodes.emplace_back(); })},
+      {"a balance is listed",
+       [](State& state) {
+         state.scheduler.resume({{{{NodeId{0}, 0}}, {}, {}, {}, {}}}, state.scheduler.acted(), 0);
+       }},
       {"not those that were asked", [](State& state) { (void)state.latest.remove(ObjectId{7}); }},
       {"configuration", [](State& state) { state.config.max_height = 7; }},
       {"number than its step", [](State& state) { ++state.step; }},

@@ -35,7 +35,10 @@ class ModelWorld {
       object.fat = grown(box, object.def.margin);
   }
   void shift_origin(const Vector<D>& by) {
-    for (const auto& [handle, object] : objects) move(handle, {object.box.min + by, object.box.max + by});
+    for (auto& [handle, object] : objects) {
+      object.box = {object.box.min + by, object.box.max + by};
+      object.fat = {object.fat.min + by, object.fat.max + by};
+    }
   }
   void set_margin(Handle handle, Scalar margin) {
     Object& object = objects.at(handle);

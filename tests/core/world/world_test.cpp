@@ -125,6 +125,27 @@ TYPED_TEST(WorldOf, AFilterThatChangesBeginsAndEndsPairs) {
   EXPECT_EQ(this->text(this->world.begun()), "0-1");
 }
 
+TYPED_TEST(WorldOf, AShiftOfTheOriginTakesFatBoxesAlong) {
+  ObjectDef fat;
+  fat.margin = 2;
+  const Handle a = this->add(0, fat);                            // -1 to 1, fat -3 to 3
+  this->add(4.125F);                                             // from 3.125 on
+  EXPECT_EQ(this->world.move(a, this->at(1)), WorldStatus::ok);  // within the fat box, which stays
+  this->world.step();
+  EXPECT_EQ(this->text(this->world.pairs()), "");
+  Vector<TestFixture::kD> by{};
+  by[0] = -0.25F;
+  EXPECT_EQ(this->world.shift_origin(by), WorldStatus::ok);
+  this->world.step();
+  EXPECT_EQ(this->text(this->world.pairs()), "") << "nothing moved but the origin";
+  EXPECT_EQ(this->world.fat_box(a)->max[0], 2.75F);
+  EXPECT_EQ(this->world.box(a)->max[0], 1.75F);
+  by[0] = std::numeric_limits<Scalar>::max();
+  EXPECT_EQ(this->world.shift_origin(by), WorldStatus::ok) << "rounded, not out of range";
+  EXPECT_EQ(this->world.shift_origin(by), WorldStatus::clamped);
+  EXPECT_TRUE(contains(*this->world.fat_box(a), *this->world.box(a)));
+}
+
 TYPED_TEST(WorldOf, TheCallbackDecidesAboutWhatFiltersAllow) {
   for (int k = 0; k < 3; ++k) this->add(0);
   const Handle filtered = this->add(0, with_filter(1, 0));
