@@ -181,6 +181,23 @@ WorldStatus World<D>::move_one(Handle object, Box<D> box) {
   return status;
 }
 
+/// Fat boxes come along. Rounding keeps the order of numbers, so each holds its box as before.
+template <int D>
+WorldStatus World<D>::shift_each(const Vector<D>& by) {
+  Change change(*this);
+  WorldStatus sum = WorldStatus::ok;
+  for_each([&](Handle object) {
+    const ObjectId id{object.index()};
+    Box<D> box = shifted(exact_box(id), by);
+    sum = std::max(sum, clamp(box));
+    (void)tree_->move(id, shifted(tree_->objects().box(id), by));
+    if (defs_[id.index()].margin > 0) exact_[id.index()] = box;
+  });
+  unstepped_ |= size() > 0;
+  change.finish();
+  return sum;
+}
+
 template <int D>
 WorldStatus World<D>::remove(Handle object) {
   return remove({&object, 1});

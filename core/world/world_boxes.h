@@ -39,4 +39,9 @@ Box<D> grow(Box<D> box, Scalar margin) {
   return box;
 }
 
+template <int D>
+Box<D> shifted(const Box<D>& box, const Vector<D>& by) {
+  return {box.min + by, box.max + by};
+}
+
 }  // namespace kerf
