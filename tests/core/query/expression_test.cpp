@@ -137,7 +137,7 @@ TEST(Expression, MistakesAreShownAtTheirPlace) {
   EXPECT_THAT(refusal(""), HasSubstr("was expected"));
   EXPECT_THAT(refusal(std::string(5000, '(')), HasSubstr("nested too deeply"));
   EXPECT_THAT(refusal(std::string(5000, '!')), HasSubstr("nested too deeply"));
-  std::string chain = "step";
+  std::string chain = "1";
   for (int k = 0; k < 4'000; ++k) chain += "+1";
   EXPECT_TRUE(is_true(chain + ">0")) << "long, but it fits";
   for (int k = 0; k < 200'000; ++k) chain += "+1";
