@@ -8,17 +8,18 @@
 namespace kerf::c {
 namespace {
 
-/// The statuses of a batch: room for them if C wants them, and what becomes of them, also where memory ends.
+/// The statuses of a batch: room for them if C wants them, and what becomes of them. Where memory ends, those
+/// that are not known say so.
 class Statuses {
  public:
   Statuses(kerf_world& world, kerf_status* to, std::size_t count) : to_(to), from_(world.statuses) {
-    from_.assign(to == nullptr ? 0 : count, kUnknown);
+    if (to == nullptr) count = 0;
+    std::fill_n(to, count, KERF_OUT_OF_MEMORY);
+    from_.assign(count, kUnknown);
   }
   ~Statuses() {
-    if (to_ == nullptr) return;
-    std::ranges::transform(from_, to_, [](WorldStatus status) {
-      return status == kUnknown ? kerf_status{KERF_OUT_OF_MEMORY} : to_c(status);
-    });
+    for (std::size_t k = 0; k < from_.size(); ++k)
+      if (from_[k] != kUnknown) to_[k] = to_c(from_[k]);
   }
   Statuses(const Statuses&) = delete;
   Statuses& operator=(const Statuses&) = delete;

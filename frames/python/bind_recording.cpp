@@ -123,6 +123,7 @@ bool has_moment(const std::filesystem::path& path, const std::string& condition)
 
 std::unique_ptr<Opened> minimize(Opened& recording, const py::object& holds, const std::filesystem::path& out,
                                  bool overwrite) {
+  check_free(out, overwrite);
   std::uint32_t last = recording.steps();
   StillHolds still;
   if (py::isinstance<py::str>(holds)) {

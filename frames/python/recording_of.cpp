@@ -248,7 +248,6 @@ void RecordingOf<D>::minimize(const StillHolds& holds, std::uint32_t last, const
                               bool overwrite) {
   Interrupts interrupts;
   undisturbed([&] {
-    check_free(out, overwrite);
     if (!replayer_) replayer_.emplace(reader_);
     const auto fails = [&](const Scenario<D>& scenario) {
       if (interrupts.requested()) interrupts.rethrow();
