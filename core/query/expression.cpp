@@ -39,6 +39,8 @@ constexpr std::array kSubjects{
     Subject{"node", "", Happening::node_changes},      Subject{"object", "moves", Happening::object_moves},
 };
 
+bool is_comparison(Kind kind) { return kind >= Kind::less && kind <= Kind::unequal; }
+
 bool is_named(Variable variable) {
   return variable == Variable::op || variable == Variable::kind || variable == Variable::phase;
 }
@@ -98,7 +100,15 @@ class Parser {
                                     ? named_or_infix(left, found->strength + 1)
                                     : infix(found->strength + 1);
       left = add({.kind = found->kind, .left = left, .right = right});
+      if (is_comparison(found->kind)) refuse_chain();
     }
+  }
+
+  /// Who writes 1<height<5 means that height is between the two.
+  void refuse_chain() const {
+    const auto next = std::ranges::find(kInfixes, now().text, &Infix::symbol);
+    if (now().kind == Token::Kind::symbol && next != kInfixes.end() && is_comparison(next->kind))
+      reject("a comparison cannot be compared; write 100<height && height<200");
   }
 
   /// Only == and != make sense for names.

@@ -117,6 +117,16 @@ TEST(Expression, KnowsWhatItNeeds) {
   EXPECT_TRUE(Expression::parse("depth>8").asks_depth());
 }
 
+/// It would mean (100<height)<200, which is always true.
+TEST(Expression, AComparisonIsNotCompared) {
+  for (const char* const text : {"100<height<200", "1<2==1", "1==1==1", "1!=2>0", "(1<2<3)", "!1<2<3"})
+    EXPECT_THAT(refusal(text), HasSubstr("a comparison cannot be compared; write 100<height && height<200"))
+        << text;
+  EXPECT_THAT(refusal("100<height<200"), HasSubstr("\n  100<height<200\n            ^"));
+  for (const char* const text : {"(1<2)==(3<4)", "(1>2)!=(3<4)", "1<2 && 2<3", "1+(2<3)==2"})
+    EXPECT_TRUE(is_true(text)) << text;
+}
+
 TEST(Expression, MistakesAreShownAtTheirPlace) {
   EXPECT_THAT(refusal("op==mrge"), HasSubstr("\n  op==mrge\n      ^"));
   EXPECT_THAT(refusal("op==mrge"), HasSubstr("balance, shift_split, split, swap, merge"));
