@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -56,17 +57,28 @@ constexpr bool overlaps(const GivenBox<D>& a, const GivenBox<D>& b) {
   return all;
 }
 
-/// The box with a margin, rounded outward to floats and one further, for an engine of floats rounds its own
-/// margin so. Without a margin it stays as it is; a share of an extent that has no end is none.
-template <int D>
+/// A bound moved by a margin as far as an engine that counts in `Number` may move it: to the nearest number,
+/// or one further, but never by twice the margin. The margin is rounded by such an engine, too.
+template <class Number>
+double moved_by(double from, double by) {
+  using Limits = std::numeric_limits<Number>;
+  const double most = static_cast<double>(Limits::max());
+  const double exact = from + by * (1 + 2 * static_cast<double>(Limits::epsilon()));
+  const auto nearest = static_cast<Number>(std::clamp(exact, -most, most));
+  const auto further = std::nextafter(nearest, by < 0 ? Limits::lowest() : Limits::max());
+  return static_cast<double>(std::abs(further - from) <= 2 * std::abs(by) ? further : nearest);
+}
+
+/// The box with a margin, of an engine that counts in `Number`. Without a margin it stays as it is; a share
+/// of an extent that has no end is none.
+template <class Number = double, int D>
 GivenBox<D> grow(GivenBox<D> box, const Margin& margin) {
-  constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
   if (margin == Margin{}) return box;
   for (std::size_t i = 0; i < D; ++i) {
     const double extent = box.max[i] - box.min[i];
     const double by = margin.absolute + (std::isfinite(extent) ? margin.share * extent : 0);
-    box.min[i] = static_cast<double>(std::nextafter(round_down(box.min[i] - by), -kInfinity));
-    box.max[i] = static_cast<double>(std::nextafter(round_up(box.max[i] + by), kInfinity));
+    box.min[i] = moved_by<Number>(box.min[i], -by);
+    box.max[i] = moved_by<Number>(box.max[i], by);
   }
   return box;
 }

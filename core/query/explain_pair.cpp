@@ -133,7 +133,8 @@ std::string reason_text(const PairExplanation<D>& e) {
   return "axis " + axis + " separates them by " + number_text(e.margin);
 }
 
-std::string verdict_text(PairVerdict verdict, const Margin& margin) {
+/// `rounded`: only as the engine's numbers are rounded do the boxes with their margin overlap.
+std::string verdict_text(PairVerdict verdict, const Margin& margin, bool rounded) {
   switch (verdict) {
     case PairVerdict::missed:
       return "the other engine missed it\n";
@@ -151,14 +152,15 @@ std::string verdict_text(PairVerdict verdict, const Margin& margin) {
   const bool is_share = margin.share > 0;
   return "the other engine reported it: with its margin of " +
          number_text(is_share ? 100 * margin.share : margin.absolute) + (is_share ? "%" : "") +
-         " on each side the boxes overlap\n";
+         " on each side the boxes overlap" + (rounded ? ", as floats round it" : "") + "\n";
 }
 
 /// Nothing if the other engine is right, or unknown.
 template <int D>
 std::string their_text(const PairExplanation<D>& e) {
   if (!e.their_times) return "";
-  std::string text = e.their_verdict ? verdict_text(*e.their_verdict, e.margin_declared) : "";
+  const bool rounded = !overlaps(grow(e.a_box, e.margin_declared), grow(e.b_box, e.margin_declared));
+  std::string text = e.their_verdict ? verdict_text(*e.their_verdict, e.margin_declared, rounded) : "";
   if (*e.their_times > 1) text += "the other engine reported it " + counted(*e.their_times, "time") + "\n";
   return text;
 }

@@ -1,7 +1,10 @@
 #include "core/replay/judge_theirs.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <iterator>
+#include <string_view>
 
 namespace kerf {
 namespace {
@@ -20,6 +23,41 @@ std::vector<Pair> take_repeated(std::vector<Pair>& pairs) {
     if (pairs[k] == pairs[k - 1]) repeated.push_back(pairs[k]);
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return repeated;
+}
+
+/// Whether a float, written with as many digits as the number has, is the number: then an engine of floats
+/// may have written it.
+bool may_be_float(double x) {
+  constexpr double kMost = std::numeric_limits<Scalar>::max();
+  if (!(std::abs(x) <= kMost)) return true;
+  std::array<char, 64> given{};
+  std::array<char, 64> rounded{};
+  const char* const end = std::to_chars(given.begin(), given.end(), x, std::chars_format::scientific).ptr;
+  const std::string_view text(given.data(), end);
+  const std::size_t point = text.find('.');
+  const auto decimals = point == std::string_view::npos ? 0 : static_cast<int>(text.find('e') - point - 1);
+  const auto as_float = static_cast<double>(static_cast<Scalar>(x));
+  const char* const rounded_end =
+      std::to_chars(rounded.begin(), rounded.end(), as_float, std::chars_format::scientific, decimals).ptr;
+  return text == std::string_view(rounded.data(), rounded_end);
+}
+
+template <int D>
+bool may_be_floats(const GivenBox<D>& box) {
+  return std::ranges::all_of(box.min, may_be_float) && std::ranges::all_of(box.max, may_be_float);
+}
+
+/// An engine of floats rounds what it adds its margin to, and rounds the sum.
+template <int D>
+bool overlap_with(const Margin& margin, const GivenBox<D>& a, const GivenBox<D>& b) {
+  if (overlaps(grow(a, margin), grow(b, margin))) return true;
+  if (!may_be_floats(a) || !may_be_floats(b)) return false;
+  const auto as_floats = [](GivenBox<D> box) {
+    for (double& x : box.min) x = static_cast<double>(static_cast<Scalar>(x));
+    for (double& x : box.max) x = static_cast<double>(static_cast<Scalar>(x));
+    return box;
+  };
+  return overlaps(grow<Scalar>(as_floats(a), margin), grow<Scalar>(as_floats(b), margin));
 }
 
 }  // namespace
@@ -53,8 +91,32 @@ template <int D>
 bool TheirWorld<D>::overlap(const ObjectTable<D>& objects, const Pair& pair, const Margin& margin) const {
   const GivenBox<D> a = box(objects, pair.a);
   const GivenBox<D> b = box(objects, pair.b);
-  return margin == Margin{} ? overlaps(a, b) : overlaps(grow(a, margin), grow(b, margin));
+  return margin == Margin{} ? overlaps(a, b) : overlap_with(margin, a, b);
 }
+
+namespace {
+
+/// Why the engine need not report a pair.
+template <int D>
+std::optional<PairVerdict> left_out(const Pair& pair, const TheirWorld<D>& world, const PairDesign& design) {
+  if (!lets_pass(world.filter(pair.a), world.filter(pair.b))) return PairVerdict::filtered;
+  if (std::ranges::binary_search(design.ignored, pair)) return PairVerdict::listed;
+  return std::nullopt;
+}
+
+/// On a pair that was reported, and is none. What the engine leaves out excuses nothing that it reports where
+/// no boxes overlap.
+template <int D>
+PairVerdict verdict_on_extra(const Pair& pair, const ObjectTable<D>& objects, const TheirWorld<D>& world,
+                             const PairDesign& design) {
+  if (!objects.is_placed(pair.a) || !objects.is_placed(pair.b)) return PairVerdict::extra;
+  if (world.overlap(objects, pair)) return left_out(pair, world, design).value_or(PairVerdict::extra);
+  const bool both_fixed = objects.is_fixed(pair.a) && objects.is_fixed(pair.b);
+  const bool by_margin = design.margin != Margin{} && !both_fixed;
+  return by_margin && world.overlap(objects, pair, design.margin) ? PairVerdict::margin : PairVerdict::extra;
+}
+
+}  // namespace
 
 template <int D>
 std::vector<JudgedPair> judge_theirs(std::span<const Pair> reported, std::span<const Pair> truth,
@@ -67,25 +129,13 @@ std::vector<JudgedPair> judge_theirs(std::span<const Pair> reported, std::span<c
   std::ranges::copy_if(truth, std::back_inserter(right),
                        [&](const Pair& pair) { return world.overlap(objects, pair); });
 
-  const auto add = [&](const Pair& pair, PairVerdict otherwise) {
-    if (!lets_pass(world.filter(pair.a), world.filter(pair.b))) {
-      judged.push_back({pair, PairVerdict::filtered});
-    } else if (std::ranges::binary_search(design.ignored, pair)) {
-      judged.push_back({pair, PairVerdict::listed});
-    } else if (otherwise == PairVerdict::extra && design.margin != Margin{} && objects.is_placed(pair.a) &&
-               objects.is_placed(pair.b) && !(objects.is_fixed(pair.a) && objects.is_fixed(pair.b)) &&
-               world.overlap(objects, pair, design.margin)) {
-      judged.push_back({pair, PairVerdict::margin});
-    } else {
-      judged.push_back({pair, otherwise});
-    }
-  };
   std::vector<Pair> missed;
   std::ranges::set_difference(right, theirs, std::back_inserter(missed));
-  for (const Pair& pair : missed) add(pair, PairVerdict::missed);
+  for (const Pair& pair : missed)
+    judged.push_back({pair, left_out(pair, world, design).value_or(PairVerdict::missed)});
   std::vector<Pair> extra;
   std::ranges::set_difference(theirs, right, std::back_inserter(extra));
-  for (const Pair& pair : extra) add(pair, PairVerdict::extra);
+  for (const Pair& pair : extra) judged.push_back({pair, verdict_on_extra(pair, objects, world, design)});
   std::ranges::stable_sort(judged, {}, &JudgedPair::verdict);
   return judged;
 }

@@ -61,10 +61,29 @@ TEST(GivenBox, WithoutAnEndHasNoShareOfItsExtent) {
 }
 
 /// 1500 + 0.05 and 1500.10009765625 - 0.05 meet in floats and not in doubles.
-TEST(GivenBox, GrowsAsFarAsFloatsRound) {
+TEST(GivenBox, GrowsAsFarAsNumbersRound) {
   const GivenBox<2> a = given(1499, 1500);
-  EXPECT_TRUE(overlaps(grow(a, {0.05, 0}), grow(given(1500.10009765625, 1501), {0.05, 0})));
-  EXPECT_FALSE(overlaps(grow(a, {0.05, 0}), grow(given(1500.1012, 1501), {0.05, 0})));
+  const Margin margin{0.05, 0};
+  const GivenBox<2> b = given(1500.10009765625, 1501);
+  EXPECT_TRUE(overlaps(grow<float>(a, margin), grow<float>(b, margin)));
+  EXPECT_FALSE(overlaps(grow(a, margin), grow(b, margin)));
+  EXPECT_FALSE(overlaps(grow<float>(a, margin), grow<float>(given(1500.1012, 1501), margin)));
+  EXPECT_TRUE(overlaps(grow(a, margin), grow(given(1500.1, 1501), margin))) << "doubles round, too";
+}
+
+/// -0.1 + 0.1 is 0 in floats, and less than 0 in doubles, which hold 0.1 better.
+TEST(GivenBox, TheMarginIsRoundedToo) {
+  const auto tenth = static_cast<double>(0.1F);
+  const Margin margin{0.1, 0};
+  EXPECT_TRUE(overlaps(grow<float>(given(-1, -tenth), margin), grow<float>(given(tenth, 1), margin)));
+}
+
+TEST(GivenBox, NeverGrowsByTwiceItsMargin) {
+  for (const double margin : {0.05, 0.2, 0.3, 0.7, 1e-9}) {
+    const GivenBox<2> grown = grow<float>(given(5000000, 5000001), {margin, 0});
+    EXPECT_LE(grown.max[0] - 5000001, 2 * margin) << margin;
+    EXPECT_LE(5000000 - grown.min[0], 2 * margin) << margin;
+  }
 }
 
 TEST(GivenBox, JoinsAndKeepsNan) {

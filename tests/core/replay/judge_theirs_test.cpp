@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "core/replay/oracle.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
@@ -88,6 +90,40 @@ TYPED_TEST(JudgeTheirs, FiltersAndTheListAreIgnoredReportedOrNot) {
   EXPECT_FALSE(lets_pass({1, 2}, {1, 2}));
   EXPECT_TRUE(lets_pass({1, 2}, {2, 1}));
   EXPECT_FALSE(lets_pass({1, 2}, {2, 2}));
+}
+
+/// Masks and lists excuse what an engine leaves out, and nothing that it reports where no boxes overlap.
+TYPED_TEST(JudgeTheirs, AReportedPairWithoutAnOverlapIsExtraInSpiteOfFiltersAndTheList) {
+  this->world_.apply({{}, {{{0}, {1, 6}}, {{2}, {1, 6}}}});
+  const PairDesign design{{0.03, 0}, {this->pair(1, 3), this->pair(2, 3)}};
+  ASSERT_FALSE(lets_pass(this->world_.filter({0}), this->world_.filter({2})));
+  EXPECT_THAT(this->judge({this->pair(0, 1), this->pair(1, 2), this->pair(0, 2), this->pair(1, 3),
+                           this->pair(2, 3), this->pair(0, 77)},
+                          design),
+              ElementsAre(judged(0, 2, PairVerdict::extra), judged(0, 77, PairVerdict::extra),
+                          judged(1, 3, PairVerdict::extra), judged(2, 3, PairVerdict::margin)));
+}
+
+/// In floats a margin of 0.05 is nothing beside 5,000,000, where they are 0.5 apart, and 0.3 is as much as
+/// 0.5.
+TYPED_TEST(JudgeTheirs, AMarginIsRoundedAsTheEngineMayRoundIt) {
+  const auto excused = [&](double from, double to, double margin) {
+    const std::uint32_t first = this->objects_.size();
+    this->add(std::floor(from) - 1, from);
+    this->add(to, std::ceil(to) + 1);
+    const auto all =
+        this->judge({this->pair(0, 1), this->pair(1, 2), this->pair(first, first + 1)}, {{margin, 0}, {}});
+    EXPECT_EQ(all.size(), 1U);
+    return all.front().verdict == PairVerdict::margin;
+  };
+  EXPECT_FALSE(excused(5000001.1, 5000002.9, 0.05)) << "floats do not hold what was given";
+  EXPECT_TRUE(excused(6000001.1, 6000002.9, 0.95));
+  EXPECT_FALSE(excused(7000001, 7000001.5, 0.05));
+  EXPECT_TRUE(excused(8000001, 8000002, 0.3)) << "a float engine's boxes are 0.5 larger";
+  EXPECT_TRUE(excused(1500, 1500.10009765625, 0.05)) << "they meet in floats";
+  EXPECT_TRUE(excused(1600.1, 1600.2001, 0.05)) << "written in few digits";
+  EXPECT_FALSE(excused(1700.1, 1700.201, 0.05));
+  EXPECT_FALSE(excused(1800.1, 1800.2000000001, 0.05)) << "no float has these digits";
 }
 
 TEST(TheirStep, CountsEachVerdict) {
