@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/recording/shape_rows.h"
 #include "core/trace/event_facts.h"
 
 namespace kerf {
@@ -45,6 +46,19 @@ bool same_boxes(const std::vector<Box<D>>& a, const std::vector<Box<D>>& b) {
 template <int D>
 bool same_requests(const StepRequests<D>& a, const StepRequests<D>& b) {
   return a.calls == b.calls && a.objects == b.objects && same_boxes(a.boxes, b.boxes) && a.extra == b.extra;
+}
+
+/// Each with its shape itself: a recording numbers its shapes as they come.
+template <int D>
+bool same_looks(const std::vector<LookChange<D>>& a, const std::vector<Shape<D>>& a_shapes,
+                const std::vector<LookChange<D>>& b, const std::vector<Shape<D>>& b_shapes) {
+  const auto text = [](const Look<D>& look, const std::vector<Shape<D>>& shapes) {
+    return look.shape == kNoShape ? ShapeText() : encode_shape<D>(shapes[look.shape]);
+  };
+  return std::ranges::equal(a, b, [&](const LookChange<D>& x, const LookChange<D>& y) {
+    return x.object == y.object && x.look.turn == y.look.turn && x.look.stretch == y.look.stretch &&
+           text(x.look, a_shapes) == text(y.look, b_shapes);
+  });
 }
 
 std::optional<EventDifference> first_difference(const std::vector<Event>& a, const std::vector<Event>& b,
@@ -94,6 +108,12 @@ std::optional<TheirDifference> their_difference(const RecordingReader<D>& a, con
   return TheirDifference{step, only_in(of_a, of_b), only_in(of_b, of_a)};
 }
 
+/// In how many digits the numbers were written does not count.
+template <int D>
+bool same_structure(const std::optional<TheirStructure<D>>& a, const std::optional<TheirStructure<D>>& b) {
+  return a.has_value() == b.has_value() && (!a || a->nodes == b->nodes);
+}
+
 /// What only imports have.
 template <int D>
 void compare_theirs(RecordingReader<D>& a, RecordingReader<D>& b, std::uint32_t step,
@@ -103,6 +123,19 @@ void compare_theirs(RecordingReader<D>& a, RecordingReader<D>& b, std::uint32_t 
   if (!result.requests && a.their_changes(step) != b.their_changes(step)) result.requests = step;
   if (!result.theirs) result.theirs = their_difference(a, b, step);
   if (!result.verdicts && a.judged_pairs(step) != b.judged_pairs(step)) result.verdicts = step;
+  if (!result.structures && !same_structure(a.their_structure(step), b.their_structure(step)))
+    result.structures = step;
+}
+
+/// What the tree is given.
+template <int D>
+void compare_given(RecordingReader<D>& a, RecordingReader<D>& b, std::uint32_t step,
+                   RecordingComparison& result) {
+  if (!result.config && config_of(a.info(), step) != config_of(b.info(), step)) result.config = step;
+  if (!result.requests && !same_requests(a.step(step).requests, b.step(step).requests))
+    result.requests = step;
+  if (!result.shapes && !same_looks(a.step(step).looks, a.shapes(), b.step(step).looks, b.shapes()))
+    result.shapes = step;
 }
 
 }  // namespace
@@ -117,8 +150,7 @@ RecordingComparison compare(RecordingReader<D>& a, RecordingReader<D>& b) {
   for (std::uint32_t step = 1; step <= std::min(a.steps(), b.steps()); ++step) {
     if (!result.state && a.row(step).state_hash != b.row(step).state_hash) result.state = step;
     if (!result.pairs && a.row(step).pairs_hash != b.row(step).pairs_hash) result.pairs = step;
-    if (!result.requests && !same_requests(a.step(step).requests, b.step(step).requests))
-      result.requests = step;
+    compare_given(a, b, step, result);
     const auto differs = [&](bool (*counts)(const Event&)) {
       return first_difference(a.step(step).events, b.step(step).events, counts);
     };

@@ -42,20 +42,23 @@ struct TheirDifference {
 struct RecordingComparison {
   RecordingSummary a;
   RecordingSummary b;
-  std::optional<std::uint32_t> requests;     ///< first step with other requests before it
-  std::optional<std::uint32_t> state;        ///< first step with another tree
-  std::optional<std::uint32_t> pairs;        ///< first step with another set of pairs
-  std::optional<EventDifference> events;     ///< of any kind
+  std::optional<std::uint32_t> requests;  ///< first step with other requests before it
+  std::optional<std::uint32_t> config;    ///< first step with another configuration
+  std::optional<std::uint32_t> shapes;    ///< first step in which an object has another shape, or is turned
+  std::optional<std::uint32_t> state;     ///< first step with another tree
+  std::optional<std::uint32_t> pairs;     ///< first step with another set of pairs
+  std::optional<EventDifference> events;  ///< of any kind
   std::optional<EventDifference> operators;  ///< the first operator that acted or was refused differently
 
   std::optional<TheirDifference> theirs;    ///< of imports: their pairs
   std::optional<std::uint32_t> verdicts;    ///< of imports: first step with another judgement of them
+  std::optional<std::uint32_t> structures;  ///< of imports: first step with another structure, or with none
   std::optional<std::uint32_t> step_names;  ///< the first step of another name
   bool object_names = false;                ///< objects have other names, labels or colours
 
   [[nodiscard]] bool same() const {
-    return !requests && !state && !pairs && !events && !theirs && !verdicts && !step_names && !object_names &&
-           a.steps == b.steps;
+    return !requests && !config && !shapes && !state && !pairs && !events && !theirs && !verdicts &&
+           !structures && !step_names && !object_names && a.steps == b.steps;
   }
 };
 

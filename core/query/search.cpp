@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "core/query/recorded_moment.h"
@@ -28,8 +29,18 @@ template <int D>
 Search<D>::Search(std::shared_ptr<RecordingReader<D>> recording) : recording_(std::move(recording)) {}
 
 template <int D>
+void Search<D>::check(const Expression& expression) {
+  if (!expression.asks_oracle() || !recording_->info().imported) return;
+  if (!has_judgement_) has_judgement_ = recording_->steps() == 0 || !recording_->their_steps().empty();
+  if (!*has_judgement_)
+    throw std::invalid_argument(recording_->path().string() +
+                                " has no pairs of another engine; `kerf import --pairs` brings them");
+}
+
+template <int D>
 std::optional<Position> Search<D>::forward(const Expression& expression, const Position& from,
                                            const Progress& progress) {
+  check(expression);
   const Range range{from, Position::end_of(recording_->steps() + 1), false};
   for (std::uint32_t step = std::max(from.step, 1U); step <= recording_->steps(); ++step) {
     if (progress && !progress(step)) return std::nullopt;
@@ -41,6 +52,7 @@ std::optional<Position> Search<D>::forward(const Expression& expression, const P
 template <int D>
 std::optional<Position> Search<D>::backward(const Expression& expression, const Position& from,
                                             const Progress& progress) {
+  check(expression);
   const Range range{Position{0, 0}, from, true};
   for (std::uint32_t step = std::min(from.step, recording_->steps()); step > 0; --step) {
     if (progress && !progress(step)) return std::nullopt;
@@ -52,6 +64,7 @@ std::optional<Position> Search<D>::backward(const Expression& expression, const 
 template <int D>
 std::optional<Position> Search<D>::forward_change(const Expression& expression, const Position& from,
                                                   Change change, const Progress& progress) {
+  check(expression);
   std::optional<double> before = last_value(expression, from);
   for (std::uint32_t step = std::max(from.step, 1U); step <= recording_->steps(); ++step) {
     if (progress && !progress(step)) return std::nullopt;
@@ -67,6 +80,7 @@ std::optional<Position> Search<D>::forward_change(const Expression& expression, 
 template <int D>
 std::optional<Position> Search<D>::backward_change(const Expression& expression, const Position& from,
                                                    Change change, const Progress& progress) {
+  check(expression);
   std::optional<ValueAt> later;  // whether it is a change depends on the moments before it
   for (std::uint32_t step = std::min(from.step, recording_->steps()); step > 0; --step) {
     if (progress && !progress(step)) return std::nullopt;
@@ -117,6 +131,7 @@ std::optional<double> Search<D>::last_value(const Expression& expression, const 
 
 template <int D>
 double Search<D>::value(const Expression& expression, const Position& at) {
+  check(expression);
   double result = std::numeric_limits<double>::quiet_NaN();
   if (at.step == 0) return result;
   const auto ask = [&](const Event* event, const Bsp<D, Watch>* tree, const std::vector<Pair>* before) {

@@ -17,7 +17,8 @@ enum class Change : std::uint8_t { any, becomes_true };
 /// Finds the moments of a recorded run at which an expression holds: after events if it is about events, else
 /// at the ends of steps. It uses recorded data first and replays the run only where that does not suffice.
 ///
-/// Everything throws std::runtime_error if the recording is damaged.
+/// Everything throws std::runtime_error if the recording is damaged, and std::invalid_argument for an
+/// expression that it cannot answer (see `check`).
 template <int D>
 class Search {
  public:
@@ -25,6 +26,10 @@ class Search {
   using Progress = std::function<bool(std::uint32_t)>;
 
   explicit Search(std::shared_ptr<RecordingReader<D>> recording);
+
+  /// Throws std::invalid_argument for an expression about the other engine's pairs of an import that has
+  /// none.
+  void check(const Expression& expression);
 
   /// The first moment after `from`; none if there is none.
   std::optional<Position> forward(const Expression& expression, const Position& from,
@@ -66,6 +71,7 @@ class Search {
   std::shared_ptr<RecordingReader<D>> recording_;
   std::unique_ptr<Replayer<D>> replayer_;  ///< null until it is needed
   std::vector<std::optional<double>> medians_;
+  std::optional<bool> has_judgement_;  ///< whether `missed` and the like are known; none: not asked yet
 };
 
 extern template class Search<2>;

@@ -3,6 +3,7 @@
 #include "core/base/damage.h"
 #include "core/recording/chain.h"
 #include "core/recording/schema.h"
+#include "core/recording/their_structure.h"
 
 namespace kerf {
 namespace {
@@ -168,6 +169,21 @@ std::optional<ChangedPart> find_change(const Database& recording, const Recorded
   const auto end = read_end(recording);
   if (end && *end != chain.end())
     return ChangedPart{last, "what was written after step " + names.step(last) + ", the last one"};
+  return std::nullopt;
+}
+
+std::optional<ChangedPart> find_added(const Database& recording, const RecordedRows& rows) {
+  const auto last = static_cast<std::uint32_t>(rows.steps.size());
+  std::vector<std::string> tables{"events",         "blocks",      "their_steps",  "their_pairs",
+                                  "their_verdicts", "their_boxes", "their_filters"};
+  if (has_structures(recording)) tables.emplace_back("their_structures");
+  for (const std::string& table : tables) {
+    const std::string step = table == "blocks" ? "first_step" : "step";
+    Statement added = recording.prepare("SELECT EXISTS(SELECT 1 FROM " + table + " WHERE NOT coalesce(" +
+                                        step + " BETWEEN 1 AND ?, 0))");
+    if (added.bind(1, std::int64_t{last}).step() && added.integer(0) != 0)
+      return ChangedPart{last, "the table " + table + " has a row of no step of the recording"};
+  }
   return std::nullopt;
 }
 

@@ -61,4 +61,8 @@ struct ChangedPart {
 std::optional<ChangedPart> find_change(const Database& recording, const RecordedRows& rows,
                                        const GivenNames& names);
 
+/// A table with rows of no step, which no reader asks for. The recording must be complete: a writer adds rows
+/// before their step.
+std::optional<ChangedPart> find_added(const Database& recording, const RecordedRows& rows);
+
 }  // namespace kerf

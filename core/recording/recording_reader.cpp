@@ -73,6 +73,11 @@ auto RecordingReader<D>::open_changed(const std::filesystem::path& path) -> std:
 }
 
 template <int D>
+std::optional<ChangedPart> RecordingReader<D>::added() const {
+  return info_.complete ? find_added(database_, rows_) : std::nullopt;
+}
+
+template <int D>
 std::optional<std::uint32_t> RecordingReader<D>::step_of(std::uint64_t event) const {
   const auto after = std::ranges::upper_bound(rows_.steps, event, {}, &StepRow::first_event);
   if (after == rows_.steps.begin()) return std::nullopt;
@@ -243,11 +248,17 @@ std::optional<TheirStep> RecordingReader<D>::their_step(std::uint32_t step) cons
   return read_their_step(database_, step);
 }
 
+/// `is_any`: there are rows of another engine. Where there are none any more, an import may have had some.
+template <int D>
+void RecordingReader<D>::check_all_theirs(bool is_any) const {
+  if (!info_.imported && rows_.theirs.empty() && !is_any) return;
+  for (; theirs_checked_ < steps(); ++theirs_checked_) check_theirs(theirs_checked_ + 1);
+}
+
 template <int D>
 std::vector<std::pair<std::uint32_t, TheirStep>> RecordingReader<D>::their_steps() const {
   auto sums = read_their_steps(database_);
-  if (info_.imported || !sums.empty())
-    for (std::uint32_t step = 1; step <= steps(); ++step) check_theirs(step);
+  check_all_theirs(!sums.empty());
   while (!sums.empty() && sums.back().first > steps()) sums.pop_back();  // still being written
   return sums;
 }
@@ -279,6 +290,7 @@ std::optional<GivenBox<D>> RecordingReader<D>::given_box(ObjectId object, std::u
 
 template <int D>
 bool RecordingReader<D>::has_filters() const {
+  check_theirs_up_to(steps());
   return database_.ask("SELECT EXISTS(SELECT 1 FROM their_filters)") != 0;
 }
 
@@ -290,7 +302,8 @@ std::optional<GivenFilter> RecordingReader<D>::filter(ObjectId object, std::uint
 
 template <int D>
 std::optional<TheirStructure<D>> RecordingReader<D>::their_structure(std::uint32_t step) const {
-  if (step == 0 || step > steps() || !has_structures(database_)) return std::nullopt;
+  if (step == 0 || step > steps()) return std::nullopt;
+  if (!has_structures(database_) && rows_.theirs.empty()) return std::nullopt;
   check_theirs(step);
   auto structure = read_structure<D>(database_, step);
   if (structure) structure->digits = info_.digits;
@@ -300,6 +313,7 @@ std::optional<TheirStructure<D>> RecordingReader<D>::their_structure(std::uint32
 template <int D>
 std::vector<std::uint32_t> RecordingReader<D>::structure_steps() const {
   std::vector<std::uint32_t> known = read_structure_steps(database_);
+  check_all_theirs(!known.empty());
   while (!known.empty() && known.back() > steps()) known.pop_back();  // still being written
   return known;
 }

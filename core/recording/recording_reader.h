@@ -38,6 +38,7 @@ class RecordingReader {
   /// The same, but also opens a recording with changed rows, for callers that examine them.
   static std::unique_ptr<RecordingReader> open_changed(const std::filesystem::path& path);
 
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] const RecordingInfo& info() const { return info_; }
   /// Complete steps; they count from 1.
   [[nodiscard]] std::uint32_t steps() const { return static_cast<std::uint32_t>(rows_.steps.size()); }
@@ -46,6 +47,8 @@ class RecordingReader {
   [[nodiscard]] const StepRow& row(std::uint32_t step) const { return rows_.steps[step - 1]; }
   /// The place where its rows are no longer as written.
   [[nodiscard]] const std::optional<ChangedPart>& change() const { return change_; }
+  /// See `find_added`.
+  [[nodiscard]] std::optional<ChangedPart> added() const;
   /// The step in which an event happened; none if it is beyond the end.
   [[nodiscard]] std::optional<std::uint32_t> step_of(std::uint64_t event) const;
 
@@ -86,7 +89,7 @@ class RecordingReader {
   [[nodiscard]] std::optional<GivenFilter> filter(ObjectId object, std::uint32_t step) const;
   /// Another engine's structure after a step; none if it is not known.
   [[nodiscard]] std::optional<TheirStructure<D>> their_structure(std::uint32_t step) const;
-  /// The steps that have one, rising.
+  /// The steps that have one, rising; every step is compared with its seal.
   [[nodiscard]] std::vector<std::uint32_t> structure_steps() const;
   [[nodiscard]] RecordingSize size() const;
   /// Throws std::runtime_error if a step's data of another engine is not as written.
@@ -119,6 +122,7 @@ class RecordingReader {
   void read_block(BlockDecoder<D>& decoder, const BlockRow& block, Span& span) const;
   [[nodiscard]] Span read_span(std::uint32_t keyframe) const;
   void check_theirs_up_to(std::uint32_t step) const;
+  void check_all_theirs(bool is_any) const;
 
   std::filesystem::path path_;
   Database database_;

@@ -67,6 +67,7 @@ class Verifier {
   Verdict run(const std::function<bool(std::uint32_t)>& progress) {
     recording_->check_pages();
     verdict_.change = recording_->change();
+    if (!verdict_.change) verdict_.change = recording_->added();
     verdict_.names = recording_->info().names;
     verdict_.shapes = count_shapes<D>(recording_->shapes());
     operators_ = recording_->operators();

@@ -49,6 +49,8 @@ Json as_json(const RecordingComparison& comparison, const GivenNames& a, const G
   return {{"same", comparison.same()},
           {"first_different",
            {{"requests", step(comparison.requests)},
+            {"config", step(comparison.config)},
+            {"shapes", step(comparison.shapes)},
             {"state", step(comparison.state)},
             {"pairs", step(comparison.pairs)},
             {"events", step(step_of(comparison.events))},
@@ -61,6 +63,7 @@ Json as_json(const RecordingComparison& comparison, const GivenNames& a, const G
             {"a_theirs", comparison.theirs ? comparison.theirs->only_a : std::vector<std::string>()},
             {"b_theirs", comparison.theirs ? comparison.theirs->only_b : std::vector<std::string>()},
             {"verdicts", step(comparison.verdicts)},
+            {"structures", step(comparison.structures)},
             {"step_names", step(comparison.step_names)}}},
           {"same_object_names", !comparison.object_names},
           {"a", as_json(comparison.a)},
@@ -105,6 +108,7 @@ void print_theirs(const RecordingComparison& comparison, const GivenNames& names
     print_only("B", comparison.theirs->only_b);
   }
   print_first("verdicts", comparison.verdicts, names);
+  print_first("structures", comparison.structures, names);
 }
 
 void print_figures(const RecordingSummary& a, const RecordingSummary& b) {
@@ -129,6 +133,8 @@ void print_figures(const RecordingSummary& a, const RecordingSummary& b) {
 void print(const RecordingComparison& comparison, const RecordingInfo& a, const RecordingInfo& b) {
   const GivenNames& names = a.names;
   print_first("requests", comparison.requests, names);
+  print_first("configs", comparison.config, names);
+  print_first("shapes", comparison.shapes, names);
   print_first("events", comparison.events, names, b.names);
   if (comparison.operators && comparison.operators == comparison.events) {
     std::printf("%-10s differ first there, too\n", "operators");

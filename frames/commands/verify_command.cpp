@@ -41,9 +41,12 @@ void print(const Verdict& verdict, bool oracle) {
   } else if (!verdict.change) {
     std::printf("every event, figure, state hash, keyframe and set of pairs is as recorded\n");
   }
-  if (oracle)
+  if (oracle && verdict.judged == 0) {
+    std::printf("oracle: asked in no step\n");
+  } else if (oracle) {
     std::printf("oracle: %llu missed, %llu extra, %llu twice\n", wide(verdict.missed), wide(verdict.extra),
                 wide(verdict.twice));
+  }
   if (const TheirStep& theirs = verdict.theirs; theirs != TheirStep{})
     std::printf("theirs: %s, %llu missed, %llu extra, %llu twice, %llu ignored\n",
                 counted(theirs.pairs, "pair").c_str(), wide(theirs.missed), wide(theirs.extra),

@@ -178,7 +178,8 @@ void bind_why(py::module_& module) {
       });
 }
 
-std::optional<std::uint32_t> step_of(const std::optional<EventDifference>& difference) {
+template <class Difference>
+std::optional<std::uint32_t> step_of(const std::optional<Difference>& difference) {
   return difference ? std::optional(difference->step) : std::nullopt;
 }
 
@@ -187,6 +188,8 @@ void bind_comparison(py::module_& module) {
   py::class_<Comparison>(module, "Comparison", "Where two recordings first differ: steps, or None.")
       .def_property_readonly("same", &Comparison::same, "Nothing differs.")
       .def_readonly("requests", &Comparison::requests, "First step with other requests before it.")
+      .def_readonly("config", &Comparison::config, "First step with another configuration.")
+      .def_readonly("shapes", &Comparison::shapes, "First step in which objects look otherwise.")
       .def_readonly("state", &Comparison::state, "First step with another tree.")
       .def_readonly("pairs", &Comparison::pairs, "First step with another set of pairs.")
       .def_property_readonly(
@@ -194,6 +197,14 @@ void bind_comparison(py::module_& module) {
       .def_property_readonly(
           "operators", [](const Comparison& c) { return step_of(c.operators); },
           "First step in which another operator acted or was refused.")
+      .def_property_readonly(
+          "theirs", [](const Comparison& c) { return step_of(c.theirs); },
+          "Of imports: first step in which the other engines reported other pairs.")
+      .def_readonly("verdicts", &Comparison::verdicts, "Of imports: first step with another judgement.")
+      .def_readonly("structures", &Comparison::structures,
+                    "Of imports: first step with another structure of the other engine.")
+      .def_readonly("step_names", &Comparison::step_names, "First step of another name.")
+      .def_readonly("object_names", &Comparison::object_names, "Objects have other names, labels or colours.")
       .def("__repr__", [](const Comparison& c) {
         return std::string("<kerf.Comparison: ") + (c.same() ? "the same>" : "not the same>");
       });
@@ -207,6 +218,7 @@ void bind_verdict(py::module_& module) {
       .def_readonly("steps", &Verdict::steps, "Replayed, up to where it diverges.")
       .def_readonly("events", &Verdict::events)
       .def_readonly("pairs", &Verdict::pairs)
+      .def_readonly("judged", &Verdict::judged, "Steps in which brute force was asked.")
       .def_readonly("missed", &Verdict::missed, "Pairs, by the oracle, summed over the steps.")
       .def_readonly("extra", &Verdict::extra)
       .def_readonly("twice", &Verdict::twice)

@@ -11,6 +11,7 @@
 #include "tests/frames/import_program.h"
 #include "tests/support/boxes.h"
 #include "tests/support/planted_box_tree.h"
+#include "tests/support/recorded_crowd.h"
 
 namespace kerf {
 namespace {
@@ -160,6 +161,32 @@ TEST_F(ImportStructure, ANodeBelowTwoIsNamed) {
   static_cast<void>(import_of(run(TreeBug::child_of_two)));
   EXPECT_THAT(lint().out, HasSubstr("child of two nodes: n"));
   EXPECT_THAT(lint().out, HasSubstr("object in no cell: object "));
+}
+
+TEST_F(ImportStructure, TwoImportsAreComparedByTheirStructures) {
+  (void)import_of(run(TreeBug::none, false));
+  std::filesystem::rename(path("a.kerf"), path("sound.kerf"));
+  (void)import_of(run(TreeBug::none, false));
+  EXPECT_EQ(run_kerf({"compare", path("a.kerf"), path("sound.kerf")}).exit, 0);
+  const Files other = run(TreeBug::none, false, "0.25");
+  (void)imported("other", other.boxes, {"--pairs", other.pairs, "--structure", other.nodes});
+  (void)imported("none", other.boxes, {"--pairs", other.pairs});
+  for (const std::string name : {"other", "none"}) {
+    const RunOutcome compared = run_kerf({"compare", path("a.kerf"), path(name + ".kerf")});
+    EXPECT_EQ(compared.exit, 1) << name;
+    EXPECT_THAT(compared.out, HasSubstr("structures differ first in step 1\n"));
+  }
+}
+
+/// A step whose nodes were taken out of the file is no step without nodes.
+TEST_F(ImportStructure, AStepThatWasTakenAwayIsRefused) {
+  for (const char* const taken : {" WHERE step = 2", ""}) {
+    (void)import_of(run(TreeBug::none));
+    test::change_recording(path("a.kerf"), std::string("DELETE FROM their_structures") + taken);
+    const RunOutcome outcome = lint();
+    EXPECT_EQ(outcome.exit, 2) << outcome.out;
+    EXPECT_THAT(outcome.err, HasSubstr("has of another engine is not what was written"));
+  }
 }
 
 TEST_F(ImportStructure, LimitsThatAreNoneAreRefused) {

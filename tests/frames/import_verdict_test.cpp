@@ -138,6 +138,53 @@ TEST_F(ImportVerdict, AMarginIsDeclared) {
     EXPECT_THAT(refused(boxes, {"--margin", margin}), HasSubstr("--margin '" + margin + "'"));
 }
 
+/// What an engine reports where no boxes overlap is excused by no mask and no list.
+TEST_F(ImportVerdict, MasksAndTheListExcuseNoReportedPairWithoutAnOverlap) {
+  const std::string heading = "step,object,min_x,max_x,min_y,max_y";
+  const std::string pairs = write("pairs.csv", "step,a,b\n1,1,2\n1,1,3\n");
+  const std::string masked =
+      write("masked.csv", heading + ",category,mask\n1,1,0,1,0,1,1,2\n1,2,5,6,0,1,1,2\n1,3,0,1,0,1,1,2\n");
+  EXPECT_THAT(imported("a", masked, {"--pairs", pairs}), HasSubstr("1 extra, 0 twice, 0 ignored"));
+  EXPECT_THAT(explained("a", "1", "1,2"), HasSubstr("the other engine reported it, though it is none"));
+  const std::string plain = write("plain.csv", heading + "\n1,1,0,1,0,1\n1,2,5,6,0,1\n1,3,0,1,0,1\n");
+  EXPECT_THAT(imported("b", plain, {"--pairs", pairs, "--ignore", write("listed.csv", "a,b\n1,2\n")}),
+              HasSubstr("1 extra, 0 twice, 0 ignored"));
+  EXPECT_EQ(run_kerf({"verify", path("b.kerf")}).exit, 0);
+}
+
+TEST_F(ImportVerdict, AMarginExcusesNoGapThatIsMuchLarger) {
+  const std::string heading = "step,object,min_x,max_x,min_y,max_y\n";
+  const std::string pairs = write("pairs.csv", "step,a,b\n1,1,2\n");
+  const auto judged = [&](const std::string& boxes, const std::string& margin) {
+    return imported("a", write("boxes.csv", heading + boxes), {"--pairs", pairs, "--margin", margin});
+  };
+  EXPECT_THAT(judged("1,1,5000000.1,5000001.1,0,1\n1,2,5000002.9,5000003.9,0,1\n", "0.05"),
+              HasSubstr("1 extra, 0 twice, 0 ignored"));
+  EXPECT_THAT(judged("1,1,1499,1500,0,1\n1,2,1500.10009765625,1501,0,1\n", "0.05"),
+              HasSubstr("0 extra, 0 twice, 1 ignored"));
+  EXPECT_THAT(explained("a", "1", "1,2"),
+              HasSubstr("with its margin of 0.05 on each side the boxes overlap, as floats round it\n"));
+  EXPECT_EQ(run_kerf({"verify", path("a.kerf")}).exit, 0);
+}
+
+/// Where nothing was judged there is no answer, not "there is no such moment".
+TEST_F(ImportVerdict, WithoutPairsNothingIsMissed) {
+  (void)imported("np", given("step_offset/boxes.csv"));
+  const std::string why =
+      path("np.kerf") + " has no pairs of another engine; `kerf import --pairs` brings them";
+  for (const std::string condition : {"missed>0", "missed==0", "ignored>0 || step>1", "extra>0", "twice>0"}) {
+    const RunOutcome stepped = run_kerf({"step", path("np.kerf"), "--to", condition});
+    EXPECT_EQ(stepped.exit, 2) << condition;
+    EXPECT_THAT(stepped.err, HasSubstr(why));
+    EXPECT_EQ(run_kerf({"step", path("np.kerf"), "--to", condition, "--reverse"}).exit, 2);
+    const RunOutcome small =
+        run_kerf({"minimize", path("np.kerf"), "--when", condition, "-o", path("small.kerf")});
+    EXPECT_EQ(small.exit, 2) << condition;
+    EXPECT_THAT(small.err, HasSubstr(why));
+  }
+  EXPECT_EQ(run_kerf({"step", path("np.kerf"), "--to", "pairs>0"}).exit, 0);
+}
+
 TEST_F(ImportVerdict, OddPairFilesAreJudgedOrRefusedByLine) {
   const std::string boxes = given("pair_file/boxes.csv");
   const std::string out = imported("a", boxes, {"--pairs", given("pair_file/p1.csv")});
@@ -209,6 +256,26 @@ TEST_F(ImportVerdict, TwoImportsAreComparedByTheirPairsToo) {
   const RunOutcome renamed = run_kerf({"compare", path("b.kerf"), path("c.kerf")});
   EXPECT_EQ(renamed.exit, 1);
   EXPECT_THAT(renamed.out, HasSubstr("names      differ first in step 5000"));
+}
+
+TEST_F(ImportVerdict, TwoImportsAreComparedByTheirShapesToo) {
+  const std::string boxes =
+      write("boxes.csv", "step,object,min_x,max_x,min_y,max_y\n1,0,0,1,0,1\n2,1,3,4,0,1\n");
+  const auto shaped = [&](const std::string& name, const std::string& radius) {
+    (void)imported(name, boxes,
+                   {"--objects", write("objects.csv", "object,shape,radius\n1,ball," + radius + "\n")});
+  };
+  shaped("a", "0.5");
+  shaped("b", "0.2");
+  shaped("c", "0.5");
+  EXPECT_EQ(run_kerf({"compare", path("a.kerf"), path("c.kerf")}).exit, 0);
+  const RunOutcome compared = run_kerf({"compare", path("a.kerf"), path("b.kerf")});
+  EXPECT_EQ(compared.exit, 1);
+  EXPECT_THAT(compared.out, HasSubstr("shapes     differ first in step 2\n"));
+  EXPECT_THAT(run_kerf({"compare", path("a.kerf"), path("b.kerf"), "--json"}).out,
+              HasSubstr("\"shapes\": 2,"));
+  (void)imported("d", boxes);
+  EXPECT_EQ(run_kerf({"compare", path("a.kerf"), path("d.kerf")}).exit, 1);
 }
 
 }  // namespace

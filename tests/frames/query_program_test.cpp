@@ -130,6 +130,25 @@ TEST_F(QueryProgram, RunsAgainWithAnotherConfiguration) {
   EXPECT_EQ(run_kerf({"rerun", file("a"), "-o", file("d"), "--config", "min_balnce=0.3"}).exit, 2);
 }
 
+/// A parameter that changes nothing else is another run nevertheless: 5 % instead of 2.5 % may matter later.
+TEST_F(QueryProgram, AnotherConfigurationIsAnotherRun) {
+  ASSERT_EQ(run_kerf({"rerun", file("a"), "-o", file("b"), "--config", "max_height=60", "--from", "9"}).exit,
+            0);
+  const RunOutcome compared = run_kerf({"compare", file("a"), file("b")});
+  EXPECT_EQ(compared.exit, 1);
+  EXPECT_THAT(compared.out, HasSubstr("configs    differ first in step 9\n"));
+  const auto json = nlohmann::json::parse(run_kerf({"compare", file("a"), file("b"), "--json"}).out);
+  EXPECT_FALSE(json["same"]);
+  EXPECT_EQ(json["first_different"]["config"], 9);
+  EXPECT_TRUE(json["first_different"]["events"].is_null());
+}
+
+TEST_F(QueryProgram, AnOracleThatWasNotAskedHasFoundNothing) {
+  const std::string out = run_kerf({"verify", file("a"), "--oracle-every", "1000"}).out;
+  EXPECT_THAT(out, HasSubstr("oracle: asked in no step\n"));
+  EXPECT_THAT(out, ::testing::Not(HasSubstr("0 missed")));
+}
+
 /// What if this split had not been, had taken another plane, or the rule had changed from here on?
 TEST_F(QueryProgram, RunsAgainWithADecision) {
   const RunOutcome found = run_kerf({"step", file("a"), "--to", "op==split && kind==acted"});

@@ -8,9 +8,9 @@
 
 namespace kerf::test {
 
-void TemporaryRecording::change(const std::string& sql) const {
+void change_recording(const std::filesystem::path& recording, const std::string& sql) {
   sqlite3* database = nullptr;
-  if (sqlite3_open(path().c_str(), &database) != SQLITE_OK ||
+  if (sqlite3_open(recording.c_str(), &database) != SQLITE_OK ||
       sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
     throw std::runtime_error(sqlite3_errmsg(database));
   sqlite3_close(database);

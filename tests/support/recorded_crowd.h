@@ -10,12 +10,14 @@
 
 namespace kerf::test {
 
+/// Changes the file behind Kerf's back.
+void change_recording(const std::filesystem::path& recording, const std::string& sql);
+
 /// A name for a new file; whatever lies there goes away with the object.
 class TemporaryRecording {
  public:
   [[nodiscard]] std::filesystem::path path() const { return folder_.path() / "crowd.kerf"; }
-  /// Changes the file behind Kerf's back.
-  void change(const std::string& sql) const;
+  void change(const std::string& sql) const { change_recording(path(), sql); }
 
  private:
   TemporaryFolder folder_;

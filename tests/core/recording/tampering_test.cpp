@@ -154,6 +154,29 @@ TYPED_TEST(Tampering, NothingIsSaidAgainstWhatWasRecorded) {
   EXPECT_THAT(verify(this->path(), 10).unchecked, testing::Contains(HasSubstr("by the oracle")));
 }
 
+/// Rows of steps and of blocks that a complete recording does not have; no step asks for them.
+TYPED_TEST(Tampering, AnAddedRowIsNoticed) {
+  for (const std::string step : {"0", "999", "NULL"}) {
+    const std::string rest = step + ", 0, 1";
+    for (const std::string& row :
+         {"events(step, id, node, generation, kind, op) VALUES(" + step + ", 100000, 0, 0, 'acted', 'split')",
+          "their_pairs VALUES(" + rest + ")", "their_verdicts VALUES(" + rest + ", 'extra')",
+          "their_filters VALUES(" + rest + ", 1)", "their_boxes(step, object) VALUES(" + step + ", 0)"}) {
+      this->change("INSERT INTO " + row);
+      EXPECT_THAT(objection(this->path()),
+                  AnyOf(HasSubstr("has a row of no step"), HasSubstr("e100000 has figures")))
+          << row;
+      this->restore();
+    }
+  }
+  for (const std::string row :
+       {"their_steps VALUES(999, 1, 0, 0, 0, 0)", "blocks VALUES(999, 5, 3, 0, x'00')"}) {
+    this->change("INSERT INTO " + row);
+    EXPECT_THAT(objection(this->path()), HasSubstr("has a row of no step")) << row;
+    this->restore();
+  }
+}
+
 /// Every column of every table, each once or twice.
 TYPED_TEST(Tampering, AnyChangedValueIsNoticed) {
   Random random(TestFixture::kD);

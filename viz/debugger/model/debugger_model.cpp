@@ -231,7 +231,9 @@ void DebuggerModel::toggle_isolated() {
 }
 
 void DebuggerModel::add_breakpoint(const std::string& condition) {
-  breakpoints.push_back({Expression::parse(condition)});
+  Breakpoint breakpoint{Expression::parse(condition)};
+  run_->check(breakpoint.condition);
+  breakpoints.push_back(std::move(breakpoint));
 }
 
 void DebuggerModel::add_watch(const std::string& expression) {

@@ -176,6 +176,8 @@ class Run {
   [[nodiscard]] virtual std::optional<Position> search_change(const Expression& expression,
                                                               const Position& from, Change change,
                                                               bool forwards, const Progress& progress) = 0;
+  /// Throws std::invalid_argument for an expression that the run cannot answer; so do the three others.
+  virtual void check(const Expression& expression) = 0;
   /// The value of an expression at this moment; NaN if it does not exist.
   [[nodiscard]] virtual double value(const Expression& expression) = 0;
 };

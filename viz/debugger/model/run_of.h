@@ -78,6 +78,7 @@ class RunOf final : public Run {
   [[nodiscard]] std::optional<Position> search_change(const Expression& expression, const Position& from,
                                                       Change change, bool forwards,
                                                       const Progress& progress) override;
+  void check(const Expression& expression) override { search_.check(expression); }
   [[nodiscard]] double value(const Expression& expression) override;
 
   /// The complete state of the tree, for the view.

@@ -34,15 +34,26 @@ bool has_thing(const Run& run, const Selection& selection) {
                     selection);
 }
 
-void go_on_with_stops(const DebuggerSession& session, DebuggerModel& model) {
+/// Returns how many the run cannot answer; they are left out.
+std::size_t go_on_with_stops(const DebuggerSession& session, DebuggerModel& model) {
+  std::size_t left_out = 0;
+  const auto adds = [&](auto add) {
+    try {
+      add();
+      return true;
+    } catch (const std::invalid_argument&) {
+      ++left_out;
+      return false;
+    }
+  };
   model.breakpoints.clear();
   for (const DebuggerSession::Stop& stop : session.breakpoints)
-    model.breakpoints.push_back({Expression::parse(stop.condition), stop.enabled});
+    if (adds([&] { model.add_breakpoint(stop.condition); })) model.breakpoints.back().enabled = stop.enabled;
   while (!model.watches().empty()) model.remove_watch(0);
-  for (const DebuggerSession::Watch& watch : session.watches) {
-    model.add_watch(watch.expression);
-    model.stop_at_watch(model.watches().size() - 1, watch.stop);
-  }
+  for (const DebuggerSession::Watch& watch : session.watches)
+    if (adds([&] { model.add_watch(watch.expression); }))
+      model.stop_at_watch(model.watches().size() - 1, watch.stop);
+  return left_out;
 }
 
 void go_on_with_lanes(const DebuggerSession::Lanes& lanes, DebuggerModel& model) {
@@ -94,11 +105,11 @@ DebuggerSession session_of(const DebuggerModel& model, const AnyCamera& camera) 
 
 std::string go_on(const DebuggerSession& session, DebuggerModel& model) {
   const Run& run = model.run();
-  go_on_with_stops(session, model);
+  std::string left_out = listed(go_on_with_stops(session, model), "condition", "conditions");
   model.bookmarks = session.bookmarks;
   const std::size_t beyond =
       std::erase_if(model.bookmarks, [&](const auto& mark) { return !has_moment(run, mark.first); });
-  std::string left_out = listed(beyond, "bookmark", "bookmarks");
+  left_out += listed(beyond, "bookmark", "bookmarks");
   model.view = session.view;
   const bool has_place = has_moment(run, session.position);
   if (has_place) model.go(session.position);
