@@ -14,12 +14,17 @@ class Statuses {
  public:
   Statuses(kerf_world& world, kerf_status* to, std::size_t count) : to_(to), from_(world.statuses) {
     if (to == nullptr) count = 0;
-    std::fill_n(to, count, KERF_OUT_OF_MEMORY);
-    from_.assign(count, kUnknown);
+    try {
+      from_.assign(count, kUnknown);
+    } catch (const std::bad_alloc&) {
+      std::fill_n(to, count, KERF_OUT_OF_MEMORY);
+      throw;
+    }
   }
   ~Statuses() {
-    for (std::size_t k = 0; k < from_.size(); ++k)
-      if (from_[k] != kUnknown) to_[k] = to_c(from_[k]);
+    std::ranges::transform(from_, to_, [](WorldStatus status) {
+      return status == kUnknown ? kerf_status{KERF_OUT_OF_MEMORY} : to_c(status);
+    });
   }
   Statuses(const Statuses&) = delete;
   Statuses& operator=(const Statuses&) = delete;

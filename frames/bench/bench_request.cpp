@@ -84,6 +84,9 @@ void parse_simulations(const BenchTexts& texts, BenchRequest& request) {
        {std::pair{"--scenes", &texts.scenes}, {"--dims", &texts.dimensions}, {"--threads", &texts.threads}})
     if (!text->empty())
       throw UsageError(std::string(option) + ": --simulations names what is measured; leave one of them out");
+  if (texts.trace || !texts.patience.empty())
+    throw UsageError(std::string(texts.trace ? "--trace" : "--patience") +
+                     " has no meaning for simulations; leave it or --simulations out");
   if (texts.simulations == "all") {
     request.simulations = scene_catalog();
   } else {
@@ -192,6 +195,8 @@ BenchRequest parse_bench_request(const BenchTexts& texts) {
   one(request.most, "--most", texts.most, 16, 256'000);
   if (texts.random.empty() && !(texts.first + texts.most).empty())
     throw UsageError("--first and --most choose among random scenes; add --random N");
+  if (texts.trace && texts.json.empty())
+    throw UsageError("--trace: the times of the steps are in the JSON; add --json FILE");
   request.json = texts.json;
   request.trace = texts.trace;
   request.ablation = texts.ablation;

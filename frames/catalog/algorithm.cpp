@@ -1,6 +1,7 @@
 #include "frames/catalog/algorithm.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -126,10 +127,14 @@ struct Parameters {
 
 Parameters part(std::string_view text) {
   Parameters parts;
+  std::set<std::string_view> given;
   while (!text.empty()) {
     const std::string_view assignment = text.substr(0, text.find(':'));
     text.remove_prefix(std::min(text.size(), assignment.size() + 1));
-    const bool approximate = is_approximation_parameter(assignment.substr(0, assignment.find('=')));
+    const std::string_view name = assignment.substr(0, assignment.find('='));
+    if (!given.insert(name).second)
+      throw UsageError("--algorithms: " + std::string(name) + " has two values; leave out one of them");
+    const bool approximate = is_approximation_parameter(name);
     std::string& list = approximate ? parts.approximation : parts.config;
     list += (list.empty() ? "" : ",") + std::string(assignment);
   }

@@ -250,6 +250,11 @@ void DebugCommand::run() const {
   const PictureFolder pictures{out_.empty() ? "." : out_, outputs.replace()};
   outputs.add_recording(texts_.record);
   add_pictures(lines, pictures.path, outputs);
+  const auto remembered = window_file();
+  if (remembered) {
+    outputs.add_kept(*remembered);
+    check_window_file(*remembered);
+  }
   if (!out_.empty()) make_writable_folder(out_);
   const ScratchFolder scratch;
   const std::optional<RenderRequest> request = scene(scratch.path());
@@ -268,7 +273,7 @@ void DebugCommand::run() const {
                         .size = size,
                         .scale = pixels,
                         .theme = colours,
-                        .window_file = window_file()};
+                        .window_file = remembered};
   try {
     if (headless_) {
       play_headless(sitting, lines);

@@ -71,6 +71,19 @@ constexpr std::array kAsked{
           "X,Y,[Z,]RADIUS"},
     Asked{QueryKind::nearest, "--nearest", "The objects nearest to a point", "X,Y,[Z,]COUNT"}};
 
+/// What cannot be asked has no answer.
+template <int D>
+std::string what_is_found(Replayer<D>& replayer, std::uint32_t step, const Asked& asked,
+                          const std::string& numbers) {
+  const AskedQuery<D> query = parse_asked<D>(asked.option, asked.kind, numbers);
+  const QueryExplanation<D> explanation = explain_query(replayer, step, query);
+  if (explanation.status != QueryStatus::ok)
+    throw UsageError(std::string(asked.option) + " '" + numbers + "' cannot be asked, it is " +
+                     std::string(to_string(explanation.status)) +
+                     ": a box has its lower corner first, and a sphere no radius below 0");
+  return to_text(explanation, replayer.recording().info().names);
+}
+
 /// In our tree, and in another engine's structure if that is known.
 template <int D>
 std::string why_pair(Replayer<D>& replayer, std::uint32_t step, const Pair& pair) {
@@ -119,11 +132,9 @@ void ExplainCommand::run() const {
         if (!position.is_end()) throw UsageError("--step '" + step_ + "' is no step");
         if (!pair_.empty()) return why_pair(replayer, position.step, parse_pair(pair_, names));
         for (const Asked& asked : kAsked)
-          if (command_->count(asked.option) > 0) {
-            const std::string& numbers = asked_[static_cast<std::size_t>(asked.kind)];
-            const AskedQuery<D> query = parse_asked<D>(asked.option, asked.kind, numbers);
-            return to_text(explain_query(replayer, position.step, query), names);
-          }
+          if (command_->count(asked.option) > 0)
+            return what_is_found(replayer, position.step, asked,
+                                 asked_[static_cast<std::size_t>(asked.kind)]);
         return to_text(explain_node(replayer, position.step, NodeId{parse_id("--node", node_, "n")}), names);
       });
   std::fputs(text.c_str(), stdout);

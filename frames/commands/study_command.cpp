@@ -58,7 +58,7 @@ StudyCommand::StudyCommand(CLI::App& program)
   shard->type_name("K/N");
   auto* const cells = command_->add_option(
       "--cell", cells_, "Only this cell; without --out its figures are printed and not kept");
-  cells->type_name("ID");
+  cells->type_name("ID")->excludes(shard);
   auto* const lists = command_->add_flag("--list", list_, "Print the cells, and which of them are there");
   auto* const joins =
       command_->add_option("--join", folders_, "Put together what is in the folders of all shards");
@@ -78,7 +78,11 @@ void StudyCommand::run() const {
   const Study study = read_study(file_);
   if (!folders_.empty()) return join_shards(study);
   if (list_) return list(study);
-  if (!cells_.empty() && out_.empty()) return print_cells(study);
+  if (!cells_.empty() && out_.empty()) {
+    if (overwrite_)
+      throw UsageError("--overwrite: without --out the figures of a cell are printed; give --out");
+    return print_cells(study);
+  }
   measure(study);
 }
 

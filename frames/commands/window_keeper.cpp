@@ -4,7 +4,17 @@
 #include <string>
 #include <utility>
 
+#include "core/files/whole_file.h"
+#include "frames/support/errors.h"
+
 namespace kerf {
+
+void check_window_file(const std::filesystem::path& file) {
+  const std::string ours = to_text(WindowSettings{});
+  const auto text = read_whole_file_if_there(file);
+  if (text && !text->empty() && !text->starts_with(ours.substr(0, ours.find('\n') + 1)))
+    throw UsageError(file.string() + " is no window file and is not replaced; choose another name");
+}
 
 WindowKeeper::WindowKeeper(Debugger& debugger, std::optional<std::filesystem::path> file,
                            std::optional<ThemeName> theme)
@@ -27,6 +37,7 @@ void WindowKeeper::keep() {
   if (!file_ || debugger_.window() == kept_ || debugger_.is_dragging()) return;
   kept_ = debugger_.window();
   try {
+    check_window_file(*file_);
     save_window_settings(*file_, kept_);
   } catch (const std::exception& error) {
     debugger_.report(std::string("the layout cannot be remembered: ") + error.what(), true);

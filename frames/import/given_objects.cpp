@@ -25,7 +25,7 @@ struct Said {
 std::vector<CsvColumn> said_columns() {
   return {{"object", {"id", "objectid", "body", "bodyid", "proxy", "handle", "entity", "uid"}},
           {"name", {"label", "title"}},
-          {"color", {"colour", "rgb"}},
+          {"color", {"colour", "rgb"}, true},
           {"shape", {"kind", "type"}},
           {"radius", {"r"}},
           {"half_x", {"hx", "halfwidth", "halfextentx"}},
@@ -106,22 +106,38 @@ std::shared_ptr<const Surface> read_surface(const CsvTable& table, const std::fi
   }
 }
 
+/// A measure that the shape does not have would be passed over.
+void check_measures(const CsvTable& table, const std::string& shape, std::size_t first, std::size_t count) {
+  for (std::size_t column = Said::radius; column <= Said::mesh; ++column)
+    if ((column < first || column >= first + count) && !table.is_blank(column))
+      table.reject(column, shape.empty() ? "is of an object without a shape; say one, such as ball"
+                                         : "is no measure of a " + shape + "; leave it blank");
+}
+
 template <int D>
 std::optional<Shape<D>> read_shape(const CsvTable& table, const std::filesystem::path& folder) {
-  if (table.is_blank(Said::shape)) return std::nullopt;
+  if (table.is_blank(Said::shape)) {
+    check_measures(table, "", 0, 0);
+    return std::nullopt;
+  }
   std::string kind(table.text(Said::shape));
   std::ranges::transform(kind, kind.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto is = [&](std::initializer_list<std::string_view> names) {
     return std::ranges::find(names, kind) != names.end();
   };
-  if (is({"ball", "sphere", "disc", "disk", "circle"}))
+  const auto has_only = [&](std::size_t first, std::size_t count) {
+    check_measures(table, kind, first, count);
+    return true;
+  };
+  if (is({"ball", "sphere", "disc", "disk", "circle"}) && has_only(Said::radius, 1))
     return Ball{read_length(table, Said::radius, "a " + kind)};
-  if (is({"brick", "box", "cuboid", "rectangle", "cube"})) return read_brick<D>(table);
+  if (is({"brick", "box", "cuboid", "rectangle", "cube"}) && has_only(Said::half, 3))
+    return read_brick<D>(table);
   if constexpr (D == 2) {
-    if (is({"polygon", "outline"})) return read_outline(table);
+    if (is({"polygon", "outline"}) && has_only(Said::points, 1)) return read_outline(table);
   } else {
-    if (is({"mesh", "surface"})) return read_surface(table, folder);
+    if (is({"mesh", "surface"}) && has_only(Said::mesh, 1)) return read_surface(table, folder);
   }
   table.reject(Said::shape,
                std::string("is no shape; there are ball, brick and ") + (D == 2 ? "polygon" : "mesh"));

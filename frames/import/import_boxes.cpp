@@ -197,7 +197,8 @@ class Import {
 
   void judge(const GivenStep& step) {
     std::vector<Pair> reported;
-    if (next_pairs_ < pairs_.size() && pairs_[next_pairs_].step.time == step.time)
+    const bool has_lines = next_pairs_ < pairs_.size() && pairs_[next_pairs_].step.time == step.time;
+    if (has_lines)
       for (const GivenPair& pair : pairs_[next_pairs_++].pairs) reported.push_back(reported_pair(pair, step));
     const auto judged =
         judge_theirs<D>(reported, oracle_pairs(tree_.objects()), tree_.objects(), world_, info_.design);
@@ -206,7 +207,14 @@ class Import {
     sum_ += sum;
     for (const JudgedPair& one : judged) ++verdicts_[static_cast<std::size_t>(one.verdict)];
     if (sum.missed + sum.extra + sum.twice > 0 && first_wrong_.empty()) first_wrong_ = step.text;
-    misses_at_end_ |= sum.missed > 0 && !pairs_.empty() && step.time > pairs_.back().step.time;
+    if (sum.missed > 0 && !has_lines && !pairs_.empty()) note_no_pairs(step);
+  }
+
+  /// Pairs that were written every few steps, or late, look like an engine that reports nothing meanwhile.
+  void note_no_pairs(const GivenStep& step) {
+    misses_at_end_ |= step.time > pairs_.back().step.time;
+    if (step.time < pairs_.back().step.time)
+      oddities_.note(Oddity::no_pairs, [&] { return request_.pairs.string() + ": step " + step.text; });
   }
 
   /// A table that was cut off looks like an engine that reports nothing any more.

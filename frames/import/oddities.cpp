@@ -27,6 +27,8 @@ constexpr std::array kMeanings{
     Meaning{"pair", "pairs", " to be ignored with an object that the run does not have"},
     Meaning{"line", "lines", " of the table of objects with an object that the run does not have"},
     Meaning{"box that is", "boxes that are", " too small for the object's shape: the box is shown"},
+    Meaning{"step", "steps",
+            " without a line of pairs, before the first or between: overlaps count as missed"},
     Meaning{"table", "tables", " of pairs that ends before the boxes: later overlaps count as missed"},
 };
 

@@ -23,6 +23,7 @@ enum class Oddity : std::uint8_t {
   unknown_ignored,
   unknown_object,
   large_shape,
+  no_pairs,
   pairs_end,
 };
 

@@ -1,5 +1,7 @@
 #include "frames/study/cell_file.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "core/files/whole_file.h"
@@ -18,6 +20,26 @@ bool is_cell(const Json& json) {
   for (const char* const key : {"cell", "counts", "times"})
     if (!json.contains(key) || !json[key].is_object()) return false;
   return true;
+}
+
+/// Whether all are there that the cell measures.
+bool has_figures(const Figures& figures, const StudyCell& cell) {
+  using Names = std::initializer_list<const char*>;
+  const auto knows = [](const Json& json, Names names) {  // of what some broad phases have none
+    return std::ranges::all_of(names, [&](const char* name) { return json.contains(name); });
+  };
+  const auto has = [](const Json& json, Names names) {
+    return std::ranges::none_of(names, [&](const char* name) { return json.value(name, Json()).is_null(); });
+  };
+  const auto& [counts, times] = figures;
+  if (cell.is_frames()) return has(counts, {"frames", "pixels_hash"}) && has(times, {"total_ms"});
+  const Measures& asked = std::get<RunCell>(cell.work).measures;
+  if ((asked.counts || asked.errors) && !has(counts, {"bodies", "pairs", "pairs_hash"})) return false;
+  if (asked.counts && !knows(counts, {"candidates", "leaves", "height", "entries", "operators"}))
+    return false;
+  if (asked.errors && !has(counts, {"missed", "extra"})) return false;
+  return !asked.times ||
+         (has(times, {"total_ms", "median_ms", "worst_ms"}) && knows(times, {"overhead_ms", "collision_ms"}));
 }
 
 }  // namespace
@@ -59,7 +81,9 @@ std::optional<CellFile> read_cell_file(const std::filesystem::path& file) {
 
 std::optional<CellFile> read_cell_file(const std::filesystem::path& file, const StudyCell& cell) {
   auto found = read_cell_file(file);
-  if (found && (found->id != cell.id || !is_equal(found->settings, cell.settings))) return std::nullopt;
+  if (found && (found->id != cell.id || !is_equal(found->settings, cell.settings) ||
+                !has_figures(found->figures, cell)))
+    return std::nullopt;
   return found;
 }
 

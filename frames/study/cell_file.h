@@ -29,7 +29,7 @@ bool is_equal(const Json& a, const Json& b);
 
 /// None if the file is not one that `to_json` gives, or not there.
 std::optional<CellFile> read_cell_file(const std::filesystem::path& file);
-/// None if it is not the file of that cell, either.
+/// None if it is not the file of that cell, either, or lacks a figure that the cell measures.
 std::optional<CellFile> read_cell_file(const std::filesystem::path& file, const StudyCell& cell);
 
 }  // namespace kerf

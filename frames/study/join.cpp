@@ -7,11 +7,28 @@
 #include "core/recording/chain.h"
 #include "frames/sequence/collection.h"
 #include "frames/support/errors.h"
+#include "viz/image/png.h"
 
 namespace kerf {
 namespace {
 
 constexpr std::size_t kMostNamed = 8;
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& what, const StudyCell& cell) {
+  throw std::runtime_error(path.string() + " " + what + "; measure it again: kerf study with --cell " +
+                           cell.id + ", --out " + path.parent_path().string() + " and --overwrite");
+}
+
+/// The file of the cell says what its manifest said, and the manifest what was drawn.
+void check_pictures(const JoinedStudy::Cell& found) {
+  const std::filesystem::path folder = frames_path(found.folder, *found.cell);
+  const Manifest manifest = read_manifest(folder);
+  if (!is_equal(counts_of(manifest), found.file.figures.counts))
+    refuse(folder, "has not the frames that its cell counted", *found.cell);
+  for (const FrameRecord& frame : manifest.frames)
+    if (pixel_hash(read_png(folder / frame.file)) != frame.pixel_hash)
+      refuse(folder, "has another picture than was drawn, " + frame.file, *found.cell);
+}
 
 /// "a, b, c and 12 more"
 std::string list_of(const std::vector<std::string>& names) {
@@ -44,6 +61,8 @@ class Joiner {
       else
         joined_.cells.push_back(std::move(found->second));
     }
+    for (const JoinedStudy::Cell& cell : joined_.cells)
+      if (cell.cell->is_frames()) check_pictures(cell);
     return std::move(joined_);
   }
 
@@ -56,9 +75,7 @@ class Joiner {
     }
     const StudyCell& cell = *known->second;
     auto file = read_cell_file(path, cell);
-    if (!file)
-      throw std::runtime_error(path.string() + " is damaged; measure it again: kerf study with --cell " +
-                               cell.id + " and --overwrite");
+    if (!file) refuse(path, "is damaged", cell);
     const auto [earlier, is_new] = found_.try_emplace(cell.id);
     if (is_new) {
       earlier->second = {&cell, std::move(*file), folder};

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/files/part_file.h"
+#include "frames/sequence/manifest.h"
 #include "frames/study/study.h"
 
 namespace kerf {
@@ -24,5 +25,8 @@ Figures measure(const RunCell& cell, const std::filesystem::path& folder, Replac
 /// Renders into `folder`. Frames of an earlier attempt are kept, or with Replace::earlier drawn anew. Counts
 /// are "frames" and "pixels_hash", times are "total_ms".
 Figures measure(const FramesCell& cell, const std::filesystem::path& folder, Replace replace);
+
+/// "frames" and "pixels_hash", as a manifest has them.
+Json counts_of(const Manifest& manifest);
 
 }  // namespace kerf

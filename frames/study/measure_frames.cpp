@@ -1,7 +1,6 @@
 #include <chrono>
 
 #include "core/recording/chain.h"
-#include "frames/sequence/manifest.h"
 #include "frames/sequence/sequence.h"
 #include "frames/study/measure.h"
 #include "frames/support/hex.h"
@@ -16,10 +15,13 @@ Figures measure(const FramesCell& cell, const std::filesystem::path& folder, Rep
   const auto start = std::chrono::steady_clock::now();
   render_sequence(parse_recording_request(texts));
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-  const Manifest manifest = read_manifest(folder);
+  return {counts_of(read_manifest(folder)), {{"total_ms", taken.count()}}};
+}
+
+Json counts_of(const Manifest& manifest) {
   std::uint64_t hash = 0;
   for (const FrameRecord& frame : manifest.frames) hash = hash_words({&frame.pixel_hash, 1}, hash);
-  return {{{"frames", manifest.frames.size()}, {"pixels_hash", hex(hash)}}, {{"total_ms", taken.count()}}};
+  return {{"frames", manifest.frames.size()}, {"pixels_hash", hex(hash)}};
 }
 
 }  // namespace kerf

@@ -36,8 +36,14 @@ bool CsvReader::read_record() {
   ends_.clear();
   (void)skip_blanks();
   if (source_.peek() == '#') {
-    skip_comment();
-    return false;
+    (void)source_.take();
+    const bool is_color =
+        takes_colors_ && !is_blank(static_cast<char>(source_.peek())) && !is_line_end(source_.peek());
+    if (!is_color) {
+      skip_comment();
+      return false;
+    }
+    text_ = "#";
   }
   for (;;) {
     read_field();
@@ -82,13 +88,14 @@ bool CsvReader::skip_blanks() {
 
 void CsvReader::skip_comment() {
   constexpr std::size_t kMost = 4096;
+  constexpr std::size_t kMostComments = 64;
   std::string comment;
-  (void)source_.take();  // the #
   while (!is_line_end(source_.peek())) {
     const auto c = static_cast<char>(source_.take());
     if (!has_record_ && comment.size() < kMost) comment += c;
   }
-  if (comment.find(',') != std::string::npos) comment_ = std::move(comment);
+  if (comment.find(',') != std::string::npos) comments_.push_back({line_, std::move(comment)});
+  if (comments_.size() > kMostComments) comments_.erase(comments_.begin());
   (void)take_line_end();
 }
 
@@ -99,8 +106,8 @@ bool CsvReader::take_line_end() {
   return true;
 }
 
-void CsvReader::reject(const std::string& what) const {
-  throw UsageError(name() + ", line " + std::to_string(line_) + ": " + what);
+void CsvReader::reject(std::size_t line, const std::string& what) const {
+  throw UsageError(name() + ", line " + std::to_string(line) + ": " + what);
 }
 
 }  // namespace kerf

@@ -10,6 +10,12 @@
 
 namespace kerf {
 
+/// A comment of a table.
+struct CsvComment {
+  std::size_t line = 0;
+  std::string text;  ///< without its #
+};
+
 /// Reads a table of comma-separated values, line by line: RFC 4180, with quotes, and beyond it ends of lines
 /// as LF, CRLF or CR, blanks around fields, empty lines, lines of nothing but commas, and comments from # to
 /// the end of their line, which are all passed over. Everything throws UsageError that names file, line and
@@ -28,10 +34,13 @@ class CsvReader {
   [[nodiscard]] std::string_view field(std::size_t column) const;
   /// Where the line begins, counted from 1 as editors do.
   [[nodiscard]] std::size_t line() const { return line_; }
-  /// The last comment with a comma before the first line that says something, without its #.
-  [[nodiscard]] const std::string& comment() const { return comment_; }
+  /// The last comments with a comma before the first line that says something.
+  [[nodiscard]] const std::vector<CsvComment>& comments() const { return comments_; }
+  /// From now on a line that begins with # and no blank is no comment: its first field is a colour.
+  void take_colors() { takes_colors_ = true; }
   [[nodiscard]] const std::string& name() const { return source_.name(); }
-  [[noreturn]] void reject(const std::string& what) const;
+  [[noreturn]] void reject(const std::string& what) const { reject(line_, what); }
+  [[noreturn]] void reject(std::size_t line, const std::string& what) const;
 
  private:
   bool read_record();
@@ -45,7 +54,8 @@ class CsvReader {
   std::size_t next_line_ = 1;
   std::size_t line_ = 0;
   bool has_record_ = false;
-  std::string comment_;
+  bool takes_colors_ = false;
+  std::vector<CsvComment> comments_;
   std::string text_;               ///< the fields, one after another
   std::vector<std::size_t> ends_;  ///< of each in the text
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <set>
 
 #include "core/base/counted.h"
 #include "frames/support/errors.h"
@@ -49,6 +50,17 @@ std::string single_quoted(std::string_view text) { return "'" + std::string(text
 
 std::string columns_text(std::size_t count) { return counted(count, "column"); }
 
+std::vector<std::string_view> names_in(std::string_view comment) {
+  std::vector<std::string_view> names;
+  for (;;) {
+    const std::size_t end = std::min(comment.find(','), comment.size());
+    const std::string_view name = comment.substr(0, end);
+    names.push_back(name.substr(std::min(name.find_first_not_of(" \t"), name.size())));
+    if (end == comment.size()) return names;
+    comment.remove_prefix(end + 1);
+  }
+}
+
 }  // namespace
 
 CsvTable::CsvTable(const std::filesystem::path& path, std::vector<CsvColumn> columns)
@@ -57,7 +69,9 @@ CsvTable::CsvTable(const std::filesystem::path& path, std::vector<CsvColumn> col
   if (has_line) check_separator();
   has_heading_ = has_line && is_heading();
   if (has_heading_) {
-    read_heading();
+    std::vector<std::string_view> names;
+    for (std::size_t place = 0; place < reader_.columns(); ++place) names.push_back(reader_.field(place));
+    read_heading(names, reader_.line());
     if (reader_.next()) first_width_ = reader_.columns();
   } else {
     if (has_line) first_width_ = reader_.columns();
@@ -85,51 +99,67 @@ void CsvTable::check_separator() const {
   }
 }
 
-void CsvTable::read_heading() {
-  for (std::size_t place = 0; place < reader_.columns(); ++place) {
-    const std::size_t column = column_called(place);
+void CsvTable::read_heading(const std::vector<std::string_view>& names, std::size_t line) {
+  for (const std::string_view name : names) {
+    const std::size_t place = order_.size();
+    const std::size_t column = column_called(name, place, line);
     if (place_[column])
-      reject("column " + std::to_string(place + 1) + ", " + single_quoted(reader_.field(place)) + ", is " +
-             columns_[column].name + ", as column " + std::to_string(*place_[column] + 1) + " is");
+      reader_.reject(line, "column " + std::to_string(place + 1) + ", " + single_quoted(name) + ", is " +
+                               columns_[column].name + ", as column " + std::to_string(*place_[column] + 1) +
+                               " is");
     place_[column] = place;
     order_.push_back(column);
   }
   least_ = order_.size();
+  if (columns_[order_.front()].is_color) reader_.take_colors();
 }
 
-/// If each of its names is one of ours, and the first line has as many columns.
+/// The last comment that can be one counts; without any, the last that was meant as one is refused: what it
+/// says is not what would be read.
 void CsvTable::read_heading_of_comment() {
-  std::vector<std::size_t> order;
-  for (std::string_view rest = reader_.comment(); !rest.empty();) {
-    const std::size_t end = std::min(rest.find(','), rest.size());
-    const auto column = find_column(rest.substr(0, end));
-    if (!column || std::ranges::find(order, *column) != order.end()) return;
-    order.push_back(*column);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
+  const CsvComment* heading = nullptr;
+  bool is_whole = false;
+  for (const CsvComment& comment : reader_.comments()) {
+    const std::vector<std::string_view> names = names_in(comment.text);
+    std::size_t known = 0;
+    std::set<std::size_t> columns;
+    for (const std::string_view name : names)
+      if (const auto column = find_column(name)) {
+        ++known;
+        columns.insert(*column);
+      }
+    const bool fits = names.size() == first_width_ || first_width_ == 0;
+    const bool can_be = fits && columns.size() == names.size();
+    const bool is_meant = 2 * known > names.size() || (names.size() == first_width_ && known > 1);
+    if (!can_be && (is_whole || !is_meant)) continue;
+    heading = &comment;
+    is_whole = can_be;
   }
-  if (order.empty() || (first_width_ != 0 && first_width_ != order.size())) return;
-  set_order(order, order.size());
+  if (!heading) return;
+  read_heading(names_in(heading->text), heading->line);
+  if (!is_whole)
+    reader_.reject(heading->line, "the heading has " + columns_text(order_.size()) + ", the first line has " +
+                                      std::to_string(first_width_));
   has_heading_ = is_heading_comment_ = true;
 }
 
 std::optional<std::size_t> CsvTable::find_column(std::string_view called) const {
   const std::string given = letters_of(called);
   for (std::size_t column = 0; column < columns_.size(); ++column) {
-    const auto& [name, aliases] = columns_[column];
-    if (letters_of(name) == given || std::ranges::find(aliases, given) != aliases.end()) return column;
+    const CsvColumn& known = columns_[column];
+    if (letters_of(known.name) == given || std::ranges::count(known.aliases, given) > 0) return column;
   }
   return std::nullopt;
 }
 
-std::size_t CsvTable::column_called(std::size_t place) const {
-  if (const auto column = find_column(reader_.field(place))) return *column;
+std::size_t CsvTable::column_called(std::string_view name, std::size_t place, std::size_t line) const {
+  if (const auto column = find_column(name)) return *column;
   std::string known;
   for (const CsvColumn& column : columns_) known += (known.empty() ? "" : ", ") + column.name;
-  const std::string what =
-      reader_.field(place).empty()
-          ? "column " + std::to_string(place + 1) + " of the heading has no name"
-          : "column " + single_quoted(reader_.field(place)) + " of the heading is not known";
-  reject(what + "; known are " + known);
+  const std::string what = name.empty()
+                               ? "column " + std::to_string(place + 1) + " of the heading has no name"
+                               : "column " + single_quoted(name) + " of the heading is not known";
+  reader_.reject(line, what + "; known are " + known);
 }
 
 void CsvTable::set_order(const std::vector<std::size_t>& columns, std::size_t least) {

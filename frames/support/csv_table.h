@@ -17,6 +17,7 @@ namespace kerf {
 struct CsvColumn {
   std::string name;
   std::vector<std::string> aliases;
+  bool is_color = false;  ///< fields such as #1f77b4, also where a line begins
 };
 
 /// A table whose columns are found by the names in its heading, in any order. Without a heading they stand in
@@ -24,9 +25,10 @@ struct CsvColumn {
 /// column.
 class CsvTable {
  public:
-  /// Reads the heading, if there is one: a first line without any number, or a comment before it that has a
-  /// known name for each column, as numpy writes it. Throws as TextSource does; throws UsageError for a name
-  /// that is unknown, with the known ones, that stands twice, or is none.
+  /// Reads the heading, if there is one: a first line without any number, or the last comment before it that
+  /// has a known name for each column, as numpy writes it. Throws as TextSource does; throws UsageError for a
+  /// name that is unknown, with the known ones, that stands twice, or is none, also in a comment of which
+  /// most names are known.
   CsvTable(const std::filesystem::path& path, std::vector<CsvColumn> columns);
 
   [[nodiscard]] bool has_heading() const { return has_heading_; }
@@ -62,10 +64,10 @@ class CsvTable {
  private:
   [[nodiscard]] bool is_heading() const;
   void check_separator() const;
-  void read_heading();
+  void read_heading(const std::vector<std::string_view>& names, std::size_t line);
   void read_heading_of_comment();
   [[nodiscard]] std::optional<std::size_t> find_column(std::string_view called) const;
-  [[nodiscard]] std::size_t column_called(std::size_t place) const;
+  [[nodiscard]] std::size_t column_called(std::string_view name, std::size_t place, std::size_t line) const;
   void check_width() const;
 
   CsvReader reader_;

@@ -22,13 +22,22 @@ bool is_within(const fs::path& path, const fs::path& folder) {
 
 /// As it is called without links, dots and a slash at the end, whether it is there or not.
 fs::path resolved(const fs::path& file) {
-  const fs::path path = fs::weakly_canonical(fs::absolute(file));
+  std::error_code none;  // a name may be too long to be resolved
+  fs::path path = fs::weakly_canonical(fs::absolute(file), none);
+  if (none) path = fs::absolute(file).lexically_normal();
   return path.has_filename() ? path : path.parent_path();
 }
 
+/// By name, or as another name (a hard link) of the same file.
 bool is_same_file(const fs::path& a, const fs::path& b) {
   std::error_code ignored;
-  return fs::equivalent(a, b, ignored);
+  return fs::equivalent(a, b, ignored) || resolved(a) == resolved(b);
+}
+
+/// Whether `out` is a folder's, be it there already or not.
+bool lies_in(const fs::path& out, const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_directory(folder, ignored) && is_within(resolved(out), resolved(folder));
 }
 
 /// By the first bytes, whatever the state of the rest. Of a recording that has just begun all may be in its
@@ -67,12 +76,11 @@ Outputs::Outputs(std::vector<fs::path> inputs, bool overwrite)
 }
 
 void Outputs::check_apart_from_inputs(const fs::path& out) const {
-  if (!fs::exists(out)) return;
   for (const fs::path& input : inputs_) {
     if (is_same_file(out, input))
       throw UsageError(out.string() + " is the same file as " + input.string() +
                        ", which is read; choose another name");
-    if (fs::is_directory(input) && is_within(resolved(out), resolved(input)))
+    if (lies_in(out, input))
       throw UsageError(out.string() + " lies in " + input.string() + ", which is read; choose another place");
     if (is_same_file(out, input.string() + "-wal"))
       throw UsageError(out.string() + " belongs to " + input.string() +
@@ -106,6 +114,13 @@ void Outputs::add_recording(const fs::path& out) {
   check_free(out, overwrite_);
   if (fs::exists(out) && !looks_like_recording(out))
     throw UsageError(out.string() + " is no recording and is not replaced; choose another name");
+}
+
+void Outputs::add_kept(const fs::path& out) {
+  if (out.empty()) return;
+  check_apart_from_inputs(out);
+  check_apart_from_outputs(out);
+  check_kind(out);
 }
 
 void Outputs::add_folder(const fs::path& out) {

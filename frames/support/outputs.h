@@ -20,6 +20,9 @@ class Outputs {
   /// empty path is no output.
   void add_file(const std::filesystem::path& out);
   void add_recording(const std::filesystem::path& out);
+  /// A file that the command reads and brings up to date, which needs no `overwrite`: whether what is there
+  /// is of its kind, the caller has checked.
+  void add_kept(const std::filesystem::path& out);
   /// Throws UsageError if the folder is no folder, or is or holds one of the inputs. What a command replaces
   /// in it are outputs of their own.
   void add_folder(const std::filesystem::path& out);

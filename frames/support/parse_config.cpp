@@ -1,6 +1,7 @@
 #include "frames/support/parse_config.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -10,10 +11,12 @@
 namespace kerf {
 namespace {
 
-/// Names come first: an unknown one gets a suggestion, which the core does not make.
+/// Names come first: an unknown one gets a suggestion, which the core does not make. Of two values of a name
+/// the last would win.
 void check_names(const std::string& option, std::string_view assignments) {
   std::vector<std::string> names;
   for (const ConfigField& field : config_fields()) names.emplace_back(field.name);
+  std::set<std::string_view> given;
   while (!assignments.empty()) {
     const std::string_view assignment = assignments.substr(0, assignments.find(','));
     assignments.remove_prefix(std::min(assignments.size(), assignment.size() + 1));
@@ -25,6 +28,8 @@ void check_names(const std::string& option, std::string_view assignments) {
     if (std::ranges::find(names, name) == names.end()) {
       throw UsageError(option + ": " + unknown_name_message("parameter", name, names));
     }
+    if (!given.insert(name).second)
+      throw UsageError(option + ": " + std::string(name) + " has two values; leave out one of them");
   }
 }
 

@@ -213,26 +213,6 @@ TEST(CInterface, OptionsThatCannotWorkAreNamed) {
   EXPECT_NE(why(nothing, 0).find("dimension"), std::string::npos);
 }
 
-TEST(CInterface, AnErrorIsThatOfTheLastCall) {
-  kerf_error error{};
-  ASSERT_EQ(kerf_error_init(&error, sizeof error), KERF_OK);
-  kerf_world_options options{};
-  ASSERT_EQ(kerf_world_options_init(&options, sizeof options), KERF_OK);
-  options.config = "what=1";
-  kerf_world* world = nullptr;
-  EXPECT_EQ(kerf_world_create(2, &options, &world, &error), KERF_BAD_OPTION);
-  options.size = 4;
-  EXPECT_EQ(kerf_world_create(2, &options, &world, &error), KERF_BAD_SIZE);
-  EXPECT_EQ(error.status, KERF_BAD_SIZE);
-  EXPECT_STREQ(error.text, kerf_status_text(KERF_BAD_SIZE));
-  EXPECT_EQ(kerf_world_create(2, nullptr, nullptr, &error), KERF_NULL_ARGUMENT);
-  EXPECT_EQ(error.status, KERF_NULL_ARGUMENT);
-  EXPECT_EQ(kerf_world_restore(nullptr, &options, 4, &error), KERF_NULL_ARGUMENT);
-  EXPECT_EQ(kerf_world_create(2, nullptr, &world, &error), KERF_OK);
-  EXPECT_EQ(error.status, KERF_OK);
-  kerf_world_destroy(world);
-}
-
 TEST(CInterface, OptionsAreTaken) {
   kerf_world_options options{};
   ASSERT_EQ(kerf_world_options_init(&options, sizeof options), KERF_OK);

@@ -18,5 +18,25 @@ TEST(CInterface, EachStatusHasAText) {
   EXPECT_EQ(std::string(kerf_version()).find("0."), 0U);
 }
 
+TEST(CInterface, AnErrorIsThatOfTheLastCall) {
+  kerf_error error{};
+  ASSERT_EQ(kerf_error_init(&error, sizeof error), KERF_OK);
+  kerf_world_options options{};
+  ASSERT_EQ(kerf_world_options_init(&options, sizeof options), KERF_OK);
+  options.config = "what=1";
+  kerf_world* world = nullptr;
+  EXPECT_EQ(kerf_world_create(2, &options, &world, &error), KERF_BAD_OPTION);
+  options.size = 4;
+  EXPECT_EQ(kerf_world_create(2, &options, &world, &error), KERF_BAD_SIZE);
+  EXPECT_EQ(error.status, KERF_BAD_SIZE);
+  EXPECT_STREQ(error.text, kerf_status_text(KERF_BAD_SIZE));
+  EXPECT_EQ(kerf_world_create(2, nullptr, nullptr, &error), KERF_NULL_ARGUMENT);
+  EXPECT_EQ(error.status, KERF_NULL_ARGUMENT);
+  EXPECT_EQ(kerf_world_restore(nullptr, &options, 4, &error), KERF_NULL_ARGUMENT);
+  EXPECT_EQ(kerf_world_create(2, nullptr, &world, &error), KERF_OK);
+  EXPECT_EQ(error.status, KERF_OK);
+  kerf_world_destroy(world);
+}
+
 }  // namespace
 }  // namespace kerf::test

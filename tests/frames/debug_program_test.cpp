@@ -88,7 +88,8 @@ TEST_F(DebugProgram, ADamagedFileOfTheWindowIsSaidAndKeptUntilThereIsAnother) {
     std::ifstream stream(path("window"));
     return std::string(std::istreambuf_iterator<char>(stream), {});
   };
-  write("window", "theme dark\n");
+  const std::string damaged = "# How the window of `kerf debug` looks.\ntheme dark\n";
+  write("window", damaged);
   write("look",
         "expect message ~ \"default layout\"\nexpect message ~ \"its end is missing\"\nexpect theme == "
         "light\n");
@@ -98,9 +99,39 @@ TEST_F(DebugProgram, ADamagedFileOfTheWindowIsSaidAndKeptUntilThereIsAnother) {
         {"debug", path("run.kerf"), "--headless", "--script", path(script), "--window-file", path("window")});
   };
   EXPECT_EQ(debug("look").err, "");
-  EXPECT_EQ(text_of(), "theme dark\n");
+  EXPECT_EQ(text_of(), damaged);
   EXPECT_EQ(debug("change").err, "");
   EXPECT_THAT(text_of(), ::testing::AllOf(HasSubstr("zoom 1.1"), ::testing::EndsWith("end\n")));
+}
+
+/// Whatever file was named got the layout, the open recording, too.
+TEST_F(DebugProgram, OnlyAFileOfTheWindowIsReplacedByIt) {
+  record();
+  write("notes.txt", "mine\n");
+  write("s", "key ctrl+=\nwait 1\nscreenshot a\n");
+  std::filesystem::create_hard_link(path("run.kerf"), path("link"));
+  const std::string recording = test::read_text(path("run.kerf"));
+  const auto debug = [&](const std::string& window, const std::string& session) {
+    return run_kerf({"debug", path("run.kerf"), "--headless", "--script", path("s"), "-o", path("out"),
+                     "--overwrite", "--window-file", path(window), "--session", path(session)});
+  };
+  const auto refusal = [&](const std::string& window) {
+    const RunOutcome outcome = debug(window, "session");
+    EXPECT_EQ(outcome.exit, 2) << window;
+    EXPECT_FALSE(std::filesystem::exists(path("out"))) << "it ends at the start";
+    return outcome.err;
+  };
+  EXPECT_THAT(refusal("notes.txt"), HasSubstr("notes.txt is no window file and is not replaced; choose an"));
+  for (const char* const input : {"run.kerf", "link", "s", "session"})
+    EXPECT_THAT(refusal(input), HasSubstr("which is read")) << input;
+  EXPECT_THAT(refusal("out/a.png"), HasSubstr("would be written twice"));
+  EXPECT_EQ(test::read_text(path("notes.txt")), "mine\n");
+  EXPECT_EQ(test::read_text(path("run.kerf")), recording);
+  write("empty", "");
+  EXPECT_EQ(debug("empty", "session").exit, 0);
+  EXPECT_THAT(test::read_text(path("empty")), HasSubstr("zoom 1.1"));
+  EXPECT_EQ(debug("new", "notes.txt").exit, 2) << "nor is it a session";
+  EXPECT_EQ(test::read_text(path("notes.txt")), "mine\n");
 }
 
 TEST_F(DebugProgram, AFailedExpectationIsAnExitCodeAndALine) {

@@ -102,6 +102,11 @@ TEST_F(ImportObjects, WhatIsNoneIsRefused) {
   EXPECT_THAT(complaint("object,color\n10,red\n"), HasSubstr("is no colour such as #1f77b4"));
   EXPECT_THAT(complaint("object,name\n10,\"a\tb\"\n"), HasSubstr("cannot be shown"));
   EXPECT_THAT(complaint("object,name\n10,a\n10,b\n"), HasSubstr("object 10 stands twice"));
+  EXPECT_THAT(complaint("object,radius\n10,0.5\n"), HasSubstr("radius, is of an object without a shape"));
+  EXPECT_THAT(complaint("object,shape,radius,half_x\n10,ball,1,1\n"),
+              HasSubstr("half_x, is no measure of a ball"));
+  EXPECT_THAT(complaint("color,object,name\n#1f77b4,10,wheel\n#1f77b,20,\n"),
+              HasSubstr("line 3: '#1f77b' in column 1"));
   EXPECT_THAT(complaint("object,shape,mesh\n1,mesh,none.obj\n", kSpatial), HasSubstr("there is no file"));
   (void)write("bad.obj", "v 0 0 0\nf 1 2 9\n");
   EXPECT_THAT(complaint("object,shape,mesh\n1,mesh,bad.obj\n", kSpatial), HasSubstr("bad.obj has"));
@@ -116,6 +121,26 @@ TEST_F(ImportObjects, WhatIsNoneIsRefused) {
   const std::string heading = "step,object,min_x,max_x,min_y,max_y,min_z,max_z,qw,qx,qy,qz\n";
   EXPECT_THAT(refused(write("b.csv", heading + "1,1,0,1,0,1,0,1,1,1,0,0\n")), HasSubstr("no rotation"));
   EXPECT_THAT(refused(write("b.csv", heading + "1,1,0,1,0,1,0,1,1,,0,0\n")), HasSubstr("four numbers"));
+}
+
+/// 0 was taken for what is no number.
+TEST_F(ImportObjects, AMeshIsReadByLineOrRefused) {
+  const std::string objects = "object,shape,mesh\n1,mesh,m.obj\n";
+  for (const auto& [text, line] :
+       {std::pair{"v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1: 'v 0,5 0 0' is no vertex"},
+        {"v 0 0 0\r\nv 1 x 0\r\nv 0 1 0\r\nf 1 2 3\r\n", "line 2: 'v 1 x 0' is no vertex"},
+        {"v 0 0 0\nv 1 0 0\n\nv 0 1\nf 1 2 3\n", "line 4: 'v 0 1' is no vertex"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 inf\nf 1 2 3\n", "line 3: 'v 0 1 inf' is no vertex"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\n", "line 5: 'f 1 2' is no face"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1,2,3 1 2\n", "line 4: 'f 1,2,3 1 2' is no face"}}) {
+    (void)write("m.obj", text);
+    EXPECT_THAT(complaint(objects, kSpatial), HasSubstr(line));
+  }
+  (void)write(
+      "m.obj",
+      "\xEF\xBB\xBFv +0. 0 0 # here\n  v\t1 0 .0 1 0 0\r\nvt 0,5\nmtllib none\nv 0 1e-2 0\nf 1 2/1 -1//2\n");
+  EXPECT_THAT(imported("a", write("boxes.csv", kSpatial), {"--objects", write("objects.csv", objects)}),
+              Not(HasSubstr("odd")));
 }
 
 }  // namespace

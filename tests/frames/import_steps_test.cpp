@@ -76,7 +76,7 @@ TEST_F(ImportSteps, VerifyNamesThem) {
 }
 
 TEST_F(ImportSteps, RerunTakesAndNamesThem) {
-  const Words begin{"rerun", file(), "-o", path("b.kerf"), "--config", kConfig + ",max_threshold=6"};
+  const Words begin{"rerun", file(), "-o", path("b.kerf"), "--config", "max_threshold=6"};
   const auto from = [&](const std::string& step) {
     Words words = begin;
     words.insert(words.end(), {"--from", step});

@@ -66,6 +66,26 @@ TEST_F(ImportVerdict, PairsThatEndBeforeTheBoxesAreOddIfAnyIsMissed) {
               Not(HasSubstr("odd")));
 }
 
+/// Of an engine whose pairs are written every few steps, or late, overlaps were called missed in silence.
+TEST_F(ImportVerdict, StepsWithoutALineOfPairsAreOddIfAnyIsMissed) {
+  std::string text = "step,object,min_x,max_x,min_y,max_y\n";
+  for (const char* const step : {"1", "2", "3", "4", "5"})
+    text += std::string(step) + ",0,0,2,0,2\n" + step + ",1,1,3,0,2\n";
+  const std::string boxes = write("boxes.csv", text);
+  const std::string every = write("every.csv", "step,a,b\n1,0,1\n3,0,1\n5,0,1\n");
+  EXPECT_THAT(
+      imported("a", boxes, {"--pairs", every}),
+      HasSubstr("odd: 2 steps without a line of pairs, before the first or between: overlaps count as "
+                "missed\n  " +
+                every + ": step 2\n  " + every + ": step 4\n"));
+  EXPECT_THAT(refused(boxes, {"--pairs", every, "--strict"}), HasSubstr("odd: 2 steps without a line"));
+  const std::string late = write("late.csv", "step,a,b\n5,0,1\n");
+  EXPECT_THAT(imported("a", boxes, {"--pairs", late}), HasSubstr("odd: 4 steps without a line of pairs"));
+  const std::string apart = write("apart.csv", text + "6,1,7,9,0,2\n7,1,1,3,0,2\n");
+  const std::string all = write("all.csv", "step,a,b\n1,0,1\n2,0,1\n3,0,1\n4,0,1\n5,0,1\n7,0,1\n");
+  EXPECT_THAT(imported("a", apart, {"--pairs", all}), Not(HasSubstr("odd"))) << "in step 6 there is none";
+}
+
 TEST_F(ImportVerdict, InvertedBoxesAreCountedAndExplained) {
   const std::string out =
       imported("a", given("inverted/boxes.csv"), {"--pairs", given("inverted/pairs.csv")});

@@ -134,6 +134,24 @@ TEST_F(OutputProgram, NothingElseGetsTheNameOfAFrame) {
   EXPECT_FALSE(std::filesystem::exists(path("all")));
 }
 
+/// The page became a part of the reference, and the next comparison refused it.
+TEST_F(OutputProgram, NothingIsWrittenIntoAFolderThatIsRead) {
+  for (const std::string name : {"before", "after"})
+    ASSERT_EQ(run_kerf({"render", file("a"), "--steps", "1", "--size", "64x64", "--out", path(name)}).exit,
+              0);
+  std::filesystem::create_symlink("before", path("link"));
+  const std::string a = path("before");
+  const std::string b = path("after");
+  for (const char* const report : {"before/rep", "link/rep", "after/rep/below"})
+    EXPECT_THAT(refusal({"diff", a, b, "--report", path(report)}),
+                HasSubstr("which is read; choose another"));
+  EXPECT_THAT(refusal({"diff", a, b, "--report", a}), HasSubstr("which is read"));
+  EXPECT_THAT(refusal({"film-diff", a, b, "--out", path("after/d.mp4")}), HasSubstr("lies in " + b));
+  EXPECT_THAT(refusal({"collect", a, "--contact-sheet", path("before/s.png")}), HasSubstr("lies in " + a));
+  EXPECT_FALSE(std::filesystem::exists(path("before/rep")));
+  EXPECT_EQ(run_kerf({"diff", a, b}).exit, 0) << "nothing was left there";
+}
+
 TEST_F(OutputProgram, ImportKeepsAnEarlierRecordingUntilThereIsANewOne) {
   const std::string before = read_text(file("a"));
   refusal({"import", path("none.csv"), "-o", file("a"), "--overwrite"});

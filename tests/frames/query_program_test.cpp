@@ -94,6 +94,12 @@ TEST_F(QueryProgram, ExplainsQueries) {
   EXPECT_THAT(run_kerf({"explain", file("a"), "--sphere", "0,1,2"}).out, HasSubstr(" of radius 2 overlaps "));
   EXPECT_THAT(run_kerf({"explain", file("a"), "--nearest", "0,1,3"}).out, HasSubstr(" is nearest to "));
   EXPECT_EQ(run_kerf({"explain", file("a"), "--nearest", "0,1,3", "--box", "0,0,1,1"}).exit, 2);
+  for (const auto& [option, numbers] : {std::pair{"--box", "2,2,0,0"}, {"--sphere", "0,1,-1"}}) {
+    const RunOutcome refused = run_kerf({"explain", file("a"), option, numbers});
+    EXPECT_EQ(refused.exit, 2) << refused.out;
+    EXPECT_THAT(refused.err,
+                HasSubstr("cannot be asked, it is not-ordered: a box has its lower corner first"));
+  }
   for (const char* wrong : {"", "1", "1,2,3", "1,2,3,4,5", "1,2,3,x", "1,2,3,inf", "1,2,3,4,"})
     EXPECT_THAT(run_kerf({"explain", file("a"), "--ray", wrong}).err,
                 HasSubstr("is not of the form OX,OY,DX,DY"))

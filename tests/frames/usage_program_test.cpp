@@ -102,6 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Camera", {"render", "pile", "--camera", "zoom=3"}, "width"},
         Mistake{"Parameter", {"render", "pile", "--config", "max_hight=3"}, "did you mean 'max_height'?"},
         Mistake{"ParameterValue", {"render", "pile", "--config", "max_height=1000"}, "max_height"},
+        Mistake{"ParameterTwice", {"render", "pile", "--config", "merge=0,merge=1"}, "merge has two values"},
         Mistake{"GrowthOfWhatDoesNotGrow", {"render", "attractors", "--grow", "9"}, "does not grow"},
         Mistake{"BroadPhase", {"render", "pile", "--broad-phase", "box2d-tre"}, "did you mean 'box2d-tree'?"},
         Mistake{"BroadPhaseOfOtherDimension",
@@ -121,10 +122,18 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "BenchParameter", {"bench", "--algorithms", "kerf:max_hight=3"}, "did you mean 'max_height'?"},
         Mistake{"BenchPeriod", {"bench", "--algorithms", "kerf:period=0"}, "from 1 to 1000000"},
+        Mistake{"BenchPeriodTwice", {"bench", "--algorithms", "kerf:period=2:period=3"}, "has two values"},
+        Mistake{"CameraTwice", {"render", "pile", "--camera", "width=3,width=4"}, "stands twice"},
         Mistake{"BenchShrink", {"bench", "--algorithms", "kerf:shrink=1"}, "it needs a grid"},
         Mistake{"BenchSimulation", {"bench", "--simulations", "terain"}, "did you mean 'terrain'?"},
         Mistake{
             "BenchSimulationAndScene", {"bench", "--simulations", "pile", "--scenes", "flat"}, "leave one"},
+        Mistake{
+            "BenchSimulationAndTrace", {"bench", "--simulations", "pile", "--trace"}, "no meaning for sim"},
+        Mistake{"BenchSimulationAndPatience",
+                {"bench", "--simulations", "pile", "--patience", "1"},
+                "no meaning for sim"},
+        Mistake{"BenchTraceOfNothing", {"bench", "--trace"}, "add --json FILE"},
         Mistake{"BenchAblationOfAlgorithms",
                 {"bench", "--ablation", "--algorithms", "kerf"},
                 "leave --algorithms out"},

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -62,6 +63,7 @@ double parse_between(std::string_view key, std::string_view text, double low, do
 /// for an unknown key.
 template <class Set>
 void parse_assignments(std::string_view text, std::string_view valid, Set set) {
+  std::set<std::string_view> given;
   while (!text.empty()) {
     const std::size_t comma = text.find(',');
     const std::string_view item = text.substr(0, comma);
@@ -69,6 +71,8 @@ void parse_assignments(std::string_view text, std::string_view valid, Set set) {
     if (equals == std::string_view::npos) fail("\"" + std::string(item) + "\" is not KEY=VALUE", valid);
     if (!set(item.substr(0, equals), item.substr(std::min(equals + 1, item.size()))))
       fail("unknown key \"" + std::string(item.substr(0, equals)) + "\"", valid);
+    if (!given.insert(item.substr(0, equals)).second)
+      fail("\"" + std::string(item.substr(0, equals)) + "\" stands twice", valid);
     if (comma == std::string_view::npos) return;
     text.remove_prefix(comma + 1);
     if (text.empty()) fail("nothing follows the last comma", valid);

@@ -294,6 +294,66 @@ TEST(StudyProgram, FramesOfARecordingAreCells) {
     EXPECT_TRUE(read_text(study.path("whole/" + file)) == read_text(study.path("one/run/" + file))) << file;
 }
 
+/// Only the manifests were read, and "all frames" was printed though pictures were damaged.
+TEST(StudyProgram, JoinedFramesAreThoseThatWereDrawn) {
+  const StudyFolder study(R"({"matrices": [{"recording": "run.kerf", "steps": "10:40:10", "size": "96x64",
+    "parts": 2}]})");
+  ASSERT_EQ(
+      run_kerf({"record", "pile", "--steps", "40", "--objects", "30", "-o", study.path("run.kerf")}).exit,
+      kExitHolds);
+  ASSERT_EQ(study.run({"-o", "@all"}).exit, kExitHolds);
+  const std::string cell = study.cells("all").front();
+  const std::string folder = "all/" + fs::path(cell).stem().string() + "/";
+  const std::string picture = folder + "run_000002.png";
+  const std::string file = fs::exists(study.path(picture)) ? picture : folder + "run_000003.png";
+  const std::string other = fs::exists(study.path(picture)) ? "run_000000.png" : "run_000001.png";
+  const auto refusal = [&] {
+    const RunOutcome outcome = study.run({"--join", "@all", "-o", "@one"});
+    EXPECT_EQ(outcome.exit, kExitUnusable) << outcome.out;
+    EXPECT_FALSE(fs::exists(study.path("one")));
+    return outcome.err;
+  };
+  const std::string drawn = read_text(study.path(file));
+  study.write(file, "garbage");
+  EXPECT_THAT(refusal(), HasSubstr(fs::path(file).filename().string()));
+  study.write(file, read_text(study.path(folder + other)));
+  EXPECT_THAT(refusal(), HasSubstr("has another picture than was drawn"));
+  study.write(file, drawn);
+  auto json = read_json(study.path("all/" + cell));
+  json["counts"]["pixels_hash"] = "0000000000000000";
+  study.write("all/" + cell, json.dump());
+  EXPECT_THAT(refusal(), HasSubstr("has not the frames that its cell counted; measure it again"));
+  json["counts"].erase("pixels_hash");
+  study.write("all/" + cell, json.dump());
+  EXPECT_THAT(refusal(), HasSubstr(cell + " is damaged"));
+}
+
+/// Such files were believed, and the table had no columns of counts.
+TEST(StudyProgram, ACellWithoutItsFiguresIsDamaged) {
+  const StudyFolder study;
+  ASSERT_EQ(study.run({"-o", "@all", "--shard", "1/24"}).exit, kExitHolds);
+  const std::string file = "all/" + study.cells("all").front();
+  const auto whole = read_json(study.path(file));
+  for (const auto& [part, figure] : {std::pair{"counts", "pairs"},
+                                     {"counts", "height"},
+                                     {"counts", "missed"},
+                                     {"times", "total_ms"},
+                                     {"times", "overhead_ms"}}) {
+    auto json = whole;
+    json[part].erase(figure);
+    study.write(file, json.dump());
+    EXPECT_THAT(study.run({"--join", "@all", "-o", "@one"}).err, HasSubstr("is damaged")) << figure;
+    EXPECT_THAT(study.run({"--list", "-o", "@all"}).out, Not(HasSubstr("  there"))) << figure;
+  }
+}
+
+TEST(StudyProgram, WhatWouldBeIgnoredIsRefused) {
+  const StudyFolder study;
+  const std::string id = study.run({"--list"}).out.substr(0, study.run({"--list"}).out.find(' '));
+  EXPECT_EQ(study.run({"--cell", id, "--shard", "2/2", "-o", "@all"}).exit, kExitUnusable);
+  EXPECT_THAT(study.run({"--cell", id, "--overwrite"}).err, HasSubstr("give --out"));
+}
+
 /// What an interrupted attempt has drawn is not drawn again.
 TEST(StudyProgram, FramesOfAnEarlierAttemptAreKept) {
   const StudyFolder study(R"({"matrices": [{"recording": "run.kerf", "steps": "2:20:2", "size": "96x64",

@@ -100,10 +100,44 @@ TEST_F(CsvTest, AHeadingMayStandInAComment) {
   };
   EXPECT_EQ(first_of("# a table, made today\n# bee, a\n1,2\n"), "2,1");
   EXPECT_EQ(first_of("#b,a\n1,2\n# a,b\n3,4\n"), "2,1");
-  for (const char* const comment : {"# b, c\n", "# b, b\n", "# b, a, step\n", "# b\n"})
+  EXPECT_EQ(first_of("# b, a\n# units: m, s\n1,2\n"), "2,1") << "the last that is one";
+  EXPECT_EQ(first_of("# b, a, step\n# b, a\n#\n1,2\n"), "2,1");
+  for (const char* const comment : {"# b, c\n", "# made by a, of it\n", "# b\n"})
     EXPECT_EQ(first_of(comment + std::string("1,2\n")), "1,2") << comment;
   EXPECT_EQ(first_of("# b,a\na,b\n1,2\n"), "1,2") << "the line itself is one";
   EXPECT_TRUE(CsvTable(write("# b,a\n"), {{"a", {}}, {"b", {}}}).has_heading());
+}
+
+/// The columns were read in another order than the comment says.
+TEST_F(CsvTest, ACommentThatIsNearlyAHeadingIsRefused) {
+  const auto complaint = [&](const std::string& text) -> std::string {
+    try {
+      const CsvTable table(write(text), {{"a", {}}, {"b", {}}, {"c", {}}});
+      return "";
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_THAT(complaint("#\n# b, a, awake\n1,2,1\n"),
+              HasSubstr("line 2: column 'awake' of the heading is not"));
+  EXPECT_THAT(complaint("# b, a, b\n1,2,1\n"), HasSubstr("line 1: column 3, 'b', is b, as column 1 is"));
+  EXPECT_THAT(complaint("# b, a\n1,2,1\n"),
+              HasSubstr("line 1: the heading has 2 columns, the first line has 3"));
+  EXPECT_THAT(complaint("# b, a, left, right, top\n1,2,1,2,3\n"), HasSubstr("column 'left'"));
+  EXPECT_EQ(complaint("# seen by b, of it, today\n1,2,1\n"), "");
+}
+
+TEST_F(CsvTest, AColourBeginsALineOnlyWhereItIsTheFirstColumn) {
+  const std::vector<CsvColumn> columns{{"color", {}, true}, {"b", {}}};
+  const auto count = [&](const std::string& text) {
+    CsvTable table(write(text), columns);
+    int lines = 0;
+    while (table.next()) lines += table.text(0) == "#1f77b4" || table.text(1) == "#1f77b4" ? 1 : 10;
+    return lines;
+  };
+  EXPECT_EQ(count("# a note\ncolor,b\n#1f77b4,1\n# a note, too\n#\n#1f77b4,2\n"), 2);
+  EXPECT_EQ(count("# color,b\n#1f77b4,1\n#1f77b4,1\n"), 2);
+  EXPECT_EQ(count("b,color\n1,#1f77b4\n#1f77b4,2\n"), 1);
 }
 
 TEST_F(CsvTest, NumbersAreReadAsTheyAre) {

@@ -136,6 +136,7 @@ TEST(Camera, TheWordAllAsksForEverything) {
   EXPECT_EQ(parse_camera<3>("iso,yaw=60").yaw, 60);
   EXPECT_NEAR(parse_camera<3>("iso,yaw=60").pitch, 35.264, 1e-9);
   EXPECT_THROW(parse_camera<3>("iso=3"), std::invalid_argument);
+  EXPECT_THROW(parse_camera<3>("yaw=3,yaw=4"), std::invalid_argument);
   EXPECT_THROW(parse_camera<2>("top"), std::invalid_argument);
 }
 
