@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/rounding.h"
 #include "core/base/tuning.h"
 #include "core/bsp/common_motion.h"
 #include "core/tree/hash.h"
@@ -74,6 +75,7 @@ Status Bsp<D, Trace>::remove(ObjectId object) {
 
 template <int D, class Trace>
 void Bsp<D, Trace>::step() {
+  const NearestRounding rounding;
   const auto start = workers_.threads.now();
   adapt();
   find_pairs();
@@ -84,6 +86,7 @@ void Bsp<D, Trace>::step() {
 /// Without its pairs nothing of a leaf can be kept.
 template <int D, class Trace>
 void Bsp<D, Trace>::step_unswept() {
+  const NearestRounding rounding;
   adapt();
   pairs_.clear();
   kept_.forget_pairs();

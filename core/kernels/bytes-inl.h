@@ -71,10 +71,41 @@ HWY_INLINE PackedBox<D> greatest_of_lanes(const std::vector<PackedBox<D>>& boxes
   return result;
 }
 
+/// The same of a sample, but the second greatest and the second least.
+template <int D>
+HWY_INLINE PackedBox<D> second_of_lanes(const std::vector<PackedBox<D>>& boxes) {
+  Packed<D> first = all_lanes<D>(-FLT_MAX);
+  Packed<D> second = first;
+  for (std::size_t i = 0; i < tuning::kScaleSample; ++i) {
+    const Packed<D> box = load(boxes[i * boxes.size() / tuning::kScaleSample]);
+    for (std::size_t k = 0; k < Packed<D>::kParts; ++k) {
+      second.part[k] = hn::Max(second.part[k], hn::Min(first.part[k], box.part[k]));
+      first.part[k] = hn::Max(first.part[k], box.part[k]);
+    }
+  }
+  PackedBox<D> result;
+  store(second, result);
+  return result;
+}
+
+/// Draws in ends that lie far from nearly all boxes, which would else share one byte.
+template <int D>
+HWY_INLINE void leave_out_far(const std::vector<PackedBox<D>>& boxes, PackedBox<D>& greatest) {
+  constexpr std::size_t kHalf = PackedBox<D>::kHalf;
+  const PackedBox<D> most = second_of_lanes<D>(boxes);
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const float stretch = most.lane[axis] + most.lane[kHalf + axis];
+    if (stretch <= 0) continue;
+    for (const std::size_t end : {axis, kHalf + axis})
+      greatest.lane[end] = std::min(greatest.lane[end], most.lane[end] + stretch);
+  }
+}
+
 template <int D>
 HWY_INLINE ByteScale<D> make_byte_scale(const LeafView<D>& leaf) {
   constexpr std::size_t kHalf = PackedBox<D>::kHalf;
-  const PackedBox<D> greatest = greatest_of_lanes<D>(leaf.boxes);
+  PackedBox<D> greatest = greatest_of_lanes<D>(leaf.boxes);
+  if (leaf.size() >= tuning::kLeastSampled) leave_out_far(leaf.boxes, greatest);
   ByteScale<D> bytes;
   for (std::size_t axis = 0; axis < D; ++axis) {
     const float least_max = -greatest.lane[kHalf + axis];

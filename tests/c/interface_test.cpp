@@ -188,31 +188,6 @@ TEST(CInterface, AWorldIsSavedAndRestored) {
   EXPECT_EQ(kerf_world_restore(make_world(3).get(), bytes.data(), size, nullptr), KERF_DAMAGED);
 }
 
-TEST(CInterface, OptionsThatCannotWorkAreNamed) {
-  const auto why = [](auto change, std::uint32_t dimension = 2) {
-    kerf_world_options options{};
-    EXPECT_EQ(kerf_world_options_init(&options, sizeof options), KERF_OK);
-    change(options);
-    kerf_error error{};
-    EXPECT_EQ(kerf_error_init(&error, sizeof error), KERF_OK);
-    kerf_world* world = nullptr;
-    EXPECT_EQ(kerf_world_create(dimension, &options, &world, &error), KERF_BAD_OPTION);
-    EXPECT_EQ(world, nullptr);
-    EXPECT_EQ(error.status, KERF_BAD_OPTION);
-    return std::string(error.text);
-  };
-  const auto nothing = [](kerf_world_options&) {};
-  EXPECT_NE(why([](auto& options) { options.config = "max_height=99"; }).find("max_height"),
-            std::string::npos);
-  EXPECT_NE(why([](auto& options) { options.config = "what=1"; }).find("what"), std::string::npos);
-  EXPECT_NE(why([](auto& options) { options.tag = 256; }).find("tag"), std::string::npos);
-  EXPECT_NE(why([](auto& options) { options.pairs_of = 2; }).find("pairs_of"), std::string::npos);
-  EXPECT_NE(why([](auto& options) { options.threads = 0; }), "");
-  EXPECT_NE(why([](auto& options) { options.threads = 257; }).find("at most 256"), std::string::npos);
-  EXPECT_NE(why(nothing, 4).find("dimension"), std::string::npos);
-  EXPECT_NE(why(nothing, 0).find("dimension"), std::string::npos);
-}
-
 TEST(CInterface, OptionsAreTaken) {
   kerf_world_options options{};
   ASSERT_EQ(kerf_world_options_init(&options, sizeof options), KERF_OK);

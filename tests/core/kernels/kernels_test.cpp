@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -133,6 +134,24 @@ TYPED_TEST(Kernels, ALineIsOrderedByFinerSteps) {
       EXPECT_EQ(sweep.is_short, pairs < 20);
       EXPECT_EQ(sweep.is_dense, pairs > 5);
     }
+  }
+}
+
+/// Objects that have left the scene, on either side.
+TYPED_TEST(Kernels, FewFarBoxesLeaveTheBytesToTheOthers) {
+  constexpr int kD = TypeParam::value;
+  for (const float far : {1e4F, 1e7F, 1e37F}) {
+    Random random(12);
+    LeafView<kD> leaf;
+    for (int k = 0; k < 900; ++k) {
+      const Scalar offset = k % 300 == 0 ? (k == 300 ? -far : far) : 0;
+      const Vector<kD> center = random_point<kD>(random, 0, 30) + all<kD>(offset);
+      add_entry(leaf, box_at<kD>(center, 0.5F));
+    }
+    const auto sweep = expect_swept_alike(leaf);
+    std::set<std::uint8_t> beginnings;
+    for (const auto key : sweep.sorted_keys) beginnings.insert(static_cast<std::uint8_t>(key));
+    EXPECT_GT(beginnings.size(), 50U) << far;
   }
 }
 
