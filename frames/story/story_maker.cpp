@@ -42,6 +42,7 @@ FrameOptions story_options(const RenderRequest& request) {
   options.camera = request.camera;
   options.camera_path = request.camera_path;
   options.backend = request.backend;
+  options.letters = story_letters(options.width, options.height);
   options.margins = story_margins(options.width, options.height);
   return options;
 }

@@ -77,7 +77,7 @@ struct FrameRenderer<D>::State {
         camera(parse_camera<D>(chosen.camera)),
         camera_path(chosen.camera_path),
         planner(chosen.layers, chosen.samples, camera.framing),
-        font(font_pixels(chosen.height)),
+        font(chosen.letters > 0 ? chosen.letters : font_pixels(chosen.height)),
         context(make_offscreen_context(chosen.backend)),
         painter(context->functions(), font) {
     for (Batch& batch : batches) batch.keeps_items = options.ids;

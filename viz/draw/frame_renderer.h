@@ -76,6 +76,7 @@ struct FrameOptions {
   bool ids = false;           ///< also record what was drawn and where, see `FrameIds`
   std::string camera_path{};  ///< see CameraPath; empty: the camera stands still
   GlBackend backend = GlBackend::any;
+  int letters = 0;    ///< their height in pixels; 0: that for the height of the picture
   Margins margins{};  ///< for pictures without caption and legend, which would keep the whole width
 };
 

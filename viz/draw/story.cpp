@@ -220,8 +220,12 @@ void draw_curves(const View& view, const Font& font, const Viewport& place, cons
 
 }  // namespace
 
+/// The panel at the right is a share of the width: letters by the height alone would leave it in upright
+/// pictures.
+int story_letters(int width, int height) { return font_pixels(std::min(height, width * 9 / 16)); }
+
 Margins story_margins(int width, int height) {
-  const int line = font_pixels(height) * 5 / 4;
+  const int line = story_letters(width, height) * 5 / 4;
   return {0, 2 * line, static_cast<int>(kRightPart * width), 3 * line};
 }
 

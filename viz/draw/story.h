@@ -36,6 +36,9 @@ struct StoryPanels {
   std::array<std::string, 2> ends;  ///< the names of the first and the last step of the curves
 };
 
+/// The height of its letters: that of a picture 16:9 which fits into it.
+int story_letters(int width, int height);
+
 /// The margins of such a picture: a line above the scene, two below it, and a third of the width at the
 /// right.
 Margins story_margins(int width, int height);

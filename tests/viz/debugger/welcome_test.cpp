@@ -2,6 +2,7 @@
 
 #include "tests/viz/debugger/timeline_driver.h"
 #include "viz/debugger/model/opening.h"
+#include "viz/debugger/panels/panel.h"
 
 namespace kerf {
 namespace {
@@ -43,6 +44,36 @@ expect welcome == no
 expect tour == 1
 )"),
             "");
+}
+
+bool is_shown(Debugger& debugger, const std::string& text) { return debugger.gui().find(text).has_value(); }
+
+/// In 2D the areas of the leaves have the colours, and a drag moves the view.
+TEST(DebuggerWelcome, SaysWhatColoursMeanInEachDimension) {
+  TimelineDriver flat;
+  ASSERT_EQ(flat.play("welcome\nwait 2"), "");
+  EXPECT_TRUE(is_shown(flat.debugger(), "object: blue, or in the colour it was given"));
+  EXPECT_TRUE(is_shown(flat.debugger(), "area of a leaf (see colour)"));
+  EXPECT_FALSE(is_shown(flat.debugger(), "object, coloured as its leaf (see colour)"));
+  const test::TemporaryRecording file;
+  test::record_crowd<3>(file.path(), 20, test::busy_config());
+  const std::unique_ptr<GlContext> context = make_offscreen_context();
+  Debugger solid(*context, open_run(file.path()));
+  ScriptPlayer(solid, 1280, 720, {}).play(parse_script("welcome\nwait 2"));
+  EXPECT_TRUE(is_shown(solid, "object, coloured as its leaf (see colour)"));
+  EXPECT_FALSE(is_shown(solid, "area of a leaf (see colour)"));
+}
+
+TEST(DebuggerTour, BeginsWithWhatIsSeenInEachDimension) {
+  TimelineDriver flat;
+  const std::string words = tour_text(flat.debugger().model(), 0);
+  EXPECT_THAT(words, testing::HasSubstr("Drag to move it"));
+  EXPECT_THAT(words, testing::Not(testing::HasSubstr("Objects are coloured as the leaves")));
+  const test::TemporaryRecording file;
+  test::record_crowd<3>(file.path(), 20, test::busy_config());
+  DebuggerModel solid(open_run(file.path()));
+  EXPECT_THAT(tour_text(solid, 0), testing::HasSubstr("Drag to turn it"));
+  EXPECT_EQ(tour_text(solid, 1), tour_text(flat.debugger().model(), 1));
 }
 
 /// Seven stops, each of which frames a part of the window that is there.

@@ -17,6 +17,7 @@ class StoryPicture : public testing::Test {
     options.height = height;
     options.ids = true;
     options.layers = LayerSet::parse("objects,partitioners");
+    options.letters = story_letters(width, height);
     options.margins = story_margins(width, height);
     FrameRenderer<3> renderer(options);
     tree.assign(&scene.tree());
@@ -29,7 +30,19 @@ class StoryPicture : public testing::Test {
     });
     picture = renderer.render(scene.input());
     texts = renderer.ids().list.texts;
-    font_width = Font(font_pixels(height)).advance();
+    font_width = Font(story_letters(width, height)).advance();
+  }
+
+  /// Two texts of which one lies over the other; empty if there are none.
+  [[nodiscard]] std::string overlapping() const {
+    const auto right_of = [&](const DrawnText& text) {
+      return text.x + font_width * static_cast<int>(text.text.size());
+    };
+    for (const DrawnText& a : texts)
+      for (const DrawnText& b : texts)
+        if (&a < &b && std::abs(a.y - b.y) < font_width && a.x < right_of(b) && b.x < right_of(a))
+          return a.text + " and " + b.text;
+    return "";
   }
 
   test::SmallScene<3> scene;
@@ -40,7 +53,10 @@ class StoryPicture : public testing::Test {
 };
 
 TEST_F(StoryPicture, TextsStayInsideThePictureAndOutOfTheScene) {
-  for (const auto& [width, height] : {std::pair(640, 360), std::pair(1920, 1080)}) {
+  for (const auto& [width, height] :
+       {std::pair(640, 360), std::pair(1920, 1080), std::pair(1080, 1920), std::pair(640, 1200),
+        std::pair(1080, 1080), std::pair(1440, 1080), std::pair(2560, 1080)}) {
+    SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
     draw(width, height,
          "Step 604: leaf n26 got crowded: split parallel to its parent's plane into 61 and 58");
     const Margins margins = story_margins(width, height);
@@ -53,6 +69,7 @@ TEST_F(StoryPicture, TextsStayInsideThePictureAndOutOfTheScene) {
       const bool in_scene = text.y > margins.top && text.y < height - margins.bottom;
       EXPECT_TRUE(!in_scene || text.x >= width - margins.right) << text.text;
     }
+    EXPECT_EQ(overlapping(), "");
   }
 }
 

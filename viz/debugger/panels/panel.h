@@ -121,6 +121,8 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
                        const std::string& title);
 void draw_welcome(PanelContext& context);
 void draw_tour(PanelContext& context);
+/// What a stop of the tour, counted from 0, says of this run.
+std::string tour_text(DebuggerModel& model, std::size_t stop);
 void draw_search(PanelContext& context);
 void draw_help(PanelContext& context);
 

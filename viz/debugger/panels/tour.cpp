@@ -1,4 +1,5 @@
 #include <array>
+#include <string>
 
 #include "viz/debugger/gui/widgets.h"
 #include "viz/debugger/panels/panel.h"
@@ -70,6 +71,12 @@ constexpr std::array<TourStop, 7> kStops{
       "holds. Shift+F5 searches backwards. F1 has all keys.",
       "panel breakpoints", [](PanelContext& context) { context.model.select({}); }}}};
 
+/// What the first stop says in 2D, where the areas of the leaves are coloured and a drag does not turn.
+constexpr const char* kFlatScene =
+    "Objects are blue or in the colour they were given, areas of leaves are coloured by how many they hold, "
+    "blue lines divide the space, orange lines are pairs. Drag to move it, the wheel goes nearer, and the "
+    "mouse over something says what it is.";
+
 void frame_panel(PanelContext& context, const char* name) {
   const auto area = context.gui.find(name);
   if (!area) return;
@@ -98,6 +105,11 @@ void draw_buttons(PanelContext& context) {
 
 }  // namespace
 
+std::string tour_text(DebuggerModel& model, std::size_t stop) {
+  const bool is_flat = model.run().info().dimension == 2;
+  return stop == 0 && is_flat ? kFlatScene : kStops.at(stop).text;
+}
+
 void draw_tour(PanelContext& context) {
   PanelMemory& memory = context.memory;
   if (memory.tour && *memory.tour >= kStops.size()) memory.tour.reset();
@@ -122,7 +134,7 @@ void draw_tour(PanelContext& context) {
   const std::string title = std::to_string(*memory.tour + 1) + " of " + std::to_string(kStops.size()) + ": " +
                             stop.title + "###tour";
   if (ImGui::Begin(title.c_str(), nullptr, kFlags)) {
-    widgets::wrapped_text(stop.text);
+    widgets::wrapped_text(tour_text(context.model, *memory.tour));
     ImGui::Spacing();
     draw_buttons(context);
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "core/base/counted.h"
 #include "viz/debugger/gui/widgets.h"
@@ -17,8 +18,14 @@ struct LegendRow {
   Color color;
   const char* text;
 };
+/// In 2D objects must stand out from the areas of the leaves, which have the colours.
+constexpr std::array kFlatRows{
+    LegendRow{Mark::filled, palette::kMoving, "object: blue, or in the colour it was given"},
+    LegendRow{Mark::filled, Color{144, 200, 198}, "area of a leaf (see colour)"}};
+constexpr std::array kSolidRows{
+    LegendRow{Mark::filled, Color{33, 144, 141}, "object, coloured as its leaf (see colour)"}};
+
 constexpr std::array kLegendRows{
-    LegendRow{Mark::filled, Color{33, 144, 141}, "object, coloured as its leaf (see colour)"},
     LegendRow{Mark::filled, palette::kStraddler, "straddler: it lies in several leaves"},
     LegendRow{Mark::filled, palette::kFixed, "fixed object"},
     LegendRow{Mark::framed, palette::kPartitioner, "partitioner: it divides its node's objects"},
@@ -60,6 +67,11 @@ void draw_mark(const LegendRow& row) {
   ImGui::Dummy({kWide + 6, kHigh});
   ImGui::SameLine(0, 0);
   ImGui::TextUnformatted(row.text);
+}
+
+void draw_row(PanelContext& context, const LegendRow& row) {
+  draw_mark(row);
+  context.gui.note_last_item(row.text);
 }
 
 /// What is seen at this moment, in three sentences.
@@ -104,7 +116,10 @@ void draw_welcome(PanelContext& context) {
   if (ImGui::Begin(title.c_str(), &context.memory.welcome, kFlags)) {
     for (const std::string& sentence : sentences(context.model.run())) widgets::wrapped_text(sentence);
     ImGui::Spacing();
-    for (const LegendRow& row : kLegendRows) draw_mark(row);
+    const bool is_flat = context.model.run().info().dimension == 2;
+    for (const LegendRow& row : is_flat ? std::span<const LegendRow>(kFlatRows) : kSolidRows)
+      draw_row(context, row);
+    for (const LegendRow& row : kLegendRows) draw_row(context, row);
     if (!context.model.view.query.empty())
       for (const LegendRow& row : kQueryRows) draw_mark(row);
     if (context.model.run().has_theirs())
