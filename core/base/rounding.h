@@ -1,9 +1,6 @@
 #pragma once
 
 #include <cfenv>
-#ifdef __SSE__
-#include <xmmintrin.h>
-#endif
 
 namespace kerf {
 
@@ -22,11 +19,12 @@ class NearestRounding {
   NearestRounding& operator=(const NearestRounding&) = delete;
 
  private:
-#ifdef __SSE__  // asked alone: the other unit's mode may be another one, and nothing here uses it
+#ifdef __SSE__  // its control register; the other unit has a mode of its own, which nothing here uses
   using Mode = unsigned;
-  static constexpr Mode kNearest = _MM_ROUND_NEAREST;
-  static Mode mode() { return _mm_getcsr() & _MM_ROUND_MASK; }
-  static void set(Mode mode) { _mm_setcsr((_mm_getcsr() & ~unsigned{_MM_ROUND_MASK}) | mode); }
+  static constexpr Mode kMode = 0x6000;
+  static constexpr Mode kNearest = 0;
+  static Mode mode() { return __builtin_ia32_stmxcsr() & kMode; }
+  static void set(Mode mode) { __builtin_ia32_ldmxcsr((__builtin_ia32_stmxcsr() & ~kMode) | mode); }
 #else
   using Mode = int;
   static constexpr Mode kNearest = FE_TONEAREST;
