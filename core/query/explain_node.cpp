@@ -20,10 +20,11 @@ std::vector<PathSide<D>> path_to(const Tree<D>& tree, NodeId id) {
   return path;
 }
 
-/// The lives of a node's slot as far as a step knows them.
-std::vector<NodeLife> lives_until(std::span<const OperatorRow> operators, NodeId id, std::uint32_t step) {
-  const auto by_slot = find_node_lives(operators.first(static_cast<std::size_t>(
-      std::ranges::upper_bound(operators, step, {}, &OperatorRow::step) - operators.begin())));
+/// The lives of a node's slot as far as a moment knows them.
+std::vector<NodeLife> lives_until(std::span<const OperatorRow> operators, NodeId id, const Position& at) {
+  const auto moment = [](const OperatorRow& row) { return Position{row.step, row.event}; };
+  const auto by_slot = find_node_lives(operators.first(
+      static_cast<std::size_t>(std::ranges::upper_bound(operators, at, {}, moment) - operators.begin())));
   return id.index() < by_slot.size() ? by_slot[id.index()] : std::vector<NodeLife>{};
 }
 
@@ -45,29 +46,43 @@ std::string kind_text(const NodeExplanation<D>& e) {
   return "partitioner " + plane_text(e.node.plane) + " over " + quality_text(*e.quality);
 }
 
-}  // namespace
-
 template <int D>
-NodeExplanation<D> explain_node(Replayer<D>& replayer, std::uint32_t step, NodeId id) {
+NodeExplanation<D> explain(RecordingReader<D>& recording, const Position& at, const Tree<D>& tree,
+                           const Config& config, NodeId id) {
   NodeExplanation<D> result;
-  result.step = step;
+  result.at = at;
   result.id = id;
-  replayer.seek(step);
-  result.lives = lives_until(replayer.recording().operators(), id, step);
-  result.history = node_history(replayer.recording(), id, step);
-  const Tree<D>& tree = replayer.tree().tree();
+  result.lives = lives_until(recording.operators(), id, at);
+  result.history = node_history(recording, id, at.step);
+  std::erase_if(result.history, [&](const Event& event) { return event.id > at.event; });
   result.alive = id.index() < tree.slots() && tree[id].alive;
   if (!result.alive) return result;
   result.node = tree[id];
   result.path = path_to(tree, id);
   if (!tree[id].is_leaf()) result.quality = quality(tree, id);
-  result.wish = wish_text(tree, id, replayer.tree().config(), replayer.recording().info().names);
+  result.wish = wish_text(tree, id, config, recording.info().names);
   return result;
+}
+
+}  // namespace
+
+template <int D>
+NodeExplanation<D> explain_node(Replayer<D>& replayer, std::uint32_t step, NodeId id) {
+  replayer.seek(step);
+  return explain(replayer.recording(), Position::end_of(step), replayer.tree().tree(),
+                 replayer.tree().config(), id);
+}
+
+template <int D>
+NodeExplanation<D> explain_node(RecordingReader<D>& recording, const Position& at, const BspState<D>& state,
+                                NodeId id) {
+  return explain(recording, at, state.tree, state.config, id);
 }
 
 template <int D>
 std::string to_text(const NodeExplanation<D>& e, const GivenNames& names) {
-  std::string text = "after step " + names.step(e.step) + ", " + node_text(e.id);
+  std::string text = "after " + (e.at.is_end() ? "" : to_string(e.at, names) + " of ") + "step " +
+                     names.step(e.at.step) + ", " + node_text(e.id);
   if (!e.alive) {
     text += e.lives.empty() ? " has never been used\n" : " is not alive\n";
   } else {
@@ -83,8 +98,10 @@ std::string to_text(const NodeExplanation<D>& e, const GivenNames& names) {
   return text;
 }
 
-#define KERF_INSTANTIATE(D)                                                         \
-  template NodeExplanation<D> explain_node<D>(Replayer<D>&, std::uint32_t, NodeId); \
+#define KERF_INSTANTIATE(D)                                                                             \
+  template NodeExplanation<D> explain_node<D>(Replayer<D>&, std::uint32_t, NodeId);                     \
+  template NodeExplanation<D> explain_node<D>(RecordingReader<D>&, const Position&, const BspState<D>&, \
+                                              NodeId);                                                  \
   template std::string to_text<D>(const NodeExplanation<D>&, const GivenNames&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

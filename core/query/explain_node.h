@@ -6,6 +6,7 @@
 
 #include "core/query/history.h"
 #include "core/query/node_lives.h"
+#include "core/replay/position.h"
 #include "core/replay/replayer.h"
 
 namespace kerf {
@@ -18,23 +19,27 @@ struct PathSide {
   bool right = false;
 };
 
-/// A node at the end of a step: its place, its quality, and what Algorithm 1 would do with it.
+/// A node at a moment: its place, its quality, and what Algorithm 1 would do with it.
 template <int D>
 struct NodeExplanation {
-  std::uint32_t step = 0;
+  Position at;
   NodeId id;
   bool alive = false;
   Node<D> node;                    ///< if alive
   std::vector<PathSide<D>> path;   ///< from the root down to its parent
   std::optional<Quality> quality;  ///< of its partitioner; none for a leaf
   std::string wish;                ///< what the criteria require, with the figures
-  std::vector<NodeLife> lives;     ///< that began up to this step, ended if they ended by then
+  std::vector<NodeLife> lives;     ///< that began up to then, ended if they ended by then
   std::vector<Event> history;      ///< over all its lives, likewise
 };
 
-/// Throws std::runtime_error for a step that the recording does not have.
+/// At the end of a step. Throws std::runtime_error for one that the recording does not have.
 template <int D>
 NodeExplanation<D> explain_node(Replayer<D>& replayer, std::uint32_t step, NodeId id);
+/// At any moment, whose state is given.
+template <int D>
+NodeExplanation<D> explain_node(RecordingReader<D>& recording, const Position& at, const BspState<D>& state,
+                                NodeId id);
 
 /// The explanation in sentences, a line each.
 template <int D>

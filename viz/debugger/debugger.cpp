@@ -169,7 +169,11 @@ void Debugger::report(std::string message, bool is_error) {
 /// The compared run is seen beside this one, from the same place and in the same colours.
 void Debugger::update_views() {
   Run* const other = model_.other();
-  if (&model_.run() != run_) view_ = make_scene_view(context_.functions(), model_.run());
+  if (&model_.run() != run_) {
+    const AnyCamera camera = view_->camera();
+    view_ = make_scene_view(context_.functions(), model_.run());
+    view_->set_camera(camera);
+  }
   run_ = &model_.run();
   if (other != other_) {
     other_view_ = other == nullptr ? nullptr : make_scene_view(context_.functions(), *other);

@@ -130,7 +130,8 @@ std::map<std::string, std::string> Debugger::facts() {
   facts["changes"] = std::to_string(history_.changes());
   facts["taken_back"] = std::to_string(history_.taken_back());
   facts["hidden"] = std::to_string(model_.view.hidden_nodes.size() + model_.view.hidden_objects.size());
-  facts["alone"] = model_.view.isolated ? "n" + std::to_string(model_.view.isolated->value) : "none";
+  facts["alone"] = model_.view.isolated ? node_text(*model_.view.isolated) : "none";
+  if (view_->counts().lacks_isolated) facts["alone"] += ", not alive here";
   facts["colour"] = kTintNames[static_cast<std::size_t>(model_.view.tint)];
   facts["layers"] = to_string(model_.view.layers);
   facts["hovered_node"] = model_.hovered_node ? "n" + std::to_string(model_.hovered_node->value) : "none";

@@ -130,6 +130,7 @@ bool Debugger::open(const std::filesystem::path& file) {
   view_ = make_scene_view(context_.functions(), model_.run());
   PanelMemory memory;
   memory.search.history = std::move(memory_.search.history);
+  memory.window = std::move(memory_.window);  // the user's, not the recording's
   memory_ = std::move(memory);
   recording_ = file;
   last_.reset();

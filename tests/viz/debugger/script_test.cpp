@@ -233,6 +233,23 @@ expect selection == nothing
             "");
 }
 
+TEST_F(ScriptedDebugger, ObjectsThatAreNoLayerAreNotCountedAsDrawn) {
+  EXPECT_EQ(play(R"(
+key End
+wait 1
+remember all all_objects
+expect drawn_objects == $all
+click objects
+wait 1
+expect drawn_objects == 0
+expect all_objects == $all
+click objects
+wait 1
+expect drawn_objects == $all
+)"),
+            "");
+}
+
 TEST_F(ScriptedDebugger, PanelsOpenAndCompare) {
   EXPECT_EQ(play(R"(
 click condition

@@ -184,6 +184,30 @@ wait 2
   EXPECT_EQ(read_session_file(other.string() + ".session").recording.dimension, 3);
 }
 
+TEST_F(DebuggerSessions, TheWindowStaysAsItIsWhenAnotherRecordingIsOpened) {
+  const auto other = scratch_.path() / "other.kerf";
+  test::record_crowd<2>(other, 30, test::busy_config());
+  EXPECT_EQ(play(R"(
+key P
+type "dark theme"
+key Enter
+key P
+type "larger text"
+key Enter
+drag "divider left" 400,300
+wait 1
+remember window window
+expect window ~ dark
+drop )" + other.string() +
+                 R"(
+expect recording == other.kerf
+expect theme == dark
+expect zoom == 1.1
+expect window == $window
+)"),
+            "");
+}
+
 TEST_F(DebuggerSessions, WhatIsNoRecordingLeavesTheRunAsItIs) {
   std::ofstream(scratch_.path() / "letter") << "dear";
   EXPECT_EQ(play("key B\nkey End\ndrop " + (scratch_.path() / "letter").string() + R"(

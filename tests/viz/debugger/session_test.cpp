@@ -166,6 +166,22 @@ TEST_F(SessionOfRun, ALongerRunGoesOnFromTheSameSteps) {
   EXPECT_FALSE(is_of(mark, other.debugger().model().run()));
 }
 
+/// After objects were removed, ids are greater than the number of those that are there.
+TEST_F(SessionOfRun, ASelectedObjectIsKeptWhereIdsHaveGaps) {
+  model().go(Position::end_of(60));
+  auto& run = model().run();
+  ObjectId last{run.objects()};
+  while (last.value < 1000 && !run.has(last)) ++last.value;
+  ASSERT_TRUE(run.has(last));
+  for (const Selection& selection : {Selection(last), Selection(Pair{{0}, last})}) {
+    model().select(selection);
+    const DebuggerSession kept = session();
+    model().select({});
+    EXPECT_EQ(go_on(kept, model()), "");
+    EXPECT_EQ(model().selection(), selection);
+  }
+}
+
 TEST_F(SessionOfRun, WhatTheRunDoesNotHaveIsLeftOut) {
   DebuggerSession far = full_session();
   far.bookmarks = {{Position::end_of(5), "here"}, {Position::end_of(61), ""}, {{3, 99'999'999}, ""}};

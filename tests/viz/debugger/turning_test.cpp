@@ -4,7 +4,7 @@
 #include "core/recording/recorder.h"
 #include "core/trace/trace.h"
 #include "tests/support/recorded_crowd.h"
-#include "viz/debugger/debugger.h"
+#include "viz/debugger/script.h"
 
 namespace kerf {
 namespace {
@@ -87,6 +87,45 @@ TEST(TurningTheCamera, DrawsFewObjectsAsEver) {
   few.press();
   EXPECT_EQ(few.pairs(), pairs);
 }
+
+/// The debugger in both dimensions, its camera moved by keys and the mouse.
+class KeptCamera : public testing::TestWithParam<int> {
+ protected:
+  KeptCamera() {
+    if (GetParam() == 2) test::record_crowd<2>(file_.path(), 12, test::busy_config());
+    if (GetParam() == 3) test::record_crowd<3>(file_.path(), 12, test::busy_config());
+    debugger_.emplace(*context_, open_run(file_.path()));
+    play("key End\nkey v\ndrag view@0.3,0.3 view@0.5,0.5\nwheel 3\nhover 5,5\nwait 40");
+  }
+  void play(const std::string& script) {
+    EXPECT_NO_THROW(ScriptPlayer(*debugger_, kWidth, kHeight, {}).play(parse_script(script)));
+  }
+
+  std::unique_ptr<GlContext> context_ = make_offscreen_context();
+  test::TemporaryRecording file_;
+  std::optional<Debugger> debugger_;
+};
+
+/// A direction that was wished for before the mouse turned the camera is not faced anew.
+TEST_P(KeptCamera, GoesBackToWhereTheMouseTurnedIt) {
+  const AnyCamera turned = debugger_->view().camera();
+  play("key v\ndrag view@0.3,0.3 view@0.4,0.3\nwait 40");
+  EXPECT_NE(debugger_->view().camera(), turned);
+  play("key ctrl+z\nkey ctrl+z\nwait 2");
+  EXPECT_EQ(debugger_->view().camera(), turned);
+}
+
+TEST_P(KeptCamera, StaysWhenTheRunIsChangedOver) {
+  const AnyCamera camera = debugger_->view().camera();
+  debugger_->model().compare_with(open_run(file_.path()));
+  play("wait 1");
+  debugger_->model().change_over();
+  play("wait 1");
+  EXPECT_EQ(debugger_->view().camera(), camera);
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, KeptCamera, testing::Values(2, 3),
+                         [](const auto& made) { return std::to_string(made.param) + "D"; });
 
 }  // namespace
 }  // namespace kerf

@@ -5,6 +5,7 @@
 #include "core/tree/partitioner.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
+#include "tests/viz/debugger/timeline_driver.h"
 #include "viz/debugger/model/run_of.h"
 #include "viz/debugger/scene/orbit.h"
 #include "viz/debugger/scene/pick.h"
@@ -204,6 +205,18 @@ TEST(DebuggerVisibility, IsolatedAndHiddenNodesDecideWhatIsSeen) {
   const Visibility rest = find_visible(tree, objects, settings);
   EXPECT_EQ(std::count(rest.objects.begin(), rest.objects.end(), 1),
             tree[tree[tree.root()].right].population);
+}
+
+TEST(DebuggerVisibility, ANodeThatIsNotAliveIsNotAlone) {
+  test::TimelineDriver driver;
+  EXPECT_EQ(driver.play("key End\nwait 1\nremember all drawn_objects\nclick n1\nkey i\nwait 1\n"
+                        "expect alone == n1\nexpect drawn_objects < $all"),
+            "");
+  driver.debugger().model().view.isolated = NodeId{4'000'000'000};
+  EXPECT_EQ(driver.play("key End\nwait 1\nremember all all_objects\n"
+                        "expect alone == \"n4000000000, not alive here\"\nexpect drawn_objects == $all\n"
+                        "key i\nwait 1\nexpect alone == none"),
+            "");
 }
 
 TEST(DebuggerVisibility, TintsGoFromNothingToOne) {

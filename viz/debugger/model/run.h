@@ -112,6 +112,8 @@ class Run {
   [[nodiscard]] virtual std::uint32_t objects() const = 0;
   /// Whether an object is there at this moment.
   [[nodiscard]] virtual bool has(ObjectId object) const = 0;
+  /// Whether the id of an object is among those of the whole run.
+  [[nodiscard]] virtual bool knows(ObjectId object) = 0;
   [[nodiscard]] virtual std::uint32_t deferred() const = 0;
 
   [[nodiscard]] virtual const std::vector<CandidateRow>& ballot() = 0;

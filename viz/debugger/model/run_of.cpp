@@ -93,6 +93,16 @@ ObjectCourse RunOf<D>::course(ObjectId object, const Progress& progress) {
   return find_course(*recording_, object, progress);
 }
 
+/// Tables of objects never shrink.
+template <int D>
+bool RunOf<D>::knows(ObjectId object) {
+  if (!ids_) {
+    cursor_.replayer().seek(steps());
+    ids_ = cursor_.replayer().tree().objects().bound();
+  }
+  return object.index() < *ids_;
+}
+
 template <int D>
 const std::vector<CandidateRow>& RunOf<D>::ballot() {
   if (ballot_) return *ballot_;
@@ -148,11 +158,10 @@ ProjectionStrip RunOf<D>::make_strip(std::size_t candidate) {
 
 template <int D>
 std::string RunOf<D>::explain(const Selection& selection) {
-  const std::uint32_t step = position().step;
   return std::visit(
       Overloaded{
           [](std::monostate) { return std::string(); },
-          [&](NodeId node) { return to_text(kerf::explain_node(cursor_.replayer(), step, node), names()); },
+          [&](NodeId node) { return to_text(explain_node(*recording_, position(), state(), node), names()); },
           [&](ObjectId object) { return explain_object(object); },
           [&](const Pair& pair) { return explain_pair(pair); },
       },
@@ -169,12 +178,14 @@ std::string RunOf<D>::explain_object(ObjectId object) const {
   text += std::string(table.is_fixed(object) ? " is fixed" : " moves") + "\n  " +
           box_text(table.box(object)) + "\nit is stored in";
   for (const NodeId leaf : leaves_of(object)) text += " " + node_text(leaf);
-  text += "\nits pairs:";
+  std::size_t count = 0;
+  std::string others;
   for (const Pair& pair : pairs()) {
-    if (pair.a == object) text += " " + names().object(pair.b);
-    if (pair.b == object) text += " " + names().object(pair.a);
+    if (pair.a != object && pair.b != object) continue;
+    ++count;
+    others += " " + names().object(pair.a == object ? pair.b : pair.a);
   }
-  return text + "\n";
+  return text + "\nits pairs: " + (count == 0 ? "none" : std::to_string(count) + ", with" + others) + "\n";
 }
 
 template <int D>
@@ -295,11 +306,6 @@ const std::vector<OperatorRow>& RunOf<D>::operators() {
 }
 
 template <int D>
-std::vector<Thrash> RunOf<D>::lint(std::uint32_t within) {
-  return find_thrash(operators(), steps(), within);
-}
-
-template <int D>
 void RunOf<D>::rerun(const WhatIfQuestion& question, const std::filesystem::path& out,
                      const Progress& progress) {
   RecordingInfo changed = recording_->info();
@@ -377,11 +383,6 @@ std::optional<Position> RunOf<D>::search_change(const Expression& expression, co
                                                 Change change, bool forwards, const Progress& progress) {
   return forwards ? search_.forward_change(expression, from, change, progress)
                   : search_.backward_change(expression, from, change, progress);
-}
-
-template <int D>
-double RunOf<D>::value(const Expression& expression) {
-  return search_.value(expression, position());
 }
 
 template class RunOf<2>;

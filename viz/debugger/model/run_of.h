@@ -44,6 +44,7 @@ class RunOf final : public Run {
   [[nodiscard]] ObjectCourse course(ObjectId object, const Progress& progress) override;
   [[nodiscard]] std::uint32_t objects() const override { return state().latest.size(); }
   [[nodiscard]] bool has(ObjectId object) const override { return state().latest.is_placed(object); }
+  [[nodiscard]] bool knows(ObjectId object) override;
   [[nodiscard]] std::uint32_t deferred() const override { return state().scheduler.pending(); }
   [[nodiscard]] const std::vector<CandidateRow>& ballot() override;
   [[nodiscard]] std::optional<NodeId> event_node() const override;
@@ -57,7 +58,9 @@ class RunOf final : public Run {
   [[nodiscard]] std::span<const NodeLife> lives(NodeId node) override;
   [[nodiscard]] std::vector<PairChange> history(const Pair& pair) override;
   [[nodiscard]] const std::vector<OperatorRow>& operators() override;
-  [[nodiscard]] std::vector<Thrash> lint(std::uint32_t within) override;
+  [[nodiscard]] std::vector<Thrash> lint(std::uint32_t within) override {
+    return find_thrash(operators(), steps(), within);
+  }
   void rerun(const WhatIfQuestion& question, const std::filesystem::path& out,
              const Progress& progress) override;
   [[nodiscard]] RecordingComparison compare(Run& other) override;
@@ -79,7 +82,9 @@ class RunOf final : public Run {
                                                       Change change, bool forwards,
                                                       const Progress& progress) override;
   void check(const Expression& expression) override { search_.check(expression); }
-  [[nodiscard]] double value(const Expression& expression) override;
+  [[nodiscard]] double value(const Expression& expression) override {
+    return search_.value(expression, position());
+  }
 
   /// The complete state of the tree, for the view.
   [[nodiscard]] const BspState<D>& state() const { return cursor_.state(); }
@@ -119,7 +124,8 @@ class RunOf final : public Run {
   mutable std::optional<std::uint64_t> hash_;
   std::optional<std::size_t> strip_of_;
   ProjectionStrip strip_;
-  std::optional<std::vector<OperatorRow>> operators_;  ///< of the whole run
+  std::optional<std::size_t> ids_;                     ///< of objects, of the whole run
+  std::optional<std::vector<OperatorRow>> operators_;  ///< the same
   std::optional<std::vector<std::vector<NodeLife>>> lives_;
   std::vector<std::pair<std::uint32_t, TheirStep>> their_steps_;
   std::optional<std::vector<WrongPair>> wrong_pairs_;

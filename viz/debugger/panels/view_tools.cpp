@@ -84,6 +84,10 @@ std::string their_text(const ShownCounts& counts) {
   return "theirs: " + counted(counts.their_nodes, "node") + ", " + counted(counts.their_faults, "fault");
 }
 
+std::string not_alone_text(const ViewSettings& settings) {
+  return "alone: " + node_text(*settings.isolated) + " is not alive here, so all is shown";
+}
+
 std::string counts_text(const ShownCounts& counts) {
   if (counts.theirs)
     return std::to_string(counts.objects) + " of " + std::to_string(counts.all_objects) + " objects, " +
@@ -166,14 +170,12 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
   if (ImGui::CalcTextSize(drawn.c_str()).x > area.width - 16)
     drawn = std::to_string(counts.objects) + " of " + std::to_string(counts.all_objects) + " objects drawn";
   draw_text_on(list, {area.x + 8, bottom - line}, drawn, all ? palette::kFaintInk : palette::kCandidate);
-  if (!title.empty()) draw_text_on(list, {area.x + 8, area.y + 6}, title, palette::kInk);
-  float top = area.y + 6 + (title.empty() ? 0 : line + 4);
-  if (counts.theirs) {
-    draw_text_on(list, {area.x + 8, top}, their_text(counts), palette::kInk);
-    top += line + 4;
-  }
-  if (!counts.query.empty()) {
-    draw_text_on(list, {area.x + 8, top}, widgets::elided(counts.query, area.width - 24), palette::kInk);
+  float top = area.y + 6;
+  for (const std::string& text :
+       {title, counts.theirs ? their_text(counts) : "",
+        counts.lacks_isolated ? not_alone_text(context.model.view) : "", counts.query}) {
+    if (text.empty()) continue;
+    draw_text_on(list, {area.x + 8, top}, widgets::elided(text, area.width - 24), palette::kInk);
     top += line + 4;
   }
   draw_error_counts(list, counts, {area.x + 8, top});

@@ -29,7 +29,8 @@ struct ShownCounts {
   bool theirs = false;  ///< another engine's structure is shown
   std::size_t their_nodes = 0;
   std::size_t their_faults = 0;
-  std::string query;  ///< what it found, and what that took; empty: none is asked
+  bool lacks_isolated = false;  ///< the node that is to be alone is not alive: all is shown
+  std::string query;            ///< what it found, and what that took; empty: none is asked
 };
 
 /// What the window wants of a view.

@@ -64,8 +64,9 @@ Color SceneViewOf<D>::color_of_leaf(NodeId leaf) const {
 
 template <int D>
 void SceneViewOf<D>::update(const DebuggerModel& model, int width, int height, double tint_end) {
-  if (std::exchange(faced_, model.view.facing.times) != model.view.facing.times)
-    orbit_.face(model.view.facing.direction);
+  const ViewFacing& facing = model.view.facing;
+  if (std::exchange(faced_, facing.times).value_or(facing.times) != facing.times)
+    orbit_.face(facing.direction);
   width_ = std::max(width, 16);
   height_ = std::max(height, 16);
   const Seen seen{run_.position(),
@@ -110,6 +111,7 @@ void SceneViewOf<D>::choose_bodies() {
   visible_ = find_visible(run_.state().tree, all_bodies_.size(), seen_->settings);
   bodies_ = all_bodies_;
   counts_ = {};
+  counts_.lacks_isolated = visible_.lacks_isolated;
   std::size_t wanted = 0;
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     if (!is_drawable(all_bodies_[k])) continue;
@@ -118,9 +120,10 @@ void SceneViewOf<D>::choose_bodies() {
   }
   const double share =
       wanted <= kMostObjects ? 1.0 : static_cast<double>(kMostObjects) / static_cast<double>(wanted);
+  const bool wanted_objects = seen_->settings.layers.has(Layer::objects);
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     if (visible_.objects[k] == 0 || !is_sampled(k, share)) bodies_[k] = absent_body<D>();
-    if (is_drawable(bodies_[k])) ++counts_.objects;
+    if (wanted_objects && is_drawable(bodies_[k])) ++counts_.objects;
   }
   const bool wanted_pairs = seen_->settings.layers.has(Layer::pairs);
   const auto drawable = [&](std::span<const Pair> pairs, std::span<const Body<D>> bodies, std::size_t most) {
@@ -387,11 +390,6 @@ std::optional<SceneLabel> SceneViewOf<D>::place_of(const Selection& selection) c
   if (!at) return std::nullopt;
   return SceneLabel{static_cast<float>(at->x()), static_cast<float>(at->y()),
                     to_string(selection, run_.info().names)};
-}
-
-template <int D>
-void SceneViewOf<D>::copy_to(const Framebuffer& target, int x, int y) const {
-  if (framebuffer_) framebuffer_->copy_to(target, x, y);
 }
 
 template class SceneViewOf<2>;

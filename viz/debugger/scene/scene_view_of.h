@@ -26,7 +26,9 @@ class SceneViewOf final : public SceneView {
   [[nodiscard]] SceneViewOfEitherDimension self() const override { return this; }
   void update(const DebuggerModel& model, int width, int height, double tint_end) override;
   [[nodiscard]] const NodeTints& tints(Tint tint) override;
-  void copy_to(const Framebuffer& target, int x, int y) const override;
+  void copy_to(const Framebuffer& target, int x, int y) const override {
+    if (framebuffer_) framebuffer_->copy_to(target, x, y);
+  }
   [[nodiscard]] const ShownCounts& counts() const override { return counts_; }
   [[nodiscard]] const std::vector<SceneLabel>& labels() const override { return labels_; }
   [[nodiscard]] std::uint64_t drawn() const override { return drawn_; }
@@ -45,6 +47,7 @@ class SceneViewOf final : public SceneView {
       if constexpr (OtherD == D) orbit_.choose(choice);
     };
     std::visit(set, camera);
+    faced_.reset();
   }
 
  private:
@@ -103,7 +106,8 @@ class SceneViewOf final : public SceneView {
   RunSurvey<D> survey_;
   Box<D> box_;
   Orbit<D> orbit_;
-  std::uint32_t faced_ = 0;  ///< how many wishes of the model for a direction have been met
+  /// How many wishes of the model for a direction have been met; none: all, since the camera was set later.
+  std::optional<std::uint32_t> faced_ = 0;
   int width_ = 1;
   int height_ = 1;
   int samples_ = 0;

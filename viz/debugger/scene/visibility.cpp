@@ -8,11 +8,14 @@ Visibility find_visible(const Tree<D>& tree, std::size_t objects, const ViewSett
   visible.nodes.assign(tree.slots(), 0);
   visible.leaf_of.assign(objects, NodeId::none());
   visible.in_several.assign(objects, 0);
-  const bool all = !settings.isolated && settings.hidden_nodes.empty();
+  const auto& wanted = settings.isolated;
+  const bool isolated = wanted && wanted->index() < tree.slots() && tree[*wanted].alive;
+  visible.lacks_isolated = wanted && !isolated;
+  const bool all = !isolated && settings.hidden_nodes.empty();
   visible.objects.assign(objects, all ? 1 : 0);
   for_each_node(tree, tree.root(), [&](NodeId id) {
     const Node<D>& node = tree[id];
-    const bool above = node.parent.is_none() ? !settings.isolated : visible.nodes[node.parent.index()] != 0;
+    const bool above = node.parent.is_none() ? !isolated : visible.nodes[node.parent.index()] != 0;
     const bool seen = (above || settings.isolated == id) && !settings.hidden_nodes.contains(id);
     visible.nodes[id.index()] = seen ? 1 : 0;
     for (const Entry& entry : node.entries) {

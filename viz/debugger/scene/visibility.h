@@ -15,6 +15,7 @@ struct Visibility {
   std::vector<std::uint8_t> objects;
   std::vector<NodeId> leaf_of;           ///< by object: the fullest leaf that holds it; none: not in the tree
   std::vector<std::uint8_t> in_several;  ///< by object: more than one leaf holds it
+  bool lacks_isolated = false;           ///< the node that is to be alone is not alive: all is visible
 };
 
 template <int D>

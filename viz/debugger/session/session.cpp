@@ -26,11 +26,10 @@ std::string listed(std::size_t count, const std::string& one, const std::string&
   return count == 0 ? "" : counted(count, one, many) + ", ";
 }
 
-bool has_thing(const Run& run, const Selection& selection) {
-  const auto is_there = [&](ObjectId object) { return object.value < run.objects(); };
+bool has_thing(Run& run, const Selection& selection) {
   return std::visit(Overloaded{[](std::monostate) { return true; }, [](NodeId) { return true; },
-                               [&](ObjectId object) { return is_there(object); },
-                               [&](const Pair& pair) { return pair.a < pair.b && is_there(pair.b); }},
+                               [&](ObjectId object) { return run.knows(object); },
+                               [&](const Pair& pair) { return pair.a < pair.b && run.knows(pair.b); }},
                     selection);
 }
 
@@ -104,7 +103,7 @@ DebuggerSession session_of(const DebuggerModel& model, const AnyCamera& camera) 
 }
 
 std::string go_on(const DebuggerSession& session, DebuggerModel& model) {
-  const Run& run = model.run();
+  Run& run = model.run();
   std::string left_out = listed(go_on_with_stops(session, model), "condition", "conditions");
   model.bookmarks = session.bookmarks;
   const std::size_t beyond =
