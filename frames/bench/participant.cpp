@@ -21,7 +21,7 @@ Participant::Participant(std::string name, std::uint32_t block, const CellPlan& 
       name_(std::move(name)),
       answers_(block),
       nanoseconds_(plan.steps, kNever),
-      native_(plan.steps, kNever) {}
+      added_(plan.steps, kNever) {}
 
 void Participant::start(const Life& life) {
   spent_ = 0;
@@ -66,7 +66,7 @@ void Participant::keep(std::int64_t step, const StepResult& result) {
   const auto k = static_cast<std::size_t>(step);
   round_.push_back(result.nanoseconds);
   nanoseconds_[k] = std::min(nanoseconds_[k], result.nanoseconds);
-  native_[k] = std::min(native_[k], result.nanoseconds - result.added);
+  added_[k] = std::min(added_[k], result.added);
   pairs_ += result.pairs;
   missed_ += result.missed;
   extra_ += result.extra;
@@ -106,7 +106,11 @@ std::optional<BenchRow> Participant::row(const CellName& cell, bool trace) const
   row.algorithm = name_;
   if (trace) row.step_ns.assign(each.begin(), each.end());
   set_times(row, each);
-  std::vector<double> native = per_object(native_);
+  // A disturbed measurement of what is subtracted would make the rest too short: the least of each.
+  std::vector<std::uint64_t> rest = nanoseconds_;
+  for (std::size_t k = 0; k < rest.size(); ++k)
+    if (rest[k] != kNever) rest[k] -= std::min(added_[k], rest[k]);
+  std::vector<double> native = per_object(rest);
   std::sort(native.begin(), native.end());
   row.native_ns = percentile(native, 0.5);
   row.build_ns = build_ == kNever ? 0 : static_cast<double>(build_) / cell.objects;

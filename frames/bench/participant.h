@@ -46,7 +46,7 @@ class Participant {
   Answers answers_;
   std::unique_ptr<ChildProcess> process_;
   std::vector<std::uint64_t> nanoseconds_;  ///< per step the least of all rounds
-  std::vector<std::uint64_t> native_;       ///< the same without added work
+  std::vector<std::uint64_t> added_;        ///< likewise, of added work
   std::vector<std::uint64_t> round_;        ///< per step, of the present round
   std::vector<std::uint64_t> round_medians_;
   std::uint64_t build_ = kNever;

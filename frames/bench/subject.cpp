@@ -63,10 +63,10 @@ class Subject {
     answers_->account().pairs = broad_phase_->pairs().size();
   }
   void note(std::uint32_t step, std::uint64_t nanoseconds) {
+    auto* const library = dynamic_cast<AddedWork*>(broad_phase_.get());
+    const std::uint64_t added = library == nullptr ? 0 : library->time_added();
     const auto found = broad_phase_->pairs();
-    const auto* library = dynamic_cast<const AddedWork*>(broad_phase_.get());
-    const std::uint64_t added = library == nullptr ? 0 : library->added_nanoseconds();
-    answers_->step(step) = {nanoseconds, std::min(added, nanoseconds), found.size(), 0, 0};
+    answers_->step(step) = {nanoseconds, added, found.size(), 0, 0};
     if (truth_of(found) == block_->truth(step)) return;
     const Difference difference = compare(found, true_pairs(block_->boxes(step), block_->moving()));
     answers_->step(step).missed = difference.missed;

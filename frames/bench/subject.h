@@ -13,7 +13,7 @@ namespace kerf {
 /// A subject's answer for one step.
 struct StepResult {
   std::uint64_t nanoseconds = 0;
-  std::uint64_t added = 0;  ///< of them: the library's caller's part (AddedWork)
+  std::uint64_t added = 0;  ///< of them about: the part of the library's caller (AddedWork), timed afterwards
   std::uint64_t pairs = 0;
   std::uint64_t missed = 0;
   std::uint64_t extra = 0;  ///< invented, or reported twice

@@ -46,9 +46,9 @@ class Flat final : public BroadPhase<2>, public AddedWork, public SelfDescribing
   Status remove(ObjectId object) override { return inner_->remove(object); }
   void step() override { inner_->step(); }
   [[nodiscard]] std::span<const Pair> pairs() const override { return inner_->pairs(); }
-  [[nodiscard]] std::uint64_t added_nanoseconds() const override {
-    const auto* added = dynamic_cast<const AddedWork*>(inner_.get());
-    return added == nullptr ? 0 : added->added_nanoseconds();
+  std::uint64_t time_added() override {
+    auto* const added = dynamic_cast<AddedWork*>(inner_.get());
+    return added == nullptr ? 0 : added->time_added();
   }
   void describe(StructureParts<2>& parts) const override {
     const auto* const seen = dynamic_cast<const SelfDescribing<3>*>(inner_.get());

@@ -23,7 +23,7 @@ class RivalBase : public BroadPhase<D>, public AddedWork, public SelfDescribing<
   Status remove(ObjectId object) final;
   void step() final;
   [[nodiscard]] std::span<const Pair> pairs() const final { return pairs_; }
-  [[nodiscard]] std::uint64_t added_nanoseconds() const final { return added_; }
+  std::uint64_t time_added() final;
   void describe(StructureParts<D>& parts) const final { tell_structure(parts); }
 
  protected:
@@ -56,6 +56,8 @@ class RivalBase : public BroadPhase<D>, public AddedWork, public SelfDescribing<
 
  private:
   void show(ObjectId object, const Box<D>& given);
+  /// The caller's part of a step.
+  void complete();
 
   Intake intake_;
   ObjectTable<D> table_;
@@ -64,7 +66,8 @@ class RivalBase : public BroadPhase<D>, public AddedWork, public SelfDescribing<
   std::vector<std::uint8_t> held_;  ///< per object: the library has it
   std::vector<Pair> candidates_;
   std::vector<Pair> pairs_;
-  std::uint64_t added_ = 0;
+  std::size_t guaranteed_ = 0;  ///< pairs of `find_pairs` alone, in the last step
+  std::size_t left_ = 0;        ///< candidates likewise
 };
 
 extern template class RivalBase<2>;

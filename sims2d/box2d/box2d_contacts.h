@@ -57,16 +57,21 @@ class Box2dContacts {
     }
     Access::count(fixture) = 0;
     objects_[&fixture].assign(children.begin(), children.end());
+    changed_ = true;
   }
 
   /// The fixture is gone, or stands for no object any more. It is not looked at.
-  void forget(const b2Fixture& fixture) { objects_.erase(&fixture); }
+  void forget(const b2Fixture& fixture) {
+    objects_.erase(&fixture);
+    changed_ = true;
+  }
 
   /// Destroys contacts without a pair, and creates one for each pair without a contact that Box2D's filters
   /// allow. `pairs` are of adopted fixtures' objects and ascending: the order of creation decides the order
   /// in which the solver works. Call it before each b2World::Step.
   void admit(std::span<const Pair> pairs) {
-    if (static_cast<std::size_t>(manager_.m_contactCount) != standing_.size()) list_standing();
+    if (changed_ || static_cast<std::size_t>(manager_.m_contactCount) != standing_.size()) list_standing();
+    changed_ = false;
     kept_.clear();
     auto old = standing_.begin();
     for (const Pair& pair : pairs) {
@@ -106,7 +111,8 @@ class Box2dContacts {
     if (manager_.m_contactCount != before) kept_.push_back({pair, manager_.m_contactList});
   }
 
-  /// Only `admit` creates contacts, so that a list of their number holds them all; others destroy some.
+  /// Of adopted fixtures only `admit` creates contacts, so that a list of their number holds them all; others
+  /// destroy some. A fixture that was created after the last `admit` has those that Box2D's step found.
   void list_standing() {
     standing_.clear();
     for (b2Contact* contact = world_.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
@@ -124,6 +130,7 @@ class Box2dContacts {
   std::vector<b2FixtureProxy*> proxies_;                                 ///< by object
   std::vector<Standing> standing_;  ///< by pair: all contacts of the world
   std::vector<Standing> kept_;
+  bool changed_ = false;  ///< fixtures came or went since the last `admit`
 };
 
 }  // namespace kerf

@@ -22,10 +22,8 @@ namespace kerf {
 /// Callbacks are called for the pairs for which fcl::NaiveCollisionManager calls them: whose boxes
 /// (CollisionObject::getAABB) overlap as closed intervals, or are nearer than what `distance` has found so
 /// far. As with FCL's managers, call `computeAABB` of an object that moved, then `update`. Objects are the
-/// caller's, and must be unregistered before they end.
-///
-/// What asks about all pairs of this manager uses the tree; what asks about one other object looks at the box
-/// of each object, and two managers are asked object by object.
+/// caller's, and must be unregistered before they end. What asks about all pairs of this manager uses the
+/// tree; what asks about one object looks at the box of each, and of two managers object by object.
 template <typename S>
 class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
  public:
@@ -98,17 +96,17 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     }
   }
   void collide(Object* object, void* data, fcl::CollisionCallBack<S> callback) const override {
-    collide_one(object, data, callback);
+    collide_one(object, data, callback, false);
   }
   void collide(Manager* other, void* data, fcl::CollisionCallBack<S> callback) const override {
     if (other == this) return collide(data, callback);
     std::vector<Object*> theirs;
     other->getObjects(theirs);
     for (Object* object : theirs)
-      if (collide_one(object, data, callback)) return;
+      if (collide_one(object, data, callback, true)) return;
   }
 
-  /// First looks at overlapping boxes, which are nearest, then along the x axis.
+  /// First looks at overlapping boxes, then along the x axis.
   void distance(void* data, fcl::DistanceCallBack<S> callback) const override {
     find_pairs();
     S least = std::numeric_limits<S>::max();
@@ -131,7 +129,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
   }
   void distance(Object* object, void* data, fcl::DistanceCallBack<S> callback) const override {
     S least = std::numeric_limits<S>::max();
-    distance_of_one(object, data, callback, least);
+    distance_of_one(object, data, callback, false, least);
   }
   void distance(Manager* other, void* data, fcl::DistanceCallBack<S> callback) const override {
     if (other == this) return distance(data, callback);
@@ -139,7 +137,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     other->getObjects(theirs);
     S least = std::numeric_limits<S>::max();
     for (Object* object : theirs)
-      if (distance_of_one(object, data, callback, least)) return;
+      if (distance_of_one(object, data, callback, true, least)) return;
   }
 
  private:
@@ -169,27 +167,29 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     if (!std::exchange(stale_, false)) return;
     world_.step();
   }
-  bool collide_one(Object* object, void* data, fcl::CollisionCallBack<S> callback) const {
+  /// `ours_first`: the order of a callback for two managers, as FCL's trees have it.
+  bool collide_one(Object* object, void* data, fcl::CollisionCallBack<S> callback, bool ours_first) const {
     return std::ranges::any_of(members_, [&](const Member& member) {
-      return member.object != nullptr && object->getAABB().overlap(member.object->getAABB()) &&
-             callback(object, member.object, data);
+      Object* const ours = member.object;
+      return ours != nullptr && object->getAABB().overlap(ours->getAABB()) &&
+             (ours_first ? callback(ours, object, data) : callback(object, ours, data));
     });
   }
   /// The nearest boxes first, so that few others are nearer than what their objects are apart.
-  bool distance_of_one(Object* object, void* data, fcl::DistanceCallBack<S> callback, S& least) const {
+  bool distance_of_one(Object* object, void* data, fcl::DistanceCallBack<S> callback, bool ours_first,
+                       S& least) const {
     std::vector<std::pair<S, Object*>> nearest;
     for (const Member& member : members_)
       if (member.object != nullptr)
         nearest.emplace_back(object->getAABB().distance(member.object->getAABB()), member.object);
     std::ranges::sort(nearest, {}, &std::pair<S, Object*>::first);
-    for (const auto& [apart, other] : nearest) {
+    for (const auto& [apart, ours] : nearest) {
       if (apart >= least) return false;
-      if (callback(object, other, data, least)) return true;
+      if (ours_first ? callback(ours, object, data, least) : callback(object, ours, data, least)) return true;
     }
     return false;
   }
 
-  WorldOptions options_;
   mutable World<3> world_;  ///< `collide` and `distance` are const, and what came or went waits for them
   mutable bool stale_ = false;
   std::vector<Member> members_;  ///< by index of the handle; without an object: free

@@ -4,6 +4,7 @@
 #include <ode/collision_space.h>
 #include <ode/objects.h>
 
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -59,16 +60,15 @@ class OdeGeoms {
     for (const WorldPair& pair : world_.pairs()) {
       const dGeomID a = members_[pair.a.index()].geom;
       const dGeomID b = members_[pair.b.index()].geom;
-      if (may_touch(a, b)) callback(data, a, b);
+      if (may_touch(a, b) && boxes_touch(a, b)) callback(data, a, b);
     }
   }
   /// Calls `callback(data, geom, other)` for each geom here that forms a pair with one that is not, as
   /// dSpaceCollide2(geom, space, data, callback) does. Looks at the box of each.
   void collide_with(dGeomID geom, void* data, dNearCallback* callback) const {
-    const Box<3> box = outward_box(geom);
     for (const Member& member : members_)
-      if (member.geom != nullptr && member.geom != geom && overlaps(box, outward_box(member.geom)) &&
-          may_touch(geom, member.geom))
+      if (member.geom != nullptr && member.geom != geom && may_touch(geom, member.geom) &&
+          boxes_touch(geom, member.geom))
         callback(data, geom, member.geom);
   }
 
@@ -88,6 +88,17 @@ class OdeGeoms {
     if (body != nullptr && body == dGeomGetBody(b)) return false;
     return (dGeomGetCategoryBits(a) & dGeomGetCollideBits(b)) != 0 ||
            (dGeomGetCategoryBits(b) & dGeomGetCollideBits(a)) != 0;
+  }
+
+  /// As a space compares them, in ODE's numbers: the tree's boxes are rounded outward.
+  static bool boxes_touch(dGeomID a, dGeomID b) {
+    std::array<dReal, 6> first{};
+    std::array<dReal, 6> second{};
+    dGeomGetAABB(a, first.data());
+    dGeomGetAABB(b, second.data());
+    for (std::size_t low = 0; low < 6; low += 2)
+      if (first[low] > second[low + 1] || second[low] > first[low + 1]) return false;
+    return true;
   }
 
   void update() {

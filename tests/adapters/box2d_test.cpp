@@ -180,6 +180,39 @@ TEST_F(Box2dBroadPhaseTest, WhatIsFastHitsAThinWall) {
   EXPECT_LT(shot.GetPosition().x, 0);
 }
 
+TEST_F(Box2dBroadPhaseTest, WhatSpinsFastHitsAPost) {
+  world_.SetGravity(b2Vec2_zero);
+  b2Body& rod = add_box(b2_dynamicBody, 0, 0, 5, 0.05F);
+  add_box(b2_staticBody, 3.6F, 3.2F, 0.3F, 0.3F);  // outside the rod's present box
+  rod.SetBullet(true);
+  rod.SetAngularVelocity(48);  // 0.8 radians a step
+  step();
+  EXPECT_EQ(world_.GetContactCount(), 1);
+  EXPECT_LT(rod.GetAngularVelocity(), 47);
+}
+
+TEST_F(Box2dBroadPhaseTest, FixturesThatComeBetweenUpdateAndStepAsOthersGoAreFollowed) {
+  b2Body& gone = add_ball(0, 0);
+  add_ball(0.9F, 0);
+  step();
+  broad_phase_.update(kSeconds);
+  ASSERT_EQ(world_.GetContactCount(), 1);
+  world_.DestroyBody(&gone);
+  b2Vec2 line[8];
+  for (int k = 0; k < 8; ++k) line[k].Set(24 - 2 * static_cast<float>(k), 0);
+  b2ChainShape ground;
+  ground.CreateChain(line, 8, {26, 0}, {9, 0});
+  add(b2_staticBody, 0, 0, ground);
+  add_ball(11, 0.4F);
+  world_.Step(kSeconds, 8, 3);  // which finds as many contacts as have gone
+  for (int i = 0; i < 10; ++i) {
+    const Touching expected = by_box2d(world_);
+    step();
+    EXPECT_EQ(touching_bodies(world_), expected);
+    EXPECT_EQ(expected.size(), 1U);
+  }
+}
+
 struct Collector final : b2QueryCallback {
   bool ReportFixture(b2Fixture* fixture) override {
     found.push_back(fixture->GetBody());

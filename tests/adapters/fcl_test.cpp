@@ -160,6 +160,35 @@ TEST_F(FclManagerTest, TwoManagersMeet) {
   EXPECT_EQ(found, self);
 }
 
+TEST_F(FclManagerTest, OfTwoManagersOursComesFirstAsInFclsTree) {
+  fcl::DynamicAABBTreeCollisionManager<double> tree;
+  fcl::DynamicAABBTreeCollisionManager<double> others;
+  Object* const here = make(20);
+  Object* const there = make(20);
+  ours_.registerObject(here);
+  tree.registerObject(here);
+  others.registerObject(there);
+  tree.setup();
+  others.setup();
+  using Order = std::vector<std::pair<Object*, Object*>>;
+  const auto order = [](Object* a, Object* b, void* data) {
+    static_cast<Order*>(data)->emplace_back(a, b);
+    return false;
+  };
+  const auto near = [](Object* a, Object* b, void* data, double& /*least*/) {
+    static_cast<Order*>(data)->emplace_back(a, b);
+    return false;
+  };
+  Order found;
+  Order expected;
+  ours_.collide(&others, &found, order);
+  ours_.distance(&others, &found, near);
+  tree.collide(&others, &expected, order);
+  tree.distance(&others, &expected, near);
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(found, Order(2, std::pair(here, there)));
+}
+
 TEST_F(FclManagerTest, ACallbackEndsTheSearchAndTwiceIsRefused) {
   Object* const a = make(30);
   for (Object* object : {a, make(30), make(30)}) ours_.registerObject(object);

@@ -88,6 +88,28 @@ TEST_F(OdeGeomsTest, CallsBackForThePairsOfASpaceWhileGeomsComeAndGo) {
   EXPECT_EQ(geoms.size(), 83U);
 }
 
+TEST_F(OdeGeomsTest, BoxesThatMeetOnlyInFloatsAreNoPair) {
+  OdeGeoms geoms;
+  const dGeomID left = dCreateBox(space_, 1, 1, 1);
+  const dGeomID right = dCreateBox(space_, 1, 1, 1);
+  geoms.add(left);
+  geoms.add(right);
+  for (const double x : {101.000001, 101.0}) {
+    dGeomSetPosition(left, 100, 0, 0);
+    dGeomSetPosition(right, x, 0, 0);
+    GeomPairs ours;
+    GeomPairs theirs;
+    geoms.collide(&ours, note);
+    dSpaceCollide(space_, &theirs, note);
+    EXPECT_EQ(ours, theirs) << x;
+    geoms.remove(right);
+    ours.clear();
+    geoms.collide_with(right, &ours, note);
+    geoms.add(right);
+    EXPECT_EQ(ours, theirs) << x;
+  }
+}
+
 TEST_F(OdeGeomsTest, AGeomFromOutsideMeetsWhatItMeetsInASpace) {
   OdeGeoms geoms;
   for (int i = 0; i < 60; ++i) geoms.add(make());

@@ -22,8 +22,9 @@ CellPlan plan_of_random(const BenchRequest& request, const RandomScene& scene) {
 
 template <int D>
 CellResult measure_scene(const BenchRequest& request, const RandomScene& scene, const CellWatch& watch) {
-  const MotionSource<D> source = [&] { return make_random_motion<D>(scene); };
-  return measure_cell<D>(plan_of_random(request, scene), source, watch);
+  const CellPlan plan = plan_of_random(request, scene);
+  const MotionSource<D> source = [&] { return make_random_motion<D>(scene, plan.warm_up + plan.steps); };
+  return measure_cell<D>(plan, source, watch);
 }
 
 }  // namespace

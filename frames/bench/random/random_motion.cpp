@@ -22,39 +22,66 @@ std::uint32_t slots_of(const RandomScene& scene) {
 template <int D>
 class RandomMotion final : public Motion<D> {
  public:
-  explicit RandomMotion(const RandomScene& scene)
+  RandomMotion(const RandomScene& scene, std::uint32_t steps)
       : Motion<D>(~scene.seed), scene_(scene), laid_(lay_out<D>(scene, slots_of(scene), this->random_)) {
-    const std::uint32_t slots = slots_of(scene);
     homes_ = laid_.centers;
-    came_in_.resize(slots);
-    for (std::uint32_t k = 0; k < slots; ++k) {
-      this->boxes_.push_back(k < scene.objects ? box_at<D>(homes_[k], laid_.halves[k]) : no_box<D>());
-      if (k >= scene.objects) absent_.push_back({k});
-      headings_.push_back(heading());
-    }
-    this->moving_ = slots;
+    for (std::size_t k = 0; k < homes_.size(); ++k) headings_.push_back(heading());
+    this->moving_ = slots_of(scene);
     this->all_move_ = false;
     this->most_changes_ = 2 * (static_cast<std::uint32_t>(scene.churn * scene.objects) + 1);
     this->box_size_ = static_cast<Scalar>(laid_.size);
-    const double beyond = scene.travel == Travel::translation || scene.other == Travel::translation ? 2 : 0.5;
-    Place<D> middle;
-    middle.fill(laid_.side / 2);
-    Place<D> half;
-    half.fill((0.5 + beyond) * laid_.side);
-    this->bounds_ = box_at<D>(middle, half);
+    begin_anew();
+    look_ahead(steps);
   }
 
-  void advance() override {
+  void advance() override { go_on(); }
+
+ private:
+  void begin_anew() {
+    laid_.centers = homes_;
+    came_in_.assign(homes_.size(), 0);
+    spread_.assign(homes_.size(), 1);
+    absent_.clear();
+    this->boxes_.assign(homes_.size(), no_box<D>());
+    for (std::uint32_t k = 0; k < homes_.size(); ++k) {
+      if (k < scene_.objects) {
+        put({k});
+      } else {
+        absent_.push_back({k});
+      }
+    }
+    step_ = 0;
+    replaced_ = 0;
+    clear_changes();
+  }
+  /// The bounds are those of the motion as it will be: a library that needs them gets what is true of the
+  /// scene, with a size to spare.
+  void look_ahead(std::uint32_t steps) {
+    const Random random = this->random_;
+    Box<D> bounds = no_box<D>();
+    for (std::uint32_t step = 0;; ++step) {
+      for (const Box<D>& box : this->boxes_) bounds = join(bounds, box);
+      if (step == steps) break;
+      go_on();
+    }
+    const Vector<D> margin = Motion<D>::along_all(laid_.size);
+    this->bounds_ = {bounds.min - margin, bounds.max + margin};
+    this->random_ = random;
+    begin_anew();
+  }
+  void clear_changes() {
     this->moved_.clear();
     this->inserted_.clear();
     this->removed_.clear();
+  }
+  void go_on() {
+    clear_changes();
     ++step_;
     replace_some();
     const bool is_other = scene_.other && (step_ - 1) / scene_.phase % 2 == 1;
     travel(is_other ? *scene_.other : scene_.travel);
   }
 
- private:
   [[nodiscard]] Place<D> heading() {
     const Vector<D> way = this->direction();
     Place<D> place;
@@ -76,6 +103,7 @@ class RandomMotion final : public Motion<D> {
       this->inserted_.push_back(coming);
       this->boxes_[leaving.index()] = no_box<D>();
       laid_.centers[coming.index()] = homes_[coming.index()];
+      spread_[coming.index()] = 1;
       put(coming);
       came_in_[coming.index()] = step_;
     }
@@ -87,7 +115,6 @@ class RandomMotion final : public Motion<D> {
   /// Moves the awake objects: a window of the numbers, which itself moves on slowly.
   void travel(Travel travel) {
     if (travel == Travel::rest) return;
-    begin(travel);
     const auto slots = static_cast<std::uint32_t>(homes_.size());
     const auto awake = static_cast<std::uint32_t>(std::ceil(scene_.awake * slots));
     constexpr std::uint32_t kOneIn = 64;
@@ -100,23 +127,10 @@ class RandomMotion final : public Motion<D> {
       this->moved_.push_back(object);
     }
   }
-  /// What all objects share in a step.
-  void begin(Travel travel) {
-    const double share = scene_.speed * laid_.size / laid_.side;
-    turn_ = share / 0.35;  // the mean distance from the middle
-    if (travel == Travel::explosion) spread_by(1 + 2 * share, 2);
-    if (travel == Travel::collapse) spread_by(1 - std::min(2 * share, 0.2), 0.7);
-  }
-  /// `end`: how far from the middle they go, as a multiple of the way at first.
-  void spread_by(double factor, double end) {
-    returns_ = end > 1 ? spread_ * factor > end : spread_ * factor < end;
-    spread_ = returns_ ? 1 : spread_ * factor;
-    factor_ = factor;
-  }
-
   void move(Travel travel, std::size_t k) {
     Place<D>& center = laid_.centers[k];
     const double stride = scene_.speed * laid_.size;
+    const double share = stride / laid_.side;
     switch (travel) {
       case Travel::brownian:
         return walk(k);
@@ -126,10 +140,11 @@ class RandomMotion final : public Motion<D> {
       case Travel::translation:
         return advance_along(center, headings_.front(), stride, false);
       case Travel::rotation:
-        return turn(center);
+        return turn(center, share / 0.35);  // the mean distance from the middle
       case Travel::explosion:
+        return spread(k, 1 + 2 * share, 2);
       case Travel::collapse:
-        return spread(k);
+        return spread(k, 1 - std::min(2 * share, 0.2), 0.7);
       case Travel::periodic:
         return advance_along(center, headings_[k], stride * std::cos(phase_of(k)), false);
       case Travel::teleports:
@@ -157,19 +172,23 @@ class RandomMotion final : public Motion<D> {
       if (center[i] > laid_.side) center[i] -= laid_.side;
     }
   }
-  void turn(Place<D>& center) const {
+  void turn(Place<D>& center, double radians) const {
     const double x = center[0] - laid_.side / 2;
     const double y = center[1] - laid_.side / 2;
-    center[0] += x * (std::cos(turn_) - 1) - y * std::sin(turn_);
-    center[1] += x * std::sin(turn_) + y * (std::cos(turn_) - 1);
+    center[0] += x * (std::cos(radians) - 1) - y * std::sin(radians);
+    center[1] += x * std::sin(radians) + y * (std::cos(radians) - 1);
   }
   [[nodiscard]] double phase_of(std::size_t k) const {
     return 2 * std::numbers::pi * (static_cast<double>((step_ + k) % kPeriod) + 0.5) / kPeriod;
   }
-  void spread(std::size_t k) {
+  /// `end`: how far from the middle it goes, as a multiple of the way at first; then it is back at once.
+  void spread(std::size_t k, double factor, double end) {
     Place<D>& center = laid_.centers[k];
+    spread_[k] *= factor;
+    const bool returns = end > 1 ? spread_[k] > end : spread_[k] < end;
+    if (returns) spread_[k] = 1;
     for (std::size_t i = 0; i < D; ++i)
-      center[i] = returns_ ? homes_[k][i] : laid_.side / 2 + (center[i] - laid_.side / 2) * factor_;
+      center[i] = returns ? homes_[k][i] : laid_.side / 2 + (center[i] - laid_.side / 2) * factor;
   }
   void jump(std::size_t k) {
     const Place<D>& target = homes_[this->random_.below(static_cast<std::uint32_t>(homes_.size()))];
@@ -186,22 +205,19 @@ class RandomMotion final : public Motion<D> {
   std::vector<Place<D>> headings_;
   std::deque<ObjectId> absent_;
   std::vector<std::uint32_t> came_in_;  ///< by object, the last step in which it came
+  std::vector<double> spread_;          ///< by object, its way from the middle as a multiple of that at first
   std::uint32_t step_ = 0;
   double replaced_ = 0;  ///< objects that are to be replaced
-  double turn_ = 0;      ///< radians a step
-  double spread_ = 1;    ///< distances from the middle, as a multiple of those at first
-  double factor_ = 1;    ///< by which they change in this step
-  bool returns_ = false;
 };
 
 }  // namespace
 
 template <int D>
-std::unique_ptr<Motion<D>> make_random_motion(const RandomScene& scene) {
-  return std::make_unique<RandomMotion<D>>(scene);
+std::unique_ptr<Motion<D>> make_random_motion(const RandomScene& scene, std::uint32_t steps) {
+  return std::make_unique<RandomMotion<D>>(scene, steps);
 }
 
-template std::unique_ptr<Motion<2>> make_random_motion(const RandomScene&);
-template std::unique_ptr<Motion<3>> make_random_motion(const RandomScene&);
+template std::unique_ptr<Motion<2>> make_random_motion(const RandomScene&, std::uint32_t);
+template std::unique_ptr<Motion<3>> make_random_motion(const RandomScene&, std::uint32_t);
 
 }  // namespace kerf

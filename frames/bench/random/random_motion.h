@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "frames/bench/motion.h"
@@ -8,11 +9,11 @@
 namespace kerf {
 
 /// The motion of a random scene of this dimension. Beside its objects there are others that are absent at
-/// first if objects go and come.
+/// first if objects go and come. Its bounds hold all objects at first and in `steps` steps.
 template <int D>
-std::unique_ptr<Motion<D>> make_random_motion(const RandomScene& scene);
+std::unique_ptr<Motion<D>> make_random_motion(const RandomScene& scene, std::uint32_t steps = 0);
 
-extern template std::unique_ptr<Motion<2>> make_random_motion(const RandomScene&);
-extern template std::unique_ptr<Motion<3>> make_random_motion(const RandomScene&);
+extern template std::unique_ptr<Motion<2>> make_random_motion(const RandomScene&, std::uint32_t);
+extern template std::unique_ptr<Motion<3>> make_random_motion(const RandomScene&, std::uint32_t);
 
 }  // namespace kerf

@@ -28,8 +28,8 @@ enum class Travel : std::uint8_t {
   brownian,
   streams,     ///< four directions, and at the end of the world anew from its beginning
   rotation,    ///< about the middle
-  explosion,   ///< away from the middle up to twice as far, then back at once
-  collapse,    ///< towards the middle up to 0.7 times as far, then back at once
+  explosion,   ///< away from the middle, each up to twice as far, then back at once
+  collapse,    ///< towards the middle, each up to 0.7 times as far, then back at once
   periodic,    ///< to and fro, each in its own direction
   teleports,   ///< each step beside another object's first place
   translation  ///< all by one vector, for ever
@@ -42,7 +42,9 @@ struct RandomScene {
   int dimension = 3;                    ///< 2 or 3, evenly
   std::uint32_t objects = 16;           ///< present, log-uniform from 16 to 256,000
   BoxShapes shapes = BoxShapes::boxes;  ///< half are boxes
-  double aspect = 1;   ///< long over short extents of plates and rods, log-uniform from 4 to 60
+  /// By which the short extents of plates and rods are divided, log-uniform from 4 to 60. Each extent was
+  /// drawn from 0.5 to 1.5 before, so that long over short is a third to three times that.
+  double aspect = 1;
   double decades = 0;  ///< sizes are log-uniform over them; half have none, and extents from 0.5 to 1.5
   double density = 1;  ///< pairs an object at the beginning, log-uniform from 0.1 to 30
   Scattering layout = Scattering::uniform;

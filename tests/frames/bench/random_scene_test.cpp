@@ -167,6 +167,45 @@ TEST(RandomScenes, MoveAsFastAsTheySay) {
   }
 }
 
+/// Also where others sleep.
+TEST(RandomScenes, AnExplosionTakesEachObjectUpToTwiceAsFar) {
+  RandomScene scene;
+  scene.objects = 200;
+  scene.travel = Travel::explosion;
+  scene.speed = 0.3;
+  scene.awake = 0.3;
+  const auto motion = make_random_motion<3>(scene);
+  const auto beyond = [&] {
+    Scalar far = 0;
+    for (const Box<3>& box : motion->boxes()) far = std::max({far, -box.min[0], box.max[0]});
+    return far;
+  };
+  const Scalar most = 1.5F * beyond() + 2;
+  for (int step = 0; step < 3000; ++step) {
+    motion->advance();
+    ASSERT_LT(beyond(), most) << step;
+  }
+}
+
+/// A library that needs bounds gets those of the objects, not of a world that they leave or never fill.
+TEST(RandomScenes, HaveTheBoundsOfTheirMotion) {
+  constexpr std::uint32_t kAhead = 60;
+  for (std::uint32_t number = 1; number <= 60; ++number) {
+    RandomScene scene = draw_scene(kSeed, number, 200);
+    if (number % 4 == 0) scene.travel = Travel::translation;
+    const auto motion = make_random_motion<3>(scene, kAhead);
+    Box<3> reached = motion->boxes().front();
+    for (std::uint32_t step = 0; step <= kAhead; ++step) {
+      for (const Box<3>& box : motion->boxes())
+        if (!is_absent(box)) reached = join(reached, box);
+      motion->advance();
+    }
+    EXPECT_TRUE(contains(motion->bounds(), reached)) << as_text(scene);
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_LE(motion->bounds().max[axis] - reached.max[axis], 2.1F * motion->box_size()) << as_text(scene);
+  }
+}
+
 TEST(RandomScenes, OfObjectsThatGoAndComeAreMeasuredWithCompletePairs) {
   RandomScene scene;
   scene.objects = 300;
