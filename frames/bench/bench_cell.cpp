@@ -61,7 +61,8 @@ class Cell {
     if (round_ == 0) verify_truth(motion.boxes(), motion.moving());
     // Memory that this process has freed must not be free for its children: their memory is measured.
     malloc_trim(0);
-    const RivalHints<D> hints{motion.bounds(), motion.box_size(), plan_.objects};
+    RivalHints<D> hints{motion.bounds(), motion.box_size(), plan_.objects};
+    hints.may_try = true;
     for (std::size_t k = 0; k < participants_.size(); ++k) {
       const Answers& answers = participants_[k]->answers();
       participants_[k]->start(

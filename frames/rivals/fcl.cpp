@@ -71,7 +71,8 @@ class FclRival final : public RivalBase<3> {
         name_(name),
         manager_(std::move(manager)),
         updates_(std::move(updates)),
-        choice_(updates_.size()) {
+        choice_(hints.may_try ? updates_.size() : 1),
+        tries_(hints.may_try) {
     bodies_.reserve(hints.capacity);
   }
   [[nodiscard]] std::string_view name() const override { return name_; }
@@ -96,7 +97,7 @@ class FclRival final : public RivalBase<3> {
     choice_.end_step(static_cast<std::uint64_t>(std::chrono::nanoseconds(spent).count()));
   }
   void follow_objects() {
-    update(updates_[choice_.way()]);
+    update();
     enter();
     manager_->setup();
     manager_->collide(this, [](FclObject* a, FclObject* b, void* self) {
@@ -104,7 +105,13 @@ class FclRival final : public RivalBase<3> {
       return false;
     });
   }
-  void update(FclUpdate way) {
+  /// Without trials as FCL's users do it: a list of those that moved, or all at once if many did.
+  [[nodiscard]] FclUpdate way() const {
+    constexpr std::size_t kManyOneIn = 8;
+    if (tries_) return updates_[choice_.way()];
+    return batch_.size() > manager_->size() / kManyOneIn ? updates_.back() : updates_.front();
+  }
+  void update() {
     batch_.clear();
     for (const ObjectId object : changed_) {
       FclBody* body = bodies_[object.index()].get();
@@ -114,9 +121,14 @@ class FclRival final : public RivalBase<3> {
     }
     changed_.clear();
     if (batch_.empty()) return;
-    if (way == FclUpdate::listed) manager_->update(batch_);
-    if (way == FclUpdate::anew) register_anew();
-    if (way == FclUpdate::all) manager_->update();
+    switch (way()) {
+      case FclUpdate::listed:
+        return manager_->update(batch_);
+      case FclUpdate::anew:
+        return register_anew();
+      case FclUpdate::all:
+        return manager_->update();
+    }
   }
   void register_anew() {
     batch_.clear();
@@ -174,6 +186,7 @@ class FclRival final : public RivalBase<3> {
   std::vector<FclObject*> batch_;
   std::vector<FclUpdate> updates_;
   FastestWay choice_;  ///< among them
+  bool tries_;
 };
 
 std::vector<FclUpdate> any_update() { return {FclUpdate::listed, FclUpdate::anew, FclUpdate::all}; }

@@ -68,8 +68,8 @@ class Flat final : public BroadPhase<2>, public AddedWork, public SelfDescribing
 /// Turns the factory of a 3D rival into one for 2D boxes.
 template <auto Make>
 std::unique_ptr<BroadPhase<2>> make_flat(const RivalHints<2>& hints, Intake intake) {
-  return std::make_unique<Flat>(
-      Make({flat_box(hints.bounds), hints.box_size, hints.capacity, {true, true, false}}, intake));
+  return std::make_unique<Flat>(Make(
+      {flat_box(hints.bounds), hints.box_size, hints.capacity, {true, true, false}, hints.may_try}, intake));
 }
 
 }  // namespace kerf

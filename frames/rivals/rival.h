@@ -18,6 +18,8 @@ struct RivalHints {
   Scalar box_size = 1;  ///< a usual extent of a box: the cell size of grids
   std::uint32_t capacity = 1024;                     ///< most objects at a time
   std::array<bool, 3> separating{true, true, true};  ///< axes along which objects are separated
+  /// Whether the rival may find its fastest way by the clock, so that no two runs build the same structure.
+  bool may_try = false;
 };
 
 /// Which boxes a rival gets.
