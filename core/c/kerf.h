@@ -15,7 +15,7 @@
  * defaults. Members beyond those that the library knows must be 0. kerf_pair never changes.
  *
  * Threads: functions that take a const kerf_world may be called at the same time; no other may be meanwhile.
- * Different worlds share nothing: there is no global state.
+ * Different worlds share nothing but oneTBB's threads, as all of a program does that uses oneTBB.
  *
  * Memory follows the most objects that lived at a time. If it ends, KERF_OUT_OF_MEMORY is returned and the
  * world stays usable; of a batch objects with that status were taken or were not. */

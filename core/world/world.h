@@ -61,7 +61,8 @@ using PairCallback = std::function<bool(const WorldPair&)>;
 /// after 2^28 lives.)
 ///
 /// **Threads**: functions that are const may be called at the same time; no other may be meanwhile. Different
-/// worlds share nothing. `step()` uses a pool of its own, where that makes it faster (see Bsp::set_threads).
+/// worlds share nothing but oneTBB's threads. `step()` uses a pool of its own, where that makes it faster
+/// (see Bsp::set_threads).
 ///
 /// Throws std::bad_alloc where memory ends. The world then stays usable, and of a batch each object was taken
 /// or was not.
@@ -84,10 +85,9 @@ class World {
   WorldStatus move(std::span<const Handle> objects, std::span<const Box<D>> boxes,
                    std::span<WorldStatus> statuses = {});
   /// Moves every object by the vector: what a program with a floating origin calls. Boxes are moved as floats
-  /// round, and where moves of this step say otherwise, they are moved from there. Tree and
-  /// fat boxes come along: only the step of the shift costs more than others, and pairs begin or end by
-  /// rounding alone. `bad_value` if the vector is not finite, `clamped` if a box would exceed the range of
-  /// floats.
+  /// round, and where moves of this step say otherwise, they are moved from there. Tree and fat boxes come
+  /// along: only the step of the shift costs more than others, no pair ends, and one begins by rounding
+  /// alone. `bad_value` if the vector is not finite, `clamped` if a box would exceed the range of floats.
   WorldStatus shift_origin(const Vector<D>& by);
   /// The handle is stale at once. Pairs that the object had in the last step are reported as ended in the
   /// next one, with its handle.

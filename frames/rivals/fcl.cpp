@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include "frames/rivals/box_tree.h"
@@ -67,12 +68,8 @@ class FclRival final : public RivalBase<3> {
  public:
   FclRival(std::string_view name, std::unique_ptr<FclManager> manager, std::vector<FclUpdate> updates,
            const RivalHints<3>& hints, Intake intake)
-      : RivalBase<3>(hints, intake),
-        name_(name),
-        manager_(std::move(manager)),
-        updates_(std::move(updates)),
-        choice_(hints.may_try ? updates_.size() : 1),
-        tries_(hints.may_try) {
+      : RivalBase<3>(hints, intake), name_(name), manager_(std::move(manager)), updates_(std::move(updates)) {
+    if (hints.may_try) trials_.emplace(updates_.size());
     bodies_.reserve(hints.capacity);
   }
   [[nodiscard]] std::string_view name() const override { return name_; }
@@ -90,11 +87,12 @@ class FclRival final : public RivalBase<3> {
     bodies_[object.index()].reset();
   }
   void find_pairs() override {
+    if (!trials_) return follow_objects();
     using Clock = std::chrono::steady_clock;
-    const auto from = choice_.is_timed() ? Clock::now() : Clock::time_point{};
+    const auto from = trials_->is_timed() ? Clock::now() : Clock::time_point{};
     follow_objects();
-    const auto spent = choice_.is_timed() ? Clock::now() - from : Clock::duration{};
-    choice_.end_step(static_cast<std::uint64_t>(std::chrono::nanoseconds(spent).count()));
+    const auto spent = trials_->is_timed() ? Clock::now() - from : Clock::duration{};
+    trials_->end_step(static_cast<std::uint64_t>(std::chrono::nanoseconds(spent).count()));
   }
   void follow_objects() {
     update();
@@ -105,10 +103,10 @@ class FclRival final : public RivalBase<3> {
       return false;
     });
   }
-  /// Without trials as FCL's users do it: a list of those that moved, or all at once if many did.
+  /// Without trials by a rule: the list of those that moved, or all at once if many did.
   [[nodiscard]] FclUpdate way() const {
     constexpr std::size_t kManyOneIn = 8;
-    if (tries_) return updates_[choice_.way()];
+    if (trials_) return updates_[trials_->way()];
     return batch_.size() > manager_->size() / kManyOneIn ? updates_.back() : updates_.front();
   }
   void update() {
@@ -185,8 +183,7 @@ class FclRival final : public RivalBase<3> {
   std::vector<ObjectId> changed_;
   std::vector<FclObject*> batch_;
   std::vector<FclUpdate> updates_;
-  FastestWay choice_;  ///< among them
-  bool tries_;
+  std::optional<FastestWay> trials_;  ///< among them; none: there must be none (RivalHints)
 };
 
 std::vector<FclUpdate> any_update() { return {FclUpdate::listed, FclUpdate::anew, FclUpdate::all}; }

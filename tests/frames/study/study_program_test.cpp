@@ -24,6 +24,17 @@ using ::testing::Not;
 
 namespace fs = std::filesystem;
 
+/// A study of frames of a recorded run of 40 steps.
+class FramesStudy : public StudyFolder {
+ public:
+  FramesStudy(const std::string& steps, const std::string& parts)
+      : StudyFolder(R"({"matrices": [{"recording": "run.kerf", "size": "96x64", "steps": ")" + steps +
+                    R"(", "parts": )" + parts + "}]}") {
+    EXPECT_EQ(run_kerf({"record", "pile", "--steps", "40", "--objects", "30", "-o", path("run.kerf")}).exit,
+              kExitHolds);
+  }
+};
+
 TEST(StudyProgram, ShardsAreTheWhole) {
   const StudyFolder study;
   const RunOutcome whole = study.run({"-o", "@all"});
@@ -271,11 +282,7 @@ TEST(StudyProgram, ThePageStandsAloneInABrowser) {
 
 /// A render is a study: its parts are made anywhere, and the joined frames are those of one render.
 TEST(StudyProgram, FramesOfARecordingAreCells) {
-  const StudyFolder study(R"({"matrices": [{"recording": "run.kerf", "steps": "2:20:2", "size": "96x64",
-    "parts": 4}]})");
-  ASSERT_EQ(
-      run_kerf({"record", "pile", "--steps", "20", "--objects", "30", "-o", study.path("run.kerf")}).exit,
-      kExitHolds);
+  const FramesStudy study("2:20:2", "4");
   for (const char* const k : {"1", "2"}) {
     const RunOutcome outcome = study.run({"--shard", std::string(k) + "/2", "-o", std::string("@s") + k});
     ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
@@ -296,11 +303,7 @@ TEST(StudyProgram, FramesOfARecordingAreCells) {
 
 /// Only the manifests were read, and "all frames" was printed though pictures were damaged.
 TEST(StudyProgram, JoinedFramesAreThoseThatWereDrawn) {
-  const StudyFolder study(R"({"matrices": [{"recording": "run.kerf", "steps": "10:40:10", "size": "96x64",
-    "parts": 2}]})");
-  ASSERT_EQ(
-      run_kerf({"record", "pile", "--steps", "40", "--objects", "30", "-o", study.path("run.kerf")}).exit,
-      kExitHolds);
+  const FramesStudy study("10:40:10", "2");
   ASSERT_EQ(study.run({"-o", "@all"}).exit, kExitHolds);
   const std::string cell = study.cells("all").front();
   const std::string folder = "all/" + fs::path(cell).stem().string() + "/";
@@ -356,11 +359,7 @@ TEST(StudyProgram, WhatWouldBeIgnoredIsRefused) {
 
 /// What an interrupted attempt has drawn is not drawn again.
 TEST(StudyProgram, FramesOfAnEarlierAttemptAreKept) {
-  const StudyFolder study(R"({"matrices": [{"recording": "run.kerf", "steps": "2:20:2", "size": "96x64",
-    "parts": 2}]})");
-  ASSERT_EQ(
-      run_kerf({"record", "pile", "--steps", "20", "--objects", "30", "-o", study.path("run.kerf")}).exit,
-      kExitHolds);
+  const FramesStudy study("2:20:2", "2");
   ASSERT_EQ(study.run({"-o", "@all"}).exit, kExitHolds);
   const std::string cell = study.cells("all").front();
   const std::string counts = read_json(study.path("all/" + cell))["counts"].dump();
