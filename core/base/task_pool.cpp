@@ -47,10 +47,12 @@ void TaskPool::share(std::size_t pieces, const std::function<void(std::size_t, s
   tbb::task_group_context modes(tbb::task_group_context::isolated, tbb::task_group_context::default_traits |
                                                                        tbb::task_group_context::fp_settings);
   // oneTBB has no more threads than processors unless a control allows them. A control is for the whole
-  // process, where the least one holds: so there is one only for more threads than that, and only in here.
+  // process, where the least one holds: so there is one only where it allows more, and only in here.
   std::optional<tbb::global_control> more;
-  if (threads_ > static_cast<unsigned>(tbb::info::default_concurrency()))
-    more.emplace(tbb::global_control::max_allowed_parallelism, threads_);
+  constexpr auto kLimit = tbb::global_control::max_allowed_parallelism;
+  if (threads_ > static_cast<unsigned>(tbb::info::default_concurrency()) &&
+      threads_ > tbb::global_control::active_value(kLimit))
+    more.emplace(kLimit, threads_);
   arena_->tbb.execute([&] {
     tbb::parallel_for(
         std::size_t{0}, pieces,

@@ -33,12 +33,13 @@ TEST(TaskPool, DoesEachPieceOnceWhateverTheNumberOfThreads) {
   }
 }
 
-/// What the host's own work by oneTBB may use.
+/// What the host's own work by oneTBB may use, also where it has raised that.
 TEST(TaskPool, OthersKeepTheirThreads) {
   const auto allowed = [] {
     return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   };
   const auto processors = static_cast<unsigned>(tbb::info::default_concurrency());
+  const tbb::global_control raised(tbb::global_control::max_allowed_parallelism, processors + 4);
   const std::size_t before = allowed();
   for (const unsigned threads : {2U, processors, processors + 1}) {
     TaskPool pool(threads);

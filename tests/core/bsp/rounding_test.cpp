@@ -24,16 +24,22 @@ class Rounding {
   Rounding& operator=(const Rounding&) = delete;
 };
 
-/// On a grid of tenths, so that many touch: half of them points, half large.
+/// Pairs of boxes that touch on the first axis, within some units in the last place of where a byte begins:
+/// the two first boxes, points, make a byte a tenth long.
 template <int D>
 std::vector<Box<D>> touching_boxes(Random& random) {
-  std::vector<Box<D>> boxes(600);
-  for (std::size_t k = 0; k < boxes.size(); ++k)
-    for (int axis = 0; axis < D; ++axis) {
-      const double low = static_cast<double>(random.below(200)) / 10;
-      boxes[k].min[axis] = static_cast<Scalar>(low);
-      boxes[k].max[axis] = static_cast<Scalar>(k % 2 == 0 ? low : low + 0.1 * random.below(20));
-    }
+  std::vector<Box<D>> boxes{box_at<D>(all<D>(-0.3F), 0), box_at<D>(all<D>(25.2F), 0)};
+  for (int pair = 0; pair < 300; ++pair) {
+    const double ulps = static_cast<double>(random.below(9)) - 4;
+    const auto touch = static_cast<Scalar>(0.1 * random.below(250) * (1 + ulps * 0x1p-23));
+    Box<D> box = box_at<D>(random_point<D>(random, 0, 25), 0.5F);
+    box.max[0] = touch;
+    box.min[0] = touch - 1;
+    boxes.push_back(box);
+    box.min[0] = touch;
+    box.max[0] = touch + 1;
+    boxes.push_back(box);
+  }
   return boxes;
 }
 
