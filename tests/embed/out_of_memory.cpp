@@ -170,6 +170,7 @@ bool run(long allocation) {
   for (std::size_t step = 1; step < 6; ++step) {
     expect(kerf_world_step(world), allocation);
     move_all(world, handles, boxes[step], allocation);
+    judge_saved(world, allocation);
     expect(kerf_world_set_margin(world, handles[step], 0.5F), allocation);
     expect(kerf_world_shift_origin(world, boxes[step].data()), allocation);
     expect(kerf_world_set_kind(world, handles[step], KERF_FIXED), allocation);
