@@ -16,8 +16,8 @@ using ByteKey = std::conditional_t<D == 2, std::uint32_t, std::uint64_t>;
 
 /// The monotone map of a leaf's axes to bytes: `round(clamp((x - origin) * scale, 0, 255))`. What lies below
 /// the least end of a box, or above the greatest beginning, overlaps in any case, so only the stretch between
-/// needs different values; what lies far beyond nearly all boxes shares one, too, and floats decide. Each axis
-/// has a number for min, and its negative for -max: negation commutes with the map, to the last bit.
+/// needs different values; what lies far beyond nearly all boxes shares one, too, and floats decide. Each
+/// axis has a number for min, and its negative for -max: negation commutes with the map, to the last bit.
 template <int D>
 struct ByteScale {
   PackedBox<D> origin;

@@ -15,8 +15,8 @@ inline constexpr std::size_t kChains = 4;
 /// into half of the first cache.
 inline constexpr std::size_t kConfirmRows = 512;
 inline constexpr std::size_t kConfirmListed = 1024;
-/// Boxes of a leaf by which the bytes' scale is drawn in where a few boxes lie far away, and the least leaf in
-/// which they are looked at. 1,000 objects of which one has left the scene, 2D and 3D: 1,400 -> 30 us.
+/// Boxes of a leaf by which the bytes' scale is drawn in where a few boxes lie far away, and the least leaf
+/// in which they are looked at. 1,000 objects of which one has left the scene, 2D and 3D: 1,400 -> 30 us.
 inline constexpr std::size_t kScaleSample = 32;
 inline constexpr std::size_t kLeastSampled = 64;
 /// Sure pairs in a row of 64 entries above which they are separated from those that floats confirm. Scene
