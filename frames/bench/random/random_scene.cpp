@@ -35,7 +35,8 @@ void draw_boxes(Random& random, RandomScene& scene) {
   if (!one_in(random, 2)) scene.shapes = one_in(random, 2) ? BoxShapes::plates : BoxShapes::rods;
   if (scene.shapes != BoxShapes::boxes) scene.aspect = log_uniform(random, 4, 60);
   if (!one_in(random, 2)) scene.decades = random.uniform(0, 4);
-  scene.density = log_uniform(random, 0.1, 30);
+  const double most = (scene.objects - 1) / 4.0;  // half of all pairs
+  scene.density = std::min(log_uniform(random, 0.1, 30), most);
   scene.layout = static_cast<Scattering>(random.below(kScatteringNames.size()));
 }
 

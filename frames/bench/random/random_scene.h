@@ -46,7 +46,8 @@ struct RandomScene {
   /// drawn from 0.5 to 1.5 before, so that long over short is a third to three times that.
   double aspect = 1;
   double decades = 0;  ///< sizes are log-uniform over them; half have none, and extents from 0.5 to 1.5
-  double density = 1;  ///< pairs an object at the beginning, log-uniform from 0.1 to 30
+  double density =
+      1;  ///< pairs an object at the beginning, log-uniform from 0.1 to 30, half of all pairs at most
   Scattering layout = Scattering::uniform;
   Travel travel = Travel::rest;
   std::optional<Travel> other;  ///< in turns with `travel`, in a quarter of the scenes
