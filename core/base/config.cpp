@@ -74,6 +74,7 @@ const std::array kParameters{
               &Config::resting_pairs},
     Parameter{{"leaf_boxes", "0: leaves have no copies of their boxes in large worlds", 0, 1},
               &Config::leaf_boxes},
+    Parameter{{"rows", "0: small worlds have no rows of bits for their pairs", 0, 1}, &Config::rows},
     Parameter{{"dense", "0: floats confirm all that bytes find", 0, 1}, &Config::dense},
 };
 

@@ -68,6 +68,7 @@ struct Config {
                               ///< each is placed anew in each step
   bool resting_pairs = true;  ///< with skin: pairs of objects without fat are reported without a test
   bool leaf_boxes = true;     ///< with byte_sweep: in large worlds leaves have copies of their boxes
+  bool rows = true;           ///< with byte_sweep: a small world of which little moves has its pairs as bits
   bool dense = true;          ///< where boxes lie dense, bytes decide most pairs without a test of floats
 
   friend bool operator==(const Config&, const Config&) = default;

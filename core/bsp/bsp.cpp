@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -90,6 +91,7 @@ void Bsp<D, Trace>::step_unswept() {
   adapt();
   pairs_.clear();
   kept_.forget_pairs();
+  swept_.forget_pairs();
   clock_.end();
 }
 
@@ -114,7 +116,17 @@ void Bsp<D, Trace>::adapt() {
 template <int D, class Trace>
 std::optional<Vector<D>> Bsp<D, Trace>::common_motion() const {
   if (!config_.byte_sweep || !(config_.skin > 0) || modes_.mode() == Mode::ordered) return std::nullopt;
+  if (modes_.mode() == Mode::swept && row_tests() <= tuning::kRowTests) return std::nullopt;
   return kerf::common_motion(requests_, tree_.table, modes_.mode() == Mode::kept);
+}
+
+/// How many boxes rows of bits would compare for what was requested: endlessly many where there are none.
+template <int D, class Trace>
+std::uint64_t Bsp<D, Trace>::row_tests() const {
+  const std::size_t objects = requests_.latest().bound();
+  const bool may_be = config_.byte_sweep && config_.rows && requests_.kind() == VolumeKind::box &&
+                      objects <= tuning::kMostRows && tree_[tree_.root()].is_leaf();
+  return may_be ? requests_.given() * objects : std::numeric_limits<std::uint64_t>::max();
 }
 
 /// Samples what the present mode needs to know. A shift says nothing of how objects move beside it.
@@ -124,8 +136,9 @@ Evidence Bsp<D, Trace>::evidence(bool is_shift) const {
   evidence.shift = is_shift;
   evidence.bytes = config_.byte_sweep;
   evidence.skins = config_.skin > 0 && requests_.kind() == VolumeKind::box;
+  evidence.rows = row_tests() <= tuning::kFewTests;
   if (!evidence.bytes || !evidence.skins) return evidence;
-  if (modes_.mode() == Mode::swept && !is_shift) {
+  if (modes_.mode() == Mode::swept && !is_shift && !evidence.rows) {
     evidence.motions = sample_motions(requests_.latest(), tree_.table, config_, step_);
   } else if (modes_.mode() == Mode::kept && !modes_.regrets()) {
     evidence.leaving = sample_leaving(requests_.latest(), config_, requests_.changed(), requests_.before());
@@ -150,12 +163,15 @@ void Bsp<D, Trace>::place() {
   const std::optional<Vector<D>> shift = common_motion();
   choose_mode(shift.has_value());
   const Mode mode = modes_.mode();
-  swept_.begin_step(tree_);
+  swept_.begin_step(tree_, requests_.changed(), mode == Mode::swept && row_tests() <= tuning::kRowTests);
   if (shift) shift_planes(tree_, *shift);
   const StepContext<D> context{config_, tree_, requests_, workers_, step_, shift};
   if (mode == Mode::kept) {
     placed_ = kept_.place(context, before != Mode::kept, reporter_);
     modes_.note_cost(kept_.cost());
+  } else if (swept_.has_rows(tree_.table) && requests_.are_moves()) {
+    SweptStep<D>::move_in_root(context);
+    placed_ = 0;
   } else if (before == Mode::kept || shift ||
              (mode == Mode::swept && requests_.exceed(config_.stream_share))) {
     placed_ = swept_.place_all(context, before, mode, reporter_);
@@ -174,6 +190,7 @@ void Bsp<D, Trace>::sort_leaves() {
 template <int D, class Trace>
 void Bsp<D, Trace>::find_pairs() {
   if (modes_.mode() == Mode::kept) return kept_.find({config_, tree_, requests_, workers_, step_}, pairs_);
+  if (swept_.has_rows(tree_.table)) return swept_.find_in_rows(tree_.table, pairs_);
   const bool ordered = modes_.mode() == Mode::ordered;
   pairs_.clear();
   workers_.leaf_pass.run(
@@ -183,6 +200,7 @@ void Bsp<D, Trace>::find_pairs() {
                 : swept_.find(tree_, leaf, scratch, pairs);
       },
       pairs_);
+  swept_.end_step(tree_.table, std::as_const(pairs_).all());
 }
 
 template <int D, class Trace>

@@ -104,6 +104,7 @@ class Bsp final : public BroadPhase<D> {
   }
   void adapt();
   [[nodiscard]] std::optional<Vector<D>> common_motion() const;
+  [[nodiscard]] std::uint64_t row_tests() const;
   [[nodiscard]] Evidence evidence(bool is_shift) const;
   void choose_mode(bool is_shift);
   void place();

@@ -22,6 +22,7 @@ void Bsp<D, Trace>::restore(const BspState<D>& state) {
   placed_ = state.placed;
   step_ = state.step;
   reporter_.resume(state.next_event, state.step);
+  swept_.forget_pairs();
   pairs_.clear();
   pairs_.append(state.pairs);
 }

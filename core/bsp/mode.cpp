@@ -18,6 +18,7 @@ constexpr std::array<ConditionWords, kConditionCount> kConditions{{
      "restless"},
     {"many_leave", "for some steps in a row many objects left their fat boxes"},
     {"uproar", "very many objects left their fat boxes at once, and they are fast"},
+    {"rows_pay", "for some steps in a row so little moved in so small a world that its pairs are bits"},
     {"slow_at_first", "the first motions that are known are slow"},
     {"slow_for_long", "for many steps in a row objects were slow; each regret doubles the number of steps"},
 }};

@@ -10,7 +10,7 @@ namespace kerf {
 /// How the pairs of a step are found (docs/MODES.md).
 enum class Mode : std::uint8_t {
   ordered,  ///< the paper's: each leaf is swept along its ordered list
-  swept,    ///< each leaf is swept by vectors of bytes
+  swept,    ///< each leaf is swept by vectors of bytes; in a small world of which little moves, rows of bits
   kept,     ///< pairs of fat boxes are kept and filtered: the tree's table has the fat boxes
 };
 inline constexpr std::size_t kModeCount = 3;
@@ -25,10 +25,11 @@ enum class Condition : std::uint8_t {
   keeping_is_costly,
   many_leave,
   uproar,
+  rows_pay,
   slow_at_first,
   slow_for_long,
 };
-inline constexpr std::size_t kConditionCount = 8;
+inline constexpr std::size_t kConditionCount = 9;
 
 std::string_view to_string(Condition condition);
 std::string_view meaning(Condition condition);
@@ -49,6 +50,7 @@ inline constexpr std::array kTransitions{
     Transition{Mode::swept, Mode::kept, Condition::slow_for_long},
     Transition{Mode::kept, Mode::ordered, Condition::bytes_off},
     Transition{Mode::kept, Mode::swept, Condition::skins_off},
+    Transition{Mode::kept, Mode::swept, Condition::rows_pay},
     Transition{Mode::kept, Mode::swept, Condition::keeping_is_costly},
     Transition{Mode::kept, Mode::swept, Condition::many_leave},
     Transition{Mode::kept, Mode::swept, Condition::uproar},

@@ -11,7 +11,8 @@ void ModeChooser::decide(const Evidence& evidence) {
   const auto* const due = std::ranges::find_if(kTransitions, [&](const Transition& transition) {
     return transition.from == mode_ && holds(transition.condition, evidence);
   });
-  const bool knows_motions = mode_ == Mode::swept && evidence.bytes && evidence.skins && !evidence.shift;
+  const bool knows_motions =
+      mode_ == Mode::swept && evidence.bytes && evidence.skins && !evidence.shift && !evidence.rows;
   taken_ = due == kTransitions.end() ? nullptr : due;
   if (taken_ != nullptr) enter(taken_->to);
   if (knows_motions) patience_ = std::max(patience_, tuning::kFirstPatience);
@@ -32,10 +33,13 @@ bool ModeChooser::holds(Condition condition, const Evidence& evidence) const {
     case Condition::uproar:
       return steps_ >= tuning::kLearningSteps && evidence.leaving.share > tuning::kHopelessShare &&
              !are_mild(evidence.leaving.motions);
+    case Condition::rows_pay:
+      return rows_ >= tuning::kRowSteps;
     case Condition::slow_at_first:
-      return evidence.skins && !evidence.shift && patience_ == 0 && are_mild(evidence.motions);
+      return evidence.skins && !evidence.shift && !evidence.rows && patience_ == 0 &&
+             are_mild(evidence.motions);
     case Condition::slow_for_long:
-      return evidence.skins &&
+      return evidence.skins && !evidence.rows &&
              against_ >= (crowded_ ? tuning::kLongestPatience : std::max(patience_, tuning::kFirstPatience));
   }
   return false;
@@ -43,10 +47,11 @@ bool ModeChooser::holds(Condition condition, const Evidence& evidence) const {
 
 /// Without skins nothing is remembered: the first motions that are known later decide at once.
 void ModeChooser::count(const Evidence& evidence) {
+  rows_ = evidence.rows ? std::min(rows_ + 1, tuning::kRowSteps) : 0;
   if (mode_ == Mode::ordered || !evidence.bytes || !evidence.skins) {
     forget();
   } else if (mode_ == Mode::swept) {
-    if (!evidence.shift) count_motions(evidence.motions);
+    if (!evidence.shift && !evidence.rows) count_motions(evidence.motions);
   } else if (!regrets_) {
     count_leaving(evidence.leaving);
   }
@@ -103,7 +108,7 @@ void ModeChooser::begin_period() {
 
 ModeChooser::Memory ModeChooser::memory() const {
   const bool keeps = mode_ == Mode::kept && !regrets_;
-  return {(keeps ? 1U : 0U) | (crowded_ ? 2U : 0U), steps_, against_, patience_};
+  return {(keeps ? 1U : 0U) | (crowded_ ? 2U : 0U) | rows_ << 2U, steps_, against_, patience_};
 }
 
 void ModeChooser::resume(Mode mode, const Memory& memory) {
@@ -111,6 +116,7 @@ void ModeChooser::resume(Mode mode, const Memory& memory) {
   taken_ = nullptr;
   regrets_ = mode == Mode::kept && (memory[0] & 1U) == 0;
   crowded_ = (memory[0] & 2U) != 0;
+  rows_ = std::min(memory[0] >> 2U, tuning::kRowSteps);
   steps_ = memory[1];
   against_ = memory[2];
   patience_ = memory[3];

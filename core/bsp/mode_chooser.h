@@ -15,6 +15,7 @@ struct Evidence {
   Motions motions;     ///< while leaves are swept: of all objects
   Leaving leaving;     ///< while pairs are kept: of the objects that left their fat boxes
   bool shift = false;  ///< nearly all objects moved alike: how they move beside that is not known
+  bool rows = false;   ///< the world is small and little moves: its pairs may be bits
 };
 
 /// Decides before each step in which mode it finds its pairs, by the table of transitions (docs/MODES.md).
@@ -61,6 +62,7 @@ class ModeChooser {
   bool crowded_ = false;        ///< the last regret was for restless objects, and they are still many
   std::uint32_t steps_ = 0;     ///< decided since the mode changed
   std::uint32_t against_ = 0;   ///< steps in a row that count for a change
+  std::uint32_t rows_ = 0;      ///< steps in a row in which rows paid, as far as they count
   std::uint32_t patience_ = 0;  ///< how many of them it takes to keep pairs; 0: no speed was known yet
 };
 

@@ -11,6 +11,7 @@ namespace kerf {
 template <int D>
 Status Requests<D>::note(ObjectId object, Status status, bool keeps) {
   if (is_refused(status)) return status;
+  ++given_;
   only_moves_ = false;
   make_room();
   ObjectFlags& flags = flags_[object.index()];
@@ -36,6 +37,7 @@ Status Requests<D>::remove(ObjectId object, const Receiver& tree) {
 template <int D>
 Status Requests<D>::move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes,
                               const Receiver& tree) {
+  given_ += objects.size();
   ObjectId* const changed = changed_.reserve(objects.size());
   PackedBox<D>* const before = tree.keeps ? before_.reserve(objects.size()) : nullptr;
   std::uint32_t* const left_over = left_over_.reserve(objects.size());
@@ -88,12 +90,14 @@ void Requests<D>::finish_step(std::span<const Skin> skins, TaskPool& pool) {
   settle(skins, pool);
   changed_.clear();
   before_.clear();
+  given_ = 0;
   only_moves_ = true;
 }
 
 /// Nothing is pending any more of the objects that changed.
 template <int D>
 void Requests<D>::settle(std::span<const Skin> skins, TaskPool& pool) {
+  if (changed_.size() == 0) return;
   const bool all_alike = only_moves_ && skins.empty();
   if (all_alike && changed_.size() == flags_.size()) {
     std::ranges::fill(flags_, ObjectFlags{0});
@@ -120,6 +124,7 @@ void Requests<D>::restore(const ObjectTable<D>& latest, std::span<const Skin> sk
   latest_ = latest;
   changed_.clear();
   before_.clear();
+  given_ = 0;
   only_moves_ = true;
   flags_.resize(latest_.bound());
   for (std::uint32_t id = 0; id < latest_.bound(); ++id) flags_[id] = flags_at_rest({id}, skins);

@@ -45,6 +45,8 @@ class Requests {
   [[nodiscard]] bool exceed(float share) const {
     return static_cast<float>(changed_.size()) > share * static_cast<float>(latest_.size());
   }
+  /// How many boxes were given, some of them perhaps to one object or where it had been.
+  [[nodiscard]] std::size_t given() const { return given_; }
   /// Whether nothing was requested but that placed objects go to valid boxes.
   [[nodiscard]] bool are_moves() const { return only_moves_; }
   [[nodiscard]] std::span<ObjectFlags> flags() { return flags_; }
@@ -77,6 +79,7 @@ class Requests {
   AppendBuffer<ObjectId> changed_;
   AppendBuffer<PackedBox<D>> before_;
   AppendBuffer<std::uint32_t> left_over_;  ///< of one call of `move_many`
+  std::size_t given_ = 0;
   bool only_moves_ = true;
 };
 

@@ -10,6 +10,18 @@
 
 namespace kerf {
 
+template <int D>
+void SweptStep<D>::begin_step(const Tree<D>& tree, std::span<const ObjectId> changed, bool rows) {
+  leaf_boxes_.begin(tree, false);
+  wants_rows_ = rows;
+  rows ? rows_.note(changed) : rows_.forget();
+}
+
+template <int D>
+void SweptStep<D>::end_step(const ObjectTable<D>& table, std::span<const Pair> pairs) {
+  wants_rows_ ? rows_.take(table, pairs) : rows_.forget();
+}
+
 /// Those that still lie in their leaf's cell are looked for first, unless most jump or many come or go. Where
 /// objects only moved, the tables differ in nothing but boxes.
 template <int D>
@@ -29,6 +41,15 @@ std::uint64_t SweptStep<D>::place_all(const StepContext<D>& step, Mode before, M
   place_boxes(step, many_stay, leaf_boxes_);
   reporter.report([&] { return AllPlaced{tree.objects()}; });
   return requests.changed().size();
+}
+
+template <int D>
+void SweptStep<D>::move_in_root(const StepContext<D>& step) {
+  Tree<D>& tree = step.tree;
+  for (const ObjectId object : step.requests.changed()) {
+    tree.table.packed()[object.index()] = step.requests.latest().packed(object);
+    tree[tree.root()].unsorted = true;
+  }
 }
 
 template <int D>

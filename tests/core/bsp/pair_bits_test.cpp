@@ -1,0 +1,214 @@
+// The pairs of small worlds are kept as rows of bits: by themselves, and in a tree that turns to them and
+// from them as its world changes.
+
+#include "core/bsp/pair_bits.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "core/base/tuning.h"
+#include "core/bsp/bsp.h"
+#include "core/bsp/bsp_state.h"
+#include "core/replay/oracle.h"
+#include "tests/support/boxes.h"
+#include "tests/support/dimensions.h"
+#include "tests/support/every_kernel.h"
+#include "tests/support/pairs.h"
+
+namespace kerf::test {
+namespace {
+
+/// Boxes of which many touch: their ends lie on a grid. `least`: the least extent.
+template <int D>
+Box<D> draw_box(Random& random, std::uint32_t cells, Scalar least = 0) {
+  Box<D> box;
+  for (int i = 0; i < D; ++i) {
+    box.min[i] = static_cast<Scalar>(random.below(cells));
+    box.max[i] = box.min[i] + least + static_cast<Scalar>(random.below(2));
+  }
+  return box;
+}
+
+template <class T>
+class PairBitsOfTable : public EveryKernel<T> {};
+TYPED_TEST_SUITE(PairBitsOfTable, Dimensions, DimensionNames);
+
+/// Moves, removes, inserts and quarantines a few objects, and notes them.
+template <int D>
+void change_some(ObjectTable<D>& table, PairBits<D>& bits, Random& random) {
+  const auto bound = static_cast<std::uint32_t>(table.bound());
+  std::vector<ObjectId> changed;
+  for (std::uint32_t k = random.below(6); k > 0; --k) {
+    const ObjectId object{random.below(bound)};
+    if (std::ranges::find(changed, object) == changed.end()) changed.push_back(object);
+    const Mobility mobility = random.below(3) == 0 ? Mobility::fixed : Mobility::moving;
+    Box<D> box = draw_box<D>(random, 6);
+    if (random.below(8) == 0) box.min[0] = std::numeric_limits<Scalar>::quiet_NaN();
+    if (table.state(object) == ObjectState::absent) {
+      (void)table.insert(object, box, mobility);
+    } else if (random.below(4) == 0) {
+      (void)table.remove(object);
+    } else {
+      (void)table.move(object, box);
+    }
+  }
+  bits.note(changed);
+}
+
+template <int D>
+void change_and_compare(std::uint32_t count) {
+  Random random(count);
+  ObjectTable<D> table;
+  for (std::uint32_t id = 0; id < count; ++id)
+    (void)table.insert({id}, draw_box<D>(random, 6), id % 5 == 0 ? Mobility::fixed : Mobility::moving);
+  PairBits<D> bits;
+  EXPECT_FALSE(bits.have_room(table));
+  PairBuffer pairs;
+  pairs.append(oracle_pairs(table));
+  bits.take(table, pairs.all());
+  ASSERT_TRUE(bits.have_room(table));
+  for (int step = 0; step < 100; ++step) {
+    change_some(table, bits, random);
+    if (step % 10 == 9) pairs.clear();  // the list was given away
+    bits.find(table, pairs);
+    ASSERT_EQ(difference(pairs.all(), oracle_pairs(table)), "") << "in step " << step;
+  }
+}
+
+TYPED_TEST(PairBitsOfTable, AreTheOraclesWhateverComesGoesAndMoves) {
+  constexpr int kD = TypeParam::value;
+  for (const std::string& kernel : kernels()) {
+    use_kernel(kernel);
+    for (const std::uint32_t count : {1U, 2U, 7U, 8U, 9U, 63U, 64U, 65U, 130U}) {
+      SCOPED_TRACE(testing::Message() << kernel << ", " << count << " objects");
+      change_and_compare<kD>(count);
+      ASSERT_FALSE(this->HasFatalFailure());
+    }
+  }
+}
+
+TYPED_TEST(PairBitsOfTable, NeedRoomForEachObject) {
+  ObjectTable<TypeParam::value> table;
+  PairBits<TypeParam::value> bits;
+  Random random(1);
+  for (std::uint32_t id = 0; id < 8; ++id)
+    (void)table.insert({id}, draw_box<TypeParam::value>(random, 6), Mobility::moving);
+  bits.take(table, oracle_pairs(table));
+  EXPECT_TRUE(bits.have_room(table));
+  (void)table.insert({8}, draw_box<TypeParam::value>(random, 6), Mobility::moving);
+  EXPECT_FALSE(bits.have_room(table));
+}
+
+/// A small world in a tuned tree, whose steps are compared with the oracle's.
+template <int D>
+class SmallWorld {
+ public:
+  explicit SmallWorld(std::uint32_t count, const Config& config = tuned_config()) : tree_(config) {
+    for (std::uint32_t id = 0; id < count; ++id) insert(id);
+  }
+  void insert(std::uint32_t id) {
+    if (boxes_.size() <= id) boxes_.resize(id + 1);
+    boxes_[id] = draw_box<D>(random_, 8, 1);
+    EXPECT_EQ(tree_.insert({id}, boxes_[id], id % 7 == 0 ? Mobility::fixed : Mobility::moving), Status::ok);
+  }
+  void move(std::uint32_t first, std::uint32_t count, double way) {
+    for (std::uint32_t id = first; id < first + count; ++id) {
+      const Vector<D> by = random_point<D>(random_, -way, way);
+      boxes_[id] = {boxes_[id].min + by, boxes_[id].max + by};
+      (void)tree_.move({id}, boxes_[id]);
+    }
+  }
+  void step() {
+    tree_.step();
+    ASSERT_EQ(difference(tree_.pairs(), oracle_pairs(tree_.objects())), "") << "in step " << tree_.steps();
+  }
+  [[nodiscard]] Bsp<D>& tree() { return tree_; }
+
+ private:
+  Random random_{9};
+  Bsp<D> tree_;
+  std::vector<Box<D>> boxes_;
+};
+
+template <class T>
+class PairBitsOfTree : public testing::Test {};
+TYPED_TEST_SUITE(PairBitsOfTree, Dimensions, DimensionNames);
+
+TYPED_TEST(PairBitsOfTree, WorldsThatRestMoveALittleOrAllAtOnceHaveTheOraclesPairs) {
+  for (const std::uint32_t count : {3U, 20U, 60U, 200U, 500U}) {
+    SmallWorld<TypeParam::value> world(count);
+    for (std::uint32_t step = 0; step < 120; ++step) {
+      const std::uint32_t some = step % 40 < 20 ? 1 + step % 2 : count;
+      world.move(step % (count - some + 1), some, step % 3 == 0 ? 2 : 0.01);
+      if (step % 30 == 11) world.tree().step_unswept();
+      world.step();
+      ASSERT_FALSE(this->HasFatalFailure());
+    }
+  }
+}
+
+TYPED_TEST(PairBitsOfTree, ObjectsComeAndGoBeyondTheMostThatHaveRows) {
+  SmallWorld<TypeParam::value> world(500);
+  for (std::uint32_t id = 500; id < tuning::kMostRows + 20; ++id) {
+    world.insert(id);
+    if (id % 3 == 0) {
+      ASSERT_EQ(world.tree().remove({id - 1}), Status::ok);
+    }
+    world.step();
+    ASSERT_FALSE(this->HasFatalFailure());
+  }
+}
+
+TYPED_TEST(PairBitsOfTree, ARestoredWorldDoesNotTrustTheListThatCameWithIt) {
+  SmallWorld<TypeParam::value> world(40);
+  SmallWorld<TypeParam::value> other(40);
+  other.move(0, 40, 3);
+  for (int k = 0; k < 10; ++k) {
+    world.step();
+    other.step();
+  }
+  BspState<TypeParam::value> state = world.tree().state();
+  ASSERT_FALSE(state.pairs.empty());
+  state.pairs.pop_back();
+  other.tree().restore(state);
+  other.step();
+}
+
+TYPED_TEST(PairBitsOfTree, AParameterMayChangeInBetween) {
+  SmallWorld<TypeParam::value> world(60);
+  for (const char* assignment : {"rows=0", "rows=1", "min_threshold=8,max_threshold=8", "byte_sweep=0",
+                                 "byte_sweep=1,min_threshold=1024,max_threshold=1024"}) {
+    Config config = world.tree().config();
+    apply(config, assignment);
+    world.tree().set_config(config);
+    for (std::uint32_t k = 0; k < 20; ++k) {
+      world.move(k, 2, 0.5);
+      world.step();
+      ASSERT_FALSE(this->HasFatalFailure()) << assignment;
+    }
+  }
+}
+
+/// One whose pairs are bits has no fat boxes; one that would keep pairs has.
+TYPED_TEST(PairBitsOfTree, AreWhatASmallWorldHasInWhichLittleMoves) {
+  for (const auto& [count, moved, mode] : {std::tuple{60U, 2U, Mode::swept},
+                                           {60U, 60U, Mode::kept},
+                                           {400U, 1U, Mode::swept},
+                                           {400U, 20U, Mode::kept},
+                                           {600U, 1U, Mode::kept}}) {
+    SmallWorld<TypeParam::value> world(count);
+    for (std::uint32_t k = 0; k < 40; ++k) {
+      world.move(0, moved, 0.001);
+      world.step();
+    }
+    EXPECT_EQ(world.tree().mode(), mode) << moved << " of " << count;
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test
