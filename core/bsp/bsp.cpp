@@ -114,13 +114,14 @@ void Bsp<D, Trace>::adapt() {
 
 /// The motion by which the tree comes along. The paper's configuration knows none.
 template <int D, class Trace>
-std::optional<Vector<D>> Bsp<D, Trace>::common_motion() const {
+std::optional<Vector<D>> Bsp<D, Trace>::common_motion(std::uint64_t row_tests) const {
   if (!config_.byte_sweep || !(config_.skin > 0) || modes_.mode() == Mode::ordered) return std::nullopt;
-  if (modes_.mode() == Mode::swept && row_tests() <= tuning::kRowTests) return std::nullopt;
+  if (modes_.mode() == Mode::swept && row_tests <= tuning::kRowTests) return std::nullopt;
   return kerf::common_motion(requests_, tree_.table, modes_.mode() == Mode::kept);
 }
 
-/// How many boxes rows of bits would compare for what was requested: endlessly many where there are none.
+/// How many boxes rows of bits would compare for what was requested: endlessly many where there are none. As
+/// all that decides how objects are placed, it is the same in a run that goes on from a keyframe.
 template <int D, class Trace>
 std::uint64_t Bsp<D, Trace>::row_tests() const {
   const std::size_t objects = requests_.latest().bound();
@@ -131,12 +132,12 @@ std::uint64_t Bsp<D, Trace>::row_tests() const {
 
 /// Samples what the present mode needs to know. A shift says nothing of how objects move beside it.
 template <int D, class Trace>
-Evidence Bsp<D, Trace>::evidence(bool is_shift) const {
+Evidence Bsp<D, Trace>::evidence(std::uint64_t row_tests, bool is_shift) const {
   Evidence evidence;
   evidence.shift = is_shift;
   evidence.bytes = config_.byte_sweep;
   evidence.skins = config_.skin > 0 && requests_.kind() == VolumeKind::box;
-  evidence.rows = row_tests() <= tuning::kFewTests;
+  evidence.rows = row_tests <= tuning::kFewTests;
   if (!evidence.bytes || !evidence.skins) return evidence;
   if (modes_.mode() == Mode::swept && !is_shift && !evidence.rows) {
     evidence.motions = sample_motions(requests_.latest(), tree_.table, config_, step_);
@@ -148,8 +149,8 @@ Evidence Bsp<D, Trace>::evidence(bool is_shift) const {
 }
 
 template <int D, class Trace>
-void Bsp<D, Trace>::choose_mode(bool is_shift) {
-  modes_.decide(evidence(is_shift));
+void Bsp<D, Trace>::choose_mode(std::uint64_t row_tests, bool is_shift) {
+  modes_.decide(evidence(row_tests, is_shift));
   if (modes_.taken() == nullptr) return;
   kept_.forget_pairs();
   if (modes_.mode() != Mode::swept) swept_.forget();
@@ -160,16 +161,18 @@ void Bsp<D, Trace>::choose_mode(bool is_shift) {
 template <int D, class Trace>
 void Bsp<D, Trace>::place() {
   const Mode before = modes_.mode();
-  const std::optional<Vector<D>> shift = common_motion();
-  choose_mode(shift.has_value());
+  const std::uint64_t tests = row_tests();
+  const std::optional<Vector<D>> shift = common_motion(tests);
+  choose_mode(tests, shift.has_value());
   const Mode mode = modes_.mode();
-  swept_.begin_step(tree_, requests_.changed(), mode == Mode::swept && row_tests() <= tuning::kRowTests);
+  const bool rows = mode == Mode::swept && tests <= tuning::kRowTests;
+  swept_.begin_step(tree_, requests_.changed(), rows);
   if (shift) shift_planes(tree_, *shift);
   const StepContext<D> context{config_, tree_, requests_, workers_, step_, shift};
   if (mode == Mode::kept) {
     placed_ = kept_.place(context, before != Mode::kept, reporter_);
     modes_.note_cost(kept_.cost());
-  } else if (swept_.has_rows(tree_.table) && requests_.are_moves()) {
+  } else if (rows && before == Mode::swept && requests_.are_moves()) {
     SweptStep<D>::move_in_root(context);
     placed_ = 0;
   } else if (before == Mode::kept || shift ||

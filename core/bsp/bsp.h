@@ -103,10 +103,10 @@ class Bsp final : public BroadPhase<D> {
     return {tree_.table, workers_.threads.pool(), modes_.mode() == Mode::kept};
   }
   void adapt();
-  [[nodiscard]] std::optional<Vector<D>> common_motion() const;
+  [[nodiscard]] std::optional<Vector<D>> common_motion(std::uint64_t row_tests) const;
   [[nodiscard]] std::uint64_t row_tests() const;
-  [[nodiscard]] Evidence evidence(bool is_shift) const;
-  void choose_mode(bool is_shift);
+  [[nodiscard]] Evidence evidence(std::uint64_t row_tests, bool is_shift) const;
+  void choose_mode(std::uint64_t row_tests, bool is_shift);
   void place();
   void sort_leaves();
   void find_pairs();

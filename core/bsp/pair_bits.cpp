@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-constexpr std::size_t kWordBits = 64;  // of a word
+constexpr std::size_t kWordBits = 64;
 
 constexpr std::uint64_t bit(std::size_t object) { return std::uint64_t{1} << object % kWordBits; }
 
@@ -31,12 +31,11 @@ void append_pairs(ObjectId object, std::size_t base, std::uint64_t bits, PairBuf
 
 template <int D>
 void PairBits<D>::take(const ObjectTable<D>& table, std::span<const Pair> pairs) {
-  stride_ = (table.bound() + BoxColumns::kStep - 1) / BoxColumns::kStep * BoxColumns::kStep;
-  words_ = (stride_ + kWordBits - 1) / kWordBits;
-  numbers_.resize(2 * D * stride_);
+  blocks_.resize((table.bound() + kBlockWidth - 1) / kBlockWidth);
+  words_ = (blocks_.size() * kBlockWidth + kWordBits - 1) / kWordBits;
   fixed_.resize(words_);
-  bits_.assign(stride_ * words_, 0);
-  for (std::uint32_t id = 0; id < stride_; ++id) write_box(table, {id});
+  bits_.assign(blocks_.size() * kBlockWidth * words_, 0);
+  for (std::uint32_t id = 0; id < blocks_.size() * kBlockWidth; ++id) write_box(table, {id});
   for (const auto& [a, b] : pairs) {
     set(row(a.index()), b.index(), true);
     set(row(b.index()), a.index(), true);
@@ -57,7 +56,7 @@ void PairBits<D>::find(const ObjectTable<D>& table, PairBuffer& pairs) {
   if (changed_.empty() && !differs) return;
   for (const ObjectId object : changed_) write_box(table, object);
   fresh_.resize(changed_.size() * words_);
-  overlap_rows<D>({numbers_.data(), stride_}, changed_.data(), changed_.size(), fresh_.data());
+  overlap_rows<D>(blocks_, changed_, fresh_.data());
   for (std::size_t k = 0; k < changed_.size(); ++k)
     differs |= take_row(table, changed_[k], fresh_.data() + k * words_);
   changed_.clear();
@@ -67,13 +66,14 @@ void PairBits<D>::find(const ObjectTable<D>& table, PairBuffer& pairs) {
 template <int D>
 void PairBits<D>::write_box(const ObjectTable<D>& table, ObjectId object) {
   constexpr Scalar kFar = std::numeric_limits<Scalar>::infinity();
-  Scalar* const at = numbers_.data() + object.index();
   const bool is_placed = table.is_placed(object);
-  const Box<D> box = is_placed ? table.box(object) : Box<D>{};
+  Box<D> box;
   for (int i = 0; i < D; ++i) {
-    at[static_cast<std::size_t>(i) * stride_] = is_placed ? box.min[i] : kFar;
-    at[static_cast<std::size_t>(D + i) * stride_] = is_placed ? box.max[i] : -kFar;
+    box.min[i] = kFar;
+    box.max[i] = -kFar;
   }
+  if (is_placed) box = table.box(object);
+  blocks_[object.index() / kBlockWidth].set(object.index() % kBlockWidth, box);
   if (table.has_fixed()) set(fixed_.data(), object.index(), is_placed && table.is_fixed(object));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/append_buffer.h"
+#include "core/kernels/wide_block.h"
 #include "core/objects/object_table.h"
 
 namespace kerf {
@@ -18,7 +19,7 @@ class PairBits {
  public:
   /// Whether the pairs are known, and there is room for all objects.
   [[nodiscard]] bool have_room(const ObjectTable<D>& table) const {
-    return known_ && table.bound() <= stride_;
+    return known_ && table.bound() <= blocks_.size() * kBlockWidth;
   }
   void forget() { known_ = false; }
   /// The pairs of the table's boxes are these.
@@ -35,9 +36,8 @@ class PairBits {
   void list(std::size_t objects, PairBuffer& pairs);
 
   bool known_ = false;
-  std::size_t stride_ = 0;            ///< of a column
   std::size_t words_ = 0;             ///< of a row
-  std::vector<Scalar> numbers_;       ///< BoxColumns; where no object is placed, a box that overlaps nothing
+  std::vector<WideBlock<D>> blocks_;  ///< the boxes by id
   std::vector<std::uint64_t> bits_;   ///< the rows; those of two objects agree
   std::vector<std::uint64_t> fixed_;  ///< a row: the fixed objects
   std::vector<std::uint64_t> fresh_;  ///< the rows of the changed objects, as they are now

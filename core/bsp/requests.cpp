@@ -37,7 +37,6 @@ Status Requests<D>::remove(ObjectId object, const Receiver& tree) {
 template <int D>
 Status Requests<D>::move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes,
                               const Receiver& tree) {
-  given_ += objects.size();
   ObjectId* const changed = changed_.reserve(objects.size());
   PackedBox<D>* const before = tree.keeps ? before_.reserve(objects.size()) : nullptr;
   std::uint32_t* const left_over = left_over_.reserve(objects.size());
@@ -56,6 +55,7 @@ Status Requests<D>::move_many(std::span<const ObjectId> objects, std::span<const
   changed_.commit(answer.changed);
   if (tree.keeps) before_.commit(answer.changed);
   left_over_.commit(answer.left_over);
+  given_ += objects.size() - answer.left_over;
   return move_left_over(objects, boxes, tree.keeps);
 }
 

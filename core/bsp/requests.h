@@ -45,7 +45,7 @@ class Requests {
   [[nodiscard]] bool exceed(float share) const {
     return static_cast<float>(changed_.size()) > share * static_cast<float>(latest_.size());
   }
-  /// How many boxes were given, some of them perhaps to one object or where it had been.
+  /// How many requests were accepted, some of them perhaps for one object, or for its box as it was.
   [[nodiscard]] std::size_t given() const { return given_; }
   /// Whether nothing was requested but that placed objects go to valid boxes.
   [[nodiscard]] bool are_moves() const { return only_moves_; }

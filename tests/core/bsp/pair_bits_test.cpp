@@ -179,6 +179,72 @@ TYPED_TEST(PairBitsOfTree, ARestoredWorldDoesNotTrustTheListThatCameWithIt) {
   other.step();
 }
 
+/// What one step of a run shows of it.
+struct Shown {
+  std::vector<Event> events;
+  std::uint64_t hash = 0;
+  std::uint64_t placed = 0;
+  Mode mode = Mode::ordered;
+  friend bool operator==(const Shown&, const Shown&) = default;
+};
+
+/// A small world that first rests and then goes through all that decides how its pairs are found.
+template <int D>
+class Seeker {
+ public:
+  Seeker() : tree_(tuned_config()) {
+    for (std::uint32_t id = 0; id < 20; ++id) (void)tree_.insert({id}, draw(), Mobility::moving);
+  }
+  Shown step(bool unswept) {
+    const std::uint32_t number = tree_.steps();
+    for (std::uint32_t id = 0; id < (number % 12 < 6 ? 1U + number % 3 : 20U); ++id)
+      (void)tree_.move({id}, draw());
+    (void)tree_.move({77}, draw());  // there is none
+    if (number % 10 == 9) (void)tree_.remove({5});
+    if (number % 10 == 2 && number > 9) (void)tree_.insert({5}, draw(), Mobility::moving);
+    unswept ? tree_.step_unswept() : tree_.step();
+    if (!unswept) {
+      EXPECT_EQ(difference(tree_.pairs(), oracle_pairs(tree_.objects())), "");
+    }
+    return {tree_.trace().take(), tree_.state_hash(), tree_.statistics().placed, tree_.mode()};
+  }
+  void seek() { tree_.restore(tree_.state()); }
+
+ private:
+  Box<D> draw() { return draw_box<D>(random_, 8, 1); }
+
+  Random random_{4};
+  Bsp<D, EventLog> tree_;
+};
+
+/// A debugger goes on from a keyframe, and passes over steps without their pairs.
+TYPED_TEST(PairBitsOfTree, ShowTheSameStepsWhereverARunGoesOn) {
+  Seeker<TypeParam::value> whole;
+  Seeker<TypeParam::value> sought;
+  Seeker<TypeParam::value> skipping;
+  for (int step = 0; step < 80; ++step) {
+    const Shown shown = whole.step(false);
+    if (step % 3 == 2) sought.seek();
+    ASSERT_EQ(sought.step(false), shown) << "from the state before step " << step + 1;
+    ASSERT_EQ(skipping.step(step % 3 != 0), shown) << "without pairs in step " << step + 1;
+  }
+}
+
+/// The recording of a run has no requests for objects that are not there.
+TYPED_TEST(PairBitsOfTree, WhatIsRefusedDecidesNothing) {
+  SmallWorld<TypeParam::value> world(60);
+  const std::vector<ObjectId> unknown(400, ObjectId{1000});
+  const std::vector<Box<TypeParam::value>> boxes(unknown.size(), slab<TypeParam::value>(0, 1));
+  for (int k = 0; k < 40; ++k) {
+    if (k > 2) {
+      EXPECT_EQ(world.tree().move_many(unknown, boxes), Status::unknown_id);
+    }
+    world.move(0, k > 2 ? 2 : 60, 0.001);
+    world.step();
+  }
+  EXPECT_EQ(world.tree().mode(), Mode::swept) << "it has rows";
+}
+
 TYPED_TEST(PairBitsOfTree, AParameterMayChangeInBetween) {
   SmallWorld<TypeParam::value> world(60);
   for (const char* assignment : {"rows=0", "rows=1", "min_threshold=8,max_threshold=8", "byte_sweep=0",
