@@ -1,7 +1,6 @@
 #include "core/bsp/pair_bits.h"
 
 #include <bit>
-#include <limits>
 
 #include "core/kernels/overlap_rows.h"
 
@@ -65,15 +64,10 @@ void PairBits<D>::find(const ObjectTable<D>& table, PairBuffer& pairs) {
 
 template <int D>
 void PairBits<D>::write_box(const ObjectTable<D>& table, ObjectId object) {
-  constexpr Scalar kFar = std::numeric_limits<Scalar>::infinity();
   const bool is_placed = table.is_placed(object);
-  Box<D> box;
-  for (int i = 0; i < D; ++i) {
-    box.min[i] = kFar;
-    box.max[i] = -kFar;
-  }
-  if (is_placed) box = table.box(object);
-  blocks_[object.index() / kBlockWidth].set(object.index() % kBlockWidth, box);
+  WideBlock<D>& block = blocks_[object.index() / kBlockWidth];
+  const std::size_t slot = object.index() % kBlockWidth;
+  is_placed ? block.set(slot, table.box(object)) : block.set(slot, WideBlock<D>::no_box());
   if (table.has_fixed()) set(fixed_.data(), object.index(), is_placed && table.is_fixed(object));
 }
 

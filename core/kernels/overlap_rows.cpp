@@ -20,9 +20,10 @@ HWY_INLINE void find_rows(std::span<const WideBlock<D>> boxes, std::span<const O
     for (std::size_t begin = 0; begin < boxes.size(); begin += kBlocks) {
       const std::size_t end = std::min(begin + kBlocks, boxes.size());
       std::uint64_t bits = 0;
+      std::size_t place = 0;
       for (std::size_t block = begin; block < end; ++block)
-        for (std::size_t k = 0; k < kBlockWidth; k += kPart)
-          bits |= std::uint64_t{bits_of(test(boxes[block], k))} << ((block - begin) * kBlockWidth + k);
+        for (std::size_t k = 0; k < kBlockWidth; k += kPart, place += kPart)
+          bits |= std::uint64_t{bits_of(test(boxes[block], k))} << place;
       *rows++ = bits;
     }
   }

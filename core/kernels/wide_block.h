@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "core/geometry/box.h"
 
@@ -10,7 +11,7 @@ namespace kerf {
 inline constexpr std::size_t kBlockWidth = 8;
 
 /// Eight boxes side by side, so that a vector instruction tests all of them, and what each of them bounds: an
-/// object, or another block. An empty slot has the box from infinity to minus infinity.
+/// object, or another block.
 template <int D>
 struct alignas(64) WideBlock {
   static constexpr std::uint32_t kUnused = UINT32_MAX;
@@ -20,6 +21,14 @@ struct alignas(64) WideBlock {
   std::uint32_t
       item[kBlockWidth];  ///< the object's id, or twice the block's index, plus 1 if its items are blocks
 
+  /// The box of an empty slot, from infinity to minus infinity: it overlaps none, of whatever floats.
+  static Box<D> no_box() {
+    constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
+    Box<D> box;
+    box.min.value.fill(kInfinity);
+    box.max.value.fill(-kInfinity);
+    return box;
+  }
   [[nodiscard]] Box<D> box(std::size_t k) const {
     Box<D> box;
     for (int i = 0; i < D; ++i) {

@@ -11,15 +11,6 @@ namespace {
 constexpr double kMostCost = 1.5;
 
 template <int D>
-Box<D> no_box() {
-  constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
-  Box<D> box;
-  box.min.value.fill(kInfinity);
-  box.max.value.fill(-kInfinity);
-  return box;
-}
-
-template <int D>
 Box<D> bounds_of(const WideBlock<D>& block) {
   Box<D> box;
   for (int i = 0; i < D; ++i) {
@@ -77,7 +68,7 @@ std::size_t BlockHierarchy<D>::take_boxes(const ObjectTable<D>& objects, std::si
   for (std::size_t k = 0; k < kBlockWidth; ++k) {
     const ObjectId object{wide.item[k]};
     const bool is_placed = objects.is_placed(object);
-    wide.set(k, is_placed ? objects.box(object) : no_box<D>());
+    wide.set(k, is_placed ? objects.box(object) : WideBlock<D>::no_box());
     placed += is_placed ? 1 : 0;
   }
   return placed;
@@ -136,7 +127,7 @@ std::uint32_t BlockHierarchy<D>::add_block(std::span<Place> places, std::size_t 
   const bool is_inner = room > kBlockWidth;
   WideBlock<D>& added = blocks_.emplace_back();
   for (std::size_t k = 0; k < kBlockWidth; ++k) {
-    added.set(k, no_box<D>());
+    added.set(k, WideBlock<D>::no_box());
     added.item[k] = !is_inner && k < places.size() ? places[k].object : WideBlock<D>::kUnused;
   }
   above_.push_back(above);
