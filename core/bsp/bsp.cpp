@@ -1,6 +1,5 @@
 #include "core/bsp/bsp.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "core/base/tuning.h"
 #include "core/bsp/common_motion.h"
 #include "core/tree/hash.h"
+#include "core/tree/statistics_of.h"
 
 namespace kerf {
 
@@ -62,6 +62,9 @@ Status Bsp<D, Trace>::move(ObjectId object, const Volume<D>& volume) {
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) {
+  if (objects.size() != boxes.size())
+    throw std::invalid_argument(std::to_string(boxes.size()) + " boxes for " +
+                                std::to_string(objects.size()) + " objects: there must be one for each");
   if (objects.size() < tuning::kFewThings) return requests_.move_many(objects, boxes, receiver());
   const auto start = workers_.threads.now();
   const Status first = requests_.move_many(objects, boxes, receiver());
@@ -78,10 +81,24 @@ template <int D, class Trace>
 void Bsp<D, Trace>::step() {
   const NearestRounding rounding;
   const auto start = workers_.threads.now();
-  adapt();
-  find_pairs();
-  clock_.end();
+  if (is_still()) {
+    ++step_;
+    placed_ = 0;
+  } else {
+    adapt();
+    find_pairs();
+    clock_.end();
+  }
   workers_.threads.end_step(start, modes_.mode(), tree_.objects());
+}
+
+/// Whether a step would change nothing but its number: nothing was requested of a small world at rest whose
+/// pairs are known. Its fixed cost would be most of what it takes.
+template <int D, class Trace>
+bool Bsp<D, Trace>::is_still() const {
+  if (Trace::kEnabled || clock_.is_on()) return false;  // who sees the phases of a step sees all
+  return row_tests() == 0 && modes_.has_settled_on_rows() && config_.skin > 0 &&
+         swept_.has_rows(tree_.table) && swept_.are_listed_in(pairs_) && scheduler_.is_idle(tree_, config_);
 }
 
 /// Without its pairs nothing of a leaf can be kept.
@@ -214,18 +231,7 @@ void Bsp<D, Trace>::begin(Phase phase) {
 
 template <int D, class Trace>
 Statistics Bsp<D, Trace>::statistics() const {
-  Statistics s;
-  s.objects = tree_.objects();
-  s.entries = tree_.entries();
-  s.redundancy = s.objects == 0 ? 0 : static_cast<double>(s.entries) / s.objects - 1;
-  for_each_node(tree_, tree_.root(), [&](NodeId id) {
-    if (!tree_[id].is_leaf()) return;
-    ++s.leaves;
-    s.height = std::max(s.height, tree_[id].depth);
-  });
-  s.operators = scheduler_.acted();
-  s.refused = scheduler_.refused();
-  s.deferred = scheduler_.pending();
+  Statistics s = statistics_of(tree_, scheduler_);
   s.placed = placed_;
   s.phase_seconds = clock_.seconds();
   return s;

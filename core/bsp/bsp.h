@@ -46,6 +46,7 @@ class Bsp final : public BroadPhase<D> {
   Status move(ObjectId object, const Box<D>& box) override;
   Status move(ObjectId object, const Volume<D>& volume) override;
   Status remove(ObjectId object) override;
+  /// Throws std::invalid_argument unless there are as many boxes as objects.
   Status move_many(std::span<const ObjectId> objects, std::span<const Box<D>> boxes) override;
   void step() override;
   /// Like step(), but finds no pairs: events and state are the same, `pairs()` is empty. Kept pairs are
@@ -102,6 +103,7 @@ class Bsp final : public BroadPhase<D> {
   typename Requests<D>::Receiver receiver() {
     return {tree_.table, workers_.threads.pool(), modes_.mode() == Mode::kept};
   }
+  [[nodiscard]] bool is_still() const;
   void adapt();
   [[nodiscard]] std::optional<Vector<D>> common_motion(std::uint64_t row_tests) const;
   [[nodiscard]] std::uint64_t row_tests() const;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/tuning.h"
-
 namespace kerf {
 
 void ModeChooser::decide(const Evidence& evidence) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/base/tuning.h"
 #include "core/bsp/mode.h"
 #include "core/bsp/motions.h"
 
@@ -39,6 +40,11 @@ class ModeChooser {
   void note_cost(float cost);
   /// Whether the next decision has no need of a sample: keeping was too costly.
   [[nodiscard]] bool regrets() const { return regrets_; }
+
+  /// Whether pairs have been rows of bits for so long that more such steps are not counted.
+  [[nodiscard]] bool has_settled_on_rows() const {
+    return mode_ == Mode::swept && taken_ == nullptr && rows_ == tuning::kRowSteps;
+  }
 
   /// What it remembers beside the mode, as numbers for a keyframe.
   using Memory = std::array<std::uint32_t, 4>;

@@ -12,6 +12,7 @@ namespace kerf {
 /// takes as long as all else in a step of a few objects at rest.
 class PhaseClock {
  public:
+  [[nodiscard]] bool is_on() const { return is_on_; }
   void set_on(bool on) {
     is_on_ = on;
     seconds_ = {};

@@ -66,6 +66,13 @@ std::uint64_t Scheduler<D>::mix_into(std::uint64_t seed) const {
 }
 
 template <int D>
+bool Scheduler<D>::is_idle(const Tree<D>& tree, const Config& config) const {
+  if (!tree[tree.root()].is_leaf() || pending() > 0) return false;
+  const auto threshold = static_cast<float>(split_threshold(tree.objects(), config));
+  return static_cast<float>(tree.objects()) <= std::min(config.bulk_factor, 1.0F) * threshold;
+}
+
+template <int D>
 template <class Trace>
 void Scheduler<D>::traverse(Tree<D>& tree, const Config& config, std::uint32_t step,
                             Reporter<Trace>& reporter) {
@@ -163,8 +170,10 @@ template <int D>
 template <class Trace>
 void Scheduler<D>::process(Tree<D>& tree, const Config& config, std::uint32_t step,
                            Reporter<Trace>& reporter) {
+  const std::uint32_t waiting = pending();
+  if (waiting == 0) return;
   const std::uint32_t divisor = config.budget_divisor;
-  std::uint32_t budget = divisor == 0 ? 0 : (pending() + divisor - 1) / divisor;
+  std::uint32_t budget = divisor == 0 ? 0 : (waiting + divisor - 1) / divisor;
   for (const Operator op : kProcessingOrder) {
     std::vector<NodeRef>& list = lists_[index(op)];
     std::size_t done = 0;

@@ -30,6 +30,9 @@ class Scheduler {
   template <class Trace>
   void process(Tree<D>& tree, const Config& config, std::uint32_t step, Reporter<Trace>& reporter);
 
+  /// Whether neither would find anything to do: the whole tree is a leaf, and not a crowded one.
+  [[nodiscard]] bool is_idle(const Tree<D>& tree, const Config& config) const;
+
   /// Events listed for `op`, oldest first. Balance is never listed.
   [[nodiscard]] const std::vector<NodeRef>& listed(Operator op) const { return lists_[index(op)]; }
   [[nodiscard]] std::uint32_t pending() const;

@@ -125,6 +125,15 @@ TYPED_TEST(Bsp, AnswersBadRequestsAndForgetsThem) {
   EXPECT_EQ(tree.statistics().placed, 1U);
 }
 
+TYPED_TEST(Bsp, WantsABoxForEachObjectThatMoves) {
+  kerf::Bsp<TypeParam::value> bsp;
+  ASSERT_EQ(bsp.insert({0}, slab<TypeParam::value>(0, 1), Mobility::moving), Status::ok);
+  const ObjectId objects[] = {{0}, {0}};
+  const Box<TypeParam::value> boxes[] = {slab<TypeParam::value>(4, 5)};
+  EXPECT_THROW((void)bsp.move_many(objects, boxes), std::invalid_argument);
+  EXPECT_EQ(bsp.objects().box({0}), (slab<TypeParam::value>(0, 1)));
+}
+
 TYPED_TEST(Bsp, OnlyTheLastRequestOfAStepCounts) {
   constexpr int kD = TypeParam::value;
   kerf::Bsp<kD> tree;
