@@ -7,6 +7,7 @@
 
 #include "core/base/overloaded.h"
 #include "viz/draw/draw_context.h"
+#include "viz/draw/least_shape.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/strokes.h"
 
@@ -16,10 +17,10 @@ namespace {
 constexpr double kRimPixels = 1.2;
 
 /// A convex outline around the body's origin in scene coordinates.
-Polygon outline(const Body<2>& body, double pixels_per_unit) {
-  const Eigen::Vector3d origin = to_point(body.pose.position);
-  const Eigen::Vector3d x = to_point(body.pose.axes[0]);
-  const Eigen::Vector3d y = to_point(body.pose.axes[1]);
+Polygon outline(const Pose<2>& pose, const Shape<2>& shape, double pixels_per_unit) {
+  const Eigen::Vector3d origin = to_point(pose.position);
+  const Eigen::Vector3d x = to_point(pose.axes[0]);
+  const Eigen::Vector3d y = to_point(pose.axes[1]);
   Polygon polygon;
   const auto add_ball = [&](const Ball& ball) {
     const double radius = ball.radius;
@@ -38,7 +39,7 @@ Polygon outline(const Body<2>& body, double pixels_per_unit) {
     for (const Vector<2>& corner : outline.corners)
       polygon.push_back(origin + double{corner[0]} * x + double{corner[1]} * y);
   };
-  std::visit(Overloaded{add_ball, add_brick, add_outline}, body.shape);
+  std::visit(Overloaded{add_ball, add_brick, add_outline}, shape);
   return polygon;
 }
 
@@ -63,8 +64,9 @@ Polygon inset(const Polygon& polygon, double margin) {
 }
 
 /// The part near the view of a box that is so large, or lies so far out, that floats do not hold its sides to
-/// a pixel: neither those of a pose nor OpenGL's. Nothing for any other body.
-std::optional<Polygon> near_part(const DrawContext<2>& context, const Body<2>& body) {
+/// a pixel: neither those of a pose nor OpenGL's. Nothing for any other body. `least`: from its middle to
+/// each side at least.
+std::optional<Polygon> near_part(const DrawContext<2>& context, const Body<2>& body, double least) {
   constexpr double kPixels = 0.05;
   const Vector<2>& x = body.pose.axes[0];
   const bool is_box = std::visit(
@@ -80,8 +82,11 @@ std::optional<Polygon> near_part(const DrawContext<2>& context, const Body<2>& b
   for (int i = 0; i < 2; ++i) {
     const double around = double{context.bounds.max[i]} - double{context.bounds.min[i]};
     const auto side = static_cast<std::size_t>(i);
-    from[side] = std::max(double{body.box.min[i]}, double{context.bounds.min[i]} - around);
-    to[side] = std::min(double{body.box.max[i]}, double{context.bounds.max[i]} + around);
+    const double middle = 0.5 * double{body.box.min[i]} + 0.5 * double{body.box.max[i]};
+    const double begin = std::min(double{body.box.min[i]}, middle - least);
+    const double end = std::max(double{body.box.max[i]}, middle + least);
+    from[side] = std::max(begin, double{context.bounds.min[i]} - around);
+    to[side] = std::min(end, double{context.bounds.max[i]} + around);
     if (from[side] > to[side]) return Polygon();
   }
   return Polygon{{from[0], from[1], 0}, {to[0], from[1], 0}, {to[0], to[1], 0}, {from[0], to[1], 0}};
@@ -92,8 +97,10 @@ void draw_body(const DrawContext<2>& context, std::size_t object, Batch& batch) 
   const Body<2>& body = context.input.bodies[object];
   const double pixels = context.view.pixels_per_unit_at_one;
   const double rim = kRimPixels * context.line_scale;
-  const std::optional<Polygon> near = near_part(context, body);
-  const Polygon polygon = near ? *near : outline(body, pixels);
+  const double half = least_half(context, pixels);
+  const std::optional<Polygon> near = near_part(context, body, half);
+  const std::optional<Shape<2>> least = least_shape(body, half);
+  const Polygon polygon = near ? *near : outline(body.pose, least ? *least : body.shape, pixels);
   if (polygon.size() < 3) return;
   const Color color = object_color(context, object);
   context.begin(batch, DrawnKind::object, static_cast<std::uint32_t>(object));

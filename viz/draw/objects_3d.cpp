@@ -3,10 +3,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/base/overloaded.h"
 #include "viz/draw/draw_context.h"
+#include "viz/draw/least_shape.h"
 #include "viz/draw/palette.h"
 #include "viz/draw/shading.h"
 #include "viz/draw/sphere_mesh.h"
@@ -227,7 +229,7 @@ Color color_of(const DrawContext<3>& context, std::size_t object) {
 }
 
 /// From its middle to its sides, if these are about as far from it as each other; else infinite.
-double radius_of(const Body<3>& body) {
+double radius_of(const Shape<3>& shape) {
   constexpr double kLong = std::numeric_limits<double>::infinity();
   constexpr double kAlike = 1.6;
   return std::visit(
@@ -239,14 +241,14 @@ double radius_of(const Body<3>& body) {
           },
           [](const std::shared_ptr<const Surface>&) { return kLong; },
       },
-      body.shape);
+      shape);
 }
 
 /// A square that faces the eye. False where the object is too large or too long for that.
-bool draw_patch(const Targets& to, const Body<3>& body, Color color) {
+bool draw_patch(const Targets& to, const Body<3>& body, const Shape<3>& shape, Color color) {
   constexpr double kLargest = 14;     // pixels
   constexpr double kSeenSides = 1.1;  // a box that is seen from a corner covers more than a side
-  const double radius = radius_of(body);
+  const double radius = radius_of(shape);
   if (body.mobility != Mobility::moving || 2 * radius * to.pixels > kLargest) return false;
   const Eigen::Vector4d middle = to.context.view.clip_from_world * to_point(body.pose.position).homogeneous();
   const Eigen::Vector4d right = kSeenSides * radius * to.facing.right;
@@ -263,7 +265,9 @@ void draw_body(Targets& to, std::size_t object) {
   to.pixels = to.context.view.pixels_per_unit(to_point(body.pose.position));
   to.context.begin(to.solid, DrawnKind::object, static_cast<std::uint32_t>(object));
   to.glass.item = to.solid.item;
-  if (to.context.brief && draw_patch(to, body, color)) return;
+  const std::optional<Shape<3>> least = least_shape(body, least_half(to.context, to.pixels));
+  const Shape<3>& shape = least ? *least : body.shape;
+  if (to.context.brief && draw_patch(to, body, shape, color)) return;
   const Frame frame = frame_of(to.context.view, body.pose);
   std::visit(Overloaded{
                  [&](const Ball& ball) { draw_ball(to, frame, ball, color); },
@@ -272,7 +276,7 @@ void draw_body(Targets& to, std::size_t object) {
                    if (surface) draw_surface(to, frame, *surface, color);
                  },
              },
-             body.shape);
+             shape);
 }
 
 /// What is hidden then costs little: the rasteriser computes no colour for it.
