@@ -69,7 +69,8 @@ void draw_leaves(const DrawContext<2>& context, Batch& batch);
 /// nothing is drawn where one is transparent. First into `back`, since all else lies before it.
 void draw_stage(const DrawContext<3>& context, std::span<const Color> leaf_colors, Batch& back, Batch& lines);
 
-/// Shadows of moving objects on the ground below them, the darkest last: where they overlap, it remains.
+/// Shadows of moving objects on the ground below them. Draw them so that they darken: where they overlap, the
+/// darkest remains, and none is lighter than a floor in the colours of its leaves.
 void draw_shadows(const DrawContext<3>& context, Batch& shadows);
 
 /// The passes of a scene in 3D, but for its lines.

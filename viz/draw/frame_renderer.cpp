@@ -115,7 +115,7 @@ struct FrameRenderer<D>::State {
     if (tamper) tamper(batches, ids.list);
     if constexpr (D == 3) {
       painter.draw(back, Depth::test_and_write, Blend::replace);
-      painter.draw(shadows, Depth::test, Blend::replace);
+      painter.draw(shadows, Depth::test, Blend::darken);
     } else {
       painter.draw(back, Depth::ignore);
     }

@@ -168,6 +168,7 @@ void Painter::draw(const Batch& batch, Depth depth, Blend blend) const {
   gl_.DepthFunc(GL_LEQUAL);
   gl_.DepthMask(depth == Depth::test_and_write ? GL_TRUE : GL_FALSE);
   set_blending(blend != Blend::replace);
+  gl_.BlendEquation(blend == Blend::darken ? GL_MIN : GL_FUNC_ADD);
   gl_.UseProgram(shape_program_);
   gl_.BindVertexArray(vertex_arrays_[0]);
   gl_.BindBuffer(GL_ARRAY_BUFFER, buffers_[0]);
@@ -180,6 +181,7 @@ void Painter::draw(const TextBatch& text, const View& view) const {
   if (text.vertices.empty()) return;
   gl_.Disable(GL_DEPTH_TEST);
   set_blending(true);
+  gl_.BlendEquation(GL_FUNC_ADD);
   gl_.UseProgram(text_program_);
   gl_.Uniform2f(picture_size_, static_cast<float>(view.picture_width),
                 static_cast<float>(view.picture_height));

@@ -19,6 +19,7 @@ enum class Depth { ignore, test, test_and_write };
 enum class Blend {
   over,     ///< by their opacity
   replace,  ///< as if all were opaque, which takes less time
+  darken,   ///< the darker of both stays, whatever comes first
 };
 
 /// Letters to be drawn, as rectangles of the font's texture on the picture.

@@ -133,7 +133,7 @@ struct PanesRenderer<D>::State {
     draw_pairs(drawn, lines);
     if constexpr (D == 3) {
       painter.draw(back, Depth::test_and_write, Blend::replace);
-      painter.draw(shadows, Depth::test, Blend::replace);
+      painter.draw(shadows, Depth::test, Blend::darken);
     } else {
       painter.draw(back, Depth::ignore);
     }

@@ -77,55 +77,43 @@ Color color_of(const DrawContext<3>& context, const GroundPlane& plane, const Ei
 
 /// One of the two parts of a shadow.
 struct Shade {
-  std::uint32_t object = 0;
-  GroundPlane plane;
   double scale = 1;  ///< of the outline seen from above
   double shade = 0;  ///< how much darker it is than the ground
 };
 
-void find_shades(const DrawContext<3>& context, std::uint32_t object, const Ground& ground,
-                 std::vector<Shade>& shades) {
-  const Body<3>& body = context.input.bodies[object];
+void draw_shade(const DrawContext<3>& context, const Body<3>& body, const GroundPlane& plane,
+                const Shade& part, Batch& batch) {
   const Eigen::Vector3d middle = to_point(body.box.center());
-  const double size = size_of(body);
-  if (!(size * context.view.pixels_per_unit(middle) > kSmallest)) return;
+  const double height = plane.height + kLift * size_of(body);
+  thread_local Polygon polygon;
+  polygon.clear();
+  for (const Eigen::Vector2d& corner : footprint_of(body)) {
+    const Eigen::Vector2d at = part.scale * corner;
+    polygon.emplace_back(middle.x() + at.x(), height + plane.slope_x * at.x() + plane.slope_z * at.y(),
+                         middle.z() + at.y());
+  }
+  add_polygon(batch, context.view, polygon, lit(color_of(context, plane, middle), 1 - part.shade));
+}
+
+void draw_shadow(const DrawContext<3>& context, const Body<3>& body, const Ground& ground, Batch& batch) {
+  const Eigen::Vector3d middle = to_point(body.box.center());
+  if (!(size_of(body) * context.view.pixels_per_unit(middle) > kSmallest)) return;
   const GroundPlane plane = ground.below(middle);
   const double gap = std::max(0.0, double{body.box.min[1]} - plane.height);
   const Vector<3> extent = body.box.extent();
   const double reach = kHighest * *std::ranges::min_element(extent.value);
   const double strength = reach > 0 ? 1 - gap / reach : 0;
   if (strength <= 0) return;
-  shades.push_back({object, plane, kRimSize, kRimShade * strength});
-  shades.push_back({object, plane, kCoreSize, kCoreShade * strength});
-}
-
-void draw_shade(const DrawContext<3>& context, const Shade& shade, Batch& batch) {
-  const Body<3>& body = context.input.bodies[shade.object];
-  const Eigen::Vector3d middle = to_point(body.box.center());
-  const double height = shade.plane.height + kLift * size_of(body);
-  thread_local Polygon polygon;
-  polygon.clear();
-  for (const Eigen::Vector2d& corner : footprint_of(body)) {
-    const Eigen::Vector2d at = shade.scale * corner;
-    polygon.emplace_back(middle.x() + at.x(),
-                         height + shade.plane.slope_x * at.x() + shade.plane.slope_z * at.y(),
-                         middle.z() + at.y());
-  }
-  const Color lit_ground = color_of(context, shade.plane, middle);
-  add_polygon(batch, context.view, polygon, lit(lit_ground, 1 - shade.shade));
+  draw_shade(context, body, plane, {kRimSize, kRimShade * strength}, batch);
+  draw_shade(context, body, plane, {kCoreSize, kCoreShade * strength}, batch);
 }
 
 }  // namespace
 
 void draw_shadows(const DrawContext<3>& context, Batch& shadows) {
   const Ground ground(context.input.bodies, context.bounds);
-  std::vector<Shade> shades;
-  for (std::uint32_t k = 0; k < context.input.bodies.size(); ++k) {
-    const Body<3>& body = context.input.bodies[k];
-    if (body.mobility == Mobility::moving && is_drawable(body)) find_shades(context, k, ground, shades);
-  }
-  std::ranges::stable_sort(shades, {}, &Shade::shade);
-  for (const Shade& shade : shades) draw_shade(context, shade, shadows);
+  for (const Body<3>& body : context.input.bodies)
+    if (body.mobility == Mobility::moving && is_drawable(body)) draw_shadow(context, body, ground, shadows);
 }
 
 }  // namespace kerf

@@ -15,6 +15,7 @@ namespace kerf {
   X(BINDRENDERBUFFER, BindRenderbuffer)                             \
   X(BINDTEXTURE, BindTexture)                                       \
   X(BINDVERTEXARRAY, BindVertexArray)                               \
+  X(BLENDEQUATION, BlendEquation)                                   \
   X(BLENDFUNCSEPARATE, BlendFuncSeparate)                           \
   X(BLITFRAMEBUFFER, BlitFramebuffer)                               \
   X(BUFFERDATA, BufferData)                                         \

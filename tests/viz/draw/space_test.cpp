@@ -193,5 +193,36 @@ TEST(WhileTheCameraTurns, ASmallBlockIsASquareAndOthersAreAsTheyAre) {
   EXPECT_EQ(triangles_of(body_of(Ball{0.2F}, {{0, 1, 0}}, {{0.2F, 0.2F, 0.2F}}), true), 2U);
 }
 
+/// The floor has the colours of the leaves behind it, which are darker than the ground of the picture.
+TEST(Shadows, AreNowhereLighterThanAFloorInTheColoursOfItsLeaves) {
+  const test::SmallScene<3> scene;
+  std::vector<Body<3>> bodies = scene.bodies();
+  for (Body<3>& body : bodies) {
+    body.mobility = Mobility::moving;
+    body.shape = Brick<3>{body.box.extent() * 0.5F};
+  }
+  FrameInput<3> input = scene.input();
+  input.bodies = bodies;
+  FrameOptions how = options("leaves,objects", "iso");
+  how.ids = true;
+  FrameRenderer<3> renderer(how);
+  renderer.set_view_box(Box<3>{test::all<3>(0), test::all<3>(12)});
+  const Image shown = renderer.render(input);
+  const FrameIds ids = renderer.ids();
+  renderer.set_layers(LayerSet::parse("leaves"));
+  const Image floor = renderer.render(input);
+  int darker = 0;
+  int lighter = 0;
+  for (int y = 0; y < shown.height; ++y)
+    for (int x = 0; x < shown.width; ++x) {
+      const std::uint32_t item = item_of(ids.image.pixel(x, y));
+      if (item != 0 && ids.list.items[item - 1].kind == DrawnKind::object) continue;
+      darker += brightness(shown, x, y) < brightness(floor, x, y) ? 1 : 0;
+      lighter += brightness(shown, x, y) > brightness(floor, x, y) ? 1 : 0;
+    }
+  EXPECT_GT(darker, 100);
+  EXPECT_EQ(lighter, 0);
+}
+
 }  // namespace
 }  // namespace kerf
