@@ -37,6 +37,8 @@ class PanesOfRecording final : public PanesFilm<D> {
     PanesFrame<D> frame;
     frame.scene = name_;
     frame.step = step_;
+    frame.step_name = given_step_name(recording_->info().names, step_);
+    frame.objects = table_.size();
     frame.moving = kerf::count_moving(table_);
     frame.bodies =
         recorded_bodies<D>(table_, {looks_.at(step_), recording_->shapes(), recording_->info().marks});

@@ -35,6 +35,7 @@ class PanesOfScene final : public PanesFilm<D> {
     PanesFrame<D> frame;
     frame.scene = name_;
     frame.step = scene_->step();
+    frame.objects = static_cast<std::uint32_t>(bodies.size());
     frame.moving = count_moving(bodies);
     frame.bodies.assign(bodies.begin(), bodies.end());
     frame.contacts.assign(scene_->contacts().begin(), scene_->contacts().end());

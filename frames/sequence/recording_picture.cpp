@@ -4,6 +4,7 @@
 
 #include "core/replay/recorded_looks.h"
 #include "core/trace/event_facts.h"
+#include "core/tree/statistics_of.h"
 #include "frames/sequence/recording_file.h"
 #include "viz/draw/frame_planner.h"
 #include "viz/draw/recorded_bodies.h"
@@ -66,8 +67,12 @@ Caption caption_of(const Cursor<D>& cursor) {
   caption.objects = objects.size();
   caption.moving = count_moving(objects);
   caption.pairs = cursor.state().pairs.size();
-  if (caption.step > 0) caption.statistics = recording.row(caption.step).statistics;
-  if (const auto event = cursor.event()) caption.note = note_of(*event, recording.info().names);
+  if (const auto event = cursor.event()) {
+    caption.note = note_of(*event, recording.info().names);
+    caption.statistics = statistics_of(cursor.state().tree, cursor.state().scheduler);
+  } else if (caption.step > 0) {
+    caption.statistics = recording.row(caption.step).statistics;
+  }
   caption.knows_contacts = false;
   return caption;
 }

@@ -46,6 +46,7 @@ PanesFrame<D> frame_of(const std::vector<std::string>& names) {
   PanesFrame<D> frame;
   frame.scene = D == 2 ? "buckets-2d" : "buckets";
   frame.step = scene->step();
+  frame.objects = static_cast<std::uint32_t>(scene->bodies().size());
   frame.moving = options.objects;
   frame.bodies.assign(scene->bodies().begin(), scene->bodies().end());
   frame.contacts.assign(scene->contacts().begin(), scene->contacts().end());

@@ -180,8 +180,9 @@ PaneLines pane_lines(const StructurePane<D>& pane, bool is_timed, std::size_t le
 
 template <int D>
 std::string panes_title(const PanesFrame<D>& frame) {
-  return "scene " + frame.scene + "  step " + figure(frame.step, 5) + "  objects " +
-         figure(frame.bodies.size(), 5) + "  moving " + figure(frame.moving, 5);
+  const std::string step = frame.step_name.empty() ? figure(frame.step, 5) : frame.step_name;
+  return "scene " + frame.scene + "  step " + step + "  objects " + figure(frame.objects, 5) + "  moving " +
+         figure(frame.moving, 5);
 }
 
 int legend_lines(const PanesLegend& legend, const Font& font, int width) {

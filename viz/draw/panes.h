@@ -38,8 +38,10 @@ template <int D>
 struct PanesFrame {
   std::string scene;
   std::uint32_t step = 0;
-  std::uint32_t moving = 0;
-  std::vector<Body<D>> bodies;  ///< body k is object k
+  std::string step_name;        ///< what an import calls the step; empty: its number
+  std::uint32_t objects = 0;    ///< that are there
+  std::uint32_t moving = 0;     ///< of them
+  std::vector<Body<D>> bodies;  ///< body k is object k, also of one that is gone
   std::vector<Pair> contacts;   ///< sorted
   Box<D> bounds;                ///< that each pane frames
   bool has_strips = false;      ///< panes keep room for lists along axes

@@ -56,6 +56,8 @@ std::vector<std::uint8_t> pack_panes(const PanesFrame<D>& frame) {
   input.contacts = frame.contacts;
   input.caption.scene = frame.scene;
   input.caption.step = frame.step;
+  input.caption.step_name = frame.step_name;
+  input.caption.objects = frame.objects;
   input.caption.moving = frame.moving;
   FramePlan<D> plan;
   plan.bounds = frame.bounds;
@@ -83,6 +85,8 @@ PanesFrame<D> unpack_panes(std::span<const std::uint8_t> bytes) {
   PanesFrame<D> frame;
   frame.scene = parcel.caption.scene;
   frame.step = parcel.caption.step;
+  frame.step_name = parcel.caption.step_name;
+  frame.objects = parcel.caption.objects;
   frame.moving = parcel.caption.moving;
   frame.bodies = std::move(parcel.bodies);
   frame.contacts = std::move(parcel.contacts);

@@ -78,6 +78,23 @@ TEST_F(RecordingPicture, TheCaptionSaysOfWhichStepItsPairsAre) {
   EXPECT_THAT(texts(), Not(Contains(HasSubstr("of step "))));
 }
 
+/// The number that follows a word of the caption.
+std::string value_of(const std::vector<std::string>& texts, const std::string& word) {
+  const auto at = std::ranges::find(texts, word);
+  return at == texts.end() || at + 1 == texts.end() ? "none" : *(at + 1);
+}
+
+/// The count of leaves is that of the tree in the picture, not of the tree at the end of the step.
+TEST_F(RecordingPicture, TheCaptionIsOfTheMomentNotOfItsStepsEnd) {
+  go_to("op==split && kind==acted");
+  const std::uint32_t step = cursor().position().step;
+  const std::uint32_t before = cursor().recording().row(step - 1).statistics.leaves;
+  ASSERT_NE(cursor().recording().row(step).statistics.leaves, before);
+  EXPECT_THAT(value_of(texts(), "leaves"), EndsWith(" " + std::to_string(before + 1)));
+  go_to("step==" + std::to_string(step) + " && kind==placed");
+  EXPECT_THAT(value_of(texts(), "leaves"), EndsWith(" " + std::to_string(before))) << "it was not split yet";
+}
+
 TEST_F(RecordingPicture, NothingIsSaidOfContactsThatNoRecordingHolds) {
   cursor().go_to_step(40);
   EXPECT_THAT(texts(), Not(Contains(HasSubstr("contact"))));

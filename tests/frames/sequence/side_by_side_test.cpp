@@ -13,6 +13,7 @@
 #include "frames/sequence/pane_of.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/moving_boxes.h"
+#include "viz/draw/pane_text.h"
 
 namespace kerf::test {
 namespace {
@@ -73,7 +74,9 @@ TYPED_TEST(SideBySideTest, PanesArriveInAnotherProcessAsTheyWere) {
   PanesFrame<kD> frame;
   frame.scene = "two";
   frame.step = 7;
-  frame.moving = 2;
+  frame.step_name = "1250";
+  frame.objects = 2;
+  frame.moving = 1;
   frame.bodies = bodies;
   frame.contacts = {{{0}, {1}}};
   frame.has_strips = true;
@@ -84,6 +87,7 @@ TYPED_TEST(SideBySideTest, PanesArriveInAnotherProcessAsTheyWere) {
   const PanesFrame<kD> read = unpack_panes<kD>(pack_panes(frame));
   EXPECT_EQ(read.scene, "two");
   EXPECT_EQ(read.step, 7U);
+  EXPECT_EQ(panes_title(read), "scene two  step 1250  objects     2  moving     1");
   EXPECT_EQ(read.samples, 1);
   EXPECT_EQ(read.columns, 2);
   EXPECT_TRUE(read.has_strips);
