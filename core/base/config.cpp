@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <variant>
 
+#include "core/base/assignments.h"
+
 namespace kerf {
 namespace {
 
@@ -194,16 +196,7 @@ void set(Config& config, std::string_view name, std::string_view value) {
 
 void apply(Config& config, std::string_view assignments) {
   Config changed = config;
-  while (!assignments.empty()) {
-    const std::size_t comma = std::min(assignments.find(','), assignments.size());
-    const std::string_view item = assignments.substr(0, comma);
-    const std::size_t equals = item.find('=');
-    if (equals == std::string_view::npos)
-      throw std::invalid_argument("configuration: '" + std::string(item) +
-                                  "' is not of the form parameter=value");
-    set(changed, item.substr(0, equals), item.substr(equals + 1));
-    assignments.remove_prefix(std::min(comma + 1, assignments.size()));
-  }
+  for (const auto& [name, value] : parse_assignments(assignments)) set(changed, name, value);
   check(changed);
   config = changed;
 }

@@ -96,7 +96,7 @@ std::string get(const Config& config, std::string_view name);
 /// Sets one parameter from text. Throws std::invalid_argument with a message that names the parameter, what
 /// was given and what is allowed; `config` is then unchanged.
 void set(Config& config, std::string_view name, std::string_view value);
-/// Applies "K=V,K=V,...". All or nothing; throws std::invalid_argument as `set` does.
+/// Applies "K=V,K=V,..."; later ones win. All or nothing; throws std::invalid_argument as `set` does.
 void apply(Config& config, std::string_view assignments);
 /// All parameters as "K=V,K=V,...", such that `apply` on a default Config gives this one.
 std::string to_string(const Config& config);

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "core/base/assignments.h"
+
 namespace kerf {
 namespace {
 
@@ -72,14 +74,7 @@ bool is_approximation_parameter(std::string_view name) {
 
 void apply(Approximation& how, std::string_view assignments) {
   Approximation changed = how;
-  while (!assignments.empty()) {
-    const std::string_view assignment = assignments.substr(0, assignments.find(','));
-    assignments.remove_prefix(assignment.size() + (assignment.size() < assignments.size() ? 1 : 0));
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string_view::npos)
-      throw std::invalid_argument("'" + std::string(assignment) + "' is not K=V, for example period=4");
-    set(changed, assignment.substr(0, equals), assignment.substr(equals + 1));
-  }
+  for (const auto& [name, value] : parse_assignments(assignments)) set(changed, name, value);
   check(changed);
   how = changed;
 }

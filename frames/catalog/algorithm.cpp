@@ -1,10 +1,10 @@
 #include "frames/catalog/algorithm.h"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/assignments.h"
 #include "core/base/config.h"
 #include "core/broad_phase/all_pairs.h"
 #include "core/broad_phase/approximate.h"
@@ -127,28 +127,13 @@ struct Parameters {
 
 Parameters part(std::string_view text) {
   Parameters parts;
-  std::set<std::string_view> given;
-  while (!text.empty()) {
-    const std::string_view assignment = text.substr(0, text.find(':'));
-    text.remove_prefix(std::min(text.size(), assignment.size() + 1));
-    const std::string_view name = assignment.substr(0, assignment.find('='));
-    if (!given.insert(name).second)
-      throw UsageError("--algorithms: " + std::string(name) + " has two values; leave out one of them");
-    const bool approximate = is_approximation_parameter(name);
-    std::string& list = approximate ? parts.approximation : parts.config;
-    list += (list.empty() ? "" : ",") + std::string(assignment);
+  const std::vector<Assignment> all = parse_assignments(text, ':');
+  refuse_second_values(all);
+  for (const auto& [name, value] : all) {
+    std::string& list = is_approximation_parameter(name) ? parts.approximation : parts.config;
+    list += (list.empty() ? "" : ",") + std::string(name) + "=" + std::string(value);
   }
   return parts;
-}
-
-Approximation parse_approximation(const std::string& text) {
-  try {
-    Approximation how;
-    kerf::apply(how, text);
-    return how;
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(std::string("--algorithms: ") + error.what());
-  }
 }
 
 template <int D>
@@ -179,7 +164,7 @@ std::vector<Algorithm<D>> algorithms() {
 }
 
 template <int D>
-std::optional<Algorithm<D>> find_algorithm(std::string_view text) {
+std::optional<Algorithm<D>> find_algorithm(std::string_view text) try {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return find_named<D>(text);
   const std::string_view base = text.substr(0, colon);
@@ -189,9 +174,12 @@ std::optional<Algorithm<D>> find_algorithm(std::string_view text) {
   const Parameters parts = part(text.substr(colon + 1));
   const Config config =
       parse_config("--algorithms", parts.config, base == kTunedTree ? tuned_config() : Config{});
-  const Approximation how = parse_approximation(parts.approximation);
+  Approximation how;
+  kerf::apply(how, parts.approximation);
   Algorithm<D> other = tree<D>(text, "the tree with other parameters", config);
   return how == Approximation{} ? other : approximate(std::move(other), how);
+} catch (const std::invalid_argument& error) {
+  throw UsageError(std::string("--algorithms: ") + error.what());
 }
 
 void check_algorithm(std::string_view text) {
