@@ -251,7 +251,7 @@ void DebugCommand::run() const {
   outputs.add_recording(texts_.record);
   add_pictures(lines, pictures.path, outputs);
   const auto remembered = window_file();
-  if (remembered) {
+  if (remembered && !window_file_.empty()) {  // of one that was not named the window says what is wrong
     outputs.add_kept(*remembered);
     check_window_file(*remembered);
   }

@@ -295,6 +295,19 @@ TEST_F(DebugProgram, WithoutADisplayItSaysWhatToDo) {
   EXPECT_THAT(outcome.err, HasSubstr("--headless"));
 }
 
+/// What is wrong with a file that was not named is said in the window, which opens all the same.
+TEST_F(DebugProgram, AForeignFileInThePlaceOfTheWindowsIsNoReasonNotToStart) {
+  record();
+  std::filesystem::create_directories(path("config/kerf"));
+  write("config/kerf/debug-window", "mine\n");
+  const std::string command =
+      "unset DISPLAY WAYLAND_DISPLAY; export XDG_CONFIG_HOME=\"$2\"; exec \"$0\" debug \"$1\"";
+  const RunOutcome outcome =
+      Process({"/bin/sh", "-c", command, test::kerf_command({})[0], path("run.kerf"), path("config")}).wait();
+  EXPECT_THAT(outcome.err, HasSubstr("--headless")) << "only the display was missing";
+  EXPECT_EQ(test::read_text(path("config/kerf/debug-window")), "mine\n");
+}
+
 /// Pixels of two pictures that differ by more than `tolerance` in a channel.
 std::size_t different_pixels(const Image& a, const Image& b, int tolerance) {
   std::size_t count = 0;

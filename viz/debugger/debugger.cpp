@@ -241,14 +241,13 @@ void Debugger::use_mouse(PanelContext& context, const PanelArea& area) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool hovered = ImGui::IsItemHovered();
   const auto scale = static_cast<float>(gui_.scale());
-  const ImVec2 moved{scale * io.MouseDelta.x, scale * io.MouseDelta.y};
-  is_turning_ = ImGui::IsItemActive() && has_dragged(io.MouseDown[1] ? 1 : 0);
-  if (ImGui::IsItemActive() && (moved.x != 0 || moved.y != 0)) {
-    if (io.MouseDown[1]) {
-      view_->move(double{moved.x}, double{moved.y});
-    } else {
-      view_->turn(double{moved.x}, double{moved.y});
-    }
+  const int button = io.MouseDown[1] ? 1 : 0;
+  const bool was_turning = std::exchange(is_turning_, ImGui::IsItemActive() && has_dragged(button));
+  if (is_turning_) {  // what a hand trembles in a click moves nothing; the whole way counts once it is a drag
+    const ImVec2 way = was_turning ? io.MouseDelta : ImGui::GetMouseDragDelta(button, 0);
+    const double right = double{scale * way.x};
+    const double down = double{scale * way.y};
+    if (right != 0 || down != 0) button == 1 ? view_->move(right, down) : view_->turn(right, down);
   }
   const double x = double{scale * io.MousePos.x - pixels(area.x)};
   const double y = double{scale * io.MousePos.y - pixels(area.y)};

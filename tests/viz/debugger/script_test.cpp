@@ -323,6 +323,15 @@ TEST_F(ScriptedDebugger, AKeySeesTheSceneFromItsSides) {
   EXPECT_NE(picture("iso"), picture("top"));
 }
 
+TEST_F(ScriptedDebugger, AClickMovesNothingThoughTheHandTrembles) {
+  EXPECT_EQ(play("key End\nhover view@0.03,0.9\nwait 1\nscreenshot before\n"
+                 "drag view@0.03,0.9 view@0.032,0.902\nhover view@0.03,0.9\nwait 1\nscreenshot after\n"
+                 "drag view@0.03,0.9 view@0.04,0.92\nhover view@0.03,0.9\nwait 1\nscreenshot turned\n"),
+            "");
+  EXPECT_EQ(picture("before"), picture("after"));
+  EXPECT_NE(picture("before"), picture("turned"));
+}
+
 TEST_F(ScriptedDebugger, ColoursEndAtTheSameValueInEveryMoment) {
   for (const char* const tint : {"population", "cost"})
     EXPECT_EQ(play("click colour\nclick \"colour " + std::string(tint) +
