@@ -113,9 +113,18 @@ py::array_t<double> doubles_of(const py::array& array) {
   return doubles;
 }
 
+/// Whether it is an array of numpy.ma with something masked. The type alone says that a plain array is none.
+bool has_mask(const py::handle& given) {
+  if (!py::isinstance<py::array>(given) || py::type::of(given).is(py::type::of(py::array()))) return false;
+  if (!py::hasattr(given, "mask")) return false;
+  return py::bool_(py::module_::import("numpy").attr("any")(given.attr("mask")));
+}
+
 }  // namespace
 
 py::array as_array(const py::handle& given, const std::string& what) {
+  if (has_mask(given))
+    fail(what, "this is a masked array, and a mask is not heeded; leave the masked rows out");
   py::array array = py::array::ensure(given);
   if (array) return array;
   PyErr_Clear();

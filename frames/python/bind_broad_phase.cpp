@@ -1,3 +1,4 @@
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include "frames/python/bind_queries.h"
@@ -25,7 +26,9 @@ tree         'kerf', the fastest parameters known, or 'kerf-paper', those of the
 config       parameters that differ: a dict, or 'name=value,...' (`kerf render --help` lists them)
 threads      how many may share a step, and do if that is faster; pairs and their order are the same for any number
 changes      True: each step also finds the pairs that begin and end
-record       a file: also records the run, for kerf.Recording and `kerf debug`; close() completes it
+record       a file: also records the run, for kerf.Recording and `kerf debug`; close() completes it, as the end of the
+             object does
+overwrite    the recording may take an earlier one's place
 
 An object is used by one thread at a time; step() lets other threads of Python run meanwhile.)";
 
@@ -57,10 +60,10 @@ boxes   (n, 2, d): moves all objects first, as move(boxes) does; None: none
 Each pair comes once, the smaller id first, in an order that is the same in every run.)";
 
 std::unique_ptr<PythonBroadPhase> make(int dimension, const std::string& tree, const py::object& config,
-                                       unsigned threads, bool changes, const py::object& record) {
-  BroadPhaseOptions options{config_from(config_of_tree(tree), config), threads, changes};
-  if (!record.is_none()) options.record = record.cast<std::filesystem::path>();
-  return make_broad_phase(dimension, options);
+                                       unsigned threads, bool changes,
+                                       const std::optional<std::filesystem::path>& record, bool overwrite) {
+  return make_broad_phase(dimension, {config_from(config_of_tree(tree), config), threads, changes,
+                                      record.value_or(std::filesystem::path()), overwrite});
 }
 
 std::string text_of(const PythonBroadPhase& phase) {
@@ -100,7 +103,7 @@ void bind_broad_phase(py::module_& module) {
   py::class_<Subject> type(module, "BroadPhase", kBroadPhaseClass);
   type.def(py::init(&make), py::arg("dimension"), py::kw_only(), py::arg("tree") = "kerf",
            py::arg("config") = py::none(), py::arg("threads") = 1, py::arg("changes") = false,
-           py::arg("record") = py::none())
+           py::arg("record") = py::none(), py::arg("overwrite") = false)
       .def("insert", &Subject::insert, py::arg("boxes"), py::kw_only(), py::arg("ids") = py::none(),
            py::arg("fixed") = false, kInsert)
       .def("move", &Subject::move, py::arg("boxes"), py::arg("ids") = py::none(), kMove)

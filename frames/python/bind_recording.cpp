@@ -123,7 +123,7 @@ bool has_moment(const std::filesystem::path& path, const std::string& condition)
 
 std::unique_ptr<Opened> minimize(Opened& recording, const py::object& holds, const std::filesystem::path& out,
                                  bool overwrite) {
-  check_free(out, overwrite);
+  check_recording(out, overwrite, recording.path());
   std::uint32_t last = recording.steps();
   StillHolds still;
   if (py::isinstance<py::str>(holds)) {
@@ -139,7 +139,7 @@ std::unique_ptr<Opened> minimize(Opened& recording, const py::object& holds, con
   } else {
     still = [holds](const std::filesystem::path& path) {
       const py::gil_scoped_acquire lock;
-      return holds(open_recording(path)).cast<bool>();
+      return static_cast<bool>(py::bool_(holds(open_recording(path))));  // as `if` would read it
     };
     if (!still(recording.path()))
       throw py::value_error(
@@ -329,12 +329,26 @@ py::dict enum_names() {
   return all;
 }
 
+/// A message may hold a path that is no UTF-8, and reads as Python writes such names.
+void register_error(py::module_& module) {
+  static py::exception<RecordingError> type(module, "RecordingError", PyExc_RuntimeError);
+  type.doc() =
+      "A file that is no recording, is damaged, cannot be written, or does not have what was asked for.";
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const RecordingError& error) {
+      const auto message = py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefault(error.what()));
+      PyErr_SetObject(type.ptr(), message.ptr());
+    }
+  });
+}
+
 }  // namespace
 
 void bind_recording(py::module_& module) {
   register_rows();
-  py::register_exception<RecordingError>(module, "RecordingError", PyExc_RuntimeError).doc() =
-      "A file that is no recording, is damaged, cannot be written, or does not have what was asked for.";
+  register_error(module);
   module.attr("_names") = enum_names();
   bind_why(module);
   bind_comparison(module);

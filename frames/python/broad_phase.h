@@ -21,6 +21,7 @@ struct BroadPhaseOptions {
   unsigned threads = 1;
   bool changes = false;            ///< also finds the pairs that begin and end
   std::filesystem::path record{};  ///< also records the run; empty: does not
+  bool overwrite = false;          ///< an earlier recording of that name
 };
 
 /// `kerf.BroadPhase`, of either dimension. Arguments come as Python gave them; what is wrong with them is a

@@ -43,7 +43,9 @@ void check_once(std::span<const ObjectId> ids) {
 
 template <int D>
 BroadPhaseOf<D>::BroadPhaseOf(const BroadPhaseOptions& options)
-    : config_(options.config), run_(options.config, options.record), threads_(options.threads) {
+    : config_(options.config),
+      run_(options.config, options.record, options.overwrite),
+      threads_(options.threads) {
   run_.set_threads(options.threads);
   if (options.changes) changes_.emplace();
 }

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "frames/support/outputs.h"
+
 namespace kerf::python {
 
 /// `kerf.RecordingError`: a file that is no recording, or damaged, or cannot be written, or does not have
@@ -27,11 +29,13 @@ auto of_recording(Work work) {
   }
 }
 
-/// Throws RecordingError if there is a file of the name that must not be replaced: before the work, not
-/// after.
-inline void check_free(const std::filesystem::path& out, bool overwrite) {
-  if (!overwrite && std::filesystem::exists(out))
-    throw RecordingError(out.string() + " exists: give another name, or overwrite=True");
+/// Throws RecordingError, before the work, not after, if no recording can be put there: what is there is not
+/// to be replaced, is no recording, or is `read` by the same call.
+inline void check_recording(const std::filesystem::path& out, bool overwrite,
+                            const std::filesystem::path& read = {}) {
+  of_recording([&] {
+    Outputs({read}, overwrite, " exists: give another name, or overwrite=True").add_recording(out);
+  });
 }
 
 }  // namespace kerf::python

@@ -232,7 +232,7 @@ void RecordingOf<D>::what_if(const WhatIf& change, const std::filesystem::path& 
   const Config config = config_from(config_of(info(), change.first), change.config);
   Interrupts interrupts;
   undisturbed([&] {
-    check_free(out, overwrite);
+    check_recording(out, overwrite, path_);
     if (!replayer_) replayer_.emplace(reader_);
     if (change.refuse) decide(changed, *replayer_, *change.refuse);
     if (change.take) decide(changed, *replayer_, change.take->first, change.take->second);

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "frames/python/errors.h"
+
 namespace kerf::python {
 namespace {
 
@@ -17,18 +19,35 @@ RecordingInfo info_of(const Config& config) {
 }  // namespace
 
 template <int D>
-Run<D>::Recorded::Recorded(const Config& config, const std::filesystem::path& path)
-    : part(path, Replace::earlier), bsp(config) {
+Run<D>::Recorded::Recorded(const Config& config, const std::filesystem::path& path, bool overwrite)
+    : part(path, replace_if(overwrite)), bsp(config) {
   recorder.emplace(bsp, part.path(), info_of<D>(config));
 }
 
 template <int D>
-Run<D>::Run(const Config& config, const std::filesystem::path& record) {
+Run<D>::Run(const Config& config, const std::filesystem::path& record, bool overwrite) {
   if (record.empty()) {
     quiet_ = std::make_unique<Bsp<D>>(config);
     quiet_->time_phases(true);
   } else {
-    recorded_ = std::make_unique<Recorded>(config, record);
+    check_recording(record, overwrite);
+    recorded_ = std::make_unique<Recorded>(config, record, overwrite);
+  }
+}
+
+/// Where even that fails, the part that was written stays beside the name.
+template <int D>
+Run<D>::~Run() {
+  if (!recorded_ || !recorded_->recorder) return;
+  try {
+    if (is_torn_) {
+      recorded_->recorder.reset();
+      (void)recorded_->part.keep_as_far_as_it_came();
+    } else {
+      close();
+    }
+  } catch (const std::exception&) {
+    recorded_->part.leave();
   }
 }
 

@@ -15,8 +15,12 @@ template <int D>
 class Run {
  public:
   /// Throws std::invalid_argument for a configuration that cannot work, std::runtime_error if the recording
-  /// cannot be written. `record` may be empty.
-  Run(const Config& config, const std::filesystem::path& record);
+  /// cannot be written. `record` may be empty; `overwrite`: it may take an earlier recording's place.
+  Run(const Config& config, const std::filesystem::path& record, bool overwrite);
+  /// A recording that was not closed is kept as far as it came.
+  ~Run();
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   /// What takes the requests. Throws std::runtime_error after `close`, and after a change that was left
   /// half-made.
@@ -55,7 +59,7 @@ class Run {
  private:
   /// It is built beside its final name, and gets that when it is complete.
   struct Recorded {
-    Recorded(const Config& config, const std::filesystem::path& path);
+    Recorded(const Config& config, const std::filesystem::path& path, bool overwrite);
     PartRecording part;
     Bsp<D, EventLog> bsp;
     std::optional<Recorder<D>> recorder;  ///< none: the recording is complete

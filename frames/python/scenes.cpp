@@ -140,7 +140,7 @@ void record_scene(const SceneRun& run, const std::string& tree, const std::files
   {
     const py::gil_scoped_release others_run;
     of_recording([&] {
-      check_free(out, overwrite);
+      check_recording(out, overwrite);
       PartRecording part(out, replace_if(overwrite));
       std::visit(
           [&](const auto* entry) {

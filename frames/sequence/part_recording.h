@@ -25,6 +25,8 @@ class PartRecording {
   /// Of a run that ended early: gives it its final name if that is free, for an earlier recording that is
   /// whole is not replaced by a part of one. Returns where it is.
   std::filesystem::path keep_as_far_as_it_came();
+  /// Leaves it where it is written.
+  void leave() { part_.leave(); }
 
  private:
   WriterLock lock_;  ///< of the final name: no other process makes a recording of that name

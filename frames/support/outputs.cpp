@@ -63,15 +63,10 @@ void check_kind(const fs::path& out) {
     throw UsageError(out.string() + " is no regular file and is not replaced; choose another name");
 }
 
-void check_free(const fs::path& out, bool overwrite) {
-  if (!overwrite && fs::exists(out))
-    throw UsageError(out.string() + " exists already; choose another name, or replace it with --overwrite");
-}
-
 }  // namespace
 
-Outputs::Outputs(std::vector<fs::path> inputs, bool overwrite)
-    : inputs_(std::move(inputs)), overwrite_(overwrite) {
+Outputs::Outputs(std::vector<fs::path> inputs, bool overwrite, std::string if_there)
+    : inputs_(std::move(inputs)), overwrite_(overwrite), if_there_(std::move(if_there)) {
   std::erase_if(inputs_, [](const fs::path& input) { return input.empty(); });
 }
 
@@ -95,6 +90,10 @@ void Outputs::check_apart_from_outputs(const fs::path& out) {
   outputs_.push_back(place);
 }
 
+void Outputs::check_free(const fs::path& out) const {
+  if (!overwrite_ && fs::exists(out)) throw UsageError(out.string() + if_there_);
+}
+
 void Outputs::add_file(const fs::path& out) {
   if (out.empty()) return;
   check_apart_from_inputs(out);
@@ -103,7 +102,7 @@ void Outputs::add_file(const fs::path& out) {
   if (fs::exists(out) && looks_like_recording(out))
     throw UsageError(out.string() +
                      " is a recording and is not replaced by another kind of file; choose another name");
-  check_free(out, overwrite_);
+  check_free(out);
 }
 
 void Outputs::add_recording(const fs::path& out) {
@@ -111,7 +110,7 @@ void Outputs::add_recording(const fs::path& out) {
   check_apart_from_inputs(out);
   check_apart_from_outputs(out);
   check_kind(out);
-  check_free(out, overwrite_);
+  check_free(out);
   if (fs::exists(out) && !looks_like_recording(out))
     throw UsageError(out.string() + " is no recording and is not replaced; choose another name");
 }

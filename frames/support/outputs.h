@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/files/part_file.h"
@@ -11,8 +12,10 @@ namespace kerf {
 /// it writes and what is there already, before the command begins its work. A PartFile then builds it.
 class Outputs {
  public:
-  /// `inputs` are the files and folders that the command reads; empty ones are none.
-  Outputs(std::vector<std::filesystem::path> inputs, bool overwrite);
+  /// `inputs` are the files and folders that the command reads; empty ones are none. `if_there`: what is said
+  /// of an output that is there, behind its name.
+  Outputs(std::vector<std::filesystem::path> inputs, bool overwrite,
+          std::string if_there = " exists already; choose another name, or replace it with --overwrite");
 
   /// Each throws UsageError, which says what to do, if the output is one of the inputs or lies in one, by
   /// whatever name; if it is another output, a folder, a device or a link to nothing; if it is there and
@@ -32,10 +35,12 @@ class Outputs {
  private:
   void check_apart_from_inputs(const std::filesystem::path& out) const;
   void check_apart_from_outputs(const std::filesystem::path& out);
+  void check_free(const std::filesystem::path& out) const;
 
   std::vector<std::filesystem::path> inputs_;
   std::vector<std::filesystem::path> outputs_;  ///< resolved
   bool overwrite_;
+  std::string if_there_;
 };
 
 }  // namespace kerf

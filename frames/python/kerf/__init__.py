@@ -48,7 +48,14 @@ class Kind(enum.IntEnum):
 
 def index_of(handles):
     """The indices of handles of a World, in their shape: uint64, dense, less than World.bound."""
-    return np.asarray(handles, np.uint64) & np.uint64(0xFFFFFFF)
+    handles = np.asarray(handles)
+    if handles.size and handles.dtype.kind not in "iu":
+        raise ValueError(
+            f"handles: the dtype is {handles.dtype}, but handles are whole numbers; numpy makes float64 of uint64 beside int64"
+        )
+    if handles.size and handles.min() < 0:
+        raise ValueError("handles: there is a negative one")
+    return handles.astype(np.uint64) & np.uint64(0xFFFFFFF)
 
 
 class EventKind(enum.IntEnum):

@@ -33,6 +33,7 @@ class BroadPhase:
         threads: int = 1,
         changes: bool = False,
         record: Optional[_Path] = None,
+        overwrite: bool = False,
     ) -> None: ...
     def insert(
         self, boxes: npt.ArrayLike, *, ids: Optional[npt.ArrayLike] = None, fixed: npt.ArrayLike = False

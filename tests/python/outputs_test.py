@@ -1,0 +1,122 @@
+"""What the module writes: nothing else is lost by it, and nothing of a run is."""
+
+import os
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from conftest import random_boxes
+
+import kerf
+
+
+def record_a_step(path, overwrite=False):
+    with kerf.BroadPhase(2, record=path, overwrite=overwrite) as phase:
+        phase.insert(random_boxes(5, 2))
+        phase.step()
+
+
+WRITERS = {
+    "BroadPhase": lambda run, out: record_a_step(out, overwrite=True),
+    "record": lambda run, out: kerf.record("pile", out, steps=2, objects=20, overwrite=True),
+    "what_if": lambda run, out: run.what_if(out, config="min_threshold=64", overwrite=True),
+    "minimise": lambda run, out: run.minimise("pairs>0", out, overwrite=True),
+}
+
+
+@pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS.keys())
+def test_nothing_but_a_recording_is_replaced(writer, run, tmp_path):
+    (tmp_path / "thesis.txt").write_text("mine")
+    (tmp_path / "link").symlink_to("thesis.txt")
+    (tmp_path / "nowhere").symlink_to("nothing")
+    (tmp_path / "folder").mkdir()
+    os.mkfifo(tmp_path / "pipe")
+    for name, reason in {
+        "thesis.txt": "is no recording",
+        "link": "is no recording",
+        "nowhere": "link to nothing",
+        "folder": "is a folder",
+        "pipe": "is no regular file",
+    }.items():
+        with pytest.raises(kerf.RecordingError, match=reason):
+            writer(run, tmp_path / name)
+    assert (tmp_path / "thesis.txt").read_text() == "mine" and (tmp_path / "pipe").is_fifo()
+    assert sorted(os.listdir(tmp_path)) == ["folder", "link", "nowhere", "pipe", "thesis.txt"]
+
+
+def test_an_earlier_recording_of_a_tree_is_replaced_only_if_that_is_said(tmp_path):
+    path = tmp_path / "a.kerf"
+    record_a_step(path)
+    before = path.read_bytes()
+    with pytest.raises(kerf.RecordingError, match="exists: give another name, or overwrite=True"):
+        record_a_step(path)
+    assert path.read_bytes() == before
+    record_a_step(path, overwrite=True)
+    assert kerf.Recording(path).steps == 1
+
+
+@pytest.mark.parametrize("writer", ["what_if", "minimise"])
+def test_what_is_read_is_not_replaced(writer, run, tmp_path):
+    path = tmp_path / "a.kerf"
+    shutil.copy(kerf.record("pile", tmp_path / "b.kerf", steps=20, objects=30).path, path)
+    os.link(path, tmp_path / "other-name.kerf")
+    before = path.read_bytes()
+    for out in (path, tmp_path / "other-name.kerf"):
+        with pytest.raises(kerf.RecordingError, match="which is read"):
+            WRITERS[writer](kerf.Recording(path), out)
+    assert path.read_bytes() == before
+
+
+@pytest.mark.parametrize("end", ["", "del phase", "raise SystemExit(3)", "1 / 0"])
+def test_a_recording_that_was_not_closed_is_kept(end, tmp_path):
+    code = f"""
+import kerf
+phase = kerf.BroadPhase(2, record="a.kerf")
+phase.insert([[[0, 0], [1, 1]]])
+for _ in range(30):
+    phase.step()
+{end}
+"""
+    subprocess.run([sys.executable, "-c", code], cwd=tmp_path, check=False, capture_output=True)
+    assert os.listdir(tmp_path) == ["a.kerf"]
+    run = kerf.Recording(tmp_path / "a.kerf")
+    assert run.steps == 30 and run.info["complete"] and run.verify()
+
+
+def test_names_that_are_none(tmp_path):
+    with pytest.raises(TypeError):
+        kerf.BroadPhase(2, record=3)
+    with pytest.raises(kerf.RecordingError, match="missing-\udcff"):
+        kerf.Recording(str(tmp_path / "missing-\udcff.kerf"))
+
+
+def test_the_last_step_is_judged_however_seldom_brute_force_is_asked(run):
+    assert run.verify(99).judged == 1 and run.verify(25).judged == 3 and run.verify(0).judged == 0
+
+
+def test_a_function_that_decides_may_return_what_python_takes_for_true(run, tmp_path):
+    small = run.minimise(lambda other: other.find_all("pairs>0"), tmp_path / "small.kerf")
+    assert 0 < small.steps < run.steps and small.find("pairs>0")
+
+
+def test_masked_rows_are_not_taken_for_boxes():
+    boxes = np.ma.masked_array(random_boxes(3, 2), mask=False)
+    phase = kerf.BroadPhase(2)
+    phase.insert(boxes)  # nothing is masked
+    boxes[1] = np.ma.masked
+    for call in (phase.insert, phase.step, phase.query_boxes):
+        with pytest.raises(ValueError, match="masked array"):
+            call(boxes)
+    with pytest.raises(ValueError, match="masked array"):
+        phase.remove(np.ma.masked_array([0, 1], mask=[True, False]))
+    assert len(phase) == 3
+
+
+def test_only_handles_have_an_index():
+    assert kerf.index_of([]).size == 0
+    assert kerf.index_of(np.uint64(2**62 + 5)) == 5
+    for wrong in ([1.5], [-1], ["7"], [True], np.array([2**62 + 5], np.float64)):
+        with pytest.raises(ValueError, match="handles"):
+            kerf.index_of(wrong)
