@@ -229,7 +229,8 @@ void bind_verdict(py::module_& module) {
       .def("__bool__", &Verdict::holds)
       .def("__repr__", [](const Verdict& v) {
         return "<kerf.Verdict: " + std::to_string(v.steps) +
-               (v.holds() ? " steps hold>" : " steps, does not hold>");
+               (v.holds() ? " steps hold" : " steps, does not hold") + "; brute force was asked in " +
+               (v.judged == 0 ? "none>" : std::to_string(v.judged) + ">");
       });
 }
 

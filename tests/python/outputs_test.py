@@ -92,8 +92,9 @@ def test_names_that_are_none(tmp_path):
         kerf.Recording(str(tmp_path / "missing-\udcff.kerf"))
 
 
-def test_the_last_step_is_judged_however_seldom_brute_force_is_asked(run):
-    assert run.verify(99).judged == 1 and run.verify(25).judged == 3 and run.verify(0).judged == 0
+def test_a_verdict_says_whether_brute_force_was_asked(run):
+    assert repr(run.verify(99)) == "<kerf.Verdict: 60 steps hold; brute force was asked in none>"
+    assert repr(run.verify(25)) == "<kerf.Verdict: 60 steps hold; brute force was asked in 2>"
 
 
 def test_a_function_that_decides_may_return_what_python_takes_for_true(run, tmp_path):
