@@ -71,6 +71,11 @@ function(kerf_pkg_config target KERF_DESCRIPTION)
   endif()
   list(JOIN KERF_REQUIRES " " KERF_REQUIRES)
   list(JOIN KERF_REQUIRES_PRIVATE " " KERF_REQUIRES_PRIVATE)
+  set(KERF_PREFIX ${CMAKE_INSTALL_PREFIX})
+  if(NOT IS_ABSOLUTE ${CMAKE_INSTALL_LIBDIR})  # then it holds wherever `cmake --install --prefix` puts it
+    file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+    string(REGEX REPLACE "/$" "" KERF_PREFIX "\${pcfiledir}/${up}")
+  endif()
   configure_file(${PROJECT_SOURCE_DIR}/cmake/kerf.pc.in ${PROJECT_BINARY_DIR}/${KERF_MODULE}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${KERF_MODULE}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
     COMPONENT development)

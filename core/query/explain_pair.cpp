@@ -1,6 +1,7 @@
 #include "core/query/explain_pair.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/counted.h"
 #include "core/base/overloaded.h"
@@ -128,7 +129,8 @@ std::string reason_text(const PairExplanation<D>& e) {
   const std::string axis(1, "xyz"[e.axis]);
   if (e.both_fixed) return "both are fixed, and fixed objects are never a pair";
   if (e.is_given_pair)
-    return "their boxes overlap on every axis, least along " + axis + ": by " + number_text(-e.margin);
+    return "their boxes overlap on every axis, least along " + axis + ": by " +
+           number_text(std::abs(e.margin));
   if (e.boxes_overlap) return "their boxes overlap, but their volumes do not";
   return "axis " + axis + " separates them by " + number_text(e.margin);
 }

@@ -40,6 +40,7 @@ Real parse_real(std::string_view text) {
   Real real;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), real.value);
   real.is_number = error != std::errc::invalid_argument && end == text.data() + text.size();
+  real.value += 0.0;  // -0 is 0: a recording of doubles keeps no sign of a zero
   if (!real.is_number || error == std::errc{}) return real;
   real.is_too_large = std::abs(std::strtod(std::string(text).c_str(), nullptr)) > 1;
   real.value = std::copysign(std::numeric_limits<double>::denorm_min(), text.front() == '-' ? -1.0 : 1.0);

@@ -231,5 +231,15 @@ TEST_F(ImportProgram, InterruptedItLeavesNothing) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
+/// A recording of doubles keeps no sign of a zero, one of floats did: what was exported was another run.
+TEST_F(ImportProgram, AMinusBeforeAZeroIsNothing) {
+  const std::string a =
+      write("a.csv", "step,object,min_x,max_x,min_y,max_y\n1,0,-1,-0.0,-0,1\n1,1,-0.0,0.1,0,1\n");
+  ASSERT_THAT(imported("a", a), HasSubstr("2 objects"));
+  ASSERT_NE(imported("b", write("b.csv", exported("a", "--boxes"))), "");
+  const RunOutcome compared = run_kerf({"compare", path("a.kerf"), path("b.kerf")});
+  EXPECT_EQ(compared.exit, 0) << compared.out;
+}
+
 }  // namespace
 }  // namespace kerf
