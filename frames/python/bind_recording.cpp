@@ -332,9 +332,10 @@ py::dict enum_names() {
 
 /// A message may hold a path that is no UTF-8, and reads as Python writes such names.
 void register_error(py::module_& module) {
-  static py::exception<RecordingError> type(module, "RecordingError", PyExc_RuntimeError);
-  type.doc() =
+  py::exception<RecordingError> made(module, "RecordingError", PyExc_RuntimeError);
+  made.doc() =
       "A file that is no recording, is damaged, cannot be written, or does not have what was asked for.";
+  static const py::handle type = made.release();  // Python ends before what is static does
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

@@ -35,10 +35,11 @@ Run<D>::Run(const Config& config, const std::filesystem::path& record, bool over
   }
 }
 
-/// Where even that fails, the part that was written stays beside the name.
+/// Without a step there is nothing to keep: the call that made the run may have failed. Where keeping fails,
+/// the part that was written stays beside the name.
 template <int D>
 Run<D>::~Run() {
-  if (!recorded_ || !recorded_->recorder) return;
+  if (!recorded_ || !recorded_->recorder || steps() == 0) return;
   try {
     if (is_torn_) {
       recorded_->recorder.reset();

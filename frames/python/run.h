@@ -17,7 +17,7 @@ class Run {
   /// Throws std::invalid_argument for a configuration that cannot work, std::runtime_error if the recording
   /// cannot be written. `record` may be empty; `overwrite`: it may take an earlier recording's place.
   Run(const Config& config, const std::filesystem::path& record, bool overwrite);
-  /// A recording that was not closed is kept as far as it came.
+  /// A recording that was not closed is kept as far as it came, if it has a step.
   ~Run();
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;

@@ -85,6 +85,15 @@ for _ in range(30):
     assert run.steps == 30 and run.info["complete"] and run.verify()
 
 
+def test_a_call_that_fails_replaces_nothing(tmp_path):
+    record_a_step(tmp_path / "a.kerf")
+    before = (tmp_path / "a.kerf").read_bytes()
+    for name in ("a.kerf", "b.kerf"):
+        with pytest.raises(ValueError):
+            kerf.BroadPhase(2, record=tmp_path / name, overwrite=True, threads=0)
+    assert os.listdir(tmp_path) == ["a.kerf"] and (tmp_path / "a.kerf").read_bytes() == before
+
+
 def test_names_that_are_none(tmp_path):
     with pytest.raises(TypeError):
         kerf.BroadPhase(2, record=3)

@@ -51,7 +51,8 @@ def index_of(handles):
     handles = np.asarray(handles)
     if handles.size and handles.dtype.kind not in "iu":
         raise ValueError(
-            f"handles: the dtype is {handles.dtype}, but handles are whole numbers; numpy makes float64 of uint64 beside int64"
+            f"handles: the dtype is {handles.dtype}, but handles are whole numbers; "
+            "numpy makes float64 of uint64 beside int64"
         )
     if handles.size and handles.min() < 0:
         raise ValueError("handles: there is a negative one")
