@@ -27,56 +27,83 @@ struct Queue {
 };
 
 HWY_INLINE bool has_blocks(std::uint32_t item) { return (item & 1U) != 0; }
-HWY_INLINE bool has_room(const FoundRoom& room) {
-  return static_cast<std::size_t>(room.limit - room.next) >= kBlockWidth;
+
+template <class Finding>
+HWY_INLINE bool has_room(FoundRoom<Finding>& room) {
+  return static_cast<std::size_t>(room.limit - room.next) >= kBlockWidth || room.make_room(room);
+}
+
+/// Hands on the blocks of objects whose bounds the finder reaches, until it has enough.
+template <int D, class Finder>
+HWY_INLINE void search(const BlockView<D>& view, const Finder& finder) {
+  Queue queue;
+  queue.waiting[0] = view.root;
+  while (!queue.is_empty()) {
+    const std::uint32_t item = queue.take();
+    const WideBlock<D>& block = view.blocks[item >> 1U];
+    if (has_blocks(item)) {
+      for (std::size_t k = 0; k < kBlockWidth; k += kPart)
+        queue.tail += write_items(block, k, finder.reaches(block, k), queue.waiting + queue.tail);
+    } else if (!has_room(finder.room) || !finder.take(block, (item >> 1U) * kBlockWidth)) {
+      return;
+    }
+  }
 }
 
 template <int D>
-HWY_INLINE void overlap_all(const BlockView<D>& view, const Box<D>& box, FoundRoom& room) {
-  const OverlapTest<D> test(box);
-  Queue queue;
-  queue.waiting[0] = view.root;
-  while (!queue.is_empty()) {
-    const std::uint32_t item = queue.take();
-    const WideBlock<D>& block = view.blocks[item >> 1U];
-    if (has_blocks(item)) {
-      for (std::size_t k = 0; k < kBlockWidth; k += kPart)
-        queue.tail += write_items(block, k, test(block, k), queue.waiting + queue.tail);
-      continue;
-    }
-    if (!has_room(room) && !room.make_room(room)) return;
+struct OverlapFinder {
+  HWY_INLINE Marks reaches(const WideBlock<D>& block, std::size_t k) const { return test(block, k); }
+  HWY_INLINE bool take(const WideBlock<D>& block, std::size_t /*first*/) const {
     for (std::size_t k = 0; k < kBlockWidth; k += kPart)
       room.next += write_items(block, k, test(block, k), room.next);
+    return true;
   }
-}
+  const OverlapTest<D> test;
+  FoundRoom<std::uint32_t>& room;
+};
 
 template <int D, class Test>
-HWY_INLINE void possible_all(const BlockView<D>& view, const Test& given, FoundRoom& room) {
-  const TestOf<D, Test> test(given);
-  Queue queue;
-  queue.waiting[0] = view.root;
-  while (!queue.is_empty()) {
-    const std::uint32_t item = queue.take();
-    const WideBlock<D>& block = view.blocks[item >> 1U];
-    if (has_blocks(item)) {
-      for (std::size_t k = 0; k < kBlockWidth; k += kPart)
-        queue.tail += write_items(block, k, test(block, k).possible, queue.waiting + queue.tail);
-      continue;
-    }
-    if (!has_room(room) && !room.make_room(room)) return;
-    const std::uint32_t first = (item >> 1U) * kBlockWidth;
+struct PossibleFinder {
+  HWY_INLINE Marks reaches(const WideBlock<D>& block, std::size_t k) const { return test(block, k).possible; }
+  HWY_INLINE bool take(const WideBlock<D>& block, std::size_t first) const {
     for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
-      const auto answer = test(block, k);
+      const Answer answer = test(block, k);
+      const Marks sure = hn::And(answer.possible, test.sure_of(answer));
+      room.next += write_items(block, k, sure, room.next);
+      for (std::uint32_t bits = bits_of(hn::AndNot(sure, answer.possible)); bits != 0; bits &= bits - 1) {
+        const std::size_t lane = k + first_bit(bits);
+        if (room.confirm(room, static_cast<std::uint32_t>(first + lane))) *room.next++ = block.item[lane];
+      }
+    }
+    return true;
+  }
+  const TestOf<D, Test> test;
+  FoundRoom<std::uint32_t>& room;
+};
+
+template <int D>
+struct HitFinder {
+  HWY_INLINE Marks reaches(const WideBlock<D>& block, std::size_t k) const { return test(block, k).possible; }
+  HWY_INLINE bool take(const WideBlock<D>& block, std::size_t first) const {
+    for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
+      const Answer answer = test(block, k);
       std::uint32_t bits = bits_of(answer.possible);
       if (bits == 0) continue;
       const std::uint32_t sure = bits_of(test.sure_of(answer));
+      std::uint32_t times[kPart];
+      test.store_times(block, k, reinterpret_cast<float*>(times));
       for (; bits != 0; bits &= bits - 1) {
         const std::uint32_t lane = first_bit(bits);
-        *room.next++ = (first + static_cast<std::uint32_t>(k) + lane) * 2 + (((sure >> lane) & 1U) ^ 1U);
+        if ((sure >> lane & 1U) == 0 && !room.confirm(room, static_cast<std::uint32_t>(first + k) + lane))
+          continue;
+        *room.next++ = HitNumber{times[lane]} << 32U | block.item[k + lane];
       }
     }
+    return true;
   }
-}
+  const TestOf<D, CastTest<D>> test;
+  FoundRoom<HitNumber>& room;
+};
 
 /// A block that waits, and how near it is at least.
 struct Waiting {
@@ -134,24 +161,27 @@ HWY_INLINE void near_all(const BlockView<D>& view, const Test& given, NearRoom& 
   }
 }
 
-#define KERF_KERNELS(D)                                                                       \
-  void overlaps_##D(const BlockView<D>& view, const Box<D>& box, FoundRoom& room) {           \
-    overlap_all<D>(view, box, room);                                                          \
-  }                                                                                           \
-  void casts_##D(const BlockView<D>& view, const CastTest<D>& test, FoundRoom& room) {        \
-    possible_all<D>(view, test, room);                                                        \
-  }                                                                                           \
-  void balls_##D(const BlockView<D>& view, const BallTest<D>& test, FoundRoom& room) {        \
-    possible_all<D>(view, test, room);                                                        \
-  }                                                                                           \
-  void spaces_##D(const BlockView<D>& view, const HalfSpacesTest<D>& test, FoundRoom& room) { \
-    possible_all<D>(view, test, room);                                                        \
-  }                                                                                           \
-  void near_casts_##D(const BlockView<D>& view, const CastTest<D>& test, NearRoom& room) {    \
-    near_all<D>(view, test, room);                                                            \
-  }                                                                                           \
-  void near_balls_##D(const BlockView<D>& view, const BallTest<D>& test, NearRoom& room) {    \
-    near_all<D>(view, test, room);                                                            \
+#define KERF_KERNELS(D)                                                                                      \
+  void overlaps_##D(const BlockView<D>& view, const Box<D>& box, FoundRoom<std::uint32_t>& room) {           \
+    search(view, OverlapFinder<D>{OverlapTest<D>(box), room});                                               \
+  }                                                                                                          \
+  void casts_##D(const BlockView<D>& view, const CastTest<D>& test, FoundRoom<std::uint32_t>& room) {        \
+    search(view, PossibleFinder<D, CastTest<D>>{TestOf<D, CastTest<D>>(test), room});                        \
+  }                                                                                                          \
+  void balls_##D(const BlockView<D>& view, const BallTest<D>& test, FoundRoom<std::uint32_t>& room) {        \
+    search(view, PossibleFinder<D, BallTest<D>>{TestOf<D, BallTest<D>>(test), room});                        \
+  }                                                                                                          \
+  void spaces_##D(const BlockView<D>& view, const HalfSpacesTest<D>& test, FoundRoom<std::uint32_t>& room) { \
+    search(view, PossibleFinder<D, HalfSpacesTest<D>>{TestOf<D, HalfSpacesTest<D>>(test), room});            \
+  }                                                                                                          \
+  void hits_##D(const BlockView<D>& view, const CastTest<D>& test, FoundRoom<HitNumber>& room) {             \
+    search(view, HitFinder<D>{TestOf<D, CastTest<D>>(test), room});                                          \
+  }                                                                                                          \
+  void near_casts_##D(const BlockView<D>& view, const CastTest<D>& test, NearRoom& room) {                   \
+    near_all<D>(view, test, room);                                                                           \
+  }                                                                                                          \
+  void near_balls_##D(const BlockView<D>& view, const BallTest<D>& test, NearRoom& room) {                   \
+    near_all<D>(view, test, room);                                                                           \
   }
 KERF_KERNELS(2)
 KERF_KERNELS(3)
@@ -163,37 +193,44 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace kerf {
 
-#define KERF_EXPORT(D)                                                                                     \
-  HWY_EXPORT(overlaps_##D);                                                                                \
-  HWY_EXPORT(casts_##D);                                                                                   \
-  HWY_EXPORT(balls_##D);                                                                                   \
-  HWY_EXPORT(spaces_##D);                                                                                  \
-  HWY_EXPORT(near_casts_##D);                                                                              \
-  HWY_EXPORT(near_balls_##D);                                                                              \
-  template <>                                                                                              \
-  void find_overlaps<D>(const BlockView<D>& view, const Box<D>& region, FoundRoom& room) {                 \
-    HWY_DYNAMIC_DISPATCH(overlaps_##D)(view, region, room);                                                \
-  }                                                                                                        \
-  template <>                                                                                              \
-  void find_possible<D, CastTest<D>>(const BlockView<D>& view, const CastTest<D>& test, FoundRoom& room) { \
-    HWY_DYNAMIC_DISPATCH(casts_##D)(view, test, room);                                                     \
-  }                                                                                                        \
-  template <>                                                                                              \
-  void find_possible<D, BallTest<D>>(const BlockView<D>& view, const BallTest<D>& test, FoundRoom& room) { \
-    HWY_DYNAMIC_DISPATCH(balls_##D)(view, test, room);                                                     \
-  }                                                                                                        \
-  template <>                                                                                              \
-  void find_possible<D, HalfSpacesTest<D>>(const BlockView<D>& view, const HalfSpacesTest<D>& test,        \
-                                           FoundRoom& room) {                                              \
-    HWY_DYNAMIC_DISPATCH(spaces_##D)(view, test, room);                                                    \
-  }                                                                                                        \
-  template <>                                                                                              \
-  void find_near<D, CastTest<D>>(const BlockView<D>& view, const CastTest<D>& test, NearRoom& room) {      \
-    HWY_DYNAMIC_DISPATCH(near_casts_##D)(view, test, room);                                                \
-  }                                                                                                        \
-  template <>                                                                                              \
-  void find_near<D, BallTest<D>>(const BlockView<D>& view, const BallTest<D>& test, NearRoom& room) {      \
-    HWY_DYNAMIC_DISPATCH(near_balls_##D)(view, test, room);                                                \
+#define KERF_EXPORT(D)                                                                                    \
+  HWY_EXPORT(overlaps_##D);                                                                               \
+  HWY_EXPORT(casts_##D);                                                                                  \
+  HWY_EXPORT(balls_##D);                                                                                  \
+  HWY_EXPORT(spaces_##D);                                                                                 \
+  HWY_EXPORT(hits_##D);                                                                                   \
+  HWY_EXPORT(near_casts_##D);                                                                             \
+  HWY_EXPORT(near_balls_##D);                                                                             \
+  template <>                                                                                             \
+  void find_overlaps<D>(const BlockView<D>& view, const Box<D>& region, FoundRoom<std::uint32_t>& room) { \
+    HWY_DYNAMIC_DISPATCH(overlaps_##D)(view, region, room);                                               \
+  }                                                                                                       \
+  template <>                                                                                             \
+  void find_possible<D, CastTest<D>>(const BlockView<D>& view, const CastTest<D>& test,                   \
+                                     FoundRoom<std::uint32_t>& room) {                                    \
+    HWY_DYNAMIC_DISPATCH(casts_##D)(view, test, room);                                                    \
+  }                                                                                                       \
+  template <>                                                                                             \
+  void find_possible<D, BallTest<D>>(const BlockView<D>& view, const BallTest<D>& test,                   \
+                                     FoundRoom<std::uint32_t>& room) {                                    \
+    HWY_DYNAMIC_DISPATCH(balls_##D)(view, test, room);                                                    \
+  }                                                                                                       \
+  template <>                                                                                             \
+  void find_possible<D, HalfSpacesTest<D>>(const BlockView<D>& view, const HalfSpacesTest<D>& test,       \
+                                           FoundRoom<std::uint32_t>& room) {                              \
+    HWY_DYNAMIC_DISPATCH(spaces_##D)(view, test, room);                                                   \
+  }                                                                                                       \
+  template <>                                                                                             \
+  void find_hits<D>(const BlockView<D>& view, const CastTest<D>& test, FoundRoom<HitNumber>& room) {      \
+    HWY_DYNAMIC_DISPATCH(hits_##D)(view, test, room);                                                     \
+  }                                                                                                       \
+  template <>                                                                                             \
+  void find_near<D, CastTest<D>>(const BlockView<D>& view, const CastTest<D>& test, NearRoom& room) {     \
+    HWY_DYNAMIC_DISPATCH(near_casts_##D)(view, test, room);                                               \
+  }                                                                                                       \
+  template <>                                                                                             \
+  void find_near<D, BallTest<D>>(const BlockView<D>& view, const BallTest<D>& test, NearRoom& room) {     \
+    HWY_DYNAMIC_DISPATCH(near_balls_##D)(view, test, room);                                               \
   }
 KERF_EXPORT(2)
 KERF_EXPORT(3)

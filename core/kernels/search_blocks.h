@@ -16,12 +16,12 @@ namespace kerf {
 /// A cast: on each axis a box is met first with its near end, left with its far end.
 template <int D>
 struct CastTest {
-  std::array<Scalar, D> near_start{};      ///< the end of the moving box that meets the near end, at t = 0
-  std::array<Scalar, D> far_start{};       ///< the end that leaves the far end
-  std::array<Scalar, D> near_factor{};     ///< 1 / direction, smaller by more than all roundings
-  std::array<Scalar, D> far_factor{};      ///< larger
-  std::array<std::int8_t, D> direction{};  ///< its sign. If it is 0 the ends must be on their sides for all t
-  bool moves_on_all = true;                ///< no direction is 0
+  std::array<Scalar, D> near_start{};   ///< the end of the moving box that meets the near end, at t = 0
+  std::array<Scalar, D> far_start{};    ///< the end that leaves the far end
+  std::array<Scalar, D> near_factor{};  ///< 1 / direction, smaller by more than all roundings
+  std::array<Scalar, D> far_factor{};   ///< larger
+  std::array<double, D> direction{};    ///< if it is 0 the ends must be on their sides for all t
+  bool moves_on_all = true;             ///< no direction is 0
   Scalar max_t = 0;
 };
 
@@ -46,26 +46,37 @@ struct HalfSpacesTest {
   std::span<const RoundedHalfSpace<D>> all;
 };
 
-/// A slot of a block whose box was found, and whether the caller must confirm it.
+/// Where findings go: objects by id, or hits.
+template <class Finding>
+struct FoundRoom {
+  Finding* next = nullptr;
+  Finding* limit = nullptr;
+  /// Called when the room has less than a block's width left; false ends the search.
+  bool (*make_room)(FoundRoom& room) = nullptr;
+  /// Whether the box in this slot is one to be found: asked where floats cannot be sure. Not of regions of
+  /// boxes.
+  bool (*confirm)(FoundRoom& room, std::uint32_t slot) = nullptr;
+};
+
+/// A hit as a number: t above the object, both as bits. Those of floats that are not negative grow with them.
+using HitNumber = std::uint64_t;
+
+/// Finds all objects whose boxes overlap the region.
+template <int D>
+void find_overlaps(const BlockView<D>& view, const Box<D>& region, FoundRoom<std::uint32_t>& room);
+
+/// Finds all objects of which the test is sure, or which are confirmed.
+template <int D, class Test>
+void find_possible(const BlockView<D>& view, const Test& test, FoundRoom<std::uint32_t>& room);
+
+/// The same with the t of each: the largest quotient of the axes, in doubles, and 0 at least.
+template <int D>
+void find_hits(const BlockView<D>& view, const CastTest<D>& test, FoundRoom<HitNumber>& room);
+
+/// A slot of a block, and whether the caller must confirm its box.
 using SlotCode = std::uint32_t;
 constexpr std::uint32_t slot_of(SlotCode code) { return code >> 1U; }
 constexpr bool is_doubtful(SlotCode code) { return (code & 1U) != 0; }
-
-/// Where findings go.
-struct FoundRoom {
-  std::uint32_t* next = nullptr;
-  std::uint32_t* limit = nullptr;
-  /// Called when the room has less than a block's width left; false ends the search.
-  bool (*make_room)(FoundRoom& room) = nullptr;
-};
-
-/// Writes the ids of all objects whose boxes overlap the region.
-template <int D>
-void find_overlaps(const BlockView<D>& view, const Box<D>& region, FoundRoom& room);
-
-/// Writes the slot codes of all objects that the test finds possible.
-template <int D, class Test>
-void find_possible(const BlockView<D>& view, const Test& test, FoundRoom& room);
 
 /// Looks at objects, nearest first.
 struct NearRoom {

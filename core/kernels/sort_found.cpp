@@ -15,9 +15,10 @@
 #define KERF_CORE_KERNELS_SORT_FOUND_ONCE
 namespace kerf {
 
-/// Up to so many numbers are sorted by counting: then that takes less time than vqsort.
-inline constexpr std::size_t kMostCounted = 64;
-/// Beyond the numbers, so that whole vectors can be read and written.
+/// Up to so many numbers are sorted by counting: then that takes less time than vqsort, which asks the system
+/// for random bits each time.
+inline constexpr std::size_t kMostCounted = 96;
+/// Beyond the numbers, so that two whole vectors can be read and written.
 inline constexpr std::size_t kBeyond = 16;
 
 }  // namespace kerf
@@ -27,7 +28,7 @@ HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// `numbers` has `count` of them, then at least a vector's of the largest that there is.
+/// `numbers` has `count` of them, then at least two vectors of the largest that there is.
 template <class Number>
 HWY_INLINE void count_smaller(const Number* numbers, std::size_t count, Number* sorted) {
   using Signed = hwy::MakeSigned<Number>;
@@ -38,14 +39,20 @@ HWY_INLINE void count_smaller(const Number* numbers, std::size_t count, Number* 
 #endif
   const hn::FixedTag<Signed, kLanes> lanes;
   const auto* const in_order = reinterpret_cast<const Signed*>(numbers);
-  for (std::size_t k = 0; k < count; k += kLanes) {
-    const auto mine = hn::LoadU(lanes, in_order + k);
-    auto smaller = hn::Zero(lanes);
-    for (std::size_t i = 0; i < count; ++i)  // a true comparison is -1
-      smaller = hn::Sub(smaller, hn::VecFromMask(lanes, hn::Gt(mine, hn::Set(lanes, in_order[i]))));
-    HWY_ALIGN Signed places[kLanes];
-    hn::Store(smaller, lanes, places);
-    for (std::size_t i = 0; i < kLanes; ++i) sorted[places[i]] = numbers[k + i];
+  for (std::size_t k = 0; k < count; k += 2 * kLanes) {
+    const auto first = hn::LoadU(lanes, in_order + k);
+    const auto second = hn::LoadU(lanes, in_order + k + kLanes);
+    auto below_first = hn::Zero(lanes);
+    auto below_second = hn::Zero(lanes);
+    for (std::size_t i = 0; i < count; ++i) {  // a true comparison is -1
+      const auto other = hn::Set(lanes, in_order[i]);
+      below_first = hn::Sub(below_first, hn::VecFromMask(lanes, hn::Gt(first, other)));
+      below_second = hn::Sub(below_second, hn::VecFromMask(lanes, hn::Gt(second, other)));
+    }
+    HWY_ALIGN Signed places[2 * kLanes];
+    hn::Store(below_first, lanes, places);
+    hn::Store(below_second, lanes, places + kLanes);
+    for (std::size_t i = 0; i < 2 * kLanes; ++i) sorted[places[i]] = numbers[k + i];
   }
 }
 

@@ -74,7 +74,7 @@ CastQuery<D>::CastQuery(const Cast<D>& cast) : works(are_usual(cast.box.min) && 
     works &= has_usual_size(direction);
     test.moves_on_all &= direction != 0;
     if (direction == 0) continue;
-    test.direction[i] = direction > 0 ? 1 : -1;
+    test.direction[i] = direction;
     const double inverse = 1 / direction;
     test.near_factor[i] = static_cast<Scalar>((1 - kSlack) * inverse);
     test.far_factor[i] = static_cast<Scalar>((1 + kSlack) * inverse);
@@ -86,6 +86,7 @@ template <int D>
 FrustumQuery<D>::FrustumQuery(const Frustum<D>& frustum) {
   const std::size_t count = std::min(frustum.planes.size(), kMost);
   for (std::size_t k = 0; k < count; ++k) spaces[k] = make_space(frustum.planes[k], works);
+  if (count < frustum.planes.size()) spaces.back().sure = -std::numeric_limits<Scalar>::infinity();
   test.all = std::span(spaces.data(), count);
 }
 

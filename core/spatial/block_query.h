@@ -16,7 +16,6 @@ struct SphereQuery {
   explicit SphereQuery(const Sphere<D>& sphere);
   BallTest<D> test;
   bool works = true;
-  static constexpr bool kConfirmAll = false;
 };
 
 template <int D>
@@ -24,10 +23,9 @@ struct CastQuery {
   explicit CastQuery(const Cast<D>& cast);
   CastTest<D> test;
   bool works = true;
-  static constexpr bool kConfirmAll = false;
 };
 
-/// Of more planes than it has room for it tests the first ones.
+/// Of more planes than it has room for it tests the first ones, and is never sure.
 template <int D>
 struct FrustumQuery {
   explicit FrustumQuery(const Frustum<D>& frustum);

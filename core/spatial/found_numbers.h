@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/base/ids.h"
 #include "core/kernels/search_blocks.h"
 
 namespace kerf {
@@ -16,47 +16,52 @@ namespace kerf {
 enum class HandOn : std::uint8_t { at_once, in_bulk };
 
 /// Room for what a search finds, on the stack: it is handed on whenever it is full, and in the end.
-template <class Take>
-class FoundNumbers : public FoundRoom {
+template <class Number, class Take, class Confirm>
+class FoundNumbers : public FoundRoom<Number> {
  public:
-  FoundNumbers(HandOn when, Take take) : take_(take) {
-    next = numbers_.data();
-    limit = next + (when == HandOn::at_once ? kBlockWidth : kMost);
-    make_room = [](FoundRoom& room) { return static_cast<FoundNumbers&>(room).flush(); };
+  using Room = FoundRoom<Number>;
+  FoundNumbers(HandOn when, Take hand_on, Confirm asks) : take_(hand_on), confirm_(asks) {
+    Room::next = numbers_.data();
+    Room::limit = Room::next + (when == HandOn::at_once ? kBlockWidth : kMost);
+    Room::make_room = [](Room& room) { return static_cast<FoundNumbers&>(room).flush(); };
+    Room::confirm = [](Room& room, std::uint32_t slot) {
+      return static_cast<FoundNumbers&>(room).confirm_(slot);
+    };
   }
   bool flush() {
-    const bool goes_on = take_(std::span<const std::uint32_t>(numbers_.data(), next));
-    next = numbers_.data();
+    const bool goes_on = take_(std::span<const Number>(numbers_.data(), Room::next));
+    Room::next = numbers_.data();
     return goes_on;
   }
 
  private:
   static constexpr std::size_t kMost = 512;
   Take take_;
-  std::array<std::uint32_t, kMost> numbers_;  // written before it is read
+  Confirm confirm_;
+  std::array<Number, kMost> numbers_;  // written before it is read
 };
 
-/// Calls `find(room)`, then `take(number)` for each number found, until it returns false.
-template <class Find, class Take>
-void find_numbers(HandOn when, Find find, Take take) {
-  FoundNumbers room(
-      when, [&](std::span<const std::uint32_t> numbers) { return std::ranges::all_of(numbers, take); });
+/// Where a search confirms nothing.
+struct ConfirmNone {
+  bool operator()(std::uint32_t /*slot*/) const { return false; }
+};
+
+/// Calls `find(room)`, then `take(numbers)` with what it found, part by part, until that returns false.
+template <class Number, class Find, class Take, class Confirm = ConfirmNone>
+void find_numbers(HandOn when, Find find, Take take, Confirm confirm = {}) {
+  FoundNumbers<Number, Take, Confirm> room(when, take, confirm);
   find(room);
   room.flush();
 }
 
-/// Appends what `find(room)` finds as objects.
-template <class Find>
-void append_numbers(Find find, std::vector<ObjectId>& objects) {
-  FoundNumbers room(HandOn::in_bulk, [&](std::span<const std::uint32_t> numbers) {
-    const std::size_t before = objects.size();
-    objects.resize(before + numbers.size());
-    std::ranges::transform(numbers, objects.begin() + static_cast<std::ptrdiff_t>(before),
-                           [](std::uint32_t id) { return ObjectId{id}; });
-    return true;
-  });
-  find(room);
-  room.flush();
+/// Appends numbers as values of the same bits.
+template <class Number, class Value>
+void append_as(std::span<const Number> numbers, std::vector<Value>& values) {
+  static_assert(sizeof(Number) == sizeof(Value));
+  const std::size_t before = values.size();
+  values.resize(before + numbers.size());
+  std::ranges::transform(numbers, values.begin() + static_cast<std::ptrdiff_t>(before),
+                         [](Number number) { return std::bit_cast<Value>(number); });
 }
 
 }  // namespace kerf

@@ -47,36 +47,36 @@ void for_each_slot(const BlockHierarchy<D>& blocks, Take take) {
   }
 }
 
-/// Calls `take(slot)` for the objects whose boxes the query touches, until it returns false.
+using Ids = std::span<const std::uint32_t>;
+
+/// Calls `take(ids)` with the objects whose boxes the query touches, part by part, until it returns false.
 template <int D, class Query, class Test, class Take>
-void for_each_touched(const BlockHierarchy<D>& blocks, const Query& query, const Test& test, bool confirm_all,
-                      HandOn when, Take take) {
+void find_touched(const BlockHierarchy<D>& blocks, const Query& query, const Test& test, HandOn when,
+                  Take take) {
+  const auto touches_slot = [&](std::uint32_t slot) { return touches(query, box_in(blocks, slot)); };
   if (!test.works) {
-    for_each_slot(blocks,
-                  [&](std::uint32_t slot) { return !touches(query, box_in(blocks, slot)) || take(slot); });
+    for_each_slot(blocks, [&](std::uint32_t slot) {
+      const std::uint32_t id = object_in(blocks, slot).value;
+      return !touches_slot(slot) || take(Ids(&id, 1));
+    });
     return;
   }
-  find_numbers(
-      when, [&](FoundRoom& room) { find_possible(blocks.view(), test.test, room); },
-      [&](SlotCode code) {
-        const std::uint32_t slot = slot_of(code);
-        const bool must_confirm = confirm_all || is_doubtful(code);
-        return (must_confirm && !touches(query, box_in(blocks, slot))) || take(slot);
-      });
+  find_numbers<std::uint32_t>(
+      when, [&](FoundRoom<std::uint32_t>& room) { find_possible(blocks.view(), test.test, room); }, take,
+      touches_slot);
 }
 
 template <int D, class Take>
-void for_each_touched(const BlockHierarchy<D>& blocks, const Sphere<D>& sphere, HandOn when, Take take) {
-  for_each_touched(blocks, sphere, SphereQuery<D>(sphere), false, when, take);
+void find_touched(const BlockHierarchy<D>& blocks, const Sphere<D>& sphere, HandOn when, Take take) {
+  find_touched(blocks, sphere, SphereQuery<D>(sphere), when, take);
 }
 template <int D, class Take>
-void for_each_touched(const BlockHierarchy<D>& blocks, const Cast<D>& cast, HandOn when, Take take) {
-  for_each_touched(blocks, cast, CastQuery<D>(cast), false, when, take);
+void find_touched(const BlockHierarchy<D>& blocks, const Cast<D>& cast, HandOn when, Take take) {
+  find_touched(blocks, cast, CastQuery<D>(cast), when, take);
 }
 template <int D, class Take>
-void for_each_touched(const BlockHierarchy<D>& blocks, const Frustum<D>& frustum, HandOn when, Take take) {
-  const FrustumQuery<D> query(frustum);
-  for_each_touched(blocks, frustum, query, frustum.planes.size() > query.kMost, when, take);
+void find_touched(const BlockHierarchy<D>& blocks, const Frustum<D>& frustum, HandOn when, Take take) {
+  find_touched(blocks, frustum, FrustumQuery<D>(frustum), when, take);
 }
 
 /// No object is at infinity, but empty slots are.
@@ -90,15 +90,26 @@ Box<D> clamp_to_finite(Box<D> box) {
   return box;
 }
 
+template <int D, class Take>
+void find_touched(const BlockHierarchy<D>& blocks, const Box<D>& box, HandOn when, Take take) {
+  const Box<D> region = clamp_to_finite(box);
+  find_numbers<std::uint32_t>(
+      when, [&](FoundRoom<std::uint32_t>& room) { find_overlaps(blocks.view(), region, room); }, take);
+}
+
 template <int D, class Region>
 QueryStatus append_overlaps(const BlockHierarchy<D>& blocks, const Region& region,
                             std::vector<ObjectId>& found, const Filter& filter) {
   const QueryStatus status = check(region);
   if (status != QueryStatus::ok) return status;
   const std::size_t before = found.size();
-  for_each_touched(blocks, region, HandOn::in_bulk, [&](std::uint32_t slot) {
-    const ObjectId object = object_in(blocks, slot);
-    if (filter.takes(object)) found.push_back(object);
+  find_touched(blocks, region, HandOn::in_bulk, [&](Ids ids) {
+    if (filter.takes_all()) {
+      append_as(ids, found);
+    } else {
+      for (const std::uint32_t id : ids)
+        if (filter.takes({id})) found.push_back({id});
+    }
     return true;
   });
   sort_objects(std::span(found).subspan(before));
@@ -110,11 +121,30 @@ QueryStatus visit_touched(const BlockHierarchy<D>& blocks, const Query& query, c
                           const Filter& filter) {
   const QueryStatus status = check(query);
   if (status != QueryStatus::ok) return status;
-  for_each_touched(blocks, query, HandOn::at_once, [&](std::uint32_t slot) {
-    const ObjectId object = object_in(blocks, slot);
-    return !filter.takes(object) || visitor.visit(visitor.context, object);
+  find_touched(blocks, query, HandOn::at_once, [&](Ids ids) {
+    return std::ranges::all_of(
+        ids, [&](std::uint32_t id) { return !filter.takes({id}) || visitor.visit(visitor.context, {id}); });
   });
   return status;
+}
+
+/// Calls `take(hits)` with what a cast hits, part by part.
+template <int D, class Take>
+void find_all_hits(const BlockHierarchy<D>& blocks, const Cast<D>& cast, Take take) {
+  const CastQuery<D> query(cast);
+  const auto touches_slot = [&](std::uint32_t slot) { return touches(cast, box_in(blocks, slot)); };
+  if (!query.works) {
+    for_each_slot(blocks, [&](std::uint32_t slot) {
+      if (!touches_slot(slot)) return true;
+      const auto hit =
+          std::bit_cast<HitNumber>(Hit{object_in(blocks, slot), entry_of(cast, box_in(blocks, slot))});
+      return take(std::span(&hit, 1));
+    });
+    return;
+  }
+  find_numbers<HitNumber>(
+      HandOn::in_bulk, [&](FoundRoom<HitNumber>& room) { find_hits(blocks.view(), query.test, room); }, take,
+      touches_slot);
 }
 
 /// The least hit so far.
@@ -190,21 +220,7 @@ struct NearestSearch : NearRoom {
 template <int D>
 QueryStatus SpatialIndex<D>::overlaps(const Box<D>& box, std::vector<ObjectId>& found,
                                       const Filter& filter) const {
-  const QueryStatus status = check(box);
-  if (status != QueryStatus::ok) return status;
-  const std::size_t before = found.size();
-  const Box<D> region = clamp_to_finite(box);
-  const auto find = [&](FoundRoom& room) { find_overlaps(hierarchy_.view(), region, room); };
-  if (filter.takes_all()) {
-    append_numbers(find, found);
-  } else {
-    find_numbers(HandOn::in_bulk, find, [&](std::uint32_t id) {
-      if (filter.takes({id})) found.push_back({id});
-      return true;
-    });
-  }
-  sort_objects(std::span(found).subspan(before));
-  return status;
+  return append_overlaps(hierarchy_, box, found, filter);
 }
 
 template <int D>
@@ -224,9 +240,13 @@ QueryStatus SpatialIndex<D>::hits(const Cast<D>& cast, std::vector<Hit>& found, 
   const QueryStatus status = check(cast);
   if (status != QueryStatus::ok) return status;
   const std::size_t before = found.size();
-  for_each_touched(hierarchy_, cast, HandOn::in_bulk, [&](std::uint32_t slot) {
-    const ObjectId object = object_in(hierarchy_, slot);
-    if (filter.takes(object)) found.push_back({object, entry_of(cast, box_in(hierarchy_, slot))});
+  find_all_hits(hierarchy_, cast, [&](std::span<const HitNumber> numbers) {
+    if (filter.takes_all()) {
+      append_as(numbers, found);
+    } else {
+      for (const HitNumber number : numbers)
+        if (const auto hit = std::bit_cast<Hit>(number); filter.takes(hit.object)) found.push_back(hit);
+    }
     return true;
   });
   sort_hits(std::span(found).subspan(before));
@@ -274,13 +294,7 @@ QueryStatus SpatialIndex<D>::nearest(const Nearest<D>& nearest, std::vector<Neig
 
 template <int D>
 QueryStatus SpatialIndex<D>::visit(const Box<D>& box, const Visitor& visitor, const Filter& filter) const {
-  const QueryStatus status = check(box);
-  if (status != QueryStatus::ok) return status;
-  const Box<D> region = clamp_to_finite(box);
-  find_numbers(
-      HandOn::at_once, [&](FoundRoom& room) { find_overlaps(hierarchy_.view(), region, room); },
-      [&](std::uint32_t id) { return !filter.takes({id}) || visitor.visit(visitor.context, {id}); });
-  return status;
+  return visit_touched(hierarchy_, box, visitor, filter);
 }
 
 template <int D>

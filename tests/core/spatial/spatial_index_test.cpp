@@ -141,6 +141,21 @@ TYPED_TEST(SpatialIndexTest, TinySpheresAreExactThoughDenormalsAreZero) {
   EXPECT_EQ(found.size(), 1U);
 }
 
+TYPED_TEST(SpatialIndexTest, AHitIsNeverAtInfinity) {
+  constexpr int D = TypeParam::value;
+  ASSERT_EQ(this->bsp_.insert({0}, slab<D>(0x1p60F, 0x1p61F), Mobility::moving), Status::ok);
+  this->index_.update(this->bsp_.objects());
+  Ray<D> ray{all<D>(0.5F), {}};
+  ray.direction[0] = 0x1p-90F;
+  for (const std::string& kernel : kernels()) {
+    use_kernel(kernel);
+    std::vector<Hit> hits;
+    ASSERT_EQ(this->index_.hits(ray, hits), QueryStatus::ok);
+    EXPECT_EQ(hits, (std::vector<Hit>{{{0}, std::numeric_limits<Scalar>::max()}})) << kernel;
+  }
+  use_kernel("");
+}
+
 TYPED_TEST(SpatialIndexTest, FiltersByMaskAndByCall) {
   constexpr int D = TypeParam::value;
   for (std::uint32_t id = 0; id < 20; ++id)
