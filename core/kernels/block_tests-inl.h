@@ -120,23 +120,6 @@ struct TestOf<D, CastTest<D>> {
     }
     return {hn::And(stays, hn::Le(begin, end)), begin, end};
   }
-  /// The t of boxes that are met, as `entry_of` has it.
-  HWY_INLINE void store_times(const WideBlock<D>& block, std::size_t k, float* times) const {
-    for (std::size_t half = 0; half < kPart; half += kPart / 2) {
-      const hn::FixedTag<double, kPart / 2> wide;
-      const hn::FixedTag<float, kPart / 2> narrow;
-      const float* const rows = block.min[0] + k + half;  // those of the maxima follow
-      auto latest = hn::Zero(wide);
-      for (std::size_t i = 0; i < D; ++i) {
-        if (given_.direction[i] == 0) continue;
-        const auto near = hn::PromoteTo(wide, hn::LoadU(narrow, rows + (i + falls_[i]) * kBlockWidth));
-        const auto ahead = hn::Sub(near, hn::Set(wide, static_cast<double>(given_.near_start[i])));
-        latest = hn::Max(latest, hn::Div(ahead, hn::Set(wide, given_.direction[i])));
-      }
-      latest = hn::Add(hn::Min(latest, hn::Set(wide, FLT_MAX)), hn::Zero(wide));  // no zero is negative
-      hn::StoreU(hn::DemoteTo(narrow, latest), narrow, times + half);
-    }
-  }
   HWY_INLINE Marks sure_of(const Answer& answer) const {
     const FloatTag f;
     const Some latest = hn::Add(hn::Mul(answer.key, hn::Set(f, 1 + 0x1p-18F)), hn::Set(f, 0x1p-100F));

@@ -81,6 +81,25 @@ struct PossibleFinder {
   FoundRoom<std::uint32_t>& room;
 };
 
+/// The t of boxes that are met, as `entry_of` has it.
+template <int D>
+HWY_INLINE void store_times(const CastTest<D>& cast, const WideBlock<D>& block, std::size_t k, float* times) {
+  const hn::FixedTag<double, kPart / 2> wide;
+  const hn::FixedTag<float, kPart / 2> narrow;
+  for (std::size_t half = 0; half < kPart; half += kPart / 2) {
+    auto latest = hn::Zero(wide);
+    for (std::size_t i = 0; i < D; ++i) {
+      if (cast.direction[i] == 0) continue;
+      const float* const ends = cast.direction[i] < 0 ? block.max[i] : block.min[i];
+      const auto end = hn::PromoteTo(wide, hn::LoadU(narrow, ends + k + half));
+      const auto ahead = hn::Sub(end, hn::Set(wide, static_cast<double>(cast.near_start[i])));
+      latest = hn::Max(latest, hn::Div(ahead, hn::Set(wide, cast.direction[i])));
+    }
+    latest = hn::Add(hn::Min(latest, hn::Set(wide, FLT_MAX)), hn::Zero(wide));  // no zero is negative
+    hn::StoreU(hn::DemoteTo(narrow, latest), narrow, times + half);
+  }
+}
+
 template <int D>
 struct HitFinder {
   HWY_INLINE Marks reaches(const WideBlock<D>& block, std::size_t k) const { return test(block, k).possible; }
@@ -91,7 +110,7 @@ struct HitFinder {
       if (bits == 0) continue;
       const std::uint32_t sure = bits_of(test.sure_of(answer));
       std::uint32_t times[kPart];
-      test.store_times(block, k, reinterpret_cast<float*>(times));
+      store_times(cast, block, k, reinterpret_cast<float*>(times));
       for (; bits != 0; bits &= bits - 1) {
         const std::uint32_t lane = first_bit(bits);
         if ((sure >> lane & 1U) == 0 && !room.confirm(room, static_cast<std::uint32_t>(first + k) + lane))
@@ -101,6 +120,7 @@ struct HitFinder {
     }
     return true;
   }
+  const CastTest<D>& cast;
   const TestOf<D, CastTest<D>> test;
   FoundRoom<HitNumber>& room;
 };
@@ -175,7 +195,7 @@ HWY_INLINE void near_all(const BlockView<D>& view, const Test& given, NearRoom& 
     search(view, PossibleFinder<D, HalfSpacesTest<D>>{TestOf<D, HalfSpacesTest<D>>(test), room});            \
   }                                                                                                          \
   void hits_##D(const BlockView<D>& view, const CastTest<D>& test, FoundRoom<HitNumber>& room) {             \
-    search(view, HitFinder<D>{TestOf<D, CastTest<D>>(test), room});                                          \
+    search(view, HitFinder<D>{test, TestOf<D, CastTest<D>>(test), room});                                    \
   }                                                                                                          \
   void near_casts_##D(const BlockView<D>& view, const CastTest<D>& test, NearRoom& room) {                   \
     near_all<D>(view, test, room);                                                                           \
