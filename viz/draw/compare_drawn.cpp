@@ -172,16 +172,31 @@ void compare_items(const FrameIds& reference, const FrameIds& test, DrawnFinding
     if (!own.contains(key)) findings.add(DrawnFindings::extra, name_of(test.list.items[item - 1]) + " extra");
 }
 
+/// How far the same text may be from its place: releases of Dear ImGui have boxes around it of other widths.
+/// The letters themselves are compared as pixels.
+constexpr int kTextSlack = 2;
+
+bool is_in_place(const DrawnText& a, const DrawnText& b) {
+  return a.text == b.text && std::abs(a.x - b.x) <= kTextSlack && std::abs(a.y - b.y) <= kTextSlack;
+}
+
+/// Those of `texts` that have no other text in their place, by row.
+std::map<std::pair<int, int>, std::string> left_over(const DrawList& texts, const DrawList& others) {
+  std::map<std::pair<int, int>, std::string> left;
+  for (const DrawnText& text : texts.texts)
+    if (std::ranges::none_of(others.texts, [&](const DrawnText& other) { return is_in_place(text, other); }))
+      left[{text.y, text.x}] = text.text;
+  return left;
+}
+
 void compare_texts(const DrawList& reference, const DrawList& test, DrawnFindings& findings) {
   std::map<std::pair<int, int>, std::pair<std::string, std::string>> texts;
-  for (const DrawnText& text : reference.texts) texts[{text.y, text.x}].first = text.text;
-  for (const DrawnText& text : test.texts) texts[{text.y, text.x}].second = text.text;
-  for (const auto& [place, text] : texts) {
-    if (text.first == text.second) continue;
+  for (auto& [place, text] : left_over(reference, test)) texts[place].first = text;
+  for (auto& [place, text] : left_over(test, reference)) texts[place].second = text;
+  for (const auto& [place, text] : texts)
     findings.add(DrawnFindings::texts, "text at (" + std::to_string(place.second) + ", " +
                                            std::to_string(place.first) + ") is '" + text.second +
                                            "' and not '" + text.first + "'");
-  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -154,6 +155,11 @@ GlProcedure find_function(const char* name) { return glfwGetProcAddress(name); }
 }  // namespace
 
 GlfwWindow::Library::Library() {
+#ifdef GLFW_PLATFORM
+  // No Wayland without this folder: GLFW from 3.4 on would ask for it all the same, and its library
+  // complains.
+  if (std::getenv("XDG_RUNTIME_DIR") == nullptr) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
   if (glfwInit() != GLFW_TRUE)
     throw std::runtime_error("a window cannot be opened (" + last_error() +
                              "); without a display, use --headless with a --script");

@@ -18,11 +18,11 @@ bool draw_bookmark(PanelContext& context, std::size_t k, const Position& moment,
   context.gui.name_last_item("bookmark " + number);
   widgets::hint("go there");
   ImGui::SameLine();
+  widgets::text_field(context.gui, ("note " + number).c_str(), note, "note", -1);
   if (context.memory.session.note_of == moment) {
-    ImGui::SetKeyboardFocusHere();
+    ImGui::SetKeyboardFocusHere(-1);
     context.memory.session.note_of.reset();
   }
-  widgets::text_field(context.gui, ("note " + number).c_str(), note, "note", -1);
   if (!note.empty()) widgets::hint(note.c_str());  // it may be longer than the field
   ImGui::PopID();
   if (pressed) context.model.go(moment);

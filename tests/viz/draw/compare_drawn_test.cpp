@@ -1,0 +1,36 @@
+#include "viz/draw/compare_drawn.h"
+
+#include <gmock/gmock.h>
+
+namespace kerf {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::vector<std::string> compare_texts(std::vector<DrawnText> reference, std::vector<DrawnText> test) {
+  FrameIds a;
+  FrameIds b;
+  a.list.texts = std::move(reference);
+  b.list.texts = std::move(test);
+  return compare_drawn(a, b);
+}
+
+TEST(CompareDrawn, TextsMayBeTwoPixelsFromTheirPlaces) {
+  EXPECT_THAT(compare_texts({{6, 29, "nodes"}, {50, 29, "pairs"}}, {{4, 29, "nodes"}, {50, 31, "pairs"}}),
+              IsEmpty());
+  EXPECT_THAT(
+      compare_texts({{6, 29, "nodes"}}, {{3, 29, "nodes"}}),
+      ElementsAre(HasSubstr("(3, 29) is 'nodes' and not ''"), HasSubstr("(6, 29) is '' and not 'nodes'")));
+}
+
+TEST(CompareDrawn, OtherTextsAreFoundHoweverNear) {
+  EXPECT_THAT(compare_texts({{6, 29, "nodes"}}, {{6, 29, "leaves"}}),
+              ElementsAre(HasSubstr("is 'leaves' and not 'nodes'")));
+  EXPECT_THAT(compare_texts({{6, 29, "nodes"}}, {}), ElementsAre(HasSubstr("is '' and not 'nodes'")));
+  EXPECT_THAT(compare_texts({}, {{6, 29, "nodes"}}), ElementsAre(HasSubstr("is 'nodes' and not ''")));
+}
+
+}  // namespace
+}  // namespace kerf
