@@ -5,6 +5,7 @@
 #include "frames/python/bindings.h"
 #include "frames/python/broad_phase.h"
 #include "frames/python/config_from.h"
+#include "frames/python/errors.h"
 
 namespace kerf::python {
 namespace {
@@ -62,6 +63,7 @@ Each pair comes once, the smaller id first, in an order that is the same in ever
 std::unique_ptr<PythonBroadPhase> make(int dimension, const std::string& tree, const py::object& config,
                                        unsigned threads, bool changes,
                                        const std::optional<std::filesystem::path>& record, bool overwrite) {
+  if (record) check_recording(*record, overwrite);
   return make_broad_phase(dimension, {config_from(config_of_tree(tree), config), threads, changes,
                                       record.value_or(std::filesystem::path()), overwrite});
 }

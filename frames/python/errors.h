@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "frames/support/errors.h"
 #include "frames/support/outputs.h"
 
 namespace kerf::python {
@@ -34,6 +35,7 @@ auto of_recording(Work work) {
 inline void check_recording(const std::filesystem::path& out, bool overwrite,
                             const std::filesystem::path& read = {}) {
   of_recording([&] {
+    if (out.empty()) throw UsageError("the name of the recording is empty");
     Outputs({read}, overwrite, " exists: give another name, or overwrite=True").add_recording(out);
   });
 }

@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "frames/python/errors.h"
 
 namespace kerf::python {
 namespace {
@@ -30,7 +29,6 @@ Run<D>::Run(const Config& config, const std::filesystem::path& record, bool over
     quiet_ = std::make_unique<Bsp<D>>(config);
     quiet_->time_phases(true);
   } else {
-    check_recording(record, overwrite);
     recorded_ = std::make_unique<Recorded>(config, record, overwrite);
   }
 }

@@ -27,6 +27,12 @@ WRITERS = {
 
 
 @pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS.keys())
+def test_an_empty_name_is_none(writer, run):
+    with pytest.raises(kerf.RecordingError, match="is empty"):
+        writer(run, "")
+
+
+@pytest.mark.parametrize("writer", WRITERS.values(), ids=WRITERS.keys())
 def test_nothing_but_a_recording_is_replaced(writer, run, tmp_path):
     (tmp_path / "thesis.txt").write_text("mine")
     (tmp_path / "link").symlink_to("thesis.txt")
