@@ -177,22 +177,26 @@ void compare_items(const FrameIds& reference, const FrameIds& test, DrawnFinding
 constexpr int kTextSlack = 2;
 
 bool is_in_place(const DrawnText& a, const DrawnText& b) {
-  return a.text == b.text && std::abs(a.x - b.x) <= kTextSlack && std::abs(a.y - b.y) <= kTextSlack;
+  return std::abs(a.x - b.x) <= kTextSlack && std::abs(a.y - b.y) <= kTextSlack && a.text == b.text;
 }
 
-/// Those of `texts` that have no other text in their place, by row.
-std::map<std::pair<int, int>, std::string> left_over(const DrawList& texts, const DrawList& others) {
-  std::map<std::pair<int, int>, std::string> left;
-  for (const DrawnText& text : texts.texts)
-    if (std::ranges::none_of(others.texts, [&](const DrawnText& other) { return is_in_place(text, other); }))
-      left[{text.y, text.x}] = text.text;
-  return left;
+/// Drops each text of the one list with one of the other list that is in its place.
+void drop_common(std::vector<DrawnText>& texts, std::vector<DrawnText>& others) {
+  std::erase_if(texts, [&](const DrawnText& text) {
+    const auto other = std::ranges::find_if(others, [&](const DrawnText& o) { return is_in_place(text, o); });
+    if (other == others.end()) return false;
+    others.erase(other);
+    return true;
+  });
 }
 
 void compare_texts(const DrawList& reference, const DrawList& test, DrawnFindings& findings) {
+  std::vector<DrawnText> gone = reference.texts;
+  std::vector<DrawnText> come = test.texts;
+  drop_common(gone, come);
   std::map<std::pair<int, int>, std::pair<std::string, std::string>> texts;
-  for (auto& [place, text] : left_over(reference, test)) texts[place].first = text;
-  for (auto& [place, text] : left_over(test, reference)) texts[place].second = text;
+  for (const DrawnText& text : gone) texts[{text.y, text.x}].first = text.text;
+  for (const DrawnText& text : come) texts[{text.y, text.x}].second = text.text;
   for (const auto& [place, text] : texts)
     findings.add(DrawnFindings::texts, "text at (" + std::to_string(place.second) + ", " +
                                            std::to_string(place.first) + ") is '" + text.second +

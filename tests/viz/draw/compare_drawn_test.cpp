@@ -32,5 +32,12 @@ TEST(CompareDrawn, OtherTextsAreFoundHoweverNear) {
   EXPECT_THAT(compare_texts({}, {{6, 29, "nodes"}}), ElementsAre(HasSubstr("is 'nodes' and not ''")));
 }
 
+TEST(CompareDrawn, ATextThatIsThereTwiceIsFound) {
+  const std::vector<DrawnText> twice{{6, 29, "nodes"}, {8, 29, "nodes"}};
+  EXPECT_THAT(compare_texts({{6, 29, "nodes"}}, twice), ElementsAre(HasSubstr("is 'nodes' and not ''")));
+  EXPECT_THAT(compare_texts(twice, {{8, 29, "nodes"}}), ElementsAre(HasSubstr("is '' and not 'nodes'")));
+  EXPECT_THAT(compare_texts(twice, twice), IsEmpty());
+}
+
 }  // namespace
 }  // namespace kerf

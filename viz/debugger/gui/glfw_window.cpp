@@ -156,9 +156,12 @@ GlProcedure find_function(const char* name) { return glfwGetProcAddress(name); }
 
 GlfwWindow::Library::Library() {
 #ifdef GLFW_PLATFORM
-  // No Wayland without this folder: GLFW from 3.4 on would ask for it all the same, and its library
-  // complains.
-  if (std::getenv("XDG_RUNTIME_DIR") == nullptr) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+  // GLFW from 3.4 on asks for Wayland first, whose library complains where there cannot be any.
+  const auto is_empty = [](const char* text) { return text == nullptr || *text == '\0'; };
+  const bool no_wayland =
+      is_empty(std::getenv("WAYLAND_DISPLAY")) && is_empty(std::getenv("XDG_RUNTIME_DIR"));
+  if (no_wayland && glfwPlatformSupported(GLFW_PLATFORM_X11) == GLFW_TRUE)
+    glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
   if (glfwInit() != GLFW_TRUE)
     throw std::runtime_error("a window cannot be opened (" + last_error() +

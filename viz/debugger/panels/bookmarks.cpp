@@ -19,7 +19,7 @@ bool draw_bookmark(PanelContext& context, std::size_t k, const Position& moment,
   widgets::hint("go there");
   ImGui::SameLine();
   widgets::text_field(context.gui, ("note " + number).c_str(), note, "note", -1);
-  if (context.memory.session.note_of == moment) {
+  if (context.memory.session.note_of == moment) {  // the field that was just made takes the keys
     ImGui::SetKeyboardFocusHere(-1);
     context.memory.session.note_of.reset();
   }
