@@ -96,35 +96,41 @@ struct TestOf;
 
 template <int D>
 struct TestOf<D, CastTest<D>> {
-  HWY_INLINE explicit TestOf(const CastTest<D>& test) : given_(test) {
+  HWY_INLINE explicit TestOf(const CastTest<D>& test) : given(test) {
     for (std::size_t i = 0; i < D; ++i) falls_[i] = test.direction[i] < 0 ? D : 0;
   }
   HWY_INLINE Answer operator()(const WideBlock<D>& block, std::size_t k) const {
     const FloatTag f;
     Some begin = hn::Zero(f);
-    Some end = hn::Set(f, given_.max_t);
+    Some end = hn::Set(f, given.max_t);
     const float* const rows = block.min[0] + k;  // those of the maxima follow
-    if (HWY_LIKELY(given_.moves_on_all)) {
+    if (HWY_LIKELY(given.moves_on_all)) {
       for (std::size_t i = 0; i < D; ++i) meet(rows, i, begin, end);
       return {hn::Le(begin, end), begin, end};
     }
     Marks stays = hn::Eq(begin, begin);
+    Marks stays_inside = stays;  // where denormals are zero, ends that seem to touch may lie apart
     for (std::size_t i = 0; i < D; ++i) {
-      if (given_.direction[i] != 0) {
+      if (given.direction[i] != 0) {
         meet(rows, i, begin, end);
         continue;
       }
-      stays = hn::And(stays, hn::Le(hn::Load(f, rows + i * kBlockWidth), hn::Set(f, given_.near_start[i])));
-      stays =
-          hn::And(stays, hn::Ge(hn::Load(f, rows + (i + D) * kBlockWidth), hn::Set(f, given_.far_start[i])));
+      const Some min = hn::Load(f, rows + i * kBlockWidth);
+      const Some max = hn::Load(f, rows + (i + D) * kBlockWidth);
+      const Some near = hn::Set(f, given.near_start[i]);
+      const Some far = hn::Set(f, given.far_start[i]);
+      stays = hn::And(stays, hn::And(hn::Le(min, near), hn::Ge(max, far)));
+      stays_inside = hn::And(stays_inside, hn::And(hn::Lt(min, near), hn::Gt(max, far)));
     }
-    return {hn::And(stays, hn::Le(begin, end)), begin, end};
+    return {hn::And(stays, hn::Le(begin, end)), begin, hn::IfThenElse(stays_inside, end, hn::Set(f, -1.0F))};
   }
   HWY_INLINE Marks sure_of(const Answer& answer) const {
     const FloatTag f;
-    const Some latest = hn::Add(hn::Mul(answer.key, hn::Set(f, 1 + 0x1p-18F)), hn::Set(f, 0x1p-100F));
+    const Some latest = hn::Add(hn::Mul(answer.key, hn::Set(f, 1 + 0x1p-18F)), hn::Set(f, given.blur));
     return hn::Le(latest, hn::Mul(hn::Min(answer.end, hn::Set(f, FLT_MAX)), hn::Set(f, 1 - 0x1p-18F)));
   }
+
+  const CastTest<D>& given;
 
  private:
   HWY_INLINE void meet(const float* rows, std::size_t i, Some& begin, Some& end) const {
@@ -132,11 +138,10 @@ struct TestOf<D, CastTest<D>> {
     const Some near = hn::Load(f, rows + (i + falls_[i]) * kBlockWidth);
     const Some far = hn::Load(f, rows + (i + D - falls_[i]) * kBlockWidth);
     begin = hn::Max(
-        begin, hn::Mul(hn::Sub(near, hn::Set(f, given_.near_start[i])), hn::Set(f, given_.near_factor[i])));
-    end = hn::Min(end,
-                  hn::Mul(hn::Sub(far, hn::Set(f, given_.far_start[i])), hn::Set(f, given_.far_factor[i])));
+        begin, hn::Mul(hn::Sub(near, hn::Set(f, given.near_start[i])), hn::Set(f, given.near_factor[i])));
+    end =
+        hn::Min(end, hn::Mul(hn::Sub(far, hn::Set(f, given.far_start[i])), hn::Set(f, given.far_factor[i])));
   }
-  const CastTest<D>& given_;
   std::size_t falls_[D];  ///< rows from the minimum of an axis to its near end
 };
 
@@ -178,7 +183,7 @@ struct TestOf<D, HalfSpacesTest<D>> {
         sum = hn::Add(sum, term);
         size = hn::Add(size, hn::Abs(term));
       }
-      const Some slack = hn::Add(hn::Mul(size, hn::Set(f, 0x1p-20F)), hn::Set(f, FLT_MIN));
+      const Some slack = hn::Add(hn::Mul(size, hn::Set(f, 0x1p-20F)), hn::Set(f, 0x1p-123F));
       possible = hn::And(possible, hn::Le(hn::Sub(sum, slack), hn::Set(f, space.possible)));
       excess = hn::Max(excess, hn::Sub(hn::Add(sum, slack), hn::Set(f, space.sure)));
     }

@@ -5,6 +5,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <bit>
+
 #include "core/kernels/block_tests-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,14 +30,15 @@ struct Queue {
 
 HWY_INLINE bool has_blocks(std::uint32_t item) { return (item & 1U) != 0; }
 
+/// Makes room for the findings of a block, if it must; false ends the search.
 template <class Finding>
-HWY_INLINE bool has_room(FoundRoom<Finding>& room) {
+HWY_INLINE bool take_room(FoundRoom<Finding>& room) {
   return static_cast<std::size_t>(room.limit - room.next) >= kBlockWidth || room.make_room(room);
 }
 
-/// Hands on the blocks of objects whose bounds the finder reaches, until it has enough.
+/// Hands the blocks of objects to the finder that lie in what it reaches.
 template <int D, class Finder>
-HWY_INLINE void search(const BlockView<D>& view, const Finder& finder) {
+HWY_INLINE void search(const BlockView<D>& view, Finder finder) {
   Queue queue;
   queue.waiting[0] = view.root;
   while (!queue.is_empty()) {
@@ -44,7 +47,9 @@ HWY_INLINE void search(const BlockView<D>& view, const Finder& finder) {
     if (has_blocks(item)) {
       for (std::size_t k = 0; k < kBlockWidth; k += kPart)
         queue.tail += write_items(block, k, finder.reaches(block, k), queue.waiting + queue.tail);
-    } else if (!has_room(finder.room) || !finder.take(block, (item >> 1U) * kBlockWidth)) {
+    } else if (take_room(finder.room)) {
+      finder.take(block, (item >> 1U) * kBlockWidth);
+    } else {
       return;
     }
   }
@@ -53,10 +58,9 @@ HWY_INLINE void search(const BlockView<D>& view, const Finder& finder) {
 template <int D>
 struct OverlapFinder {
   HWY_INLINE Marks reaches(const WideBlock<D>& block, std::size_t k) const { return test(block, k); }
-  HWY_INLINE bool take(const WideBlock<D>& block, std::size_t /*first*/) const {
+  HWY_INLINE void take(const WideBlock<D>& block, std::size_t /*first*/) {
     for (std::size_t k = 0; k < kBlockWidth; k += kPart)
       room.next += write_items(block, k, test(block, k), room.next);
-    return true;
   }
   const OverlapTest<D> test;
   FoundRoom<std::uint32_t>& room;
@@ -65,7 +69,7 @@ struct OverlapFinder {
 template <int D, class Test>
 struct PossibleFinder {
   HWY_INLINE Marks reaches(const WideBlock<D>& block, std::size_t k) const { return test(block, k).possible; }
-  HWY_INLINE bool take(const WideBlock<D>& block, std::size_t first) const {
+  HWY_INLINE void take(const WideBlock<D>& block, std::size_t first) {
     for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
       const Answer answer = test(block, k);
       const Marks sure = hn::And(answer.possible, test.sure_of(answer));
@@ -75,7 +79,6 @@ struct PossibleFinder {
         if (room.confirm(room, static_cast<std::uint32_t>(first + lane))) *room.next++ = block.item[lane];
       }
     }
-    return true;
   }
   const TestOf<D, Test> test;
   FoundRoom<std::uint32_t>& room;
@@ -92,7 +95,7 @@ HWY_INLINE void store_times(const CastTest<D>& cast, const WideBlock<D>& block, 
       if (cast.direction[i] == 0) continue;
       const float* const ends = cast.direction[i] < 0 ? block.max[i] : block.min[i];
       const auto end = hn::PromoteTo(wide, hn::LoadU(narrow, ends + k + half));
-      const auto ahead = hn::Sub(end, hn::Set(wide, static_cast<double>(cast.near_start[i])));
+      const auto ahead = hn::Sub(end, hn::Set(wide, static_cast<double>(cast.start[i])));
       latest = hn::Max(latest, hn::Div(ahead, hn::Set(wide, cast.direction[i])));
     }
     latest = hn::Add(hn::Min(latest, hn::Set(wide, FLT_MAX)), hn::Zero(wide));  // no zero is negative
@@ -103,24 +106,22 @@ HWY_INLINE void store_times(const CastTest<D>& cast, const WideBlock<D>& block, 
 template <int D>
 struct HitFinder {
   HWY_INLINE Marks reaches(const WideBlock<D>& block, std::size_t k) const { return test(block, k).possible; }
-  HWY_INLINE bool take(const WideBlock<D>& block, std::size_t first) const {
+  HWY_INLINE void take(const WideBlock<D>& block, std::size_t first) {
     for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
       const Answer answer = test(block, k);
       std::uint32_t bits = bits_of(answer.possible);
       if (bits == 0) continue;
       const std::uint32_t sure = bits_of(test.sure_of(answer));
-      std::uint32_t times[kPart];
-      store_times(cast, block, k, reinterpret_cast<float*>(times));
+      float times[kPart];
+      store_times(test.given, block, k, times);
       for (; bits != 0; bits &= bits - 1) {
         const std::uint32_t lane = first_bit(bits);
         if ((sure >> lane & 1U) == 0 && !room.confirm(room, static_cast<std::uint32_t>(first + k) + lane))
           continue;
-        *room.next++ = HitNumber{times[lane]} << 32U | block.item[k + lane];
+        *room.next++ = HitNumber{std::bit_cast<std::uint32_t>(times[lane])} << 32U | block.item[k + lane];
       }
     }
-    return true;
   }
-  const CastTest<D>& cast;
   const TestOf<D, CastTest<D>> test;
   FoundRoom<HitNumber>& room;
 };
@@ -176,7 +177,7 @@ HWY_INLINE void near_all(const BlockView<D>& view, const Test& given, NearRoom& 
     for (; possible != 0; possible &= possible - 1) {
       const std::uint32_t lane = first_bit(possible);
       if (keys[lane] <= room.bound)
-        room.bound = room.consider(room, (first + lane) * 2 + (((sure >> lane) & 1U) ^ 1U));
+        room.bound = room.consider(room, (first + lane) * 2 + ((sure >> lane & 1U) ^ 1U));
     }
   }
 }
@@ -195,7 +196,7 @@ HWY_INLINE void near_all(const BlockView<D>& view, const Test& given, NearRoom& 
     search(view, PossibleFinder<D, HalfSpacesTest<D>>{TestOf<D, HalfSpacesTest<D>>(test), room});            \
   }                                                                                                          \
   void hits_##D(const BlockView<D>& view, const CastTest<D>& test, FoundRoom<HitNumber>& room) {             \
-    search(view, HitFinder<D>{test, TestOf<D, CastTest<D>>(test), room});                                    \
+    search(view, HitFinder<D>{TestOf<D, CastTest<D>>(test), room});                                          \
   }                                                                                                          \
   void near_casts_##D(const BlockView<D>& view, const CastTest<D>& test, NearRoom& room) {                   \
     near_all<D>(view, test, room);                                                                           \

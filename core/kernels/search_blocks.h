@@ -16,12 +16,15 @@ namespace kerf {
 /// A cast: on each axis a box is met first with its near end, left with its far end.
 template <int D>
 struct CastTest {
-  std::array<Scalar, D> near_start{};   ///< the end of the moving box that meets the near end, at t = 0
-  std::array<Scalar, D> far_start{};    ///< the end that leaves the far end
+  std::array<Scalar, D> start{};        ///< the end of the moving box that meets the near end, at t = 0
+  std::array<Scalar, D> near_start{};   ///< the same, or beyond it by more than denormals can be
+  std::array<Scalar, D> far_start{};    ///< the end that leaves the far end, or before it by as much
   std::array<Scalar, D> near_factor{};  ///< 1 / direction, smaller by more than all roundings
   std::array<Scalar, D> far_factor{};   ///< larger
-  std::array<double, D> direction{};    ///< if it is 0 the ends must be on their sides for all t
-  bool moves_on_all = true;             ///< no direction is 0
+  std::array<double, D>
+      direction{};           ///< by which t is computed; 0: the ends must be on their sides for all t
+  bool moves_on_all = true;  ///< no direction is 0
+  Scalar blur = 0;           ///< by which near and far may be too far apart together
   Scalar max_t = 0;
 };
 
@@ -53,12 +56,13 @@ struct FoundRoom {
   Finding* limit = nullptr;
   /// Called when the room has less than a block's width left; false ends the search.
   bool (*make_room)(FoundRoom& room) = nullptr;
-  /// Whether the box in this slot is one to be found: asked where floats cannot be sure. Not of regions of
-  /// boxes.
+  /// Whether the box in this slot is one to be found: asked where the test is not sure, which `find_overlaps`
+  /// always is.
   bool (*confirm)(FoundRoom& room, std::uint32_t slot) = nullptr;
 };
 
-/// A hit as a number: t above the object, both as bits. Those of floats that are not negative grow with them.
+/// A hit as a number: the bits of t are the upper half, the object the lower one. Such numbers are ordered as
+/// hits are, since no t is negative.
 using HitNumber = std::uint64_t;
 
 /// Finds all objects whose boxes overlap the region.
@@ -69,7 +73,8 @@ void find_overlaps(const BlockView<D>& view, const Box<D>& region, FoundRoom<std
 template <int D, class Test>
 void find_possible(const BlockView<D>& view, const Test& test, FoundRoom<std::uint32_t>& room);
 
-/// The same with the t of each: the largest quotient of the axes, in doubles, and 0 at least.
+/// The same with the t of each, as `entry_of` has it: 0 or the largest quotient of the axes in doubles, then
+/// rounded to a float that is finite.
 template <int D>
 void find_hits(const BlockView<D>& view, const CastTest<D>& test, FoundRoom<HitNumber>& room);
 

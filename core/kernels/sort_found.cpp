@@ -15,8 +15,8 @@
 #define KERF_CORE_KERNELS_SORT_FOUND_ONCE
 namespace kerf {
 
-/// Up to so many numbers are sorted by counting: then that takes less time than vqsort, which asks the system
-/// for random bits each time.
+/// Up to so many numbers are sorted by counting: then that takes less time than vqsort, which in
+/// Highway 1.0.3 asks the system for random bits each time.
 inline constexpr std::size_t kMostCounted = 96;
 /// Beyond the numbers, so that two whole vectors can be read and written.
 inline constexpr std::size_t kBeyond = 16;
@@ -37,6 +37,7 @@ HWY_INLINE void count_smaller(const Number* numbers, std::size_t count, Number* 
 #else
   constexpr std::size_t kLanes = 16 / sizeof(Number);
 #endif
+  static_assert(2 * kLanes <= kBeyond);
   const hn::FixedTag<Signed, kLanes> lanes;
   const auto* const in_order = reinterpret_cast<const Signed*>(numbers);
   for (std::size_t k = 0; k < count; k += 2 * kLanes) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/spatial/exact_sum.h"
+
 namespace kerf {
 namespace {
 
@@ -13,6 +15,11 @@ constexpr double kSlack = 0x1p-20;
 constexpr double kTiny = 0x1p-140;
 /// Below this, squared distances may be zero for a processor that takes denormals for zero.
 constexpr double kLeastSure = 0x1p-100;
+
+/// More than a difference of floats loses where denormals, in operands and results, are taken for zero; only
+/// floats near zero have such differences.
+constexpr Scalar kLost = 0x1p-123F;
+constexpr Scalar kNearZero = 0x1p-100F;
 
 /// A coordinate from which every box has a finite distance.
 bool is_usual(Scalar coordinate) { return std::abs(coordinate) <= 0x1p102F; }
@@ -29,18 +36,18 @@ bool has_usual_size(double factor) {
 /// `n` times a power of two, so that the largest component is from 1/8 to 1/4.
 template <int D>
 RoundedHalfSpace<D> make_space(const Plane<D>& plane, bool& works) {
-  Scalar largest = 0;
-  for (const Scalar x : plane.normal.value) largest = std::max(largest, std::abs(x));
+  double largest = 0;
+  for (const Scalar x : plane.normal.value) largest = std::max(largest, std::abs(wide(x)));
   int exponent = 0;
   (void)std::frexp(largest, &exponent);
   const int scale = -exponent - 2;
   RoundedHalfSpace<D> space;
   for (std::size_t i = 0; i < D; ++i) {
-    space.normal[i] = std::ldexp(plane.normal.value[i], scale);
-    works &= has_usual_size(static_cast<double>(space.normal[i]));
-    works &= space.normal[i] != 0 || plane.normal.value[i] == 0;
+    const double component = std::ldexp(wide(plane.normal.value[i]), scale);
+    works &= has_usual_size(component);
+    space.normal[i] = static_cast<Scalar>(component);
   }
-  const double offset = std::ldexp(static_cast<double>(plane.offset), scale);
+  const double offset = std::ldexp(wide(plane.offset), scale);
   space.possible = round_up(offset);
   space.sure = round_down(offset);
   return space;
@@ -69,6 +76,7 @@ CastQuery<D>::CastQuery(const Cast<D>& cast) : works(are_usual(cast.box.min) && 
   test.near_start = cast.box.max.value;
   test.far_start = cast.box.min.value;
   test.max_t = cast.max_t;
+  test.blur = 0x1p-100F;
   for (std::size_t i = 0; i < D; ++i) {
     const double direction = cast.direction[i];
     works &= has_usual_size(direction);
@@ -79,6 +87,12 @@ CastQuery<D>::CastQuery(const Cast<D>& cast) : works(are_usual(cast.box.min) && 
     test.near_factor[i] = static_cast<Scalar>((1 - kSlack) * inverse);
     test.far_factor[i] = static_cast<Scalar>((1 + kSlack) * inverse);
     if (direction < 0) std::swap(test.near_start[i], test.far_start[i]);
+    test.start[i] = test.near_start[i];
+    if (std::min(std::abs(test.near_start[i]), std::abs(test.far_start[i])) >= kNearZero) continue;
+    const Scalar lost = direction < 0 ? -kLost : kLost;
+    test.near_start[i] += lost;
+    test.far_start[i] -= lost;
+    test.blur = std::max(test.blur, 8 * kLost * std::abs(test.far_factor[i]));
   }
 }
 
@@ -86,7 +100,8 @@ template <int D>
 FrustumQuery<D>::FrustumQuery(const Frustum<D>& frustum) {
   const std::size_t count = std::min(frustum.planes.size(), kMost);
   for (std::size_t k = 0; k < count; ++k) spaces[k] = make_space(frustum.planes[k], works);
-  if (count < frustum.planes.size()) spaces.back().sure = -std::numeric_limits<Scalar>::infinity();
+  if (count < frustum.planes.size())  // no box is surely left of the last one: each is looked at
+    spaces.back().sure = -std::numeric_limits<Scalar>::infinity();
   test.all = std::span(spaces.data(), count);
 }
 

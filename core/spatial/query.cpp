@@ -43,9 +43,9 @@ QueryStatus check_length(Scalar length) {
 
 template <int D>
 std::array<double, D> in_doubles(const Vector<D>& v) {
-  std::array<double, D> wide{};
-  std::ranges::copy(v.value, wide.begin());
-  return wide;
+  std::array<double, D> doubles{};
+  std::ranges::transform(v.value, doubles.begin(), wide);
+  return doubles;
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ Cast<D>::Cast(const Ray<D>& ray)
 template <int D>
 Cast<D>::Cast(const Segment<D>& segment) : box{segment.from, segment.from}, max_t(1) {
   for (int i = 0; i < D; ++i) {
-    const Exact way = difference(static_cast<double>(segment.to[i]), static_cast<double>(segment.from[i]));
+    const Exact way = difference(wide(segment.to[i]), wide(segment.from[i]));
     direction[static_cast<std::size_t>(i)] = way.value;
     rest[static_cast<std::size_t>(i)] = way.rest;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <span>
@@ -22,7 +23,8 @@ void sort_objects(std::span<ObjectId> objects) {
 }
 
 // As one number, t is above the object, and the bits of floats that are not negative grow with them.
-static_assert(std::endian::native == std::endian::little && sizeof(Hit) == sizeof(std::uint64_t));
+static_assert(std::endian::native == std::endian::little && sizeof(Hit) == sizeof(HitNumber) &&
+              offsetof(Hit, t) == sizeof(HitNumber) / 2);
 void sort_hits(std::span<Hit> hits) {
   sort_found({reinterpret_cast<std::uint64_t*>(hits.data()), hits.size()});
 }
@@ -48,6 +50,20 @@ void for_each_slot(const BlockHierarchy<D>& blocks, Take take) {
 }
 
 using Ids = std::span<const std::uint32_t>;
+
+ObjectId object_of(ObjectId object) { return object; }
+ObjectId object_of(const Hit& hit) { return hit.object; }
+
+/// Appends the numbers whose objects take part, as values of the same bits.
+template <class Number, class Value>
+void append_taken(std::span<const Number> numbers, const Filter& filter, std::vector<Value>& found) {
+  found.reserve(found.size() + numbers.size());
+  const bool takes_all = filter.takes_all();
+  for (const Number number : numbers) {
+    const auto value = std::bit_cast<Value>(number);
+    if (takes_all || filter.takes(object_of(value))) found.push_back(value);
+  }
+}
 
 /// Calls `take(ids)` with the objects whose boxes the query touches, part by part, until it returns false.
 template <int D, class Query, class Test, class Take>
@@ -104,12 +120,7 @@ QueryStatus append_overlaps(const BlockHierarchy<D>& blocks, const Region& regio
   if (status != QueryStatus::ok) return status;
   const std::size_t before = found.size();
   find_touched(blocks, region, HandOn::in_bulk, [&](Ids ids) {
-    if (filter.takes_all()) {
-      append_as(ids, found);
-    } else {
-      for (const std::uint32_t id : ids)
-        if (filter.takes({id})) found.push_back({id});
-    }
+    append_taken(ids, filter, found);
     return true;
   });
   sort_objects(std::span(found).subspan(before));
@@ -241,12 +252,7 @@ QueryStatus SpatialIndex<D>::hits(const Cast<D>& cast, std::vector<Hit>& found, 
   if (status != QueryStatus::ok) return status;
   const std::size_t before = found.size();
   find_all_hits(hierarchy_, cast, [&](std::span<const HitNumber> numbers) {
-    if (filter.takes_all()) {
-      append_as(numbers, found);
-    } else {
-      for (const HitNumber number : numbers)
-        if (const auto hit = std::bit_cast<Hit>(number); filter.takes(hit.object)) found.push_back(hit);
-    }
+    append_taken(numbers, filter, found);
     return true;
   });
   sort_hits(std::span(found).subspan(before));

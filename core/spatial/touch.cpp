@@ -14,8 +14,6 @@ namespace {
 // left to exact sums.
 constexpr double kRounding = 0x1p-48;
 
-double wide(Scalar x) { return static_cast<double>(x); }
-
 /// On one axis, t is at least begin / speed and at most end / speed; the speed is positive.
 struct Slab {
   Exact begin;
@@ -39,7 +37,7 @@ bool make_slabs(const Cast<D>& cast, const Box<D>& box, Slabs<D>& slabs) {
     const auto k = static_cast<std::size_t>(i);
     const Exact speed{cast.direction[k], cast.rest[k]};
     if (speed.value == 0) {
-      if (cast.box.max[i] < box.min[i] || box.max[i] < cast.box.min[i]) return false;
+      if (wide(cast.box.max[i]) < wide(box.min[i]) || wide(box.max[i]) < wide(cast.box.min[i])) return false;
       continue;
     }
     const Exact up = difference(wide(box.min[i]), wide(cast.box.max[i]));
@@ -64,8 +62,11 @@ bool product_at_most(const Exact& a, const Exact& b, const Exact& c, const Exact
 /// How far the point lies beyond the box on an axis.
 template <int D>
 Exact beyond(const Vector<D>& point, const Box<D>& box, int axis) {
-  if (point[axis] < box.min[axis]) return difference(wide(box.min[axis]), wide(point[axis]));
-  if (point[axis] > box.max[axis]) return difference(wide(point[axis]), wide(box.max[axis]));
+  const double place = wide(point[axis]);
+  const double min = wide(box.min[axis]);
+  const double max = wide(box.max[axis]);
+  if (place < min) return difference(min, place);
+  if (place > max) return difference(place, max);
   return {};
 }
 
@@ -77,7 +78,7 @@ bool reaches_left(const Plane<D>& plane, const Box<D>& box) {
   double size = 0;
   for (int i = 0; i < D; ++i)  // products of two floats are exact
     terms[static_cast<std::size_t>(i)] =
-        wide(plane.normal[i]) * wide(plane.normal[i] < 0 ? box.max[i] : box.min[i]);
+        wide(plane.normal[i]) * wide(std::signbit(plane.normal[i]) ? box.max[i] : box.min[i]);
   terms[D] = -wide(plane.offset);
   for (const double term : terms) {
     sum += term;
@@ -94,14 +95,17 @@ bool reaches_left(const Plane<D>& plane, const Box<D>& box) {
 template <int D>
 bool touches(const Sphere<D>& sphere, const Box<D>& box) {
   if (std::isinf(sphere.radius)) return true;
-  const double distance = squared_distance(sphere.center, box);
+  std::array<Exact, D> apart;
+  double distance = 0;
+  for (int i = 0; i < D; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    apart[k] = beyond(sphere.center, box, i);
+    distance += apart[k].value * apart[k].value;
+  }
   const double reach = wide(sphere.radius) * wide(sphere.radius);
   if (std::abs(distance - reach) > kRounding * (distance + reach)) return distance < reach;
   ExactSum sum;
-  for (int i = 0; i < D; ++i) {
-    const Exact apart = beyond(sphere.center, box, i);
-    sum.add_product(apart, apart);
-  }
+  for (const Exact& along : apart) sum.add_product(along, along);
   sum.add_product(-wide(sphere.radius), wide(sphere.radius));
   return sum.sign() <= 0;
 }
@@ -133,19 +137,20 @@ Scalar entry_of(const Cast<D>& cast, const Box<D>& box) {
   for (int i = 0; i < D; ++i) {
     const double direction = cast.direction[static_cast<std::size_t>(i)];
     if (direction == 0) continue;
-    const double ahead =
-        direction > 0 ? wide(box.min[i]) - wide(cast.box.max[i]) : wide(box.max[i]) - wide(cast.box.min[i]);
+    const double ahead = direction > 0
+                             ? static_cast<double>(box.min[i]) - static_cast<double>(cast.box.max[i])
+                             : static_cast<double>(box.max[i]) - static_cast<double>(cast.box.min[i]);
     t = std::max(t, ahead / direction);
   }
-  return static_cast<Scalar>(std::min(t, wide(std::numeric_limits<Scalar>::max())));
+  return static_cast<Scalar>(std::min(t, static_cast<double>(std::numeric_limits<Scalar>::max())));
 }
 
 template <int D>
 double squared_distance(const Vector<D>& point, const Box<D>& box) {
   double sum = 0;
   for (int i = 0; i < D; ++i) {
-    const double apart =
-        std::max({wide(box.min[i]) - wide(point[i]), wide(point[i]) - wide(box.max[i]), 0.0});
+    const double apart = std::max({static_cast<double>(box.min[i]) - static_cast<double>(point[i]),
+                                   static_cast<double>(point[i]) - static_cast<double>(box.max[i]), 0.0});
     sum += apart * apart;
   }
   return sum;

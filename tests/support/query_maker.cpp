@@ -129,9 +129,13 @@ Frustum<D> QueryMaker<D>::frustum() {
     const Vector<D> normal = direction();
     planes_.push_back({normal, near(dot(normal, point()))});
   }
-  if (count > 0 &&
-      random_.below(8) == 0)  // more than kernels take, and each of the last ones may cut off some
-    while (planes_.size() < 20) planes_.push_back({planes_[0].normal, dot(planes_[0].normal, point())});
+  // More than kernels take, the last ones along those that are there, so that each may cut off some more.
+  if (count > 0 && random_.below(8) == 0) {
+    while (planes_.size() < 20) {
+      const Vector<D> normal = planes_[planes_.size() % count].normal;
+      planes_.push_back({normal, near(dot(normal, point()))});
+    }
+  }
   return {planes_};
 }
 

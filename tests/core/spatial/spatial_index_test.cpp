@@ -152,6 +152,9 @@ TYPED_TEST(SpatialIndexTest, AHitIsNeverAtInfinity) {
     std::vector<Hit> hits;
     ASSERT_EQ(this->index_.hits(ray, hits), QueryStatus::ok);
     EXPECT_EQ(hits, (std::vector<Hit>{{{0}, std::numeric_limits<Scalar>::max()}})) << kernel;
+    Hit first;
+    ASSERT_EQ(this->index_.first_hit(ray, first), QueryStatus::ok);
+    EXPECT_EQ(first, hits.front()) << kernel;
   }
   use_kernel("");
 }

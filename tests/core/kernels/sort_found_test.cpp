@@ -1,0 +1,55 @@
+#include "core/kernels/sort_found.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <string>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/kernels/machine.h"
+
+namespace kerf::test {
+namespace {
+
+/// Different ones; of hits every third t is 0.
+std::vector<std::uint32_t> objects(std::size_t count, Random& random) {
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t k = 0; k < count; ++k) all.push_back(k * 5000 + random.below(5000));
+  for (std::size_t k = count; k > 1; --k)
+    std::swap(all[k - 1], all[random.below(static_cast<std::uint32_t>(k))]);
+  return all;
+}
+std::vector<std::uint64_t> hits(std::size_t count, Random& random) {
+  std::vector<std::uint64_t> all;
+  for (const std::uint32_t object : objects(count, random)) {
+    const auto t = random.below(3) == 0 ? 0.0F : static_cast<float>(random.unit());
+    all.push_back(std::uint64_t{std::bit_cast<std::uint32_t>(t)} << 32U | object);
+  }
+  return all;
+}
+
+template <class Number>
+void expect_sorted(std::vector<Number> numbers) {
+  std::vector<Number> sorted = numbers;
+  std::ranges::sort(sorted);
+  sort_found(numbers);
+  EXPECT_EQ(numbers, sorted);
+}
+
+TEST(SortFound, AnyNumberByEveryKernel) {
+  Random random(1);
+  for (const std::string& kernel : kernels()) {
+    use_kernel(kernel);
+    for (std::size_t count = 0; count < 200; ++count) {
+      expect_sorted(objects(count, random));
+      expect_sorted(hits(count, random));
+      ASSERT_FALSE(testing::Test::HasFailure()) << kernel << ", " << count;
+    }
+  }
+  use_kernel("");
+}
+
+}  // namespace
+}  // namespace kerf::test

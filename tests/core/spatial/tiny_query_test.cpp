@@ -1,0 +1,109 @@
+// Queries among boxes as small as floats get, with and without denormals taken for zero: the answers are
+// those of real arithmetic on the given floats.
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/kernels/machine.h"
+#include "core/spatial/spatial_index.h"
+#include "core/spatial/touch.h"
+#include "tests/hard/flush_to_zero.h"
+#include "tests/support/dimensions.h"
+
+namespace kerf::test {
+namespace {
+
+template <class Param>
+class TinyQueries : public testing::Test {
+ protected:
+  static constexpr int kD = Param::value;
+
+  void SetUp() override {
+    for (std::uint32_t id = 0; id < 150; ++id)
+      ASSERT_EQ(table_.insert({id}, box(), Mobility::moving), Status::ok);
+    index_.update(table_);
+  }
+  void TearDown() override { use_kernel(""); }
+
+  /// Zero, a denormal, or up to 2^-118, often one of a few.
+  Scalar number() {
+    constexpr std::array kFew{0.0F, 0x1p-149F, 0x1p-127F, 0x1p-126F, 0x1p-125F, 0x1p-124F, 0x1.000002p-125F};
+    const Scalar size = random_.below(2) == 0 ? kFew[random_.below(kFew.size())]
+                                              : std::ldexp(static_cast<Scalar>(random_.unit()),
+                                                           -static_cast<int>(118 + random_.below(30)));
+    return random_.below(2) == 0 ? size : -size;
+  }
+  Vector<kD> point() {
+    Vector<kD> p;
+    for (Scalar& x : p.value) x = number();
+    return p;
+  }
+  Box<kD> box() {
+    const Vector<kD> a = point();
+    const Vector<kD> b = point();
+    return join(Box<kD>{a, a}, Box<kD>{b, b});
+  }
+  /// Not tiny: those are looked at box by box.
+  Vector<kD> direction() {
+    Vector<kD> way;
+    for (Scalar& x : way.value)
+      x = random_.below(3) == 0
+              ? 0
+              : std::ldexp(static_cast<Scalar>(random_.uniform(-1, 1)), -static_cast<int>(random_.below(90)));
+    return way;
+  }
+
+  /// By a look at each box, as this processor usually computes.
+  template <class Query>
+  std::vector<ObjectId> touched(const Query& query) {
+    std::vector<ObjectId> all;
+    for (std::uint32_t id = 0; id < table_.bound(); ++id)
+      if (touches(query, table_.box({id}))) all.push_back({id});
+    return all;
+  }
+  template <class Region>
+  void judge_region(const Region& region) {
+    const std::vector<ObjectId> all = touched(region);
+    const FlushToZero flush(true);
+    std::vector<ObjectId> found;
+    ASSERT_EQ(index_.overlaps(region, found), QueryStatus::ok);
+    EXPECT_EQ(found, all);
+  }
+  void judge_cast(const Cast<kD>& cast) {
+    const std::vector<ObjectId> all = touched(cast);
+    const FlushToZero flush(true);
+    std::vector<Hit> least;
+    for (const ObjectId object : all) least.push_back({object, entry_of(cast, table_.box(object))});
+    std::ranges::sort(least, std::less<>());
+    std::vector<Hit> hits;
+    ASSERT_EQ(index_.hits(cast, hits), QueryStatus::ok);
+    EXPECT_EQ(hits, least);
+    Hit first;
+    ASSERT_EQ(index_.first_hit(cast, first), QueryStatus::ok);
+    EXPECT_EQ(first.object, least.empty() ? ObjectId::none() : least.front().object);
+  }
+
+  Random random_{3};
+  ObjectTable<kD> table_;
+  SpatialIndex<kD> index_;
+};
+TYPED_TEST_SUITE(TinyQueries, Dimensions, DimensionNames);
+
+TYPED_TEST(TinyQueries, AreExactThoughDenormalsAreZero) {
+  constexpr int D = TypeParam::value;
+  for (const std::string& kernel : kernels()) {
+    use_kernel(kernel);
+    for (int round = 0; round < 200 && !this->HasFailure(); ++round) {
+      this->judge_cast(Ray<D>{this->point(), this->direction()});
+      this->judge_cast(SweptBox<D>{this->box(), this->direction(), 0x1p-60F});
+      this->judge_region(Sphere<D>{this->point(), std::abs(this->number())});
+      const Plane<D> plane{this->direction(), this->number()};
+      this->judge_region(Frustum<D>{{&plane, 1}});
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test
