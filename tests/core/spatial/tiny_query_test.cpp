@@ -92,15 +92,14 @@ class TinyQueries : public testing::Test {
 TYPED_TEST_SUITE(TinyQueries, Dimensions, DimensionNames);
 
 TYPED_TEST(TinyQueries, AreExactThoughDenormalsAreZero) {
-  constexpr int D = TypeParam::value;
   for (const std::string& kernel : kernels()) {
     use_kernel(kernel);
     for (int round = 0; round < 200 && !this->HasFailure(); ++round) {
-      this->judge_cast(Ray<D>{this->point(), this->direction()});
-      this->judge_cast(SweptBox<D>{this->box(), this->direction(), 0x1p-60F});
-      this->judge_region(Sphere<D>{this->point(), std::abs(this->number())});
-      const Plane<D> plane{this->direction(), this->number()};
-      this->judge_region(Frustum<D>{{&plane, 1}});
+      this->judge_cast(Ray<TestFixture::kD>{this->point(), this->direction()});
+      this->judge_cast(SweptBox<TestFixture::kD>{this->box(), this->direction(), 0x1p-60F});
+      this->judge_region(Sphere<TestFixture::kD>{this->point(), std::abs(this->number())});
+      const Plane<TestFixture::kD> plane{this->direction(), this->number()};
+      this->judge_region(Frustum<TestFixture::kD>{{&plane, 1}});
     }
   }
 }
