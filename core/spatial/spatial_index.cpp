@@ -57,7 +57,6 @@ ObjectId object_of(const Hit& hit) { return hit.object; }
 /// Appends the numbers whose objects take part, as values of the same bits.
 template <class Number, class Value>
 void append_taken(std::span<const Number> numbers, const Filter& filter, std::vector<Value>& found) {
-  found.reserve(found.size() + numbers.size());
   const bool takes_all = filter.takes_all();
   for (const Number number : numbers) {
     const auto value = std::bit_cast<Value>(number);

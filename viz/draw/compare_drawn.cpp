@@ -172,12 +172,12 @@ void compare_items(const FrameIds& reference, const FrameIds& test, DrawnFinding
     if (!own.contains(key)) findings.add(DrawnFindings::extra, name_of(test.list.items[item - 1]) + " extra");
 }
 
-/// How far the same text may be from its place: releases of Dear ImGui have boxes around it of other widths.
-/// The letters themselves are compared as pixels.
+/// How far the same text may be from its place in its row: releases of Dear ImGui have boxes around it of
+/// other widths. The letters themselves are compared as pixels.
 constexpr int kTextSlack = 2;
 
 bool is_in_place(const DrawnText& a, const DrawnText& b) {
-  return std::abs(a.x - b.x) <= kTextSlack && std::abs(a.y - b.y) <= kTextSlack && a.text == b.text;
+  return a.y == b.y && std::abs(a.x - b.x) <= kTextSlack && a.text == b.text;
 }
 
 /// Drops each text of the one list with one of the other list that is in its place.
