@@ -12,9 +12,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
-/// Blocks that wait on a stack. Each inner block replaces itself by eight at most, and no hierarchy has more
-/// than eleven levels: eight to the power of eleven objects have no ids.
-constexpr std::size_t kMostWaiting = 8 * 11 + 8;
+/// No hierarchy has more: eight to the power of eleven objects have no ids.
+constexpr std::size_t kMostLevels = 11;
+/// Blocks that wait on a stack. Each inner block replaces itself by eight at most.
+constexpr std::size_t kMostWaiting = 8 * kMostLevels + 8;
 /// Blocks that wait in a queue.
 constexpr std::size_t kQueue = 256;
 
@@ -24,7 +25,7 @@ struct Queue {
   HWY_INLINE bool is_empty() const { return head == tail; }
   HWY_INLINE std::uint32_t take() { return HWY_LIKELY(tail < kQueue) ? waiting[head++] : waiting[--tail]; }
   std::size_t head = 0;
-  std::size_t tail = 1;
+  std::size_t tail = 0;
   std::uint32_t waiting[kQueue + kMostWaiting];
 };
 
@@ -36,22 +37,40 @@ HWY_INLINE bool take_room(FoundRoom<Finding>& room) {
   return static_cast<std::size_t>(room.limit - room.next) >= kBlockWidth || room.make_room(room);
 }
 
+/// Lets all items wait that the finder reaches. Returns their lanes.
+template <int D, class Finder>
+HWY_INLINE std::uint32_t add_reached(const WideBlock<D>& block, const Finder& finder, Queue& queue) {
+  std::uint32_t lanes = 0;
+  for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
+    const Marks reached = finder.reaches(block, k);
+    lanes |= bits_of(reached) << k;
+    queue.tail += write_items(block, k, reached, queue.waiting + queue.tail);
+  }
+  return lanes;
+}
+
 /// Hands the blocks of objects to the finder that lie in what it reaches.
 template <int D, class Finder>
 HWY_INLINE void search(const BlockView<D>& view, Finder finder) {
   Queue queue;
-  queue.waiting[0] = view.root;
-  while (!queue.is_empty()) {
-    const std::uint32_t item = queue.take();
+  std::uint32_t item = view.root;
+  for (;;) {
     const WideBlock<D>& block = view.blocks[item >> 1U];
     if (has_blocks(item)) {
-      for (std::size_t k = 0; k < kBlockWidth; k += kPart)
-        queue.tail += write_items(block, k, finder.reaches(block, k), queue.waiting + queue.tail);
+      const bool none_waited = queue.is_empty();
+      const std::uint32_t lanes = add_reached(block, finder, queue);
+      if (HWY_UNLIKELY(none_waited && lanes != 0)) {  // straight from its lane it is there sooner
+        ++queue.head;
+        item = block.item[first_bit(lanes)];
+        continue;
+      }
     } else if (take_room(finder.room)) {
       finder.take(block, (item >> 1U) * kBlockWidth);
     } else {
       return;
     }
+    if (queue.is_empty()) return;
+    item = queue.take();
   }
 }
 
@@ -126,58 +145,107 @@ struct HitFinder {
   FoundRoom<HitNumber>& room;
 };
 
-/// A block that waits, and how near it is at least.
-struct Waiting {
-  float key;
-  std::uint32_t item;
+/// How near the items of a block are at least, as numbers that are ordered as the keys are and end in the
+/// lanes: their minimum is the nearest item, and no branch has to guess it.
+class Order {
+ public:
+  Order() = default;
+  /// Of all items that are possible; `sure` are those whose boxes need no look.
+  template <int D, class Test>
+  HWY_INLINE Order(const WideBlock<D>& block, const Test& test, std::uint32_t& sure) {
+    sure = 0;
+    for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
+      const Answer answer = test(block, k);
+      sure |= bits_of(test.sure_of(answer)) << k;
+      const auto key = hn::And(hn::BitCast(RankTag(), answer.key), hn::Set(RankTag(), kKeyBits));
+      const auto rank = hn::Or(key, hn::Iota(RankTag(), static_cast<std::int32_t>(k)));
+      part_[k / kPart] = hn::IfThenElse(hn::RebindMask(RankTag(), answer.possible), rank, none());
+    }
+  }
+  /// The rank of the nearest one; if there is none, greater than any that is within a bound.
+  [[nodiscard]] HWY_INLINE std::int32_t nearest() const {
+    Ranks least = part_[0];
+    for (const Ranks& part : part_) least = hn::Min(least, part);
+    return hn::GetLane(hn::MinOfLanes(RankTag(), least));
+  }
+  HWY_INLINE void remove(std::int32_t rank) {
+    for (Ranks& part : part_) part = hn::IfThenElse(hn::Eq(part, hn::Set(RankTag(), rank)), none(), part);
+  }
+  static HWY_INLINE std::uint32_t lane_of(std::int32_t rank) {
+    return static_cast<std::uint32_t>(rank) % kBlockWidth;
+  }
+  static HWY_INLINE std::int32_t last_within(float bound) {
+    return std::bit_cast<std::int32_t>(bound + 0.0F) | kLaneBits;  // the sum is no negative zero
+  }
+
+ private:
+  static constexpr std::int32_t kLaneBits = kBlockWidth - 1;
+  static constexpr std::int32_t kKeyBits = INT32_MAX - kLaneBits;  // without the sign: no key is negative
+  using RankTag = hn::FixedTag<std::int32_t, kPart>;
+  using Ranks = hn::Vec<RankTag>;
+  static HWY_INLINE Ranks none() { return hn::Set(RankTag(), INT32_MAX); }
+
+  Ranks part_[kBlockWidth / kPart];
 };
 
-/// Adds what lies in the marked lanes, so that the nearest is last.
-template <int D>
-HWY_INLINE std::size_t add_sorted(const WideBlock<D>& block, std::uint32_t bits, const float* keys,
-                                  Waiting* waiting) {
-  std::size_t size = 0;
-  for (; bits != 0; bits &= bits - 1) {
-    const std::uint32_t lane = first_bit(bits);
-    if (block.item[lane] == WideBlock<D>::kUnused) continue;  // as far as anything can be
-    const float key = keys[lane];
-    std::size_t at = size++;
-    for (; at > 0 && waiting[at - 1].key < key; --at) waiting[at] = waiting[at - 1];
-    waiting[at] = {key, block.item[lane]};
+/// Offers the objects of a block, the nearest first.
+template <int D, class Test>
+HWY_INLINE void consider_all(const BlockView<D>& view, std::uint32_t item, const Test& test, NearRoom& room) {
+  std::uint32_t sure = 0;
+  Order order(view.blocks[item >> 1U], test, sure);
+  const std::uint32_t first = (item >> 1U) * kBlockWidth;
+  for (;;) {
+    const std::int32_t rank = order.nearest();
+    if (rank > Order::last_within(room.bound)) return;
+    order.remove(rank);
+    const std::uint32_t lane = Order::lane_of(rank);
+    room.bound = room.consider(room, (first + lane) * 2 + ((sure >> lane & 1U) ^ 1U));
   }
-  return size;
 }
+
+/// Inner blocks on the way to the present one, with what is left of them.
+template <int D>
+class Path {
+ public:
+  template <class Test>
+  HWY_INLINE void add(const WideBlock<D>& block, const Test& test) {
+    std::uint32_t unused = 0;
+    levels_[size_++] = {Order(block, test, unused), block.item};
+  }
+  /// The next item that may be within the bound, or kUnused at the end.
+  HWY_INLINE std::uint32_t next(const NearRoom& room) {
+    while (size_ > 0) {
+      Level& level = levels_[size_ - 1];
+      const std::int32_t rank = level.left.nearest();
+      if (rank > Order::last_within(room.bound)) {
+        --size_;
+        continue;
+      }
+      level.left.remove(rank);
+      const std::uint32_t item = level.items[Order::lane_of(rank)];
+      if (HWY_LIKELY(item != WideBlock<D>::kUnused)) return item;  // its box is as far as anything can be
+    }
+    return WideBlock<D>::kUnused;
+  }
+
+ private:
+  struct Level {
+    Order left;
+    const std::uint32_t* items;
+  };
+  Level levels_[kMostLevels];
+  std::size_t size_ = 0;
+};
 
 template <int D, class Test>
 HWY_INLINE void near_all(const BlockView<D>& view, const Test& given, NearRoom& room) {
   const TestOf<D, Test> test(given);
-  Waiting waiting[kMostWaiting];
-  std::size_t size = 1;
-  waiting[0] = {0, view.root};
-  while (size > 0) {
-    const Waiting top = waiting[--size];
-    if (!(top.key <= room.bound)) continue;
-    const WideBlock<D>& block = view.blocks[top.item >> 1U];
-    const Some bound = hn::Set(FloatTag(), room.bound);
-    HWY_ALIGN float keys[kBlockWidth];
-    std::uint32_t possible = 0;
-    std::uint32_t sure = 0;
-    const bool inner = has_blocks(top.item);
-    for (std::size_t k = 0; k < kBlockWidth; k += kPart) {
-      const Answer answer = test(block, k);
-      hn::Store(answer.key, FloatTag(), keys + k);
-      possible |= bits_of(hn::And(answer.possible, hn::Le(answer.key, bound))) << k;
-      if (!inner) sure |= bits_of(test.sure_of(answer)) << k;
-    }
-    if (inner) {
-      size += add_sorted(block, possible, keys, waiting + size);
-      continue;
-    }
-    const std::uint32_t first = (top.item >> 1U) * kBlockWidth;
-    for (; possible != 0; possible &= possible - 1) {
-      const std::uint32_t lane = first_bit(possible);
-      if (keys[lane] <= room.bound)
-        room.bound = room.consider(room, (first + lane) * 2 + ((sure >> lane & 1U) ^ 1U));
+  Path<D> path;
+  for (std::uint32_t item = view.root; item != WideBlock<D>::kUnused; item = path.next(room)) {
+    if (has_blocks(item)) {
+      path.add(view.blocks[item >> 1U], test);
+    } else {
+      consider_all(view, item, test, room);
     }
   }
 }

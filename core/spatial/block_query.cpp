@@ -58,7 +58,7 @@ RoundedHalfSpace<D> make_space(const Plane<D>& plane, bool& works) {
 Scalar bound_above(double squared_distance) {
   const double bound = squared_distance * (1 + kSlack) + kTiny;
   constexpr double kMax = std::numeric_limits<Scalar>::max();
-  return bound > kMax ? std::numeric_limits<Scalar>::infinity() : round_up(bound);
+  return bound > kMax ? std::numeric_limits<Scalar>::infinity() : static_cast<Scalar>(bound);
 }
 
 template <int D>

@@ -37,7 +37,8 @@ struct FrustumQuery {
   bool works = true;
 };
 
-/// The bound for squared distances in floats within which everything lies that is no farther than this.
+/// The bound for squared distances in floats within which everything lies that is no farther than this; its
+/// slack is larger than all roundings, that to a float, too.
 Scalar bound_above(double squared_distance);
 
 }  // namespace kerf

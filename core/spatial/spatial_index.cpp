@@ -185,7 +185,10 @@ struct FirstSearch : NearRoom {
   }
 };
 
-/// The nearest objects so far, as a heap with the farthest on top.
+/// Up to so many of the nearest are kept in order: that takes less time than a heap.
+constexpr std::size_t kMostInOrder = 32;
+
+/// The nearest objects so far: in order, or many as a heap with the farthest on top.
 template <int D>
 struct NearestSearch : NearRoom {
   const BlockHierarchy<D>& blocks;
@@ -207,21 +210,37 @@ struct NearestSearch : NearRoom {
     const Box<D> box = box_in(blocks, slot);
     if (box.min[0] > box.max[0]) return bound;
     const Neighbour next{object_in(blocks, slot), squared_distance(query.point, box)};
-    const auto heap = std::span(found).subspan(before);
-    const bool is_full = heap.size() == query.count;
-    if ((is_full && !(next < heap.front())) || !is_within_reach(box) || !filter.takes(next.object))
+    if ((is_full() && !(next < farthest())) || !is_within_reach(box) || !filter.takes(next.object))
       return bound;
-    if (is_full) {
-      std::ranges::pop_heap(heap, std::less<>());
+    is_heap() ? add_to_heap(next) : add_in_order(next);
+    return is_full() ? bound_above(farthest().squared_distance) : bound;
+  }
+  void finish() {
+    if (is_heap()) std::ranges::sort_heap(all(), std::less<>());
+  }
+
+ private:
+  [[nodiscard]] bool is_heap() const { return query.count > kMostInOrder; }
+  [[nodiscard]] bool is_full() const { return found.size() - before == query.count; }
+  [[nodiscard]] std::span<Neighbour> all() const { return std::span(found).subspan(before); }
+  [[nodiscard]] const Neighbour& farthest() const { return is_heap() ? found[before] : found.back(); }
+  [[nodiscard]] bool is_within_reach(const Box<D>& box) const {
+    return std::isinf(query.max_distance) || touches(Sphere<D>{query.point, query.max_distance}, box);
+  }
+  void add_in_order(const Neighbour& next) {
+    if (!is_full()) found.push_back(next);
+    std::size_t place = found.size() - 1;
+    for (; place > before && next < found[place - 1]; --place) found[place] = found[place - 1];
+    found[place] = next;
+  }
+  void add_to_heap(const Neighbour& next) {
+    if (is_full()) {
+      std::ranges::pop_heap(all(), std::less<>());
       found.back() = next;
     } else {
       found.push_back(next);
     }
-    std::push_heap(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
-    return found.size() - before < query.count ? bound : bound_above(found[before].squared_distance);
-  }
-  [[nodiscard]] bool is_within_reach(const Box<D>& box) const {
-    return std::isinf(query.max_distance) || touches(Sphere<D>{query.point, query.max_distance}, box);
+    std::ranges::push_heap(all(), std::less<>());
   }
 };
 
@@ -281,7 +300,6 @@ QueryStatus SpatialIndex<D>::nearest(const Nearest<D>& nearest, std::vector<Neig
   const QueryStatus status = check(nearest);
   if (status != QueryStatus::ok || nearest.count == 0) return status;
   NearestSearch<D> search(hierarchy_, nearest, filter, found);
-  const std::size_t before = found.size();
   const SphereQuery<D> query({nearest.point, 0});
   if (query.works) {
     BallTest<D> test = query.test;
@@ -293,7 +311,7 @@ QueryStatus SpatialIndex<D>::nearest(const Nearest<D>& nearest, std::vector<Neig
       return true;
     });
   }
-  std::sort_heap(found.begin() + static_cast<std::ptrdiff_t>(before), found.end());
+  search.finish();
   return status;
 }
 

@@ -115,7 +115,7 @@ SweptBox<D> QueryMaker<D>::swept() {
 
 template <int D>
 Nearest<D> QueryMaker<D>::nearest() {
-  constexpr std::array<std::size_t, 5> kCounts{0, 1, 2, 9, 100'000};
+  constexpr std::array<std::size_t, 7> kCounts{0, 1, 2, 9, 32, 40, 100'000};
   const Vector<D> center = point();
   const std::size_t count = kCounts[random_.below(kCounts.size())];
   return {center, count, random_.below(2) == 0 ? kInfinity : sphere().radius};
