@@ -180,7 +180,7 @@ class Order {
 
  private:
   static constexpr std::int32_t kLaneBits = kBlockWidth - 1;
-  static constexpr std::int32_t kKeyBits = INT32_MAX - kLaneBits;  // without the sign: no key is negative
+  static constexpr std::int32_t kKeyBits = ~kLaneBits;
   using RankTag = hn::FixedTag<std::int32_t, kPart>;
   using Ranks = hn::Vec<RankTag>;
   static HWY_INLINE Ranks none() { return hn::Set(RankTag(), INT32_MAX); }

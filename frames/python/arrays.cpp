@@ -1,13 +1,10 @@
 #include "frames/python/arrays.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <new>
 
-#include "frames/python/round_boxes.h"
+#include "core/kernels/box_rows.h"
 
 namespace kerf::python {
 namespace {
@@ -20,51 +17,10 @@ namespace py = pybind11;
 
 std::string dtype_text(const py::array& array) { return py::str(array.dtype()); }
 
-/// What a register of any processor holds, and what comparing two of them gives.
-template <class Number>
-struct Register;
-template <>
-struct Register<float> {
-  using Lanes [[gnu::vector_size(16)]] = float;
-  using Mask [[gnu::vector_size(16)]] = std::int32_t;
-};
-template <>
-struct Register<double> {
-  using Lanes [[gnu::vector_size(16)]] = double;
-  using Mask [[gnu::vector_size(16)]] = std::int64_t;
-};
-
-template <class Number>
-typename Register<Number>::Lanes load(const Number* numbers) {
-  typename Register<Number>::Lanes lanes;
-  std::memcpy(&lanes, numbers, sizeof(lanes));
-  return lanes;
-}
-
-/// Whether some row of 2 x D numbers is no box. Rows are compared four at a time, each number with the one D
-/// behind it; half of these comparisons mean nothing.
-template <int D, class Number>
-bool has_bad_row(const Number* numbers, std::size_t rows) {
-  constexpr std::size_t kRow = 2 * D;
-  constexpr std::size_t kLanes = sizeof(typename Register<Number>::Lanes) / sizeof(Number);
-  std::array<typename Register<Number>::Mask, 4 * kRow / kLanes> good;
-  good.fill(~typename Register<Number>::Mask{});
-  std::size_t row = 0;
-  for (; row + 5 <= rows; row += 4, numbers += 4 * kRow)
-    for (std::size_t k = 0; k < good.size(); ++k)
-      good[k] &= load(numbers + k * kLanes) <= load(numbers + k * kLanes + D);
-  bool bad = false;
-  for (std::size_t k = 0; k < 4 * kRow; ++k)
-    if (k % kRow < D) bad |= good[k / kLanes][k % kLanes] == 0;
-  for (; row < rows; ++row, numbers += kRow)
-    for (std::size_t k = 0; k < D; ++k) bad |= !(numbers[k] <= numbers[k + D]);
-  return bad;
-}
-
 template <int D, class Number>
 std::size_t first_bad_row(const Number* numbers, std::size_t rows) {
   std::size_t row = 0;
-  while (!has_bad_row<D>(numbers + row * 2 * D, 1) && row + 1 < rows) ++row;
+  while (are_boxes<D>(numbers + row * 2 * D, 1) && row + 1 < rows) ++row;
   return row;
 }
 
@@ -82,8 +38,7 @@ std::string fault_of(const Number* box, std::size_t dimension) {
 }
 
 template <int D, class Number>
-void check_rows(const Number* numbers, std::size_t rows, const std::string& what) {
-  if (!has_bad_row<D>(numbers, rows)) return;
+[[noreturn]] void fail_at_bad_row(const Number* numbers, std::size_t rows, const std::string& what) {
   const std::size_t row = first_bad_row<D>(numbers, rows);
   fail(what, "row " + std::to_string(row) + " " + fault_of(numbers + row * 2 * D, std::size_t{D}));
 }
@@ -169,7 +124,7 @@ void BoxRows<D>::take_floats(const py::array& array, const std::string& what) {
   const auto floats = py::array_t<float, kInOrder>::ensure(array);
   if (!floats) throw std::bad_alloc();
   const auto rows = static_cast<std::size_t>(floats.shape(0));
-  check_rows<D>(floats.data(), rows, what);
+  if (!are_boxes<D>(floats.data(), rows)) fail_at_bad_row<D>(floats.data(), rows, what);
   held_ = floats;
   boxes_ = {reinterpret_cast<const Box<D>*>(floats.data()), rows};
 }
@@ -179,10 +134,10 @@ void BoxRows<D>::take_doubles(const py::array& array, const std::string& what, A
   const auto doubles = doubles_of(array);
   const std::span<const double> numbers(doubles.data(), static_cast<std::size_t>(doubles.size()));
   const std::size_t rows = numbers.size() / (2 * D);
-  check_rows<D>(numbers.data(), rows, what);
-  if (array.dtype().kind() != 'f') check_whole_numbers(numbers, 2 * D, what);
   room.clear();
-  round_boxes<D>(numbers, {room.reserve(rows), rows});
+  if (!round_boxes<D>(numbers.data(), rows, room.reserve(rows)))
+    fail_at_bad_row<D>(numbers.data(), rows, what);
+  if (array.dtype().kind() != 'f') check_whole_numbers(numbers, 2 * D, what);
   room.commit(rows);
   boxes_ = room.all();
 }

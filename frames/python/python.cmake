@@ -1,16 +1,14 @@
 # The Python module: the package kerf/ with its types, and kerf/_kerf, which is made here. In the build folder both lie
 # under python/, so that PYTHONPATH=build/release/python finds it without an installation.
 # What the program has of scenes and pictures of recordings is compiled once more, as code that can be loaded.
-kerf_room(kerf_python FOLDERS python EXCLUDE "/python/module\\.cpp$" SEPARATE "/python/(arrays|round_boxes|queries_of|world)")
+kerf_room(kerf_python FOLDERS python EXCLUDE "/python/module\\.cpp$" SEPARATE "/python/(arrays|queries_of|world)")
 target_sources(kerf_python PRIVATE catalog/scene_catalog.cpp support/outputs.cpp support/suggest.cpp
   sequence/part_recording.cpp sequence/recording_file.cpp sequence/recording_picture.cpp)
 set_target_properties(kerf_python PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
 # Also where its headers are compiled alone: types of pybind11 are hidden.
 target_compile_options(kerf_python INTERFACE -fvisibility=hidden)
-# Only the loops over numbers need much optimisation; all else calls the product, and takes long to compile.
+# All of it calls the product, and takes long to compile.
 target_compile_options(kerf_python PRIVATE $<$<CONFIG:Release>:-O1>)
-set_source_files_properties(python/arrays.cpp python/round_boxes.cpp PROPERTIES
-  COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
 target_link_libraries(kerf_python PUBLIC kerf_recording kerf_draw kerf_sims2d kerf_sims3d pybind11::module)
 
 set(python_package ${PROJECT_BINARY_DIR}/python/kerf)

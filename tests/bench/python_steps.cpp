@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/bsp/bsp.h"
-#include "frames/python/round_boxes.h"
+#include "core/kernels/box_rows.h"
 
 namespace {
 
@@ -41,7 +41,7 @@ class Steps {
   std::int64_t step_of_doubles(const py::array_t<double, kInOrder>& boxes) {
     return timed([&] {
       rounded_.resize(ids_.size());
-      kerf::python::round_boxes<D>({boxes.data(), static_cast<std::size_t>(boxes.size())}, rounded_);
+      (void)kerf::round_boxes<D>(boxes.data(), ids_.size(), rounded_.data());
       (void)bsp_.move_many(ids_, rounded_);
     });
   }

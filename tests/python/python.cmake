@@ -10,8 +10,7 @@ foreach(file IN LISTS python_tests)
 endforeach()
 
 # What a step costs through Python, beside the same step in C++: tests/bench/python_overhead.py, run by hand.
-pybind11_add_module(kerf_python_steps NO_EXTRAS bench/python_steps.cpp
-  ${PROJECT_SOURCE_DIR}/frames/python/round_boxes.cpp)
+pybind11_add_module(kerf_python_steps NO_EXTRAS bench/python_steps.cpp)
 set_target_properties(kerf_python_steps PROPERTIES OUTPUT_NAME kerf_steps
   LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/python)
 target_link_libraries(kerf_python_steps PRIVATE kerf_bsp)

@@ -159,6 +159,37 @@ TYPED_TEST(SpatialIndexTest, AHitIsNeverAtInfinity) {
   use_kernel("");
 }
 
+TYPED_TEST(SpatialIndexTest, ACastOfNoLengthHitsWhereItIs) {
+  constexpr int D = TypeParam::value;
+  ASSERT_EQ(this->bsp_.insert({0}, {all<D>(-1), all<D>(1)}, Mobility::moving), Status::ok);
+  this->index_.update(this->bsp_.objects());
+  for (const std::string& kernel : kernels()) {
+    use_kernel(kernel);
+    for (const Scalar length : {0.0F, -0.0F}) {
+      Hit first;
+      ASSERT_EQ(this->index_.first_hit(Ray<D>{all<D>(0), all<D>(1), length}, first), QueryStatus::ok);
+      EXPECT_EQ(first, (Hit{{0}, 0})) << kernel << ' ' << length;
+    }
+  }
+  use_kernel("");
+}
+
+TYPED_TEST(SpatialIndexTest, TheNearestStandBehindWhatWasFoundBefore) {
+  constexpr int D = TypeParam::value;
+  for (std::uint32_t id = 0; id < 50; ++id)
+    ASSERT_EQ(this->bsp_.insert({id}, slab<D>(static_cast<Scalar>(id), static_cast<Scalar>(id)),
+                                Mobility::moving),
+              Status::ok);
+  this->index_.update(this->bsp_.objects());
+  for (const std::size_t count : {std::size_t{3}, std::size_t{40}}) {
+    std::vector<Neighbour> found{{{99}, 1e9}};
+    ASSERT_EQ(this->index_.nearest({all<D>(0), count}, found), QueryStatus::ok);
+    ASSERT_EQ(found.size(), count + 1);
+    EXPECT_EQ(found.front(), (Neighbour{{99}, 1e9}));
+    for (std::uint32_t k = 0; k < count; ++k) EXPECT_EQ(found[k + 1].object, ObjectId{k});
+  }
+}
+
 TYPED_TEST(SpatialIndexTest, FiltersByMaskAndByCall) {
   constexpr int D = TypeParam::value;
   for (std::uint32_t id = 0; id < 20; ++id)
