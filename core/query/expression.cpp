@@ -53,9 +53,7 @@ class Parser {
 
   std::vector<ExpressionPart> run_condition() {
     auto parts = run();
-    const Kind kind = parts.back().kind;
-    const bool is_condition = kind == Kind::happening || kind == Kind::is_not || kind >= Kind::less;
-    if (!is_condition)
+    if (!is_condition(parts.back()))
       reject_expression(text_, 0, "this is a number, not a condition; compare it with something");
     return parts;
   }
@@ -67,6 +65,9 @@ class Parser {
   }
 
  private:
+  static bool is_condition(const ExpressionPart& part) {
+    return part.kind == Kind::happening || part.kind == Kind::is_not || part.kind >= Kind::less;
+  }
   [[nodiscard]] const Token& now() const { return tokens_[next_]; }
   [[noreturn]] void reject(std::string_view what) const { reject_expression(text_, now().place, what); }
 
@@ -99,6 +100,7 @@ class Parser {
       const std::size_t right = found->kind == Kind::equal || found->kind == Kind::unequal
                                     ? named_or_infix(left, found->strength + 1)
                                     : infix(found->strength + 1);
+      if (found->kind >= Kind::both) check_conditions(left, right, place);
       left = add({.kind = found->kind, .left = left, .right = right});
       if (is_comparison(found->kind)) refuse_chain();
     }
@@ -109,6 +111,13 @@ class Parser {
     const auto next = std::ranges::find(kInfixes, now().text, &Infix::symbol);
     if (now().kind == Token::Kind::symbol && next != kInfixes.end() && is_comparison(next->kind))
       reject("a comparison cannot be compared; write 100<height && height<200");
+  }
+
+  /// What && and || join must be conditions.
+  void check_conditions(std::size_t left, std::size_t right, std::size_t place) const {
+    if (!is_condition(parts_[left]) || !is_condition(parts_[right]))
+      reject_expression(text_, place,
+                        "on one side of this stands a number, not a condition; compare it with something");
   }
 
   /// Only == and != make sense for names.
@@ -147,7 +156,7 @@ class Parser {
 
   std::size_t prefix_unlimited() {
     constexpr int kTightest = 6;
-    if (accept("!")) return add({.kind = Kind::is_not, .left = infix(3)});
+    if (accept("!")) return negation();
     if (accept("-")) return add({.kind = Kind::negate, .left = infix(kTightest)});
     if (accept("(")) {
       const std::size_t inner = infix(1);
@@ -158,6 +167,14 @@ class Parser {
       return add({.kind = Kind::number, .number = tokens_[next_++].number});
     if (now().kind == Token::Kind::word) return word();
     reject("here a name, a number or '(' was expected");
+  }
+
+  std::size_t negation() {
+    const std::size_t place = now().place;
+    const std::size_t inner = infix(3);
+    if (!is_condition(parts_[inner]))
+      reject_expression(text_, place, "this is a number, not a condition; compare it with something");
+    return add({.kind = Kind::is_not, .left = inner});
   }
 
   std::size_t word() {
@@ -208,7 +225,9 @@ class Parser {
     part.a = is_node ? node() : object();
     if (name == "pair") {
       expect(",");
+      const std::size_t second = now().place;
       part.b = object();
+      if (part.a == part.b) reject_expression(text_, second, "an object makes no pair with itself");
     }
     expect(")");
     std::string verbs;

@@ -23,6 +23,18 @@ bool is_change(std::optional<double> before, double now, Change change) {
   return before && *before != now;
 }
 
+/// Throws std::invalid_argument if the condition is about an object that no recording of these names can
+/// have.
+void check_objects(const Expression& expression, const GivenNames& names) {
+  for (const ExpressionPart& part : expression.parts()) {
+    if (part.kind != ExpressionPart::Kind::happening) continue;
+    const bool is_pair = part.happening <= Happening::pair_leaves;
+    if (!is_pair && part.happening != Happening::object_moves) continue;
+    for (const GivenId& id : {part.a, is_pair ? part.b : part.a})
+      if (!names.find_object(id)) throw std::invalid_argument("the recording has no object " + to_string(id));
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -30,6 +42,7 @@ Search<D>::Search(std::shared_ptr<RecordingReader<D>> recording) : recording_(st
 
 template <int D>
 void Search<D>::check(const Expression& expression) {
+  check_objects(expression, recording_->info().names);
   if (!expression.asks_oracle() || !recording_->info().imported) return;
   if (!has_judgement_) has_judgement_ = recording_->steps() == 0 || !recording_->their_steps().empty();
   if (!*has_judgement_)

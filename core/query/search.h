@@ -27,8 +27,8 @@ class Search {
 
   explicit Search(std::shared_ptr<RecordingReader<D>> recording);
 
-  /// Throws std::invalid_argument for an expression about the other engine's pairs of an import that has
-  /// none.
+  /// Throws std::invalid_argument for an expression about an object that the recording cannot have, or about
+  /// the other engine's pairs of an import that has none.
   void check(const Expression& expression);
 
   /// The first moment after `from`; none if there is none.

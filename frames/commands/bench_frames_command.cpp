@@ -182,7 +182,7 @@ void BenchFramesCommand::run() const {
   if (!frames_.empty()) frames = parse_whole("--frames", frames_, 1U, kMostFrames);
   const InterruptGuard interrupt;
   const std::filesystem::path parent =
-      out_.empty() ? std::filesystem::temp_directory_path() : std::filesystem::path(out_);
+      out_.empty() ? temporary_folder() : std::filesystem::path(out_);
   Results results(json_, outputs.replace());
   make_writable_folder(parent);
   const ScratchFolder scratch(parent);

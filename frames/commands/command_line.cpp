@@ -17,6 +17,7 @@
 #include "frames/commands/bench_command.h"
 #include "frames/commands/bench_frames_command.h"
 #include "frames/commands/collect_command.h"
+#include "frames/commands/command_options.h"
 #include "frames/commands/compare_command.h"
 #include "frames/commands/completion_command.h"
 #include "frames/commands/debug_command.h"
@@ -73,7 +74,7 @@ std::vector<std::string> valid_names(const CLI::App& command, bool options) {
     }
     return names;
   }
-  for (const CLI::Option* option : command.get_options()) {
+  for (const CLI::Option* option : options_of(command)) {
     if (!option->nonpositional()) continue;
     names.push_back("--" + option->get_lnames().front());
   }
@@ -116,7 +117,7 @@ std::string help_hint(const CLI::App& program) {
 
 /// An empty text asks for nothing: most likely a variable of a script was not set.
 void refuse_empty_options(const CLI::App& command) {
-  for (const CLI::Option* const option : command.get_options())
+  for (const CLI::Option* const option : options_of(command))
     if (option->nonpositional() && std::ranges::count(option->results(), std::string()) > 0)
       throw UsageError("--" + option->get_lnames().front() + " is empty; give it " + option->get_type_name() +
                        ", or leave it out");

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "frames/commands/command_options.h"
+
 namespace kerf {
 namespace {
 
@@ -11,9 +13,12 @@ std::vector<const CLI::App*> commands_of(const CLI::App& program) {
   return program.get_subcommands([](const CLI::App*) { return true; });
 }
 
-std::vector<const CLI::Option*> options_of(const CLI::App& command) {
-  return command.get_options(
-      [](const CLI::Option* option) { return option->nonpositional() && !option->get_group().empty(); });
+/// The options that a command shows.
+std::vector<const CLI::Option*> shown_options(const CLI::App& command) {
+  std::vector<const CLI::Option*> shown;
+  for (const CLI::Option* option : options_of(command))
+    if (option->nonpositional() && !option->get_group().empty()) shown.push_back(option);
+  return shown;
 }
 
 /// The first line, for a shell between single quotes.
@@ -32,6 +37,12 @@ std::string spellings(const CLI::Option& option) {
   return text;
 }
 
+std::string all_spellings(const CLI::App& command) {
+  std::string text;
+  for (const CLI::Option* option : shown_options(command)) text += spellings(*option);
+  return text;
+}
+
 std::string for_bash(const CLI::App& program) {
   const std::string& name = program.get_name();
   std::string names;
@@ -39,11 +50,10 @@ std::string for_bash(const CLI::App& program) {
   for (const CLI::App* command : commands_of(program)) {
     names += " " + command->get_name();
     cases += "    " + command->get_name() + ") words='";
-    for (const CLI::Option* option : options_of(*command)) cases += spellings(*option);
-    cases += "' ;;\n";
+    cases += all_spellings(*command) + "' ;;\n";
   }
   return "_" + name + "() {\n  local words current=${COMP_WORDS[COMP_CWORD]}\n  case ${COMP_WORDS[1]} in\n" +
-         cases + "  esac\n  if ((COMP_CWORD == 1)); then\n    words='" + names +
+         cases + "  esac\n  if ((COMP_CWORD == 1)); then\n    words='" + names + all_spellings(program) +
          "'\n  elif [[ $current != -* ]]; then\n    words=\n  fi\n"
          "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n}\ncomplete -o default -F _" +
          name + " " + name + "\n";
@@ -54,35 +64,45 @@ std::string described(const std::string& name, const std::string& description) {
   return " " + quoted(name + ":" + description);
 }
 
+std::string described_options(const CLI::App& command) {
+  std::string text;
+  for (const CLI::Option* option : shown_options(command))
+    if (!option->get_lnames().empty())
+      text += described("--" + option->get_lnames().front(), option->get_description());
+  return text;
+}
+
 std::string for_zsh(const CLI::App& program) {
   std::string names;
   std::string cases;
   for (const CLI::App* command : commands_of(program)) {
     names += described(command->get_name(), command->get_description());
-    cases += "  " + command->get_name() + ") options=(";
-    for (const CLI::Option* option : options_of(*command))
-      if (!option->get_lnames().empty())
-        cases += described("--" + option->get_lnames().front(), option->get_description());
-    cases += ") ;;\n";
+    cases += "  " + command->get_name() + ") options=(" + described_options(*command) + ") ;;\n";
   }
   return "#compdef " + program.get_name() + "\nlocal -a commands options\ncommands=(" + names +
-         ")\nif ((CURRENT == 2)); then\n  _describe command commands\n  return\nfi\ncase $words[2] in\n" +
-         cases +
-         "esac\nif [[ $words[CURRENT] == -* ]]; then\n  _describe -o option options\nelse\n  _files\nfi\n";
+         ")\noptions=(" + described_options(program) + ")\ncase $words[2] in\n" + cases +
+         "esac\nif [[ $words[CURRENT] == -* ]]; then\n  _describe -o option options\n"
+         "elif ((CURRENT == 2)); then\n  _describe command commands\nelse\n  _files\nfi\n";
+}
+
+std::string fish_options(const CLI::App& command, const std::string& begin) {
+  std::string text;
+  for (const CLI::Option* option : shown_options(command)) {
+    text += begin;
+    for (const std::string& name : option->get_snames()) text += " -s " + name;
+    for (const std::string& name : option->get_lnames()) text += " -l " + name;
+    text += " -d " + quoted(option->get_description()) + "\n";
+  }
+  return text;
 }
 
 std::string for_fish(const CLI::App& program) {
   const std::string begin = "complete -c " + program.get_name() + " -n ";
-  std::string text;
+  std::string text = fish_options(program, begin + "__fish_use_subcommand");
   for (const CLI::App* command : commands_of(program)) {
     text += begin + "__fish_use_subcommand -a " + command->get_name() + " -d " +
             quoted(command->get_description()) + "\n";
-    for (const CLI::Option* option : options_of(*command)) {
-      text += begin + "'__fish_seen_subcommand_from " + command->get_name() + "'";
-      for (const std::string& name : option->get_snames()) text += " -s " + name;
-      for (const std::string& name : option->get_lnames()) text += " -l " + name;
-      text += " -d " + quoted(option->get_description()) + "\n";
-    }
+    text += fish_options(*command, begin + "'__fish_seen_subcommand_from " + command->get_name() + "'");
   }
   return text;
 }

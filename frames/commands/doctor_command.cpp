@@ -19,6 +19,7 @@
 #include "frames/support/errors.h"
 #include "frames/support/machine.h"
 #include "frames/support/parse_whole.h"
+#include "frames/support/scratch_folder.h"
 #include "frames/support/version.h"
 #include "viz/debugger/gui/glfw_window.h"
 #include "viz/gl/context.h"
@@ -57,7 +58,7 @@ std::string module_here() {
 }
 
 std::string room_for_files(std::uintmax_t gibibytes) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const std::filesystem::path folder = temporary_folder();
   const std::uintmax_t free = std::filesystem::space(folder).available;
   if (free >> 30U < gibibytes)
     throw std::runtime_error("less than " + std::to_string(gibibytes) + " GiB is free in " + folder.string());

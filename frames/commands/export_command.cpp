@@ -32,7 +32,7 @@ ExportCommand::ExportCommand(CLI::App& program)
   format->add_flag("--pairs", pairs_,
                    "A line for each pair of another engine: what `kerf import --pairs` reads");
   format->require_option(1);
-  add_output(*command_, "-o,--out", out_, "Where to (default: standard output)");
+  add_output(*command_, "-o,--out", out_, "Where to (default, and -: standard output)");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier file");
   command_->footer("A timeline is shown by chrome://tracing and https://ui.perfetto.dev.");
 }
@@ -48,7 +48,7 @@ void ExportCommand::run() const {
       throw UsageError(file_ + " has no pairs of another engine; `kerf import --pairs` brings them");
     if (pairs_) export_pairs(recording, out, on_step);
   };
-  if (out_.empty()) {
+  if (out_.empty() || out_ == "-") {
     with_recording(file_, [&](auto recording) { write(*recording, std::cout, [](std::uint32_t) {}); });
     return;
   }

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "frames/commands/command_options.h"
 #include "frames/support/version.h"
 
 namespace kerf {
@@ -44,16 +45,17 @@ std::string option_text(const CLI::Option& option, bool positional) {
 std::string command_text(const CLI::App& program, const CLI::App& command) {
   std::string usage;
   std::string text;
-  for (const CLI::Option* option :
-       command.get_options([](const CLI::Option* each) { return each->get_positional(); })) {
-    usage += " " + CLI::Formatter().make_option_usage(option);
-    text += option_text(*option, true);
+  std::string options;
+  for (const CLI::Option* option : options_of(command)) {
+    if (option->get_positional()) {
+      usage += " " + CLI::Formatter().make_option_usage(option);
+      text += option_text(*option, true);
+    } else if (option->nonpositional() && !option->get_group().empty()) {
+      options += option_text(*option, false);
+    }
   }
-  for (const CLI::Option* option : command.get_options(
-           [](const CLI::Option* each) { return each->nonpositional() && !each->get_group().empty(); }))
-    text += option_text(*option, false);
   return ".SS " + escaped(program.get_name() + " " + command.get_name() + usage) + "\n" +
-         escaped(command.get_description()) + "\n" + text + ".PP\n" + lines(command.get_footer());
+         escaped(command.get_description()) + "\n" + text + options + ".PP\n" + lines(command.get_footer());
 }
 
 std::string upper(std::string text) {

@@ -173,6 +173,11 @@ void ReportCommand::run() const {
   Outputs outputs({request.hardcases}, request.overwrite);
   if (request.shard.count == 1) outputs.add_file(request.out);
   Report(request, outputs.replace()).run();
+  const std::filesystem::path table = request.hardcases / "hardcases.json";
+  if (std::ranges::count(texts_.sections, "hardcases") > 0 && !std::filesystem::exists(table))
+    std::fprintf(stderr,
+                 "kerf: %s is not there, so the page has no table of hard cases; ./run hardcases makes it\n",
+                 table.c_str());
 }
 
 }  // namespace kerf

@@ -133,6 +133,8 @@ bool StepCommand::chosen() const { return command_->parsed(); }
 
 void StepCommand::run() const {
   Outputs outputs({file_}, overwrite_);
+  if (!picture_.empty() && !picture_.ends_with(".png"))
+    throw UsageError("--picture '" + picture_ + "': call the picture something.png");
   outputs.add_file(picture_);
   StepRequest request{parse_expression("--to", to_), from_, 1, reverse_, picture_, outputs.replace()};
   if (!hits_.empty()) {

@@ -11,13 +11,15 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "frames/support/scratch_folder.h"
+
 namespace kerf {
 namespace {
 
 /// A temporary file that goes away with the object.
 class ScratchFile {
  public:
-  ScratchFile() : name_((std::filesystem::temp_directory_path() / "kerf_plot_XXXXXX").string()) {
+  ScratchFile() : name_((temporary_folder() / "kerf_plot_XXXXXX").string()) {
     const int file = mkstemp(name_.data());
     if (file < 0) throw std::runtime_error("cannot make the temporary file " + name_);
     close(file);

@@ -62,9 +62,9 @@ ReportRequest parse_report_request(const ReportTexts& texts, const std::vector<s
   overrides.apply("--rounds", texts.rounds, 1, 100, {&sizes.rounds});
   overrides.apply("--seeds", texts.seeds, 1, 1000, {&sizes.seeds});
   request.out = texts.out;
+  if (request.out.extension() != ".html")
+    throw UsageError("--out '" + texts.out + "': call the page something.html");
   request.kept = std::filesystem::path(texts.out).replace_extension(".json");
-  if (request.kept == request.out)
-    throw UsageError("--out '" + texts.out + "': the figures are kept there; call the page something.html");
   if (!texts.shard.empty()) request.shard = parse_shard(texts.shard);
   request.hardcases = texts.hardcases;
   request.fresh = texts.fresh;

@@ -63,6 +63,11 @@ void check_kind(const fs::path& out) {
     throw UsageError(out.string() + " is no regular file and is not replaced; choose another name");
 }
 
+/// Who writes a dash means standard output.
+void check_name(const fs::path& out) {
+  if (out == "-") throw UsageError("'-' is no name of a file here; write ./- for a file of that name");
+}
+
 }  // namespace
 
 Outputs::Outputs(std::vector<fs::path> inputs, bool overwrite, std::string if_there)
@@ -96,6 +101,7 @@ void Outputs::check_free(const fs::path& out) const {
 
 void Outputs::add_file(const fs::path& out) {
   if (out.empty()) return;
+  check_name(out);
   check_apart_from_inputs(out);
   check_apart_from_outputs(out);
   check_kind(out);
@@ -107,6 +113,7 @@ void Outputs::add_file(const fs::path& out) {
 
 void Outputs::add_recording(const fs::path& out) {
   if (out.empty()) return;
+  check_name(out);
   check_apart_from_inputs(out);
   check_apart_from_outputs(out);
   check_kind(out);

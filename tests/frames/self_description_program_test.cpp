@@ -30,6 +30,13 @@ TEST(SelfDescriptionProgram, EveryCommandIsInThePageAndInEachCompletion) {
   }
 }
 
+TEST(SelfDescriptionProgram, OptionsOfGroupsAreShown) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"completion", "zsh"}, {"completion", "fish"}})
+    EXPECT_THAT(run_kerf(arguments).out, HasSubstr("chrome-trace")) << arguments.back();
+  EXPECT_THAT(run_kerf({"man"}).out, HasSubstr("chrome\\-trace"));
+}
+
 TEST(SelfDescriptionProgram, BashCompletesCommandsAndOptions) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "script") << run_kerf({"completion", "bash"}).out;
@@ -42,6 +49,8 @@ TEST(SelfDescriptionProgram, BashCompletesCommandsAndOptions) {
   };
   EXPECT_EQ(completed("kerf rende", "1"), "render\n");
   EXPECT_EQ(completed("kerf render --conta", "2"), "--contact-sheet\n");
+  EXPECT_EQ(completed("kerf explain --pa", "2"), "--pair\n");  // of an option group
+  EXPECT_EQ(completed("kerf --vers", "1"), "--version\n");
   EXPECT_EQ(completed("kerf render a", "2"), "\n");  // bash then completes names of files
 }
 

@@ -127,6 +127,19 @@ TEST(Expression, AComparisonIsNotCompared) {
     EXPECT_TRUE(is_true(text)) << text;
 }
 
+TEST(Expression, NumbersAreNoConditions) {
+  for (const char* const text : {"pairs", "!pairs", "pairs && 1", "pairs>0 || height", "!-1", "!(pairs+1)"})
+    EXPECT_THROW((void)Expression::parse(text), std::invalid_argument) << text;
+  for (const char* const text : {"!(pairs>0)", "!pair(1,2)", "pairs>0 && !(height==1 || pair(1,2) enters)"})
+    EXPECT_NO_THROW((void)Expression::parse(text)) << text;
+}
+
+TEST(Expression, APairIsOfTwo) {
+  EXPECT_THROW((void)Expression::parse("pair(3,3)"), std::invalid_argument);
+  EXPECT_THROW((void)Expression::parse("pair(-3,-3) enters"), std::invalid_argument);
+  EXPECT_NO_THROW((void)Expression::parse("pair(-3,3)"));
+}
+
 TEST(Expression, MistakesAreShownAtTheirPlace) {
   EXPECT_THAT(refusal("op==mrge"), HasSubstr("\n  op==mrge\n      ^"));
   EXPECT_THAT(refusal("op==mrge"), HasSubstr("balance, shift_split, split, swap, merge"));

@@ -56,6 +56,13 @@ class SearchTest : public testing::Test {
 };
 TYPED_TEST_SUITE(SearchTest, test::Dimensions, test::DimensionNames);
 
+TYPED_TEST(SearchTest, WhatTheRecordingCannotHaveIsRefused) {
+  Search<TypeParam::value> search(this->recording_);
+  for (const char* const text : {"object(-3) moves", "pair(99999999999,1)", "pairs>0 && pair(1,-2) leaves"})
+    EXPECT_THROW((void)search.forward(Expression::parse(text), Position::end_of(0)), std::invalid_argument)
+        << text;
+}
+
 TYPED_TEST(SearchTest, OperatorsAtADepth) {
   constexpr int kD = TypeParam::value;
   const auto expected = this->walk(Granularity::op, [](const Cursor<kD>& cursor) {

@@ -138,7 +138,9 @@ TEST(ReportProgram, TakesNothingOverFromAnotherMachine) {
   const RunOutcome refused = run_small_report(page, {"hardcases"});
   EXPECT_EQ(refused.exit, kExitUnusable);
   EXPECT_THAT(refused.err, HasSubstr("another machine"));
-  ASSERT_EQ(run_small_report(page, {"hardcases", "--overwrite"}).exit, kExitHolds);
+  const RunOutcome without = run_small_report(page, {"hardcases", "--overwrite"});
+  ASSERT_EQ(without.exit, kExitHolds);
+  EXPECT_THAT(without.err, HasSubstr("hardcases.json is not there"));
   EXPECT_THAT(read_text(page), HasSubstr("./run hardcases")) << "says how to make the table";
   ASSERT_EQ(run_small_report(page, {"volumes", "--overwrite"}).exit, kExitHolds);
   EXPECT_FALSE(read_json(folder.path() / "page.json")["cells"].contains("a"));
