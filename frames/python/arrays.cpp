@@ -75,10 +75,17 @@ bool has_mask(const py::handle& given) {
   return py::bool_(py::module_::import("numpy").attr("any")(given.attr("mask")));
 }
 
+/// A list or tuple of arrays has the masks of all.
+bool has_masks(const py::handle& given) {
+  if (!py::isinstance<py::list>(given) && !py::isinstance<py::tuple>(given)) return has_mask(given);
+  const auto items = py::reinterpret_borrow<py::sequence>(given);
+  return std::any_of(items.begin(), items.end(), &has_mask);
+}
+
 }  // namespace
 
 py::array as_array(const py::handle& given, const std::string& what) {
-  if (has_mask(given))
+  if (has_masks(given))
     fail(what, "this is a masked array, and a mask is not heeded; leave the masked rows out");
   py::array array = py::array::ensure(given);
   if (array) return array;

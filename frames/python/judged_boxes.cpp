@@ -117,13 +117,13 @@ RowFaults judge_rows(const std::vector<RowPair>& reported, const RowTruth& truth
 }
 
 std::vector<RowPair> reported_pairs(const py::object& returned) {
-  if (py::isinstance<py::array>(returned)) return pairs_of(returned);
+  if (py::isinstance<py::array>(returned)) return pairs_of(as_array(returned, "what the function returned"));
   if (returned.is_none() || !py::hasattr(returned, "__iter__"))
     throw py::value_error("the function returned " + std::string(py::repr(returned)) +
                           "; it must return the pairs: (m, 2) whole numbers, rows of boxes");
   const py::list rows(returned);
   if (rows.empty()) return {};
-  return pairs_of(as_array(rows, "pairs"));
+  return pairs_of(as_array(rows, "what the function returned"));
 }
 
 }  // namespace kerf::python

@@ -228,6 +228,25 @@ def test_what_is_no_list_of_pairs_is_refused(returned):
         kerf.check(lambda boxes: returned, random_boxes(5, 2))
 
 
+def in_a_row(count):
+    """Boxes of which each touches its neighbours alone."""
+    low = np.arange(count)[:, None] * [1.0, 0.0]
+    return np.stack([low, low + 1], 1)
+
+
+def test_a_mask_of_returned_pairs_is_refused():
+    """It was not heeded: a masked pair counted as reported, which accused what is right and approved what is not."""
+    boxes = in_a_row(3)
+    pairs = np.ma.masked_array([[0, 1], [1, 2], [0, 2]], mask=[[0, 0], [0, 0], [1, 1]])
+    missing = np.ma.masked_array([[0, 1], [1, 2]], mask=[[0, 0], [1, 1]])
+    for masked in (pairs, missing, list(pairs), tuple(missing), iter(pairs)):
+        with pytest.raises(ValueError, match="masked array"):
+            kerf.check(lambda b: masked, boxes)
+    unmasked = np.ma.masked_array([[0, 1], [1, 2]], mask=False)
+    assert kerf.check(lambda b: unmasked, boxes) is None
+    assert kerf.check(lambda b: list(unmasked), boxes) is None
+
+
 def test_what_is_no_box_is_refused_by_step_and_row():
     steps = np.stack([random_boxes(5, 2)] * 3)
     steps[1, 3, 0, 0] = np.nan

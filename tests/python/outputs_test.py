@@ -123,8 +123,9 @@ def test_masked_rows_are_not_taken_for_boxes():
     phase.insert(boxes)  # nothing is masked
     boxes[1] = np.ma.masked
     for call in (phase.insert, phase.step, phase.query_boxes):
-        with pytest.raises(ValueError, match="masked array"):
-            call(boxes)
+        for given in (boxes, list(boxes), tuple(boxes)):
+            with pytest.raises(ValueError, match="masked array"):
+                call(given)
     with pytest.raises(ValueError, match="masked array"):
         phase.remove(np.ma.masked_array([0, 1], mask=[True, False]))
     assert len(phase) == 3
