@@ -14,8 +14,8 @@ namespace py = pybind11;
 constexpr const char* kCheck = R"(Holds a broad phase of yours against brute force.
 
 function   takes boxes (n, 2, d), as they are given, and returns pairs of rows: (m, 2) whole numbers, or any
-           iterable of two each. With stateful=True it takes nothing and returns such a function, which then
-           sees the steps in order and may remember them.
+           iterable of two each, but no tuple of arrays (np.argwhere(...), not np.nonzero(...)). With stateful=True
+           it takes nothing and returns such a function, which then sees the steps in order and may remember them.
 boxes      (n, 2, d), (steps, n, 2, d), or a list of (n, 2, d), one for each step; float32 or float64 (whole
            numbers become float64)
 touching   'pair': boxes that touch are a pair, as for Kerf (they are closed); 'none': they are not; 'either':

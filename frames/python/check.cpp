@@ -65,7 +65,11 @@ py::array Checker::boxes_of(const Part& part, std::size_t step) const {
 RowFaults Checker::faults_of(const py::object& callable, const py::array& boxes) {
   ++calls_;
   const RowTruth truth = true_pairs(boxes, options_.touching);
-  return judge_rows(reported_pairs(callable(boxes.attr("copy")())), truth);
+  const py::object returned = callable(boxes.attr("copy")());
+  const std::vector<RowPair> reported = reported_pairs(returned);
+  RowFaults faults = judge_rows(reported, truth);
+  if (faults.any()) refuse_columns(returned, reported, truth);
+  return faults;
 }
 
 /// In the last step, of a function that sees all of them; of one that remembers nothing it is the only one.

@@ -68,9 +68,35 @@ std::vector<RowPair> row_pairs(const std::vector<Pair>& pairs) {
   return rows;
 }
 
+constexpr const char* kReturned = "what the function returned";
+constexpr const char* kReturnRows =
+    "; pairs are rows: return np.argwhere(...), or np.stack((i, j), axis=1), instead of np.nonzero(...) or "
+    "np.where(...)";
+
+/// Of numpy or of another library.
+bool is_array(const py::handle& item) {
+  if (!py::hasattr(item, "__array__") || !py::hasattr(item, "ndim")) return false;
+  const py::object dimensions = item.attr("ndim");
+  return !dimensions.equal(py::int_(0));
+}
+
+/// As np.nonzero and np.where return: an array for each axis. Two of two rows each look like two pairs.
+bool is_tuple_of_arrays(const py::object& returned) {
+  if (!py::isinstance<py::tuple>(returned)) return false;
+  const py::tuple items = returned;
+  return std::any_of(items.begin(), items.end(), &is_array);
+}
+
+/// No pair, in any of the shapes that this has in numpy. An array without rows for each axis is none of them.
+bool is_empty(const py::array& array) {
+  return array.size() == 0 && (array.ndim() == 1 || array.shape(0) == 0);
+}
+
 std::vector<RowPair> pairs_of(const py::array& array) {
   const char kind = array.dtype().kind();
-  if (array.size() == 0) return {};
+  if (is_empty(array)) return {};
+  if (array.ndim() == 2 && array.shape(0) == 2 && array.shape(1) != 2)
+    throw py::value_error("the function returned an array of shape " + shape_text(array) + kReturnRows);
   if (array.ndim() != 2 || array.shape(1) != 2 || (kind != 'i' && kind != 'u'))
     throw py::value_error("the function returned an array of shape " + shape_text(array) + " and dtype " +
                           std::string(py::str(array.dtype())) +
@@ -116,14 +142,26 @@ RowFaults judge_rows(const std::vector<RowPair>& reported, const RowTruth& truth
   return faults;
 }
 
+void refuse_columns(const py::object& returned, const std::vector<RowPair>& reported, const RowTruth& truth) {
+  if (reported.size() != 2 || !py::isinstance<py::sequence>(returned)) return;
+  if (py::isinstance<py::tuple>(returned[py::int_(0)])) return;
+  const std::vector<RowPair> turned{{reported[0][0], reported[1][0]}, {reported[0][1], reported[1][1]}};
+  if (!judge_rows(turned, truth).any())
+    throw py::value_error(
+        std::string("the function returned two rows of two, and their columns are the right pairs") +
+        kReturnRows);
+}
+
 std::vector<RowPair> reported_pairs(const py::object& returned) {
-  if (py::isinstance<py::array>(returned)) return pairs_of(as_array(returned, "what the function returned"));
+  if (py::isinstance<py::array>(returned)) return pairs_of(as_array(returned, kReturned));
+  if (is_tuple_of_arrays(returned))
+    throw py::value_error(std::string("the function returned a tuple of arrays") + kReturnRows);
   if (returned.is_none() || !py::hasattr(returned, "__iter__"))
     throw py::value_error("the function returned " + std::string(py::repr(returned)) +
                           "; it must return the pairs: (m, 2) whole numbers, rows of boxes");
   const py::list rows(returned);
   if (rows.empty()) return {};
-  return pairs_of(as_array(rows, "what the function returned"));
+  return pairs_of(as_array(rows, kReturned));
 }
 
 }  // namespace kerf::python

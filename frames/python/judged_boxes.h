@@ -41,8 +41,13 @@ RowTruth true_pairs(const pybind11::array& boxes, Touching touching);
 /// The order of pairs, and of the two rows of one, does not matter.
 RowFaults judge_rows(const std::vector<RowPair>& reported, const RowTruth& truth);
 
+/// Of pairs that are wrong: throws ValueError if they are two rows of two, no tuples, whose columns are the
+/// right pairs. Where there are more pairs or fewer, the shape says that columns were returned.
+void refuse_columns(const pybind11::object& returned, const std::vector<RowPair>& reported,
+                    const RowTruth& truth);
+
 /// The pairs that a function returned: an (m, 2) array of whole numbers, or any iterable of two each. Throws
-/// ValueError for anything else.
+/// ValueError for anything else, among it a tuple of arrays and what has a mask.
 std::vector<RowPair> reported_pairs(const pybind11::object& returned);
 
 }  // namespace kerf::python

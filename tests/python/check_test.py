@@ -222,7 +222,7 @@ def test_nothing_is_right():
     assert kerf.check(lambda boxes: np.empty((0, 2)), random_boxes(1, 2)) is None
 
 
-@pytest.mark.parametrize("returned", [None, 3, [[1, 2, 3]], [[0.5, 1.0]], ["ab"], np.ones((2, 3), int)])
+@pytest.mark.parametrize("returned", [None, 3, [[1, 2, 3]], [[0.5, 1.0]], ["ab"], np.ones((2, 3), int), np.ones((2, 0))])
 def test_what_is_no_list_of_pairs_is_refused(returned):
     with pytest.raises(ValueError):
         kerf.check(lambda boxes: returned, random_boxes(5, 2))
@@ -240,11 +240,45 @@ def test_a_mask_of_returned_pairs_is_refused():
     pairs = np.ma.masked_array([[0, 1], [1, 2], [0, 2]], mask=[[0, 0], [0, 0], [1, 1]])
     missing = np.ma.masked_array([[0, 1], [1, 2]], mask=[[0, 0], [1, 1]])
     for masked in (pairs, missing, list(pairs), tuple(missing), iter(pairs)):
-        with pytest.raises(ValueError, match="masked array"):
+        with pytest.raises(ValueError, match="masked array|tuple of arrays"):
             kerf.check(lambda b: masked, boxes)
     unmasked = np.ma.masked_array([[0, 1], [1, 2]], mask=False)
     assert kerf.check(lambda b: unmasked, boxes) is None
     assert kerf.check(lambda b: list(unmasked), boxes) is None
+
+
+@pytest.mark.parametrize("count", range(7))
+def test_index_arrays_are_refused_however_many_there_are(count):
+    """Two pairs as np.nonzero returns them were taken for (i0, i1) and (j0, j1)."""
+    i, j = np.arange(count - 1), np.arange(1, count)
+    for columns in ((i, j), (i.astype(np.uint8), j.astype(np.uint8)), tuple(np.argwhere(np.eye(count))[1:].T)):
+        with pytest.raises(ValueError, match=r"np.argwhere.*axis=1"):
+            kerf.check(lambda boxes: columns, in_a_row(count))
+    if count == 3:
+        return  # (0, 1) and (1, 2) are the same read along rows and along columns
+    for columns in ([i, j], (i.tolist(), j.tolist()), np.stack([i, j]), [i.tolist(), j.tolist()]):
+        with pytest.raises(ValueError, match=r"np.argwhere.*axis=1"):
+            kerf.check(lambda boxes: columns, in_a_row(count))
+
+
+@pytest.mark.parametrize("count", range(1, 7))
+def test_pairs_may_come_in_any_iterable(count):
+    pairs = np.stack([np.arange(count - 1), np.arange(1, count)], axis=1)
+    tuples = [tuple(pair) for pair in pairs.tolist()]
+    numpy_tuples = [tuple(pair) for pair in pairs]
+    for form in (tuples, tuple(tuples), set(tuples), dict.fromkeys(tuples), numpy_tuples, tuple(numpy_tuples)):
+        assert kerf.check(lambda boxes: form, in_a_row(count)) is None
+    for form in (pairs, pairs.T.copy().T, list(pairs), pairs.tolist(), tuple(pairs.tolist()), pairs.astype(">u2")):
+        assert kerf.check(lambda boxes: form, in_a_row(count)) is None
+    assert kerf.check(lambda boxes: zip(*pairs.T), in_a_row(count)) is None
+    assert kerf.check(lambda boxes: (pair for pair in pairs), in_a_row(count)) is None
+
+
+def test_two_wrong_pairs_are_a_failure_though_their_columns_are_right():
+    boxes = np.array([[[0, 0], [1, 1]], [[1, 0], [2, 1]], [[5, 0], [6, 1]], [[6, 0], [7, 1]]])
+    assert kerf.check(lambda b: [(0, 2), (1, 3)], boxes) is not None
+    with pytest.raises(ValueError, match="their columns are the right pairs"):
+        kerf.check(lambda b: np.array([[0, 2], [1, 3]]), boxes)
 
 
 def test_what_is_no_box_is_refused_by_step_and_row():
