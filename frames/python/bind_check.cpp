@@ -13,19 +13,20 @@ namespace py = pybind11;
 
 constexpr const char* kCheck = R"(Holds a broad phase of yours against brute force.
 
-function   takes boxes (n, 2, d), as they are given, and returns pairs of rows: (m, 2) whole numbers, or any
+function   takes boxes (n, 2, d), float32 or float64, and returns pairs of rows: (m, 2) whole numbers, or any
            iterable of two each, but no tuple of arrays (np.argwhere(...), not np.nonzero(...)). With stateful=True
            it takes nothing and returns such a function, which then sees the steps in order and may remember them.
-boxes      (n, 2, d), (steps, n, 2, d), or a list of (n, 2, d), one for each step; float32 or float64 (whole
-           numbers become float64)
+boxes      (n, 2, d), (steps, n, 2, d), or a list of (n, 2, d), one for each step. float32 stays float32; all
+           other numbers (whole ones, float16) become float64. The function gets a copy, in C order and in the
+           machine's byte order
 touching   'pair': boxes that touch are a pair, as for Kerf (they are closed); 'none': they are not; 'either':
            both answers are right
 shrink     False: the boxes as given, up to the step that fails
 raises     True: a failure is raised, as kerf.CheckFailed
 
 Returns None if all pairs are right, else a kerf.CheckFailure with the smallest scene that still fails: without
-any one of its boxes (or steps) the function is right. The right answer is computed in the precision of the boxes
-as given; the order of pairs, and of the two rows in one, does not matter, but a pair must not come twice.
+any one of its boxes (or steps) the function is right. The right answer is computed in float32 or float64, as the
+function gets them; the order of pairs, and of the two rows in one, does not matter, but a pair must not come twice.
 What the function raises for the boxes given is raised.)";
 
 Touching touching_from(const std::string& text) {

@@ -1,6 +1,8 @@
 """kerf.check: faults of every kind are found and made small, and nothing right is accused."""
 
 import itertools
+import os
+import pathlib
 import random
 
 import numpy as np
@@ -8,6 +10,8 @@ import pytest
 from conftest import brute_force, random_boxes
 
 import kerf
+
+SOURCE = pathlib.Path(os.environ["KERF_SOURCE_DIR"])
 
 
 def right(boxes):
@@ -56,6 +60,19 @@ def test_the_answer_is_that_of_the_precision_given():
     seen = []
     kerf.check(lambda boxes: seen.append(boxes.dtype) or [], boxes.astype(">f8")[::-1])
     assert seen == [np.dtype(float)]
+
+
+@pytest.mark.parametrize("given", ["f2", "f4", "f8", ">f4", ">f8", "i1", "u1", "i4", "i8", ">i2"])
+def test_boxes_reach_the_function_in_the_type_that_the_page_says(given):
+    """The page said that the type is the one given; only float32 and float64 keep theirs."""
+    wide = np.dtype(np.float32 if np.dtype(given).newbyteorder("=") == np.float32 else np.float64)
+    seen = []
+    boxes = np.asfortranarray(in_a_row(3).astype(given))
+    assert kerf.check(lambda b: seen.append((b.dtype, b.flags.c_contiguous)) or right(b), boxes) is None
+    assert seen == [(wide, True)]
+    page = (SOURCE / "docs/PYTHON.md").read_text(encoding="utf-8")
+    for text in (page, " ".join(kerf.check.__doc__.split())):
+        assert "float32 stays float32" in text and "in the type given" not in text and "as they are given" not in text
 
 
 def test_infinite_boxes_are_judged():
