@@ -25,9 +25,9 @@ shrink     False: the boxes as given, up to the step that fails
 raises     True: a failure is raised, as kerf.CheckFailed
 
 Returns None if all pairs are right, else a kerf.CheckFailure with the smallest scene that still fails: without
-any one of its boxes (or steps) the function is right. The right answer is computed in float32 or float64, as the
-function gets them; the order of pairs, and of the two rows in one, does not matter, but a pair must not come twice.
-What the function raises for the boxes given is raised.)";
+any one of its boxes (or steps) the function is right, raises, or returns no pairs; .raised says which. The right
+answer is computed in float32 or float64, as the function gets the boxes; the order of pairs, and of the two rows
+in one, does not matter, but a pair must not come twice. What the function raises for the boxes given is raised.)";
 
 Touching touching_from(const std::string& text) {
   if (text == "pair") return Touching::pair;
@@ -117,9 +117,15 @@ void bind_check(py::module_& module) {
             return py::make_tuple(f.all.missed.size(), f.all.invented.size(), f.all.doubled.size());
           },
           "How many were missed, invented and doubled in that step of the boxes given.")
-      .def_readonly("repeats", &CheckFailure::repeats,
-                    "False: the same boxes gave the right pairs when they were tried again, so there is no "
-                    "smaller scene.")
+      .def_readonly(
+          "repeats", &CheckFailure::repeats,
+          "False: the same boxes did not give wrong pairs when they were tried again, so there is no "
+          "smaller scene.")
+      .def_readonly(
+          "raised", &CheckFailure::raised,
+          "What the function did instead of returning pairs without one of these boxes or steps, as "
+          "'IndexError: ...': a list of str, each once. Empty: it was right each time, or it was not "
+          "tried (shrink=False). Where .repeats is False: with the same boxes.")
       .def_readonly("calls", &CheckFailure::calls, "How often the function was called.")
       .def_property_readonly("text", &CheckFailure::text)
       .def("__str__", &CheckFailure::text)

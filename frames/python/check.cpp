@@ -18,6 +18,23 @@ struct Part {
   std::vector<std::int64_t> rows;  ///< those that a step does not have are left out of it
 };
 
+/// What the function did with a part.
+struct Trial {
+  RowFaults faults;
+  std::string raised;  ///< empty: it returned pairs
+};
+
+/// "IndexError: too few", of whatever `str` makes of it.
+std::string text_of(const py::error_already_set& error) {
+  const std::string type = py::str(error.type().attr("__name__"));
+  try {
+    const std::string what = py::str(error.value());
+    return what.empty() ? type : type + ": " + what;
+  } catch (const std::exception&) {
+    return type;
+  }
+}
+
 class Checker {
  public:
   Checker(const py::function& function, const std::vector<py::array>& steps, const CheckOptions& options)
@@ -30,15 +47,21 @@ class Checker {
   [[nodiscard]] py::array boxes_of(const Part& part, std::size_t step) const;
   RowFaults faults_of(const py::object& callable, const py::array& boxes);
   RowFaults faults_of_last(const Part& part);
+  Trial try_on(const Part& part);
   bool fails(const Part& part);
   [[nodiscard]] std::optional<std::pair<std::size_t, RowFaults>> first_failure();
   [[nodiscard]] Part smallest(Part part);
+  [[nodiscard]] std::vector<std::string> raised_at(std::size_t size) const;
 
   const py::function& function_;
   const std::vector<py::array>& steps_;
   const CheckOptions& options_;
   std::size_t calls_ = 0;
+  std::vector<std::pair<std::size_t, std::string>>
+      raised_;  ///< since the last part that fails, with sizes of parts
 };
+
+std::size_t size_of(const Part& part) { return part.rows.size() + part.steps.size(); }
 
 Part Checker::all_until(std::size_t step) const {
   Part part;
@@ -80,16 +103,23 @@ RowFaults Checker::faults_of_last(const Part& part) {
   return faults;
 }
 
-bool Checker::fails(const Part& part) {
+Trial Checker::try_on(const Part& part) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   try {
-    return faults_of_last(part).any();
-  } catch (const py::value_error&) {  // it returned no pairs
-    return false;
+    return {faults_of_last(part), ""};
+  } catch (const py::value_error& error) {  // it returned no pairs
+    return {{}, error.what()};
   } catch (py::error_already_set& error) {
     if (!error.matches(PyExc_Exception)) throw;
-    return false;
+    return {{}, text_of(error)};
   }
+}
+
+bool Checker::fails(const Part& part) {
+  const Trial trial = try_on(part);
+  if (trial.faults.any()) raised_.clear();
+  if (!trial.raised.empty()) raised_.emplace_back(size_of(part), trial.raised);
+  return trial.faults.any();
 }
 
 std::optional<std::pair<std::size_t, RowFaults>> Checker::first_failure() {
@@ -103,8 +133,8 @@ std::optional<std::pair<std::size_t, RowFaults>> Checker::first_failure() {
 }
 
 Part Checker::smallest(Part part) {
-  for (std::size_t before = SIZE_MAX; part.rows.size() + part.steps.size() < before;) {
-    before = part.rows.size() + part.steps.size();
+  for (std::size_t before = SIZE_MAX; size_of(part) < before;) {
+    before = size_of(part);
     part.rows = delta_debug(part.rows, [&](const std::vector<std::int64_t>& rows) {
       return fails({part.steps, rows});
     });
@@ -116,6 +146,14 @@ Part Checker::smallest(Part part) {
   return part;
 }
 
+/// Those of parts of that size; each text once.
+std::vector<std::string> Checker::raised_at(std::size_t size) const {
+  std::vector<std::string> texts;
+  for (const auto& [of, text] : raised_)
+    if (of == size && std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
+  return texts;
+}
+
 std::optional<CheckFailure> Checker::run() {
   auto first = first_failure();
   if (!first) return std::nullopt;
@@ -123,10 +161,21 @@ std::optional<CheckFailure> Checker::run() {
   CheckFailure failure;
   failure.step = first->first;
   failure.all = std::move(first->second);
-  failure.repeats = fails(part);
-  if (failure.repeats && options_.shrink) part = smallest(std::move(part));
-  failure.faults = failure.repeats ? faults_of_last(part) : failure.all;
-  if (!failure.faults.any()) failure.repeats = false;
+  Trial again = try_on(part);
+  if (again.faults.any() && options_.shrink) {
+    part = smallest(std::move(part));
+    failure.raised = raised_at(size_of(part) - 1);
+    again = try_on(part);
+  }
+  failure.repeats = again.faults.any();
+  if (failure.repeats) {
+    failure.faults = std::move(again.faults);
+  } else {
+    part = all_until(failure.step);
+    failure.faults = failure.all;
+    failure.raised.clear();
+    if (!again.raised.empty()) failure.raised.push_back(again.raised);
+  }
   failure.steps = part.steps;
   failure.rows = part.rows;
   for (const std::size_t step : part.steps) failure.scene.push_back(boxes_of(part, step));
@@ -153,13 +202,15 @@ std::string CheckFailure::text() const {
                      " missed, " + std::to_string(all.invented.size()) + " invented, " +
                      std::to_string(all.doubled.size()) + " doubled\n";
   if (!repeats)
-    return text +
-           "the same boxes gave the right pairs when they were tried again: the function is not "
-           "deterministic\n";
+    return text + "the same boxes " +
+           (raised.empty() ? "gave the right pairs" : "gave no pairs (" + raised[0] + ")") +
+           " when they were tried again: the function is not deterministic\n";
   text += counted(rows.size(), "box shows", "boxes show") + " it in " + counted(steps.size(), "step") +
           "; in rows of these boxes:\n";
   text += line("missed", faults.missed) + line("invented", faults.invented) + line("doubled", faults.doubled);
   for (const py::array& boxes : scene) text += std::string(py::repr(boxes)) + "\n";
+  if (!raised.empty()) text += "without one of them, the function returned the right pairs, or none:\n";
+  for (const std::string& what : raised) text += "  " + what + "\n";
   return text;
 }
 

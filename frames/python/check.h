@@ -27,7 +27,10 @@ struct CheckFailure {
   std::vector<pybind11::array> scene;  ///< the boxes of each of `steps`: (k, 2, d), as the function got them
   RowFaults faults;                    ///< in rows of the last of them
   RowFaults all;                       ///< in rows of the step as it was given
-  bool repeats = true;    ///< false: the same boxes gave the right pairs when they were tried again
+  bool repeats = true;  ///< false: the same boxes did not give wrong pairs when they were tried again
+  /// What the function did in place of returning pairs, "IndexError: ...", when one of these boxes or steps
+  /// was left out; where it does not repeat, when the same boxes were tried again. Each text once.
+  std::vector<std::string> raised;
   std::size_t calls = 0;  ///< of the function
 
   [[nodiscard]] std::string text() const;

@@ -207,6 +207,66 @@ def test_small_scenes_that_it_cannot_take_are_no_failures():
     assert len(failure.rows) == 7
 
 
+def test_what_happened_without_one_of_the_boxes_is_said():
+    """It was said that the function was right where it had raised or returned nonsense."""
+
+    def picky(boxes):
+        if len(boxes) == 6:
+            raise IndexError("six")
+        return [] if len(boxes) > 6 else 3.5
+
+    failure = kerf.check(picky, np.tile(in_a_row(1), (20, 1, 1)))
+    assert len(failure.rows) == 7 and failure.repeats and failure.raised == ["IndexError: six"]
+    assert "returned the right pairs, or none:\n  IndexError: six\n" in str(failure)
+    nonsense = kerf.check(lambda boxes: [] if len(boxes) > 6 else 3.5, np.tile(in_a_row(1), (20, 1, 1)))
+    assert len(nonsense.raised) == 1 and "the function returned 3.5" in nonsense.raised[0]
+    plain = kerf.check(lambda boxes: [], random_boxes(60, 2, size=0.5))
+    assert plain.raised == [] and "or none" not in str(plain)
+    assert kerf.check(picky, np.tile(in_a_row(1), (20, 1, 1)), shrink=False).raised == []
+    for text in (kerf.check.__doc__, (SOURCE / "docs/PYTHON.md").read_text(encoding="utf-8")):
+        assert "is right, raises, or returns no pairs" in " ".join(text.split())
+
+
+def test_steps_left_out_may_raise_too():
+    def make():
+        seen = []
+
+        def function(boxes):
+            seen.append(len(boxes))
+            if len(seen) == 1 and len(boxes) == 0:
+                raise ValueError
+            if len(seen) == 2:
+                return []
+            if boxes[0, 0, 0] == 1:
+                raise RuntimeError("no first step")
+            return right(boxes)
+
+        return function
+
+    steps = np.stack([in_a_row(3), in_a_row(3) + 1])
+    failure = kerf.check(make, steps, stateful=True)
+    assert failure.steps == [0, 1] and len(failure.rows) == 2 and failure.raised == ["RuntimeError: no first step"]
+
+
+@pytest.mark.parametrize("good", [1, 3])
+def test_what_raises_when_it_is_tried_again_is_no_right_answer(good):
+    """It was called right; when the smallest scene was tried last, its exception left the check, and the finding
+    with it."""
+    calls = []
+
+    def flaky(boxes):
+        calls.append(1)
+        if len(calls) > good:
+            raise OSError("connection lost")
+        return []
+
+    boxes = in_a_row(2)
+    failure = kerf.check(flaky, boxes)
+    assert failure.counts == (1, 0, 0) and failure.missed.tolist() == [[0, 1]] and (failure.boxes == boxes).all()
+    assert not failure.repeats and failure.raised == ["OSError: connection lost"]
+    assert "gave no pairs (OSError: connection lost)" in str(failure) and "right" not in str(failure)
+
+
 def test_a_function_cannot_change_the_boxes():
     boxes = random_boxes(30, 2, size=0.3)
     was = boxes.copy()
