@@ -42,6 +42,7 @@ class PartFile {
   void keep(Sync sync = Sync::now);
   /// Leaves the part under its own name.
   void leave() { is_left_ = true; }
+  [[nodiscard]] bool is_left() const { return is_left_; }
 
  private:
   void take_name();

@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <bit>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -21,7 +22,10 @@ constexpr int kPatience = 30'000;  // ms, while others are in the midst of a que
   const char* file = sqlite3_db_filename(database, "main");
   const std::string message =
       std::string(file == nullptr ? "the recording" : file) + ": " + sqlite3_errmsg(database);
-  if (sqlite3_errcode(database) == SQLITE_NOTADB) throw NotADatabase(message);
+  const int error = sqlite3_errcode(database);
+  if (error == SQLITE_NOTADB) throw NotADatabase(message);
+  if (error == SQLITE_FULL) throw CannotWrite(message + " (" + std::generic_category().message(ENOSPC) + ")");
+  if (error == SQLITE_IOERR || error == SQLITE_READONLY) throw CannotWrite(message);
   throw std::runtime_error(message);
 }
 

@@ -74,6 +74,12 @@ class NotADatabase : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The disk is full, or takes nothing more for another reason. What was committed before is whole.
+class CannotWrite : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// An SQLite file. Everything throws std::runtime_error with the file and SQLite's reason. A path is a path:
 /// "file:x?mode=memory" is a name like any other.
 class Database {

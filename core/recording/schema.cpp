@@ -213,6 +213,8 @@ void fold_log(const std::filesystem::path& path) {
   if (!std::filesystem::exists(log, none)) return;
   try {
     Database::open_to_end(path).close();
+  } catch (const CannotWrite&) {
+    throw;
   } catch (const std::runtime_error&) {
     std::filesystem::remove(log);
   }

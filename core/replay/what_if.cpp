@@ -140,6 +140,8 @@ bool rerun(RecordingReader<D>& recording, const RecordingInfo& info, const std::
                        info);  // what has the name already, or is being written, is not ours to remove
   try {
     return rerun_steps(recording, info, tree, recorder, stop);
+  } catch (const CannotWrite&) {
+    throw;
   } catch (const std::runtime_error&) {
     remove_recording(out);
     throw;

@@ -55,8 +55,9 @@ int report(const std::string& message, int exit_code) {
 
 /// Several rooms report a full disk, each with the system's words; the advice is added here.
 std::string with_advice(std::string message) {
+  const std::string advice = "; free some space or choose another place";
   const bool full = message.find(std::generic_category().message(ENOSPC)) != std::string::npos;
-  if (full) message += "; free some space or choose another place";
+  if (full && message.find(advice) == std::string::npos) message += advice;
   return message;
 }
 

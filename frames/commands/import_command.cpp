@@ -87,8 +87,10 @@ void ImportCommand::run() const {
   const InterruptGuard interrupt;  // before there is a part that an interrupt would leave
   PartRecording part(out_, outputs.replace());
   request.out = part.path();
-  import_boxes(request, interrupt);
-  part.keep();
+  part.write([&] {
+    import_boxes(request, interrupt);
+    part.keep();
+  });
 }
 
 }  // namespace kerf

@@ -67,17 +67,20 @@ void write_results(const Scenario<D>& scenario, const MinimizeRequest& request) 
   PartRecording recording(request.out, request.replace);
   PartFile picture(request.picture(), request.replace);
   PartFile test(request.test(), request.replace);
-  const SmallRun run = write_recording(scenario, request, recording.path(), picture);
-  test.write(test_of_scenario(scenario, request.when.text(), run.hash));
-  picture.keep();
-  test.keep();
-  recording.keep();
+  const std::string hit = recording.write([&] {
+    const SmallRun run = write_recording(scenario, request, recording.path(), picture);
+    test.write(test_of_scenario(scenario, request.when.text(), run.hash));
+    picture.keep();
+    test.keep();
+    recording.keep();
+    return run.hit;
+  });
   std::printf("%s: %s, %s, %s, %s in them; it holds at %s\n%s: a picture of that moment\n%s: a C++ test\n",
               request.out.c_str(), counted(scenario.steps.size(), "step").c_str(),
               counted(objects_of(scenario).size(), "object").c_str(),
               counted(scenario.requests(), "request").c_str(),
               counted(acting_operators(scenario).size(), "kind of operators", "kinds of operators").c_str(),
-              run.hit.c_str(), request.picture().c_str(), request.test().c_str());
+              hit.c_str(), request.picture().c_str(), request.test().c_str());
 }
 
 template <int D>

@@ -78,9 +78,13 @@ void rerun_recording(const std::shared_ptr<RecordingReader<D>>& recording, const
   const RecordingInfo info = what_if(recording, asked);
   const InterruptGuard interrupt;
   PartRecording part(asked.out, asked.replace);
-  const bool whole = rerun(*recording, info, part.path(), [&] { return interrupt.requested(); });
-  if (whole) part.keep();
-  const std::filesystem::path file = whole ? asked.out : part.keep_as_far_as_it_came();
+  bool whole = false;
+  const std::filesystem::path file = part.write([&] {
+    whole = rerun(*recording, info, part.path(), [&] { return interrupt.requested(); });
+    if (!whole) return part.keep_as_far_as_it_came();
+    part.keep();
+    return asked.out;
+  });
   std::printf("%s: %s\n", file.c_str(), counted(RecordingReader<D>(file).steps(), "step").c_str());
   if (!whole) throw Interrupted("interrupted: what was done is in " + file.string());
 }

@@ -238,7 +238,9 @@ void RecordingOf<D>::what_if(const WhatIf& change, const std::filesystem::path& 
     if (change.take) decide(changed, *replayer_, change.take->first, change.take->second);
     if (config != config_of(info(), change.first)) change_config(changed, *reader_, change.first, config);
     PartRecording part(out, replace_if(overwrite));
-    if (rerun(*reader_, changed, part.path(), [&] { return interrupts.requested(); })) part.keep();
+    part.write([&] {
+      if (rerun(*reader_, changed, part.path(), [&] { return interrupts.requested(); })) part.keep();
+    });
   });
   interrupts.rethrow();
 }
@@ -258,8 +260,10 @@ void RecordingOf<D>::minimize(const StillHolds& holds, std::uint32_t last, const
     const Scenario<D> late = start_late<D>(*replayer_, last, fails);
     const Scenario<D> small = kerf::minimize<D>(late, fails);
     PartRecording part(out, replace_if(overwrite));
-    record(small, part.path());
-    part.keep();
+    part.write([&] {
+      record(small, part.path());
+      part.keep();
+    });
   });
 }
 

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "frames/python/errors.h"
+
 namespace kerf::python {
 namespace {
 
@@ -36,14 +38,11 @@ Run<D>::Run(const Config& config, const std::filesystem::path& record, bool over
 /// the part that was written stays beside the name.
 template <int D>
 Run<D>::~Run() {
-  if (!recorded_ || !recorded_->recorder || steps() == 0) return;
+  if (!recorded_ || recorded_->part.is_done() || steps() == 0) return;
   try {
-    if (is_torn_) {
-      recorded_->recorder.reset();
-      (void)recorded_->part.keep_as_far_as_it_came();
-    } else {
-      close();
-    }
+    if (!is_torn_) close();
+    recorded_->recorder.reset();
+    if (is_torn_ && !recorded_->part.steps().empty()) (void)recorded_->part.keep_as_far_as_it_came();
   } catch (const std::exception&) {
     recorded_->part.leave();
   }
@@ -61,10 +60,27 @@ BroadPhase<D>& Run<D>::broad_phase() {
 }
 
 template <int D>
+template <class Work>
+void Run<D>::write(Work work) {
+  of_recording([&] {
+    recorded_->part.write([&] {
+      try {
+        work();
+      } catch (...) {
+        recorded_->recorder.reset();  // what was committed can be read then
+        throw;
+      }
+    });
+  });
+}
+
+template <int D>
 void Run<D>::step() {
-  change([this](BroadPhase<D>& broad_phase) {
-    broad_phase.step();
-    if (recorded_) (void)recorded_->bsp.trace().take();
+  (void)broad_phase();  // throws if nothing can be asked any more
+  if (!recorded_) return change([](BroadPhase<D>& broad_phase) { broad_phase.step(); });
+  write([this] {
+    change([](BroadPhase<D>& broad_phase) { broad_phase.step(); });
+    (void)recorded_->bsp.trace().take();
   });
 }
 
@@ -89,9 +105,11 @@ void Run<D>::exchange_pairs(PairBuffer& buffer) {
 template <int D>
 void Run<D>::close() {
   if (!recorded_ || !recorded_->recorder) return;
-  recorded_->recorder->finish();
-  recorded_->recorder.reset();
-  recorded_->part.keep();
+  write([this] {
+    recorded_->recorder->finish();
+    recorded_->recorder.reset();
+    recorded_->part.keep();
+  });
 }
 
 template class Run<2>;

@@ -17,7 +17,8 @@ class Run {
   /// Throws std::invalid_argument for a configuration that cannot work, std::runtime_error if the recording
   /// cannot be written. `record` may be empty; `overwrite`: it may take an earlier recording's place.
   Run(const Config& config, const std::filesystem::path& record, bool overwrite);
-  /// A recording that was not closed is kept as far as it came, if it has a step.
+  /// A recording that was not closed is kept as far as it came, if it has a step; what keeps it from that is
+  /// lost.
   ~Run();
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -33,9 +34,10 @@ class Run {
     change(changed);
     is_torn_ = false;
   }
+  /// Throws RecordingError if the recording cannot be written (PartRecording::write).
   void step();
   void set_threads(unsigned threads);
-  /// Ends the recording, which then has its name.
+  /// Ends the recording, which then has its name. Throws as `step` does.
   void close();
 
   [[nodiscard]] const Tree<D>& tree() const {
@@ -62,8 +64,11 @@ class Run {
     Recorded(const Config& config, const std::filesystem::path& path, bool overwrite);
     PartRecording part;
     Bsp<D, EventLog> bsp;
-    std::optional<Recorder<D>> recorder;  ///< none: the recording is complete
+    std::optional<Recorder<D>> recorder;  ///< none: the recording is complete, or could not be written
   };
+  /// Calls `work`, which writes the recording.
+  template <class Work>
+  void write(Work work);
 
   template <class Ask>
   [[nodiscard]] decltype(auto) visit(Ask ask) const {

@@ -142,13 +142,15 @@ void record_scene(const SceneRun& run, const std::string& tree, const std::files
     of_recording([&] {
       check_recording(out, overwrite);
       PartRecording part(out, replace_if(overwrite));
-      std::visit(
-          [&](const auto* entry) {
-            const Config config = tree == kTunedTree ? tuned_config() : default_config(entry->needs);
-            record(*entry, run, config, part, interrupts);
-          },
-          scene.entry);
-      if (!interrupts.requested()) part.keep();
+      part.write([&] {
+        std::visit(
+            [&](const auto* entry) {
+              const Config config = tree == kTunedTree ? tuned_config() : default_config(entry->needs);
+              record(*entry, run, config, part, interrupts);
+            },
+            scene.entry);
+        if (!interrupts.requested()) part.keep();
+      });
     });
   }
   interrupts.rethrow();

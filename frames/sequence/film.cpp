@@ -92,12 +92,56 @@ class SceneFilm final : public Film {
 
   void finish(bool whole) override {
     if (!recorder_) return;
-    recorder_->finish();
+    close([this] { recorder_->finish(); });
     if (whole) return recording_->keep();
     std::fprintf(stderr, "kerf: what was recorded is in %s\n", recording_->keep_as_far_as_it_came().c_str());
   }
 
+  void give_up() noexcept override {
+    if (!recording_ || recording_->is_done()) return;
+    try {
+      const bool is_whole = end();
+      const std::string steps = recording_->steps();
+      if (steps.empty()) return;
+      if (!is_whole) recording_->leave();
+      const std::filesystem::path file = is_whole ? recording_->keep_as_far_as_it_came() : recording_->path();
+      std::fprintf(stderr, "kerf: what was recorded (%s) is in %s\n", steps.c_str(), file.c_str());
+    } catch (const std::exception&) {
+      recording_->leave();
+    }
+  }
+
  private:
+  /// Ends the recording after a failure. False if it ends with what was committed before.
+  bool end() {
+    const bool may_finish = recorder_ && !is_torn_;
+    try {
+      close([&] {
+        if (may_finish) recorder_->finish();
+      });
+      return may_finish;
+    } catch (const std::exception&) {  // the disk may be full
+      return false;
+    }
+  }
+
+  /// The recording can be read and named afterwards.
+  template <class Finish>
+  void close(Finish finish) {
+    if (!recorder_) return;
+    const auto closed = [this] {
+      scene_.reset();  // which uses the recorder to its end
+      recorder_.reset();
+    };
+    try {
+      finish();
+    } catch (...) {
+      closed();
+      throw;
+    }
+    closed();
+  }
+
   static std::unique_ptr<PartRecording> make_recording(const RenderRequest& request) {
     if (request.record.empty()) return nullptr;
     static_cast<void>(recording_info(request));  // throws if there can be none
@@ -111,7 +155,9 @@ class SceneFilm final : public Film {
   }
 
   void advance() {
+    is_torn_ = true;
     scene_->advance();
+    is_torn_ = false;
     if (tree_ == nullptr) return;
     std::vector<Event> events = tree_->trace().take();
     events_since_record_ += events.size();
@@ -142,6 +188,7 @@ class SceneFilm final : public Film {
   std::uint32_t highlight_steps_;
   std::vector<Event> recent_;  ///< operators of the last `highlight_steps_` steps
   std::uint64_t events_since_record_ = 0;
+  bool is_torn_ = false;  ///< a step was left half-made: the recorder's end would not fit its beginning
 };
 
 }  // namespace

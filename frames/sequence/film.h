@@ -32,6 +32,9 @@ class Film {
   /// Ends the recording, if there is one, which has all steps if it is `whole`. The film must not be used
   /// afterwards.
   virtual void finish(bool whole) = 0;
+  /// After a failure: what was recorded is kept as far as it came, and standard error says where. The film
+  /// must not be used afterwards.
+  virtual void give_up() noexcept {}
 };
 
 /// Throws UsageError for a configuration that cannot work, std::runtime_error for a recording that cannot be

@@ -1,6 +1,10 @@
 #include "frames/sequence/part_recording.h"
 
+#include <cerrno>
+#include <stdexcept>
+
 #include "core/recording/schema.h"
+#include "frames/sequence/recording_file.h"
 
 namespace kerf {
 
@@ -11,15 +15,55 @@ PartRecording::PartRecording(const std::filesystem::path& final_path, Replace re
 void PartRecording::keep() {
   fold_log(part_.final_path());
   part_.keep();
+  is_done_ = true;
+}
+
+/// A full disk may not take what is in the log.
+bool PartRecording::fold_own_log() const {
+  std::error_code none;
+  if (!std::filesystem::exists(part_.path().string() + "-wal", none)) return true;
+  try {
+    Database::open_to_end(part_.path()).close();
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
 }
 
 std::filesystem::path PartRecording::keep_as_far_as_it_came() {
-  if (std::filesystem::exists(part_.final_path())) {
-    part_.leave();
+  if (std::filesystem::exists(part_.final_path()) || !fold_own_log()) {
+    leave();
     return part_.path();
   }
   keep();
   return part_.final_path();
+}
+
+void PartRecording::leave() {
+  part_.leave();
+  is_done_ = true;
+}
+
+std::string PartRecording::steps() const {
+  try {
+    return with_recording(part_.path(), [](const auto& reader) -> std::string {
+      if (reader->steps() == 0) return "";
+      return reader->info().names.steps(1, reader->steps());
+    });
+  } catch (const std::exception&) {
+    return "";
+  }
+}
+
+/// Returns if there is nothing to be left, or if the part was left already and `why` says so.
+void PartRecording::leave_if_any(const std::string& why) {
+  if (part_.is_left()) return;
+  const std::string kept = steps();
+  if (kept.empty()) return;
+  leave();
+  const bool full = why.find(std::generic_category().message(ENOSPC)) != std::string::npos;
+  throw std::runtime_error(why + "; what was recorded (" + kept + ") is in " + part_.path().string() +
+                           (full ? "; free some space or choose another place" : ""));
 }
 
 }  // namespace kerf

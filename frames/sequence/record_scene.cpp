@@ -38,38 +38,57 @@ void print_summary(const std::filesystem::path& file, double recording, double r
               counted(size.changed, "box", "boxes").c_str(), 100 * recording / run, run);
 }
 
+/// How far a scene came, and what recording it took.
+struct Take {
+  std::uint32_t steps = 0;
+  RecordingWish wish = RecordingWish::more;
+  double recording = 0;  ///< seconds
+};
+
+/// Runs the scene and records it into the part, which is closed then.
 template <int D>
-std::filesystem::path record(const SceneEntry<D>& entry, const RenderRequest& request, CostOfRecording cost,
-                             const RecordingWatch& watch) {
+Take record_steps(const SceneEntry<D>& entry, const RenderRequest& request, const std::filesystem::path& part,
+                  const RecordingWatch& watch) {
   const InterruptGuard interrupt;
-  const auto start = std::chrono::steady_clock::now();
-  const RecordingInfo info = recording_info(request);
-  PartRecording part(request.record, replace_if(request.overwrite));
+  Take take;
   Bsp<D, EventLog> tree(request.broad_phase.config, request.broad_phase.volume);
-  Recorder<D> recorder(tree, part.path(), info);
+  Recorder<D> recorder(tree, part, recording_info(request));
   const auto scene = entry.make(recorder, request.options);
   recorder.show([&](ObjectId object) { return appearance_of(scene->bodies()[object.index()]); });
-  auto wish = RecordingWish::more;
   {
     Progress progress({1, request.steps.last, 1});
-    while (scene->step() < request.steps.last && wish == RecordingWish::more) {
+    while (scene->step() < request.steps.last && take.wish == RecordingWish::more) {
       scene->advance();
       (void)tree.trace().take();
       progress.update(scene->step(), scene->step());
-      if (watch) wish = watch(scene->step());
-      if (interrupt.requested()) wish = RecordingWish::none;
+      if (watch) take.wish = watch(scene->step());
+      if (interrupt.requested()) take.wish = RecordingWish::none;
     }
   }
   recorder.finish();
-  const double run = seconds_since(start);
-  const bool whole = scene->step() == request.steps.last;
-  if (whole) part.keep();
-  std::filesystem::path file = whole ? request.record : part.keep_as_far_as_it_came();
-  if (cost == CostOfRecording::printed) print_summary<D>(file, recorder.seconds(), run);
-  if (!whole && wish == RecordingWish::none)
-    throw Interrupted("interrupted: " + counted_of(scene->step(), request.steps.last, "step") + " in " +
-                      file.string());
-  return file;
+  take.steps = scene->step();
+  take.recording = recorder.seconds();
+  return take;
+}
+
+template <int D>
+std::filesystem::path record(const SceneEntry<D>& entry, const RenderRequest& request, CostOfRecording cost,
+                             const RecordingWatch& watch) {
+  const auto start = std::chrono::steady_clock::now();
+  (void)recording_info(request);  // throws if there can be none
+  PartRecording part(request.record, replace_if(request.overwrite));
+  return part.write([&]() -> std::filesystem::path {
+    const Take take = record_steps(entry, request, part.path(), watch);
+    const double run = seconds_since(start);
+    const bool whole = take.steps == request.steps.last;
+    if (whole) part.keep();
+    std::filesystem::path file = whole ? request.record : part.keep_as_far_as_it_came();
+    if (cost == CostOfRecording::printed) print_summary<D>(file, take.recording, run);
+    if (!whole && take.wish == RecordingWish::none)
+      throw Interrupted("interrupted: " + counted_of(take.steps, request.steps.last, "step") + " in " +
+                        file.string());
+    return file;
+  });
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ using RecordingWatch = std::function<RecordingWish(std::uint32_t step)>;
 
 /// Runs the request's scene for its steps and records it into `request.record`. Returns where the recording
 /// is: one with fewer steps does not replace an earlier one. Throws UsageError, Interrupted (the steps so far
-/// are kept), or std::runtime_error if the file cannot be written.
+/// are kept), or std::runtime_error if the file cannot be written (PartRecording::write).
 std::filesystem::path record_scene(const RenderRequest& request,
                                    CostOfRecording cost = CostOfRecording::printed,
                                    const RecordingWatch& watch = {});

@@ -152,6 +152,7 @@ class Sequence {
   /// After a failure: frames that are made are kept, unless they were to replace earlier ones.
   void keep_what_is_there() noexcept {
     crew_.reset();  // frames in flight are finished first
+    film_->give_up();
     if (folder_.is_apart()) return folder_.give_up();
     folder_.remove_parts();
     manifest_.complete = false;

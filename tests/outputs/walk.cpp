@@ -41,6 +41,29 @@ bool is_part(const fs::path& file) {
   });
 }
 
+/// The part to which a file that SQLite has put beside it belongs, or the file itself.
+std::string part_of(std::string name) {
+  for (const std::string ending : {"-wal", "-shm", "-journal"})
+    if (name.ends_with(ending)) name.resize(name.size() - ending.size());
+  return name;
+}
+
+/// Of a recording that was cut short, with its log.
+std::uint32_t steps_of_part(const Files& files, const std::string& part) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "a.kerf";
+  if (!files.contains(part)) return 0;
+  for (const std::string ending : {"", "-wal"})
+    if (files.contains(part + ending))
+      std::ofstream(file.string() + ending, std::ios::binary) << files.at(part + ending);
+  try {
+    if (read_recording_info(file).dimension == 2) return RecordingReader<2>(file).steps();
+    return RecordingReader<3>(file).steps();
+  } catch (const std::runtime_error&) {
+    return 0;
+  }
+}
+
 std::string errno_of(Fault fault) {
   if (fault == Fault::kill) return "kill";
   return std::to_string(fault == Fault::no_space ? ENOSPC : EIO);
@@ -197,8 +220,15 @@ class Walk {
     for (const auto& [name, contents] : run.files) {
       if (before_.contains(name) || after_.contains(name)) continue;
       if (!is_part(name)) finding(name + " is left over");
-      if (is_part(name) && !is_killed) finding("the part " + name + " is left");
+      if (is_part(name) && !is_killed && !is_kept(part_of(name), run))
+        finding("the part " + name + " is left");
     }
+  }
+
+  /// A run that could not write to its end keeps the steps of a recording, and says where.
+  static bool is_kept(const std::string& part, const Run& run) {
+    const bool is_said = run.outcome.err.find(fs::path(part).filename().string()) != std::string::npos;
+    return run.outcome.exit == kExitUnusable && is_said && steps_of_part(run.files, part) > 0;
   }
 
   const Scenario& scenario_;

@@ -91,6 +91,55 @@ for _ in range(30):
     assert run.steps == 30 and run.info["complete"] and run.verify()
 
 
+@pytest.mark.parametrize("exists", [False, True])
+@pytest.mark.parametrize(
+    "call",
+    [
+        "kerf.record('pile', 'a.kerf', steps=3000, objects=50, overwrite=True)",
+        "run.what_if('a.kerf', config='min_threshold=64', overwrite=True)",
+        "record_steps()",
+    ],
+)
+def test_a_full_disk_leaves_what_was_recorded(call, exists, tmp_path):
+    """A file that may not grow further is as good as a full disk. All that was recorded so far was deleted."""
+    if exists:
+        record_a_step(tmp_path / "a.kerf")
+        before = (tmp_path / "a.kerf").read_bytes()
+    code = """
+import kerf
+import resource
+import numpy as np
+
+def record_steps():
+    rng = np.random.default_rng(1)
+    low = rng.random((200, 1, 2), np.float32)
+    with kerf.BroadPhase(2, record="a.kerf", overwrite=True) as phase:
+        phase.insert(np.concatenate([low, low + np.float32(0.1)], 1))
+        for _ in range(1000):
+            low = rng.random((200, 1, 2), np.float32)
+            phase.step(np.concatenate([low, low + np.float32(0.1)], 1))
+"""
+    if call.startswith("run."):
+        code += "run = kerf.record('pile', 'in.kerf', steps=3000, objects=50)\n"
+    code += f"""
+resource.setrlimit(resource.RLIMIT_FSIZE, (500_000, 500_000))
+try:
+    {call}
+except kerf.RecordingError as error:
+    print(error)
+"""
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
+    parts = [name for name in os.listdir(tmp_path) if name.endswith(".part")]
+    assert len(parts) == 1, done
+    kept = kerf.Recording(tmp_path / parts[0])
+    assert kept.steps > 0 and kept.verify(100)
+    assert f"(steps 1 to {kept.steps}) is in {parts[0]}" in done.stdout
+    if exists:
+        assert (tmp_path / "a.kerf").read_bytes() == before
+    else:
+        assert kerf.Recording(tmp_path / "a.kerf").steps == kept.steps
+
+
 def test_a_call_that_fails_replaces_nothing(tmp_path):
     record_a_step(tmp_path / "a.kerf")
     before = (tmp_path / "a.kerf").read_bytes()
