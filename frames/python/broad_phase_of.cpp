@@ -24,6 +24,11 @@ void check_dense(std::span<const ObjectId> ids, std::size_t present) {
                         " are taken; number the objects anew, or leave ids out");
 }
 
+/// False if Python takes warnings for errors, and this one is raised.
+bool warn(const std::string& what) {
+  return what.empty() || PyErr_WarnEx(PyExc_RuntimeWarning, what.c_str(), 1) == 0;
+}
+
 [[noreturn]] void fail_at(std::size_t row, ObjectId id, const char* problem) {
   throw py::value_error("ids: row " + std::to_string(row) + " is " + std::to_string(id.value) + ", " +
                         problem);
@@ -54,6 +59,7 @@ template <int D>
 BroadPhaseOf<D>::~BroadPhaseOf() {
   pairs_ = py::object();
   lists_.let_go([this](PairBuffer& memory) { run_.exchange_pairs(memory); });
+  if (!warn(run_.left_out())) PyErr_WriteUnraisable(nullptr);
 }
 
 template <int D>
@@ -88,7 +94,7 @@ py::array BroadPhaseOf<D>::insert(const py::handle& boxes, const py::handle& ids
   const BoxRows<D> rows(boxes, "boxes");
   const std::vector<std::uint8_t> is_fixed = flag_rows(fixed, rows.size(), "fixed");
   const std::vector<ObjectId> inserted = new_ids(ids, rows.size());
-  run_.change([&](BroadPhase<D>& broad_phase) {
+  run_.change(rows.size(), [&](BroadPhase<D>& broad_phase) {
     for (std::size_t row = 0; row < rows.size(); ++row)
       (void)broad_phase.insert(inserted[row], rows.all()[row],
                                is_fixed[row] != 0 ? Mobility::fixed : Mobility::moving);
@@ -104,7 +110,8 @@ void BroadPhaseOf<D>::move(const py::handle& boxes, const py::handle& ids) {
   const BoxRows<D> rows(boxes, "boxes", &rounded_);
   moved_ = true;
   const auto move_all = [&](std::span<const ObjectId> moved) {
-    run_.change([&](BroadPhase<D>& broad_phase) { (void)broad_phase.move_many(moved, rows.all()); });
+    run_.change(moved.size(),
+                [&](BroadPhase<D>& broad_phase) { (void)broad_phase.move_many(moved, rows.all()); });
   };
   if (!ids.is_none()) return move_all(present_ids(ids, rows.size()));
   if (rows.size() != ids_.size())
@@ -120,7 +127,7 @@ void BroadPhaseOf<D>::remove(const py::handle& ids) {
   const IdRows rows(ids, "ids");
   const std::vector<ObjectId> removed = present_ids(ids, rows.size());
   check_once(removed);
-  run_.change([&](BroadPhase<D>& broad_phase) {
+  run_.change(removed.size(), [&](BroadPhase<D>& broad_phase) {
     for (const ObjectId id : removed) (void)broad_phase.remove(id);
     ids_.remove(removed);
   });
@@ -228,10 +235,13 @@ py::array BroadPhaseOf<D>::picture(const PictureOptions& options) const {
   return draw(input, options);
 }
 
+/// The recording is complete before the warning, which may be an error.
 template <int D>
 void BroadPhaseOf<D>::close() {
   const UseOnce use(in_use_);
+  const std::string left_out = run_.left_out();
   run_.close();
+  if (!warn(left_out)) throw py::error_already_set();
 }
 
 template class BroadPhaseOf<2>;

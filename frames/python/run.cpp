@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "core/base/counted.h"
 #include "frames/python/errors.h"
 
 namespace kerf::python {
@@ -77,11 +78,20 @@ void Run<D>::write(Work work) {
 template <int D>
 void Run<D>::step() {
   (void)broad_phase();  // throws if nothing can be asked any more
-  if (!recorded_) return change([](BroadPhase<D>& broad_phase) { broad_phase.step(); });
-  write([this] {
-    change([](BroadPhase<D>& broad_phase) { broad_phase.step(); });
+  const auto take_step = [this] { change(0, [](BroadPhase<D>& broad_phase) { broad_phase.step(); }); };
+  if (!recorded_) return take_step();
+  write([&] {
+    take_step();
     (void)recorded_->bsp.trace().take();
   });
+  requests_ = 0;
+}
+
+template <int D>
+std::string Run<D>::left_out() const {
+  if (!recorded_ || !recorded_->recorder || is_torn_ || requests_ == 0) return "";
+  return counted(requests_, "request") + " after step " + std::to_string(steps()) +
+         " will not be in the recording: a step writes down what was asked before it";
 }
 
 template <int D>

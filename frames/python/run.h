@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "core/bsp/bsp.h"
 #include "core/recording/recorder.h"
@@ -26,17 +27,20 @@ class Run {
   /// What takes the requests. Throws std::runtime_error after `close`, and after a change that was left
   /// half-made.
   [[nodiscard]] BroadPhase<D>& broad_phase();
-  /// Calls `change(broad_phase())`. An exception leaves the change half-made.
+  /// Calls `change(broad_phase())`, which makes so many requests. An exception leaves the change half-made.
   template <class Change>
-  void change(Change change) {
+  void change(std::size_t requests, Change change) {
     BroadPhase<D>& changed = broad_phase();
     is_torn_ = true;
     change(changed);
     is_torn_ = false;
+    requests_ += requests;
   }
   /// Throws RecordingError if the recording cannot be written (PartRecording::write).
   void step();
   void set_threads(unsigned threads);
+  /// What the recording does not have, in words: requests after the last step. Empty: nothing.
+  [[nodiscard]] std::string left_out() const;
   /// Ends the recording, which then has its name. Throws as `step` does.
   void close();
 
@@ -78,6 +82,7 @@ class Run {
   std::unique_ptr<Bsp<D>> quiet_;
   std::unique_ptr<Recorded> recorded_;
   bool is_torn_ = false;
+  std::size_t requests_ = 0;  ///< since the last step
 };
 
 }  // namespace kerf::python

@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+import warnings
 
 import numpy as np
 import pytest
@@ -89,6 +90,62 @@ for _ in range(30):
     assert os.listdir(tmp_path) == ["a.kerf"]
     run = kerf.Recording(tmp_path / "a.kerf")
     assert run.steps == 30 and run.info["complete"] and run.verify()
+
+
+LAST_REQUESTS = {
+    "insert": lambda phase: phase.insert(random_boxes(2, 2)),
+    "move": lambda phase: phase.move(random_boxes(2, 2, 1), [0, 1]),
+    "remove": lambda phase: phase.remove([0, 1]),
+}
+
+
+@pytest.mark.parametrize("ask", LAST_REQUESTS.values(), ids=LAST_REQUESTS.keys())
+@pytest.mark.parametrize("end", ["with", "close", "del"])
+def test_requests_after_the_last_step_are_said_to_be_left_out(ask, end, tmp_path):
+    """They were left out without a word."""
+    phase = kerf.BroadPhase(2, record=tmp_path / "a.kerf")
+    phase.insert(random_boxes(5, 2))
+    phase.step()
+    with pytest.warns(RuntimeWarning, match="2 requests after step 1 will not be in the recording"):
+        if end == "with":
+            with phase:
+                ask(phase)
+        else:
+            ask(phase)
+            phase.close() if end == "close" else None
+        del phase
+    assert kerf.Recording(tmp_path / "a.kerf").ids(1).tolist() == [0, 1, 2, 3, 4]
+
+
+def test_a_warning_that_is_an_error_comes_after_the_recording_is_complete(tmp_path):
+    phase = kerf.BroadPhase(2, record=tmp_path / "a.kerf")
+    phase.step()
+    phase.insert(random_boxes(1, 2))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(RuntimeWarning, match="1 request after step 1"):
+            phase.close()
+    assert kerf.Recording(tmp_path / "a.kerf").info["complete"]
+
+
+def test_normal_use_of_a_recording_gives_no_warning(tmp_path):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with kerf.BroadPhase(2, record=tmp_path / "a.kerf") as phase:
+            ids = phase.insert(random_boxes(5, 2))
+            phase.step(random_boxes(5, 2, 1))
+            phase.remove(ids[:2])
+            phase.step()
+            phase.insert(random_boxes(0, 2))
+            phase.move(random_boxes(0, 2), [])
+            phase.remove([])
+            phase.query_points([[0.5, 0.5]])
+        phase.close()
+        quiet = kerf.BroadPhase(2)
+        quiet.insert(random_boxes(5, 2))
+        quiet.close()
+        del quiet, phase
+        kerf.BroadPhase(2, record=tmp_path / "b.kerf").close()
 
 
 @pytest.mark.parametrize("exists", [False, True])
