@@ -25,7 +25,8 @@ struct WalkResult {
 /// Runs the scenario once as it is, then with a fault of each kind at up to `points` calls, evenly chosen
 /// among all, the first and the last among them. After each run every output must be the earlier one or the
 /// new one, whole; inputs must be as they were; a run that succeeds must have made all; and one that
-/// ended by itself must leave no part, but for a recording that has steps and that it names. Throws std::runtime_error if the run fails without a fault.
+/// ended by itself must leave no part, but for a recording that has steps and that it names. Throws
+/// std::runtime_error if the run fails without a fault.
 WalkResult walk(const Scenario& scenario, std::uint64_t points);
 
 }  // namespace kerf::faults
