@@ -57,10 +57,13 @@ struct Sitting {
   std::optional<std::filesystem::path> window_file{};  ///< layout, zoom and theme from start to start
 };
 
+void print_line(const std::string& text) { std::fprintf(stderr, "%s\n", text.c_str()); }
+
 void play_headless(const Sitting& sitting, const std::vector<ScriptLine>& lines) {
   const auto context = make_offscreen_context();
   Debugger debugger(*context, open_run(sitting.file));
   debugger.model().work_folder = sitting.work_folder;
+  debugger.on_earlier_session(print_line);
   if (sitting.scale) debugger.set_content_scale(*sitting.scale);
   WindowKeeper keeper(debugger, sitting.window_file, sitting.theme);
   debugger.go_on_with_files(sitting.sessions);
@@ -85,7 +88,7 @@ void save_picture(Debugger& debugger, const PictureFolder& folder) {
 /// The window closes: what is to be said goes to the terminal.
 void leave(Debugger& debugger) {
   const std::string problem = debugger.keep_session();
-  if (!problem.empty()) std::fprintf(stderr, "%s\n", problem.c_str());
+  if (!problem.empty()) print_line(problem);
 }
 
 void show_window(const Sitting& sitting, const std::vector<ScriptLine>& lines, GlfwWindow& window) {
@@ -94,6 +97,7 @@ void show_window(const Sitting& sitting, const std::vector<ScriptLine>& lines, G
   std::unique_ptr<Run> run = open_run(sitting.file);
   Debugger debugger(window, std::move(run));
   debugger.model().work_folder = sitting.work_folder;
+  debugger.on_earlier_session(print_line);
   window.set_title(debugger.title());
   debugger.go_on_with_files(sitting.sessions);
   debugger.model().on_long_work = [&](std::uint32_t step) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -88,6 +89,8 @@ class Debugger {
   /// Writes a session to a file, which is new or one already. Returns why it cannot be written; throws
   /// SessionError if there is something else.
   std::string save_session(const std::filesystem::path& file);
+  /// Takes in words which name an earlier session got that is not gone on with, whoever wrote the new one.
+  void on_earlier_session(std::function<void(const std::string&)> say) { say_earlier_ = std::move(say); }
   [[nodiscard]] const std::filesystem::path& session_file() const { return keeper_.file(); }
 
   [[nodiscard]] DebuggerModel& model() { return model_; }
@@ -102,6 +105,9 @@ class Debugger {
   void begin_session();
   void go_on_with(const DebuggerSession& session);
   [[nodiscard]] DebuggerSession present_session();
+  void spare(SessionKeeper& keeper, const DebuggerSession& kept);
+  SessionKeeper& saver_of(const std::filesystem::path& file);
+  void say_note(SessionKeeper& keeper);
   [[nodiscard]] bool is_scratch() const;
   void remember_recording();
   void answer_offer(bool goes_on);
@@ -147,6 +153,8 @@ class Debugger {
   std::filesystem::path recording_;  ///< that was opened; the run may be another one after a change over
   bool keeps_beside_ = false;
   SessionKeeper keeper_;
+  std::map<std::filesystem::path, SessionKeeper> savers_;  ///< of other files, by their full names
+  std::function<void(const std::string&)> say_earlier_;
   std::optional<DebuggerSession> offered_;  ///< not answered yet
   std::optional<DebuggerSession> last_;     ///< of `recording_`
   double saved_at_ = 0;

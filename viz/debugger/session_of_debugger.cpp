@@ -9,6 +9,10 @@ namespace {
 
 constexpr double kSavePause = 10;  // seconds
 
+std::filesystem::path full_name(const std::filesystem::path& file) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(file));
+}
+
 }  // namespace
 
 std::string Debugger::title() const {
@@ -65,16 +69,56 @@ void Debugger::go_on_with_files(const std::vector<std::filesystem::path>& files)
   keeper_ = is_one         ? SessionKeeper(files.front())
             : is_scratch() ? SessionKeeper()
                            : SessionKeeper(session_path(recording_));
-  if (const auto kept = keeper_.read()) add(*kept);
+  const std::optional<DebuggerSession> kept = keeper_.read();
+  if (kept) add(*kept);
   if (joined) go_on_with(*joined);
+  if (kept) spare(keeper_, *kept);
 }
 
-void Debugger::load_session(const std::filesystem::path& file) { go_on_with(read_session_file(file)); }
+void Debugger::load_session(const std::filesystem::path& file) {
+  const DebuggerSession before = present_session();
+  go_on_with(read_session_file(file));
+  if (!keeper_.file().empty() && full_name(keeper_.file()) == full_name(file)) return;
+  savers_.erase(full_name(file));
+  (void)saver_of(file);
+  if (!holds(present_session(), before)) keeper_.begin_anew();
+}
 
 std::string Debugger::save_session(const std::filesystem::path& file) {
-  SessionKeeper keeper(file);
-  (void)keeper.read();  // refuses what is no session
-  return keeper.keep(present_session());
+  SessionKeeper& saver = saver_of(file);
+  DebuggerSession session = present_session();
+  if (&saver == &keeper_ && offered_) session = join(std::move(session), *offered_);
+  std::string problem = saver.save(session);
+  say_note(saver);
+  return problem;
+}
+
+/// Of a file that was not gone on with, and that does not lose what only it has. Throws SessionError if it is
+/// no session.
+SessionKeeper& Debugger::saver_of(const std::filesystem::path& file) {
+  const std::filesystem::path name = full_name(file);
+  if (!keeper_.file().empty() && full_name(keeper_.file()) == name) {
+    if (keeper_.is_foreign()) (void)keeper_.read();
+    return keeper_;
+  }
+  const auto known = savers_.find(name);
+  if (known != savers_.end()) return known->second;
+  SessionKeeper saver(file);
+  if (const auto kept = saver.read()) spare(saver, *kept);
+  return savers_.emplace(name, std::move(saver)).first->second;
+}
+
+/// What is in the file gets another name before it is replaced, unless all of it has come into view.
+void Debugger::spare(SessionKeeper& keeper, const DebuggerSession& kept) {
+  const bool is_all_there = is_of(kept.recording, model_.run()) && holds(present_session(), kept);
+  if (!is_all_there && has_anything(kept)) keeper.begin_anew();
+}
+
+void Debugger::say_note(SessionKeeper& keeper) {
+  const std::string note = keeper.take_note();
+  if (note.empty()) return;
+  report(note, false);
+  if (say_earlier_) say_earlier_(note);
 }
 
 /// In a run that was changed over to, all that is not of any run is the user's, and all else stays as it was.
@@ -99,6 +143,7 @@ std::string Debugger::keep_session() {
   if ((is_new || offered_) && !has_anything(session)) return "";
   if (offered_) session = join(std::move(session), *offered_);
   std::string problem = keeper_.keep(session);
+  say_note(keeper_);
   if (!problem.empty()) report(problem, true);
   return problem;
 }
@@ -134,6 +179,7 @@ bool Debugger::open(const std::filesystem::path& file) {
   memory_ = std::move(memory);
   recording_ = file;
   last_.reset();
+  savers_.clear();
   history_ = {};
   model_.go_to_opening();
   report("opened " + file.string(), false);
@@ -159,12 +205,13 @@ void Debugger::answer_offer(bool goes_on) {
   if (!offered) return;
   if (!goes_on) {
     keeper_.begin_anew();
-    return report("began anew; the earlier session becomes " + keeper_.file().filename().string() +
-                      ".earlier with the first change",
+    return report("began anew; the earlier session becomes " + keeper_.name_of_earlier().filename().string() +
+                      " with the first change",
                   false);
   }
   memory_.welcome = false;
   go_on_with(join(*offered, present_session()));
+  spare(keeper_, *offered);
 }
 
 void Debugger::take_back(int changes) {

@@ -124,6 +124,25 @@ TEST(Session, JoinsWhatTwoPeopleDid) {
   EXPECT_EQ(join(a, a), a);
 }
 
+TEST(Session, HoldsWhatAnotherOneHas) {
+  const DebuggerSession a = full_session();
+  EXPECT_TRUE(holds(a, a));
+  EXPECT_TRUE(holds(a, {}));
+  EXPECT_FALSE(holds({}, a));
+  const auto without = [&](auto change) {
+    DebuggerSession less = a;
+    change(less);
+    return holds(less, a);
+  };
+  EXPECT_FALSE(without([](DebuggerSession& less) { less.breakpoints.pop_back(); }));
+  EXPECT_FALSE(without([](DebuggerSession& less) { less.watches.pop_back(); }));
+  EXPECT_FALSE(without([](DebuggerSession& less) { less.bookmarks.erase(less.bookmarks.begin()); }));
+  EXPECT_FALSE(without([](DebuggerSession& less) { less.bookmarks.rbegin()->second = "other"; }));
+  EXPECT_FALSE(without([](DebuggerSession& less) { less.view = {}; }));
+  EXPECT_FALSE(without([](DebuggerSession& less) { less.lanes.range.reset(); }));
+  EXPECT_TRUE(without([](DebuggerSession& less) { less.position = Position::end_of(1); }));
+}
+
 /// The debugger on a run, with something of each kind made in it.
 class SessionOfRun : public testing::Test {
  protected:
@@ -229,6 +248,30 @@ TEST_F(KeptSession, AnEarlierOneThatIsNotGoneOnWithGetsAnotherName) {
   EXPECT_EQ(keeper.keep({}), "");
   EXPECT_EQ(read_session_file(file()), DebuggerSession());
   EXPECT_EQ(read_session_file(file().string() + ".earlier"), full_session());
+}
+
+TEST_F(KeptSession, AnEarlierOneIsReplacedOnlyByWhatHasAllOfIt) {
+  const auto set_aside = [&](const DebuggerSession& session) {
+    std::ofstream(file()) << write_session(session);
+    SessionKeeper keeper(file());
+    (void)keeper.read();
+    keeper.begin_anew();
+    EXPECT_EQ(keeper.keep({}), "");
+    return keeper.take_note();
+  };
+  DebuggerSession more = full_session();
+  more.bookmarks[Position::end_of(5)] = "more";
+  DebuggerSession other = full_session();
+  other.bookmarks.begin()->second = "another note";
+  const std::string name = "the earlier session is kept as " + file().string() + ".earlier";
+  EXPECT_EQ(set_aside(full_session()), name);
+  EXPECT_EQ(set_aside(more), name);
+  EXPECT_EQ(set_aside(other), name + "-2");
+  EXPECT_EQ(read_session_file(file().string() + ".earlier"), more);
+  EXPECT_EQ(read_session_file(file().string() + ".earlier-2"), other);
+  std::ofstream(file().string() + ".earlier") << "a letter";
+  EXPECT_EQ(set_aside(more), name + "-3");
+  EXPECT_EQ(content(file().string() + ".earlier"), "a letter");
 }
 
 TEST_F(KeptSession, WhatIsNoSessionStaysAsItIs) {

@@ -164,4 +164,14 @@ DebuggerSession join(DebuggerSession first, const DebuggerSession& second) {
   return first;
 }
 
+bool holds(const DebuggerSession& first, const DebuggerSession& second) {
+  const DebuggerSession both = join(first, second);
+  const auto has = [](const auto& found, const auto& wanted, const auto& nothing) {
+    return wanted == nothing || wanted == found;
+  };
+  return both.breakpoints == first.breakpoints && both.watches == first.watches &&
+         both.bookmarks == first.bookmarks && has(first.view, second.view, ViewSettings()) &&
+         has(first.lanes.range, second.lanes.range, std::optional<StepSpan>());
+}
+
 }  // namespace kerf

@@ -73,5 +73,8 @@ std::string to_text(const DebuggerSession& session, const GivenNames& names);
 /// What two people did with one recording: the breakpoints, watches and bookmarks of both, where both have
 /// one with the notes of both, and all else of the first.
 DebuggerSession join(DebuggerSession first, const DebuggerSession& second);
+/// Whether the first has all that a user made in the second: its breakpoints, watches and bookmarks with
+/// their notes, its view and its range.
+bool holds(const DebuggerSession& first, const DebuggerSession& second);
 
 }  // namespace kerf

@@ -27,6 +27,26 @@ DebuggerSession parse(const std::string& text, const std::filesystem::path& file
   }
 }
 
+/// Nothing of the user's is in the earlier one alone.
+bool may_replace(const std::filesystem::path& earlier, const DebuggerSession& session) {
+  try {
+    const DebuggerSession old = read_session_file(earlier);
+    return !has_anything(old) || (old.recording == session.recording && holds(session, old));
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+std::filesystem::path name_beside(const std::filesystem::path& file, const DebuggerSession& session) {
+  const std::string first = file.string() + ".earlier";
+  std::filesystem::path name = first;
+  for (int k = 2; std::filesystem::exists(std::filesystem::symlink_status(name)); ++k) {
+    if (may_replace(name, session)) break;
+    name = first + "-" + std::to_string(k);
+  }
+  return name;
+}
+
 }  // namespace
 
 std::filesystem::path session_path(const std::filesystem::path& recording) {
@@ -45,21 +65,28 @@ std::optional<DebuggerSession> SessionKeeper::read() {
   return session;
 }
 
-void SessionKeeper::write(const std::string& text) {
-  if (std::filesystem::exists(file_)) {
-    const std::string there = content_of(file_);
-    if (there != known_) {
-      (void)parse(there, file_);
-      std::filesystem::rename(file_, file_.string() + ".earlier");
-    }
+std::filesystem::path SessionKeeper::name_of_earlier() const {
+  try {
+    return name_beside(file_, read_session_file(file_));
+  } catch (const std::runtime_error&) {  // it has gone, or is no session any more
+    return file_.string() + ".earlier";
   }
+}
+
+void SessionKeeper::write(const std::string& text) {
+  const std::string there = std::filesystem::exists(file_) ? content_of(file_) : text;
   PartFile part(file_);
   part.write(text);
+  if (there != known_ && there != text) {
+    const std::filesystem::path earlier = name_beside(file_, parse(there, file_));
+    std::filesystem::rename(file_, earlier);
+    note_ = "the earlier session is kept as " + earlier.string();
+  }
   part.keep();
   known_ = text;
 }
 
-std::string SessionKeeper::keep(const DebuggerSession& session) {
+std::string SessionKeeper::save(const DebuggerSession& session) {
   if (file_.empty() || is_foreign_) return "";
   const std::string text = write_session(session);
   if (text == known_) return "";
@@ -67,8 +94,13 @@ std::string SessionKeeper::keep(const DebuggerSession& session) {
     write(text);
     return "";
   } catch (const std::exception& error) {
-    return std::exchange(has_said_, true) ? "" : std::string("the session is not saved: ") + error.what();
+    return std::string("the session is not saved: ") + error.what();
   }
+}
+
+std::string SessionKeeper::keep(const DebuggerSession& session) {
+  const std::string problem = save(session);
+  return problem.empty() || std::exchange(has_said_, true) ? "" : problem;
 }
 
 }  // namespace kerf

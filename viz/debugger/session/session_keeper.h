@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "viz/debugger/session/session.h"
 
@@ -16,6 +17,8 @@ DebuggerSession read_session_file(const std::filesystem::path& file);
 
 /// The file in which a session is kept. A file that is not what was read or written last is never replaced: a
 /// session that came from elsewhere gets the name FILE.earlier, and anything else stays, and nothing is kept.
+/// An earlier FILE.earlier is replaced only if the session has all of it; else the name is FILE.earlier-2,
+/// and so on.
 class SessionKeeper {
  public:
   /// Keeps nothing.
@@ -26,10 +29,19 @@ class SessionKeeper {
   /// What the file holds; none if there is no file. Throws as `read_session_file`: then the file stays as
   /// it is, and nothing is kept.
   std::optional<DebuggerSession> read();
-  /// The earlier content is not gone on with: it gets another name before the next one is written.
+  /// The earlier content is not gone on with, or not all of it: it gets another name before the next one is
+  /// written.
   void begin_anew() { known_.clear(); }
-  /// Writes it if it differs from what is there. Returns why that cannot be done, the first time.
+  /// The name that the session that is there now would get.
+  [[nodiscard]] std::filesystem::path name_of_earlier() const;
+  /// Writes it if it differs from what is there. Returns why that cannot be done.
+  std::string save(const DebuggerSession& session);
+  /// The same, but returns why not only the first time.
   std::string keep(const DebuggerSession& session);
+  /// Which name an earlier session got, in words, once for each.
+  std::string take_note() { return std::exchange(note_, {}); }
+  /// The file holds what is no session that can be read.
+  [[nodiscard]] bool is_foreign() const { return is_foreign_; }
 
  private:
   void write(const std::string& text);
@@ -38,6 +50,7 @@ class SessionKeeper {
   std::string known_;           ///< its content as it was read or written last
   bool is_foreign_ = false;     ///< it holds what is no session that can be read
   bool has_said_ = false;       ///< why it cannot be written
+  std::string note_;
 };
 
 }  // namespace kerf
