@@ -89,7 +89,7 @@ class Debugger {
   /// Writes a session to a file, which is new or one already. Returns why it cannot be written; throws
   /// SessionError if there is something else.
   std::string save_session(const std::filesystem::path& file);
-  /// Takes in words which name an earlier session got that is not gone on with, whoever wrote the new one.
+  /// Calls `say` with the name that an earlier session got when a new one took its place.
   void on_earlier_session(std::function<void(const std::string&)> say) { say_earlier_ = std::move(say); }
   [[nodiscard]] const std::filesystem::path& session_file() const { return keeper_.file(); }
 

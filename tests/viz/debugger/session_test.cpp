@@ -274,6 +274,19 @@ TEST_F(KeptSession, AnEarlierOneIsReplacedOnlyByWhatHasAllOfIt) {
   EXPECT_EQ(content(file().string() + ".earlier"), "a letter");
 }
 
+TEST_F(KeptSession, AnEarlierOneBehindALinkIsKept) {
+  const auto behind = folder_.path() / "behind";
+  SessionKeeper(behind).keep(full_session());
+  std::filesystem::create_symlink(behind, file());
+  SessionKeeper keeper(file());
+  (void)keeper.read();
+  keeper.begin_anew();
+  EXPECT_EQ(keeper.keep({}), "");
+  EXPECT_TRUE(std::filesystem::is_symlink(file()));
+  EXPECT_EQ(read_session_file(file()), DebuggerSession());
+  EXPECT_EQ(read_session_file(behind.string() + ".earlier"), full_session());
+}
+
 TEST_F(KeptSession, WhatIsNoSessionStaysAsItIs) {
   std::ofstream(file()) << "a letter";
   SessionKeeper keeper(file());

@@ -37,6 +37,11 @@ bool may_replace(const std::filesystem::path& earlier, const DebuggerSession& se
   }
 }
 
+/// The file itself, where it is a link.
+std::filesystem::path behind_link(const std::filesystem::path& file) {
+  return std::filesystem::is_symlink(file) ? std::filesystem::canonical(file) : file;
+}
+
 std::filesystem::path name_beside(const std::filesystem::path& file, const DebuggerSession& session) {
   const std::string first = file.string() + ".earlier";
   std::filesystem::path name = first;
@@ -67,7 +72,7 @@ std::optional<DebuggerSession> SessionKeeper::read() {
 
 std::filesystem::path SessionKeeper::name_of_earlier() const {
   try {
-    return name_beside(file_, read_session_file(file_));
+    return name_beside(behind_link(file_), read_session_file(file_));
   } catch (const std::runtime_error&) {  // it has gone, or is no session any more
     return file_.string() + ".earlier";
   }
@@ -75,11 +80,12 @@ std::filesystem::path SessionKeeper::name_of_earlier() const {
 
 void SessionKeeper::write(const std::string& text) {
   const std::string there = std::filesystem::exists(file_) ? content_of(file_) : text;
-  PartFile part(file_);
+  const std::filesystem::path file = std::filesystem::exists(file_) ? behind_link(file_) : file_;
+  PartFile part(file);
   part.write(text);
   if (there != known_ && there != text) {
-    const std::filesystem::path earlier = name_beside(file_, parse(there, file_));
-    std::filesystem::rename(file_, earlier);
+    const std::filesystem::path earlier = name_beside(file, parse(there, file_));
+    std::filesystem::rename(file, earlier);
     note_ = "the earlier session is kept as " + earlier.string();
   }
   part.keep();
