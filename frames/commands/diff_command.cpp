@@ -53,7 +53,13 @@ DiffResult compare(const std::string& reference, const std::string& test, const 
   const InterruptGuard interrupt;
   const ProgressLine progress;
   PairedFrames paired = pair_frames(reference, test, without);
-  DiffResult result{reference, test, rules, {}, std::move(paired.notes), std::move(paired.faults)};
+  DiffResult result{reference,
+                    test,
+                    rules,
+                    {},
+                    std::move(paired.notes),
+                    std::move(paired.faults),
+                    std::move(paired.manifests)};
   for (const FramePair& frame : paired.frames) {
     if (interrupt.requested())
       throw Interrupted("interrupted after " + std::to_string(result.frames.size()) + " of " +
@@ -71,11 +77,15 @@ void approve(const DiffResult& result) {
   std::fprintf(stderr, "%s approved\n", counted(approved.size(), "frame").c_str());
   if (!result.faults.empty())
     throw std::runtime_error("frames were approved, but not all that lies there was compared");
+  for (const std::string& name : approve_manifests(result))
+    std::fprintf(stderr, "approved %s\n", name.c_str());
   const auto missing =
       std::ranges::count_if(result.frames, [](const FrameDiff& diff) { return diff.frame.is_missing(); });
   if (missing > 0)
     throw DoesNotHold(std::to_string(missing) + " of the references " +
                       (missing == 1 ? "has no frame and was" : "have no frame and were") + " left alone");
+  for (const ManifestDiff& manifest : result.manifests)
+    if (manifest.test.empty()) throw DoesNotHold(manifest.reference.string() + " was left alone");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ constexpr ExitMeaning kMeanings[] = {
     {"compare", "the recordings are of the same run; times do not count", "the runs differ"},
     {"completion", "the script was printed", ""},
     {"debug", "the window was closed, or all that the script expects holds", "an expectation does not hold"},
-    {"diff", "all frames are the same, or were approved", "a frame differs or has no partner"},
+    {"diff", "all frames are the same, or were approved", "a frame or a manifest differs or has no partner"},
     {"doctor", "all that pictures and recordings need is there", "some of it is missing"},
     {"experiment", "the runs, figures and pages are there, whatever they show", ""},
     {"explain", "the explanation was printed", ""},

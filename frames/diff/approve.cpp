@@ -1,5 +1,6 @@
 #include "frames/diff/approve.h"
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
@@ -71,6 +72,24 @@ std::vector<std::string> approve_frames(const DiffResult& result) {
     if (to.has_parent_path()) fs::create_directories(to.parent_path());
     replace(diff.frame.test, to);
     approved.push_back(name_of(diff, to));
+  }
+  return approved;
+}
+
+std::vector<std::string> approve_manifests(const DiffResult& result) {
+  std::vector<std::string> approved;
+  Outputs outputs({}, true);
+  for (const ManifestDiff& manifest : result.manifests) {
+    const fs::path to = result.reference / manifest.name;
+    const bool lacks_a_frame = std::ranges::any_of(result.frames, [&](const FrameDiff& diff) {
+      return diff.frame.is_missing() && diff.frame.reference.parent_path() == to.parent_path();
+    });
+    if (manifest.test.empty() || lacks_a_frame) continue;
+    outputs.add_file(to);
+    PartFile part(to);
+    part.write(read_whole_file(manifest.test));
+    part.keep();
+    approved.push_back(manifest.name);
   }
   return approved;
 }

@@ -13,4 +13,8 @@ namespace kerf {
 /// written.
 std::vector<std::string> approve_frames(const DiffResult& result);
 
+/// The same for the manifests that differ, unless there is none of the new frames, or a frame of its folder
+/// is missing.
+std::vector<std::string> approve_manifests(const DiffResult& result);
+
 }  // namespace kerf

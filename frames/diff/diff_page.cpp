@@ -104,7 +104,8 @@ std::string approve_command(const DiffResult& result) {
 std::string diff_page(const DiffResult& result) {
   std::string text = std::string(kDiffPageHead) + "<h1>" + escaped(summary_line(result)) + "</h1>\n";
   text += "<p class=\"sub\">reference " + escaped(result.reference.string()) + ", new " +
-          escaped(result.test.string()) + "</p>\n" + list(result.notes) + list(result.faults);
+          escaped(result.test.string()) + "</p>\n" + list(result.notes) + list(result.faults) +
+          list(manifest_lines(result));
   if (!result.is_same())
     text +=
         "<p>If the new frames are right, this puts those that differ in place of their references, and "

@@ -123,13 +123,23 @@ std::string summary_line(const DiffResult& result) {
   text += std::to_string(different) + " of " + all + (different == 1 ? " differs" : " differ");
   if (std::ranges::any_of(result.frames, missing)) text += ", " + count(missing) + " of them missing";
   if (std::ranges::any_of(result.frames, extra)) text += ", " + count(extra) + " without a reference";
+  if (!result.manifests.empty())
+    text += "; " + counted(result.manifests.size(), "manifest differs", "manifests differ");
   return text + gate;
+}
+
+std::vector<std::string> manifest_lines(const DiffResult& result) {
+  std::vector<std::string> lines;
+  for (const ManifestDiff& manifest : result.manifests)
+    for (const std::string& reason : manifest.reasons) lines.push_back(manifest.name + ": " + reason);
+  return lines;
 }
 
 std::string to_text(const DiffResult& result) {
   std::string text;
   for (const std::string& note : result.notes) text += "note: " + note + "\n";
   for (const std::string& fault : result.faults) text += fault + "\n";
+  for (const std::string& line : manifest_lines(result)) text += line + "\n";
   for (const FrameDiff& diff : result.frames) text += frame_text(diff);
   return result.is_same() ? text + summary_line(result) + "\n" : text;
 }
@@ -145,6 +155,7 @@ std::string to_json(const DiffResult& result) {
             {"different", result.count_different()},
             {"notes", result.notes},
             {"faults", result.faults},
+            {"manifests", manifest_lines(result)},
             {"frames", Json::array()}};
   for (const FrameDiff& diff : result.frames) json["frames"].push_back(frame_json(diff));
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

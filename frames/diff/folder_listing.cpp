@@ -34,7 +34,7 @@ bool is_beside_a_frame(const fs::path& path) {
 
 void take(const fs::path& path, const std::string& name, FolderListing& listing) {
   if (path.filename() == kManifestName) {
-    listing.manifests.push_back(path);
+    listing.manifests.emplace(name, path);
   } else if (!is_beside_a_frame(path)) {
     (is_png(path) ? listing.frames : listing.others).emplace(name, path);
   }

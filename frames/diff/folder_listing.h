@@ -12,9 +12,9 @@ using FilesByName = std::map<std::string, std::filesystem::path>;
 /// All that lies in a folder and below it, by the way to it from there. Nothing is left out: what is in none
 /// of these is a fault.
 struct FolderListing {
-  FilesByName frames;                            ///< PNG files, whatever the case of their ending
-  FilesByName others;                            ///< any other file, and empty folders
-  std::vector<std::filesystem::path> manifests;  ///< of sequences
+  FilesByName frames;               ///< PNG files, whatever the case of their ending
+  FilesByName others;               ///< any other file, and empty folders
+  FilesByName manifests;            ///< of sequences
   std::vector<std::string> faults;  ///< what cannot be looked at, such as links that lead nowhere
 };
 

@@ -50,7 +50,7 @@ void check_manifest(const fs::path& path, PairedFrames& result) {
 
 void take_faults(const FolderListing& listing, PairedFrames& result) {
   result.faults.insert(result.faults.end(), listing.faults.begin(), listing.faults.end());
-  for (const fs::path& manifest : listing.manifests) check_manifest(manifest, result);
+  for (const auto& [name, manifest] : listing.manifests) check_manifest(manifest, result);
 }
 
 std::vector<FramePair> pair_by_name(const FilesByName& references, const FilesByName& tests) {
@@ -80,6 +80,7 @@ PairedFrames pair_folders(const fs::path& reference, const fs::path& test, bool 
   require_frames(test, tests);
   PairedFrames result;
   result.frames = pair_by_name(references.frames, tests.frames);
+  result.manifests = compare_manifests(references.manifests, tests.manifests);
   result.faults = compare_others(references.others, tests.others);
   take_faults(references, result);
   take_faults(tests, result);

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "frames/diff/manifest_diff.h"
+
 namespace kerf {
 
 /// Two pictures to compare. An empty path: that side has none.
@@ -17,7 +19,8 @@ struct FramePair {
 
 /// The pictures to compare.
 struct PairedFrames {
-  std::vector<FramePair> frames;    ///< by name
+  std::vector<FramePair> frames;  ///< by name
+  std::vector<ManifestDiff> manifests;
   std::vector<std::string> notes;   ///< notes for the reader, such as a sequence that was interrupted
   std::vector<std::string> faults;  ///< what makes a folder unusable: what was not compared, or promised
 };

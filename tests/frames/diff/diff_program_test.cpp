@@ -41,6 +41,10 @@ class DiffProgram : public ::testing::Test {
     return run_kerf(arguments);
   }
   void manifest(const std::string& text) const { std::ofstream(test() / "frames.json") << text; }
+  void manifests(const std::string& in_reference, const std::string& in_test) const {
+    std::ofstream(reference() / "frames.json") << in_reference;
+    manifest(in_test);
+  }
 
  private:
   TemporaryFolder folder_;
@@ -141,10 +145,50 @@ TEST_F(DiffProgram, WrongOptionsSayWhatIsRight) {
 }
 
 TEST_F(DiffProgram, AnInterruptedSequenceIsNoted) {
-  manifest(R"({"complete": false, "frames": [{"file": "f0.png"}]})");
+  manifests(R"({"frames": [{"file": "f0.png"}]})", R"({"complete": false, "frames": [{"file": "f0.png"}]})");
   const RunOutcome outcome = diff();
   EXPECT_EQ(outcome.exit, 0);
   EXPECT_THAT(outcome.out, HasSubstr("a sequence that was not finished"));
+}
+
+constexpr const char* kManifest = R"({"seed": 1, "config": {"merge": 1}, "frames": [
+    {"file": "f0.png", "step": 10, "pixel_hash": "1"}, {"file": "f1.png", "step": 11, "pixel_hash": "2"}]})";
+
+TEST_F(DiffProgram, WhatManifestsSayOfTheFramesMustBeTheSame) {
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = kManifest;
+    text.replace(text.find(from), from.size(), to);
+    manifests(kManifest, text);
+    return diff();
+  };
+  EXPECT_EQ(changed("\"2\"", "\"3\"").exit, 0) << "pixels are compared themselves";
+  const auto expect_said = [&](const RunOutcome& outcome, const std::string& what) {
+    EXPECT_EQ(outcome.exit, 1);
+    EXPECT_THAT(outcome.out, HasSubstr("frames.json: " + what + "\n"));
+    EXPECT_THAT(outcome.err, HasSubstr("0 of 3 frames differ; 1 manifest differs"));
+    EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("the same")));
+  };
+  expect_said(changed("11", "99"), "f1.png: step: 11 and 99");
+  expect_said(changed("\"seed\": 1", "\"seed\": 2"), "seed: 1 and 2");
+  expect_said(changed("\"merge\": 1", "\"merge\": 0"), "config.merge: 1 and 0");
+  expect_said(changed("\"seed\"", "\"seat\""), "seed: 1 and nothing");
+  expect_said(changed(R"({"file": "f0.png", "step": 10, "pixel_hash": "1"}, )", ""),
+              "it does not name f0.png");
+  std::filesystem::remove(test() / "frames.json");
+  expect_said(diff(), "it is missing");
+  std::filesystem::rename(reference() / "frames.json", test() / "frames.json");
+  expect_said(diff(), "it has no reference");
+}
+
+TEST_F(DiffProgram, ApprovingTakesTheManifest) {
+  manifests(kManifest, R"({"frames": [{"file": "f0.png"}]})");
+  const RunOutcome outcome = diff({"--approve"});
+  EXPECT_EQ(outcome.exit, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("approved frames.json"));
+  EXPECT_EQ(diff().exit, 0);
+  std::filesystem::remove(test() / "frames.json");
+  EXPECT_EQ(diff({"--approve"}).exit, 1);
+  EXPECT_TRUE(std::filesystem::exists(reference() / "frames.json"));
 }
 
 }  // namespace
