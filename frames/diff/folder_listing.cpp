@@ -35,7 +35,9 @@ bool is_beside_a_frame(const fs::path& path) {
 void take(const fs::path& path, const std::string& name, FolderListing& listing) {
   if (path.filename() == kManifestName) {
     listing.manifests.emplace(name, path);
-  } else if (!is_beside_a_frame(path)) {
+  } else if (is_beside_a_frame(path)) {
+    listing.beside.emplace(name, path);
+  } else {
     (is_png(path) ? listing.frames : listing.others).emplace(name, path);
   }
 }
@@ -70,6 +72,21 @@ bool have_same_bytes(const fs::path& a, const fs::path& b) {
          std::equal(std::istreambuf_iterator<char>(first), end, std::istreambuf_iterator<char>(second), end);
 }
 
+/// Takes the file out of the list, if it is there.
+FilesByName one_of(FilesByName& files, const std::string& name) {
+  FilesByName taken;
+  taken.insert(files.extract(name));
+  return taken;
+}
+
+/// Takes those that lie beside frames in the other folder out of the frames and other files.
+void take_beside(FolderListing& listing, const FilesByName& beside_in_other) {
+  for (const auto& [name, path] : beside_in_other) {
+    listing.beside.merge(one_of(listing.frames, name));
+    listing.beside.merge(one_of(listing.others, name));
+  }
+}
+
 }  // namespace
 
 FolderListing list_folder(const fs::path& folder) {
@@ -81,6 +98,12 @@ FolderListing list_folder(const fs::path& folder) {
   if (error) throw std::runtime_error("cannot compare " + folder.string() + ": " + error.message());
   std::ranges::sort(listing.faults);
   return listing;
+}
+
+void agree_on_beside(FolderListing& a, FolderListing& b) {
+  const FilesByName beside_in_a = a.beside;
+  take_beside(a, b.beside);
+  take_beside(b, beside_in_a);
 }
 
 std::vector<std::string> compare_others(const FilesByName& reference, const FilesByName& test) {

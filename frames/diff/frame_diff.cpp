@@ -4,7 +4,9 @@
 #include <stdexcept>
 
 #include "core/base/counted.h"
+#include "core/files/whole_file.h"
 #include "frames/sequence/draw_list_file.h"
+#include "frames/sequence/sidecar.h"
 #include "viz/draw/compare_drawn.h"
 #include "viz/image/stored_picture.h"
 
@@ -54,7 +56,10 @@ StoredIds checked(StoredIds stored, const Image& image, const std::filesystem::p
   return stored;
 }
 
+/// None, too, if there is only one of the two files: folders say so themselves.
 std::optional<StoredIds> ids_of(const std::filesystem::path& frame, const Image& image) {
+  if (!std::filesystem::exists(ids_path(frame)) || !std::filesystem::exists(draw_list_path(frame)))
+    return std::nullopt;
   auto stored = read_ids(frame);
   if (stored) stored = checked(std::move(*stored), image, frame);
   return stored;
@@ -73,9 +78,19 @@ void judge(const Image& test, const DiffRules& rules, FrameDiff& diff) {
     diff.reasons.push_back(lower_text(diff.different_lower, test));
   if (diff.gate == DiffGate::flip && diff.flip && diff.flip->max > rules.flip_limit)
     diff.reasons.push_back(flip_text(*diff.flip, rules.flip_limit));
-  const bool drawn_counts = diff.gate != DiffGate::exact || !diff.reasons.empty();
-  if (drawn_counts) diff.reasons.insert(diff.reasons.end(), diff.drawn.begin(), diff.drawn.end());
+  diff.reasons.insert(diff.reasons.end(), diff.drawn.begin(), diff.drawn.end());
+  diff.reasons.insert(diff.reasons.end(), diff.frame.beside.begin(), diff.frame.beside.end());
   diff.same = diff.reasons.empty();
+}
+
+/// Whether what lies beside the two is the same, byte by byte. False says nothing yet.
+bool have_same_ids(const FramePair& frame) {
+  const auto is_same = [](const std::filesystem::path& a, const std::filesystem::path& b) {
+    const bool there = std::filesystem::exists(a);
+    return there == std::filesystem::exists(b) && (!there || read_whole_file(a) == read_whole_file(b));
+  };
+  return is_same(ids_path(frame.reference), ids_path(frame.test)) &&
+         is_same(draw_list_path(frame.reference), draw_list_path(frame.test));
 }
 
 /// What forbids to judge by the pixels alone; empty: nothing does.
@@ -92,7 +107,7 @@ void compare(const Image& reference, const Image& test, const DiffRules& rules, 
   diff.pixels = compare_pixels(reference, test);
   BothIds ids;
   const bool pixels_decide = rules.gate == DiffGate::automatic || rules.gate == DiffGate::exact;
-  if (!diff.pixels.same() || !pixels_decide)
+  if (!diff.pixels.same() || !pixels_decide || !have_same_ids(diff.frame))
     ids = {ids_of(diff.frame.reference, reference), ids_of(diff.frame.test, test)};
   diff.gate = choose_gate(rules.gate, ids);
   if (diff.gate == DiffGate::ids && !ids.there())

@@ -8,6 +8,7 @@
 #include "core/files/whole_file.h"
 #include "frames/diff/folder_listing.h"
 #include "frames/sequence/manifest.h"
+#include "frames/sequence/sidecar.h"
 
 namespace kerf {
 namespace {
@@ -53,16 +54,41 @@ void take_faults(const FolderListing& listing, PairedFrames& result) {
   for (const auto& [name, manifest] : listing.manifests) check_manifest(manifest, result);
 }
 
-std::vector<FramePair> pair_by_name(const FilesByName& references, const FilesByName& tests) {
+/// The ids and the draw list of a frame that is on both sides must be there on both or on none.
+void add_beside(const FolderListing& references, const FolderListing& tests, FramePair& pair) {
+  if (pair.is_missing() || pair.is_extra()) return;
+  for (const fs::path& path : {ids_path(pair.name), draw_list_path(pair.name)}) {
+    const std::string name = path.generic_string();
+    const bool has_reference = references.beside.contains(name);
+    if (has_reference == tests.beside.contains(name)) continue;
+    pair.beside.push_back(path.filename().string() +
+                          (has_reference ? " beside it is missing" : " beside it has no reference"));
+  }
+}
+
+std::vector<FramePair> pair_by_name(const FolderListing& references, const FolderListing& tests) {
   std::map<std::string, FramePair> pairs;
-  for (const auto& [name, path] : references) pairs[name] = {name, path, {}};
-  for (const auto& [name, path] : tests) {
+  for (const auto& [name, path] : references.frames) pairs[name] = {name, path, {}};
+  for (const auto& [name, path] : tests.frames) {
     pairs[name].name = name;
     pairs[name].test = path;
   }
   std::vector<FramePair> result;
-  for (auto& [name, pair] : pairs) result.push_back(std::move(pair));
+  for (auto& [name, pair] : pairs) {
+    add_beside(references, tests, pair);
+    result.push_back(std::move(pair));
+  }
   return result;
+}
+
+/// Of two files only these themselves are asked about.
+void note_ids_of_one(const fs::path& reference, const fs::path& test, PairedFrames& result) {
+  const auto has = [](const fs::path& frame) {
+    return fs::exists(ids_path(frame)) && fs::exists(draw_list_path(frame));
+  };
+  if (has(reference) == has(test)) return;
+  const fs::path& without = has(reference) ? test : reference;
+  result.notes.push_back("there are no ids beside " + without.string() + ": only the pixels were compared");
 }
 
 /// A file against itself is the same, but that is hardly the question.
@@ -74,12 +100,13 @@ void note_one_and_the_same(const fs::path& reference, const fs::path& test, Pair
 
 PairedFrames pair_folders(const fs::path& reference, const fs::path& test, bool may_lack_references) {
   const bool begins = may_lack_references && !fs::exists(reference);
-  const FolderListing references = begins ? FolderListing{} : list_folder(reference);
-  const FolderListing tests = list_folder(test);
+  FolderListing references = begins ? FolderListing{} : list_folder(reference);
+  FolderListing tests = list_folder(test);
+  agree_on_beside(references, tests);
   if (!may_lack_references) require_frames(reference, references);
   require_frames(test, tests);
   PairedFrames result;
-  result.frames = pair_by_name(references.frames, tests.frames);
+  result.frames = pair_by_name(references, tests);
   result.manifests = compare_manifests(references.manifests, tests.manifests);
   result.faults = compare_others(references.others, tests.others);
   take_faults(references, result);
@@ -102,6 +129,7 @@ PairedFrames pair_frames(const fs::path& reference, const fs::path& test, Withou
     result = pair_folders(reference, test, accepts);
   } else {
     result.frames.push_back({test.filename().string(), begins ? fs::path() : reference, test});
+    if (!begins) note_ids_of_one(reference, test, result);
   }
   note_one_and_the_same(reference, test, result);
   return result;

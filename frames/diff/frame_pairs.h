@@ -13,6 +13,7 @@ struct FramePair {
   std::string name;  ///< of the file; in folders the way to it from there
   std::filesystem::path reference;
   std::filesystem::path test;
+  std::vector<std::string> beside{};  ///< what lies beside only one of the two, in words
   [[nodiscard]] bool is_missing() const { return test.empty(); }
   [[nodiscard]] bool is_extra() const { return reference.empty(); }
 };
