@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/shortest_text.h"
 #include "core/recording/shape_rows.h"
 #include "core/trace/event_facts.h"
 
@@ -108,6 +109,41 @@ std::optional<TheirDifference> their_difference(const RecordingReader<D>& a, con
   return TheirDifference{step, only_in(of_a, of_b), only_in(of_b, of_a)};
 }
 
+std::string margin_text(const Margin& margin) {
+  std::string text = margin.absolute != 0 ? shortest_text(margin.absolute) : "";
+  if (margin.share != 0)
+    text += (text.empty() ? "" : " and ") + shortest_text(margin.share) + " of the extent";
+  return text.empty() ? "none" : text;
+}
+
+/// By their names, since a recording numbers its objects as they come.
+void compare_ignored(const RecordingInfo& a, const RecordingInfo& b, std::vector<std::string>& lines) {
+  const std::vector<NamedPair> of_a = named(a.design.ignored, a.names);
+  const std::vector<NamedPair> of_b = named(b.design.ignored, b.names);
+  const auto add = [&](const std::vector<std::string>& only, const char* which) {
+    if (!only.empty())
+      lines.push_back("ignored pairs: only " + std::string(which) + " has (" + only.front() + ")" +
+                      (only.size() > 1 ? " and " + std::to_string(only.size() - 1) + " more" : ""));
+  };
+  add(only_in(of_a, of_b), "A");
+  add(only_in(of_b, of_a), "B");
+}
+
+/// What was said once of all steps, and decides what is asked of the tree, or what is a fault of another
+/// engine.
+std::vector<std::string> compare_declared(const RecordingInfo& a, const RecordingInfo& b) {
+  std::vector<std::string> lines;
+  const auto add = [&lines](const std::string& what, const std::string& of_a, const std::string& of_b) {
+    if (of_a != of_b) lines.push_back(what + ": " + of_a + " in A, " + of_b + " in B");
+  };
+  const auto origin = [](const RecordingInfo& info) { return info.imported ? "an import" : "a run of ours"; };
+  add("origin", origin(a), origin(b));
+  add("volume", std::string(to_string(a.volume)), std::string(to_string(b.volume)));
+  add("margin", margin_text(a.design.margin), margin_text(b.design.margin));
+  compare_ignored(a, b, lines);
+  return lines;
+}
+
 /// In how many digits the numbers were written does not count.
 template <int D>
 bool same_structure(const std::optional<TheirStructure<D>>& a, const std::optional<TheirStructure<D>>& b) {
@@ -147,6 +183,7 @@ RecordingComparison compare(RecordingReader<D>& a, RecordingReader<D>& b) {
   result.b = summary(b.rows());
   result.object_names = !std::ranges::equal(a.info().names.objects(), b.info().names.objects()) ||
                         a.info().marks != b.info().marks;
+  result.declared = compare_declared(a.info(), b.info());
   for (std::uint32_t step = 1; step <= std::min(a.steps(), b.steps()); ++step) {
     if (!result.state && a.row(step).state_hash != b.row(step).state_hash) result.state = step;
     if (!result.pairs && a.row(step).pairs_hash != b.row(step).pairs_hash) result.pairs = step;

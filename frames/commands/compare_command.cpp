@@ -66,6 +66,7 @@ Json as_json(const RecordingComparison& comparison, const GivenNames& a, const G
             {"structures", step(comparison.structures)},
             {"step_names", step(comparison.step_names)}}},
           {"same_object_names", !comparison.object_names},
+          {"declared", comparison.declared},
           {"a", as_json(comparison.a)},
           {"b", as_json(comparison.b)}};
 }
@@ -144,6 +145,7 @@ void print(const RecordingComparison& comparison, const RecordingInfo& a, const 
   print_first("trees", comparison.state, names);
   print_first("pairs", comparison.pairs, names);
   if (a.imported || b.imported) print_theirs(comparison, names);
+  for (const std::string& line : comparison.declared) std::printf("declared   %s\n", line.c_str());
   print_figures(comparison.a, comparison.b);
 }
 

@@ -205,6 +205,8 @@ void bind_comparison(py::module_& module) {
                     "Of imports: first step with another structure of the other engine.")
       .def_readonly("step_names", &Comparison::step_names, "First step of another name.")
       .def_readonly("object_names", &Comparison::object_names, "Objects have other names, labels or colours.")
+      .def_readonly("declared", &Comparison::declared,
+                    "What was declared otherwise with the two (margin, pairs to be ignored), a line each.")
       .def("__repr__", [](const Comparison& c) {
         return std::string("<kerf.Comparison: ") + (c.same() ? "the same>" : "not the same>");
       });

@@ -52,6 +52,30 @@ TEST_F(ImportVerdict, AnObjectThatComesAgainHasNoFilterOfBefore) {
               HasSubstr("0 pairs: 2 missed, 0 extra, 0 twice, 1 ignored"));
 }
 
+/// They were called the same: no step of theirs differs.
+TEST_F(ImportVerdict, WhatWasDeclaredIsCompared) {
+  const std::string boxes =
+      write("boxes.csv", "step,object,min_x,max_x,min_y,max_y\n1,7,0,2,0,2\n1,8,1,3,0,2\n1,9,8,9,8,9\n");
+  const std::string pairs = write("pairs.csv", "step,a,b\n1,7,8\n");
+  const std::string list = write("ignored.csv", "a,b\n9,7\n9,8\n");
+  (void)imported("plain", boxes, {"--pairs", pairs});
+  (void)imported("again", boxes, {"--pairs", pairs});
+  (void)imported("share", boxes, {"--pairs", pairs, "--margin", "50%"});
+  (void)imported("length", boxes, {"--pairs", pairs, "--margin", "0.25", "--ignore", list});
+  const auto compare = [&](const std::string& a, const std::string& b) {
+    return run_kerf({"compare", path(a + ".kerf"), path(b + ".kerf")});
+  };
+  EXPECT_EQ(compare("plain", "again").exit, 0);
+  EXPECT_EQ(compare("length", "length").exit, 0);
+  const RunOutcome margins = compare("plain", "share");
+  EXPECT_EQ(margins.exit, 1);
+  EXPECT_THAT(margins.out, HasSubstr("declared   margin: none in A, 0.5 of the extent in B\n"));
+  const RunOutcome lists = compare("length", "plain");
+  EXPECT_EQ(lists.exit, 1);
+  EXPECT_THAT(lists.out, HasSubstr("declared   margin: 0.25 in A, none in B\n"));
+  EXPECT_THAT(lists.out, HasSubstr("declared   ignored pairs: only A has (7,9) and 1 more\n"));
+}
+
 /// A table that was cut off, or an engine that stopped to report: neither is passed over.
 TEST_F(ImportVerdict, PairsThatEndBeforeTheBoxesAreOddIfAnyIsMissed) {
   const std::string heading = "step,object,min_x,max_x,min_y,max_y\n1,0,0,2,0,2\n1,1,1,3,0,2\n";
