@@ -117,11 +117,15 @@ std::string help_hint(const CLI::App& program) {
 }
 
 /// An empty text asks for nothing: most likely a variable of a script was not set.
-void refuse_empty_options(const CLI::App& command) {
-  for (const CLI::Option* const option : options_of(command))
-    if (option->nonpositional() && std::ranges::count(option->results(), std::string()) > 0)
+void refuse_empty_arguments(const CLI::App& command) {
+  for (const CLI::Option* const option : options_of(command)) {
+    if (std::ranges::count(option->results(), std::string()) == 0) continue;
+    if (option->nonpositional())
       throw UsageError("--" + option->get_lnames().front() + " is empty; give it " + option->get_type_name() +
                        ", or leave it out");
+    throw UsageError(option->get_name(true) + " is empty; name one" +
+                     (option->get_required() ? "" : ", or leave it out"));
+  }
 }
 
 /// An exit code. Printed text may still lie in memory, and a full disk shows only when it is flushed.
@@ -135,7 +139,7 @@ int finish_output() {
 template <class... Command>
 int run(const CLI::App& program, const Command&... commands) {
   try {
-    refuse_empty_options(chosen_command(program));
+    refuse_empty_arguments(chosen_command(program));
     ((commands.chosen() ? commands.run() : void()), ...);
     return finish_output();
   } catch (const DoesNotHold& error) {
