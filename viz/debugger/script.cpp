@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "viz/debugger/script_keys.h"
 #include "viz/image/png.h"
 
 namespace kerf {
@@ -35,6 +36,10 @@ constexpr int kMostFrames = 1'000'000;
 std::optional<float> extent_of(std::string_view text) {
   const auto value = number_of<float>(text);
   return value && std::abs(*value) <= kMostPixels ? value : std::nullopt;
+}
+
+bool is_inside(const std::pair<float, float>& place, double width, double height) {
+  return place.first >= 0 && place.first <= width && place.second >= 0 && place.second <= height;
 }
 
 /// "a,b" as two numbers.
@@ -69,41 +74,6 @@ std::vector<std::string> words_of(int number, std::string_view text) {
   if (quoted) throw ScriptError("line " + std::to_string(number) + ": a quote is not closed");
   if (begun) words.push_back(word);
   return words;
-}
-
-const std::map<std::string, Key>& key_names() {
-  static const std::map<std::string, Key> kNames{{"space", Key::space}, {",", Key::comma},
-                                                 {".", Key::period},    {"home", Key::home},
-                                                 {"end", Key::end},     {"f", Key::f},
-                                                 {"h", Key::h},         {"i", Key::i},
-                                                 {"b", Key::b},         {"o", Key::o},
-                                                 {"?", Key::question},  {"escape", Key::escape},
-                                                 {"enter", Key::enter}, {"backspace", Key::backspace},
-                                                 {"f1", Key::f1},       {"f5", Key::f5},
-                                                 {"f9", Key::f9},       {"f12", Key::f12},
-                                                 {"delete", Key::del},  {"left", Key::left},
-                                                 {"right", Key::right}, {"up", Key::up},
-                                                 {"down", Key::down},   {"+", Key::plus},
-                                                 {"-", Key::minus},     {"c", Key::c},
-                                                 {"m", Key::m},         {"k", Key::k},
-                                                 {"n", Key::n},         {"s", Key::s},
-                                                 {"e", Key::e},         {"l", Key::l},
-                                                 {"r", Key::r},         {"a", Key::a},
-                                                 {"u", Key::u},         {"d", Key::d},
-                                                 {"q", Key::q},         {"x", Key::x},
-                                                 {"t", Key::t},         {"j", Key::j},
-                                                 {"g", Key::g},         {"p", Key::p},
-                                                 {"tab", Key::tab},     {"w", Key::w},
-                                                 {"v", Key::v},         {"y", Key::y},
-                                                 {"z", Key::z},         {"f10", Key::f10},
-                                                 {"=", Key::plus}};
-  return kNames;
-}
-
-std::optional<Key> key_called(const std::string& name) {
-  if (name.size() == 1 && name[0] >= '0' && name[0] <= '9') return key_of_digit(name[0] - '0');
-  const auto found = key_names().find(name);
-  return found == key_names().end() ? std::nullopt : std::optional(found->second);
 }
 
 /// All names, each after a space.
@@ -229,6 +199,7 @@ void ScriptPlayer::play(const ScriptLine& line) {
   }
   if (verb == "save" || verb == "load") return use_session(line);
   if (verb == "drop") {
+    if (word(1).empty()) fail(line, "it is written `drop FILE`");
     input_.dropped = word(1);
     return frames(2);
   }
@@ -245,7 +216,8 @@ void ScriptPlayer::play(const ScriptLine& line) {
 /// "save session FILE" and "load session FILE"; without FILE the one that is kept, else the one beside the
 /// recording.
 void ScriptPlayer::use_session(const ScriptLine& line) {
-  if (!has_word(line, 1, "session")) fail(line, "it is written `" + line.words[0] + " session [FILE]`");
+  if (!has_word(line, 1, "session") || has_word(line, 2, ""))
+    fail(line, "it is written `" + line.words[0] + " session [FILE]`");
   std::filesystem::path file = debugger_.session_file();
   if (file.empty()) file = session_path(debugger_.model().run().path());
   if (line.words.size() > 2) file = line.words[2];
@@ -363,13 +335,19 @@ void ScriptPlayer::expect(const ScriptLine& line) {
 /// "320,200" is a pixel, "play" a part of a panel, "view@0.5,0.25" a place within it by its share, "object:5"
 /// or "node:5" the place of that object or node.
 ScriptPlayer::Point ScriptPlayer::place(const ScriptLine& line, const std::string& word) {
-  if (const auto pixel = two_numbers(word)) return {pixel->first, pixel->second};
+  if (const auto pixel = two_numbers(word)) {
+    if (!is_inside(*pixel, width_ - 1, height_ - 1))
+      fail(line, word + " is no pixel of the window, which has " + std::to_string(width_) + "x" +
+                     std::to_string(height_));
+    return {pixel->first, pixel->second};
+  }
   const std::size_t at = word.find('@');
   const std::string name = word.substr(0, at);
   std::pair<float, float> share{0.5F, 0.5F};
   if (at != std::string::npos) {
     const auto given = two_numbers(std::string_view(word).substr(at + 1));
-    if (!given) fail(line, "after the @ stand two shares such as 0.5,0.25");
+    if (!given || !is_inside(*given, 1, 1))
+      fail(line, "after the @ stand two shares from 0 to 1 such as 0.5,0.25");
     share = *given;
   }
   const auto scale = static_cast<float>(debugger_.scale());

@@ -55,6 +55,15 @@ TEST_F(ScriptedDebugger, MistakesAreNamedByTheirLine) {
     EXPECT_THAT(play("key Home\n" + std::string(line)), HasSubstr("line 2, '" + std::string(line) + "': "));
 }
 
+TEST_F(ScriptedDebugger, PlacesOutsideTheWindowAndEmptyNamesAreRefused) {
+  for (const char* const line : {"click 99999,99999", "click -5,-5", "hover -5,-5", "drag view 5,99999"})
+    EXPECT_THAT(play(line), HasSubstr("is no pixel of the window, which has ")) << line;
+  for (const char* const line : {"click scrubber@7,7", "hover view@0.5,-0.1", "drag view@0.5,1.01 view"})
+    EXPECT_THAT(play(line), HasSubstr("two shares from 0 to 1")) << line;
+  for (const char* const line : {"drop \"\"", "save session \"\"", "load session \"\""})
+    EXPECT_THAT(play(line), HasSubstr("it is written `")) << line;
+}
+
 TEST_F(ScriptedDebugger, KeysButtonsAndScrubberGoThroughTheRun) {
   EXPECT_EQ(play(R"(
 expect position == "step 0"
