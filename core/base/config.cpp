@@ -89,6 +89,7 @@ const Parameter& find(std::string_view name) {
 }
 
 std::string number(double x) {
+  if (x >= static_cast<double>(UINT64_MAX)) return std::to_string(UINT64_MAX);  // the double is one more
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }

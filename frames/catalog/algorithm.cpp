@@ -172,14 +172,14 @@ std::optional<Algorithm<D>> find_algorithm(std::string_view text) try {
     throw UsageError("'" + std::string(text) + "': only " + std::string(kTunedTree) + " and " +
                      std::string(kPaperTree) + " take parameters");
   const Parameters parts = part(text.substr(colon + 1));
-  const Config config =
-      parse_config("--algorithms", parts.config, base == kTunedTree ? tuned_config() : Config{});
+  const Config config = parse_config("'" + std::string(text) + "'", parts.config,
+                                     base == kTunedTree ? tuned_config() : Config{});
   Approximation how;
   kerf::apply(how, parts.approximation);
   Algorithm<D> other = tree<D>(text, "the tree with other parameters", config);
   return how == Approximation{} ? other : approximate(std::move(other), how);
 } catch (const std::invalid_argument& error) {
-  throw UsageError(std::string("--algorithms: ") + error.what());
+  throw UsageError("'" + std::string(text) + "': " + error.what());
 }
 
 void check_algorithm(std::string_view text) {

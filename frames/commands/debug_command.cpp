@@ -191,6 +191,7 @@ std::optional<RenderRequest> DebugCommand::scene(const std::filesystem::path& sc
     unless_given(texts.grow, "80");
     unless_given(texts.steps, "150");
   }
+  check_recorded_steps(texts.steps);
   unless_given(texts.steps, "300");
   unless_given(texts.record, scratch / "run.kerf");
   return parse_request(texts);

@@ -11,6 +11,7 @@
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_number.h"
+#include "frames/support/parse_whole.h"
 
 namespace kerf {
 namespace {
@@ -30,11 +31,7 @@ double parse_share(const std::string& text) {
 StructureLimits parse_limits(const std::string& depth, const std::string& overlap,
                              const std::string& margin) {
   StructureLimits limits;
-  if (!depth.empty()) {
-    const auto given = parse_number<std::uint32_t>(depth);
-    if (!given) throw UsageError("--depth '" + depth + "' is no whole number such as 40");
-    limits.depth = *given;
-  }
+  if (!depth.empty()) limits.depth = parse_whole("--depth", depth, 0U, UINT32_MAX);
   if (!overlap.empty()) limits.overlap = parse_share(overlap);
   if (!margin.empty()) {
     const auto given = parse_number<Scalar>(margin);
@@ -83,12 +80,7 @@ void LintCommand::run() const {
 }
 
 std::size_t LintCommand::lint_operators() const {
-  std::uint32_t within = 50;
-  if (!within_.empty()) {
-    const auto given = parse_number<std::uint32_t>(within_);
-    if (!given || *given == 0) throw UsageError("--within '" + within_ + "' is no whole number from 1 up");
-    within = *given;
-  }
+  const std::uint32_t within = within_.empty() ? 50 : parse_whole("--within", within_, 1U, UINT32_MAX);
   return with_recording(file_, [&](const auto& recording) {
     const auto cases = find_thrash(recording->operators(), recording->steps(), within);
     for (const Thrash& thrash : cases)

@@ -35,8 +35,7 @@ RecordCommand::RecordCommand(CLI::App& program)
 bool RecordCommand::chosen() const { return command_->parsed(); }
 
 void RecordCommand::run() const {
-  if (texts_.steps.find(':') != std::string::npos)
-    throw UsageError("--steps '" + texts_.steps + "': a recording has every step; give how many");
+  check_recorded_steps(texts_.steps);
   record_scene(parse_request(texts_));
 }
 

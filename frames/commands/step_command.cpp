@@ -17,7 +17,7 @@
 #include "frames/support/interrupt.h"
 #include "frames/support/outputs.h"
 #include "frames/support/parse_expression.h"
-#include "frames/support/parse_number.h"
+#include "frames/support/parse_whole.h"
 
 namespace kerf {
 namespace {
@@ -137,11 +137,7 @@ void StepCommand::run() const {
     throw UsageError("--picture '" + picture_ + "': call the picture something.png");
   outputs.add_file(picture_);
   StepRequest request{parse_expression("--to", to_), from_, 1, reverse_, picture_, outputs.replace()};
-  if (!hits_.empty()) {
-    const auto hits = parse_number<std::uint32_t>(hits_);
-    if (!hits || *hits == 0) throw UsageError("--hits '" + hits_ + "' is no whole number from 1 up");
-    request.hits = *hits;
-  }
+  if (!hits_.empty()) request.hits = parse_whole("--hits", hits_, 1U, UINT32_MAX);
   with_recording(file_, [&](auto recording) { step(recording, request); });
 }
 

@@ -9,7 +9,7 @@
 #include "frames/commands/replay_timings.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
-#include "frames/support/parse_number.h"
+#include "frames/support/parse_whole.h"
 
 namespace kerf {
 namespace {
@@ -18,9 +18,7 @@ unsigned long long wide(std::uint64_t x) { return x; }
 
 std::uint32_t parse_every(const std::string& text) {
   if (text.empty()) return 1;
-  const auto every = parse_number<std::uint32_t>(text);
-  if (!every) throw UsageError("--oracle-every '" + text + "' is no whole number");
-  return *every;
+  return parse_whole("--oracle-every", text, 0U, UINT32_MAX);
 }
 
 void print(const Divergence& divergence, const GivenNames& names) {

@@ -11,6 +11,7 @@
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_config.h"
+#include "frames/support/parse_number.h"
 #include "frames/support/parse_whole.h"
 #include "frames/support/suggest.h"
 #include "frames/support/text_file.h"
@@ -246,6 +247,11 @@ RenderRequest parse_request(const RenderTexts& texts) {
     throw UsageError("--shard needs a recording: make one by `kerf record " + texts.scene +
                      " -o FILE` and render that");
   return request;
+}
+
+void check_recorded_steps(const std::string& text) {
+  if (!text.empty() && !parse_number<std::uint64_t>(text))
+    throw UsageError("--steps '" + text + "' is not how many, for example 1000: a recording has every step");
 }
 
 bool names_recording(const RenderTexts& texts) {

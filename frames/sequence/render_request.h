@@ -98,6 +98,10 @@ inline constexpr int kMaxWorkers = 256;
 /// Throws UsageError that says what to do. Reads the file of the camera path and touches no other.
 RenderRequest parse_request(const RenderTexts& texts);
 
+/// The steps of a scene that is recorded: how many, since a recording has every one. Throws UsageError if the
+/// text is not empty and no such number.
+void check_recorded_steps(const std::string& text);
+
 /// Whether the text names a recording: not a scene, but a file. Throws std::runtime_error if the file does
 /// not exist.
 bool names_recording(const RenderTexts& texts);

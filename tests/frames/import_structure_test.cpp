@@ -191,7 +191,8 @@ TEST_F(ImportStructure, AStepThatWasTakenAwayIsRefused) {
 
 TEST_F(ImportStructure, LimitsThatAreNoneAreRefused) {
   static_cast<void>(import_of(run(TreeBug::none)));
-  EXPECT_THAT(lint({"--depth", "x"}).err, HasSubstr("--depth 'x' is no whole number"));
+  EXPECT_THAT(lint({"--depth", "x"}).err,
+              HasSubstr("--depth 'x' is not a whole number from 0 to 4294967295"));
   EXPECT_THAT(lint({"--overlap", "x%"}).err, HasSubstr("--overlap 'x%' is no share"));
   EXPECT_THAT(lint({"--overlap", "50"}).err, HasSubstr("do you mean '50%'?"));
   EXPECT_THAT(lint({"--margin", "-1"}).err, HasSubstr("--margin '-1' is no length"));

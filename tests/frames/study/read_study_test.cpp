@@ -112,7 +112,7 @@ TEST(ReadStudy, ErrorsNameTheLineOrTheKey) {
       {R"({"matrices": [{"motions": ["falling"], "broad_phases": ["kerf", "colums"]}]})",
        "matrices[0].broad_phases[1]: unknown algorithm 'colums'; did you mean 'columns'"},
       {R"({"matrices": [{"motions": ["falling"], "parameters": ["", "skn=0"]}]})",
-       "matrices[0].parameters[1]: --algorithms: unknown parameter 'skn'"},
+       "matrices[0].parameters[1]: 'kerf:skn=0': unknown parameter 'skn'"},
       {R"({"matrices": [{"motions": ["falling"], "broad_phases": ["columns"], "parameters": ["skin=0"]}]})",
        "matrices[0].parameters: none of the broad phases takes any"},
       {R"({"matrices": [{"motions": ["falling"], "measure": ["time"]}]})",

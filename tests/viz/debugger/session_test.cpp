@@ -81,6 +81,16 @@ TEST(Session, SaysWhyATextCannotBeRead) {
     EXPECT_THAT(problem_of(damaged), HasSubstr("damaged")) << damaged;
 }
 
+/// The messages of the JSON library name its parts, not those of a session.
+TEST(Session, WhatIsDamagedIsSaidInPlainWords) {
+  EXPECT_THAT(problem_of(changed(R"("note": "")", R"("not": "")")), HasSubstr("key 'note' not found"));
+  const std::string list = R"({"format": "kerf-session", "version": 1, "recording": []})";
+  EXPECT_THAT(problem_of(list), HasSubstr("of another kind than in a session"));
+  EXPECT_THAT(problem_of("{"), HasSubstr("it is no JSON from byte 2 on"));
+  for (const std::string& text : {std::string("{"), list, changed(R"("note": "")", R"("not": "")")})
+    EXPECT_THAT(problem_of(text), testing::Not(HasSubstr("json.exception"))) << text;
+}
+
 TEST(Session, DamagedPartsAreRefused) {
   const std::vector<std::pair<std::string, std::string>> changes{
       {R"("step": 4)", R"("step": -4)"},

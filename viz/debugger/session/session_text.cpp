@@ -18,6 +18,12 @@ constexpr int kVersion = 1;
 
 [[noreturn]] void fail(const std::string& what) { throw SessionError("the session is damaged: " + what); }
 
+/// Without the "[json.exception.out_of_range.403] " before it.
+std::string without_number(const std::string& message) {
+  const std::size_t end = message.find("] ");
+  return end == std::string::npos ? message : message.substr(end + 2);
+}
+
 // Writing.
 
 Json json_of(const Position& moment) {
@@ -271,8 +277,12 @@ DebuggerSession read_session(std::string_view text) {
       throw SessionError("its version is " + json.at("version").dump() + ", and this kerf reads version " +
                          std::to_string(kVersion));
     return session_in(json);
-  } catch (const nlohmann::json::exception& error) {
-    fail(error.what());
+  } catch (const nlohmann::json::parse_error& error) {
+    fail("it is no JSON from byte " + std::to_string(error.byte) + " on");
+  } catch (const nlohmann::json::out_of_range& error) {
+    fail(without_number(error.what()));  // such as "key 'note' not found"
+  } catch (const nlohmann::json::exception&) {
+    fail("a part of it is of another kind than in a session, such as a list where there should be a number");
   } catch (const std::invalid_argument& error) {
     fail(error.what());
   }
