@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "core/base/counted.h"
+#include "core/files/temporary_folder.h"
 #include "core/kernels/machine.h"
 #include "frames/sequence/video.h"
 #include "frames/support/checkup.h"
 #include "frames/support/errors.h"
 #include "frames/support/machine.h"
 #include "frames/support/parse_whole.h"
-#include "frames/support/scratch_folder.h"
 #include "frames/support/version.h"
 #include "viz/debugger/gui/glfw_window.h"
 #include "viz/gl/context.h"

@@ -11,7 +11,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "frames/support/scratch_folder.h"
+#include "core/files/temporary_folder.h"
 
 namespace kerf {
 namespace {

@@ -2,10 +2,9 @@
 
 #include <filesystem>
 
-namespace kerf {
+#include "core/files/temporary_folder.h"
 
-/// Where temporary files go: TMPDIR, or /tmp. Throws std::runtime_error if it is no folder.
-std::filesystem::path temporary_folder();
+namespace kerf {
 
 /// A new folder, which goes away with the object.
 class ScratchFolder {
