@@ -57,16 +57,24 @@ constexpr bool overlaps(const GivenBox<D>& a, const GivenBox<D>& b) {
   return all;
 }
 
-/// A bound moved by a margin as far as an engine that counts in `Number` may move it: to the nearest number,
-/// or one further, but never by twice the margin. The margin is rounded by such an engine, too.
+/// A bound moved by a margin as far as an engine that counts in `Number` may move it, but never by more than
+/// twice the margin unless the nearest number is so far. Such an engine rounds the margin, and on the way
+/// from bounds to extent, centre and half extents numbers up to `reach`, whose last places may be much larger
+/// than those of the result.
 template <class Number>
-double moved_by(double from, double by) {
+double moved_by(double from, double by, double reach) {
   using Limits = std::numeric_limits<Number>;
-  const double most = static_cast<double>(Limits::max());
-  const double exact = from + by * (1 + 2 * static_cast<double>(Limits::epsilon()));
-  const auto nearest = static_cast<Number>(std::clamp(exact, -most, most));
-  const auto further = std::nextafter(nearest, by < 0 ? Limits::lowest() : Limits::max());
-  return static_cast<double>(std::abs(further - from) <= 2 * std::abs(by) ? further : nearest);
+  constexpr double kUnit = static_cast<double>(Limits::epsilon());
+  const auto rounded = [](double x) {
+    constexpr double kMost = static_cast<double>(Limits::max());
+    return static_cast<Number>(std::clamp(x, -kMost, kMost));
+  };
+  const auto is_near = [=](Number x) { return std::abs(static_cast<double>(x) - from) <= 2 * std::abs(by); };
+  const double exact = from + by * (1 + 2 * kUnit);
+  const Number nearest = rounded(exact);
+  Number further = rounded(exact + std::copysign(2 * kUnit * (reach + std::abs(by)), by));
+  if (!is_near(further)) further = std::nextafter(nearest, by < 0 ? Limits::lowest() : Limits::max());
+  return static_cast<double>(is_near(further) ? further : nearest);
 }
 
 /// The box with a margin, of an engine that counts in `Number`. Without a margin it stays as it is; a share
@@ -76,9 +84,11 @@ GivenBox<D> grow(GivenBox<D> box, const Margin& margin) {
   if (margin == Margin{}) return box;
   for (std::size_t i = 0; i < D; ++i) {
     const double extent = box.max[i] - box.min[i];
-    const double by = margin.absolute + (std::isfinite(extent) ? margin.share * extent : 0);
-    box.min[i] = moved_by<Number>(box.min[i], -by);
-    box.max[i] = moved_by<Number>(box.max[i], by);
+    const bool is_finite = std::isfinite(extent);
+    const double by = margin.absolute + (is_finite ? margin.share * extent : 0);
+    const double reach = is_finite ? std::max({std::abs(box.min[i]), std::abs(box.max[i]), extent}) : 0;
+    box.min[i] = moved_by<Number>(box.min[i], -by, reach);
+    box.max[i] = moved_by<Number>(box.max[i], by, reach);
   }
   return box;
 }

@@ -92,5 +92,37 @@ TEST(GivenBox, JoinsAndKeepsNan) {
   EXPECT_TRUE(std::isnan(join(given(kNan, 1), given(0, 6)).min[0]));
 }
 
+/// What engines of floats do with margins: beside the bounds, or by centre and half extents.
+TEST(GivenBox, NoWayToAddAMarginInFloatsIsBeyondIt) {
+  Random random(20261129);
+  const auto within = [](float min, float max, const Margin& margin, float min_of_theirs,
+                         float max_of_theirs) {
+    GivenBox<2> box;
+    box.min[0] = static_cast<double>(min);
+    box.max[0] = static_cast<double>(max);
+    const GivenBox<2> grown = grow<Scalar>(box, margin);
+    return grown.min[0] <= static_cast<double>(min_of_theirs) &&
+           static_cast<double>(max_of_theirs) <= grown.max[0];
+  };
+  for (int k = 0; k < 200'000; ++k) {
+    const auto center =
+        static_cast<float>(std::ldexp(random.unit() - 0.5, static_cast<int>(random.below(12))));
+    const auto size =
+        static_cast<float>(std::ldexp(random.unit() + 0.01, static_cast<int>(random.below(6)) - 3));
+    const float min = center - size;
+    const float max = center + size;
+    const float share = random.below(2) == 0 ? 0.1F : 1.0F;
+    const Margin by_share{0, share == 1 ? 1.0 : 0.1};
+    const float c = (min + max) * 0.5F;
+    const float h = (max - min) * 0.5F * (1 + 2 * share);
+    ASSERT_TRUE(within(min, max, by_share, c - h, c + h)) << min << ' ' << max;
+    const float m = (max - min) * share;
+    ASSERT_TRUE(within(min, max, by_share, min - m, max + m)) << min << ' ' << max;
+    const float half = (max - min) * 0.5F + 0.01F;
+    ASSERT_TRUE(within(min, max, {0.01, 0}, c - half, c + half)) << min << ' ' << max;
+    ASSERT_TRUE(within(min, max, {0.01, 0}, min - 0.01F, max + 0.01F)) << min << ' ' << max;
+  }
+}
+
 }  // namespace
 }  // namespace kerf
