@@ -13,6 +13,7 @@
 #include "frames/import/shown_objects.h"
 #include "frames/import/step_lines.h"
 #include "frames/import/their_nodes.h"
+#include "frames/import/written_digits.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
 
@@ -208,6 +209,17 @@ class Import {
     for (const JudgedPair& one : judged) ++verdicts_[static_cast<std::size_t>(one.verdict)];
     if (sum.missed + sum.extra + sum.twice > 0 && first_wrong_.empty()) first_wrong_ = step.text;
     if (sum.missed > 0 && !has_lines && !pairs_.empty()) note_no_pairs(step);
+    for (const JudgedPair& one : judged) note_few_digits(one, step);
+  }
+
+  void note_few_digits(const JudgedPair& one, const GivenStep& step) {
+    if (one.verdict != PairVerdict::missed && one.verdict != PairVerdict::extra) return;
+    const auto& objects = tree_.objects();
+    if (!objects.is_placed(one.pair.a) || !objects.is_placed(one.pair.b)) return;
+    if (hangs_on_digits(world_.box(objects, one.pair.a), world_.box(objects, one.pair.b)))
+      oddities_.note(Oddity::few_digits, [&] {
+        return request_.pairs.string() + ": pair " + info_.names.pair(one.pair) + " in step " + step.text;
+      });
   }
 
   /// Pairs that were written every few steps, or late, look like an engine that reports nothing meanwhile.

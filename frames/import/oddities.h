@@ -25,6 +25,7 @@ enum class Oddity : std::uint8_t {
   large_shape,
   no_pairs,
   pairs_end,
+  few_digits,
 };
 
 /// Counts what is odd, and keeps where the first five of each kind are.
@@ -46,7 +47,7 @@ class Oddities {
 
  private:
   static constexpr std::size_t kNamed = 5;
-  static constexpr std::size_t kKinds = static_cast<std::size_t>(Oddity::pairs_end) + 1;
+  static constexpr std::size_t kKinds = static_cast<std::size_t>(Oddity::few_digits) + 1;
   struct Kind {
     std::size_t count = 0;
     std::vector<std::string> places;

@@ -32,6 +32,37 @@ TEST_F(ImportVerdict, PairsAreJudgedInThePrecisionGiven) {
   EXPECT_THAT(imported("c", boxes, {"--pairs", silent}), HasSubstr("0 pairs: 1 missed, 0 extra"));
 }
 
+TEST_F(ImportVerdict, WhatTheLastDigitDecidesIsSaid) {
+  const std::string head = "step,object,min_x,max_x,min_y,max_y\n";
+  const std::string nothing = write("nothing.csv", "step,a,b\n");
+  const std::string both = write("both.csv", "step,a,b\n1,0,1\n");
+  const std::string touching = write("touching.csv", head + "1,0,0.5,1.23457,0,1\n1,1,1.23457,2,0,1\n");
+  const std::string out = imported("a", touching, {"--pairs", nothing});
+  EXPECT_THAT(out, HasSubstr("0 pairs: 1 missed"));
+  EXPECT_THAT(out, HasSubstr("odd: 1 verdict on pairs that the last written digit of a box decides"));
+  EXPECT_THAT(out, HasSubstr("pair 0,1 in step 1"));
+  EXPECT_THAT(refused(touching, {"--pairs", nothing, "--strict"}), HasSubstr("last written digit"));
+  EXPECT_THAT(imported("a", touching, {"--pairs", both}), Not(HasSubstr("odd")));
+  const std::string apart = write("apart.csv", head + "1,0,0.5,1.23457,0,1\n1,1,1.23458,2,0,1\n");
+  EXPECT_THAT(imported("a", apart, {"--pairs", both}), HasSubstr("last written digit"));
+  // An overlap of two digits, few digits, floats as they are, and as many digits as floats need decide
+  // themselves.
+  for (const std::string bounds : {"1.23459,0,1\n1,1,1.23457", "0.1,0,1\n1,1,0.1",
+                                   "1.0078125,0,1\n1,1,1.0078125", "1.23456789,0,1\n1,1,1.23456789"}) {
+    const std::string boxes = write("boxes.csv", head + "1,0,-1," + bounds + ",2,0,1\n");
+    EXPECT_THAT(imported("a", boxes, {"--pairs", nothing}), Not(HasSubstr("odd"))) << bounds;
+  }
+}
+
+TEST_F(ImportVerdict, AMarginIsRoundedWhereTheEngineRoundsIt) {
+  const std::string boxes = write("boxes.csv",
+                                  "step,object,min_x,max_x,min_y,max_y\n1,0,-0.190664291,-0.0368452519,0,1\n"
+                                  "1,1,0.0302122459,0.546967924,0,1\n");
+  const std::string pairs = write("pairs.csv", "step,a,b\n1,0,1\n");
+  EXPECT_THAT(imported("a", boxes, {"--pairs", pairs, "--margin", "10%"}), HasSubstr("0 extra"));
+  EXPECT_THAT(imported("b", boxes, {"--pairs", pairs, "--margin", "9.99%"}), HasSubstr("1 extra"));
+}
+
 TEST_F(ImportVerdict, ChangesOfMobilityAreFollowedAndExported) {
   const std::string out =
       imported("a", given("type_change/boxes.csv"), {"--pairs", given("type_change/pairs.csv")});
