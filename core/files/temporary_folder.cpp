@@ -9,7 +9,7 @@ namespace kerf {
 
 std::filesystem::path temporary_folder() {
   std::error_code error;
-  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  std::filesystem::path folder = std::filesystem::temp_directory_path(error);
   if (!error) return folder;
   const char* const given = std::getenv("TMPDIR");
   throw std::runtime_error("temporary files go to TMPDIR, which is '" +

@@ -39,18 +39,18 @@ class InOrder {
   static_assert(kNumbers % kLanes == 0);
 
   HWY_INLINE InOrder() {
-    for (auto& part : part_) part = hn::VecFromMask(lanes_, hn::FirstN(lanes_, kLanes));
+    for (auto& part : part_) part = hn::VecFromMask(kTag, hn::FirstN(kTag, kLanes));
   }
   HWY_INLINE void add(const Number* rows) {
     for (std::size_t k = 0; k < kParts; ++k) {
       const auto in_order =
-          hn::Le(hn::LoadU(lanes_, rows + k * kLanes), hn::LoadU(lanes_, rows + k * kLanes + D));
-      part_[k] = hn::And(part_[k], hn::VecFromMask(lanes_, in_order));
+          hn::Le(hn::LoadU(kTag, rows + k * kLanes), hn::LoadU(kTag, rows + k * kLanes + D));
+      part_[k] = hn::And(part_[k], hn::VecFromMask(kTag, in_order));
     }
   }
   [[nodiscard]] HWY_INLINE bool all() const {
     Number in_order[kNumbers];
-    for (std::size_t k = 0; k < kParts; ++k) hn::StoreU(part_[k], lanes_, in_order + k * kLanes);
+    for (std::size_t k = 0; k < kParts; ++k) hn::StoreU(part_[k], kTag, in_order + k * kLanes);
     bool all = true;
     for (std::size_t k = 0; k < kNumbers; ++k)
       if (k % (2 * D) < D) all &= in_order[k] != 0;  // all ones are NaN
@@ -58,7 +58,7 @@ class InOrder {
   }
 
  private:
-  static constexpr LanesOf<Number> lanes_{};
+  static constexpr LanesOf<Number> kTag{};
   hn::Vec<LanesOf<Number>> part_[kParts];
 };
 

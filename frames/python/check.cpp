@@ -26,7 +26,7 @@ struct Trial {
 
 /// "IndexError: too few", of whatever `str` makes of it.
 std::string text_of(const py::error_already_set& error) {
-  const std::string type = py::str(error.type().attr("__name__"));
+  std::string type = py::str(error.type().attr("__name__"));
   try {
     const std::string what = py::str(error.value());
     return what.empty() ? type : type + ": " + what;
