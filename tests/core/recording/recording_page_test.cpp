@@ -10,6 +10,7 @@
 
 #include "core/recording/schema.h"
 #include "core/recording/their_structure.h"
+#include "tests/support/temporary_folder.h"
 
 namespace kerf {
 namespace {
@@ -42,19 +43,13 @@ Columns tables_of_page() {
 /// A recording without a step.
 class EmptyRecording : public ::testing::Test {
  protected:
-  EmptyRecording() : path_(::testing::TempDir() + "kerf_recording_page.kerf") {
-    remove_recording(path_);
-    database_ = std::make_unique<Database>(Database::create(path_));
+  EmptyRecording() {
+    database_ = std::make_unique<Database>(Database::create(folder_.path() / "page.kerf"));
     RecordingInfo info;
     info.digits = TheirDigits();
     create_schema(*database_, info);
     write_structure<3>(*database_, 1, {});
   }
-  ~EmptyRecording() override {
-    database_.reset();
-    remove_recording(path_);
-  }
-
   [[nodiscard]] std::set<std::string> texts(const std::string& sql) const {
     std::set<std::string> found;
     Statement rows = database_->prepare(sql);
@@ -63,7 +58,7 @@ class EmptyRecording : public ::testing::Test {
   }
 
  private:
-  std::filesystem::path path_;
+  test::TemporaryFolder folder_;
   std::unique_ptr<Database> database_;
 };
 
