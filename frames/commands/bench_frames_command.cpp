@@ -181,8 +181,7 @@ void BenchFramesCommand::run() const {
   std::optional<std::uint32_t> frames;
   if (!frames_.empty()) frames = parse_whole("--frames", frames_, 1U, kMostFrames);
   const InterruptGuard interrupt;
-  const std::filesystem::path parent =
-      out_.empty() ? temporary_folder() : std::filesystem::path(out_);
+  const std::filesystem::path parent = out_.empty() ? temporary_folder() : std::filesystem::path(out_);
   Results results(json_, outputs.replace());
   make_writable_folder(parent);
   const ScratchFolder scratch(parent);

@@ -64,7 +64,8 @@ bool hangs_on_digits(const GivenBox<D>& a, const GivenBox<D>& b) {
       apart = min - max;
       rounding = rounding_of(min, max);
     }
-  return std::abs(apart) <= rounding;
+  constexpr double kOfDoubles = 1 + 1e-9;  // both are rounded themselves
+  return rounding > 0 && std::abs(apart) <= kOfDoubles * rounding;
 }
 
 template bool hangs_on_digits<2>(const GivenBox<2>&, const GivenBox<2>&);
