@@ -34,6 +34,23 @@ TEST(SortScalars, ManyEqualOnesAndTheGreatest) {
   EXPECT_EQ(std::ranges::count(std::span(scalars).last(100), kMost), 100);
 }
 
+/// Such are the ends of objects that lie on one another.
+TEST(SortScalars, ManyEqualOnesAndOthersNextToThem) {
+  Random random(20261129);
+  for (int round = 0; round < 500; ++round) {
+    std::vector<Scalar> scalars(50 * (1 + random.below(5)), 0.5F);
+    for (int k = 0; k < 6; ++k)
+      scalars.push_back(0.5F + static_cast<Scalar>(random.below(9)) * 0x1p-24F - 0x1p-22F);
+    while (scalars.size() < 300) scalars.push_back(static_cast<Scalar>(random.uniform(-1, 1)));
+    for (std::size_t k = scalars.size() - 1; k > 0; --k)
+      std::swap(scalars[k], scalars[random.below(static_cast<std::uint32_t>(k + 1))]);
+    std::vector<Scalar> expected = scalars;
+    std::ranges::sort(expected);
+    sort_scalars(scalars);
+    ASSERT_EQ(scalars, expected) << round;
+  }
+}
+
 TEST(SortScalars, ZerosHaveOneSign) {
   for (const int size : {3, 300}) {
     std::vector<Scalar> scalars;
