@@ -1,5 +1,6 @@
 #include "core/kernels/box_rows.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -69,7 +70,8 @@ HWY_INLINE bool is_box(const Number* row) {
   return all;
 }
 
-/// As many rows as can be read together are: the last one of them is read a little beyond its end.
+/// Calls `each(row)` for the first of `kTogether` rows, as long as another row follows, since these are read
+/// beyond their end; then `rest(row)` for each of the others. Returns whether all are boxes.
 template <int D, class Number, class Each, class Rest>
 HWY_INLINE bool for_rows(const Number* rows, std::size_t count, Each each, Rest rest) {
   InOrder<D, Number> in_order;
@@ -150,11 +152,12 @@ HWY_INLINE bool round(const double* rows, std::size_t count, Box<D>* boxes) {
     round_outward<D, kTogether * 2 * D>(rows + row * 2 * D, floats + row * 2 * D);
   };
   const auto alone = [=](std::size_t row) {
-    double padded[kTogether * 2 * D] = {};
-    float rounded[kTogether * 2 * D];
-    for (std::size_t i = 0; i < 2 * D; ++i) padded[i] = rows[row * 2 * D + i];
-    round_outward<D, kTogether * 2 * D>(padded, rounded);
-    for (std::size_t i = 0; i < 2 * D; ++i) floats[row * 2 * D + i] = rounded[i];
+    constexpr std::size_t kPadded = 8;  // a row, and what fills vectors of 2 or 4
+    double padded[kPadded] = {};
+    float rounded[kPadded];
+    std::copy_n(rows + row * 2 * D, 2 * D, padded);
+    round_outward<D, kPadded>(padded, rounded);
+    std::copy_n(rounded, 2 * D, floats + row * 2 * D);
   };
   return for_rows<D>(rows, count, together, alone);
 }

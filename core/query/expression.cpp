@@ -52,21 +52,25 @@ class Parser {
   explicit Parser(std::string_view text) : text_(text), tokens_(tokens_of(text)) {}
 
   std::vector<ExpressionPart> run_condition() {
-    auto parts = run();
-    if (!is_condition(parts.back()))
-      reject_expression(text_, 0, "this is a number, not a condition; compare it with something");
-    return parts;
+    parse_all();
+    require_condition(parts_.size() - 1, 0);
+    return std::move(parts_);
   }
 
   std::vector<ExpressionPart> run() {
-    infix(1);
-    if (now().kind != Token::Kind::end) reject("here an operator such as && was expected");
+    parse_all();
     return std::move(parts_);
   }
 
  private:
-  static bool is_condition(const ExpressionPart& part) {
-    return part.kind == Kind::happening || part.kind == Kind::is_not || part.kind >= Kind::less;
+  void parse_all() {
+    infix(1);
+    if (now().kind != Token::Kind::end) reject("here an operator such as && was expected");
+  }
+  void require_condition(std::size_t part, std::size_t place) const {
+    const Kind kind = parts_[part].kind;
+    if (kind != Kind::happening && kind != Kind::is_not && kind < Kind::less)
+      reject_expression(text_, place, "this is a number, not a condition; compare it with something");
   }
   [[nodiscard]] const Token& now() const { return tokens_[next_]; }
   [[noreturn]] void reject(std::string_view what) const { reject_expression(text_, now().place, what); }
@@ -89,6 +93,7 @@ class Parser {
 
   /// Parses operands joined by operators that bind at least that strongly; returns the index of the whole.
   std::size_t infix(int strength) {
+    const std::size_t begin = now().place;
     std::size_t left = prefix();
     for (;;) {
       const auto found = std::ranges::find(kInfixes, now().text, &Infix::symbol);
@@ -97,10 +102,14 @@ class Parser {
       const std::size_t place = now().place;
       ++next_;
       check_names(*found, left, place);
+      const std::size_t begin_of_right = now().place;
       const std::size_t right = found->kind == Kind::equal || found->kind == Kind::unequal
                                     ? named_or_infix(left, found->strength + 1)
                                     : infix(found->strength + 1);
-      if (found->kind >= Kind::both) check_conditions(left, right, place);
+      if (found->kind >= Kind::both) {
+        require_condition(left, begin);
+        require_condition(right, begin_of_right);
+      }
       left = add({.kind = found->kind, .left = left, .right = right});
       if (is_comparison(found->kind)) refuse_chain();
     }
@@ -111,13 +120,6 @@ class Parser {
     const auto next = std::ranges::find(kInfixes, now().text, &Infix::symbol);
     if (now().kind == Token::Kind::symbol && next != kInfixes.end() && is_comparison(next->kind))
       reject("a comparison cannot be compared; write 100<height && height<200");
-  }
-
-  /// What && and || join must be conditions.
-  void check_conditions(std::size_t left, std::size_t right, std::size_t place) const {
-    if (!is_condition(parts_[left]) || !is_condition(parts_[right]))
-      reject_expression(text_, place,
-                        "on one side of this stands a number, not a condition; compare it with something");
   }
 
   /// Only == and != make sense for names.
@@ -172,8 +174,7 @@ class Parser {
   std::size_t negation() {
     const std::size_t place = now().place;
     const std::size_t inner = infix(3);
-    if (!is_condition(parts_[inner]))
-      reject_expression(text_, place, "this is a number, not a condition; compare it with something");
+    require_condition(inner, place);
     return add({.kind = Kind::is_not, .left = inner});
   }
 

@@ -128,15 +128,19 @@ TEST(Expression, AComparisonIsNotCompared) {
 }
 
 TEST(Expression, NumbersAreNoConditions) {
-  for (const char* const text : {"pairs", "!pairs", "pairs && 1", "pairs>0 || height", "!-1", "!(pairs+1)"})
-    EXPECT_THROW((void)Expression::parse(text), std::invalid_argument) << text;
+  EXPECT_THAT(refusal("pairs"), HasSubstr("a number, not a condition"));
+  EXPECT_THAT(refusal("!pairs"), HasSubstr("\n  !pairs\n   ^"));
+  EXPECT_THAT(refusal("!(pairs+1)"), HasSubstr("a number, not a condition"));
+  EXPECT_THAT(refusal("pairs+1 && height>1"), HasSubstr("\n  pairs+1 && height>1\n  ^"));
+  EXPECT_THAT(refusal("height>1 && pairs+1"), HasSubstr("\n  height>1 && pairs+1\n              ^"));
+  EXPECT_THAT(refusal("height>1 && height<9 || 1"), HasSubstr("|| 1\n                          ^"));
   for (const char* const text : {"!(pairs>0)", "!pair(1,2)", "pairs>0 && !(height==1 || pair(1,2) enters)"})
     EXPECT_NO_THROW((void)Expression::parse(text)) << text;
 }
 
 TEST(Expression, APairIsOfTwo) {
-  EXPECT_THROW((void)Expression::parse("pair(3,3)"), std::invalid_argument);
-  EXPECT_THROW((void)Expression::parse("pair(-3,-3) enters"), std::invalid_argument);
+  EXPECT_THAT(refusal("pair(3,3)"), HasSubstr("no pair with itself"));
+  EXPECT_THAT(refusal("pair(-3,-3) enters"), HasSubstr("no pair with itself"));
   EXPECT_NO_THROW((void)Expression::parse("pair(-3,3)"));
 }
 
