@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -41,6 +40,7 @@
 #include "frames/commands/step_command.h"
 #include "frames/commands/study_command.h"
 #include "frames/commands/verify_command.h"
+#include "frames/support/disk_advice.h"
 #include "frames/support/errors.h"
 #include "frames/support/suggest.h"
 #include "frames/support/version.h"
@@ -51,14 +51,6 @@ namespace {
 int report(const std::string& message, int exit_code) {
   std::fprintf(stderr, "kerf: %s\n", message.c_str());
   return exit_code;
-}
-
-/// Several rooms report a full disk, each with the system's words; the advice is added here.
-std::string with_advice(std::string message) {
-  const std::string advice = "; free some space or choose another place";
-  const bool full = message.find(std::generic_category().message(ENOSPC)) != std::string::npos;
-  if (full && message.find(advice) == std::string::npos) message += advice;
-  return message;
 }
 
 const CLI::App& chosen_command(const CLI::App& program) {
@@ -151,9 +143,9 @@ int run(const CLI::App& program, const Command&... commands) {
   } catch (const std::bad_alloc&) {
     return report("not enough memory; ask for smaller pictures or fewer objects", kExitUnusable);
   } catch (const std::filesystem::filesystem_error& error) {
-    return report(with_advice(error.path1().string() + ": " + error.code().message()), kExitUnusable);
+    return report(with_disk_advice(error.path1().string() + ": " + error.code().message()), kExitUnusable);
   } catch (const std::exception& error) {
-    return report(with_advice(error.what()), kExitUnusable);
+    return report(with_disk_advice(error.what()), kExitUnusable);
   }
 }
 

@@ -1,10 +1,10 @@
 #include "frames/sequence/part_recording.h"
 
-#include <cerrno>
 #include <stdexcept>
 
 #include "core/recording/schema.h"
 #include "frames/sequence/recording_file.h"
+#include "frames/support/disk_advice.h"
 
 namespace kerf {
 
@@ -61,9 +61,8 @@ void PartRecording::leave_if_any(const std::string& why) {
   const std::string kept = steps();
   if (kept.empty()) return;
   leave();
-  const bool full = why.find(std::generic_category().message(ENOSPC)) != std::string::npos;
-  throw std::runtime_error(why + "; what was recorded (" + kept + ") is in " + part_.path().string() +
-                           (full ? "; free some space or choose another place" : ""));
+  throw std::runtime_error(
+      with_disk_advice(why + "; what was recorded (" + kept + ") is in " + part_.path().string()));
 }
 
 }  // namespace kerf
