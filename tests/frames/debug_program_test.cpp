@@ -213,6 +213,16 @@ bool has_much(const std::filesystem::path& folder) {
   return false;
 }
 
+TEST_F(DebugProgram, AMissingPlaceForTemporaryFilesIsNamed) {
+  write("s", "expect steps == 2\n");
+  std::vector<std::string> command =
+      kerf_command({"debug", "pile", "--steps", "2", "--objects", "5", "--headless", "--script", path("s")});
+  command.insert(command.begin(), {"env", "TMPDIR=/nowhere"});
+  const RunOutcome outcome = Process(command).wait();
+  EXPECT_EQ(outcome.exit, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("TMPDIR, which is '/nowhere'"));
+}
+
 /// What was recorded until then goes away with the temporary folder, unless it has a name.
 TEST_F(DebugProgram, InterruptedWhileItRecordsItNamesOnlyWhatIsKept) {
   for (const bool kept : {false, true}) {
