@@ -34,7 +34,7 @@ constexpr ExitMeaning kMeanings[] = {
     {"scenes", "the scenes were listed", ""},
     {"step", "a moment was found", "there is no such moment"},
     {"study", "every cell asked for is there", "a cell is missing, or could not be measured"},
-    {"verify", "the replay is the run that was recorded, and its pairs are exact",
+    {"verify", "the replay is the run that was recorded, and its pairs are exact where the oracle was asked",
      "it is not, or they are not"},
 };
 

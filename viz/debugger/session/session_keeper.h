@@ -36,7 +36,7 @@ class SessionKeeper {
   [[nodiscard]] std::filesystem::path name_of_earlier() const;
   /// Writes it if it differs from what is there. Returns why that cannot be done.
   std::string save(const DebuggerSession& session);
-  /// The same, but returns why not only the first time.
+  /// The same, but says why only once.
   std::string keep(const DebuggerSession& session);
   /// Which name an earlier session got, in words, once for each.
   std::string take_note() { return std::exchange(note_, {}); }
