@@ -61,14 +61,12 @@ RawBytes unfiltered_rows(const Image& image, std::size_t channels) {
   return rows;
 }
 
-/// ISA-L at level 1, whole images at once: a quarter of libdeflate's time (docs/RENDERING.md).
+/// ISA-L at level 0, whole images at once: a quarter of libdeflate's time (docs/RENDERING.md). At levels 1
+/// and 2 what it makes of a picture can depend on where its memory lies (docs/notes/rendering.md).
 RawBytes compress(RawBytes& bytes) {
-  std::vector<std::uint8_t> level_buffer(ISAL_DEF_LVL1_DEFAULT);
   isal_zstream stream{};  // its initialisation leaves a part of it as it was, on which it depends
   isal_deflate_stateless_init(&stream);
-  stream.level = 1;
-  stream.level_buf = level_buffer.data();
-  stream.level_buf_size = static_cast<std::uint32_t>(level_buffer.size());
+  stream.level = 0;
   stream.gzip_flag = IGZIP_ZLIB;
   stream.end_of_stream = 1;
   stream.next_in = bytes.data.get();
