@@ -6,18 +6,21 @@
 #include <box2d/b2_world.h>
 #include <box2d/b2_world_callbacks.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "core/spatial/lazy_index.h"
 #include "core/world/move_list.h"
 #include "core/world/world.h"
 #include "sims2d/box2d/box2d_contacts.h"
 #include "sims2d/box2d/padded_box.h"
+#include "sims2d/box2d/pose_after.h"
 
 namespace kerf {
 
@@ -55,17 +58,21 @@ class Box2dBroadPhase {
     contacts_.admit(pairs_);
   }
 
-  /// As b2World::QueryAABB, over the boxes of the last `update`. Looks at each.
+  /// As b2World::QueryAABB, over the boxes of the last `update`.
   void query(b2QueryCallback& callback, const b2AABB& box) const {
     const Box<2> asked = to_box(box.lowerBound, box.upperBound);
-    for (const Child& child : children_)
+    for (const ObjectId object : candidates(asked)) {
+      const Child& child = children_[object.index()];
       if (child.fixture != nullptr && overlaps(child.box, asked) && !callback.ReportFixture(child.fixture))
         return;
+    }
   }
-  /// As b2World::RayCast, over the boxes of the last `update`. Looks at each.
+  /// As b2World::RayCast, over the boxes of the last `update`.
   void ray_cast(b2RayCastCallback& callback, const b2Vec2& from, const b2Vec2& to) const {
     b2RayCastInput input{from, to, 1};
-    for (const Child& child : children_) {
+    const SweptBox<2> line{to_box(from, from), {{to.x - from.x, to.y - from.y}}};
+    for (const ObjectId object : candidates(Cast<2>(with_slack(line)))) {
+      const Child& child = children_[object.index()];
       const b2Vec2 end = from + input.maxFraction * (to - from);
       if (child.fixture == nullptr || !overlaps(child.box, to_box(b2Min(from, end), b2Max(from, end))))
         continue;
@@ -95,6 +102,14 @@ class Box2dBroadPhase {
     Box<2> box;
   };
 
+  template <class Query>
+  std::vector<ObjectId> candidates(const Query& query) const {
+    return index_->candidates(query, children_.size(), [this](ObjectId object) {
+      const Child& child = children_[object.index()];
+      return child.fixture != nullptr ? std::optional(child.box) : std::nullopt;
+    });
+  }
+
   static Box<2> to_box(const b2Vec2& min, const b2Vec2& max) { return {{{min.x, min.y}}, {{max.x, max.y}}}; }
   static ObjectKind kind_of(b2BodyType type) {
     if (type == b2_dynamicBody) return ObjectKind::moving;
@@ -107,20 +122,6 @@ class Box2dBroadPhase {
   static bool is_same(const b2Transform& a, const b2Transform& b) {
     return a.p == b.p && a.q.s == b.q.s && a.q.c == b.q.c;
   }
-  /// Box2D turns no body further than b2_maxRotation in a step.
-  static b2Transform pose_after(const b2Body& body, float seconds) {
-    const b2Vec2 way = seconds * body.GetLinearVelocity();
-    const float turn = std::clamp(seconds * body.GetAngularVelocity(), -b2_maxRotation, b2_maxRotation);
-    b2Transform pose = body.GetTransform();
-    if (turn == 0) {
-      pose.p += way;
-      return pose;
-    }
-    pose.q.Set(body.GetAngle() + turn);
-    pose.p = body.GetWorldCenter() + way - b2Mul(pose.q, body.GetLocalCenter());
-    return pose;
-  }
-
   void follow(b2Fixture& fixture, const b2Transform& transform, const b2Transform& ahead) {
     Member& member = members_[&fixture];
     member.round = round_;
@@ -134,6 +135,7 @@ class Box2dBroadPhase {
       Child& child = children_[handle.index()];
       child.box = box_of(fixture, child.index, member);
       moves_.add(handle, child.box);
+      index_->note({handle.index()});
     }
   }
 
@@ -151,6 +153,7 @@ class Box2dBroadPhase {
       objects.push_back({handle.index()});
       if (children_.size() <= handle.index()) children_.resize(handle.index() + std::size_t{1});
       children_[handle.index()] = {&fixture, child, box};
+      index_->note({handle.index()});
     }
     contacts_.adopt(fixture, objects);
   }
@@ -162,6 +165,7 @@ class Box2dBroadPhase {
     for (const Handle handle : member.children) {
       static_cast<void>(world_.remove(handle));
       children_[handle.index()] = {};
+      index_->note({handle.index()});
     }
     member.children.clear();
   }
@@ -183,6 +187,7 @@ class Box2dBroadPhase {
   std::unordered_map<const b2Fixture*, Member> members_;
   std::vector<Child> children_;  ///< by index of the handle; without a fixture: free
   std::vector<Pair> pairs_;
+  std::unique_ptr<LazyIndex<2>> index_ = std::make_unique<LazyIndex<2>>();
   MoveList<2> moves_;
   std::uint64_t round_ = 0;
 };

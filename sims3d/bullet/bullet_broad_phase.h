@@ -7,12 +7,14 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <stdexcept>
-#include <type_traits>
 #include <vector>
 
+#include "core/spatial/lazy_index.h"
 #include "core/world/move_list.h"
 #include "core/world/world.h"
+#include "sims3d/bullet/bullet_box.h"
 
 namespace kerf {
 
@@ -27,7 +29,8 @@ namespace kerf {
 /// Proxies of which each is in the group StaticFilter alone and masks that group out never form a pair,
 /// whatever an overlap filter says. A box with NaN, or with min > max, leaves the proxy where it was.
 ///
-/// rayTest and aabbTest look at the box of each proxy, as it was given last.
+/// rayTest and aabbTest see the boxes that were given last, and call back in no particular order. They may
+/// run at the same time, as with Bullet's own.
 class BulletBroadPhase final : public btBroadphaseInterface {
  public:
   /// `cache` must outlive this and remove pairs at once; without one a btHashedOverlappingPairCache is made.
@@ -55,6 +58,7 @@ class BulletBroadPhase final : public btBroadphaseInterface {
     Proxy& proxy = *proxies_[handle.index()];
     proxy.m_uniqueId = ++last_id_;
     proxy.handle = handle;
+    index_->note({handle.index()});
     return &proxy;
   }
 
@@ -62,6 +66,7 @@ class BulletBroadPhase final : public btBroadphaseInterface {
     cache_->removeOverlappingPairsContainingProxy(proxy, dispatcher);
     const Handle handle = static_cast<Proxy*>(proxy)->handle;
     static_cast<void>(world_->remove(handle));
+    index_->note({handle.index()});
     proxies_[handle.index()].reset();
   }
 
@@ -70,7 +75,9 @@ class BulletBroadPhase final : public btBroadphaseInterface {
     if (proxy->m_aabbMin == min && proxy->m_aabbMax == max) return;
     proxy->m_aabbMin = min;
     proxy->m_aabbMax = max;
-    moves_.add(static_cast<Proxy*>(proxy)->handle, to_box(min, max));
+    const Handle handle = static_cast<Proxy*>(proxy)->handle;
+    moves_.add(handle, to_box(min, max));
+    index_->note({handle.index()});
   }
   void getAabb(btBroadphaseProxy* proxy, btVector3& min, btVector3& max) const override {
     min = proxy->m_aabbMin;
@@ -89,11 +96,12 @@ class BulletBroadPhase final : public btBroadphaseInterface {
   btOverlappingPairCache* getOverlappingPairCache() override { return cache_; }
   [[nodiscard]] const btOverlappingPairCache* getOverlappingPairCache() const override { return cache_; }
 
-  /// As with Bullet's own, [min, max] is the box of what is cast along the ray, around the ray's point. Ends
-  /// when the callback returns false.
+  /// As with Bullet's own, [min, max] is the box of what is cast along the ray, around the ray's point, and
+  /// the way is that of the callback. Ends when the callback returns false.
   void rayTest(const btVector3& from, const btVector3& /*to*/, btBroadphaseRayCallback& callback,
                const btVector3& min, const btVector3& max) override {
-    for (const auto& proxy : proxies_) {
+    for (const ObjectId object : candidates(to_cast(from, callback, min, max))) {
+      const auto& proxy = proxies_[object.index()];
       if (!proxy) continue;
       const std::array<btVector3, 2> bounds = {proxy->m_aabbMin - max, proxy->m_aabbMax - min};
       btScalar entry = 1;
@@ -105,10 +113,12 @@ class BulletBroadPhase final : public btBroadphaseInterface {
   }
   /// Ends when the callback returns false.
   void aabbTest(const btVector3& min, const btVector3& max, btBroadphaseAabbCallback& callback) override {
-    for (const auto& proxy : proxies_)
+    for (const ObjectId object : candidates(to_box(min, max))) {
+      const auto& proxy = proxies_[object.index()];
       if (proxy && TestAabbAgainstAabb2(min, max, proxy->m_aabbMin, proxy->m_aabbMax) &&
           !callback.process(proxy.get()))
         return;
+    }
   }
 
   /// Two equal points at the origin without any proxy.
@@ -132,6 +142,7 @@ class BulletBroadPhase final : public btBroadphaseInterface {
     world_ = std::make_unique<World<3>>(options_);
     moves_ = {};
     proxies_.clear();
+    index_->forget();
     last_id_ = 0;
   }
   void printStats() override {}
@@ -147,19 +158,12 @@ class BulletBroadPhase final : public btBroadphaseInterface {
 
   [[nodiscard]] btBroadphaseProxy& proxy_of(Handle handle) const { return *proxies_[handle.index()]; }
 
-  /// Bullet's boxes may be of doubles; then they are rounded outward.
-  static Box<3> to_box(const btVector3& min, const btVector3& max) {
-    Box<3> box;
-    for (int i = 0; i < 3; ++i) {
-      if constexpr (std::is_same_v<btScalar, Scalar>) {
-        box.min[i] = min[i];
-        box.max[i] = max[i];
-      } else {
-        box.min[i] = round_down(min[i]);
-        box.max[i] = round_up(max[i]);
-      }
-    }
-    return box;
+  template <class Query>
+  std::vector<ObjectId> candidates(const Query& query) {
+    return index_->candidates(query, proxies_.size(), [this](ObjectId object) -> std::optional<Box<3>> {
+      const auto& proxy = proxies_[object.index()];
+      return proxy ? std::optional(to_box(proxy->m_aabbMin, proxy->m_aabbMax)) : std::nullopt;
+    });
   }
 
   WorldOptions options_;
@@ -167,6 +171,7 @@ class BulletBroadPhase final : public btBroadphaseInterface {
   std::unique_ptr<btOverlappingPairCache> own_cache_;
   btOverlappingPairCache* cache_;
   std::vector<std::unique_ptr<Proxy>> proxies_;  ///< by index of the handle
+  std::unique_ptr<LazyIndex<3>> index_ = std::make_unique<LazyIndex<3>>();
   MoveList<3> moves_;
   int last_id_ = 0;
 };

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <ranges>
 #include <stdexcept>
 #include <string>
@@ -12,8 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/spatial/lazy_index.h"
 #include "core/world/move_list.h"
 #include "core/world/world.h"
+#include "sims3d/fcl/fcl_box.h"
 
 namespace kerf {
 
@@ -22,8 +26,8 @@ namespace kerf {
 /// Callbacks are called for the pairs for which fcl::NaiveCollisionManager calls them: whose boxes
 /// (CollisionObject::getAABB) overlap as closed intervals, or are nearer than what `distance` has found so
 /// far. As with FCL's managers, call `computeAABB` of an object that moved, then `update`. Objects are the
-/// caller's, and must be unregistered before they end. What asks about all pairs of this manager uses the
-/// tree; what asks about one object looks at the box of each, and of two managers object by object.
+/// caller's, and must be unregistered before they end. Pairs come from the tree; what meets one object, or
+/// each of another manager, comes from an index beside it. `distance` to one object looks at the box of each.
 template <typename S>
 class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
  public:
@@ -46,6 +50,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     if (members_.size() <= handle.index()) members_.resize(handle.index() + std::size_t{1});
     members_[handle.index()] = {object, handle, box};
     handles_[object] = handle;
+    index_->note({handle.index()});
     stale_ = true;
   }
   /// An object that is not here changes nothing.
@@ -54,6 +59,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     if (found == handles_.end()) return;
     static_cast<void>(world_.remove(found->second));
     members_[found->second.index()] = {};
+    index_->note({found->second.index()});
     handles_.erase(found);
     stale_ = true;
   }
@@ -77,6 +83,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     for (const auto& [object, handle] : handles_) static_cast<void>(world_.remove(handle));
     members_.clear();
     handles_.clear();
+    index_->forget();
     stale_ = true;
   }
   void getObjects(std::vector<Object*>& objects) const override {
@@ -100,9 +107,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
   }
   void collide(Manager* other, void* data, fcl::CollisionCallBack<S> callback) const override {
     if (other == this) return collide(data, callback);
-    std::vector<Object*> theirs;
-    other->getObjects(theirs);
-    for (Object* object : theirs)
+    for (Object* object : objects_of(*other))
       if (collide_one(object, data, callback, true)) return;
   }
 
@@ -115,8 +120,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
       Object* const b = members_[pair.b.index()].object;
       if (a->getAABB().overlap(b->getAABB()) && callback(a, b, data, least)) return;
     }
-    std::vector<Object*> sorted;
-    getObjects(sorted);
+    std::vector<Object*> sorted = objects_of(*this);
     std::ranges::sort(sorted, {}, [](const Object* object) { return object->getAABB().min_[0]; });
     for (auto a = sorted.begin(); a != sorted.end(); ++a)
       for (auto b = a + 1; b != sorted.end(); ++b) {
@@ -133,10 +137,8 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
   }
   void distance(Manager* other, void* data, fcl::DistanceCallBack<S> callback) const override {
     if (other == this) return distance(data, callback);
-    std::vector<Object*> theirs;
-    other->getObjects(theirs);
     S least = std::numeric_limits<S>::max();
-    for (Object* object : theirs)
+    for (Object* object : objects_of(*other))
       if (distance_of_one(object, data, callback, true, least)) return;
   }
 
@@ -147,20 +149,12 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     Box<3> box;
   };
 
-  /// Rounded outward where FCL computes in doubles.
-  static Box<3> to_box(const fcl::AABB<S>& from) {
-    Box<3> box;
-    for (int i = 0; i < 3; ++i) {
-      box.min[i] = round_down(static_cast<double>(from.min_[i]));
-      box.max[i] = round_up(static_cast<double>(from.max_[i]));
-    }
-    return box;
-  }
   void follow(Member& member) {
     const Box<3> box = to_box(member.object->getAABB());
     if (box == member.box) return;
     member.box = box;
     moves_.add(member.handle, box);
+    index_->note({member.handle.index()});
     stale_ = true;
   }
   void find_pairs() const {
@@ -169,8 +163,13 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
   }
   /// `ours_first`: the order of a callback for two managers, as FCL's trees have it.
   bool collide_one(Object* object, void* data, fcl::CollisionCallBack<S> callback, bool ours_first) const {
-    return std::ranges::any_of(members_, [&](const Member& member) {
-      Object* const ours = member.object;
+    const auto box_of = [this](ObjectId id) {
+      const Member& member = members_[id.index()];
+      return member.object != nullptr ? std::optional(member.box) : std::nullopt;
+    };
+    const auto near = index_->candidates(to_box(object->getAABB()), members_.size(), box_of);
+    return std::ranges::any_of(near, [&](ObjectId id) {
+      Object* const ours = members_[id.index()].object;
       return ours != nullptr && object->getAABB().overlap(ours->getAABB()) &&
              (ours_first ? callback(ours, object, data) : callback(object, ours, data));
     });
@@ -194,6 +193,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
   mutable bool stale_ = false;
   std::vector<Member> members_;  ///< by index of the handle; without an object: free
   std::unordered_map<const Object*, Handle> handles_;
+  std::unique_ptr<LazyIndex<3>> index_ = std::make_unique<LazyIndex<3>>();
   MoveList<3> moves_;
 };
 

@@ -280,7 +280,7 @@ TEST(BulletBroadPhase, ABoxFindsWhatOverlapsItUntilTheCallbackEndsIt) {
   }
   Collector all;
   broad_phase.aabbTest({3, 0, 0}, {6, 1, 1}, all);  // touches the first and the last with its faces
-  EXPECT_THAT(all.found, testing::ElementsAre(row[1], row[2], row[3]));
+  EXPECT_THAT(all.found, testing::UnorderedElementsAre(row[1], row[2], row[3]));
   Collector one;
   one.limit = 1;
   broad_phase.aabbTest({0, 0, 0}, {9, 1, 1}, one);
@@ -296,6 +296,70 @@ TEST(BulletBroadPhase, ABoxFindsWhatOverlapsItUntilTheCallbackEndsIt) {
   for (btBroadphaseProxy* proxy : row) broad_phase.destroyProxy(proxy, nullptr);
   broad_phase.resetPool(nullptr);
   EXPECT_EQ(broad_phase.createProxy({0, 0, 0}, {1, 1, 1}, 0, nullptr, 1, -1, nullptr)->m_uniqueId, 1);
+}
+
+struct RayCollector final : btBroadphaseRayCallback {
+  RayCollector(const btVector3& from, const btVector3& to) {
+    const btVector3 way = to - from;
+    for (int i = 0; i < 3; ++i) {
+      m_rayDirectionInverse[i] = way[i] == 0 ? BT_LARGE_FLOAT : 1 / way[i];
+      m_signs[i] = m_rayDirectionInverse[i] < 0 ? 1U : 0U;
+    }
+    m_lambda_max = 1;
+  }
+  bool process(const btBroadphaseProxy* proxy) override {
+    found.push_back(proxy);
+    return true;
+  }
+  std::vector<const btBroadphaseProxy*> found;
+};
+
+TEST(BulletBroadPhase, QueriesFindWhatALookAtEachFindsWhileProxiesComeMoveAndGo) {
+  BulletBroadPhase broad_phase;
+  std::vector<btBroadphaseProxy*> proxies;
+  Random random(12);
+  const auto anywhere = [&random] {
+    return btVector3(pick(random, 0, 9), pick(random, 0, 9), pick(random, 0, 9));
+  };
+  const btVector3 size(0.5F, 0.5F, 0.5F);
+  std::size_t hits = 0;
+  for (int k = 0; k < 1500; ++k) {
+    const int changes = k / 100 % 3 == 0 ? 0 : k % 60 + 1;  // none, few, and more than pay to pack
+    for (int c = 0; c < changes; ++c) {
+      const btVector3 min = anywhere();
+      const std::size_t i = random.below(200);
+      if (i >= proxies.size()) {
+        proxies.push_back(broad_phase.createProxy(min, min + size, 0, nullptr, 1, -1, nullptr));
+      } else if (random.below(4) == 0) {
+        broad_phase.destroyProxy(proxies[i], nullptr);
+        proxies.erase(proxies.begin() + static_cast<std::ptrdiff_t>(i));
+      } else {
+        broad_phase.setAabb(proxies[i], min, min + size, nullptr);
+      }
+    }
+    const btVector3 from = anywhere();
+    const btVector3 to = random.below(4) == 0 ? from : anywhere();
+    const btVector3 half = random.below(2) == 0 ? btVector3(0, 0, 0) : size;
+    RayCollector ray(from, to);
+    broad_phase.rayTest(from, to, ray, -half, half);
+    const btVector3 min = anywhere();
+    Collector box;
+    broad_phase.aabbTest(min, min + size, box);
+    std::vector<const btBroadphaseProxy*> on_way;
+    std::vector<const btBroadphaseProxy*> near;
+    for (const btBroadphaseProxy* proxy : proxies) {
+      const btVector3 bounds[2] = {proxy->m_aabbMin - half, proxy->m_aabbMax + half};
+      btScalar entry = 1;
+      if (btRayAabb2(from, ray.m_rayDirectionInverse, ray.m_signs, bounds, entry, 0, 1))
+        on_way.push_back(proxy);
+      if (TestAabbAgainstAabb2(min, min + size, proxy->m_aabbMin, proxy->m_aabbMax)) near.push_back(proxy);
+    }
+    ASSERT_THAT(ray.found, testing::UnorderedElementsAreArray(on_way)) << k;
+    ASSERT_THAT(box.found, testing::UnorderedElementsAreArray(near)) << k;
+    hits += on_way.size() + near.size();
+  }
+  EXPECT_GT(hits, 1000U);
+  for (btBroadphaseProxy* proxy : proxies) broad_phase.destroyProxy(proxy, nullptr);
 }
 
 TEST(BulletBroadPhase, GhostObjectsKnowWhatOverlapsThem) {

@@ -17,17 +17,26 @@ constexpr float kSamePlace = 0.05F;
 /// Every rasteriser shows an item of so many pixels.
 constexpr std::uint32_t kClearlySeen = 6;
 
-using Key = std::tuple<DrawnKind, std::uint32_t, std::uint32_t>;
+/// What an item means, and the how manyth with that meaning it is: a leaf may have a face and an outline.
+using Key = std::tuple<DrawnKind, std::uint32_t, std::uint32_t, std::uint32_t>;
 
 bool is_drawn(const Drawn& drawn) { return drawn.right >= drawn.left; }
 
-/// Items by their meaning.
+std::vector<Key> keys_of(const DrawList& list) {
+  std::vector<Key> keys;
+  keys.reserve(list.items.size());
+  std::map<std::tuple<DrawnKind, std::uint32_t, std::uint32_t>, std::uint32_t> earlier;
+  for (const Drawn& drawn : list.items)
+    keys.emplace_back(drawn.kind, drawn.a, drawn.b, earlier[{drawn.kind, drawn.a, drawn.b}]++);
+  return keys;
+}
+
+/// The items that are drawn.
 std::map<Key, std::uint32_t> index_of(const DrawList& list) {
   std::map<Key, std::uint32_t> index;
-  for (std::uint32_t i = 0; i < list.items.size(); ++i) {
-    const Drawn& drawn = list.items[i];
-    if (is_drawn(drawn)) index.emplace(Key{drawn.kind, drawn.a, drawn.b}, i + 1);
-  }
+  const std::vector<Key> keys = keys_of(list);
+  for (std::uint32_t i = 0; i < keys.size(); ++i)
+    if (is_drawn(list.items[i])) index.emplace(keys[i], i + 1);
   return index;
 }
 
@@ -84,8 +93,8 @@ Ids align(const FrameIds& reference, const FrameIds& test) {
   std::vector<std::uint32_t> own(reference.list.items.size() + 1);
   for (std::uint32_t i = 0; i < own.size(); ++i) own[i] = i;
   std::vector<std::uint32_t> other{0};
-  for (const Drawn& drawn : test.list.items) {
-    const auto same = known.find({drawn.kind, drawn.a, drawn.b});
+  for (const Key& key : keys_of(test.list)) {
+    const auto same = known.find(key);
     other.push_back(same == known.end() ? next++ : same->second);
   }
   return {reference.image.width, reference.image.height, numbers_of(reference.image, own),
@@ -118,7 +127,11 @@ class DrawnFindings {
  public:
   enum Gravity { missing, extra, recolored, moved, hidden, texts };
   static constexpr std::size_t kGravities = 6;
-  void add(Gravity gravity, std::string text) { lines_[gravity].push_back(std::move(text)); }
+  /// Items of one meaning follow each other: what is true of both is said once.
+  void add(Gravity gravity, std::string text) {
+    std::vector<std::string>& lines = lines_[gravity];
+    if (lines.empty() || lines.back() != text) lines.push_back(std::move(text));
+  }
   [[nodiscard]] std::vector<std::string> all() const {
     std::vector<std::string> result;
     for (const auto& lines : lines_) result.insert(result.end(), lines.begin(), lines.end());

@@ -41,5 +41,42 @@ TEST(CompareDrawn, ATextThatIsThereTwiceIsFound) {
   EXPECT_THAT(compare_texts(twice, twice), IsEmpty());
 }
 
+/// A leaf of two items, a face and its outline of so many pixels, as panes of other structures draw it.
+FrameIds leaf_with_outline(int outline, Color face) {
+  FrameIds ids{{}, make_image(8, 8, 0xff000000U)};
+  Drawn drawn;
+  drawn.kind = DrawnKind::leaf;
+  drawn.a = 2;
+  drawn.right = drawn.bottom = 8;
+  drawn.color = face;
+  ids.list.items.push_back(drawn);
+  drawn.color = {60, 28, 113, 255};
+  ids.list.items.push_back(drawn);
+  for (int i = 0; i < outline; ++i) {
+    const Color color = id_color(2);
+    std::uint8_t* const pixel = ids.image.rgba.data() + 4 * static_cast<std::ptrdiff_t>(i);
+    pixel[0] = color.r;
+    pixel[1] = color.g;
+    pixel[2] = color.b;
+  }
+  count_pixels(ids.image, ids.list);
+  return ids;
+}
+
+TEST(CompareDrawn, ItemsOfOneMeaningAreEachComparedWithTheirOwn) {
+  const Color face{33, 152, 137, 51};
+  const FrameIds leaf = leaf_with_outline(40, face);
+  EXPECT_THAT(compare_drawn(leaf, leaf), IsEmpty());
+  EXPECT_THAT(compare_drawn(leaf, leaf_with_outline(8, face)), ElementsAre(HasSubstr("is not seen in")));
+  FrameIds other = leaf;
+  other.list.items[1].color = {0, 0, 0, 255};
+  EXPECT_THAT(compare_drawn(leaf, other), ElementsAre(HasSubstr("tinted from #3c1c71 to #000000")));
+  other = leaf;
+  other.list.items.pop_back();
+  EXPECT_THAT(compare_drawn(leaf, other), ElementsAre("leaf n2 missing"));
+  other.list.items.pop_back();
+  EXPECT_THAT(compare_drawn(leaf, other), ElementsAre("leaf n2 missing"));
+}
+
 }  // namespace
 }  // namespace kerf

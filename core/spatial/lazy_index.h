@@ -1,0 +1,136 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <shared_mutex>
+#include <utility>
+#include <vector>
+
+#include "core/objects/object_table.h"
+#include "core/spatial/query.h"
+#include "core/spatial/spatial_index.h"
+
+namespace kerf {
+
+/// What is cast, a little larger: for the exact test of an engine, which rounds.
+template <int D>
+SweptBox<D> with_slack(SweptBox<D> swept) {
+  constexpr Scalar kSlack = 1e-6F;
+  Scalar reach = 0;
+  for (int i = 0; i < D; ++i) {
+    const Scalar size = std::max(std::abs(swept.box.min[i]), std::abs(swept.box.max[i]));
+    reach = std::max(reach, size + std::abs(swept.max_t * swept.displacement[i]));
+  }
+  for (int i = 0; i < D; ++i) {
+    swept.box.min[i] -= kSlack * reach;
+    swept.box.max[i] += kSlack * reach;
+  }
+  return swept;
+}
+
+/// What a query may meet among boxes that change one by one between queries, as they do in a physics engine.
+/// Objects that changed are looked at one by one; all others are asked of a SpatialIndex, which is packed
+/// anew when looking at objects has cost as much. Who asks nothing pays nothing.
+///
+/// Threads: `candidates` may run at the same time, `note` and `forget` must run alone.
+template <int D>
+class LazyIndex {
+ public:
+  /// Call it when an object came, moved or went.
+  void note(ObjectId object) {
+    if (!is_packed_) return;
+    mark(object);
+    if (noted_.size() > objects_.bound() / 2) forget();
+  }
+  /// As if all objects had changed.
+  void forget() {
+    is_packed_ = false;
+    is_noted_.clear();
+    noted_.clear();
+  }
+
+  /// The objects whose boxes the query meets, each once, and others: hold each against its box. `query`:
+  /// Box<D> or Cast<D>. `bound`: one more than the largest id. `box_of(object)`: its present box, or
+  /// std::nullopt.
+  template <class Query, class BoxOf>
+  [[nodiscard]] std::vector<ObjectId> candidates(const Query& query, std::size_t bound, const BoxOf& box_of) {
+    {
+      const std::shared_lock lock(mutex_);
+      const std::size_t looked_at = is_packed_ ? noted_.size() : bound;
+      if (looked_at_.fetch_add(looked_at, std::memory_order_relaxed) <= kLooksAPack * bound)
+        return gather(query, bound);
+    }
+    const std::unique_lock lock(mutex_);
+    if (looked_at_ > kLooksAPack * bound) pack(bound, box_of);
+    return gather(query, bound);
+  }
+
+ private:
+  /// To pack an object costs as much as to look at it so many times.
+  static constexpr std::size_t kLooksAPack = 16;
+
+  void mark(ObjectId object) {
+    if (object.index() >= is_noted_.size()) is_noted_.resize(object.index() + std::size_t{1});
+    if (std::exchange(is_noted_[object.index()], std::uint8_t{1}) == 0) noted_.push_back(object);
+  }
+
+  template <class BoxOf>
+  void pack(std::size_t bound, const BoxOf& box_of) {
+    forget();
+    for (std::size_t i = 0; i < bound; ++i) {
+      const ObjectId object{static_cast<std::uint32_t>(i)};
+      const std::optional<Box<D>> box = box_of(object);
+      if (!box) {
+        static_cast<void>(objects_.remove(object));
+        continue;
+      }
+      const bool is_new = objects_.state(object) == ObjectState::absent;
+      static_cast<void>(is_new ? objects_.insert(object, *box, Mobility::moving)
+                               : objects_.move(object, *box));
+      if (!objects_.is_placed(object)) mark(object);  // what its box meets is for others to say
+    }
+    index_.update(objects_);
+    is_packed_ = true;
+    looked_at_ = 0;
+  }
+
+  template <class Query>
+  std::vector<ObjectId> gather(const Query& query, std::size_t bound) const {
+    std::vector<ObjectId> found;
+    if (!is_packed_ || ask(query, found) != QueryStatus::ok) {
+      found.resize(bound);
+      for (std::size_t i = 0; i < bound; ++i) found[i] = {static_cast<std::uint32_t>(i)};
+      return found;
+    }
+    std::erase_if(found, [this](ObjectId object) {
+      return object.index() < is_noted_.size() && is_noted_[object.index()] != 0;
+    });
+    found.insert(found.end(), noted_.begin(), noted_.end());
+    return found;
+  }
+  QueryStatus ask(const Box<D>& box, std::vector<ObjectId>& found) const {
+    return index_.overlaps(box, found);
+  }
+  QueryStatus ask(const Cast<D>& cast, std::vector<ObjectId>& found) const {
+    const auto take = [&found](ObjectId object) {
+      found.push_back(object);
+      return true;
+    };
+    return index_.visit(cast, make_visitor(take));
+  }
+
+  ObjectTable<D> objects_;  ///< as they were packed
+  SpatialIndex<D> index_;
+  std::vector<ObjectId> noted_;
+  std::vector<std::uint8_t> is_noted_;  ///< by id
+  bool is_packed_ = false;
+  std::atomic<std::size_t> looked_at_ = 0;
+  std::shared_mutex mutex_;
+};
+
+}  // namespace kerf

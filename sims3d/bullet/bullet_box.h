@@ -1,0 +1,38 @@
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
+#include <LinearMath/btVector3.h>
+
+#include <type_traits>
+
+#include "core/geometry/box.h"
+#include "core/spatial/lazy_index.h"
+#include "core/spatial/query.h"
+
+namespace kerf {
+
+/// Bullet's boxes may be of doubles; then they are rounded outward.
+inline Box<3> to_box(const btVector3& min, const btVector3& max) {
+  Box<3> box;
+  for (int i = 0; i < 3; ++i) {
+    if constexpr (std::is_same_v<btScalar, Scalar>) {
+      box.min[i] = min[i];
+      box.max[i] = max[i];
+    } else {
+      box.min[i] = round_down(min[i]);
+      box.max[i] = round_up(max[i]);
+    }
+  }
+  return box;
+}
+
+/// [min, max], around `from`, on the way of the callback, and a little more.
+inline Cast<3> to_cast(const btVector3& from, const btBroadphaseRayCallback& callback, const btVector3& min,
+                       const btVector3& max) {
+  SweptBox<3> swept{to_box(from + min, from + max), {}, static_cast<Scalar>(callback.m_lambda_max)};
+  for (int i = 0; i < 3; ++i)
+    swept.displacement[i] = static_cast<Scalar>(1 / callback.m_rayDirectionInverse[i]);
+  return with_slack(swept);
+}
+
+}  // namespace kerf

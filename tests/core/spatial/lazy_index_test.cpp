@@ -1,0 +1,168 @@
+#include "core/spatial/lazy_index.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+#include "core/base/random.h"
+
+namespace kerf {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+
+/// Boxes that come, move and go, and what is asked of them.
+template <int D>
+class Crowd {
+ public:
+  explicit Crowd(std::size_t count) : boxes_(count) {
+    for (std::size_t i = 0; i < count; ++i) set(i, any_box(1));
+  }
+
+  void set(std::size_t i, const std::optional<Box<D>>& box) {
+    boxes_[i] = box;
+    index_.note(id(i));
+  }
+  /// Some come, some move, some go.
+  void change(std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = random_.below(static_cast<std::uint32_t>(boxes_.size()));
+      set(i, random_.below(3) == 0 ? std::nullopt : std::optional(any_box(1)));
+    }
+  }
+  Box<D> any_box(double size) {
+    Box<D> box;
+    for (int i = 0; i < D; ++i) {
+      box.min[i] = static_cast<Scalar>(random_.uniform(0, 30));
+      box.max[i] = box.min[i] + static_cast<Scalar>(random_.uniform(0, size));
+    }
+    return box;
+  }
+  Cast<D> any_cast() {
+    SweptBox<D> swept{any_box(1), {}};
+    for (int i = 0; i < D; ++i) swept.displacement[i] = static_cast<Scalar>(random_.uniform(-9, 9));
+    return swept;
+  }
+
+  template <class Query>
+  std::vector<ObjectId> candidates(const Query& query) {
+    return index_.candidates(query, boxes_.size(),
+                             [this](ObjectId object) { return boxes_[object.index()]; });
+  }
+  /// By an index that has never seen anything else.
+  template <class Query>
+  std::vector<ObjectId> met(const Query& query) const {
+    ObjectTable<D> table;
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      if (boxes_[i]) EXPECT_EQ(table.insert(id(i), *boxes_[i], Mobility::moving), Status::ok);
+    SpatialIndex<D> fresh;
+    fresh.update(table);
+    std::vector<ObjectId> found;
+    const auto take = [&found](ObjectId object) {
+      found.push_back(object);
+      return true;
+    };
+    EXPECT_EQ(fresh.visit(query, make_visitor(take)), QueryStatus::ok);
+    std::ranges::sort(found);
+    return found;
+  }
+  /// Asks until the index has been packed.
+  void pack() {
+    for (int k = 0; k < 40; ++k) static_cast<void>(candidates(Box<D>{}));
+  }
+  static ObjectId id(std::size_t i) { return {static_cast<std::uint32_t>(i)}; }
+
+ private:
+  Random random_{3};
+  std::vector<std::optional<Box<D>>> boxes_;
+  LazyIndex<D> index_;
+};
+
+template <class Dimension>
+class LazyIndexTest : public ::testing::Test {};
+using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(LazyIndexTest, Dimensions);
+
+TYPED_TEST(LazyIndexTest, MissesNothingAndNamesNothingTwiceHoweverMuchChanges) {
+  constexpr int D = TypeParam::value;
+  for (const std::size_t changes : {0, 1, 20, 90, 400}) {
+    Crowd<D> crowd(200);
+    for (int k = 0; k < 120; ++k) {
+      crowd.change(changes);
+      const auto check = [&](const auto& query) {
+        std::vector<ObjectId> found = crowd.candidates(query);
+        std::ranges::sort(found);
+        ASSERT_EQ(std::ranges::adjacent_find(found), found.end());
+        ASSERT_TRUE(std::ranges::includes(found, crowd.met(query))) << changes << " changes, query " << k;
+      };
+      check(crowd.any_box(9));
+      check(crowd.any_cast());
+    }
+  }
+}
+
+TYPED_TEST(LazyIndexTest, WhenItIsPackedItNamesWhatIsMetAndWhatChanged) {
+  constexpr int D = TypeParam::value;
+  Crowd<D> crowd(200);
+  EXPECT_EQ(crowd.candidates(Box<D>{}).size(), 200U)
+      << "looking at all is cheaper than to pack for one query";
+  crowd.pack();
+  for (int k = 0; k < 20; ++k) {
+    const Box<D> box = crowd.any_box(9);
+    EXPECT_EQ(crowd.candidates(box), crowd.met(box));
+    const Cast<D> cast = crowd.any_cast();
+    EXPECT_THAT(crowd.candidates(cast), ::testing::UnorderedElementsAreArray(crowd.met(cast)));
+  }
+  crowd.set(7, std::nullopt);
+  crowd.set(9, crowd.any_box(1));
+  Box<D> nowhere;
+  nowhere.min[0] = nowhere.max[0] = -5;
+  EXPECT_THAT(crowd.candidates(nowhere), ElementsAre(Crowd<D>::id(7), Crowd<D>::id(9)));
+}
+
+TYPED_TEST(LazyIndexTest, WhatCannotBeAskedMayMeetAll) {
+  constexpr int D = TypeParam::value;
+  Crowd<D> crowd(50);
+  crowd.pack();
+  Box<D> box;
+  box.min[0] = std::numeric_limits<Scalar>::quiet_NaN();
+  EXPECT_EQ(crowd.candidates(box).size(), 50U);
+}
+
+TYPED_TEST(LazyIndexTest, ABoxThatIsNoneIsAlwaysNamed) {
+  constexpr int D = TypeParam::value;
+  Crowd<D> crowd(50);
+  Box<D> box;
+  box.max[D - 1] = std::numeric_limits<Scalar>::quiet_NaN();
+  crowd.set(20, box);
+  crowd.pack();
+  EXPECT_THAT(crowd.candidates(Box<D>{}), Contains(Crowd<D>::id(20)));
+}
+
+TYPED_TEST(LazyIndexTest, ThreadsMayAskAtTheSameTime) {
+  constexpr int D = TypeParam::value;
+  Crowd<D> crowd(300);
+  const Box<D> box = crowd.any_box(20);
+  const std::vector<ObjectId> met = crowd.met(box);
+  const auto ask = [&] {
+    for (int k = 0; k < 200; ++k) {
+      std::vector<ObjectId> found = crowd.candidates(box);
+      std::ranges::sort(found);
+      EXPECT_TRUE(std::ranges::includes(found, met));
+    }
+  };
+  std::thread other(ask);
+  ask();
+  other.join();
+  EXPECT_EQ(crowd.candidates(box), met);
+}
+
+}  // namespace
+}  // namespace kerf
