@@ -34,8 +34,8 @@ SweptBox<D> with_slack(SweptBox<D> swept) {
 }
 
 /// What a query may meet among boxes that change one by one between queries, as they do in a physics engine.
-/// Objects that changed are looked at one by one; all others are asked of a SpatialIndex, which is packed
-/// anew when looking at objects has cost as much. Who asks nothing pays nothing.
+/// Those whose boxes changed are named to each query; all others are asked of a SpatialIndex, which is packed
+/// anew when what was named would have cost as much. An index that is never asked costs nothing.
 ///
 /// Threads: `candidates` may run at the same time, `note` and `forget` must run alone.
 template <int D>
@@ -62,18 +62,25 @@ class LazyIndex {
     {
       const std::shared_lock lock(mutex_);
       const std::size_t looked_at = is_packed_ ? noted_.size() : bound;
-      if (looked_at_.fetch_add(looked_at, std::memory_order_relaxed) <= kLooksAPack * bound)
+      if (is_packed_) answered_.fetch_add(1, std::memory_order_relaxed);
+      if (looked_at_.fetch_add(looked_at, std::memory_order_relaxed) < looks_to_pack(bound))
         return gather(query, bound);
     }
     const std::unique_lock lock(mutex_);
-    if (looked_at_ > kLooksAPack * bound) pack(bound, box_of);
+    if (looked_at_ >= looks_to_pack(bound)) pack(bound, box_of);
     return gather(query, bound);
   }
 
  private:
-  /// To pack an object costs as much as to look at it so many times.
-  static constexpr std::size_t kLooksAPack = 16;
+  // To take in the boxes of objects that moved costs as much as to look at each so many times, and to build
+  // anew as much as this. The next time is taken to be like the last one.
+  static constexpr std::size_t kLooksAMove = 8;
+  static constexpr std::size_t kLooksABuild = 64;
 
+  /// Where all changed and the last time has paid, it is packed after one look at each.
+  [[nodiscard]] std::size_t looks_to_pack(std::size_t bound) const {
+    return !is_packed_ && has_paid_ ? bound : looks_a_pack_ * bound;
+  }
   void mark(ObjectId object) {
     if (object.index() >= is_noted_.size()) is_noted_.resize(object.index() + std::size_t{1});
     if (std::exchange(is_noted_[object.index()], std::uint8_t{1}) == 0) noted_.push_back(object);
@@ -94,7 +101,9 @@ class LazyIndex {
                                : objects_.move(object, *box));
       if (!objects_.is_placed(object)) mark(object);  // what its box meets is for others to say
     }
-    index_.update(objects_);
+    const bool moved = index_.update(objects_) == SpatialIndex<D>::Update::refit;
+    looks_a_pack_ = moved ? kLooksAMove : kLooksABuild;
+    has_paid_ = answered_.exchange(0) > looks_a_pack_;
     is_packed_ = true;
     looked_at_ = 0;
   }
@@ -117,7 +126,7 @@ class LazyIndex {
     return index_.overlaps(box, found);
   }
   QueryStatus ask(const Cast<D>& cast, std::vector<ObjectId>& found) const {
-    const auto take = [&found](ObjectId object) {
+    auto take = [&found](ObjectId object) {
       found.push_back(object);
       return true;
     };
@@ -129,7 +138,10 @@ class LazyIndex {
   std::vector<ObjectId> noted_;
   std::vector<std::uint8_t> is_noted_;  ///< by id
   bool is_packed_ = false;
-  std::atomic<std::size_t> looked_at_ = 0;
+  bool has_paid_ = false;
+  std::size_t looks_a_pack_ = kLooksABuild;
+  std::atomic<std::size_t> looked_at_ = 0;  ///< since it was packed
+  std::atomic<std::size_t> answered_ = 0;   ///< by the index, since it was packed
   std::shared_mutex mutex_;
 };
 

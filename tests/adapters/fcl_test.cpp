@@ -93,13 +93,15 @@ TEST_F(FclManagerTest, CallsBackForThePairsOfTheNaiveManagerWhileObjectsComeAndG
     theirs_.collide(&expected, note);
     ASSERT_EQ(found, expected) << "step " << step;
     ASSERT_FALSE(found.empty());
-    place(*probe);
-    found.clear();
-    expected.clear();
-    ours_.collide(probe, &found, note);
-    for (Object* object : present)
-      if (object->getAABB().overlap(probe->getAABB())) note(object, probe, &expected);
-    ASSERT_EQ(found, expected);
+    for (int asked = 0; asked < 4; ++asked) {
+      place(*probe);
+      found.clear();
+      expected.clear();
+      ours_.collide(probe, &found, note);
+      for (Object* object : present)
+        if (object->getAABB().overlap(probe->getAABB())) note(object, probe, &expected);
+      ASSERT_EQ(found, expected);
+    }
   }
   EXPECT_EQ(ours_.size(), 120U);
 }

@@ -43,6 +43,23 @@ class Box2dScene {
     if (broad_phase_) broad_phase_->update(kStep);
     world_.Step(kStep, 8, 3);
   }
+  void cast(const Start& start) {
+    struct Nearest final : b2RayCastCallback {
+      float ReportFixture(b2Fixture* /*fixture*/, const b2Vec2& /*point*/, const b2Vec2& /*normal*/,
+                          float fraction) override {
+        return fraction;
+      }
+    } nearest;
+    for (const std::vector<double>& ray : start.rays) {
+      const b2Vec2 from(static_cast<float>(ray[0]), static_cast<float>(ray[1]));
+      const b2Vec2 to(static_cast<float>(ray[2]), static_cast<float>(ray[3]));
+      if (broad_phase_) {
+        broad_phase_->ray_cast(nearest, from, to);
+      } else {
+        world_.RayCast(&nearest, from, to);
+      }
+    }
+  }
 
  private:
   b2World world_;
@@ -54,7 +71,11 @@ class Box2dScene {
 Contest box2d_contest(const Start& start) {
   const auto own = std::make_shared<Box2dScene>(start, false);
   const auto ours = std::make_shared<Box2dScene>(start, true);
-  return {"Box2D", "b2BroadPhase", [own] { own->step(); }, [ours] { ours->step(); }};
+  return {"Box2D",
+          "b2BroadPhase",
+          "ray",
+          {[own] { own->step(); }, [own](const Start& rays) { own->cast(rays); }},
+          {[ours] { ours->step(); }, [ours](const Start& rays) { ours->cast(rays); }}};
 }
 
 }  // namespace kerf::adapters

@@ -38,6 +38,14 @@ class BulletScene {
     for (const auto& body : bodies_) world_.removeRigidBody(body.get());
   }
   void step() { world_.stepSimulation(static_cast<float>(kSeconds), 0); }
+  void cast(const Start& start) {
+    for (const std::vector<double>& ray : start.rays) {
+      const btVector3 from = to_bullet(ray);
+      const btVector3 to = to_bullet({ray[3], ray[4], ray[5]});
+      btCollisionWorld::ClosestRayResultCallback hit(from, to);
+      world_.rayTest(from, to, hit);
+    }
+  }
 
  private:
   void add(btCollisionShape& shape, const btVector3& position, float mass) {
@@ -62,7 +70,11 @@ class BulletScene {
 Contest bullet_contest(const Start& start) {
   const auto own = std::make_shared<BulletScene>(start, std::make_unique<btDbvtBroadphase>());
   const auto ours = std::make_shared<BulletScene>(start, std::make_unique<BulletBroadPhase>());
-  return {"Bullet", "btDbvtBroadphase", [own] { own->step(); }, [ours] { ours->step(); }};
+  return {"Bullet",
+          "btDbvtBroadphase",
+          "ray",
+          {[own] { own->step(); }, [own](const Start& rays) { own->cast(rays); }},
+          {[ours] { ours->step(); }, [ours](const Start& rays) { ours->cast(rays); }}};
 }
 
 }  // namespace kerf::adapters

@@ -8,12 +8,14 @@
 namespace kerf::adapters {
 
 inline constexpr int kObjects = 4250;
+inline constexpr int kRays = 100;
 inline constexpr double kSeconds = 1.0 / 60;
 
 /// Where the balls of a scene are at first. All have a radius of half a unit.
 struct Start {
   std::vector<std::vector<double>> positions;   ///< coordinates of each
   std::vector<std::vector<double>> velocities;  ///< units a second
+  std::vector<std::vector<double>> rays;        ///< start and end of each, one behind the other
   double side = 0;                              ///< of the box around them: from 0 to `side` on each axis
   double gravity = 0;                           ///< downwards, along the second axis
 };
@@ -22,12 +24,19 @@ struct Start {
 /// direction of its own.
 Start make_start(const std::string& scene, int dimension);
 
+/// A scene in an engine.
+struct Run {
+  std::function<void()> step;
+  std::function<void(const Start&)> ask;  ///< a query for each ray; or empty
+};
+
 /// The same scene in an engine with its own broad phase and with ours.
 struct Contest {
   std::string engine;
-  std::string own;  ///< the engine's broad phase
-  std::function<void()> step_own;
-  std::function<void()> step_ours;
+  std::string own;    ///< the engine's broad phase
+  std::string asked;  ///< what `ask` asks
+  Run run_own;
+  Run run_ours;
 };
 
 Contest bullet_contest(const Start& start);

@@ -41,6 +41,16 @@ class FclScene {
       return false;
     });
   }
+  void collide_balls(const Start& start) {
+    for (const std::vector<double>& ray : start.rays) {
+      probe_.setTranslation({ray[0], ray[1], ray[2]});
+      probe_.computeAABB();
+      manager_->collide(&probe_, &found_, [](auto* /*a*/, auto* /*b*/, void* data) {
+        ++*static_cast<std::size_t*>(data);
+        return false;
+      });
+    }
+  }
 
  private:
   [[nodiscard]] double coordinate(std::size_t object, std::size_t axis) const {
@@ -62,6 +72,7 @@ class FclScene {
   std::vector<std::unique_ptr<fcl::CollisionObject<double>>> objects_;
   std::unique_ptr<fcl::BroadPhaseCollisionManager<double>> manager_;
   std::vector<fcl::CollisionObject<double>*> all_;
+  fcl::CollisionObject<double> probe_{std::make_shared<fcl::Sphere<double>>(1.0)};
   std::size_t found_ = 0;
   int step_ = 0;
 };
@@ -72,7 +83,11 @@ Contest fcl_contest(const Start& start) {
   const auto own =
       std::make_shared<FclScene>(start, std::make_unique<fcl::DynamicAABBTreeCollisionManager<double>>());
   const auto ours = std::make_shared<FclScene>(start, std::make_unique<FclManager<double>>());
-  return {"FCL", "DynamicAABBTreeCollisionManager", [own] { own->step(); }, [ours] { ours->step(); }};
+  return {"FCL",
+          "DynamicAABBTreeCollisionManager",
+          "one object",
+          {[own] { own->step(); }, [own](const Start& rays) { own->collide_balls(rays); }},
+          {[ours] { ours->step(); }, [ours](const Start& rays) { ours->collide_balls(rays); }}};
 }
 
 }  // namespace kerf::adapters

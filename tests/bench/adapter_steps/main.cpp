@@ -1,7 +1,9 @@
 // kerf_adapter_steps [STEPS]: processor time of a step of each engine with its own broad phase and with ours,
-// 4,250 objects, step by step in turn. Prints a table for docs/ADAPTERS.md and, as the last line, JSON.
+// 4,250 objects, step by step in turn, and of 100 queries after each step. Prints two tables for
+// docs/ADAPTERS.md and, as the last line, JSON.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -36,6 +38,13 @@ Start make_start(const std::string& scene, int dimension) {
     start.positions.push_back(position);
     start.velocities.push_back(velocity);
   }
+  for (int k = 0; k < kRays; ++k) {
+    std::vector<double> ray;
+    for (int i = 0; i < dimension; ++i) ray.push_back(random.uniform(0, start.side));
+    for (int i = 0; i < dimension; ++i)
+      ray.push_back(ray[static_cast<std::size_t>(i)] + random.uniform(-10, 10));
+    start.rays.push_back(ray);
+  }
   return start;
 }
 
@@ -56,23 +65,44 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Steps both in turn; the first third of the steps is left out.
-nlohmann::json run(const Contest& contest, const std::string& scene, int steps) {
+struct Times {
   std::vector<double> own;
   std::vector<double> ours;
+};
+
+/// Steps both in turn; the first third of the steps is left out. Prints the row of a step, returns that of a
+/// query.
+std::string run(const Contest& contest, const std::string& scene, const Start& start, int steps,
+                nlohmann::json& rows) {
+  Times step_times;
+  Times query_times;
   for (int step = 0; step < steps; ++step) {
-    const double theirs = milliseconds_of(contest.step_own);
-    const double with_ours = milliseconds_of(contest.step_ours);
-    if (3 * step < steps) continue;
-    own.push_back(theirs);
-    ours.push_back(with_ours);
+    const double own = milliseconds_of(contest.run_own.step);
+    const double ours = milliseconds_of(contest.run_ours.step);
+    const bool counts = 3 * step >= steps;
+    if (counts) step_times.own.push_back(own);
+    if (counts) step_times.ours.push_back(ours);
+    if (contest.asked.empty()) continue;
+    const double own_queries = milliseconds_of([&] { contest.run_own.ask(start); });
+    const double our_queries = milliseconds_of([&] { contest.run_ours.ask(start); });
+    if (counts) query_times.own.push_back(own_queries);
+    if (counts) query_times.ours.push_back(our_queries);
   }
-  const double a = median(own);
-  const double b = median(ours);
-  std::printf("| %s | `%s` | %s | %.2f | %.2f | %.2f |\n", contest.engine.c_str(), contest.own.c_str(),
-              scene.c_str(), a, b, a / b);
+  const std::string begin = "| " + contest.engine + " | `" + contest.own + "` | " + scene + " | ";
+  const double a = median(step_times.own);
+  const double b = median(step_times.ours);
+  std::printf("%s%.2f | %.2f | %.2f |\n", begin.c_str(), a, b, a / b);
   std::fflush(stdout);
-  return {{"engine", contest.engine}, {"own", contest.own}, {"scene", scene}, {"own_ms", a}, {"ours_ms", b}};
+  nlohmann::json& row = rows.emplace_back(nlohmann::json{
+      {"engine", contest.engine}, {"own", contest.own}, {"scene", scene}, {"own_ms", a}, {"ours_ms", b}});
+  if (contest.asked.empty()) return "";
+  const double own_us = 1e3 / kRays * median(query_times.own);
+  const double our_us = 1e3 / kRays * median(query_times.ours);
+  row.update({{"asked", contest.asked}, {"own_query_us", own_us}, {"our_query_us", our_us}});
+  std::array<char, 100> end{};
+  std::snprintf(end.data(), end.size(), "%s | %.2f | %.2f | %.2f |\n", contest.asked.c_str(), own_us, our_us,
+                own_us / our_us);
+  return begin + end.data();
 }
 
 }  // namespace
@@ -89,13 +119,19 @@ int main(int argc, char** argv) {
       "| engine | its broad phase | scene | ms a step | with ours | times as fast "
       "|\n|---|---|---|---|---|---|");
   nlohmann::json rows = nlohmann::json::array();
+  std::string queries;
   for (const std::string scene : {"heap", "gas"}) {
     const Start solid = make_start(scene, 3);
-    rows.push_back(run(bullet_contest(solid), scene, steps));
-    rows.push_back(run(ode_contest(solid, false), scene, steps));
-    rows.push_back(run(ode_contest(solid, true), scene, steps));
-    rows.push_back(run(fcl_contest(solid), scene, steps));
-    rows.push_back(run(box2d_contest(make_start(scene, 2)), scene, steps));
+    const Start flat = make_start(scene, 2);
+    queries += run(bullet_contest(solid), scene, solid, steps, rows);
+    queries += run(ode_contest(solid, false), scene, solid, steps, rows);
+    queries += run(ode_contest(solid, true), scene, solid, steps, rows);
+    queries += run(fcl_contest(solid), scene, solid, steps, rows);
+    queries += run(box2d_contest(flat), scene, flat, steps, rows);
   }
+  std::printf(
+      "\n| engine | its broad phase | scene | query | us a query | with ours | times as fast |\n"
+      "|---|---|---|---|---|---|---|\n%s\n",
+      queries.c_str());
   std::printf("%s\n", nlohmann::json{{"objects", kObjects}, {"steps", steps}, {"rows", rows}}.dump().c_str());
 }

@@ -96,8 +96,11 @@ Contest ode_contest(const Start& start, bool sweep_and_prune) {
   const Structure structure = sweep_and_prune ? Structure::sweep_and_prune : Structure::hash;
   const auto own = std::make_shared<OdeScene>(start, structure);
   const auto ours = std::make_shared<OdeScene>(start, Structure::ours);
-  return {"ODE", sweep_and_prune ? "dSweepAndPruneSpace" : "dHashSpace", [own] { own->step(); },
-          [ours] { ours->step(); }};
+  return {"ODE",
+          sweep_and_prune ? "dSweepAndPruneSpace" : "dHashSpace",
+          "",
+          {[own] { own->step(); }, {}},
+          {[ours] { ours->step(); }, {}}};
 }
 
 }  // namespace kerf::adapters

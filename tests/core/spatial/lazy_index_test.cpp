@@ -7,10 +7,10 @@
 #include <limits>
 #include <optional>
 #include <thread>
-#include <type_traits>
 #include <vector>
 
 #include "core/base/random.h"
+#include "tests/support/dimensions.h"
 
 namespace kerf {
 namespace {
@@ -60,12 +60,14 @@ class Crowd {
   template <class Query>
   std::vector<ObjectId> met(const Query& query) const {
     ObjectTable<D> table;
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
-      if (boxes_[i]) EXPECT_EQ(table.insert(id(i), *boxes_[i], Mobility::moving), Status::ok);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (!boxes_[i]) continue;
+      EXPECT_EQ(table.insert(id(i), *boxes_[i], Mobility::moving), Status::ok);
+    }
     SpatialIndex<D> fresh;
     fresh.update(table);
     std::vector<ObjectId> found;
-    const auto take = [&found](ObjectId object) {
+    auto take = [&found](ObjectId object) {
       found.push_back(object);
       return true;
     };
@@ -75,7 +77,7 @@ class Crowd {
   }
   /// Asks until the index has been packed.
   void pack() {
-    for (int k = 0; k < 40; ++k) static_cast<void>(candidates(Box<D>{}));
+    for (int k = 0; k < 100; ++k) static_cast<void>(candidates(Box<D>{}));
   }
   static ObjectId id(std::size_t i) { return {static_cast<std::uint32_t>(i)}; }
 
@@ -87,8 +89,7 @@ class Crowd {
 
 template <class Dimension>
 class LazyIndexTest : public ::testing::Test {};
-using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
-TYPED_TEST_SUITE(LazyIndexTest, Dimensions);
+TYPED_TEST_SUITE(LazyIndexTest, test::Dimensions, test::DimensionNames);
 
 TYPED_TEST(LazyIndexTest, MissesNothingAndNamesNothingTwiceHoweverMuchChanges) {
   constexpr int D = TypeParam::value;
