@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/spatial/exact_sum.h"
+#include "core/geometry/denormal.h"
 
 namespace kerf {
 namespace {

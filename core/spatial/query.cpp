@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/geometry/denormal.h"
 #include "core/spatial/exact_sum.h"
 
 namespace kerf {

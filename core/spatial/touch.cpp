@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "core/geometry/denormal.h"
 #include "core/spatial/exact_sum.h"
 
 namespace kerf {
@@ -90,6 +91,22 @@ bool reaches_left(const Plane<D>& plane, const Box<D>& box) {
   return exact.sign() <= 0;
 }
 
+template <int D, class ToDouble>
+double sum_of_squares(const Vector<D>& point, const Box<D>& box, ToDouble to_double) {
+  double sum = 0;
+  for (int i = 0; i < D; ++i) {
+    const double place = to_double(point[i]);
+    const double apart = std::max({to_double(box.min[i]) - place, place - to_double(box.max[i]), 0.0});
+    sum += apart * apart;
+  }
+  return sum;
+}
+
+template <int D>
+[[gnu::noinline]] double wide_squared_distance(const Vector<D>& point, const Box<D>& box) {
+  return sum_of_squares(point, box, wide);
+}
+
 }  // namespace
 
 template <int D>
@@ -147,13 +164,10 @@ Scalar entry_of(const Cast<D>& cast, const Box<D>& box) {
 
 template <int D>
 double squared_distance(const Vector<D>& point, const Box<D>& box) {
-  double sum = 0;
-  for (int i = 0; i < D; ++i) {
-    const double apart = std::max({static_cast<double>(box.min[i]) - static_cast<double>(point[i]),
-                                   static_cast<double>(point[i]) - static_cast<double>(box.max[i]), 0.0});
-    sum += apart * apart;
-  }
-  return sum;
+  const double usual = sum_of_squares(point, box, [](Scalar x) { return static_cast<double>(x); });
+  if (usual >= 0x1p-80) [[likely]]  // what denormals add is less than its last place
+    return usual;
+  return wide_squared_distance(point, box);
 }
 
 #define KERF_INSTANTIATE(D)                                   \

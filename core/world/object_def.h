@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
+#include "core/geometry/denormal.h"
 #include "core/geometry/vector.h"
 
 namespace kerf {
@@ -35,6 +37,11 @@ constexpr bool may_pair(const PairFilter& a, const PairFilter& b) {
   if (a.group != 0 && a.group == b.group) return a.group > 0;
   return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
+
+// Whether an object may have it as its margin, and whether it is one: denormals count, also where the
+// processor takes them for zero.
+inline bool is_margin(Scalar margin) { return std::isfinite(margin) && wide(margin) >= 0; }
+constexpr bool is_thick(Scalar margin) { return wide(margin) > 0; }
 
 /// Everything of an object but its box.
 struct ObjectDef {

@@ -1,7 +1,6 @@
 #include "core/world/world.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -11,7 +10,6 @@ namespace kerf {
 namespace {
 
 constexpr bool is_kind(ObjectKind kind) { return static_cast<int>(kind) < kObjectKinds; }
-bool is_margin(Scalar margin) { return std::isfinite(margin) && margin >= 0; }
 constexpr Mobility mobility(ObjectKind kind) { return is_passive(kind) ? Mobility::fixed : Mobility::moving; }
 
 }  // namespace
@@ -66,7 +64,7 @@ void World<D>::rebuild() {
 
 template <int D>
 void World<D>::count(const ObjectDef& def, std::ptrdiff_t times) {
-  if (def.margin > 0) margins_ += times;
+  if (is_thick(def.margin)) margins_ += times;
   if (def.filter != PairFilter{}) filters_ += times;
   if (def.kind == ObjectKind::sensor) sensors_ += times;
 }
@@ -117,9 +115,9 @@ WorldStatus World<D>::insert_one(Box<D> box, const ObjectDef& def, Handle& handl
   const WorldStatus status = clamp(box);
   const ObjectId object{next.index()};
   if (defs_.size() <= object.index()) defs_.resize(object.index() + 1);
-  if (def.margin > 0 && exact_.size() <= object.index()) exact_.resize(object.index() + 1);
+  if (is_thick(def.margin) && exact_.size() <= object.index()) exact_.resize(object.index() + 1);
   if (is_refused(tree_->insert(object, grow(box, def.margin), mobility(def.kind)))) return WorldStatus::full;
-  if (def.margin > 0) exact_[object.index()] = box;
+  if (is_thick(def.margin)) exact_[object.index()] = box;
   defs_[object.index()] = def;
   count(def, 1);
   slots_.take();
@@ -174,9 +172,9 @@ WorldStatus World<D>::move_one(Handle object, Box<D> box) {
   const WorldStatus status = clamp(box);
   const ObjectId id{object.index()};
   const Scalar margin = defs_[id.index()].margin;
-  const bool stays = margin > 0 && kerf::contains(tree_->objects().box(id), box);
+  const bool stays = is_thick(margin) && kerf::contains(tree_->objects().box(id), box);
   if (!stays) (void)tree_->move(id, grow(box, margin));
-  if (margin > 0) exact_[id.index()] = box;
+  if (is_thick(margin)) exact_[id.index()] = box;
   unstepped_ = true;
   return status;
 }
@@ -191,7 +189,7 @@ WorldStatus World<D>::shift_each(const Vector<D>& by) {
     Box<D> box = shifted(exact_box(id), by);
     sum = std::max(sum, clamp(box));
     (void)tree_->move(id, shifted(tree_->objects().box(id), by));
-    if (defs_[id.index()].margin > 0) exact_[id.index()] = box;
+    if (is_thick(defs_[id.index()].margin)) exact_[id.index()] = box;
   });
   unstepped_ |= size() > 0;
   change.finish();
@@ -270,9 +268,9 @@ WorldStatus World<D>::set_margin(Handle object, Scalar margin) {
   const ObjectId id{object.index()};
   const Box<D> box = exact_box(id);
   Change change(*this);
-  if (margin > 0 && exact_.size() <= id.index()) exact_.resize(id.index() + 1);
+  if (is_thick(margin) && exact_.size() <= id.index()) exact_.resize(id.index() + 1);
   (void)tree_->move(id, grow(box, margin));
-  if (margin > 0) exact_[id.index()] = box;
+  if (is_thick(margin)) exact_[id.index()] = box;
   count(def, -1);
   def.margin = margin;
   count(def, 1);
@@ -283,7 +281,7 @@ WorldStatus World<D>::set_margin(Handle object, Scalar margin) {
 
 template <int D>
 Box<D> World<D>::exact_box(ObjectId object) const {
-  return defs_[object.index()].margin > 0 ? exact_[object.index()] : tree_->objects().box(object);
+  return is_thick(defs_[object.index()].margin) ? exact_[object.index()] : tree_->objects().box(object);
 }
 
 template <int D>

@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "core/geometry/box.h"
+#include "core/geometry/denormal.h"
+#include "core/world/object_def.h"
 #include "core/world/world_status.h"
 
 namespace kerf {
@@ -28,12 +30,13 @@ WorldStatus clamp(Box<D>& box) {
   return WorldStatus::clamped;
 }
 
-/// The fat box of an object with a margin.
+/// The fat box of an object: it holds the box, and is the box if there is no margin.
 template <int D>
 Box<D> grow(Box<D> box, Scalar margin) {
+  if (!is_thick(margin)) return box;
   for (int i = 0; i < D; ++i) {
-    box.min[i] -= margin;
-    box.max[i] += margin;
+    box.min[i] = plus(box.min[i], -margin);
+    box.max[i] = plus(box.max[i], margin);
   }
   (void)clamp(box);
   return box;
@@ -41,7 +44,12 @@ Box<D> grow(Box<D> box, Scalar margin) {
 
 template <int D>
 Box<D> shifted(const Box<D>& box, const Vector<D>& by) {
-  return {box.min + by, box.max + by};
+  Box<D> result;
+  for (int i = 0; i < D; ++i) {
+    result.min[i] = plus(box.min[i], by[i]);
+    result.max[i] = plus(box.max[i], by[i]);
+  }
+  return result;
 }
 
 }  // namespace kerf

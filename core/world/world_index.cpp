@@ -43,7 +43,7 @@ void WorldIndex<D>::update(const World<D>& world) {
   bool are_exact = true;
   world.for_each([&](Handle handle) {
     next_handles_[handle.index()] = handle;
-    are_exact &= world.find(handle)->margin == 0 && objects.is_placed({handle.index()});
+    are_exact &= !is_thick(world.find(handle)->margin) && objects.is_placed({handle.index()});
   });
   if (are_exact) {
     index_.update(objects);

@@ -1,6 +1,5 @@
 // A world as bytes: mark, version, dimension, options, handles, objects, reports, tree, checksum.
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -64,7 +63,7 @@ ObjectDef get_def(ByteReader& in) {
   def.filter.mask = in.varint();
   def.filter.group = unzigzag(in.number());
   def.user_data = in.varint();
-  if (!(std::isfinite(def.margin) && def.margin >= 0)) fail_damaged("a margin is no thickness");
+  if (!is_margin(def.margin)) fail_damaged("a margin is no thickness");
   return def;
 }
 
@@ -147,7 +146,7 @@ class WorldCodec {
     world.slots_.for_each([&](Handle handle) {
       const ObjectDef& def = world.defs_[handle.index()];
       put_def(def, out);
-      if (def.margin > 0) put_box(world.exact_[handle.index()], out);
+      if (is_thick(def.margin)) put_box(world.exact_[handle.index()], out);
     });
   }
 
@@ -162,7 +161,7 @@ class WorldCodec {
       ObjectDef& def = world.defs_[handle.index()];
       def = get_def(in);
       world.count(def, 1);
-      if (def.margin == 0) return;
+      if (!is_thick(def.margin)) return;
       world.exact_.resize(world.slots_.size());
       world.exact_[handle.index()] = get_box(in);
     });
@@ -213,7 +212,7 @@ class WorldCodec {
       return table.state(object) == ObjectState::absent;
     const ObjectDef& def = world.defs_[index];
     return table.is_placed(object) && table.is_fixed(object) == is_passive(def.kind) &&
-           (def.margin == 0 || contains(table.box(object), world.exact_[index]));
+           (!is_thick(def.margin) || contains(table.box(object), world.exact_[index]));
   }
 };
 

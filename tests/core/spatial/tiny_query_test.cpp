@@ -1,6 +1,7 @@
 // Queries among boxes as small as floats get, with and without denormals taken for zero: the answers are
 // those of real arithmetic on the given floats.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -84,6 +85,17 @@ class TinyQueries : public testing::Test {
     ASSERT_EQ(index_.first_hit(cast, first), QueryStatus::ok);
     EXPECT_EQ(first.object, least.empty() ? ObjectId::none() : least.front().object);
   }
+  void judge_nearest(const Nearest<kD>& nearest) {
+    std::vector<Neighbour> least;
+    for (const ObjectId object : touched(Sphere<kD>{nearest.point, nearest.max_distance}))
+      least.push_back({object, squared_distance(nearest.point, table_.box(object))});
+    std::ranges::sort(least, std::less<>());
+    least.resize(std::min(least.size(), nearest.count));
+    const FlushToZero flush(true);
+    std::vector<Neighbour> found;
+    ASSERT_EQ(index_.nearest(nearest, found), QueryStatus::ok);
+    EXPECT_EQ(found, least);
+  }
 
   Random random_{3};
   ObjectTable<kD> table_;
@@ -98,6 +110,8 @@ TYPED_TEST(TinyQueries, AreExactThoughDenormalsAreZero) {
       this->judge_cast(Ray<TestFixture::kD>{this->point(), this->direction()});
       this->judge_cast(SweptBox<TestFixture::kD>{this->box(), this->direction(), 0x1p-60F});
       this->judge_region(Sphere<TestFixture::kD>{this->point(), std::abs(this->number())});
+      this->judge_nearest({this->point(), 1 + static_cast<std::size_t>(round) % 50});
+      this->judge_nearest({this->point(), 200, std::abs(this->number())});
       const Plane<TestFixture::kD> plane{this->direction(), this->number()};
       this->judge_region(Frustum<TestFixture::kD>{{&plane, 1}});
     }
