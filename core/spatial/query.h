@@ -121,7 +121,8 @@ struct Filter {
   /// By object id; the objects beyond its end have all categories. Must outlive the query.
   std::span<const std::uint32_t> categories;
   /// Asked last, for objects that the query would report; null accepts all. It may be called for an object
-  /// that is not reported in the end, since others are nearer. It must not throw.
+  /// that is not reported in the end, since others are nearer. It must not throw. Like a visitor it may be
+  /// called while results are rounded to nearest, whatever the caller has chosen.
   bool (*accepts)(void* context, ObjectId object) = nullptr;
   void* context = nullptr;
 

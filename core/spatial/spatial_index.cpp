@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 
+#include "core/base/rounding.h"
 #include "core/kernels/search_blocks.h"
 #include "core/kernels/sort_found.h"
 #include "core/spatial/block_query.h"
@@ -83,14 +84,17 @@ void find_touched(const BlockHierarchy<D>& blocks, const Query& query, const Tes
 
 template <int D, class Take>
 void find_touched(const BlockHierarchy<D>& blocks, const Sphere<D>& sphere, HandOn when, Take take) {
+  const NearestRounding rounding;
   find_touched(blocks, sphere, SphereQuery<D>(sphere), when, take);
 }
 template <int D, class Take>
 void find_touched(const BlockHierarchy<D>& blocks, const Cast<D>& cast, HandOn when, Take take) {
+  const NearestRounding rounding;
   find_touched(blocks, cast, CastQuery<D>(cast), when, take);
 }
 template <int D, class Take>
 void find_touched(const BlockHierarchy<D>& blocks, const Frustum<D>& frustum, HandOn when, Take take) {
+  const NearestRounding rounding;
   find_touched(blocks, frustum, FrustumQuery<D>(frustum), when, take);
 }
 
@@ -141,6 +145,7 @@ QueryStatus visit_touched(const BlockHierarchy<D>& blocks, const Query& query, c
 /// Calls `take(hits)` with what a cast hits, part by part.
 template <int D, class Take>
 void find_all_hits(const BlockHierarchy<D>& blocks, const Cast<D>& cast, Take take) {
+  const NearestRounding rounding;
   const CastQuery<D> query(cast);
   const auto touches_slot = [&](std::uint32_t slot) { return touches(cast, box_in(blocks, slot)); };
   if (!query.works) {
@@ -281,6 +286,7 @@ template <int D>
 QueryStatus SpatialIndex<D>::first_hit(const Cast<D>& cast, Hit& first, const Filter& filter) const {
   const QueryStatus status = check(cast);
   if (status != QueryStatus::ok) return status;
+  const NearestRounding rounding;
   FirstSearch<D> search(hierarchy_, cast, filter, first);
   const CastQuery<D> query(cast);
   if (query.works) {
@@ -299,6 +305,7 @@ QueryStatus SpatialIndex<D>::nearest(const Nearest<D>& nearest, std::vector<Neig
                                      const Filter& filter) const {
   const QueryStatus status = check(nearest);
   if (status != QueryStatus::ok || nearest.count == 0) return status;
+  const NearestRounding rounding;
   NearestSearch<D> search(hierarchy_, nearest, filter, found);
   const SphereQuery<D> query({nearest.point, 0});
   if (query.works) {
