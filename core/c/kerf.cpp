@@ -15,7 +15,7 @@ constexpr kerf_world_options kDefaults{0, KERF_PAIRS_OF_FAT_BOXES, 1, 0, nullptr
 
 /// How a call ended: `why`, or what the status means.
 kerf_status tell(kerf_error* error, kerf_status status, std::string_view why) {
-  if (error == nullptr || error->size < kLeastError) return status;
+  if (error == nullptr || error->size < kLeastError || error->size > kMostSize) return status;
   const std::string_view text = why.empty() ? kerf_status_text(status) : why;
   error->status = status;
   const std::size_t room =
@@ -24,6 +24,14 @@ kerf_status tell(kerf_error* error, kerf_status status, std::string_view why) {
   std::memcpy(error->text, text.data(), length);
   error->text[length] = '\0';
   return status;
+}
+
+/// Why options of this size are none; empty if that is for the status to say.
+std::string why_too_large(std::uint32_t size) {
+  if (size <= kMostSize) return {};
+  return "the size of kerf_world_options is " + std::to_string(size) + ", but this version's is " +
+         std::to_string(sizeof(kerf_world_options)) + " and none is above " + std::to_string(kMostSize) +
+         ": use kerf_world_options_init";
 }
 
 WorldOptions to_options(const kerf_world_options& given) {
@@ -65,8 +73,8 @@ const char* kerf_status_text(kerf_status status) {
     case KERF_NULL_ARGUMENT:
       return "an argument is NULL that must not be";
     case KERF_BAD_SIZE:
-      return "a struct's size is not set, or it has members that this version does not know: use its init "
-             "function";
+      return "a struct's size is not set, or a reserved member, or one that this version does not know, is "
+             "not 0: use its init function";
     case KERF_BAD_OPTION:
       return "an option cannot work: kerf_error says which";
     case KERF_SMALL_BUFFER:
@@ -110,6 +118,7 @@ kerf_status kerf_world_create(uint32_t dimension, const kerf_world_options* opti
     kerf_world_options given = kDefaults;
     if (options != nullptr) {
       const kerf_status status = kerf::c::read_struct(options, kerf::c::kLeastOptions, given);
+      if (status == KERF_BAD_SIZE) why = kerf::c::why_too_large(options->size);
       if (status != KERF_OK) return status;
     }
     try {

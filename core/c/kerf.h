@@ -12,7 +12,8 @@
  * of no elements may be NULL.
  *
  * Structs begin with their size, so that later versions can have more members: kerf_..._init() sets it, and
- * defaults. Members beyond those that the library knows must be 0. kerf_pair never changes.
+ * defaults. Reserved members must be 0, and so must those beyond the ones that the library knows; no struct
+ * will ever be larger than 4096 bytes. kerf_pair never changes.
  *
  * Threads: functions that take a const kerf_world may be called at the same time; no other may be meanwhile.
  * Different worlds share nothing but oneTBB's threads, as all of a program does that uses oneTBB.
@@ -53,8 +54,8 @@ enum kerf_status_code {
   KERF_UNSTEPPED = 7,    /* there are requests since the last step: step first */
   KERF_DAMAGED = 8,      /* the bytes are no state that a world of this version and dimension wrote */
   KERF_NULL_ARGUMENT = 64,
-  KERF_BAD_SIZE = 65,   /* a struct's size is too small, or it has members that this version does not know */
-  KERF_BAD_OPTION = 66, /* options that cannot work: kerf_error says which */
+  KERF_BAD_SIZE = 65,     /* a struct's size is none, or members that this version does not know are not 0 */
+  KERF_BAD_OPTION = 66,   /* options that cannot work: kerf_error says which */
   KERF_SMALL_BUFFER = 67, /* the caller's memory is too small: the size that is needed was written */
   KERF_BUSY = 68, /* called by a callback of the world, which may only call functions of a const world */
   KERF_OUT_OF_MEMORY = 69,
@@ -186,8 +187,7 @@ KERF_API kerf_status kerf_world_get_handles(const kerf_world* world, kerf_handle
 /* The world as bytes with a version and a checksum, without callback and threads. size gets how many there
  * are; with a capacity of 0, nothing else is done. KERF_UNSTEPPED between a request and the next step. */
 KERF_API kerf_status kerf_world_save(const kerf_world* world, void* bytes, size_t capacity, size_t* size);
-/* Becomes the world that was saved, and goes on exactly as that one. Bytes that no world wrote are refused.
- */
+/* Becomes the world that was saved, and goes on exactly as it. Bytes that no world wrote are refused. */
 KERF_API kerf_status kerf_world_restore(kerf_world* world, const void* bytes, size_t size, kerf_error* error);
 
 #ifdef __cplusplus

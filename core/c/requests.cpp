@@ -45,7 +45,7 @@ kerf_status read_objects(const kerf_object* objects, std::size_t count, std::vec
   defs.assign(std::max<std::size_t>(count, 1), {});
   if (count == 0) return KERF_OK;
   const std::uint32_t stride = objects->size;
-  if (stride < kLeastObject || stride % alignof(kerf_object) != 0) return KERF_BAD_SIZE;
+  if (stride < kLeastObject || stride > kMostSize || stride % alignof(kerf_object) != 0) return KERF_BAD_SIZE;
   const auto* next = reinterpret_cast<const unsigned char*>(objects);
   for (ObjectDef& def : defs) {
     kerf_object object = to_object({});
