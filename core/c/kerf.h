@@ -138,7 +138,7 @@ KERF_API kerf_status kerf_world_insert(kerf_world* world, const float* boxes, co
 /* Moves are made in order; the last one of an object counts. */
 KERF_API kerf_status kerf_world_move(kerf_world* world, const kerf_handle* handles, const float* boxes,
                                      size_t count, kerf_status* statuses);
-/* Moves every object by a vector of as many floats as dimensions, for a floating origin. */
+/* Moves every object by a vector of as many floats as dimensions, for a floating origin; all or none. */
 KERF_API kerf_status kerf_world_shift_origin(kerf_world* world, const float* by);
 /* The handles are stale at once. Pairs of the last step are reported as ended in the next one, with these
  * handles. */

@@ -179,21 +179,13 @@ WorldStatus World<D>::move_one(Handle object, Box<D> box) {
   return status;
 }
 
-/// Fat boxes come along. Rounding keeps the order of numbers, so each holds its box as before.
+/// Moves the objects in `ids_`: all, or none where memory ends, since the tree allocates before it takes any.
 template <int D>
-WorldStatus World<D>::shift_each(const Vector<D>& by) {
+void World<D>::move_listed(std::span<const Box<D>> fat_boxes) {
   Change change(*this);
-  WorldStatus sum = WorldStatus::ok;
-  for_each([&](Handle object) {
-    const ObjectId id{object.index()};
-    Box<D> box = shifted(exact_box(id), by);
-    sum = std::max(sum, clamp(box));
-    (void)tree_->move(id, shifted(tree_->objects().box(id), by));
-    if (is_thick(defs_[id.index()].margin)) exact_[id.index()] = box;
-  });
-  unstepped_ |= size() > 0;
+  (void)tree_->move_many(ids_, fat_boxes);
+  unstepped_ |= !fat_boxes.empty();
   change.finish();
-  return sum;
 }
 
 template <int D>

@@ -88,6 +88,7 @@ class World {
   /// round, and where moves of this step say otherwise, they are moved from there. Tree and fat boxes come
   /// along: only the step of the shift costs more than others, no pair ends, and one begins by rounding
   /// alone. `bad_value` if the vector is not finite, `clamped` if a box would exceed the range of floats.
+  /// Where memory ends, no object has moved.
   WorldStatus shift_origin(const Vector<D>& by);
   /// The handle is stale at once. Pairs that the object had in the last step are reported as ended in the
   /// next one, with its handle.
@@ -146,8 +147,8 @@ class World {
   WorldStatus insert_one(Box<D> box, const ObjectDef& def, Handle& handle);
   WorldStatus move_one(Handle object, Box<D> box);
   WorldStatus remove_one(Handle object);
-  WorldStatus shift_each(const Vector<D>& by);
   bool list_moves(std::span<const Handle> objects, std::span<const Box<D>> boxes);
+  void move_listed(std::span<const Box<D>> fat_boxes);
   void count(const ObjectDef& def, std::ptrdiff_t times);
   void rebuild();
   [[nodiscard]] bool may_report(ObjectId a, ObjectId b) const;

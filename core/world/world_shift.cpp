@@ -6,18 +6,32 @@
 
 namespace kerf {
 
+/// Fat boxes come along. Rounding keeps the order of numbers, so each holds its box as before. All memory is
+/// there before an object moves.
 template <int D>
 WorldStatus World<D>::shift_origin(const Vector<D>& by) {
   for (const Scalar along : by.value)
     if (!std::isfinite(along)) return WorldStatus::bad_value;
-  if (margins_ > 0) return shift_each(by);
-  std::vector<Handle> objects;
-  std::vector<Box<D>> boxes;
+  std::vector<Box<D>> fat_boxes;
+  fat_boxes.reserve(size());
+  ids_.clear();
+  ids_.reserve(size());
+  bool in_range = true;
   for_each([&](Handle object) {
-    objects.push_back(object);
-    boxes.push_back(shifted(tree_->objects().box({object.index()}), by));
+    const ObjectId id{object.index()};
+    ids_.push_back(id);
+    fat_boxes.push_back(shifted(tree_->objects().box(id), by));
+    in_range &= is_valid(shifted(exact_box(id), by));
   });
-  return move(objects, boxes);
+  move_listed(fat_boxes);
+  if (margins_ > 0) {
+    for (const ObjectId id : ids_) {
+      if (!is_thick(defs_[id.index()].margin)) continue;
+      exact_[id.index()] = shifted(exact_[id.index()], by);
+      (void)clamp(exact_[id.index()]);
+    }
+  }
+  return in_range ? WorldStatus::ok : WorldStatus::clamped;
 }
 
 template WorldStatus World<2>::shift_origin(const Vector<2>&);

@@ -223,6 +223,45 @@ bool run_update(long allocation) {
   return failed;
 }
 
+/// The boxes of all objects, in the order of their handles.
+std::vector<float> boxes_in(const kerf_world* world) {
+  std::vector<kerf_handle> handles(kObjects);
+  std::size_t count = 0;
+  if (kerf_world_get_handles(world, handles.data(), handles.size(), &count) != KERF_OK) return {};
+  std::vector<float> boxes(4 * count);
+  for (std::size_t k = 0; k < count; ++k) (void)kerf_world_get_box(world, handles[k], &boxes[4 * k]);
+  return boxes;
+}
+
+/// A shift in which the allocation of that number fails, of objects that came one a step: no list has room
+/// for all. None of them is shifted then. False if it has fewer.
+bool run_shift(long allocation, float margin) {
+  failed = false;
+  kerf_world* world = nullptr;
+  expect(kerf_world_create(2, nullptr, &world, nullptr), allocation);
+  kerf_object object;
+  expect(kerf_object_init(&object, sizeof object), allocation);
+  object.margin = margin;
+  const std::vector<float> given = boxes_of(0);
+  for (std::size_t k = 0; k < kObjects; ++k) {
+    kerf_handle handle = 0;
+    expect(kerf_world_insert(world, &given[4 * k], &object, 1, 1, &handle, nullptr), allocation);
+    expect(kerf_world_step(world), allocation);
+  }
+  std::vector<float> boxes = boxes_in(world);
+  const float by[2] = {128, -64};
+  left = allocation;
+  const kerf_status status = kerf_world_shift_origin(world, by);
+  left = -1;
+  expect(status, allocation);
+  if (status == KERF_OK)
+    for (std::size_t k = 0; k < boxes.size(); ++k) boxes[k] += by[k % 2];
+  if (boxes_in(world) != boxes) fail("a shift is neither made nor left", allocation);
+  if (!are_all_found(world)) fail("a shift leaves what is not found", allocation);
+  kerf_world_destroy(world);
+  return failed;
+}
+
 /// A world that has one object, of a high index, is built anew after its memory ended.
 void keep_a_far_object() {
   constexpr std::size_t kMany = (std::size_t{1} << 22U) + 1;
@@ -254,6 +293,10 @@ int main() {
   while (run(allocation)) ++allocation;
   long update = 0;
   while (run_update(update)) ++update;
+  for (const float margin : {0.0F, 0.5F}) {
+    long shift = 0;
+    while (run_shift(shift, margin)) ++shift;
+  }
   keep_a_far_object();
   std::printf("each of %ld allocations failed once\n", allocation);
   return allocation > 100 ? 0 : 1;
