@@ -1,6 +1,5 @@
 #include "core/base/assignments.h"
 
-#include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -9,9 +8,12 @@ namespace kerf {
 
 std::vector<Assignment> parse_assignments(std::string_view text, char separator) {
   std::vector<Assignment> assignments;
-  while (!text.empty()) {
-    const std::string_view part = text.substr(0, text.find(separator));
-    text.remove_prefix(std::min(text.size(), part.size() + 1));
+  for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
+    const std::string_view part = text.substr(begin, text.find(separator, begin) - begin);
+    begin += part.size() + 1;
+    if (part.empty())
+      throw std::invalid_argument("'" + std::string(text) + "' has an empty item; leave out the '" +
+                                  separator + "' beside it");
     const std::size_t equals = part.find('=');
     if (equals == std::string_view::npos)
       throw std::invalid_argument("'" + std::string(part) + "' is not K=V, for example seed=7");

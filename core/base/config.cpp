@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <type_traits>
 #include <variant>
@@ -88,30 +90,52 @@ const Parameter& find(std::string_view name) {
   throw std::invalid_argument(message);
 }
 
-std::string number(double x) {
+std::string whole_number(double x) {
   if (x >= static_cast<double>(UINT64_MAX)) return std::to_string(UINT64_MAX);  // the double is one more
+  return std::to_string(static_cast<std::uint64_t>(x));
+}
+
+std::string number(double x) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
 
-[[noreturn]] void reject(const ConfigField& field, std::string_view value) {
-  throw std::invalid_argument("parameter " + std::string(field.name) + ": '" + std::string(value) +
-                              "' is not a number from " + number(field.minimum) + " to " +
-                              number(field.maximum));
+/// `Value`: the type of the parameter.
+template <class Value>
+[[noreturn]] void reject(const ConfigField& field, std::string_view text) {
+  std::string expected = " is not a number from " + number(field.minimum) + " to " + number(field.maximum);
+  if constexpr (std::is_same_v<Value, bool>)
+    expected = " is neither 0 nor 1";
+  else if constexpr (std::is_integral_v<Value>)
+    expected =
+        " is not a whole number from " + whole_number(field.minimum) + " to " + whole_number(field.maximum);
+  throw std::invalid_argument("parameter " + std::string(field.name) + ": '" + std::string(text) + "'" +
+                              expected);
+}
+
+/// A number that is 0 as a float, though it is none.
+bool vanishes(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() && value != 0 &&
+         std::abs(value) < static_cast<double>(std::numeric_limits<float>::min());
 }
 
 template <class T>
 T parse(const ConfigField& field, std::string_view text) {
   T value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) reject(field, text);
+  if (std::is_same_v<T, float> && value == 0 && vanishes(text))
+    throw std::invalid_argument("parameter " + std::string(field.name) + ": '" + std::string(text) +
+                                "' is too small for a float; 0 is the nearest");
+  if (error != std::errc{} || end != text.data() + text.size()) reject<T>(field, text);
   return value;
 }
 
 bool parse_bool(const ConfigField& field, std::string_view text) {
   if (text == "1" || text == "true") return true;
   if (text == "0" || text == "false") return false;
-  reject(field, text);
+  reject<bool>(field, text);
 }
 
 template <class T>
@@ -136,7 +160,8 @@ void check(const Config& config, const Parameter& parameter) {
       [&](auto member) {
         const auto value = static_cast<double>(config.*member);
         if (!(value >= parameter.field.minimum && value <= parameter.field.maximum))
-          reject(parameter.field, value_text(config, parameter));
+          reject<std::remove_cvref_t<decltype(config.*member)>>(parameter.field,
+                                                                value_text(config, parameter));
       },
       parameter.member);
 }

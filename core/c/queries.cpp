@@ -15,6 +15,7 @@ kerf_status read_filter(const kerf_query_filter* from, WorldQueryFilter& to) {
   if (from == nullptr) return KERF_OK;
   kerf_query_filter given = kAll;
   if (const kerf_status status = read_struct(from, kLeastFilter, given); status != KERF_OK) return status;
+  if (given.reserved != 0) return KERF_BAD_SIZE;
   to.kinds = given.kinds;
   to.filter = PairFilter{given.category, given.mask, given.group};
   if (given.accepts != nullptr)

@@ -83,5 +83,19 @@ TEST_F(CSizes, OfLaterVersionsAreTaken) {
             KERF_BAD_SIZE);
 }
 
+TEST_F(CSizes, AReservedMemberMustBe0) {
+  kerf_query_filter filter{};
+  ASSERT_EQ(kerf_query_filter_init(&filter, sizeof filter), KERF_OK);
+  filter.reserved = 1;
+  std::size_t count = 0;
+  const auto ask = [&] {
+    return kerf_world_overlap_box(world.get(), kSquare.data(), &filter, nullptr, 0, &count);
+  };
+  EXPECT_EQ(ask(), KERF_BAD_SIZE);
+  EXPECT_NE(std::string(kerf_status_text(KERF_BAD_SIZE)).find("reserved"), std::string::npos);
+  filter.reserved = 0;
+  EXPECT_EQ(ask(), KERF_OK);
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"DebugSteps", {"debug", "pile", "--steps", "10:20:2"}, "is not how many"},
         Mistake{"SeedOfConfig",
                 {"render", "pile", "--config", "seed=18446744073709551616"},
-                "is not a number from 0 to 18446744073709551615"},
+                "is not a whole number from 0 to 18446744073709551615"},
         Mistake{"OracleEvery",
                 {"verify", "x.kerf", "--oracle-every", "99999999999"},
                 "is not a whole number from 0 to 4294967295"},

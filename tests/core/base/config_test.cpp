@@ -94,6 +94,19 @@ TEST(ConfigFields, RefuseWhatIsNotANumber) {
   }
 }
 
+TEST(ConfigFields, SayWhatTheyExpect) {
+  Config config;
+  const auto why = [&](const char* name, const char* value) {
+    return complaint([&] { set(config, name, value); });
+  };
+  EXPECT_THAT(why("sample", "1"), HasSubstr("'1' is not a whole number from 2 to 1000000000"));
+  EXPECT_THAT(why("sample", "2.5"), HasSubstr("'2.5' is not a whole number from 2 to 1000000000"));
+  EXPECT_THAT(why("seed", "-1"), HasSubstr("is not a whole number from 0 to 18446744073709551615"));
+  EXPECT_THAT(why("skin", "1001"), HasSubstr("'1001' is not a number from 0 to 1000"));
+  EXPECT_THAT(why("split", "2"), HasSubstr("'2' is neither 0 nor 1"));
+  EXPECT_THAT(why("skin", "1e-50"), HasSubstr("'1e-50' is too small for a float; 0 is the nearest"));
+}
+
 TEST(ConfigDefaults, AreThePapers) {
   const Config config;
   EXPECT_EQ(config.candidate_factor, 2.0F);
@@ -135,9 +148,9 @@ TEST(ConfigValues, EverySeedAndFloatSurvivesARoundTrip) {
 
 TEST(ConfigAssignments, AreAllAppliedOrNone) {
   Config config;
-  for (const char* bad :
-       {"min_balance=0.9,nonsense=1", "min_balance=0.9,sample=1", "min_balance=0.9,sample",
-        "min_balance=0.9,,sample=9", ",min_balance=0.9", "min_balance=0.9,=3", "=", "min_balance==1"}) {
+  for (const char* bad : {"min_balance=0.9,nonsense=1", "min_balance=0.9,sample=1", "min_balance=0.9,sample",
+                          "min_balance=0.9,,sample=9", ",min_balance=0.9", "min_balance=0.9,=3", "=",
+                          "min_balance==1", "min_balance=0.9,", "min_balance=0.9,,", ","}) {
     EXPECT_THROW(kerf::apply(config, bad), std::invalid_argument) << bad;
     EXPECT_EQ(to_string(config), to_string(Config{})) << bad;
   }
@@ -146,6 +159,13 @@ TEST(ConfigAssignments, AreAllAppliedOrNone) {
   kerf::apply(config, "min_balance=0.9,sample=9");
   EXPECT_EQ(config.min_balance, 0.9F);
   EXPECT_EQ(config.sample, 9U);
+}
+
+TEST(ConfigAssignments, AnEmptyOneIsNamed) {
+  Config config;
+  for (const char* bad : {"sample=9,", ",sample=9", "sample=9,,seed=1", ","})
+    EXPECT_THAT(complaint([&] { kerf::apply(config, bad); }),
+                testing::AllOf(HasSubstr("'" + std::string(bad) + "'"), HasSubstr("empty item")));
 }
 
 TEST(ConfigAssignments, LaterOnesWin) { EXPECT_EQ(config_of("sample=9,sample=10").sample, 10U); }
