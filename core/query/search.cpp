@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
+#include "core/query/object_bound.h"
 #include "core/query/recorded_moment.h"
 
 namespace kerf {
@@ -23,16 +25,16 @@ bool is_change(std::optional<double> before, double now, Change change) {
   return before && *before != now;
 }
 
-/// Throws std::invalid_argument if the condition is about an object that no recording of these names can
-/// have.
-void check_objects(const Expression& expression, const GivenNames& names) {
+/// The objects that a condition names.
+std::vector<GivenId> objects_of(const Expression& expression) {
+  std::vector<GivenId> ids;
   for (const ExpressionPart& part : expression.parts()) {
     if (part.kind != ExpressionPart::Kind::happening) continue;
     const bool is_pair = part.happening <= Happening::pair_leaves;
-    if (!is_pair && part.happening != Happening::object_moves) continue;
-    for (const GivenId& id : {part.a, is_pair ? part.b : part.a})
-      if (!names.find_object(id)) throw std::invalid_argument("the recording has no object " + to_string(id));
+    if (is_pair || part.happening == Happening::object_moves) ids.push_back(part.a);
+    if (is_pair) ids.push_back(part.b);
   }
+  return ids;
 }
 
 }  // namespace
@@ -42,12 +44,35 @@ Search<D>::Search(std::shared_ptr<RecordingReader<D>> recording) : recording_(st
 
 template <int D>
 void Search<D>::check(const Expression& expression) {
-  check_objects(expression, recording_->info().names);
+  for (const GivenId& id : objects_of(expression)) check_object(id);
   if (!expression.asks_oracle() || !recording_->info().imported) return;
   if (!has_judgement_) has_judgement_ = recording_->steps() == 0 || !recording_->their_steps().empty();
   if (!*has_judgement_)
     throw std::invalid_argument(recording_->path().string() +
                                 " has no pairs of another engine; `kerf import --pairs` brings them");
+}
+
+template <int D>
+void Search<D>::check_object(const GivenId& id) {
+  const GivenNames& names = recording_->info().names;
+  const bool has_names = !names.objects().empty();
+  const std::optional<ObjectId> object = names.find_object(id);
+  if (object && (has_names || object->value < most_objects())) return;
+  std::string why = "the recording has no object " + to_string(id);
+  if (!has_names) {
+    if (!object_bound_) object_bound_ = object_bound(*recording_);
+    if (object && object->value < *object_bound_) return;
+    why += *object_bound_ == 0 ? "; it has none" : "; it has 0 to " + std::to_string(*object_bound_ - 1);
+  }
+  throw std::invalid_argument(why);
+}
+
+/// At a time: smaller numbers are known without a look into the recording.
+template <int D>
+std::uint32_t Search<D>::most_objects() const {
+  std::uint32_t most = 0;
+  for (const StepRow& row : recording_->rows()) most = std::max(most, row.statistics.objects);
+  return most;
 }
 
 template <int D>

@@ -27,8 +27,8 @@ class Search {
 
   explicit Search(std::shared_ptr<RecordingReader<D>> recording);
 
-  /// Throws std::invalid_argument for an expression about an object that the recording cannot have, or about
-  /// the other engine's pairs of an import that has none.
+  /// Throws std::invalid_argument for an expression about an object that the recording does not have, or
+  /// about the other engine's pairs of an import that has none.
   void check(const Expression& expression);
 
   /// The first moment after `from`; none if there is none.
@@ -63,6 +63,8 @@ class Search {
   std::vector<ValueAt> values_in(const Expression& expression, std::uint32_t step);
   std::optional<double> last_value(const Expression& expression, const Position& up_to);
 
+  void check_object(const GivenId& id);
+  [[nodiscard]] std::uint32_t most_objects() const;
   [[nodiscard]] bool needs_replay(const Expression& expression) const;
   std::optional<Position> in_step(const Expression& expression, std::uint32_t step, const Range& range);
   std::optional<Position> in_events(const Expression& expression, std::uint32_t step, const Range& range);
@@ -71,6 +73,7 @@ class Search {
   std::shared_ptr<RecordingReader<D>> recording_;
   std::unique_ptr<Replayer<D>> replayer_;  ///< null until it is needed
   std::vector<std::optional<double>> medians_;
+  std::optional<std::uint32_t> object_bound_;  ///< none: not asked yet
   std::optional<bool> has_judgement_;  ///< whether `missed` and the like are known; none: not asked yet
 };
 

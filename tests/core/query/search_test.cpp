@@ -58,9 +58,30 @@ TYPED_TEST_SUITE(SearchTest, test::Dimensions, test::DimensionNames);
 
 TYPED_TEST(SearchTest, WhatTheRecordingCannotHaveIsRefused) {
   Search<TypeParam::value> search(this->recording_);
-  for (const char* const text : {"object(-3) moves", "pair(99999999999,1)", "pairs>0 && pair(1,-2) leaves"})
+  for (const char* const text : {"object(-3) moves", "pair(99999999999,1)", "pairs>0 && pair(1,-2) leaves",
+                                 "pair(5,61234)", "object(61234) moves"})
     EXPECT_THROW((void)search.forward(Expression::parse(text), Position::end_of(0)), std::invalid_argument)
         << text;
+}
+
+/// Objects that came after the last keyframe and went again, too, but not the number after the last one.
+TYPED_TEST(SearchTest, EveryObjectThatTheRecordingHasCanBeNamed) {
+  constexpr int kD = TypeParam::value;
+  Cursor<kD> cursor(this->recording_);
+  cursor.go_to_step(60);
+  const std::size_t bound = cursor.state().latest.bound();
+  Search<kD> search(this->recording_);
+  const auto name = [](std::size_t id) {
+    return Expression::parse("object(" + std::to_string(id) + ") moves");
+  };
+  for (std::size_t id = 0; id < bound; ++id) EXPECT_NO_THROW(search.check(name(id))) << id;
+  try {
+    search.check(name(bound));
+    ADD_FAILURE() << bound;
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()), "the recording has no object " + std::to_string(bound) +
+                                             "; it has 0 to " + std::to_string(bound - 1));
+  }
 }
 
 TYPED_TEST(SearchTest, OperatorsAtADepth) {
