@@ -8,7 +8,7 @@ void AllPairs<D>::find_pairs(PairList& pairs) {
   std::size_t place = 0;
   for (const ObjectId object : this->placed())
     lanes_.set(place++, this->table().box(object), object, this->table().is_fixed(object) ? 1 : 0);
-  test_lanes(lanes_, pairs);
+  test_lanes(lanes_, 0, lanes_.size, pairs);
 }
 
 template class AllPairs<2>;

@@ -18,6 +18,7 @@ struct LaneView {
   const std::uint32_t* object;
   const std::uint32_t* apart;
   std::size_t size;
+  std::size_t last;  ///< the boxes before it are tested against those after them
 };
 
 /// Where pairs go. A kernel stops when the room before `limit` may not suffice for the next box.
@@ -81,7 +82,7 @@ template <int D>
 std::size_t sweep(const LaneView& lanes, std::size_t i, PairRange& pairs) {
   const std::size_t width = hn::Lanes(Floats());
   Pair* out = pairs.next;
-  for (; i < lanes.size; ++i) {
+  for (; i < lanes.last; ++i) {
     if (static_cast<std::size_t>(pairs.limit - out) < lanes.size - i) break;
     const Probe<D> probe = probe_at<D>(lanes, i);
     const Scalar end = lanes.max[0][i];
@@ -100,7 +101,7 @@ template <int D>
 std::size_t test_all(const LaneView& lanes, std::size_t i, PairRange& pairs) {
   const std::size_t width = hn::Lanes(Floats());
   Pair* out = pairs.next;
-  for (; i < lanes.size; ++i) {
+  for (; i < lanes.last; ++i) {
     if (static_cast<std::size_t>(pairs.limit - out) < lanes.size - i) break;
     const Probe<D> probe = probe_at<D>(lanes, i);
     for (std::size_t j = i + 1; j < lanes.size; j += width) out = test_vector<D, false>(lanes, j, probe, out);
@@ -135,7 +136,7 @@ HWY_EXPORT(test_all_2d);
 HWY_EXPORT(test_all_3d);
 
 template <int D>
-LaneView view_of(const Lanes<D>& lanes) {
+LaneView view_of(const Lanes<D>& lanes, std::size_t last) {
   LaneView view{};
   for (std::size_t axis = 0; axis < D; ++axis) {
     view.min[axis] = lanes.min[axis].data();
@@ -144,6 +145,7 @@ LaneView view_of(const Lanes<D>& lanes) {
   view.object = lanes.object.data();
   view.apart = lanes.apart.data();
   view.size = lanes.size;
+  view.last = last;
   return view;
 }
 
@@ -151,9 +153,9 @@ using Kernel = std::size_t (*)(const LaneView&, std::size_t, PairRange&);
 
 /// Makes room each time the kernel needs it.
 template <int D>
-void run(Kernel kernel, const Lanes<D>& lanes, PairList& pairs) {
-  const LaneView view = view_of(lanes);
-  for (std::size_t i = 0; i < lanes.size;) {
+void run(Kernel kernel, const Lanes<D>& lanes, std::size_t first, std::size_t last, PairList& pairs) {
+  const LaneView view = view_of(lanes, last);
+  for (std::size_t i = first; i < last;) {
     const std::size_t room = 2 * (lanes.size - i);
     PairRange range{pairs.reserve(room), nullptr};
     range.limit = range.next + room;
@@ -190,20 +192,21 @@ void Lanes<D>::set(std::size_t place, const Box<D>& box, ObjectId id, std::uint3
 
 template <int D>
 void sweep_lanes(const Lanes<D>& lanes, PairList& pairs) {
-  run(D == 2 ? HWY_DYNAMIC_DISPATCH(sweep_2d) : HWY_DYNAMIC_DISPATCH(sweep_3d), lanes, pairs);
+  run(D == 2 ? HWY_DYNAMIC_DISPATCH(sweep_2d) : HWY_DYNAMIC_DISPATCH(sweep_3d), lanes, 0, lanes.size, pairs);
 }
 
 template <int D>
-void test_lanes(const Lanes<D>& lanes, PairList& pairs) {
-  run(D == 2 ? HWY_DYNAMIC_DISPATCH(test_all_2d) : HWY_DYNAMIC_DISPATCH(test_all_3d), lanes, pairs);
+void test_lanes(const Lanes<D>& lanes, std::size_t first, std::size_t last, PairList& pairs) {
+  run(D == 2 ? HWY_DYNAMIC_DISPATCH(test_all_2d) : HWY_DYNAMIC_DISPATCH(test_all_3d), lanes, first, last,
+      pairs);
 }
 
 template struct Lanes<2>;
 template struct Lanes<3>;
 template void sweep_lanes<2>(const Lanes<2>&, PairList&);
 template void sweep_lanes<3>(const Lanes<3>&, PairList&);
-template void test_lanes<2>(const Lanes<2>&, PairList&);
-template void test_lanes<3>(const Lanes<3>&, PairList&);
+template void test_lanes<2>(const Lanes<2>&, std::size_t, std::size_t, PairList&);
+template void test_lanes<3>(const Lanes<3>&, std::size_t, std::size_t, PairList&);
 
 }  // namespace kerf
 #endif

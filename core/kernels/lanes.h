@@ -34,9 +34,10 @@ struct Lanes {
 template <int D>
 void sweep_lanes(const Lanes<D>& lanes, PairList& pairs);
 
-/// Appends the pairs of boxes in any order, by testing each against each.
+/// Appends the pairs of boxes in any order, by testing those from `first` up to `last` against all that
+/// follow them.
 template <int D>
-void test_lanes(const Lanes<D>& lanes, PairList& pairs);
+void test_lanes(const Lanes<D>& lanes, std::size_t first, std::size_t last, PairList& pairs);
 
 extern template struct Lanes<2>;
 extern template struct Lanes<3>;

@@ -3,6 +3,8 @@
 #include <xxhash.h>
 
 #include <bit>
+#include <memory>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,34 @@ constexpr const char* kTheirStructure = "SELECT * FROM their_structures WHERE st
 
 /// SQLite keeps no sign of a zero.
 std::uint64_t stored_bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
+
+/// The hash of rows as if they stood in memory one after the other, of which there can be many millions.
+class RowHash {
+ public:
+  explicit RowHash(std::uint64_t seed) : state_(XXH3_createState()) {
+    if (state_ == nullptr) throw std::bad_alloc();
+    XXH3_64bits_reset_withSeed(state_.get(), seed);
+  }
+
+  void add(Statement& rows) {
+    for (; rows.step(); ++rows_) {
+      row_.clear();
+      rows.put_row(row_);
+      XXH3_64bits_update(state_.get(), row_.bytes().data(), row_.bytes().size());
+    }
+  }
+  void end_table() { XXH3_64bits_update(state_.get(), "", 1); }
+  [[nodiscard]] std::uint64_t rows() const { return rows_; }
+  [[nodiscard]] std::uint64_t value() const { return XXH3_64bits_digest(state_.get()); }
+
+ private:
+  struct Free {
+    void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
+  };
+  std::unique_ptr<XXH3_state_t, Free> state_;
+  ByteWriter row_;
+  std::uint64_t rows_ = 0;
+};
 
 }  // namespace
 
@@ -78,31 +108,23 @@ std::uint64_t seal_of_shapes(std::span<const std::uint64_t> seals) { return hash
 
 std::optional<std::uint64_t> seal_of_theirs(std::uint64_t link, const Database& recording,
                                             std::uint32_t step) {
-  ByteWriter content;
-  bool is_empty = true;
+  RowHash hash(link);
   for (const char* const sql : kTheirs) {
-    Statement rows = recording.prepare(sql);
-    rows.bind(1, std::int64_t{step});
-    for (; rows.step(); is_empty = false) rows.put_row(content);
-    content.u8(0);  // the end of the table
+    hash.add(recording.prepare(sql).bind(1, std::int64_t{step}));
+    hash.end_table();
   }
-  if (has_structures(recording)) {
-    Statement structure = recording.prepare(kTheirStructure);
-    structure.bind(1, std::int64_t{step});
-    for (; structure.step(); is_empty = false) structure.put_row(content);
-  }
-  if (is_empty) return std::nullopt;
-  return hash_bytes(content.bytes(), link);
+  if (has_structures(recording)) hash.add(recording.prepare(kTheirStructure).bind(1, std::int64_t{step}));
+  return hash.rows() == 0 ? std::nullopt : std::optional(hash.value());
 }
 
 std::uint64_t head_of(const Database& recording) {
-  ByteWriter content;
+  RowHash hash(0);
   for (const char* const sql : kHead) {
     Statement rows = recording.prepare(sql);
-    while (rows.step()) rows.put_row(content);
-    content.u8(0);  // the end of the table
+    hash.add(rows);
+    hash.end_table();
   }
-  return hash_bytes(content.bytes(), 0);
+  return hash.value();
 }
 
 }  // namespace kerf

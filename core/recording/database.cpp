@@ -7,22 +7,27 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "core/base/damage.h"
+#include "core/base/poll.h"
 
 namespace kerf {
 namespace {
 
 constexpr int kPatience = 30'000;  // ms, while others are in the midst of a query
+constexpr int kEvery = 1000;       // steps of SQLite's machine from one `go_on` to the next
 
 [[noreturn]] void fail(sqlite3* database) {
   const char* file = sqlite3_db_filename(database, "main");
   const std::string message =
       std::string(file == nullptr ? "the recording" : file) + ": " + sqlite3_errmsg(database);
   const int error = sqlite3_errcode(database);
+  if (error == SQLITE_INTERRUPT) poll();  // which had SQLite stop
+  if (error == SQLITE_NOMEM) throw std::bad_alloc();
   if (error == SQLITE_NOTADB) throw NotADatabase(message);
   if (error == SQLITE_FULL) throw CannotWrite(message + " (" + std::generic_category().message(ENOSPC) + ")");
   if (error == SQLITE_IOERR || error == SQLITE_READONLY) throw CannotWrite(message);
@@ -191,6 +196,17 @@ Database::Database(const std::filesystem::path& path, const std::string& name, i
   database_.reset(database);
   if (result != SQLITE_OK) throw std::runtime_error("cannot open " + path.string() + ": " + reason(database));
   sqlite3_busy_timeout(database, kPatience);
+  sqlite3_progress_handler(database, kEvery, go_on, patience_.get());
+}
+
+/// Nothing may be thrown through SQLite.
+int Database::go_on(void* patience) {
+  try {
+    poll();
+    return static_cast<Patience*>(patience)->left-- == 0 ? 1 : 0;
+  } catch (...) {
+    return 1;
+  }
 }
 
 Database Database::create(const std::filesystem::path& path) {
@@ -262,13 +278,9 @@ void Database::look_for_journal(const std::filesystem::path& path) {
 /// A row takes some bytes of the file and some steps of SQLite's machine. Pages that point to one another in
 /// a circle would give rows without end.
 void Database::trust_nothing(std::uint64_t size) {
-  constexpr int kEvery = 1000;  // steps of the machine from one look at what is left to the next
   constexpr std::uint64_t kLeast = 10'000'000;
   constexpr std::uint64_t kStepsForAByte = 16;
   patience_->whole = (kLeast + kStepsForAByte * size) / kEvery;
-  sqlite3_progress_handler(
-      database_.get(), kEvery,
-      [](void* patience) { return static_cast<Patience*>(patience)->left-- == 0 ? 1 : 0; }, patience_.get());
   sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   patience_->left = patience_->whole;

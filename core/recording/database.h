@@ -81,7 +81,8 @@ class CannotWrite : public std::runtime_error {
 };
 
 /// An SQLite file. Everything throws std::runtime_error with the file and SQLite's reason. A path is a path:
-/// "file:x?mode=memory" is a name like any other.
+/// "file:x?mode=memory" is a name like any other. Long statements, and many short ones, `poll()`; what that
+/// throws comes out of them.
 class Database {
  public:
   /// A new file, written ahead: others may read it meanwhile, and if the program is killed, everything
@@ -121,9 +122,10 @@ class Database {
 
   /// The work left to the statement that was prepared last.
   struct Patience {
-    std::uint64_t whole = 0;
-    std::uint64_t left = 0;
+    std::uint64_t whole = UINT64_MAX;
+    std::uint64_t left = UINT64_MAX;
   };
+  static int go_on(void* patience);
   std::unique_ptr<Patience> patience_ = std::make_unique<Patience>();
   std::unique_ptr<const WriterLock> lock_;  ///< of a new file
   std::unique_ptr<sqlite3, Close> database_;

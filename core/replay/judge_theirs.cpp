@@ -3,17 +3,31 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <iterator>
+#include <ranges>
 #include <string_view>
+
+#include "core/base/poll.h"
 
 namespace kerf {
 namespace {
 
 std::vector<Pair> sorted_pairs(std::span<const Pair> reported) {
   std::vector<Pair> pairs;
+  pairs.reserve(reported.size());
   for (const Pair& pair : reported) pairs.push_back(make_pair(pair.a, pair.b));
   std::ranges::sort(pairs);
   return pairs;
+}
+
+/// Calls `use` with the pairs that are in one sorted range, and not in another.
+template <class Range, class Other, class Use>
+void for_each_only(const Range& pairs, Other&& others, const Use& use) {
+  auto other = std::ranges::begin(others);
+  for (const Pair& pair : pairs) {
+    poll();
+    while (other != std::ranges::end(others) && *other < pair) ++other;
+    if (other == std::ranges::end(others) || *other != pair) use(pair);
+  }
 }
 
 /// Takes out what is there again and returns it.
@@ -124,19 +138,20 @@ std::vector<JudgedPair> judge_theirs(std::span<const Pair> reported, std::span<c
                                      const PairDesign& design) {
   std::vector<JudgedPair> judged;
   std::vector<Pair> theirs = sorted_pairs(reported);
-  for (const Pair& pair : take_repeated(theirs)) judged.push_back({pair, PairVerdict::twice});
-  std::vector<Pair> right;
-  std::ranges::copy_if(truth, std::back_inserter(right),
-                       [&](const Pair& pair) { return world.overlap(objects, pair); });
-
-  std::vector<Pair> missed;
-  std::ranges::set_difference(right, theirs, std::back_inserter(missed));
-  for (const Pair& pair : missed)
-    judged.push_back({pair, left_out(pair, world, design).value_or(PairVerdict::missed)});
-  std::vector<Pair> extra;
-  std::ranges::set_difference(theirs, right, std::back_inserter(extra));
-  for (const Pair& pair : extra) judged.push_back({pair, verdict_on_extra(pair, objects, world, design)});
-  std::ranges::stable_sort(judged, {}, &JudgedPair::verdict);
+  const std::vector<Pair> repeated = take_repeated(theirs);
+  const auto overlap = [&](const Pair& pair) { return world.overlap(objects, pair); };
+  std::size_t missing = 0;
+  for_each_only(truth, theirs, [&](const Pair& /*pair*/) { ++missing; });
+  judged.reserve(missing);
+  for_each_only(truth, theirs, [&](const Pair& pair) {
+    if (overlap(pair)) judged.push_back({pair, left_out(pair, world, design).value_or(PairVerdict::missed)});
+  });
+  for_each_only(theirs, truth | std::views::filter(overlap), [&](const Pair& pair) {
+    judged.push_back({pair, verdict_on_extra(pair, objects, world, design)});
+  });
+  for (const Pair& pair : repeated) judged.push_back({pair, PairVerdict::twice});
+  if (!std::ranges::is_sorted(judged, {}, &JudgedPair::verdict))  // sorting takes memory
+    std::ranges::stable_sort(judged, {}, &JudgedPair::verdict);
   return judged;
 }
 

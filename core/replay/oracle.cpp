@@ -2,35 +2,58 @@
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
 
-#include "core/broad_phase/all_pairs.h"
-#include "core/broad_phase/brute_force.h"
+#include "core/base/poll.h"
+#include "core/kernels/lanes.h"
 
 namespace kerf {
+namespace {
+
+/// A vector of boxes at a time. Some boxes are tested before the next ones, so that the rest is not held
+/// twice.
+template <int D>
+std::vector<Pair> pairs_of_boxes(const ObjectTable<D>& objects, const std::vector<ObjectId>& placed) {
+  constexpr std::size_t kAtOnce = 64;
+  Lanes<D> lanes;
+  lanes.resize(placed.size());
+  for (std::size_t k = 0; k < placed.size(); ++k)
+    lanes.set(k, objects.box(placed[k]), placed[k], objects.is_fixed(placed[k]) ? 1 : 0);
+  std::vector<Pair> pairs;
+  PairList some;
+  for (std::size_t first = 0; first < lanes.size; first += kAtOnce) {
+    poll();
+    some.clear();
+    test_lanes(lanes, first, std::min(first + kAtOnce, lanes.size), some);
+    pairs.insert(pairs.end(), some.pairs().begin(), some.pairs().end());
+  }
+  return pairs;
+}
+
+template <int D>
+std::vector<Pair> pairs_of_volumes(const ObjectTable<D>& objects, const std::vector<ObjectId>& placed) {
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    poll();
+    for (std::size_t j = i + 1; j < placed.size(); ++j)
+      if (objects.is_pair(placed[i], placed[j])) pairs.push_back({placed[i], placed[j]});
+  }
+  return pairs;
+}
+
+}  // namespace
 
 template <int D>
 std::vector<Pair> oracle_pairs(const ObjectTable<D>& objects) {
-  std::unique_ptr<BroadPhase<D>> oracle;
-  if (objects.kind() == VolumeKind::box) {
-    oracle = std::make_unique<AllPairs<D>>();
-  } else {
-    oracle = std::make_unique<BruteForce<D>>(objects.kind());
-  }
-  for (std::uint32_t id = 0; id < objects.bound(); ++id) {
-    if (!objects.is_placed({id})) continue;
-    const Mobility mobility = objects.is_fixed({id}) ? Mobility::fixed : Mobility::moving;
-    (void)oracle->insert(ObjectId{id}, objects.volume({id}), mobility);
-  }
-  oracle->step();
-  std::vector<Pair> pairs;
-  for (const Pair& pair : oracle->pairs()) pairs.push_back(make_pair(pair.a, pair.b));
-  std::ranges::sort(pairs);
-  return pairs;
+  std::vector<ObjectId> placed;
+  for (std::uint32_t id = 0; id < objects.bound(); ++id)
+    if (objects.is_placed({id})) placed.push_back({id});
+  return objects.kind() == VolumeKind::box ? pairs_of_boxes(objects, placed)
+                                           : pairs_of_volumes(objects, placed);
 }
 
 PairJudgement judge_pairs(std::span<const Pair> reported, std::span<const Pair> truth) {
   std::vector<Pair> sorted;
+  sorted.reserve(reported.size());
   for (const Pair& pair : reported) sorted.push_back(make_pair(pair.a, pair.b));
   std::ranges::sort(sorted);
   PairJudgement judgement;

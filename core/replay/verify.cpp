@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/counted.h"
+#include "core/base/poll.h"
 #include "core/bsp/state_codec.h"
 #include "core/recording/shape_rows.h"
 #include "core/replay/judge_theirs.h"
@@ -65,25 +66,35 @@ class Verifier {
   }
 
   Verdict run(const std::function<bool(std::uint32_t)>& progress) {
-    recording_->check_pages();
-    verdict_.change = recording_->change();
-    if (!verdict_.change) verdict_.change = recording_->added();
-    verdict_.names = recording_->info().names;
-    verdict_.shapes = count_shapes<D>(recording_->shapes());
-    operators_ = recording_->operators();
-    for (std::uint32_t step = 1; step <= recording_->steps() && !verdict_.divergence; ++step) {
-      if (progress && !progress(step)) break;
-      replay(step);
+    const Polling polling([&] {
+      if (progress && !progress(verdict_.steps + 1)) throw Stopped();
+    });
+    try {
+      check_all();
+    } catch (const Stopped&) {
     }
     say_what_was_left();
     return verdict_;
   }
 
  private:
+  void check_all() {
+    verdict_.names = recording_->info().names;
+    recording_->check_pages();
+    verdict_.change = recording_->change();
+    if (!verdict_.change) verdict_.change = recording_->added();
+    verdict_.shapes = count_shapes<D>(recording_->shapes());
+    operators_ = recording_->operators();
+    for (std::uint32_t step = 1; step <= recording_->steps() && !verdict_.divergence; ++step) {
+      poll();
+      replay(step);
+      ++verdict_.steps;
+    }
+  }
+
   void replay(std::uint32_t step) {
     std::vector<Event> events;
     replayer_.advance([&](const Event& event) { events.push_back(event); });
-    ++verdict_.steps;
     verdict_.events += events.size();
     verdict_.pairs += replayer_.tree().pairs().size();
     compare_events(step, events);

@@ -45,8 +45,8 @@ struct Verdict {
 /// Checks everything in a recording: its pages and its chain; by a replay from the beginning every event,
 /// figure, hash, keyframe and set of pairs; by a second one that continues from each keyframe their hashes
 /// again; and every `oracle_every`-th step's pairs, another engine's too, by the oracle (0: never).
-/// `progress` is called with each step; when it returns false the rest is left out. Throws std::runtime_error
-/// for a file that cannot be read.
+/// `progress` is called with each step, in a long one again and again; when it returns false the rest is left
+/// out. Throws std::runtime_error for a file that cannot be read.
 Verdict verify(const std::filesystem::path& path, std::uint32_t oracle_every = 1,
                const std::function<bool(std::uint32_t)>& progress = {});
 

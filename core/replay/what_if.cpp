@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/counted.h"
+#include "core/base/poll.h"
 #include "core/recording/recorder.h"
 #include "core/recording/schema.h"
 #include "core/replay/cursor.h"
@@ -77,8 +78,11 @@ void check_effect(const RecordingInfo& info, const std::vector<Event>& events) {
 }
 
 template <int D>
-bool rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, Bsp<D, EventLog>& tree,
+void rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, Bsp<D, EventLog>& tree,
                  Recorder<D>& recorder, const std::function<bool()>& stop) {
+  const Polling polling([&] {
+    if (stop && stop()) throw Stopped();
+  });
   RecordedLooks<D> looks(recording);
   if (recording.shape_count() > 0) recorder.show([&](ObjectId object) { return looks.appearance(object); });
   for (std::uint32_t step = 1; step <= recording.steps() && !(stop && stop()); ++step) {
@@ -91,8 +95,6 @@ bool rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, Bsp<D
     if (recording.their_step(step))
       recorder.add_theirs(recording.their_pairs(step), recording.judged_pairs(step));
   }
-  recorder.finish();
-  return tree.steps() == recording.steps();
 }
 
 }  // namespace
@@ -139,7 +141,11 @@ bool rerun(RecordingReader<D>& recording, const RecordingInfo& info, const std::
   Recorder<D> recorder(tree, out,
                        info);  // what has the name already, or is being written, is not ours to remove
   try {
-    return rerun_steps(recording, info, tree, recorder, stop);
+    rerun_steps(recording, info, tree, recorder, stop);
+    recorder.finish();
+    return tree.steps() == recording.steps();
+  } catch (const Stopped&) {
+    return false;
   } catch (const CannotWrite&) {
     throw;
   } catch (const std::runtime_error&) {
