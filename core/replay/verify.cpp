@@ -88,15 +88,12 @@ class Verifier {
     for (std::uint32_t step = 1; step <= recording_->steps() && !verdict_.divergence; ++step) {
       poll();
       replay(step);
-      ++verdict_.steps;
     }
   }
 
   void replay(std::uint32_t step) {
     std::vector<Event> events;
     replayer_.advance([&](const Event& event) { events.push_back(event); });
-    verdict_.events += events.size();
-    verdict_.pairs += replayer_.tree().pairs().size();
     compare_events(step, events);
     if (!verdict_.divergence) compare_operators(step, events);
     if (!verdict_.divergence) compare_figures(step);
@@ -105,6 +102,9 @@ class Verifier {
     if (!verdict_.divergence) go_on_from_keyframe(step);
     if (recording_->info().imported) follow_their_boxes(step);
     judge(step);
+    ++verdict_.steps;
+    verdict_.events += events.size();
+    verdict_.pairs += replayer_.tree().pairs().size();
   }
 
   void diverge(std::uint32_t step, std::string recorded, std::string replayed,

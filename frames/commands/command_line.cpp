@@ -31,6 +31,7 @@
 #include "frames/commands/import_command.h"
 #include "frames/commands/lint_command.h"
 #include "frames/commands/man_command.h"
+#include "frames/commands/memory_advice.h"
 #include "frames/commands/minimize_command.h"
 #include "frames/commands/record_command.h"
 #include "frames/commands/render_command.h"
@@ -141,7 +142,7 @@ int run(const CLI::App& program, const Command&... commands) {
   } catch (const Interrupted& error) {
     return report(error.what(), kExitInterrupted);
   } catch (const std::bad_alloc&) {
-    return report("not enough memory; ask for smaller pictures or fewer objects", kExitUnusable);
+    return report(out_of_memory(chosen_command(program).get_name()), kExitUnusable);
   } catch (const std::filesystem::filesystem_error& error) {
     return report(with_disk_advice(error.path1().string() + ": " + error.code().message()), kExitUnusable);
   } catch (const std::exception& error) {

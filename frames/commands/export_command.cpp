@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "core/base/poll.h"
 #include "frames/commands/export_recording.h"
 #include "frames/commands/output_option.h"
 #include "frames/sequence/recording_file.h"
@@ -56,10 +57,13 @@ void ExportCommand::run() const {
   outputs.add_file(out_);
   with_recording(file_, [&](auto recording) {
     const InterruptGuard interrupt;
+    const Polling polling([&] {
+      if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
+    });
     PartStream file(out_, outputs.replace());
     write(*recording, file.stream(), [&](std::uint32_t) {
       file.check();
-      if (interrupt.requested()) throw Interrupted("interrupted; nothing was written");
+      poll();
     });
     file.keep();
   });

@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 #include "core/base/counted.h"
+#include "core/base/poll.h"
 #include "core/query/minimize.h"
 #include "core/query/search.h"
 #include "frames/commands/output_option.h"
@@ -87,14 +89,17 @@ template <int D>
 void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
                         const MinimizeRequest& request) {
   const InterruptGuard interrupt;
+  std::size_t trials = 0;
+  std::optional<Polling> polling([&] {
+    if (interrupt.requested())
+      throw Interrupted("interrupted after " + counted(trials, "trial") + "; nothing was written");
+  });
   Search<D> search(recording);
   const auto hit = search.forward(request.when, Position::end_of(0));
   if (!hit) throw DoesNotHold("the condition never holds in this recording, so there is nothing to minimize");
   const StepRow& row = recording->row(hit->step);
-  std::size_t trials = 0;
   const auto fails = [&](const Scenario<D>& scenario) {
-    if (interrupt.requested())
-      throw Interrupted("interrupted after " + counted(trials, "trial") + "; nothing was written");
+    poll();
     ++trials;
     const PartRecording trial(request.out, Replace::earlier);
     record(scenario, trial.path());
@@ -107,6 +112,7 @@ void minimize_recording(const std::shared_ptr<RecordingReader<D>>& recording,
         "steps make other events: there is nothing to minimize");
   const Scenario<D> late = start_late<D>(replayer, hit->step, fails);
   const Scenario<D> small = minimize<D>(late, fails);
+  polling.reset();
   std::printf("%s: from %s and %s\n", counted(trials, "trial").c_str(), counted(row.step, "step").c_str(),
               counted(row.statistics.objects, "object").c_str());
   write_results(small, request);

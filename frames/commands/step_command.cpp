@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/base/counted.h"
+#include "core/base/poll.h"
 #include "core/query/expression_words.h"
 #include "core/query/search.h"
 #include "core/replay/cursor.h"
@@ -95,6 +96,9 @@ struct StepRequest {
 template <int D>
 void step(const std::shared_ptr<RecordingReader<D>>& recording, const StepRequest& request) {
   const InterruptGuard interrupt;
+  const Polling polling([&] {
+    if (interrupt.requested()) throw Interrupted("interrupted");
+  });
   const auto progress = [&](std::uint32_t /*step*/) { return !interrupt.requested(); };
   Cursor<D> cursor(recording);
   Search<D> search(recording);
@@ -103,7 +107,7 @@ void step(const std::shared_ptr<RecordingReader<D>>& recording, const StepReques
   for (std::uint32_t hit = 0; hit < request.hits; ++hit) {
     const auto found = request.reverse ? search.backward(request.expression, at, progress)
                                        : search.forward(request.expression, at, progress);
-    if (interrupt.requested()) throw Interrupted("interrupted");
+    poll();
     if (!found && hit > 0) break;
     if (!found)
       throw DoesNotHold("there is no such moment " + std::string(request.reverse ? "before" : "after") + " " +

@@ -4,18 +4,20 @@
 #include <array>
 #include <cstdio>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/counted.h"
+#include "core/base/poll.h"
 #include "core/recording/recorder.h"
 #include "core/replay/judge_theirs.h"
 #include "core/replay/oracle.h"
+#include "frames/import/import_progress.h"
 #include "frames/import/shown_objects.h"
 #include "frames/import/step_lines.h"
 #include "frames/import/their_nodes.h"
 #include "frames/import/written_digits.h"
 #include "frames/support/errors.h"
-#include "frames/support/interrupt.h"
 
 namespace kerf {
 namespace {
@@ -64,10 +66,12 @@ class Import {
     if (shown_.has_shapes()) recorder_.show([this](ObjectId object) { return shown_.appearance(object); });
   }
 
-  void run(BoxLines& boxes, const InterruptGuard& interrupt) {
+  void run(BoxLines& boxes, ImportProgress& progress) {
     StepLines lines(boxes, survey_, request_.unite, oddities_);
     for (const GivenStep& step : survey_.steps) {
-      if (interrupt.requested()) throw Interrupted("interrupted: nothing was imported");
+      progress.at("step " + step.text + ", " + std::to_string(tree_.steps() + 1) + " of " +
+                  std::to_string(survey_.steps.size()));
+      poll();
       for (const BoxLine& line : lines.next(step)) play(boxes, line, step);
       end_step(step);
     }
@@ -200,7 +204,8 @@ class Import {
     std::vector<Pair> reported;
     const bool has_lines = next_pairs_ < pairs_.size() && pairs_[next_pairs_].step.time == step.time;
     if (has_lines)
-      for (const GivenPair& pair : pairs_[next_pairs_++].pairs) reported.push_back(reported_pair(pair, step));
+      for (const GivenPair& pair : std::exchange(pairs_[next_pairs_++].pairs, {}))
+        reported.push_back(reported_pair(pair, step));
     const auto judged =
         judge_theirs<D>(reported, oracle_pairs(tree_.objects()), tree_.objects(), world_, info_.design);
     recorder_.add_theirs(reported, judged);
@@ -209,7 +214,10 @@ class Import {
     for (const JudgedPair& one : judged) ++verdicts_[static_cast<std::size_t>(one.verdict)];
     if (sum.missed + sum.extra + sum.twice > 0 && first_wrong_.empty()) first_wrong_ = step.text;
     if (sum.missed > 0 && !has_lines && !pairs_.empty()) note_no_pairs(step);
-    for (const JudgedPair& one : judged) note_few_digits(one, step);
+    for (const JudgedPair& one : judged) {
+      poll();
+      note_few_digits(one, step);
+    }
   }
 
   void note_few_digits(const JudgedPair& one, const GivenStep& step) {
@@ -304,16 +312,17 @@ std::string summary(const BoxLines& boxes, const Survey& survey) {
 }
 
 template <int D>
-void import_in(const ImportRequest& request, const InterruptGuard& interrupt, BoxLines& boxes,
-               const Survey& survey, Theirs theirs, Oddities& oddities) {
+void import_in(const ImportRequest& request, ImportProgress& progress, BoxLines& boxes, const Survey& survey,
+               Theirs theirs, Oddities& oddities) {
   std::vector<GivenObject<D>> given;
   if (!request.objects.empty()) given = read_given_objects<D>(request.objects);
   ShownObjects<D> shown(given, request.objects.string(), survey, oddities);
   Import<D> import(request, survey, std::move(theirs), design_of(request, survey, oddities), std::move(shown),
                    oddities);
-  import.run(boxes, interrupt);
+  import.run(boxes, progress);
   if (request.strict && oddities.any())
     throw UsageError("--strict: what is odd is an error, and nothing was written\n" + oddities.text());
+  progress.end();
   std::fputs((summary(boxes, survey) + oddities.text() + import.text()).c_str(), stdout);
 }
 
@@ -327,6 +336,7 @@ void import_boxes(const ImportRequest& request, const InterruptGuard& interrupt)
     throw UsageError(
         "--unite and --structure: an object of several boxes has several nodes, and none of them holds all; "
         "leave out one, or give each box an object of its own");
+  ImportProgress progress(interrupt);
   BoxLines boxes(request.boxes);
   Theirs theirs;
   if (!request.pairs.empty()) theirs.pairs = read_given_pairs(request.pairs);
@@ -339,9 +349,9 @@ void import_boxes(const ImportRequest& request, const InterruptGuard& interrupt)
   if (found.digits.significant > 0 && trees.digits.significant > 0)
     theirs.digits = TheirDigits{found.digits, trees.digits};
   if (boxes.dimension() == 2) {
-    import_in<2>(request, interrupt, boxes, found, std::move(theirs), oddities);
+    import_in<2>(request, progress, boxes, found, std::move(theirs), oddities);
   } else {
-    import_in<3>(request, interrupt, boxes, found, std::move(theirs), oddities);
+    import_in<3>(request, progress, boxes, found, std::move(theirs), oddities);
   }
 }
 

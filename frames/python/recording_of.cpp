@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/poll.h"
 #include "core/query/explain_event.h"
 #include "core/query/explain_node.h"
 #include "core/query/explain_pair.h"
@@ -250,9 +251,12 @@ void RecordingOf<D>::minimize(const StillHolds& holds, std::uint32_t last, const
                               bool overwrite) {
   Interrupts interrupts;
   undisturbed([&] {
+    const Polling polling([&] {
+      if (interrupts.requested()) interrupts.rethrow();
+    });
     if (!replayer_) replayer_.emplace(reader_);
     const auto fails = [&](const Scenario<D>& scenario) {
-      if (interrupts.requested()) interrupts.rethrow();
+      poll();
       const PartRecording trial(out, Replace::earlier);
       record(scenario, trial.path());
       return holds(trial.path());

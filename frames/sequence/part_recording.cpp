@@ -18,10 +18,9 @@ void PartRecording::keep() {
   is_done_ = true;
 }
 
-/// A full disk may not take what is in the log.
+/// Also of a recording that was not ended, which without a log would get one when it is read. A full disk may
+/// not take what is in the log.
 bool PartRecording::fold_own_log() const {
-  std::error_code none;
-  if (!std::filesystem::exists(part_.path().string() + "-wal", none)) return true;
   try {
     Database::open_to_end(part_.path()).close();
     return true;

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/counted.h"
+#include "core/base/poll.h"
 #include "frames/support/errors.h"
 
 namespace kerf {
@@ -178,6 +179,7 @@ std::string CsvTable::names() const {
 }
 
 bool CsvTable::next() {
+  poll();
   if (!reader_.next()) return false;
   check_width();
   return true;
