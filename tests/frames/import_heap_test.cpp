@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include "core/base/poll.h"
 #include "core/files/part_file.h"
 #include "frames/commands/exit_codes.h"
 #include "frames/commands/memory_advice.h"
+#include "frames/import/given_pairs.h"
 #include "frames/support/errors.h"
 #include "tests/frames/import_program.h"
 
@@ -47,6 +49,11 @@ TEST_F(ImportHeap, IsInterruptedWithinAStep) {
   EXPECT_EQ(outcome.err, "kerf: interrupted: nothing was imported\n");
   EXPECT_TRUE(test::read_text(path("a.kerf")) == before);
   EXPECT_TRUE(parts_of(path("a.kerf")).empty());
+}
+
+TEST_F(ImportHeap, ReadingATableIsGivenUp) {
+  const Polling polling([] { throw Stopped(); });
+  EXPECT_THROW((void)read_given_pairs(write("pairs.csv", "step,a,b\n1,0,1\n")), Stopped);
 }
 
 TEST_F(ImportHeap, ARerunThatIsInterruptedWithinAStepIsKeptAsFarAsItCame) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <new>
 
 #include "core/base/poll.h"
 #include "core/replay/judge_theirs.h"
@@ -48,6 +50,21 @@ TEST(LongStep, ManyShortStatementsAreGivenUp) {
     for (std::int64_t x = 0; x < 100'000; ++x) put.bind(1, x).run();
   };
   EXPECT_THROW(put_many(), Stopped);
+}
+
+/// The limit holds for the whole process, and can only fall.
+TEST(LongStep, MemoryThatSqliteLacksIsMissingAsElsewhere) {
+  const test::TemporaryRecording file;
+  const auto ask_for_much = [&] {
+    Database database = Database::create(file.path());
+    database.execute("PRAGMA hard_heap_limit = 3000000");
+    try {
+      (void)database.ask("SELECT length(hex(randomblob(9000000)))");
+    } catch (const std::bad_alloc&) {
+      std::_Exit(3);
+    }
+  };
+  EXPECT_EXIT(ask_for_much(), testing::ExitedWithCode(3), "");
 }
 
 template <class T>
