@@ -116,6 +116,11 @@ std::string margin_text(const Margin& margin) {
   return text.empty() ? "none" : text;
 }
 
+std::string rounding_text(const BoundRounding& rounding) {
+  if (rounding == BoundRounding{}) return "none";
+  return "to " + to_text(rounding) + (rounding.floats ? " of floats" : "");
+}
+
 /// By their names, since a recording numbers its objects as they come.
 void compare_ignored(const RecordingInfo& a, const RecordingInfo& b, std::vector<std::string>& lines) {
   const std::vector<NamedPair> of_a = named(a.design.ignored, a.names);
@@ -140,6 +145,7 @@ std::vector<std::string> compare_declared(const RecordingInfo& a, const Recordin
   add("origin", origin(a), origin(b));
   add("volume", std::string(to_string(a.volume)), std::string(to_string(b.volume)));
   add("margin", margin_text(a.design.margin), margin_text(b.design.margin));
+  add("rounding of boxes", rounding_text(a.design.rounding), rounding_text(b.design.rounding));
   compare_ignored(a, b, lines);
   return lines;
 }

@@ -55,7 +55,7 @@ struct RecordingComparison {
   std::optional<std::uint32_t> structures;  ///< of imports: first step with another structure, or with none
   std::optional<std::uint32_t> step_names;  ///< the first step of another name
   bool object_names = false;                ///< objects have other names, labels or colours
-  std::vector<std::string> declared;        ///< what was declared otherwise with the two, a line each
+  std::vector<std::string> declared;  ///< what was declared or rounded otherwise with the two, a line each
 
   [[nodiscard]] bool same() const {
     return !requests && !config && !shapes && !state && !pairs && !events && !theirs && !verdicts &&

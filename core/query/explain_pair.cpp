@@ -110,6 +110,7 @@ void ask_theirs(const RecordingReader<D>& recording, PairExplanation<D>& result)
   result.a_filter = recording.filter(result.pair.a, result.step);
   result.b_filter = recording.filter(result.pair.b, result.step);
   result.margin_declared = recording.info().design.margin;
+  result.rounding = recording.info().design.rounding;
   if (!recording.their_step(result.step)) return;
   const std::vector<Pair> theirs = recording.their_pairs(result.step);
   result.their_times = static_cast<std::size_t>(std::ranges::count(theirs, result.pair));
@@ -128,6 +129,9 @@ template <int D>
 std::string reason_text(const PairExplanation<D>& e) {
   const std::string axis(1, "xyz"[e.axis]);
   if (e.both_fixed) return "both are fixed, and fixed objects are never a pair";
+  if (e.undecided_axis)
+    return "in the " + to_text(e.rounding) + " that were written they touch along " +
+           "xyz"[*e.undecided_axis] + "; what was rounded away decides";
   if (e.is_given_pair)
     return "their boxes overlap on every axis, least along " + axis + ": by " +
            number_text(std::abs(e.margin));
@@ -135,8 +139,8 @@ std::string reason_text(const PairExplanation<D>& e) {
   return "axis " + axis + " separates them by " + number_text(e.margin);
 }
 
-/// `rounded`: only as the engine's numbers are rounded do the boxes with their margin overlap.
-std::string verdict_text(PairVerdict verdict, const Margin& margin, bool rounded) {
+/// `rounding`: what must round for the boxes with their margin to overlap; empty: nothing.
+std::string verdict_text(PairVerdict verdict, const Margin& margin, const std::string& rounding) {
   switch (verdict) {
     case PairVerdict::missed:
       return "the other engine missed it\n";
@@ -148,13 +152,15 @@ std::string verdict_text(PairVerdict verdict, const Margin& margin, bool rounded
       return "it is ignored: the other engine's masks leave it out\n";
     case PairVerdict::listed:
       return "it is ignored: it is one of the pairs that the other engine leaves out by design\n";
+    case PairVerdict::undecided:
+      return "it is not judged, whether the other engine reported it or not\n";
     case PairVerdict::margin:
       break;
   }
   const bool is_share = margin.share > 0;
   return "the other engine reported it: with its margin of " +
          number_text(is_share ? 100 * margin.share : margin.absolute) + (is_share ? "%" : "") +
-         " on each side the boxes overlap" + (rounded ? ", as floats round it" : "") + "\n";
+         " on each side the boxes overlap" + rounding + "\n";
 }
 
 /// Nothing if the other engine is right, or unknown.
@@ -162,7 +168,9 @@ template <int D>
 std::string their_text(const PairExplanation<D>& e) {
   if (!e.their_times) return "";
   const bool rounded = !overlaps(grow(e.a_box, e.margin_declared), grow(e.b_box, e.margin_declared));
-  std::string text = e.their_verdict ? verdict_text(*e.their_verdict, e.margin_declared, rounded) : "";
+  const std::string how = e.rounding == BoundRounding{} ? "floats round it" : "its text may be rounded";
+  const std::string rounding = rounded ? ", as " + how : "";
+  std::string text = e.their_verdict ? verdict_text(*e.their_verdict, e.margin_declared, rounding) : "";
   if (*e.their_times > 1) text += "the other engine reported it " + counted(*e.their_times, "time") + "\n";
   return text;
 }
@@ -220,6 +228,8 @@ PairExplanation<D> explain_pair(Replayer<D>& replayer, std::uint32_t step, const
   });
   compare_boxes(result);
   result.is_given_pair = result.is_pair && result.boxes_overlap;
+  if (result.is_given_pair)
+    result.undecided_axis = undecided_axis(result.rounding, result.a_box, result.b_box);
   walk(replayer.tree().tree(), result);
   if (result.shared_leaf) {
     const NodeRef leaf = replayer.tree().tree().ref(*result.shared_leaf);
@@ -266,8 +276,9 @@ template <int D>
 std::string to_text(const PairExplanation<D>& e, const RecordingInfo& info) {
   const GivenNames& names = info.names;
   const bool is_pair = e.reported && (e.is_given_pair || !e.is_pair);
+  const std::string verdict = e.undecided_axis ? " may be a pair" : is_pair ? " are a pair" : " are no pair";
   std::string text = "after step " + names.step(e.step) + ", " + title(info, e.pair.a) + " and " +
-                     title(info, e.pair.b) + (is_pair ? " are a pair" : " are no pair") + ": ";
+                     title(info, e.pair.b) + verdict + ": ";
   const std::string absence = absence_text(e, names);
   text += absence.empty() ? comparison_text(e, info) : absence + "\n" + their_text(e);
   for (const PairChange& change : e.history)

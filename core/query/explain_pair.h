@@ -42,6 +42,8 @@ struct PairExplanation {
   std::optional<GivenFilter> a_filter;       ///< of the other engine, if it is known
   std::optional<GivenFilter> b_filter;
   Margin margin_declared;
+  BoundRounding rounding;             ///< of what was written of the boxes
+  std::optional<int> undecided_axis;  ///< what was rounded away there decides whether the two are a pair
   bool boxes_overlap = false;
   int axis = 0;                         ///< on which the boxes are furthest apart, or overlap least
   double margin = 0;                    ///< the distance; negative: the overlap

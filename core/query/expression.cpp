@@ -304,7 +304,7 @@ bool Expression::asks_pairs() const {
 bool Expression::asks_oracle() const {
   return has([](const ExpressionPart& part) {
     return part.kind == Kind::variable && part.variable >= Variable::missed &&
-           part.variable <= Variable::ignored;
+           part.variable <= Variable::undecided;
   });
 }
 

@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-/// The values that an expression can name. Those up to `ignored` are known at the end of each step, the
+/// The values that an expression can name. Those up to `undecided` are known at the end of each step, the
 /// others belong to an event.
 enum class Variable : std::uint8_t {
   step,
@@ -36,6 +36,7 @@ enum class Variable : std::uint8_t {
   extra,
   twice,
   ignored,
+  undecided,
   event,
   op,
   kind,

@@ -31,6 +31,8 @@ constexpr std::array kVariables{
     VariableWord{Variable::extra, "extra", "reported pairs that do not overlap"},
     VariableWord{Variable::twice, "twice", "pairs reported again"},
     VariableWord{Variable::ignored, "ignored", "pairs of an import that are no fault, by what was declared"},
+    VariableWord{Variable::undecided, "undecided",
+                 "pairs of an import that touch only in the digits that were written"},
     VariableWord{Variable::event, "event", "number of the event"},
     VariableWord{Variable::op, "op", "balance, shift_split, split, swap or merge"},
     VariableWord{Variable::kind, "kind", "phase, placed, scheduled, acted, refused, deferred or all_placed"},

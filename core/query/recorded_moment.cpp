@@ -119,7 +119,7 @@ template <int D>
 double RecordedMoment<D>::number(Variable variable) const {
   const GivenNames& names = recording_.info().names;
   if (variable == Variable::step) return names.step_number(step_);
-  if (variable >= Variable::missed && variable <= Variable::ignored) return judged(variable);
+  if (variable >= Variable::missed && variable <= Variable::undecided) return judged(variable);
   if (variable < Variable::event) return row_number(recording_.row(step_), variable);
   if (event_ == nullptr) return kNothing;
   if (const auto object = object_of(*event_); object && variable == Variable::object)
@@ -137,12 +137,13 @@ double RecordedMoment<D>::judged(Variable variable) const {
   if (!judgement_) {
     if (tree_ == nullptr || event_ != nullptr) return kNothing;
     const PairJudgement judgement = judge_pairs(tree_->pairs(), oracle_pairs(tree_->objects()));
-    judgement_ = TheirStep{tree_->pairs().size(), judgement.missed.size(), judgement.extra.size(),
-                           judgement.twice.size(), 0};
+    judgement_ = TheirStep{
+        tree_->pairs().size(), judgement.missed.size(), judgement.extra.size(), judgement.twice.size(), 0, 0};
   }
   if (variable == Variable::missed) return static_cast<double>(judgement_->missed);
   if (variable == Variable::extra) return static_cast<double>(judgement_->extra);
-  return static_cast<double>(variable == Variable::twice ? judgement_->twice : judgement_->ignored);
+  if (variable == Variable::twice) return static_cast<double>(judgement_->twice);
+  return static_cast<double>(variable == Variable::ignored ? judgement_->ignored : judgement_->undecided);
 }
 
 template <int D>

@@ -179,9 +179,10 @@ std::optional<std::uint64_t> read_end(const Database& database) {
 }
 
 void create_schema(Database& database, const RecordingInfo& info) {
+  const std::uint32_t version = info.design.rounding == BoundRounding{} ? kRecordingVersion : kRoundedVersion;
   database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kRecordingId) +
-                   "; PRAGMA user_version = " + std::to_string(kRecordingVersion) + ";" + kTables +
-                   kShapeTable + kMarkTable + kTheirTables);
+                   "; PRAGMA user_version = " + std::to_string(version) + ";" + kTables + kShapeTable +
+                   kMarkTable + kTheirTables);
   set_meta(database, "dimension", std::to_string(info.dimension));
   set_meta(database, "volume", to_string(info.volume));
   set_meta(database, "config", to_string(info.config));
@@ -229,11 +230,12 @@ Database open_recording(const std::filesystem::path& path) {
   if (!has_recording_id(database))
     throw std::runtime_error(path.string() + " is no recording of Kerf; `kerf record` makes one");
   const std::int64_t version = database.ask("PRAGMA user_version");
-  if (version != kRecordingVersion && version != kStructureVersion)
+  if (version != kRecordingVersion && version != kStructureVersion && version != kRoundedVersion)
     throw std::runtime_error(path.string() + " is a recording of version " + std::to_string(version) +
                              ", and this Kerf reads version " + std::to_string(kRecordingVersion) +
                              "; record it again, or use the Kerf that made it");
-  check_tables(database, version == kStructureVersion);
+  const bool may_have_structure = version == kRoundedVersion && has_structures(database);
+  check_tables(database, version == kStructureVersion || may_have_structure);
   return database;
 }
 

@@ -13,6 +13,9 @@ namespace kerf {
 inline constexpr std::uint32_t kRecordingId = 0x6B657266;
 /// Raised when an older Kerf cannot read what a newer one writes (docs/RECORDING.md).
 inline constexpr std::uint32_t kRecordingVersion = 7;
+/// That of an import whose boxes were rounded as they were written: its verdicts may be `undecided`. It may
+/// have a structure, too.
+inline constexpr std::uint32_t kRoundedVersion = 9;
 
 /// Makes the tables of a new recording and writes its info.
 void create_schema(Database& database, const RecordingInfo& info);

@@ -18,11 +18,16 @@ std::uint64_t read_count(const Statement& row, int column) {
   return static_cast<std::uint64_t>(value);
 }
 
-/// Five columns from `column` on.
+/// Six columns from `column` on.
 TheirStep read_sum(const Statement& row, int column) {
-  return {read_count(row, column), read_count(row, column + 1), read_count(row, column + 2),
-          read_count(row, column + 3), read_count(row, column + 4)};
+  return {read_count(row, column),     read_count(row, column + 1), read_count(row, column + 2),
+          read_count(row, column + 3), read_count(row, column + 4), read_count(row, column + 5)};
 }
+
+/// Undecided pairs are counted where they are: the table of sums is that of recordings without any.
+constexpr const char* kSumColumns =
+    "pairs, missed, extra, twice, ignored, (SELECT COUNT(*) FROM their_verdicts "
+    "WHERE their_verdicts.step = their_steps.step AND verdict = 'undecided')";
 
 ObjectId read_object(const Statement& row, int column) {
   const std::int64_t value = row.integer(column);
@@ -113,7 +118,28 @@ void write_design(Database& database, const PairDesign& design) {
   Statement margin = database.prepare("INSERT INTO meta VALUES(?, ?)");
   margin.bind(1, "margin").bind(2, shortest_text(design.margin.absolute)).run();
   margin.bind(1, "margin_share").bind(2, shortest_text(design.margin.share)).run();
+  if (design.rounding == BoundRounding{}) return;
+  const auto [digits, decimals, floats] = design.rounding;
+  margin.bind(1, "bound_digits").bind(2, std::to_string(digits)).run();
+  margin.bind(1, "bound_decimals").bind(2, std::to_string(decimals)).run();
+  margin.bind(1, "bound_floats").bind(2, floats ? "1" : "0").run();
 }
+
+namespace {
+
+/// None, as in all recordings of earlier versions: the text of a bound was taken for the number.
+BoundRounding read_rounding(const Database& database) {
+  constexpr std::int64_t kMost = 30;
+  const auto number = [&](const char* key) {
+    Statement row = database.prepare("SELECT CAST(value AS INTEGER) FROM meta WHERE key = ?");
+    const std::int64_t value = row.bind(1, key).step() ? row.integer(0) : 0;
+    if (value < 0 || value > kMost) fail_damaged(std::string("its ") + key + " are " + std::to_string(value));
+    return static_cast<std::uint32_t>(value);
+  };
+  return {number("bound_digits"), number("bound_decimals"), number("bound_floats") != 0};
+}
+
+}  // namespace
 
 PairDesign read_design(const Database& database) {
   PairDesign design;
@@ -126,6 +152,7 @@ PairDesign read_design(const Database& database) {
     return value;
   };
   design.margin = {number("margin"), number("margin_share")};
+  design.rounding = read_rounding(database);
   return design;
 }
 
@@ -170,8 +197,7 @@ std::vector<JudgedPair> read_judged_pairs(const Database& database, std::uint32_
 }
 
 std::optional<TheirStep> read_their_step(const Database& database, std::uint32_t step) {
-  Statement row =
-      database.prepare("SELECT pairs, missed, extra, twice, ignored FROM their_steps WHERE step = ?");
+  Statement row = database.prepare(std::string("SELECT ") + kSumColumns + " FROM their_steps WHERE step = ?");
   if (!row.bind(1, std::int64_t{step}).step()) return std::nullopt;
   return read_sum(row, 0);
 }
@@ -179,7 +205,7 @@ std::optional<TheirStep> read_their_step(const Database& database, std::uint32_t
 std::vector<std::pair<std::uint32_t, TheirStep>> read_their_steps(const Database& database) {
   std::vector<std::pair<std::uint32_t, TheirStep>> sums;
   Statement rows =
-      database.prepare("SELECT step, pairs, missed, extra, twice, ignored FROM their_steps ORDER BY step");
+      database.prepare(std::string("SELECT step, ") + kSumColumns + " FROM their_steps ORDER BY step");
   while (rows.step()) {
     const std::int64_t step = rows.integer(0);
     if (step < 1 || step > std::int64_t{UINT32_MAX}) fail_damaged("it judges a step that cannot be");

@@ -1,5 +1,6 @@
 #include "core/recording/their_structure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -87,8 +88,9 @@ bool has_structures(const Database& database) {
 
 template <int D>
 void write_structure(Database& database, std::uint32_t step, const TheirStructure<D>& structure) {
+  const std::int64_t version = std::max(database.ask("PRAGMA user_version"), std::int64_t{kStructureVersion});
   if (!has_structures(database))
-    database.execute(kTheirStructureTable + ("PRAGMA user_version = " + std::to_string(kStructureVersion)));
+    database.execute(kTheirStructureTable + ("PRAGMA user_version = " + std::to_string(version)));
   const Bytes bytes = encode_structure(structure);
   Statement put_row = database.prepare("INSERT INTO their_structures VALUES(?, ?)");
   put_row.bind(1, std::int64_t{step}).bind(2, std::span(bytes)).run();

@@ -14,7 +14,8 @@
 
 namespace kerf {
 
-/// Raised to this by a recording that holds another engine's structure; others stay as they are.
+/// Raised to this, if it is less, by a recording that holds another engine's structure; others stay as they
+/// are.
 inline constexpr std::uint32_t kStructureVersion = 8;
 
 /// A node of another engine's tree of boxes, as it was given.

@@ -8,6 +8,7 @@ TheirStep& TheirStep::operator+=(const TheirStep& other) {
   extra += other.extra;
   twice += other.twice;
   ignored += other.ignored;
+  undecided += other.undecided;
   return *this;
 }
 
@@ -19,6 +20,7 @@ TheirStep sum_of(std::uint64_t pairs, std::span<const JudgedPair> judged) {
     if (one.verdict == PairVerdict::missed) ++sum.missed;
     if (one.verdict == PairVerdict::extra) ++sum.extra;
     if (one.verdict == PairVerdict::twice) ++sum.twice;
+    if (one.verdict == PairVerdict::undecided) ++sum.undecided;
   }
   return sum;
 }

@@ -9,26 +9,31 @@
 
 #include "core/base/ids.h"
 #include "core/geometry/given_box.h"
+#include "core/recording/bound_rounding.h"
 
 namespace kerf {
 
 /// How a pair of another engine compares with the definition. `twice` is one more time that it was reported;
-/// those from `filtered` on are right by what the engine does by design, and are no fault.
+/// those from `filtered` on are no fault: the engine is right by design, or the text is open.
 enum class PairVerdict : std::uint8_t {
-  missed,    ///< an overlap that was not reported
-  extra,     ///< reported, but no overlap
-  twice,     ///< reported again
-  filtered,  ///< the masks of its objects leave it out
-  listed,    ///< declared to be ignored
-  margin,    ///< reported, and only the boxes with their margin overlap
+  missed,     ///< an overlap that was not reported
+  extra,      ///< reported, but no overlap
+  twice,      ///< reported again
+  filtered,   ///< the masks of its objects leave it out
+  listed,     ///< declared to be ignored
+  margin,     ///< reported, and only the boxes with their margin overlap
+  undecided,  ///< reported or not: what was rounded away of the bounds decides whether the boxes touch
 };
-inline constexpr std::size_t kVerdicts = 6;
-inline constexpr std::array<std::string_view, kVerdicts> kVerdictNames{"missed",   "extra",  "twice",
-                                                                       "filtered", "listed", "margin"};
+inline constexpr std::size_t kVerdicts = 7;
+inline constexpr std::array<std::string_view, kVerdicts> kVerdictNames{
+    "missed", "extra", "twice", "filtered", "listed", "margin", "undecided"};
 constexpr std::string_view to_string(PairVerdict verdict) {
   return kVerdictNames[static_cast<std::size_t>(verdict)];
 }
-constexpr bool is_ignored(PairVerdict verdict) { return verdict >= PairVerdict::filtered; }
+constexpr bool is_fault(PairVerdict verdict) { return verdict < PairVerdict::filtered; }
+constexpr bool is_ignored(PairVerdict verdict) {
+  return !is_fault(verdict) && verdict != PairVerdict::undecided;
+}
 
 struct JudgedPair {
   Pair pair;
@@ -38,11 +43,12 @@ struct JudgedPair {
 
 /// The pairs of a step in figures.
 struct TheirStep {
-  std::uint64_t pairs = 0;    ///< as they reported them
-  std::uint64_t missed = 0;   ///< overlaps that they did not report
-  std::uint64_t extra = 0;    ///< reported, but no overlap
-  std::uint64_t twice = 0;    ///< reported again
-  std::uint64_t ignored = 0;  ///< neither missed nor extra, by what they do by design
+  std::uint64_t pairs = 0;      ///< as they reported them
+  std::uint64_t missed = 0;     ///< overlaps that they did not report
+  std::uint64_t extra = 0;      ///< reported, but no overlap
+  std::uint64_t twice = 0;      ///< reported again
+  std::uint64_t ignored = 0;    ///< neither missed nor extra, by what they do by design
+  std::uint64_t undecided = 0;  ///< reported or not: their boxes touch only in the digits that were written
   friend bool operator==(const TheirStep&, const TheirStep&) = default;
   TheirStep& operator+=(const TheirStep& other);
 };
@@ -60,10 +66,11 @@ constexpr bool lets_pass(const GivenFilter& a, const GivenFilter& b) {
   return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
 }
 
-/// What another engine does by design, in all steps.
+/// What another engine does by design, in all steps, and how its boxes were written.
 struct PairDesign {
   Margin margin;
   std::vector<Pair> ignored;  ///< sorted
+  BoundRounding rounding{};
   friend bool operator==(const PairDesign&, const PairDesign&) = default;
 };
 

@@ -19,14 +19,14 @@ std::vector<Pair> sorted_pairs(std::span<const Pair> reported) {
   return pairs;
 }
 
-/// Calls `use` with the pairs that are in one sorted range, and not in another.
+/// Calls `use(pair, whether it is among the others)` with each pair of a sorted range.
 template <class Range, class Other, class Use>
-void for_each_only(const Range& pairs, Other&& others, const Use& use) {
+void for_each_pair(const Range& pairs, Other&& others, const Use& use) {
   auto other = std::ranges::begin(others);
   for (const Pair& pair : pairs) {
     poll();
     while (other != std::ranges::end(others) && *other < pair) ++other;
-    if (other == std::ranges::end(others) || *other != pair) use(pair);
+    use(pair, other != std::ranges::end(others) && *other == pair);
   }
 }
 
@@ -61,17 +61,22 @@ bool may_be_floats(const GivenBox<D>& box) {
   return std::ranges::all_of(box.min, may_be_float) && std::ranges::all_of(box.max, may_be_float);
 }
 
-/// An engine of floats rounds what it adds its margin to, and rounds the sum.
+/// An engine of floats rounds what it adds its margin to, and rounds the sum. Bounds may be off by what was
+/// rounded away of them, too.
 template <int D>
-bool overlap_with(const Margin& margin, const GivenBox<D>& a, const GivenBox<D>& b) {
-  if (overlaps(grow(a, margin), grow(b, margin))) return true;
+bool overlap_with(const Margin& margin, const BoundRounding& rounding, const GivenBox<D>& a,
+                  const GivenBox<D>& b) {
+  if (overlaps(grow(widen(a, rounding), margin), grow(widen(b, rounding), margin))) return true;
   if (!may_be_floats(a) || !may_be_floats(b)) return false;
   const auto as_floats = [](GivenBox<D> box) {
     for (double& x : box.min) x = static_cast<double>(static_cast<Scalar>(x));
     for (double& x : box.max) x = static_cast<double>(static_cast<Scalar>(x));
     return box;
   };
-  return overlaps(grow<Scalar>(as_floats(a), margin), grow<Scalar>(as_floats(b), margin));
+  const auto grown = [&](const GivenBox<D>& box) {
+    return widen(grow<Scalar>(as_floats(box), margin), rounding);
+  };
+  return overlaps(grown(a), grown(b));
 }
 
 }  // namespace
@@ -102,10 +107,14 @@ GivenFilter TheirWorld<D>::filter(ObjectId object) const {
 }
 
 template <int D>
-bool TheirWorld<D>::overlap(const ObjectTable<D>& objects, const Pair& pair, const Margin& margin) const {
-  const GivenBox<D> a = box(objects, pair.a);
-  const GivenBox<D> b = box(objects, pair.b);
-  return margin == Margin{} ? overlaps(a, b) : overlap_with(margin, a, b);
+bool TheirWorld<D>::overlap(const ObjectTable<D>& objects, const Pair& pair) const {
+  return overlaps(box(objects, pair.a), box(objects, pair.b));
+}
+
+template <int D>
+bool TheirWorld<D>::overlap_with_margin(const ObjectTable<D>& objects, const Pair& pair,
+                                        const PairDesign& design) const {
+  return overlap_with(design.margin, design.rounding, box(objects, pair.a), box(objects, pair.b));
 }
 
 namespace {
@@ -127,7 +136,8 @@ PairVerdict verdict_on_extra(const Pair& pair, const ObjectTable<D>& objects, co
   if (world.overlap(objects, pair)) return left_out(pair, world, design).value_or(PairVerdict::extra);
   const bool both_fixed = objects.is_fixed(pair.a) && objects.is_fixed(pair.b);
   const bool by_margin = design.margin != Margin{} && !both_fixed;
-  return by_margin && world.overlap(objects, pair, design.margin) ? PairVerdict::margin : PairVerdict::extra;
+  return by_margin && world.overlap_with_margin(objects, pair, design) ? PairVerdict::margin
+                                                                       : PairVerdict::extra;
 }
 
 }  // namespace
@@ -140,14 +150,23 @@ std::vector<JudgedPair> judge_theirs(std::span<const Pair> reported, std::span<c
   std::vector<Pair> theirs = sorted_pairs(reported);
   const std::vector<Pair> repeated = take_repeated(theirs);
   const auto overlap = [&](const Pair& pair) { return world.overlap(objects, pair); };
+  const auto is_open = [&](const Pair& pair) {
+    return undecided_axis(design.rounding, world.box(objects, pair.a), world.box(objects, pair.b))
+        .has_value();
+  };
+  const bool may_be_open = design.rounding != BoundRounding{};
   std::size_t missing = 0;
-  for_each_only(truth, theirs, [&](const Pair& /*pair*/) { ++missing; });
+  for_each_pair(truth, theirs, [&](const Pair& /*pair*/, bool reported) { missing += reported ? 0 : 1; });
   judged.reserve(missing);
-  for_each_only(truth, theirs, [&](const Pair& pair) {
-    if (overlap(pair)) judged.push_back({pair, left_out(pair, world, design).value_or(PairVerdict::missed)});
+  for_each_pair(truth, theirs, [&](const Pair& pair, bool reported) {
+    if ((reported && !may_be_open) || !overlap(pair)) return;
+    const bool open = may_be_open && is_open(pair);
+    if (reported && !open) return;
+    const auto why = reported ? std::nullopt : left_out(pair, world, design);
+    judged.push_back({pair, why.value_or(open ? PairVerdict::undecided : PairVerdict::missed)});
   });
-  for_each_only(theirs, truth | std::views::filter(overlap), [&](const Pair& pair) {
-    judged.push_back({pair, verdict_on_extra(pair, objects, world, design)});
+  for_each_pair(theirs, truth | std::views::filter(overlap), [&](const Pair& pair, bool right) {
+    if (!right) judged.push_back({pair, verdict_on_extra(pair, objects, world, design)});
   });
   for (const Pair& pair : repeated) judged.push_back({pair, PairVerdict::twice});
   if (!std::ranges::is_sorted(judged, {}, &JudgedPair::verdict))  // sorting takes memory

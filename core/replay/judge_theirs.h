@@ -22,8 +22,10 @@ class TheirWorld {
   [[nodiscard]] const std::optional<GivenBox<D>>& given(ObjectId object) const;
   [[nodiscard]] GivenFilter filter(ObjectId object) const;
   /// Of two placed objects that are not both fixed: whether they overlap in the precision given.
-  [[nodiscard]] bool overlap(const ObjectTable<D>& objects, const Pair& pair,
-                             const Margin& margin = {}) const;
+  [[nodiscard]] bool overlap(const ObjectTable<D>& objects, const Pair& pair) const;
+  /// Whether they may overlap with the margin that the engine has by design.
+  [[nodiscard]] bool overlap_with_margin(const ObjectTable<D>& objects, const Pair& pair,
+                                         const PairDesign& design) const;
 
  private:
   // A recording that was forged may name any object: the cost is that of their count.

@@ -72,6 +72,7 @@ PairJudgement by_verdict(std::span<const JudgedPair> judged) {
     if (verdict == PairVerdict::missed) judgement.missed.push_back(pair);
     if (verdict == PairVerdict::extra) judgement.extra.push_back(pair);
     if (verdict == PairVerdict::twice) judgement.twice.push_back(pair);
+    if (verdict == PairVerdict::undecided) judgement.undecided.push_back(pair);
   }
   return judgement;
 }

@@ -14,10 +14,11 @@ std::vector<Pair> oracle_pairs(const ObjectTable<D>& objects);
 
 /// Reported pairs compared with the true ones; each list is sorted.
 struct PairJudgement {
-  std::vector<Pair> missed;   ///< true, but not reported
-  std::vector<Pair> extra;    ///< reported, but not true
-  std::vector<Pair> twice;    ///< reported again, once for each time
-  std::vector<Pair> ignored;  ///< of another engine: no fault, by what it does by design
+  std::vector<Pair> missed;     ///< true, but not reported
+  std::vector<Pair> extra;      ///< reported, but not true
+  std::vector<Pair> twice;      ///< reported again, once for each time
+  std::vector<Pair> ignored;    ///< of another engine: no fault, by what it does by design
+  std::vector<Pair> undecided;  ///< of another engine: they touch only in the digits that were written
   [[nodiscard]] bool is_exact() const { return missed.empty() && extra.empty() && twice.empty(); }
 };
 

@@ -1,7 +1,11 @@
 #include "frames/commands/export_recording.h"
 
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <unordered_map>
 
 #include "core/base/shortest_text.h"
@@ -105,12 +109,24 @@ class BoxRows {
   std::unordered_map<ObjectId, bool> fixed_;
 };
 
+/// A bound as it was written: zeros behind the point show that all have so many decimals.
+std::string bound_text(double bound, const BoundRounding& rounding) {
+  if (rounding.decimals == 0 || !std::isfinite(bound)) return shortest_text(bound);
+  std::array<char, 400> text{};
+  const auto decimals = static_cast<int>(rounding.decimals);
+  const auto end = std::to_chars(text.begin(), text.end(), bound, std::chars_format::fixed, decimals).ptr;
+  return {text.begin(), end};
+}
+
 /// Prints rows with the names and numbers that were given.
 template <int D>
 class BoxPrinter {
  public:
   BoxPrinter(const RecordingReader<D>& recording, std::ostream& out)
-      : names_(recording.info().names), has_filters_(recording.has_filters()), out_(out) {
+      : names_(recording.info().names),
+        rounding_(recording.info().design.rounding),
+        has_filters_(recording.has_filters()),
+        out_(out) {
     out_ << "step,object,min_x,max_x,min_y,max_y" << (D == 3 ? ",min_z,max_z" : "") << ",fixed"
          << (has_filters_ ? ",category,mask" : "") << '\n';
   }
@@ -132,7 +148,7 @@ class BoxPrinter {
       if (!row.box) out_ << ",,";
       if (!row.box) continue;
       const GivenBox<D> box = given ? *given : to_given(*row.box);
-      out_ << ',' << shortest_text(box.min[axis]) << ',' << shortest_text(box.max[axis]);
+      out_ << ',' << bound_text(box.min[axis], rounding_) << ',' << bound_text(box.max[axis], rounding_);
     }
     out_ << ',' << (row.box ? (row.fixed ? "1" : "0") : "");
     if (has_filters_) put_filter(row.object);
@@ -149,6 +165,7 @@ class BoxPrinter {
   }
 
   const GivenNames& names_;
+  BoundRounding rounding_;
   bool has_filters_;
   std::ostream& out_;
   TheirWorld<D> world_;

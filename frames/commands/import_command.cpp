@@ -59,7 +59,8 @@ OBJECTS object[,name][,color][,shape][,radius][,half_x,half_y[,half_z]][,points]
         3D, mesh (an OBJ file). The middle of a shape's box is the middle of the object's box.
 PAIRS   step,a,b   of the boxes' first step or a later one, also one without boxes
         What is wrong with them is then found by `kerf step FILE --to 'missed>0'` and `kerf explain`. What
-        --margin, --ignore and masks declare is counted apart, as ignored.
+        --margin, --ignore and masks declare is counted apart, as ignored, and so are pairs that touch only in
+        the digits that were written (%g, %.3f), as undecided: write floats with 9 digits, doubles with 17.
 NODES   step,node,parent,min_x,max_x,min_y,max_y[,min_z,max_z],object[,leaf][,margin]
         The whole tree after a step, in any order of lines; a step without lines has no known tree, one with a
         line of nothing but the step an empty one. Nodes are any whole numbers of 64 bits but -1. A root has no

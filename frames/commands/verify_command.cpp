@@ -46,9 +46,10 @@ void print(const Verdict& verdict, bool oracle) {
                 wide(verdict.twice));
   }
   if (const TheirStep& theirs = verdict.theirs; theirs != TheirStep{})
-    std::printf("theirs: %s, %llu missed, %llu extra, %llu twice, %llu ignored\n",
+    std::printf("theirs: %s, %llu missed, %llu extra, %llu twice, %llu ignored%s\n",
                 counted(theirs.pairs, "pair").c_str(), wide(theirs.missed), wide(theirs.extra),
-                wide(theirs.twice), wide(theirs.ignored));
+                wide(theirs.twice), wide(theirs.ignored),
+                theirs.undecided > 0 ? (", " + std::to_string(theirs.undecided) + " undecided").c_str() : "");
   for (const std::string& what : verdict.unchecked) std::printf("not checked: %s\n", what.c_str());
 }
 

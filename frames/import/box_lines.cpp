@@ -193,6 +193,11 @@ void BoxLines::note_digits(WrittenDigits& written) const {
     kerf::note_digits(table_.text(column), written);
 }
 
+void BoxLines::note_writing(BoundWriting& writing) const {
+  for (std::size_t column = kBounds; column <= max_column(dimension_ - 1); ++column)
+    writing.note(table_.text(column));
+}
+
 std::string conflict_of(const GivenStep& a, const GivenStep& b) {
   if (a.is_date() != b.is_date())
     return "step " + a.text + " is " + (a.is_date() ? "a date" : "a number") + ", and step " + b.text +

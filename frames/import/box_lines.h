@@ -12,6 +12,7 @@
 #include "core/base/given_id.h"
 #include "core/recording/their_digits.h"
 #include "core/recording/theirs.h"
+#include "frames/import/bound_writing.h"
 #include "frames/support/csv_table.h"
 
 namespace kerf {
@@ -65,6 +66,7 @@ class BoxLines {
   [[nodiscard]] BoxLine read() const;
   /// Notes how the bounds of the line were written.
   void note_digits(WrittenDigits& written) const;
+  void note_writing(BoundWriting& writing) const;
   [[noreturn]] void reject(const std::string& what) const { table_.reject(what); }
   [[nodiscard]] const CsvTable& table() const { return table_; }
 

@@ -16,7 +16,6 @@
 #include "frames/import/shown_objects.h"
 #include "frames/import/step_lines.h"
 #include "frames/import/their_nodes.h"
-#include "frames/import/written_digits.h"
 #include "frames/support/errors.h"
 
 namespace kerf {
@@ -92,6 +91,9 @@ class Import {
     if (sum_.ignored > 0)
       text += " (" + count_text(PairVerdict::filtered) + " by filters, " + count_text(PairVerdict::listed) +
               " by the list, " + count_text(PairVerdict::margin) + " by the margin)";
+    if (sum_.undecided > 0)
+      text += ", " + std::to_string(sum_.undecided) + " undecided in the " + to_text(info_.design.rounding) +
+              " that were written";
     text += "\n";
     if (!first_wrong_.empty()) text += "first wrong in step " + first_wrong_ + "\n";
     return text;
@@ -216,18 +218,23 @@ class Import {
     if (sum.missed > 0 && !has_lines && !pairs_.empty()) note_no_pairs(step);
     for (const JudgedPair& one : judged) {
       poll();
-      note_few_digits(one, step);
+      if (hangs_on_digits(one)) note_few_digits(one.pair, step);
     }
   }
 
-  void note_few_digits(const JudgedPair& one, const GivenStep& step) {
-    if (one.verdict != PairVerdict::missed && one.verdict != PairVerdict::extra) return;
+  /// Whether the pair is undecided, or would be if the file had enough numbers to be sure how it was written.
+  bool hangs_on_digits(const JudgedPair& one) const {
+    if (one.verdict == PairVerdict::undecided) return true;
+    if (one.verdict != PairVerdict::missed) return false;
     const auto& objects = tree_.objects();
-    if (!objects.is_placed(one.pair.a) || !objects.is_placed(one.pair.b)) return;
-    if (hangs_on_digits(world_.box(objects, one.pair.a), world_.box(objects, one.pair.b)))
-      oddities_.note(Oddity::few_digits, [&] {
-        return request_.pairs.string() + ": pair " + info_.names.pair(one.pair) + " in step " + step.text;
-      });
+    const GivenBox<D> a = world_.box(objects, one.pair.a);
+    return undecided_axis(survey_.suspected, a, world_.box(objects, one.pair.b)).has_value();
+  }
+
+  void note_few_digits(const Pair& pair, const GivenStep& step) {
+    oddities_.note(Oddity::few_digits, [&] {
+      return request_.pairs.string() + ": pair " + info_.names.pair(pair) + " in step " + step.text;
+    });
   }
 
   /// Pairs that were written every few steps, or late, look like an engine that reports nothing meanwhile.
@@ -277,7 +284,7 @@ class Import {
 
 /// Objects that the run does not have make no pair in it.
 PairDesign design_of(const ImportRequest& request, const Survey& survey, Oddities& oddities) {
-  PairDesign design{request.margin, {}};
+  PairDesign design{request.margin, {}, survey.rounding};
   if (request.ignore.empty()) return design;
   for (const GivenPair& pair : read_ignored_pairs(request.ignore)) {
     const auto a = survey.find(pair.a);

@@ -30,8 +30,8 @@ constexpr std::array kMeanings{
     Meaning{"step", "steps",
             " without a line of pairs, before the first or between: overlaps count as missed"},
     Meaning{"table", "tables", " of pairs that ends before the boxes: later overlaps count as missed"},
-    Meaning{"verdict", "verdicts",
-            " on pairs that the last written digit of a box decides: write 9 digits, and 17 of doubles"},
+    Meaning{"pair", "pairs",
+            " that may touch only in the digits that were written: write 9 digits, and 17 of doubles"},
 };
 
 }  // namespace

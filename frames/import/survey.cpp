@@ -18,6 +18,7 @@ struct BoxSurvey {
   std::vector<BoxStep> steps;
   std::vector<GivenId> objects;  ///< sorted
   WrittenDigits digits;
+  BoundWriting writing;
 };
 
 void sort_unique(std::vector<GivenId>& ids) {
@@ -25,7 +26,8 @@ void sort_unique(std::vector<GivenId>& ids) {
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
-BoxSurvey read_boxes(BoxLines& lines, bool notes_digits) {
+/// `notes_writing`: there are pairs to be judged by what was written.
+BoxSurvey read_boxes(BoxLines& lines, bool notes_digits, bool notes_writing) {
   BoxSurvey survey;
   std::size_t sorted = 0;
   while (lines.next()) {
@@ -38,6 +40,7 @@ BoxSurvey read_boxes(BoxLines& lines, bool notes_digits) {
     if (survey.steps.empty() || step.time > survey.steps.back().step.time)
       survey.steps.push_back({std::move(step), lines.table().line()});
     if (notes_digits) lines.note_digits(survey.digits);
+    if (notes_writing) lines.note_writing(survey.writing);
     if (const auto object = lines.object()) survey.objects.push_back(*object);
     if (survey.objects.size() < 2 * sorted + 1'000'000) continue;
     sort_unique(survey.objects);  // so that memory depends on the number of objects
@@ -122,13 +125,15 @@ bool count_from_one(const std::vector<GivenStep>& steps) {
 
 Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::string& pairs_name,
               const std::vector<GivenNodes>& nodes, const std::string& nodes_name, Oddities& oddities) {
-  BoxSurvey read = read_boxes(boxes, !nodes.empty());
+  BoxSurvey read = read_boxes(boxes, !nodes.empty(), !pairs_name.empty());
   Survey result;
   result.steps = union_of(read.steps, pairs, pairs_name, oddities);
   check_steps(nodes, nodes_name, result.steps);
   note_gaps(result.steps, read.steps, boxes.table().name(), oddities);
   result.objects = read.objects;
   result.digits = read.digits;
+  result.rounding = read.writing.rounding();
+  result.suspected = read.writing.suspected();
   for (const GivenPairs& of_step : pairs)
     for (const GivenPair& pair : of_step.pairs) read.objects.insert(read.objects.end(), {pair.a, pair.b});
   for (const GivenNodes& of_step : nodes)

@@ -18,6 +18,8 @@ struct Survey {
   GivenNames names;              ///< of the recording: none where the engine counts as we do
   std::vector<GivenId> objects;  ///< those that have a line, rising
   WrittenDigits digits{};        ///< of the boxes' bounds, if there are nodes to compare them with
+  BoundRounding rounding{};      ///< of the boxes' bounds
+  BoundRounding suspected{};     ///< of bounds that are too few to be sure
 
   [[nodiscard]] ObjectId object(const GivenId& id) const { return *names.find_object(id); }
   /// Whether what a node holds is one: -1 is none, unless it has a line.

@@ -159,6 +159,8 @@ void bind_why(py::module_& module) {
                     "By the definition: the boxes overlap and one of them moves.")
       .def_readonly("reported", &PairWhy::reported,
                     "The tree reported it; it differs from is_pair only by a fault.")
+      .def_readonly("undecided", &PairWhy::undecided,
+                    "The boxes of an import touch only in the digits that were written.")
       .def_readonly("boxes_overlap", &PairWhy::boxes_overlap)
       .def_readonly("both_fixed", &PairWhy::both_fixed)
       .def_readonly("axis", &PairWhy::axis, "On which the boxes are farthest apart, or overlap least.")
@@ -206,7 +208,8 @@ void bind_comparison(py::module_& module) {
       .def_readonly("step_names", &Comparison::step_names, "First step of another name.")
       .def_readonly("object_names", &Comparison::object_names, "Objects have other names, labels or colours.")
       .def_readonly("declared", &Comparison::declared,
-                    "What was declared otherwise with the two (margin, pairs to be ignored), a line each.")
+                    "What was declared or rounded otherwise with the two (margin, pairs to be ignored, "
+                    "digits), a line each.")
       .def("__repr__", [](const Comparison& c) {
         return std::string("<kerf.Comparison: ") + (c.same() ? "the same>" : "not the same>");
       });

@@ -23,6 +23,7 @@ struct PairWhy {
   std::uint32_t b = 0;
   bool is_pair = false;
   bool reported = false;
+  bool undecided = false;
   bool boxes_overlap = false;
   bool both_fixed = false;
   int axis = 0;

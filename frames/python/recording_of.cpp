@@ -40,6 +40,7 @@ PairWhy python_why(const PairExplanation<D>& found, const RecordingInfo& info) {
   why.b = found.pair.b.value;
   why.is_pair = found.is_pair;
   why.reported = found.reported;
+  why.undecided = found.undecided_axis.has_value();
   why.boxes_overlap = found.boxes_overlap;
   why.both_fixed = found.both_fixed;
   why.axis = found.axis;

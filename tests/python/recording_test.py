@@ -1,7 +1,10 @@
 """kerf.Recording: contents, conditions, reasons, what-if, comparison, smallest runs."""
 
+import os
+import pathlib
 import shutil
 import signal
+import subprocess
 
 import numpy as np
 import pytest
@@ -247,3 +250,17 @@ def test_scenes_of_the_program_are_recorded(tmp_path):
     boxes = kerf.scene_boxes("buckets", steps=5, objects=30, grow=3)
     assert len(boxes) == 5 and boxes[-1].shape[1:] == (2, 3) and boxes[0].dtype == np.float32
     assert [len(step) for step in boxes] == sorted(len(step) for step in boxes)
+
+
+def test_pairs_that_touch_only_as_written_are_undecided(tmp_path):
+    boxes = "step,object,min_x,max_x,min_y,max_y\n1,0,0.123457,1.23457,0,1\n1,1,1.23457,2.34568,0,1\n"
+    (tmp_path / "boxes.csv").write_text(boxes, encoding="utf-8")
+    (tmp_path / "pairs.csv").write_text("step,a,b\n", encoding="utf-8")
+    program = pathlib.Path(os.environ["KERF_BUILD_DIR"]) / "frames" / "kerf"
+    arguments = ["import", "boxes.csv", "--pairs", "pairs.csv", "-o", "theirs.kerf"]
+    subprocess.run([program, *arguments], cwd=tmp_path, check=True, capture_output=True)
+    theirs = kerf.Recording(tmp_path / "theirs.kerf")
+    assert theirs.values("undecided").tolist() == [1] and theirs.values("missed+extra+ignored").tolist() == [0]
+    assert theirs.find("undecided>0").step == 1
+    why = theirs.why(0, 1, 1)
+    assert why.undecided and "may be a pair" in str(why)

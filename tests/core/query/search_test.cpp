@@ -160,12 +160,14 @@ TYPED_TEST(SearchTest, TheOracleFindsNothingMissedAndWhatIsPlantedInAnImport) {
   this->recording_.reset();
   this->file_.change(
       "INSERT INTO their_steps VALUES(17, 5, 1, 0, 2, 3); INSERT INTO their_seals VALUES(17, 0); "
+      "INSERT INTO their_verdicts VALUES(17, 0, 1, 'undecided'); "
       "UPDATE meta SET value='1' WHERE key='imported'");
   test::reseal(this->file_.path());
   this->recording_ = std::make_shared<RecordingReader<kD>>(this->file_.path());
   EXPECT_EQ(this->find_all("missed>0"), std::vector{Position::end_of(17)});
   EXPECT_EQ(this->find_all("twice==2"), std::vector{Position::end_of(17)});
   EXPECT_EQ(this->find_all("ignored==3"), std::vector{Position::end_of(17)});
+  EXPECT_EQ(this->find_all("undecided==1"), std::vector{Position::end_of(17)});
   EXPECT_TRUE(this->find_all("extra>0").empty());
 }
 

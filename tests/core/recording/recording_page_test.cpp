@@ -47,6 +47,7 @@ class EmptyRecording : public ::testing::Test {
     database_ = std::make_unique<Database>(Database::create(folder_.path() / "page.kerf"));
     RecordingInfo info;
     info.digits = TheirDigits();
+    info.design.rounding.digits = 6;
     create_schema(*database_, info);
     write_structure<3>(*database_, 1, {});
   }
@@ -79,6 +80,8 @@ TEST_F(EmptyRecording, HasTheKeysOfThePage) {
 TEST(RecordingPage, SaysTheVersionThatIsWritten) {
   EXPECT_THAT(page(), ::testing::HasSubstr("the schema's version, now " + std::to_string(kRecordingVersion) +
                                            ", as its user version, or " + std::to_string(kStructureVersion)));
+  EXPECT_THAT(page(), ::testing::HasSubstr("or " + std::to_string(kRoundedVersion) +
+                                           " if another engine's boxes were rounded"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "core/recording/recording_reader.h"
+#include "core/recording/schema.h"
 #include "tests/support/dimensions.h"
 #include "tests/support/recorded_crowd.h"
 #include "tests/support/tampering.h"
@@ -85,6 +86,37 @@ TYPED_TEST(TheirRows, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(reader.filter({2}, 3), (GivenFilter{UINT64_MAX, 6}));
   EXPECT_FALSE(reader.filter({1}, 3));
   EXPECT_TRUE(reader.has_filters());
+}
+
+/// An earlier Kerf has no such verdict, and refuses the version.
+TYPED_TEST(TheirRows, HowBoxesWereRoundedHasAVersionOfItsOwn) {
+  constexpr int kD = TypeParam::value;
+  const std::vector<JudgedPair> judged{{{{0}, {1}}, PairVerdict::undecided},
+                                       {{{1}, {2}}, PairVerdict::undecided}};
+  for (const bool has_structure : {false, true}) {
+    const test::TemporaryRecording file;
+    Bsp<kD, EventLog> tree(test::busy_config());
+    RecordingInfo info = test::info_of<kD>(test::busy_config());
+    info.imported = true;
+    info.design.rounding = {6, 0, true};
+    Recorder<kD> recorder(tree, file.path(), info);
+    test::play_crowd<kD>(recorder, 3, 3, [&](std::uint32_t step) {
+      if (step != 2) return;
+      recorder.add_theirs(std::vector<Pair>{{{0}, {1}}}, judged);
+      if (has_structure) recorder.add_theirs(TheirStructure<kD>{});
+    });
+    recorder.finish();
+    EXPECT_EQ(Database::open(file.path()).ask("PRAGMA user_version"), kRoundedVersion);
+    const RecordingReader<kD> reader(file.path());
+    EXPECT_EQ(reader.info().design, info.design);
+    EXPECT_EQ(reader.judged_pairs(2), judged);
+    EXPECT_EQ(reader.their_step(2), (TheirStep{1, 0, 0, 0, 0, 2}));
+    EXPECT_THAT(reader.their_steps(), ElementsAre(std::pair(2U, TheirStep{1, 0, 0, 0, 0, 2})));
+    EXPECT_EQ(reader.structure_steps().size(), has_structure ? 1U : 0U);
+  }
+  EXPECT_EQ(Database::open(this->file_.path()).ask("PRAGMA user_version"), kRecordingVersion);
+  EXPECT_THAT(this->refusal("INSERT INTO meta VALUES('bound_digits', '31')"),
+              HasSubstr("its bound_digits are 31"));
 }
 
 TYPED_TEST(TheirRows, WhatMakesNoSenseIsRefused) {

@@ -126,11 +126,38 @@ TYPED_TEST(JudgeTheirs, AMarginIsRoundedAsTheEngineMayRoundIt) {
   EXPECT_FALSE(excused(1800.1, 1800.2000000001, 0.05)) << "no float has these digits";
 }
 
+/// Written in six digits, two of the boxes touch.
+TYPED_TEST(JudgeTheirs, WhatWasRoundedAwayDecidesIsUndecidedReportedOrNot) {
+  this->add(4, 5);
+  const PairDesign design{{}, {}, {6, 0, false}};
+  const std::vector<Pair> right{this->pair(0, 1), this->pair(1, 2)};
+  EXPECT_THAT(this->judge(right, design), ElementsAre(judged(3, 4, PairVerdict::undecided)));
+  EXPECT_THAT(this->judge({this->pair(3, 4), this->pair(3, 4), this->pair(2, 3)}, design),
+              ElementsAre(judged(0, 1, PairVerdict::missed), judged(1, 2, PairVerdict::missed),
+                          judged(2, 3, PairVerdict::extra), judged(3, 4, PairVerdict::twice),
+                          judged(3, 4, PairVerdict::undecided)));
+  EXPECT_THAT(this->judge(right), ElementsAre(judged(3, 4, PairVerdict::missed)));
+  EXPECT_THAT(this->judge(right, {{}, {this->pair(3, 4)}, {6, 0, false}}),
+              ElementsAre(judged(3, 4, PairVerdict::listed)));
+}
+
+TYPED_TEST(JudgeTheirs, AMarginIsWidenedByWhatWasRoundedAway) {
+  const std::vector<Pair> all{this->pair(0, 1), this->pair(1, 2), this->pair(2, 3)};
+  const auto of_gap = [&](const PairDesign& design) { return this->judge(all, design).front().verdict; };
+  EXPECT_EQ(of_gap({{0.0246, 0}, {}, {}}), PairVerdict::extra);
+  EXPECT_EQ(of_gap({{0.0201, 0}, {}, {3, 0, false}}), PairVerdict::margin);
+  EXPECT_EQ(of_gap({{0.0201, 0}, {}, {0, 2, false}}), PairVerdict::margin);
+  EXPECT_EQ(of_gap({{0.0201, 0}, {}, {0, 3, false}}), PairVerdict::extra);
+}
+
 TEST(TheirStep, CountsEachVerdict) {
-  const std::vector<JudgedPair> all{judged(0, 1, PairVerdict::missed), judged(0, 2, PairVerdict::extra),
-                                    judged(0, 3, PairVerdict::twice),  judged(0, 4, PairVerdict::filtered),
-                                    judged(0, 5, PairVerdict::listed), judged(0, 6, PairVerdict::margin)};
-  EXPECT_EQ(sum_of(9, all), (TheirStep{9, 1, 1, 1, 3}));
+  const std::vector<JudgedPair> all{judged(0, 1, PairVerdict::missed),   judged(0, 2, PairVerdict::extra),
+                                    judged(0, 3, PairVerdict::twice),    judged(0, 4, PairVerdict::filtered),
+                                    judged(0, 5, PairVerdict::listed),   judged(0, 6, PairVerdict::margin),
+                                    judged(0, 7, PairVerdict::undecided)};
+  EXPECT_EQ(sum_of(9, all), (TheirStep{9, 1, 1, 1, 3, 1}));
+  EXPECT_EQ(by_verdict(all).undecided, (std::vector<Pair>{{{0}, {7}}}));
+  EXPECT_EQ(by_verdict(all).ignored.size(), 3U);
 }
 
 }  // namespace

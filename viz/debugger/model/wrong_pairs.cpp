@@ -17,7 +17,7 @@ std::vector<WrongPair> find_wrong_pairs(const RecordingReader<D>& recording) {
   for (const auto& [step, sum] : recording.their_steps()) {
     if (sum.missed + sum.extra + sum.twice == 0) continue;
     for (const auto& [pair, verdict] : recording.judged_pairs(step))
-      if (!is_ignored(verdict)) all.push_back({step, pair, verdict});
+      if (is_fault(verdict)) all.push_back({step, pair, verdict});
   }
   std::ranges::sort(all);
   return all;

@@ -21,7 +21,7 @@ struct WrongPair {
 };
 
 /// Those of the whole run, by step, pair and verdict, as a recording has them; what the engine leaves out by
-/// design is not among them.
+/// design, and what is undecided, is not among them.
 template <int D>
 std::vector<WrongPair> find_wrong_pairs(const RecordingReader<D>& recording);
 

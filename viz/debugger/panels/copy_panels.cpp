@@ -91,6 +91,7 @@ TextTable table_of_oracle(PanelContext& context) {
   add("false", judgement.extra);
   add("twice", judgement.twice);
   add("ignored", judgement.ignored);
+  add("undecided", judgement.undecided);
   return table;
 }
 

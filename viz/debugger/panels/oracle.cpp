@@ -85,12 +85,14 @@ void draw_oracle(PanelContext& context) {
                      name.c_str());
   ImGui::Text("reported: %llu", static_cast<unsigned long long>(reported));
   const std::uint64_t wrong = judgement.extra.size() + judgement.twice.size();
-  if (judgement.ignored.empty())
+  if (judgement.ignored.empty() && judgement.undecided.empty())
     ImGui::Text("true: %llu", static_cast<unsigned long long>(reported - wrong + judgement.missed.size()));
   draw_list(context, "missed", "they overlap, and were not reported", judgement.missed);
   draw_list(context, "false", "reported, but no overlap", judgement.extra);
   draw_list(context, "twice", "reported again", judgement.twice);
   if (imported) draw_list(context, "ignored", "no fault, by what was declared", judgement.ignored);
+  if (!judgement.undecided.empty())
+    draw_list(context, "undecided", "they touch only in the digits that were written", judgement.undecided);
   if (imported) return;
   ImGui::Separator();
   ImGui::TextWrapped("A breakpoint missed>0 || extra>0 || twice>0 asks about all steps.");

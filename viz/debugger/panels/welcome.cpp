@@ -91,13 +91,14 @@ std::array<std::string, 3> sentences(Run& run) {
           "Space plays on; a click on an object, a plane or a bar says why it is so."};
 }
 
-/// What the other engine did with a pair, if that is wrong.
+/// What the other engine did with a pair, if that is wrong or undecided.
 std::string error_words(Run& run, const Selection& pair) {
   if (run.their_judgement() == nullptr) return "";
   const auto is_in = [&](const std::vector<Pair>& pairs) {
     return std::ranges::any_of(pairs, [&](const Pair& wrong) { return Selection(wrong) == pair; });
   };
   if (is_in(run.their_judgement()->missed)) return ": missed by the other engine";
+  if (is_in(run.their_judgement()->undecided)) return ": undecided, it touches only in the digits written";
   return is_in(run.their_judgement()->extra) ? ": reported by the other engine, and no overlap" : "";
 }
 

@@ -1,0 +1,164 @@
+#include "frames/import/bound_writing.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t kLeastDigits = 6;  // that programs write: %g
+constexpr std::size_t kLeastShort = 4;   // of which many numbers are needed: %.4g
+constexpr std::size_t kWholeFloat = 9;   // digits with which floats are written whole
+constexpr std::size_t kFew = 3;          // fewer numbers of so many digits may be written by hand
+constexpr std::size_t kMany = 8;
+constexpr std::size_t kLeastDecimals = 2;
+constexpr double kSurprising = 4.6;  // one in a hundred
+constexpr std::size_t kMostTried = 64;
+
+/// A number as it was written: mantissa / 10^decimals.
+struct Decimal {
+  std::uint64_t mantissa = 0;
+  std::size_t digits = 0;  ///< without leading zeros; beyond 19 the mantissa lacks them
+  std::int64_t decimals = 0;
+  bool has_point = false;
+  bool has_exponent = false;
+};
+
+Decimal read_decimal(std::string_view text) {
+  Decimal number;
+  std::size_t at = std::min(text.find_first_not_of("+-"), text.size());
+  for (; at < text.size() && (text[at] == '.' || (text[at] >= '0' && text[at] <= '9')); ++at) {
+    if (text[at] == '.') {
+      number.has_point = true;
+      continue;
+    }
+    number.decimals += number.has_point ? 1 : 0;
+    if (number.digits == 0 && text[at] == '0') continue;
+    if (++number.digits <= 19)
+      number.mantissa = 10 * number.mantissa + static_cast<std::uint64_t>(text[at] - '0');
+  }
+  if (at == text.size()) return number;
+  number.has_exponent = true;
+  text.remove_prefix(std::min(at + (text.substr(at + 1).starts_with('+') ? 2 : 1), text.size()));
+  std::int64_t exponent = 0;
+  std::from_chars(text.data(), text.data() + text.size(), exponent);
+  number.decimals -= std::clamp<std::int64_t>(exponent, -400, 400);
+  return number;
+}
+
+/// Whether the text is a whole number over a power of two, which needs no rounding. Where whole numbers have
+/// an exponent, there was no room for more digits.
+bool is_binary_fraction(Decimal number) {
+  if (number.has_exponent && number.digits >= kLeastDigits) return false;
+  if (number.digits > 19) return false;
+  for (; number.decimals > 0 && number.mantissa != 0; --number.decimals) {
+    if (number.mantissa % 5 != 0) return false;
+    number.mantissa /= 5;
+  }
+  return true;
+}
+
+std::optional<double> parse(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+bool keep_once(std::vector<double>& values, double value, std::size_t most) {
+  if (values.size() >= most || std::ranges::find(values, value) != values.end()) return false;
+  values.push_back(value);
+  return true;
+}
+
+}  // namespace
+
+void BoundWriting::Seen::note(double value) {
+  ++count;
+  (void)keep_once(some, value, kMany);
+}
+
+void BoundWriting::note(std::string_view text) {
+  const auto value = parse(text);
+  if (!value) return;
+  const Decimal number = read_decimal(text);
+  const std::size_t digits = std::min(number.digits, kMostDigits);
+  const auto decimals = static_cast<std::size_t>(
+      std::clamp<std::int64_t>(number.decimals, 0, static_cast<std::int64_t>(kMostDecimals)));
+  has_exponent_ |= number.has_exponent;
+  if (number.has_point) {
+    least_decimals_ = std::min(least_decimals_, decimals);
+    most_decimals_ = std::max(most_decimals_, decimals);
+  }
+  if (number.has_point || number.has_exponent) most_digits_ = std::max(most_digits_, digits);
+  if (!is_binary_fraction(number)) {
+    ++rounded_;
+    by_digits_[digits].note(*value);
+    if (!number.has_exponent) by_decimals_[decimals].note(*value);
+  }
+  if (number.digits > kLeastDigits) note_float(*value, std::pow(10.0, -static_cast<double>(number.decimals)));
+}
+
+/// A decimal that lies between floats further apart than its unit is seldom the nearest decimal of one.
+void BoundWriting::note_float(double value, double unit) {
+  if (!may_be_floats_) return;
+  constexpr double kMost = std::numeric_limits<Scalar>::max();
+  const auto nearest = static_cast<Scalar>(std::clamp(value, -kMost, kMost));
+  const double own = 2 * std::numeric_limits<double>::epsilon() * std::abs(value);  // of 12 digits and more
+  may_be_floats_ = std::abs(static_cast<double>(nearest) - value) <= 0.5000001 * unit + own;
+  const double spacing = static_cast<double>(
+      std::nextafter(std::abs(nearest), std::numeric_limits<Scalar>::infinity()) - std::abs(nearest));
+  if (unit >= spacing || surprise_ >= kSurprising || !keep_once(tried_, value, kMostTried)) return;
+  surprise_ += std::log(spacing / unit);
+}
+
+bool BoundWriting::are_floats() const { return may_be_floats_ && surprise_ >= kSurprising; }
+
+/// Whether some number has as many digits as its kind needs.
+bool BoundWriting::is_whole() const { return most_digits_ >= (are_floats() ? kWholeFloat : kMostDigits); }
+
+/// Whether all were written with so many decimals, zeros at the end too, and more of them than people write.
+bool BoundWriting::is_fixed() const {
+  if (has_exponent_ || least_decimals_ != most_decimals_ || most_decimals_ < kLeastDecimals) return false;
+  std::size_t of_many_digits = 0;
+  for (std::size_t k = kLeastDigits; k <= kMostDigits; ++k) of_many_digits += by_digits_[k].some.size();
+  return by_decimals_[most_decimals_].some.size() >= kMany || of_many_digits >= kFew;
+}
+
+/// Whether they were rounded to so many decimals and written without the zeros at the end, as of each ten
+/// numbers one has.
+bool BoundWriting::is_trimmed() const {
+  const Seen& longest = by_decimals_[most_decimals_];
+  const bool are_many = longest.some.size() >= kMany && 5 * longest.count >= 4 * rounded_;
+  if (has_exponent_ || is_whole() || most_decimals_ < kLeastDecimals || !are_many) return false;
+  return most_digits_ < kLeastDigits || longest.count > by_digits_[most_digits_].count;
+}
+
+/// Whether they were rounded to as many digits as the longest have: of less than six, people write some, too.
+bool BoundWriting::is_cut() const {
+  const Seen& longest = by_digits_[most_digits_];
+  if (most_digits_ >= kLeastDigits) return longest.some.size() >= kFew;
+  return most_digits_ >= kLeastShort && longest.some.size() >= kMany && 5 * longest.count >= 4 * rounded_;
+}
+
+BoundRounding BoundWriting::rounding() const {
+  const auto decimals = static_cast<std::uint32_t>(most_decimals_);
+  if (is_fixed() || is_trimmed()) return {0, decimals, are_floats()};
+  if (is_whole() || !is_cut()) return {};
+  return {static_cast<std::uint32_t>(most_digits_), 0, are_floats()};
+}
+
+BoundRounding BoundWriting::suspected() const {
+  constexpr std::size_t kMost = 8;
+  if (most_digits_ > kMost || rounding() != BoundRounding{}) return {};
+  const bool same_decimals = !has_exponent_ && least_decimals_ == most_decimals_;
+  if (same_decimals && most_decimals_ > kLeastDecimals && by_decimals_[most_decimals_].count > 0)
+    return {0, static_cast<std::uint32_t>(most_decimals_), are_floats()};
+  if (most_digits_ < kLeastShort || by_digits_[most_digits_].count == 0) return {};
+  return {static_cast<std::uint32_t>(most_digits_), 0, are_floats()};
+}
+
+}  // namespace kerf

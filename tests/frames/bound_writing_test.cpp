@@ -1,0 +1,103 @@
+#include "frames/import/bound_writing.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/random.h"
+#include "core/base/shortest_text.h"
+
+namespace kerf {
+namespace {
+
+std::string formatted(const char* format, double number) {
+  std::array<char, 400> text{};
+  (void)std::snprintf(text.data(), text.size(), format, number);
+  return text.data();
+}
+
+BoundWriting writing_of(const std::vector<std::string>& bounds) {
+  BoundWriting writing;
+  for (const std::string& bound : bounds) writing.note(bound);
+  return writing;
+}
+BoundRounding rounding_of(const std::vector<std::string>& bounds) { return writing_of(bounds).rounding(); }
+
+TEST(BoundWriting, IsFoundOut) {
+  Random random(7);
+  const auto numbers = [&](auto text) {
+    std::vector<std::string> all;
+    for (int k = 0; k < 2000; ++k) all.push_back(text(std::ldexp(random.unit() - 0.5, k % 16)));
+    return rounding_of(all);
+  };
+  const auto as_float = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  const auto trimmed = [](const char* format, double x) {
+    return shortest_text(std::stod(formatted(format, x)));
+  };
+  EXPECT_EQ(numbers([](double x) { return shortest_text(x); }), BoundRounding());
+  EXPECT_EQ(numbers([](double x) { return shortest_text(static_cast<float>(x)); }), BoundRounding());
+  EXPECT_EQ(numbers([](double x) { return formatted("%.9g", x); }), (BoundRounding{9, 0, false}));
+  EXPECT_EQ(numbers([&](double x) { return formatted("%.9g", as_float(x)); }), BoundRounding());
+  EXPECT_EQ(numbers([&](double x) { return formatted("%.8g", as_float(x)); }), (BoundRounding{8, 0, true}));
+  EXPECT_EQ(numbers([](double x) { return formatted("%.8g", x); }), (BoundRounding{8, 0, false}));
+  for (const char* const format : {"%.12g", "%.15g", "%.16g", "%.17g", "%.10e"})
+    EXPECT_EQ(numbers([&](double x) { return formatted(format, as_float(x)); }), BoundRounding()) << format;
+  EXPECT_EQ(numbers([](double x) { return formatted("%.4g", x); }), (BoundRounding{4, 0, false}));
+  EXPECT_EQ(numbers([](double x) { return formatted("%.5g", x); }), (BoundRounding{5, 0, false}));
+  EXPECT_EQ(numbers([](double x) { return formatted("%.3g", x); }), BoundRounding());
+  EXPECT_EQ(numbers([](double x) { return formatted("%.4f", x); }), (BoundRounding{0, 4, false}));
+  EXPECT_EQ(numbers([](double x) { return formatted("%.1f", x / 16); }), BoundRounding());
+  EXPECT_EQ(numbers([&](double x) { return trimmed("%.3f", x); }), (BoundRounding{0, 3, false}));
+  EXPECT_EQ(numbers([&](double x) { return trimmed("%.2f", x / 4096); }), (BoundRounding{0, 2, false}));
+  EXPECT_EQ(numbers([&](double x) { return trimmed("%g", x); }), (BoundRounding{6, 0, false}));
+  EXPECT_EQ(rounding_of({"1.23457e+06", "2.34568e+06", "3e+06", "3.14159e+06"}),
+            (BoundRounding{6, 0, false}));
+  EXPECT_EQ(rounding_of({"nan", "-inf", "", "1,5", "0.00", "1.00", "0.50"}), BoundRounding());
+}
+
+/// Grids of decimals, and what people reckon by hand.
+TEST(BoundWriting, WhatMayBeMeantIsTakenAsItIs) {
+  std::vector<std::string> tenths;
+  std::vector<std::string> twentieths;
+  std::vector<std::string> eighths;
+  for (int k = 1; k < 400; ++k) {
+    tenths.push_back(shortest_text(k / 10.0));
+    twentieths.push_back(shortest_text(k / 20.0));
+    eighths.push_back(formatted("%.3f", k / 8.0));
+  }
+  for (const auto& grid : {tenths, twentieths, eighths}) EXPECT_EQ(rounding_of(grid), BoundRounding());
+  EXPECT_EQ(rounding_of({"0.33", "0.67", "1.41", "3.14", "2.71", "1.62", "0.1"}), BoundRounding());
+  EXPECT_EQ(rounding_of({"0.123457", "1.23457", "0.5"}), BoundRounding()) << "two numbers are too few";
+  EXPECT_EQ(rounding_of({"0.123457", "0.234568", "0.345679", "1.0078125"}), BoundRounding())
+      << "which has 8 digits";
+}
+
+TEST(BoundWriting, TooFewNumbersAreSuspected) {
+  const auto suspected = [](const std::vector<std::string>& bounds) {
+    return writing_of(bounds).suspected();
+  };
+  EXPECT_EQ(suspected({"0", "0.5", "1.23457"}), (BoundRounding{6, 0, false}));
+  EXPECT_EQ(suspected({"0.5", "12.34", "1.234"}), (BoundRounding{4, 0, false}));
+  EXPECT_EQ(suspected({"0.500", "0.123", "1"}), (BoundRounding{0, 3, false}));
+  EXPECT_EQ(suspected({"0.50", "0.33"}), BoundRounding());
+  EXPECT_EQ(suspected({"0.125", "0.375"}), BoundRounding()) << "binary fractions";
+  EXPECT_EQ(suspected({"0.1", "0.123"}), BoundRounding());
+  EXPECT_EQ(suspected({"0.5", "1.23456789"}), BoundRounding());
+  EXPECT_EQ(suspected({"0.123457", "0.234568", "0.345679"}), BoundRounding()) << "they are sure";
+}
+
+TEST(BoundRounding, LeavesNumbersThatTheTextIdentifies) {
+  EXPECT_EQ(lost_of({6, 0, true}, 0), 0);
+  EXPECT_DOUBLE_EQ(lost_of({6, 0, true}, -1), 5e-6);
+  EXPECT_EQ(lost_of({8, 0, true}, 0.3), 0) << "floats are 3e-8 apart there";
+  EXPECT_DOUBLE_EQ(lost_of({8, 0, true}, 1000), 5e-5);
+  EXPECT_DOUBLE_EQ(lost_of({8, 0, false}, 0.3), 5e-9);
+  EXPECT_DOUBLE_EQ(lost_of({0, 3, false}, 0), 5e-4);
+  EXPECT_EQ(lost_of({0, 3, true}, 3e7), 0);
+  EXPECT_EQ(lost_of({}, 0.1), 0);
+}
+
+}  // namespace
+}  // namespace kerf

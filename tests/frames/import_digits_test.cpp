@@ -1,0 +1,215 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/random.h"
+#include "tests/frames/import_program.h"
+
+namespace kerf {
+namespace {
+
+using test::run_kerf;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string printed(const char* format, double number) {
+  std::array<char, 400> text{};
+  (void)std::snprintf(text.data(), text.size(), format, number);
+  return text.data();
+}
+
+/// Two intervals of an engine.
+template <class Number>
+struct Two {
+  std::array<Number, 2> a;
+  std::array<Number, 2> b;
+  [[nodiscard]] bool overlap() const { return b[0] <= a[1]; }
+  [[nodiscard]] bool same_text(const char* format) const {
+    return printed(format, static_cast<double>(b[0])) == printed(format, static_cast<double>(a[1]));
+  }
+};
+
+/// In each place two boxes, of which the second one begins where the first one ends: an ulp or a few before
+/// or behind, or up to two units of the sixth digit.
+template <class Number>
+std::vector<Two<Number>> touching(std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Two<Number>> all;
+  for (int k = 0; k < 60; ++k) {
+    const auto from = static_cast<Number>(10 * k + random.unit());
+    const auto to = static_cast<Number>(10 * k + 2 + random.unit());
+    Number next = to;
+    for (std::uint64_t ulps = random.below(4); ulps > 0; --ulps)
+      next = std::nextafter(next, static_cast<Number>(k % 2 == 0 ? -1e9 : 1e9));
+    if (k % 3 == 0) next += static_cast<Number>(4e-3 * (random.unit() - 0.5));
+    all.push_back({{from, to}, {next, static_cast<Number>(10 * k + 6)}});
+  }
+  return all;
+}
+
+class ImportDigits : public test::ImportProgram {
+ protected:
+  /// The verdict on an engine that has the boxes of `all`, and reports those that overlap, or, if it is
+  /// `wrong`, all others.
+  template <class Number>
+  [[nodiscard]] std::string verdict(const std::vector<Two<Number>>& all, const char* format,
+                                    bool wrong = false) const {
+    std::string boxes = "step,object,min_x,max_x,min_y,max_y\n";
+    std::string pairs = "step,a,b\n";
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const std::string a = std::to_string(2 * k);
+      const std::string b = std::to_string(2 * k + 1);
+      for (const auto& [name, bounds] : {std::pair(a, all[k].a), std::pair(b, all[k].b)})
+        boxes += "1," + name + "," + printed(format, static_cast<double>(bounds[0])) + "," +
+                 printed(format, static_cast<double>(bounds[1])) + ",0,1\n";
+      if (all[k].overlap() != wrong) pairs += "1," + a + "," + b + "\n";
+    }
+    return imported("a", write("boxes.csv", boxes), {"--pairs", write("pairs.csv", pairs)});
+  }
+  /// Of two boxes along x, and whether their pair is reported.
+  [[nodiscard]] std::string verdict(const std::string& a, const std::string& b, bool reported,
+                                    const std::vector<std::string>& more = {}) const {
+    const std::string text = "step,object,min_x,max_x,min_y,max_y\n1,0," + a + ",0,1\n1,1," + b + ",0,1\n";
+    std::vector<std::string> options{
+        "--pairs", write("pairs.csv", "step,a,b\n" + std::string(reported ? "1,0,1\n" : ""))};
+    options.insert(options.end(), more.begin(), more.end());
+    return imported("a", write("boxes.csv", text), options);
+  }
+
+  /// A right engine is accused of nothing; one that is wrong about every pair of all those of which the texts
+  /// of the two bounds differ.
+  template <class Number>
+  void expect_fair(const char* format, std::uint64_t seed) const {
+    const std::vector<Two<Number>> all = touching<Number>(seed);
+    EXPECT_THAT(verdict(all, format), HasSubstr(": 0 missed, 0 extra, 0 twice, 0 ignored")) << format;
+    std::array<std::uint64_t, 2> wrong{};
+    for (const Two<Number>& two : all)
+      if (!two.same_text(format)) ++wrong[two.overlap() ? 0 : 1];
+    const std::string said = verdict(all, format, true);
+    EXPECT_THAT(said, HasSubstr(": " + std::to_string(wrong[0]) + " missed, " + std::to_string(wrong[1]) +
+                                " extra, 0 twice, 0 ignored"))
+        << format;
+    const std::uint64_t open = all.size() - wrong[0] - wrong[1];
+    EXPECT_THAT(said, HasSubstr(", " + std::to_string(open) + " undecided in the ")) << format;
+    EXPECT_GT(wrong[0], 1U) << format;
+    EXPECT_GT(wrong[1], 1U) << format;
+    EXPECT_GT(open, 9U) << format;
+  }
+};
+
+/// An engine was said to have missed pairs whose boxes were the same only as written. Rounding keeps the
+/// order of numbers, so that nothing but the same text is open: boxes that are apart, or overlap, by less
+/// than a unit of the last digit are judged.
+TEST_F(ImportDigits, OnlyBoundsWithTheSameTextAreOpen) {
+  for (const char* const format : {"%g", "%.7g", "%.5e", "%.3f"}) expect_fair<float>(format, 1);
+  for (const char* const format : {"%g", "%.7g", "%.8g", "%.9g", "%.12g", "%.15g", "%.3f", "%.6f", "%.9f"})
+    expect_fair<double>(format, 2);
+}
+
+/// Some formats have most numbers whole, but not all.
+TEST_F(ImportDigits, ARightEngineIsAccusedInNoFormat) {
+  for (const char* const format : {"%.5f", "%.6f", "%.8g", "%.7f", "%.8f", "%.9g", "%.12g", "%.17g"})
+    EXPECT_THAT(verdict(touching<float>(3), format), HasSubstr(": 0 missed, 0 extra")) << format;
+  for (const char* const format : {"%.16g", "%.15f", "%.17g"})
+    EXPECT_THAT(verdict(touching<double>(4), format), HasSubstr(": 0 missed, 0 extra")) << format;
+}
+
+TEST_F(ImportDigits, WholeNumbersAreJudged) {
+  for (const char* const format : {"%.9g", "%.8e", "%.12g", "%.17g"}) {
+    const std::vector<Two<float>> all = touching<float>(5);
+    const auto overlaps = std::ranges::count_if(all, &Two<float>::overlap);
+    EXPECT_THAT(verdict(all, format), AllOf(HasSubstr(": 0 missed, 0 extra"), Not(HasSubstr("undecided"))));
+    EXPECT_THAT(verdict(all, format, true),
+                HasSubstr(": " + std::to_string(overlaps) + " missed, " +
+                          std::to_string(static_cast<std::ptrdiff_t>(all.size()) - overlaps) +
+                          " extra, 0 twice, 0 ignored\n"))
+        << format;
+  }
+}
+
+/// As Python and JavaScript write what they rounded: without zeros at the end.
+TEST_F(ImportDigits, RoundedNumbersWithoutZerosAtTheEndAreOpen) {
+  std::string boxes = "step,object,min_x,max_x,min_y,max_y\n";
+  int object = 0;
+  for (const Two<double>& two : touching<double>(6))
+    for (const auto& [from, to] : {two.a, two.b})
+      boxes += "1," + std::to_string(object++) + "," + printed("%.10g", std::stod(printed("%.2f", from))) +
+               "," + printed("%.10g", std::stod(printed("%.2f", to))) + ",0,1\n";
+  EXPECT_THAT(imported("a", write("boxes.csv", boxes), {"--pairs", write("none.csv", "step,a,b\n")}),
+              HasSubstr("0 ignored, 58 undecided in the 2 decimals that were written"))
+      << "one of the other two overlaps by more";
+}
+
+/// What people write by hand is what they mean.
+TEST_F(ImportDigits, ShortNumbersAreJudged) {
+  for (const std::string at : {"1", "1.0", "0.5", "0.1", "2.25", "1.0078125", "0.30000000000000004"})
+    EXPECT_THAT(verdict("0," + at, at + ",3.5", false), HasSubstr(" 1 missed, 0 extra, 0 twice, 0 ignored\n"))
+        << at;
+  EXPECT_THAT(verdict("0,1.1", "1.1000000001,2", false), HasSubstr(" 0 missed, 0 extra"));
+}
+
+TEST_F(ImportDigits, AMarginAndTheRoundingHoldTogether) {
+  const std::string a = "0.123457,1.23457";
+  EXPECT_THAT(verdict(a, "1.23558,2.34568", true, {"--margin", "0.000499"}),
+              HasSubstr(" 1 extra, 0 twice, 0 ignored"));
+  EXPECT_THAT(verdict(a, "1.23558,2.34568", true, {"--margin", "0.0005"}),
+              HasSubstr(" 0 extra, 0 twice, 1 ignored"))
+      << "0.00101 apart, but for 0.00001";
+  EXPECT_THAT(explained("a", "1", "0,1"), HasSubstr("the boxes overlap, as its text may be rounded"));
+  EXPECT_THAT(verdict(a, "1.23457,2.34568", false, {"--margin", "0.1"}),
+              HasSubstr(" 0 missed, 0 extra, 0 twice, 0 ignored, 1 undecided in the 6 digits"));
+  EXPECT_THAT(verdict(a, "1.23456,2.34568", false, {"--margin", "0.1"}), HasSubstr(" 1 missed, 0 extra"));
+}
+
+/// All that reads the verdicts says the same.
+TEST_F(ImportDigits, AnUndecidedPairIsOddExplainedVerifiedAndMinimized) {
+  for (const bool reported : {false, true}) {
+    const std::string said = verdict("0.123457,1.23457", "1.23457,2.34568", reported);
+    EXPECT_THAT(said,
+                HasSubstr(" 0 missed, 0 extra, 0 twice, 0 ignored, 1 undecided in the 6 digits that were "
+                          "written\n"));
+    EXPECT_THAT(said, HasSubstr("odd: 1 pair that may touch only in the digits that were written"));
+    EXPECT_THAT(refused(path("boxes.csv"), {"--pairs", path("pairs.csv"), "--strict"}),
+                HasSubstr("pair 0,1 in step 1"));
+    const std::string why = explained("a", "1", "0,1");
+    EXPECT_THAT(why,
+                HasSubstr("0 and 1 may be a pair: in the 6 digits that were written they touch along x"));
+    EXPECT_THAT(why, AllOf(HasSubstr("it is not judged"), Not(HasSubstr("missed it"))));
+    EXPECT_THAT(stepped("a", "undecided>0"), HasSubstr("theirs, undecided: (0,1)"));
+    EXPECT_EQ(run_kerf({"step", path("a.kerf"), "--to", "ignored+missed+extra>0"}).exit, 1);
+    const auto verified = run_kerf({"verify", path("a.kerf")});
+    EXPECT_EQ(verified.exit, 0) << verified.out;
+    EXPECT_THAT(verified.out, HasSubstr("0 twice, 0 ignored, 1 undecided\n"));
+    EXPECT_EQ(
+        run_kerf({"minimize", path("a.kerf"), "--when", "undecided>0", "-o", path("s.kerf"), "--overwrite"})
+            .exit,
+        0);
+    EXPECT_EQ(run_kerf({"step", path("s.kerf"), "--to", "missed+extra>0"}).exit, 1);
+  }
+}
+
+TEST_F(ImportDigits, SurviveARoundTrip) {
+  for (const char* const format : {"%g", "%.3f"}) {
+    const std::string said = verdict(touching<float>(6), format, true);
+    write("again.csv", exported("a", "--boxes"));
+    write("again_pairs.csv", exported("a", "--pairs"));
+    const std::string again = imported("b", path("again.csv"), {"--pairs", path("again_pairs.csv")});
+    EXPECT_THAT(again, HasSubstr(said.substr(said.find("the other engine reported")))) << format;
+    EXPECT_EQ(run_kerf({"compare", path("a.kerf"), path("b.kerf")}).exit, 0) << format;
+  }
+}
+
+TEST_F(ImportDigits, AreComparedAsTheyWereWritten) {
+  (void)verdict("0.123457,1.23457", "1.23457,2.34568", false);
+  (void)imported("b", write("few.csv", "step,object,min_x,max_x,min_y,max_y\n1,0,0,1.23457,0,1\n"),
+                 {"--pairs", path("pairs.csv")});
+  EXPECT_THAT(run_kerf({"compare", path("a.kerf"), path("b.kerf")}).out,
+              HasSubstr("declared   rounding of boxes: to 6 digits in A, none in B\n"));
+}
+
+}  // namespace
+}  // namespace kerf
