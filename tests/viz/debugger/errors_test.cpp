@@ -123,16 +123,16 @@ TEST_F(ErrorsOfOthers, AreNamedUnderTheMouse) {
 /// What touches only in the digits that were written is no error, and is listed.
 TEST(UndecidedPairs, AreListedApart) {
   TimelineDriver driver(60,
-                        "INSERT INTO their_steps VALUES(17, 5, 0, 0, 0, 0); "
-                        "INSERT INTO their_verdicts VALUES(17, 0, 1, 'undecided'); "
+                        "INSERT INTO their_steps VALUES(17, 5, 1, 0, 0, 0); "
+                        "INSERT INTO their_verdicts VALUES(17, 0, 2, 'missed'), (17, 0, 1, 'undecided'); "
                         "INSERT INTO their_seals VALUES(17, 0); "
                         "UPDATE meta SET value='1' WHERE key='imported'");
   kerf::Run& run = driver.debugger().model().run();
   driver.debugger().model().go(Position::end_of(17));
   EXPECT_THAT(thing_words(run, Pair{{0}, {1}}), testing::HasSubstr(": undecided"));
   EXPECT_EQ(driver.play(R"(
-expect errors == 0
-expect wrong_steps == 0
+expect errors == 1
+expect wrong_steps == 1
 click "tab Oracle"
 wait 2
 click "undecided 0"
