@@ -44,11 +44,13 @@ inline double lost_of(const BoundRounding& rounding, double bound) {
 
 /// Of boxes that overlap as written: an axis on which what was rounded away decides; none: they overlap.
 /// Rounding keeps the order of numbers, so that only bounds with the same text may have been apart, and boxes
-/// that are apart as written are apart.
+/// that are apart as written are apart. Where both are flat at one text, as in a plane, the axis decides
+/// nothing.
 template <int D>
 std::optional<int> undecided_axis(const BoundRounding& rounding, const GivenBox<D>& a, const GivenBox<D>& b) {
   if (rounding == BoundRounding{}) return std::nullopt;
   for (std::size_t i = 0; i < D; ++i) {
+    if (a.min[i] == a.max[i] && b.min[i] == b.max[i]) continue;
     const bool touch_at_a = a.min[i] == b.max[i] && lost_of(rounding, a.min[i]) > 0;
     const bool touch_at_b = b.min[i] == a.max[i] && lost_of(rounding, b.min[i]) > 0;
     if (touch_at_a || touch_at_b) return static_cast<int>(i);

@@ -232,7 +232,8 @@ Database open_recording(const std::filesystem::path& path) {
   const std::int64_t version = database.ask("PRAGMA user_version");
   if (version != kRecordingVersion && version != kStructureVersion && version != kRoundedVersion)
     throw std::runtime_error(path.string() + " is a recording of version " + std::to_string(version) +
-                             ", and this Kerf reads version " + std::to_string(kRecordingVersion) +
+                             ", and this Kerf reads versions " + std::to_string(kRecordingVersion) + " to " +
+                             std::to_string(kRoundedVersion) +
                              "; record it again, or use the Kerf that made it");
   const bool may_have_structure = version == kRoundedVersion && has_structures(database);
   check_tables(database, version == kStructureVersion || may_have_structure);

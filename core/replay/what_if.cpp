@@ -80,9 +80,11 @@ void check_effect(const RecordingInfo& info, const std::vector<Event>& events) {
 template <int D>
 void rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, Bsp<D, EventLog>& tree,
                  Recorder<D>& recorder, const std::function<bool()>& stop) {
-  const Polling polling([&] {
-    if (stop && stop()) throw Stopped();
-  });
+  std::optional<Polling> polling;
+  if (info.imported)  // only their steps are long
+    polling.emplace([&] {
+      if (stop && stop()) throw Stopped();
+    });
   RecordedLooks<D> looks(recording);
   if (recording.shape_count() > 0) recorder.show([&](ObjectId object) { return looks.appearance(object); });
   for (std::uint32_t step = 1; step <= recording.steps() && !(stop && stop()); ++step) {

@@ -26,9 +26,9 @@ void change_config(RecordingInfo& info, const RecordingReader<D>& recording, std
                    const Config& config);
 
 /// Runs a recording's requests again, as `info` says, and records that. False if `stop` returned true; the
-/// steps so far are kept. Within a long step it is asked, too: then the file is as if the program was killed.
-/// Throws as Recorder does (CannotWrite leaves the file as far as it came), and std::runtime_error, leaving
-/// no file, if a decision had no effect.
+/// steps so far are kept. Within a step of an import it is asked, too: then the file is as if the program was
+/// killed. Throws as Recorder does (CannotWrite leaves the file as far as it came), and std::runtime_error,
+/// leaving no file, if a decision had no effect.
 template <int D>
 bool rerun(RecordingReader<D>& recording, const RecordingInfo& info, const std::filesystem::path& out,
            const std::function<bool()>& stop = {});

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <shared_mutex>
 #include <utility>
@@ -17,15 +19,18 @@
 
 namespace kerf {
 
-/// What is cast, a little larger: for the exact test of an engine, which rounds.
+/// What is cast, a little larger: for the exact test of an engine, which rounds. `least_reach`: what it adds
+/// up has this size at least. What is too large to reckon with becomes NaN, which meets all.
 template <int D>
-SweptBox<D> with_slack(SweptBox<D> swept) {
+SweptBox<D> with_slack(SweptBox<D> swept, Scalar least_reach = 0) {
   constexpr Scalar kSlack = 1e-6F;
-  Scalar reach = 0;
+  Scalar reach = least_reach;
   for (int i = 0; i < D; ++i) {
     const Scalar size = std::max(std::abs(swept.box.min[i]), std::abs(swept.box.max[i]));
-    reach = std::max(reach, size + std::abs(swept.max_t * swept.displacement[i]));
+    const Scalar sum = size + std::abs(swept.max_t * swept.displacement[i]);
+    if (!(sum <= reach)) reach = sum;  // NaN, too
   }
+  if (!(reach <= std::numeric_limits<Scalar>::max())) reach = std::numeric_limits<Scalar>::quiet_NaN();
   for (int i = 0; i < D; ++i) {
     swept.box.min[i] -= kSlack * reach;
     swept.box.max[i] += kSlack * reach;
@@ -42,13 +47,17 @@ template <int D>
 class LazyIndex {
  public:
   /// Call it when an object came, moved or went.
-  void note(ObjectId object) {
+  void note(ObjectId object) noexcept {
     if (!is_packed_) return;
-    mark(object);
-    if (noted_.size() > objects_.bound() / 2) forget();
+    try {
+      mark(object);
+      if (noted_.size() > objects_.bound() / 2) forget();
+    } catch (const std::bad_alloc&) {
+      forget();
+    }
   }
   /// As if all objects had changed.
-  void forget() {
+  void forget() noexcept {
     is_packed_ = false;
     is_noted_.clear();
     noted_.clear();
@@ -67,7 +76,7 @@ class LazyIndex {
         return gather(query, bound);
     }
     const std::unique_lock lock(mutex_);
-    if (looked_at_ >= looks_to_pack(bound)) pack(bound, box_of);
+    if (looked_at_ >= looks_to_pack(bound)) try_to_pack(bound, box_of);
     return gather(query, bound);
   }
 
@@ -86,12 +95,23 @@ class LazyIndex {
     if (std::exchange(is_noted_[object.index()], std::uint8_t{1}) == 0) noted_.push_back(object);
   }
 
+  /// Where memory ends, all are looked at for as long again.
+  template <class BoxOf>
+  void try_to_pack(std::size_t bound, const BoxOf& box_of) {
+    forget();
+    looked_at_ = 0;
+    try {
+      pack(bound, box_of);
+      is_packed_ = true;
+    } catch (const std::bad_alloc&) {
+      forget();
+    }
+  }
   template <class BoxOf>
   void pack(std::size_t bound, const BoxOf& box_of) {
-    forget();
-    for (std::size_t i = 0; i < bound; ++i) {
+    for (std::size_t i = 0; i < std::max(bound, objects_.bound()); ++i) {
       const ObjectId object{static_cast<std::uint32_t>(i)};
-      const std::optional<Box<D>> box = box_of(object);
+      const std::optional<Box<D>> box = i < bound ? box_of(object) : std::nullopt;
       if (!box) {
         static_cast<void>(objects_.remove(object));
         continue;
@@ -104,8 +124,6 @@ class LazyIndex {
     const bool moved = index_.update(objects_) == SpatialIndex<D>::Update::refit;
     looks_a_pack_ = moved ? kLooksAMove : kLooksABuild;
     has_paid_ = answered_.exchange(0) > looks_a_pack_;
-    is_packed_ = true;
-    looked_at_ = 0;
   }
 
   template <class Query>
@@ -122,7 +140,13 @@ class LazyIndex {
     found.insert(found.end(), noted_.begin(), noted_.end());
     return found;
   }
-  QueryStatus ask(const Box<D>& box, std::vector<ObjectId>& found) const {
+  /// Infinite bounds are clamped, as those of the objects were.
+  QueryStatus ask(Box<D> box, std::vector<ObjectId>& found) const {
+    constexpr Scalar kMost = std::numeric_limits<Scalar>::max();
+    for (int i = 0; i < D; ++i) {
+      box.min[i] = std::clamp(box.min[i], -kMost, kMost);
+      box.max[i] = std::clamp(box.max[i], -kMost, kMost);
+    }
     return index_.overlaps(box, found);
   }
   QueryStatus ask(const Cast<D>& cast, std::vector<ObjectId>& found) const {

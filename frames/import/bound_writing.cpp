@@ -99,14 +99,16 @@ void BoundWriting::note(std::string_view text) {
     by_digits_[digits].note(*value);
     if (!number.has_exponent) by_decimals_[decimals].note(*value);
   }
-  if (number.digits > kLeastDigits) note_float(*value, std::pow(10.0, -static_cast<double>(number.decimals)));
+  const bool is_whole_number = !number.has_point && !number.has_exponent;  // such as INT_MAX, for no bound
+  if (number.digits > kLeastDigits && !is_whole_number)
+    note_float(*value, std::pow(10.0, -static_cast<double>(number.decimals)));
 }
 
 /// A decimal that lies between floats further apart than its unit is seldom the nearest decimal of one.
 void BoundWriting::note_float(double value, double unit) {
-  if (!may_be_floats_) return;
   constexpr double kMost = std::numeric_limits<Scalar>::max();
-  const auto nearest = static_cast<Scalar>(std::clamp(value, -kMost, kMost));
+  if (!may_be_floats_ || std::abs(value) > kMost) return;  // beyond: DBL_MAX, for no bound
+  const auto nearest = static_cast<Scalar>(value);
   const double own = 2 * std::numeric_limits<double>::epsilon() * std::abs(value);  // of 12 digits and more
   may_be_floats_ = std::abs(static_cast<double>(nearest) - value) <= 0.5000001 * unit + own;
   const double spacing = static_cast<double>(
@@ -151,14 +153,26 @@ BoundRounding BoundWriting::rounding() const {
   return {static_cast<std::uint32_t>(most_digits_), 0, are_floats()};
 }
 
-BoundRounding BoundWriting::suspected() const {
+/// The most digits that more than a few numbers have.
+std::size_t BoundWriting::usual_digits() const {
   constexpr std::size_t kMost = 8;
-  if (most_digits_ > kMost || rounding() != BoundRounding{}) return {};
+  std::size_t digits = most_digits_;
+  if (digits <= kMost) return digits;
+  std::uint64_t longer = 0;
+  for (; digits > 0 && (digits > kMost || by_digits_[digits].count == 0); --digits)
+    longer += by_digits_[digits].count;
+  return 20 * longer <= rounded_ ? digits : 0;
+}
+
+BoundRounding BoundWriting::suspected() const {
+  if (rounding() != BoundRounding{}) return {};
+  const std::size_t digits = usual_digits();
+  if (digits == 0) return {};
   const bool same_decimals = !has_exponent_ && least_decimals_ == most_decimals_;
   if (same_decimals && most_decimals_ > kLeastDecimals && by_decimals_[most_decimals_].count > 0)
     return {0, static_cast<std::uint32_t>(most_decimals_), are_floats()};
-  if (most_digits_ < kLeastShort || by_digits_[most_digits_].count == 0) return {};
-  return {static_cast<std::uint32_t>(most_digits_), 0, are_floats()};
+  if (digits < kLeastShort || by_digits_[digits].count == 0) return {};
+  return {static_cast<std::uint32_t>(digits), 0, are_floats()};
 }
 
 }  // namespace kerf

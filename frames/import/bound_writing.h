@@ -40,6 +40,7 @@ class BoundWriting {
   [[nodiscard]] bool is_fixed() const;
   [[nodiscard]] bool is_trimmed() const;
   [[nodiscard]] bool is_cut() const;
+  [[nodiscard]] std::size_t usual_digits() const;
 
   std::array<Seen, kMostDigits + 1> by_digits_{};
   std::array<Seen, kMostDecimals + 1> by_decimals_{};  ///< those without an exponent

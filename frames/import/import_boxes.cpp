@@ -216,9 +216,21 @@ class Import {
     for (const JudgedPair& one : judged) ++verdicts_[static_cast<std::size_t>(one.verdict)];
     if (sum.missed + sum.extra + sum.twice > 0 && first_wrong_.empty()) first_wrong_ = step.text;
     if (sum.missed > 0 && !has_lines && !pairs_.empty()) note_no_pairs(step);
+    note_few_digits(std::move(reported), judged, step);
+  }
+
+  /// A pair that was reported is right, whatever the digits.
+  void note_few_digits(std::vector<Pair> reported, const std::vector<JudgedPair>& judged,
+                       const GivenStep& step) {
+    const bool may_be_open = info_.design.rounding != BoundRounding{};
+    if (may_be_open) {
+      for (Pair& pair : reported) pair = make_pair(pair.a, pair.b);
+      std::ranges::sort(reported);
+    }
     for (const JudgedPair& one : judged) {
       poll();
-      if (hangs_on_digits(one)) note_few_digits(one.pair, step);
+      if (hangs_on_digits(one) && !(may_be_open && std::ranges::binary_search(reported, one.pair)))
+        note_few_digits(one.pair, step);
     }
   }
 

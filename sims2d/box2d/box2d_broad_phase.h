@@ -132,10 +132,10 @@ class Box2dBroadPhase {
     if (const b2BodyType type = fixture.GetBody()->GetType(); type != member.type) set_type(member, type);
     if (same) return;
     for (const Handle handle : member.children) {
+      index_->note({handle.index()});
       Child& child = children_[handle.index()];
       child.box = box_of(fixture, child.index, member);
       moves_.add(handle, child.box);
-      index_->note({handle.index()});
     }
   }
 

@@ -3,6 +3,9 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseInterface.h>
 #include <LinearMath/btVector3.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "core/geometry/box.h"
@@ -29,10 +32,17 @@ inline Box<3> to_box(const btVector3& min, const btVector3& max) {
 /// [min, max], around `from`, on the way of the callback, and a little more.
 inline Cast<3> to_cast(const btVector3& from, const btBroadphaseRayCallback& callback, const btVector3& min,
                        const btVector3& max) {
-  SweptBox<3> swept{to_box(from + min, from + max), {}, static_cast<Scalar>(callback.m_lambda_max)};
-  for (int i = 0; i < 3; ++i)
-    swept.displacement[i] = static_cast<Scalar>(1 / callback.m_rayDirectionInverse[i]);
-  return with_slack(swept);
+  const auto to_scalar = [](btScalar x) {
+    constexpr Scalar kMost = std::numeric_limits<Scalar>::max();
+    return std::abs(x) <= btScalar{kMost} ? static_cast<Scalar>(x) : std::numeric_limits<Scalar>::infinity();
+  };
+  SweptBox<3> swept{to_box(from + min, from + max), {}};
+  Scalar reach = 0;  // of what btRayAabb2 adds up
+  for (int i = 0; i < 3; ++i) {
+    swept.displacement[i] = to_scalar(callback.m_lambda_max / callback.m_rayDirectionInverse[i]);
+    reach = std::max(reach, to_scalar(std::abs(from[i]) + std::abs(min[i]) + std::abs(max[i])));
+  }
+  return with_slack(swept, reach);
 }
 
 }  // namespace kerf

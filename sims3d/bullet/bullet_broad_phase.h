@@ -65,19 +65,19 @@ class BulletBroadPhase final : public btBroadphaseInterface {
   void destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override {
     cache_->removeOverlappingPairsContainingProxy(proxy, dispatcher);
     const Handle handle = static_cast<Proxy*>(proxy)->handle;
-    static_cast<void>(world_->remove(handle));
     index_->note({handle.index()});
+    static_cast<void>(world_->remove(handle));
     proxies_[handle.index()].reset();
   }
 
   void setAabb(btBroadphaseProxy* proxy, const btVector3& min, const btVector3& max,
                btDispatcher* /*dispatcher*/) override {
     if (proxy->m_aabbMin == min && proxy->m_aabbMax == max) return;
+    const Handle handle = static_cast<Proxy*>(proxy)->handle;
+    index_->note({handle.index()});
     proxy->m_aabbMin = min;
     proxy->m_aabbMax = max;
-    const Handle handle = static_cast<Proxy*>(proxy)->handle;
     moves_.add(handle, to_box(min, max));
-    index_->note({handle.index()});
   }
   void getAabb(btBroadphaseProxy* proxy, btVector3& min, btVector3& max) const override {
     min = proxy->m_aabbMin;
@@ -101,22 +101,22 @@ class BulletBroadPhase final : public btBroadphaseInterface {
   void rayTest(const btVector3& from, const btVector3& /*to*/, btBroadphaseRayCallback& callback,
                const btVector3& min, const btVector3& max) override {
     for (const ObjectId object : candidates(to_cast(from, callback, min, max))) {
-      const auto& proxy = proxies_[object.index()];
-      if (!proxy) continue;
+      btBroadphaseProxy* const proxy = proxy_at(object);
+      if (proxy == nullptr) continue;
       const std::array<btVector3, 2> bounds = {proxy->m_aabbMin - max, proxy->m_aabbMax - min};
       btScalar entry = 1;
       if (btRayAabb2(from, callback.m_rayDirectionInverse, callback.m_signs, bounds.data(), entry, 0,
                      callback.m_lambda_max) &&
-          !callback.process(proxy.get()))
+          !callback.process(proxy))
         return;
     }
   }
   /// Ends when the callback returns false.
   void aabbTest(const btVector3& min, const btVector3& max, btBroadphaseAabbCallback& callback) override {
     for (const ObjectId object : candidates(to_box(min, max))) {
-      const auto& proxy = proxies_[object.index()];
-      if (proxy && TestAabbAgainstAabb2(min, max, proxy->m_aabbMin, proxy->m_aabbMax) &&
-          !callback.process(proxy.get()))
+      btBroadphaseProxy* const proxy = proxy_at(object);
+      if (proxy != nullptr && TestAabbAgainstAabb2(min, max, proxy->m_aabbMin, proxy->m_aabbMax) &&
+          !callback.process(proxy))
         return;
     }
   }
@@ -158,6 +158,10 @@ class BulletBroadPhase final : public btBroadphaseInterface {
 
   [[nodiscard]] btBroadphaseProxy& proxy_of(Handle handle) const { return *proxies_[handle.index()]; }
 
+  /// Null if there is none any more: a callback may have removed it.
+  [[nodiscard]] btBroadphaseProxy* proxy_at(ObjectId object) const {
+    return object.index() < proxies_.size() ? proxies_[object.index()].get() : nullptr;
+  }
   template <class Query>
   std::vector<ObjectId> candidates(const Query& query) {
     return index_->candidates(query, proxies_.size(), [this](ObjectId object) -> std::optional<Box<3>> {

@@ -152,9 +152,9 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
   void follow(Member& member) {
     const Box<3> box = to_box(member.object->getAABB());
     if (box == member.box) return;
+    index_->note({member.handle.index()});
     member.box = box;
     moves_.add(member.handle, box);
-    index_->note({member.handle.index()});
     stale_ = true;
   }
   void find_pairs() const {
@@ -169,7 +169,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     };
     const auto near = index_->candidates(to_box(object->getAABB()), members_.size(), box_of);
     return std::ranges::any_of(near, [&](ObjectId id) {
-      Object* const ours = members_[id.index()].object;
+      Object* const ours = id.index() < members_.size() ? members_[id.index()].object : nullptr;
       return ours != nullptr && object->getAABB().overlap(ours->getAABB()) &&
              (ours_first ? callback(ours, object, data) : callback(object, ours, data));
     });

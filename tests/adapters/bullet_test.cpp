@@ -338,19 +338,23 @@ TEST(BulletBroadPhase, QueriesFindWhatALookAtEachFindsWhileProxiesComeMoveAndGo)
       }
     }
     const btVector3 from = anywhere();
-    const btVector3 to = random.below(4) == 0 ? from : anywhere();
     const btVector3 half = random.below(2) == 0 ? btVector3(0, 0, 0) : size;
-    RayCollector ray(from, to);
-    broad_phase.rayTest(from, to, ray, -half, half);
+    btVector3 to = random.below(4) == 0 ? from : anywhere();
+    if (!proxies.empty() && random.below(2) == 0)  // past a corner of a box
+      to = from +
+           2 * (proxies[random.below(static_cast<std::uint32_t>(proxies.size()))]->m_aabbMax + half - from);
+    const btVector3 aside = random.below(3) == 0 ? btVector3(1e4F, -1e4F, 1e4F) : btVector3(0, 0, 0);
+    RayCollector ray(from, to);  // of a shape that may lie far from its own origin
+    broad_phase.rayTest(from - aside, to - aside, ray, aside - half, aside + half);
     const btVector3 min = anywhere();
     Collector box;
     broad_phase.aabbTest(min, min + size, box);
     std::vector<const btBroadphaseProxy*> on_way;
     std::vector<const btBroadphaseProxy*> near;
     for (const btBroadphaseProxy* proxy : proxies) {
-      const btVector3 bounds[2] = {proxy->m_aabbMin - half, proxy->m_aabbMax + half};
+      const btVector3 bounds[2] = {proxy->m_aabbMin - (aside + half), proxy->m_aabbMax - (aside - half)};
       btScalar entry = 1;
-      if (btRayAabb2(from, ray.m_rayDirectionInverse, ray.m_signs, bounds, entry, 0, 1))
+      if (btRayAabb2(from - aside, ray.m_rayDirectionInverse, ray.m_signs, bounds, entry, 0, 1))
         on_way.push_back(proxy);
       if (TestAabbAgainstAabb2(min, min + size, proxy->m_aabbMin, proxy->m_aabbMax)) near.push_back(proxy);
     }

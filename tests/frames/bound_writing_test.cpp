@@ -88,6 +88,29 @@ TEST(BoundWriting, TooFewNumbersAreSuspected) {
   EXPECT_EQ(suspected({"0.123457", "0.234568", "0.345679"}), BoundRounding()) << "they are sure";
 }
 
+TEST(BoundWriting, AFewNumbersThatStandOutHideNothing) {
+  Random random(8);
+  std::vector<std::string> six{"3.14159265", "-3.14159265", "1.7976931348623157e+308"};
+  std::vector<std::string> floats{"-2147483648", "2147483647", "1.7976931348623157e+308", "12345678912"};
+  for (int k = 0; k < 200; ++k) {
+    six.push_back(formatted("%g", random.uniform(0, 40)));
+    floats.push_back(formatted("%.9g", static_cast<double>(static_cast<float>(random.uniform(0, 40)))));
+  }
+  EXPECT_EQ(rounding_of(six), BoundRounding()) << "not surely";
+  EXPECT_EQ(writing_of(six).suspected().digits, 6U);
+  EXPECT_EQ(rounding_of(floats), BoundRounding()) << "they have all of each float";
+  EXPECT_EQ(writing_of(floats).suspected(), BoundRounding());
+}
+
+TEST(BoundRounding, AnAxisOnWhichBothAreFlatDecidesNothing) {
+  const BoundRounding rounding{0, 6, false};
+  const GivenBox<3> a{{0, 0, 0}, {1, 1, 0}};
+  const GivenBox<3> b{{0.5, 0.5, 0}, {2, 2, 0}};
+  EXPECT_EQ(undecided_axis(rounding, a, b), std::nullopt);
+  EXPECT_EQ(undecided_axis(rounding, a, GivenBox<3>{{1, 0, 0}, {2, 1, 0}}), 0);
+  EXPECT_EQ(undecided_axis(rounding, a, GivenBox<3>{{0, 0, 0}, {2, 2, 1}}), 2) << "one of them is flat";
+}
+
 TEST(BoundRounding, LeavesNumbersThatTheTextIdentifies) {
   EXPECT_EQ(lost_of({6, 0, true}, 0), 0);
   EXPECT_DOUBLE_EQ(lost_of({6, 0, true}, -1), 5e-6);

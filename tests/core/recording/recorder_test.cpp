@@ -168,7 +168,7 @@ TEST(RecordingFile, WhatCannotBeReadIsRefusedClearly) {
   EXPECT_THROW(RecordingReader<3>{file.path()}, std::runtime_error);
   file.change("PRAGMA user_version = 99");
   EXPECT_THAT(refusal(file.path()),
-              HasSubstr("version 99, and this Kerf reads version " + std::to_string(kRecordingVersion)));
+              HasSubstr("version 99, and this Kerf reads versions " + std::to_string(kRecordingVersion)));
 }
 
 TEST(RecordingFile, OneOfAnotherVersionIsStillARecording) {

@@ -147,6 +147,43 @@ TYPED_TEST(LazyIndexTest, ABoxThatIsNoneIsAlwaysNamed) {
   EXPECT_THAT(crowd.candidates(Box<D>{}), Contains(Crowd<D>::id(20)));
 }
 
+TYPED_TEST(LazyIndexTest, FewerObjectsThanBeforeAreAllThatIsNamed) {
+  constexpr int D = TypeParam::value;
+  LazyIndex<D> index;
+  const Box<D> origin;
+  const auto box_of = [&](ObjectId /*object*/) { return std::optional(origin); };
+  const auto ask = [&](std::size_t bound) { return index.candidates(origin, bound, box_of); };
+  for (const std::size_t bound : {50, 2, 20}) {
+    index.forget();
+    for (int k = 0; k < 200; ++k) ASSERT_EQ(ask(bound).size(), bound);
+  }
+}
+
+TYPED_TEST(LazyIndexTest, InfiniteBoxesMeetInfiniteQueries) {
+  constexpr int D = TypeParam::value;
+  constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
+  Crowd<D> crowd(50);
+  Box<D> everything;
+  Box<D> far;
+  for (int i = 0; i < D; ++i) {
+    everything.min[i] = -kInfinity;
+    everything.max[i] = far.min[i] = far.max[i] = kInfinity;
+  }
+  crowd.set(20, everything);
+  crowd.pack();
+  EXPECT_THAT(crowd.candidates(far), Contains(Crowd<D>::id(20)));
+}
+
+TYPED_TEST(LazyIndexTest, WhatIsTooLargeToReckonWithMeetsAll) {
+  constexpr int D = TypeParam::value;
+  Crowd<D> crowd(50);
+  crowd.pack();
+  SweptBox<D> swept;
+  swept.displacement[0] = 2;
+  swept.max_t = std::numeric_limits<Scalar>::max();
+  EXPECT_EQ(crowd.candidates(Cast<D>(with_slack(swept))).size(), 50U);
+}
+
 TYPED_TEST(LazyIndexTest, ThreadsMayAskAtTheSameTime) {
   constexpr int D = TypeParam::value;
   Crowd<D> crowd(300);
