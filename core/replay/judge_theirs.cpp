@@ -156,13 +156,13 @@ std::vector<JudgedPair> judge_theirs(std::span<const Pair> reported, std::span<c
   };
   const bool may_be_open = design.rounding != BoundRounding{};
   std::size_t missing = 0;
-  for_each_pair(truth, theirs, [&](const Pair& /*pair*/, bool reported) { missing += reported ? 0 : 1; });
+  for_each_pair(truth, theirs, [&](const Pair& /*pair*/, bool is_theirs) { missing += is_theirs ? 0 : 1; });
   judged.reserve(missing);
-  for_each_pair(truth, theirs, [&](const Pair& pair, bool reported) {
-    if ((reported && !may_be_open) || !overlap(pair)) return;
+  for_each_pair(truth, theirs, [&](const Pair& pair, bool is_theirs) {
+    if ((is_theirs && !may_be_open) || !overlap(pair)) return;
     const bool open = may_be_open && is_open(pair);
-    if (reported && !open) return;
-    const auto why = reported ? std::nullopt : left_out(pair, world, design);
+    if (is_theirs && !open) return;
+    const auto why = is_theirs ? std::nullopt : left_out(pair, world, design);
     judged.push_back({pair, why.value_or(open ? PairVerdict::undecided : PairVerdict::missed)});
   });
   for_each_pair(theirs, truth | std::views::filter(overlap), [&](const Pair& pair, bool right) {
