@@ -177,9 +177,9 @@ TYPED_TEST(SpatialIndexTest, ACastOfNoLengthHitsWhereItIs) {
 TYPED_TEST(SpatialIndexTest, TheNearestStandBehindWhatWasFoundBefore) {
   constexpr int D = TypeParam::value;
   for (std::uint32_t id = 0; id < 50; ++id)
-    ASSERT_EQ(this->bsp_.insert({id}, slab<D>(static_cast<Scalar>(id), static_cast<Scalar>(id)),
-                                Mobility::moving),
-              Status::ok);
+    ASSERT_EQ(
+        this->bsp_.insert({id}, slab<D>(static_cast<Scalar>(id), static_cast<Scalar>(id)), Mobility::moving),
+        Status::ok);
   this->index_.update(this->bsp_.objects());
   for (const std::size_t count : {std::size_t{3}, std::size_t{40}}) {
     std::vector<Neighbour> found{{{99}, 1e9}};
