@@ -15,21 +15,26 @@ inline void poll();
 /// have the work given up. Of several the one made last is asked.
 class Polling {
  public:
-  explicit Polling(std::function<void()> ask) : ask_(std::move(ask)), before_(std::exchange(latest_, this)) {}
-  ~Polling() { latest_ = before_; }
+  explicit Polling(std::function<void()> ask)
+      : ask_(std::move(ask)), before_(std::exchange(latest(), this)) {}
+  ~Polling() { latest() = before_; }
   Polling(const Polling&) = delete;
   Polling& operator=(const Polling&) = delete;
 
  private:
   friend void poll();
 
-  static inline thread_local const Polling* latest_ = nullptr;
+  static const Polling*& latest() {
+    static thread_local const Polling* polling = nullptr;
+    return polling;
+  }
+
   std::function<void()> ask_;
   const Polling* before_;
 };
 
 inline void poll() {
-  if (Polling::latest_ != nullptr) Polling::latest_->ask_();
+  if (const Polling* const polling = Polling::latest(); polling != nullptr) polling->ask_();
 }
 
 }  // namespace kerf

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <ranges>
+#include <span>
 #include <string_view>
 
 #include "core/base/poll.h"
@@ -20,13 +20,13 @@ std::vector<Pair> sorted_pairs(std::span<const Pair> reported) {
 }
 
 /// Calls `use(pair, whether it is among the others)` with each pair of a sorted range.
-template <class Range, class Other, class Use>
-void for_each_pair(const Range& pairs, Other&& others, const Use& use) {
-  auto other = std::ranges::begin(others);
+template <class Use>
+void for_each_pair(std::span<const Pair> pairs, std::span<const Pair> others, const Use& use) {
+  auto other = others.begin();
   for (const Pair& pair : pairs) {
     poll();
-    while (other != std::ranges::end(others) && *other < pair) ++other;
-    use(pair, other != std::ranges::end(others) && *other == pair);
+    while (other != others.end() && *other < pair) ++other;
+    use(pair, other != others.end() && *other == pair);
   }
 }
 
@@ -165,8 +165,8 @@ std::vector<JudgedPair> judge_theirs(std::span<const Pair> reported, std::span<c
     const auto why = is_theirs ? std::nullopt : left_out(pair, world, design);
     judged.push_back({pair, why.value_or(open ? PairVerdict::undecided : PairVerdict::missed)});
   });
-  for_each_pair(theirs, truth | std::views::filter(overlap), [&](const Pair& pair, bool right) {
-    if (!right) judged.push_back({pair, verdict_on_extra(pair, objects, world, design)});
+  for_each_pair(theirs, truth, [&](const Pair& pair, bool is_true) {
+    if (!is_true || !overlap(pair)) judged.push_back({pair, verdict_on_extra(pair, objects, world, design)});
   });
   for (const Pair& pair : repeated) judged.push_back({pair, PairVerdict::twice});
   if (!std::ranges::is_sorted(judged, {}, &JudgedPair::verdict))  // sorting takes memory

@@ -80,11 +80,6 @@ void check_effect(const RecordingInfo& info, const std::vector<Event>& events) {
 template <int D>
 void rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, Bsp<D, EventLog>& tree,
                  Recorder<D>& recorder, const std::function<bool()>& stop) {
-  std::optional<Polling> polling;
-  if (info.imported)  // only their steps are long
-    polling.emplace([&] {
-      if (stop && stop()) throw Stopped();
-    });
   RecordedLooks<D> looks(recording);
   if (recording.shape_count() > 0) recorder.show([&](ObjectId object) { return looks.appearance(object); });
   for (std::uint32_t step = 1; step <= recording.steps() && !(stop && stop()); ++step) {
@@ -92,10 +87,15 @@ void rerun_steps(RecordingReader<D>& recording, const RecordingInfo& info, Bsp<D
     apply(recording.step(step).requests, recorder);
     recorder.step();
     check_effect(info, tree.trace().take());
+    const bool is_judged = recording.their_step(step).has_value();
+    std::optional<Polling> polling;
+    if (info.imported || is_judged)  // there may be many millions of rows
+      polling.emplace([&] {
+        if (stop && stop()) throw Stopped();
+      });
     if (info.imported) recorder.add_theirs(recording.their_changes(step));
     if (const auto structure = recording.their_structure(step)) recorder.add_theirs(*structure);
-    if (recording.their_step(step))
-      recorder.add_theirs(recording.their_pairs(step), recording.judged_pairs(step));
+    if (is_judged) recorder.add_theirs(recording.their_pairs(step), recording.judged_pairs(step));
   }
 }
 
