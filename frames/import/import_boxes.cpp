@@ -235,7 +235,7 @@ class Import {
   }
 
   /// Whether the pair is undecided, or would be if the file had enough numbers to be sure how it was written.
-  bool hangs_on_digits(const JudgedPair& one) const {
+  [[nodiscard]] bool hangs_on_digits(const JudgedPair& one) const {
     if (one.verdict == PairVerdict::undecided) return true;
     if (one.verdict != PairVerdict::missed) return false;
     const auto& objects = tree_.objects();

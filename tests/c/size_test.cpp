@@ -20,11 +20,11 @@ class CSizes : public testing::Test {
   void SetUp() override {
     kerf_world* made = nullptr;
     ASSERT_EQ(kerf_world_create(2, nullptr, &made, nullptr), KERF_OK);
-    world = {made, kerf_world_destroy};
-    ASSERT_EQ(kerf_world_insert(made, kSquare.data(), nullptr, 0, 1, &handle, nullptr), KERF_OK);
+    world_ = {made, kerf_world_destroy};
+    ASSERT_EQ(kerf_world_insert(made, kSquare.data(), nullptr, 0, 1, &handle_, nullptr), KERF_OK);
   }
-  std::unique_ptr<kerf_world, void (*)(kerf_world*)> world{nullptr, kerf_world_destroy};
-  kerf_handle handle = 0;
+  std::unique_ptr<kerf_world, void (*)(kerf_world*)> world_{nullptr, kerf_world_destroy};
+  kerf_handle handle_ = 0;
 };
 
 TEST_F(CSizes, ThatAreTooLargeAreRefusedAndNothingIsTouched) {
@@ -32,24 +32,24 @@ TEST_F(CSizes, ThatAreTooLargeAreRefusedAndNothingIsTouched) {
     kerf_object object{};
     EXPECT_EQ(kerf_object_init(&object, size), KERF_BAD_SIZE);
     object.size = size;
-    EXPECT_EQ(kerf_world_get_object(world.get(), handle, &object), KERF_BAD_SIZE);
+    EXPECT_EQ(kerf_world_get_object(world_.get(), handle_, &object), KERF_BAD_SIZE);
     kerf_handle none = 0;
-    EXPECT_EQ(kerf_world_insert(world.get(), kSquare.data(), &object, 1, 1, &none, nullptr), KERF_BAD_SIZE);
+    EXPECT_EQ(kerf_world_insert(world_.get(), kSquare.data(), &object, 1, 1, &none, nullptr), KERF_BAD_SIZE);
     kerf_world_options options{};
     EXPECT_EQ(kerf_world_options_init(&options, size), KERF_BAD_SIZE);
     kerf_query_filter filter{};
     EXPECT_EQ(kerf_query_filter_init(&filter, size), KERF_BAD_SIZE);
     filter.size = size;
     std::size_t count = 0;
-    EXPECT_EQ(kerf_world_overlap_box(world.get(), kSquare.data(), &filter, nullptr, 0, &count),
+    EXPECT_EQ(kerf_world_overlap_box(world_.get(), kSquare.data(), &filter, nullptr, 0, &count),
               KERF_BAD_SIZE);
     kerf_error error{};
     EXPECT_EQ(kerf_error_init(&error, size), KERF_BAD_SIZE);
     error.size = size;
-    EXPECT_EQ(kerf_world_restore(world.get(), nullptr, 1, &error), KERF_NULL_ARGUMENT);
+    EXPECT_EQ(kerf_world_restore(world_.get(), nullptr, 1, &error), KERF_NULL_ARGUMENT);
     EXPECT_EQ(error.text[0], '\0') << "who knows how much memory it has";
   }
-  EXPECT_EQ(kerf_world_size(world.get()), 1U);
+  EXPECT_EQ(kerf_world_size(world_.get()), 1U);
 }
 
 TEST_F(CSizes, TheErrorNamesBoth) {
@@ -74,12 +74,12 @@ TEST_F(CSizes, OfLaterVersionsAreTaken) {
   } later{};
   ASSERT_EQ(kerf_object_init(&later.object, sizeof later), KERF_OK);
   kerf_handle other = 0;
-  EXPECT_EQ(kerf_world_insert(world.get(), kSquare.data(), &later.object, 1, 1, &other, nullptr), KERF_OK);
+  EXPECT_EQ(kerf_world_insert(world_.get(), kSquare.data(), &later.object, 1, 1, &other, nullptr), KERF_OK);
   later.more.back() = 1;
-  EXPECT_EQ(kerf_world_get_object(world.get(), other, &later.object), KERF_OK);
+  EXPECT_EQ(kerf_world_get_object(world_.get(), other, &later.object), KERF_OK);
   EXPECT_EQ(later.more.back(), 0);
   later.more.back() = 1;
-  EXPECT_EQ(kerf_world_insert(world.get(), kSquare.data(), &later.object, 1, 1, &other, nullptr),
+  EXPECT_EQ(kerf_world_insert(world_.get(), kSquare.data(), &later.object, 1, 1, &other, nullptr),
             KERF_BAD_SIZE);
 }
 
@@ -89,7 +89,7 @@ TEST_F(CSizes, AReservedMemberMustBe0) {
   filter.reserved = 1;
   std::size_t count = 0;
   const auto ask = [&] {
-    return kerf_world_overlap_box(world.get(), kSquare.data(), &filter, nullptr, 0, &count);
+    return kerf_world_overlap_box(world_.get(), kSquare.data(), &filter, nullptr, 0, &count);
   };
   EXPECT_EQ(ask(), KERF_BAD_SIZE);
   EXPECT_NE(std::string(kerf_status_text(KERF_BAD_SIZE)).find("reserved"), std::string::npos);

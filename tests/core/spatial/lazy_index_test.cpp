@@ -92,9 +92,9 @@ class LazyIndexTest : public ::testing::Test {};
 TYPED_TEST_SUITE(LazyIndexTest, test::Dimensions, test::DimensionNames);
 
 TYPED_TEST(LazyIndexTest, MissesNothingAndNamesNothingTwiceHoweverMuchChanges) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   for (const std::size_t changes : {0, 1, 20, 90, 400}) {
-    Crowd<D> crowd(200);
+    Crowd<kD> crowd(200);
     for (int k = 0; k < 120; ++k) {
       crowd.change(changes);
       const auto check = [&](const auto& query) {
@@ -110,47 +110,47 @@ TYPED_TEST(LazyIndexTest, MissesNothingAndNamesNothingTwiceHoweverMuchChanges) {
 }
 
 TYPED_TEST(LazyIndexTest, WhenItIsPackedItNamesWhatIsMetAndWhatChanged) {
-  constexpr int D = TypeParam::value;
-  Crowd<D> crowd(200);
-  EXPECT_EQ(crowd.candidates(Box<D>{}).size(), 200U)
+  constexpr int kD = TypeParam::value;
+  Crowd<kD> crowd(200);
+  EXPECT_EQ(crowd.candidates(Box<kD>{}).size(), 200U)
       << "looking at all is cheaper than to pack for one query";
   crowd.pack();
   for (int k = 0; k < 20; ++k) {
-    const Box<D> box = crowd.any_box(9);
+    const Box<kD> box = crowd.any_box(9);
     EXPECT_EQ(crowd.candidates(box), crowd.met(box));
-    const Cast<D> cast = crowd.any_cast();
+    const Cast<kD> cast = crowd.any_cast();
     EXPECT_THAT(crowd.candidates(cast), ::testing::UnorderedElementsAreArray(crowd.met(cast)));
   }
   crowd.set(7, std::nullopt);
   crowd.set(9, crowd.any_box(1));
-  Box<D> nowhere;
+  Box<kD> nowhere;
   nowhere.min[0] = nowhere.max[0] = -5;
-  EXPECT_THAT(crowd.candidates(nowhere), ElementsAre(Crowd<D>::id(7), Crowd<D>::id(9)));
+  EXPECT_THAT(crowd.candidates(nowhere), ElementsAre(Crowd<kD>::id(7), Crowd<kD>::id(9)));
 }
 
 TYPED_TEST(LazyIndexTest, WhatCannotBeAskedMayMeetAll) {
-  constexpr int D = TypeParam::value;
-  Crowd<D> crowd(50);
+  constexpr int kD = TypeParam::value;
+  Crowd<kD> crowd(50);
   crowd.pack();
-  Box<D> box;
+  Box<kD> box;
   box.min[0] = std::numeric_limits<Scalar>::quiet_NaN();
   EXPECT_EQ(crowd.candidates(box).size(), 50U);
 }
 
 TYPED_TEST(LazyIndexTest, ABoxThatIsNoneIsAlwaysNamed) {
-  constexpr int D = TypeParam::value;
-  Crowd<D> crowd(50);
-  Box<D> box;
-  box.max[D - 1] = std::numeric_limits<Scalar>::quiet_NaN();
+  constexpr int kD = TypeParam::value;
+  Crowd<kD> crowd(50);
+  Box<kD> box;
+  box.max[kD - 1] = std::numeric_limits<Scalar>::quiet_NaN();
   crowd.set(20, box);
   crowd.pack();
-  EXPECT_THAT(crowd.candidates(Box<D>{}), Contains(Crowd<D>::id(20)));
+  EXPECT_THAT(crowd.candidates(Box<kD>{}), Contains(Crowd<kD>::id(20)));
 }
 
 TYPED_TEST(LazyIndexTest, FewerObjectsThanBeforeAreAllThatIsNamed) {
-  constexpr int D = TypeParam::value;
-  LazyIndex<D> index;
-  const Box<D> origin;
+  constexpr int kD = TypeParam::value;
+  LazyIndex<kD> index;
+  const Box<kD> origin;
   const auto box_of = [&](ObjectId /*object*/) { return std::optional(origin); };
   const auto ask = [&](std::size_t bound) { return index.candidates(origin, bound, box_of); };
   for (const std::size_t bound : {50, 2, 20}) {
@@ -160,34 +160,34 @@ TYPED_TEST(LazyIndexTest, FewerObjectsThanBeforeAreAllThatIsNamed) {
 }
 
 TYPED_TEST(LazyIndexTest, InfiniteBoxesMeetInfiniteQueries) {
-  constexpr int D = TypeParam::value;
+  constexpr int kD = TypeParam::value;
   constexpr Scalar kInfinity = std::numeric_limits<Scalar>::infinity();
-  Crowd<D> crowd(50);
-  Box<D> everything;
-  Box<D> far;
-  for (int i = 0; i < D; ++i) {
+  Crowd<kD> crowd(50);
+  Box<kD> everything;
+  Box<kD> far;
+  for (int i = 0; i < kD; ++i) {
     everything.min[i] = -kInfinity;
     everything.max[i] = far.min[i] = far.max[i] = kInfinity;
   }
   crowd.set(20, everything);
   crowd.pack();
-  EXPECT_THAT(crowd.candidates(far), Contains(Crowd<D>::id(20)));
+  EXPECT_THAT(crowd.candidates(far), Contains(Crowd<kD>::id(20)));
 }
 
 TYPED_TEST(LazyIndexTest, WhatIsTooLargeToReckonWithMeetsAll) {
-  constexpr int D = TypeParam::value;
-  Crowd<D> crowd(50);
+  constexpr int kD = TypeParam::value;
+  Crowd<kD> crowd(50);
   crowd.pack();
-  SweptBox<D> swept;
+  SweptBox<kD> swept;
   swept.displacement[0] = 2;
   swept.max_t = std::numeric_limits<Scalar>::max();
-  EXPECT_EQ(crowd.candidates(Cast<D>(with_slack(swept))).size(), 50U);
+  EXPECT_EQ(crowd.candidates(Cast<kD>(with_slack(swept))).size(), 50U);
 }
 
 TYPED_TEST(LazyIndexTest, ThreadsMayAskAtTheSameTime) {
-  constexpr int D = TypeParam::value;
-  Crowd<D> crowd(300);
-  const Box<D> box = crowd.any_box(20);
+  constexpr int kD = TypeParam::value;
+  Crowd<kD> crowd(300);
+  const Box<kD> box = crowd.any_box(20);
   const std::vector<ObjectId> met = crowd.met(box);
   const auto ask = [&] {
     for (int k = 0; k < 200; ++k) {
