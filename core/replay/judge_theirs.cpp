@@ -150,17 +150,17 @@ std::vector<JudgedPair> judge_theirs(std::span<const Pair> reported, std::span<c
   std::vector<Pair> theirs = sorted_pairs(reported);
   const std::vector<Pair> repeated = take_repeated(theirs);
   const auto overlap = [&](const Pair& pair) { return world.overlap(objects, pair); };
-  const auto is_open = [&](const Pair& pair) {
-    return undecided_axis(design.rounding, world.box(objects, pair.a), world.box(objects, pair.b))
-        .has_value();
-  };
   const bool may_be_open = design.rounding != BoundRounding{};
+  const auto is_open = [&](const Pair& pair) {
+    return may_be_open &&
+           undecided_axis(design.rounding, world.box(objects, pair.a), world.box(objects, pair.b));
+  };
   std::size_t missing = 0;
   for_each_pair(truth, theirs, [&](const Pair& /*pair*/, bool is_theirs) { missing += is_theirs ? 0 : 1; });
   judged.reserve(missing);
   for_each_pair(truth, theirs, [&](const Pair& pair, bool is_theirs) {
     if ((is_theirs && !may_be_open) || !overlap(pair)) return;
-    const bool open = may_be_open && is_open(pair);
+    const bool open = is_open(pair);
     if (is_theirs && !open) return;
     const auto why = is_theirs ? std::nullopt : left_out(pair, world, design);
     judged.push_back({pair, why.value_or(open ? PairVerdict::undecided : PairVerdict::missed)});

@@ -9,8 +9,8 @@
 namespace kerf {
 namespace {
 
-/// A vector of boxes at a time. Some boxes are tested before the next ones, so that the rest is not held
-/// twice.
+/// Some boxes are tested before the next ones, so that all pairs are not held twice. The pairs come sorted,
+/// as the ids rise.
 template <int D>
 std::vector<Pair> pairs_of_boxes(const ObjectTable<D>& objects, const std::vector<ObjectId>& placed) {
   constexpr std::size_t kAtOnce = 64;

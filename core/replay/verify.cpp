@@ -200,10 +200,10 @@ class Verifier {
     std::vector<Pair> truth;
     const bool asks = oracle_every_ != 0 && step % oracle_every_ == 0;
     if (asks) truth = oracle_pairs(replayer_.tree().objects());
-    if (asks) judge_ours(step, truth);
     recording_->check_theirs(step);
     if (const auto judged = recording_->their_step(step))
       judge_theirs(step, *judged, asks ? &truth : nullptr);
+    if (asks) judge_ours(step, truth);
   }
 
   void judge_ours(std::uint32_t step, const std::vector<Pair>& truth) {
@@ -217,10 +217,10 @@ class Verifier {
 
   void judge_theirs(std::uint32_t step, const TheirStep& recorded, const std::vector<Pair>* truth) {
     const std::vector<Pair> reported = recording_->their_pairs(step);
-    verdict_.theirs += recorded;
     if (reported.size() != recorded.pairs)
       diverge(step, counted(recorded.pairs, "pair") + " of theirs", std::to_string(reported.size()));
     if (truth != nullptr) compare_verdicts(step, reported, *truth, recorded);
+    verdict_.theirs += recorded;  // nothing of a step that is given up
   }
 
   /// How their pairs were judged is judged again.

@@ -46,7 +46,7 @@ SweptBox<D> with_slack(SweptBox<D> swept, Scalar least_reach = 0) {
 template <int D>
 class LazyIndex {
  public:
-  /// Call it when an object came, moved or went.
+  /// Call it when an object came or moved.
   void note(ObjectId object) noexcept {
     if (!is_packed_) return;
     try {
@@ -63,9 +63,9 @@ class LazyIndex {
     noted_.clear();
   }
 
-  /// The objects whose boxes the query meets, each once, and others: hold each against its box. `query`:
-  /// Box<D> or Cast<D>. `bound`: one more than the largest id. `box_of(object)`: its present box, or
-  /// std::nullopt.
+  /// The objects whose boxes the query meets, each once, and others, some of which may be gone: hold each
+  /// against its box. `query`: Box<D> or Cast<D>. `bound`: one more than the largest id. `box_of(object)`:
+  /// its present box, or std::nullopt.
   template <class Query, class BoxOf>
   [[nodiscard]] std::vector<ObjectId> candidates(const Query& query, std::size_t bound, const BoxOf& box_of) {
     {

@@ -216,11 +216,11 @@ class Import {
     for (const JudgedPair& one : judged) ++verdicts_[static_cast<std::size_t>(one.verdict)];
     if (sum.missed + sum.extra + sum.twice > 0 && first_wrong_.empty()) first_wrong_ = step.text;
     if (sum.missed > 0 && !has_lines && !pairs_.empty()) note_no_pairs(step);
-    note_few_digits(std::move(reported), judged, step);
+    note_open_pairs(std::move(reported), judged, step);
   }
 
   /// A pair that was reported is right, whatever the digits.
-  void note_few_digits(std::vector<Pair> reported, const std::vector<JudgedPair>& judged,
+  void note_open_pairs(std::vector<Pair> reported, const std::vector<JudgedPair>& judged,
                        const GivenStep& step) {
     const bool may_be_open = info_.design.rounding != BoundRounding{};
     if (may_be_open) {

@@ -165,7 +165,6 @@ class Box2dBroadPhase {
     for (const Handle handle : member.children) {
       static_cast<void>(world_.remove(handle));
       children_[handle.index()] = {};
-      index_->note({handle.index()});
     }
     member.children.clear();
   }

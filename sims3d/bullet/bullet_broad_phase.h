@@ -65,7 +65,6 @@ class BulletBroadPhase final : public btBroadphaseInterface {
   void destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override {
     cache_->removeOverlappingPairsContainingProxy(proxy, dispatcher);
     const Handle handle = static_cast<Proxy*>(proxy)->handle;
-    index_->note({handle.index()});
     static_cast<void>(world_->remove(handle));
     proxies_[handle.index()].reset();
   }

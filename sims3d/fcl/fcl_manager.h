@@ -59,7 +59,6 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     if (found == handles_.end()) return;
     static_cast<void>(world_.remove(found->second));
     members_[found->second.index()] = {};
-    index_->note({found->second.index()});
     handles_.erase(found);
     stale_ = true;
   }

@@ -267,5 +267,34 @@ TEST_F(Box2dBroadPhaseTest, QueriesAndRaysFindWhatBox2dFinds) {
   EXPECT_THAT(near.found, testing::UnorderedElementsAre(&first, &second));
 }
 
+TEST_F(Box2dBroadPhaseTest, QueriesSeeWhatCameMovedAndWent) {
+  Random random(11);
+  std::vector<b2Body*> balls;
+  const auto add_anywhere = [&] { balls.push_back(&add_ball(pick(random, 0, 20), pick(random, 0, 20))); };
+  for (int i = 0; i < 100; ++i) add_anywhere();
+  std::size_t found = 0;
+  for (int round = 0; round < 200; ++round) {
+    world_.DestroyBody(balls.front());
+    balls.erase(balls.begin());
+    add_anywhere();
+    balls[random.below(100)]->SetTransform({pick(random, 0, 20), pick(random, 0, 20)}, 0);
+    broad_phase_.update(kSeconds);
+    for (int asked = 0; asked < 4; ++asked) {
+      const b2Vec2 low(pick(random, 0, 18), pick(random, 0, 18));
+      const b2AABB box{low, low + b2Vec2(3, 3)};
+      const Box<2> here{{{low.x, low.y}}, {{box.upperBound.x, box.upperBound.y}}};
+      std::vector<const b2Body*> expected;
+      for (const b2Body* ball : balls)
+        if (overlaps(padded_box(*ball->GetFixtureList()->GetShape(), ball->GetTransform()), here))
+          expected.push_back(ball);
+      Collector near;
+      broad_phase_.query(near, box);
+      ASSERT_THAT(near.found, testing::UnorderedElementsAreArray(expected)) << round;
+      found += expected.size();
+    }
+  }
+  EXPECT_GT(found, 1000U);
+}
+
 }  // namespace
 }  // namespace kerf

@@ -232,6 +232,33 @@ def test_a_long_call_can_be_interrupted(tmp_path):
     assert len(run.values("pairs")) == 4000
 
 
+def test_what_a_condition_catches_does_not_end_the_search_for_the_smallest_run(tmp_path):
+    """`minimise` and `values` both ask for signals, some 50 ms after they last did: while the condition runs, only
+    `values` may."""
+    long = kerf.record("pile", tmp_path / "long.kerf", steps=4000, objects=50, grow=10)
+    run = kerf.record("pile", tmp_path / "run.kerf", steps=10, objects=20, grow=2)
+    caught = []
+
+    def handler(number, frame):
+        raise TimeoutError
+
+    def holds(trial):
+        try:
+            signal.setitimer(signal.ITIMER_REAL, 0.004 * (1 + len(caught)))
+            long.values("missed")
+        except TimeoutError:
+            caught.append(trial.steps)
+        return True
+
+    before = signal.signal(signal.SIGALRM, handler)
+    try:
+        assert run.minimise(holds, tmp_path / "small.kerf").steps == 1
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert len(caught) > 3
+
+
 def test_scenes_of_the_program_are_recorded(tmp_path):
     names = {name: dimension for name, dimension, _ in kerf.scenes()}
     assert names["buckets"] == 3 and names["pile"] == 2
