@@ -81,9 +81,8 @@ template <int D, class Trace>
 void Bsp<D, Trace>::step() {
   const NearestRounding rounding;
   const auto start = workers_.threads.now();
-  if (is_still()) {
-    ++step_;
-    placed_ = 0;
+  if (is_calm()) {
+    step_in_rows();
   } else {
     adapt();
     find_pairs();
@@ -92,13 +91,26 @@ void Bsp<D, Trace>::step() {
   workers_.threads.end_step(start, modes_.mode(), tree_.objects());
 }
 
-/// Whether a step would change nothing but its number: nothing was requested of a small world at rest whose
-/// pairs are known. Its fixed cost would be most of what it takes.
+/// Whether a step would change nothing but boxes, the rows of pairs, and its number: little or nothing moves
+/// in a small world whose pairs are rows of bits. The fixed cost of a step would be most of what it takes.
 template <int D, class Trace>
-bool Bsp<D, Trace>::is_still() const {
+bool Bsp<D, Trace>::is_calm() const {
   if (Trace::kEnabled || clock_.is_on()) return false;  // who sees the phases of a step sees all
-  return row_tests() == 0 && modes_.has_settled_on_rows() && config_.skin > 0 &&
-         swept_.has_rows(tree_.table) && swept_.are_listed_in(pairs_) && scheduler_.is_idle(tree_, config_);
+  return modes_.has_settled_on_rows() && config_.skin > 0 && row_tests() <= tuning::kFewTests &&
+         requests_.are_moves() && swept_.has_rows(tree_.table) && scheduler_.is_idle(tree_, config_);
+}
+
+/// A calm step: the same as a whole one.
+template <int D, class Trace>
+void Bsp<D, Trace>::step_in_rows() {
+  ++step_;
+  placed_ = 0;
+  if (requests_.given() > 0) {
+    swept_.begin_step(tree_, requests_.changed(), true);
+    SweptStep<D>::move_in_root({config_, tree_, requests_, workers_, step_, std::nullopt});
+    requests_.finish_step({}, workers_.threads.pool());
+  }
+  swept_.find_in_rows(tree_.table, pairs_);
 }
 
 /// Without its pairs nothing of a leaf can be kept.

@@ -103,7 +103,8 @@ class Bsp final : public BroadPhase<D> {
   typename Requests<D>::Receiver receiver() {
     return {tree_.table, workers_.threads.pool(), modes_.mode() == Mode::kept};
   }
-  [[nodiscard]] bool is_still() const;
+  [[nodiscard]] bool is_calm() const;
+  void step_in_rows();
   void adapt();
   [[nodiscard]] std::optional<Vector<D>> common_motion(std::uint64_t row_tests) const;
   [[nodiscard]] std::uint64_t row_tests() const;

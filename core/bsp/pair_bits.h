@@ -21,10 +21,6 @@ class PairBits {
   [[nodiscard]] bool have_room(const ObjectTable<D>& table) const {
     return known_ && table.bound() <= blocks_.size() * kBlockWidth;
   }
-  /// Whether these are the pairs, as far as their number shows, and no box has changed since.
-  [[nodiscard]] bool are_listed_in(const PairBuffer& pairs) const {
-    return known_ && changed_.empty() && pairs.size() == listed_;
-  }
   void forget() { known_ = false; }
   /// The pairs of the table's boxes are these.
   void take(const ObjectTable<D>& table, std::span<const Pair> pairs);

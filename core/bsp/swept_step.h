@@ -28,8 +28,6 @@ class SweptStep {
   void begin_step(const Tree<D>& tree, std::span<const ObjectId> changed, bool rows);
   /// Whether the pairs are known as rows of bits: `find_in_rows` finds them.
   [[nodiscard]] bool has_rows(const ObjectTable<D>& table) const { return rows_.have_room(table); }
-  /// Whether `find_in_rows` would leave the pairs of the last step as they are.
-  [[nodiscard]] bool are_listed_in(const PairBuffer& pairs) const { return rows_.are_listed_in(pairs); }
   void find_in_rows(const ObjectTable<D>& table, PairBuffer& pairs) { rows_.find(table, pairs); }
   /// These are the pairs that were found in the leaves: there are rows of them from now on, if they pay.
   void end_step(const ObjectTable<D>& table, std::span<const Pair> pairs);
