@@ -114,8 +114,8 @@ inline constexpr std::size_t kEntriesPerRestless = 4;
 inline constexpr std::size_t kEntriesPerRestlessIfSwept = 6;
 /// A leaf with fewer entries for each changed one is swept anew instead of patched.
 inline constexpr std::size_t kEntriesPerPatch = 4;
-/// More objects than these are taken out of a leaf in one pass over its pairs, fewer one by one.
-inline constexpr std::ptrdiff_t kFewDropped = 16;
+/// More objects than these are taken out of a leaf in one pass over its pairs, fewer four at a time.
+inline constexpr std::size_t kFewDropped = 16;
 /// Resting pairs are laid out anew when more than one in so many lies out of place. Scene mostly-static:
 /// copying all of them in each step was a tenth of it at 64,000 objects.
 inline constexpr std::size_t kRestingPerWrong = 8;

@@ -1,6 +1,7 @@
 #include "core/bsp/kept_pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/base/list_room.h"
@@ -259,15 +260,18 @@ void KeptPairs<D>::patch(const Objects& objects, Changes changes, LeafScratch<D>
   keep_pairs(std::as_const(scratch.pairs).all(), objects, leaf);
 }
 
-/// A few objects are looked for one by one; for many, one pass over all pairs is cheaper. `objects`: one more
-/// than the largest id.
+/// A few objects are looked for by their numbers; for many, one pass over all pairs is cheaper. `objects`:
+/// one more than the largest id.
 template <int D>
 void KeptPairs<D>::drop_going(Changes changes, std::size_t objects, LeafScratch<D>& scratch) {
   KeptLeaf<D>& leaf = leaves_[changes.front().leaf];
   const auto goes = [](const EntryChange& change) { return !change.comes && !change.restless; };
-  if (std::ranges::count_if(changes, goes) <= tuning::kFewDropped) {
+  if (static_cast<std::size_t>(std::ranges::count_if(changes, goes)) <= tuning::kFewDropped) {
+    std::array<std::uint32_t, tuning::kFewDropped> going;
+    std::size_t count = 0;
     for (const EntryChange& change : changes)
-      if (goes(change)) drop_object(leaf, change.object.value);
+      if (goes(change)) going[count++] = change.object.value;
+    drop_objects<D>(leaf, std::span(going).first(count));
   } else {
     make_room(scratch.marks, objects);
     for (const EntryChange& change : changes)

@@ -1,6 +1,7 @@
 #include "core/kernels/kept_leaf.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/list_room.h"
 #include "core/base/tuning.h"
@@ -75,40 +76,63 @@ HWY_INLINE void probe_all(KeptLeaf<D>& leaf, std::size_t count, const PackedBox<
   confirm_in<Places>(leaf, boxes, found, pairs);
 }
 
-/// The first of `n` numbers from `k` on that is `wanted`, or n.
+/// The first of `n` numbers from `k` on that is one of those wanted, or n.
+template <std::size_t N>
 HWY_INLINE std::size_t find_number(const std::uint32_t* numbers, std::size_t k, std::size_t n,
-                                   std::uint32_t wanted) {
+                                   const std::array<std::uint32_t, N>& wanted) {
   const hn::ScalableTag<std::uint32_t> lanes;
   const std::size_t step = hn::Lanes(lanes);
-  const auto all = hn::Set(lanes, wanted);
-  while (k + step <= n && hn::AllFalse(lanes, hn::Eq(hn::LoadU(lanes, numbers + k), all))) k += step;
-  while (k < n && numbers[k] != wanted) ++k;
+  for (; k + step <= n; k += step) {
+    const auto some = hn::LoadU(lanes, numbers + k);
+    auto is_wanted = hn::Eq(some, hn::Set(lanes, wanted[0]));
+    for (std::size_t i = 1; i < N; ++i)
+      is_wanted = hn::Or(is_wanted, hn::Eq(some, hn::Set(lanes, wanted[i])));
+    if (const auto first = hn::FindFirstTrue(lanes, is_wanted); first >= 0)
+      return k + static_cast<std::size_t>(first);
+  }
+  while (k < n && std::ranges::find(wanted, numbers[k]) == wanted.end()) ++k;
   return k;
 }
 
-/// Drops the pairs of a name, and records where others are now. A pair that replaces another one is tested
-/// again, so that the order of the remaining pairs does not depend on the width of the vectors.
-void drop_pairs(std::vector<Pair>& pairs, std::uint32_t name, std::vector<std::uint32_t>* changed) {
+/// Drops the pairs of these names, and records where others are now. A pair that replaces another one is
+/// tested again, so that the order of the remaining pairs does not depend on the width of the vectors.
+template <std::size_t N>
+HWY_INLINE void drop_pairs_of(const std::array<std::uint32_t, N>& names, std::vector<Pair>& pairs,
+                              std::vector<std::uint32_t>* changed) {
   static_assert(sizeof(Pair) == 2 * sizeof(std::uint32_t));
   const auto* const numbers = reinterpret_cast<const std::uint32_t*>(pairs.data());
   std::size_t n = pairs.size();
-  for (std::size_t at = find_number(numbers, 0, 2 * n, name); at < 2 * n;
-       at = find_number(numbers, at & ~std::size_t{1}, 2 * n, name)) {
+  for (std::size_t at = find_number(numbers, 0, 2 * n, names); at < 2 * n;
+       at = find_number(numbers, at & ~std::size_t{1}, 2 * n, names)) {
     pairs[at / 2] = pairs[--n];
     if (changed != nullptr) changed->push_back(static_cast<std::uint32_t>(at / 2));
   }
   pairs.resize(n);
 }
 
+/// Long lists are read from afar: once for four names.
+void drop_pairs(std::vector<Pair>& pairs, std::span<const std::uint32_t> names,
+                std::vector<std::uint32_t>* changed) {
+  constexpr std::size_t kAtOnce = 4;
+  for (; names.size() > 1; names = names.subspan(std::min(kAtOnce, names.size()))) {
+    std::array<std::uint32_t, kAtOnce> some;
+    for (std::size_t i = 0; i < kAtOnce; ++i) some[i] = names[std::min(i, names.size() - 1)];
+    drop_pairs_of(some, pairs, changed);
+  }
+  if (!names.empty()) drop_pairs_of(std::array{names.front()}, pairs, changed);
+}
+
 void rename(std::vector<Pair>& pairs, std::uint32_t from, std::uint32_t to) {
   auto* const numbers = reinterpret_cast<std::uint32_t*>(pairs.data());
   const std::size_t n = 2 * pairs.size();
-  for (std::size_t at = find_number(numbers, 0, n, from); at < n; at = find_number(numbers, at + 1, n, from))
+  const std::array wanted{from};
+  for (std::size_t at = find_number(numbers, 0, n, wanted); at < n;
+       at = find_number(numbers, at + 1, n, wanted))
     numbers[at] = to;
 }
 
 std::size_t find_object(const std::vector<std::uint32_t>& objects, std::uint32_t object) {
-  return find_number(objects.data(), 0, objects.size(), object);
+  return find_number(objects.data(), 0, objects.size(), std::array{object});
 }
 
 /// Writes those of the candidates whose boxes, given by their names, overlap. Four in each turn of the loop:
@@ -282,20 +306,19 @@ void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf) {
 }
 
 template <int D>
-void drop_object(KeptLeaf<D>& leaf, std::uint32_t object) {
-  const std::size_t k = HWY_DYNAMIC_DISPATCH(find_object)(leaf.objects, object);
-  if (k == leaf.objects.size()) return;
-  const std::size_t last = leaf.objects.size() - 1;
-  move_entry(leaf, last, k);
-  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.resting.pairs, object, &leaf.resting.changed);
-  if (leaf.names == Names::objects) {
-    HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, object, nullptr);
-  } else {
-    HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, static_cast<std::uint32_t>(k), nullptr);
-    HWY_DYNAMIC_DISPATCH(rename)
-    (leaf.candidates, static_cast<std::uint32_t>(last), static_cast<std::uint32_t>(k));
+void drop_objects(KeptLeaf<D>& leaf, std::span<const std::uint32_t> objects) {
+  for (const std::uint32_t object : objects) {
+    const auto place = static_cast<std::uint32_t>(HWY_DYNAMIC_DISPATCH(find_object)(leaf.objects, object));
+    if (place == leaf.objects.size()) continue;
+    const auto last = static_cast<std::uint32_t>(leaf.objects.size() - 1);
+    move_entry(leaf, last, place);
+    drop_last(leaf, 1);
+    if (leaf.names == Names::objects) continue;
+    HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, {&place, 1}, nullptr);
+    HWY_DYNAMIC_DISPATCH(rename)(leaf.candidates, last, place);
   }
-  drop_last(leaf, 1);
+  HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.resting.pairs, objects, &leaf.resting.changed);
+  if (leaf.names == Names::objects) HWY_DYNAMIC_DISPATCH(drop_pairs)(leaf.candidates, objects, nullptr);
 }
 
 template <int D>
@@ -348,7 +371,7 @@ void filter_candidates(const KeptLeaf<D>& leaf, std::span<const PackedBox<D>> bo
 #define KERF_INSTANTIATE(D)                                                                               \
   template void empty_leaf<D>(const LeafView<D>&, KeptLeaf<D>&);                                          \
   template void append_entries<D>(const LeafView<D>&, KeptLeaf<D>&);                                      \
-  template void drop_object<D>(KeptLeaf<D>&, std::uint32_t);                                              \
+  template void drop_objects<D>(KeptLeaf<D>&, std::span<const std::uint32_t>);                            \
   template void drop_marked<D>(KeptLeaf<D>&, std::span<const std::uint8_t>);                              \
   template void drop_last<D>(KeptLeaf<D>&, std::size_t);                                                  \
   template void probe_last<D>(KeptLeaf<D>&, std::size_t, std::span<const PackedBox<D>>, Names, Findings&, \

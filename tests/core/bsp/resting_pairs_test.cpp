@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "core/bsp/bsp.h"
@@ -59,7 +61,7 @@ class Resting : public testing::Test {
   void change(std::size_t k) {
     switch (random_.below(8)) {
       case 0:
-        drop_object(leaves_[node(k)], any_object(k));
+        drop_objects<kD>(leaves_[node(k)], std::array{any_object(k)});
         break;
       case 1: {
         std::vector<std::uint8_t> marks(leaves_.size() * kObjects, 0);

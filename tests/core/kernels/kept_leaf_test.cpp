@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <set>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -164,12 +166,20 @@ TYPED_TEST(KeptLeaves, WhatGoesTakesItsPairsAlong) {
       take_candidates(leaf, 200, boxes);
       leaf.resting.pairs = expected_pairs(part_of(all, 0, 200));
       std::set<ObjectId> gone;
+      std::vector<std::uint32_t> going;
       for (std::size_t k = 0; k < 40; ++k) {
         const ObjectId object = all.objects[(k * 37 + 199) % 200];  // the last one, too
         gone.insert(object);
-        drop_object(leaf, object.value);
+        going.push_back(object.value);
       }
-      drop_object(leaf, all.objects[250].value);  // it has no entry
+      going[13] = all.objects[250].value;  // it has no entry
+      gone.erase(all.objects[(13 * 37 + 199) % 200]);
+      std::size_t done = 0;
+      for (const std::size_t count : {1U, 2U, 3U, 4U, 5U, 8U, 0U, 17U}) {
+        drop_objects<kD>(leaf, std::span(going).subspan(done, count));
+        done += count;
+      }
+      ASSERT_EQ(done, going.size());
       const std::vector<Pair> left = expected_pairs(without(part_of(all, 0, 200), gone));
       ASSERT_EQ(difference(filtered(leaf, boxes), left), "");
       ASSERT_EQ(difference(leaf.resting.pairs, left), "");
