@@ -34,8 +34,8 @@ void Columns<D>::lay_out(double size) {
     const double length = high_[axis] - low_[axis];
     const double cells =
         std::clamp(length / (size * extent_[axis]), 1.0, static_cast<double>(tuning::most_columns(D)));
-    // A length of 0 gives NaN; such a scene has one cell.
-    const std::uint32_t count = length > 0 ? static_cast<std::uint32_t>(cells) : 1;
+    // Boxes without a length, or without any extent, give NaN; such a scene has one cell.
+    const std::uint32_t count = cells > 1 ? static_cast<std::uint32_t>(cells) : 1;
     grid_.across[k] = AxisCells(static_cast<Scalar>(low_[axis]), static_cast<Scalar>(high_[axis]), count);
   }
 }
