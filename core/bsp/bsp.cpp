@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "core/base/rounding.h"
+#include "core/base/float_mode.h"
 #include "core/base/tuning.h"
 #include "core/bsp/common_motion.h"
 #include "core/tree/hash.h"
@@ -42,11 +42,13 @@ void Bsp<D, Trace>::decide(std::vector<Decision> decisions) {
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::insert(ObjectId object, const Box<D>& box, Mobility mobility) {
+  const DefaultFloats floats;
   return requests_.insert(object, box, mobility, receiver());
 }
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::insert(ObjectId object, const Volume<D>& volume, Mobility mobility) {
+  const DefaultFloats floats;
   return requests_.insert(object, volume, mobility, receiver());
 }
 
@@ -57,6 +59,7 @@ Status Bsp<D, Trace>::move(ObjectId object, const Box<D>& box) {
 
 template <int D, class Trace>
 Status Bsp<D, Trace>::move(ObjectId object, const Volume<D>& volume) {
+  const DefaultFloats floats;
   return requests_.move(object, volume, receiver());
 }
 
@@ -65,6 +68,7 @@ Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<con
   if (objects.size() != boxes.size())
     throw std::invalid_argument(std::to_string(boxes.size()) + " boxes for " +
                                 std::to_string(objects.size()) + " objects: there must be one for each");
+  const DefaultFloats floats;
   if (objects.size() < tuning::kFewThings) return requests_.move_many(objects, boxes, receiver());
   const auto start = workers_.threads.now();
   const Status first = requests_.move_many(objects, boxes, receiver());
@@ -79,7 +83,7 @@ Status Bsp<D, Trace>::remove(ObjectId object) {
 
 template <int D, class Trace>
 void Bsp<D, Trace>::step() {
-  const NearestRounding rounding;
+  const DefaultFloats floats;
   const auto start = workers_.threads.now();
   if (is_calm()) {
     step_in_rows();
@@ -116,7 +120,7 @@ void Bsp<D, Trace>::step_in_rows() {
 /// Without its pairs nothing of a leaf can be kept.
 template <int D, class Trace>
 void Bsp<D, Trace>::step_unswept() {
-  const NearestRounding rounding;
+  const DefaultFloats floats;
   adapt();
   pairs_.clear();
   kept_.forget_pairs();

@@ -32,7 +32,7 @@ template <int D>
 void PairBits<D>::take(const ObjectTable<D>& table, std::span<const Pair> pairs) {
   blocks_.resize((table.bound() + kBlockWidth - 1) / kBlockWidth);
   words_ = (blocks_.size() * kBlockWidth + kWordBits - 1) / kWordBits;
-  fixed_.resize(words_);
+  fixed_.assign(words_, 0);
   bits_.assign(blocks_.size() * kBlockWidth * words_, 0);
   for (std::uint32_t id = 0; id < blocks_.size() * kBlockWidth; ++id) write_box(table, {id});
   for (const auto& [a, b] : pairs) {

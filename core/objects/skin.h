@@ -7,7 +7,6 @@
 
 #include "core/base/tuning.h"
 #include "core/geometry/box.h"
-#include "core/geometry/denormal.h"
 #include "core/geometry/packed_box.h"
 
 namespace kerf {
@@ -123,8 +122,8 @@ Box<D> fatten(const Box<D>& box, const Box<D>& before, const Skin& skin, float s
   for (int i = 0; i < D; ++i) {
     const float back = std::clamp((before.min[i] - box.min[i]) * steps, 0.0F, size) * share;
     const float ahead = std::clamp((box.max[i] - before.max[i]) * steps, 0.0F, size) * share;
-    fat.min[i] = plus(box.min[i], -(back + around));
-    fat.max[i] = plus(box.max[i], ahead + around);
+    fat.min[i] = box.min[i] - (back + around);
+    fat.max[i] = box.max[i] + (ahead + around);
   }
   return is_valid(fat) ? fat : box;
 }
@@ -135,8 +134,8 @@ Box<D> wrap(const Box<D>& box, const Skin& skin) {
   const float around = skin.thickness(size_and_speed(box, box).size);
   Box<D> fat = box;
   for (int i = 0; i < D; ++i) {
-    fat.min[i] = plus(box.min[i], -around);
-    fat.max[i] = plus(box.max[i], around);
+    fat.min[i] = box.min[i] - around;
+    fat.max[i] = box.max[i] + around;
   }
   return is_valid(fat) ? fat : box;
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/base/rounding.h"
+#include "core/base/float_mode.h"
 #include "core/geometry/denormal.h"
 #include "core/spatial/exact_sum.h"
 
@@ -72,7 +72,7 @@ Cast<D>::Cast(const Ray<D>& ray)
 
 template <int D>
 Cast<D>::Cast(const Segment<D>& segment) : box{segment.from, segment.from}, max_t(1) {
-  const NearestRounding rounding;
+  const DefaultFloats floats;
   for (int i = 0; i < D; ++i) {
     const Exact way = difference(wide(segment.to[i]), wide(segment.from[i]));
     direction[static_cast<std::size_t>(i)] = way.value;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/float_mode.h"
 #include "core/world/world_boxes.h"
 
 namespace kerf {
@@ -14,8 +15,8 @@ constexpr Mobility mobility(ObjectKind kind) { return is_passive(kind) ? Mobilit
 
 }  // namespace
 
-/// The scope of a change of the tree. If it ends by an exception, the tree is built anew before the next
-/// change.
+/// The scope of a change of the tree, with the usual floats. If it ends by an exception, the tree is built
+/// anew before the next change.
 template <int D>
 class World<D>::Change {
  public:
@@ -29,6 +30,7 @@ class World<D>::Change {
   void finish() { world_.torn_ = false; }
 
  private:
+  DefaultFloats floats_;
   World& world_;
 };
 
@@ -307,9 +309,11 @@ WorldPair World<D>::describe(std::uint32_t a, Partner b) const {
 template <int D>
 void World<D>::step() {
   unstepped_ = true;  // also for the callback, and if memory ends
-  Change change(*this);
-  tree_->step();
-  change.finish();
+  {
+    Change change(*this);
+    tree_->step();
+    change.finish();
+  }
   gather();
   report();
   slots_.finish_step();
@@ -324,6 +328,7 @@ void World<D>::gather() {
   if (filters_ == 0 && sensors_ == 0 && is_exact) {
     next_rows_.assign(all, slots_.size());
   } else {
+    const DefaultFloats floats;
     kept_.clear();
     for (const Pair& pair : all) {
       if (!may_report(pair.a, pair.b)) continue;

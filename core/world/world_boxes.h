@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "core/geometry/box.h"
-#include "core/geometry/denormal.h"
 #include "core/world/object_def.h"
 #include "core/world/world_status.h"
 
@@ -35,8 +34,8 @@ template <int D>
 Box<D> grow(Box<D> box, Scalar margin) {
   if (!is_thick(margin)) return box;
   for (int i = 0; i < D; ++i) {
-    box.min[i] = plus(box.min[i], -margin);
-    box.max[i] = plus(box.max[i], margin);
+    box.min[i] -= margin;
+    box.max[i] += margin;
   }
   (void)clamp(box);
   return box;
@@ -46,8 +45,8 @@ template <int D>
 Box<D> shifted(const Box<D>& box, const Vector<D>& by) {
   Box<D> result;
   for (int i = 0; i < D; ++i) {
-    result.min[i] = plus(box.min[i], by[i]);
-    result.max[i] = plus(box.max[i], by[i]);
+    result.min[i] = box.min[i] + by[i];
+    result.max[i] = box.max[i] + by[i];
   }
   return result;
 }

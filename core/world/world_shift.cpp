@@ -1,6 +1,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/float_mode.h"
 #include "core/world/world.h"
 #include "core/world/world_boxes.h"
 
@@ -12,6 +13,7 @@ template <int D>
 WorldStatus World<D>::shift_origin(const Vector<D>& by) {
   for (const Scalar along : by.value)
     if (!std::isfinite(along)) return WorldStatus::bad_value;
+  const DefaultFloats floats;
   std::vector<Box<D>> fat_boxes;
   fat_boxes.reserve(size());
   ids_.clear();

@@ -1,6 +1,6 @@
 // A step of a small world in which little or nothing moves does only what that asks for, if no trace sees it.
-// Beside a tree that has a trace, and so takes every step in full, nothing else must differ, whatever is asked
-// in between.
+// Beside a tree that has a trace, and so takes every step in full, nothing else must differ, whatever is
+// asked in between.
 
 #include <gtest/gtest.h>
 

@@ -179,6 +179,26 @@ TYPED_TEST(PairBitsOfTree, ARestoredWorldDoesNotTrustTheListThatCameWithIt) {
   other.step();
 }
 
+/// A state from before there were fixed objects says that none is.
+TYPED_TEST(PairBitsOfTree, ARestoredWorldHasTheFixedObjectsOfItsState) {
+  constexpr int kD = TypeParam::value;
+  Bsp<kD> tree(tuned_config());
+  const auto box_of = [](std::uint32_t id) {
+    return box_at(all<kD>(static_cast<Scalar>(10 * id)), Scalar{1});
+  };
+  for (std::uint32_t id = 0; id < 4; ++id) (void)tree.insert({id}, box_of(id), Mobility::moving);
+  tree.step();
+  const BspState<kD> state = tree.state();
+  (void)tree.remove({1});
+  (void)tree.insert({1}, box_of(1), Mobility::fixed);
+  tree.step();
+  tree.restore(state);
+  tree.step();
+  (void)tree.insert({4}, box_of(1), Mobility::fixed);
+  tree.step();
+  EXPECT_EQ(difference(tree.pairs(), std::vector<Pair>{{{1}, {4}}}), "");
+}
+
 /// What one step of a run shows of it.
 struct Shown {
   std::vector<Event> events;

@@ -7,7 +7,6 @@
 #include <limits>
 #include <set>
 
-#include "tests/hard/flush_to_zero.h"
 #include "tests/support/dimensions.h"
 
 namespace kerf::test {
@@ -199,17 +198,6 @@ TEST(Skin, TheBoxOfTheLastLookIsUnmoved) {
   EXPECT_FALSE(skin.is_unmoved(8));
   skin.look(8);
   EXPECT_FALSE(skin.is_unmoved(7));
-}
-
-TYPED_TEST(Skins, NoBoxShrinksWhereDenormalsAreZero) {
-  constexpr int kD = TypeParam::value;
-  const Box<kD> box = cube<kD>(-0x1p-140F, 0x1p-140F);
-  Box<kD> wrapped;
-  {
-    const FlushToZero flush(true);
-    wrapped = wrap(box, kUsual);
-  }
-  EXPECT_TRUE(contains(wrapped, box));
 }
 
 TYPED_TEST(Skins, FingerprintsDistinguishBoxes) {
