@@ -1,5 +1,5 @@
-// Calls of one tree may come from threads of which only some take denormals for zero, or round in another
-// direction. Pairs are those of the boxes as they were given.
+// HARD_CASES N5: calls of one tree may come from threads of which only some take denormals for zero, or round
+// in another direction. Pairs are those of the boxes as they were given.
 
 #include <gtest/gtest.h>
 
