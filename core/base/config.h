@@ -47,7 +47,7 @@ struct Config {
   std::uint32_t swap_rest = 0;  ///< scheduling intervals in which a leaf that a swap moved up is not split
 
   // Limits that the paper asks for without a number (sections 6.2 and 7).
-  std::uint32_t max_height = 40;   ///< no split below this depth; at most 63
+  std::uint32_t max_height = 40;   ///< no split at or below this depth; at most 63
   float max_entries = 4.0F;        ///< no split once entries exceed this many times the objects; beyond twice
                                    ///< as many, straddled nodes are merged at once
   std::uint32_t directions = 256;  ///< size of the direction set (3D; 2D uses a quarter)
