@@ -25,8 +25,9 @@ struct Parameter {
 constexpr double kAny = 1e9;
 
 const std::array kParameters{
-    Parameter{{"candidate_factor", "candidates tried at a split: factor * sqrt(objects)", 0, 1000},
-              &Config::candidate_factor},
+    Parameter{
+        {"candidate_factor", "candidates tried at a split: factor * sqrt(objects of the leaf)", 0, 1000},
+        &Config::candidate_factor},
     Parameter{{"sample", "objects projected and sorted for each candidate", 2, kAny}, &Config::sample},
     Parameter{{"free_directions", "0: partitioners along the axes only", 0, 1}, &Config::free_directions},
     Parameter{{"min_balance", "below it a node is unbalanced", 0, 1}, &Config::min_balance},

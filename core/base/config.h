@@ -11,7 +11,7 @@ namespace kerf {
 /// a number open, our reading stands beside it.
 struct Config {
   // Choice of a partitioner (section 3.2).
-  float candidate_factor = 2.0F;  ///< candidates tried at a split: factor * sqrt(population) (6.1)
+  float candidate_factor = 2.0F;  ///< candidates tried at a split: factor * sqrt(objects of the leaf) (6.1)
   std::uint32_t sample = 256;     ///< objects projected and sorted for each candidate (4.1: "a subset")
   bool free_directions = true;    ///< false: only partitioners along the axes
 

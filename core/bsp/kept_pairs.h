@@ -42,7 +42,7 @@ struct KeptObjects {
 };
 
 /// The pairs of fat boxes, leaf by leaf. As long as the boxes stay in their fat ones, the pairs of a step are
-/// among them (DESIGN.md, "Fast"): a step filters those that need it. A leaf that an operator changed is
+/// among them (DESIGN.md, "Speed"): a step filters those that need it. A leaf that an operator changed is
 /// swept anew; an object that got another fat box is taken out of its leaves' lists and looked up again.
 /// Restless objects have no kept pairs: they are looked up in each step. A leaf that has many of them keeps
 /// nothing: it is swept as a whole.

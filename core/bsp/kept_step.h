@@ -15,8 +15,8 @@
 namespace kerf {
 
 /// The step for objects of which most stay where they are or move little: the tree places fat boxes, and the
-/// pairs of fat boxes are kept from step to step and filtered (DESIGN.md, "Fast"). Its memory is kept between
-/// steps.
+/// pairs of fat boxes are kept from step to step and filtered (DESIGN.md, "Speed"). Its memory is kept
+/// between steps.
 template <int D>
 class KeptStep {
  public:

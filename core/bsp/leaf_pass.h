@@ -24,7 +24,7 @@ struct LeafScratch {
   std::vector<std::uint8_t> has_fat;  ///< by entry of one leaf
 };
 
-/// One visit to each leaf of a tree. Leaves are the unit of parallel work (DESIGN.md, "Fast"): threads take
+/// One visit to each leaf of a tree. Leaves are the unit of parallel work (DESIGN.md, "Speed"): threads take
 /// runs of them, and their pairs are joined in the order of the leaves, so that the number of threads
 /// affects only the time.
 template <int D>

@@ -20,7 +20,9 @@ constexpr std::array<ConditionWords, kConditionCount> kConditions{{
     {"uproar", "very many objects left their fat boxes at once, and they are fast"},
     {"rows_pay", "for some steps in a row so little moved in so small a world that its pairs are bits"},
     {"slow_at_first", "the first motions that are known are slow"},
-    {"slow_for_long", "for many steps in a row objects were slow; each regret doubles the number of steps"},
+    {"slow_for_long",
+     "for many steps in a row objects were slow; each phase of keeping that did not pay doubles the number "
+     "of steps"},
 }};
 
 constexpr std::array<std::string_view, kModeCount> kModes{"ordered", "swept", "kept"};

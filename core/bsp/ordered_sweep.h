@@ -18,8 +18,9 @@ struct SweepBuffer {
 /// Orders the entries of a leaf by (key.lo, object); nearly linear when they are nearly ordered.
 void sort_entries(std::vector<Entry>& entries);
 
-/// Appends the pairs of one leaf that the canonical-leaf rule (DESIGN.md, "Once") gives to it. The entries
-/// are ordered; two boxes can overlap only if their keys do, so the inner loop ends at the first key beyond.
+/// Appends the pairs of one leaf that the canonical-leaf rule (DESIGN.md, "Each pair once") gives to it. The
+/// entries are ordered; two boxes can overlap only if their keys do, so the inner loop ends at the first key
+/// beyond.
 template <int D>
 void sweep_leaf(const ObjectTable<D>& table, const Node<D>& leaf, SweepBuffer<D>& buffer, PairBuffer& pairs);
 

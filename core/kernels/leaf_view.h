@@ -28,7 +28,7 @@ struct ByteScale {
 ///
 /// `apart` is the exclusion mask: the bits of the planes that an entry straddles and that the leaf lies right
 /// of, and `kFixedBit` for a fixed object. Two entries are this leaf's pair iff their masks have no common
-/// bit (DESIGN.md, "Once"; two fixed objects are never a pair).
+/// bit (DESIGN.md, "Each pair once"; two fixed objects are never a pair).
 template <int D>
 struct LeafView {
   static constexpr DepthMask kFixedBit = DepthMask{1} << 63U;  // no ancestor lies that deep

@@ -57,8 +57,8 @@ std::optional<ReferencePoint> best_reference_point(std::span<const Interval> int
 /// 4.1: a subset is projected and sorted).
 std::optional<ReferencePoint> good_reference_point(std::span<const Interval> intervals, const Config& config);
 
-/// Candidates that a split of `objects` objects tries: candidate_factor * sqrt(objects), within the set's
-/// size.
+/// Candidate planes that a split of a leaf with `objects` objects tries: candidate_factor * sqrt(objects),
+/// within the set's size.
 std::uint32_t candidate_count(std::uint32_t objects, std::uint32_t directions, const Config& config);
 
 /// The objects of a leaf on which candidates are judged first: all, or `config.sample` of them, spread over

@@ -218,7 +218,7 @@ BenchCommand::BenchCommand(CLI::App& program)
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     command_->add_option(name, text, meaning)->type_name(type);
   };
-  option("--scenes", texts_.scenes, "Which motions, see below (default all)", "A,B,...");
+  option("--scenes", texts_.scenes, "Which motions (see below; default all)", "A,B,...");
   option("--simulations", texts_.simulations,
          "Instead: broad phases in the loop of these scenes of `kerf render` (or all), beside the same boxes "
          "alone",

@@ -42,7 +42,7 @@ double pixelmatch_share(const Image& a, const Image& b) {
 
 /// A verdict, marked where it is wrong.
 std::string verdict(bool objects, bool is_bug) {
-  const std::string word = objects ? "objects" : "passes";
+  const std::string word = objects ? "fails" : "passes";
   return objects == is_bug ? word : "**" + word + "**";
 }
 

@@ -22,8 +22,8 @@ std::vector<Reference> links_in(const std::filesystem::path& page, const std::ve
 /// or with braces are left out.
 std::vector<Reference> paths_in(const std::filesystem::path& page, const std::vector<std::string>& lines);
 
-/// Headings named in the words of any text: DESIGN.md, "Once". The target is "DESIGN.md#once". A reference
-/// may go on in the next line of a comment.
+/// Headings named in the words of any text: DESIGN.md, "Each pair once". The target is
+/// "DESIGN.md#each-pair-once". A reference may go on in the next line of a comment.
 std::vector<Reference> named_headings_in(const std::filesystem::path& file,
                                          const std::vector<std::string>& lines);
 

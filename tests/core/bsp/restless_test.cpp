@@ -1,4 +1,5 @@
-// Most objects rest, some are too fast for any fat box: those are looked up in each step (DESIGN.md, "Fast").
+// Most objects rest, some are too fast for any fat box: those are looked up in each step (DESIGN.md,
+// "Speed").
 
 #include <gtest/gtest.h>
 
