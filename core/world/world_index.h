@@ -33,8 +33,8 @@ struct WorldNeighbour {
   friend constexpr bool operator==(const WorldNeighbour&, const WorldNeighbour&) = default;
 };
 
-/// Answers queries about the boxes of a world's objects (docs/EMBEDDING.md, "Ask"): exactly, by the boxes as
-/// given, fat boxes or not. A world without an index pays nothing.
+/// Answers queries about the boxes of a world's objects (docs/EMBEDDING.md, "Queries"): exactly, by the boxes
+/// as given, fat boxes or not. A world without an index pays nothing.
 ///
 /// Answers are those for the boxes as they were in the last `update`; an object that was removed since is not
 /// found. Kinds and filters are those of the moment. Results are appended, ordered by index, t or distance; a

@@ -1,5 +1,5 @@
-// README.md says what users type and embed: the commands of its first five minutes are run, its sample and
-// those of ADAPTERS.md are the ones that are compiled.
+// README.md says what users type and embed: its first commands are run, its sample and those of ADAPTERS.md
+// are the ones that are compiled.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -56,9 +56,9 @@ RunOutcome run_script(const std::string& script, const std::filesystem::path& fo
   return shell.wait();
 }
 
-TEST(ReadmeProgram, TheCommandsOfTheFirstFiveMinutesWork) {
+TEST(ReadmeProgram, TheFirstCommandsWork) {
   const TemporaryFolder folder;
-  const std::string text = section("Five minutes");
+  const std::string text = section("First commands");
   const std::vector<std::string> csv = blocks(text, "csv");
   ASSERT_THAT(csv, SizeIs(2));
   std::ofstream(folder.path() / "boxes.csv") << csv[0];
@@ -74,7 +74,7 @@ TEST(ReadmeProgram, TheCommandsOfTheFirstFiveMinutesWork) {
 }
 
 TEST(ReadmeProgram, TheSampleIsTheOneThatIsCompiled) {
-  const std::string text = section("Five minutes");
+  const std::string text = section("First commands");
   EXPECT_EQ(joined(blocks(text, "cpp")), project_text("tests/embed/main.cpp"));
   const std::string project = project_text("tests/embed/CMakeLists.txt");
   const std::string here = "add_subdirectory(../.. kerf";
