@@ -13,7 +13,7 @@ namespace kerf {
 ///   stand. Misses what meets in between, invents what has parted. New objects have no pairs until then.
 /// - `margin`: what is handed on is widened by so much on each side. With a period, nothing is missed while
 ///   each of two objects has moved less than it since. Invents pairs that are up to twice as far apart.
-/// - `filter`: kept pairs are held against the latest boxes, so that nothing is invented.
+/// - `filter`: kept pairs are compared with the latest boxes, so that nothing is invented.
 /// - `grid`: ends of intervals are rounded to multiples of it, by the same monotone function for all ends:
 ///   this invents pairs, and never misses one (DESIGN.md, "Correct pairs"). An object whose rounded box stays
 ///   the same is not moved.

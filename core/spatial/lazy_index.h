@@ -63,8 +63,8 @@ class LazyIndex {
     noted_.clear();
   }
 
-  /// The objects whose boxes the query meets, each once, and others, some of which may be gone: hold each
-  /// against its box. `query`: Box<D> or Cast<D>. `bound`: one more than the largest id. `box_of(object)`:
+  /// The objects whose boxes the query meets, each once, and others, some of which may be gone: test
+  /// the box of each. `query`: Box<D> or Cast<D>. `bound`: one more than the largest id. `box_of(object)`:
   /// its present box, or std::nullopt.
   template <class Query, class BoxOf>
   [[nodiscard]] std::vector<ObjectId> candidates(const Query& query, std::size_t bound, const BoxOf& box_of) {

@@ -11,7 +11,7 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr const char* kCheck = R"(Holds a broad phase of yours against brute force.
+constexpr const char* kCheck = R"(Compares a broad phase of yours with brute force.
 
 function   takes boxes (n, 2, d), float32 or float64, and returns pairs of rows: (m, 2) whole numbers, or any
            iterable of two each, but no tuple of arrays (np.argwhere(...), not np.nonzero(...)). With stateful=True
