@@ -6,20 +6,20 @@
  * Boxes are rows of floats: the minimum on each axis, then the maximum on each axis; 4 floats in 2D, 6 in 3D.
  *
  * Errors: KERF_OK and KERF_CLAMPED mean done; any other status says what is wrong, and nothing was done.
- * Nothing aborts, and no exception leaves the library. In a batch each object is a request of its own: those
- * that can be met are, statuses (or NULL) gets the status of each, and the function returns the first
- * failure, else KERF_CLAMPED if any is, else KERF_OK. NULL where data is needed is KERF_NULL_ARGUMENT; lists
- * of no elements may be NULL.
+ * Nothing aborts, and no exception leaves the library. Requests of a batch are independent: those that can be
+ * met are, statuses (or NULL) gets the status of each, and the function returns the first failure, else
+ * KERF_CLAMPED if any is, else KERF_OK. NULL where data is needed is KERF_NULL_ARGUMENT, but for empty lists.
  *
  * Structs begin with their size, so that later versions can have more members: kerf_..._init() sets it, and
  * defaults. Reserved members must be 0, and so must those beyond the ones that the library knows; no struct
  * will ever be larger than 4096 bytes. kerf_pair never changes.
  *
  * Threads: functions that take a const kerf_world may be called at the same time; no other may be meanwhile.
- * Different worlds share nothing but oneTBB's threads, as all of a program does that uses oneTBB.
+ * Each world has its own oneTBB task arena; the worker threads belong to the process. Two threads may use two
+ * worlds at the same time.
  *
- * Memory follows the most objects that lived at a time. If it ends, KERF_OUT_OF_MEMORY is returned and the
- * world stays usable; of a batch objects with that status were taken or were not. */
+ * Memory follows the most objects that lived at a time. If it runs out, KERF_OUT_OF_MEMORY is returned and
+ * the world stays usable; of a batch objects with that status were taken or were not. */
 #ifndef KERF_H
 #define KERF_H
 
@@ -81,11 +81,10 @@ enum kerf_pair_flag { KERF_PAIR_OF_SENSOR = 1 }; /* flag of a pair: one of both 
 
 typedef struct kerf_world_options {
   uint32_t size;
-  uint32_t pairs_of; /* KERF_PAIRS_OF_FAT_BOXES */
-  uint32_t threads;  /* that may share a step, if that is faster; at most 256; 1. Never part of a result. */
-  uint32_t tag;      /* 0 to 255. Handles of worlds with different tags are never mistaken for each other. */
-  const char*
-      config; /* "NAME=VALUE,...": changes to the tree's tuned configuration (core/base/config.h); or NULL */
+  uint32_t pairs_of;  /* KERF_PAIRS_OF_FAT_BOXES */
+  uint32_t threads;   /* that may share a step, if that is faster; at most 256; 1. Never part of a result. */
+  uint32_t tag;       /* 0 to 255. Handles of worlds with different tags are never mistaken for each other. */
+  const char* config; /* "NAME=VALUE,...": changes to the tuned tree (core/base/config.h); or NULL */
 } kerf_world_options;
 
 /* Everything of an object but its box. */
@@ -96,7 +95,7 @@ typedef struct kerf_object {
   uint64_t mask;      /* all bits. A pair needs a bit of each one's category in the other's mask ... */
   uint64_t user_data; /* 0; the world only keeps it */
   int32_t group; /* 0. ... unless both have one group other than 0: a pair if positive, none if negative. */
-  float margin;  /* 0. Of the fat box, in units of length: made anew each time that the box leaves it. */
+  float margin;  /* 0. In units of length, on each side; a fat box is made anew when the box leaves it. */
 } kerf_object;
 
 /* A pair of a report. a is the object with the smaller index. */
@@ -131,19 +130,20 @@ KERF_API kerf_status kerf_world_create(uint32_t dimension, const kerf_world_opti
 KERF_API void kerf_world_destroy(kerf_world* world);
 
 /* objects: NULL for the defaults, or object_count of them: one for all boxes, or one for each. handles gets
- * one for each box, 0 for those that failed. */
+ * one for each box, 0 for those that failed. KERF_CLAMPED, KERF_BAD_BOX, KERF_BAD_VALUE, KERF_FULL. */
 KERF_API kerf_status kerf_world_insert(kerf_world* world, const float* boxes, const kerf_object* objects,
                                        size_t object_count, size_t count, kerf_handle* handles,
                                        kerf_status* statuses);
-/* Moves are made in order; the last one of an object counts. */
+/* In order; the last move of an object counts. KERF_CLAMPED, KERF_STALE_HANDLE, KERF_BAD_BOX. */
 KERF_API kerf_status kerf_world_move(kerf_world* world, const kerf_handle* handles, const float* boxes,
                                      size_t count, kerf_status* statuses);
 /* Moves every object by a vector of as many floats as dimensions, for a floating origin; all or none. */
 KERF_API kerf_status kerf_world_shift_origin(kerf_world* world, const float* by);
 /* The handles are stale at once. Pairs of the last step are reported as ended in the next one, with these
- * handles. */
+ * handles. KERF_STALE_HANDLE. */
 KERF_API kerf_status kerf_world_remove(kerf_world* world, const kerf_handle* handles, size_t count,
                                        kerf_status* statuses);
+/* KERF_STALE_HANDLE; of a kind and a margin also KERF_BAD_VALUE. */
 KERF_API kerf_status kerf_world_set_kind(kerf_world* world, kerf_handle handle, uint32_t kind);
 KERF_API kerf_status kerf_world_set_filter(kerf_world* world, kerf_handle handle, uint64_t category,
                                            uint64_t mask, int32_t group);
@@ -177,7 +177,7 @@ KERF_API uint32_t kerf_handle_index(kerf_handle handle);
 KERF_API kerf_status kerf_world_contains(const kerf_world* world, kerf_handle handle);
 /* The size of object must be set. */
 KERF_API kerf_status kerf_world_get_object(const kerf_world* world, kerf_handle handle, kerf_object* object);
-/* As it was given last, or clamped: 2 * dimension floats. */
+/* 2 * dimension floats: the box as it was given last, or clamped; the fat box, which has its margin. */
 KERF_API kerf_status kerf_world_get_box(const kerf_world* world, kerf_handle handle, float* box);
 KERF_API kerf_status kerf_world_get_fat_box(const kerf_world* world, kerf_handle handle, float* box);
 /* All handles, by index. capacity: of handles. count gets how many there are. */

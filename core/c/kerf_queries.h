@@ -31,7 +31,7 @@ typedef struct kerf_query_filter {
   void* context;
 } kerf_query_filter;
 
-/* Where a cast hits an object: at t times its direction; 0 if it begins there. */
+/* Where a cast first touches an object's box: at its start + t * direction; t is 0 if it touches there. */
 typedef struct kerf_hit {
   kerf_handle object;
   float t;

@@ -13,9 +13,8 @@ namespace kerf {
 
 /// A broad phase takes boxes and reports which of them overlap.
 ///
-/// Requests take effect at once or in the next `step()`; the pairs of `step()` always agree with the last
-/// box given for each object. The caller chooses the ids, which should be small: see kFreeIds. A box
-/// changes only by a request.
+/// `pairs()` changes only in `step()`; its pairs agree with the last box given for each object. The caller
+/// chooses the ids, which should be small: see kFreeIds. A box changes only by a request.
 template <int D>
 class BroadPhase {
  public:
@@ -31,12 +30,16 @@ class BroadPhase {
   /// boxes takes the box of any volume.
   [[nodiscard]] virtual VolumeKind volume_kind() const { return VolumeKind::box; }
 
+  /// `clamped` if a bound is infinite, `quarantined` for NaN and inverted boxes, `duplicate_id` if the object
+  /// exists, `sparse_id` if its id is far beyond the number of objects.
   virtual Status insert(ObjectId object, const Box<D>& box, Mobility mobility) = 0;
   virtual Status insert(ObjectId object, const Volume<D>& volume, Mobility mobility) {
     return insert(object, volume.box, mobility);
   }
+  /// `clamped`, `quarantined`, or `unknown_id` if there is no such object.
   virtual Status move(ObjectId object, const Box<D>& box) = 0;
   virtual Status move(ObjectId object, const Volume<D>& volume) { return move(object, volume.box); }
+  /// `unknown_id` if there is no such object.
   virtual Status remove(ObjectId object) = 0;
   /// Equivalent to move(objects[k], boxes[k]) for each k, without the cost per call. All are done, whatever
   /// their statuses. Returns the first status other than `ok`.

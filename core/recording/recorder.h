@@ -21,6 +21,8 @@ namespace kerf {
 template <int D>
 class Recorder final : public BroadPhase<D> {
  public:
+  /// `tree` must live as long as the recorder. Throws std::runtime_error if the file cannot be made or has
+  /// content, std::invalid_argument for an impossible decision of `info`.
   Recorder(Bsp<D, EventLog>& tree, const std::filesystem::path& path, const RecordingInfo& info);
 
   [[nodiscard]] std::string_view name() const override { return tree_.name(); }
@@ -44,7 +46,8 @@ class Recorder final : public BroadPhase<D> {
     writer_.add(pairs, judged);
   }
   void add_theirs(const TheirStructure<D>& structure) { writer_.add(structure); }
-  /// Ends the recording in order. Nothing may be asked of the recorder afterwards.
+  /// Completes the file. Throws std::runtime_error if it cannot be written. Nothing may be asked of the
+  /// recorder afterwards.
   void finish();
   /// The cost of recording so far.
   [[nodiscard]] double seconds() const { return seconds_; }

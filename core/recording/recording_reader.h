@@ -44,6 +44,7 @@ class RecordingReader {
   [[nodiscard]] std::uint32_t steps() const { return static_cast<std::uint32_t>(rows_.steps.size()); }
   /// One row for each step, the first being step 1.
   [[nodiscard]] std::span<const StepRow> rows() const { return rows_.steps; }
+  /// Pre: 1 <= step <= steps().
   [[nodiscard]] const StepRow& row(std::uint32_t step) const { return rows_.steps[step - 1]; }
   /// The place where its rows are no longer as written.
   [[nodiscard]] const std::optional<ChangedPart>& change() const { return change_; }

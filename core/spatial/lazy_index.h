@@ -95,7 +95,7 @@ class LazyIndex {
     if (std::exchange(is_noted_[object.index()], std::uint8_t{1}) == 0) noted_.push_back(object);
   }
 
-  /// Where memory ends, all are looked at for as long again.
+  /// If memory runs out, all are looked at for as long again.
   template <class BoxOf>
   void try_to_pack(std::size_t bound, const BoxOf& box_of) {
     forget();

@@ -61,11 +61,12 @@ using PairCallback = std::function<bool(const WorldPair&)>;
 /// after 2^28 lives.)
 ///
 /// **Threads**: functions that are const may be called at the same time; no other may be meanwhile. Different
-/// worlds share nothing but oneTBB's threads. `step()` uses a pool of its own, where that makes it faster
-/// (see Bsp::set_threads).
+/// threads may use different worlds at the same time: each world has its own oneTBB task arena, and the
+/// worker threads belong to the process. `step()` uses them where that makes it faster (see
+/// Bsp::set_threads).
 ///
-/// Throws std::bad_alloc where memory ends. The world then stays usable, and of a batch each object was taken
-/// or was not.
+/// Throws std::bad_alloc if memory runs out. The world then stays usable, and of a batch each object was
+/// taken or was not.
 template <int D>
 class World {
  public:
@@ -76,10 +77,13 @@ class World {
     WorldStatus status;
     Handle handle;  ///< none if it failed
   };
+  /// `bad_box` for NaN and inverted boxes, `bad_value` for an unknown kind or a margin that is no length,
+  /// `full` if no index is free, `clamped` if a bound was infinite.
   [[nodiscard]] Inserted insert(const Box<D>& box, const ObjectDef& def = {});
   /// `defs`: one for each box, or one for all. `handles`: one for each box; none for those that failed.
   WorldStatus insert(std::span<const Box<D>> boxes, std::span<const ObjectDef> defs,
                      std::span<Handle> handles, std::span<WorldStatus> statuses = {});
+  /// `stale_handle`, `bad_box` or `clamped`.
   WorldStatus move(Handle object, const Box<D>& box);
   /// Moves are made in the order of the lists; the last one of an object counts.
   WorldStatus move(std::span<const Handle> objects, std::span<const Box<D>> boxes,
@@ -88,25 +92,26 @@ class World {
   /// round, and where moves of this step say otherwise, they are moved from there. Tree and fat boxes come
   /// along: only the step of the shift costs more than others, no pair ends, and one begins by rounding
   /// alone. `bad_value` if the vector is not finite, `clamped` if a box would exceed the range of floats.
-  /// Where memory ends, no object has moved.
+  /// If memory runs out, no object has moved.
   WorldStatus shift_origin(const Vector<D>& by);
   /// The handle is stale at once. Pairs that the object had in the last step are reported as ended in the
-  /// next one, with its handle.
+  /// next one, with its handle. `stale_handle` if there is no such object.
   WorldStatus remove(Handle object);
   WorldStatus remove(std::span<const Handle> objects, std::span<WorldStatus> statuses = {});
 
-  /// A pair that exists before and after, but is a sensor's only then or only now, ends and begins.
+  /// All four: `stale_handle` if there is no such object; `set_kind` and `set_margin` also `bad_value`.
+  /// A pair that was a sensor's and is not now, or the other way round, ends and begins.
   WorldStatus set_kind(Handle object, ObjectKind kind);
   WorldStatus set_filter(Handle object, const PairFilter& filter);
   WorldStatus set_user_data(Handle object, std::uint64_t user_data);
-  /// Makes a new fat box.
+  /// Makes a new fat box. `margin`: units of length, finite and not negative.
   WorldStatus set_margin(Handle object, Scalar margin);
   /// An empty function: no pair is asked about.
   void set_callback(PairCallback callback) { callback_ = std::move(callback); }
   /// Throws std::invalid_argument for 0, and for more than TaskPool::kMostThreads.
   void set_threads(unsigned threads, Sharing sharing = Sharing::if_faster);
 
-  /// Meets all requests and makes the reports.
+  /// Brings the tree up to date with all requests and makes the reports.
   void step();
   /// All pairs of the last step. Spans are valid until the next `step()` or `restore()`.
   [[nodiscard]] std::span<const WorldPair> pairs() const { return pairs_; }

@@ -44,7 +44,7 @@ struct WorldNeighbour {
 template <int D>
 class WorldIndex {
  public:
-  /// Takes the boxes as they are, requests since the last step included. If memory ends, new objects
+  /// Takes the boxes as they are, requests since the last step included. If memory runs out, new objects
   /// are not found, and all others are where they were or where they are now.
   void update(const World<D>& world);
 
