@@ -80,11 +80,11 @@ void bind_results(py::class_<PythonBroadPhase>& type) {
       .def_property_readonly(
           "begun", &Subject::begun,
           "Pairs of the last step that the one before did not have, in ascending order: (m, 2) "
-          "uint32. Needs changes=True.")
+          "uint32. Raises RuntimeError without changes=True.")
       .def_property_readonly(
           "ended", &Subject::ended,
           "Pairs of the step before that the last one does not have, in ascending order: (m, 2) "
-          "uint32. Needs changes=True.")
+          "uint32. Raises RuntimeError without changes=True.")
       .def_property_readonly(
           "ids", &Subject::ids,
           "The ids of all objects, ascending: (n,) uint32. Row k of boxes belongs to ids[k].")

@@ -19,14 +19,17 @@ void bind_regions(py::class_<Queried>& type) {
           py::arg("boxes"),
           "Which objects overlap each box (n, 2, d): (m, 2) uint32, rows of (query, id), sorted. Touching "
           "counts.\n\n"
-          "Queries see the boxes as they were given last, whether or not a step followed.")
+          "Queries see the boxes as they were given last, whether or not a step followed. Each raises "
+          "ValueError for\n"
+          "arrays of another shape, and, with the row, for NaN and inverted boxes.")
       .def(
           "query_points",
           [](Queried& phase, const py::object& points) {
             return phase.ask([&](PythonQueries& ask) { return ask.points(points); });
           },
           py::arg("points"),
-          "Which objects hold each point (n, d): (m, 2) uint32, rows of (query, id), sorted.")
+          "Which objects hold each point (n, d): (m, 2) uint32, rows of (query, id), sorted. Errors: as "
+          "query_boxes.")
       .def(
           "query_spheres",
           [](Queried& phase, const py::object& centers, const py::object& radii) {
@@ -34,7 +37,8 @@ void bind_regions(py::class_<Queried>& type) {
           },
           py::arg("centers"), py::arg("radii"),
           "Which boxes come as near as a radius to each point (n, d); radii are (n,), or one for all:\n"
-          "(m, 2) uint32, rows of (query, id), sorted.");
+          "(m, 2) uint32, rows of (query, id), sorted. Errors: as query_boxes; a negative radius is one, "
+          "too.");
 }
 
 void bind_ways(py::class_<Queried>& type) {
@@ -48,7 +52,9 @@ void bind_ways(py::class_<Queried>& type) {
           "hit, and\n"
           "t (n,) float32, in lengths of the direction: the hit is at origin + t * direction, at t = 0 "
           "within a box.\n\n"
-          "all=True: all hits instead: (m, 2) uint32, rows of (query, id) in the order of t, and t (m,).")
+          "all=True: all hits instead: (m, 2) uint32, rows of (query, id) in the order of t, and t (m,). "
+          "Errors: as\n"
+          "query_boxes.")
       .def(
           "query_segments",
           [](Queried& phase, const py::object& segments, bool all) {
@@ -62,7 +68,8 @@ void bind_ways(py::class_<Queried>& type) {
             return phase.ask([&](PythonQueries& ask) { return ask.sweeps(boxes, ways, {.all = all}); });
           },
           py::arg("boxes"), py::arg("ways"), py::kw_only(), py::arg("all") = false,
-          "As query_rays, for boxes (n, 2, d) that move by ways (n, d) without turning; t is from 0 to 1.");
+          "As query_rays, for boxes (n, 2, d) that move without turning; t is from 0 to 1. ways are their\n"
+          "displacements (n, d), in units of length.");
 }
 
 }  // namespace
@@ -78,7 +85,9 @@ void bind_queries(py::class_<Queried>& type) {
       py::arg("points"), py::arg("k") = 1, py::kw_only(), py::arg("max_distance") = kEndless,
       "The k objects whose boxes are nearest to each point (n, d): ids (n, k) int64 and distances (n, k) "
       "float64,\n"
-      "in units of length, 0 within a box; -1 and infinity where there are fewer. Equal distances: by id.");
+      "in units of length, 0 within a box; -1 and infinity where there are fewer. Equal distances: by id. "
+      "Errors:\n"
+      "as query_boxes.");
 }
 
 }  // namespace kerf::python

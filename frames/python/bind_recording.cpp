@@ -165,7 +165,8 @@ void bind_why(py::module_& module) {
       .def_readonly("both_fixed", &PairWhy::both_fixed)
       .def_readonly("axis", &PairWhy::axis, "On which the boxes are farthest apart, or overlap least.")
       .def_readonly("margin", &PairWhy::margin,
-                    "Their distance on it, in units of length; negative: the overlap.")
+                    "The separation on this axis, in units of length: positive: the gap; negative: the "
+                    "penetration depth. Not the margin of a fat box.")
       .def_readonly("a_box", &PairWhy::a_box, "As it was given: (2, d) float64.")
       .def_readonly("b_box", &PairWhy::b_box)
       .def_readonly("leaf", &PairWhy::leaf, "The node where the two are compared; None: no leaf holds both.")
@@ -187,8 +188,11 @@ std::optional<std::uint32_t> step_of(const std::optional<Difference>& difference
 
 void bind_comparison(py::module_& module) {
   using Comparison = RecordingComparison;
-  py::class_<Comparison>(module, "Comparison", "Where two recordings first differ: steps, or None.")
-      .def_property_readonly("same", &Comparison::same, "Nothing differs.")
+  py::class_<Comparison>(module, "Comparison",
+                         "Where two recordings first differ: each member is a step (int), or None; but same "
+                         "and object_names\n"
+                         "are bool, and declared is a list of str.")
+      .def_property_readonly("same", &Comparison::same, "bool: nothing differs.")
       .def_readonly("requests", &Comparison::requests, "First step with other requests before it.")
       .def_readonly("config", &Comparison::config, "First step with another configuration.")
       .def_readonly("shapes", &Comparison::shapes, "First step in which objects look otherwise.")
@@ -206,10 +210,11 @@ void bind_comparison(py::module_& module) {
       .def_readonly("structures", &Comparison::structures,
                     "Of imports: first step with another structure of the other engine.")
       .def_readonly("step_names", &Comparison::step_names, "First step of another name.")
-      .def_readonly("object_names", &Comparison::object_names, "Objects have other names, labels or colours.")
+      .def_readonly("object_names", &Comparison::object_names,
+                    "bool: objects have other names, labels or colours.")
       .def_readonly("declared", &Comparison::declared,
-                    "What was declared or rounded otherwise with the two (margin, pairs to be ignored, "
-                    "digits), a line each.")
+                    "list of str: what was declared or rounded otherwise with the two (margin, pairs to be "
+                    "ignored, digits), a line each.")
       .def("__repr__", [](const Comparison& c) {
         return std::string("<kerf.Comparison: ") + (c.same() ? "the same>" : "not the same>");
       });
@@ -282,12 +287,16 @@ void bind_questions(py::class_<Opened>& type) {
           "The first moment after one (the beginning), or the last before one, at which a condition holds: "
           "a\n"
           "kerf.Moment (step, event), or None. Its event is None at the end of a step. after and before are\n"
-          "moments or steps. Conditions are those of the debugger: docs/DEBUGGING.md.")
+          "moments or steps. Conditions are those of the debugger: docs/DEBUGGING.md. Raises ValueError\n"
+          "for a wrong one.")
       .def("find_all", &find_all, py::arg("condition"), py::kw_only(), py::arg("limit") = py::none(),
-           "All moments at which a condition holds, or the first `limit`: a list of kerf.Moment.")
+           "All moments at which a condition holds, or the first `limit`: a list of kerf.Moment. Raises "
+           "ValueError\n"
+           "for a wrong condition.")
       .def("values", &Opened::values, py::arg("expression"),
            "An expression such as 'pairs/objects' at the end of each step: (steps,) float64, NaN where it "
-           "has none.")
+           "has none.\n"
+           "Raises ValueError for a wrong expression, and for one about single events.")
       .def("why", &Opened::why, py::arg("a"), py::arg("b"), py::arg("step"),
            "Why two objects are a pair at the end of a step, or why not: a kerf.PairWhy.")
       .def("why_event", &Opened::why_event, py::arg("event"), "Why an event happened, in sentences.")

@@ -57,13 +57,19 @@ void bind_requests(py::class_<PythonWorld>& type) {
           py::arg("mask") = py::none(), py::arg("group") = py::none(), py::arg("margin") = py::none(),
           py::arg("user_data") = py::none(), kWorldInsert)
       .def("move", &PythonWorld::move, py::arg("handles"), py::arg("boxes"),
-           "Gives objects new boxes (n, 2, d); pairs follow in the next step.")
+           "Gives objects new boxes; pairs follow in the next step.\n\n"
+           "handles   (n,) uint64, as insert returned them\n"
+           "boxes     (n, 2, d): rows of a lower and an upper corner\n\n"
+           "Raises ValueError that names the row; then nothing has moved.")
       .def("shift_origin", &PythonWorld::shift_origin, py::arg("by"),
            "Moves every object by the vector (d,), as float32 rounds: for a floating origin. The tree comes "
            "along.\n"
            "Raises ValueError if the vector is not finite.")
-      .def("remove", &PythonWorld::remove, py::arg("handles"),
-           "Removes objects. Their pairs end in the next step; their handles name nothing from now on.")
+      .def(
+          "remove", &PythonWorld::remove, py::arg("handles"),
+          "Removes objects, (n,) uint64. Their pairs end in the next step; their handles name nothing from\n"
+          "now on. Raises ValueError for a handle that names no object or comes twice; then nothing has been "
+          "removed.")
       .def(
           "set",
           [](PythonWorld& world, Objects handles, Objects kind, Objects category, Objects mask, Objects group,
@@ -73,7 +79,9 @@ void bind_requests(py::class_<PythonWorld>& type) {
           py::arg("handles"), py::kw_only(), py::arg("kind") = py::none(), py::arg("category") = py::none(),
           py::arg("mask") = py::none(), py::arg("group") = py::none(), py::arg("margin") = py::none(),
           py::arg("user_data") = py::none(),
-          "Changes what objects are, as insert takes it; what is None stays.")
+          "Changes what objects are, for handles (n,) uint64: each value is one for all, or (n,), as insert "
+          "takes it;\n"
+          "what is None stays. Raises ValueError that names the row; then nothing has been changed.")
       .def("step", &PythonWorld::step,
            "Brings the tree up to date and returns the pairs: (m, 2) uint64, handles.");
 }
@@ -91,14 +99,19 @@ void bind_reports(py::class_<PythonWorld>& type) {
                              "Which of pairs have a sensor: (m,) bool, in their order.")
       .def_property_readonly("handles", &PythonWorld::handles, "All objects, by index: (n,) uint64.")
       .def("boxes", &PythonWorld::boxes, py::arg("handles"),
-           "Their boxes as they are taken: (n, 2, d) float32.")
+           "The boxes of handles (n,) uint64, as they are taken: (n, 2, d) float32. Raises ValueError for a "
+           "handle\n"
+           "that names no object.")
       .def("objects", &PythonWorld::objects, py::arg("handles"),
-           "What objects are: a structured array with kind, category, mask, group, margin, user_data.")
+           "What the objects of handles (n,) uint64 are: a structured array (n,) with kind, category, mask, "
+           "group,\n"
+           "margin, user_data. Raises ValueError for a handle that names no object.")
       .def_property_readonly("dimension", &PythonWorld::dimension, "2 or 3.")
       .def_property_readonly("bound", &PythonWorld::bound,
                              "More than each handle's index: the length of arrays kept by index.")
       .def("save", &PythonWorld::save,
-           "Everything but the threads, as bytes. Needs a step after the last request.")
+           "Everything but the threads, as bytes. Raises RuntimeError unless a step followed the last "
+           "request.")
       .def("restore", &PythonWorld::restore, py::arg("state"),
            "Becomes the world that was saved, and goes on exactly as that one. Raises ValueError for other "
            "bytes.")
