@@ -52,8 +52,8 @@ void empty_leaf(const LeafView<D>& view, KeptLeaf<D>& leaf);
 /// Adds the entries of a view to those of the leaf; the pairs stay as they are.
 template <int D>
 void append_entries(const LeafView<D>& view, KeptLeaf<D>& leaf);
-/// Removes the entries of a few objects, as far as there are any, and their pairs; the last entries take their
-/// places.
+/// Removes the entries of a few objects, as far as there are any, and their pairs; the last entries take
+/// their places.
 template <int D>
 void drop_objects(KeptLeaf<D>& leaf, std::span<const std::uint32_t> objects);
 /// Removes the entries and the pairs of all marked objects. `marks` is by object.
