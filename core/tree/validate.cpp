@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/float_mode.h"
+
 namespace kerf {
 namespace {
 
@@ -146,6 +148,7 @@ class Validator {
 
 template <int D>
 std::vector<Violation> validate(const Tree<D>& tree) {
+  const DefaultFloats floats;
   return Validator<D>(tree).run();
 }
 
