@@ -83,11 +83,11 @@ Status Bsp<D, Trace>::remove(ObjectId object) {
 
 template <int D, class Trace>
 void Bsp<D, Trace>::step() {
-  const DefaultFloats floats;
   const auto start = workers_.threads.now();
   if (is_calm()) {
     step_in_rows();
   } else {
+    const DefaultFloats floats;
     adapt();
     find_pairs();
     clock_.end();
@@ -109,11 +109,11 @@ template <int D, class Trace>
 void Bsp<D, Trace>::step_in_rows() {
   ++step_;
   placed_ = 0;
-  if (requests_.given() > 0) {
-    swept_.begin_step(tree_, requests_.changed(), true);
-    SweptStep<D>::move_in_root({config_, tree_, requests_, workers_, step_, std::nullopt});
-    requests_.finish_step({}, workers_.threads.pool());
-  }
+  if (requests_.given() == 0) return swept_.find_in_rows(tree_.table, pairs_);  // they may be given away
+  const DefaultFloats floats;
+  swept_.begin_step(tree_, requests_.changed(), true);
+  SweptStep<D>::move_in_root({config_, tree_, requests_, workers_, step_, std::nullopt});
+  requests_.finish_step({}, workers_.threads.pool());
   swept_.find_in_rows(tree_.table, pairs_);
 }
 

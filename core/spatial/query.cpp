@@ -72,7 +72,7 @@ Cast<D>::Cast(const Ray<D>& ray)
 
 template <int D>
 Cast<D>::Cast(const Segment<D>& segment) : box{segment.from, segment.from}, max_t(1) {
-  const DefaultFloats floats;
+  const NearestRounding rounding;
   for (int i = 0; i < D; ++i) {
     const Exact way = difference(wide(segment.to[i]), wide(segment.from[i]));
     direction[static_cast<std::size_t>(i)] = way.value;

@@ -84,17 +84,17 @@ void find_touched(const BlockHierarchy<D>& blocks, const Query& query, const Tes
 
 template <int D, class Take>
 void find_touched(const BlockHierarchy<D>& blocks, const Sphere<D>& sphere, HandOn when, Take take) {
-  const DefaultFloats floats;
+  const NearestRounding rounding;
   find_touched(blocks, sphere, SphereQuery<D>(sphere), when, take);
 }
 template <int D, class Take>
 void find_touched(const BlockHierarchy<D>& blocks, const Cast<D>& cast, HandOn when, Take take) {
-  const DefaultFloats floats;
+  const NearestRounding rounding;
   find_touched(blocks, cast, CastQuery<D>(cast), when, take);
 }
 template <int D, class Take>
 void find_touched(const BlockHierarchy<D>& blocks, const Frustum<D>& frustum, HandOn when, Take take) {
-  const DefaultFloats floats;
+  const NearestRounding rounding;
   find_touched(blocks, frustum, FrustumQuery<D>(frustum), when, take);
 }
 
@@ -111,7 +111,6 @@ Box<D> clamp_to_finite(Box<D> box) {
 
 template <int D, class Take>
 void find_touched(const BlockHierarchy<D>& blocks, const Box<D>& box, HandOn when, Take take) {
-  const DefaultFloats floats;
   const Box<D> region = clamp_to_finite(box);
   find_numbers<std::uint32_t>(
       when, [&](FoundRoom<std::uint32_t>& room) { find_overlaps(blocks.view(), region, room); }, take);
@@ -146,7 +145,7 @@ QueryStatus visit_touched(const BlockHierarchy<D>& blocks, const Query& query, c
 /// Calls `take(hits)` with what a cast hits, part by part.
 template <int D, class Take>
 void find_all_hits(const BlockHierarchy<D>& blocks, const Cast<D>& cast, Take take) {
-  const DefaultFloats floats;
+  const NearestRounding rounding;
   const CastQuery<D> query(cast);
   const auto touches_slot = [&](std::uint32_t slot) { return touches(cast, box_in(blocks, slot)); };
   if (!query.works) {
@@ -287,7 +286,7 @@ template <int D>
 QueryStatus SpatialIndex<D>::first_hit(const Cast<D>& cast, Hit& first, const Filter& filter) const {
   const QueryStatus status = check(cast);
   if (status != QueryStatus::ok) return status;
-  const DefaultFloats floats;
+  const NearestRounding rounding;
   FirstSearch<D> search(hierarchy_, cast, filter, first);
   const CastQuery<D> query(cast);
   if (query.works) {
@@ -306,7 +305,7 @@ QueryStatus SpatialIndex<D>::nearest(const Nearest<D>& nearest, std::vector<Neig
                                      const Filter& filter) const {
   const QueryStatus status = check(nearest);
   if (status != QueryStatus::ok || nearest.count == 0) return status;
-  const DefaultFloats floats;
+  const NearestRounding rounding;
   NearestSearch<D> search(hierarchy_, nearest, filter, found);
   const SphereQuery<D> query({nearest.point, 0});
   if (query.works) {

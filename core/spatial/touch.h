@@ -7,7 +7,7 @@ namespace kerf {
 
 // The definitions of what queries find: in real arithmetic on the given floats, closed. What a box touches,
 // every box around it touches, too. The queries are valid (`check`), and so is the box. The processor rounds
-// to nearest (DefaultFloats).
+// to nearest (NearestRounding).
 
 template <int D>
 constexpr bool touches(const Box<D>& region, const Box<D>& box) {

@@ -84,7 +84,7 @@ void TreeWalk<D>::look_into(NodeId leaf, KeyOf key_of, Take take) {
 template <int D>
 template <class KeyOf, class Take>
 void TreeWalk<D>::walk(KeyOf key_of, Take take) {
-  const DefaultFloats floats;
+  const NearestRounding rounding;
   bound_ = std::numeric_limits<double>::max();
   std::ranges::fill(seen_, std::uint8_t{0});
   for (const ObjectId object : waiting_) {
