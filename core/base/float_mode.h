@@ -18,13 +18,19 @@ struct FloatMode {
 };
 #elif defined(__aarch64__)
 struct FloatMode {
-  using Bits = unsigned;
+  using Bits = unsigned long;
   static constexpr Bits kUsual = 0;
   static constexpr Bits kRounding = 0xC00000;
-  static constexpr Bits kAll = 0x1C00000;  // and whether denormals become zero
-  static Bits get(Bits which) { return __builtin_aarch64_get_fpcr() & which; }
+  static constexpr Bits kAll =
+      0x1C00001;  // and whether results, and operands, that are denormals become zero
+  static Bits get(Bits which) {
+    Bits bits = 0;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(bits));
+    return bits & which;
+  }
   static void set(Bits which, Bits bits) {
-    __builtin_aarch64_set_fpcr((__builtin_aarch64_get_fpcr() & ~which) | bits);
+    bits |= get(~which);
+    __asm__ volatile("msr fpcr, %0" : : "r"(bits));
   }
 };
 #else

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/counted.h"
+#include "core/base/float_mode.h"
 #include "core/bsp/state_check.h"
 
 namespace kerf {
@@ -241,6 +242,7 @@ std::size_t least_bytes(const BspState<D>& state) {
 template <int D>
 BspState<D> decode_state(std::span<const std::uint8_t> bytes, std::size_t size,
                          std::shared_ptr<const Projector<D>> projector) {
+  const DefaultFloats floats;
   ByteReader in(bytes);
   const VolumeKind kind = projector->kind();
   BspState<D> state{{}, Tree<D>(std::move(projector)), {}, ObjectTable<D>(kind), {}, {}};

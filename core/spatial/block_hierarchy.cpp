@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "core/base/float_mode.h"
+
 namespace kerf {
 namespace {
 
@@ -52,6 +54,7 @@ std::size_t BlockHierarchy<D>::bytes() const {
 
 template <int D>
 typename BlockHierarchy<D>::Update BlockHierarchy<D>::update(const ObjectTable<D>& objects) {
+  const DefaultFloats floats;
   if (built_cost_ > 0 && refit(objects)) return Update::refit;
   built_cost_ = 0;  // if memory ends, the next update builds
   BlockHierarchy built;

@@ -89,7 +89,7 @@ QueryStatus check(const Box<D>& box) {
   for (int i = 0; i < D; ++i)
     if (std::isnan(box.min[i]) || std::isnan(box.max[i])) return QueryStatus::not_a_number;
   for (int i = 0; i < D; ++i)
-    if (box.min[i] > box.max[i]) return QueryStatus::not_ordered;
+    if (wide(box.min[i]) > wide(box.max[i])) return QueryStatus::not_ordered;
   return QueryStatus::ok;
 }
 

@@ -31,6 +31,7 @@ double key_of_hit(const Cast<D>& cast, const Box<D>& box) {
 template <int D>
 TreeWalk<D>::TreeWalk(const Tree<D>& tree, const ObjectTable<D>& objects)
     : tree_(tree), objects_(objects), bounds_(tree.slots(), Box<D>::empty()), seen_(objects.bound(), 0) {
+  const DefaultFloats floats;
   std::vector<NodeId> nodes;
   for_each_node(tree, tree.root(), [&](NodeId id) { nodes.push_back(id); });
   std::ranges::reverse(nodes);  // children come before their parents

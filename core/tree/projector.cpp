@@ -6,6 +6,8 @@
 #include <mutex>
 #include <utility>
 
+#include "core/base/float_mode.h"
+
 namespace kerf {
 namespace {
 
@@ -126,6 +128,7 @@ Interval Projector<D>::project_extra(std::uint32_t direction, const Box<D>& box,
 template <int D>
 std::shared_ptr<const Projector<D>> make_projector(const Config& config, VolumeKind kind) {
   check(config);
+  const DefaultFloats floats;  // what is made is shared by all who ask
   const std::uint32_t size = D == 3 ? config.directions : std::max<std::uint32_t>(D, config.directions / 4);
   static MadeProjectors<D> made;
   return made.get(size, config.seed, kind);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/bytes.h"
+#include "core/base/float_mode.h"
 #include "core/bsp/bsp_state.h"
 #include "core/bsp/state_codec.h"
 #include "core/world/seal.h"
@@ -226,6 +227,7 @@ WorldStatus World<D>::save(std::vector<std::uint8_t>& bytes) const {
 template <int D>
 WorldStatus World<D>::restore(std::span<const std::uint8_t> bytes, std::string* why) {
   try {
+    const DefaultFloats floats;
     World restored = WorldCodec<D>::decode(bytes);
     restored.set_threads(options_.threads, options_.sharing);
     restored.callback_ = std::move(callback_);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/float_mode.h"
+#include "core/base/random.h"
 #include "core/bsp/bsp.h"
 #include "core/replay/oracle.h"
 #include "core/world/world.h"
@@ -76,22 +77,27 @@ TYPED_TEST(FloatModes, PairsAreTheOraclesHoweverCallersCompute) {
   constexpr int kD = TypeParam::value;
   for (const std::uint32_t seed : {0U, 1U, 2U, 3U}) {
     Random random(seed);
+    Random modes(seed + 10);
     Bsp<kD> tree(config_of_few(seed % 2 == 0));
+    Bsp<kD> usual(config_of_few(seed % 2 == 0));
     for (std::uint32_t step = 0; step < 80; ++step) {
       for (std::uint32_t id = 0; id < 100; ++id) {
-        const Box<kD> box = draw_tiny_box<kD>(random);
+        Box<kD> box = draw_tiny_box<kD>(random);
+        if (random.below(10) == 0) std::swap(box.min, box.max);  // no box then, perhaps by a denormal
         const std::uint32_t wish = step == 0 ? 0 : random.below(step % 20 < 10 ? 60 : 4);
-        const SomeFloats floats(random);
-        if (wish == 0 && !tree.objects().is_placed({id})) {
-          (void)tree.insert({id}, box, Mobility::moving);
-        } else if (wish == 0) {
-          (void)tree.remove({id});
-        } else if (wish == 1) {
-          (void)tree.move({id}, box);
-        }
+        const auto ask = [&](Bsp<kD>& of) {
+          if (wish == 0 && of.objects().state({id}) == ObjectState::absent)
+            return of.insert({id}, box, Mobility::moving);
+          return wish == 0 ? of.remove({id}) : wish == 1 ? of.move({id}, box) : Status::ok;
+        };
+        const Status status = ask(usual);
+        const SomeFloats floats(modes);
+        EXPECT_EQ(ask(tree), status);
       }
+      const bool unswept = random.below(5) == 0;
       {
-        const SomeFloats floats(random);
+        const SomeFloats floats(modes);
+        if (unswept) tree.step_unswept();
         tree.step();
       }
       ASSERT_EQ(difference(tree.pairs(), oracle_pairs(tree.objects())), "")
@@ -107,6 +113,7 @@ TYPED_TEST(FloatModes, AWorldReportsTheSameHoweverCallersCompute) {
   Random modes(6);
   WorldOptions options;
   options.config = config_of_few(true);
+  options.pairs_of = PairsOf::exact_boxes;
   World<kD> world(options);
   World<kD> usual(options);
   std::vector<Handle> objects;
@@ -135,6 +142,10 @@ TYPED_TEST(FloatModes, AWorldReportsTheSameHoweverCallersCompute) {
     ASSERT_EQ(std::vector(found.begin(), found.end()),
               std::vector(usual.pairs().begin(), usual.pairs().end()))
         << "in step " << step;
+    std::vector<std::uint8_t> bytes;
+    ASSERT_EQ(world.save(bytes), WorldStatus::ok);
+    const SomeFloats floats(modes);
+    ASSERT_EQ(world.restore(bytes), WorldStatus::ok) << "in step " << step;
   }
 }
 

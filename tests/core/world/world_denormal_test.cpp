@@ -81,6 +81,26 @@ TYPED_TEST(WorldOfDenormals, AreFoundByTheirOwnBoxes) {
   }
 }
 
+/// As many as need blocks of blocks.
+TYPED_TEST(WorldOfDenormals, AreAllFoundHoweverManyTheyAre) {
+  std::vector<Handle> objects;
+  std::vector<Handle> found;
+  for (int k = 0; k < 100; ++k)
+    objects.push_back(this->world.insert(this->cube(kTinyEnd, 2 * kTinyEnd)).handle);
+  WorldIndex<TestFixture::kD> index;
+  for (const bool moves : {false, true}) {
+    for (const Handle object : objects)
+      if (moves) (void)this->world.move(object, this->cube(2 * kTinyEnd, 3 * kTinyEnd));
+    {
+      const FlushToZero flush(true);
+      index.update(this->world);
+    }
+    found.clear();
+    EXPECT_EQ(index.overlaps(this->world, this->cube(2 * kTinyEnd, 2 * kTinyEnd), found), QueryStatus::ok);
+    EXPECT_EQ(found, objects) << moves;
+  }
+}
+
 TYPED_TEST(WorldOfDenormals, AMarginIsOneInEveryMode) {
   Handle object;
   {

@@ -37,7 +37,8 @@ class HardCaseTest : public testing::Test {
     EXPECT_EQ(trial.twice, 0U) << trial.note.data();
     EXPECT_EQ(trial.statuses, 0U) << trial.note.data();
     EXPECT_EQ(trial.violations, 0U) << trial.note.data();
-    EXPECT_EQ(trial.extra, 0U) << trial.note.data();
+    const bool turns_flushed = setting.flush_to_zero && setting.feed == Feed::posed;  // by the test itself
+    EXPECT_TRUE(trial.extra == 0 || turns_flushed) << trial.note.data();
     EXPECT_LE(trial.height, kMaxHeight);
     const bool shows_it = case_.operates && setting.config == case_.config && setting.feed == Feed::boxes;
     EXPECT_TRUE(!shows_it || trial.operators[static_cast<std::size_t>(*case_.operates)] > 0)
