@@ -46,10 +46,10 @@ struct FloatMode {
 
 /// While it lives, floats are computed as a program begins with in what the bits stand for, whatever the
 /// caller has chosen; then as the caller chose.
-template <FloatMode::Bits kWhich>
+template <FloatMode::Bits Which>
 class UsualFloats {
  public:
-  UsualFloats() : before_(are_surely_usual() ? FloatMode::kUsual : FloatMode::get(kWhich)) {
+  UsualFloats() : before_(are_surely_usual() ? FloatMode::kUsual : FloatMode::get(Which)) {
     if (before_ != FloatMode::kUsual) change_to(FloatMode::kUsual);
   }
   ~UsualFloats() {
@@ -62,7 +62,7 @@ class UsualFloats {
   /// Of rounding, by two sums, which take less time than a look at the control register (1 ns, not 6). False
   /// may be wrong. A sum that shows denormals could raise a signal that the caller asked for.
   static bool are_surely_usual() {
-    if (kWhich != FloatMode::kRounding) return false;
+    if (Which != FloatMode::kRounding) return false;
     double more = 0x1.8p-53;  // three quarters of the last place of 1
     double less = -0x1.8p-53;
     __asm__ volatile("" : "+m"(more), "+m"(less));  // unknown to the compiler, which would round by itself
@@ -71,7 +71,7 @@ class UsualFloats {
   /// The compiler moves no number that stands in memory across it.
   static void change_to(FloatMode::Bits bits) {
     __asm__ volatile("" : : : "memory");
-    FloatMode::set(kWhich, bits);
+    FloatMode::set(Which, bits);
     __asm__ volatile("" : : : "memory");
   }
 
