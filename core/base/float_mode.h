@@ -10,7 +10,8 @@ struct FloatMode {
   using Bits = unsigned;
   static constexpr Bits kUsual = 0;
   static constexpr Bits kRounding = 0x6000;
-  static constexpr Bits kAll = 0xE040;  // and whether results, and operands, that are denormals become zero
+  static constexpr Bits kOperands = 0x0040;  // whether operands that are denormals are taken for zero
+  static constexpr Bits kAll = 0xE040;       // both, and whether such results become zero
   static Bits get(Bits which) { return __builtin_ia32_stmxcsr() & which; }
   static void set(Bits which, Bits bits) {
     __builtin_ia32_ldmxcsr((__builtin_ia32_stmxcsr() & ~which) | bits);
@@ -21,8 +22,8 @@ struct FloatMode {
   using Bits = unsigned long;
   static constexpr Bits kUsual = 0;
   static constexpr Bits kRounding = 0xC00000;
-  static constexpr Bits kAll =
-      0x1C00001;  // and whether results, and operands, that are denormals become zero
+  static constexpr Bits kOperands = 0x1000001;  // whether denormals become zero
+  static constexpr Bits kAll = 0x1C00001;
   static Bits get(Bits which) {
     Bits bits = 0;
     __asm__ volatile("mrs %0, fpcr" : "=r"(bits));
@@ -38,8 +39,9 @@ struct FloatMode {
   using Bits = int;
   static constexpr Bits kUsual = FE_TONEAREST;
   static constexpr Bits kRounding = 0;  // of which kind it is, is not asked
+  static constexpr Bits kOperands = 1;  // not known
   static constexpr Bits kAll = 0;
-  static Bits get(Bits /*which*/) { return std::fegetround(); }
+  static Bits get(Bits which) { return which == kOperands ? kUsual : std::fegetround(); }
   static void set(Bits /*which*/, Bits bits) { std::fesetround(bits); }
 };
 #endif
@@ -59,9 +61,15 @@ class UsualFloats {
   UsualFloats& operator=(const UsualFloats&) = delete;
 
  private:
-  /// Of rounding, by two sums, which take less time than a look at the control register (1 ns, not 6). False
-  /// may be wrong. A sum that shows denormals could raise a signal that the caller asked for.
+  /// By two sums, or a comparison, which take less time than a look at the control register (1 ns, not 6).
+  /// False may be wrong. A sum that shows whether results become zero could raise a signal that the caller
+  /// asked for.
   static bool are_surely_usual() {
+    if (Which == FloatMode::kOperands) {
+      float least = 0x1p-149F;
+      __asm__ volatile("" : "+m"(least));
+      return least > 0;
+    }
     if (Which != FloatMode::kRounding) return false;
     double more = 0x1.8p-53;  // three quarters of the last place of 1
     double less = -0x1.8p-53;
@@ -80,6 +88,9 @@ class UsualFloats {
 
 /// Results are rounded to the nearest: exact sums (ExactSum) find what rounding took only from such.
 using NearestRounding = UsualFloats<FloatMode::kRounding>;
+
+/// Boxes are compared as they are: enough where nothing is added, as when a box is moved.
+using UsualComparisons = UsualFloats<FloatMode::kOperands>;
 
 /// Results are rounded to the nearest, and on x86-64 and AArch64 denormals (numbers below 2^-126) are kept.
 /// What one call of a tree leaves behind, another finds by the same comparisons, though the two may come from

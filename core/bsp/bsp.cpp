@@ -68,7 +68,7 @@ Status Bsp<D, Trace>::move_many(std::span<const ObjectId> objects, std::span<con
   if (objects.size() != boxes.size())
     throw std::invalid_argument(std::to_string(boxes.size()) + " boxes for " +
                                 std::to_string(objects.size()) + " objects: there must be one for each");
-  const DefaultFloats floats;
+  const UsualComparisons comparisons;
   if (objects.size() < tuning::kFewThings) return requests_.move_many(objects, boxes, receiver());
   const auto start = workers_.threads.now();
   const Status first = requests_.move_many(objects, boxes, receiver());

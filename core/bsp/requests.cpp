@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/float_mode.h"
 #include "core/kernels/move_boxes.h"
 
 namespace kerf {
@@ -41,6 +42,7 @@ Status Requests<D>::move_many(std::span<const ObjectId> objects, std::span<const
   PackedBox<D>* const before = tree.keeps ? before_.reserve(objects.size()) : nullptr;
   std::uint32_t* const left_over = left_over_.reserve(objects.size());
   if (kind() != VolumeKind::box) {
+    const DefaultFloats floats;
     Status first = Status::ok;
     for (std::size_t k = 0; k < objects.size(); ++k) {
       const Status status = note(objects[k], latest_.move(objects[k], boxes[k]), tree.keeps);

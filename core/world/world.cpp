@@ -15,8 +15,8 @@ constexpr Mobility mobility(ObjectKind kind) { return is_passive(kind) ? Mobilit
 
 }  // namespace
 
-/// The scope of a change of the tree, with the usual floats. If it ends by an exception, the tree is built
-/// anew before the next change.
+/// The scope of a change of the tree, in which boxes are compared as they are. If it ends by an exception,
+/// the tree is built anew before the next change.
 template <int D>
 class World<D>::Change {
  public:
@@ -30,7 +30,7 @@ class World<D>::Change {
   void finish() { world_.torn_ = false; }
 
  private:
-  DefaultFloats floats_;
+  UsualComparisons comparisons_;
   World& world_;
 };
 
@@ -328,7 +328,7 @@ void World<D>::gather() {
   if (filters_ == 0 && sensors_ == 0 && is_exact) {
     next_rows_.assign(all, slots_.size());
   } else {
-    const DefaultFloats floats;
+    const UsualComparisons comparisons;
     kept_.clear();
     for (const Pair& pair : all) {
       if (!may_report(pair.a, pair.b)) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/float_mode.h"
 #include "core/geometry/box.h"
 #include "core/world/object_def.h"
 #include "core/world/world_status.h"
@@ -33,6 +34,7 @@ WorldStatus clamp(Box<D>& box) {
 template <int D>
 Box<D> grow(Box<D> box, Scalar margin) {
   if (!is_thick(margin)) return box;
+  const DefaultFloats floats;
   for (int i = 0; i < D; ++i) {
     box.min[i] -= margin;
     box.max[i] += margin;
