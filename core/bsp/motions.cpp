@@ -37,10 +37,10 @@ class MotionSample {
 
 template <int D>
 Motions sample_motions(const ObjectTable<D>& latest, const ObjectTable<D>& tree, const Config& config,
-                       std::uint32_t step) {
+                       std::uint32_t step, std::uint32_t count) {
   MotionSample sample(config);
-  const auto first = static_cast<std::uint32_t>(tuning::kMotionSample) * step;
-  for (std::uint32_t k = 0; k < std::min(tuning::kMotionSample, tree.bound()); ++k) {
+  const std::uint32_t first = count * step;
+  for (std::uint32_t k = 0; k < std::min<std::size_t>(count, tree.bound()); ++k) {
     const ObjectId object{static_cast<std::uint32_t>(sample_place(first + k, tree.bound()))};
     if (tree.is_placed(object) && latest.is_placed(object))
       sample.add(latest.packed(object), tree.packed(object));
@@ -54,7 +54,7 @@ Leaving sample_leaving(const ObjectTable<D>& latest, const Config& config, std::
   Leaving leaving;
   leaving.share = static_cast<float>(changed.size()) / static_cast<float>(latest.size() + 1);
   if (leaving.share <= tuning::kHotShare) return leaving;
-  const auto count = static_cast<std::uint32_t>(std::min(tuning::kMotionSample, changed.size()));
+  const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(tuning::kMotionSample, changed.size()));
   MotionSample sample(config);
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::size_t at = sample_place(k, changed.size());
@@ -81,7 +81,7 @@ bool most_jump(const ObjectTable<D>& latest, const ObjectTable<D>& tree) {
 
 #define KERF_INSTANTIATE(D)                                                                           \
   template Motions sample_motions<D>(const ObjectTable<D>&, const ObjectTable<D>&, const Config&,     \
-                                     std::uint32_t);                                                  \
+                                     std::uint32_t, std::uint32_t);                                   \
   template Leaving sample_leaving<D>(const ObjectTable<D>&, const Config&, std::span<const ObjectId>, \
                                      std::span<const PackedBox<D>>);                                  \
   template bool most_jump<D>(const ObjectTable<D>&, const ObjectTable<D>&);

@@ -21,11 +21,11 @@ struct Leaving {
   Motions motions;  ///< of those that left; sampled only where they are many
 };
 
-/// The motions of objects from the tree's boxes to the latest ones. Each step samples other objects, so that
-/// a sample that happens to miss the fast ones is not believed twice.
+/// The motions of at most `count` objects from the tree's boxes to the latest ones. Each step samples other
+/// objects, so that a sample that happens to miss the fast ones is not believed twice.
 template <int D>
 Motions sample_motions(const ObjectTable<D>& latest, const ObjectTable<D>& tree, const Config& config,
-                       std::uint32_t step);
+                       std::uint32_t step, std::uint32_t count);
 
 /// Of the changed objects of a step with kept pairs; `before` has the boxes from which they moved.
 template <int D>
