@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -43,8 +42,5 @@ struct Rival {
 /// All of them, those made for D dimensions first.
 template <int D>
 std::span<const Rival<D>> rivals();
-
-template <int D>
-std::optional<Rival<D>> find_rival(std::string_view name);
 
 }  // namespace kerf

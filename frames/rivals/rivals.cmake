@@ -1,6 +1,6 @@
 # Other libraries' broad phases behind our interface: for `kerf bench` and the hard cases. Without KERF_RIVALS there are
 # none, and the program knows only its own.
-set(rival_sources rivals/rival.cpp rivals/step_timer.cpp rivals/no_rivals.cpp)
+set(rival_sources rivals/step_timer.cpp rivals/no_rivals.cpp)
 if(KERF_RIVALS)
   file(GLOB rival_sources CONFIGURE_DEPENDS rivals/*.cpp)
   list(FILTER rival_sources EXCLUDE REGEX "/no_rivals\\.cpp$")

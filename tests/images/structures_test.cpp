@@ -75,7 +75,9 @@ TYPED_TEST(StructurePictures, OfEachStructure) {
   constexpr int kD = TypeParam::value;
   PanesRenderer<kD> renderer(options_of(560, 400, true));
   for (const std::string& name : broad_phase_names<kD>()) {
-    if (name == kTunedTree) continue;  // with the same parameters it has the same nodes
+    // With the same parameters it has the same nodes; and one that is never built anew looks like one that
+    // is.
+    if (name == kTunedTree || name == "shifting-cuts-only") continue;
     const PanesFrame<kD> frame = frame_of<kD>({name});
     const StructureParts<kD>& parts = frame.panes.front().parts;
     const bool is_seen = !parts.cells.empty() || !parts.lists.empty();

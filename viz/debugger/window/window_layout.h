@@ -91,7 +91,6 @@ class WindowLayout {
   void set_extent(PanelPlace place, std::optional<float> share) { extents_[index(place)] = share; }
   /// Divides what a cell and the next one have; `first` is the share of the first.
   void divide(const CellIndex& first_cell, float first);
-  void set_share(const CellIndex& cell, float share) { places_[index(cell.place)][cell.cell].share = share; }
   /// The cells of a place are as large as by default, or equal where other panels are in them.
   void reset_shares(PanelPlace place);
 
