@@ -19,6 +19,8 @@
 #include "core/world/move_list.h"
 #include "core/world/world.h"
 #include "sims2d/box2d/box2d_contacts.h"
+#include "sims2d/box2d/kind_of.h"
+#include "sims2d/box2d/living_fixtures.h"
 #include "sims2d/box2d/padded_box.h"
 #include "sims2d/box2d/pose_after.h"
 
@@ -28,13 +30,13 @@ namespace kerf {
 ///
 /// Call `update` before each b2World::Step, and create and change bodies, fixtures and joints as ever. Each
 /// contact is a pair of padded boxes (kBoxPadding) that overlap and that Box2D's filters allow. Queries are
-/// here, since Box2D's tree is empty (Box2dContacts). The world must outlive this and must not be stepped
-/// after it.
+/// here, since Box2D's tree is empty (Box2dContacts): they report no fixture that was destroyed, or whose
+/// body was disabled, since the last `update`. The world must outlive this and must not be stepped after it.
 class Box2dBroadPhase {
  public:
   /// Throws std::invalid_argument for options that World refuses.
   explicit Box2dBroadPhase(b2World& world, const WorldOptions& options = {})
-      : engine_(world), contacts_(world), world_(options) {}
+      : engine_(world), contacts_(world), living_(world), world_(options) {}
 
   /// `seconds` is the time step that follows. Where continuous physics is on, boxes reach to where the
   /// present velocities take and turn them in it, so that what hits on the way has its contact. What changes
@@ -43,6 +45,7 @@ class Box2dBroadPhase {
   /// foreseen. Throws std::invalid_argument for a new fixture whose box is NaN.
   void update(float seconds) {
     ++round_;
+    living_.forget();
     for (b2Body* body = engine_.GetBodyList(); body != nullptr; body = body->GetNext()) {
       if (!body->IsEnabled()) continue;
       const b2Transform ahead =
@@ -51,6 +54,7 @@ class Box2dBroadPhase {
         follow(*fixture, body->GetTransform(), ahead);
     }
     drop_gone();
+    living_.reset();
     static_cast<void>(moves_.send(world_));
     world_.step();
     pairs_.clear();
@@ -61,9 +65,11 @@ class Box2dBroadPhase {
   /// As b2World::QueryAABB, over the boxes of the last `update`.
   void query(b2QueryCallback& callback, const b2AABB& box) const {
     const Box<2> asked = to_box(box.lowerBound, box.upperBound);
+    LivingFixtures living;
     for (const ObjectId object : candidates(asked)) {
       const Child& child = children_[object.index()];
-      if (child.fixture != nullptr && overlaps(child.box, asked) && !callback.ReportFixture(child.fixture))
+      if (child.fixture != nullptr && overlaps(child.box, asked) &&
+          living.contains(*child.body, child.fixture) && !callback.ReportFixture(child.fixture))
         return;
     }
   }
@@ -71,10 +77,12 @@ class Box2dBroadPhase {
   void ray_cast(b2RayCastCallback& callback, const b2Vec2& from, const b2Vec2& to) const {
     b2RayCastInput input{from, to, 1};
     const SweptBox<2> line{to_box(from, from), {{to.x - from.x, to.y - from.y}}};
+    LivingFixtures living;
     for (const ObjectId object : candidates(Cast<2>(with_slack(line)))) {
       const Child& child = children_[object.index()];
       const b2Vec2 end = from + input.maxFraction * (to - from);
-      if (child.fixture == nullptr || !overlaps(child.box, to_box(b2Min(from, end), b2Max(from, end))))
+      if (child.fixture == nullptr || !overlaps(child.box, to_box(b2Min(from, end), b2Max(from, end))) ||
+          !living.contains(*child.body, child.fixture))
         continue;
       b2RayCastOutput hit;
       if (!child.fixture->RayCast(&hit, input, child.index)) continue;
@@ -98,34 +106,31 @@ class Box2dBroadPhase {
   };
   struct Child {
     b2Fixture* fixture = nullptr;
+    const b2Body* body = nullptr;
     std::int32_t index = 0;
     Box<2> box;
   };
 
   template <class Query>
   std::vector<ObjectId> candidates(const Query& query) const {
+    living_.update([this](const auto& is_there) {
+      for (Child& child : children_)
+        if (!is_there(child.body)) child = {};
+    });
     return index_->candidates(query, children_.size(), [this](ObjectId object) {
       const Child& child = children_[object.index()];
       return child.fixture != nullptr ? std::optional(child.box) : std::nullopt;
     });
   }
 
-  static Box<2> to_box(const b2Vec2& min, const b2Vec2& max) { return {{{min.x, min.y}}, {{max.x, max.y}}}; }
-  static ObjectKind kind_of(b2BodyType type) {
-    if (type == b2_dynamicBody) return ObjectKind::moving;
-    return type == b2_kinematicBody ? ObjectKind::kinematic : ObjectKind::fixed;
-  }
   static Box<2> box_of(const b2Fixture& fixture, std::int32_t child, const Member& member) {
     const Box<2> here = padded_box(*fixture.GetShape(), member.transform, child);
     return join(here, padded_box(*fixture.GetShape(), member.ahead, child));
   }
-  static bool is_same(const b2Transform& a, const b2Transform& b) {
-    return a.p == b.p && a.q.s == b.q.s && a.q.c == b.q.c;
-  }
   void follow(b2Fixture& fixture, const b2Transform& transform, const b2Transform& ahead) {
     Member& member = members_[&fixture];
     member.round = round_;
-    const bool same = is_same(member.transform, transform) && is_same(member.ahead, ahead);
+    const bool same = is_same_pose(member.transform, transform) && is_same_pose(member.ahead, ahead);
     member.transform = transform;
     member.ahead = ahead;
     if (Box2dContacts::is_new(fixture)) return adopt(fixture, member);
@@ -152,7 +157,7 @@ class Box2dBroadPhase {
       member.children.push_back(handle);
       objects.push_back({handle.index()});
       if (children_.size() <= handle.index()) children_.resize(handle.index() + std::size_t{1});
-      children_[handle.index()] = {&fixture, child, box};
+      children_[handle.index()] = {&fixture, fixture.GetBody(), child, box};
       index_->note({handle.index()});
     }
     contacts_.adopt(fixture, objects);
@@ -182,9 +187,10 @@ class Box2dBroadPhase {
 
   b2World& engine_;
   Box2dContacts contacts_;
+  mutable LivingBodies living_;  ///< of it and `children_` a query changes what lets go of destroyed bodies
   World<2> world_;
   std::unordered_map<const b2Fixture*, Member> members_;
-  std::vector<Child> children_;  ///< by index of the handle; without a fixture: free
+  mutable std::vector<Child> children_;  ///< by index of the handle; without a fixture: free
   std::vector<Pair> pairs_;
   std::unique_ptr<LazyIndex<2>> index_ = std::make_unique<LazyIndex<2>>();
   MoveList<2> moves_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <box2d/b2_collision.h>
+#include <box2d/b2_math.h>
 #include <box2d/b2_shape.h>
 
 #include <cstdint>
@@ -17,6 +18,8 @@ namespace kerf {
 /// reach only r = 0.02. The missing 0.0083, half on each side, and the rounding of coordinates up to 10,000
 /// units fit into 0.01 a side.
 inline constexpr Scalar kBoxPadding = 0.01F;
+
+inline Box<2> to_box(const b2Vec2& min, const b2Vec2& max) { return {{{min.x, min.y}}, {{max.x, max.y}}}; }
 
 /// The padded box of a shape's child at a pose, as the broad phase gets it.
 inline Box<2> padded_box(const b2Shape& shape, const b2Transform& transform, std::int32_t child = 0) {

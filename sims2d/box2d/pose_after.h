@@ -23,4 +23,8 @@ inline b2Transform pose_after(const b2Body& body, float seconds) {
   return pose;
 }
 
+inline bool is_same_pose(const b2Transform& a, const b2Transform& b) {
+  return a.p == b.p && a.q.s == b.q.s && a.q.c == b.q.c;
+}
+
 }  // namespace kerf

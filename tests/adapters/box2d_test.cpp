@@ -213,10 +213,15 @@ TEST_F(Box2dBroadPhaseTest, FixturesThatComeBetweenUpdateAndStepAsOthersGoAreFol
   }
 }
 
-struct Collector final : b2QueryCallback {
+struct Collector final : b2QueryCallback, b2RayCastCallback {
   bool ReportFixture(b2Fixture* fixture) override {
     found.push_back(fixture->GetBody());
     return true;
+  }
+  float ReportFixture(b2Fixture* fixture, const b2Vec2& /*point*/, const b2Vec2& /*normal*/,
+                      float /*fraction*/) override {
+    found.push_back(fixture->GetBody());
+    return 1;
   }
   std::vector<const b2Body*> found;
 };
@@ -294,6 +299,65 @@ TEST_F(Box2dBroadPhaseTest, QueriesSeeWhatCameMovedAndWent) {
     }
   }
   EXPECT_GT(found, 1000U);
+}
+
+TEST_F(Box2dBroadPhaseTest, QueriesReportNothingThatWasDestroyedOrDisabledSinceTheUpdate) {
+  std::vector<b2Body*> balls;
+  for (int i = 0; i < 6; ++i) balls.push_back(&add_ball(2 * static_cast<float>(i), 0));
+  b2CircleShape shape;
+  shape.m_radius = 0.5F;
+  shape.m_p.Set(0, 1);
+  b2Fixture* const second = balls[5]->CreateFixture(&shape, 1);
+  step();
+  const auto expect = [&](const std::vector<const b2Body*>& bodies, std::size_t seconds) {
+    for (int asked = 0; asked < 200; ++asked) {  // often enough for the index
+      Collector near;
+      broad_phase_.query(near, {{-9, -9}, {19, 9}});
+      Collector hit;
+      broad_phase_.ray_cast(hit, {-9, 0.2F}, {19, 0.2F});
+      ASSERT_THAT(hit.found, testing::UnorderedElementsAreArray(bodies));
+      hit.found.insert(hit.found.end(), seconds, balls[5]);
+      ASSERT_THAT(near.found, testing::UnorderedElementsAreArray(hit.found));
+    }
+  };
+  expect({balls[0], balls[1], balls[2], balls[3], balls[4], balls[5]}, 1);
+  world_.DestroyBody(balls[1]);
+  expect({balls[0], balls[2], balls[3], balls[4], balls[5]}, 1);
+  balls[5]->DestroyFixture(second);
+  expect({balls[0], balls[2], balls[3], balls[4], balls[5]}, 0);
+  world_.DestroyBody(balls[2]);
+  add_ball(4, 0);  // at its address, in Box2D's memory: known from the next update on
+  expect({balls[0], balls[3], balls[4], balls[5]}, 0);
+  balls[3]->SetEnabled(false);
+  expect({balls[0], balls[4], balls[5]}, 0);
+  balls[4]->DestroyFixture(balls[4]->GetFixtureList());
+  balls[4]->CreateFixture(&shape, 1);
+  expect({balls[0], balls[5]}, 0);
+  world_.DestroyBody(balls[5]);
+  add_ball(10, 0);
+  expect({balls[0]}, 0);
+  step();
+  Collector all;
+  broad_phase_.query(all, {{-9, -9}, {19, 9}});
+  EXPECT_EQ(all.found.size(), 4U);
+}
+
+TEST_F(Box2dBroadPhaseTest, QueriesKnowWhichOfManyFixturesOfABodyAreLeft) {
+  b2Body& ground = add_box(b2_staticBody, 0, 0, 0.4F, 0.4F);
+  b2PolygonShape tile;
+  for (int i = 1; i < 200; ++i) {
+    tile.SetAsBox(0.4F, 0.4F, {static_cast<float>(i), 0}, 0);
+    ground.CreateFixture(&tile, 0);
+  }
+  step();
+  for (int left = 200; left > 150; --left) {
+    Collector all;
+    broad_phase_.query(all, {{-1, -1}, {200, 1}});
+    ASSERT_EQ(all.found.size(), static_cast<std::size_t>(left));
+    b2Fixture* gone = ground.GetFixtureList();
+    for (int i = 0; i < left / 2; ++i) gone = gone->GetNext();
+    ground.DestroyFixture(gone);
+  }
 }
 
 }  // namespace
