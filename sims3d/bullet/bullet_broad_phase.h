@@ -87,10 +87,9 @@ class BulletBroadPhase final : public btBroadphaseInterface {
     static_cast<void>(moves_.send(*world_));
     world_->step();
     for (const WorldPair& pair : world_->ended())
-      if (world_->contains(pair.a) && world_->contains(pair.b))  // others went with their proxies
-        cache_->removeOverlappingPair(&proxy_of(pair.a), &proxy_of(pair.b), dispatcher);
+      if (has_both(pair)) cache_->removeOverlappingPair(&proxy_of(pair.a), &proxy_of(pair.b), dispatcher);
     for (const WorldPair& pair : world_->begun())
-      cache_->addOverlappingPair(&proxy_of(pair.a), &proxy_of(pair.b));
+      if (has_both(pair)) cache_->addOverlappingPair(&proxy_of(pair.a), &proxy_of(pair.b));
   }
   btOverlappingPairCache* getOverlappingPairCache() override { return cache_; }
   [[nodiscard]] const btOverlappingPairCache* getOverlappingPairCache() const override { return cache_; }
@@ -155,6 +154,10 @@ class BulletBroadPhase final : public btBroadphaseInterface {
     Handle handle;
   };
 
+  /// A proxy may have gone since the last step, also in a callback of the cache.
+  [[nodiscard]] bool has_both(const WorldPair& pair) const {
+    return world_->contains(pair.a) && world_->contains(pair.b);
+  }
   [[nodiscard]] btBroadphaseProxy& proxy_of(Handle handle) const { return *proxies_[handle.index()]; }
 
   /// Null if there is none any more: a callback may have removed it.
