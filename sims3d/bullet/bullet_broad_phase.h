@@ -9,12 +9,14 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "core/spatial/lazy_index.h"
 #include "core/world/move_list.h"
 #include "core/world/world.h"
 #include "sims3d/bullet/bullet_box.h"
+#include "sims3d/bullet/bullet_proxy.h"
 
 namespace kerf {
 
@@ -27,7 +29,8 @@ namespace kerf {
 /// of a filter call btCollisionWorld::refreshBroadphaseProxy, as with Bullet's own.
 ///
 /// Proxies of which each is in the group StaticFilter alone and masks that group out never form a pair,
-/// whatever an overlap filter says. A box with NaN, or with min > max, leaves the proxy where it was.
+/// whatever an overlap filter says. A box with NaN, or with min > max, leaves the proxy where it was; one
+/// that is made with such a box is in no pair, and found by no query, until it gets another.
 ///
 /// rayTest and aabbTest see the boxes that were given last, and call back in no particular order. They may
 /// run at the same time, as with Bullet's own.
@@ -46,25 +49,25 @@ class BulletBroadPhase final : public btBroadphaseInterface {
           "the pair cache must remove pairs at once: use btHashedOverlappingPairCache");
   }
 
+  /// Null if there are as many proxies as World takes.
   btBroadphaseProxy* createProxy(const btVector3& min, const btVector3& max, int /*shape_type*/, void* user,
                                  int group, int mask, btDispatcher* /*dispatcher*/) override {
-    constexpr int kStatic = btBroadphaseProxy::StaticFilter;
-    ObjectDef def;
-    if (group == kStatic && (mask & kStatic) == 0) def.kind = ObjectKind::fixed;
-    const auto [status, handle] = world_->insert(to_box(min, max), def);
-    if (is_failure(status)) return nullptr;
-    if (proxies_.size() <= handle.index()) proxies_.resize(handle.index() + std::size_t{1});
-    proxies_[handle.index()] = std::make_unique<Proxy>(min, max, user, group, mask);
-    Proxy& proxy = *proxies_[handle.index()];
-    proxy.m_uniqueId = ++last_id_;
-    proxy.handle = handle;
-    index_->note({handle.index()});
-    return &proxy;
+    auto made = std::make_unique<BulletProxy>(min, max, user, group, mask);
+    BulletProxy* const proxy = made.get();
+    const WorldStatus status = place(made);
+    if (status == WorldStatus::full) return nullptr;
+    if (is_failure(status)) boxless_.push_back(std::move(made));
+    proxy->m_uniqueId = ++last_id_;
+    return proxy;
   }
 
   void destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) override {
     cache_->removeOverlappingPairsContainingProxy(proxy, dispatcher);
-    const Handle handle = static_cast<Proxy*>(proxy)->handle;
+    const Handle handle = static_cast<BulletProxy*>(proxy)->handle;
+    if (handle.is_none()) {
+      boxless_.erase(find_proxy(boxless_, proxy));
+      return;
+    }
     static_cast<void>(world_->remove(handle));
     proxies_[handle.index()].reset();
   }
@@ -72,10 +75,15 @@ class BulletBroadPhase final : public btBroadphaseInterface {
   void setAabb(btBroadphaseProxy* proxy, const btVector3& min, const btVector3& max,
                btDispatcher* /*dispatcher*/) override {
     if (proxy->m_aabbMin == min && proxy->m_aabbMax == max) return;
-    const Handle handle = static_cast<Proxy*>(proxy)->handle;
-    index_->note({handle.index()});
     proxy->m_aabbMin = min;
     proxy->m_aabbMax = max;
+    const Handle handle = static_cast<BulletProxy*>(proxy)->handle;
+    if (handle.is_none()) {
+      const auto found = find_proxy(boxless_, proxy);
+      if (!is_failure(place(*found))) boxless_.erase(found);
+      return;
+    }
+    index_->note({handle.index()});
     moves_.add(handle, to_box(min, max));
   }
   void getAabb(btBroadphaseProxy* proxy, btVector3& min, btVector3& max) const override {
@@ -136,7 +144,7 @@ class BulletBroadPhase final : public btBroadphaseInterface {
   }
   /// Without any proxy all is as it was when this was made.
   void resetPool(btDispatcher* /*dispatcher*/) override {
-    if (world_->size() > 0) return;
+    if (world_->size() > 0 || !boxless_.empty()) return;
     world_ = std::make_unique<World<3>>(options_);
     moves_ = {};
     proxies_.clear();
@@ -149,17 +157,23 @@ class BulletBroadPhase final : public btBroadphaseInterface {
   [[nodiscard]] World<3>& world() { return *world_; }
 
  private:
-  struct Proxy final : btBroadphaseProxy {
-    using btBroadphaseProxy::btBroadphaseProxy;
-    Handle handle;
-  };
-
+  /// Takes the proxy if its box can be placed.
+  WorldStatus place(std::unique_ptr<BulletProxy>& proxy) {
+    ObjectDef def;
+    def.kind = kind_of(*proxy);
+    const auto [status, handle] = world_->insert(to_box(proxy->m_aabbMin, proxy->m_aabbMax), def);
+    if (is_failure(status)) return status;
+    if (proxies_.size() <= handle.index()) proxies_.resize(handle.index() + std::size_t{1});
+    proxy->handle = handle;
+    proxies_[handle.index()] = std::move(proxy);
+    index_->note({handle.index()});
+    return status;
+  }
   /// A proxy may have gone since the last step, also in a callback of the cache.
   [[nodiscard]] bool has_both(const WorldPair& pair) const {
     return world_->contains(pair.a) && world_->contains(pair.b);
   }
   [[nodiscard]] btBroadphaseProxy& proxy_of(Handle handle) const { return *proxies_[handle.index()]; }
-
   /// Null if there is none any more: a callback may have removed it.
   [[nodiscard]] btBroadphaseProxy* proxy_at(ObjectId object) const {
     return object.index() < proxies_.size() ? proxies_[object.index()].get() : nullptr;
@@ -176,7 +190,8 @@ class BulletBroadPhase final : public btBroadphaseInterface {
   std::unique_ptr<World<3>> world_;
   std::unique_ptr<btOverlappingPairCache> own_cache_;
   btOverlappingPairCache* cache_;
-  std::vector<std::unique_ptr<Proxy>> proxies_;  ///< by index of the handle
+  BulletProxies proxies_;  ///< by index of the handle
+  BulletProxies boxless_;  ///< made with a box that is none
   std::unique_ptr<LazyIndex<3>> index_ = std::make_unique<LazyIndex<3>>();
   MoveList<3> moves_;
   int last_id_ = 0;

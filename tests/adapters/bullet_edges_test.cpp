@@ -1,7 +1,9 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <btBulletDynamicsCommon.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -9,6 +11,8 @@
 
 namespace kerf {
 namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 /// Balls in a world without gravity.
 class BulletEdges : public testing::Test {
@@ -38,6 +42,63 @@ class BulletEdges : public testing::Test {
   btDiscreteDynamicsWorld world_{&dispatcher_, &broad_phase_, &solver_, &configuration_};
   std::vector<std::unique_ptr<btRigidBody>> balls_;
 };
+
+struct Collector final : btBroadphaseAabbCallback {
+  bool process(const btBroadphaseProxy* proxy) override {
+    found.push_back(proxy);
+    return true;
+  }
+  std::vector<const btBroadphaseProxy*> found;
+};
+
+TEST_F(BulletEdges, ABodyMayComeWithoutABox) {
+  world_.setGravity({0, 0, 0});
+  add_ball(0);
+  btRigidBody& lost = add_ball(kNan);
+  ASSERT_NE(lost.getBroadphaseHandle(), nullptr);
+  world_.stepSimulation(1.0F / 60, 0);
+  btCollisionWorld::ClosestRayResultCallback ray({-9, 0, 0}, {9, 0, 0});
+  world_.rayTest({-9, 0, 0}, {9, 0, 0}, ray);
+  EXPECT_EQ(ray.m_collisionObject, balls_[0].get());
+  place(lost, 0.9F);
+  lost.setLinearVelocity({0, 0, 0});
+  world_.performDiscreteCollisionDetection();
+  EXPECT_EQ(dispatcher_.getNumManifolds(), 1);
+}
+
+TEST_F(BulletEdges, AProxyThatIsMadeWithoutABoxIsFoundFromItsFirstBoxOn) {
+  const auto make = [&](const btVector3& min, const btVector3& max) {
+    return broad_phase_.createProxy(min, max, 0, nullptr, 1, -1, &dispatcher_);
+  };
+  btBroadphaseProxy* const good = make({0, 0, 0}, {1, 1, 1});
+  btBroadphaseProxy* const turned = make({1, 1, 1}, {0, 0, 0});
+  btBroadphaseProxy* const never = make({0, 0, kNan}, {1, 1, 1});
+  ASSERT_NE(turned, nullptr);
+  ASSERT_NE(never, nullptr);
+  const auto find = [&] {
+    broad_phase_.calculateOverlappingPairs(&dispatcher_);
+    Collector all;
+    broad_phase_.aabbTest({-9, -9, -9}, {9, 9, 9}, all);
+    return all.found;
+  };
+  EXPECT_THAT(find(), testing::ElementsAre(good));
+  broad_phase_.setAabb(turned, {3, 1, 1}, {2, 0, 0}, &dispatcher_);
+  EXPECT_THAT(find(), testing::ElementsAre(good));
+  btVector3 min;
+  btVector3 max;
+  broad_phase_.getAabb(turned, min, max);
+  EXPECT_EQ(min, btVector3(3, 1, 1));
+  broad_phase_.getBroadphaseAabb(min, max);
+  EXPECT_EQ(max, btVector3(1, 1, 1));
+  broad_phase_.setAabb(turned, {1, 1, 1}, {2, 2, 2}, &dispatcher_);
+  EXPECT_THAT(find(), testing::UnorderedElementsAre(good, turned));
+  EXPECT_EQ(broad_phase_.getOverlappingPairCache()->getNumOverlappingPairs(), 1);
+  broad_phase_.destroyProxy(good, &dispatcher_);
+  broad_phase_.destroyProxy(turned, &dispatcher_);
+  broad_phase_.resetPool(&dispatcher_);  // one is left
+  EXPECT_EQ(make({0, 0, 0}, {1, 1, 1})->m_uniqueId, 4);
+  broad_phase_.destroyProxy(never, &dispatcher_);
+}
 
 btDiscreteDynamicsWorld* world_of_victim = nullptr;
 btRigidBody* victim = nullptr;
