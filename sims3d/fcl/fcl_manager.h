@@ -118,6 +118,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
       Object* const a = members_[pair.a.index()].object;
       Object* const b = members_[pair.b.index()].object;
       if (a->getAABB().overlap(b->getAABB()) && callback(a, b, data, least)) return;
+      if (!(least > 0)) return;
     }
     std::vector<Object*> sorted = objects_of(*this);
     std::ranges::sort(sorted, {}, [](const Object* object) { return object->getAABB().min_[0]; });

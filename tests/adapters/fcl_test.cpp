@@ -131,6 +131,25 @@ TEST_F(FclManagerTest, DistancesAreThoseOfTheNaiveManagerAndFewPairsAreAsked) {
   }
 }
 
+TEST_F(FclManagerTest, NoOtherPairIsAskedWhenTwoObjectsOverlap) {
+  for (int i = 0; i < 60; ++i) {
+    Object* const object = make(30);  // all overlap
+    ours_.registerObject(object);
+    theirs_.registerObject(object);
+  }
+  Nearest found;
+  Nearest expected;
+  const auto go_on = [](Object* a, Object* b, void* data, double& least) {
+    static_cast<void>(measure(a, b, data, least));
+    least = std::max(least, 0.0);
+    return false;
+  };
+  ours_.distance(&found, go_on);
+  theirs_.distance(&expected, go_on);
+  EXPECT_EQ(expected.asked, 1);
+  EXPECT_EQ(found.asked, 1);
+}
+
 TEST_F(FclManagerTest, TwoManagersMeet) {
   fcl::DynamicAABBTreeCollisionManager<double> others;
   std::vector<Object*> here;
