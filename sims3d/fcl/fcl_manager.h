@@ -23,11 +23,12 @@ namespace kerf {
 
 /// A broad-phase manager of FCL, in place of fcl::DynamicAABBTreeCollisionManager.
 ///
-/// Callbacks are called for the pairs for which fcl::NaiveCollisionManager calls them: whose boxes
-/// (CollisionObject::getAABB) overlap as closed intervals, or are nearer than what `distance` has found so
-/// far. As with FCL's managers, call `computeAABB` of an object that moved, then `update`. Objects are the
-/// caller's, and must be unregistered before they end. Pairs come from the tree; what meets one object, or
-/// each of another manager, comes from an index beside it. `distance` to one object looks at the box of each.
+/// Callbacks are called for the pairs whose boxes (CollisionObject::getAABB) overlap as closed intervals, or
+/// are nearer than what `distance` has found so far: as fcl::NaiveCollisionManager does it, and for `collide`
+/// with one object, for which that one calls back with all, fcl::DynamicAABBTreeCollisionManager. As with
+/// FCL's managers, call `computeAABB` of an object that moved, then `update`. Objects are the caller's, and
+/// must be unregistered before they end. Pairs come from the tree; what meets one object, or each of another
+/// manager, comes from an index beside it. `distance` to one object looks at the box of each.
 template <typename S>
 class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
  public:
@@ -127,8 +128,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
         const fcl::AABB<S>& first = (*a)->getAABB();
         const fcl::AABB<S>& second = (*b)->getAABB();
         if (second.min_[0] - first.max_[0] >= least) break;
-        const S apart = first.distance(second);
-        if (apart > 0 && apart < least && callback(*a, *b, data, least)) return;
+        if (!first.overlap(second) && first.distance(second) < least && callback(*a, *b, data, least)) return;
       }
   }
   void distance(Object* object, void* data, fcl::DistanceCallBack<S> callback) const override {

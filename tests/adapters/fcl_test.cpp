@@ -150,6 +150,28 @@ TEST_F(FclManagerTest, NoOtherPairIsAskedWhenTwoObjectsOverlap) {
   EXPECT_EQ(found.asked, 1);
 }
 
+TEST_F(FclManagerTest, ATinyGapIsNoOverlapAndIsAsked) {
+  const auto shape = std::make_shared<fcl::Box<double>>(1, 1, 1);
+  for (const double x : {0.5, -0.5 - 1e-200}) {
+    objects_.push_back(std::make_unique<Object>(shape));
+    objects_.back()->setTranslation({x, 0, 0});
+  }
+  objects_[0]->computeAABB();
+  objects_[1]->computeAABB();
+  const_cast<fcl::AABB<double>&>(objects_[0]->getAABB()).min_[0] = 1e-200;  // whose square is 0
+  const_cast<fcl::AABB<double>&>(objects_[1]->getAABB()).max_[0] = -1e-200;
+  for (const auto& object : objects_) {
+    ours_.registerObject(object.get());
+    theirs_.registerObject(object.get());
+  }
+  Nearest found;
+  Nearest expected;
+  ours_.distance(&found, measure);
+  theirs_.distance(&expected, measure);
+  EXPECT_EQ(expected.asked, 1);
+  EXPECT_EQ(found.asked, 1);
+}
+
 TEST_F(FclManagerTest, TwoManagersMeet) {
   fcl::DynamicAABBTreeCollisionManager<double> others;
   std::vector<Object*> here;
