@@ -60,16 +60,19 @@ class OdeGeoms {
     for (const WorldPair& pair : world_.pairs()) {
       const dGeomID a = members_[pair.a.index()].geom;
       const dGeomID b = members_[pair.b.index()].geom;
-      if (may_touch(a, b) && boxes_touch(a, b)) callback(data, a, b);
+      if (dGeomIsEnabled(a) != 0 && dGeomIsEnabled(b) != 0 && may_touch(a, b) && boxes_touch(a, b))
+        callback(data, a, b);
     }
   }
-  /// Calls `callback(data, geom, other)` for each geom here that forms a pair with one that is not, as
-  /// dSpaceCollide2(geom, space, data, callback) does. Looks at the box of each.
+  /// Calls `callback(data, geom, other)` for each enabled geom here that forms a pair with one that is not,
+  /// as dSpaceCollide2(geom, space, data, callback) does: `geom` itself may be disabled. Of a geom that is a
+  /// space, each enabled geom in it is asked for. Looks at the box of each.
   void collide_with(dGeomID geom, void* data, dNearCallback* callback) const {
-    for (const Member& member : members_)
-      if (member.geom != nullptr && member.geom != geom && may_touch(geom, member.geom) &&
-          boxes_touch(geom, member.geom))
-        callback(data, geom, member.geom);
+    if (dGeomIsSpace(geom) == 0) return collide_one(geom, data, callback);
+    const auto space = reinterpret_cast<dSpaceID>(geom);
+    for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
+      if (const dGeomID one = dSpaceGetGeom(space, i); dGeomIsEnabled(one) != 0)
+        collide_one(one, data, callback);
   }
 
   /// What stands behind it: the tree, statistics, threads.
@@ -82,8 +85,14 @@ class OdeGeoms {
     Box<3> box;
   };
 
+  void collide_one(dGeomID geom, void* data, dNearCallback* callback) const {
+    for (const Member& member : members_)
+      if (member.geom != nullptr && member.geom != geom && dGeomIsEnabled(member.geom) != 0 &&
+          may_touch(geom, member.geom) && boxes_touch(geom, member.geom))
+        callback(data, geom, member.geom);
+  }
+
   static bool may_touch(dGeomID a, dGeomID b) {
-    if (dGeomIsEnabled(a) == 0 || dGeomIsEnabled(b) == 0) return false;
     const dBodyID body = dGeomGetBody(a);
     if (body != nullptr && body == dGeomGetBody(b)) return false;
     return (dGeomGetCategoryBits(a) & dGeomGetCollideBits(b)) != 0 ||

@@ -126,6 +126,39 @@ TEST_F(OdeGeomsTest, AGeomFromOutsideMeetsWhatItMeetsInASpace) {
   }
 }
 
+TEST_F(OdeGeomsTest, ADisabledGeomFromOutsideMeetsWhatItMeetsInASpace) {
+  OdeGeoms geoms;
+  for (int i = 0; i < 60; ++i) geoms.add(make());
+  const dGeomID probe = dCreateSphere(nullptr, 6);
+  dGeomSetPosition(probe, 4, 4, 4);
+  dGeomDisable(probe);
+  GeomPairs ours;
+  GeomPairs theirs;
+  geoms.collide_with(probe, &ours, note);
+  dSpaceCollide2(probe, reinterpret_cast<dGeomID>(space_), &theirs, note);
+  EXPECT_EQ(ours, theirs);
+  EXPECT_FALSE(ours.empty());
+  dGeomDestroy(probe);
+}
+
+TEST_F(OdeGeomsTest, OfASpaceFromOutsideEachGeomMeetsWhatItMeetsInASpace) {
+  OdeGeoms geoms;
+  for (int i = 0; i < 60; ++i) geoms.add(make());
+  const dSpaceID probe = dSimpleSpaceCreate(nullptr);
+  for (int i = 0; i < 20; ++i) place(dCreateSphere(probe, 1));
+  GeomPairs ours;
+  GeomPairs theirs;
+  geoms.collide_with(reinterpret_cast<dGeomID>(probe), &ours, note);
+  dSpaceCollide2(reinterpret_cast<dGeomID>(probe), reinterpret_cast<dGeomID>(space_), &theirs, note);
+  EXPECT_EQ(ours, theirs);
+  EXPECT_FALSE(ours.empty());
+  dGeomDisable(dSpaceGetGeom(probe, 0));
+  GeomPairs fewer;
+  geoms.collide_with(reinterpret_cast<dGeomID>(probe), &fewer, note);
+  EXPECT_LT(fewer.size(), ours.size());
+  dSpaceDestroy(probe);
+}
+
 TEST_F(OdeGeomsTest, TwoFixedGeomsAreNoPairAndBadOnesAreRefused) {
   OdeGeoms geoms;
   const dGeomID wall = dCreateBox(space_, 1, 1, 1);
