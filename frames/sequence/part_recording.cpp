@@ -16,6 +16,7 @@ void PartRecording::keep() {
   fold_log(part_.final_path());
   part_.keep();
   is_done_ = true;
+  lock_.reset();
 }
 
 /// Also of a recording that was not ended, which without a log would get one when it is read. A full disk may
@@ -41,6 +42,7 @@ std::filesystem::path PartRecording::keep_as_far_as_it_came() {
 void PartRecording::leave() {
   part_.leave();
   is_done_ = true;
+  lock_.reset();
 }
 
 std::string PartRecording::steps() const {

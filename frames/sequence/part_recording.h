@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -46,8 +47,8 @@ class PartRecording {
     }
   }
 
-  /// Gives it its final name, in place of an earlier recording. Throws std::system_error with path and
-  /// reason.
+  /// Gives it its final name, in place of an earlier recording, from when on others may replace it. Throws
+  /// std::system_error with path and reason.
   ///
   /// Pre: the file is closed.
   void keep();
@@ -65,7 +66,7 @@ class PartRecording {
   void leave_if_any(const std::string& why);
   [[nodiscard]] bool fold_own_log() const;
 
-  WriterLock lock_;  ///< of the final name: no other process makes a recording of that name
+  std::optional<WriterLock> lock_;  ///< of the final name, until it is done: no other is made of that name
   PartFile part_;
   bool is_done_ = false;
 };

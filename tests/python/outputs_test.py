@@ -243,3 +243,14 @@ def test_only_handles_have_an_index():
     for wrong in ([1.5], [-1], ["7"], [True], np.array([2**62 + 5], np.float64)):
         with pytest.raises(ValueError, match="handles"):
             kerf.index_of(wrong)
+
+
+def test_a_recording_that_was_closed_may_be_replaced_at_once(tmp_path):
+    """As by a cell of a notebook that runs twice, while its variable is still there."""
+    path = tmp_path / "run.kerf"
+    for count in (3, 5):
+        with kerf.BroadPhase(2, record=path, overwrite=True) as phase:
+            phase.insert(random_boxes(count, 2))
+            phase.step()
+        assert len(kerf.Recording(path).ids(1)) == count == len(phase)
+        assert sorted(tmp_path.iterdir()) == [path]
