@@ -6,6 +6,7 @@
 #include "frames/python/broad_phase.h"
 #include "frames/python/config_from.h"
 #include "frames/python/errors.h"
+#include "frames/python/pickling.h"
 
 namespace kerf::python {
 namespace {
@@ -114,6 +115,7 @@ void bind_broad_phase(py::module_& module) {
       .def("close", &Subject::close, "Completes the recording, if there is one: the file then has its name.")
       .def("__len__", &Subject::size)
       .def("__repr__", &text_of)
+      .def("__reduce__", refuse_pickling("BroadPhase", "insert its boxes, .boxes and .ids, into another one"))
       .def("__enter__", [](const py::object& self) { return self; })
       .def("__exit__", [](Subject& phase, const py::args&) { phase.close(); })
       .def_property_readonly("dimension", &Subject::dimension, "2 or 3.")

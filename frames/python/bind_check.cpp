@@ -5,6 +5,7 @@
 #include "frames/python/arrays.h"
 #include "frames/python/bindings.h"
 #include "frames/python/check.h"
+#include "frames/python/pickling.h"
 
 namespace kerf::python {
 namespace {
@@ -88,6 +89,7 @@ py::array row_array(const std::vector<RowPair>& pairs) {
 void bind_check(py::module_& module) {
   py::class_<CheckFailure>(module, "CheckFailure",
                            "The smallest scene in which a function's pairs are wrong; str() describes it.")
+      .def("__reduce__", refuse_pickling("CheckFailure", kTakeValues))
       .def_readonly("step", &CheckFailure::step,
                     "The step in which they are wrong: an index of the boxes given.")
       .def_readonly("steps", &CheckFailure::steps,

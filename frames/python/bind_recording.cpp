@@ -8,6 +8,7 @@
 #include "frames/python/bindings.h"
 #include "frames/python/config_from.h"
 #include "frames/python/errors.h"
+#include "frames/python/pickling.h"
 #include "frames/python/recorded_rows.h"
 #include "frames/python/recording.h"
 
@@ -152,6 +153,7 @@ std::unique_ptr<Opened> minimize(Opened& recording, const py::object& holds, con
 void bind_why(py::module_& module) {
   py::class_<PairWhy>(module, "PairWhy",
                       "Why two objects are a pair at the end of a step, or why not; str() says it.")
+      .def("__reduce__", refuse_pickling("PairWhy", kTakeValues))
       .def_readonly("step", &PairWhy::step)
       .def_readonly("a", &PairWhy::a, "The smaller id.")
       .def_readonly("b", &PairWhy::b)
@@ -192,6 +194,7 @@ void bind_comparison(py::module_& module) {
                          "Where two recordings first differ: each member is a step (int), or None; but same "
                          "and object_names\n"
                          "are bool, and declared is a list of str.")
+      .def("__reduce__", refuse_pickling("Comparison", kTakeValues))
       .def_property_readonly("same", &Comparison::same, "bool: nothing differs.")
       .def_readonly("requests", &Comparison::requests, "First step with other requests before it.")
       .def_readonly("config", &Comparison::config, "First step with another configuration.")
@@ -222,6 +225,7 @@ void bind_comparison(py::module_& module) {
 
 void bind_verdict(py::module_& module) {
   py::class_<Verdict>(module, "Verdict", "What a replay of a recording found.")
+      .def("__reduce__", refuse_pickling("Verdict", kTakeValues))
       .def_property_readonly(
           "holds", &Verdict::holds,
           "The replay is the recorded run, the file is as it was written, and its pairs are exact.")
@@ -372,10 +376,13 @@ void bind_recording(py::module_& module) {
   py::class_<Opened> type(module, "Recording", kRecordingClass);
   type.def(py::init(&open_recording), py::arg("path"))
       .def("__len__", &Opened::steps)
-      .def("__repr__", [](const Opened& recording) {
-        return "<kerf.Recording: " + recording.path().string() + ", " +
-               std::to_string(recording.dimension()) + "D, " + std::to_string(recording.steps()) + " steps>";
-      });
+      .def("__repr__",
+           [](const Opened& recording) {
+             return "<kerf.Recording: " + recording.path().string() + ", " +
+                    std::to_string(recording.dimension()) + "D, " + std::to_string(recording.steps()) +
+                    " steps>";
+           })
+      .def("__reduce__", refuse_pickling("Recording", "give its path, which kerf.Recording opens"));
   bind_contents(type);
   bind_questions(type);
 }

@@ -1,5 +1,6 @@
 #include "frames/python/bindings.h"
 #include "frames/python/config_from.h"
+#include "frames/python/pickling.h"
 #include "frames/python/world.h"
 
 namespace kerf::python {
@@ -130,10 +131,12 @@ void bind_world(py::module_& module) {
                }),
            py::arg("dimension"), py::kw_only(), py::arg("pairs_of") = "fat", py::arg("config") = py::none(),
            py::arg("threads") = 1)
-      .def("__repr__", [](const PythonWorld& world) {
-        return "<kerf.World: " + std::to_string(world.dimension()) + "D, " + std::to_string(world.size()) +
-               " objects>";
-      });
+      .def("__repr__",
+           [](const PythonWorld& world) {
+             return "<kerf.World: " + std::to_string(world.dimension()) + "D, " +
+                    std::to_string(world.size()) + " objects>";
+           })
+      .def("__reduce__", refuse_pickling("World", "save() gives its state as bytes, which restore() takes"));
   bind_requests(type);
   bind_reports(type);
 }

@@ -26,6 +26,7 @@ def declared(body):
 def members(cls):
     """What a class has of its own, without what every object has."""
     ignored = {"__doc__", "__module__", "__weakref__", "__dict__", "__hash__", "__annotations__", "__str__", "__repr__"}
+    ignored.add("__reduce__")
     return {name for name in vars(cls) if name not in ignored and not name.startswith("_pybind11")}
 
 
