@@ -16,7 +16,7 @@ namespace py = pybind11;
 std::vector<Pair> pairs_of_rows(const py::handle& given, std::size_t rows) {
   std::vector<Pair> pairs;
   if (given.is_none()) return pairs;
-  for (const RowPair& pair : reported_pairs(py::reinterpret_borrow<py::object>(given))) {
+  for (const RowPair& pair : reported_pairs(py::reinterpret_borrow<py::object>(given), kGiven)) {
     for (const std::int64_t row : pair)
       if (row < 0 || static_cast<std::uint64_t>(row) >= rows)
         throw py::value_error("pairs: there is no row " + std::to_string(row) + " of " +

@@ -89,7 +89,7 @@ RowFaults Checker::faults_of(const py::object& callable, const py::array& boxes)
   ++calls_;
   const RowTruth truth = true_pairs(boxes, options_.touching);
   const py::object returned = callable(boxes.attr("copy")());
-  const std::vector<RowPair> reported = reported_pairs(returned);
+  const std::vector<RowPair> reported = reported_pairs(returned, kReturned);
   RowFaults faults = judge_rows(reported, truth);
   if (faults.any()) refuse_columns(returned, reported, truth);
   return faults;

@@ -68,9 +68,8 @@ std::vector<RowPair> row_pairs(const std::vector<Pair>& pairs) {
   return rows;
 }
 
-constexpr const char* kReturned = "what the function returned";
-constexpr const char* kReturnRows =
-    "; pairs are rows: return np.argwhere(...), or np.stack((i, j), axis=1), instead of np.nonzero(...) or "
+constexpr const char* kRowsAreMeant =
+    "; pairs are rows: np.argwhere(...), or np.stack((i, j), axis=1), instead of np.nonzero(...) or "
     "np.where(...)";
 
 /// Of numpy or of another library.
@@ -92,13 +91,13 @@ bool is_empty(const py::array& array) {
   return array.size() == 0 && (array.ndim() == 1 || array.shape(0) == 0);
 }
 
-std::vector<RowPair> pairs_of(const py::array& array) {
+std::vector<RowPair> pairs_of(const py::array& array, const std::string& opening) {
   const char kind = array.dtype().kind();
   if (is_empty(array)) return {};
   if (array.ndim() == 2 && array.shape(0) == 2 && array.shape(1) != 2)
-    throw py::value_error("the function returned an array of shape " + shape_text(array) + kReturnRows);
+    throw py::value_error(opening + " an array of shape " + shape_text(array) + kRowsAreMeant);
   if (array.ndim() != 2 || array.shape(1) != 2 || (kind != 'i' && kind != 'u'))
-    throw py::value_error("the function returned an array of shape " + shape_text(array) + " and dtype " +
+    throw py::value_error(opening + " an array of shape " + shape_text(array) + " and dtype " +
                           std::string(py::str(array.dtype())) +
                           "; pairs are (m, 2) whole numbers: rows of boxes");
   const auto numbers = py::array_t<std::int64_t, kInOrder>(array);
@@ -149,19 +148,19 @@ void refuse_columns(const py::object& returned, const std::vector<RowPair>& repo
   if (!judge_rows(turned, truth).any())
     throw py::value_error(
         std::string("the function returned two rows of two, and their columns are the right pairs") +
-        kReturnRows);
+        kRowsAreMeant);
 }
 
-std::vector<RowPair> reported_pairs(const py::object& returned) {
-  if (py::isinstance<py::array>(returned)) return pairs_of(as_array(returned, kReturned));
-  if (is_tuple_of_arrays(returned))
-    throw py::value_error(std::string("the function returned a tuple of arrays") + kReturnRows);
-  if (returned.is_none() || !py::hasattr(returned, "__iter__"))
-    throw py::value_error("the function returned " + std::string(py::repr(returned)) +
-                          "; it must return the pairs: (m, 2) whole numbers, rows of boxes");
-  const py::list rows(returned);
+std::vector<RowPair> reported_pairs(const py::object& given, const PairWords& words) {
+  const std::string opening = words.opening;
+  if (py::isinstance<py::array>(given)) return pairs_of(as_array(given, words.name), opening);
+  if (is_tuple_of_arrays(given)) throw py::value_error(opening + " a tuple of arrays" + kRowsAreMeant);
+  if (given.is_none() || !py::hasattr(given, "__iter__"))
+    throw py::value_error(opening + " " + std::string(py::repr(given)) +
+                          "; pairs are (m, 2) whole numbers: rows of boxes");
+  const py::list rows(given);
   if (rows.empty()) return {};
-  return pairs_of(as_array(rows, kReturned));
+  return pairs_of(as_array(rows, words.name), opening);
 }
 
 }  // namespace kerf::python

@@ -46,8 +46,16 @@ RowFaults judge_rows(const std::vector<RowPair>& reported, const RowTruth& truth
 void refuse_columns(const pybind11::object& returned, const std::vector<RowPair>& reported,
                     const RowTruth& truth);
 
-/// The pairs that a function returned: an (m, 2) array of whole numbers, or any iterable of two each. Throws
-/// ValueError for anything else, among it a tuple of arrays and what has a mask.
-std::vector<RowPair> reported_pairs(const pybind11::object& returned);
+/// How messages call pairs, and how a sentence about them begins.
+struct PairWords {
+  const char* name;
+  const char* opening;
+};
+inline constexpr PairWords kReturned{"what the function returned", "the function returned"};
+inline constexpr PairWords kGiven{"pairs", "pairs: this is"};
+
+/// Pairs from Python: an (m, 2) array of whole numbers, or any iterable of two each. Throws ValueError for
+/// anything else, among it a tuple of arrays and what has a mask.
+std::vector<RowPair> reported_pairs(const pybind11::object& given, const PairWords& words);
 
 }  // namespace kerf::python

@@ -14,10 +14,18 @@ namespace py = pybind11;
 
 using Floats = py::array_t<float, kInOrder>;
 
+/// float64 is rounded to the nearest.
+Floats floats_of(const py::array& array, const std::string& what) {
+  const char kind = array.dtype().kind();
+  if (kind != 'f' && kind != 'i' && kind != 'u')
+    throw py::value_error(what + ": the dtype is " + std::string(py::str(array.dtype())) +
+                          "; give float32, float64 or whole numbers");
+  return Floats(array);
+}
+
 /// float32 in C order of shape (n, inner...); float64 is rounded to the nearest.
 Floats float_rows(const py::handle& given, const std::vector<py::ssize_t>& inner, const std::string& what) {
   const py::array array = as_array(given, what);
-  const char kind = array.dtype().kind();
   bool fits = array.ndim() == static_cast<py::ssize_t>(inner.size()) + 1;
   for (std::size_t k = 0; fits && k < inner.size(); ++k)
     fits = array.shape(static_cast<py::ssize_t>(k) + 1) == inner[k];
@@ -28,10 +36,7 @@ Floats float_rows(const py::handle& given, const std::vector<py::ssize_t>& inner
     throw py::value_error(what + ": the shape is " + shape_text(array) + ", but must be " + shape +
                           (inner.empty() ? ",)" : ")"));
   }
-  if (kind != 'f' && kind != 'i' && kind != 'u')
-    throw py::value_error(what + ": the dtype is " + std::string(py::str(array.dtype())) +
-                          "; give float32, float64 or whole numbers");
-  return Floats(array);
+  return floats_of(array, what);
 }
 
 template <int D>
@@ -136,7 +141,7 @@ py::array QueriesOf<D>::spheres(const py::handle& centers, const py::handle& rad
   const auto points = vectors_of<D>(floats);
   const py::array given = as_array(radii, "radii");  // once: it may be another one each time
   const bool single = given.ndim() == 0;
-  const Floats lengths = single ? Floats(given) : float_rows(given, {}, "radii");
+  const Floats lengths = single ? floats_of(given, "radii") : float_rows(given, {}, "radii");
   if (!single && static_cast<std::size_t>(lengths.size()) != points.size())
     throw py::value_error("radii: there are " + std::to_string(lengths.size()) + " for " +
                           std::to_string(points.size()) + " centers");

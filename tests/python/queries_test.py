@@ -123,6 +123,9 @@ def test_what_cannot_be_asked_is_refused_by_its_row(world):
         phase.query_nearest(points)
     with pytest.raises(ValueError, match="centers, radii: row 1"):
         phase.query_spheres(np.zeros((2, dimension)), [1, -1])
+    for radius in ("3", True, 3 + 4j, None):
+        with pytest.raises(ValueError, match="radii: the dtype is .*; give float32, float64 or whole numbers"):
+            phase.query_spheres(np.zeros((2, dimension)), radius)
     with pytest.raises(ValueError, match="radii: there are 3 for 2 centers"):
         phase.query_spheres(np.zeros((2, dimension)), [1, 1, 1])
     with pytest.raises(ValueError, match=r"rays: the shape is \(4, .\), but must be \(n, 2, .\)"):

@@ -65,6 +65,9 @@ def test_what_cannot_be_drawn_is_said_so(run):
         ({"camera": "yaw=1"}, "yaw"),
         ({"pairs": [(0, 5)]}, "there is no row 5"),
         ({"pairs": [(1, 1)]}, "with itself"),
+        ({"pairs": [(0, 1, 2)]}, r"^pairs: this is an array of shape \(1, 3\)"),
+        ({"pairs": 5}, "^pairs: this is 5; pairs are"),
+        ({"pairs": np.nonzero(np.eye(3))}, "^pairs: this is a tuple of arrays; pairs are rows"),
         ({"step": 3}, "only a recording or a scene"),
     ]:
         with pytest.raises(ValueError, match=problem):

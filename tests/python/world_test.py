@@ -119,6 +119,11 @@ def test_a_handle_names_one_life():
         ({"group": 2**31}, "group: row 0 is 2147483648"),
         ({"margin": [0, np.nan]}, "margin: row 1 is nan"),
         ({"margin": -1}, "margin: row 0 is -1"),
+        ({"margin": "0.5"}, "margin: row 0 is '0.5'; it is a finite number"),
+        ({"margin": [1, None]}, "margin: row 1 is None"),
+        ({"margin": [1, 10**400]}, "margin: row 1 is 1000"),
+        ({"margin": [1, 1e39]}, r"margin: row 1 is 1e\+39"),
+        ({"margin": 1j}, "margin: row 0 is 1j"),
         ({"user_data": 0.5}, "user_data: row 0 is 0.5"),
     ],
 )
