@@ -18,6 +18,7 @@ struct BoundRounding {
   std::uint32_t digits = 0;    ///< significant ones; 0: it did not round to these
   std::uint32_t decimals = 0;  ///< 0: it did not round to these
   bool floats = false;         ///< the numbers were floats, else doubles
+  std::uint32_t planes = 0;    ///< bit k: all boxes are flat at one number along axis k
   friend bool operator==(const BoundRounding&, const BoundRounding&) = default;
 };
 
@@ -44,13 +45,14 @@ inline double lost_of(const BoundRounding& rounding, double bound) {
 
 /// Of boxes that overlap as written: an axis on which what was rounded away decides; none: they overlap.
 /// Rounding keeps the order of numbers, so that only bounds with the same text may have been apart, and boxes
-/// that are apart as written are apart. Where both are flat at one text, as in a plane, the axis decides
-/// nothing.
+/// that are apart as written are apart. An axis along which all boxes of the file are flat at one text, as in
+/// 2D data with a z, decides nothing; two walls or points with the same text may be apart.
 template <int D>
 std::optional<int> undecided_axis(const BoundRounding& rounding, const GivenBox<D>& a, const GivenBox<D>& b) {
   if (rounding == BoundRounding{}) return std::nullopt;
   for (std::size_t i = 0; i < D; ++i) {
-    if (a.min[i] == a.max[i] && b.min[i] == b.max[i]) continue;
+    const bool are_flat = a.min[i] == a.max[i] && b.min[i] == b.max[i];
+    if (are_flat && (rounding.planes >> i & 1U) != 0) continue;
     const bool touch_at_a = a.min[i] == b.max[i] && lost_of(rounding, a.min[i]) > 0;
     const bool touch_at_b = b.min[i] == a.max[i] && lost_of(rounding, b.min[i]) > 0;
     if (touch_at_a || touch_at_b) return static_cast<int>(i);

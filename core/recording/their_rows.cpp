@@ -119,24 +119,29 @@ void write_design(Database& database, const PairDesign& design) {
   margin.bind(1, "margin").bind(2, shortest_text(design.margin.absolute)).run();
   margin.bind(1, "margin_share").bind(2, shortest_text(design.margin.share)).run();
   if (design.rounding == BoundRounding{}) return;
-  const auto [digits, decimals, floats] = design.rounding;
+  const auto [digits, decimals, floats, planes] = design.rounding;
   margin.bind(1, "bound_digits").bind(2, std::to_string(digits)).run();
   margin.bind(1, "bound_decimals").bind(2, std::to_string(decimals)).run();
   margin.bind(1, "bound_floats").bind(2, floats ? "1" : "0").run();
+  margin.bind(1, "bound_planes").bind(2, std::to_string(planes)).run();
 }
 
 namespace {
 
-/// None, as in all recordings of earlier versions: the text of a bound was taken for the number.
+/// None, as in all recordings of earlier versions: the text of a bound was taken for the number. The first
+/// recordings with any have no planes: flat boxes at one text were never undecided.
 BoundRounding read_rounding(const Database& database) {
   constexpr std::int64_t kMost = 30;
-  const auto number = [&](const char* key) {
+  constexpr std::int64_t kAllPlanes = 7;
+  const auto number = [&](const char* key, std::int64_t without = 0) {
     Statement row = database.prepare("SELECT CAST(value AS INTEGER) FROM meta WHERE key = ?");
-    const std::int64_t value = row.bind(1, key).step() ? row.integer(0) : 0;
+    const std::int64_t value = row.bind(1, key).step() ? row.integer(0) : without;
     if (value < 0 || value > kMost) fail_damaged(std::string("its ") + key + " are " + std::to_string(value));
     return static_cast<std::uint32_t>(value);
   };
-  return {number("bound_digits"), number("bound_decimals"), number("bound_floats") != 0};
+  BoundRounding rounding{number("bound_digits"), number("bound_decimals"), number("bound_floats") != 0};
+  if (rounding != BoundRounding{}) rounding.planes = number("bound_planes", kAllPlanes);
+  return rounding;
 }
 
 }  // namespace

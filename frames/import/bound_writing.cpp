@@ -81,6 +81,26 @@ void BoundWriting::Seen::note(double value) {
   (void)keep_once(some, value, kMany);
 }
 
+void BoundWriting::Plane::note(double min, double max) {
+  holds &= min == max && min == at.value_or(min);
+  at = min;
+}
+
+std::uint32_t BoundWriting::planes() const {
+  std::uint32_t planes = 0;
+  for (std::size_t axis = 0; axis < planes_.size(); ++axis)
+    if (planes_[axis].at && planes_[axis].holds) planes |= 1U << axis;
+  return planes;
+}
+
+void BoundWriting::note(int axis, std::string_view min, std::string_view max) {
+  note(min);
+  note(max);
+  const auto from = parse(min);
+  const auto to = parse(max);
+  if (from && to) planes_[static_cast<std::size_t>(axis)].note(*from, *to);
+}
+
 void BoundWriting::note(std::string_view text) {
   const auto value = parse(text);
   if (!value) return;
@@ -148,9 +168,9 @@ bool BoundWriting::is_cut() const {
 
 BoundRounding BoundWriting::rounding() const {
   const auto decimals = static_cast<std::uint32_t>(most_decimals_);
-  if (is_fixed() || is_trimmed()) return {0, decimals, are_floats()};
+  if (is_fixed() || is_trimmed()) return {0, decimals, are_floats(), planes()};
   if (is_whole() || !is_cut()) return {};
-  return {static_cast<std::uint32_t>(most_digits_), 0, are_floats()};
+  return {static_cast<std::uint32_t>(most_digits_), 0, are_floats(), planes()};
 }
 
 /// The most digits that more than a few numbers have.
@@ -170,9 +190,9 @@ BoundRounding BoundWriting::suspected() const {
   if (digits == 0) return {};
   const bool same_decimals = !has_exponent_ && least_decimals_ == most_decimals_;
   if (same_decimals && most_decimals_ > kLeastDecimals && by_decimals_[most_decimals_].count > 0)
-    return {0, static_cast<std::uint32_t>(most_decimals_), are_floats()};
+    return {0, static_cast<std::uint32_t>(most_decimals_), are_floats(), planes()};
   if (digits < kLeastShort || by_digits_[digits].count == 0) return {};
-  return {static_cast<std::uint32_t>(digits), 0, are_floats()};
+  return {static_cast<std::uint32_t>(digits), 0, are_floats(), planes()};
 }
 
 }  // namespace kerf

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace kerf {
 /// Finds out from the bounds of a table how its program rounded them.
 class BoundWriting {
  public:
-  /// What is no number is passed over.
-  void note(std::string_view text);
+  /// The bounds of a box along an axis. What is no number is passed over.
+  void note(int axis, std::string_view min, std::string_view max);
 
   /// None where the text has all of each number: floats with 9 digits, doubles with 17, binary fractions, and
   /// short decimals, which people write.
@@ -34,7 +35,16 @@ class BoundWriting {
     void note(double value);
   };
 
+  /// Whether all boxes are flat at one number along an axis.
+  struct Plane {
+    std::optional<double> at;
+    bool holds = true;
+    void note(double min, double max);
+  };
+
+  void note(std::string_view text);
   void note_float(double value, double unit);
+  [[nodiscard]] std::uint32_t planes() const;
   [[nodiscard]] bool are_floats() const;
   [[nodiscard]] bool is_whole() const;
   [[nodiscard]] bool is_fixed() const;
@@ -42,6 +52,7 @@ class BoundWriting {
   [[nodiscard]] bool is_cut() const;
   [[nodiscard]] std::size_t usual_digits() const;
 
+  std::array<Plane, 3> planes_{};
   std::array<Seen, kMostDigits + 1> by_digits_{};
   std::array<Seen, kMostDecimals + 1> by_decimals_{};  ///< those without an exponent
   std::size_t most_digits_ = 0;                        ///< of all numbers with a point or an exponent

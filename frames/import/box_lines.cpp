@@ -194,8 +194,8 @@ void BoxLines::note_digits(WrittenDigits& written) const {
 }
 
 void BoxLines::note_writing(BoundWriting& writing) const {
-  for (std::size_t column = kBounds; column <= max_column(dimension_ - 1); ++column)
-    writing.note(table_.text(column));
+  for (int axis = 0; axis < dimension_; ++axis)
+    writing.note(axis, table_.text(min_column(axis)), table_.text(max_column(axis)));
 }
 
 std::string conflict_of(const GivenStep& a, const GivenStep& b) {

@@ -20,7 +20,7 @@ std::string formatted(const char* format, double number) {
 
 BoundWriting writing_of(const std::vector<std::string>& bounds) {
   BoundWriting writing;
-  for (const std::string& bound : bounds) writing.note(bound);
+  for (const std::string& bound : bounds) writing.note(0, bound, bound);
   return writing;
 }
 BoundRounding rounding_of(const std::vector<std::string>& bounds) { return writing_of(bounds).rounding(); }
@@ -88,6 +88,24 @@ TEST(BoundWriting, TooFewNumbersAreSuspected) {
   EXPECT_EQ(suspected({"0.123457", "0.234568", "0.345679"}), BoundRounding()) << "they are sure";
 }
 
+TEST(BoundWriting, APlaneIsWhereAllBoxesAreFlatAtOneNumber) {
+  Random random(9);
+  const auto planes_of = [&](const std::vector<std::array<std::string, 2>>& along_z) {
+    BoundWriting writing;
+    for (const auto& [min, max] : along_z) {
+      const std::string x = formatted("%.6f", random.unit());
+      writing.note(0, x, x);
+      writing.note(2, min, max);
+    }
+    for (int k = 0; k < 20; ++k) writing.note(1, formatted("%.6f", random.unit()), "2.000000");
+    EXPECT_EQ(writing.rounding().decimals, 6U);
+    return writing.rounding().planes;
+  };
+  EXPECT_EQ(planes_of({{"0.000000", "0.000000"}, {"-0.000000", "0.000000"}, {"", ""}}), 0b100U);
+  EXPECT_EQ(planes_of({{"0.000000", "0.000000"}, {"0.000001", "0.000001"}}), 0U);
+  EXPECT_EQ(planes_of({{"0.000000", "0.000000"}, {"0.000000", "0.000001"}}), 0U);
+}
+
 TEST(BoundWriting, AFewNumbersThatStandOutHideNothing) {
   Random random(8);
   std::vector<std::string> six{"3.14159265", "-3.14159265", "1.7976931348623157e+308"};
@@ -102,13 +120,15 @@ TEST(BoundWriting, AFewNumbersThatStandOutHideNothing) {
   EXPECT_EQ(writing_of(floats).suspected(), BoundRounding());
 }
 
-TEST(BoundRounding, AnAxisOnWhichBothAreFlatDecidesNothing) {
-  const BoundRounding rounding{0, 6, false};
+/// Two walls or two points with the same text may be apart.
+TEST(BoundRounding, OnlyAnAxisAlongWhichAllAreFlatDecidesNothing) {
+  const BoundRounding rounding{0, 6, false, 0b100};
   const GivenBox<3> a{{0, 0, 0}, {1, 1, 0}};
   const GivenBox<3> b{{0.5, 0.5, 0}, {2, 2, 0}};
   EXPECT_EQ(undecided_axis(rounding, a, b), std::nullopt);
   EXPECT_EQ(undecided_axis(rounding, a, GivenBox<3>{{1, 0, 0}, {2, 1, 0}}), 0);
   EXPECT_EQ(undecided_axis(rounding, a, GivenBox<3>{{0, 0, 0}, {2, 2, 1}}), 2) << "one of them is flat";
+  EXPECT_EQ(undecided_axis({0, 6, false}, a, b), 2);
 }
 
 TEST(BoundRounding, LeavesNumbersThatTheTextIdentifies) {

@@ -144,6 +144,20 @@ TEST_F(ImportDigits, RoundedNumbersWithoutZerosAtTheEndAreOpen) {
       << "one of the other two overlaps by more";
 }
 
+/// Points and walls have no extent: two that are apart may have the same text.
+TEST_F(ImportDigits, FlatBoxesWithTheSameTextAreOpen) {
+  std::string walls = "step,object,min_x,max_x,min_y,max_y,min_z,max_z\n";
+  for (int k = 0; k < 20; ++k) {
+    const std::string x = printed("%.3f", std::sqrt(k));
+    for (const int object : {2 * k, 2 * k + 1})
+      walls += "1," + std::to_string(object) + "," + x + "," + x + ",0.000,1.000,0.125,0.125\n";
+  }
+  EXPECT_THAT(imported("a", write("walls.csv", walls), {"--pairs", write("none.csv", "step,a,b\n")}),
+              HasSubstr(": 0 missed, 0 extra, 0 twice, 0 ignored, 20 undecided in the 3 decimals"));
+  EXPECT_THAT(explained("a", "1", "2,3"), HasSubstr("that were written they touch along x"));
+  EXPECT_EQ(run_kerf({"verify", path("a.kerf")}).exit, 0);
+}
+
 /// What people write by hand is what they mean.
 TEST_F(ImportDigits, ShortNumbersAreJudged) {
   for (const std::string at : {"1", "1.0", "0.5", "0.1", "2.25", "1.0078125", "0.30000000000000004"})

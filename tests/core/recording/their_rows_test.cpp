@@ -98,7 +98,7 @@ TYPED_TEST(TheirRows, HowBoxesWereRoundedHasAVersionOfItsOwn) {
     Bsp<kD, EventLog> tree(test::busy_config());
     RecordingInfo info = test::info_of<kD>(test::busy_config());
     info.imported = true;
-    info.design.rounding = {6, 0, true};
+    info.design.rounding = {6, 0, true, 0b100};
     Recorder<kD> recorder(tree, file.path(), info);
     test::play_crowd<kD>(recorder, 3, 3, [&](std::uint32_t step) {
       if (step != 2) return;
@@ -113,6 +113,8 @@ TYPED_TEST(TheirRows, HowBoxesWereRoundedHasAVersionOfItsOwn) {
     EXPECT_EQ(reader.their_step(2), (TheirStep{1, 0, 0, 0, 0, 2}));
     EXPECT_THAT(reader.their_steps(), ElementsAre(std::pair(2U, TheirStep{1, 0, 0, 0, 0, 2})));
     EXPECT_EQ(reader.structure_steps().size(), has_structure ? 1U : 0U);
+    file.change("DELETE FROM meta WHERE key = 'bound_planes'");
+    EXPECT_EQ(read_design(Database::open(file.path())).rounding.planes, 7U) << "as earlier versions judged";
   }
   EXPECT_EQ(Database::open(this->file_.path()).ask("PRAGMA user_version"), kRecordingVersion);
   EXPECT_THAT(this->refusal("INSERT INTO meta VALUES('bound_digits', '31')"),
