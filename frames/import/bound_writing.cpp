@@ -16,6 +16,9 @@ constexpr std::size_t kMany = 8;
 constexpr std::size_t kLeastDecimals = 2;
 constexpr double kSurprising = 4.6;  // one in a hundred
 constexpr std::size_t kMostTried = 64;
+constexpr double kManyNumbers =
+    10;                         // that have one text; the shortest text of a number seldom leaves as many
+constexpr double kHuge = 1e15;  // bounds from here on are no places
 
 /// A number as it was written: mantissa / 10^decimals.
 struct Decimal {
@@ -68,6 +71,14 @@ std::optional<double> parse(std::string_view text) {
   return value;
 }
 
+/// How far apart the numbers of a kind are there.
+template <class Number>
+double spacing_at(double value) {
+  constexpr double kMost = std::numeric_limits<Number>::max();
+  const auto nearest = static_cast<Number>(std::min(std::abs(value), kMost));
+  return static_cast<double>(std::nextafter(nearest, std::numeric_limits<Number>::infinity()) - nearest);
+}
+
 bool keep_once(std::vector<double>& values, double value, std::size_t most) {
   if (values.size() >= most || std::ranges::find(values, value) != values.end()) return false;
   values.push_back(value);
@@ -76,74 +87,60 @@ bool keep_once(std::vector<double>& values, double value, std::size_t most) {
 
 }  // namespace
 
-void BoundWriting::Seen::note(double value) {
+void DigitStatistics::Seen::note(double value) {
   ++count;
   (void)keep_once(some, value, kMany);
 }
 
-void BoundWriting::Plane::note(double min, double max) {
-  holds &= min == max && min == at.value_or(min);
-  at = min;
-}
-
-std::uint32_t BoundWriting::planes() const {
-  std::uint32_t planes = 0;
-  for (std::size_t axis = 0; axis < planes_.size(); ++axis)
-    if (planes_[axis].at && planes_[axis].holds) planes |= 1U << axis;
-  return planes;
-}
-
-void BoundWriting::note(int axis, std::string_view min, std::string_view max) {
-  note(min);
-  note(max);
-  const auto from = parse(min);
-  const auto to = parse(max);
-  if (from && to) planes_[static_cast<std::size_t>(axis)].note(*from, *to);
-}
-
-void BoundWriting::note(std::string_view text) {
-  const auto value = parse(text);
-  if (!value) return;
+void DigitStatistics::note(std::string_view text, double value) {
   const Decimal number = read_decimal(text);
   const std::size_t digits = std::min(number.digits, kMostDigits);
   const auto decimals = static_cast<std::size_t>(
       std::clamp<std::int64_t>(number.decimals, 0, static_cast<std::int64_t>(kMostDecimals)));
+  const bool is_small = number.has_exponent && std::abs(value) < 1;  // as JavaScript writes 0.00001
   has_exponent_ |= number.has_exponent;
-  if (number.has_point) {
+  has_large_exponent_ |= number.has_exponent && !is_small;
+  if (number.has_point || is_small) {
     least_decimals_ = std::min(least_decimals_, decimals);
     most_decimals_ = std::max(most_decimals_, decimals);
   }
   if (number.has_point || number.has_exponent) most_digits_ = std::max(most_digits_, digits);
+  const double unit = std::pow(10.0, -static_cast<double>(number.decimals));
   if (!is_binary_fraction(number)) {
     ++rounded_;
-    by_digits_[digits].note(*value);
-    if (!number.has_exponent) by_decimals_[decimals].note(*value);
+    by_digits_[digits].note(value);
+    if (!number.has_exponent || is_small) by_decimals_[decimals].note(value);
+    open_floats_ += unit >= kManyNumbers * spacing_at<Scalar>(value) ? 1 : 0;
+    open_doubles_ += unit >= kManyNumbers * spacing_at<double>(value) ? 1 : 0;
   }
   const bool is_whole_number = !number.has_point && !number.has_exponent;  // such as INT_MAX, for no bound
-  if (number.digits > kLeastDigits && !is_whole_number)
-    note_float(*value, std::pow(10.0, -static_cast<double>(number.decimals)));
+  if (number.digits > kLeastDigits && !is_whole_number) note_float(value, unit);
 }
 
 /// A decimal that lies between floats further apart than its unit is seldom the nearest decimal of one.
-void BoundWriting::note_float(double value, double unit) {
+void DigitStatistics::note_float(double value, double unit) {
   constexpr double kMost = std::numeric_limits<Scalar>::max();
   if (!may_be_floats_ || std::abs(value) > kMost) return;  // beyond: DBL_MAX, for no bound
   const auto nearest = static_cast<Scalar>(value);
   const double own = 2 * std::numeric_limits<double>::epsilon() * std::abs(value);  // of 12 digits and more
   may_be_floats_ = std::abs(static_cast<double>(nearest) - value) <= 0.5000001 * unit + own;
-  const double spacing = static_cast<double>(
-      std::nextafter(std::abs(nearest), std::numeric_limits<Scalar>::infinity()) - std::abs(nearest));
+  const double spacing = spacing_at<Scalar>(value);
   if (unit >= spacing || surprise_ >= kSurprising || !keep_once(tried_, value, kMostTried)) return;
   surprise_ += std::log(spacing / unit);
 }
 
-bool BoundWriting::are_floats() const { return may_be_floats_ && surprise_ >= kSurprising; }
+bool DigitStatistics::are_floats() const { return may_be_floats_ && surprise_ >= kSurprising; }
 
 /// Whether some number has as many digits as its kind needs.
-bool BoundWriting::is_whole() const { return most_digits_ >= (are_floats() ? kWholeFloat : kMostDigits); }
+bool DigitStatistics::is_whole() const { return most_digits_ >= (are_floats() ? kWholeFloat : kMostDigits); }
+
+/// Whether the text of a good part leaves open which number it was.
+bool DigitStatistics::are_open() const {
+  return 4 * (are_floats() ? open_floats_ : open_doubles_) >= rounded_;
+}
 
 /// Whether all were written with so many decimals, zeros at the end too, and more of them than people write.
-bool BoundWriting::is_fixed() const {
+bool DigitStatistics::is_fixed() const {
   if (has_exponent_ || least_decimals_ != most_decimals_ || most_decimals_ < kLeastDecimals) return false;
   std::size_t of_many_digits = 0;
   for (std::size_t k = kLeastDigits; k <= kMostDigits; ++k) of_many_digits += by_digits_[k].some.size();
@@ -151,30 +148,31 @@ bool BoundWriting::is_fixed() const {
 }
 
 /// Whether they were rounded to so many decimals and written without the zeros at the end, as of each ten
-/// numbers one has.
-bool BoundWriting::is_trimmed() const {
+/// numbers one has. Numbers far out have more digits before the point, and may be whole beside others.
+bool DigitStatistics::is_trimmed() const {
   const Seen& longest = by_decimals_[most_decimals_];
   const bool are_many = longest.some.size() >= kMany && 5 * longest.count >= 4 * rounded_;
-  if (has_exponent_ || is_whole() || most_decimals_ < kLeastDecimals || !are_many) return false;
+  const bool all_whole = is_whole() && !are_open();
+  if (has_large_exponent_ || all_whole || most_decimals_ < kLeastDecimals || !are_many) return false;
   return most_digits_ < kLeastDigits || longest.count > by_digits_[most_digits_].count;
 }
 
 /// Whether they were rounded to as many digits as the longest have: of less than six, people write some, too.
-bool BoundWriting::is_cut() const {
+bool DigitStatistics::is_cut() const {
   const Seen& longest = by_digits_[most_digits_];
   if (most_digits_ >= kLeastDigits) return longest.some.size() >= kFew;
   return most_digits_ >= kLeastShort && longest.some.size() >= kMany && 5 * longest.count >= 4 * rounded_;
 }
 
-BoundRounding BoundWriting::rounding() const {
+BoundRounding DigitStatistics::rounding() const {
   const auto decimals = static_cast<std::uint32_t>(most_decimals_);
-  if (is_fixed() || is_trimmed()) return {0, decimals, are_floats(), planes()};
+  if (is_fixed() || is_trimmed()) return {0, decimals, are_floats()};
   if (is_whole() || !is_cut()) return {};
-  return {static_cast<std::uint32_t>(most_digits_), 0, are_floats(), planes()};
+  return {static_cast<std::uint32_t>(most_digits_), 0, are_floats()};
 }
 
 /// The most digits that more than a few numbers have.
-std::size_t BoundWriting::usual_digits() const {
+std::size_t DigitStatistics::usual_digits() const {
   constexpr std::size_t kMost = 8;
   std::size_t digits = most_digits_;
   if (digits <= kMost) return digits;
@@ -184,15 +182,42 @@ std::size_t BoundWriting::usual_digits() const {
   return 20 * longer <= rounded_ ? digits : 0;
 }
 
-BoundRounding BoundWriting::suspected() const {
+BoundRounding DigitStatistics::suspected() const {
   if (rounding() != BoundRounding{}) return {};
   const std::size_t digits = usual_digits();
   if (digits == 0) return {};
   const bool same_decimals = !has_exponent_ && least_decimals_ == most_decimals_;
   if (same_decimals && most_decimals_ > kLeastDecimals && by_decimals_[most_decimals_].count > 0)
-    return {0, static_cast<std::uint32_t>(most_decimals_), are_floats(), planes()};
+    return {0, static_cast<std::uint32_t>(most_decimals_), are_floats()};
   if (digits < kLeastShort || by_digits_[digits].count == 0) return {};
-  return {static_cast<std::uint32_t>(digits), 0, are_floats(), planes()};
+  return {static_cast<std::uint32_t>(digits), 0, are_floats()};
+}
+
+void BoundWriting::Plane::note(double min, double max) {
+  holds &= min == max && min == at.value_or(min);
+  at = min;
+}
+
+void BoundWriting::note(int axis, std::string_view min, std::string_view max) {
+  const auto from = note(min);
+  const auto to = note(max);
+  if (from && to) planes_[static_cast<std::size_t>(axis)].note(*from, *to);
+}
+
+/// The number, unless it is huge.
+std::optional<double> BoundWriting::note(std::string_view text) {
+  const auto value = parse(text);
+  if (!value) return std::nullopt;
+  const bool is_huge = std::abs(*value) >= kHuge;
+  (is_huge ? huge_ : usual_).note(text, *value);
+  return is_huge ? std::nullopt : value;
+}
+
+BoundRounding BoundWriting::with_planes(BoundRounding rounding) const {
+  if (rounding == BoundRounding{}) return rounding;
+  for (std::size_t axis = 0; axis < planes_.size(); ++axis)
+    if (planes_[axis].at && planes_[axis].holds) rounding.planes |= 1U << axis;
+  return rounding;
 }
 
 }  // namespace kerf

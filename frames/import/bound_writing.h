@@ -11,18 +11,19 @@
 
 namespace kerf {
 
-/// Finds out from the bounds of a table how its program rounded them.
-class BoundWriting {
+/// How numbers were written: of what one program wrote in one format.
+class DigitStatistics {
  public:
-  /// The bounds of a box along an axis. What is no number is passed over.
-  void note(int axis, std::string_view min, std::string_view max);
+  void note(std::string_view text, double value);
 
   /// None where the text has all of each number: floats with 9 digits, doubles with 17, binary fractions, and
   /// short decimals, which people write.
   [[nodiscard]] BoundRounding rounding() const;
-  /// Of a table whose numbers, of 4 to 8 digits or all of the same three decimals or more, are too few to be
-  /// sure; none where `rounding()` has one.
+  /// Of numbers, of 4 to 8 digits or all of the same three decimals or more, that are too few to be sure;
+  /// none where `rounding()` has one.
   [[nodiscard]] BoundRounding suspected() const;
+  /// Whether there are numbers that are no binary fractions.
+  [[nodiscard]] bool has_rounded() const { return rounded_ > 0; }
 
  private:
   static constexpr std::size_t kMostDigits = 17;
@@ -35,6 +36,41 @@ class BoundWriting {
     void note(double value);
   };
 
+  void note_float(double value, double unit);
+  [[nodiscard]] bool are_floats() const;
+  [[nodiscard]] bool is_whole() const;
+  [[nodiscard]] bool are_open() const;
+  [[nodiscard]] bool is_fixed() const;
+  [[nodiscard]] bool is_trimmed() const;
+  [[nodiscard]] bool is_cut() const;
+  [[nodiscard]] std::size_t usual_digits() const;
+
+  std::array<Seen, kMostDigits + 1> by_digits_{};
+  std::array<Seen, kMostDecimals + 1> by_decimals_{};  ///< those without a large exponent
+  std::size_t most_digits_ = 0;                        ///< of all numbers with a point or an exponent
+  std::size_t most_decimals_ = 0;                      ///< of all numbers with a point, and small ones
+  std::size_t least_decimals_ = kMostDecimals;
+  std::uint64_t rounded_ = 0;
+  std::uint64_t open_floats_ = 0;  ///< of them those of which many floats have the text
+  std::uint64_t open_doubles_ = 0;
+  bool has_exponent_ = false;
+  bool has_large_exponent_ = false;  ///< of a number beyond 1
+  bool may_be_floats_ = true;        ///< each is the nearest float, written with as many digits
+  double surprise_ = 0;              ///< how unlikely that is of doubles: minus the logarithm
+  std::vector<double> tried_{};      ///< numbers that count for it
+};
+
+/// Finds out from the bounds of a table how its program rounded them. Huge ones stand for "no bound", often
+/// in a writing of their own, and count only where there are no others.
+class BoundWriting {
+ public:
+  /// The bounds of a box along an axis. What is no number is passed over.
+  void note(int axis, std::string_view min, std::string_view max);
+
+  [[nodiscard]] BoundRounding rounding() const { return with_planes(counted().rounding()); }
+  [[nodiscard]] BoundRounding suspected() const { return with_planes(counted().suspected()); }
+
+ private:
   /// Whether all boxes are flat at one number along an axis.
   struct Plane {
     std::optional<double> at;
@@ -42,27 +78,13 @@ class BoundWriting {
     void note(double min, double max);
   };
 
-  void note(std::string_view text);
-  void note_float(double value, double unit);
-  [[nodiscard]] std::uint32_t planes() const;
-  [[nodiscard]] bool are_floats() const;
-  [[nodiscard]] bool is_whole() const;
-  [[nodiscard]] bool is_fixed() const;
-  [[nodiscard]] bool is_trimmed() const;
-  [[nodiscard]] bool is_cut() const;
-  [[nodiscard]] std::size_t usual_digits() const;
+  std::optional<double> note(std::string_view text);
+  [[nodiscard]] const DigitStatistics& counted() const { return usual_.has_rounded() ? usual_ : huge_; }
+  [[nodiscard]] BoundRounding with_planes(BoundRounding rounding) const;
 
+  DigitStatistics usual_;
+  DigitStatistics huge_;
   std::array<Plane, 3> planes_{};
-  std::array<Seen, kMostDigits + 1> by_digits_{};
-  std::array<Seen, kMostDecimals + 1> by_decimals_{};  ///< those without an exponent
-  std::size_t most_digits_ = 0;                        ///< of all numbers with a point or an exponent
-  std::size_t most_decimals_ = 0;                      ///< of all numbers with a point
-  std::size_t least_decimals_ = kMostDecimals;
-  std::uint64_t rounded_ = 0;
-  bool has_exponent_ = false;
-  bool may_be_floats_ = true;    ///< each is the nearest float, written with as many digits
-  double surprise_ = 0;          ///< how unlikely that is of doubles: minus the logarithm
-  std::vector<double> tried_{};  ///< numbers that count for it
 };
 
 }  // namespace kerf

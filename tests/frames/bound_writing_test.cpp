@@ -120,6 +120,33 @@ TEST(BoundWriting, AFewNumbersThatStandOutHideNothing) {
   EXPECT_EQ(writing_of(floats).suspected(), BoundRounding());
 }
 
+/// A plane that reaches far, an object far out, and a number near 0 are written at greater length.
+TEST(BoundWriting, ASingleNumberHidesNoDecimals) {
+  Random random(10);
+  std::vector<std::string> three;
+  std::vector<std::string> whole;
+  for (int k = 0; k < 200; ++k) {
+    const double x = static_cast<double>(static_cast<float>(random.uniform(0, 40)));
+    three.push_back(shortest_text(std::stod(formatted("%.3f", x))));
+    whole.push_back(shortest_text(static_cast<float>(x)));
+  }
+  for (const char* const text :
+       {"-9.999999843067494e+17", "1.7976931348623157e+308", "123456.789", "-2.5e-2"}) {
+    three.emplace_back(text);
+    whole.emplace_back(text);
+    EXPECT_EQ(rounding_of(three).decimals, 3U) << text;
+    EXPECT_EQ(rounding_of(whole), BoundRounding()) << text;
+  }
+  for (const char* const far : {"234567.891", "234999.375", "-345678.91", "456789.123"})
+    three.emplace_back(far);
+  EXPECT_EQ(rounding_of(three).decimals, 3U);
+  three.emplace_back("-9e-5");
+  EXPECT_EQ(rounding_of(three).decimals, 0U) << "which has five";
+  std::vector<std::string> huge;
+  for (int k = 0; k < 200; ++k) huge.push_back(formatted("%g", random.uniform(1e18, 4e18)));
+  EXPECT_EQ(rounding_of(huge).digits, 6U) << "all are";
+}
+
 /// Two walls or two points with the same text may be apart.
 TEST(BoundRounding, OnlyAnAxisAlongWhichAllAreFlatDecidesNothing) {
   const BoundRounding rounding{0, 6, false, 0b100};
