@@ -13,6 +13,8 @@ constexpr std::size_t kLeastShort = 4;   // of which many numbers are needed: %.
 constexpr std::size_t kWholeFloat = 9;   // digits with which floats are written whole
 constexpr std::size_t kFew = 3;          // fewer numbers of so many digits may be written by hand
 constexpr std::size_t kMany = 8;
+constexpr std::size_t kDozens = 24;  // of short numbers, which may be a grid
+constexpr std::size_t kLeastSuspected = 2;
 constexpr std::size_t kLeastDecimals = 2;
 constexpr double kSurprising = 4.6;  // one in a hundred
 constexpr std::size_t kMostTried = 64;
@@ -89,7 +91,7 @@ bool keep_once(std::vector<double>& values, double value, std::size_t most) {
 
 void DigitStatistics::Seen::note(double value) {
   ++count;
-  (void)keep_once(some, value, kMany);
+  (void)keep_once(some, value, kDozens);
 }
 
 void DigitStatistics::note(std::string_view text, double value) {
@@ -186,10 +188,13 @@ BoundRounding DigitStatistics::suspected() const {
   if (rounding() != BoundRounding{}) return {};
   const std::size_t digits = usual_digits();
   if (digits == 0) return {};
-  const bool same_decimals = !has_exponent_ && least_decimals_ == most_decimals_;
-  if (same_decimals && most_decimals_ > kLeastDecimals && by_decimals_[most_decimals_].count > 0)
+  const auto suffice = [](const Seen& seen, bool is_long) {
+    return is_long ? seen.count > 0 : seen.some.size() >= kDozens;
+  };
+  const bool same_decimals = !has_exponent_ && most_decimals_ > 0 && least_decimals_ == most_decimals_;
+  if (same_decimals && suffice(by_decimals_[most_decimals_], most_decimals_ > kLeastDecimals))
     return {0, static_cast<std::uint32_t>(most_decimals_), are_floats()};
-  if (digits < kLeastShort || by_digits_[digits].count == 0) return {};
+  if (digits < kLeastSuspected || !suffice(by_digits_[digits], digits >= kLeastShort)) return {};
   return {static_cast<std::uint32_t>(digits), 0, are_floats()};
 }
 

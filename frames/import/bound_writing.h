@@ -19,8 +19,8 @@ class DigitStatistics {
   /// None where the text has all of each number: floats with 9 digits, doubles with 17, binary fractions, and
   /// short decimals, which people write.
   [[nodiscard]] BoundRounding rounding() const;
-  /// Of numbers, of 4 to 8 digits or all of the same three decimals or more, that are too few to be sure;
-  /// none where `rounding()` has one.
+  /// Of numbers of 4 to 8 digits, or all of the same three decimals or more, that are too few to be sure;
+  /// also of two digits, or one decimal, of dozens of numbers. None where `rounding()` has one.
   [[nodiscard]] BoundRounding suspected() const;
   /// Whether there are numbers that are no binary fractions.
   [[nodiscard]] bool has_rounded() const { return rounded_ > 0; }

@@ -88,6 +88,29 @@ TEST(BoundWriting, TooFewNumbersAreSuspected) {
   EXPECT_EQ(suspected({"0.123457", "0.234568", "0.345679"}), BoundRounding()) << "they are sure";
 }
 
+/// A grid of halves is exact; one of tenths may be one, or what rounding left.
+TEST(BoundWriting, DozensOfShortNumbersAreSuspected) {
+  Random random(11);
+  const auto suspected = [&](const char* format, auto number) {
+    std::vector<std::string> all;
+    for (int k = 0; k < 100; ++k) all.push_back(formatted(format, number()));
+    EXPECT_EQ(rounding_of(all), BoundRounding()) << format;
+    return writing_of(all).suspected();
+  };
+  const auto any = [&] { return random.uniform(0, 40); };
+  EXPECT_EQ(suspected("%.1f", any), (BoundRounding{0, 1, false}));
+  EXPECT_EQ(suspected("%.3g", any), (BoundRounding{3, 0, false}));
+  EXPECT_EQ(suspected("%.2e", any), (BoundRounding{3, 0, false}));
+  EXPECT_EQ(suspected("%.2g", [&] { return random.uniform(0, 4); }), (BoundRounding{2, 0, false}));
+  for (const char* const format : {"%g", "%.1f"}) {
+    EXPECT_EQ(suspected(format, [&] { return std::round(any()); }), BoundRounding()) << format;
+    EXPECT_EQ(suspected(format, [&] { return std::round(any()) / 2; }), BoundRounding()) << format;
+  }
+  std::vector<std::string> few;
+  for (int k = 1; k < 25; ++k) few.push_back(formatted("%.1f", k / 10.0));
+  EXPECT_EQ(writing_of(few).suspected(), BoundRounding()) << "too few may be meant";
+}
+
 TEST(BoundWriting, APlaneIsWhereAllBoxesAreFlatAtOneNumber) {
   Random random(9);
   const auto planes_of = [&](const std::vector<std::array<std::string, 2>>& along_z) {
