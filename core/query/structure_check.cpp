@@ -321,11 +321,18 @@ class Checker {
 
 }  // namespace
 
+/// Rounding to the same decimal keeps the order of numbers: of those with one decimal in both tables, which a
+/// hand may have written, that decides.
 double BoundTolerance::allowed(double outer, double inner) const {
+  const bool keeps_order = outer_digits.decimals == 1 && inner_digits.decimals == 1;
+  const auto lost = [&](WrittenDigits written, double number) {
+    if (keeps_order) written.decimals = 0;
+    return rounded_away(written, number);
+  };
   using Float = std::numeric_limits<Scalar>;
   const double least = std::min({std::abs(outer), std::abs(inner), double{Float::max()}});
   return share * least + ulps * (least * double{Float::epsilon()} + double{Float::denorm_min()}) +
-         rounded_away(outer_digits, outer) + rounded_away(inner_digits, inner);
+         lost(outer_digits, outer) + lost(inner_digits, inner);
 }
 
 template <int D>

@@ -9,7 +9,7 @@ namespace kerf {
 /// How the numbers of a table were written: the most digits that any of them has.
 struct WrittenDigits {
   std::uint32_t significant = 0;  ///< without leading zeros; 0: it is not known
-  std::uint32_t decimals = 0;     ///< behind the point, less the exponent
+  std::uint32_t decimals = 0;  ///< behind the point, less the exponent; none of a .0 or .5, which are exact
   friend bool operator==(const WrittenDigits&, const WrittenDigits&) = default;
 };
 
@@ -24,10 +24,9 @@ struct TheirDigits {
 /// decimals (%f). 0 if it is not known how they wrote.
 inline double rounded_away(const WrittenDigits& written, double number) {
   constexpr std::uint32_t kLeastDigits = 6;
-  constexpr std::uint32_t kLeastDecimals = 2;
   if (written.significant == 0 || !std::isfinite(number)) return 0;
   const double of_decimals =
-      written.decimals < kLeastDecimals ? 0 : 0.5 * std::pow(10.0, -static_cast<double>(written.decimals));
+      written.decimals == 0 ? 0 : 0.5 * std::pow(10.0, -static_cast<double>(written.decimals));
   if (number == 0) return of_decimals;
   const double before_point = std::floor(std::log10(std::abs(number))) + 1;
   const auto digits = static_cast<double>(std::max(written.significant, kLeastDigits));

@@ -301,6 +301,10 @@ TEST_F(ImportStructure, BoundsMayBeOffByTheDigitsThatWereNotWritten) {
   EXPECT_THAT(said("0.000000,0.000014", "0,1.26e-05"), HasSubstr("1 fault in 1 step"));
   EXPECT_THAT(said("99999.6,100001", "99999.6,100000.625"), HasSubstr(": 0 faults")) << "%g and %.9g";
   EXPECT_THAT(said("99999.6,100002", "99999.6,100000.625"), HasSubstr("1 fault in 1 step"));
+  EXPECT_THAT(said("0.5,1.6", "0.527,1.601"), HasSubstr(": 0 faults")) << "%.1f and %.3f";
+  EXPECT_THAT(said("0.4,1.6", "0.527,1.601"), HasSubstr("1 fault in 1 step"));
+  EXPECT_THAT(said("0.5,1.5", "0.527,1.601"), HasSubstr("1 fault in 1 step")) << "halves are exact";
+  EXPECT_THAT(said("0.3,1.6", "0.4,1.6"), HasSubstr("1 fault in 1 step")) << "one decimal each";
 }
 
 /// An object that the boxes do not have is a fault of the structure, not of the file.
@@ -323,7 +327,8 @@ TEST(WrittenDigits, AreTheMostThatANumberHas) {
   EXPECT_EQ(digits_of({"-0.0120"}), (WrittenDigits{3, 4}));
   EXPECT_EQ(digits_of({"+1.50e-3"}), (WrittenDigits{3, 5}));
   EXPECT_EQ(digits_of({"1.25E+2"}), (WrittenDigits{3, 0}));
-  EXPECT_EQ(digits_of({"100", "0.5", "7"}), (WrittenDigits{3, 1}));
+  EXPECT_EQ(digits_of({"100", "0.4", "7"}), (WrittenDigits{3, 1}));
+  EXPECT_EQ(digits_of({"100.5", "2.0"}), (WrittenDigits{4, 0})) << "halves are exact";
   EXPECT_EQ(digits_of({"0.000000"}), (WrittenDigits{1, 6}));
   EXPECT_EQ(digits_of({"nan", "-inf", ""}), WrittenDigits()) << "no number has any";
 }
@@ -334,6 +339,7 @@ TEST(WrittenDigits, SayWhatWasRoundedAway) {
   EXPECT_DOUBLE_EQ(rounded_away({2, 0}, 1.5), 0.000005) << "no program writes fewer than six";
   EXPECT_DOUBLE_EQ(rounded_away({9, 6}, 1e-5), 5e-7);
   EXPECT_DOUBLE_EQ(rounded_away({9, 6}, 0), 5e-7);
+  EXPECT_DOUBLE_EQ(rounded_away({3, 1}, 12.3), 0.05);
   EXPECT_EQ(rounded_away({}, 3), 0) << "it is not known how it was written";
 }
 
