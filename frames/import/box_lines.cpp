@@ -195,7 +195,18 @@ void BoxLines::note_digits(WrittenDigits& written) const {
 
 void BoxLines::note_writing(BoundWriting& writing) const {
   for (int axis = 0; axis < dimension_; ++axis)
-    writing.note(axis, table_.text(min_column(axis)), table_.text(max_column(axis)));
+    writing.note(axis, judged_bound(min_column(axis)), judged_bound(max_column(axis)));
+}
+
+/// Two numbers between doubles would be one, and a pair of boxes that are apart would be missed.
+std::string_view BoxLines::judged_bound(std::size_t column) const {
+  const std::string_view text = table_.text(column);
+  const bool is_no_bound = text == "9223372036854775807" || text == "18446744073709551615";
+  if (text.size() > 15 && !is_no_bound && !may_be_of_double(text, table_.real(column)))
+    table_.reject(column,
+                  "is no double, so that no pair can be judged by it; write 15 digits (%.15g), or "
+                  "whole numbers below 2^53");
+  return text;
 }
 
 std::string conflict_of(const GivenStep& a, const GivenStep& b) {

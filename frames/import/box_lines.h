@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/given_id.h"
@@ -64,7 +65,8 @@ class BoxLines {
   /// None: the line has no object.
   [[nodiscard]] std::optional<GivenId> object() const;
   [[nodiscard]] BoxLine read() const;
-  /// Notes how the bounds of the line were written.
+  /// Notes how the bounds of the line were written. Of those by which pairs are judged, what is no double is
+  /// refused.
   void note_digits(WrittenDigits& written) const;
   void note_writing(BoundWriting& writing) const;
   [[noreturn]] void reject(const std::string& what) const { table_.reject(what); }
@@ -75,6 +77,7 @@ class BoxLines {
   void check_turn_columns() const;
   void set_order();
   void read_bounds(BoxLine& line) const;
+  [[nodiscard]] std::string_view judged_bound(std::size_t column) const;
   [[nodiscard]] std::optional<std::array<double, 4>> read_turn() const;
 
   CsvTable table_;

@@ -1,8 +1,10 @@
 #include "frames/import/written_digits.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
+#include <string>
 
 namespace kerf {
 namespace {
@@ -19,7 +21,44 @@ int exponent_of(std::string_view text) {
   return exponent;
 }
 
+/// Of a number without its exponent, from the first digit that is not 0 to the last one.
+std::string digits_in(std::string_view text) {
+  std::string digits;
+  for (const char c : text.substr(0, text.find_first_of("eE")))
+    if (is_digit_character(c) && (c != '0' || !digits.empty())) digits += c;
+  digits.erase(digits.find_last_not_of('0') + 1);
+  return digits;
+}
+
+std::string digits_of(double number, std::size_t count) {
+  std::array<char, 800> text{};
+  const auto end = std::to_chars(text.begin(), text.end(), number, std::chars_format::scientific,
+                                 static_cast<int>(count) - 1);
+  return digits_in({text.begin(), end.ptr});
+}
+
+/// One more in the last place.
+std::string next_up(std::string digits) {
+  const std::size_t last = digits.find_last_not_of('9');
+  if (last == std::string::npos) return "1";
+  digits.erase(last + 1);
+  ++digits[last];
+  return digits;
+}
+
 }  // namespace
+
+bool may_be_of_double(std::string_view text, double number) {
+  constexpr std::size_t kAlwaysWhole = 15;
+  constexpr std::size_t kMostDigits = 767;  // that a double has
+  const std::string given = digits_in(text);
+  if (given.size() <= kAlwaysWhole) return true;
+  if (given.size() > kMostDigits) return false;
+  if (digits_of(number, given.size()) == given) return true;
+  const std::string all = digits_of(number, kMostDigits);
+  const std::string cut = all.substr(0, given.size());
+  return given == cut || (all.size() > given.size() && all[given.size()] >= '5' && given == next_up(cut));
+}
 
 void note_digits(std::string_view text, WrittenDigits& written) {
   std::int64_t significant = 0;

@@ -10,4 +10,9 @@ namespace kerf {
 /// does not count. What is no number, nan or inf has none.
 void note_digits(std::string_view text, WrittenDigits& written);
 
+/// Whether a text of more than 15 digits may have been written of the double that it is read as: the double's
+/// own digits as far as the text goes, whether rounded there or cut, then zeros. Others, such as
+/// 9007199254740993 and 1.000000000000000001, are numbers between doubles. Shorter texts are what they are.
+bool may_be_of_double(std::string_view text, double number);
+
 }  // namespace kerf

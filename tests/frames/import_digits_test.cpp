@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/base/random.h"
+#include "frames/import/written_digits.h"
 #include "tests/frames/import_program.h"
 
 namespace kerf {
@@ -164,6 +165,41 @@ TEST_F(ImportDigits, ShortNumbersAreJudged) {
     EXPECT_THAT(verdict("0," + at, at + ",3.5", false), HasSubstr(" 1 missed, 0 extra, 0 twice, 0 ignored\n"))
         << at;
   EXPECT_THAT(verdict("0,1.1", "1.1000000001,2", false), HasSubstr(" 0 missed, 0 extra"));
+}
+
+/// Two numbers between doubles are read as one, so that boxes that are apart seemed to touch.
+TEST_F(ImportDigits, NumbersThatAreNoDoublesAreRefused) {
+  const auto refusal = [&](const std::string& a, const std::string& b) {
+    const std::string boxes =
+        "step,object,min_x,max_x,min_y,max_y\n1,0,0," + a + ",0,1\n1,1," + b + ",1e30,0,1\n";
+    return refused(write("boxes.csv", boxes), {"--pairs", write("none.csv", "step,a,b\n")});
+  };
+  EXPECT_THAT(refusal("9007199254740992", "9007199254740993"),
+              HasSubstr("line 3: '9007199254740993' in column 3, min_x, is no double"));
+  EXPECT_THAT(refusal("1.000000000000000001", "1.000000000000000002"), HasSubstr("line 2: '1.00000"));
+  EXPECT_THAT(verdict("0,9223372036854775807", "9007199254740992,1e30", true),
+              HasSubstr(" 0 missed, 0 extra"));
+  (void)imported("a", path("boxes.csv"));
+}
+
+/// Whatever writes a double: with more digits than it needs, rounded half up, cut off, or with zeros behind.
+TEST(WrittenDigits, AllTextsOfADoubleAreTakenForIt) {
+  Random random(12);
+  for (const char* const format : {"%.16g", "%.17g", "%.20f", "%.25e", "%.60g", "%.15f", "%.18f"})
+    for (int k = 0; k < 300; ++k) {
+      const double x = std::ldexp(random.unit() - 0.5, k % 60);
+      for (const double number : {x, static_cast<double>(static_cast<float>(x)), std::round(x)}) {
+        const std::string text = printed(format, number);
+        EXPECT_TRUE(may_be_of_double(text, std::stod(text))) << text;
+      }
+    }
+  EXPECT_TRUE(may_be_of_double("1234.000015258789062", 1234.0000152587890625));
+  EXPECT_TRUE(may_be_of_double("1234.000015258789063", 1234.0000152587890625)) << "half up";
+  EXPECT_TRUE(may_be_of_double("0.10000000000000000000", 0.1)) << "zeros behind the shortest text";
+  EXPECT_TRUE(may_be_of_double("0.299999999999999988", 0.3)) << "cut off";
+  EXPECT_TRUE(may_be_of_double("1.79769313486231570815e+308", std::numeric_limits<double>::max()));
+  EXPECT_FALSE(may_be_of_double("9007199254740993", 9007199254740992));
+  EXPECT_FALSE(may_be_of_double("0.123456789012345678", 0.123456789012345678));
 }
 
 TEST_F(ImportDigits, AMarginAndTheRoundingHoldTogether) {
