@@ -122,6 +122,17 @@ void BoxLines::set_order() {
   table_.set_order(order, order.size() - 1);
 }
 
+bool BoxLines::next() {
+  if (table_.next()) return true;
+  if (fingerprint_.value_or(table_.fingerprint()) != table_.fingerprint()) reject_change();
+  fingerprint_ = table_.fingerprint();
+  return false;
+}
+
+void BoxLines::reject_change() const {
+  throw UsageError(table_.name() + " changed while it was read; import a copy of it");
+}
+
 GivenStep BoxLines::step() const { return read_step(table_, kStep); }
 
 std::optional<GivenId> BoxLines::object() const {

@@ -50,7 +50,8 @@ struct BoxLine {
 
 /// Reads step,object,min_x,max_x,min_y,max_y[,min_z,max_z][,fixed][,category][,mask]
 /// [,angle, in 3D ,qw,qx,qy,qz], by the names of a
-/// heading in any order, or without a heading in this order. Throws as CsvTable does.
+/// heading in any order, or without a heading in this order. Throws as CsvTable does, and UsageError if the
+/// file is not the same in every pass.
 class BoxLines {
  public:
   explicit BoxLines(const std::filesystem::path& path);
@@ -59,7 +60,7 @@ class BoxLines {
   /// The names of the columns that are there.
   [[nodiscard]] std::string columns() const { return table_.names(); }
 
-  bool next() { return table_.next(); }
+  bool next();
   void rewind() { table_.rewind(); }
   [[nodiscard]] GivenStep step() const;
   /// None: the line has no object.
@@ -70,6 +71,8 @@ class BoxLines {
   void note_digits(WrittenDigits& written) const;
   void note_writing(BoundWriting& writing) const;
   [[noreturn]] void reject(const std::string& what) const { table_.reject(what); }
+  /// The file has another text than in the pass before.
+  [[noreturn]] void reject_change() const;
   [[nodiscard]] const CsvTable& table() const { return table_; }
 
  private:
@@ -82,6 +85,7 @@ class BoxLines {
 
   CsvTable table_;
   int dimension_ = 3;
+  std::optional<std::uint64_t> fingerprint_;  ///< of the passes that have come to the end
 };
 
 /// The six columns of a box's bounds, min_x, max_x, min_y and so on.

@@ -74,6 +74,7 @@ class Import {
       for (const BoxLine& line : lines.next(step)) play(boxes, line, step);
       end_step(step);
     }
+    lines.end();
     note_end_of_pairs();
     recorder_.finish();
   }

@@ -31,10 +31,16 @@ const std::vector<BoxLine>& StepLines::next(const GivenStep& step) {
   return lines_;
 }
 
+void StepLines::end() const {
+  if (has_line_) boxes_.reject_change();
+}
+
 void StepLines::add(const BoxLine& line, const GivenStep& step) {
   if (line.oddity != BoxLine::Oddity::none) note_oddity(line, step);
   if (line.kind == BoxLine::Kind::nothing) return;
-  const std::size_t object = survey_.object(line.object).index();
+  const auto known = survey_.find(line.object);
+  if (!known) boxes_.reject_change();
+  const std::size_t object = known->index();
   if (last_box_.size() <= object) last_box_.resize(object + 1, 0);
   std::size_t& last = last_box_[object];
   if (line.kind == BoxLine::Kind::box && last != 0) return unite(lines_[last - 1], line, step);

@@ -6,7 +6,8 @@
 
 namespace kerf {
 
-/// Hands out the lines of a table of boxes step by step.
+/// Hands out the lines of a table of boxes step by step. Throws UsageError if they are not those that the
+/// survey has seen.
 class StepLines {
  public:
   StepLines(BoxLines& boxes, const Survey& survey, bool unite, Oddities& oddities);
@@ -14,6 +15,8 @@ class StepLines {
   /// The lines of a step, in their order; a step of which only pairs are known has none. Several boxes of an
   /// object, unless it is removed between them, are united or refused. Valid until the next call.
   const std::vector<BoxLine>& next(const GivenStep& step);
+  /// After the last step: throws UsageError if there are lines that the survey did not see.
+  void end() const;
 
  private:
   void add(const BoxLine& line, const GivenStep& step);

@@ -38,6 +38,8 @@ class CsvReader {
   [[nodiscard]] const std::vector<CsvComment>& comments() const { return comments_; }
   /// From now on a line that begins with # and no blank is no comment: its first field is a colour.
   void take_colors() { takes_colors_ = true; }
+  /// At the end: a hash of the whole file as this pass has read it.
+  [[nodiscard]] std::uint64_t fingerprint() const { return source_.fingerprint(); }
   [[nodiscard]] const std::string& name() const { return source_.name(); }
   [[noreturn]] void reject(const std::string& what) const { reject(line_, what); }
   [[noreturn]] void reject(std::size_t line, const std::string& what) const;

@@ -55,6 +55,8 @@ class CsvTable {
   [[nodiscard]] std::uint64_t bits(std::size_t column) const;
   [[nodiscard]] bool boolean(std::size_t column) const;
 
+  /// At the end: a hash of the whole file as this pass has read it.
+  [[nodiscard]] std::uint64_t fingerprint() const { return reader_.fingerprint(); }
   [[nodiscard]] std::size_t line() const { return reader_.line(); }
   [[nodiscard]] const std::string& name() const { return reader_.name(); }
   [[noreturn]] void reject(const std::string& what) const { reader_.reject(what); }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "core/recording/chain.h"
 #include "frames/support/text_file.h"
 
 namespace kerf {
@@ -44,6 +45,7 @@ void TextSource::keep_copy() {
 
 void TextSource::rewind() {
   if (std::fseek(file_.get(), 0, SEEK_SET) != 0) fail();
+  fingerprint_ = 0;
   fill();
   if (std::string_view(buffer_.data(), size_).starts_with(kUtf8Mark)) at_ = kUtf8Mark.size();
 }
@@ -52,6 +54,9 @@ void TextSource::fill() {
   at_ = 0;
   size_ = std::fread(buffer_.data(), 1, buffer_.size(), file_.get());
   if (std::ferror(file_.get()) != 0) fail();
+  if (size_ == 0) return;
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(buffer_.data());
+  fingerprint_ = hash_bytes({bytes, size_}, fingerprint_);
 }
 
 }  // namespace kerf

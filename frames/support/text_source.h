@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -32,6 +33,8 @@ class TextSource {
   }
   /// Goes back to the first character.
   void rewind();
+  /// A hash of what was read from the file since it began, or since rewind(); at the end, of all of it.
+  [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
   /// The path, or "standard input".
   [[nodiscard]] const std::string& name() const { return name_; }
 
@@ -50,6 +53,7 @@ class TextSource {
   std::vector<char> buffer_;
   std::size_t at_ = 0;
   std::size_t size_ = 0;
+  std::uint64_t fingerprint_ = 0;
 };
 
 }  // namespace kerf

@@ -1,0 +1,79 @@
+// Imports of files that change while they are read, or are not whole.
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/files/part_file.h"
+#include "tests/frames/import_program.h"
+
+namespace kerf {
+namespace {
+
+using test::Process;
+using test::RunOutcome;
+using ::testing::HasSubstr;
+
+const std::string kHead = "step,object,min_x,max_x,min_y,max_y\n";
+
+class ImportFiles : public test::ImportProgram {
+ protected:
+  /// More than a reader buffers: two objects that overlap in each step.
+  [[nodiscard]] static std::string long_run() {
+    std::string text = kHead;
+    for (int step = 1; step <= 8000; ++step)
+      text += std::to_string(step) + ",1,0,1,0,1\n" + std::to_string(step) + ",2,0,1,0,1\n";
+    return text;
+  }
+
+  /// Writes `later` to the boxes after they were read once: then an import opens its table of objects, here a
+  /// pipe.
+  [[nodiscard]] RunOutcome import_of_changing(const std::string& later) const {
+    const std::string boxes = write("boxes.csv", long_run());
+    const std::string pipe = path("objects");
+    EXPECT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    Process process(test::kerf_command({"import", boxes, "--objects", pipe, "-o", path("a.kerf")}));
+    int writer = -1;
+    EXPECT_TRUE(test::holds_within_a_minute([&] {
+      writer = open(pipe.c_str(), O_WRONLY | O_NONBLOCK);
+      return writer >= 0;
+    })) << "nobody reads the table of objects";
+    (void)write("boxes.csv", later);
+    const std::string objects = "object,name\n1,one\n";
+    EXPECT_EQ(::write(writer, objects.data(), objects.size()), static_cast<ssize_t>(objects.size()));
+    close(writer);
+    return process.wait();
+  }
+
+  void expect_refused(const std::string& later) const {
+    const RunOutcome outcome = import_of_changing(later);
+    EXPECT_EQ(outcome.exit, 2) << outcome.out;
+    EXPECT_THAT(outcome.err, HasSubstr("boxes.csv changed while it was read; import a copy of it"));
+    EXPECT_FALSE(std::filesystem::exists(path("a.kerf")));
+    EXPECT_TRUE(parts_of(path("a.kerf")).empty());
+  }
+};
+
+TEST_F(ImportFiles, AFileThatStaysIsImported) { EXPECT_EQ(import_of_changing(long_run()).exit, 0); }
+
+TEST_F(ImportFiles, AFileThatIsCutMeanwhileIsRefused) {
+  const std::string all = long_run();
+  expect_refused(all.substr(0, all.rfind("4000,1,")));
+}
+
+TEST_F(ImportFiles, AFileThatGrowsMeanwhileIsRefused) { expect_refused(long_run() + "8001,1,0,1,0,1\n"); }
+
+TEST_F(ImportFiles, AFileThatGetsAnotherObjectMeanwhileIsRefused) {
+  expect_refused(long_run() + "8000,50000,0,1,0,1\n");
+}
+
+TEST_F(ImportFiles, AFileOfWhichANumberChangesMeanwhileIsRefused) {
+  std::string later = long_run();
+  later.replace(later.rfind("7000,2,0,1"), 10, "7000,2,5,9");
+  expect_refused(later);
+}
+
+}  // namespace
+}  // namespace kerf
