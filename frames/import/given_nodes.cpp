@@ -133,7 +133,7 @@ bool has_only_step(const CsvTable& table) {
 
 }  // namespace
 
-GivenTrees read_given_nodes(const std::filesystem::path& path, int dimension) {
+GivenTrees read_given_nodes(const std::filesystem::path& path, int dimension, Oddities& oddities) {
   CsvTable table(path, node_columns());
   check_columns(table, dimension);
   GivenTrees trees;
@@ -149,6 +149,7 @@ GivenTrees read_given_nodes(const std::filesystem::path& path, int dimension) {
     }
     if (!has_only_step(table)) found->second.nodes.push_back(read_node(table, dimension, trees.digits));
   }
+  note_cut(table, oddities);
   for (auto& [time, of_step] : by_time) {
     drop_null_parents(of_step.nodes);
     trees.steps.push_back(std::move(of_step));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "frames/import/box_lines.h"
+#include "frames/import/oddities.h"
 
 namespace kerf {
 
@@ -39,6 +40,6 @@ struct GivenTrees {
 
 /// Reads step,node,parent,min_x,max_x,min_y,max_y[,min_z,max_z],object[,leaf][,margin] by the names of a
 /// heading, in any order; a line with nothing but a step is that of an empty tree. Throws as CsvTable does.
-GivenTrees read_given_nodes(const std::filesystem::path& path, int dimension);
+GivenTrees read_given_nodes(const std::filesystem::path& path, int dimension, Oddities& oddities);
 
 }  // namespace kerf

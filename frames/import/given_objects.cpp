@@ -156,7 +156,7 @@ ObjectMark read_mark(const CsvTable& table) {
 }  // namespace
 
 template <int D>
-std::vector<GivenObject<D>> read_given_objects(const std::filesystem::path& path) {
+std::vector<GivenObject<D>> read_given_objects(const std::filesystem::path& path, Oddities& oddities) {
   CsvTable table(path, said_columns());
   if (!table.has_heading() || !table.has(Said::object))
     throw UsageError(table.name() +
@@ -171,10 +171,11 @@ std::vector<GivenObject<D>> read_given_objects(const std::filesystem::path& path
       table.reject("object " + to_string(given.object) + " stands twice");
     objects.push_back(std::move(given));
   }
+  note_cut(table, oddities);
   return objects;
 }
 
-template std::vector<GivenObject<2>> read_given_objects<2>(const std::filesystem::path&);
-template std::vector<GivenObject<3>> read_given_objects<3>(const std::filesystem::path&);
+template std::vector<GivenObject<2>> read_given_objects<2>(const std::filesystem::path&, Oddities&);
+template std::vector<GivenObject<3>> read_given_objects<3>(const std::filesystem::path&, Oddities&);
 
 }  // namespace kerf

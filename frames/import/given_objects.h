@@ -7,6 +7,7 @@
 #include "core/base/given_id.h"
 #include "core/recording/object_marks.h"
 #include "core/scene/shape.h"
+#include "frames/import/oddities.h"
 
 namespace kerf {
 
@@ -24,6 +25,6 @@ struct GivenObject {
 /// x y", convex) or, in 3D, mesh (a Wavefront OBJ file, its path from the table's folder on). Lengths are in
 /// the units of the boxes. Throws UsageError that names file, line and column.
 template <int D>
-std::vector<GivenObject<D>> read_given_objects(const std::filesystem::path& path);
+std::vector<GivenObject<D>> read_given_objects(const std::filesystem::path& path, Oddities& oddities);
 
 }  // namespace kerf

@@ -53,7 +53,7 @@ GivenPair read_pair(const CsvTable& table) {
 
 }  // namespace
 
-std::vector<GivenPairs> read_given_pairs(const std::filesystem::path& path) {
+std::vector<GivenPairs> read_given_pairs(const std::filesystem::path& path, Oddities& oddities) {
   CsvTable table(path, pair_columns());
   settle_columns(table, {kStepOfPair, 0, 1}, "step,a,b");
   std::map<long double, GivenPairs> by_time;
@@ -67,16 +67,18 @@ std::vector<GivenPairs> read_given_pairs(const std::filesystem::path& path) {
     }
     found->second.pairs.push_back(read_pair(table));
   }
+  note_cut(table, oddities);
   std::vector<GivenPairs> steps;
   for (auto& [time, pairs] : by_time) steps.push_back(std::move(pairs));
   return steps;
 }
 
-std::vector<GivenPair> read_ignored_pairs(const std::filesystem::path& path) {
+std::vector<GivenPair> read_ignored_pairs(const std::filesystem::path& path, Oddities& oddities) {
   CsvTable table(path, object_columns());
   settle_columns(table, {0, 1}, "a,b");
   std::vector<GivenPair> pairs;
   while (table.next()) pairs.push_back(read_pair(table));
+  note_cut(table, oddities);
   return pairs;
 }
 

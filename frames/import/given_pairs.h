@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frames/import/box_lines.h"
+#include "frames/import/oddities.h"
 
 namespace kerf {
 
@@ -23,9 +24,9 @@ struct GivenPairs {
 /// Reads step,a,b, by the names of a heading in any order, or without one in this order; the result is in the
 /// order of the steps. Throws as CsvTable does, and UsageError for a file of which not even a heading is
 /// there.
-std::vector<GivenPairs> read_given_pairs(const std::filesystem::path& path);
+std::vector<GivenPairs> read_given_pairs(const std::filesystem::path& path, Oddities& oddities);
 
 /// Reads a,b: pairs that hold for all steps.
-std::vector<GivenPair> read_ignored_pairs(const std::filesystem::path& path);
+std::vector<GivenPair> read_ignored_pairs(const std::filesystem::path& path, Oddities& oddities);
 
 }  // namespace kerf

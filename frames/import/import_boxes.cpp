@@ -299,7 +299,7 @@ class Import {
 PairDesign design_of(const ImportRequest& request, const Survey& survey, Oddities& oddities) {
   PairDesign design{request.margin, {}, survey.rounding};
   if (request.ignore.empty()) return design;
-  for (const GivenPair& pair : read_ignored_pairs(request.ignore)) {
+  for (const GivenPair& pair : read_ignored_pairs(request.ignore, oddities)) {
     const auto a = survey.find(pair.a);
     const auto b = survey.find(pair.b);
     if (a && b)
@@ -335,7 +335,7 @@ template <int D>
 void import_in(const ImportRequest& request, ImportProgress& progress, BoxLines& boxes, const Survey& survey,
                Theirs theirs, Oddities& oddities) {
   std::vector<GivenObject<D>> given;
-  if (!request.objects.empty()) given = read_given_objects<D>(request.objects);
+  if (!request.objects.empty()) given = read_given_objects<D>(request.objects, oddities);
   ShownObjects<D> shown(given, request.objects.string(), survey, oddities);
   Import<D> import(request, survey, std::move(theirs), design_of(request, survey, oddities), std::move(shown),
                    oddities);
@@ -359,11 +359,11 @@ void import_boxes(const ImportRequest& request, const InterruptGuard& interrupt)
   ImportProgress progress(interrupt);
   BoxLines boxes(request.boxes);
   Theirs theirs;
-  if (!request.pairs.empty()) theirs.pairs = read_given_pairs(request.pairs);
-  GivenTrees trees;
-  if (!request.structure.empty()) trees = read_given_nodes(request.structure, boxes.dimension());
-  theirs.nodes = std::move(trees.steps);
   Oddities oddities;
+  if (!request.pairs.empty()) theirs.pairs = read_given_pairs(request.pairs, oddities);
+  GivenTrees trees;
+  if (!request.structure.empty()) trees = read_given_nodes(request.structure, boxes.dimension(), oddities);
+  theirs.nodes = std::move(trees.steps);
   const Survey found =
       survey(boxes, theirs.pairs, request.pairs.string(), theirs.nodes, request.structure.string(), oddities);
   if (found.digits.significant > 0 && trees.digits.significant > 0)

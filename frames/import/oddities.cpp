@@ -30,6 +30,7 @@ constexpr std::array kMeanings{
     Meaning{"step", "steps",
             " without a line of pairs, before the first or between: overlaps count as missed"},
     Meaning{"table", "tables", " of pairs that ends before the boxes: later overlaps count as missed"},
+    Meaning{"table", "tables", " whose last line does not end: is the file cut off?"},
     Meaning{"pair", "pairs",
             " that may touch only in the digits that were written: write 9 digits, and 17 of doubles"},
 };
@@ -52,6 +53,11 @@ std::string Oddities::text() const {
       text += "  and " + std::to_string(kind.count - kind.places.size()) + " more\n";
   }
   return text;
+}
+
+void note_cut(const CsvTable& table, Oddities& oddities) {
+  if (!table.is_cut()) return;
+  oddities.note(Oddity::cut_off, [&] { return table.name() + ", line " + std::to_string(table.line()); });
 }
 
 }  // namespace kerf

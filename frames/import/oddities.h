@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "frames/support/csv_table.h"
+
 namespace kerf {
 
 /// What can be odd about another engine's run, though it can be played.
@@ -25,6 +27,7 @@ enum class Oddity : std::uint8_t {
   large_shape,
   no_pairs,
   pairs_end,
+  cut_off,
   few_digits,
 };
 
@@ -54,5 +57,8 @@ class Oddities {
   };
   std::array<Kind, kKinds> kinds_;
 };
+
+/// Notes a table, read to its end, that may have been cut within its last line.
+void note_cut(const CsvTable& table, Oddities& oddities);
 
 }  // namespace kerf

@@ -27,7 +27,7 @@ void sort_unique(std::vector<GivenId>& ids) {
 }
 
 /// `notes_writing`: there are pairs to be judged by what was written.
-BoxSurvey read_boxes(BoxLines& lines, bool notes_digits, bool notes_writing) {
+BoxSurvey read_boxes(BoxLines& lines, bool notes_digits, bool notes_writing, Oddities& oddities) {
   BoxSurvey survey;
   std::size_t sorted = 0;
   while (lines.next()) {
@@ -47,6 +47,7 @@ BoxSurvey read_boxes(BoxLines& lines, bool notes_digits, bool notes_writing) {
     sorted = survey.objects.size();
   }
   sort_unique(survey.objects);
+  note_cut(lines.table(), oddities);
   lines.rewind();
   return survey;
 }
@@ -125,7 +126,7 @@ bool count_from_one(const std::vector<GivenStep>& steps) {
 
 Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::string& pairs_name,
               const std::vector<GivenNodes>& nodes, const std::string& nodes_name, Oddities& oddities) {
-  BoxSurvey read = read_boxes(boxes, !nodes.empty(), !pairs_name.empty());
+  BoxSurvey read = read_boxes(boxes, !nodes.empty(), !pairs_name.empty(), oddities);
   Survey result;
   result.steps = union_of(read.steps, pairs, pairs_name, oddities);
   check_steps(nodes, nodes_name, result.steps);

@@ -101,7 +101,9 @@ void CsvReader::skip_comment() {
 
 bool CsvReader::take_line_end() {
   if (!is_line_end(source_.peek())) return false;
-  if (source_.take() == '\r' && source_.peek() == '\n') (void)source_.take();
+  const int end = source_.take();
+  if (end == '\r' && source_.peek() == '\n') (void)source_.take();
+  is_cut_ = end == TextSource::kEnd;
   ++next_line_;
   return true;
 }

@@ -34,6 +34,8 @@ class CsvReader {
   [[nodiscard]] std::string_view field(std::size_t column) const;
   /// Where the line begins, counted from 1 as editors do.
   [[nodiscard]] std::size_t line() const { return line_; }
+  /// At the end: whether the last line has no end, so that it may be the beginning of a longer one.
+  [[nodiscard]] bool is_cut() const { return is_cut_; }
   /// The last comments with a comma before the first line that says something.
   [[nodiscard]] const std::vector<CsvComment>& comments() const { return comments_; }
   /// From now on a line that begins with # and no blank is no comment: its first field is a colour.
@@ -56,6 +58,7 @@ class CsvReader {
   std::size_t next_line_ = 1;
   std::size_t line_ = 0;
   bool has_record_ = false;
+  bool is_cut_ = false;
   bool takes_colors_ = false;
   std::vector<CsvComment> comments_;
   std::string text_;               ///< the fields, one after another

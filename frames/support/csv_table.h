@@ -57,6 +57,8 @@ class CsvTable {
 
   /// At the end: a hash of the whole file as this pass has read it.
   [[nodiscard]] std::uint64_t fingerprint() const { return reader_.fingerprint(); }
+  /// At the end: whether the last line has no end, so that it may be the beginning of a longer one.
+  [[nodiscard]] bool is_cut() const { return reader_.is_cut(); }
   [[nodiscard]] std::size_t line() const { return reader_.line(); }
   [[nodiscard]] const std::string& name() const { return reader_.name(); }
   [[noreturn]] void reject(const std::string& what) const { reader_.reject(what); }

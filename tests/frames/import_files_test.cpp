@@ -15,6 +15,7 @@ namespace {
 using test::Process;
 using test::RunOutcome;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string kHead = "step,object,min_x,max_x,min_y,max_y\n";
 
@@ -73,6 +74,37 @@ TEST_F(ImportFiles, AFileOfWhichANumberChangesMeanwhileIsRefused) {
   std::string later = long_run();
   later.replace(later.rfind("7000,2,0,1"), 10, "7000,2,5,9");
   expect_refused(later);
+}
+
+/// "1,12,1" may be the beginning of "1,12,123".
+TEST_F(ImportFiles, ALastLineWithoutAnEndIsOdd) {
+  const std::string boxes = kHead + "1,1,0,1,0,1\n1,12,0,1,0,1\n1,123,0,1,0,1";
+  const std::string pairs = "step,a,b\n1,1,12\n1,1,123\n1,12,1";
+  const std::string odd = "odd: 1 table whose last line does not end: is the file cut off?\n  ";
+  const std::string whole = write("whole.csv", boxes + "\n");
+  const std::string cut = write("cut.csv", pairs);
+  const std::string out = imported("a", whole, {"--pairs", cut});
+  EXPECT_THAT(out, HasSubstr("1 missed, 0 extra, 1 twice"));
+  EXPECT_THAT(out, HasSubstr(odd + cut + ", line 4\n"));
+  EXPECT_THAT(refused(whole, {"--pairs", cut, "--strict"}), HasSubstr(odd));
+  EXPECT_THAT(refused(write("boxes.csv", boxes), {"--strict"}), HasSubstr("boxes.csv, line 4\n"));
+  EXPECT_THAT(refused(whole, {"--ignore", write("ignore.csv", "1,12"), "--strict"}),
+              HasSubstr("ignore.csv, line 1\n"));
+  EXPECT_THAT(refused(whole, {"--objects", write("objects.csv", "object,name\n1,on"), "--strict"}),
+              HasSubstr("objects.csv, line 2\n"));
+  EXPECT_THAT(refused(whole, {"--structure",
+                              write("nodes.csv",
+                                    "step,node,parent,min_x,max_x,min_y,max_y,object\n"
+                                    "1,0,-1,0,1,0,1,1 12 12"),
+                              "--strict"}),
+              HasSubstr("nodes.csv, line 2\n"));
+}
+
+TEST_F(ImportFiles, WholeFilesWithOtherEndsOfLinesAreNotOdd) {
+  for (const std::string end : {"\n", "\r", "\r\n", "\n\n", "\n# that was all\n"}) {
+    const std::string boxes = write("boxes.csv", "1,1,0,1,0,1\n1,2,3,4,0,1" + end);
+    EXPECT_THAT(imported("a", boxes, {"--strict"}), Not(HasSubstr("odd")));
+  }
 }
 
 }  // namespace

@@ -25,9 +25,8 @@ std::string try_table(const std::filesystem::path& file, Read read) {
 }
 
 /// Every line is read twice, as an import does.
-void read_boxes(const std::filesystem::path& file) {
+void read_boxes(const std::filesystem::path& file, Oddities& oddities) {
   BoxLines boxes(file);
-  Oddities oddities;
   const Survey all = survey(boxes, {}, "", {}, "", oddities);
   boxes.rewind();
   while (boxes.next())
@@ -42,12 +41,14 @@ std::string csv_case(CaseBytes bytes) {
   static const ScratchFolder folder;
   const std::filesystem::path file = folder.path() / "table.csv";
   std::ofstream(file, std::ios::binary) << std::string(bytes.begin(), bytes.end());
-  using Read = void (*)(const std::filesystem::path& file);
-  for (const Read read : {Read{read_boxes}, Read{[](const auto& it) { (void)read_given_pairs(it); }},
-                          Read{[](const auto& it) { (void)read_given_nodes(it, 2); }},
-                          Read{[](const auto& it) { (void)read_given_objects<2>(it); }},
-                          Read{[](const auto& it) { (void)read_given_objects<3>(it); }}}) {
-    std::string complaint = try_table(file, [&] { read(file); });
+  using Read = void (*)(const std::filesystem::path& file, Oddities& oddities);
+  for (const Read read :
+       {Read{read_boxes}, Read{[](const auto&it, auto&odd) { (void)read_given_pairs(it, odd); }},
+        Read{[](const auto&it, auto&odd) { (void)read_given_nodes(it, 2, odd); }},
+        Read{[](const auto&it, auto&odd) { (void)read_given_objects<2>(it, odd); }},
+        Read{[](const auto&it, auto&odd) { (void)read_given_objects<3>(it, odd); }}}) {
+    Oddities oddities;
+    std::string complaint = try_table(file, [&] { read(file, oddities); });
     if (!complaint.empty()) return complaint;
   }
   return "";
