@@ -216,7 +216,7 @@ class Import {
     sum_ += sum;
     for (const JudgedPair& one : judged) ++verdicts_[static_cast<std::size_t>(one.verdict)];
     if (sum.missed + sum.extra + sum.twice > 0 && first_wrong_.empty()) first_wrong_ = step.text;
-    if (sum.missed > 0 && !has_lines && !pairs_.empty()) note_no_pairs(step);
+    if (sum.missed > 0 && !has_lines) note_no_pairs(step);
     note_open_pairs(std::move(reported), judged, step);
   }
 
@@ -252,18 +252,21 @@ class Import {
 
   /// Pairs that were written every few steps, or late, look like an engine that reports nothing meanwhile.
   void note_no_pairs(const GivenStep& step) {
-    misses_at_end_ |= step.time > pairs_.back().step.time;
-    if (step.time < pairs_.back().step.time)
+    const bool is_at_end = pairs_.empty() || step.time > pairs_.back().step.time;
+    misses_at_end_ |= is_at_end;
+    if (!is_at_end)
       oddities_.note(Oddity::no_pairs, [&] { return request_.pairs.string() + ": step " + step.text; });
   }
 
   /// A table that was cut off looks like an engine that reports nothing any more.
   void note_end_of_pairs() {
-    if (misses_at_end_)
-      oddities_.note(Oddity::pairs_end, [&] {
-        return request_.pairs.string() + ": pairs end in step " + pairs_.back().step.text +
-               ", boxes in step " + survey_.steps.back().text;
-      });
+    if (!misses_at_end_) return;
+    oddities_.note(Oddity::pairs_end, [&] {
+      const std::string name = request_.pairs.string();
+      if (pairs_.empty()) return name + ": there is no pair at all";
+      return name + ": pairs end in step " + pairs_.back().step.text + ", boxes in step " +
+             survey_.steps.back().text;
+    });
   }
 
   Pair reported_pair(const GivenPair& pair, const GivenStep& step) {
@@ -292,7 +295,7 @@ class Import {
   TheirStep sum_;
   std::array<std::uint64_t, kVerdicts> verdicts_{};
   std::string first_wrong_;
-  bool misses_at_end_ = false;  ///< after the last step that has pairs
+  bool misses_at_end_ = false;  ///< after the last step that has pairs, if there is any
 };
 
 /// Objects that the run does not have make no pair in it.

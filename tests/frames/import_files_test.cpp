@@ -100,6 +100,20 @@ TEST_F(ImportFiles, ALastLineWithoutAnEndIsOdd) {
               HasSubstr("nodes.csv, line 2\n"));
 }
 
+TEST_F(ImportFiles, ATableWithoutAnyPairIsOddIfBoxesOverlap) {
+  const std::string none = write("none.csv", "step,a,b\n");
+  const std::string boxes = write("boxes.csv", kHead + "1,1,0,1,0,1\n1,2,0,1,0,1\n2,2,0,1,0,1\n");
+  const std::string odd = none + ": there is no pair at all\n";
+  const std::string out = imported("a", boxes, {"--pairs", none});
+  EXPECT_THAT(out, HasSubstr("2 missed, 0 extra"));
+  EXPECT_THAT(
+      out, HasSubstr("odd: 1 table of pairs that ends before the boxes: later overlaps count as missed\n  " +
+                     odd));
+  EXPECT_THAT(refused(boxes, {"--pairs", none, "--strict"}), HasSubstr(odd));
+  const std::string apart = write("apart.csv", kHead + "1,1,0,1,0,1\n1,2,3,4,0,1\n");
+  EXPECT_THAT(imported("b", apart, {"--pairs", none, "--strict"}), HasSubstr("0 missed, 0 extra"));
+}
+
 TEST_F(ImportFiles, WholeFilesWithOtherEndsOfLinesAreNotOdd) {
   for (const std::string end : {"\n", "\r", "\r\n", "\n\n", "\n# that was all\n"}) {
     const std::string boxes = write("boxes.csv", "1,1,0,1,0,1\n1,2,3,4,0,1" + end);
