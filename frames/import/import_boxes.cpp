@@ -41,11 +41,17 @@ template <int D>
 struct Played {
   GivenBox<D> box;
   GivenFilter filter;
+  GivenFilter recorded_filter;  ///< as of the last row
   bool is_there = false;
   bool fixed = false;
   bool has_given_box = false;  ///< the recording has a box in doubles of it
   bool changed_box = false;    ///< in this step
-  bool changed_filter = false;
+  bool comes = false;          ///< in this step
+
+  /// A reader goes on from the last row, an export from the default if the object comes again.
+  [[nodiscard]] bool needs_filter() const {
+    return filter != recorded_filter || (comes && filter != GivenFilter{});
+  }
 };
 
 template <int D>
@@ -130,7 +136,10 @@ class Import {
       played.is_there = false;
       return;
     }
-    if (!played.is_there) set_filter(played, {});  // what was said of it before it went is over
+    if (!played.is_there) {
+      played.filter = {};  // what was said of it before it went is over
+      played.comes = true;
+    }
     const bool fixed = line.fixed.value_or(played.is_there && played.fixed);
     if (played.is_there && fixed != played.fixed)
       oddities_.note(Oddity::mobility, [&] {
@@ -166,13 +175,7 @@ class Import {
   void note_change(ObjectId object, Played<D>& played, const BoxLine& line) {
     if (!played.changed_box) changed_.push_back(object);
     played.changed_box = true;
-    if (line.filter) set_filter(played, *line.filter);
-  }
-
-  static void set_filter(Played<D>& played, const GivenFilter& filter) {
-    if (filter == played.filter) return;
-    played.filter = filter;
-    played.changed_filter = true;
+    if (line.filter) played.filter = *line.filter;
   }
 
   /// What is NaN has no other number in doubles.
@@ -185,9 +188,10 @@ class Import {
       const bool differs = is_number && to_given(round_outward(played.box)) != played.box;
       if (differs || played.has_given_box)
         changes.boxes.push_back({object, differs ? std::optional(played.box) : std::nullopt});
-      if (played.changed_filter) changes.filters.push_back({object, played.filter});
+      if (played.needs_filter()) changes.filters.push_back({object, played.filter});
       played.has_given_box = differs;
-      played.changed_box = played.changed_filter = false;
+      played.recorded_filter = played.filter;
+      played.changed_box = played.comes = false;
     }
     changed_.clear();
     return changes;

@@ -85,6 +85,22 @@ TEST_F(ImportVerdict, AnObjectThatComesAgainHasNoFilterOfBefore) {
               HasSubstr("0 pairs: 2 missed, 0 extra, 0 twice, 1 ignored"));
 }
 
+/// A row for a filter that was back at once was gone in the import of what was exported.
+TEST_F(ImportVerdict, AFilterThatIsBackInTheSameStepIsNoChange) {
+  const std::string comes = ",1,1,3,0,2,2,2\n";
+  const std::string goes = ",1,,,,,,\n";
+  const std::string boxes =
+      write("boxes.csv", "step,object,min_x,max_x,min_y,max_y,category,mask\n1,0,0,2,0,2,,\n1" + comes +
+                             "2,0,0,2,0,2,4,4\n2,0,,,,,,\n2,0,0,2,0,2,,\n3" + goes + "4" + comes + "5" +
+                             goes + "5" + comes + "6" + goes + "7,1,1,3,0,2,,\n");
+  const std::vector<std::string> pairs{"--pairs", write("pairs.csv", "step,a,b\n7,0,1\n")};
+  const std::string counts = "1 pair: 0 missed, 0 extra, 0 twice, 4 ignored";
+  EXPECT_THAT(imported("a", boxes, pairs), HasSubstr(counts));
+  EXPECT_THAT(imported("b", write("written.csv", exported("a", "--boxes")), pairs), HasSubstr(counts));
+  const RunOutcome compared = run_kerf({"compare", path("a.kerf"), path("b.kerf")});
+  EXPECT_EQ(compared.exit, 0) << compared.out;
+}
+
 /// They were called the same: no step of theirs differs.
 TEST_F(ImportVerdict, WhatWasDeclaredIsCompared) {
   const std::string boxes =
