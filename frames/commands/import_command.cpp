@@ -42,7 +42,9 @@ ImportCommand::ImportCommand(CLI::App& program)
   option("--ignore", ignore_, "Pairs that they leave out by design: a,b", "FILE");
   option("--structure", structure_, "The nodes of their tree of boxes, see below", "FILE");
   option("--config", config_, "Parameters of our tree, see `kerf render --help`", "K=V,...");
-  command_->add_flag("--unite", unite_, "Unite the boxes that an object has in one step");
+  command_->add_flag(
+      "--unite", unite_,
+      "Unite the boxes that an object has in one step; what overlaps the joined box is a pair");
   command_->add_flag("--strict", strict_, "What is odd is an error, as for example an inverted box");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier recording");
   command_->footer(

@@ -22,7 +22,9 @@ constexpr std::array kMeanings{
     Meaning{"box that is", "boxes that are", " inverted, min > max: the object is in quarantine"},
     Meaning{"box that reaches", "boxes that reach", " to infinity"},
     Meaning{"change", "changes", " between fixed and moving"},
-    Meaning{"step", "steps", " in which an object has several boxes, which were united"},
+    Meaning{
+        "step", "steps",
+        " in which an object has several boxes, which were united: what overlaps the joined box is a pair"},
     Meaning{"pair", "pairs", " with an object that is not there"},
     Meaning{"pair", "pairs", " to be ignored with an object that the run does not have"},
     Meaning{"line", "lines", " of the table of objects with an object that the run does not have"},

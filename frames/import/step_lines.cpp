@@ -18,6 +18,22 @@ Oddity kind_of(BoxLine::Oddity oddity) {
   return Oddity::infinite;
 }
 
+bool is_in_quarantine(const BoxLine& line) {
+  return line.oddity != BoxLine::Oddity::none && line.oddity != BoxLine::Oddity::infinite;
+}
+
+/// A part in quarantine takes the whole with it.
+void join_boxes(BoxLine& first, const BoxLine& second) {
+  if (is_in_quarantine(first)) return;
+  GivenBox<3> box{second.min, second.max};
+  if (is_in_quarantine(second))
+    first.oddity = second.oddity;
+  else
+    box = join(GivenBox<3>{first.min, first.max}, box);
+  first.min = box.min;
+  first.max = box.max;
+}
+
 }  // namespace
 
 StepLines::StepLines(BoxLines& boxes, const Survey& survey, bool unite, Oddities& oddities)
@@ -50,15 +66,14 @@ void StepLines::add(const BoxLine& line, const GivenStep& step) {
 
 void StepLines::unite(BoxLine& first, const BoxLine& second, const GivenStep& step) {
   if (!unites_)
-    boxes_.reject("object " + to_string(second.object) + " has a second box in step " + step.text +
-                  ", after that of line " + std::to_string(first.line) +
-                  "; --unite takes the smallest box that holds both");
+    boxes_.reject(
+        "object " + to_string(second.object) + " has a second box in step " + step.text +
+        ", after that of line " + std::to_string(first.line) +
+        "; --unite takes the smallest box that holds both, and whatever overlaps that is a pair then");
   oddities_.note(Oddity::united, [&] { return place(second, step); });
   if (second.fixed && first.fixed && *second.fixed != *first.fixed)
     boxes_.reject("object " + to_string(second.object) + " is both fixed and moving in step " + step.text);
-  const GivenBox<3> joined = join(GivenBox<3>{first.min, first.max}, GivenBox<3>{second.min, second.max});
-  first.min = joined.min;
-  first.max = joined.max;
+  join_boxes(first, second);
   if (second.fixed) first.fixed = second.fixed;
   if (second.filter) first.filter = second.filter;
 }

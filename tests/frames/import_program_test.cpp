@@ -186,6 +186,30 @@ TEST_F(ImportProgram, SeveralBoxesOfAnObjectAreRefusedOrUnited) {
   (void)imported("b", write("b.csv", "1,0,0,1,0,1\n2,0,,,,\n2,0,5,6,0,1\n"));  // it goes, and another comes
 }
 
+TEST_F(ImportProgram, WhatOverlapsAJoinedBoxIsSaidToBeAPair) {
+  const std::string head = "step,object,min_x,max_x,min_y,max_y\n";
+  const std::string pairs = write("pairs.csv", "step,a,b\n2,1,2\n");
+  const std::string notch = "1,1,0,10,0,1\n1,1,0,1,0,10\n1,2,5,6,5,6\n2,2,5,6,5,6\n";
+  const std::string boxes = write("notch.csv", head + notch);
+  EXPECT_THAT(refused(boxes), HasSubstr("and whatever overlaps that is a pair then"));
+  EXPECT_THAT(
+      imported("a", boxes, {"--pairs", pairs, "--unite"}),
+      AllOf(HasSubstr("1 missed, 0 extra"), HasSubstr("united: what overlaps the joined box is a pair")));
+}
+
+/// The smallest box around [0, 1] and an inverted [5, 3] is valid.
+TEST_F(ImportProgram, AJoinedBoxOfWhichAPartIsInvertedIsInQuarantine) {
+  const std::string head = "step,object,min_x,max_x,min_y,max_y\n";
+  const std::vector<std::string> more{"--pairs", write("none.csv", "step,a,b\n"), "--unite"};
+  for (const std::string parts :
+       {"1,1,0,1,0,1\n1,1,5,3,0,1\n", "1,1,5,3,0,1\n1,1,0,1,0,1\n", "1,1,0,1,0,1\n1,1,5,3,0,1\n1,1,2,9,0,1\n",
+        "1,1,0,1,0,1\n1,1,nan,3,0,1\n"}) {
+    const std::string boxes = write("boxes.csv", head + parts + "1,2,2,2.5,0,1\n");
+    EXPECT_THAT(imported("a", boxes, more), HasSubstr("0 missed, 0 extra")) << parts;
+    EXPECT_THAT(explained("a", "1", "1,2"), HasSubstr("object 1 is in quarantine")) << parts;
+  }
+}
+
 TEST_F(ImportProgram, CommentsBlankLinesAndLineEndsMayStandAnywhere) {
   EXPECT_THAT(imported("a", given("heading_and_input/c.csv")), StartsWith("2D, 1 step"));
   EXPECT_THAT(imported("b", given("heading_and_input/d.csv")), StartsWith("2D, 1 step"));
