@@ -13,8 +13,9 @@
 namespace kerf {
 namespace {
 
-RecordingSummary summary(std::span<const StepRow> rows) {
+RecordingSummary summary(std::span<const StepRow> rows, bool complete) {
   RecordingSummary result;
+  result.complete = complete;
   result.steps = static_cast<std::uint32_t>(rows.size());
   if (rows.empty()) return result;
   result.operators = rows.back().statistics.operators;
@@ -185,8 +186,8 @@ void compare_given(RecordingReader<D>& a, RecordingReader<D>& b, std::uint32_t s
 template <int D>
 RecordingComparison compare(RecordingReader<D>& a, RecordingReader<D>& b) {
   RecordingComparison result;
-  result.a = summary(a.rows());
-  result.b = summary(b.rows());
+  result.a = summary(a.rows(), a.info().complete);
+  result.b = summary(b.rows(), b.info().complete);
   result.object_names = !std::ranges::equal(a.info().names.objects(), b.info().names.objects()) ||
                         a.info().marks != b.info().marks;
   result.declared = compare_declared(a.info(), b.info());

@@ -13,6 +13,7 @@ namespace kerf {
 /// A recording in figures over all its steps.
 struct RecordingSummary {
   std::uint32_t steps = 0;
+  bool complete = false;  ///< ended in order; if not, its run may have gone on
   std::array<std::uint64_t, kOperatorCount> operators{};
   std::uint64_t refused = 0;
   std::uint64_t pairs = 0;
@@ -57,9 +58,14 @@ struct RecordingComparison {
   bool object_names = false;                ///< objects have other names, labels or colours
   std::vector<std::string> declared;  ///< what was declared or rounded otherwise with the two, a line each
 
+  [[nodiscard]] bool one_unfinished() const { return a.complete != b.complete; }
+  /// What came after the last step of either could not be compared.
+  [[nodiscard]] bool both_unfinished() const { return !a.complete && !b.complete; }
+  /// Of two that are unfinished: as far as they go.
   [[nodiscard]] bool same() const {
     return !requests && !config && !shapes && !state && !pairs && !events && !theirs && !verdicts &&
-           !structures && !step_names && !object_names && declared.empty() && a.steps == b.steps;
+           !structures && !step_names && !object_names && declared.empty() && a.steps == b.steps &&
+           !one_unfinished();
   }
 };
 

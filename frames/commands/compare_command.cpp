@@ -14,7 +14,7 @@ namespace kerf {
 namespace {
 
 Json as_json(const RecordingSummary& summary) {
-  Json json{{"steps", summary.steps}};
+  Json json{{"steps", summary.steps}, {"ended_in_order", summary.complete}};
   for (int op = 0; op < kOperatorCount; ++op)
     json["operators"][std::string(to_string(static_cast<Operator>(op)))] =
         summary.operators[static_cast<std::size_t>(op)];
@@ -44,6 +44,12 @@ std::string text_of(const std::optional<EventDifference>& difference,
   return difference && *difference.*run ? describe(*(*difference.*run), names) : "";
 }
 
+/// Empty: nothing is left.
+std::string not_compared(const RecordingComparison& comparison, const GivenNames& names) {
+  const std::uint32_t last = std::min(comparison.a.steps, comparison.b.steps);
+  return comparison.both_unfinished() ? "what came after step " + names.step(last) + " of either" : "";
+}
+
 Json as_json(const RecordingComparison& comparison, const GivenNames& a, const GivenNames& b) {
   const auto step = [&a](const std::optional<std::uint32_t>& of) { return step_or_null(of, a); };
   return {{"same", comparison.same()},
@@ -67,6 +73,7 @@ Json as_json(const RecordingComparison& comparison, const GivenNames& a, const G
             {"step_names", step(comparison.step_names)}}},
           {"same_object_names", !comparison.object_names},
           {"declared", comparison.declared},
+          {"not_compared", not_compared(comparison, a)},
           {"a", as_json(comparison.a)},
           {"b", as_json(comparison.b)}};
 }
@@ -112,6 +119,14 @@ void print_theirs(const RecordingComparison& comparison, const GivenNames& names
   print_first("structures", comparison.structures, names);
 }
 
+void print_ends(const RecordingComparison& comparison, const GivenNames& names) {
+  const auto text = [](const RecordingSummary& run) { return run.complete ? "yes" : "no"; };
+  if (comparison.one_unfinished())
+    std::printf("%-10s in order: %s in A, %s in B\n", "ended", text(comparison.a), text(comparison.b));
+  const std::string left = not_compared(comparison, names);
+  if (!left.empty()) std::printf("not compared: %s, since neither was ended in order\n", left.c_str());
+}
+
 void print_figures(const RecordingSummary& a, const RecordingSummary& b) {
   const auto row = [](const char* name, double x, double y) {
     std::printf("%-14s %14.6g %14.6g\n", name, x, y);
@@ -146,6 +161,7 @@ void print(const RecordingComparison& comparison, const RecordingInfo& a, const 
   print_first("pairs", comparison.pairs, names);
   if (a.imported || b.imported) print_theirs(comparison, names);
   for (const std::string& line : comparison.declared) std::printf("declared   %s\n", line.c_str());
+  print_ends(comparison, names);
   print_figures(comparison.a, comparison.b);
 }
 

@@ -191,11 +191,16 @@ std::optional<std::uint32_t> step_of(const std::optional<Difference>& difference
 void bind_comparison(py::module_& module) {
   using Comparison = RecordingComparison;
   py::class_<Comparison>(module, "Comparison",
-                         "Where two recordings first differ: each member is a step (int), or None; but same "
-                         "and object_names\n"
-                         "are bool, and declared is a list of str.")
+                         "Where two recordings first differ: each member is a step (int), or None; but same, "
+                         "object_names,\n"
+                         "one_unfinished and both_unfinished are bool, and declared is a list of str.")
       .def("__reduce__", refuse_pickling("Comparison", kTakeValues))
-      .def_property_readonly("same", &Comparison::same, "bool: nothing differs.")
+      .def_property_readonly("same", &Comparison::same,
+                             "bool: nothing differs; of two that are unfinished, as far as they go.")
+      .def_property_readonly("one_unfinished", &Comparison::one_unfinished,
+                             "bool: only one of them was ended in order; then they are not the same.")
+      .def_property_readonly("both_unfinished", &Comparison::both_unfinished,
+                             "bool: neither was; what came after their last steps is not compared.")
       .def_readonly("requests", &Comparison::requests, "First step with other requests before it.")
       .def_readonly("config", &Comparison::config, "First step with another configuration.")
       .def_readonly("shapes", &Comparison::shapes, "First step in which objects look otherwise.")

@@ -7,6 +7,7 @@
 
 #include "core/recording/recording_reader.h"
 #include "tests/frames/program.h"
+#include "tests/support/recorded_crowd.h"
 
 namespace kerf {
 namespace {
@@ -120,6 +121,32 @@ TEST_F(QueryProgram, ComparesRuns) {
   EXPECT_GT(json["first_different"]["events"], 0);
   EXPECT_THAT(run_kerf({"compare", file("a"), file("other")}).out,
               HasSubstr("events     differ first in step"));
+}
+
+/// They were called the same, though one of them, or both, may have gone on.
+TEST_F(QueryProgram, ComparesWhetherRunsWereEndedInOrder) {
+  const auto unfinished_copy = [&](const std::string& name) {
+    std::filesystem::copy_file(file("a"), file(name));
+    test::change_recording(file(name), "UPDATE meta SET value='0' WHERE key='complete'");
+    test::change_recording(file(name), "DELETE FROM meta WHERE key='end'");
+  };
+  unfinished_copy("killed");
+  unfinished_copy("too");
+  const RunOutcome one = run_kerf({"compare", file("a"), file("killed")});
+  EXPECT_EQ(one.exit, 1);
+  EXPECT_THAT(one.out, HasSubstr("\nended      in order: yes in A, no in B\n"));
+  const auto json = nlohmann::json::parse(run_kerf({"compare", file("killed"), file("a"), "--json"}).out);
+  EXPECT_FALSE(json["same"]);
+  EXPECT_EQ(json["a"]["ended_in_order"], false);
+  EXPECT_EQ(json["b"]["ended_in_order"], true);
+  EXPECT_EQ(json["not_compared"], "");
+  const RunOutcome both = run_kerf({"compare", file("killed"), file("too")});
+  EXPECT_EQ(both.exit, 0);
+  EXPECT_THAT(both.out,
+              HasSubstr("\nnot compared: what came after step 60 of either, since neither was ended"));
+  const auto open = nlohmann::json::parse(run_kerf({"compare", file("killed"), file("too"), "--json"}).out);
+  EXPECT_TRUE(open["same"]);
+  EXPECT_EQ(open["not_compared"], "what came after step 60 of either");
 }
 
 /// The same boxes with another rule: other operators, the same pairs. With the same rule: the same run.
