@@ -111,6 +111,7 @@ void ask_theirs(const RecordingReader<D>& recording, PairExplanation<D>& result)
   result.b_filter = recording.filter(result.pair.b, result.step);
   result.margin_declared = recording.info().design.margin;
   result.rounding = recording.info().design.rounding;
+  result.lacks_theirs = recording.lacks_their_pairs(result.step);
   if (!recording.their_step(result.step)) return;
   const std::vector<Pair> theirs = recording.their_pairs(result.step);
   result.their_times = static_cast<std::size_t>(std::ranges::count(theirs, result.pair));
@@ -163,9 +164,11 @@ std::string verdict_text(PairVerdict verdict, const Margin& margin, const std::s
          " on each side the boxes overlap" + rounding + "\n";
 }
 
-/// Nothing if the other engine is right, or unknown.
+/// Nothing if the other engine is right, or unknown in all steps.
 template <int D>
-std::string their_text(const PairExplanation<D>& e) {
+std::string their_text(const PairExplanation<D>& e, const GivenNames& names) {
+  if (e.lacks_theirs)
+    return "the other engine's pairs of step " + names.step(e.step) + " are not in the recording\n";
   if (!e.their_times) return "";
   const bool rounded = !overlaps(grow(e.a_box, e.margin_declared), grow(e.b_box, e.margin_declared));
   const std::string how = e.rounding == BoundRounding{} ? "floats round it" : "its text may be rounded";
@@ -256,7 +259,7 @@ std::string absence_text(const PairExplanation<D>& e, const GivenNames& names) {
 template <int D>
 std::string comparison_text(const PairExplanation<D>& e, const RecordingInfo& info) {
   const GivenNames& names = info.names;
-  std::string text = reason_text(e) + "\n" + their_text(e);
+  std::string text = reason_text(e) + "\n" + their_text(e, names);
   if (e.reported != e.is_pair)
     text += "this is a fault of the tree: by the definition it is the other way round\n";
   if (e.is_pair && !e.is_given_pair)
@@ -280,7 +283,7 @@ std::string to_text(const PairExplanation<D>& e, const RecordingInfo& info) {
   std::string text = "after step " + names.step(e.step) + ", " + title(info, e.pair.a) + " and " +
                      title(info, e.pair.b) + verdict + ": ";
   const std::string absence = absence_text(e, names);
-  text += absence.empty() ? comparison_text(e, info) : absence + "\n" + their_text(e);
+  text += absence.empty() ? comparison_text(e, info) : absence + "\n" + their_text(e, names);
   for (const PairChange& change : e.history)
     text += std::string(change.is_pair ? "became a pair" : "ceased to be one") + " in step " +
             names.step(change.step) + "\n";

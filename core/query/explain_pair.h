@@ -39,6 +39,7 @@ struct PairExplanation {
   bool is_given_pair = false;              ///< by the definition, in the precision given
   std::optional<std::size_t> their_times;  ///< how often the other engine reported it, if its pairs are known
   std::optional<PairVerdict> their_verdict;  ///< none: it is right
+  bool lacks_theirs = false;                 ///< its pairs are known of other steps, but not of this one
   std::optional<GivenFilter> a_filter;       ///< of the other engine, if it is known
   std::optional<GivenFilter> b_filter;
   Margin margin_declared;

@@ -248,6 +248,11 @@ std::optional<TheirStep> RecordingReader<D>::their_step(std::uint32_t step) cons
   return read_their_step(database_, step);
 }
 
+template <int D>
+bool RecordingReader<D>::lacks_their_pairs(std::uint32_t step) const {
+  return info_.imported && !info_.complete && step == steps() && !their_step(step) && !their_steps().empty();
+}
+
 /// `is_any`: there are rows of another engine. Where there are none any more, an import may have had some.
 template <int D>
 void RecordingReader<D>::check_all_theirs(bool is_any) const {

@@ -79,6 +79,8 @@ class RecordingReader {
   /// Another engine's pairs of a step, as reported; none unless the recording is an import.
   [[nodiscard]] std::vector<Pair> their_pairs(std::uint32_t step) const;
   [[nodiscard]] std::optional<TheirStep> their_step(std::uint32_t step) const;
+  /// Whether it has another engine's pairs, but not those of this step: a writer was killed before they came.
+  [[nodiscard]] bool lacks_their_pairs(std::uint32_t step) const;
   /// Of all steps at once, each compared with its seal.
   [[nodiscard]] std::vector<std::pair<std::uint32_t, TheirStep>> their_steps() const;
   /// Those of them that are not right, those that they missed, and what they leave out by design.

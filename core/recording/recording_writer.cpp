@@ -38,6 +38,7 @@ RecordingWriter<D>::RecordingWriter(const std::filesystem::path& path, const Rec
       put_block_(database_.prepare("INSERT INTO blocks VALUES(?,?,?,?,?)")),
       put_keyframe_(database_.prepare("INSERT INTO keyframes VALUES(?,?,?,?)")),
       encoder_(info.volume),
+      awaits_theirs_(info.imported),
       last_flush_(std::chrono::steady_clock::now()) {
   database_.execute("BEGIN");
 }
@@ -46,6 +47,7 @@ template <int D>
 void RecordingWriter<D>::add(const StepRequests<D>& requests, std::span<const Event> events, StepRow row,
                              std::span<const Look<D>> looks) {
   seal_theirs();
+  if (commits_later_) commit();
   step_ = row.step;
   row.changed = encoder_.add(requests, events, looks);
   changed_ += row.changed;
@@ -164,6 +166,13 @@ void RecordingWriter<D>::flush() {
   put_block_.bind(4, whole(seal)).bind(5, std::span(block)).run();
   chain_.add(Chain::Part::block, seal);
   changed_ = 0;
+  commits_later_ = awaits_theirs_;
+  if (!commits_later_) commit();
+}
+
+template <int D>
+void RecordingWriter<D>::commit() {
+  commits_later_ = false;
   database_.execute("COMMIT; BEGIN");
   last_flush_ = std::chrono::steady_clock::now();
 }

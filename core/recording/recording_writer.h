@@ -14,9 +14,10 @@
 
 namespace kerf {
 
-/// Writes a recording (docs/RECORDING.md). It commits at least once a second and every 25 steps; committed
-/// data remains whatever happens to the program. Throws std::runtime_error with the file and the reason, a
-/// full disk for example. Its fields are what is under way between two commits.
+/// Writes a recording (docs/RECORDING.md). It commits at least once a second and every 25 steps, an import
+/// when all that another engine has of the last step is there; committed data remains whatever happens to the
+/// program. Throws std::runtime_error with the file and the reason, a full disk for example. Its fields are
+/// what is under way between two commits.
 template <int D>
 class RecordingWriter {
  public:
@@ -47,6 +48,7 @@ class RecordingWriter {
   void put_new_shapes();
   void seal_theirs();
   void flush();
+  void commit();
 
   Database database_;
   Chain chain_;
@@ -60,6 +62,8 @@ class RecordingWriter {
   std::uint64_t changed_ = 0;         ///< since the last block
   std::uint64_t since_keyframe_ = 0;  ///< the cost of replaying the steps, in objects at rest
   std::uint32_t last_keyframe_ = 0;
+  bool awaits_theirs_;  ///< a step is followed by data of another engine
+  bool commits_later_ = false;
   bool has_theirs_ = false;  ///< data of another engine was written after the last step
   std::chrono::steady_clock::time_point last_flush_;
 };

@@ -201,8 +201,10 @@ class Verifier {
     const bool asks = oracle_every_ != 0 && step % oracle_every_ == 0;
     if (asks) truth = oracle_pairs(replayer_.tree().objects());
     recording_->check_theirs(step);
-    if (const auto judged = recording_->their_step(step))
+    if (const auto judged = recording_->their_step(step)) {
       judge_theirs(step, *judged, asks ? &truth : nullptr);
+      last_judged_ = step;
+    }
     if (asks) judge_ours(step, truth);
   }
 
@@ -256,8 +258,11 @@ class Verifier {
     if (verdict_.judged < verdict_.steps)
       say("the pairs of " + std::to_string(verdict_.steps - verdict_.judged) + " of " +
           counted(verdict_.steps, "step") + " by the oracle");
-    if (!recording_->info().complete)
-      say("what came after step " + verdict_.names.step(steps) + ": the recording was not ended in order");
+    if (recording_->info().complete) return;
+    if (last_judged_ > 0 && last_judged_ < verdict_.steps)
+      say("the other engine's pairs of step " + verdict_.names.step(verdict_.steps) +
+          ": they are not in the recording");
+    say("what came after step " + verdict_.names.step(steps) + ": the recording was not ended in order");
   }
 
   std::shared_ptr<RecordingReader<D>> recording_;
@@ -269,6 +274,7 @@ class Verifier {
   TheirWorld<D> world_;
   Looks<D> looks_;
   Verdict verdict_;
+  std::uint32_t last_judged_ = 0;  ///< of whose pairs of another engine the recording has a verdict
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "core/files/part_file.h"
 #include "tests/frames/import_program.h"
+#include "tests/support/recorded_crowd.h"
 
 namespace kerf {
 namespace {
@@ -112,6 +113,23 @@ TEST_F(ImportFiles, ATableWithoutAnyPairIsOddIfBoxesOverlap) {
   EXPECT_THAT(refused(boxes, {"--pairs", none, "--strict"}), HasSubstr(odd));
   const std::string apart = write("apart.csv", kHead + "1,1,0,1,0,1\n1,2,3,4,0,1\n");
   EXPECT_THAT(imported("b", apart, {"--pairs", none, "--strict"}), HasSubstr("0 missed, 0 extra"));
+}
+
+/// As an earlier Kerf left a recording when it was killed: with a last step that was not judged.
+TEST_F(ImportFiles, AStepWithoutThePairsOfTheOtherEngineIsNamed) {
+  const std::string boxes = kHead + "1,1,0,1,0,1\n1,2,0,1,0,1\n2,2,0,1,0,1\n";
+  (void)imported("a", write("boxes.csv", boxes), {"--pairs", write("pairs.csv", "step,a,b\n1,1,2\n2,1,2\n")});
+  for (const std::string table : {"their_steps", "their_pairs", "their_seals"})
+    test::change_recording(path("a.kerf"), "DELETE FROM " + table + " WHERE step = 2");
+  test::change_recording(path("a.kerf"), "DELETE FROM meta WHERE key = 'end'");
+  test::change_recording(path("a.kerf"), "UPDATE meta SET value = '0' WHERE key = 'complete'");
+  EXPECT_THAT(explained("a", "2", "1,2"),
+              HasSubstr("the other engine's pairs of step 2 are not in the recording\n"));
+  EXPECT_THAT(explained("a", "1", "1,2"), Not(HasSubstr("not in the recording")));
+  const RunOutcome verified = test::run_kerf({"verify", path("a.kerf")});
+  EXPECT_EQ(verified.exit, 0);
+  EXPECT_THAT(verified.out,
+              HasSubstr("not checked: the other engine's pairs of step 2: they are not in the recording\n"));
 }
 
 TEST_F(ImportFiles, WholeFilesWithOtherEndsOfLinesAreNotOdd) {

@@ -88,6 +88,24 @@ TYPED_TEST(TheirRows, ComeBackAsTheyWereWritten) {
   EXPECT_TRUE(reader.has_filters());
 }
 
+/// The last step of an import that was killed had none.
+TYPED_TEST(TheirRows, ACommittedStepHasThem) {
+  constexpr int kD = TypeParam::value;
+  const test::TemporaryRecording file;
+  Bsp<kD, EventLog> tree(test::busy_config());
+  RecordingInfo info = test::info_of<kD>(test::busy_config());
+  info.imported = true;
+  Recorder<kD> recorder(tree, file.path(), info);
+  test::play_crowd<kD>(recorder, 27, 3, [&](std::uint32_t step) {
+    if (step >= 25) {
+      const RecordingReader<kD> reader(file.path());
+      EXPECT_TRUE(reader.steps() == 0 || reader.their_step(reader.steps())) << step;
+      EXPECT_TRUE(step < 26 || reader.steps() > 0) << step;
+    }
+    recorder.add_theirs(std::vector<Pair>{{{0}, {2}}}, {});
+  });
+}
+
 /// An earlier Kerf has no such verdict, and refuses the version.
 TYPED_TEST(TheirRows, HowBoxesWereRoundedHasAVersionOfItsOwn) {
   constexpr int kD = TypeParam::value;
