@@ -127,6 +127,23 @@ TEST_F(DebuggerTables, PairsHaveTheirLeafAndTheirAge) {
   EXPECT_LT(youngest, oldest);
 }
 
+/// Within a step the boxes have moved, and the pairs are those of the step before.
+TEST_F(DebuggerTables, WithinAStepPairsAreSaidToBeOfTheStepBefore) {
+  run().go(run().search(Expression::parse("op==split && kind==acted && step>40"), {}, true, {}).value());
+  const std::uint32_t step = run().position().step;
+  const std::string note = "pairs of step " + std::to_string(step - 1);
+  const FigureTable table = table_of_pairs(run());
+  for (std::size_t k = 0; k < table.rows.size(); ++k)
+    EXPECT_FALSE(figure(table, k, "overlap") < 0) << table.rows[k].name;
+  EXPECT_EQ(driver().play("key shift+T\nwait 2"), "");
+  EXPECT_TRUE(driver().debugger().gui().find(note + ", boxes of this moment").has_value());
+  EXPECT_EQ(driver().debugger().view().counts().pairs_note, note.substr(5));
+  run().go(Position::end_of(step));
+  EXPECT_EQ(driver().play("wait 2"), "");
+  EXPECT_FALSE(driver().debugger().gui().find(note + ", boxes of this moment").has_value());
+  EXPECT_EQ(driver().debugger().view().counts().pairs_note, "");
+}
+
 TEST(DebuggerTablesOfALongRun, OlderPairsAreAsOldAsCanBeSeen) {
   TimelineDriver driver(test::LongRun{kOldestPair + 40});
   kerf::Run& run = driver.debugger().model().run();

@@ -43,6 +43,16 @@ TYPED_TEST(Why, AnObjectsPairsAreCountedAndNamed) {
   }
 }
 
+TYPED_TEST(Why, WithinAStepAnObjectsPairsAreSaidToBeOfTheStepBefore) {
+  auto& run = *this->run_;
+  run.go(run.search(Expression::parse("op==split && kind==acted && step>20"), {}, true, {}).value());
+  const std::uint32_t step = run.position().step;
+  const Pair pair = run.pairs()[0];
+  EXPECT_THAT(run.explain(pair.a), HasSubstr("its pairs of step " + std::to_string(step - 1) + ": "));
+  run.go(Position::end_of(step));
+  EXPECT_THAT(run.explain(pair.a), HasSubstr("its pairs: "));
+}
+
 /// In the middle of a step a node is explained as the view shows it, not as it is at the step's end.
 TYPED_TEST(Why, ANodeIsExplainedAtThePresentMoment) {
   auto& run = *this->run_;

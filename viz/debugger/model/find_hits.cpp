@@ -104,7 +104,8 @@ void add_pair(DebuggerModel& model, std::string_view query, std::vector<SearchHi
   if (!a || !b || *a == *b || !model.run().has(*a) || !model.run().has(*b)) return;
   const Pair pair = make_pair(*a, *b);
   const bool is_pair = std::ranges::find(model.run().pairs(), pair) != model.run().pairs().end();
-  hits.push_back(selecting(pair, names, is_pair ? "pair" : "two objects, no pair now"));
+  hits.push_back(
+      selecting(pair, names, is_pair ? "pair" + model.run().note_on_pairs() : "two objects, no pair now"));
 }
 
 void add_event(DebuggerModel& model, std::string_view query, std::vector<SearchHit>& hits) {

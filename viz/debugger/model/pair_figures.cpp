@@ -24,16 +24,18 @@ NodeId leaf_of_pair(const Tree<D>& tree, const Pair& pair) {
   return id;
 }
 
+/// Not a number for boxes that are apart.
 template <int D>
 double least_overlap(const ObjectTable<D>& table, const Pair& pair) {
-  if (!table.is_placed(pair.a) || !table.is_placed(pair.b)) return 0;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  if (!table.is_placed(pair.a) || !table.is_placed(pair.b)) return kNone;
   const Box<D> a = table.box(pair.a);
   const Box<D> b = table.box(pair.b);
   double least = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < D; ++axis)
     least = std::min(least,
                      double{std::min(a.max[axis], b.max[axis])} - double{std::max(a.min[axis], b.min[axis])});
-  return least;
+  return least < 0 ? kNone : least;
 }
 
 /// Watches pairs over the steps up to a moment.

@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kOldestPair = 100;
 /// A pair in figures.
 struct PairFigures {
   NodeId leaf;            ///< in which the two are compared; none: an object has moved since the last sweep
-  double overlap = 0;     ///< of the boxes, on the axis where it is least
+  double overlap = 0;     ///< of the boxes, on the axis where it is least; not a number: they are apart now
   std::uint32_t age = 0;  ///< steps since the two became a pair
 };
 

@@ -83,6 +83,14 @@ class Run {
   [[nodiscard]] std::uint32_t steps() const { return static_cast<std::uint32_t>(rows().size()); }
 
   [[nodiscard]] virtual const Position& position() const = 0;
+  /// The step that has ended last: pairs and another engine's structure are still of it within the next.
+  [[nodiscard]] std::uint32_t ended_step() const {
+    return position().is_end() ? position().step : position().step - 1;
+  }
+  /// " of step 49", of pairs, within step 50; empty at the end of a step.
+  [[nodiscard]] std::string note_on_pairs() const {
+    return position().is_end() ? "" : " of step " + names().step(ended_step());
+  }
   /// The event that has just happened; none at the end of a step.
   [[nodiscard]] virtual std::optional<Event> event() const = 0;
   /// Does nothing if it is there already.

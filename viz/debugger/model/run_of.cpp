@@ -81,11 +81,9 @@ const TreeSnapshotOf<D>& RunOf<D>::tree() {
   return tree_;
 }
 
-/// In the middle of a step the pairs are still those of the step before.
 template <int D>
 std::vector<PairFigures> RunOf<D>::pair_figures() {
-  const Position& now = position();
-  return find_pair_figures(state(), cursor_.replayer(), now.is_end() ? now.step : now.step - 1);
+  return find_pair_figures(state(), cursor_.replayer(), ended_step());
 }
 
 template <int D>
@@ -185,7 +183,8 @@ std::string RunOf<D>::explain_object(ObjectId object) const {
     ++count;
     others += " " + names().object(pair.a == object ? pair.b : pair.a);
   }
-  return text + "\nits pairs: " + (count == 0 ? "none" : std::to_string(count) + ", with" + others) + "\n";
+  return text + "\nits pairs" + note_on_pairs() + ": " +
+         (count == 0 ? "none" : std::to_string(count) + ", with" + others) + "\n";
 }
 
 template <int D>

@@ -103,10 +103,6 @@ class RunOf final : public Run {
   [[nodiscard]] ProjectionStrip make_strip(std::size_t candidate);
   [[nodiscard]] std::string explain_object(ObjectId object) const;
   [[nodiscard]] std::string explain_pair(const Pair& pair);
-  /// In the middle of a step another engine's structure is still that of the step before.
-  [[nodiscard]] std::uint32_t ended_step() const {
-    return position().is_end() ? position().step : position().step - 1;
-  }
   [[nodiscard]] const TheirStructure<D>& theirs();
 
   std::filesystem::path path_;

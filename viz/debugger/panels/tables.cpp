@@ -48,6 +48,18 @@ void draw_tools_of_table(PanelContext& context) {
     copy_table(context);
 }
 
+/// What a reader must know of the rows below.
+void draw_note_on_rows(PanelContext& context, TableOf of) {
+  Run& run = context.model.run();
+  const std::size_t rows = context.memory.table.table().rows.size();
+  if (of == TableOf::errors && rows < run.wrong_pairs().size())
+    ImGui::TextDisabled("the first %zu of %zu errors", rows, run.wrong_pairs().size());
+  if ((of != TableOf::pairs && of != TableOf::objects) || run.position().is_end()) return;
+  const std::string note = "pairs" + run.note_on_pairs() + ", boxes of this moment";
+  ImGui::TextDisabled("%s%s", note.c_str(), of == TableOf::pairs ? "; -: apart now" : "");
+  context.gui.note_last_item(note);
+}
+
 /// A click on a header orders by its column; a second one turns the order round.
 void draw_headers(PanelContext& context, const FigureTable& table, TableOrder& order) {
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
@@ -134,8 +146,7 @@ void draw_tables(PanelContext& context) {
   memory.table.update(run, {memory.table_of, memory.table_filter, order});
   draw_tools_of_table(context);
   const FigureTable& table = memory.table.table();
-  if (of == static_cast<std::size_t>(TableOf::errors) && table.rows.size() < run.wrong_pairs().size())
-    ImGui::TextDisabled("the first %zu of %zu errors", table.rows.size(), run.wrong_pairs().size());
+  draw_note_on_rows(context, memory.table_of);
   const float height = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   if (!ImGui::BeginTable(kTableNames[of].data(), static_cast<int>(table.columns.size()), kTableFlags)) return;
   draw_headers(context, table, order);

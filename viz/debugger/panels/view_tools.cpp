@@ -89,13 +89,13 @@ std::string not_alone_text(const ViewSettings& settings) {
 }
 
 std::string counts_text(const ShownCounts& counts) {
-  if (counts.theirs)
-    return std::to_string(counts.objects) + " of " + std::to_string(counts.all_objects) + " objects, " +
-           std::to_string(counts.pairs) + " of " + std::to_string(counts.all_pairs) + " pairs drawn";
-  return std::to_string(counts.objects) + " of " + std::to_string(counts.all_objects) + " objects, " +
-         std::to_string(counts.partitioners) + " of " + std::to_string(counts.all_partitioners) +
-         " partitioners, " + std::to_string(counts.pairs) + " of " + std::to_string(counts.all_pairs) +
-         " pairs drawn";
+  const auto share = [](std::size_t shown, std::size_t all, const char* of) {
+    return std::to_string(shown) + " of " + std::to_string(all) + of;
+  };
+  const std::string planes =
+      counts.theirs ? "" : share(counts.partitioners, counts.all_partitioners, " partitioners, ");
+  return share(counts.objects, counts.all_objects, " objects, ") + planes +
+         share(counts.pairs, counts.all_pairs, " pairs") + counts.pairs_note + " drawn";
 }
 
 void draw_text_on(ImDrawList& list, ImVec2 at, const std::string& text, Color color) {

@@ -74,6 +74,13 @@ void draw_row(PanelContext& context, const LegendRow& row) {
   context.gui.note_last_item(row.text);
 }
 
+/// Within a step the pairs are those of the step before.
+std::string overlapping(const Run& run) {
+  const std::size_t pairs = run.pairs().size();
+  if (run.position().is_end()) return counted(pairs, "pair overlaps", "pairs overlap");
+  return counted(pairs, "pair") + " overlapped after step " + run.names().step(run.ended_step());
+}
+
 /// What is seen at this moment, in three sentences.
 std::array<std::string, 3> sentences(Run& run) {
   const TreeSnapshot& tree = run.tree();
@@ -83,8 +90,7 @@ std::array<std::string, 3> sentences(Run& run) {
   const std::uint64_t objects = run.objects();
   const std::uint64_t all = objects * (objects > 0 ? objects - 1 : 0) / 2;
   return {"Step " + run.names().step(run.position().step) + " of " + counted(run.steps(), "step") + ": " +
-              counted(run.objects(), "object") + ", each in a box, of which " +
-              counted(run.pairs().size(), "pair overlaps", "pairs overlap") + ".",
+              counted(run.objects(), "object") + ", each in a box, of which " + overlapping(run) + ".",
           "The tree has " + counted(tree.leaves(), "leaf", "leaves") + ", down to depth " +
               std::to_string(deepest) + "; only boxes that share a leaf are tested, not all " +
               with_commas(all) + " pairs.",
@@ -147,7 +153,7 @@ std::string thing_words(Run& run, const Selection& thing) {
   if (!object) return name + error_words(run, thing);
   std::size_t pairs = 0;
   for (const Pair& pair : run.pairs()) pairs += pair.a == *object || pair.b == *object ? 1U : 0U;
-  return name + ": " + counted(pairs, "pair");
+  return name + ": " + counted(pairs, "pair") + run.note_on_pairs();
 }
 
 }  // namespace kerf

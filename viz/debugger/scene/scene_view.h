@@ -23,6 +23,7 @@ struct ShownCounts {
   std::size_t all_partitioners = 0;
   std::size_t pairs = 0;
   std::size_t all_pairs = 0;
+  std::string pairs_note;  ///< see `Run::note_on_pairs`
   std::size_t missed = 0;  ///< by another engine, and drawn
   std::size_t extra = 0;
   double tint_end = 1;  ///< the value of the brightest colour

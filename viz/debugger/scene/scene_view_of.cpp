@@ -135,6 +135,7 @@ void SceneViewOf<D>::choose_bodies() {
   missed_ = theirs == nullptr ? std::vector<Pair>() : drawable(theirs->missed, all_bodies_, kMostPairs);
   extra_ = theirs == nullptr ? std::vector<Pair>() : drawable(theirs->extra, all_bodies_, kMostPairs);
   counts_.all_pairs = run_.pairs().size();
+  counts_.pairs_note = run_.note_on_pairs();
   counts_.pairs = pairs_.size();
   counts_.missed = missed_.size();
   counts_.extra = extra_.size();
