@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <fstream>
 #include <stdexcept>
 
 #include "core/base/counted.h"
@@ -18,13 +19,19 @@
 namespace kerf {
 namespace {
 
-/// Checks that every picture has the pixels of its manifest.
-Image read_checked(const CollectedFrame& frame) {
-  Image image = read_png(frame.path());
-  if (pixel_hash(image) != frame.record.pixel_hash)
-    throw DoesNotHold(frame.path().string() +
-                      " has not the pixels that were drawn; make it again by `kerf render` --resume");
-  return image;
+/// What is wrong with a frame, whose picture is read into `image`; empty: nothing. Throws if its file cannot
+/// be opened: then nothing is known of it.
+std::string trouble_with(const CollectedFrame& frame, Image& image) {
+  const std::filesystem::path path = frame.path();
+  if (!std::filesystem::exists(path)) return path.string() + " is missing";
+  try {
+    image = read_png(path);
+  } catch (const std::runtime_error& error) {
+    if (!std::ifstream(path)) throw;
+    return error.what();
+  }
+  return pixel_hash(image) == frame.record.pixel_hash ? ""
+                                                      : path.string() + " has not the pixels that were drawn";
 }
 
 }  // namespace
@@ -63,13 +70,18 @@ void CollectCommand::run() const {
       SequenceFolder(out_, manifest.name).check_apart(out);
   FilmFiles files(film, manifest.size, manifest.steps.frames());
   const ProgressLine progress;
+  BadFrames bad(manifest.shard.count);
   for (const CollectedFrame& frame : collection.frames) {
     if (interrupt.requested()) throw Interrupted("interrupted");
     progress.show("frame " + std::to_string(frame.record.index + 1) + "/" +
                   std::to_string(manifest.steps.frames()));
-    files.add(frame.record.index, read_checked(frame));
+    Image image;
+    const std::string trouble = trouble_with(frame, image);
+    if (!trouble.empty()) bad.add(frame.record.index, trouble);
+    if (bad.empty()) files.add(frame.record.index, image);
   }
   progress.clear();
+  if (!bad.empty()) throw DoesNotHold(bad.describe());
   if (!out_.empty()) gather(collection, out_, overwrite_);
   files.finish();
   const std::size_t frames = collection.frames.size();

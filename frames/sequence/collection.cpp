@@ -50,6 +50,15 @@ std::string ranges_of(const std::vector<std::uint32_t>& numbers) {
   return text;
 }
 
+/// `shards`: those that have the frames, of so many.
+std::string how_to_make(const std::set<std::uint32_t>& shards, std::uint32_t count) {
+  if (count == 1) return "; the same `kerf render` with --resume makes them";
+  std::string text = "; `kerf render` makes them with --resume and --shard";
+  for (const std::uint32_t shard : shards)
+    text += (shard == *shards.begin() ? " " : ", ") + std::to_string(shard + 1) + "/" + std::to_string(count);
+  return text;
+}
+
 /// A hard link, or a copy where that is impossible.
 void put(const std::filesystem::path& file, const std::filesystem::path& target) {
   std::error_code cannot_link;
@@ -101,14 +110,18 @@ std::string describe_gaps(const Collection& collection) {
     shards.insert(index % count);
   }
   if (missing.empty()) return "";
-  std::string text = counted_of(missing.size(), collection.manifest.steps.frames(), "frame") +
-                     " missing: " + ranges_of(missing);
-  if (count == 1) return text + "; the same `kerf render` with --resume makes them";
-  text += "; `kerf render` makes them with --resume and --shard";
-  for (const std::uint32_t shard : shards)
-    text += (shard == *shards.begin() ? " " : ", ") + std::to_string(shard + 1) + "/" + std::to_string(count);
-  return text;
+  return counted_of(missing.size(), collection.manifest.steps.frames(), "frame") +
+         " missing: " + ranges_of(missing) + how_to_make(shards, count);
 }
+
+void BadFrames::add(std::uint32_t index, const std::string& trouble) {
+  constexpr std::size_t kMost = 8;
+  if (++count_ <= kMost) text_ += (count_ == 1 ? "" : "\n") + trouble;
+  if (count_ == kMost + 1) text_ += "\nand more";
+  bad_shards_.insert(index % shards_);
+}
+
+std::string BadFrames::describe() const { return text_ + how_to_make(bad_shards_, shards_); }
 
 void gather(const Collection& collection, const std::filesystem::path& folder, bool overwrite) {
   SequenceFolder target(folder, collection.manifest.name);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,22 @@ Collection collect(const std::vector<std::filesystem::path>& folders);
 
 /// Which frames are missing and how to make them, in a few words; empty if none are.
 std::string describe_gaps(const Collection& collection);
+
+/// Frames whose pictures are missing, damaged or others than were drawn.
+class BadFrames {
+ public:
+  explicit BadFrames(std::uint32_t shards) : shards_(shards) {}
+  void add(std::uint32_t index, const std::string& trouble);
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  /// A line for each of the first few, and how to make them.
+  [[nodiscard]] std::string describe() const;
+
+ private:
+  std::uint32_t shards_;  ///< of the sequence
+  std::size_t count_ = 0;
+  std::string text_;
+  std::set<std::uint32_t> bad_shards_;
+};
 
 /// Puts all frames, the files beside them (as hard links, or copies where that is impossible) and one
 /// manifest into a folder. Throws UsageError if the folder holds a sequence and `overwrite` is false,

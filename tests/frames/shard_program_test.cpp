@@ -88,7 +88,13 @@ TEST_P(ShardProgram, WhatIsMissingOrDamagedIsNamed) {
   EXPECT_EQ(damaged.exit, kExitDoesNotHold);
   EXPECT_THAT(damaged.err, HasSubstr("run_000005.png"));
   std::filesystem::resize_file(path("s2/run_000005.png"), 200);
-  EXPECT_THAT(run_kerf({"collect", path("s1"), path("s2")}).err, HasSubstr("run_000005.png"));
+  std::filesystem::remove(path("s1/run_000002.png"));
+  const RunOutcome two = run_kerf({"collect", path("s1"), path("s2")});
+  EXPECT_EQ(two.exit, kExitDoesNotHold) << two.err;
+  EXPECT_THAT(two.err, HasSubstr("run_000002.png is missing"));
+  EXPECT_THAT(two.err, HasSubstr("run_000005.png"));
+  EXPECT_THAT(two.err, HasSubstr("--resume and --shard 1/2, 2/2"));
+  ASSERT_EQ(render("s1", {"--shard", "1/2", "--resume"}).exit, kExitHolds);
   ASSERT_EQ(render("s2", {"--shard", "2/2", "--resume"}).exit, kExitHolds);
   EXPECT_EQ(run_kerf({"collect", path("s1"), path("s2")}).exit, kExitHolds);
 }
