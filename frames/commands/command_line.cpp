@@ -128,6 +128,12 @@ int finish_output() {
   return report("cannot write standard output: what was printed is not whole", kExitUnusable);
 }
 
+/// What was printed may be the answer: if it is lost, the exit code is that of no answer.
+int report_after_output(const std::string& message, int exit_code) {
+  const int written = finish_output();
+  return report(message, written == kExitHolds ? exit_code : written);
+}
+
 /// Runs the chosen subcommand and turns its exception into an exit code.
 template <class... Command>
 int run(const CLI::App& program, const Command&... commands) {
@@ -136,11 +142,11 @@ int run(const CLI::App& program, const Command&... commands) {
     ((commands.chosen() ? commands.run() : void()), ...);
     return finish_output();
   } catch (const DoesNotHold& error) {
-    return report(error.what(), kExitDoesNotHold);
+    return report_after_output(error.what(), kExitDoesNotHold);
   } catch (const UsageError& error) {
     return report(error.what() + help_hint(program), kExitUnusable);
   } catch (const Interrupted& error) {
-    return report(error.what(), kExitInterrupted);
+    return report_after_output(error.what(), kExitInterrupted);
   } catch (const std::bad_alloc&) {
     return report(out_of_memory(chosen_command(program).get_name()), kExitUnusable);
   } catch (const std::filesystem::filesystem_error& error) {

@@ -246,6 +246,29 @@ TEST(FailureProgram, WhatIsPrintedIntoAFullDeviceIsAnError) {
   }
 }
 
+/// A verdict whose text is lost is none.
+TEST(FailureProgram, ADifferenceThatCannotBePrintedIsAnError) {
+  const TemporaryFolder folder;
+  const std::string a = folder.path() / "a.kerf";
+  const std::string b = folder.path() / "b.kerf";
+  for (const auto& [file, seed] : {std::pair{a, "1"}, {b, "2"}}) {
+    ASSERT_EQ(
+        run_kerf({"record", "pile", "--objects", "30", "--steps", "5", "--seed", seed, "-o", file}).exit,
+        kExitHolds);
+    ASSERT_EQ(run_kerf({"render", file, "--steps", "5:5:1", "--size", "320x240", "--out", file + ".d"}).exit,
+              kExitHolds);
+  }
+  for (const std::string& arguments :
+       {"compare " + a + " " + b, "diff " + a + ".d " + b + ".d", "diff --json " + a + ".d " + b + ".d"}) {
+    EXPECT_EQ(Process({"sh", "-c", std::string(KERF_PROGRAM) + " " + arguments}).wait().exit,
+              kExitDoesNotHold);
+    const RunOutcome lost =
+        Process({"sh", "-c", std::string(KERF_PROGRAM) + " " + arguments + " > /dev/full"}).wait();
+    EXPECT_EQ(lost.exit, kExitUnusable) << arguments;
+    EXPECT_THAT(lost.err, HasSubstr("standard output")) << arguments;
+  }
+}
+
 /// 1 is an answer of these commands.
 TEST(FailureProgram, WhatIsNoRecordingHasAnExitCodeOfItsOwn) {
   const TemporaryFolder folder;
