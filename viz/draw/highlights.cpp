@@ -64,8 +64,8 @@ std::string Highlight::sentence() const {
     case Operator::merge:
       return "node " + name + " was dissolved into a leaf of " + std::to_string(acted.after.population);
     case Operator::balance:
-      return "node " + name + " divided badly (" + halves(acted.before, " | ") + "): its plane moved, now " +
-             halves(acted.after, " | ");
+      return "node " + name + " divided badly (" + halves(acted.before, " | ") + "): its plane moved, " +
+             (age == 0 ? "now " : "then ") + halves(acted.after, " | ");
     case Operator::swap:
       return "node " + name + " divided badly (" + halves(acted.before, " | ") + "): its plane was removed";
   }

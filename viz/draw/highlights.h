@@ -24,7 +24,7 @@ struct Highlight {
   std::optional<Eigen::Vector3d> anchor;
   [[nodiscard]] double strength() const;    ///< 1 when new, fading with age
   [[nodiscard]] std::string label() const;  ///< "split n5"
-  /// Why it acted and what became of it: "leaf n26 got crowded: split into 61 and 58".
+  /// Why it acted and what then became of it: "leaf n26 got crowded: split into 61 and 58".
   [[nodiscard]] std::string sentence() const;
 };
 

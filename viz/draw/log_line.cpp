@@ -7,10 +7,16 @@
 namespace kerf {
 namespace {
 
+/// What an operator of an earlier step made may have changed since, so that step is named.
+std::string dated_sentence(const Highlight& highlight) {
+  const std::string when = highlight.age == 0 ? "" : counted(highlight.age, "step") + " ago ";
+  return when + highlight.sentence();
+}
+
 /// What the first `shown` operators did, and the number of the others.
 std::string sentences(const std::vector<Highlight>& highlights, std::size_t shown) {
-  std::string text = highlights.front().sentence();
-  for (std::size_t k = 1; k < shown; ++k) text += "; " + highlights[k].sentence();
+  std::string text = dated_sentence(highlights.front());
+  for (std::size_t k = 1; k < shown; ++k) text += "; " + dated_sentence(highlights[k]);
   const std::size_t more = highlights.size() - shown;
   return more == 0 ? text : text + "; and " + std::to_string(more) + " more";
 }

@@ -4,6 +4,7 @@
 
 #include "tests/support/dimensions.h"
 #include "tests/viz/small_scene.h"
+#include "viz/draw/overlay.h"
 
 namespace kerf {
 namespace {
@@ -64,6 +65,19 @@ TEST(HighlightSentences, SayWhyAnOperatorActedAndWhatBecame) {
   EXPECT_EQ(sentence(Operator::swap, {120, 118, 3}, {120, 60, 60}),
             "node n26 divided badly (118 | 3): its plane was removed");
   EXPECT_EQ(sentence(Operator::merge, {12, 7, 5}, {12, 0, 0}), "node n26 was dissolved into a leaf of 12");
+}
+
+/// Objects have moved since: its figures are of then, and the step is named.
+TEST(HighlightSentences, OfAnEarlierStepSayWhen) {
+  Highlight highlight;
+  highlight.acted = {Operator::balance, {{26}, 0}, {90, 70, 21}, {90, 46, 45}, 0, 0, 0};
+  const Font font(16);
+  highlight.age = 3;
+  EXPECT_EQ(log_line(font, 1280, "", {highlight}),
+            "3 steps ago node n26 divided badly (70 | 21): its plane moved, then 46 | 45");
+  highlight.age = 0;
+  EXPECT_EQ(log_line(font, 1280, "", {highlight}),
+            "node n26 divided badly (70 | 21): its plane moved, now 46 | 45");
 }
 
 TYPED_TEST(HighlightsTest, DeadNodeKeepsItsLastCellWhileItFades) {
