@@ -106,6 +106,26 @@ TEST(Font, KnowsLatin1AndSurvivesAnyBytes) {
   EXPECT_EQ(font.width("abc"), 3 * font.advance());
   EXPECT_EQ(font.width("\xc2\xb7"), font.advance());
   EXPECT_EQ(decode_utf8("a\xe2\x82\xac"), (std::vector<char32_t>{'a', 0x20ac}));
+TEST(Labels, WhereRoomIsShortTheNewestHasOne) {
+  const Font font(16);
+  const Layout layout{40, 30, {0, 40, 640, 80}};
+  const View view = frame_all(Box<2>{{{0, 0}}, {{4, 2}}}, {}, layout.scene, 640, 150);
+  std::vector<Highlight> highlights(8);
+  for (std::uint32_t k = 0; k < 8; ++k) {
+    highlights[k].acted.node.node.value = k;
+    highlights[k].anchor = {0.05, 0.05, 0};
+  }
+  Overlay overlay;
+  overlay.text.keeps_lines = true;
+  draw_highlight_labels(view, font, layout, highlights, overlay);
+  std::vector<std::string> texts;
+  for (const DrawnText& line : overlay.text.lines) texts.push_back(line.text);
+  ASSERT_FALSE(texts.empty());
+  EXPECT_LT(texts.size(), 8U);
+  EXPECT_EQ(texts.back(), highlights.front().label());
+  EXPECT_EQ(std::ranges::count(texts, highlights.back().label()), 0);
+}
+
   EXPECT_EQ(decode_utf8("\xff\xc3"), (std::vector<char32_t>{0xfffd, 0xfffd}));
   for (char32_t code = 33; code < 127; ++code)
     EXPECT_GT(font.glyph(code).width, 0) << static_cast<char>(code);
