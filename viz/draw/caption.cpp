@@ -30,6 +30,17 @@ int width(const Font& font, const CaptionItem& item) {
   return font.width(item.word) + (item.value.empty() ? 0 : font.width(" " + item.value));
 }
 
+/// The step first, if its place is not on one of the first lines.
+std::vector<CaptionItem> with_step_in(int lines, const Font& font, int picture_width,
+                                      std::vector<CaptionItem> items) {
+  const auto step = std::ranges::find(items, "step", &CaptionItem::word);
+  if (step == items.end()) return items;
+  const auto spots = flow::arrange_caption(font, picture_width, items);
+  if (spots[static_cast<std::size_t>(step - items.begin())].line >= lines)
+    std::rotate(items.begin(), step, step + 1);
+  return items;
+}
+
 }  // namespace
 
 std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree,
@@ -64,24 +75,24 @@ std::vector<flow::Spot> flow::arrange_caption(const Font& font, int picture_widt
 }
 
 void draw_caption(const View& view, const Font& font, const Layout& layout,
-                  const std::vector<CaptionItem>& items, const std::string& log, Overlay& overlay) {
+                  const std::vector<CaptionItem>& all_items, const std::string& log, Overlay& overlay) {
   if (layout.caption_height == 0) return;
   add_rectangle_on_picture(overlay.shapes, view, {0, 0, view.picture_width, double(layout.caption_height)},
                            palette::kPanel);
   const int pad = flow::padding(font);
-  const auto has_room = [&](int line) {
-    return pad + (line + 1) * font.line_height() <= layout.caption_height;
-  };
-  const auto spots = flow::arrange_caption(font, static_cast<int>(view.picture_width), items);
+  const int room = (layout.caption_height - pad) / font.line_height();
+  const int picture_width = static_cast<int>(view.picture_width);
+  const std::vector<CaptionItem> items = with_step_in(room, font, picture_width, all_items);
+  const auto spots = flow::arrange_caption(font, picture_width, items);
   for (std::size_t i = 0; i < items.size(); ++i) {
-    if (!has_room(spots[i].line)) return;
+    if (spots[i].line >= room) return;
     const int y = pad + spots[i].line * font.line_height();
     const int x = spots[i].x;
     overlay.text.add(font, x, y, items[i].word, palette::kFaintInk);
     overlay.text.add(font, x + font.width(items[i].word + " "), y, items[i].value, palette::kInk);
   }
   const int line = flow::lines(spots);
-  if (!log.empty() && has_room(line))
+  if (!log.empty() && line < room)
     overlay.text.add(font, pad, pad + line * font.line_height(), log, palette::kInk);
 }
 

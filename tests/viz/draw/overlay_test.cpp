@@ -62,6 +62,17 @@ TEST(Caption, StandsStillWhileNumbersGrow) {
   }
 }
 
+TEST(Caption, HasTheStepInSmallPicturesToo) {
+  const Font font(font_pixels(90));
+  const auto items = caption_items(large_caption(), true);
+  const Layout layout = make_layout(font, 160, 90, items, true, {});
+  const View view = frame_all(Box<2>{{{0, 0}}, {{4, 2}}}, {}, layout.scene, 160, 90);
+  Overlay overlay;
+  overlay.text.keeps_lines = true;
+  draw_caption(view, font, layout, items, "", overlay);
+  EXPECT_EQ(std::ranges::count(overlay.text.lines, "step", &DrawnText::text), 1);
+}
+
 TEST(Caption, NamesWhatLiesOutsideOnlyIfAsked) {
   const auto has_outside = [](const std::vector<CaptionItem>& items) {
     return std::ranges::count(items, "outside", &CaptionItem::word);
@@ -95,17 +106,6 @@ TEST(Labels, LieInTheSceneAndApart) {
   for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_GE(rows[i].first, rows[i - 1].second);
 }
 
-TEST(Legend, NamesOnlyWhatIsDrawn) {
-  EXPECT_TRUE(legend_items(LayerSet::none(), 3, true, "16").empty());
-  EXPECT_EQ(legend_items(LayerSet::parse("partitioners"), 3, true, "16").size(), 1U);
-  EXPECT_TRUE(legend_items(LayerSet::parse("partitioners,leaves,operators"), 3, false, "16").empty());
-}
-
-TEST(Font, KnowsLatin1AndSurvivesAnyBytes) {
-  const Font font(16);
-  EXPECT_EQ(font.width("abc"), 3 * font.advance());
-  EXPECT_EQ(font.width("\xc2\xb7"), font.advance());
-  EXPECT_EQ(decode_utf8("a\xe2\x82\xac"), (std::vector<char32_t>{'a', 0x20ac}));
 TEST(Labels, WhereRoomIsShortTheNewestHasOne) {
   const Font font(16);
   const Layout layout{40, 30, {0, 40, 640, 80}};
@@ -126,6 +126,17 @@ TEST(Labels, WhereRoomIsShortTheNewestHasOne) {
   EXPECT_EQ(std::ranges::count(texts, highlights.back().label()), 0);
 }
 
+TEST(Legend, NamesOnlyWhatIsDrawn) {
+  EXPECT_TRUE(legend_items(LayerSet::none(), 3, true, "16").empty());
+  EXPECT_EQ(legend_items(LayerSet::parse("partitioners"), 3, true, "16").size(), 1U);
+  EXPECT_TRUE(legend_items(LayerSet::parse("partitioners,leaves,operators"), 3, false, "16").empty());
+}
+
+TEST(Font, KnowsLatin1AndSurvivesAnyBytes) {
+  const Font font(16);
+  EXPECT_EQ(font.width("abc"), 3 * font.advance());
+  EXPECT_EQ(font.width("\xc2\xb7"), font.advance());
+  EXPECT_EQ(decode_utf8("a\xe2\x82\xac"), (std::vector<char32_t>{'a', 0x20ac}));
   EXPECT_EQ(decode_utf8("\xff\xc3"), (std::vector<char32_t>{0xfffd, 0xfffd}));
   for (char32_t code = 33; code < 127; ++code)
     EXPECT_GT(font.glyph(code).width, 0) << static_cast<char>(code);
