@@ -59,6 +59,16 @@ double parse_between(std::string_view key, std::string_view text, double low, do
   return value;
 }
 
+constexpr double kLargest = 1e12;
+
+template <int N>
+Eigen::Matrix<double, N, 1> parse_point(std::string_view key, std::string_view text, std::string_view valid) {
+  const auto point = parse_numbers<N>(key, text, valid);
+  if (point.cwiseAbs().maxCoeff() > kLargest)
+    fail("\"" + std::string(text) + "\" is out of range for " + std::string(key), valid);
+  return point;
+}
+
 /// Calls `set(key, value)` for each KEY=VALUE and for the word "all", whose value is empty; it returns false
 /// for an unknown key.
 template <class Set>
@@ -78,8 +88,6 @@ void parse_assignments(std::string_view text, std::string_view valid, Set set) {
     if (text.empty()) fail("nothing follows the last comma", valid);
   }
 }
-
-constexpr double kLargest = 1e12;
 
 /// Pixels of the picture from the coordinates -1 to 1 (x right, y up) within the viewport.
 Eigen::Matrix4d into_viewport(const Viewport& viewport, int picture_width, int picture_height) {
@@ -158,10 +166,15 @@ CameraChoice<3> parse_camera<3>(std::string_view text) {
   constexpr std::string_view kValid =
       "all,top|front|side|iso,yaw=DEGREES,pitch=-89..90,fov=5..120,distance=UNITS,target=X:Y:Z";
   CameraChoice<3> choice;
+  std::string turned_by;
   parse_assignments(text, kValid, [&](std::string_view key, std::string_view value) {
+    const CameraPreset* const preset = preset_called(key);
+    if (preset != nullptr && !turned_by.empty())
+      fail("\"" + std::string(key) + "\" after \"" + turned_by + "\" would undo it", kValid);
+    if (preset != nullptr || key == "yaw" || key == "pitch") turned_by = key;
     if (key == "all" && value.empty()) {
       choice.framing = Framing::everything;
-    } else if (const CameraPreset* const preset = preset_called(key); preset != nullptr && value.empty()) {
+    } else if (preset != nullptr && value.empty()) {
       choice.yaw = preset->yaw;
       choice.pitch = preset->pitch;
     } else if (key == "yaw") {
@@ -173,7 +186,7 @@ CameraChoice<3> parse_camera<3>(std::string_view text) {
     } else if (key == "distance") {
       choice.distance = parse_between(key, value, 1e-6, kLargest, kValid);
     } else if (key == "target") {
-      choice.target = parse_numbers<3>(key, value, kValid);
+      choice.target = parse_point<3>(key, value, kValid);
     } else {
       return false;
     }
@@ -190,7 +203,7 @@ CameraChoice<2> parse_camera<2>(std::string_view text) {
     if (key == "all" && value.empty()) {
       choice.framing = Framing::everything;
     } else if (key == "center") {
-      choice.center = parse_numbers<2>(key, value, kValid);
+      choice.center = parse_point<2>(key, value, kValid);
     } else if (key == "width") {
       choice.width = parse_between(key, value, 1e-6, kLargest, kValid);
     } else {

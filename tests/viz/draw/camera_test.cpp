@@ -46,6 +46,12 @@ TEST(ParseCamera, JunkIsRefusedWithWhatIsValid) {
     EXPECT_THAT(error_of<2>(text), testing::HasSubstr("center=X:Y")) << text;
 }
 
+TEST(ParseCamera, NothingLiesFartherThanFramesCanShow) {
+  EXPECT_THAT(error_of<2>("center=1e308:0"), testing::HasSubstr("out of range for center"));
+  EXPECT_THAT(error_of<3>("target=0:-1e300:0"), testing::HasSubstr("out of range for target"));
+  EXPECT_EQ(parse_camera<2>("center=1e12:-1e12").center->x(), 1e12);
+}
+
 TEST(FrameAll, HoldsTheWholeBoxAndFillsTheViewport3d) {
   const Box<3> box{{{-30, -2, -5}}, {{10, 8, 45}}};
   for (const double yaw : {0.0, 30.0, 135.0, 270.0}) {
@@ -137,6 +143,8 @@ TEST(Camera, TheWordAllAsksForEverything) {
   EXPECT_NEAR(parse_camera<3>("iso,yaw=60").pitch, 35.264, 1e-9);
   EXPECT_THROW(parse_camera<3>("iso=3"), std::invalid_argument);
   EXPECT_THROW(parse_camera<3>("yaw=3,yaw=4"), std::invalid_argument);
+  for (const char* const undone : {"iso,top", "yaw=3,top", "pitch=3,all,side"})
+    EXPECT_THROW(parse_camera<3>(undone), std::invalid_argument) << undone;
   EXPECT_THROW(parse_camera<2>("top"), std::invalid_argument);
 }
 
