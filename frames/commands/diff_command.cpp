@@ -44,6 +44,8 @@ DiffRules parse_rules(const std::string& gate, const std::string& limit) {
   const auto number = parse_number<double>(limit);
   if (!number || !(*number >= 0 && *number <= 1))
     throw UsageError("--flip-limit '" + limit + "' is not a number from 0 to 1");
+  if (rules.gate == DiffGate::exact || rules.gate == DiffGate::ids)
+    throw UsageError("--flip-limit has no meaning for --gate " + gate + "; leave one of them out");
   rules.flip_limit = *number;
   return rules;
 }

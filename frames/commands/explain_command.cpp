@@ -118,6 +118,8 @@ ExplainCommand::ExplainCommand(CLI::App& program)
 bool ExplainCommand::chosen() const { return command_->parsed(); }
 
 void ExplainCommand::run() const {
+  if (!event_.empty() && !step_.empty())
+    throw UsageError("--step: an event is explained at its own step; leave --step or --event out");
   const std::string text =
       with_recording(file_, [&]<int D>(const std::shared_ptr<RecordingReader<D>>& recording) {
         Replayer<D> replayer(recording);

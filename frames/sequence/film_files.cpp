@@ -14,6 +14,7 @@ FilmRequest parse_film_request(const std::string& video, const std::string& fps,
   if (!contact_sheet.empty() && request.contact_sheet.extension() != ".png")
     throw UsageError("--contact-sheet '" + contact_sheet + "': give the file the extension .png");
   if (fps.empty()) return request;
+  if (video.empty()) throw UsageError("--fps is of a film; give --video, too, or leave it out");
   const auto number = parse_number<int>(fps);
   if (!number || *number < 1 || *number > kMostFps)
     throw UsageError("--fps '" + fps + "' is not a whole number from 1 to " + std::to_string(kMostFps));

@@ -274,6 +274,14 @@ void refuse_of_recording(const RenderTexts& texts, const char* option, const std
                      " is a recording, of which that is settled; leave the option out");
 }
 
+/// "all" means all that there is.
+void refuse_contacts(const RenderTexts& texts) {
+  for (const std::string& layer : split_list(texts.show))
+    if (layer.ends_with("contacts") && layer.find('-') == std::string::npos)
+      throw UsageError("--show contacts: " + texts.scene +
+                       " is a recording, which has no contacts; leave that layer out");
+}
+
 void refuse_scene_options(const RenderTexts& texts) {
   const std::pair<const char*, const std::string*> options[] = {
       {"--objects", &texts.objects}, {"--grow", &texts.grow},
@@ -281,6 +289,7 @@ void refuse_scene_options(const RenderTexts& texts) {
       {"--volume", &texts.volume},   {"--config", &texts.config},
       {"--seed", &texts.seed},       {"--record", &texts.record}};
   for (const auto& [option, text] : options) refuse_of_recording(texts, option, *text);
+  refuse_contacts(texts);
 }
 
 RenderRequest parse_recording_request(const RenderTexts& texts) {

@@ -134,6 +134,7 @@ constexpr Case kCases[] = {
     {2, "export @a.kerf --csv -o @none/a.csv"},
     {0, "render @a.kerf --steps 1:2 --size 64x64 --out @r"},
     {2, "render @a.kerf --steps 1:2 --size 0x0 --out @r2"},
+    {2, "render @a.kerf --steps 1:2 --size 64x64 --show contacts --out @r2"},
     {0, "collect @frames"},
     {1, "collect @shard"},
     {2, "collect @none"},
