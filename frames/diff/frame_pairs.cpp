@@ -1,5 +1,6 @@
 #include "frames/diff/frame_pairs.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -31,16 +32,24 @@ void require_frames(const fs::path& folder, const FolderListing& listing) {
   if (listing.frames.empty() && listing.faults.empty()) refuse(folder, "it holds no PNG file");
 }
 
+bool is_well_typed(const nlohmann::json& json) {
+  if (!json.is_object() || !json.contains("frames") || !json["frames"].is_array()) return false;
+  if (json.contains("complete") && !json["complete"].is_boolean()) return false;
+  return std::ranges::all_of(json["frames"], [](const nlohmann::json& frame) {
+    return frame.is_object() && frame.contains("file") && frame["file"].is_string();
+  });
+}
+
 /// A manifest names the frames that must exist.
 void check_manifest(const fs::path& path, PairedFrames& result) {
   const auto json = nlohmann::json::parse(read_whole_file(path), nullptr, false);
-  if (!json.is_object() || !json.contains("frames") || !json["frames"].is_array()) {
+  if (!is_well_typed(json)) {
     result.faults.push_back(path.string() + " is no manifest of frames");
     return;
   }
   const fs::path folder = path.parent_path();
   for (const auto& frame : json["frames"]) {
-    const std::string name = frame.is_object() ? frame.value("file", "") : "";
+    const std::string name = frame["file"];
     if (name.empty() || !fs::is_regular_file(folder / name))
       result.faults.push_back("'" + name + "' is not in " + folder.string() + ", though its " +
                               kManifestName + " names it");

@@ -111,8 +111,11 @@ TEST_F(DiffProgram, WhatCannotBeReadIsUnusable) {
   write_png(in_test(1), spotted(9, 0));
   manifest(R"({"frames": [{"file": "f0.png"}, {"file": "f3.png"}]})");
   expect_unusable("'f3.png' is not in");
-  manifest("{");
-  expect_unusable("is no manifest of frames");
+  for (const char* const mistyped :
+       {"{", R"({"frames": [{"file": 3}]})", R"({"frames": [3]})", R"({"frames": [], "complete": 1})"}) {
+    manifest(mistyped);
+    expect_unusable("frames.json is no manifest of frames");
+  }
   std::filesystem::remove_all(test());
   expect_unusable("there is no such file or folder");
   std::filesystem::create_directory(test());
