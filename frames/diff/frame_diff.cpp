@@ -1,6 +1,8 @@
 #include "frames/diff/frame_diff.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "core/base/counted.h"
@@ -71,13 +73,24 @@ DiffGate choose_gate(DiffGate wanted, const BothIds& ids) {
   return foreign ? DiffGate::flip : DiffGate::exact;
 }
 
-void judge(const Image& test, const DiffRules& rules, FrameDiff& diff) {
+/// FLIP lays both over white, where white and transparent are the same.
+int largest_step_of_alpha(const Image& reference, const Image& test) {
+  int largest = 0;
+  for (std::size_t k = 3; k < test.rgba.size(); k += 4)
+    largest = std::max(largest, std::abs(int{reference.rgba[k]} - int{test.rgba[k]}));
+  return largest;
+}
+
+void judge(const Image& reference, const Image& test, const DiffRules& rules, FrameDiff& diff) {
   if (diff.gate == DiffGate::exact && !diff.pixels.same())
     diff.reasons.push_back(pixels_text(diff.pixels, test));
   if (diff.gate == DiffGate::exact && diff.different_lower > 0)
     diff.reasons.push_back(lower_text(diff.different_lower, test));
   if (diff.gate == DiffGate::flip && diff.flip && diff.flip->max > rules.flip_limit)
     diff.reasons.push_back(flip_text(*diff.flip, rules.flip_limit));
+  if (const int step = largest_step_of_alpha(reference, test);
+      diff.gate == DiffGate::flip && step > rules.flip_limit * 255)
+    diff.reasons.push_back("alpha differs by up to " + std::to_string(step) + " of 255");
   diff.reasons.insert(diff.reasons.end(), diff.drawn.begin(), diff.drawn.end());
   diff.reasons.insert(diff.reasons.end(), diff.frame.beside.begin(), diff.frame.beside.end());
   diff.same = diff.reasons.empty();
@@ -116,7 +129,7 @@ void compare(const Image& reference, const Image& test, const DiffRules& rules, 
                              "; draw it with --ids");
   if (ids.there()) diff.drawn = compare_drawn(ids.reference->ids, ids.test->ids);
   if (!diff.pixels.same()) diff.flip = summarize_flip(flip_errors(reference, test));
-  judge(test, rules, diff);
+  judge(reference, test, rules, diff);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -71,6 +72,19 @@ TEST_F(DiffProgram, TheGateFlipSeesWhatPeopleSee) {
   write_png(in_test(2), spotted(40, 0));
   EXPECT_EQ(diff({"--gate", "flip", "--flip-limit", "0.05"}).exit, 1);
   EXPECT_EQ(diff({"--gate", "flip", "--flip-limit", "1"}).exit, 0);
+}
+
+/// Over white the two look the same.
+TEST_F(DiffProgram, TheGateFlipSeesWhatIsTransparent) {
+  Image white = make_image(48, 32);
+  std::ranges::fill(white.rgba, std::uint8_t{255});
+  write_png(in_test(1), white);
+  write_png(reference() / "f1.png", white);
+  EXPECT_EQ(diff({"--gate", "flip"}).exit, 0);
+  for (std::size_t k = 3; k < white.rgba.size(); k += 4) white.rgba[k] = 0;
+  write_png(in_test(1), white);
+  EXPECT_EQ(diff({"--gate", "flip"}).exit, 1);
+  EXPECT_THAT(diff({"--gate", "flip"}).out, HasSubstr("alpha differs by up to 255 of 255"));
 }
 
 TEST_F(DiffProgram, MissingAndExtraFramesAreNamed) {
