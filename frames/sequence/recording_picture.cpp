@@ -55,6 +55,14 @@ std::string note_of(const Event& event, const GivenNames& names) {
          (event.step > 1 ? " (pairs: of step " + names.step(event.step - 1) + ")" : "");
 }
 
+/// The ramp of colours is that of the whole recording, as in its film: so moments can be compared.
+template <int D>
+std::uint32_t end_of_ramp_of(const RecordingReader<D>& recording) {
+  std::uint32_t objects = 0;
+  for (const StepRow& row : recording.rows()) objects = std::max(objects, row.statistics.objects);
+  return end_of_ramp(objects, recording.info().config);
+}
+
 template <int D>
 Caption caption_of(const Cursor<D>& cursor) {
   const auto& recording = cursor.recording();
@@ -96,6 +104,7 @@ const Image& render_moment(Cursor<D>& cursor, FrameRenderer<D>& renderer) {
   view.update(bodies);
   FramePlanner<D> planner(kRecordedLayers, 0);
   planner.fix_view_box(view.box());
+  planner.fix_largest_population(end_of_ramp_of(cursor.recording()));
   observe_moments_before(cursor, planner);
   return renderer.render(input, planner.plan(input));
 }

@@ -95,6 +95,20 @@ TEST_F(RecordingPicture, TheCaptionIsOfTheMomentNotOfItsStepsEnd) {
   EXPECT_THAT(value_of(texts(), "leaves"), EndsWith(" " + std::to_string(before))) << "it was not split yet";
 }
 
+/// Two moments have the same colour for the same population.
+TEST_F(RecordingPicture, TheScaleOfColoursIsThatOfTheWholeRecording) {
+  const auto scale = [&](std::uint32_t step) {
+    cursor().go_to_step(step);
+    const std::vector<std::string> all = texts();
+    const auto found = std::ranges::find_if(
+        all, [](const std::string& text) { return text.find("in a leaf of 0-") != std::string::npos; });
+    return found == all.end() ? "none" : *found;
+  };
+  const std::string early = scale(6);
+  EXPECT_NE(early, "none");
+  EXPECT_EQ(scale(60), early);
+}
+
 TEST_F(RecordingPicture, NothingIsSaidOfContactsThatNoRecordingHolds) {
   cursor().go_to_step(40);
   EXPECT_THAT(texts(), Not(Contains(HasSubstr("contact"))));
