@@ -47,7 +47,8 @@ class ShiftSample {
   ShiftSample(const Requests<D>& requests, const ObjectTable<D>& tree, bool keeps)
       : requests_(requests), tree_(tree), keeps_(keeps) {}
   [[nodiscard]] std::uint32_t size() const {
-    return static_cast<std::uint32_t>(std::min<std::size_t>(tuning::kMotionSample, requests_.changed().size()));
+    return static_cast<std::uint32_t>(
+        std::min<std::size_t>(tuning::kMotionSample, requests_.changed().size()));
   }
   /// None for an object that comes or goes.
   [[nodiscard]] std::optional<SampledMotion<D>> operator[](std::uint32_t k) const {
