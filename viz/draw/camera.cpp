@@ -63,7 +63,7 @@ constexpr double kLargest = 1e12;
 
 template <int N>
 Eigen::Matrix<double, N, 1> parse_point(std::string_view key, std::string_view text, std::string_view valid) {
-  const auto point = parse_numbers<N>(key, text, valid);
+  auto point = parse_numbers<N>(key, text, valid);
   if (point.cwiseAbs().maxCoeff() > kLargest)
     fail("\"" + std::string(text) + "\" is out of range for " + std::string(key), valid);
   return point;

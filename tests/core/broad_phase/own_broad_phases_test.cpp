@@ -37,8 +37,8 @@ namespace {
 
 template <class B>
 struct DimensionOf;
-template <template <int> class B, int D>
-struct DimensionOf<B<D>> {
+template <template <int, class...> class B, int D, class... Others>
+struct DimensionOf<B<D, Others...>> {
   static constexpr int kValue = D;
 };
 
