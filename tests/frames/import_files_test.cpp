@@ -41,7 +41,7 @@ class ImportFiles : public test::ImportProgram {
     EXPECT_TRUE(test::holds_within_a_minute([&] {
       writer = open(pipe.c_str(), O_WRONLY | O_NONBLOCK);
       return writer >= 0;
-    })) << "nobody reads the table of objects";
+    })) << "the table of objects is not read";
     (void)write("boxes.csv", later);
     const std::string objects = "object,name\n1,one\n";
     EXPECT_EQ(::write(writer, objects.data(), objects.size()), static_cast<ssize_t>(objects.size()));

@@ -1,5 +1,5 @@
 // Our broad phases make the same promise: each step's pairs are the oracle's, each once. So do the
-// descriptions of their structures: they are sound after each step, and tell of a test for each pair.
+// descriptions of their structures: they are sound after each step, and each pair is among their tests.
 
 #include <gtest/gtest.h>
 
