@@ -47,7 +47,9 @@ TEST(RenderRequest, NumbersArrive) {
   EXPECT_EQ(parse_request(with("pile", &RenderTexts::objects, "77")).options.objects, 77U);
   EXPECT_EQ(parse_request(with("pile", &RenderTexts::grow, "40")).options.steps, 40U);
   EXPECT_EQ(parse_request(with("pile", &RenderTexts::seed, "18446744073709551615")).options.seed, UINT64_MAX);
-  EXPECT_EQ(parse_request(with("pile", &RenderTexts::fps, "50")).film.fps, 50);
+  RenderTexts film = with("pile", &RenderTexts::video, "film.mp4");
+  film.fps = "50";
+  EXPECT_EQ(parse_request(film).film.fps, 50);
 }
 
 TEST(RenderRequest, TextsArrive) {
