@@ -1,15 +1,13 @@
-#include "frames/commands/advise_command.h"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
+#include <string>
 #include <vector>
 
 #include "frames/advise/advice_report.h"
 #include "frames/advise/recorded_motion.h"
 #include "frames/catalog/algorithm.h"
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/page/gnuplot.h"
 #include "frames/sequence/recorded_steps.h"
@@ -126,12 +124,25 @@ void write_file(const std::string& path, Replace replace, const std::string& tex
   file.keep();
 }
 
-}  // namespace
+class AdviseCommand final : public Command {
+ public:
+  explicit AdviseCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string file_;
+  std::string steps_;
+  std::string broad_phases_;
+  std::string rounds_;
+  std::string patience_;
+  std::string json_;
+  std::string plot_;
+  bool overwrite_ = false;
+};
 
 AdviseCommand::AdviseCommand(CLI::App& program)
-    : command_(program.add_subcommand(
-          "advise",
-          "Say which broad phase is the fastest on a recording, by running them all on its boxes")) {
+    : Command(program, "advise",
+              "Say which broad phase is the fastest on a recording, by running them all on its boxes") {
   command_->add_option("FILE", file_, "A recording, for example by `kerf import`")->type_name("")->required();
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     command_->add_option(name, text, meaning)->type_name(type);
@@ -160,8 +171,6 @@ AdviseCommand::AdviseCommand(CLI::App& program)
       "to\nreport the complete pairs of each step. One that does not is named and never advised.");
 }
 
-bool AdviseCommand::chosen() const { return command_->parsed(); }
-
 void AdviseCommand::run() const {
   Question question{file_, steps_, broad_phases_, kRounds, kPatience};
   if (!rounds_.empty()) question.rounds = parse_whole<std::uint32_t>("--rounds", rounds_, 2, 1000);
@@ -184,6 +193,12 @@ void AdviseCommand::run() const {
   std::fputs(advice_text(advised).c_str(), stdout);
   write_file(json_, outputs.replace(), advice_json(advised));
   if (!plot_.empty()) write_file(plot_, outputs.replace(), advice_plot(advised));
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_advise_command(CLI::App& program) {
+  return std::make_unique<AdviseCommand>(program);
 }
 
 }  // namespace kerf

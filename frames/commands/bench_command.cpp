@@ -1,6 +1,3 @@
-#include "frames/commands/bench_command.h"
-
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
@@ -9,10 +6,12 @@
 #include "frames/bench/ablation.h"
 #include "frames/bench/bench_cell.h"
 #include "frames/bench/bench_report.h"
+#include "frames/bench/bench_request.h"
 #include "frames/bench/loop_report.h"
 #include "frames/bench/queries/query_report.h"
 #include "frames/bench/random/random_bench.h"
 #include "frames/catalog/algorithm.h"
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
@@ -211,10 +210,18 @@ class Bench {
   std::vector<RandomOutcome> random_;
 };
 
-}  // namespace
+class BenchCommand final : public Command {
+ public:
+  explicit BenchCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  BenchTexts texts_;
+  bool overwrite_ = false;
+};
 
 BenchCommand::BenchCommand(CLI::App& program)
-    : command_(program.add_subcommand("bench", "Measure broad phases, ours and others', on the same boxes")) {
+    : Command(program, "bench", "Measure broad phases, ours and others', on the same boxes") {
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     command_->add_option(name, text, meaning)->type_name(type);
   };
@@ -253,13 +260,17 @@ BenchCommand::BenchCommand(CLI::App& program)
   command_->footer(bench_footer());
 }
 
-bool BenchCommand::chosen() const { return command_->parsed(); }
-
 void BenchCommand::run() const {
   const BenchRequest request = parse_bench_request(texts_);
   Outputs outputs({}, overwrite_);
   outputs.add_file(request.json);
   Bench(request, outputs.replace()).run();
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_bench_command(CLI::App& program) {
+  return std::make_unique<BenchCommand>(program);
 }
 
 }  // namespace kerf

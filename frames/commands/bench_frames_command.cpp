@@ -1,16 +1,15 @@
-#include "frames/commands/bench_frames_command.h"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <thread>
 #include <vector>
 
 #include "core/base/counted.h"
 #include "frames/bench_frames/frame_loops.h"
 #include "frames/bench_frames/timed_process.h"
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/page/json.h"
 #include "frames/support/atomic_file.h"
@@ -143,10 +142,23 @@ class Results {
   Json rows_ = Json::array();
 };
 
-}  // namespace
+class BenchFramesCommand final : public Command {
+ public:
+  explicit BenchFramesCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string sizes_ = "640x360,1280x720,1920x1080";
+  std::string boxes_ = "1000,10000,100000";
+  std::string frames_;
+  std::string workers_;
+  std::string out_;
+  std::string json_;
+  bool overwrite_ = false;
+};
 
 BenchFramesCommand::BenchFramesCommand(CLI::App& program)
-    : command_(program.add_subcommand("bench-frames", "Measure how fast frames are made")) {
+    : Command(program, "bench-frames", "Measure how fast frames are made") {
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
   };
@@ -163,8 +175,6 @@ BenchFramesCommand::BenchFramesCommand(CLI::App& program)
       "what `kerf render` does; 'floor' is its processor time by the cores, which nothing can beat;\n"
       "'encode' is the processor time of one PNG, and its share of a frame's. Meant for an idle machine.");
 }
-
-bool BenchFramesCommand::chosen() const { return command_->parsed(); }
 
 void BenchFramesCommand::run() const {
   Outputs outputs({}, overwrite_);
@@ -201,6 +211,12 @@ void BenchFramesCommand::run() const {
     }
   }
   results.finish();
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_bench_frames_command(CLI::App& program) {
+  return std::make_unique<BenchFramesCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,11 +1,11 @@
-#include "frames/commands/collect_command.h"
-
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "core/base/counted.h"
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/sequence/collection.h"
 #include "frames/sequence/film_files.h"
@@ -34,10 +34,22 @@ std::string trouble_with(const CollectedFrame& frame, Image& image) {
                                                       : path.string() + " has not the pixels that were drawn";
 }
 
-}  // namespace
+class CollectCommand final : public Command {
+ public:
+  explicit CollectCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::vector<std::string> folders_;
+  std::string out_;
+  std::string video_;
+  std::string fps_;
+  std::string contact_sheet_;
+  bool overwrite_ = false;
+};
 
 CollectCommand::CollectCommand(CLI::App& program)
-    : command_(program.add_subcommand("collect", "Check the shards of a sequence and put them together")) {
+    : Command(program, "collect", "Check the shards of a sequence and put them together") {
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
   };
@@ -51,8 +63,6 @@ CollectCommand::CollectCommand(CLI::App& program)
       "Every picture is read and held against its manifest. What is missing or damaged is said, and the\n"
       "command that makes it.");
 }
-
-bool CollectCommand::chosen() const { return command_->parsed(); }
 
 void CollectCommand::run() const {
   const FilmRequest film = parse_film_request(video_, fps_, contact_sheet_, overwrite_);
@@ -88,6 +98,12 @@ void CollectCommand::run() const {
   std::printf("%s: %s there, from %s\n", manifest.name.c_str(),
               (frames == 1 ? "its only frame is" : "all " + counted(frames, "frame") + " are").c_str(),
               counted(collection.folders, "folder").c_str());
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_collect_command(CLI::App& program) {
+  return std::make_unique<CollectCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,46 +1,22 @@
 #include "frames/commands/command_line.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <string>
 #include <system_error>
 #include <vector>
 
-#include "frames/commands/advise_command.h"
-#include "frames/commands/bench_command.h"
-#include "frames/commands/bench_frames_command.h"
-#include "frames/commands/collect_command.h"
+#include "frames/commands/command.h"
 #include "frames/commands/command_options.h"
-#include "frames/commands/compare_command.h"
-#include "frames/commands/completion_command.h"
-#include "frames/commands/debug_command.h"
-#include "frames/commands/diff_command.h"
-#include "frames/commands/doctor_command.h"
 #include "frames/commands/exit_codes.h"
-#include "frames/commands/experiment_command.h"
-#include "frames/commands/explain_command.h"
-#include "frames/commands/export_command.h"
-#include "frames/commands/film_command.h"
-#include "frames/commands/film_diff_command.h"
-#include "frames/commands/import_command.h"
-#include "frames/commands/lint_command.h"
-#include "frames/commands/man_command.h"
 #include "frames/commands/memory_advice.h"
-#include "frames/commands/minimize_command.h"
-#include "frames/commands/record_command.h"
-#include "frames/commands/render_command.h"
-#include "frames/commands/report_command.h"
-#include "frames/commands/rerun_command.h"
-#include "frames/commands/scenes_command.h"
-#include "frames/commands/step_command.h"
-#include "frames/commands/study_command.h"
-#include "frames/commands/verify_command.h"
 #include "frames/support/disk_advice.h"
 #include "frames/support/errors.h"
 #include "frames/support/suggest.h"
@@ -48,6 +24,16 @@
 
 namespace kerf {
 namespace {
+
+/// In the order of the help.
+constexpr std::array kCommands{
+    make_scenes_command,     make_render_command,    make_collect_command,  make_film_command,
+    make_film_diff_command,  make_record_command,    make_import_command,   make_rerun_command,
+    make_verify_command,     make_debug_command,     make_step_command,     make_explain_command,
+    make_compare_command,    make_lint_command,      make_minimize_command, make_export_command,
+    make_diff_command,       make_advise_command,    make_bench_command,    make_bench_frames_command,
+    make_experiment_command, make_report_command,    make_study_command,    make_doctor_command,
+    make_man_command,        make_completion_command};
 
 int report(const std::string& message, int exit_code) {
   std::fprintf(stderr, "kerf: %s\n", message.c_str());
@@ -135,11 +121,11 @@ int report_after_output(const std::string& message, int exit_code) {
 }
 
 /// Runs the chosen subcommand and turns its exception into an exit code.
-template <class... Command>
-int run(const CLI::App& program, const Command&... commands) {
+int run(const CLI::App& program, const std::vector<std::unique_ptr<Command>>& commands) {
   try {
     refuse_empty_arguments(chosen_command(program));
-    ((commands.chosen() ? commands.run() : void()), ...);
+    for (const auto& command : commands)
+      if (command->chosen()) command->run();
     return finish_output();
   } catch (const DoesNotHold& error) {
     return report_after_output(error.what(), kExitDoesNotHold);
@@ -162,32 +148,8 @@ int run_command_line(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grew too large is an error that can be reported
   CLI::App program("See, step through and measure a broad phase", "kerf");
   program.set_version_flag("--version", std::string("kerf ") + version());
-  const ScenesCommand scenes(program);
-  const RenderCommand render(program);
-  const CollectCommand collector(program);
-  const FilmCommand film(program);
-  const FilmDiffCommand film_diff(program);
-  const RecordCommand record(program);
-  const ImportCommand import(program);
-  const RerunCommand rerun(program);
-  const VerifyCommand verify(program);
-  const DebugCommand debug(program);
-  const StepCommand step(program);
-  const ExplainCommand explain(program);
-  const CompareCommand compare(program);
-  const LintCommand lint(program);
-  const MinimizeCommand minimize(program);
-  const ExportCommand exporter(program);
-  const DiffCommand diff(program);
-  const AdviseCommand advise(program);
-  const BenchCommand bench(program);
-  const BenchFramesCommand bench_frames(program);
-  const ExperimentCommand experiment(program);
-  const ReportCommand report_page(program);
-  const StudyCommand study(program);
-  const DoctorCommand doctor(program);
-  const ManCommand man(program);
-  const CompletionCommand completer(program);
+  std::vector<std::unique_ptr<Command>> commands;
+  for (const auto make : kCommands) commands.push_back(make(program));
   say_exit_codes(program);
   try {
     program.parse(argc, argv);
@@ -203,9 +165,7 @@ int run_command_line(int argc, char** argv) {
     std::fputs(program.help().c_str(), stderr);
     return kExitUnusable;
   }
-  return run(program, scenes, render, collector, film, film_diff, record, import, rerun, verify, debug, step,
-             explain, compare, lint, minimize, exporter, diff, advise, bench, bench_frames, experiment,
-             report_page, study, doctor, man, completer);
+  return run(program, commands);
 }
 
 }  // namespace kerf

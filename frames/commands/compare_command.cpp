@@ -1,11 +1,10 @@
-#include "frames/commands/compare_command.h"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
+#include <string>
 
 #include "core/query/compare.h"
+#include "frames/commands/command.h"
 #include "frames/page/json.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
@@ -165,16 +164,23 @@ void print(const RecordingComparison& comparison, const RecordingInfo& a, const 
   print_figures(comparison.a, comparison.b);
 }
 
-}  // namespace
+class CompareCommand final : public Command {
+ public:
+  explicit CompareCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string a_;
+  std::string b_;
+  bool json_ = false;
+};
 
 CompareCommand::CompareCommand(CLI::App& program)
-    : command_(program.add_subcommand("compare", "Find where two recordings first differ")) {
+    : Command(program, "compare", "Find where two recordings first differ") {
   command_->add_option("A", a_, "A recording")->type_name("")->required();
   command_->add_option("B", b_, "Another, of the same dimension")->type_name("")->required();
   command_->add_flag("--json", json_, "As JSON");
 }
-
-bool CompareCommand::chosen() const { return command_->parsed(); }
 
 void CompareCommand::run() const {
   const RecordingComparison comparison =
@@ -192,6 +198,12 @@ void CompareCommand::run() const {
     print(comparison, a, b);
   }
   if (!comparison.same()) throw DoesNotHold("the recordings differ");
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_compare_command(CLI::App& program) {
+  return std::make_unique<CompareCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,23 +1,36 @@
-#include "frames/commands/completion_command.h"
-
-#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <string>
 
+#include "frames/commands/command.h"
 #include "frames/commands/completion.h"
 
 namespace kerf {
+namespace {
+
+class CompletionCommand final : public Command {
+ public:
+  explicit CompletionCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string shell_;
+};
 
 CompletionCommand::CompletionCommand(CLI::App& program)
-    : program_(program),
-      command_(program.add_subcommand("completion",
-                                      "Print a script that completes commands and options in a shell")) {
+    : Command(program, "completion", "Print a script that completes commands and options in a shell") {
   command_->add_option("SHELL", shell_, "bash: source <(kerf completion bash); zsh; fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
 }
 
-bool CompletionCommand::chosen() const { return command_->parsed(); }
+void CompletionCommand::run() const {
+  std::fputs(completion(*command_->get_parent(), shell_).c_str(), stdout);
+}
 
-void CompletionCommand::run() const { std::fputs(completion(program_, shell_).c_str(), stdout); }
+}  // namespace
+
+std::unique_ptr<Command> make_completion_command(CLI::App& program) {
+  return std::make_unique<CompletionCommand>(program);
+}
 
 }  // namespace kerf

@@ -1,14 +1,16 @@
-#include "frames/commands/debug_command.h"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <set>
+#include <string>
+#include <vector>
 
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/commands/record_in_window.h"
 #include "frames/commands/window_keeper.h"
+#include "frames/sequence/render_request.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
@@ -21,6 +23,7 @@
 #include "viz/debugger/script.h"
 #include "viz/debugger/session/recent_files.h"
 #include "viz/debugger/window_loop.h"
+#include "viz/draw/theme.h"
 #include "viz/gl/context.h"
 #include "viz/image/png.h"
 
@@ -131,10 +134,37 @@ void show_window(const Sitting& sitting, const std::vector<ScriptLine>& lines, G
   leave(debugger);
 }
 
-}  // namespace
+class DebugCommand final : public Command {
+ public:
+  explicit DebugCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  /// No scene is named: a tour of one of ours begins.
+  [[nodiscard]] bool is_tour() const;
+  /// As the user named it.
+  [[nodiscard]] std::string name() const;
+  /// What is to be recorded, below `scratch` unless it is to be kept; nothing if a recording was given.
+  [[nodiscard]] std::optional<RenderRequest> scene(const std::filesystem::path& scratch) const;
+  /// Records it; the window, if there is one, shows how far that is.
+  [[nodiscard]] std::filesystem::path record(const RenderRequest& request, GlfwWindow* window) const;
+
+  [[nodiscard]] std::optional<double> scale() const;
+  [[nodiscard]] std::optional<ThemeName> theme() const;
+  [[nodiscard]] std::optional<std::filesystem::path> window_file() const;
+
+  RenderTexts texts_;
+  std::string script_;
+  std::string out_;
+  std::string scale_;
+  std::string theme_;
+  std::string window_file_;
+  std::vector<std::string> sessions_;
+  bool headless_ = false;
+};
 
 DebugCommand::DebugCommand(CLI::App& program)
-    : command_(program.add_subcommand("debug", "Step through a run, forwards and backwards, and ask why")) {
+    : Command(program, "debug", "Step through a run, forwards and backwards, and ask why") {
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
   };
@@ -172,8 +202,6 @@ DebugCommand::DebugCommand(CLI::App& program)
 bool DebugCommand::is_tour() const { return texts_.scene.empty(); }
 
 std::string DebugCommand::name() const { return is_tour() ? kSceneOfTour : texts_.scene; }
-
-bool DebugCommand::chosen() const { return command_->parsed(); }
 
 std::optional<RenderRequest> DebugCommand::scene(const std::filesystem::path& scratch) const {
   if (!is_tour() && names_recording(texts_)) {
@@ -290,6 +318,12 @@ void DebugCommand::run() const {
   } catch (const ScriptError& error) {
     throw std::runtime_error(script_ + ", " + error.what());
   }
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_debug_command(CLI::App& program) {
+  return std::make_unique<DebugCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,15 +1,15 @@
-#include "frames/commands/diff_command.h"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
+#include <string>
 
 #include "core/base/counted.h"
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/diff/approve.h"
 #include "frames/diff/diff_page.h"
 #include "frames/diff/diff_result.h"
+#include "frames/diff/frame_diff.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
@@ -90,10 +90,23 @@ void approve(const DiffResult& result) {
     if (manifest.test.empty()) throw DoesNotHold(manifest.reference.string() + " was left alone");
 }
 
-}  // namespace
+class DiffCommand final : public Command {
+ public:
+  explicit DiffCommand(CLI::App& program);
+  void run() const override;
 
-DiffCommand::DiffCommand(CLI::App& program)
-    : command_(program.add_subcommand("diff", "Find what differs between pictures")) {
+ private:
+  std::string reference_;
+  std::string test_;
+  std::string gate_;
+  std::string flip_limit_;
+  std::string report_;
+  bool json_ = false;
+  bool overwrite_ = false;
+  bool approve_ = false;
+};
+
+DiffCommand::DiffCommand(CLI::App& program) : Command(program, "diff", "Find what differs between pictures") {
   command_->add_option("REFERENCE", reference_, "What is right: a PNG or a folder")
       ->type_name("")
       ->required();
@@ -109,8 +122,6 @@ DiffCommand::DiffCommand(CLI::App& program)
       "Afterwards put the frames of TEST that differ, and only those, in place of their references");
   command_->footer(kDiffFooter);
 }
-
-bool DiffCommand::chosen() const { return command_->parsed(); }
 
 void DiffCommand::run() const {
   const DiffRules rules = parse_rules(gate_, flip_limit_);
@@ -130,6 +141,12 @@ void DiffCommand::run() const {
   if (approve_) return approve(result);
   if (!result.is_usable()) throw std::runtime_error(summary_line(result));
   if (!result.is_same()) throw DoesNotHold(summary_line(result));
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_diff_command(CLI::App& program) {
+  return std::make_unique<DiffCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,6 +1,3 @@
-#include "frames/commands/doctor_command.h"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -15,6 +12,7 @@
 #include "core/base/counted.h"
 #include "core/files/temporary_folder.h"
 #include "core/kernels/machine.h"
+#include "frames/commands/command.h"
 #include "frames/sequence/video.h"
 #include "frames/support/checkup.h"
 #include "frames/support/errors.h"
@@ -117,17 +115,22 @@ std::string as_json(const std::vector<Finding>& findings) {
   return json.dump(1) + "\n";
 }
 
-}  // namespace
+class DoctorCommand final : public Command {
+ public:
+  explicit DoctorCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string room_;
+  bool json_ = false;
+};
 
 DoctorCommand::DoctorCommand(CLI::App& program)
-    : command_(
-          program.add_subcommand("doctor", "What is there on this machine, and what to do about the rest")) {
+    : Command(program, "doctor", "What is there on this machine, and what to do about the rest") {
   command_->add_option("--room", room_, "So much free space is needed (default 1)")->type_name("GIB");
   command_->add_flag("--json", json_, "The same as JSON, with the machine");
   command_->footer("It changes nothing. What only some commands need may be missing.");
 }
-
-bool DoctorCommand::chosen() const { return command_->parsed(); }
 
 void DoctorCommand::run() const {
   std::vector<Finding> findings;
@@ -138,6 +141,12 @@ void DoctorCommand::run() const {
   const auto is_lacking = [](const Finding& of) { return of.is_needed && !of.is_there; };
   const auto lacking = static_cast<std::uint64_t>(std::ranges::count_if(findings, is_lacking));
   if (lacking > 0) throw DoesNotHold(counted(lacking, "part") + " that pictures need: see MISSING");
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_doctor_command(CLI::App& program) {
+  return std::make_unique<DoctorCommand>(program);
 }
 
 }  // namespace kerf

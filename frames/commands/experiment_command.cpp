@@ -1,14 +1,12 @@
-#include "frames/commands/experiment_command.h"
-
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "core/base/counted.h"
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/experiment/experiment_maker.h"
 #include "frames/experiment/experiment_page.h"
@@ -77,11 +75,26 @@ void make_runs(ExperimentMaker& maker) {
   maker.make([&] { return interrupt.requested(); });
 }
 
-}  // namespace
+class ExperimentCommand final : public Command {
+ public:
+  explicit ExperimentCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string steps_;
+  std::string seeds_;
+  std::string repeats_;
+  std::string objects_;
+  std::string seed_;
+  std::string out_;
+  std::string shard_;
+  bool full_ = false;
+  bool related_ = false;
+  bool overwrite_ = false;
+};
 
 ExperimentCommand::ExperimentCommand(CLI::App& program)
-    : command_(
-          program.add_subcommand("experiment", "Run the paper's experiment: figures 12, 13 and its claims")) {
+    : Command(program, "experiment", "Run the paper's experiment: figures 12, 13 and its claims") {
   command_->add_option("--steps", steps_, "Of each simulation (default 1200; the paper: 6000)")
       ->type_name("N");
   command_->add_option("--objects", objects_, "Moving ones at the end (default 2000; the paper: 4250)")
@@ -119,8 +132,6 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
       "Ctrl-C keeps the runs that are done,\n        and the same command goes on from there.");
 }
 
-bool ExperimentCommand::chosen() const { return command_->parsed(); }
-
 void ExperimentCommand::run() const {
   if (full_ && !(steps_.empty() && objects_.empty() && seeds_.empty() && repeats_.empty()))
     throw UsageError(
@@ -157,6 +168,12 @@ void ExperimentCommand::run() const {
   make_runs(maker);
   (related_ ? report_related : report)(plan, maker, folder, outputs.replace());
   std::printf("%s\n", (folder / page).string().c_str());
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_experiment_command(CLI::App& program) {
+  return std::make_unique<ExperimentCommand>(program);
 }
 
 }  // namespace kerf

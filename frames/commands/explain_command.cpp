@@ -1,15 +1,14 @@
-#include "frames/commands/explain_command.h"
-
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
 #include <stdexcept>
+#include <string>
 
 #include "core/query/explain_event.h"
 #include "core/query/explain_node.h"
 #include "core/query/explain_pair.h"
 #include "core/query/explain_query.h"
 #include "core/query/explain_their_search.h"
+#include "frames/commands/command.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_number.h"
@@ -95,11 +94,23 @@ std::string why_pair(Replayer<D>& replayer, std::uint32_t step, const Pair& pair
   return text;
 }
 
-}  // namespace
+class ExplainCommand final : public Command {
+ public:
+  explicit ExplainCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string file_;
+  std::string step_;
+  std::string pair_;
+  std::string node_;
+  std::string event_;
+  std::array<std::string, 4> asked_;  ///< by kind of query
+};
 
 ExplainCommand::ExplainCommand(CLI::App& program)
-    : command_(program.add_subcommand(
-          "explain", "Say why: a pair or none, a node, an event of a recording, what a query finds")) {
+    : Command(program, "explain",
+              "Say why: a pair or none, a node, an event of a recording, what a query finds") {
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
   };
@@ -114,8 +125,6 @@ ExplainCommand::ExplainCommand(CLI::App& program)
         ->type_name(asked.form);
   subject->require_option(1);
 }
-
-bool ExplainCommand::chosen() const { return command_->parsed(); }
 
 void ExplainCommand::run() const {
   if (!event_.empty() && !step_.empty())
@@ -140,6 +149,12 @@ void ExplainCommand::run() const {
         return to_text(explain_node(replayer, position.step, NodeId{parse_id("--node", node_, "n")}), names);
       });
   std::fputs(text.c_str(), stdout);
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_explain_command(CLI::App& program) {
+  return std::make_unique<ExplainCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,9 +1,8 @@
-#include "frames/commands/export_command.h"
-
-#include <CLI/CLI.hpp>
 #include <iostream>
+#include <string>
 
 #include "core/base/poll.h"
+#include "frames/commands/command.h"
 #include "frames/commands/export_recording.h"
 #include "frames/commands/output_option.h"
 #include "frames/sequence/recording_file.h"
@@ -20,10 +19,23 @@ bool has_their_pairs(const RecordingReader<D>& recording) {
   return recording.steps() > 0 && recording.their_step(1).has_value();
 }
 
-}  // namespace
+class ExportCommand final : public Command {
+ public:
+  explicit ExportCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string file_;
+  std::string out_;
+  bool chrome_trace_ = false;
+  bool csv_ = false;
+  bool boxes_ = false;
+  bool pairs_ = false;
+  bool overwrite_ = false;
+};
 
 ExportCommand::ExportCommand(CLI::App& program)
-    : command_(program.add_subcommand("export", "Write a recording for other programs")) {
+    : Command(program, "export", "Write a recording for other programs") {
   command_->add_option("FILE", file_, "A recording")->type_name("")->required();
   auto* const format = command_->add_option_group("format");
   format->add_flag("--chrome-trace", chrome_trace_, "Phases, operators and counters as a timeline (JSON)");
@@ -37,8 +49,6 @@ ExportCommand::ExportCommand(CLI::App& program)
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier file");
   command_->footer("A timeline is shown by chrome://tracing and https://ui.perfetto.dev.");
 }
-
-bool ExportCommand::chosen() const { return command_->parsed(); }
 
 void ExportCommand::run() const {
   const auto write = [this](auto& recording, std::ostream& out, const OnStep& on_step) {
@@ -67,6 +77,12 @@ void ExportCommand::run() const {
     });
     file.keep();
   });
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_export_command(CLI::App& program) {
+  return std::make_unique<ExportCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,14 +1,22 @@
-#include "frames/commands/film_command.h"
-
-#include <CLI/CLI.hpp>
-
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/story/story.h"
+#include "frames/story/story_request.h"
 
 namespace kerf {
+namespace {
+
+class FilmCommand final : public Command {
+ public:
+  explicit FilmCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  StoryTexts texts_;
+};
 
 FilmCommand::FilmCommand(CLI::App& program)
-    : command_(program.add_subcommand("film", "A short film of a run, to share: scene, tree and tests")) {
+    : Command(program, "film", "A short film of a run, to share: scene, tree and tests") {
   RenderTexts& texts = texts_.pictures;
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
@@ -44,8 +52,12 @@ FilmCommand::FilmCommand(CLI::App& program)
       "the operators on the largest nodes, while their planes move.");
 }
 
-bool FilmCommand::chosen() const { return command_->parsed(); }
-
 void FilmCommand::run() const { make_story(parse_story_request(texts_)); }
+
+}  // namespace
+
+std::unique_ptr<Command> make_film_command(CLI::App& program) {
+  return std::make_unique<FilmCommand>(program);
+}
 
 }  // namespace kerf

@@ -1,14 +1,13 @@
-#include "frames/commands/film_diff_command.h"
-
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "core/base/counted.h"
 #include "core/base/given_names.h"
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/sequence/difference_panels.h"
 #include "frames/sequence/film_files.h"
@@ -80,11 +79,22 @@ Image panels_of(const std::filesystem::path& a, const std::filesystem::path& b, 
   }
 }
 
-}  // namespace
+class FilmDiffCommand final : public Command {
+ public:
+  explicit FilmDiffCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string a_;
+  std::string b_;
+  std::string out_;
+  std::string fps_;
+  std::string contact_sheet_;
+  bool overwrite_ = false;
+};
 
 FilmDiffCommand::FilmDiffCommand(CLI::App& program)
-    : command_(
-          program.add_subcommand("film-diff", "Two sequences side by side, with what differs, as a film")) {
+    : Command(program, "film-diff", "Two sequences side by side, with what differs, as a film") {
   command_->add_option("A", a_, "Folder of a sequence")->type_name("")->required();
   command_->add_option("B", b_, "Folder of another one")->type_name("")->required();
   add_output(*command_, "-o,--out", out_, "The film (.mp4, .mkv, .mov, .webm, .gif, .apng)")->required();
@@ -97,8 +107,6 @@ FilmDiffCommand::FilmDiffCommand(CLI::App& program)
       "Frames of equal steps are compared, of imports by the other engine's numbers. `kerf diff` judges "
       "pictures.");
 }
-
-bool FilmDiffCommand::chosen() const { return command_->parsed(); }
 
 void FilmDiffCommand::run() const {
   const InterruptGuard interrupt;  // before there is a file that an interrupt would leave
@@ -132,6 +140,12 @@ void FilmDiffCommand::run() const {
   if (alone > 0)
     throw DoesNotHold(counted(alone, "frame has", "frames have") + " no partner and " +
                       (alone == 1 ? "is" : "are") + " not in the film");
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_film_diff_command(CLI::App& program) {
+  return std::make_unique<FilmDiffCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,8 +1,7 @@
-#include "frames/commands/import_command.h"
-
-#include <CLI/CLI.hpp>
 #include <cmath>
+#include <string>
 
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/import/import_boxes.h"
 #include "frames/sequence/part_recording.h"
@@ -26,10 +25,27 @@ Margin parse_margin(const std::string& text) {
   return is_share ? Margin{0, *number / 100} : Margin{*number, 0};
 }
 
-}  // namespace
+class ImportCommand final : public Command {
+ public:
+  explicit ImportCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string boxes_;
+  std::string pairs_;
+  std::string out_;
+  std::string config_;
+  std::string margin_;
+  std::string ignore_;
+  std::string objects_;
+  std::string structure_;
+  bool unite_ = false;
+  bool strict_ = false;
+  bool overwrite_ = false;
+};
 
 ImportCommand::ImportCommand(CLI::App& program)
-    : command_(program.add_subcommand("import", "Make a recording of another engine's boxes and pairs")) {
+    : Command(program, "import", "Make a recording of another engine's boxes and pairs") {
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
   };
@@ -72,8 +88,6 @@ NODES   step,node,parent,min_x,max_x,min_y,max_y[,min_z,max_z],object[,leaf][,ma
         --pair` at which node a pair was lost, `kerf debug FILE` draws it.)");
 }
 
-bool ImportCommand::chosen() const { return command_->parsed(); }
-
 void ImportCommand::run() const {
   ImportRequest request;
   request.boxes = boxes_;
@@ -94,6 +108,12 @@ void ImportCommand::run() const {
     import_boxes(request, interrupt);
     part.keep();
   });
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_import_command(CLI::App& program) {
+  return std::make_unique<ImportCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,13 +1,13 @@
-#include "frames/commands/lint_command.h"
-
-#include <CLI/CLI.hpp>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <stdexcept>
+#include <string>
 
 #include "core/base/counted.h"
 #include "core/query/their_faults.h"
 #include "core/query/thrash.h"
+#include "frames/commands/command.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_number.h"
@@ -42,12 +42,28 @@ StructureLimits parse_limits(const std::string& depth, const std::string& overla
   return limits;
 }
 
-}  // namespace
+class LintCommand final : public Command {
+ public:
+  explicit LintCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  /// How many were found and printed.
+  [[nodiscard]] std::size_t lint_operators() const;
+  [[nodiscard]] std::size_t lint_structure() const;
+
+  std::string file_;
+  std::string within_;
+  std::string depth_;
+  std::string overlap_;
+  std::string margin_;
+  bool structure_ = false;
+};
 
 LintCommand::LintCommand(CLI::App& program)
-    : command_(program.add_subcommand(
-          "lint",
-          "Find operators that undo each other, or wait for ever; or faults of another engine's structure")) {
+    : Command(
+          program, "lint",
+          "Find operators that undo each other, or wait for ever; or faults of another engine's structure") {
   command_->add_option("FILE", file_, "A recording")->type_name("")->required();
   auto* const within =
       command_
@@ -70,8 +86,6 @@ LintCommand::LintCommand(CLI::App& program)
       "        a node with two parents, or to which no way leads; a leaf without objects; a margin smaller\n"
       "        than claimed");
 }
-
-bool LintCommand::chosen() const { return command_->parsed(); }
 
 void LintCommand::run() const {
   const std::size_t found = structure_ ? lint_structure() : lint_operators();
@@ -104,6 +118,12 @@ std::size_t LintCommand::lint_structure() const {
                   recording->structure_steps().size(), counted(recording->steps(), "step").c_str());
     return faults.size();
   });
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_lint_command(CLI::App& program) {
+  return std::make_unique<LintCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,18 +1,24 @@
-#include "frames/commands/man_command.h"
-
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "frames/commands/command.h"
 #include "frames/commands/manual.h"
 
 namespace kerf {
+namespace {
+
+class ManCommand final : public Command {
+ public:
+  explicit ManCommand(CLI::App& program);
+  void run() const override;
+};
 
 ManCommand::ManCommand(CLI::App& program)
-    : program_(program),
-      command_(program.add_subcommand("man", "Print the man page: kerf man | man --local-file -")) {}
+    : Command(program, "man", "Print the man page: kerf man | man --local-file -") {}
 
-bool ManCommand::chosen() const { return command_->parsed(); }
+void ManCommand::run() const { std::fputs(manual(*command_->get_parent()).c_str(), stdout); }
 
-void ManCommand::run() const { std::fputs(manual(program_).c_str(), stdout); }
+}  // namespace
+
+std::unique_ptr<Command> make_man_command(CLI::App& program) { return std::make_unique<ManCommand>(program); }
 
 }  // namespace kerf

@@ -1,15 +1,14 @@
-#include "frames/commands/minimize_command.h"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "core/base/counted.h"
 #include "core/base/poll.h"
 #include "core/query/minimize.h"
 #include "core/query/search.h"
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/commands/test_of_scenario.h"
 #include "frames/sequence/part_recording.h"
@@ -139,10 +138,20 @@ Replace check_files(const MinimizeRequest& request, const std::filesystem::path&
   return outputs.replace();
 }
 
-}  // namespace
+class MinimizeCommand final : public Command {
+ public:
+  explicit MinimizeCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string file_;
+  std::string when_;
+  std::string out_;
+  bool overwrite_ = false;
+};
 
 MinimizeCommand::MinimizeCommand(CLI::App& program)
-    : command_(program.add_subcommand("minimize", "Find the smallest run in which a condition still holds")) {
+    : Command(program, "minimize", "Find the smallest run in which a condition still holds") {
   command_->add_option("FILE", file_, "A recording")->type_name("")->required();
   command_->add_option("--when", when_, "The condition, see `kerf step --help`")
       ->type_name("EXPR")
@@ -155,13 +164,17 @@ MinimizeCommand::MinimizeCommand(CLI::App& program)
       "recording a picture (.png) and a self-contained C++ test (.cpp) are written under its name.");
 }
 
-bool MinimizeCommand::chosen() const { return command_->parsed(); }
-
 void MinimizeCommand::run() const {
   MinimizeRequest request{parse_expression("--when", when_), out_};
   check(request.when);
   request.replace = check_files(request, file_, overwrite_);
   with_recording(file_, [&](auto recording) { minimize_recording(recording, request); });
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_minimize_command(CLI::App& program) {
+  return std::make_unique<MinimizeCommand>(program);
 }
 
 }  // namespace kerf

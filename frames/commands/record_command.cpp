@@ -1,15 +1,25 @@
-#include "frames/commands/record_command.h"
+#include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/sequence/record_scene.h"
+#include "frames/sequence/render_request.h"
 #include "frames/support/errors.h"
 
 namespace kerf {
+namespace {
+
+class RecordCommand final : public Command {
+ public:
+  explicit RecordCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  RenderTexts texts_;
+};
 
 RecordCommand::RecordCommand(CLI::App& program)
-    : command_(program.add_subcommand("record", "Run a scene and record every step of its tree")) {
+    : Command(program, "record", "Run a scene and record every step of its tree") {
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
   };
@@ -32,11 +42,15 @@ RecordCommand::RecordCommand(CLI::App& program)
       "until a second before is there.");
 }
 
-bool RecordCommand::chosen() const { return command_->parsed(); }
-
 void RecordCommand::run() const {
   check_recorded_steps(texts_.steps);
   record_scene(parse_request(texts_));
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_record_command(CLI::App& program) {
+  return std::make_unique<RecordCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,9 +1,8 @@
-#include "frames/commands/render_command.h"
-
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
+#include "frames/sequence/render_request.h"
 #include "frames/sequence/sequence.h"
 
 namespace kerf {
@@ -51,11 +50,17 @@ std::string render_footer() {
   return text;
 }
 
-}  // namespace
+class RenderCommand final : public Command {
+ public:
+  explicit RenderCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  RenderTexts texts_;
+};
 
 RenderCommand::RenderCommand(CLI::App& program)
-    : command_(program.add_subcommand(
-          "render", "Run a scene, or a recording again, and draw it as a sequence of frames")) {
+    : Command(program, "render", "Run a scene, or a recording again, and draw it as a sequence of frames") {
   const auto option = [this](const char* name, std::string& text, const char* meaning, const char* type) {
     return command_->add_option(name, text, meaning)->type_name(type);
   };
@@ -102,10 +107,14 @@ RenderCommand::RenderCommand(CLI::App& program)
   command_->footer(render_footer());
 }
 
-bool RenderCommand::chosen() const { return command_->parsed(); }
-
 void RenderCommand::run() const {
   render_sequence(names_recording(texts_) ? parse_recording_request(texts_) : parse_request(texts_));
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_render_command(CLI::App& program) {
+  return std::make_unique<RenderCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,12 +1,11 @@
-#include "frames/commands/report_command.h"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 
 #include "core/base/counted.h"
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/page/gnuplot.h"
+#include "frames/report/report_request.h"
 #include "frames/report/section.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/countdown.h"
@@ -137,10 +136,17 @@ class Report {
   std::vector<const Section*> sections_;
 };
 
-}  // namespace
+class ReportCommand final : public Command {
+ public:
+  explicit ReportCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  ReportTexts texts_;
+};
 
 ReportCommand::ReportCommand(CLI::App& program)
-    : command_(program.add_subcommand("report", "One page of speed against error, with plots and tables")) {
+    : Command(program, "report", "One page of speed against error, with plots and tables") {
   command_->add_option("sections", texts_.sections, "Which sections, see below (default all)");
   add_output(*command_, "--out", texts_.out, "The page", "FILE.html")->capture_default_str();
   command_->add_flag("--full", texts_.full,
@@ -166,8 +172,6 @@ ReportCommand::ReportCommand(CLI::App& program)
   command_->footer(report_footer());
 }
 
-bool ReportCommand::chosen() const { return command_->parsed(); }
-
 void ReportCommand::run() const {
   const ReportRequest request = parse_report_request(texts_, section_names());
   Outputs outputs({request.hardcases}, request.overwrite);
@@ -178,6 +182,12 @@ void ReportCommand::run() const {
     std::fprintf(stderr,
                  "kerf: %s is not there, so the page has no table of hard cases; ./run hardcases makes it\n",
                  table.c_str());
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_report_command(CLI::App& program) {
+  return std::make_unique<ReportCommand>(program);
 }
 
 }  // namespace kerf

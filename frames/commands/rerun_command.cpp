@@ -1,14 +1,13 @@
-#include "frames/commands/rerun_command.h"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "core/base/counted.h"
 #include "core/replay/what_if.h"
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/sequence/part_recording.h"
 #include "frames/sequence/recording_file.h"
@@ -89,12 +88,24 @@ void rerun_recording(const std::shared_ptr<RecordingReader<D>>& recording, const
   if (!whole) throw Interrupted("interrupted: what was done is in " + file.string());
 }
 
-}  // namespace
+class RerunCommand final : public Command {
+ public:
+  explicit RerunCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string file_;
+  std::string out_;
+  std::string config_;
+  std::string from_;
+  std::string refuse_;
+  std::string take_;
+  bool overwrite_ = false;
+};
 
 RerunCommand::RerunCommand(CLI::App& program)
-    : command_(program.add_subcommand(
-          "rerun",
-          "What if? Record the boxes of a recording again, with another configuration or decision")) {
+    : Command(program, "rerun",
+              "What if? Record the boxes of a recording again, with another configuration or decision") {
   command_->add_option("FILE", file_, "A recording")->type_name("")->required();
   add_output(*command_, "-o,--out", out_, "The new recording")->required();
   command_->add_option("--config", config_, "Parameters that change, see `kerf render --help`")
@@ -115,8 +126,6 @@ RerunCommand::RerunCommand(CLI::App& program)
       "of its own, on which the next decision can be made.");
 }
 
-bool RerunCommand::chosen() const { return command_->parsed(); }
-
 void RerunCommand::run() const {
   Outputs outputs({file_}, overwrite_);
   outputs.add_recording(out_);
@@ -127,6 +136,12 @@ void RerunCommand::run() const {
     throw UsageError("--from says where --config begins: give that, too");
   (void)parse_config("--config", config_, read_recording_info(file_).config);
   with_recording(file_, [&](auto recording) { rerun_recording(recording, asked); });
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_rerun_command(CLI::App& program) {
+  return std::make_unique<RerunCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,6 +1,3 @@
-#include "frames/commands/scenes_command.h"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -10,6 +7,7 @@
 #include <vector>
 
 #include "frames/catalog/scene_catalog.h"
+#include "frames/commands/command.h"
 
 namespace kerf {
 namespace {
@@ -78,10 +76,18 @@ std::string as_text(const std::vector<CatalogScene>& catalog, bool verbose) {
   return table(rows, verbose ? 7 : 5);
 }
 
-}  // namespace
+class ScenesCommand final : public Command {
+ public:
+  explicit ScenesCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  bool verbose_ = false;
+  bool json_ = false;
+};
 
 ScenesCommand::ScenesCommand(CLI::App& program)
-    : command_(program.add_subcommand("scenes", "List the scenes that can be rendered")) {
+    : Command(program, "scenes", "List the scenes that can be rendered") {
   command_->add_flag("--verbose", verbose_,
                      "Also what each scene needs of its broad phase, and what its parameters mean");
   command_->add_flag("--json", json_, "Everything, as JSON");
@@ -90,11 +96,15 @@ ScenesCommand::ScenesCommand(CLI::App& program)
       "A name that exists in both dimensions is the 3D scene; NAME-2d is the 2D one.");
 }
 
-bool ScenesCommand::chosen() const { return command_->parsed(); }
-
 void ScenesCommand::run() const {
   const std::vector<CatalogScene> catalog = scene_catalog();
   std::fputs((json_ ? as_json(catalog) : as_text(catalog, verbose_)).c_str(), stdout);
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_scenes_command(CLI::App& program) {
+  return std::make_unique<ScenesCommand>(program);
 }
 
 }  // namespace kerf

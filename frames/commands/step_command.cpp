@@ -1,16 +1,15 @@
-#include "frames/commands/step_command.h"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <stdexcept>
+#include <string>
 
 #include "core/base/counted.h"
 #include "core/base/poll.h"
 #include "core/query/expression_words.h"
 #include "core/query/search.h"
 #include "core/replay/cursor.h"
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/sequence/recording_picture.h"
@@ -118,10 +117,23 @@ void step(const std::shared_ptr<RecordingReader<D>>& recording, const StepReques
   if (!request.picture.empty()) draw_moment(cursor, {1280, 720}, request.picture, request.replace);
 }
 
-}  // namespace
+class StepCommand final : public Command {
+ public:
+  explicit StepCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string file_;
+  std::string to_;
+  std::string from_;
+  std::string hits_;
+  std::string picture_;
+  bool reverse_ = false;
+  bool overwrite_ = false;
+};
 
 StepCommand::StepCommand(CLI::App& program)
-    : command_(program.add_subcommand("step", "Go to the moment of a recording at which a condition holds")) {
+    : Command(program, "step", "Go to the moment of a recording at which a condition holds") {
   command_->add_option("FILE", file_, "A recording")->type_name("")->required();
   command_->add_option("--to", to_, "The condition, see below")->type_name("EXPR")->required();
   command_->add_option("--from", from_, "After step N or event eN (default: the beginning)")
@@ -133,8 +145,6 @@ StepCommand::StepCommand(CLI::App& program)
   command_->footer(step_footer());
 }
 
-bool StepCommand::chosen() const { return command_->parsed(); }
-
 void StepCommand::run() const {
   Outputs outputs({file_}, overwrite_);
   if (!picture_.empty() && !picture_.ends_with(".png"))
@@ -143,6 +153,12 @@ void StepCommand::run() const {
   StepRequest request{parse_expression("--to", to_), from_, 1, reverse_, picture_, outputs.replace()};
   if (!hits_.empty()) request.hits = parse_whole("--hits", hits_, 1U, UINT32_MAX);
   with_recording(file_, [&](auto recording) { step(recording, request); });
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_step_command(CLI::App& program) {
+  return std::make_unique<StepCommand>(program);
 }
 
 }  // namespace kerf

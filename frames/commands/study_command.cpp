@@ -1,11 +1,12 @@
-#include "frames/commands/study_command.h"
-
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "frames/commands/command.h"
 #include "frames/commands/output_option.h"
 #include "frames/page/gnuplot.h"
 #include "frames/study/join.h"
@@ -46,10 +47,30 @@ void write_joined(const Study& study, const JoinedStudy& joined, const std::file
   page.keep();
 }
 
-}  // namespace
+class StudyCommand final : public Command {
+ public:
+  explicit StudyCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  [[nodiscard]] std::vector<const StudyCell*> chosen_cells(const Study& study) const;
+  [[nodiscard]] std::filesystem::path cells_folder(const Study& study) const;
+  void list(const Study& study) const;
+  void print_cells(const Study& study) const;
+  void measure(const Study& study) const;
+  void join_shards(const Study& study) const;
+
+  std::string file_;
+  std::string out_;
+  std::string shard_;
+  std::vector<std::string> cells_;
+  std::vector<std::string> folders_;
+  bool list_ = false;
+  bool overwrite_ = false;
+};
 
 StudyCommand::StudyCommand(CLI::App& program)
-    : command_(program.add_subcommand("study", "Measure a matrix of cells, on one machine or on many")) {
+    : Command(program, "study", "Measure a matrix of cells, on one machine or on many") {
   command_->add_option("STUDY", file_, "The matrix, see below")->type_name("")->required();
   add_output(*command_, "-o,--out", out_,
              "The folder of the cells (default out/STUDY); with --join that of the tables and the page",
@@ -71,8 +92,6 @@ StudyCommand::StudyCommand(CLI::App& program)
       "docs/STUDIES.md has all keys. A cell that is there is not measured again: after an interruption the\n"
       "same command goes on. --join writes cells.csv, cells.sqlite and index.html.");
 }
-
-bool StudyCommand::chosen() const { return command_->parsed(); }
 
 void StudyCommand::run() const {
   const Study study = read_study(file_);
@@ -168,6 +187,12 @@ void StudyCommand::join_shards(const Study& study) const {
   if (joined.strangers > 0) std::printf("%zu files are of no cell of the study\n", joined.strangers);
   const std::string missing = describe_missing(study, joined);
   if (!missing.empty()) throw DoesNotHold(missing);
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_study_command(CLI::App& program) {
+  return std::make_unique<StudyCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,11 +1,10 @@
-#include "frames/commands/verify_command.h"
-
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <stdexcept>
+#include <string>
 
 #include "core/base/counted.h"
 #include "core/replay/verify.h"
+#include "frames/commands/command.h"
 #include "frames/commands/replay_timings.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
@@ -53,18 +52,24 @@ void print(const Verdict& verdict, bool oracle) {
   for (const std::string& what : verdict.unchecked) std::printf("not checked: %s\n", what.c_str());
 }
 
-}  // namespace
+class VerifyCommand final : public Command {
+ public:
+  explicit VerifyCommand(CLI::App& program);
+  void run() const override;
+
+ private:
+  std::string file_;
+  std::string oracle_every_;
+  bool timings_ = false;
+};
 
 VerifyCommand::VerifyCommand(CLI::App& program)
-    : command_(
-          program.add_subcommand("verify", "Replay a recording and compare it with itself and the oracle")) {
+    : Command(program, "verify", "Replay a recording and compare it with itself and the oracle") {
   command_->add_option("FILE", file_, "A recording")->type_name("")->required();
   command_->add_option("--oracle-every", oracle_every_, "Ask brute force every N steps (default 1; 0: never)")
       ->type_name("N");
   command_->add_flag("--timings", timings_, "Also measure how fast steps are reached");
 }
-
-bool VerifyCommand::chosen() const { return command_->parsed(); }
 
 void VerifyCommand::run() const {
   const std::uint32_t every = parse_every(oracle_every_);
@@ -85,6 +90,12 @@ void VerifyCommand::run() const {
   if (verdict.change) throw DoesNotHold("the recording was changed after it was written");
   if (!verdict.holds())
     throw DoesNotHold("pairs are wrong, first in step " + verdict.names.step(verdict.first_wrong_step));
+}
+
+}  // namespace
+
+std::unique_ptr<Command> make_verify_command(CLI::App& program) {
+  return std::make_unique<VerifyCommand>(program);
 }
 
 }  // namespace kerf

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+namespace kerf {
+
+/// A subcommand of `kerf`, whose options are members that the command line fills.
+class Command {
+ public:
+  Command(CLI::App& program, const std::string& name, const std::string& description)
+      : command_(program.add_subcommand(name, description)) {}
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+  virtual ~Command() = default;
+
+  [[nodiscard]] bool chosen() const { return command_->parsed(); }
+  /// Prints what it finds. Throws UsageError, DoesNotHold, Interrupted on request, and std::runtime_error if
+  /// something cannot be read or written.
+  virtual void run() const = 0;
+
+ protected:
+  CLI::App* command_;
+};
+
+/// Each adds its subcommand to the program, which must outlive it.
+std::unique_ptr<Command> make_scenes_command(CLI::App& program);
+std::unique_ptr<Command> make_render_command(CLI::App& program);
+std::unique_ptr<Command> make_collect_command(CLI::App& program);
+std::unique_ptr<Command> make_film_command(CLI::App& program);
+std::unique_ptr<Command> make_film_diff_command(CLI::App& program);
+std::unique_ptr<Command> make_record_command(CLI::App& program);
+std::unique_ptr<Command> make_import_command(CLI::App& program);
+std::unique_ptr<Command> make_rerun_command(CLI::App& program);
+std::unique_ptr<Command> make_verify_command(CLI::App& program);
+std::unique_ptr<Command> make_debug_command(CLI::App& program);
+std::unique_ptr<Command> make_step_command(CLI::App& program);
+std::unique_ptr<Command> make_explain_command(CLI::App& program);
+std::unique_ptr<Command> make_compare_command(CLI::App& program);
+std::unique_ptr<Command> make_lint_command(CLI::App& program);
+std::unique_ptr<Command> make_minimize_command(CLI::App& program);
+std::unique_ptr<Command> make_export_command(CLI::App& program);
+std::unique_ptr<Command> make_diff_command(CLI::App& program);
+std::unique_ptr<Command> make_advise_command(CLI::App& program);
+std::unique_ptr<Command> make_bench_command(CLI::App& program);
+std::unique_ptr<Command> make_bench_frames_command(CLI::App& program);
+std::unique_ptr<Command> make_experiment_command(CLI::App& program);
+std::unique_ptr<Command> make_report_command(CLI::App& program);
+std::unique_ptr<Command> make_study_command(CLI::App& program);
+std::unique_ptr<Command> make_doctor_command(CLI::App& program);
+std::unique_ptr<Command> make_man_command(CLI::App& program);
+std::unique_ptr<Command> make_completion_command(CLI::App& program);
+
+}  // namespace kerf
