@@ -1,11 +1,7 @@
 // The libraries that answer queries (KERF_RIVALS); without them no_rivals.cpp stands in their place.
 
-#include "frames/rivals/box2d_queries.h"
-#include "frames/rivals/bullet_queries.h"
-#include "frames/rivals/embree_queries.h"
-#include "frames/rivals/fcl_queries.h"
 #include "frames/rivals/flat_queries.h"
-#include "frames/rivals/query_rival.h"
+#include "frames/rivals/makers.h"
 
 namespace kerf {
 

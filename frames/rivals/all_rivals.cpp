@@ -3,14 +3,8 @@
 
 #include <array>
 
-#include "frames/rivals/box2d.h"
-#include "frames/rivals/bullet.h"
-#include "frames/rivals/cgal.h"
-#include "frames/rivals/embree.h"
-#include "frames/rivals/fcl.h"
 #include "frames/rivals/flat.h"
-#include "frames/rivals/ode.h"
-#include "frames/rivals/rival.h"
+#include "frames/rivals/makers.h"
 
 namespace kerf {
 namespace {

@@ -1,11 +1,10 @@
-#include "frames/rivals/box2d.h"
-
 #include <box2d/b2_broad_phase.h>
 #include <box2d/b2_dynamic_tree.h>
 
 #include <algorithm>
 
 #include "frames/rivals/box_tree.h"
+#include "frames/rivals/makers.h"
 #include "frames/rivals/rival_base.h"
 
 namespace kerf {

@@ -1,7 +1,6 @@
-#include "frames/rivals/box2d_queries.h"
-
 #include <box2d/b2_dynamic_tree.h>
 
+#include "frames/rivals/makers.h"
 #include "frames/rivals/query_tests.h"
 
 namespace kerf {

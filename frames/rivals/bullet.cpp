@@ -1,11 +1,10 @@
-#include "frames/rivals/bullet.h"
-
 #include <BulletCollision/BroadphaseCollision/btAxisSweep3.h>
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 
 #include <utility>
 
 #include "frames/rivals/box_tree.h"
+#include "frames/rivals/makers.h"
 #include "frames/rivals/rival_base.h"
 
 namespace kerf {

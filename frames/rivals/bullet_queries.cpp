@@ -1,10 +1,9 @@
-#include "frames/rivals/bullet_queries.h"
-
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 
 #include <array>
 #include <cmath>
 
+#include "frames/rivals/makers.h"
 #include "frames/rivals/query_tests.h"
 
 namespace kerf {

@@ -1,7 +1,6 @@
-#include "frames/rivals/cgal.h"
-
 #include <CGAL/box_intersection_d.h>
 
+#include "frames/rivals/makers.h"
 #include "frames/rivals/rival_base.h"
 
 namespace kerf {

@@ -1,5 +1,3 @@
-#include "frames/rivals/embree.h"
-
 #if KERF_EMBREE >= 4
 #include <embree4/rtcore.h>
 #else
@@ -9,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "frames/rivals/makers.h"
 #include "frames/rivals/rival_base.h"
 
 namespace kerf {

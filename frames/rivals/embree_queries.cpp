@@ -1,5 +1,3 @@
-#include "frames/rivals/embree_queries.h"
-
 #if KERF_EMBREE >= 4
 #include <embree4/rtcore.h>
 #else
@@ -10,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "frames/rivals/makers.h"
 #include "frames/rivals/query_tests.h"
 
 namespace kerf {

@@ -1,5 +1,3 @@
-#include "frames/rivals/fcl.h"
-
 #include <fcl/broadphase/broadphase_SaP.h>
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/broadphase/broadphase_interval_tree.h>
@@ -12,6 +10,7 @@
 
 #include "frames/rivals/box_tree.h"
 #include "frames/rivals/fastest_way.h"
+#include "frames/rivals/makers.h"
 #include "frames/rivals/rival_base.h"
 
 namespace kerf {

@@ -1,10 +1,9 @@
-#include "frames/rivals/fcl_queries.h"
-
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 
 #include <cmath>
 #include <memory>
 
+#include "frames/rivals/makers.h"
 #include "frames/rivals/query_tests.h"
 
 namespace kerf {

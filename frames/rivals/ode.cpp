@@ -1,5 +1,4 @@
-#include "frames/rivals/ode.h"
-
+#include "frames/rivals/makers.h"
 #include "sims3d/rivals/ode_space.h"
 
 namespace kerf {
