@@ -4,10 +4,11 @@
 
 #include "core/base/random.h"
 #include "core/scene/attractor.h"
+#include "core/scene/world_scene.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/rain.h"
 #include "sims2d/scenes/scene_entries.h"
-#include "sims2d/scenes/world_scene.h"
+#include "sims2d/world.h"
 
 namespace kerf::inline sims2d {
 namespace {
@@ -24,10 +25,10 @@ constexpr Needs kNeeds{.dimension = 2,
                        .free_directions = false,  // clouds are round: no direction parts them better
                        .separating = {true, true, false}};
 
-class AttractorScene final : public WorldScene {
+class AttractorScene final : public WorldScene<2, Box2dWorld> {
  public:
   AttractorScene(BroadPhase<2>& broad_phase, std::uint32_t objects, std::uint64_t seed)
-      : WorldScene(broad_phase, kNeeds, 0) {
+      : WorldScene(broad_phase, kNeeds, 0.0F) {
     Random random(seed);
     add_objects(random, objects);
     const double of_a_cloud = static_cast<double>(objects) / kAttractors;

@@ -5,9 +5,10 @@
 
 #include "core/base/random.h"
 #include "core/scene/attractor.h"
+#include "core/scene/world_scene.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/scene_entries.h"
-#include "sims2d/scenes/world_scene.h"
+#include "sims2d/world.h"
 
 namespace kerf::inline sims2d {
 namespace {
@@ -30,10 +31,10 @@ constexpr Needs kNeeds{
 
 Shape<2> square(Scalar half) { return Brick<2>{{{half, half}}}; }
 
-class FractureScene final : public WorldScene {
+class FractureScene final : public WorldScene<2, Box2dWorld> {
  public:
   FractureScene(BroadPhase<2>& broad_phase, std::uint32_t objects, std::uint64_t seed)
-      : WorldScene(broad_phase, kNeeds, 0) {
+      : WorldScene(broad_phase, kNeeds, 0.0F) {
     Random random(seed);
     const std::uint32_t blocks = std::max(1U, objects / kFragments);
     const auto side = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(blocks))));

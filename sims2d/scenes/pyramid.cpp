@@ -1,10 +1,11 @@
 #include <algorithm>
 
 #include "core/base/random.h"
+#include "core/scene/world_scene.h"
 #include "sims2d/scenes/fixed.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/scene_entries.h"
-#include "sims2d/scenes/world_scene.h"
+#include "sims2d/world.h"
 
 namespace kerf::inline sims2d {
 namespace {
@@ -25,7 +26,7 @@ std::uint32_t base_of(std::uint32_t blocks) {
   return base;
 }
 
-class PyramidScene final : public WorldScene {
+class PyramidScene final : public WorldScene<2, Box2dWorld> {
  public:
   PyramidScene(BroadPhase<2>& broad_phase, std::uint32_t objects, std::uint64_t seed)
       : WorldScene(broad_phase, kNeeds) {

@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/scene/world_scene.h"
 #include "sims2d/scenes/rain.h"
-#include "sims2d/scenes/world_scene.h"
+#include "sims2d/world.h"
 
 namespace kerf::inline sims2d {
 
@@ -17,7 +18,7 @@ struct RainPlan {
 };
 
 /// A scene in which more and more objects fall onto fixed bodies. The fixed bodies are the first objects.
-class RainScene final : public WorldScene {
+class RainScene final : public WorldScene<2, Box2dWorld> {
  public:
   RainScene(BroadPhase<2>& broad_phase, const RainPlan& plan, std::uint64_t seed);
 

@@ -3,10 +3,11 @@
 #include <numbers>
 
 #include "core/base/random.h"
+#include "core/scene/world_scene.h"
 #include "sims2d/scenes/fixed.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/scene_entries.h"
-#include "sims2d/scenes/world_scene.h"
+#include "sims2d/world.h"
 
 namespace kerf::inline sims2d {
 namespace {
@@ -24,7 +25,7 @@ constexpr Needs kNeeds{.dimension = 2,
                        .free_directions = true,  // rods lie along the slope
                        .separating = {true, true, false}};
 
-class RodScene final : public WorldScene {
+class RodScene final : public WorldScene<2, Box2dWorld> {
  public:
   RodScene(BroadPhase<2>& broad_phase, std::uint32_t objects, std::uint64_t seed)
       : WorldScene(broad_phase, kNeeds) {

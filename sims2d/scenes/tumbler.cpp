@@ -3,10 +3,11 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "core/scene/world_scene.h"
 #include "sims2d/scenes/growth.h"
 #include "sims2d/scenes/rain.h"
 #include "sims2d/scenes/scene_entries.h"
-#include "sims2d/scenes/world_scene.h"
+#include "sims2d/world.h"
 
 namespace kerf::inline sims2d {
 namespace {
@@ -20,7 +21,7 @@ constexpr Scalar kMaxTurn = 0.4F;  ///< radians a second
 constexpr Needs kNeeds{
     .dimension = 2, .fixed_objects = false, .free_directions = false, .separating = {true, true, false}};
 
-class TumblerScene final : public WorldScene {
+class TumblerScene final : public WorldScene<2, Box2dWorld> {
  public:
   TumblerScene(BroadPhase<2>& broad_phase, std::uint32_t objects, std::uint64_t seed)
       : WorldScene(broad_phase, kNeeds) {

@@ -3,10 +3,11 @@
 
 #include "core/base/random.h"
 #include "core/scene/attractor.h"
+#include "core/scene/world_scene.h"
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/random_body.h"
 #include "sims3d/scenes/scene_entries.h"
-#include "sims3d/scenes/world_scene.h"
+#include "sims3d/world.h"
 
 namespace kerf {
 namespace {
@@ -35,7 +36,7 @@ WorldSettings weightless() {
   return physics;
 }
 
-class AttractorScene final : public WorldScene {
+class AttractorScene final : public WorldScene<3, OdeWorld> {
  public:
   AttractorScene(BroadPhase<3>& broad_phase, const SceneOptions& options)
       : WorldScene(broad_phase, kNeeds, options.seed, weightless()) {

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "sims3d/scenes/world_scene.h"
+#include "core/scene/world_scene.h"
+#include "sims3d/world.h"
 
 namespace kerf {
 
@@ -30,7 +31,7 @@ SceneOptions resolve(const SceneOptions& options, std::uint32_t default_objects,
 /// same number of objects, so that a tree must follow the crowd; when all have had their share it begins
 /// anew. A site that is not yet clear gets its next object so much higher. Fixed objects come first in the
 /// numbering.
-class DropScene final : public WorldScene {
+class DropScene final : public WorldScene<3, OdeWorld> {
  public:
   /// `build` adds the fixed surroundings to the world; it is called once.
   template <class Build>

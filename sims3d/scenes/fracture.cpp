@@ -4,10 +4,11 @@
 
 #include "core/base/random.h"
 #include "core/scene/attractor.h"
+#include "core/scene/world_scene.h"
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/random_body.h"
 #include "sims3d/scenes/scene_entries.h"
-#include "sims3d/scenes/world_scene.h"
+#include "sims3d/world.h"
 
 namespace kerf {
 namespace {
@@ -46,7 +47,7 @@ Vector<3> cross(const Vector<3>& a, const Vector<3>& b) {
 
 Shape<3> cube(Scalar half) { return Brick<3>{{{half, half, half}}}; }
 
-class FractureScene final : public WorldScene {
+class FractureScene final : public WorldScene<3, OdeWorld> {
  public:
   FractureScene(BroadPhase<3>& broad_phase, const SceneOptions& options)
       : WorldScene(broad_phase, kNeeds, options.seed, weightless()) {

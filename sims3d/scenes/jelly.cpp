@@ -3,11 +3,12 @@
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/scene/world_scene.h"
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/random_body.h"
 #include "sims3d/scenes/scene_entries.h"
-#include "sims3d/scenes/world_scene.h"
 #include "sims3d/scenes/yard.h"
+#include "sims3d/world.h"
 
 namespace kerf {
 namespace {
@@ -82,7 +83,7 @@ Brick<3> deformed(const Softness& soft) {
   return brick;
 }
 
-class JellyScene final : public WorldScene {
+class JellyScene final : public WorldScene<3, OdeWorld> {
  public:
   JellyScene(BroadPhase<3>& broad_phase, const SceneOptions& options)
       : WorldScene(broad_phase, kNeeds, options.seed, sleepless()) {

@@ -1,10 +1,11 @@
 #include <algorithm>
 
 #include "core/base/random.h"
+#include "core/scene/world_scene.h"
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/scene_entries.h"
-#include "sims3d/scenes/world_scene.h"
 #include "sims3d/scenes/yard.h"
+#include "sims3d/world.h"
 
 namespace kerf {
 namespace {
@@ -37,7 +38,7 @@ WorldSettings wild() {
   return physics;
 }
 
-class ProjectileScene final : public WorldScene {
+class ProjectileScene final : public WorldScene<3, OdeWorld> {
  public:
   ProjectileScene(BroadPhase<3>& broad_phase, const SceneOptions& options)
       : WorldScene(broad_phase, kNeeds, options.seed, wild()), random_(options.seed) {

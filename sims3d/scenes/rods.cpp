@@ -2,11 +2,12 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "core/scene/world_scene.h"
 #include "sims3d/scenes/drop_scene.h"
 #include "sims3d/scenes/random_body.h"
 #include "sims3d/scenes/scene_entries.h"
-#include "sims3d/scenes/world_scene.h"
 #include "sims3d/scenes/yard.h"
+#include "sims3d/world.h"
 
 namespace kerf {
 namespace {
@@ -41,10 +42,10 @@ std::array<Vector<3>, 3> lying(double lean) {
   return {Vector<3>{{c, 0, s}}, Vector<3>{{0, 1, 0}}, Vector<3>{{-s, 0, c}}};
 }
 
-class RodScene final : public WorldScene {
+class RodScene final : public WorldScene<3, OdeWorld> {
  public:
   RodScene(BroadPhase<3>& broad_phase, const SceneOptions& options)
-      : WorldScene(broad_phase, kNeeds, options.seed, {}) {
+      : WorldScene(broad_phase, kNeeds, options.seed) {
     const std::uint32_t abreast = std::max(1U, (options.objects + kRows * kLayers - 1) / (kRows * kLayers));
     const Scalar length = kLengthPitch * kRows;
     const Scalar width = kSidePitch * static_cast<Scalar>(abreast);

@@ -1,17 +1,20 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "core/scene/scene.h"
-#include "sims3d/world.h"
 
 namespace kerf {
 
-/// A scene that is a world and an action before each step.
-class WorldScene : public Scene<3> {
+/// A scene that is an engine's world and an action before each step.
+template <int D, class World>
+class WorldScene : public Scene<D> {
  public:
-  WorldScene(BroadPhase<3>& broad_phase, const Needs& needs, std::uint64_t seed, const WorldSettings& physics)
-      : needs_(needs), world_(broad_phase, seed, physics) {}
+  /// The world is made of the broad phase and `physics`.
+  template <class... Physics>
+  WorldScene(BroadPhase<D>& broad_phase, const Needs& needs, const Physics&... physics)
+      : needs_(needs), world_(broad_phase, physics...) {}
 
   [[nodiscard]] Needs needs() const final { return needs_; }
   void advance() final {
@@ -19,18 +22,19 @@ class WorldScene : public Scene<3> {
     world_.advance();
   }
   [[nodiscard]] std::uint32_t step() const final { return world_.step(); }
-  [[nodiscard]] std::span<const Body<3>> bodies() const final { return world_.bodies(); }
+  [[nodiscard]] std::span<const Body<D>> bodies() const final { return world_.bodies(); }
   [[nodiscard]] std::span<const Pair> pairs() const final { return world_.pairs(); }
   [[nodiscard]] std::span<const Pair> contacts() const final { return world_.contacts(); }
+  [[nodiscard]] const World& world() const { return world_; }
 
  protected:
   /// The action before the step; it sees the poses and contacts of the step before.
   virtual void act() = 0;
-  [[nodiscard]] OdeWorld& world() { return world_; }
+  [[nodiscard]] World& world() { return world_; }
 
  private:
   Needs needs_;
-  OdeWorld world_;
+  World world_;
 };
 
 }  // namespace kerf
