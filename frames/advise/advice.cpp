@@ -1,11 +1,10 @@
 #include "frames/advise/advice.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "core/base/counted.h"
 #include "frames/catalog/algorithm.h"
+#include "frames/support/printed.h"
 
 namespace kerf {
 namespace {
@@ -14,11 +13,7 @@ namespace {
 constexpr double kWorthSaying = 1.25;
 constexpr double kNotWorthIt = 2;
 
-std::string three_digits(double x) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), x >= 100 ? "%.0f" : "%#.3g", x);
-  return text.data();
-}
+std::string three_digits(double x) { return printed(x >= 100 ? "%.0f" : "%#.3g", x); }
 
 std::string joined_names(const std::vector<Standing>& standings) {
   std::string text;

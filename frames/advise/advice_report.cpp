@@ -1,50 +1,43 @@
 #include "frames/advise/advice_report.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "core/base/counted.h"
 #include "frames/bench/bench_report.h"
 #include "frames/page/json.h"
 #include "frames/page/plot.h"
 #include "frames/support/machine.h"
+#include "frames/support/printed.h"
 
 namespace kerf {
 namespace {
-
-template <class... Values>
-std::string filled(const char* pattern, Values... values) {
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), pattern, values...);
-  return text.data();
-}
 
 unsigned long long wide_number(std::uint64_t x) { return x; }
 
 /// Time, tails and memory of a row; its name stands before.
 std::string figures_text(const BenchRow& row) {
-  const std::string tests = row.tests_per_pair ? filled("%10.1f", *row.tests_per_pair) : filled("%10s", "-");
-  return filled(" %8.1f %8.1f %s %9.0f", row.p99_ns / row.median_ns, row.max_ns / row.median_ns,
-                tests.c_str(), static_cast<double>(row.rss_bytes) / row.cell.objects);
+  const std::string tests =
+      row.tests_per_pair ? printed("%10.1f", *row.tests_per_pair) : printed("%10s", "-");
+  return printed(" %8.1f %8.1f %s %9.0f", row.p99_ns / row.median_ns, row.max_ns / row.median_ns,
+                 tests.c_str(), static_cast<double>(row.rss_bytes) / row.cell.objects);
 }
 
 std::string line_text(const Standing& standing) {
-  return filled("%-24s %9.4f %8.2f  %6.2f-%-6.2f", standing.row.algorithm.c_str(),
-                step_milliseconds(standing.row), standing.times.median, standing.times.least,
-                standing.times.most) +
+  return printed("%-24s %9.4f %8.2f  %6.2f-%-6.2f", standing.row.algorithm.c_str(),
+                 step_milliseconds(standing.row), standing.times.median, standing.times.least,
+                 standing.times.most) +
          figures_text(standing.row) + "\n";
 }
 
 std::string wrong_text(const BenchRow& row) {
-  return filled("%-24s %9.4f %24s", row.algorithm.c_str(), step_milliseconds(row), "") + figures_text(row) +
-         filled("  wrong: %llu missed, %llu extra\n", wide_number(row.missed), wide_number(row.extra));
+  return printed("%-24s %9.4f %24s", row.algorithm.c_str(), step_milliseconds(row), "") + figures_text(row) +
+         printed("  wrong: %llu missed, %llu extra\n", wide_number(row.missed), wide_number(row.extra));
 }
 
 }  // namespace
 
 std::string advice_text(const AdvisedRecording& advised) {
-  std::string text = filled("%dD, ", advised.dimension) + as_text(advised.cell.properties) + "\n" +
+  std::string text = printed("%dD, ", advised.dimension) + as_text(advised.cell.properties) + "\n" +
                      advised.steps_text + ", the first " + std::to_string(advised.plan.warm_up + 1) +
                      " to warm up; " + counted(advised.rounds, "round") + "\n\n";
   text +=
@@ -52,7 +45,7 @@ std::string advice_text(const AdvisedRecording& advised) {
   for (const Standing& standing : advised.advice.standings) text += line_text(standing);
   for (const BenchRow& row : advised.advice.wrong) text += wrong_text(row);
   for (const BenchGap& gap : advised.advice.left_out)
-    text += filled("%-24s %s\n", gap.algorithm.c_str(), gap.reason.c_str());
+    text += printed("%-24s %s\n", gap.algorithm.c_str(), gap.reason.c_str());
   text += "\n";
   for (const std::string& sentence : advised.advice.sentences) text += sentence + "\n";
   return text;

@@ -1,11 +1,10 @@
 #include "frames/bench/ablation.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "frames/catalog/algorithm.h"
+#include "frames/support/printed.h"
 
 namespace kerf {
 namespace {
@@ -20,12 +19,9 @@ Earning earning_of(const BenchRow& base, const BenchRow& variant) {
 }
 
 std::string line_of(const Earning& earning) {
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), "%-14s %dD %8u %2u %-44s %8.1f%% %8.1f%% %8.1f%%\n",
-                earning.cell.scene.c_str(), earning.cell.dimension, earning.cell.objects,
-                earning.cell.threads, earning.variant.c_str(), 100 * earning.median, 100 * earning.least,
-                100 * earning.most);
-  return text.data();
+  return printed("%-14s %dD %8u %2u %-44s %8.1f%% %8.1f%% %8.1f%%\n", earning.cell.scene.c_str(),
+                 earning.cell.dimension, earning.cell.objects, earning.cell.threads, earning.variant.c_str(),
+                 100 * earning.median, 100 * earning.least, 100 * earning.most);
 }
 
 }  // namespace

@@ -1,26 +1,17 @@
 #include "frames/bench/bench_report.h"
 
-#include <array>
-#include <cstdio>
-
 #include "frames/bench/ablation.h"
 #include "frames/bench/loop_report.h"
 #include "frames/catalog/algorithm.h"
 #include "frames/page/json.h"
 #include "frames/support/machine.h"
+#include "frames/support/printed.h"
 
 namespace kerf {
 namespace {
 
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), pattern, values...);
-  return text.data();
-}
-
 std::string as_text(const CellName& cell) {
-  return format("%-14s %dD %8u %2u", cell.scene.c_str(), cell.dimension, cell.objects, cell.threads);
+  return printed("%-14s %dD %8u %2u", cell.scene.c_str(), cell.dimension, cell.objects, cell.threads);
 }
 
 Json name_json(const CellName& cell, const std::string& algorithm) {
@@ -67,15 +58,15 @@ std::string bench_heading() {
 
 std::string as_text(const BenchRow& row) {
   return as_text(row.cell) +
-         format(" %-24s %8.1f %8.1f %8.1f %8.1f  %7.1f %10llu %8llu %8llu %9.0f", row.algorithm.c_str(),
-                row.median_ns, row.p90_ns, row.p99_ns, row.native_ns, row.times_floor,
-                static_cast<unsigned long long>(row.pairs), static_cast<unsigned long long>(row.missed),
-                static_cast<unsigned long long>(row.extra),
-                static_cast<double>(row.rss_bytes) / row.cell.objects);
+         printed(" %-24s %8.1f %8.1f %8.1f %8.1f  %7.1f %10llu %8llu %8llu %9.0f", row.algorithm.c_str(),
+                 row.median_ns, row.p90_ns, row.p99_ns, row.native_ns, row.times_floor,
+                 static_cast<unsigned long long>(row.pairs), static_cast<unsigned long long>(row.missed),
+                 static_cast<unsigned long long>(row.extra),
+                 static_cast<double>(row.rss_bytes) / row.cell.objects);
 }
 
 std::string as_text(const BenchGap& gap) {
-  return as_text(gap.cell) + format(" %-24s %s", gap.algorithm.c_str(), gap.reason.c_str());
+  return as_text(gap.cell) + printed(" %-24s %s", gap.algorithm.c_str(), gap.reason.c_str());
 }
 
 std::string as_json(const BenchRequest& request, const BenchResult& all, bool complete) {

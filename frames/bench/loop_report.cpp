@@ -1,8 +1,8 @@
 #include "frames/bench/loop_report.h"
 
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "frames/support/printed.h"
 
 namespace kerf {
 
@@ -12,11 +12,8 @@ std::string loop_heading() {
 }
 
 std::string as_text(const LoopRow& row) {
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), "%-14s %dD %8u %-24s %8.1f %8.1f %6.2f %13.1f%%", row.scene.c_str(),
-                row.dimension, row.objects, row.broad_phase.c_str(), row.loop_ns, row.alone_ns, row.ratio,
-                100 * row.share);
-  return text.data();
+  return printed("%-14s %dD %8u %-24s %8.1f %8.1f %6.2f %13.1f%%", row.scene.c_str(), row.dimension,
+                 row.objects, row.broad_phase.c_str(), row.loop_ns, row.alone_ns, row.ratio, 100 * row.share);
 }
 
 nlohmann::ordered_json as_json(const LoopRow& row) {

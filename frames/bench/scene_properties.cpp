@@ -1,12 +1,11 @@
 #include "frames/bench/scene_properties.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "frames/bench/bench_row.h"
 #include "frames/page/json.h"
+#include "frames/support/printed.h"
 
 namespace kerf {
 namespace {
@@ -40,15 +39,11 @@ double sorted_share(std::vector<double> values, double share) {
 }  // namespace
 
 std::string as_text(const SceneProperties& p) {
-  std::array<char, 240> text{};
-  std::snprintf(
-      text.data(), text.size(),
+  std::string text = printed(
       "%.0f objects, %.2g pairs an object, %.2g sizes a step, sizes over %.1f decades, %.0f %% at rest",
       p.objects, p.density, p.speed, p.decades, 100 * p.resting);
-  std::string all = text.data();
-  if (p.churn == 0) return all;
-  std::snprintf(text.data(), text.size(), ", %.2g %% come and go in a step", 100 * p.churn);
-  return all + text.data();
+  if (p.churn != 0) text += printed(", %.2g %% come and go in a step", 100 * p.churn);
+  return text;
 }
 
 nlohmann::ordered_json as_json(const SceneProperties& p) {

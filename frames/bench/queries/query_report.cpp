@@ -1,20 +1,11 @@
 #include "frames/bench/queries/query_report.h"
 
-#include <array>
-#include <cstdio>
-
 #include "frames/page/json.h"
 #include "frames/support/machine.h"
+#include "frames/support/printed.h"
 
 namespace kerf {
 namespace {
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), pattern, values...);
-  return text.data();
-}
 
 Json as_json(const QueryRow& row) {
   Json json{{"scene", row.scene},
@@ -42,11 +33,11 @@ std::string query_heading() {
 }
 
 std::string as_text(const QueryRow& row) {
-  std::string text = format("%-14s %dD %8u %-10s %8.1f %9.2f %9.2f ", row.scene.c_str(), row.dimension,
-                            row.objects, row.kind.c_str(), row.found, row.over_fastest(), row.over_embree());
+  std::string text = printed("%-14s %dD %8u %-10s %8.1f %9.2f %9.2f ", row.scene.c_str(), row.dimension,
+                             row.objects, row.kind.c_str(), row.found, row.over_fastest(), row.over_embree());
   for (const QueryTime& time : row.times) {
-    text += format(" %s %.0f", time.structure.c_str(), time.least_ns);
-    if (time.differs > 0) text += format(" (differs %u times)", time.differs);
+    text += printed(" %s %.0f", time.structure.c_str(), time.least_ns);
+    if (time.differs > 0) text += printed(" (differs %u times)", time.differs);
   }
   return text;
 }

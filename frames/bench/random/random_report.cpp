@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "frames/bench/bench_report.h"
 #include "frames/catalog/algorithm.h"
 #include "frames/page/json.h"
 #include "frames/support/machine.h"
+#include "frames/support/printed.h"
 
 namespace kerf {
 namespace {
@@ -16,13 +16,6 @@ namespace {
 /// A ratio in a class of the histogram is at least this and below the next.
 constexpr std::array<double, 11> kClasses{0, 0.5, 0.8, 0.95, 1.05, 1.25, 1.5, 2, 3, 5, 10};
 constexpr double kSlower = 0.95;  ///< by more than 5 %
-
-template <class... Values>
-std::string printed(const char* pattern, Values... values) {
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), pattern, values...);
-  return text.data();
-}
 
 bool is_right(const BenchRow& row, const std::vector<BenchGap>& gaps) {
   const bool is_left_out =
