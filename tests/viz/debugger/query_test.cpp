@@ -2,10 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/dimensions.h"
-#include "tests/support/recorded_crowd.h"
-#include "viz/debugger/debugger.h"
+#include "tests/viz/debugger/timeline_driver.h"
 #include "viz/debugger/model/run_of.h"
-#include "viz/debugger/script.h"
 #include "viz/gl/context.h"
 
 namespace kerf {
@@ -24,14 +22,7 @@ class DebuggerQuery : public testing::Test {
   }
 
   /// Why the script ended early; empty if it did not.
-  std::string play(const std::string& script) {
-    try {
-      ScriptPlayer(*debugger_, 1280, 720, {}).play(parse_script(script));
-    } catch (const ScriptError& error) {
-      return error.what();
-    }
-    return "";
-  }
+  std::string play(const std::string& script) { return test::played(*debugger_, script); }
 
   std::unique_ptr<GlContext> context_ = make_offscreen_context();
   test::TemporaryRecording file_;

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/support/recorded_crowd.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/viz/debugger/timeline_driver.h"
 #include "viz/image/png.h"
 
 namespace kerf {
@@ -30,13 +30,7 @@ class ScriptedDebugger : public testing::Test {
     const auto context = make_offscreen_context();
     Debugger debugger(*context, open_run(file_.path()));
     debugger.model().work_folder = folder_.path();
-    ScriptPlayer player(debugger, 1280, 720, {.path = folder_.path() / folder});
-    try {
-      player.play(parse_script(script));
-    } catch (const ScriptError& error) {
-      return error.what();
-    }
-    return "";
+    return test::played(debugger, script, 1280, 720, {.path = folder_.path() / folder});
   }
   [[nodiscard]] Image picture(const std::string& name, const std::string& folder = "pictures") const {
     return read_png(folder_.path() / folder / (name + ".png"));

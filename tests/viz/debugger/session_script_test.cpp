@@ -23,17 +23,9 @@ class DebuggerSessions : public testing::Test {
     Debugger debugger(*context_, open_run(recording()));
     debugger.model().work_folder = scratch_.path();
     debugger.keep_sessions_beside();
-    const std::string problem = play(debugger, script);
+    const std::string problem = test::played(debugger, script);
     (void)debugger.keep_session();
     return problem;
-  }
-  static std::string play(Debugger& debugger, const std::string& script) {
-    try {
-      ScriptPlayer(debugger, 1280, 720, {}).play(parse_script(script));
-    } catch (const ScriptError& error) {
-      return error.what();
-    }
-    return "";
   }
 
   std::unique_ptr<GlContext> context_ = make_offscreen_context();
@@ -126,23 +118,23 @@ TEST_F(DebuggerSessions, NoneIsKeptOfAScratchRecording) {
   Debugger debugger(*context_, open_run(scratch));
   debugger.model().work_folder = scratch_.path();
   debugger.keep_sessions_beside();
-  ASSERT_EQ(play(debugger, "key B"), "");
+  ASSERT_EQ(test::played(debugger, "key B"), "");
   EXPECT_EQ(debugger.keep_session(), "");
   EXPECT_FALSE(std::filesystem::exists(scratch.string() + ".session"));
 }
 
 TEST_F(DebuggerSessions, ScriptsKeepNoneUnlessTheySaySo) {
   Debugger debugger(*context_, open_run(recording()));
-  EXPECT_EQ(play(debugger, kWork), "");
+  EXPECT_EQ(test::played(debugger, kWork), "");
   EXPECT_EQ(debugger.keep_session(), "");
   EXPECT_FALSE(std::filesystem::exists(session()));
-  EXPECT_EQ(play(debugger, "save session"), "");
+  EXPECT_EQ(test::played(debugger, "save session"), "");
   EXPECT_TRUE(std::filesystem::exists(session()));
   Debugger next(*context_, open_run(recording()));
-  EXPECT_EQ(play(next, "expect bookmarks == 0\nload session\nexpect bookmarks == 1"), "");
-  EXPECT_THAT(play(next, "load session /none"), HasSubstr("line 1, 'load session /none': "));
-  EXPECT_THAT(play(next, "save session " + recording().string()), HasSubstr("stays as it is"));
-  EXPECT_THAT(play(next, "save everything"), HasSubstr("save session [FILE]"));
+  EXPECT_EQ(test::played(next, "expect bookmarks == 0\nload session\nexpect bookmarks == 1"), "");
+  EXPECT_THAT(test::played(next, "load session /none"), HasSubstr("line 1, 'load session /none': "));
+  EXPECT_THAT(test::played(next, "save session " + recording().string()), HasSubstr("stays as it is"));
+  EXPECT_THAT(test::played(next, "save everything"), HasSubstr("save session [FILE]"));
 }
 
 TEST_F(DebuggerSessions, SeveralAreJoinedIntoTheOneBesideTheRecording) {
@@ -229,8 +221,8 @@ TEST_F(DebuggerSessions, TheSearchBoxCompletesPathsAndHasTheLatest) {
   Debugger debugger(*context_, open_run(recording()));
   debugger.model().work_folder = folder / "none";
   debugger.remember_in(scratch_.path() / "config");
-  EXPECT_EQ(
-      play(debugger, "key ctrl+o\nexpect search == \"open: open \"\ntype " + scratch_.path().string() + R"(/ru
+  EXPECT_EQ(test::played(debugger, "key ctrl+o\nexpect search == \"open: open \"\ntype " +
+                                       scratch_.path().string() + R"(/ru
 key Tab
 expect search ~ runs/
 type fi
@@ -249,7 +241,7 @@ type first
 key Enter
 expect recording == first.kerf
 )"),
-      "");
+            "");
 }
 
 class ViewChanges : public testing::Test {

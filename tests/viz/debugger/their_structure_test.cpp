@@ -53,12 +53,7 @@ class DebuggerTheirs : public testing::Test {
   }
   std::string play(const std::string& script) {
     Debugger debugger(*context_, open_run(file_.path()));
-    try {
-      ScriptPlayer(debugger, 1280, 720, {}).play(parse_script(script));
-    } catch (const ScriptError& error) {
-      return error.what();
-    }
-    return "";
+    return test::played(debugger, script);
   }
 
   std::unique_ptr<GlContext> context_ = make_offscreen_context();

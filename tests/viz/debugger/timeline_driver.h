@@ -25,6 +25,17 @@ struct FaultyImport {
   std::uint32_t steps = 0;
 };
 
+/// What the script failed with; empty if it did not.
+inline std::string played(Debugger& debugger, const std::string& script, int width = 1280, int height = 720,
+                          const PictureFolder& pictures = {}) {
+  try {
+    ScriptPlayer(debugger, width, height, pictures).play(parse_script(script));
+  } catch (const ScriptError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 /// The debugger on a crowd of so many steps, whose recording may be changed.
 class TimelineDriver {
  public:
@@ -83,12 +94,7 @@ class TimelineDriver {
 
   /// What the script failed with; empty if it did not.
   std::string play(const std::string& script, int width = 1280, int height = 720) {
-    try {
-      ScriptPlayer(*debugger_, width, height, {}).play(parse_script(script));
-    } catch (const ScriptError& error) {
-      return error.what();
-    }
-    return "";
+    return played(*debugger_, script, width, height);
   }
   [[nodiscard]] Debugger& debugger() { return *debugger_; }
 
