@@ -8,6 +8,7 @@
 #include "core/tree/placement.h"
 #include "core/tree/split.h"
 #include "core/tree/subtree.h"
+#include "tests/support/boxes.h"
 
 namespace kerf::test {
 
@@ -57,6 +58,16 @@ void plant_at_random(kerf::Tree<D>& tree, std::uint32_t planes, std::uint32_t ma
     const Interval end = tree.project(direction, object);
     plant(tree, leaf, direction, random.below(2) == 0 ? end.lo : end.hi);
   }
+}
+
+template <int D>
+kerf::Tree<D> random_tree(Random& random, int objects, double half, std::uint32_t planes,
+                          std::uint32_t max_depth) {
+  std::vector<Box<D>> boxes;
+  for (int k = 0; k < objects; ++k) boxes.push_back(random_box<D>(random, 20, half));
+  auto tree = tree_of<D>(boxes);
+  plant_at_random(tree, planes, max_depth, random);
+  return tree;
 }
 
 template <int D>
@@ -110,16 +121,17 @@ std::vector<Pair> overlapping(const kerf::Tree<D>& tree) {
   return pairs;
 }
 
-#define KERF_INSTANTIATE(D)                                                                \
-  template std::shared_ptr<const Projector<D>> few_directions<D>();                        \
-  template kerf::Tree<D> tree_of<D>(std::span<const Box<D>>);                              \
-  template void sort_phase<D>(kerf::Tree<D>&);                                             \
-  template void plant<D>(kerf::Tree<D>&, NodeId, std::uint32_t, Scalar);                   \
-  template void plant_at_random<D>(kerf::Tree<D>&, std::uint32_t, std::uint32_t, Random&); \
-  template std::vector<Interval> shadows<D>(const kerf::Tree<D>&, std::uint32_t);          \
-  template std::vector<NodeId> inner_nodes<D>(const kerf::Tree<D>&);                       \
-  template std::vector<ObjectId> objects_below<D>(const kerf::Tree<D>&, NodeId);           \
-  template std::vector<Pair> swept<D>(kerf::Tree<D>&);                                     \
+#define KERF_INSTANTIATE(D)                                                                  \
+  template std::shared_ptr<const Projector<D>> few_directions<D>();                          \
+  template kerf::Tree<D> tree_of<D>(std::span<const Box<D>>);                                \
+  template void sort_phase<D>(kerf::Tree<D>&);                                               \
+  template void plant<D>(kerf::Tree<D>&, NodeId, std::uint32_t, Scalar);                     \
+  template void plant_at_random<D>(kerf::Tree<D>&, std::uint32_t, std::uint32_t, Random&);   \
+  template kerf::Tree<D> random_tree<D>(Random&, int, double, std::uint32_t, std::uint32_t); \
+  template std::vector<Interval> shadows<D>(const kerf::Tree<D>&, std::uint32_t);            \
+  template std::vector<NodeId> inner_nodes<D>(const kerf::Tree<D>&);                         \
+  template std::vector<ObjectId> objects_below<D>(const kerf::Tree<D>&, NodeId);             \
+  template std::vector<Pair> swept<D>(kerf::Tree<D>&);                                       \
   template std::vector<Pair> overlapping<D>(const kerf::Tree<D>&);
 KERF_INSTANTIATE(2)
 KERF_INSTANTIATE(3)

@@ -29,6 +29,11 @@ void plant(kerf::Tree<D>& tree, NodeId leaf, std::uint32_t direction, Scalar off
 template <int D>
 void plant_at_random(kerf::Tree<D>& tree, std::uint32_t planes, std::uint32_t max_depth, Random& random);
 
+/// `plant_at_random` in a tree of boxes around points of a cube of 20, with half extents up to `half`.
+template <int D>
+kerf::Tree<D> random_tree(Random& random, int objects, double half, std::uint32_t planes,
+                          std::uint32_t max_depth);
+
 /// The shadows of all placed objects along a direction.
 template <int D>
 std::vector<Interval> shadows(const kerf::Tree<D>& tree, std::uint32_t direction);

@@ -59,10 +59,7 @@ TYPED_TEST(Sweep, ReportsEachPairOnceInTreesOfRandomPlanes) {
   constexpr int kD = TypeParam::value;
   Random random(2);
   for (int round = 0; round < 60; ++round) {
-    std::vector<Box<kD>> boxes;
-    for (int k = 0; k < 60; ++k) boxes.push_back(random_box<kD>(random, 20, round % 3 == 0 ? 8 : 2));
-    auto tree = tree_of<kD>(boxes);
-    plant_at_random(tree, 30, 20, random);
+    auto tree = random_tree<kD>(random, 60, round % 3 == 0 ? 8 : 2, 30, 20);
     ASSERT_TRUE(same_pairs(swept(tree), overlapping(tree))) << "round " << round;
   }
 }

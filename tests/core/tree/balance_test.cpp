@@ -21,14 +21,6 @@ class Balance : public testing::Test {
  protected:
   static constexpr int kSize = T::value;
 
-  static kerf::Tree<kSize> random_tree(Random& random, double half) {
-    std::vector<Box<kSize>> boxes;
-    for (int k = 0; k < 40; ++k) boxes.push_back(random_box<kSize>(random, 20, half));
-    auto tree = tree_of<kSize>(boxes);
-    plant_at_random(tree, 12, 8, random);
-    return tree;
-  }
-
   /// Unit slabs at 0, 2, 4, ... along axis 0.
   static std::vector<Box<kSize>> row(int count) {
     std::vector<Box<kSize>> boxes;
@@ -43,7 +35,7 @@ TYPED_TEST(Balance, KeepsEveryObjectAtEveryNodeOfRandomTrees) {
   Random random(1);
   int acted = 0;
   for (int round = 0; round < 30; ++round) {
-    auto original = this->random_tree(random, round % 2 == 0 ? 0.5 : 4);
+    auto original = random_tree<TypeParam::value>(random, 40, round % 2 == 0 ? 0.5 : 4, 12, 8);
     for (const NodeId inner : inner_nodes(original)) {
       auto tree = original;
       const auto objects = objects_below(tree, inner);

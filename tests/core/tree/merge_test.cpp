@@ -22,10 +22,7 @@ TYPED_TEST(Merge, KeepsEveryObjectOnceAtEveryNodeOfRandomTrees) {
   constexpr int kD = TypeParam::value;
   Random random(1);
   for (int round = 0; round < 20; ++round) {
-    std::vector<Box<kD>> boxes;
-    for (int k = 0; k < 40; ++k) boxes.push_back(random_box<kD>(random, 20, 4));
-    auto original = tree_of<kD>(boxes);
-    plant_at_random(original, 12, 8, random);
+    auto original = random_tree<kD>(random, 40, 4, 12, 8);
     for (const NodeId inner : inner_nodes(original)) {
       auto tree = original;
       const auto objects = objects_below(tree, inner);
@@ -76,10 +73,7 @@ TYPED_TEST(Merge, ReportsWhatItDid) {
 TYPED_TEST(Merge, KillsEveryNodeBelow) {
   constexpr int kD = TypeParam::value;
   Random random(2);
-  std::vector<Box<kD>> boxes;
-  for (int k = 0; k < 40; ++k) boxes.push_back(random_box<kD>(random, 20, 1));
-  auto tree = tree_of<kD>(boxes);
-  plant_at_random(tree, 10, 8, random);
+  auto tree = random_tree<kD>(random, 40, 1, 10, 8);
   std::vector<NodeRef> below;
   for_each_node(tree, tree.root(), [&](NodeId id) {
     if (id != tree.root()) below.push_back(tree.ref(id));

@@ -16,18 +16,7 @@ namespace kerf::test {
 namespace {
 
 template <class T>
-class Placement : public testing::Test {
- protected:
-  static constexpr int kSize = T::value;
-
-  static kerf::Tree<kSize> random_tree(Random& random, double half) {
-    std::vector<Box<kSize>> boxes;
-    for (int k = 0; k < 40; ++k) boxes.push_back(random_box<kSize>(random, 20, half));
-    auto tree = tree_of<kSize>(boxes);
-    plant_at_random(tree, 12, 9, random);
-    return tree;
-  }
-};
+class Placement : public testing::Test {};
 TYPED_TEST_SUITE(Placement, Dimensions, DimensionNames);
 
 TYPED_TEST(Placement, PlacesAnObjectInEveryLeafThatItReaches) {
@@ -48,7 +37,7 @@ TYPED_TEST(Placement, BoxesReachAlikeIfTheyReachTheSameLeavesOnTheSameSides) {
   Random random(4);
   int alike = 0;
   for (int round = 0; round < 400; ++round) {
-    const auto tree = this->random_tree(random, 5);
+    const auto tree = random_tree<TypeParam::value>(random, 40, 5, 12, 9);
     const Box<kD> first = random_box<kD>(random, 20, 3);
     const auto by = static_cast<Scalar>(random.uniform(-4, 4));
     const Box<kD> second{first.min + all<kD>(by), first.max + all<kD>(by)};
@@ -73,10 +62,10 @@ TYPED_TEST(Placement, BoxesReachAlikeIfTheyReachTheSameLeavesOnTheSameSides) {
 TYPED_TEST(Placement, DisplacedObjectsLeaveEveryLeafAndReturn) {
   Random random(1);
   for (int round = 0; round < 30; ++round) {
-    auto tree = this->random_tree(random, 5);
+    auto tree = random_tree<TypeParam::value>(random, 40, 5, 12, 9);
     const std::uint64_t before = hash(tree);
     const std::vector<ObjectId> some{{3}, {17}, {0}, {39}};
-    displace<TestFixture::kSize>(tree, tree.root(), some);
+    displace<TypeParam::value>(tree, tree.root(), some);
     for (const ObjectId object : objects_below(tree, tree.root()))
       EXPECT_EQ(std::count(some.begin(), some.end(), object), 0);
     EXPECT_EQ(tree.objects(), 36U);
@@ -91,7 +80,7 @@ TYPED_TEST(Placement, ManyDisplacedAtOnceLeaveTheTreeThatEachForItselfLeaves) {
   constexpr int kD = TypeParam::value;
   Random random(5);
   for (int round = 0; round < 30; ++round) {
-    auto tree = this->random_tree(random, 5);
+    auto tree = random_tree<TypeParam::value>(random, 40, 5, 12, 9);
     const std::vector<NodeId> inner = inner_nodes(tree);
     const NodeId from = inner[random.below(static_cast<std::uint32_t>(inner.size()))];
     auto one_by_one = tree;
@@ -147,7 +136,7 @@ TYPED_TEST(Placement, StaysAgreesWithPlacingAnew) {
   Random random(2);
   int stayed = 0;
   for (int round = 0; round < 300; ++round) {
-    auto tree = this->random_tree(random, 2);
+    auto tree = random_tree<TypeParam::value>(random, 40, 2, 12, 9);
     const ObjectId object{random.below(40)};
     Box<kD> box = tree.table.box(object);
     const Vector<kD> shift = random_point<kD>(random, -0.5, 0.5);
@@ -182,7 +171,7 @@ TYPED_TEST(Placement, StaysAgreesWithPlacingAnew) {
 TYPED_TEST(Placement, CollectGivesEachObjectOnceWithItsBitsAbove) {
   Random random(3);
   for (int round = 0; round < 30; ++round) {
-    auto tree = this->random_tree(random, 5);
+    auto tree = random_tree<TypeParam::value>(random, 40, 5, 12, 9);
     for_each_node(tree, tree.root(), [&](NodeId from) {
       const auto stored = collect(tree, from);
       std::vector<ObjectId> objects;

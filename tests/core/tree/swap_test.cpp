@@ -33,10 +33,7 @@ TYPED_TEST(Swap, KeepsEveryObjectAtEveryNodeOfRandomTrees) {
   constexpr int kD = TypeParam::value;
   Random random(1);
   for (int round = 0; round < 30; ++round) {
-    std::vector<Box<kD>> boxes;
-    for (int k = 0; k < 40; ++k) boxes.push_back(random_box<kD>(random, 20, round % 2 == 0 ? 0.5 : 5));
-    auto original = tree_of<kD>(boxes);
-    plant_at_random(original, 14, 9, random);
+    auto original = random_tree<kD>(random, 40, round % 2 == 0 ? 0.5 : 5, 14, 9);
     for (const NodeId inner : inner_nodes(original)) {
       auto tree = original;
       const NodeId parent = tree[inner].parent;
@@ -141,10 +138,7 @@ TYPED_TEST(Swap, PlacesOnlyObjectsThatTheHeavierSideLacks) {
 TYPED_TEST(Swap, RepeatedEmptiesTheTreeToOneLeaf) {
   constexpr int kD = TypeParam::value;
   Random random(4);
-  std::vector<Box<kD>> boxes;
-  for (int k = 0; k < 60; ++k) boxes.push_back(random_box<kD>(random, 20, 2));
-  auto tree = tree_of<kD>(boxes);
-  plant_at_random(tree, 30, 20, random);
+  auto tree = random_tree<kD>(random, 60, 2, 30, 20);
   while (!tree[tree.root()].is_leaf()) {
     const auto inner = inner_nodes(tree);
     swap(tree, inner[random.below(static_cast<std::uint32_t>(inner.size()))]);
