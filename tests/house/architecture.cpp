@@ -190,7 +190,6 @@ std::string with_part(const std::string& text, const std::string& name, const st
 std::map<std::filesystem::path, std::string> architecture_files(const std::filesystem::path& root) {
   const IncludeGraph graph = read_include_graph(root, source_files());
   return {{"docs/images/layers.svg", layers_svg(graph)},
-          {"docs/images/data-flow.svg", data_flow_svg()},
           {"README.md", with_part(text_of(root / "README.md"), "floors", floor_lines())},
           {"docs/ARCHITECTURE.md",
            with_part(text_of(root / "docs/ARCHITECTURE.md"), "layers", layer_tables(graph))}};

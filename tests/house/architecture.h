@@ -13,12 +13,6 @@ namespace kerf::house {
 /// left out.
 std::string layers_svg(const IncludeGraph& graph);
 
-/// The drawing of how boxes and events flow through the program, as SVG.
-std::string data_flow_svg();
-
-/// The files that stand in the drawing of data flow.
-std::vector<std::string> data_flow_files();
-
 /// The tables of layers, in Markdown.
 std::string layer_tables(const IncludeGraph& graph);
 

@@ -43,10 +43,9 @@ void Svg::text(Point at, std::string_view words, std::string_view style) {
            escaped(words) + "</text>\n";
 }
 
-void Svg::path(std::initializer_list<Point> points) {
-  body_ += "<path d=\"";
-  for (const Point& point : points) body_ += (&point == points.begin() ? 'M' : 'L') + to_string(point) + ' ';
-  body_ += "\" fill=\"none\" stroke=\"#555\" stroke-width=\"1.3\" marker-end=\"url(#head)\"/>\n";
+void Svg::arrow(Point from, Point to) {
+  body_ += "<path d=\"M" + to_string(from) + " L" + to_string(to) +
+           " \" fill=\"none\" stroke=\"#555\" stroke-width=\"1.3\" marker-end=\"url(#head)\"/>\n";
 }
 
 void Svg::arc(Point from, Point to, int bulge) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -20,9 +19,7 @@ class Svg {
   /// Text with its baseline at `at`. Style holds SVG attributes.
   void text(Point at, std::string_view words, std::string_view style);
   /// A straight arrow.
-  void arrow(Point from, Point to) { path({from, to}); }
-  /// An arrow along straight lines through at least two points.
-  void path(std::initializer_list<Point> points);
+  void arrow(Point from, Point to);
   /// An arrow between two points of one vertical line, bent to the left by `bulge`.
   void arc(Point from, Point to, int bulge);
 
