@@ -119,6 +119,7 @@ TEST(ReportProgram, ShardsMakeTheMeasurementsOfOnePage) {
   auto figures = read_json(folder.path() / "page.shard-1-of-2.json");
   const std::string last = first.back();
   ASSERT_THAT(last, HasSubstr("volumes"));
+  for (const auto& volume : figures["cells"][last]) EXPECT_EQ(volume["missed"], 0) << volume["setting"];
   figures["cells"][last][0]["contacts"] = 987654321;
   std::ofstream(folder.path() / "page.shard-1-of-2.json") << figures;
   const RunOutcome second = run_small_report(page, {"missed", "volumes", "--shard", "2/2"});

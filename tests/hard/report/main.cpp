@@ -1,12 +1,10 @@
 // The table of the hard cases: ours with each volume and the rivals, each trial in a process of its own.
-// usage: kerf_hardcases [--overwrite] [FOLDER [CASE]]; CASE is a part of "V4_PointsAndFlatPlates", or
-// "volumes" for their table alone.
+// usage: kerf_hardcases [--overwrite] [FOLDER [CASE]]; CASE is a part of "V4_PointsAndFlatPlates".
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <future>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,10 +20,7 @@ namespace {
 using namespace kerf;
 using namespace kerf::test;
 
-constexpr std::string_view kVolumes = "volumes";
-constexpr std::uint32_t kBricks = 2000;
-
-/// What is wrong with ours, in cells of the table and lines of the volumes.
+/// What is wrong with ours, in cells of the table.
 struct Faults {
   int wrong = 0;  ///< anything but exact
   int late = 0;   ///< exact as far as it came, which was not to the end
@@ -65,36 +60,16 @@ bool report_cases(const std::filesystem::path& folder, std::string_view only, Fa
   return true;
 }
 
-std::vector<VolumeFigure> volumes_in(int dimension) {
-  std::vector<VolumeFigure> figures;
-  for (const double slenderness : slendernesses())
-    for (const VolumeFigure& figure : measure_volumes(dimension, slenderness, kBricks))
-      figures.push_back(figure);
-  return figures;
-}
-
-void report_volumes(const std::filesystem::path& folder, Faults& faults) {
-  auto space = std::async(std::launch::async, volumes_in, 3);
-  std::vector<VolumeFigure> figures = volumes_in(2);
-  for (const VolumeFigure& figure : space.get()) figures.push_back(figure);
-  print(figures);
-  write_json(folder / "volumes.json", figures);
-  for (const VolumeFigure& figure : figures)
-    if (figure.missed > 0) ++faults.wrong;
-}
-
 int report(const std::filesystem::path& folder, std::string_view only, bool overwrite) {
   Outputs outputs({}, overwrite);
   outputs.add_folder(folder);
-  for (const char* const file : {"hardcases.json", "hardcases.png", "volumes.json"})
-    outputs.add_file(folder / file);
+  for (const char* const file : {"hardcases.json", "hardcases.png"}) outputs.add_file(folder / file);
   make_writable_folder(folder);
   Faults faults;
-  if (only != kVolumes && !report_cases(folder, only, faults)) {
+  if (!report_cases(folder, only, faults)) {
     std::fprintf(stderr, "kerf_hardcases: no case is called \"%s\"\n", std::string(only).c_str());
     return 2;
   }
-  if (only.empty() || only == kVolumes) report_volumes(folder, faults);
   faults.print(folder);
   return faults.wrong + faults.late == 0 ? 0 : 1;
 }

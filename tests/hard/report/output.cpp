@@ -100,10 +100,6 @@ void print_group(const Table& table, int dimension, bool ours) {
   }
 }
 
-double ratio(const VolumeFigure& f) {
-  return f.contacts == 0 ? 0 : static_cast<double>(f.candidates) / static_cast<double>(f.contacts);
-}
-
 }  // namespace
 
 void print(const Table& table) {
@@ -113,18 +109,6 @@ void print(const Table& table) {
       Limits{}.seconds);
   for (const int dimension : {2, 3})
     for (const bool ours : {true, false}) print_group(table, dimension, ours);
-}
-
-void print(std::span<const VolumeFigure> figures) {
-  std::printf(
-      "\ncandidates for each true contact, bricks of unit volume at random poses, as dense as a pile\n");
-  std::printf("%-4s %-8s %-14s %12s %10s %8s %10s\n", "", "bricks", "volume", "candidates", "contacts",
-              "ratio", "ns/object");
-  for (const VolumeFigure& f : figures)
-    std::printf("%dD   %2.0f:1%s %-14s %12llu %10llu %8.2f %10.2f%s\n", f.dimension, f.slenderness,
-                f.dimension == 3 ? ":1 " : "   ", to_string(f.kind).data(),
-                static_cast<unsigned long long>(f.candidates), static_cast<unsigned long long>(f.contacts),
-                ratio(f), f.mean_ns, f.missed > 0 ? "  MISSES CONTACTS" : "");
 }
 
 void write_json(const std::filesystem::path& path, const Table& table) {
@@ -147,20 +131,6 @@ void write_json(const std::filesystem::path& path, const Table& table) {
                     {"cells", std::move(cells)}});
   }
   save(path, {{"columns", std::move(columns)}, {"cases", std::move(rows)}});
-}
-
-void write_json(const std::filesystem::path& path, std::span<const VolumeFigure> figures) {
-  Json all = Json::array();
-  for (const VolumeFigure& f : figures)
-    all.push_back({{"dimension", f.dimension},
-                   {"slenderness", f.slenderness},
-                   {"volume", to_string(f.kind)},
-                   {"candidates", f.candidates},
-                   {"contacts", f.contacts},
-                   {"candidates_per_contact", ratio(f)},
-                   {"missed_contacts", f.missed},
-                   {"step_ns_an_object", f.mean_ns}});
-  save(path, all);
 }
 
 }  // namespace kerf::test

@@ -1,19 +1,15 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 
-#include "frames/report/volumes.h"
 #include "tests/hard/report/table.h"
 
 namespace kerf::test {
 
 /// To the standard output: ours case by case with the worst figures, then the rivals' signs.
 void print(const Table& table);
-void print(std::span<const VolumeFigure> figures);
 
 /// Throws std::runtime_error, with path and reason, when the file cannot be written.
 void write_json(const std::filesystem::path& path, const Table& table);
-void write_json(const std::filesystem::path& path, std::span<const VolumeFigure> figures);
 
 }  // namespace kerf::test
