@@ -66,14 +66,4 @@ std::string exit_help(std::string_view command) {
   return text;
 }
 
-std::string exit_table() {
-  std::string text = "| command | 0 | 1 |\n|---|---|---|\n";
-  for (const ExitMeaning& meaning : kMeanings) {
-    const std::string_view no = meaning.does_not_hold.empty() ? "never" : meaning.does_not_hold;
-    text += "| `kerf " + std::string(meaning.command) + "` | " + std::string(meaning.holds) + " | " +
-            std::string(no) + " |\n";
-  }
-  return text;
-}
-
 }  // namespace kerf

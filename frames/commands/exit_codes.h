@@ -19,7 +19,4 @@ std::span<const ExitMeaning> exit_meanings();
 /// The lines of a subcommand's help. Throws std::logic_error for one that has no row.
 std::string exit_help(std::string_view command);
 
-/// The table of docs/EXIT_CODES.md.
-std::string exit_table();
-
 }  // namespace kerf
