@@ -35,6 +35,12 @@ void Meetings::end(const Meeting& meeting) {
 }
 
 Json Meetings::figures() const {
+  Meetings ended = *this;
+  for (const Meeting& meeting : open_) ended.end(meeting);
+  return ended.figures_of_ended();
+}
+
+Json Meetings::figures_of_ended() const {
   std::vector<double> sorted = lags_;
   std::sort(sorted.begin(), sorted.end());
   const double all = std::max<double>(1, static_cast<double>(sorted.size()));

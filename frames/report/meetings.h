@@ -11,14 +11,16 @@ namespace kerf {
 
 /// How late pairs are reported. A meeting begins in the first step in which two boxes overlap and ends when
 /// they part; it is detected in the first of these steps in which the pair is reported. The steps before that
-/// are its lag: all of its steps, if it is never reported. Meetings that exist from the beginning do not
-/// count, nor do those that are undetected when the run ends.
+/// are its lag: all of its steps, if it is never reported. A meeting that is undetected when the run ends
+/// counts as one that ends then: its lag is that at least. Meetings that exist from the beginning do not
+/// count.
 class Meetings {
  public:
   /// The pairs of the next step, both sorted.
   void add(std::span<const Pair> truth, std::span<const Pair> reported);
 
-  /// {"meetings", "never_share" (that ended undetected), "lag_mean", "lag_p99", "lag_max" (steps)}.
+  /// {"meetings", "never_share" (that ended undetected), "lag_mean", "lag_p99", "lag_max" (steps)}, as if the
+  /// run ended here.
   [[nodiscard]] Json figures() const;
 
  private:
@@ -30,6 +32,7 @@ class Meetings {
 
   void detect(Meeting& meeting);
   void end(const Meeting& meeting);
+  [[nodiscard]] Json figures_of_ended() const;
 
   std::vector<Meeting> open_;  ///< sorted by pair
   std::vector<Meeting> next_;

@@ -47,6 +47,22 @@ TEST(Meetings, WhatIsNeverReportedCountsWithAllItsSteps) {
   EXPECT_DOUBLE_EQ(figures["never_share"], 1);
 }
 
+/// They were left out, and settings that report the least had the fewest meetings and short lags.
+TEST(Meetings, WhatIsUnreportedAtTheEndCountsWithItsStepsUpToThere) {
+  Meetings meetings;
+  add(meetings, {}, {});
+  add(meetings, {kFirst}, {});
+  for (int step = 0; step < 3; ++step) add(meetings, {kFirst, kSecond}, {kSecond});
+  const Json figures = meetings.figures();
+  EXPECT_EQ(figures["meetings"], 2);
+  EXPECT_EQ(figures["lag_max"], 4);
+  EXPECT_DOUBLE_EQ(figures["lag_mean"], 2);
+  EXPECT_DOUBLE_EQ(figures["never_share"], 0.5);
+  EXPECT_EQ(meetings.figures(), figures) << "asking ends nothing";
+  add(meetings, {kFirst, kSecond}, {kFirst, kSecond});
+  EXPECT_EQ(meetings.figures()["never_share"], 0);
+}
+
 TEST(Meetings, ASecondMeetingOfTheSameTwoCountsAnew) {
   Meetings meetings;
   add(meetings, {}, {});
