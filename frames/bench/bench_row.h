@@ -27,8 +27,8 @@ struct BenchRow {
   double native_ns = 0;      ///< the median of the library's own cost (see AddedWork)
   double build_ns = 0;       ///< to insert an object, and the first step
   std::uint64_t pairs = 0;   ///< a step, on average
-  std::uint64_t missed = 0;  ///< in all measured steps
-  std::uint64_t extra = 0;   ///< in all measured steps
+  std::uint64_t missed = 0;  ///< in all measured steps; of each the most of the rounds
+  std::uint64_t extra = 0;   ///< likewise
   double times_floor = 0;    ///< the median over that of the floor
   std::uint64_t rss_bytes = 0;
   std::optional<double> tests_per_pair;  ///< of the last step; none: not asked for, or unknown

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <utility>
 
 #include "core/base/counted.h"
@@ -21,7 +22,9 @@ Participant::Participant(std::string name, std::uint32_t block, const CellPlan& 
       name_(std::move(name)),
       answers_(block),
       nanoseconds_(plan.steps, kNever),
-      added_(plan.steps, kNever) {}
+      added_(plan.steps, kNever),
+      missed_(plan.steps),
+      extra_(plan.steps) {}
 
 void Participant::start(const Life& life) {
   spent_ = 0;
@@ -68,8 +71,8 @@ void Participant::keep(std::int64_t step, const StepResult& result) {
   nanoseconds_[k] = std::min(nanoseconds_[k], result.nanoseconds);
   added_[k] = std::min(added_[k], result.added);
   pairs_ += result.pairs;
-  missed_ += result.missed;
-  extra_ += result.extra;
+  missed_[k] = std::max(missed_[k], result.missed);
+  extra_[k] = std::max(extra_[k], result.extra);
   ++steps_;
 }
 
@@ -115,8 +118,8 @@ std::optional<BenchRow> Participant::row(const CellName& cell, bool trace) const
   row.native_ns = percentile(native, 0.5);
   row.build_ns = build_ == kNever ? 0 : static_cast<double>(build_) / cell.objects;
   row.pairs = pairs_ / steps_;
-  row.missed = missed_;
-  row.extra = extra_;
+  row.missed = std::accumulate(missed_.begin(), missed_.end(), std::uint64_t{0});
+  row.extra = std::accumulate(extra_.begin(), extra_.end(), std::uint64_t{0});
   row.rss_bytes = bytes_;
   row.tests_per_pair = tests_per_pair_;
   row.steps = static_cast<std::uint32_t>(each.size());

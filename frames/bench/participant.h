@@ -47,13 +47,14 @@ class Participant {
   std::unique_ptr<ChildProcess> process_;
   std::vector<std::uint64_t> nanoseconds_;  ///< per step the least of all rounds
   std::vector<std::uint64_t> added_;        ///< likewise, of added work
-  std::vector<std::uint64_t> round_;        ///< per step, of the present round
+  std::vector<std::uint64_t>
+      missed_;                        ///< per step the most of all rounds: in each the same, unless by chance
+  std::vector<std::uint64_t> extra_;  ///< likewise
+  std::vector<std::uint64_t> round_;  ///< per step, of the present round
   std::vector<std::uint64_t> round_medians_;
   std::uint64_t build_ = kNever;
   std::uint64_t pairs_ = 0;
   std::uint64_t steps_ = 0;  ///< in all rounds
-  std::uint64_t missed_ = 0;
-  std::uint64_t extra_ = 0;
   std::uint64_t bytes_ = 0;
   std::optional<double> tests_per_pair_;
   double spent_ = 0;  ///< seconds of steps in this round

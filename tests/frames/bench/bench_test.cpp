@@ -206,6 +206,25 @@ TEST(BenchCell, MeasuresEveryAlgorithmAndTheFloor) {
   }
 }
 
+/// They were added up over the rounds.
+TEST(BenchCell, CountsWrongPairsOfOneRound) {
+  CellPlan plan = plan_for("falling", 100, {"kerf:period=4"});
+  plan.warm_up = 2;
+  plan.steps = 12;
+  const CellWatch watch{[](const std::string&) {}, [] { return false; }};
+  const auto row_in = [&](std::uint32_t rounds) {
+    plan.rounds = rounds;
+    return measure_cell<2>(plan, watch).rows.at(1);
+  };
+  const BenchRow one = row_in(1);
+  const BenchRow three = row_in(3);
+  EXPECT_GT(one.missed, 0U);
+  EXPECT_GT(one.extra, 0U);
+  EXPECT_EQ(three.missed, one.missed);
+  EXPECT_EQ(three.extra, one.extra);
+  EXPECT_EQ(three.round_ns.size(), 3U);
+}
+
 TEST(BenchCell, ShowsWhatALibraryCostsWithoutWhatItLacks) {
   CellPlan plan = plan_for("uniform", 2000, {"bullet-dbvt", "fcl-dynamic-tree", "cgal-box-intersection"});
   plan.warm_up = 2;
