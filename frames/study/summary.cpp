@@ -11,9 +11,9 @@ bool is_sum(const std::string& figure) {
 
 std::string title_of(const Json& settings) {
   const int grow = settings.value("grow", 0);
-  return settings.value("scene", "") + ", " + std::to_string(settings.value("dimension", 3)) + "D, " +
-         std::to_string(settings.value("steps", 0)) + " steps after " +
-         std::to_string(settings.value("warm_up", 0)) +
+  return settings.value("scene", "") + " (" + settings.value("kind", "") + "), " +
+         std::to_string(settings.value("dimension", 3)) + "D, " + std::to_string(settings.value("steps", 0)) +
+         " steps after " + std::to_string(settings.value("warm_up", 0)) +
          (grow > 0 ? ", grown in " + std::to_string(grow) : "");
 }
 

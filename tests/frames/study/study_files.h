@@ -1,11 +1,14 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "frames/support/errors.h"
 #include "tests/frames/program.h"
 
 namespace kerf::test {
@@ -42,6 +45,17 @@ class StudyFolder {
 
  private:
   TemporaryFolder folder_;
+};
+
+/// A study of frames of a recorded run of 40 steps.
+class FramesStudy : public StudyFolder {
+ public:
+  FramesStudy(const std::string& steps, const std::string& parts)
+      : StudyFolder(R"({"matrices": [{"recording": "run.kerf", "size": "96x64", "steps": ")" + steps +
+                    R"(", "parts": )" + parts + "}]}") {
+    EXPECT_EQ(run_kerf({"record", "pile", "--steps", "40", "--objects", "30", "-o", path("run.kerf")}).exit,
+              kExitHolds);
+  }
 };
 
 /// The columns of a joined table before the first time, line by line.

@@ -13,6 +13,7 @@ namespace kerf {
 namespace {
 
 using test::counts_of;
+using test::FramesStudy;
 using test::read_json;
 using test::read_text;
 using test::run_kerf;
@@ -23,17 +24,6 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 namespace fs = std::filesystem;
-
-/// A study of frames of a recorded run of 40 steps.
-class FramesStudy : public StudyFolder {
- public:
-  FramesStudy(const std::string& steps, const std::string& parts)
-      : StudyFolder(R"({"matrices": [{"recording": "run.kerf", "size": "96x64", "steps": ")" + steps +
-                    R"(", "parts": )" + parts + "}]}") {
-    EXPECT_EQ(run_kerf({"record", "pile", "--steps", "40", "--objects", "30", "-o", path("run.kerf")}).exit,
-              kExitHolds);
-  }
-};
 
 TEST(StudyProgram, ShardsAreTheWhole) {
   const StudyFolder study;
