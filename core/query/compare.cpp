@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/median.h"
 #include "core/base/shortest_text.h"
 #include "core/recording/shape_rows.h"
 #include "core/trace/event_facts.h"
@@ -27,9 +28,8 @@ RecordingSummary summary(std::span<const StepRow> rows, bool complete) {
     result.redundancy += row.statistics.redundancy / static_cast<double>(rows.size());
     times.push_back(1e3 * row.seconds());
   }
-  std::ranges::sort(times);
-  result.milliseconds = times[times.size() / 2];
-  result.most_milliseconds = times.back();
+  result.milliseconds = median(times);
+  result.most_milliseconds = std::ranges::max(times);
   return result;
 }
 

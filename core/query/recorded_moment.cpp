@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
+#include "core/base/median.h"
 #include "core/replay/oracle.h"
 #include "core/trace/event_facts.h"
 #include "core/tree/partitioner.h"
@@ -104,9 +106,7 @@ double row_median(std::span<const StepRow> rows, Variable variable) {
   if (rows.empty()) return kNothing;
   std::vector<double> values;
   for (const StepRow& row : rows) values.push_back(row_number(row, variable));
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return median(std::move(values));
 }
 
 template <int D>

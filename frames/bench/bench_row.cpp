@@ -3,25 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
+
 namespace kerf {
 
 RoundRatio ratio_of_rounds(const BenchRow& row, const BenchRow& base) {
   std::vector<double> ratios;
   for (std::size_t k = 0; k < std::min(row.round_ns.size(), base.round_ns.size()); ++k)
     ratios.push_back(row.round_ns[k] / base.round_ns[k]);
-  std::ranges::sort(ratios);
-  return {percentile(ratios, 0.5), ratios.front(), ratios.back()};
+  const auto [least, most] = std::ranges::minmax(ratios);
+  return {median(ratios), least, most};
 }
 
-double median_round(const BenchRow& row) {
-  std::vector<double> rounds = row.round_ns;
-  std::ranges::sort(rounds);
-  return percentile(rounds, 0.5);
-}
+double median_round(const BenchRow& row) { return median(row.round_ns); }
 
 void set_times(BenchRow& row, std::vector<double> each) {
   std::ranges::sort(each);
-  row.median_ns = percentile(each, 0.5);
+  row.median_ns = median(each);
   row.p90_ns = percentile(each, 0.9);
   row.p99_ns = percentile(each, 0.99);
   row.max_ns = each.empty() ? 0 : each.back();

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/base/median.h"
 #include "core/bsp/bsp.h"
 #include "core/recording/recorder.h"
 #include "frames/bench/loop_watch.h"
@@ -56,11 +57,6 @@ struct StepCost {
   double loop = kNever;
   double simulation = kNever;  ///< all that the scene does in the step
 };
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return percentile(values, 0.5);
-}
 
 std::vector<double> per_object(std::vector<double> values, std::uint32_t objects) {
   for (double& value : values) value /= objects;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/counted.h"
+#include "core/base/median.h"
 
 namespace kerf {
 namespace {
@@ -81,9 +82,7 @@ void Participant::finish(const CellWatch& watch) {
   if (plan_.tests && !tests_per_pair_ && trouble_.empty()) count_tests(watch);
   process_.reset();
   if (round_.size() < plan_.steps) return;
-  const auto middle = round_.begin() + static_cast<std::ptrdiff_t>((round_.size() - 1) / 2);
-  std::ranges::nth_element(round_, middle);
-  round_medians_.push_back(*middle);
+  round_medians_.push_back(median({round_.begin(), round_.end()}));
 }
 
 /// One that cannot say it has been measured all the same.
@@ -102,7 +101,7 @@ std::optional<BenchRow> Participant::row(const CellName& cell, bool trace) const
     return each;
   };
   BenchRow row;
-  row.round_ns = per_object(round_medians_);
+  for (const double time : round_medians_) row.round_ns.push_back(time / cell.objects);
   const std::vector<double> each = per_object(nanoseconds_);
   if (each.empty()) return std::nullopt;
   row.cell = cell;
@@ -113,9 +112,7 @@ std::optional<BenchRow> Participant::row(const CellName& cell, bool trace) const
   std::vector<std::uint64_t> rest = nanoseconds_;
   for (std::size_t k = 0; k < rest.size(); ++k)
     if (rest[k] != kNever) rest[k] -= std::min(added_[k], rest[k]);
-  std::vector<double> native = per_object(rest);
-  std::sort(native.begin(), native.end());
-  row.native_ns = percentile(native, 0.5);
+  row.native_ns = median(per_object(rest));
   row.build_ns = build_ == kNever ? 0 : static_cast<double>(build_) / cell.objects;
   row.pairs = pairs_ / steps_;
   row.missed = std::accumulate(missed_.begin(), missed_.end(), std::uint64_t{0});

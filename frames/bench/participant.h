@@ -51,7 +51,7 @@ class Participant {
       missed_;                        ///< per step the most of all rounds: in each the same, unless by chance
   std::vector<std::uint64_t> extra_;  ///< likewise
   std::vector<std::uint64_t> round_;  ///< per step, of the present round
-  std::vector<std::uint64_t> round_medians_;
+  std::vector<double> round_medians_;
   std::uint64_t build_ = kNever;
   std::uint64_t pairs_ = 0;
   std::uint64_t steps_ = 0;  ///< in all rounds

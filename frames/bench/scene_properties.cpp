@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
 #include "frames/bench/bench_row.h"
 #include "frames/page/json.h"
 #include "frames/support/printed.h"
@@ -89,7 +90,7 @@ SceneProperties PropertyMeter<D>::properties() const {
   SceneProperties found;
   found.objects = ratio_of(objects_, steps_);
   found.density = ratio_of(pairs_, objects_);
-  found.speed = sorted_share(speeds_, 0.5);
+  found.speed = median(speeds_);
   const double least = sorted_share(sizes_, 0.01);
   if (least > 0) found.decades = std::log10(sorted_share(sizes_, 0.99) / least);
   found.resting = ratio_of(resting_, compared_);

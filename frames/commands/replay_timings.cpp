@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/median.h"
 #include "core/base/random.h"
 #include "core/replay/replayer.h"
 #include "frames/support/memory_use.h"
@@ -31,7 +32,7 @@ class Times {
     const auto quantile = [this](double q) {
       return times_[static_cast<std::size_t>(q * static_cast<double>(times_.size() - 1))];
     };
-    std::printf("%s: median %.2f ms, p95 %.2f ms, most %.2f ms (%zu of them)\n", what, quantile(0.5),
+    std::printf("%s: median %.2f ms, p95 %.2f ms, most %.2f ms (%zu of them)\n", what, median(times_),
                 quantile(0.95), quantile(1), times_.size());
   }
 

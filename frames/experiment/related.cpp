@@ -4,6 +4,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "core/base/median.h"
 #include "frames/catalog/algorithm.h"
 #include "frames/page/short_number.h"
 
@@ -72,7 +73,6 @@ std::vector<double> ratios_of(const RelatedClaim& claim, const std::vector<Relat
     const double rival = figure_of(run, claim.rival, claim.measure);
     if (rival > 0) ratios.push_back(figure_of(run, claim.subject, claim.measure) / rival);
   }
-  std::ranges::sort(ratios);
   return ratios;
 }
 
@@ -126,7 +126,7 @@ RelatedVerdict judge(const RelatedClaim& claim, const RelatedRuns& runs) {
     judged += ratios.size();
     hold += static_cast<std::size_t>(std::ranges::count_if(ratios, holds));
     in_kind += static_cast<std::size_t>(std::ranges::count_if(ratios, is_on_its_side));
-    verdict.figures += (verdict.figures.empty() ? "" : ", ") + short_number(ratios[ratios.size() / 2]);
+    verdict.figures += (verdict.figures.empty() ? "" : ", ") + short_number(median(ratios));
   }
   if (judged == 0) return verdict;
   verdict.figures += " times";

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "core/base/median.h"
 #include "frames/catalog/algorithm.h"
 #include "frames/experiment/claim.h"
 
@@ -163,8 +165,7 @@ double mean_of_medians(std::span<const ExperimentStep> steps, const StepValue& v
     for (const ExperimentStep& row : steps.subspan(begin, std::min(kStretch, steps.size() - begin)))
       if (const double one = value(row); one >= 0) values.push_back(one);
     if (values.empty()) continue;
-    std::ranges::sort(values);
-    sum += (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+    sum += median(std::move(values));
     ++count;
   }
   return count > 0 ? sum / count : kNone;

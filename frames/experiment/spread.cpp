@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
 #include "frames/page/short_number.h"
 
 namespace kerf {
@@ -13,9 +14,7 @@ std::optional<Spread> spread_of(std::vector<double> samples) {
   std::ranges::sort(samples);
   const std::size_t count = samples.size();
   const std::size_t dropped = count / 10;
-  const double median =
-      count % 2 == 1 ? samples[count / 2] : (samples[count / 2 - 1] + samples[count / 2]) / 2;
-  return Spread{median, samples[dropped], samples[count - 1 - dropped], count};
+  return Spread{median(samples), samples[dropped], samples[count - 1 - dropped], count};
 }
 
 std::string text_of(const Spread& spread) {

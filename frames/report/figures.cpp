@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/median.h"
 #include "frames/bench/bench_row.h"
 
 namespace kerf {
@@ -23,7 +24,7 @@ Times StepTimes::over(double objects) const {
   const auto [fastest, slowest] = std::minmax_element(rounds_.begin(), rounds_.end());
   const bool any = !rounds_.empty();
   return {sum / steps / objects,
-          percentile(sorted, 0.5) / objects,
+          median(sorted) / objects,
           percentile(sorted, 0.99) / objects,
           percentile(sorted, 1) / objects,
           any ? *fastest / steps / objects : 0,
@@ -42,11 +43,6 @@ Json as_json(const Times& times) {
 double quantile(std::vector<double> numbers, double share) {
   std::sort(numbers.begin(), numbers.end());
   return numbers[static_cast<std::size_t>(share * static_cast<double>(numbers.size() - 1) + 0.5)];
-}
-
-double median(std::vector<double> numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  return percentile(numbers, 0.5);
 }
 
 }  // namespace kerf

@@ -42,7 +42,4 @@ class StepTimes {
 /// The value that a quarter (or any other share) of the numbers do not exceed. There must be some.
 double quantile(std::vector<double> numbers, double share);
 
-/// The median of some numbers; 0 if there are none.
-double median(std::vector<double> numbers);
-
 }  // namespace kerf

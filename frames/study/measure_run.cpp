@@ -3,10 +3,10 @@
 #include <memory>
 #include <optional>
 
+#include "core/base/median.h"
 #include "core/broad_phase/all_pairs.h"
 #include "core/broad_phase/sort_and_sweep.h"
 #include "core/recording/chain.h"
-#include "frames/bench/bench_row.h"
 #include "frames/bench/structure.h"
 #include "frames/bench/truth.h"
 #include "frames/study/estimate.h"
@@ -60,9 +60,8 @@ Json timed_run(const RunCell& cell) {
   times["overhead_ms"] = overhead.empty() ? Json() : Json(to_nanoseconds(mean_of(overhead)));
   times["collision_ms"] =
       overhead.empty() ? Json() : Json(to_nanoseconds(mean_of(total) - mean_of(overhead)));
-  std::ranges::sort(total);
-  times["median_ms"] = to_nanoseconds(percentile(total, 0.5));
-  times["worst_ms"] = to_nanoseconds(total.back());
+  times["median_ms"] = to_nanoseconds(median(total));
+  times["worst_ms"] = to_nanoseconds(std::ranges::max(total));
   return times;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/median.h"
 #include "frames/page/plot.h"
 #include "frames/report/figures.h"
 #include "frames/report/loop_cells.h"

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/median.h"
 #include "frames/report/figures.h"
 #include "frames/report/loop_cells.h"
 #include "frames/report/section.h"

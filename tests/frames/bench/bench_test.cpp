@@ -57,6 +57,22 @@ TEST(BenchPercentile, IsTheNearestRank) {
   EXPECT_EQ(percentile(numbers, 1), 200);
 }
 
+/// With two rounds the median was the less one, as with 160 steps the eightieth.
+TEST(BenchRow, MediansOfAnEvenNumberAreBetweenTheMiddleTwo) {
+  BenchRow row;
+  set_times(row, {4, 1, 3, 2});
+  EXPECT_EQ(row.median_ns, 2.5);
+  EXPECT_EQ(row.p90_ns, 4);
+  row.round_ns = {10, 30};
+  EXPECT_EQ(median_round(row), 20);
+  BenchRow base;
+  base.round_ns = {10, 10};
+  const RoundRatio ratio = ratio_of_rounds(row, base);
+  EXPECT_EQ(ratio.median, 2);
+  EXPECT_EQ(ratio.least, 1);
+  EXPECT_EQ(ratio.most, 3);
+}
+
 class BenchMotion : public ::testing::TestWithParam<const BenchScene*> {
  protected:
   template <int D>

@@ -32,6 +32,12 @@ TEST(StepTimes, OfOneRoundDoNotSpread) {
   EXPECT_EQ(StepTimes().over(1).round_high, 0);
 }
 
+TEST(StepTimes, OfAnEvenNumberOfStepsHaveTheirMedianBetweenThem) {
+  StepTimes times;
+  for (const double step : {1, 9, 2, 4}) times.add(step);
+  EXPECT_EQ(times.over(1).median, 3);
+}
+
 TEST(Quantile, IsTheNearestNumber) {
   EXPECT_EQ(quantile({4, 1, 3, 2, 5}, 0.25), 2);
   EXPECT_EQ(quantile({4, 1, 3, 2, 5}, 0.75), 4);
