@@ -10,12 +10,18 @@
 namespace kerf {
 
 /// The complete set of pairs of some boxes, of which the first `moving` are not fixed and some may be absent:
-/// by brute force for few, by sort-and-sweep for many, by columns for very many. Tests compare these with the
-/// oracle.
+/// by brute force for few, by sort-and-sweep for many, by columns for very many. Each of them may be
+/// measured, too, and must not judge itself: another algorithm finds them again. Throws as `agreed_pairs`
+/// does.
 template <int D>
 std::vector<Pair> true_pairs(std::span<const Box<D>> boxes, std::uint32_t moving);
 
-/// Throws std::logic_error if two different algorithms disagree on these boxes.
+/// The pairs that two empty broad phases find of these boxes. Throws std::logic_error if they differ.
+template <int D>
+std::vector<Pair> agreed_pairs(BroadPhase<D>& oracle, BroadPhase<D>& other, std::span<const Box<D>> boxes,
+                               std::uint32_t moving);
+
+/// Throws as `true_pairs` does.
 template <int D>
 void verify_truth(std::span<const Box<D>> boxes, std::uint32_t moving);
 

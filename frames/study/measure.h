@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <string_view>
 
 #include "core/files/part_file.h"
 #include "frames/sequence/manifest.h"
@@ -21,6 +23,10 @@ struct Figures {
 /// "missed" and "extra" beside the oracle, and, after the last step, "bodies", "leaves", "height", "entries"
 /// and "operators" (acted since the beginning). Times are taken in a run of their own. Nothing is written.
 Figures measure(const RunCell& cell, const std::filesystem::path& folder, Replace replace);
+
+/// The oracle of "missed" and "extra": tests each object against each, or sweeps where that would take too
+/// long. It is never the broad phase that it judges.
+std::string_view oracle_for(std::uint32_t objects, std::string_view broad_phase);
 
 /// Renders into `folder`. Frames of an earlier attempt are kept, or with Replace::earlier drawn anew. Counts
 /// are "frames" and "pixels_hash", times are "total_ms".

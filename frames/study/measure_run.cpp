@@ -4,11 +4,10 @@
 #include <optional>
 
 #include "core/base/median.h"
-#include "core/broad_phase/all_pairs.h"
-#include "core/broad_phase/sort_and_sweep.h"
 #include "core/recording/chain.h"
 #include "frames/bench/structure.h"
 #include "frames/bench/truth.h"
+#include "frames/catalog/algorithm.h"
 #include "frames/study/estimate.h"
 #include "frames/study/feed.h"
 #include "frames/study/measure.h"
@@ -65,20 +64,14 @@ Json timed_run(const RunCell& cell) {
   return times;
 }
 
-/// Each object is tested against each, or swept where that would take too long.
-template <int D>
-std::unique_ptr<BroadPhase<D>> make_oracle(std::uint32_t objects) {
-  constexpr std::uint32_t kMostTested = 5000;
-  if (objects <= kMostTested) return std::make_unique<AllPairs<D>>();
-  return std::make_unique<SortAndSweep<D>>();
-}
-
 /// Counts over the measured steps.
 template <int D>
 class Counts {
  public:
   explicit Counts(const RunCell& cell) {
-    if (cell.measures.errors) oracle_ = make_oracle<D>(cell.options.objects);
+    if (!cell.measures.errors) return;
+    const std::string oracle(oracle_for(cell.options.objects, cell.broad_phase));
+    oracle_ = find_algorithm<D>(oracle)->make({}, 1);
   }
   /// The requests of every step.
   void prepare(const StepRequests<D>& requests) {
@@ -153,6 +146,12 @@ Figures measure_in(const RunCell& cell) {
 }
 
 }  // namespace
+
+std::string_view oracle_for(std::uint32_t objects, std::string_view broad_phase) {
+  constexpr std::uint32_t kMostTested = 5000;
+  if (objects <= kMostTested) return broad_phase == "all-pairs" ? "brute-force" : "all-pairs";
+  return broad_phase == "sort-and-sweep" ? "columns" : "sort-and-sweep";
+}
 
 Figures measure(const RunCell& cell, const std::filesystem::path& /*folder*/, Replace /*replace*/) {
   return cell.dimension == 2 ? measure_in<2>(cell) : measure_in<3>(cell);

@@ -171,6 +171,18 @@ class Forgetful final : public BroadPhase<2> {
   std::vector<Pair> pairs_;
 };
 
+/// The truth of many objects was that of one algorithm, which was judged by it, too.
+TEST(BenchTruth, IsWhatTwoAlgorithmsFind) {
+  const auto motion = find_bench_scene("uniform").make<2>(200, 1);
+  Forgetful forgetful;
+  BruteForce<2> oracle;
+  EXPECT_THROW((void)agreed_pairs<2>(forgetful, oracle, motion->boxes(), 200), std::logic_error);
+  BruteForce<2> first;
+  BruteForce<2> second;
+  EXPECT_EQ(truth_of(agreed_pairs<2>(first, second, motion->boxes(), 200)),
+            truth_of(true_pairs(motion->boxes(), 200)));
+}
+
 TEST(BenchSubject, IsHeldAgainstTheTruth) {
   const auto motion = find_bench_scene("uniform").make<2>(200, 1);
   StepBlock<2> block(*motion, 2);
