@@ -70,8 +70,12 @@ Json recommended_within(const Json& rows, const Trade& trade, double most_error)
   double least = std::numeric_limits<double>::infinity();
   for (const Json& row : rows)
     if (error_of(row, trade) <= most_error) least = std::min(least, time_of(row, trade));
+  const auto is_within = [&](const Json& row, double most_time) {
+    return error_of(row, trade) <= most_error && time_of(row, trade) <= most_time;
+  };
+  if (!rows.empty() && is_within(rows.front(), kNoise * least)) return rows.front();
   for (const Json& row : rows)
-    if (error_of(row, trade) <= most_error && time_of(row, trade) <= kNoise * least) return row;
+    if (is_within(row, least)) return row;
   return {};
 }
 

@@ -30,8 +30,8 @@ std::vector<bool> front_of(const Json& rows, const Trade& trade);
 /// "setting"; those of approximate families are joined. Both axes are logarithmic. If they are some of the
 /// rows of another plot, `all` are its rows, and families look as they do there.
 Plot plot_of(const Json& rows, const Trade& trade, const std::string& title, const Json& all = {});
-/// The first row with at most so much error that is within a twentieth of the fastest: smaller gains are
-/// noise. Null if there is none.
+/// The fastest row with at most so much error. The first row, kerf as it is, if it has no more error and is
+/// within a twentieth of the fastest: smaller gains are noise. Null if there is none.
 Json recommended_within(const Json& rows, const Trade& trade, double most_error);
 /// A setting as a label: without the part that all have in common.
 std::string short_name(const std::string& setting);

@@ -44,6 +44,22 @@ TEST(Quantile, IsTheNearestNumber) {
   EXPECT_EQ(quantile({7}, 0.25), 7);
 }
 
+/// The first one within a twentieth of the fastest was recommended, whichever it was.
+TEST(Trade, TheFastestIsRecommendedUnlessKerfAsItIsIsNearIt) {
+  const Trade trade{"missed", "mean_ns", 1, "missed", "ns"};
+  const auto best = [&](double kerf, double most_error = 0) {
+    const Json rows{{{"setting", "kerf"}, {"missed", 0}, {"mean_ns", kerf}},
+                    {{"setting", "near"}, {"missed", 0}, {"mean_ns", 104}},
+                    {{"setting", "fastest"}, {"missed", 0}, {"mean_ns", 100}},
+                    {{"setting", "wrong"}, {"missed", 2}, {"mean_ns", 50}}};
+    return recommended_within(rows, trade, most_error)["setting"];
+  };
+  EXPECT_EQ(best(110), "fastest");
+  EXPECT_EQ(best(104), "kerf");
+  EXPECT_EQ(best(110, 3), "wrong");
+  EXPECT_TRUE(best(110, -1).is_null());
+}
+
 /// The figure is the least of all rounds, step by step, and so below each of them.
 TEST(Trade, PointsSpreadFromTheirFigureToTheSlowestRound) {
   const Trade trade{"missed", "mean_ns", 100, "missed, %", "ns"};
