@@ -67,6 +67,19 @@ void say_wrong(const std::vector<BenchRow>& wrong, std::vector<std::string>& sen
                         ".");
 }
 
+/// What sets apart the only one that can be advised.
+std::string why_alone(const Advice& advice) {
+  if (advice.wrong.empty())
+    return advice.left_out.empty() ? "the only one that was asked for" : "the only one that came to the end";
+  return advice.left_out.empty() ? "the only one with the right pairs"
+                                 : "the only one that came to the end with the right pairs";
+}
+
+std::string why_none(const Advice& advice) {
+  if (advice.left_out.empty()) return "No broad phase reported the right pairs.";
+  return "No broad phase came to the end with the right pairs; allow more --patience.";
+}
+
 /// What the fastest is not the best in.
 void say_others(std::vector<Standing> standings, std::vector<std::string>& sentences) {
   const BenchRow fastest = standings.front().row;
@@ -114,10 +127,9 @@ Advice advise(const CellResult& cell) {
     std::ranges::stable_sort(advice.standings.begin() + 1, advice.standings.end(), {},
                              [](const Standing& each) { return each.times.median; });
   if (right.empty()) {
-    advice.sentences.emplace_back(
-        "No broad phase came to the end with the right pairs; allow more --patience.");
+    advice.sentences.push_back(why_none(advice));
   } else if (right.size() == 1) {
-    advice.sentences.push_back(right.front().algorithm + ": the only one that came to the end, " +
+    advice.sentences.push_back(right.front().algorithm + ": " + why_alone(advice) + ", " +
                                three_digits(step_milliseconds(right.front())) + " ms a step.");
   } else {
     say_fastest(advice.standings, advice.sentences);

@@ -79,6 +79,27 @@ TEST(Advice, PassesOverThoseThatDidNotComeToTheEnd) {
   EXPECT_THAT(advise(cell).sentences, ElementsAre(HasSubstr("allow more --patience")));
 }
 
+/// "The only one that came to the end" beside others that had come to it, and "allow more --patience" where
+/// all had.
+TEST(Advice, SaysWhyOnlyOneOrNoneIsAdvised) {
+  CellResult cell;
+  cell.rows = {row_of("floor", {1, 1}), row_of("kerf", {100, 100})};
+  EXPECT_THAT(advise(cell).sentences, ElementsAre("kerf: the only one that was asked for, 0.100 ms a step."));
+  cell.rows.push_back(row_of("columns", {50, 50}));
+  cell.rows[2].extra = 1;
+  EXPECT_THAT(advise(cell).sentences, ElementsAre("kerf: the only one with the right pairs, 0.100 ms a step.",
+                                                  HasSubstr("columns: not for this scene")));
+  cell.gaps = {{cell.rows[0].cell, "kerf-paper", "left out after 10 s"}};
+  EXPECT_THAT(advise(cell).sentences[0],
+              HasSubstr("kerf: the only one that came to the end with the right pairs, "));
+  cell.rows.pop_back();
+  EXPECT_THAT(advise(cell).sentences[0], HasSubstr("kerf: the only one that came to the end, "));
+  cell.gaps.clear();
+  cell.rows[1].missed = 7;
+  EXPECT_THAT(advise(cell).sentences, ElementsAre("No broad phase reported the right pairs.",
+                                                  HasSubstr("kerf: not for this scene, it misses 7 pairs")));
+}
+
 TEST(Advice, SaysWhichIsSteadierOrSmaller) {
   CellResult cell;
   cell.rows = {row_of("kerf", {100, 100}), row_of("columns", {180, 180}),
