@@ -28,6 +28,9 @@ double way_between(const Box<D>& a, const Box<D>& b) {
   return std::sqrt(square);
 }
 
+/// Two digits, and those before the point if there are more.
+std::string two_digits(double x) { return x >= 10 ? printed("%.0f", x) : printed("%.2g", x); }
+
 double ratio_of(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -41,9 +44,9 @@ double sorted_share(std::vector<double> values, double share) {
 
 std::string as_text(const SceneProperties& p) {
   std::string text = printed(
-      "%.0f objects, %.2g pairs an object, %.2g sizes a step, sizes over %.1f decades, %.0f %% at rest",
-      p.objects, p.density, p.speed, p.decades, 100 * p.resting);
-  if (p.churn != 0) text += printed(", %.2g %% come and go in a step", 100 * p.churn);
+      "%.0f objects, %s pairs an object, %s sizes a step, sizes over %.1f decades, %.0f %% at rest", p.objects,
+      two_digits(p.density).c_str(), two_digits(p.speed).c_str(), p.decades, 100 * p.resting);
+  if (p.churn != 0) text += ", " + two_digits(100 * p.churn) + " % come and go in a step";
   return text;
 }
 

@@ -45,6 +45,18 @@ TEST(SceneProperties, AreThoseOfTheMotion) {
   EXPECT_DOUBLE_EQ(found.churn, 4.0 / 14);
 }
 
+/// It was "1e+02 % come and go".
+TEST(SceneProperties, AreReadWithoutPowersOfTen) {
+  const SceneProperties many{1000, 123.4, 250, 1, 0.5, 0.995};
+  EXPECT_EQ(as_text(many),
+            "1000 objects, 123 pairs an object, 250 sizes a step, sizes over 1.0 decades, 50 % at rest, "
+            "100 % come and go in a step");
+  const SceneProperties few{1000, 1.94, 0.031, 0.3, 0.12, 0.014};
+  EXPECT_EQ(as_text(few),
+            "1000 objects, 1.9 pairs an object, 0.031 sizes a step, sizes over 0.3 decades, 12 % at rest, "
+            "1.4 % come and go in a step");
+}
+
 TEST(SceneProperties, SayNothingOfNothing) {
   const SceneProperties none = PropertyMeter<3>().properties();
   EXPECT_EQ(none.objects, 0);
