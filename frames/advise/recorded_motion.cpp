@@ -104,6 +104,7 @@ RecordedRun<D>::RecordedRun(std::shared_ptr<RecordingReader<D>> recording, const
       if (step > steps_.first) mark(table, object);
     });
     for (std::uint32_t id = 0; step == steps_.first && id < table.bound(); ++id) mark(table, {id});
+    if (step >= steps_.first) most_at_once_ = std::max(most_at_once_, table.size());
   }
   box_size_ = usual_size(table);
   number_all();

@@ -28,6 +28,8 @@ class RecordedRun {
   [[nodiscard]] std::unique_ptr<Motion<D>> motion() const;
   /// That are there in some of the steps.
   [[nodiscard]] std::uint32_t objects() const { return moving_ + fixed_; }
+  /// The most that are there at once.
+  [[nodiscard]] std::uint32_t most_at_once() const { return most_at_once_; }
 
  private:
   class Replay;
@@ -43,6 +45,7 @@ class RecordedRun {
   std::array<std::vector<std::uint32_t>, 2> numbers_;  ///< by id, of moving and of fixed objects
   std::uint32_t moving_ = 0;
   std::uint32_t fixed_ = 0;
+  std::uint32_t most_at_once_ = 0;
   Box<D> bounds_ = Box<D>::empty();
   Scalar box_size_ = 1;
 };

@@ -17,6 +17,16 @@ RoundRatio ratio_of_rounds(const BenchRow& row, const BenchRow& base) {
 
 double median_round(const BenchRow& row) { return median(row.round_ns); }
 
+void share_among(BenchRow& row, std::uint32_t objects) {
+  const double factor = double{1} * row.cell.objects / objects;
+  row.cell.objects = objects;
+  for (double* const time :
+       {&row.median_ns, &row.p90_ns, &row.p99_ns, &row.max_ns, &row.native_ns, &row.build_ns})
+    *time *= factor;
+  for (double& time : row.round_ns) time *= factor;
+  for (float& time : row.step_ns) time *= static_cast<float>(factor);
+}
+
 void set_times(BenchRow& row, std::vector<double> each) {
   std::ranges::sort(each);
   row.median_ns = median(each);

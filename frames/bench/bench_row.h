@@ -55,6 +55,9 @@ RoundRatio ratio_of_rounds(const BenchRow& row, const BenchRow& base);
 /// The median of the rounds; 0 if there is none.
 double median_round(const BenchRow& row);
 
+/// Takes the figures an object as those of so many objects.
+void share_among(BenchRow& row, std::uint32_t objects);
+
 /// Sorts the times of the steps and sets `median_ns` to `max_ns` from them.
 void set_times(BenchRow& row, std::vector<double> each);
 

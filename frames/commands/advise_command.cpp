@@ -114,6 +114,10 @@ AdvisedRecording measure_recording(const Question& question, std::shared_ptr<Rec
   advised.plan.objects = run.objects();
   const MotionSource<D> source = [&run] { return run.motion(); };
   advised.cell = measure_cell<D>(advised.plan, source, watch);
+  // Each object that comes has a number of its own in the motion, and memory and time are those of all that
+  // are there.
+  for (BenchRow& row : advised.cell.rows) share_among(row, run.most_at_once());
+  for (BenchGap& gap : advised.cell.gaps) gap.cell.objects = run.most_at_once();
   return advised;
 }
 

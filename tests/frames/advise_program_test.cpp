@@ -72,6 +72,23 @@ TEST_F(AdviseProgram, MeasuresTheStepsAndBroadPhasesAskedFor) {
   EXPECT_THAT(outcome.out, ::testing::Not(HasSubstr("sort-and-sweep")));
 }
 
+/// Memory and times an object were divided by all objects that ever were.
+TEST_F(AdviseProgram, CountsTheObjectsThatAreThereAtOnce) {
+  std::ofstream table(path("boxes.csv"));
+  table << "step,object,min_x,max_x,min_y,max_y\n";
+  for (int step = 0; step < 20; ++step)
+    for (int object = 0; object < 10; ++object)
+      table << step << ',' << 5 * step + object << ',' << object << ',' << object + 2 << ",0,1\n";
+  table.close();
+  ASSERT_EQ(run_kerf({"import", path("boxes.csv"), "-o", path("own.kerf")}).exit, kExitHolds);
+  const RunOutcome outcome = run_kerf({"advise", path("own.kerf"), "--broad-phases", "columns,kerf",
+                                       "--rounds", "2", "--json", path("advice.json")});
+  ASSERT_EQ(outcome.exit, kExitHolds) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("10 objects, "));
+  EXPECT_THAT(outcome.out, HasSubstr(", 100 % come and go in a step"));
+  for (const auto& row : read_json(path("advice.json"))["results"]) EXPECT_EQ(row["objects"], 10);
+}
+
 TEST_F(AdviseProgram, SaysWhatIsWrongWithWhatItIsGiven) {
   const std::string file = recorded("pile-2d");
   const auto error = [](std::vector<std::string> arguments) {

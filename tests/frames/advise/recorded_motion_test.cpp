@@ -71,6 +71,17 @@ TYPED_TEST(RecordedMotion, SaysWhatChanges) {
   EXPECT_GT(changes, 20U);
 }
 
+TYPED_TEST(RecordedMotion, KnowsHowManyAreThereAtOnce) {
+  constexpr int D = TypeParam::value;
+  this->record();
+  const RecordedRun<D> run = this->run(17, kSteps);
+  std::uint32_t most = 0;
+  for (std::uint32_t step = 17; step <= kSteps; ++step)
+    most = std::max(most, this->reader_->row(step).statistics.objects);
+  EXPECT_EQ(run.most_at_once(), most);
+  EXPECT_LT(most, run.objects()) << "some go, and others come";
+}
+
 TYPED_TEST(RecordedMotion, TakesTheBoxesOfVolumes) {
   constexpr int D = TypeParam::value;
   this->record(VolumeKind::sphere);
