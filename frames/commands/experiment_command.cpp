@@ -115,11 +115,14 @@ ExperimentCommand::ExperimentCommand(CLI::App& program)
   command_->add_option("--seed", seed_, "The first one of every random choice (default 1)")->type_name("S");
   add_output(*command_, "--out", out_, "Folder (default out/experiment)", "DIR");
   command_
-      ->add_option("--shard", shard_,
-                   "Only every N-th run, the K-th first, and no pages: on other machines, in one folder")
+      ->add_option(
+          "--shard", shard_,
+          "Only every N-th run, the K-th first, and no pages: on other machines with the same build of kerf, "
+          "in one folder")
       ->type_name("K/N");
   command_->add_flag("--overwrite", overwrite_,
-                     "Replace an earlier page and its figures, and runs of another size or another kerf");
+                     "Replace an earlier page and its figures, and runs of another size or another build of "
+                     "kerf");
   command_->footer(
       "OUTPUT  DIR/experiment.html (with --related DIR/related.html), which opens offline, and "
       "DIR/experiment.md: figures 12 and 13, and of "

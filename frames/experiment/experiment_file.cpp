@@ -8,6 +8,7 @@
 
 #include "frames/experiment/related.h"
 #include "frames/support/atomic_file.h"
+#include "frames/support/build_id.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_number.h"
 
@@ -21,14 +22,15 @@ constexpr const char* kColumns =
 
 constexpr const char* kTitle = "# kerf experiment";
 
-/// The first line, which identifies a file's format, simulation, size and run.
+/// The first line, which identifies a file's format, simulation, size and run, and the program that made it:
+/// the times of two builds are no samples of one experiment.
 std::string title(const RunId& run) {
   const Simulation& simulation = simulations()[run.simulation];
   return kTitle + std::string(run.kind == RunKind::related ? " of related work" : "") +
          std::string(" 5, simulation ") + std::to_string(simulation.number) + " (" +
          std::string(simulation.scene) + "), steps " + std::to_string(run.size.steps) + ", objects " +
          std::to_string(run.size.objects) + ", seed " + std::to_string(run.size.seed) + ", repeat " +
-         std::to_string(run.repeat);
+         std::to_string(run.repeat) + ", build " + build_id();
 }
 
 /// "simulation-1-terrain".
@@ -135,10 +137,10 @@ std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const
   const bool is_of_another = line != title(id);
   if (forget && is_of_another && line.starts_with(kTitle)) return std::nullopt;
   if (is_of_another)
-    throw UsageError(
-        path.string() +
-        " is of another experiment, or of another kerf; choose another folder with --out, or replace it with "
-        "--overwrite");
+    throw UsageError(path.string() +
+                     " is of another experiment, or of another build of kerf; choose another folder with "
+                     "--out, or replace it with "
+                     "--overwrite");
   const std::span<const std::string_view> names = lineup_of(id).names;
   ExperimentRun run;
   try {

@@ -28,9 +28,9 @@ std::filesystem::path run_path(const std::filesystem::path& folder, const RunId&
 /// Writes it such that it appears only when it is complete.
 void save_run(const std::filesystem::path& folder, const RunId& run, const ExperimentRun& steps);
 
-/// The saved run; none if there is no file. Throws UsageError for one of another size or of an earlier kerf,
-/// unless `forget` says that it counts as none, and std::runtime_error for one that cannot be read: all say
-/// what to do.
+/// The saved run; none if there is no file. Throws UsageError for one of another size or of another build of
+/// kerf, unless `forget` says that it counts as none, and std::runtime_error for one that cannot be read: all
+/// say what to do.
 std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const RunId& id, bool forget);
 
 /// Throws UsageError if the folder has the file of a simulation as kerf wrote it when it ran each once: the

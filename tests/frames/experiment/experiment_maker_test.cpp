@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "frames/support/build_id.h"
 #include "frames/support/errors.h"
 #include "tests/frames/program.h"
 #include "tests/support/temporary_folder.h"
@@ -140,8 +141,18 @@ TEST_F(ExperimentRunFile, LinesThatAreNotItsOwnAreRefused) {
   EXPECT_THAT(refusal(",0,1,0.5\n", ",0,1,nan\n"), HasSubstr("is damaged"));
   EXPECT_THAT(refusal(",0,1,0.5\n", ",0,1,-0.5\n"), HasSubstr("is damaged"));
   EXPECT_THAT(refusal("candidates,collision_ms", "collision_ms,candidates"), HasSubstr("is damaged"));
-  EXPECT_THAT(refusal("# kerf experiment 5", "# kerf experiment 4"), HasSubstr("of another kerf"));
+  EXPECT_THAT(refusal("# kerf experiment 5", "# kerf experiment 4"), HasSubstr("of another build of kerf"));
   EXPECT_THAT(refusal(text_, ""), HasSubstr("is empty; remove it"));
+}
+
+/// Runs of two builds were samples of one experiment, without a word.
+TEST_F(ExperimentRunFile, ThatOfAnotherBuildIsRefused) {
+  const std::string build = ", build " + build_id() + "\n";
+  EXPECT_THAT(refusal(build, ", build 0123456789abcdef\n"),
+              HasSubstr("of another build of kerf; choose another folder"));
+  EXPECT_THAT(refusal(build, "\n"), HasSubstr("of another build of kerf"));
+  EXPECT_FALSE(load_run(folder_.path(), run_, true)) << "--overwrite makes it anew";
+  EXPECT_EQ(refusal(build, build), "it was read");
 }
 
 TEST_F(ExperimentRunFile, ALineOfAnotherBroadPhaseIsRefused) {

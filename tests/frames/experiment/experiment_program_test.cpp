@@ -113,9 +113,11 @@ TEST(ExperimentProgram, ShardsMakeTheRunsOfOneExperiment) {
 
 TEST(ExperimentProgram, RefusesAFolderOfAnotherSizeAndDamagedTables) {
   const TemporaryFolder folder;
-  std::ofstream(folder.path() / "simulation-2-attractors-seed-1-repeat-1.csv")
-      << "# kerf experiment 5, simulation 2 (attractors), steps 60, objects 60, seed 1, repeat "
-         "1\nstep\n1,2,3\n";
+  std::vector<std::string> first = small_experiment(folder.path());
+  first.insert(first.end(), {"--shard", "1/4"});
+  ASSERT_EQ(run_kerf(first).exit, kExitHolds);
+  const std::string table = test::read_text(folder.path() / kFirstRun);
+  std::ofstream(folder.path() / kFirstRun) << table.substr(0, table.find('\n')) << "\nstep\n1,2,3\n";
   const RunOutcome other = run_kerf(small_experiment(folder.path(), "70"));
   EXPECT_EQ(other.exit, kExitUnusable);
   EXPECT_THAT(other.err, HasSubstr("another experiment"));
