@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <stdexcept>
 #include <utility>
 
 #include "core/files/whole_file.h"
@@ -42,6 +43,29 @@ bool has_figures(const Figures& figures, const StudyCell& cell) {
          (has(times, {"total_ms", "median_ms", "worst_ms"}) && knows(times, {"overhead_ms", "collision_ms"}));
 }
 
+/// The file of that cell, wherever its pictures are.
+std::optional<CellFile> read_figures(const std::filesystem::path& file, const StudyCell& cell) {
+  auto found = read_cell_file(file);
+  if (found && (found->id != cell.id || !is_equal(found->settings, cell.settings) ||
+                !has_figures(found->figures, cell)))
+    return std::nullopt;
+  return found;
+}
+
+/// Empty also if the manifest cannot be read: who reads the pictures says so.
+std::string first_lost(const std::filesystem::path& out, const StudyCell& cell) {
+  if (!cell.is_frames()) return "";
+  const std::filesystem::path folder = frames_path(out, cell);
+  if (!std::filesystem::exists(folder / kManifestName)) return kManifestName;
+  try {
+    for (const FrameRecord& frame : read_manifest(folder).frames)
+      if (!std::filesystem::exists(folder / frame.file)) return frame.file;
+  } catch (const std::runtime_error&) {
+    return "";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::filesystem::path cell_path(const std::filesystem::path& folder, const StudyCell& cell) {
@@ -80,11 +104,13 @@ std::optional<CellFile> read_cell_file(const std::filesystem::path& file) {
 }
 
 std::optional<CellFile> read_cell_file(const std::filesystem::path& file, const StudyCell& cell) {
-  auto found = read_cell_file(file);
-  if (found && (found->id != cell.id || !is_equal(found->settings, cell.settings) ||
-                !has_figures(found->figures, cell)))
-    return std::nullopt;
+  auto found = read_figures(file, cell);
+  if (found && !first_lost(file.parent_path(), cell).empty()) return std::nullopt;
   return found;
+}
+
+std::string lost_picture(const std::filesystem::path& file, const StudyCell& cell) {
+  return read_figures(file, cell) ? first_lost(file.parent_path(), cell) : "";
 }
 
 }  // namespace kerf

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "frames/study/measure.h"
 
@@ -29,7 +30,11 @@ bool is_equal(const Json& a, const Json& b);
 
 /// None if the file is not one that `to_json` gives, or not there.
 std::optional<CellFile> read_cell_file(const std::filesystem::path& file);
-/// None if it is not the file of that cell, either, or lacks a figure that the cell measures.
+/// None if it is not the file of that cell, either, or lacks a figure that the cell measures or a picture
+/// that it has rendered.
 std::optional<CellFile> read_cell_file(const std::filesystem::path& file, const StudyCell& cell);
+/// The first picture, or the manifest, that the file of a cell of frames counts and that is gone; empty if
+/// none is, or if it is not the file of that cell.
+std::string lost_picture(const std::filesystem::path& file, const StudyCell& cell);
 
 }  // namespace kerf

@@ -22,12 +22,23 @@ constexpr std::size_t kMostNamed = 8;
 /// The file of the cell says what its manifest said, and the manifest what was drawn.
 void check_pictures(const JoinedStudy::Cell& found) {
   const std::filesystem::path folder = frames_path(found.folder, *found.cell);
-  const Manifest manifest = read_manifest(folder);
+  const auto can_be_read = [&](const std::string& file, auto read) {
+    try {
+      return read(file);
+    } catch (const std::runtime_error&) {
+      refuse(folder, "has a file that cannot be read, " + file, *found.cell);
+    }
+  };
+  const Manifest manifest =
+      can_be_read(kManifestName, [&](const std::string&) { return read_manifest(folder); });
   if (!is_equal(counts_of(manifest), found.file.figures.counts))
     refuse(folder, "has not the frames that its cell counted", *found.cell);
-  for (const FrameRecord& frame : manifest.frames)
-    if (pixel_hash(read_png(folder / frame.file)) != frame.pixel_hash)
+  for (const FrameRecord& frame : manifest.frames) {
+    const Image image =
+        can_be_read(frame.file, [&](const std::string& file) { return read_png(folder / file); });
+    if (pixel_hash(image) != frame.pixel_hash)
       refuse(folder, "has another picture than was drawn, " + frame.file, *found.cell);
+  }
 }
 
 /// "a, b, c and 12 more"
@@ -75,6 +86,8 @@ class Joiner {
     }
     const StudyCell& cell = *known->second;
     auto file = read_cell_file(path, cell);
+    if (const std::string lost = lost_picture(path, cell); !lost.empty())
+      refuse(frames_path(folder, cell), "lacks " + lost, cell);
     if (!file) refuse(path, "is damaged", cell);
     const auto [earlier, is_new] = found_.try_emplace(cell.id);
     if (is_new) {

@@ -51,7 +51,8 @@ std::vector<const StudyCell*> cells_to_do(const std::vector<const StudyCell*>& c
   for (const StudyCell* const cell : cells) {
     const std::filesystem::path file = cell_path(folder, *cell);
     if (!overwrite && read_cell_file(file, *cell)) continue;
-    Outputs({}, overwrite).add_file(file);
+    // The rest of its pictures is kept, and so is its file when all are there again.
+    if (lost_picture(file, *cell).empty()) Outputs({}, overwrite).add_file(file);
     found.push_back(cell);
   }
   return found;

@@ -308,7 +308,8 @@ TEST(StudyProgram, JoinedFramesAreThoseThatWereDrawn) {
   };
   const std::string drawn = read_text(study.path(file));
   study.write(file, "garbage");
-  EXPECT_THAT(refusal(), HasSubstr(fs::path(file).filename().string()));
+  EXPECT_THAT(refusal(),
+              HasSubstr("cannot be read, " + fs::path(file).filename().string() + "; measure it again"));
   study.write(file, read_text(study.path(folder + other)));
   EXPECT_THAT(refusal(), HasSubstr("has another picture than was drawn"));
   study.write(file, drawn);
