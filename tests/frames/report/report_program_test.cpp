@@ -147,6 +147,35 @@ TEST(ReportProgram, TakesNothingOverFromAnotherMachine) {
   EXPECT_FALSE(read_json(folder.path() / "page.json")["cells"].contains("a"));
 }
 
+/// The text was a library's, an unknown verdict looked like one that does not apply, and no columns were no
+/// table.
+TEST(ReportProgram, RefusesAMalformedTableOfHardCases) {
+  const TemporaryFolder folder;
+  const std::string page = (folder.path() / "page.html").string();
+  write_hardcases(page + ".hardcases");
+  const std::filesystem::path file = std::filesystem::path(page + ".hardcases") / "hardcases.json";
+  const std::string good = read_text(file);
+  const auto refusal = [&](const std::string& text) {
+    std::ofstream(file) << text;
+    const RunOutcome outcome = run_small_report(page, {"hardcases"});
+    EXPECT_EQ(outcome.exit, kExitUnusable) << text;
+    EXPECT_THAT(outcome.err, HasSubstr("hardcases.json is no table of hard cases: "));
+    EXPECT_THAT(outcome.err, HasSubstr("./run hardcases makes it anew"));
+    return outcome.err;
+  };
+  const auto with = [&](const std::string& from, const std::string& to) {
+    return std::string(good).replace(good.find(from), from.size(), to);
+  };
+  EXPECT_THAT(refusal(R"({"columns":5,"cases":3})"), HasSubstr("two lists"));
+  EXPECT_THAT(refusal(R"({"columns":[],"cases":[{"id":"V1","name":"N","cells":[]}]})"),
+              HasSubstr("no column of 2D or 3D"));
+  EXPECT_THAT(refusal(with(R"(,{"verdict":"crash","sign":"X"})", "")), Not(HasSubstr("json.exception")));
+  EXPECT_THAT(refusal(with("\"crash\"", "\"wrong\"")), HasSubstr("the verdict 'wrong' is unknown"));
+  EXPECT_FALSE(std::filesystem::exists(page));
+  std::ofstream(file) << good;
+  EXPECT_EQ(run_small_report(page, {"hardcases"}).exit, kExitHolds);
+}
+
 TEST(ReportProgram, DoesNotReplaceAnotherProgramsFile) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "speed.html").string();
