@@ -81,11 +81,17 @@ std::string advice_plot(const AdvisedRecording& advised) {
   constexpr double kSlowest = 40;  // times the fastest: bars of more would hide the others
   BarPlot plot;
   plot.title = advised.plan.scene + ": a step of each broad phase";
-  plot.x_label = "milliseconds; the median of the steps, and the 99th percentile";
+  plot.x_label = "milliseconds, median and 99th percentile of the steps";
+  std::uint64_t left_out = 0;
   for (const Standing& standing : advised.advice.standings)
-    if (standing.times.median <= kSlowest)
+    if (standing.times.median > kSlowest)
+      ++left_out;
+    else
       plot.bars.push_back({standing.row.algorithm, step_milliseconds(standing.row),
                            standing.row.p99_ns * standing.row.cell.objects * 1e-6});
+  if (left_out > 0)
+    plot.x_label +=
+        filled("; %llu slower than %.0f times the fastest left out", wide_number(left_out), kSlowest);
   return draw(plot, "advice") + "\n";
 }
 
