@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/query/expression_lexer.h"
+#include "core/query/expression_units.h"
 #include "core/query/expression_words.h"
 
 namespace kerf {
@@ -38,6 +39,8 @@ constexpr std::array kSubjects{
     Subject{"pair", "", Happening::pair_is},           Subject{"plane", "moves", Happening::plane_moves},
     Subject{"node", "", Happening::node_changes},      Subject{"object", "moves", Happening::object_moves},
 };
+
+constexpr ExpressionMeasure kTruth{ExpressionMeasure::Quantity::plain, {}};
 
 bool is_comparison(Kind kind) { return kind >= Kind::less && kind <= Kind::unequal; }
 
@@ -84,10 +87,11 @@ class Parser {
     if (!accept(text)) reject("here '" + std::string(text) + "' was expected");
   }
   /// A chain of operators nests, too, and each takes room on the stack where it is evaluated.
-  std::size_t add(const ExpressionPart& part) {
+  std::size_t add(const ExpressionPart& part, const ExpressionMeasure& measure) {
     constexpr std::size_t kMost = 10'000;
     if (parts_.size() == kMost) reject("more than 10,000 values and operators are too many");
     parts_.push_back(part);
+    measures_.push_back(measure);
     return parts_.size() - 1;
   }
 
@@ -110,9 +114,24 @@ class Parser {
         require_condition(left, begin);
         require_condition(right, begin_of_right);
       }
-      left = add({.kind = found->kind, .left = left, .right = right});
+      const ExpressionMeasure& of_left = measures_[left];
+      const ExpressionMeasure& of_right = measures_[right];
+      if (is_misfit(found->kind, of_left, of_right)) {
+        if (of_right.unit_place) refuse_unit(of_right, of_left, begin, place);
+        refuse_unit(of_left, of_right, begin_of_right, now().place);
+      }
+      left = add({.kind = found->kind, .left = left, .right = right}, joined(found->kind, of_left, of_right));
       if (is_comparison(found->kind)) refuse_chain();
     }
+  }
+
+  /// The unit of `written` does not fit `other`, which stands in the text from `begin` to `end`.
+  [[noreturn]] void refuse_unit(const ExpressionMeasure& written, const ExpressionMeasure& other,
+                                std::size_t begin, std::size_t end) const {
+    std::string name(text_.substr(begin, end - begin));
+    name.resize(name.find_last_not_of(" \t") + 1);
+    reject_expression(text_, *written.unit_place,
+                      "this unit does not fit: " + name + " " + std::string(units_text(other.quantity)));
   }
 
   /// Who writes 1<height<5 means that height is between the two.
@@ -141,7 +160,7 @@ class Parser {
       if (value.of != part.variable) continue;
       if (value.name == name) {
         ++next_;
-        return add({.kind = Kind::number, .number = value.value});
+        return add({.kind = Kind::number, .number = value.value}, {});
       }
       known += (known.empty() ? "" : ", ") + std::string(value.name);
     }
@@ -159,14 +178,19 @@ class Parser {
   std::size_t prefix_unlimited() {
     constexpr int kTightest = 6;
     if (accept("!")) return negation();
-    if (accept("-")) return add({.kind = Kind::negate, .left = infix(kTightest)});
+    if (accept("-")) {
+      const std::size_t inner = infix(kTightest);
+      return add({.kind = Kind::negate, .left = inner}, measures_[inner]);
+    }
     if (accept("(")) {
       const std::size_t inner = infix(1);
       expect(")");
       return inner;
     }
-    if (now().kind == Token::Kind::number)
-      return add({.kind = Kind::number, .number = tokens_[next_++].number});
+    if (now().kind == Token::Kind::number) {
+      const Token& token = tokens_[next_++];
+      return add({.kind = Kind::number, .number = token.number}, token.measure);
+    }
     if (now().kind == Token::Kind::word) return word();
     reject("here a name, a number or '(' was expected");
   }
@@ -175,7 +199,7 @@ class Parser {
     const std::size_t place = now().place;
     const std::size_t inner = infix(3);
     require_condition(inner, place);
-    return add({.kind = Kind::is_not, .left = inner});
+    return add({.kind = Kind::is_not, .left = inner}, kTruth);
   }
 
   std::size_t word() {
@@ -185,7 +209,7 @@ class Parser {
     const VariableWord* const found = find_variable();
     if (found == nullptr) reject_word();
     ++next_;
-    return add({.kind = Kind::variable, .variable = found->variable});
+    return add({.kind = Kind::variable, .variable = found->variable}, measure_of(found->variable));
   }
 
   /// `median` alone is that of the step's time.
@@ -200,7 +224,7 @@ class Parser {
       ++next_;
       expect(")");
     }
-    return add({.kind = Kind::median, .variable = of});
+    return add({.kind = Kind::median, .variable = of}, measure_of(of));
   }
 
   [[nodiscard]] const VariableWord* find_variable() const {
@@ -235,7 +259,7 @@ class Parser {
     for (const Subject& subject : kSubjects) {
       if (subject.name != name) continue;
       part.happening = subject.happening;
-      if (subject.verb.empty() || accept(subject.verb)) return add(part);
+      if (subject.verb.empty() || accept(subject.verb)) return add(part, kTruth);
       verbs += (verbs.empty() ? "" : " or ") + std::string(subject.verb);
     }
     reject("here " + verbs + " was expected");
@@ -266,6 +290,7 @@ class Parser {
   std::size_t next_ = 0;
   int depth_ = 0;
   std::vector<ExpressionPart> parts_;
+  std::vector<ExpressionMeasure> measures_;  ///< one a part
 };
 
 }  // namespace

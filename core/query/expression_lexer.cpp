@@ -14,8 +14,13 @@ constexpr std::array<std::string_view, 17> kSymbols{"&&", "||", "==", "!=", "<="
 struct Unit {
   std::string_view name;
   double factor;
+  ExpressionMeasure::Quantity quantity;
 };
-constexpr std::array kUnits{Unit{"", 1}, Unit{"s", 1}, Unit{"ms", 1e-3}, Unit{"us", 1e-6}, Unit{"%", 1e-2}};
+constexpr std::array kUnits{
+    Unit{"", 1, ExpressionMeasure::Quantity::bare},      Unit{"s", 1, ExpressionMeasure::Quantity::time},
+    Unit{"ms", 1e-3, ExpressionMeasure::Quantity::time}, Unit{"us", 1e-6, ExpressionMeasure::Quantity::time},
+    Unit{"%", 1e-2, ExpressionMeasure::Quantity::share},
+};
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -36,13 +41,13 @@ class Lexer {
         symbol();
       }
     }
-    tokens_.push_back({Token::Kind::end, {}, 0, at_});
+    tokens_.push_back({.place = at_});
     return std::move(tokens_);
   }
 
  private:
   void add(Token::Kind kind, std::size_t size, double number = 0) {
-    tokens_.push_back({kind, text_.substr(at_, size), number, at_});
+    tokens_.push_back({.kind = kind, .text = text_.substr(at_, size), .number = number, .place = at_});
     at_ += size;
   }
 
@@ -55,8 +60,12 @@ class Lexer {
     std::size_t size = digits;
     while (at_ + size < text_.size() && (is_letter(text_[at_ + size]) || text_[at_ + size] == '%')) ++size;
     const std::string_view name = text_.substr(at_ + digits, size - digits);
-    for (const Unit& unit : kUnits)
-      if (unit.name == name) return add(Token::Kind::number, size, value * unit.factor);
+    for (const Unit& unit : kUnits) {
+      if (unit.name != name) continue;
+      add(Token::Kind::number, size, value * unit.factor);
+      if (!name.empty()) tokens_.back().measure = {unit.quantity, at_ - name.size()};
+      return;
+    }
     reject_expression(text_, at_ + digits, "this is no unit; known are s, ms, us and %");
   }
 

@@ -4,15 +4,18 @@
 #include <string_view>
 #include <vector>
 
+#include "core/query/expression_units.h"
+
 namespace kerf {
 
 /// A piece of an expression's text.
 struct Token {
   enum class Kind : std::uint8_t { number, word, symbol, end };
   Kind kind = Kind::end;
-  std::string_view text;  ///< for a number its digits and its unit
-  double number = 0;      ///< in seconds where a unit of time was given
-  std::size_t place = 0;  ///< where it begins
+  std::string_view text{};      ///< for a number its digits and its unit
+  double number = 0;            ///< in seconds where a unit of time was given
+  std::size_t place = 0;        ///< where it begins
+  ExpressionMeasure measure{};  ///< of a number
 };
 
 /// Cuts an expression into tokens, the last being `end`. Words may have a hyphen between letters

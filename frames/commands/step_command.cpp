@@ -27,9 +27,10 @@ std::string step_footer() {
       "EXPR    conditions joined by && || ! ( ), for example\n"
       "          op==merge && depth>8      pair(12,77) enters     plane(n17) moves\n"
       "          redundancy>5%             step_time>2*median     deferred>16 || missed>0\n"
-      "        Numbers may have the units s, ms, us and %. What concerns events holds right after an event, "
-      "all\n"
-      "        else at the end of a step; what an event does not have is never true of it.\n"
+      "        Numbers may have units: s, ms, us for times, % for redundancy, balance and quotients. What\n"
+      "        concerns events holds right after an event, all else at the end of a step; what an event "
+      "does\n"
+      "        not have is never true of it.\n"
       "THINGS  pair(i,j), pair(i,j) enters, pair(i,j) leaves, plane(nK) moves, node(nK), object(i) moves\n"
       "\nWORDS\n";
   for (const VariableWord& word : variable_words()) {

@@ -68,6 +68,46 @@ TEST(Expression, NumbersHaveUnits) {
   EXPECT_THAT(refusal("step_time > 5h"), HasSubstr("known are s, ms, us and %"));
 }
 
+/// `pairs>5%` was taken as pairs > 0.05, and `step>1s` as step > 1.
+TEST(Expression, AUnitThatTheQuantityDoesNotHaveIsRefused) {
+  EXPECT_THAT(refusal("pairs>5%"), HasSubstr("does not fit: pairs has no unit\n  pairs>5%\n         ^"));
+  EXPECT_THAT(refusal("step > 1s"), HasSubstr("does not fit: step has no unit"));
+  EXPECT_THAT(refusal("5% < pairs + 1"), HasSubstr("fit: pairs + 1 has no unit\n  5% < pairs + 1\n   ^"));
+  EXPECT_THAT(refusal("redundancy>5ms"), HasSubstr("redundancy takes % only"));
+  EXPECT_THAT(refusal("step_time>5%"), HasSubstr("step_time takes s, ms and us only"));
+  EXPECT_THAT(refusal("median(height) < 2us"), HasSubstr("median(height) has no unit"));
+  EXPECT_THAT(refusal("1s > 5%"), HasSubstr("1s takes s, ms and us only"));
+  for (const char* const text :
+       {"median>5%", "median(pairs)>5ms", "(pairs)>5%", "pairs>-5%", "pairs>2*5%", "pairs+5%>1", "pairs-1s>1",
+        "pairs>objects*1s", "op==split && step>1s", "!(depth<=8%)", "1/step_time>30%", "pairs/step_time>1s",
+        "(1<2)==1s", "pair(1,2)==5%", "step_time*step_time>1s", "straddlers/population>1s", "node==17%",
+        "entries/objects-1>1us", "redundancy*pairs>5%"})
+    EXPECT_THAT(refusal(text), HasSubstr("this unit does not fit: ")) << text;
+  EXPECT_THROW((void)Expression::parse_value("pairs+5%"), std::invalid_argument);
+  for (const char* const text : {"redundancy>5%",
+                                 "balance<=50%",
+                                 "step_time>5ms",
+                                 "step_time>2*median",
+                                 "median<1s",
+                                 "sweep_time>50%*step_time",
+                                 "sweep_time/step_time>50%",
+                                 "straddlers/population>5%",
+                                 "pairs>5%*objects",
+                                 "step_time/objects>2us",
+                                 "step_time>2us*objects+1ms",
+                                 "entries/objects-1>5%",
+                                 "redundancy>1/objects",
+                                 "1/step_time>30",
+                                 "pairs>1e6*step_time",
+                                 "median(redundancy)>5%",
+                                 "-redundancy<-5%",
+                                 "1s>5ms",
+                                 "1s/step_time>30",
+                                 "redundancy/2>5%",
+                                 "step_time/2>5ms/3"})
+    EXPECT_NO_THROW((void)Expression::parse(text)) << text;
+}
+
 TEST(Expression, NamesStandForWhatTheMomentSays) {
   Given moment;
   moment.numbers = {{Variable::op, static_cast<double>(Operator::shift_split)},
