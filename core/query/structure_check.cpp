@@ -324,7 +324,8 @@ class Checker {
 /// Rounding to the same decimal keeps the order of numbers: of those with one decimal in both tables, which a
 /// hand may have written, that decides.
 double BoundTolerance::allowed(double outer, double inner) const {
-  const bool keeps_order = outer_digits.decimals == 1 && inner_digits.decimals == 1;
+  const bool keeps_order = outer_digits.decimals == 1 && inner_digits.decimals == 1 && !outer_digits.coarse &&
+                           !inner_digits.coarse;
   const auto lost = [&](WrittenDigits written, double number) {
     if (keeps_order) written.decimals = 0;
     return rounded_away(written, number);

@@ -144,13 +144,17 @@ void write_digits(Database& database, const TheirDigits& digits) {
   set_meta(database, "their_box_decimals", std::to_string(digits.boxes.decimals));
   set_meta(database, "their_node_digits", std::to_string(digits.nodes.significant));
   set_meta(database, "their_node_decimals", std::to_string(digits.nodes.decimals));
+  if (digits.boxes.coarse) set_meta(database, "their_box_coarse", "1");
+  if (digits.nodes.coarse) set_meta(database, "their_node_coarse", "1");
 }
 
 std::optional<TheirDigits> read_digits(const std::map<std::string, std::string>& meta) {
   if (!meta.contains("their_box_digits")) return std::nullopt;
   const auto count = [&](const char* key) { return number<std::uint32_t>(meta, key); };
-  return TheirDigits{{count("their_box_digits"), count("their_box_decimals")},
-                     {count("their_node_digits"), count("their_node_decimals")}};
+  const auto is_coarse = [&](const char* key) { return meta.contains(key) && flag_of(meta, key); };
+  return TheirDigits{
+      {count("their_box_digits"), count("their_box_decimals"), is_coarse("their_box_coarse")},
+      {count("their_node_digits"), count("their_node_decimals"), is_coarse("their_node_coarse")}};
 }
 
 bool has_recording_id(const Database& database) {

@@ -199,9 +199,14 @@ void BoxLines::read_bounds(BoxLine& line) const {
   }
 }
 
-void BoxLines::note_digits(WrittenDigits& written) const {
+void BoxLines::note_digits(TableWriting& written) const {
   for (std::size_t column = kBounds; column <= max_column(dimension_ - 1); ++column)
-    kerf::note_digits(table_.text(column), written);
+    written.note(table_.text(column));
+}
+
+void BoxLines::note_remainders(Remainders& remainders) const {
+  for (std::size_t column = kBounds; column <= max_column(dimension_ - 1); ++column)
+    if (!table_.is_blank(column)) remainders.note(table_.real(column));
 }
 
 void BoxLines::note_writing(BoundWriting& writing) const {

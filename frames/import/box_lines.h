@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/base/given_id.h"
-#include "core/recording/their_digits.h"
 #include "core/recording/theirs.h"
 #include "frames/import/bound_writing.h"
+#include "frames/import/coarse_writing.h"
 #include "frames/support/csv_table.h"
 
 namespace kerf {
@@ -68,7 +68,8 @@ class BoxLines {
   [[nodiscard]] BoxLine read() const;
   /// Notes how the bounds of the line were written. Of those by which pairs are judged, what is no double is
   /// refused.
-  void note_digits(WrittenDigits& written) const;
+  void note_digits(TableWriting& written) const;
+  void note_remainders(Remainders& remainders) const;
   void note_writing(BoundWriting& writing) const;
   [[noreturn]] void reject(const std::string& what) const { table_.reject(what); }
   /// The file has another text than in the pass before.

@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "core/base/ids.h"
-#include "frames/import/written_digits.h"
 #include "frames/support/errors.h"
 
 namespace kerf {
@@ -96,16 +95,16 @@ std::vector<GivenId> read_objects(const CsvTable& table) {
   }
 }
 
-double read_bound(const CsvTable& table, std::size_t column, WrittenDigits& digits) {
+double read_bound(const CsvTable& table, std::size_t column, TableWriting& digits) {
   if (table.is_blank(column))
     table.reject("node " + std::string(table.text(kNodeName)) + " lacks a bound of its box");
   const double bound = table.real(column);
   if (std::isnan(bound)) table.reject(column, "is no number");
-  note_digits(table.text(column), digits);
+  digits.note(table.text(column));
   return bound;
 }
 
-GivenNode read_node(const CsvTable& table, int dimension, WrittenDigits& digits) {
+GivenNode read_node(const CsvTable& table, int dimension, TableWriting& digits) {
   GivenNode node;
   node.line = table.line();
   if (table.is_blank(kNodeName)) table.reject("the node is blank");

@@ -35,7 +35,7 @@ struct GivenNodes {
 /// What a table of nodes says.
 struct GivenTrees {
   std::vector<GivenNodes> steps;  ///< in their order
-  WrittenDigits digits;           ///< of all bounds
+  TableWriting digits;            ///< of all bounds
 };
 
 /// Reads step,node,parent,min_x,max_x,min_y,max_y[,min_z,max_z],object[,leaf][,margin] by the names of a

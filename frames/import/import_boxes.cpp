@@ -33,7 +33,6 @@ GivenBox<D> box_of(const BoxLine& line) {
 struct Theirs {
   std::vector<GivenPairs> pairs;
   std::vector<GivenNodes> nodes;
-  std::optional<TheirDigits> digits;  ///< of boxes and nodes; none: there is nothing to compare
 };
 
 /// What is known of an object while it is played.
@@ -62,10 +61,10 @@ class Import {
       : request_(request),
         survey_(survey),
         pairs_(std::move(theirs.pairs)),
-        nodes_(std::move(theirs.nodes), theirs.digits, survey),
+        nodes_(std::move(theirs.nodes), survey),
         oddities_(oddities),
         shown_(std::move(shown)),
-        info_(info_of(request, survey, std::move(design), theirs.digits, shown_.marks())),
+        info_(info_of(request, survey, std::move(design), shown_.marks())),
         tree_(request.config),
         recorder_(tree_, request.out, info_) {
     if (shown_.has_shapes()) recorder_.show([this](ObjectId object) { return shown_.appearance(object); });
@@ -107,7 +106,7 @@ class Import {
   }
 
   static RecordingInfo info_of(const ImportRequest& request, const Survey& survey, PairDesign design,
-                               const std::optional<TheirDigits>& digits, const ObjectMarks& marks) {
+                               const ObjectMarks& marks) {
     RecordingInfo info;
     info.marks = marks;
     info.dimension = D;
@@ -116,7 +115,7 @@ class Import {
     info.imported = true;
     info.names = survey.names;
     info.design = std::move(design);
-    info.digits = digits;
+    info.digits = survey.digits;
     return info;
   }
 
@@ -370,11 +369,9 @@ void import_boxes(const ImportRequest& request, const InterruptGuard& interrupt)
   if (!request.pairs.empty()) theirs.pairs = read_given_pairs(request.pairs, oddities);
   GivenTrees trees;
   if (!request.structure.empty()) trees = read_given_nodes(request.structure, boxes.dimension(), oddities);
-  theirs.nodes = std::move(trees.steps);
   const Survey found =
-      survey(boxes, theirs.pairs, request.pairs.string(), theirs.nodes, request.structure.string(), oddities);
-  if (found.digits.significant > 0 && trees.digits.significant > 0)
-    theirs.digits = TheirDigits{found.digits, trees.digits};
+      survey(boxes, theirs.pairs, request.pairs.string(), trees, request.structure.string(), oddities);
+  theirs.nodes = std::move(trees.steps);
   if (boxes.dimension() == 2) {
     import_in<2>(request, progress, boxes, found, std::move(theirs), oddities);
   } else {

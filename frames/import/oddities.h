@@ -29,6 +29,7 @@ enum class Oddity : std::uint8_t {
   pairs_end,
   cut_off,
   few_digits,
+  coarse_table,
 };
 
 /// Counts what is odd, and keeps where the first five of each kind are.
@@ -50,7 +51,7 @@ class Oddities {
 
  private:
   static constexpr std::size_t kNamed = 5;
-  static constexpr std::size_t kKinds = static_cast<std::size_t>(Oddity::few_digits) + 1;
+  static constexpr std::size_t kKinds = static_cast<std::size_t>(Oddity::coarse_table) + 1;
   struct Kind {
     std::size_t count = 0;
     std::vector<std::string> places;

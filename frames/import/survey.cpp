@@ -16,8 +16,9 @@ struct BoxStep {
 
 struct BoxSurvey {
   std::vector<BoxStep> steps;
-  std::vector<GivenId> objects;  ///< sorted
-  WrittenDigits digits;
+  std::vector<GivenId> objects;    ///< sorted
+  TableWriting digits;             ///< if there are nodes to compare them with
+  bool leaves_remainders = false;  ///< beyond the nodes' digits
   BoundWriting writing;
 };
 
@@ -27,8 +28,9 @@ void sort_unique(std::vector<GivenId>& ids) {
 }
 
 /// `notes_writing`: there are pairs to be judged by what was written.
-BoxSurvey read_boxes(BoxLines& lines, bool notes_digits, bool notes_writing, Oddities& oddities) {
+BoxSurvey read_boxes(BoxLines& lines, const GivenTrees& trees, bool notes_writing, Oddities& oddities) {
   BoxSurvey survey;
+  Remainders remainders(trees.digits);
   std::size_t sorted = 0;
   while (lines.next()) {
     GivenStep step = lines.step();
@@ -39,7 +41,10 @@ BoxSurvey read_boxes(BoxLines& lines, bool notes_digits, bool notes_writing, Odd
         lines.reject(conflict);
     if (survey.steps.empty() || step.time > survey.steps.back().step.time)
       survey.steps.push_back({std::move(step), lines.table().line()});
-    if (notes_digits) lines.note_digits(survey.digits);
+    if (!trees.steps.empty()) {
+      lines.note_digits(survey.digits);
+      lines.note_remainders(remainders);
+    }
     if (notes_writing) lines.note_writing(survey.writing);
     if (const auto object = lines.object()) survey.objects.push_back(*object);
     if (survey.objects.size() < 2 * sorted + 1'000'000) continue;
@@ -47,6 +52,7 @@ BoxSurvey read_boxes(BoxLines& lines, bool notes_digits, bool notes_writing, Odd
     sorted = survey.objects.size();
   }
   sort_unique(survey.objects);
+  survey.leaves_remainders = remainders.are_many();
   note_cut(lines.table(), oddities);
   lines.rewind();
   return survey;
@@ -110,6 +116,26 @@ void note_gaps(const std::vector<GivenStep>& steps, const std::vector<BoxStep>& 
   }
 }
 
+/// None if there are no boxes, or no nodes, to be compared.
+std::optional<TheirDigits> digits_of(const BoxSurvey& boxes, const GivenTrees& trees) {
+  TheirDigits digits{boxes.digits.digits(), trees.digits.digits()};
+  if (digits.boxes.significant == 0 || digits.nodes.significant == 0) return std::nullopt;
+  Remainders of_nodes(boxes.digits);
+  for (const GivenNodes& of_step : trees.steps)
+    for (const GivenNode& node : of_step.nodes)
+      for (std::size_t axis = 0; axis < node.min.size(); ++axis) {
+        of_nodes.note(node.min[axis]);
+        of_nodes.note(node.max[axis]);
+      }
+  digits.boxes.coarse = of_nodes.are_many();
+  digits.nodes.coarse = boxes.leaves_remainders;
+  return digits;
+}
+
+void note_coarse(const std::string& name, const TableWriting& writing, Oddities& oddities) {
+  oddities.note(Oddity::coarse_table, [&] { return name + ": " + writing.text(); });
+}
+
 /// Whether objects may keep their own numbers: few are unused.
 bool are_dense(const std::vector<GivenId>& objects) {
   return objects.empty() ||
@@ -125,14 +151,17 @@ bool count_from_one(const std::vector<GivenStep>& steps) {
 }  // namespace
 
 Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::string& pairs_name,
-              const std::vector<GivenNodes>& nodes, const std::string& nodes_name, Oddities& oddities) {
-  BoxSurvey read = read_boxes(boxes, !nodes.empty(), !pairs_name.empty(), oddities);
+              const GivenTrees& trees, const std::string& nodes_name, Oddities& oddities) {
+  const std::vector<GivenNodes>& nodes = trees.steps;
+  BoxSurvey read = read_boxes(boxes, trees, !pairs_name.empty(), oddities);
   Survey result;
   result.steps = union_of(read.steps, pairs, pairs_name, oddities);
   check_steps(nodes, nodes_name, result.steps);
   note_gaps(result.steps, read.steps, boxes.table().name(), oddities);
   result.objects = read.objects;
-  result.digits = read.digits;
+  result.digits = digits_of(read, trees);
+  if (result.digits && result.digits->boxes.coarse) note_coarse(boxes.table().name(), read.digits, oddities);
+  if (result.digits && result.digits->nodes.coarse) note_coarse(nodes_name, trees.digits, oddities);
   result.rounding = read.writing.rounding();
   result.suspected = read.writing.suspected();
   for (const GivenPairs& of_step : pairs)

@@ -14,12 +14,12 @@ namespace kerf {
 
 /// What is known of an import before it is played.
 struct Survey {
-  std::vector<GivenStep> steps;  ///< of boxes and pairs together, in order
-  GivenNames names;              ///< of the recording: none where the engine counts as we do
-  std::vector<GivenId> objects;  ///< those that have a line, rising
-  WrittenDigits digits{};        ///< of the boxes' bounds, if there are nodes to compare them with
-  BoundRounding rounding{};      ///< of the boxes' bounds
-  BoundRounding suspected{};     ///< of bounds that are too few to be sure
+  std::vector<GivenStep> steps;         ///< of boxes and pairs together, in order
+  GivenNames names;                     ///< of the recording: none where the engine counts as we do
+  std::vector<GivenId> objects;         ///< those that have a line, rising
+  std::optional<TheirDigits> digits{};  ///< of boxes and nodes, if there are both
+  BoundRounding rounding{};             ///< of the boxes' bounds
+  BoundRounding suspected{};            ///< of bounds that are too few to be sure
 
   [[nodiscard]] ObjectId object(const GivenId& id) const { return *names.find_object(id); }
   /// Whether what a node holds is one: -1 is none, unless it has a line.
@@ -37,6 +37,6 @@ struct Survey {
 /// Throws UsageError that names the line if steps do not rise, if a pair's step comes before the first one,
 /// or if nodes are of a step that has neither boxes nor pairs.
 Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::string& pairs_name,
-              const std::vector<GivenNodes>& nodes, const std::string& nodes_name, Oddities& oddities);
+              const GivenTrees& trees, const std::string& nodes_name, Oddities& oddities);
 
 }  // namespace kerf

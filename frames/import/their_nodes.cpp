@@ -26,7 +26,7 @@ std::optional<TheirStructure<D>> TheirNodes<D>::take(const GivenStep& step, cons
   is_known_ = next_ < steps_.size() && steps_[next_].step.time == step.time;
   if (!is_known_) return std::nullopt;
   TheirStructure<D> structure;
-  structure.digits = digits_;
+  structure.digits = survey_.digits;
   for (const GivenNode& given : steps_[next_].nodes) structure.nodes.push_back(node_of(given));
   ++next_;
   nodes_ += structure.nodes.size();

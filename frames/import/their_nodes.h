@@ -16,8 +16,8 @@ namespace kerf {
 template <int D>
 class TheirNodes {
  public:
-  TheirNodes(std::vector<GivenNodes> steps, const std::optional<TheirDigits>& digits, const Survey& survey)
-      : steps_(std::move(steps)), digits_(digits), survey_(survey) {}
+  TheirNodes(std::vector<GivenNodes> steps, const Survey& survey)
+      : steps_(std::move(steps)), survey_(survey) {}
 
   /// That of a step, checked against the objects as they are then; none if no line is of that step. Steps
   /// rise from call to call.
@@ -29,7 +29,6 @@ class TheirNodes {
   [[nodiscard]] TheirNode<D> node_of(const GivenNode& given) const;
 
   std::vector<GivenNodes> steps_;
-  std::optional<TheirDigits> digits_;
   const Survey& survey_;
   std::size_t next_ = 0;
   std::uint64_t nodes_ = 0;

@@ -60,28 +60,32 @@ bool may_be_of_double(std::string_view text, double number) {
   return given == cut || (all.size() > given.size() && all[given.size()] >= '5' && given == next_up(cut));
 }
 
-void note_digits(std::string_view text, WrittenDigits& written) {
-  std::int64_t significant = 0;
-  std::int64_t decimals = 0;
+std::optional<NumberDigits> read_digits(std::string_view text) {
+  NumberDigits number;
   bool has_digit = false;
-  bool has_point = false;
-  char last = '0';
   text.remove_prefix(std::min(text.find_first_not_of("+-"), text.size()));
   for (; !text.empty() && (text.front() == '.' || is_digit_character(text.front())); text.remove_prefix(1)) {
     if (text.front() == '.') {
-      has_point = true;
+      number.has_point = true;
       continue;
     }
     has_digit = true;
-    last = text.front();
-    significant += significant > 0 || text.front() != '0' ? 1 : 0;
-    decimals += has_point ? 1 : 0;
+    number.last = text.front();
+    number.significant += number.significant > 0 || text.front() != '0' ? 1 : 0;
+    number.decimals += number.has_point ? 1 : 0;
   }
-  if (!has_digit) return;
-  decimals = std::max<std::int64_t>(decimals - exponent_of(text), 0);
-  if (decimals == 1 && (last == '0' || last == '5')) decimals = 0;
-  written.significant =
-      std::max(written.significant, static_cast<std::uint32_t>(std::max<std::int64_t>(significant, 1)));
+  if (!has_digit) return std::nullopt;
+  number.decimals -= exponent_of(text);
+  number.significant = std::max<std::int64_t>(number.significant, 1);
+  return number;
+}
+
+void note_digits(std::string_view text, WrittenDigits& written) {
+  const auto number = read_digits(text);
+  if (!number) return;
+  std::int64_t decimals = std::max<std::int64_t>(number->decimals, 0);
+  if (decimals == 1 && (number->last == '0' || number->last == '5')) decimals = 0;
+  written.significant = std::max(written.significant, static_cast<std::uint32_t>(number->significant));
   written.decimals = std::max(written.decimals, static_cast<std::uint32_t>(decimals));
 }
 

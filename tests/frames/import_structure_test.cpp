@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "frames/import/written_digits.h"
 #include "tests/frames/import_program.h"
 #include "tests/support/boxes.h"
 #include "tests/support/planted_box_tree.h"
@@ -314,33 +313,6 @@ TEST_F(ImportStructure, AnObjectThatIsNoneIsNamed) {
       write("nodes.csv", "step,node,parent,min_x,max_x,min_y,max_y,object\n1,4,,0,1,0,1,0 5\n");
   EXPECT_THAT(imported("a", boxes, {"--structure", nodes}),
               HasSubstr("unknown object: n4 holds object 5, which is no object"));
-}
-
-WrittenDigits digits_of(const std::vector<std::string_view>& numbers) {
-  WrittenDigits written;
-  for (const std::string_view number : numbers) note_digits(number, written);
-  return written;
-}
-
-TEST(WrittenDigits, AreTheMostThatANumberHas) {
-  EXPECT_EQ(digits_of({"1.50"}), (WrittenDigits{3, 2}));
-  EXPECT_EQ(digits_of({"-0.0120"}), (WrittenDigits{3, 4}));
-  EXPECT_EQ(digits_of({"+1.50e-3"}), (WrittenDigits{3, 5}));
-  EXPECT_EQ(digits_of({"1.25E+2"}), (WrittenDigits{3, 0}));
-  EXPECT_EQ(digits_of({"100", "0.4", "7"}), (WrittenDigits{3, 1}));
-  EXPECT_EQ(digits_of({"100.5", "2.0"}), (WrittenDigits{4, 0})) << "halves are exact";
-  EXPECT_EQ(digits_of({"0.000000"}), (WrittenDigits{1, 6}));
-  EXPECT_EQ(digits_of({"nan", "-inf", ""}), WrittenDigits()) << "no number has any";
-}
-
-TEST(WrittenDigits, SayWhatWasRoundedAway) {
-  EXPECT_DOUBLE_EQ(rounded_away({6, 0}, 100'000), 0.5);
-  EXPECT_DOUBLE_EQ(rounded_away({9, 0}, -100'000), 0.0005);
-  EXPECT_DOUBLE_EQ(rounded_away({2, 0}, 1.5), 0.000005) << "no program writes fewer than six";
-  EXPECT_DOUBLE_EQ(rounded_away({9, 6}, 1e-5), 5e-7);
-  EXPECT_DOUBLE_EQ(rounded_away({9, 6}, 0), 5e-7);
-  EXPECT_DOUBLE_EQ(rounded_away({3, 1}, 12.3), 0.05);
-  EXPECT_EQ(rounded_away({}, 3), 0) << "it is not known how it was written";
 }
 
 }  // namespace
