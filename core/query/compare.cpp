@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/base/median.h"
 #include "core/base/shortest_text.h"
 #include "core/recording/shape_rows.h"
@@ -119,8 +120,34 @@ std::string margin_text(const Margin& margin) {
 
 std::string rounding_text(const BoundRounding& rounding) {
   if (rounding == BoundRounding{}) return "none";
-  return "to " + to_text(rounding) + (rounding.floats ? " of floats" : "");
+  std::string axes;
+  for (unsigned axis = 0; axis < 3; ++axis)
+    if ((rounding.planes >> axis & 1U) != 0)
+      axes += (axes.empty() ? "" : " and ") + std::string(1, static_cast<char>('x' + axis));
+  return "to " + to_text(rounding) + (rounding.floats ? " of floats" : "") +
+         (axes.empty() ? "" : " with all boxes flat along " + axes);
 }
+
+std::string digits_text(const std::optional<TheirDigits>& digits) {
+  if (!digits) return "not known";
+  const auto text = [](const WrittenDigits& written) {
+    return counted(written.significant, "digit") + " with " + counted(written.decimals, "decimal") +
+           (written.coarse ? ", too few," : "");
+  };
+  return text(digits->boxes) + " of boxes and " + text(digits->nodes) + " of nodes";
+}
+
+/// That of the first one which the other recording does not have.
+std::string decision_text(const std::vector<Decision>& decisions, std::size_t at) {
+  if (at >= decisions.size()) return at == 0 ? "none" : "no other";
+  const Decision& decision = decisions[at];
+  const std::string event = "e" + std::to_string(decision.event);
+  if (!decision.plane) return event + " refused";
+  return event + " takes direction " + std::to_string(decision.plane->direction) + " at " +
+         shortest_text(decision.plane->offset);
+}
+
+std::string or_own(std::uint32_t number) { return number == 0 ? "the scene's own" : std::to_string(number); }
 
 /// By their names, since a recording numbers its objects as they come.
 void compare_ignored(const RecordingInfo& a, const RecordingInfo& b, std::vector<std::string>& lines) {
@@ -135,8 +162,8 @@ void compare_ignored(const RecordingInfo& a, const RecordingInfo& b, std::vector
   add(only_in(of_b, of_a), "B");
 }
 
-/// What was said once of all steps, and decides what is asked of the tree, or what is a fault of another
-/// engine.
+/// What was said once of all steps: it decides what is asked of the tree or what is a fault of another
+/// engine, or says how a scene runs again.
 std::vector<std::string> compare_declared(const RecordingInfo& a, const RecordingInfo& b) {
   std::vector<std::string> lines;
   const auto add = [&lines](const std::string& what, const std::string& of_a, const std::string& of_b) {
@@ -147,11 +174,21 @@ std::vector<std::string> compare_declared(const RecordingInfo& a, const Recordin
   add("volume", std::string(to_string(a.volume)), std::string(to_string(b.volume)));
   add("margin", margin_text(a.design.margin), margin_text(b.design.margin));
   add("rounding of boxes", rounding_text(a.design.rounding), rounding_text(b.design.rounding));
+  add("digits of a structure", digits_text(a.digits), digits_text(b.digits));
   compare_ignored(a, b, lines);
+  const auto [in_a, in_b] = std::ranges::mismatch(a.decisions, b.decisions);
+  add("decisions", decision_text(a.decisions, static_cast<std::size_t>(in_a - a.decisions.begin())),
+      decision_text(b.decisions, static_cast<std::size_t>(in_b - b.decisions.begin())));
+  if (a.imported || b.imported) return lines;  // their scene is the name of a file
+  add("scene", a.scene, b.scene);
+  add("seed", std::to_string(a.seed), std::to_string(b.seed));
+  add("objects", or_own(a.objects), or_own(b.objects));
+  add("steps of growth", or_own(a.grow), or_own(b.grow));
+  add("steps between objects that fall anew", std::to_string(a.recycle), std::to_string(b.recycle));
   return lines;
 }
 
-/// In how many digits the numbers were written does not count.
+/// In how many digits the numbers were written is declared once.
 template <int D>
 bool same_structure(const std::optional<TheirStructure<D>>& a, const std::optional<TheirStructure<D>>& b) {
   return a.has_value() == b.has_value() && (!a || a->nodes == b->nodes);

@@ -56,7 +56,7 @@ struct RecordingComparison {
   std::optional<std::uint32_t> structures;  ///< of imports: first step with another structure, or with none
   std::optional<std::uint32_t> step_names;  ///< the first step of another name
   bool object_names = false;                ///< objects have other names, labels or colours
-  std::vector<std::string> declared;  ///< what was declared or rounded otherwise with the two, a line each
+  std::vector<std::string> declared;        ///< what was declared, rounded or decided otherwise, a line each
 
   [[nodiscard]] bool one_unfinished() const { return a.complete != b.complete; }
   /// What came after the last step of either could not be compared.

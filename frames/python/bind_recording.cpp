@@ -220,9 +220,10 @@ void bind_comparison(py::module_& module) {
       .def_readonly("step_names", &Comparison::step_names, "First step of another name.")
       .def_readonly("object_names", &Comparison::object_names,
                     "bool: objects have other names, labels or colours.")
-      .def_readonly("declared", &Comparison::declared,
-                    "list of str: what was declared or rounded otherwise with the two (margin, pairs to be "
-                    "ignored, digits), a line each.")
+      .def_readonly(
+          "declared", &Comparison::declared,
+          "list of str: what was declared, rounded or decided otherwise (margin, pairs to be ignored, "
+          "digits, decisions, scene), a line each.")
       .def("__repr__", [](const Comparison& c) {
         return std::string("<kerf.Comparison: ") + (c.same() ? "the same>" : "not the same>");
       });
