@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/base/config.h"
+#include "frames/python/made.h"
 #include "frames/python/picture.h"
 #include "frames/python/queries.h"
 
@@ -67,3 +68,5 @@ class PythonBroadPhase {
 std::unique_ptr<PythonBroadPhase> make_broad_phase(int dimension, const BroadPhaseOptions& options);
 
 }  // namespace kerf::python
+
+KERF_CLASS_OF_PYTHON(kerf::python::PythonBroadPhase);

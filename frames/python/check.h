@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "frames/python/judged_boxes.h"
+#include "frames/python/made.h"
 
 namespace kerf::python {
 
@@ -45,3 +46,5 @@ std::optional<CheckFailure> check(const pybind11::function& function,
                                   const std::vector<pybind11::array>& steps, const CheckOptions& options);
 
 }  // namespace kerf::python
+
+KERF_CLASS_OF_PYTHON(kerf::python::CheckFailure);

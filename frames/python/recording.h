@@ -12,6 +12,7 @@
 #include "core/query/compare.h"
 #include "core/replay/position.h"
 #include "core/replay/verify.h"
+#include "frames/python/made.h"
 #include "frames/python/picture.h"
 
 namespace kerf::python {
@@ -97,3 +98,8 @@ std::unique_ptr<PythonRecording> open_recording(const std::filesystem::path& pat
 Verdict verify_recording(const std::filesystem::path& path, std::uint32_t oracle_every);
 
 }  // namespace kerf::python
+
+KERF_CLASS_OF_PYTHON(kerf::python::PairWhy);
+KERF_CLASS_OF_PYTHON(kerf::python::PythonRecording);
+KERF_CLASS_OF_PYTHON(kerf::RecordingComparison);
+KERF_CLASS_OF_PYTHON(kerf::Verdict);

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/base/config.h"
+#include "frames/python/made.h"
 
 namespace kerf::python {
 
@@ -60,3 +61,5 @@ std::unique_ptr<PythonWorld> make_world(int dimension, const Config& config, boo
 void register_world_rows();
 
 }  // namespace kerf::python
+
+KERF_CLASS_OF_PYTHON(kerf::python::PythonWorld);
