@@ -87,7 +87,7 @@ void bind_queries(py::class_<Queried>& type) {
       "float64,\n"
       "in units of length, 0 within a box; -1 and infinity where there are fewer. Equal distances: by id. "
       "Errors:\n"
-      "as query_boxes.");
+      "as query_boxes; a k far beyond the objects that there are is one, too.");
 }
 
 }  // namespace kerf::python

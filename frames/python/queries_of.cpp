@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "frames/python/arrays.h"
 
 namespace kerf::python {
@@ -89,6 +90,16 @@ py::tuple all_of_each(const BatchResult<Hit>& result) {
   py::array_t<float> at(static_cast<py::ssize_t>(result.items.size()));
   std::ranges::transform(result.items, at.mutable_data(), &Hit::t);
   return py::make_tuple(found_rows(result), at);
+}
+
+/// What lies beyond the objects that there are is filled with -1 and infinity: much of it is a mistake, and a
+/// process whose memory ends is killed.
+void check_size(std::size_t points, std::size_t count, std::size_t objects) {
+  constexpr std::size_t kMostBeyond = std::size_t{1} << 26U;
+  if (points == 0 || count <= objects || count - objects <= kMostBeyond / points) return;
+  throw py::value_error("k: " + std::to_string(count) + " for each of " + counted(points, "point") +
+                        " is far beyond the " + counted(objects, "object") + " that there are; ask for " +
+                        std::to_string(objects));
 }
 
 }  // namespace
@@ -185,6 +196,7 @@ py::tuple QueriesOf<D>::sweeps(const py::handle& boxes, const py::handle& ways, 
 template <int D>
 py::tuple QueriesOf<D>::nearest(const py::handle& points, std::size_t count, float max_distance) {
   const Floats floats = float_rows(points, {D}, "points");
+  check_size(static_cast<std::size_t>(floats.size()) / D, count, index_.size());
   std::vector<Nearest<D>> queries;
   for (const Vector<D>& point : vectors_of<D>(floats)) queries.push_back({point, count, max_distance});
   BatchResult<Neighbour> result;

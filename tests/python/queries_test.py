@@ -115,6 +115,17 @@ def test_nothing_is_fine(world):
     assert empty.query_nearest(np.zeros((1, dimension)), 2)[0].tolist() == [[-1, -1]]
 
 
+def test_more_than_all_takes_no_memory_without_end(world):
+    dimension, boxes, phase = world
+    point = np.zeros((1, dimension))
+    for k in (2**31, 2**40, 2**63, 2**64 - 1):
+        with pytest.raises(ValueError, match=f"k: {k} for each of 1 point is far beyond the {len(boxes)} objects"):
+            phase.query_nearest(point, k)
+    with pytest.raises(ValueError, match="for each of 1000 points"):
+        phase.query_nearest(np.zeros((1000, dimension)), 100_000)
+    assert phase.query_nearest(point, 100_000)[0].shape == (1, 100_000)
+
+
 def test_what_cannot_be_asked_is_refused_by_its_row(world):
     dimension, _, phase = world
     points = np.zeros((4, dimension))
