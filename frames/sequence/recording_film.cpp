@@ -97,7 +97,7 @@ class RecordingFilm final : public Film {
     FrameRecord record;
     record.step = step;
     record.given_step = given_step_name(recording_->info().names, step);
-    record.objects = row.statistics.objects;
+    record.objects = replayer_.tree().objects().size();
     record.pairs = row.pairs;
     record.height = row.statistics.height;
     record.leaves = row.statistics.leaves;
@@ -150,7 +150,7 @@ class RecordingFilm final : public Film {
     return {.scene = recording_->info().scene,
             .broad_phase = broad_phase_of(recording_->info()),
             .step = replayer_.step(),
-            .objects = row.statistics.objects,
+            .objects = replayer_.tree().objects().size(),
             .moving = count_moving(replayer_.tree().objects()),
             .pairs = row.pairs,
             .contacts = 0,

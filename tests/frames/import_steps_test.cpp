@@ -109,6 +109,28 @@ TEST_F(ImportSteps, MinimizeNamesThem) {
   EXPECT_THAT(test::read_text(path("small.cpp")), ContainsRegex("// step 50[0-4][0-9]\n"));
 }
 
+/// A film counted those in the tree as objects, and all as moving: "objects 1, moving 2".
+TEST_F(ImportSteps, ObjectsInQuarantineAreCountedAlikeInEveryCaption) {
+  (void)imported("odd", write("odd.csv",
+                              "step,object,min_x,max_x,min_y,max_y\n1,0,0,1,0,1\n1,1,3,2,0,1\n"
+                              "1,2,0,2,0,1\n"));
+  const Words words{"render", path("odd.kerf"), "--steps", "1:1",      "--workers",
+                    "0",      "--overwrite",    "--out",   path("odd")};
+  const auto rendered = [&](Words more) {
+    more.insert(more.begin(), words.begin(), words.end());
+    run(more);
+    return test::read_json(path("odd/frames.json"))["frames"][0];
+  };
+  EXPECT_EQ(rendered({"--beside", "columns"})["objects"], 3);
+  EXPECT_EQ(rendered({"--ids"})["objects"], 3);
+  const auto texts = test::read_json(path("odd/odd_000000.draw.json"))["texts"];
+  for (const char* const word : {"objects", "moving"}) {
+    const auto at = std::ranges::find_if(texts, [&](const auto& text) { return text[2] == word; });
+    ASSERT_NE(at, texts.end());
+    EXPECT_EQ(std::stoi((at + 1)->at(2).get<std::string>()), 3) << word;
+  }
+}
+
 TEST_F(ImportSteps, RenderTakesThem) {
   const auto render = [&](const std::string& steps, int exit = 0) {
     return run({"render", file(), "--steps", steps, "--size", "320x200", "--workers", "0", "--ids", "--out",
