@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 #include "core/query/text.h"
 #include "tests/viz/debugger/timeline_driver.h"
@@ -142,6 +144,31 @@ TEST_F(DebuggerTables, WithinAStepPairsAreSaidToBeOfTheStepBefore) {
   EXPECT_EQ(driver().play("wait 2"), "");
   EXPECT_FALSE(driver().debugger().gui().find(note + ", boxes of this moment").has_value());
   EXPECT_EQ(driver().debugger().view().counts().pairs_note, "");
+}
+
+/// The depth of the overlap of boxes that are apart would be less than 0.
+TEST_F(DebuggerTables, BoxesThatHaveComeApartWithinAStepHaveNoOverlap) {
+  const auto pairs_after = [&](std::uint32_t step) {
+    run().go(Position::end_of(step));
+    std::vector<Pair> pairs(run().pairs().begin(), run().pairs().end());
+    std::ranges::sort(pairs);
+    return pairs;
+  };
+  std::vector<Pair> ended;
+  std::uint32_t step = 10;
+  for (; ended.empty() && step < 60; ++step)
+    std::ranges::set_difference(pairs_after(step - 1), pairs_after(step), std::back_inserter(ended));
+  ASSERT_FALSE(ended.empty());
+  run().go(run()
+               .search(Expression::parse("kind==phase && phase==sweep"), Position::end_of(step - 2), true, {})
+               .value());
+  ASSERT_EQ(run().position().step, step - 1);
+  const FigureTable table = table_of_pairs(run());
+  const auto row = std::ranges::find(table.rows, run().names().pair(ended[0]), &FigureTable::Row::name);
+  ASSERT_NE(row, table.rows.end());
+  const auto at = static_cast<std::size_t>(row - table.rows.begin());
+  EXPECT_TRUE(std::isnan(figure(table, at, "overlap")));
+  EXPECT_EQ(cell_text(table, at, column_of(table, "overlap")), "-");
 }
 
 TEST(DebuggerTablesOfALongRun, OlderPairsAreAsOldAsCanBeSeen) {
