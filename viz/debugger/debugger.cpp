@@ -181,7 +181,8 @@ void Debugger::update_views() {
   }
   const auto [x, y, all, height] = in_pixels(arrangement_.view);
   const int width = other == nullptr ? all : all / 2;
-  const SceneLook look{gui_.scale(), &theme_called(memory_.window.theme), is_turning_};
+  const SceneLook look{gui_.scale(), &theme_called(memory_.window.theme), is_turning_,
+                       gui_.scale() * overlay_above(), gui_.scale() * overlay_below()};
   view_->look = look;
   if (other_view_) other_view_->look = look;
   const Tint tint = model_.view.tint;

@@ -56,6 +56,42 @@ TEST(DebuggerOrbit, KeepsWhatIsUnderTheMouseWhenZoomingIn2D) {
   EXPECT_NEAR((ray_through(orbit.view(640, 480), 513, 83).start - after.start).norm(), 0, 1e-6);
 }
 
+/// The lowest objects were below the line that counts them.
+TEST(DebuggerOrbit, FramesAllInThePartThatTextLeavesFree) {
+  constexpr double kAbove = 24;
+  constexpr double kBelow = 42;
+  const auto expect_within = [&](const auto& orbit, const auto& box, int height, double most) {
+    const View view = orbit.view(640, height);
+    for (const Eigen::Vector3d& corner : {to_point(box.min), to_point(box.max)}) {
+      const auto pixel = view.project(corner);
+      ASSERT_TRUE(pixel.has_value());
+      EXPECT_GE(pixel->y(), std::min(kAbove, most));
+      EXPECT_LE(pixel->y(), height - std::min(kBelow, most));
+    }
+  };
+  const Box<2> tower{{{-1, 0}}, {{1, 40}}};
+  Orbit<2> flat;
+  flat.set_box(tower);
+  flat.leave_free(kAbove, kBelow);
+  expect_within(flat, tower, 480, kBelow);
+  expect_within(flat, tower, 60, 0.1);
+  const SightRay before = ray_through(flat.view(640, 480), 500, 90);
+  flat.zoom(4, 500, 90, 640, 480);
+  EXPECT_NEAR((ray_through(flat.view(640, 480), 500, 90).start - before.start).norm(), 0, 1e-6);
+  const Box<3> column{{{-1, 0, -1}}, {{1, 40, 1}}};
+  Orbit<3> deep;
+  deep.set_box(column);
+  deep.leave_free(kAbove, kBelow);
+  expect_within(deep, column, 480, kBelow);
+  const View all = deep.view(640, 480);
+  deep.turn(0, 0, 640, 480);
+  EXPECT_NEAR(
+      (all.project(to_point(column.min)).value() - deep.view(640, 480).project(to_point(column.min)).value())
+          .norm(),
+      0, 1e-6)
+      << "the first move of the mouse changes nothing else";
+}
+
 TEST(DebuggerOrbit, LooksAtABox) {
   Orbit<3> orbit;
   orbit.set_box(kRoom);

@@ -119,6 +119,9 @@ void draw_tables(PanelContext& context);
 void draw_view_tools(PanelContext& context);
 void draw_view_overlay(PanelContext& context, const SceneView& view, const PanelArea& area,
                        const std::string& title);
+/// The heights, in units, that the overlay's usual lines take at the top and at the bottom of a view.
+float overlay_above();
+float overlay_below();
 void draw_welcome(PanelContext& context);
 void draw_tour(PanelContext& context);
 /// What a stop of the tour, counted from 0, says of this run.

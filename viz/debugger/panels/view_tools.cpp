@@ -18,6 +18,12 @@ constexpr float kTintChoice = 105;
 constexpr float kStructureChoice = 145;
 constexpr float kDepths = 110;
 
+// Units around the lines of text on the scene.
+constexpr float kAboveTitle = 6;
+constexpr float kBetweenLines = 4;
+constexpr float kBelowCounts = 4;
+
+float line_height() { return ImGui::GetTextLineHeight() + 2; }
 float text_width(const char* text) { return ImGui::CalcTextSize(text).x; }
 
 void draw_layers(PanelContext& context) {
@@ -157,12 +163,15 @@ void draw_view_tools(PanelContext& context) {
   draw_structure_choice(context);
 }
 
+float overlay_above() { return kAboveTitle + line_height() + kBetweenLines; }
+float overlay_below() { return kBelowCounts + 2 * line_height() + kBetweenLines; }
+
 void draw_view_overlay(PanelContext& context, const SceneView& view, const PanelArea& area,
                        const std::string& title) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect({area.x, area.y}, {area.x + area.width, area.y + area.height}, true);
-  const float line = ImGui::GetTextLineHeight() + 2;
-  const float bottom = area.y + area.height - 4;
+  const float line = line_height();
+  const float bottom = area.y + area.height - kBelowCounts;
   const ShownCounts& counts = view.counts();
   const bool all = counts.objects == counts.all_objects && counts.partitioners == counts.all_partitioners &&
                    counts.pairs == counts.all_pairs;
@@ -170,18 +179,18 @@ void draw_view_overlay(PanelContext& context, const SceneView& view, const Panel
   if (ImGui::CalcTextSize(drawn.c_str()).x > area.width - 16)
     drawn = std::to_string(counts.objects) + " of " + std::to_string(counts.all_objects) + " objects drawn";
   draw_text_on(list, {area.x + 8, bottom - line}, drawn, all ? palette::kFaintInk : palette::kCandidate);
-  float top = area.y + 6;
+  float top = area.y + kAboveTitle;
   for (const std::string& text :
        {title, counts.theirs ? their_text(counts) : "",
         counts.lacks_isolated ? not_alone_text(context.model.view) : "", counts.query}) {
     if (text.empty()) continue;
     draw_text_on(list, {area.x + 8, top}, widgets::elided(text, area.width - 24), palette::kInk);
-    top += line + 4;
+    top += line + kBetweenLines;
   }
   draw_error_counts(list, counts, {area.x + 8, top});
   const ViewSettings& settings = context.model.view;
   if (settings.layers.has(Layer::leaves)) {
-    const float above = bottom - 2 * line - 4;
+    const float above = bottom - 2 * line - kBetweenLines;
     for (int k = 0; k < 60; ++k)
       list.AddRectFilled({area.x + 8 + static_cast<float>(k), above + 2},
                          {area.x + 9 + static_cast<float>(k), above + 13},

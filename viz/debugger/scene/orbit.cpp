@@ -15,10 +15,17 @@ constexpr double kZoomPerClick = 0.85;
 
 }  // namespace
 
+/// A flat view has no part without text that would be worth it.
+template <int D>
+Viewport Orbit<D>::framed(int width, int height) const {
+  constexpr double kMost = 0.4;
+  const double share = std::min(1.0, kMost * height / std::max(1e-9, above_ + below_));
+  return {0, share * above_, static_cast<double>(width), height - share * (above_ + below_)};
+}
+
 template <int D>
 View Orbit<D>::view(int width, int height) const {
-  const Viewport all{0, 0, static_cast<double>(width), static_cast<double>(height)};
-  return kerf::frame_all(box_, choice_, all, width, height);
+  return kerf::frame_all(box_, choice_, framed(width, height), width, height);
 }
 
 /// Replaces the automatic choices of the camera by numbers, which the mouse can change.
@@ -68,7 +75,8 @@ void Orbit<D>::zoom(double clicks, double x, double y, int width, int height) {
   if constexpr (D == 3) {
     *choice_.distance = std::clamp(*choice_.distance * factor, 1e-3, 1e9);
   } else {
-    const Eigen::Vector2d offset(x - 0.5 * width, 0.5 * height - y);
+    const Viewport seen = framed(width, height);
+    const Eigen::Vector2d offset(x - 0.5 * width, seen.top + 0.5 * seen.height - y);
     *choice_.center += (1 - factor) / view(width, height).pixels_per_unit_at_one * offset;
     choice_.width = std::clamp(*choice_.width * factor, 1e-6, 1e12);
   }

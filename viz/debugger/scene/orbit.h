@@ -10,6 +10,11 @@ class Orbit {
  public:
   /// Frames all of `box` until the user moves the camera.
   void set_box(const Box<D>& box) { box_ = box; }
+  /// So many pixels at the top and the bottom are no part of what it frames and aims at.
+  void leave_free(double above, double below) {
+    above_ = above;
+    below_ = below;
+  }
   [[nodiscard]] View view(int width, int height) const;
 
   /// Mouse movement in pixels. The 2D camera does not turn: it moves.
@@ -27,8 +32,11 @@ class Orbit {
 
  private:
   void settle(int width, int height);
+  [[nodiscard]] Viewport framed(int width, int height) const;
 
   Box<D> box_;
+  double above_ = 0;
+  double below_ = 0;
   CameraChoice<D> choice_;
 };
 

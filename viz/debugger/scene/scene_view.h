@@ -39,6 +39,8 @@ struct SceneLook {
   double scale = 1;  ///< pixels in a unit of the panels: lines get thicker with it
   const Theme* theme = &theme_called(ThemeName::light);
   bool brief = false;  ///< many objects are drawn with less detail: the camera turns
+  double above = 0;    ///< pixels at the top that text may cover, and at the bottom
+  double below = 0;
   friend bool operator==(const SceneLook&, const SceneLook&) = default;
 };
 

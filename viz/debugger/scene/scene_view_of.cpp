@@ -69,6 +69,7 @@ void SceneViewOf<D>::update(const DebuggerModel& model, int width, int height, d
     orbit_.face(facing.direction);
   width_ = std::max(width, 16);
   height_ = std::max(height, 16);
+  orbit_.leave_free(look.above, look.below);
   const Seen seen{run_.position(),
                   model.view,
                   model.selection(),
