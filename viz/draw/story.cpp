@@ -107,7 +107,8 @@ void draw_icicle(const View& view, const Font& font, const Viewport& place, cons
   if (acting) draw_rim(view, *acting, palette::kOperator, 0.14 * line, overlay);
 }
 
-/// From values to pixels: steps to the right, powers of ten upwards.
+/// From values to pixels: steps to the right, powers of ten upwards. If there is a 0, it has a line of its
+/// own at the bottom, as far below the lowest power as that is below the next.
 class StoryScale {
  public:
   StoryScale(const Viewport& place, const std::vector<StoryCurve>& curves) : place_(place) {
@@ -116,6 +117,7 @@ class StoryScale {
     for (const StoryCurve& curve : curves) {
       steps_ = std::max(steps_, curve.values.size());
       for (const float value : curve.values) {
+        has_zero_ |= value >= 0 && value < 1;
         if (value < 1) continue;
         most = std::max(most, double{value});
         least = std::min(least, double{value});
@@ -129,15 +131,18 @@ class StoryScale {
            place_.width * static_cast<double>(step) / static_cast<double>(std::max<std::size_t>(1, steps_));
   }
   [[nodiscard]] double y(double value) const {
-    const double part = (std::log10(std::max(1.0, value)) - low_) / (high_ - low_);
+    const double bottom = has_zero_ ? low_ - 1 : low_;
+    const double part = value < 1 ? 0 : (std::log10(value) - bottom) / (high_ - bottom);
     return place_.top + place_.height * (1 - std::clamp(part, 0.0, 1.0));
   }
+  [[nodiscard]] bool has_zero() const { return has_zero_; }
   [[nodiscard]] int low() const { return static_cast<int>(low_); }
   [[nodiscard]] int high() const { return static_cast<int>(high_); }
 
  private:
   Viewport place_;
   std::size_t steps_ = 1;
+  bool has_zero_ = false;
   double low_ = 0;
   double high_ = 1;
 };
@@ -151,13 +156,14 @@ std::string power_of_ten(int exponent) {
 
 void draw_grid(const View& view, const Font& font, const Viewport& place, const StoryScale& scale,
                Overlay& overlay) {
-  for (int power = scale.low(); power <= scale.high(); ++power) {
-    const double y = scale.y(std::pow(10.0, power));
+  const auto add = [&](double y, const std::string& name) {
     add_line_on_picture(overlay.shapes, view, {place.left, y}, {place.left + place.width, y}, {kGrid, 1.5});
-    const std::string name = power_of_ten(power);
     overlay.text.add(font, static_cast<int>(place.left) - font.width(name + " "),
                      static_cast<int>(y) - font.line_height() / 2, name, palette::kFaintInk);
-  }
+  };
+  if (scale.has_zero()) add(scale.y(0), "0");
+  for (int power = scale.low(); power <= scale.high(); ++power)
+    add(scale.y(std::pow(10.0, power)), power_of_ten(power));
 }
 
 void draw_steps(const Font& font, const Viewport& place, const std::array<std::string, 2>& ends,

@@ -22,7 +22,7 @@ class StoryPicture : public testing::Test {
     FrameRenderer<3> renderer(options);
     tree.assign(&scene.tree());
     const std::vector<StoryCurve> curves{{"each with each", {90, 90, 90}, {1e6F, 1e6F, 1e6F, 1e6F}},
-                                         {"our tree", {0, 114, 178}, {1000, -1, 4000, 3000}}};
+                                         {"our tree", {0, 114, 178}, counts}};
     const StoryPanels panels{"small", "step 3",    sentence, &tree, 64,
                              12,      tree.root(), &curves,  3,     {"5000", "5003.5"}};
     renderer.set_sketch([&](const View& view, const Font& font, Overlay& overlay) {
@@ -45,6 +45,15 @@ class StoryPicture : public testing::Test {
     return "";
   }
 
+  /// Where the scale has the word, which stands behind the values of the step.
+  [[nodiscard]] int height_of(const std::string& word) const {
+    const auto found =
+        std::find_if(texts.rbegin(), texts.rend(), [&](const auto& one) { return one.text == word; });
+    EXPECT_NE(found, texts.rend()) << word;
+    return found == texts.rend() ? 0 : found->y;
+  }
+
+  std::vector<float> counts{1000, -1, 4000, 3000};  ///< of the tree
   test::SmallScene<3> scene;
   TreeSnapshotOf<3> tree;
   Image picture;
@@ -80,6 +89,22 @@ TEST_F(StoryPicture, ShowsTheValuesOfTheStep) {
   for (const DrawnText& text : texts) words.push_back(text.text);
   EXPECT_THAT(words, testing::IsSupersetOf(
                          {"1,000,000", "4,000", "each with each", "1k", "1M", "step 5000", "5003.5"}));
+}
+
+/// It lay on the lowest power of ten that has a line.
+TEST_F(StoryPicture, ZeroHasALineOfItsOwnBelowThePowersOfTen) {
+  counts = {40, 0, 0};
+  draw(1280, 720, "");
+  EXPECT_EQ(overlapping(), "");
+  const int zero = height_of("0");
+  EXPECT_NEAR(zero - height_of("10"), height_of("10") - height_of("100"), 1);
+  const int middle = zero + Font(story_letters(1280, 720)).line_height() / 2;
+  int blue = 0;
+  for (int x = 1280 - story_margins(1280, 720).right; x < 1280; ++x) {
+    const std::uint8_t* p = picture.pixel(x, middle);
+    blue += p[0] < 60 && p[2] > 140 ? 1 : 0;
+  }
+  EXPECT_GT(blue, 40) << "the curve runs along it";
 }
 
 TEST_F(StoryPicture, TheIcicleHasTheColoursOfItsLeavesAndTheRimOfTheActingNode) {
