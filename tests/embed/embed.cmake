@@ -57,11 +57,12 @@ if(NOT KERF_ABIDIFF)
   set_tests_properties(Embed.TheAbiOfCIsTheOneThatIsWrittenDown PROPERTIES DISABLED ON)
 endif()
 
-# The samples of docs/EMBEDDING.md.
+# The samples of docs/EMBEDDING.md. They run where they were compiled, and may write there.
 add_test(NAME Embed.TheSamplesOfThePagePrintWhatItSays
   COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/embed/run_page ${PROJECT_SOURCE_DIR}/docs/EMBEDDING.md
     ${CMAKE_CURRENT_BINARY_DIR}/embed_page -I${PROJECT_SOURCE_DIR} -I${PROJECT_SOURCE_DIR}/core/c
-    $<TARGET_FILE:kerf_c> $<TARGET_FILE:kerf_bsp> -lstdc++ -lm -lhwy_contrib -lhwy -lxxhash -ltbb)
+    $<TARGET_FILE:kerf_recording> $<TARGET_FILE:kerf_scene> $<TARGET_FILE:kerf_c> $<TARGET_FILE:kerf_bsp>
+    -lstdc++ -lm -lhwy_contrib -lhwy -lxxhash -ltbb -lsqlite3 -lzstd)
 
 # Memory that ends.
 add_executable(kerf_out_of_memory embed/out_of_memory.cpp)
