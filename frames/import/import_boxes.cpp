@@ -14,6 +14,7 @@
 #include "core/replay/oracle.h"
 #include "frames/import/import_progress.h"
 #include "frames/import/shown_objects.h"
+#include "frames/import/signed_ids.h"
 #include "frames/import/step_lines.h"
 #include "frames/import/their_nodes.h"
 #include "frames/support/errors.h"
@@ -306,6 +307,8 @@ PairDesign design_of(const ImportRequest& request, const Survey& survey, Odditie
   PairDesign design{request.margin, {}, survey.rounding};
   if (request.ignore.empty()) return design;
   for (const GivenPair& pair : read_ignored_pairs(request.ignore, oddities)) {
+    for (const GivenId& id : {pair.a, pair.b})
+      check_sign(id, survey.objects, request.ignore.string(), pair.line);
     const auto a = survey.find(pair.a);
     const auto b = survey.find(pair.b);
     if (a && b)

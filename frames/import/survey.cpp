@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "frames/import/signed_ids.h"
 #include "frames/support/errors.h"
 
 namespace kerf {
@@ -95,6 +96,13 @@ void check_steps(const std::vector<GivenNodes>& nodes, const std::string& nodes_
   }
 }
 
+void check_signs(const std::vector<GivenNodes>& nodes, const std::string& nodes_name, const Survey& survey) {
+  for (const GivenNodes& of_step : nodes)
+    for (const GivenNode& node : of_step.nodes)
+      for (const GivenId& id : node.objects)
+        if (survey.is_object(id)) check_sign(id, survey.objects, nodes_name, node.line);
+}
+
 /// A step is usually as long as most are.
 void note_gaps(const std::vector<GivenStep>& steps, const std::vector<BoxStep>& boxes,
                const std::string& name, Oddities& oddities) {
@@ -165,7 +173,11 @@ Survey survey(BoxLines& boxes, const std::vector<GivenPairs>& pairs, const std::
   result.rounding = read.writing.rounding();
   result.suspected = read.writing.suspected();
   for (const GivenPairs& of_step : pairs)
-    for (const GivenPair& pair : of_step.pairs) read.objects.insert(read.objects.end(), {pair.a, pair.b});
+    for (const GivenPair& pair : of_step.pairs) {
+      for (const GivenId& id : {pair.a, pair.b}) check_sign(id, result.objects, pairs_name, pair.line);
+      read.objects.insert(read.objects.end(), {pair.a, pair.b});
+    }
+  check_signs(nodes, nodes_name, result);
   for (const GivenNodes& of_step : nodes)
     for (const GivenNode& node : of_step.nodes)
       std::ranges::copy_if(node.objects, std::back_inserter(read.objects),

@@ -1,4 +1,4 @@
-// Imports of files that change while they are read, or are not whole.
+// Imports of files that change while they are read, are not whole, or do not name objects alike.
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -137,6 +137,35 @@ TEST_F(ImportFiles, WholeFilesWithOtherEndsOfLinesAreNotOdd) {
     const std::string boxes = write("boxes.csv", "1,1,0,1,0,1\n1,2,3,4,0,1" + end);
     EXPECT_THAT(imported("a", boxes, {"--strict"}), Not(HasSubstr("odd")));
   }
+}
+
+/// A right engine that writes a handle with a sign in one table missed all pairs of that object.
+TEST_F(ImportFiles, ObjectsWithASignInOneTableOnlyAreRefused) {
+  const auto said = [&](const std::string& of_boxes, const std::string& of_pairs) {
+    const std::string boxes = write("boxes.csv", kHead + "1," + of_boxes + ",0,1,0,1\n1,7,0,1,0,1\n");
+    const std::string pairs = write("pairs.csv", "step,a,b\n1,7," + of_pairs + "\n");
+    return refused(boxes, {"--pairs", pairs});
+  };
+  EXPECT_THAT(
+      said("18446744073709551614", "-2"),
+      HasSubstr("pairs.csv, line 2: there is no object -2, but 18446744073709551614 has the same 64 bits: "
+                "write objects with a sign in all tables, or in none"));
+  EXPECT_THAT(said("-9223372036854775808", "9223372036854775808"), HasSubstr("has the same 64 bits"));
+  EXPECT_THAT(said("4294967294", "-2"), HasSubstr("has the same 32 bits"));
+  EXPECT_THAT(said("-2147483648", "2147483648"), HasSubstr("has the same 32 bits"));
+  const std::string boxes = write("boxes.csv", kHead + "1,4294967294,0,1,0,1\n1,7,0,1,0,1\n");
+  EXPECT_THAT(refused(boxes, {"--structure", write("nodes.csv",
+                                                   "step,node,parent,min_x,max_x,min_y,max_y,object\n"
+                                                   "1,0,,0,1,0,1,7 -2\n")}),
+              HasSubstr("nodes.csv, line 2: there is no object -2"));
+  EXPECT_THAT(refused(boxes, {"--ignore", write("ignore.csv", "a,b\n7,-2\n")}),
+              HasSubstr("ignore.csv, line 2: there is no object -2"));
+  const std::string both = write("both.csv", kHead + "1,4294967294,0,1,0,1\n1,-2,0,1,0,1\n1,7,9,9,9,9\n");
+  EXPECT_THAT(imported("a", both, {"--pairs", write("pairs.csv", "step,a,b\n1,-2,4294967294\n")}),
+              HasSubstr(": 0 missed, 0 extra"))
+      << "two objects";
+  EXPECT_THAT(imported("a", boxes, {"--pairs", write("pairs.csv", "step,a,b\n1,4294967294,7\n1,9,7\n")}),
+              HasSubstr("odd: 1 pair with an object that is not there"));
 }
 
 }  // namespace
