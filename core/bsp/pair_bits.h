@@ -31,8 +31,11 @@ class PairBits {
 
  private:
   [[nodiscard]] std::uint64_t* row(std::size_t object) { return bits_.data() + object * words_; }
-  void write_box(const ObjectTable<D>& table, ObjectId object);
-  [[nodiscard]] bool take_row(const ObjectTable<D>& table, ObjectId object, std::uint64_t* fresh);
+  [[nodiscard]] bool write_boxes(const ObjectTable<D>& table);
+  bool write_box(const ObjectTable<D>& table, ObjectId object);
+  [[nodiscard]] bool take_row(const ObjectTable<D>& table, ObjectId object, bool only_later,
+                              std::uint64_t* fresh);
+  void change_row(ObjectId object, std::size_t word, const std::uint64_t* fresh);
   void list(std::size_t objects, PairBuffer& pairs);
 
   bool known_ = false;

@@ -1,6 +1,7 @@
 #include "core/kernels/overlap_rows.h"
 
-#include <algorithm>
+#include <bit>
+#include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/kernels/overlap_rows.cpp"
@@ -11,31 +12,35 @@
 HWY_BEFORE_NAMESPACE();
 namespace kerf::HWY_NAMESPACE {
 
+/// Where the byte of a block lies in the word that it is a part of.
+constexpr std::size_t kTurn = std::endian::native == std::endian::little ? 0 : sizeof(std::uint64_t) - 1;
+
 template <int D>
 HWY_INLINE void find_rows(std::span<const WideBlock<D>> boxes, std::span<const ObjectId> objects,
-                          std::uint64_t* rows) {
-  constexpr std::size_t kBlocks = 64 / kBlockWidth;  // of a word
+                          bool only_later, std::uint64_t* rows) {
+  static_assert(kBlockWidth == 8, "a byte for each block");
+  const std::size_t words = words_of_row(boxes.size());
   for (const ObjectId object : objects) {
-    const OverlapTest<D> test(boxes[object.index() / kBlockWidth].box(object.index() % kBlockWidth));
-    for (std::size_t begin = 0; begin < boxes.size(); begin += kBlocks) {
-      const std::size_t end = std::min(begin + kBlocks, boxes.size());
-      std::uint64_t bits = 0;
-      std::size_t place = 0;
-      for (std::size_t block = begin; block < end; ++block)
-        for (std::size_t k = 0; k < kBlockWidth; k += kPart, place += kPart)
-          bits |= std::uint64_t{bits_of(test(boxes[block], k))} << place;
-      *rows++ = bits;
+    const std::size_t own = object.index() / kBlockWidth;
+    const OverlapTest<D> test(boxes[own].box(object.index() % kBlockWidth));
+    rows[words - 1] = 0;  // there may be no block for its last bytes
+    auto* const row = reinterpret_cast<std::uint8_t*>(rows);
+    for (std::size_t block = only_later ? own : 0; block < boxes.size(); ++block) {
+      std::uint32_t bits = 0;
+      for (std::size_t k = 0; k < kBlockWidth; k += kPart) bits |= bits_of(test(boxes[block], k)) << k;
+      row[block ^ kTurn] = static_cast<std::uint8_t>(bits);
     }
+    rows += words;
   }
 }
 
-void find_rows_2(std::span<const WideBlock<2>> boxes, std::span<const ObjectId> objects,
+void find_rows_2(std::span<const WideBlock<2>> boxes, std::span<const ObjectId> objects, bool only_later,
                  std::uint64_t* rows) {
-  find_rows<2>(boxes, objects, rows);
+  find_rows<2>(boxes, objects, only_later, rows);
 }
-void find_rows_3(std::span<const WideBlock<3>> boxes, std::span<const ObjectId> objects,
+void find_rows_3(std::span<const WideBlock<3>> boxes, std::span<const ObjectId> objects, bool only_later,
                  std::uint64_t* rows) {
-  find_rows<3>(boxes, objects, rows);
+  find_rows<3>(boxes, objects, only_later, rows);
 }
 
 }  // namespace kerf::HWY_NAMESPACE
@@ -48,14 +53,14 @@ HWY_EXPORT(find_rows_2);
 HWY_EXPORT(find_rows_3);
 
 template <>
-void overlap_rows<2>(std::span<const WideBlock<2>> boxes, std::span<const ObjectId> objects,
+void overlap_rows<2>(std::span<const WideBlock<2>> boxes, std::span<const ObjectId> objects, bool only_later,
                      std::uint64_t* rows) {
-  HWY_DYNAMIC_DISPATCH(find_rows_2)(boxes, objects, rows);
+  HWY_DYNAMIC_DISPATCH(find_rows_2)(boxes, objects, only_later, rows);
 }
 template <>
-void overlap_rows<3>(std::span<const WideBlock<3>> boxes, std::span<const ObjectId> objects,
+void overlap_rows<3>(std::span<const WideBlock<3>> boxes, std::span<const ObjectId> objects, bool only_later,
                      std::uint64_t* rows) {
-  HWY_DYNAMIC_DISPATCH(find_rows_3)(boxes, objects, rows);
+  HWY_DYNAMIC_DISPATCH(find_rows_3)(boxes, objects, only_later, rows);
 }
 
 }  // namespace kerf

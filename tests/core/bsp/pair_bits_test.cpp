@@ -38,26 +38,63 @@ template <class T>
 class PairBitsOfTable : public EveryKernel<T> {};
 TYPED_TEST_SUITE(PairBitsOfTable, Dimensions, DimensionNames);
 
-/// Moves, removes, inserts and quarantines a few objects, and notes them.
+/// Moves, removes, inserts or quarantines an object.
 template <int D>
-void change_some(ObjectTable<D>& table, PairBits<D>& bits, Random& random) {
+void change(ObjectTable<D>& table, ObjectId object, Random& random) {
+  const Mobility mobility = random.below(3) == 0 ? Mobility::fixed : Mobility::moving;
+  Box<D> box = draw_box<D>(random, 6);
+  if (random.below(8) == 0) box.min[0] = std::numeric_limits<Scalar>::quiet_NaN();
+  if (table.state(object) == ObjectState::absent) {
+    (void)table.insert(object, box, mobility);
+  } else if (random.below(4) == 0) {
+    (void)table.remove(object);
+  } else {
+    (void)table.move(object, box);
+  }
+}
+
+template <int D>
+std::vector<ObjectId> change_some(ObjectTable<D>& table, Random& random) {
   const auto bound = static_cast<std::uint32_t>(table.bound());
   std::vector<ObjectId> changed;
   for (std::uint32_t k = random.below(6); k > 0; --k) {
     const ObjectId object{random.below(bound)};
     if (std::ranges::find(changed, object) == changed.end()) changed.push_back(object);
-    const Mobility mobility = random.below(3) == 0 ? Mobility::fixed : Mobility::moving;
-    Box<D> box = draw_box<D>(random, 6);
-    if (random.below(8) == 0) box.min[0] = std::numeric_limits<Scalar>::quiet_NaN();
-    if (table.state(object) == ObjectState::absent) {
-      (void)table.insert(object, box, mobility);
-    } else if (random.below(4) == 0) {
-      (void)table.remove(object);
-    } else {
-      (void)table.move(object, box);
-    }
+    change(table, object, random);
   }
-  bits.note(changed);
+  return changed;
+}
+
+template <int D>
+std::vector<ObjectId> all_there(const ObjectTable<D>& table) {
+  std::vector<ObjectId> all;
+  for (std::uint32_t id = 0; id < table.bound(); ++id)
+    if (table.state({id}) != ObjectState::absent) all.push_back({id});
+  return all;
+}
+
+/// All that are there, in the order of their ids; some of them go.
+template <int D>
+std::vector<ObjectId> change_all(ObjectTable<D>& table, Random& random) {
+  std::vector<ObjectId> changed = all_there(table);
+  for (const ObjectId object : changed) {
+    (void)table.move(object, draw_box<D>(random, 6));
+    if (random.below(16) == 0) (void)table.remove(object);
+  }
+  return changed;
+}
+
+/// The same without the first or the last, or with the last one in the place of the first.
+template <int D>
+std::vector<ObjectId> change_nearly_all(ObjectTable<D>& table, Random& random) {
+  std::vector<ObjectId> changed = all_there(table);
+  if (changed.size() < 2) return {};
+  const std::uint32_t way = random.below(3);
+  if (way == 0) changed.erase(changed.begin());
+  if (way == 1) changed.pop_back();
+  if (way == 2) changed.front() = changed.back();
+  for (const ObjectId object : changed) (void)table.move(object, draw_box<D>(random, 6));
+  return changed;
 }
 
 template <int D>
@@ -73,7 +110,9 @@ void change_and_compare(std::uint32_t count) {
   bits.take(table, pairs.all());
   ASSERT_TRUE(bits.have_room(table));
   for (int step = 0; step < 100; ++step) {
-    change_some(table, bits, random);
+    bits.note(step % 5 == 3   ? change_all(table, random)
+              : step % 5 == 4 ? change_nearly_all(table, random)
+                              : change_some(table, random));
     if (step % 10 == 9) pairs.clear();  // the list was given away
     bits.find(table, pairs);
     ASSERT_EQ(difference(pairs.all(), oracle_pairs(table)), "") << "in step " << step;
