@@ -74,7 +74,7 @@ std::string advice_json(const AdvisedRecording& advised) {
   json["gaps"] = Json::array();
   for (const BenchGap& gap : advised.cell.gaps) json["gaps"].push_back(as_json(gap));
   json["advice"] = advised.advice.sentences;
-  return json.dump(1) + "\n";
+  return json_text(json) + "\n";
 }
 
 std::string advice_plot(const AdvisedRecording& advised) {

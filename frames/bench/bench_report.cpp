@@ -84,7 +84,7 @@ std::string as_json(const BenchRequest& request, const BenchResult& all, bool co
     for (const Earning& earning : earnings(all.cells.rows, std::string(kTunedTree)))
       json["earnings"].push_back(as_json(earning));
   json["complete"] = complete;
-  return json.dump(1) + "\n";
+  return json_text(json) + "\n";
 }
 
 }  // namespace kerf

@@ -135,7 +135,7 @@ class Results {
  private:
   void save(bool complete) {
     const Json json{{"machine", describe_machine()}, {"rows", rows_}, {"complete", complete}};
-    file_.save(json.dump(1) + "\n", complete);
+    file_.save(json_text(json) + "\n", complete);
   }
 
   ResultFile file_;

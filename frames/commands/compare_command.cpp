@@ -193,7 +193,7 @@ void CompareCommand::run() const {
   const RecordingInfo a = read_recording_info(a_);
   const RecordingInfo b = read_recording_info(b_);
   if (json_) {
-    std::printf("%s\n", as_json(comparison, a.names, b.names).dump(1).c_str());
+    std::printf("%s\n", json_text(as_json(comparison, a.names, b.names)).c_str());
   } else {
     print(comparison, a, b);
   }

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -13,6 +12,7 @@
 #include "core/files/temporary_folder.h"
 #include "core/kernels/machine.h"
 #include "frames/commands/command.h"
+#include "frames/page/json.h"
 #include "frames/sequence/video.h"
 #include "frames/support/checkup.h"
 #include "frames/support/errors.h"
@@ -78,7 +78,8 @@ std::vector<Part> parts(std::uintmax_t gibibytes) {
        "only the window of `kerf debug` needs it: set DISPLAY, or run it by xvfb-run (Debian: xvfb xauth)"},
       {"films", encoders_here, "install ffmpeg (Debian: ffmpeg); frames are made without it"},
       {"plots", [] { return first_line_of("gnuplot --version"); },
-       "only `kerf report` and `kerf experiment` need it: install gnuplot (Debian: gnuplot-nox)"},
+       "only reports, experiments, studies and `kerf advise --plot` need it: install gnuplot (Debian: "
+       "gnuplot-nox)"},
       {"Python module", module_here,
        "only your programs in Python need it: install it (Debian: python3-kerf), or set PYTHONPATH to the "
        "folder python of a build"},
@@ -103,16 +104,16 @@ std::string as_text(const std::vector<Finding>& findings) {
 }
 
 std::string as_json(const std::vector<Finding>& findings) {
-  nlohmann::ordered_json json{{"machine", describe_machine()}, {"parts", nlohmann::ordered_json::array()}};
+  Json json{{"machine", describe_machine()}, {"parts", Json::array()}};
   for (const Finding& finding : findings) {
-    nlohmann::ordered_json part{{"name", finding.name},
-                                {"there", finding.is_there},
-                                {"needed", finding.is_needed},
-                                {"what", finding.what}};
+    Json part{{"name", finding.name},
+              {"there", finding.is_there},
+              {"needed", finding.is_needed},
+              {"what", finding.what}};
     if (!finding.is_there) part["advice"] = finding.advice;
     json["parts"].push_back(std::move(part));
   }
-  return json.dump(1) + "\n";
+  return json_text(json) + "\n";
 }
 
 class DoctorCommand final : public Command {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -8,6 +7,7 @@
 
 #include "frames/catalog/scene_catalog.h"
 #include "frames/commands/command.h"
+#include "frames/page/json.h"
 
 namespace kerf {
 namespace {
@@ -52,7 +52,7 @@ std::string table(const std::vector<Row>& rows, std::size_t columns) {
 }
 
 std::string as_json(const std::vector<CatalogScene>& catalog) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  Json list = Json::array();
   for (const CatalogScene& scene : catalog) {
     std::visit(
         [&](const auto* entry) {
@@ -67,7 +67,7 @@ std::string as_json(const std::vector<CatalogScene>& catalog) {
         },
         scene.entry);
   }
-  return list.dump(1) + "\n";
+  return json_text(list) + "\n";
 }
 
 std::string as_text(const std::vector<CatalogScene>& catalog, bool verbose) {

@@ -158,7 +158,7 @@ std::string to_json(const DiffResult& result) {
             {"manifests", manifest_lines(result)},
             {"frames", Json::array()}};
   for (const FrameDiff& diff : result.frames) json["frames"].push_back(frame_json(diff));
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json) + "\n";
 }
 
 }  // namespace kerf

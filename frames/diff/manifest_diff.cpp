@@ -9,12 +9,10 @@
 namespace kerf {
 namespace {
 
-std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 /// "config.merge: 1 and 0" for the first of them that differs; empty if none does.
 std::string difference(const Json& a, const Json& b, const std::set<std::string>& left_out = {}) {
   const auto text = [](const Json& json, const std::string& key) {
-    return json.contains(key) ? dump(json[key]) : "nothing";
+    return json.contains(key) ? json_text(json[key], -1) : "nothing";
   };
   for (const Json* const json : {&a, &b}) {
     for (const auto& [key, value] : json->items()) {

@@ -94,11 +94,6 @@ FrameRecord frame_of(const Json& json) {
   return frame;
 }
 
-/// Paths need not be UTF-8; invalid bytes are replaced, since they are no reason to lose the manifest.
-std::string dump(const Json& json, int indent) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
 /// The source of the frames: a scene that runs or a recording.
 Json origin_json(const RenderRequest& request) {
   const SceneOptions& options = request.options;
@@ -160,7 +155,7 @@ Manifest from_object(Json json) {
   for (const Json& frame : json.at("frames")) manifest.frames.push_back(frame_of(frame));
   check(manifest);
   for (const char* const rest : {"shard", "complete", "frames"}) json.erase(rest);
-  manifest.header = dump(json, -1);
+  manifest.header = json_text(json, -1);
   return manifest;
 }
 
@@ -186,10 +181,10 @@ Manifest begin_manifest(const RenderRequest& request) {
     for (const BroadPhaseChoice& choice : *request.beside) json["beside"].push_back(choice.name);
     json["timed"] = request.timed;
   }
-  return {dump(json, -1), request.name, steps, request.size, request.shard, false, {}};
+  return {json_text(json, -1), request.name, steps, request.size, request.shard, false, {}};
 }
 
-std::string to_json(const Manifest& manifest) { return dump(to_object(manifest), 1) + "\n"; }
+std::string to_json(const Manifest& manifest) { return json_text(to_object(manifest), 1) + "\n"; }
 
 void save(const Manifest& manifest, const std::filesystem::path& folder) {
   write_file_atomically(folder / kManifestName, to_json(manifest));
@@ -212,9 +207,10 @@ std::string first_difference(const std::string& header, const std::string& other
   const Json b = Json::parse(other);
   for (const auto& [key, value] : a.items())
     if (!b.contains(key) || b[key] != value)
-      return key + ": " + dump(value, -1) + " and " + (b.contains(key) ? dump(b[key], -1) : "nothing");
+      return key + ": " + json_text(value, -1) + " and " +
+             (b.contains(key) ? json_text(b[key], -1) : "nothing");
   for (const auto& [key, value] : b.items())
-    if (!a.contains(key)) return key + ": nothing and " + dump(value, -1);
+    if (!a.contains(key)) return key + ": nothing and " + json_text(value, -1);
   return "";
 }
 

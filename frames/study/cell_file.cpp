@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/files/whole_file.h"
+#include "frames/page/json.h"
 #include "frames/support/machine.h"
 #include "frames/support/version.h"
 
@@ -84,11 +85,14 @@ CellFile make_cell_file(const Study& study, const StudyCell& cell, Figures figur
 
 std::string to_json(const CellFile& file) {
   constexpr int kIndent = 1;
-  return Json{{"format", kCellFormat},       {"id", file.id},
-              {"cell", file.settings},       {"counts", file.figures.counts},
-              {"times", file.figures.times}, {"machine", file.machine},
-              {"command", file.command}}
-             .dump(kIndent) +
+  return json_text(Json{{"format", kCellFormat},
+                        {"id", file.id},
+                        {"cell", file.settings},
+                        {"counts", file.figures.counts},
+                        {"times", file.figures.times},
+                        {"machine", file.machine},
+                        {"command", file.command}},
+                   kIndent) +
          "\n";
 }
 

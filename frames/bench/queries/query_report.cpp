@@ -49,7 +49,7 @@ std::string as_json(const BenchRequest& request, const std::vector<QueryRow>& ro
   json["queries"] = Json::array();
   for (const QueryRow& row : rows) json["queries"].push_back(as_json(row));
   json["complete"] = complete;
-  return json.dump(1) + "\n";
+  return json_text(json) + "\n";
 }
 
 }  // namespace kerf
