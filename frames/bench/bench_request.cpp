@@ -1,7 +1,6 @@
 #include "frames/bench/bench_request.h"
 
 #include <algorithm>
-#include <set>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -25,6 +24,8 @@ std::vector<std::string> items(const std::string& option, std::string_view text)
     found.emplace_back(rest.substr(0, comma));
     if (found.back().empty())
       throw UsageError(option + " '" + std::string(text) + "': an empty name between commas");
+    if (std::ranges::count(found, found.back()) > 1)
+      throw UsageError(option + " '" + std::string(text) + "' names '" + found.back() + "' twice");
     if (comma == std::string_view::npos) return found;
     rest.remove_prefix(comma + 1);
   }
@@ -73,8 +74,6 @@ std::vector<std::string> parse_algorithms(const std::string& text) {
   if (text.empty() || text == "all") return usual_algorithms(text == "all");
   std::vector<std::string> names = items("--algorithms", text);
   for (const std::string& name : names) check_algorithm(name);
-  if (std::set<std::string>(names.begin(), names.end()).size() != names.size())
-    throw UsageError("--algorithms '" + text + "' names one twice");
   return names;
 }
 
@@ -97,7 +96,8 @@ void parse_simulations(const BenchTexts& texts, BenchRequest& request) {
   if (!texts.algorithms.empty()) request.algorithms = items("--algorithms", texts.algorithms);
   for (const CatalogScene& scene : request.simulations)
     for (const std::string& name : request.algorithms)
-      std::visit([&](const auto* entry) { (void)choose_broad_phase(name, entry->needs); }, scene.entry);
+      std::visit([&](const auto* entry) { (void)choose_with_parameters(name, entry->needs, "--algorithms"); },
+                 scene.entry);
   request.scenes.clear();
   request.objects = {0};
 }
@@ -144,10 +144,33 @@ void parse_random(const BenchTexts& texts, BenchRequest& request) {
   };
   add_libraries(algorithms<2>());
   add_libraries(algorithms<3>());
+  for (const auto& [option, text] : {std::pair{"--algorithms", &texts.algorithms},
+                                     {"--rounds", &texts.rounds},
+                                     {"--steps", &texts.steps},
+                                     {"--warm-up", &texts.warm_up},
+                                     {"--patience", &texts.patience}})
+    if (!text->empty()) request.measured_otherwise += " " + std::string(option) + " " + *text;
   if (texts.algorithms.empty()) return;
   request.algorithms = parse_algorithms(texts.algorithms);
   if (std::ranges::count(request.algorithms, std::string(kTunedTree)) == 0)
     request.algorithms.insert(request.algorithms.begin(), std::string(kTunedTree));
+}
+
+/// Whether an algorithm runs in one of the dimensions by one of the numbers of threads.
+template <int D>
+bool runs(const std::string& name, const BenchRequest& request) {
+  const auto algorithm = find_algorithm<D>(name);
+  return algorithm && std::ranges::count(request.dimensions, D) > 0 &&
+         std::ranges::min(request.threads) <= algorithm->max_threads;
+}
+
+/// An algorithm that was named would be missing from all tables.
+void refuse_idle(const BenchRequest& request) {
+  for (const std::string& name : request.algorithms)
+    if (!runs<2>(name, request) && !runs<3>(name, request))
+      throw UsageError("--algorithms: '" + name +
+                       "' does not run in these dimensions by so many threads; change --dims or --threads, "
+                       "or leave it out");
 }
 
 }  // namespace
@@ -200,6 +223,8 @@ BenchRequest parse_bench_request(const BenchTexts& texts) {
   request.json = texts.json;
   request.trace = texts.trace;
   request.ablation = texts.ablation;
+  const bool are_named = !texts.algorithms.empty() && texts.algorithms != "all";
+  if (are_named && request.simulations.empty()) refuse_idle(request);
   if (!texts.ablation) return request;
   if (!texts.algorithms.empty())
     throw UsageError("--ablation chooses the algorithms; leave --algorithms out");

@@ -45,10 +45,11 @@ struct BenchRequest {
   std::uint32_t warm_up = 0;  ///< 0: by the number of objects
   std::uint64_t seed = 1;
   std::uint32_t patience = 30;
-  std::uint32_t random = 0;     ///< instead of scenes: so many random ones; 0: none
-  std::uint32_t first = 1;      ///< the first of them
-  std::uint32_t most = 256000;  ///< objects that they have at most
-  std::filesystem::path json;   ///< empty: none
+  std::uint32_t random = 0;        ///< instead of scenes: so many random ones; 0: none
+  std::uint32_t first = 1;         ///< the first of them
+  std::uint32_t most = 256000;     ///< objects that they have at most
+  std::string measured_otherwise;  ///< of random scenes: the options given of how they are measured, with " "
+  std::filesystem::path json;      ///< empty: none
   bool trace = false;
   bool ablation = false;  ///< the algorithms are the tuned tree, then the tree without each of its policies
   bool queries = false;   ///< instead of pairs: queries on the boxes of the scenes

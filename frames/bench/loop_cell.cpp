@@ -63,17 +63,6 @@ std::vector<double> per_object(std::vector<double> values, std::uint32_t objects
   return values;
 }
 
-/// A broad phase of the scene, or "kerf:K=V:K=V...".
-BroadPhaseChoice choice_of(const std::string& name, const Needs& needs) {
-  const std::size_t colon = name.find(':');
-  BroadPhaseChoice choice = choose_broad_phase(name.substr(0, colon), needs);
-  if (colon == std::string::npos) return choice;
-  std::string parameters = name.substr(colon + 1);
-  std::ranges::replace(parameters, ':', ',');
-  kerf::apply(choice.config, parameters);
-  return choice;
-}
-
 /// A broad phase that is given the requests of a simulation, and its measurements so far.
 template <int D>
 class Alone {
@@ -82,7 +71,7 @@ class Alone {
       : name_(std::move(name)), plan_(plan), entry_(entry), least_(plan.steps, kNever) {}
 
   void start() {
-    broad_phase_ = make_broad_phase<D>(choice_of(name_, entry_.needs), entry_, plan_.options);
+    broad_phase_ = make_broad_phase<D>(choose_with_parameters(name_, entry_.needs), entry_, plan_.options);
     round_.clear();
   }
   void run(const std::vector<WatchedStep<D>>& steps, std::uint32_t first) {
@@ -134,7 +123,7 @@ template <int D>
 class LoopRun {
  public:
   LoopRun(const LoopPlan& plan, const SceneEntry<D>& entry, const std::string& name)
-      : plan_(plan), entry_(entry), choice_(choose_broad_phase(name, entry.needs)), costs_(plan.steps) {
+      : plan_(plan), entry_(entry), choice_(choose_with_parameters(name, entry.needs)), costs_(plan.steps) {
     alone_.emplace_back(name, plan, entry);
     for (const std::string& variant : plan.variants) alone_.emplace_back(variant, plan, entry);
   }

@@ -6,6 +6,7 @@
 #include "core/broad_phase/brute_force.h"
 #include "core/bsp/bsp.h"
 #include "frames/support/errors.h"
+#include "frames/support/parse_config.h"
 #include "frames/support/suggest.h"
 
 namespace kerf {
@@ -66,6 +67,20 @@ BroadPhaseChoice choose_broad_phase(std::string_view name, const Needs& needs, s
   choice.name = name;
   choice.config = name == kTunedTree ? tuned_config() : default_config(needs);
   if (takes_volumes(name)) choice.volume = needs.volume;
+  return choice;
+}
+
+BroadPhaseChoice choose_with_parameters(std::string_view text, const Needs& needs, std::string_view option) {
+  const std::size_t colon = text.find(':');
+  BroadPhaseChoice choice = choose_broad_phase(text.substr(0, colon), needs, option);
+  if (colon == std::string_view::npos) return choice;
+  const std::string whole = std::string(option) + " '" + std::string(text) + "'";
+  if (!choice.is_tree())
+    throw UsageError(whole + ": only " + std::string(kTunedTree) + " and " + std::string(kPaperTree) +
+                     " take parameters");
+  std::string parameters(text.substr(colon + 1));
+  std::ranges::replace(parameters, ':', ',');
+  choice.config = parse_config(whole, parameters, choice.config);
   return choice;
 }
 

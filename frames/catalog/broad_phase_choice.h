@@ -35,6 +35,10 @@ std::vector<std::string> broad_phase_names();
 BroadPhaseChoice choose_broad_phase(std::string_view name, const Needs& needs,
                                     std::string_view option = "--broad-phase");
 
+/// The same, where parameters may stand behind the name of a tree: "kerf:K=V:K=V".
+BroadPhaseChoice choose_with_parameters(std::string_view text, const Needs& needs,
+                                        std::string_view option = "--broad-phase");
+
 /// Whether it accepts other volumes than boxes.
 bool takes_volumes(std::string_view name);
 

@@ -103,7 +103,9 @@ void check_in_scene(const JsonObject& matrix, const std::string& broad_phase, co
   if (place.is_motion() || takes_parameters(broad_phase)) return;
   const auto& entry = std::get<CatalogScene>(place.scene).entry;
   at_key(matrix, "broad_phases", 0, [&] {
-    std::visit([&](const auto* scene) { (void)choose_broad_phase(broad_phase, scene->needs); }, entry);
+    std::visit(
+        [&](const auto* scene) { (void)choose_broad_phase(broad_phase, scene->needs, "broad_phases"); },
+        entry);
   });
 }
 

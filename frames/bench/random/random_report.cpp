@@ -84,7 +84,7 @@ std::string repeat_command(const BenchRequest& request, const RandomScene& scene
   std::string command = "kerf bench --random 1 --first " + std::to_string(scene.number) + " --seed " +
                         std::to_string(request.seed);
   if (request.most != kMost) command += " --most " + std::to_string(request.most);
-  return command;
+  return command + request.measured_otherwise;
 }
 
 std::string random_heading() {
@@ -154,7 +154,7 @@ std::string as_json(const BenchRequest& request, const std::vector<RandomOutcome
     json["scenes"].push_back(std::move(item));
   }
   json["complete"] = complete;
-  return json.dump(1) + "\n";
+  return json_text(json) + "\n";
 }
 
 }  // namespace kerf

@@ -17,6 +17,7 @@ namespace kerf {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 std::vector<Pair> some_pairs() { return {{{1}, {2}}, {{1}, {7}}, {{3}, {4}}, {{5}, {6}}}; }
 
@@ -288,8 +289,51 @@ TEST(BenchRequest, TakesParametersOfTheTree) {
   EXPECT_THROW(parse_bench_request(texts), UsageError);
   texts.algorithms = "columns:skin=2";
   EXPECT_THROW(parse_bench_request(texts), UsageError);
-  texts.algorithms = "columns,columns";
-  EXPECT_THROW(parse_bench_request(texts), UsageError);
+}
+
+TEST(BenchRequest, RefusesWhatWouldBeMeasuredTwice) {
+  for (std::string BenchTexts::*const text :
+       {&BenchTexts::scenes, &BenchTexts::objects, &BenchTexts::dimensions, &BenchTexts::algorithms,
+        &BenchTexts::threads}) {
+    BenchTexts texts;
+    texts.*text = text == &BenchTexts::scenes       ? "falling,settled,falling"
+                  : text == &BenchTexts::algorithms ? "columns,kerf,columns"
+                                                    : "2,3,2";
+    if (text == &BenchTexts::objects) texts.*text = "100,200,100";
+    EXPECT_THAT([&] { (void)parse_bench_request(texts); }, ThrowsMessage<UsageError>(HasSubstr("twice")))
+        << texts.*text;
+  }
+  BenchTexts simulations;
+  simulations.simulations = "pile,pile";
+  EXPECT_THROW(parse_bench_request(simulations), UsageError);
+}
+
+TEST(BenchRequest, RefusesAnAlgorithmThatWouldNeverRun) {
+  BenchTexts texts;
+  texts.algorithms = "kerf,box2d-tree";
+  EXPECT_EQ(parse_bench_request(texts).algorithms.size(), 2U);
+  texts.dimensions = "3";
+  EXPECT_THAT([&] { (void)parse_bench_request(texts); },
+              ThrowsMessage<UsageError>(HasSubstr("'box2d-tree' does not run")));
+  texts.algorithms = "kerf,columns";
+  texts.threads = "1,2";
+  EXPECT_EQ(parse_bench_request(texts).algorithms.size(), 2U);
+  texts.threads = "2";
+  EXPECT_THAT([&] { (void)parse_bench_request(texts); },
+              ThrowsMessage<UsageError>(HasSubstr("'columns' does not run")));
+}
+
+TEST(BenchRequest, ATreeInASimulationTakesParameters) {
+  BenchTexts texts;
+  texts.simulations = "pile";
+  texts.algorithms = "kerf,kerf:skin=0";
+  EXPECT_EQ(parse_bench_request(texts).algorithms.size(), 2U);
+  for (const char* const wrong : {"kerf:skni=0", "columns:skin=0", "column"}) {
+    texts.algorithms = wrong;
+    EXPECT_THAT([&] { (void)parse_bench_request(texts); },
+                ThrowsMessage<UsageError>(HasSubstr("--algorithms")))
+        << wrong;
+  }
 }
 
 }  // namespace

@@ -260,5 +260,18 @@ TEST(RandomReport, NamesTheWorstFirstWithTheCommandThatRepeatsIt) {
               StartsWith("THE TREE FAILED OR WAS WRONG: kerf bench --random 1 --first 2 --seed 7\n"));
 }
 
+TEST(RandomReport, ACommandThatRepeatsASceneMeasuresItInTheSameWay) {
+  BenchTexts texts;
+  texts.random = "5";
+  texts.seed = "7";
+  const RandomScene scene = draw_scene(7, 3, 256000);
+  EXPECT_EQ(repeat_command(parse_bench_request(texts), scene), "kerf bench --random 1 --first 3 --seed 7");
+  texts.algorithms = "columns";
+  texts.steps = "12";
+  texts.most = "100";
+  EXPECT_EQ(repeat_command(parse_bench_request(texts), scene),
+            "kerf bench --random 1 --first 3 --seed 7 --most 100 --algorithms columns --steps 12");
+}
+
 }  // namespace
 }  // namespace kerf
