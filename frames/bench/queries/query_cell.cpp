@@ -14,6 +14,8 @@ namespace {
 
 /// Queries whose answers are compared with a scan.
 constexpr std::size_t kScanned = 64;
+/// How often structures are built, and how often their boxes move.
+constexpr int kTurns = 5;
 /// Queries between two looks at the clock.
 constexpr std::uint32_t kBlock = 16;
 
@@ -36,13 +38,11 @@ class QueryCell {
   explicit QueryCell(const QueryPlan& plan)
       : plan_(plan), motion_(plan.scene->make<D>(plan.objects, plan.seed)) {
     for (std::uint32_t step = 0; step < plan.warm_up; ++step) motion_->advance();
-    structures_.push_back(std::make_unique<KerfQueries<D>>());
-    for (auto& rival : query_rivals<D>()) structures_.push_back(std::move(rival));
   }
 
   std::vector<QueryRow> measure(const std::function<bool()>& goes_on) {
     std::vector<QueryRow> rows;
-    rows.push_back(time_all("build", [&](QueryRival<D>& structure) { structure.build(motion_->boxes()); }));
+    rows.push_back(time_builds());
     rows.push_back(time_moves());
     for (auto& structure : structures_) structure->build(motion_->boxes());
     truth_.build(motion_->boxes());
@@ -56,30 +56,43 @@ class QueryCell {
   [[nodiscard]] QueryRow row(std::string_view kind) const {
     return {std::string(plan_.scene->name), D, plan_.objects, std::string(kind), 0, {}};
   }
-  template <class Work>
-  QueryRow time_all(std::string_view kind, Work work) {
-    QueryRow result = row(kind);
-    for (auto& structure : structures_) {
-      const double time = nanoseconds([&] { work(*structure); }) / plan_.objects;
-      result.times.push_back({std::string(structure->name()), time, time, 0});
+  void make_structures() {
+    structures_.clear();
+    structures_.push_back(std::make_unique<KerfQueries<D>>());
+    for (auto& rival : query_rivals<D>()) structures_.push_back(std::move(rival));
+  }
+  /// Each time of new structures. The first one of a process finds no memory and no code at hand.
+  QueryRow time_builds() {
+    std::vector<std::vector<double>> times;
+    for (int k = 0; k < kTurns; ++k) {
+      make_structures();
+      take_turns(times, [&](QueryRival<D>& structure) { structure.build(motion_->boxes()); });
     }
-    return result;
+    return row_of_turns("build", times);
   }
   /// Of some steps. Moving the boxes in our table is part of a step, not of the queries.
   QueryRow time_moves() {
-    constexpr int kSteps = 5;
-    QueryRow result = time_all("move", [](QueryRival<D>&) {});
-    std::vector<std::vector<double>> steps(structures_.size());
-    for (int step = 0; step < kSteps; ++step) {
+    std::vector<std::vector<double>> times;
+    for (int step = 0; step < kTurns; ++step) {
       motion_->advance();
       static_cast<KerfQueries<D>&>(*structures_.front()).prepare(motion_->boxes());
-      for (std::size_t k = 0; k < structures_.size(); ++k)
-        steps[k].push_back(nanoseconds([&] { structures_[k]->move(motion_->boxes()); }) / plan_.objects);
+      take_turns(times, [&](QueryRival<D>& structure) { structure.move(motion_->boxes()); });
     }
-    for (std::size_t k = 0; k < structures_.size(); ++k) {
-      result.times[k].least_ns = std::ranges::min(steps[k]);
-      result.times[k].median_ns = median(steps[k]);
-    }
+    return row_of_turns("move", times);
+  }
+  /// Appends the nanoseconds an object that each structure takes.
+  template <class Work>
+  void take_turns(std::vector<std::vector<double>>& times, Work work) {
+    times.resize(structures_.size());
+    for (std::size_t k = 0; k < structures_.size(); ++k)
+      times[k].push_back(nanoseconds([&] { work(*structures_[k]); }) / plan_.objects);
+  }
+  [[nodiscard]] QueryRow row_of_turns(std::string_view kind,
+                                      const std::vector<std::vector<double>>& times) const {
+    QueryRow result = row(kind);
+    for (std::size_t k = 0; k < structures_.size(); ++k)
+      result.times.push_back(
+          {std::string(structures_[k]->name()), std::ranges::min(times[k]), median(times[k]), 0});
     return result;
   }
   QueryRow measure(const QueryKind<D>& kind, const QuerySets<D>& sets) {
