@@ -241,12 +241,12 @@ BenchCommand::BenchCommand(CLI::App& program)
   option("--algorithms", texts_.algorithms, "Which broad phases, see below", "A,B,...");
   option("--threads", texts_.threads, "Threads of an algorithm; one that has fewer is left out (default 1)",
          "T,T,...");
-  option("--rounds", texts_.rounds, "How often all is repeated (default 3)", "R");
+  option("--rounds", texts_.rounds, "How often all is repeated (default 3; with --queries 15)", "R");
   option("--steps", texts_.steps, "Measured steps (default 12 to 300, by the number of boxes)", "N");
   option("--warm-up", texts_.warm_up, "Steps before them (default 8 to 48, by the number of boxes)", "N");
   option("--seed", texts_.seed, "Of the motions (default 1)", "S");
   option("--patience", texts_.patience,
-         "Seconds of a round after which an algorithm is left out (default 30)", "S");
+         "Seconds of a round after which an algorithm is left out (default 30; with --random 5)", "S");
   add_output(*command_, "--json", texts_.json, "Also all figures as JSON, after each cell");
   command_->add_flag("--overwrite", overwrite_, "Replace an earlier JSON file");
   command_->add_flag("--ablation", texts_.ablation,

@@ -8,7 +8,7 @@ namespace {
 
 constexpr ExitMeaning kMeanings[] = {
     {"advise", "the broad phases were measured and the advice was printed", ""},
-    {"bench", "everything asked for was measured", ""},
+    {"bench", "everything asked for was measured, or is named as left out", ""},
     {"bench-frames", "everything asked for was measured", ""},
     {"collect", "every frame is there with the pixels that were drawn",
      "a frame is missing or has other pixels"},

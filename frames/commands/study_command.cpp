@@ -126,9 +126,15 @@ std::filesystem::path StudyCommand::cells_folder(const Study& study) const {
 
 void StudyCommand::list(const Study& study) const {
   const std::filesystem::path folder = cells_folder(study);
-  for (const StudyCell* const cell : chosen_cells(study))
-    std::printf("%s  %s\n", cell->id.c_str(),
-                read_cell_file(cell_path(folder, *cell), *cell) ? "there" : "missing");
+  const std::vector<const StudyCell*> cells = chosen_cells(study);
+  std::size_t missing = 0;
+  for (const StudyCell* const cell : cells) {
+    const bool is_there = read_cell_file(cell_path(folder, *cell), *cell).has_value();
+    missing += is_there ? 0 : 1;
+    std::printf("%s  %s\n", cell->id.c_str(), is_there ? "there" : "missing");
+  }
+  if (missing > 0)
+    throw DoesNotHold(std::to_string(missing) + " of " + std::to_string(cells.size()) + " cells are missing");
 }
 
 void StudyCommand::print_cells(const Study& study) const {

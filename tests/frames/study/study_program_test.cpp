@@ -152,7 +152,11 @@ TEST(StudyProgram, OneCellIsReplayedByTheCommandInItsFile) {
 TEST(StudyProgram, TheListSaysWhatIsThere) {
   const StudyFolder study;
   ASSERT_EQ(study.run({"-o", "@all", "--shard", "1/24"}).exit, kExitHolds);
-  const std::string list = study.run({"--list", "-o", "@all"}).out;
+  const RunOutcome some = study.run({"--list", "-o", "@all"});
+  EXPECT_EQ(some.exit, kExitDoesNotHold);
+  EXPECT_THAT(some.err, HasSubstr("23 of 24 cells are missing"));
+  EXPECT_EQ(study.run({"--list", "-o", "@all", "--shard", "1/24"}).exit, kExitHolds);
+  const std::string list = some.out;
   EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 24);
   EXPECT_EQ(list.find("  there\n"), list.find(' ')) << "the first";
   EXPECT_EQ(list.find("  there\n", list.find("  there\n") + 1), std::string::npos);
