@@ -1,7 +1,9 @@
 // A world as bytes: mark, version, dimension, options, handles, objects, reports, tree, checksum.
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "core/base/bytes.h"
@@ -104,6 +106,7 @@ class WorldCodec {
     world.ended_ = get_reports(in, world.slots_);
     take_rows(world);
     get_tree(in.blob(), world);
+    check_reports(world);
     if (!in.empty()) fail_damaged("there is more than a world");
     return world;
   }
@@ -204,6 +207,32 @@ class WorldCodec {
     for (std::uint32_t i = 0; i < state.latest.bound() || i < world.slots_.size(); ++i)
       if (!has_same(world, state.latest, i)) fail_damaged("its tree has other objects");
     world.tree_->restore(state);
+  }
+
+  /// What was reported must be what the tree's boxes and the objects say.
+  static void check_reports(const World<D>& world) {
+    const auto differs = [](const WorldPair& one, const WorldPair& two) {
+      const auto key = [](const WorldPair& pair) {
+        return std::tuple(pair.a.index(), pair.b.index(), pair.is_sensor());
+      };
+      return key(one) < key(two);
+    };
+    if (!std::ranges::all_of(world.pairs_, [&](const WorldPair& pair) { return is_true(world, pair); }))
+      fail_damaged("a pair is none of its objects");
+    if (!std::ranges::includes(world.pairs_, world.begun_, differs))
+      fail_damaged("a pair began that is none");
+    if (std::ranges::any_of(world.ended_, [&](const WorldPair& pair) {
+          return std::ranges::binary_search(world.pairs_, pair, differs);
+        }))
+      fail_damaged("a pair ended that is there");
+  }
+
+  static bool is_true(const World<D>& world, const WorldPair& pair) {
+    const ObjectId a{pair.a.index()};
+    const ObjectId b{pair.b.index()};
+    const bool has_sensor = world.defs_[a.index()].kind == ObjectKind::sensor ||
+                            world.defs_[b.index()].kind == ObjectKind::sensor;
+    return pair.is_sensor() == has_sensor && world.tree_->objects().is_pair(a, b) && world.may_report(a, b);
   }
 
   /// Whether the tree has the object of an index as the world has it.

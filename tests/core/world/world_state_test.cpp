@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -168,6 +170,57 @@ TYPED_TEST(WorldState, TheMessageSaysWhatIsWrong) {
   Bytes changed = bytes;
   changed[bytes.size() / 2] ^= 1U;
   EXPECT_NE(why(changed).find("checksum"), std::string::npos);
+}
+
+/// Three objects, of which the first two touch, and are a pair that began.
+template <int D>
+class SmallState {
+ public:
+  SmallState() {
+    for (const Scalar corner : {0, 1, 50})
+      handles_.push_back(
+          world_.insert({all<D>(corner), all<D>(corner + 1)}, ObjectDef{.kind = ObjectKind::moving}).handle);
+    world_.step();
+    bytes_ = saved(world_);
+    ByteWriter pair;
+    pair.u64(handles_[0].value);
+    pair.u64(handles_[1].value);
+    for (auto at = bytes_.begin();; ++at) {
+      at = std::search(at, bytes_.end(), pair.bytes().begin(), pair.bytes().end());
+      if (at == bytes_.end()) break;
+      places_.push_back(static_cast<std::size_t>(at - bytes_.begin()));
+    }
+    places_.erase(places_.begin());  // where handles are listed
+  }
+  /// What restoring says with other bytes in the first `lists` lists: those of the pairs and of what began.
+  std::string with(std::size_t offset, std::initializer_list<std::size_t> lists, std::uint64_t value,
+                   std::size_t size) {
+    Bytes lying = bytes_;
+    for (const std::size_t list : lists)
+      for (std::size_t k = 0; k < size; ++k)
+        lying[places_.at(list) + offset + k] = static_cast<std::uint8_t>(value >> 8U * k);
+    reseal(lying);
+    std::string why;
+    (void)World<D>().restore(lying, &why);
+    return why;
+  }
+  [[nodiscard]] Handle third() const { return handles_[2]; }
+
+ private:
+  World<D> world_;
+  std::vector<Handle> handles_;
+  Bytes bytes_;
+  std::vector<std::size_t> places_;
+};
+
+TYPED_TEST(WorldState, ReportsMustBeThoseOfTheObjects) {
+  SmallState<TypeParam::value> state;
+  EXPECT_EQ(state.with(0, {}, 0, 0), "") << "it is a state";
+  const std::uint64_t third = state.third().value;
+  EXPECT_NE(state.with(8, {0, 1}, third, 8).find("a pair is none of its objects"), std::string::npos);
+  EXPECT_NE(state.with(8, {1}, third, 8).find("a pair began that is none"), std::string::npos);
+  EXPECT_NE(state.with(16, {0, 1}, 1, 1).find("a pair is none of its objects"), std::string::npos)
+      << "none of them is a sensor";
 }
 
 /// Bytes that lie and have a fitting checksum: whatever is taken is a world that works.
