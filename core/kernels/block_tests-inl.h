@@ -171,7 +171,8 @@ struct TestOf<D, HalfSpacesTest<D>> {
   explicit TestOf(const HalfSpacesTest<D>& test) : given(test) {}
   HWY_INLINE Answer operator()(const WideBlock<D>& block, std::size_t k) const {
     const FloatTag f;
-    Marks possible = hn::Le(hn::Load(f, block.min[0] + k), hn::Load(f, block.max[0] + k));
+    const Marks placed = hn::Le(hn::Load(f, block.min[0] + k), hn::Load(f, block.max[0] + k));
+    Marks possible = placed;
     Some excess = hn::Set(f, -FLT_MAX);
     for (const RoundedHalfSpace<D>& space : given.all) {
       Some sum = hn::Zero(f);
@@ -179,7 +180,8 @@ struct TestOf<D, HalfSpacesTest<D>> {
       for (std::size_t i = 0; i < D; ++i) {
         if (space.normal[i] == 0) continue;
         const float* const corner = space.normal[i] > 0 ? block.min[i] : block.max[i];
-        const Some term = hn::Mul(hn::Load(f, corner + k), hn::Set(f, space.normal[i]));
+        const Some end = hn::IfThenElseZero(placed, hn::Load(f, corner + k));  // no inf - inf, a signal
+        const Some term = hn::Mul(end, hn::Set(f, space.normal[i]));
         sum = hn::Add(sum, term);
         size = hn::Add(size, hn::Abs(term));
       }

@@ -40,7 +40,7 @@ QueryStatus check_finite(const Vector<D>& v) {
 /// A length that may be infinite.
 QueryStatus check_length(Scalar length) {
   if (std::isnan(length)) return QueryStatus::not_a_number;
-  return length < 0 ? QueryStatus::not_ordered : QueryStatus::ok;
+  return wide(length) < 0 ? QueryStatus::not_ordered : QueryStatus::ok;
 }
 
 template <int D>

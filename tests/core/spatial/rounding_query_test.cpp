@@ -14,6 +14,7 @@
 #include "core/spatial/tree_walk.h"
 #include "tests/support/boxes.h"
 #include "tests/support/dimensions.h"
+#include "tests/support/every_kernel.h"
 #include "tests/support/query_maker.h"
 
 namespace kerf::test {
@@ -149,6 +150,25 @@ TYPED_TEST(QueryRounding, ChangesNoWalk) {
       EXPECT_EQ(found, this->touched(sphere)) << mode;
     }
   }
+}
+
+/// A program may ask for a signal where a number becomes none. The slots beside the objects are empty.
+TYPED_TEST(QueryRounding, AFrustumAmongOrdinaryNumbersIsNoInvalidOperation) {
+  constexpr int D = TestFixture::kD;
+  for (const std::string& kernel : kernels()) {
+    use_kernel(kernel);
+    for (const Scalar slope : {Scalar{-1}, Scalar{0}, Scalar{1}}) {
+      Plane<D> plane{all<D>(slope), 3};
+      plane.normal[0] = 1;
+      std::vector<ObjectId> found;
+      if (feenableexcept(FE_INVALID) < 0) GTEST_SKIP() << "there are no such signals here";
+      const QueryStatus status = this->index.overlaps(Frustum<D>{{&plane, 1}}, found);
+      fedisableexcept(FE_INVALID);
+      EXPECT_EQ(status, QueryStatus::ok);
+      EXPECT_FALSE(found.empty());
+    }
+  }
+  use_kernel("");
 }
 
 }  // namespace

@@ -118,5 +118,17 @@ TYPED_TEST(TinyQueries, AreExactThoughDenormalsAreZero) {
   }
 }
 
+TYPED_TEST(TinyQueries, ALengthBelowZeroIsRefusedThoughDenormalsAreZero) {
+  constexpr int D = TestFixture::kD;
+  constexpr Scalar kTiny = -0x1p-149F;
+  const FlushToZero flush(true);
+  std::vector<ObjectId> objects;
+  std::vector<Hit> hits;
+  std::vector<Neighbour> neighbours;
+  EXPECT_EQ(this->index_.overlaps(Sphere<D>{{}, kTiny}, objects), QueryStatus::not_ordered);
+  EXPECT_EQ(this->index_.hits(Ray<D>{{}, all<D>(1), kTiny}, hits), QueryStatus::not_ordered);
+  EXPECT_EQ(this->index_.nearest({{}, 1, kTiny}, neighbours), QueryStatus::not_ordered);
+}
+
 }  // namespace
 }  // namespace kerf::test
