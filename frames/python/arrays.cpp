@@ -87,9 +87,11 @@ bool has_masks(const py::handle& given) {
 py::array as_array(const py::handle& given, const std::string& what) {
   if (has_masks(given))
     fail(what, "this is a masked array, and a mask is not heeded; leave the masked rows out");
-  py::array array = py::array::ensure(given);
-  if (array) return array;
-  PyErr_Clear();
+  try {
+    return {py::reinterpret_borrow<py::object>(given)};
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_ValueError)) throw;
+  }
   fail(what, "this is no array of numbers");
 }
 

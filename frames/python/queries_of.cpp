@@ -24,6 +24,15 @@ Floats floats_of(const py::array& array, const std::string& what) {
   return Floats(array);
 }
 
+/// Lengths in float32. One that is negative stays so, though it may round to zero.
+Floats lengths_of(const py::array& array, const std::string& what) {
+  Floats lengths(floats_of(array, what).attr("copy")());
+  const py::array_t<double, kInOrder> given(array);
+  for (py::ssize_t k = 0; k < lengths.size(); ++k)
+    if (given.data()[k] < 0) lengths.mutable_data()[k] = -1;
+  return lengths;
+}
+
 /// float32 in C order of shape (n, inner...); float64 is rounded to the nearest.
 Floats float_rows(const py::handle& given, const std::vector<py::ssize_t>& inner, const std::string& what) {
   const py::array array = as_array(given, what);
@@ -152,7 +161,8 @@ py::array QueriesOf<D>::spheres(const py::handle& centers, const py::handle& rad
   const auto points = vectors_of<D>(floats);
   const py::array given = as_array(radii, "radii");  // once: it may be another one each time
   const bool single = given.ndim() == 0;
-  const Floats lengths = single ? floats_of(given, "radii") : float_rows(given, {}, "radii");
+  if (!single) (void)float_rows(given, {}, "radii");
+  const Floats lengths = lengths_of(given, "radii");
   if (!single && static_cast<std::size_t>(lengths.size()) != points.size())
     throw py::value_error("radii: there are " + std::to_string(lengths.size()) + " for " +
                           std::to_string(points.size()) + " centers");

@@ -45,13 +45,14 @@ class Column {
 
   [[nodiscard]] float length(std::size_t row) const {
     const py::object value = element(row);
-    const auto number = static_cast<float>(PyFloat_AsDouble(value.ptr()));  // takes no text
+    const double given = PyFloat_AsDouble(value.ptr());  // takes no text
+    const auto number = static_cast<float>(given);
     const bool is_number = PyErr_Occurred() == nullptr;
     if (!is_number && PyErr_ExceptionMatches(PyExc_TypeError) == 0 &&
         PyErr_ExceptionMatches(PyExc_OverflowError) == 0)
       throw py::error_already_set();
     PyErr_Clear();
-    if (!is_number || !(number >= 0) || std::isinf(number))
+    if (!is_number || !(given >= 0) || std::isinf(number))
       fail(row, "is " + std::string(py::repr(value)) + "; it is a finite number, not negative");
     return number;
   }

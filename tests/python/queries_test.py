@@ -147,6 +147,24 @@ def test_what_cannot_be_asked_is_refused_by_its_row(world):
         phase.query_sweeps(random_boxes(2, dimension), np.zeros((1, dimension)))
 
 
+def test_a_radius_below_zero_is_none_however_small():
+    phase = kerf.BroadPhase(2)
+    phase.insert([[[0, 0], [1, 1]]])
+    for radii in (-1e-50, [-1e-50]):
+        with pytest.raises(ValueError, match="centers, radii: row 0"):
+            phase.query_spheres([[0, 0]], radii)
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, MemoryError, RuntimeError])
+def test_what_an_array_raises_when_it_is_read_is_raised(error):
+    class Unreadable:
+        def __array__(self, *_, **__):
+            raise error
+
+    with pytest.raises(error):
+        kerf.BroadPhase(2).query_points(Unreadable())
+
+
 def test_radii_are_read_once():
     """What is an array of another shape each time."""
 

@@ -119,6 +119,7 @@ def test_a_handle_names_one_life():
         ({"group": 2**31}, "group: row 0 is 2147483648"),
         ({"margin": [0, np.nan]}, "margin: row 1 is nan"),
         ({"margin": -1}, "margin: row 0 is -1"),
+        ({"margin": -1e-50}, "margin: row 0 is -1e-50"),
         ({"margin": "0.5"}, "margin: row 0 is '0.5'; it is a finite number"),
         ({"margin": [1, None]}, "margin: row 1 is None"),
         ({"margin": [1, 10**400]}, "margin: row 1 is 1000"),
