@@ -91,7 +91,7 @@ std::string advice_plot(const AdvisedRecording& advised) {
                            standing.row.p99_ns * standing.row.cell.objects * 1e-6});
   if (left_out > 0)
     plot.x_label +=
-        filled("; %llu slower than %.0f times the fastest left out", wide_number(left_out), kSlowest);
+        printed("; %llu slower than %.0f times the fastest left out", wide_number(left_out), kSlowest);
   return draw(plot, "advice") + "\n";
 }
 

@@ -44,8 +44,8 @@ void bind_regions(py::class_<Queried>& type) {
 void bind_ways(py::class_<Queried>& type) {
   type.def(
           "query_rays",
-          [](Queried& phase, const py::object& rays, bool all, float max_t) {
-            return phase.ask([&](PythonQueries& ask) { return ask.rays(rays, {all, max_t}); });
+          [](Queried& phase, const py::object& rays, bool all, double max_t) {
+            return phase.ask([&](PythonQueries& ask) { return ask.rays(rays, {all, length_of(max_t)}); });
           },
           py::arg("rays"), py::kw_only(), py::arg("all") = false, py::arg("max_t") = kEndless,
           "What rays (n, 2, d) of an origin and a direction hit first: ids (n,) int64, -1 where nothing is "
@@ -79,8 +79,8 @@ void bind_queries(py::class_<Queried>& type) {
   bind_ways(type);
   type.def(
       "query_nearest",
-      [](Queried& phase, const py::object& points, std::size_t k, float max_distance) {
-        return phase.ask([&](PythonQueries& ask) { return ask.nearest(points, k, max_distance); });
+      [](Queried& phase, const py::object& points, std::size_t k, double max_distance) {
+        return phase.ask([&](PythonQueries& ask) { return ask.nearest(points, k, length_of(max_distance)); });
       },
       py::arg("points"), py::arg("k") = 1, py::kw_only(), py::arg("max_distance") = kEndless,
       "The k objects whose boxes are nearest to each point (n, d): ids (n, k) int64 and distances (n, k) "

@@ -7,6 +7,9 @@
 
 namespace kerf::python {
 
+/// In float32, and negative if it is, though it may round to zero.
+constexpr float length_of(double given) { return given < 0 ? -1.0F : static_cast<float>(given); }
+
 /// Rays, segments or swept boxes: what of their hits is wanted.
 struct HitOptions {
   bool all = false;  ///< false: the first one of each

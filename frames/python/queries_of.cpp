@@ -28,8 +28,7 @@ Floats floats_of(const py::array& array, const std::string& what) {
 Floats lengths_of(const py::array& array, const std::string& what) {
   Floats lengths(floats_of(array, what).attr("copy")());
   const py::array_t<double, kInOrder> given(array);
-  for (py::ssize_t k = 0; k < lengths.size(); ++k)
-    if (given.data()[k] < 0) lengths.mutable_data()[k] = -1;
+  for (py::ssize_t k = 0; k < lengths.size(); ++k) lengths.mutable_data()[k] = length_of(given.data()[k]);
   return lengths;
 }
 

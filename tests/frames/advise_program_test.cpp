@@ -76,9 +76,12 @@ TEST_F(AdviseProgram, MeasuresTheStepsAndBroadPhasesAskedFor) {
 TEST_F(AdviseProgram, CountsTheObjectsThatAreThereAtOnce) {
   std::ofstream table(path("boxes.csv"));
   table << "step,object,min_x,max_x,min_y,max_y\n";
-  for (int step = 0; step < 20; ++step)
+  for (int step = 0; step < 20; ++step) {
+    for (int object = -5; object < 0 && step > 0; ++object)
+      table << step << ',' << 5 * step + object << ",,,,\n";
     for (int object = 0; object < 10; ++object)
       table << step << ',' << 5 * step + object << ',' << object << ',' << object + 2 << ",0,1\n";
+  }
   table.close();
   ASSERT_EQ(run_kerf({"import", path("boxes.csv"), "-o", path("own.kerf")}).exit, kExitHolds);
   const RunOutcome outcome = run_kerf({"advise", path("own.kerf"), "--broad-phases", "columns,kerf",

@@ -147,9 +147,13 @@ def test_what_cannot_be_asked_is_refused_by_its_row(world):
         phase.query_sweeps(random_boxes(2, dimension), np.zeros((1, dimension)))
 
 
-def test_a_radius_below_zero_is_none_however_small():
+def test_a_length_below_zero_is_none_however_small():
     phase = kerf.BroadPhase(2)
     phase.insert([[[0, 0], [1, 1]]])
+    with pytest.raises(ValueError, match="rays: row 0"):
+        phase.query_rays([[[0, 0], [1, 1]]], max_t=-1e-50)
+    with pytest.raises(ValueError, match="points: row 0"):
+        phase.query_nearest([[0, 0]], max_distance=-1e-50)
     for radii in (-1e-50, [-1e-50]):
         with pytest.raises(ValueError, match="centers, radii: row 0"):
             phase.query_spheres([[0, 0]], radii)

@@ -46,7 +46,7 @@ class EmptyRecording : public ::testing::Test {
   EmptyRecording() {
     database_ = std::make_unique<Database>(Database::create(folder_.path() / "page.kerf"));
     RecordingInfo info;
-    info.digits = TheirDigits();
+    info.digits = TheirDigits{{2, 0, true}, {2, 0, true}};
     info.design.rounding.digits = 6;
     create_schema(*database_, info);
     write_structure<3>(*database_, 1, {});
