@@ -44,8 +44,8 @@ double sorted_share(std::vector<double> values, double share) {
 
 std::string as_text(const SceneProperties& p) {
   std::string text = printed(
-      "%.0f objects, %s pairs an object, %s sizes a step, sizes over %.1f decades, %.0f %% at rest", p.objects,
-      two_digits(p.density).c_str(), two_digits(p.speed).c_str(), p.decades, 100 * p.resting);
+      "%.0f objects, %s pairs an object, %s sizes a step, sizes over %.1f decades, %.0f %% at rest",
+      p.objects, two_digits(p.density).c_str(), two_digits(p.speed).c_str(), p.decades, 100 * p.resting);
   if (p.churn != 0) text += ", " + two_digits(100 * p.churn) + " % come and go in a step";
   return text;
 }
