@@ -4,8 +4,7 @@
 
 namespace kerf {
 
-/// 16 hexadecimal digits that tell this program from every other build: a hash of its file, the same for each
-/// copy.
+/// Identifies the build of this program: a hash of its file, 16 hexadecimal digits. Copies have the same one.
 const std::string& build_id();
 
 }  // namespace kerf
