@@ -177,9 +177,8 @@ template <int D>
 class SmallState {
  public:
   SmallState() {
-    for (const Scalar corner : {0, 1, 50})
-      handles_.push_back(
-          world_.insert({all<D>(corner), all<D>(corner + 1)}, ObjectDef{.kind = ObjectKind::moving}).handle);
+    for (const Scalar corner : {0.0F, 1.0F, 50.0F})
+      handles_.push_back(world_.insert({all<D>(corner), all<D>(corner + 1)}, {}).handle);
     world_.step();
     bytes_ = saved(world_);
     ByteWriter pair;
