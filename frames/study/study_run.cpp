@@ -52,7 +52,7 @@ std::vector<const StudyCell*> cells_to_do(const std::vector<const StudyCell*>& c
     const std::filesystem::path file = cell_path(folder, *cell);
     if (!overwrite && read_cell_file(file, *cell)) continue;
     // The rest of its pictures is kept, and so is its file when all are there again.
-    if (lost_picture(file, *cell).empty()) Outputs({}, overwrite).add_file(file);
+    if (overwrite || lost_picture(file, *cell).empty()) Outputs({}, overwrite).add_file(file);
     found.push_back(cell);
   }
   return found;
