@@ -154,15 +154,14 @@ TYPED_TEST(QueryRounding, ChangesNoWalk) {
 
 /// A program may ask for a signal where a number becomes none. The slots beside the objects are empty.
 TYPED_TEST(QueryRounding, AFrustumAmongOrdinaryNumbersIsNoInvalidOperation) {
-  constexpr int kD = TestFixture::kD;
   for (const std::string& kernel : kernels()) {
     use_kernel(kernel);
     for (const Scalar slope : {Scalar{-1}, Scalar{0}, Scalar{1}}) {
-      Plane<kD> plane{all<kD>(slope), 3};
+      Plane<TestFixture::kD> plane{all<TestFixture::kD>(slope), 3};
       plane.normal[0] = 1;
       std::vector<ObjectId> found;
       if (feenableexcept(FE_INVALID) < 0) GTEST_SKIP() << "there are no such signals here";
-      const QueryStatus status = this->index.overlaps(Frustum<kD>{{&plane, 1}}, found);
+      const QueryStatus status = this->index.overlaps(Frustum<TestFixture::kD>{{&plane, 1}}, found);
       fedisableexcept(FE_INVALID);
       EXPECT_EQ(status, QueryStatus::ok);
       EXPECT_FALSE(found.empty());

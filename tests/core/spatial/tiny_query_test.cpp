@@ -120,14 +120,14 @@ TYPED_TEST(TinyQueries, AreExactThoughDenormalsAreZero) {
 }
 
 TYPED_TEST(TinyQueries, ALengthBelowZeroIsRefusedThoughDenormalsAreZero) {
-  constexpr int kD = TestFixture::kD;
   constexpr Scalar kTiny = -0x1p-149F;
   const FlushToZero flush(true);
   std::vector<ObjectId> objects;
   std::vector<Hit> hits;
   std::vector<Neighbour> neighbours;
-  EXPECT_EQ(this->index_.overlaps(Sphere<kD>{{}, kTiny}, objects), QueryStatus::not_ordered);
-  EXPECT_EQ(this->index_.hits(Ray<kD>{{}, all<kD>(1), kTiny}, hits), QueryStatus::not_ordered);
+  EXPECT_EQ(this->index_.overlaps(Sphere<TestFixture::kD>{{}, kTiny}, objects), QueryStatus::not_ordered);
+  EXPECT_EQ(this->index_.hits(Ray<TestFixture::kD>{{}, all<TestFixture::kD>(1), kTiny}, hits),
+            QueryStatus::not_ordered);
   EXPECT_EQ(this->index_.nearest({{}, 1, kTiny}, neighbours), QueryStatus::not_ordered);
 }
 
