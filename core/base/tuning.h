@@ -57,8 +57,8 @@ inline constexpr std::uint32_t kRowSteps = 4;
 
 /// Objects in a sample of motions, which shows the share of fast objects to about 6 %.
 inline constexpr std::uint32_t kMotionSample = 64;
-/// The same where rows of bits are compared, which takes hardly longer than a large
-/// sample: 37 boxes in 2D that all move, 12,900 -> 10,400 instructions a step.
+/// The same where rows of bits are compared, which takes hardly longer than a large sample: 37 boxes in 2D
+/// that all move, 12,900 -> 10,400 instructions a step.
 inline constexpr std::uint32_t kMotionSampleInRows = 8;
 /// The share of a sample that must move alike, and of all that must move, for the tree to come along.
 inline constexpr float kLeastShareAlike = 0.75F;

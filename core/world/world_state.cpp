@@ -211,7 +211,7 @@ class WorldCodec {
 
   /// What was reported must be what the tree's boxes and the objects say.
   static void check_reports(const World<D>& world) {
-    const auto differs = [](const WorldPair& one, const WorldPair& two) {
+    const auto precedes = [](const WorldPair& one, const WorldPair& two) {
       const auto key = [](const WorldPair& pair) {
         return std::tuple(pair.a.index(), pair.b.index(), pair.is_sensor());
       };
@@ -219,10 +219,10 @@ class WorldCodec {
     };
     if (!std::ranges::all_of(world.pairs_, [&](const WorldPair& pair) { return is_true(world, pair); }))
       fail_damaged("a pair is none of its objects");
-    if (!std::ranges::includes(world.pairs_, world.begun_, differs))
+    if (!std::ranges::includes(world.pairs_, world.begun_, precedes))
       fail_damaged("a pair began that is none");
     if (std::ranges::any_of(world.ended_, [&](const WorldPair& pair) {
-          return std::ranges::binary_search(world.pairs_, pair, differs);
+          return std::ranges::binary_search(world.pairs_, pair, precedes);
         }))
       fail_damaged("a pair ended that is there");
   }

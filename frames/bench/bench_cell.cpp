@@ -58,7 +58,6 @@ class Cell {
   void begin(const Motion<D>& motion, StepBlock<D>& block) {
     step_ = 0;
     add(motion, block);
-    if (round_ == 0) verify_truth(motion.boxes(), motion.moving());
     // Memory that this process has freed must not be free for its children: their memory is measured.
     malloc_trim(0);
     RivalHints<D> hints{motion.bounds(), motion.box_size(), plan_.objects};

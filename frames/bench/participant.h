@@ -47,10 +47,9 @@ class Participant {
   std::unique_ptr<ChildProcess> process_;
   std::vector<std::uint64_t> nanoseconds_;  ///< per step the least of all rounds
   std::vector<std::uint64_t> added_;        ///< likewise, of added work
-  std::vector<std::uint64_t>
-      missed_;                        ///< per step the most of all rounds: in each the same, unless by chance
-  std::vector<std::uint64_t> extra_;  ///< likewise
-  std::vector<std::uint64_t> round_;  ///< per step, of the present round
+  std::vector<std::uint64_t> missed_;       ///< per step the most of all rounds
+  std::vector<std::uint64_t> extra_;        ///< likewise
+  std::vector<std::uint64_t> round_;        ///< per step, of the present round
   std::vector<double> round_medians_;
   std::uint64_t build_ = kNever;
   std::uint64_t pairs_ = 0;

@@ -51,11 +51,6 @@ std::vector<Pair> true_pairs(std::span<const Box<D>> boxes, std::uint32_t moving
   return agreed_pairs<D>(columns, tree, boxes, moving);
 }
 
-template <int D>
-void verify_truth(std::span<const Box<D>> boxes, std::uint32_t moving) {
-  static_cast<void>(true_pairs<D>(boxes, moving));
-}
-
 Difference compare(std::span<const Pair> found, std::vector<Pair> truth) {
   std::vector<Pair> reported;
   reported.reserve(found.size());
@@ -82,7 +77,5 @@ template std::vector<Pair> agreed_pairs<3>(BroadPhase<3>&, BroadPhase<3>&, std::
                                            std::uint32_t);
 template std::vector<Pair> true_pairs<2>(std::span<const Box<2>>, std::uint32_t);
 template std::vector<Pair> true_pairs<3>(std::span<const Box<3>>, std::uint32_t);
-template void verify_truth<2>(std::span<const Box<2>>, std::uint32_t);
-template void verify_truth<3>(std::span<const Box<3>>, std::uint32_t);
 
 }  // namespace kerf

@@ -21,10 +21,6 @@ template <int D>
 std::vector<Pair> agreed_pairs(BroadPhase<D>& oracle, BroadPhase<D>& other, std::span<const Box<D>> boxes,
                                std::uint32_t moving);
 
-/// Throws as `true_pairs` does.
-template <int D>
-void verify_truth(std::span<const Box<D>> boxes, std::uint32_t moving);
-
 /// The difference between `found` and the truth.
 struct Difference {
   std::uint64_t missed = 0;

@@ -139,8 +139,7 @@ std::optional<ExperimentRun> load_run(const std::filesystem::path& folder, const
   if (is_of_another)
     throw UsageError(path.string() +
                      " is of another experiment, or of another build of kerf; choose another folder with "
-                     "--out, or replace it with "
-                     "--overwrite");
+                     "--out, or replace it with --overwrite");
   const std::span<const std::string_view> names = lineup_of(id).names;
   ExperimentRun run;
   try {

@@ -15,37 +15,48 @@ namespace py = pybind11;
 
 using Floats = py::array_t<float, kInOrder>;
 
-/// float64 is rounded to the nearest.
-Floats floats_of(const py::array& array, const std::string& what) {
+void check_numbers(const py::array& array, const std::string& what) {
   const char kind = array.dtype().kind();
   if (kind != 'f' && kind != 'i' && kind != 'u')
     throw py::value_error(what + ": the dtype is " + std::string(py::str(array.dtype())) +
                           "; give float32, float64 or whole numbers");
-  return Floats(array);
 }
 
-/// Lengths in float32. One that is negative stays so, though it may round to zero.
-Floats lengths_of(const py::array& array, const std::string& what) {
-  Floats lengths(floats_of(array, what).attr("copy")());
-  const py::array_t<double, kInOrder> given(array);
-  for (py::ssize_t k = 0; k < lengths.size(); ++k) lengths.mutable_data()[k] = length_of(given.data()[k]);
-  return lengths;
+/// The shape is (n, inner...).
+void check_rows(const py::array& array, const std::vector<py::ssize_t>& inner, const std::string& what) {
+  bool fits = array.ndim() == static_cast<py::ssize_t>(inner.size()) + 1;
+  for (std::size_t k = 0; fits && k < inner.size(); ++k)
+    fits = array.shape(static_cast<py::ssize_t>(k) + 1) == inner[k];
+  if (array.size() == 0 && array.ndim() == 1 && !inner.empty()) fits = true;
+  if (fits) return;
+  std::string shape = "(n";
+  for (const py::ssize_t size : inner) shape += ", " + std::to_string(size);
+  throw py::value_error(what + ": the shape is " + shape_text(array) + ", but must be " + shape +
+                        (inner.empty() ? ",)" : ")"));
 }
 
 /// float32 in C order of shape (n, inner...); float64 is rounded to the nearest.
 Floats float_rows(const py::handle& given, const std::vector<py::ssize_t>& inner, const std::string& what) {
   const py::array array = as_array(given, what);
-  bool fits = array.ndim() == static_cast<py::ssize_t>(inner.size()) + 1;
-  for (std::size_t k = 0; fits && k < inner.size(); ++k)
-    fits = array.shape(static_cast<py::ssize_t>(k) + 1) == inner[k];
-  if (array.size() == 0 && array.ndim() == 1 && !inner.empty()) fits = true;
-  if (!fits) {
-    std::string shape = "(n";
-    for (const py::ssize_t size : inner) shape += ", " + std::to_string(size);
-    throw py::value_error(what + ": the shape is " + shape_text(array) + ", but must be " + shape +
-                          (inner.empty() ? ",)" : ")"));
-  }
-  return floats_of(array, what);
+  check_rows(array, inner, what);
+  check_numbers(array, what);
+  return Floats(array);
+}
+
+/// A radius for each of the centers: the same for all, or a row of them.
+std::vector<float> radii_of(const py::handle& radii, std::size_t centers) {
+  const py::array array = as_array(radii, "radii");  // once: it may be another one each time
+  if (array.ndim() != 0) check_rows(array, {}, "radii");
+  check_numbers(array, "radii");
+  const py::array_t<double, kInOrder> given(array);
+  if (array.ndim() == 0) return std::vector<float>(centers, length_of(*given.data()));
+  const auto count = static_cast<std::size_t>(given.size());
+  if (count != centers)
+    throw py::value_error("radii: there are " + std::to_string(count) + " for " + std::to_string(centers) +
+                          " centers");
+  std::vector<float> lengths(count);
+  std::transform(given.data(), given.data() + count, lengths.begin(), length_of);
+  return lengths;
 }
 
 template <int D>
@@ -158,15 +169,9 @@ template <int D>
 py::array QueriesOf<D>::spheres(const py::handle& centers, const py::handle& radii) {
   const Floats floats = float_rows(centers, {D}, "centers");
   const auto points = vectors_of<D>(floats);
-  const py::array given = as_array(radii, "radii");  // once: it may be another one each time
-  const bool single = given.ndim() == 0;
-  if (!single) (void)float_rows(given, {}, "radii");
-  const Floats lengths = lengths_of(given, "radii");
-  if (!single && static_cast<std::size_t>(lengths.size()) != points.size())
-    throw py::value_error("radii: there are " + std::to_string(lengths.size()) + " for " +
-                          std::to_string(points.size()) + " centers");
+  const std::vector<float> lengths = radii_of(radii, points.size());
   std::vector<Sphere<D>> spheres(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) spheres[k] = {points[k], lengths.data()[single ? 0 : k]};
+  for (std::size_t k = 0; k < points.size(); ++k) spheres[k] = {points[k], lengths[k]};
   return overlapping<Sphere<D>>(spheres, "centers, radii");
 }
 

@@ -86,9 +86,11 @@ class Joiner {
     }
     const StudyCell& cell = *known->second;
     auto file = read_cell_file(path, cell);
-    if (const std::string lost = lost_picture(path, cell); !lost.empty())
+    if (!file) {
+      const std::string lost = lost_picture(path, cell);
+      if (lost.empty()) refuse(path, "is damaged", cell);
       refuse(frames_path(folder, cell), "lacks " + lost, cell);
-    if (!file) refuse(path, "is damaged", cell);
+    }
     const auto [earlier, is_new] = found_.try_emplace(cell.id);
     if (is_new) {
       earlier->second = {&cell, std::move(*file), folder};

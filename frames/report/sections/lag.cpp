@@ -19,8 +19,7 @@ void write(const ReportRequest& request, const CellStore& store, Page& page) {
   page.paragraph(
       "How many steps pass from the step in which two boxes begin to overlap until the pair is reported: 0 "
       "for an exact broad phase. A meeting that ends unreported counts with all its steps; so does one that "
-      "is "
-      "unreported when the run ends, whose lag is longer then. So all settings have the same meetings.");
+      "is unreported when the run ends, whose lag is longer then. So all settings have the same meetings.");
   for (const MotionCell& motion : motion_cells(request.sizes)) {
     const Json& rows = store.at(motion.cell.key);
     const std::string name = motion.motion + " in " + std::to_string(motion.dimension) + "D";

@@ -119,7 +119,8 @@ void draw_tables(PanelContext& context);
 void draw_view_tools(PanelContext& context);
 void draw_view_overlay(PanelContext& context, const SceneView& view, const PanelArea& area,
                        const std::string& title);
-/// The heights, in units, that the overlay's usual lines take at the top and at the bottom of a view.
+/// The heights, in units, that the overlay's usual lines take at the top and at the bottom of a view; at the
+/// top with a line for the label of what lies highest.
 float overlay_above();
 float overlay_below();
 void draw_welcome(PanelContext& context);

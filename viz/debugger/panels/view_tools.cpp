@@ -163,7 +163,7 @@ void draw_view_tools(PanelContext& context) {
   draw_structure_choice(context);
 }
 
-float overlay_above() { return kAboveTitle + line_height() + kBetweenLines; }
+float overlay_above() { return kAboveTitle + 2 * line_height() + kBetweenLines; }
 float overlay_below() { return kBelowCounts + 2 * line_height() + kBetweenLines; }
 
 void draw_view_overlay(PanelContext& context, const SceneView& view, const PanelArea& area,
