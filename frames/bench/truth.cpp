@@ -25,6 +25,19 @@ std::vector<Pair> pairs_by(BroadPhase<D>& oracle, std::span<const Box<D>> boxes,
   return {oracle.pairs().begin(), oracle.pairs().end()};
 }
 
+template <int D>
+std::unique_ptr<BroadPhase<D>> make_oracle(std::size_t objects) {
+  if (objects <= kMostTested) return std::make_unique<AllPairs<D>>();
+  if (objects <= kMostSwept) return std::make_unique<SortAndSweep<D>>();
+  return std::make_unique<Columns<D>>();
+}
+
+template <int D>
+std::unique_ptr<BroadPhase<D>> make_other(std::size_t objects) {
+  if (objects <= kMostSwept) return std::make_unique<Columns<D>>();
+  return std::make_unique<Bsp<D>>(tuned_config());
+}
+
 }  // namespace
 
 template <int D>
@@ -38,17 +51,12 @@ std::vector<Pair> agreed_pairs(BroadPhase<D>& oracle, BroadPhase<D>& other, std:
 
 template <int D>
 std::vector<Pair> true_pairs(std::span<const Box<D>> boxes, std::uint32_t moving) {
-  Columns<D> columns;
-  if (boxes.size() <= kMostTested) {
-    AllPairs<D> oracle;
-    return agreed_pairs<D>(oracle, columns, boxes, moving);
-  }
-  if (boxes.size() <= kMostSwept) {
-    SortAndSweep<D> oracle;
-    return agreed_pairs<D>(oracle, columns, boxes, moving);
-  }
-  Bsp<D> tree(tuned_config());
-  return agreed_pairs<D>(columns, tree, boxes, moving);
+  return pairs_by(*make_oracle<D>(boxes.size()), boxes, moving);
+}
+
+template <int D>
+std::vector<Pair> confirmed_pairs(std::span<const Box<D>> boxes, std::uint32_t moving) {
+  return agreed_pairs<D>(*make_oracle<D>(boxes.size()), *make_other<D>(boxes.size()), boxes, moving);
 }
 
 Difference compare(std::span<const Pair> found, std::vector<Pair> truth) {
@@ -77,5 +85,7 @@ template std::vector<Pair> agreed_pairs<3>(BroadPhase<3>&, BroadPhase<3>&, std::
                                            std::uint32_t);
 template std::vector<Pair> true_pairs<2>(std::span<const Box<2>>, std::uint32_t);
 template std::vector<Pair> true_pairs<3>(std::span<const Box<3>>, std::uint32_t);
+template std::vector<Pair> confirmed_pairs<2>(std::span<const Box<2>>, std::uint32_t);
+template std::vector<Pair> confirmed_pairs<3>(std::span<const Box<3>>, std::uint32_t);
 
 }  // namespace kerf

@@ -10,11 +10,14 @@
 namespace kerf {
 
 /// The complete set of pairs of some boxes, of which the first `moving` are not fixed and some may be absent:
-/// by brute force for few, by sort-and-sweep for many, by columns for very many. Each of them may be
-/// measured, too, and must not judge itself: another algorithm finds them again. Throws as `agreed_pairs`
-/// does.
+/// by brute force for few, by sort-and-sweep for many, by columns for very many.
 template <int D>
 std::vector<Pair> true_pairs(std::span<const Box<D>> boxes, std::uint32_t moving);
+
+/// The same, found by another algorithm, too: each of them may be measured, and must not judge itself. Takes
+/// two to five times as long. Throws as `agreed_pairs` does.
+template <int D>
+std::vector<Pair> confirmed_pairs(std::span<const Box<D>> boxes, std::uint32_t moving);
 
 /// The pairs that two empty broad phases find of these boxes. Throws std::logic_error if they differ.
 template <int D>

@@ -98,7 +98,7 @@ Course<D> record(Motion<D>& motion, std::uint32_t warm_up, std::uint32_t steps, 
         motion.all_move() ? std::span<const ObjectId>(all) : motion.moved();
     step.moved.assign(moved.begin(), moved.end());
     for (const ObjectId object : moved) step.boxes.push_back(motion.boxes()[object.index()]);
-    if (s >= warm_up) step.truth = sorted_pairs(true_pairs(motion.boxes(), motion.moving()));
+    if (s >= warm_up) step.truth = sorted_pairs(confirmed_pairs(motion.boxes(), motion.moving()));
     course.steps.push_back(std::move(step));
   }
   return course;
