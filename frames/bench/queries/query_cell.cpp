@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include "frames/bench/queries/kerf_queries.h"
@@ -149,16 +148,17 @@ class QueryCell {
 
 }  // namespace
 
-double QueryRow::over_fastest() const {
-  double least = std::numeric_limits<double>::infinity();
+std::optional<double> QueryRow::over_fastest() const {
+  std::optional<double> least;
   for (std::size_t k = 1; k < times.size(); ++k)
-    if (times[k].structure != "embree") least = std::min(least, times[k].least_ns);
-  return std::isinf(least) ? 0 : least / times.front().least_ns;
+    if (times[k].structure != "embree")
+      least = std::min(least.value_or(times[k].least_ns), times[k].least_ns);
+  return least ? std::optional(*least / times.front().least_ns) : std::nullopt;
 }
 
-double QueryRow::over_embree() const {
+std::optional<double> QueryRow::over_embree() const {
   const auto embree = std::ranges::find(times, "embree", &QueryTime::structure);
-  return embree == times.end() ? 0 : embree->least_ns / times.front().least_ns;
+  return embree == times.end() ? std::nullopt : std::optional(embree->least_ns / times.front().least_ns);
 }
 
 template <int D>

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,10 +37,10 @@ struct QueryRow {
   double found = 0;              ///< a query, on average
   std::vector<QueryTime> times;  ///< ours first; without those that have no such query
 
-  /// How often as long the fastest other library takes, without Embree; 0 if there is none.
-  [[nodiscard]] double over_fastest() const;
-  /// How often as long Embree takes; 0 if it has no such query.
-  [[nodiscard]] double over_embree() const;
+  /// How often as long the fastest other library takes, without Embree.
+  [[nodiscard]] std::optional<double> over_fastest() const;
+  /// How often as long Embree takes, if it has such a query.
+  [[nodiscard]] std::optional<double> over_embree() const;
 };
 
 /// All kinds of queries, and "build" and "move": to take over all boxes for the first time, and after a step.

@@ -8,6 +8,7 @@
 #include "core/broad_phase/brute_force.h"
 #include "frames/bench/bench_cell.h"
 #include "frames/bench/bench_request.h"
+#include "frames/bench/queries/query_report.h"
 #include "frames/bench/subject.h"
 #include "frames/bench/truth.h"
 #include "frames/catalog/algorithm.h"
@@ -145,7 +146,7 @@ TEST(BenchTruth, TwoAlgorithmsAgreeOnWhatIsTrueAndBruteForceWithThem) {
           oracle.insert({k}, motion->boxes()[k], k < motion->moving() ? Mobility::moving : Mobility::fixed),
           Status::ok);
     oracle.step();
-    EXPECT_EQ(truth_of(oracle.pairs()), truth_of(true_pairs(motion->boxes(), motion->moving())));
+    EXPECT_EQ(truth_of(oracle.pairs()), truth_of(confirmed_pairs(motion->boxes(), motion->moving())));
   }
 }
 
@@ -305,6 +306,18 @@ TEST(BenchRequest, RefusesWhatWouldBeMeasuredTwice) {
   BenchTexts simulations;
   simulations.simulations = "pile,pile";
   EXPECT_THROW(parse_bench_request(simulations), UsageError);
+}
+
+/// No time at all was printed for Embree, and a target met by 0.
+TEST(BenchQueries, ATimeThatEmbreeDoesNotHaveIsNotZero) {
+  QueryRow row;
+  row.times = {{"kerf", 10, 10, 0}, {"embree", 5, 5, 0}, {"bullet", 40, 40, 0}};
+  EXPECT_EQ(row.over_fastest(), 4) << "without Embree";
+  EXPECT_EQ(row.over_embree(), 0.5);
+  row.times = {{"kerf", 10, 10, 0}, {"bullet", 40, 40, 0}};
+  EXPECT_EQ(row.over_embree(), std::nullopt);
+  EXPECT_THAT(as_text(row), HasSubstr("4.00         -"));
+  EXPECT_THAT(as_json({}, {row}, true), HasSubstr("\"over_embree\": null"));
 }
 
 TEST(BenchRequest, RefusesAnAlgorithmThatWouldNeverRun) {
