@@ -62,7 +62,7 @@ set(CPACK_COMPONENT_PROGRAM_DEPENDS runtime)
 # These are loaded or run by name. Only Debian 12 and 13 have OSMesa; without it, EGL draws.
 set(drawing "libosmesa6 | libegl-mesa0, libosmesa6 | libegl1")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ${drawing})
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "ffmpeg")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "ffmpeg, gnuplot-nox | gnuplot")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "parallel")
 
 if(KERF_PYTHON)
