@@ -62,11 +62,10 @@ std::string ballot_text(const EventExplanation<D>& e) {
   std::string text = e.ballot.empty() ? "" : "candidates:\n";
   for (std::size_t k = 0; k < e.ballot.size(); ++k) {
     const BallotEntry& entry = e.ballot[k];
-    text += "  direction " + std::to_string(entry.direction) + ", " +
+    text += "  candidate " + std::to_string(k) + ": direction " + std::to_string(entry.direction) + ", " +
             plane_text(Plane<D>{e.normals[k], entry.offset}) + ": " + quality_text(entry.quality) +
             (entry.exact ? "" : " of a sample") + ", score " +
-            number_text(static_cast<double>(score(entry.quality))) + "; " +
-            std::string(to_string(entry.result)) + "\n";
+            number_text(static_cast<double>(score(entry.quality))) + "; " + result_text(entry) + "\n";
   }
   return text;
 }

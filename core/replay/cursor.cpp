@@ -31,11 +31,9 @@ void mark_decided(const OperatorActed& acted, std::vector<BallotEntry>& entries)
   if (acted.op != Operator::split) return;
   for (BallotEntry& entry : entries) {
     const bool has_acted = entry.direction == acted.direction && entry.offset == acted.new_offset;
-    if (has_acted) {
-      entry.result = Ballot::chosen;
-    } else if (entry.result == Ballot::chosen) {
-      entry.result = Ballot::beaten;
-    }
+    const bool is_own_choice = entry.result == Ballot::chosen;
+    entry.taken = has_acted && !is_own_choice;
+    if (is_own_choice && !has_acted) entry.result = Ballot::overruled;
   }
 }
 

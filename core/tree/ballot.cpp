@@ -97,8 +97,14 @@ std::string_view to_string(Ballot ballot) {
       return "refused: no point divides the objects";
     case Ballot::unconfirmed:
       return "refused: good for the sample, not for all objects";
+    case Ballot::overruled:
+      return "chosen without the decision";
   }
   return "";
+}
+
+std::string result_text(const BallotEntry& entry) {
+  return (entry.taken ? "taken by a decision; by itself " : "") + std::string(to_string(entry.result));
 }
 
 template <int D>

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/config.h"
@@ -18,6 +20,7 @@ enum class Ballot : std::uint8_t {
   redundant,    ///< its best point cuts too many objects
   undividing,   ///< at every point one child has all objects
   unconfirmed,  ///< good for the sample of objects, but not for all of them
+  overruled,    ///< chosen, had a decision not taken another
 };
 std::string_view to_string(Ballot ballot);
 
@@ -28,7 +31,10 @@ struct BallotEntry {
   Quality quality;     ///< over the sample; over all objects where they are few, and of the chosen one
   bool exact = false;  ///< over all objects
   Ballot result = Ballot::beaten;
+  bool taken = false;  ///< by a decision; the result is what became of it without one
 };
+/// "chosen", "taken by a decision; by itself refused: cuts too many".
+std::string result_text(const BallotEntry& entry);
 
 /// All candidates that `op` had at a node (paper sections 3.2 and 4): for a split every direction tried, the
 /// chosen one first, then the good ones, then the others, each by falling score; for a shift-split and a

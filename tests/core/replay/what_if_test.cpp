@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/query/explain_event.h"
 #include "core/replay/cursor.h"
 #include "core/replay/verify.h"
 #include "core/trace/event_facts.h"
@@ -99,8 +100,14 @@ TYPED_TEST(WhatIf, ASplitTakesAnotherCandidate) {
   EXPECT_EQ(acted_of(happened)->new_offset, ballot[1].offset);
   Cursor<kD> cursor(other);
   cursor.go_to_event(event->id);
-  EXPECT_EQ(cursor.candidates()[0].result, Ballot::beaten);
-  EXPECT_EQ(cursor.candidates()[1].result, Ballot::chosen);
+  EXPECT_EQ(cursor.candidates()[0].result, Ballot::overruled);
+  EXPECT_FALSE(cursor.candidates()[0].taken);
+  EXPECT_EQ(cursor.candidates()[1].result, ballot[1].result);
+  EXPECT_TRUE(cursor.candidates()[1].taken);
+  const std::string why = to_text(explain_event(cursor.replayer(), event->id), {});
+  EXPECT_THAT(why, HasSubstr("  candidate 0: direction " + std::to_string(ballot[0].direction) + ", "));
+  EXPECT_THAT(why, HasSubstr("; chosen without the decision\n"));
+  EXPECT_THAT(why, HasSubstr("; taken by a decision; by itself " + std::string(to_string(ballot[1].result))));
 }
 
 TYPED_TEST(WhatIf, ACursorSeesTheSameRunBackwards) {

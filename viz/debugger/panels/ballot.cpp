@@ -14,9 +14,10 @@ namespace {
 
 constexpr float kStripHeight = 110;
 
-Color color_of_result(Ballot result) {
-  if (result == Ballot::chosen) return palette::kSeries[2];
-  return result == Ballot::beaten ? palette::kInk : palette::kCandidate;
+Color color_of(const BallotEntry& entry) {
+  if (entry.taken || entry.result == Ballot::chosen) return palette::kSeries[2];
+  const bool is_good = entry.result == Ballot::beaten || entry.result == Ballot::overruled;
+  return is_good ? palette::kInk : palette::kCandidate;
 }
 
 void cell(const std::string& text) {
@@ -35,7 +36,7 @@ bool draw_candidate_row(PanelContext& context, std::size_t k, const CandidateRow
   const Quality& q = candidate.entry.quality;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::PushStyleColor(ImGuiCol_Text, widgets::to_vector(color_of_result(candidate.entry.result)));
+  ImGui::PushStyleColor(ImGuiCol_Text, widgets::to_vector(color_of(candidate.entry)));
   const bool selected = context.model.hovered_candidate == k;
   const std::string name = "candidate " + std::to_string(k);
   const bool pressed = ImGui::Selectable((std::to_string(k) + "##" + name).c_str(), selected,
@@ -45,14 +46,14 @@ bool draw_candidate_row(PanelContext& context, std::size_t k, const CandidateRow
   if (pressed) context.memory.kept_candidate = k;
   if (hovered)
     ImGui::SetTooltip(
-        "%s\n%s\n%s", candidate.plane.c_str(), to_string(candidate.entry.result).data(),
+        "%s\n%s\n%s", candidate.plane.c_str(), result_text(candidate.entry).c_str(),
         candidate.entry.exact ? "judged on all its objects" : "judged on a sample of its objects");
   cell(candidate.plane);
   cell(std::to_string(q.left) + "|" + std::to_string(q.right));
   cell(two_digits(double{balance(q)}));
   cell(std::to_string(redundancy(q)));
   cell(two_digits(candidate.score));
-  cell(result_word(candidate.entry.result));
+  cell(result_word(candidate.entry));
   ImGui::PopStyleColor();
   return hovered;
 }
@@ -113,8 +114,9 @@ void draw_strip(const ProjectionStrip& strip) {
 
 }  // namespace
 
-const char* result_word(Ballot result) {
-  switch (result) {
+const char* result_word(const BallotEntry& entry) {
+  if (entry.taken) return "taken";
+  switch (entry.result) {
     case Ballot::chosen:
       return "chosen";
     case Ballot::beaten:
@@ -127,6 +129,8 @@ const char* result_word(Ballot result) {
       return "no gain";
     case Ballot::unconfirmed:
       return "sample only";
+    case Ballot::overruled:
+      return "overruled";
   }
   return "";
 }

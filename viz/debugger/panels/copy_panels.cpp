@@ -73,7 +73,7 @@ TextTable table_of_ballot(PanelContext& context) {
     table.rows.push_back({std::to_string(k), ballot[k].plane, std::to_string(quality.left),
                           std::to_string(quality.right), number_text(double{balance(quality)}),
                           std::to_string(redundancy(quality)), number_text(ballot[k].score),
-                          result_word(ballot[k].entry.result)});
+                          result_word(ballot[k].entry)});
   }
   return table;
 }

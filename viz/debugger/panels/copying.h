@@ -39,7 +39,7 @@ std::vector<const Event*> listed_events(const PanelContext& context);
 /// "split n5: 65 -> 65 (33 | 34)" without id and step.
 std::string deed_text(const Event& event, const GivenNames& names);
 /// A word that fits a narrow column.
-const char* result_word(Ballot result);
+const char* result_word(const BallotEntry& entry);
 /// The explanation that the panel "why" shows. Computed once for each moment and selection.
 const std::string& explanation_of(PanelContext& context);
 
