@@ -30,4 +30,10 @@ CatalogScene find_scene(std::string_view name) {
   throw UsageError(unknown_name_message("scene", name, names));
 }
 
+void check_grows(const CatalogScene& scene, std::string_view option) {
+  if (std::visit([](const auto* entry) { return entry->grows; }, scene.entry)) return;
+  throw UsageError(std::string(option) + ": " + scene.name +
+                   " does not grow: all its objects are there from the first step; leave the option out");
+}
+
 }  // namespace kerf

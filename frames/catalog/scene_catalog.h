@@ -25,4 +25,7 @@ std::vector<CatalogScene> scene_catalog();
 /// and all valid ones.
 CatalogScene find_scene(std::string_view name);
 
+/// Throws UsageError, which begins with the name of the option, if the scene does not grow.
+void check_grows(const CatalogScene& scene, std::string_view option);
+
 }  // namespace kerf

@@ -38,7 +38,9 @@ py::array picture_of(const py::array& boxes, const py::handle& given, const Pict
   FrameInput<D> input;
   input.bodies = bodies;
   input.pairs = pairs;
-  input.caption.objects = input.caption.moving = objects.size();
+  input.caption.scene = "boxes of an array";
+  input.caption.is_run = false;
+  input.caption.objects = objects.size();
   input.caption.pairs = pairs.size();
   input.caption.knows_contacts = false;
   return draw(input, options);

@@ -4,12 +4,11 @@
 #include <functional>
 #include <iterator>
 #include <memory>
-#include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/bsp/bsp.h"
-#include "core/recording/recorder.h"
 #include "frames/catalog/algorithm.h"
 #include "frames/catalog/scene_catalog.h"
 #include "frames/python/arrays.h"
@@ -17,6 +16,7 @@
 #include "frames/python/errors.h"
 #include "frames/python/interrupts.h"
 #include "frames/sequence/part_recording.h"
+#include "frames/sequence/record_run.h"
 #include "frames/support/errors.h"
 
 namespace kerf::python {
@@ -24,9 +24,12 @@ namespace {
 
 namespace py = pybind11;
 
-CatalogScene scene_called(const std::string& name) {
+/// The scene of the run, whose options it can have.
+CatalogScene scene_of(const SceneRun& run) {
   try {
-    return find_scene(name);
+    CatalogScene scene = find_scene(run.name);
+    if (run.options.steps != 0) check_grows(scene, "grow");
+    return scene;
   } catch (const UsageError& error) {
     throw py::value_error(error.what());
   }
@@ -43,27 +46,11 @@ void advance_all(Scene<D>& scene, std::uint32_t steps, Interrupts& interrupts,
 }
 
 template <int D>
-RecordingInfo info_of(const SceneRun& run, const Config& config, VolumeKind volume) {
-  RecordingInfo info;
-  info.dimension = D;
-  info.volume = volume;
-  info.config = config;
-  info.scene = run.name;
-  info.seed = run.options.seed;
-  info.objects = run.options.objects;
-  info.grow = run.options.steps;
-  info.recycle = run.options.recycle;
-  return info;
-}
-
-template <int D>
-void record(const SceneEntry<D>& entry, const SceneRun& run, const Config& config, PartRecording& part,
-            Interrupts& interrupts) {
-  Bsp<D, EventLog> tree(config, entry.needs.volume);
-  Recorder<D> recorder(tree, part.path(), info_of<D>(run, config, entry.needs.volume));
-  const auto scene = entry.make(recorder, run.options);
-  advance_all<D>(*scene, run.steps, interrupts, [&] { (void)tree.trace().take(); });
-  recorder.finish();
+void record(const SceneEntry<D>& entry, const std::string& scene, const SceneRun& run, const Config& config,
+            PartRecording& part, Interrupts& interrupts) {
+  RecordingInfo info = info_of_run(scene, D, run.options, config, entry.needs.volume);
+  record_run<D>({entry, run.options, std::move(info), run.steps}, part.path(),
+                [&](std::uint32_t /*step*/) { return !interrupts.requested(); });
 }
 
 template <int D>
@@ -134,7 +121,7 @@ py::list scene_list() {
 
 void record_scene(const SceneRun& run, const std::string& tree, const std::filesystem::path& out,
                   bool overwrite) {
-  const CatalogScene scene = scene_called(run.name);
+  const CatalogScene scene = scene_of(run);
   (void)config_of_tree(tree);
   Interrupts interrupts;
   {
@@ -146,7 +133,7 @@ void record_scene(const SceneRun& run, const std::string& tree, const std::files
         std::visit(
             [&](const auto* entry) {
               const Config config = tree == kTunedTree ? tuned_config() : default_config(entry->needs);
-              record(*entry, run, config, part, interrupts);
+              record(*entry, scene.name, run, config, part, interrupts);
             },
             scene.entry);
         if (!interrupts.requested()) part.keep();
@@ -157,12 +144,11 @@ void record_scene(const SceneRun& run, const std::string& tree, const std::files
 }
 
 py::list scene_boxes(const SceneRun& run) {
-  return std::visit([&](const auto* entry) { return list_boxes(*entry, run); }, scene_called(run.name).entry);
+  return std::visit([&](const auto* entry) { return list_boxes(*entry, run); }, scene_of(run).entry);
 }
 
 py::array scene_picture(const SceneRun& run, const PictureOptions& options) {
-  return std::visit([&](const auto* entry) { return picture_of(*entry, run, options); },
-                    scene_called(run.name).entry);
+  return std::visit([&](const auto* entry) { return picture_of(*entry, run, options); }, scene_of(run).entry);
 }
 
 }  // namespace kerf::python

@@ -7,9 +7,9 @@
 #include <type_traits>
 
 #include "core/base/counted.h"
-#include "core/recording/recorder.h"
 #include "core/recording/recording_reader.h"
 #include "frames/sequence/part_recording.h"
+#include "frames/sequence/record_run.h"
 #include "frames/sequence/recording_file.h"
 #include "frames/support/errors.h"
 #include "frames/support/interrupt.h"
@@ -38,11 +38,10 @@ void print_summary(const std::filesystem::path& file, double recording, double r
               counted(size.changed, "box", "boxes").c_str(), 100 * recording / run, run);
 }
 
-/// How far a scene came, and what recording it took.
+/// How far a scene came, and why it ended.
 struct Take {
-  std::uint32_t steps = 0;
+  RunSoFar run;
   RecordingWish wish = RecordingWish::more;
-  double recording = 0;  ///< seconds
 };
 
 /// Runs the scene and records it into the part, which is closed then.
@@ -51,23 +50,15 @@ Take record_steps(const SceneEntry<D>& entry, const RenderRequest& request, cons
                   const RecordingWatch& watch) {
   const InterruptGuard interrupt;
   Take take;
-  Bsp<D, EventLog> tree(request.broad_phase.config, request.broad_phase.volume);
-  Recorder<D> recorder(tree, part, recording_info(request));
-  const auto scene = entry.make(recorder, request.options);
-  recorder.show([&](ObjectId object) { return appearance_of(scene->bodies()[object.index()]); });
-  {
-    Progress progress({1, request.steps.last, 1});
-    while (scene->step() < request.steps.last && take.wish == RecordingWish::more) {
-      scene->advance();
-      (void)tree.trace().take();
-      progress.update(scene->step(), scene->step());
-      if (watch) take.wish = watch(scene->step());
-      if (interrupt.requested()) take.wish = RecordingWish::none;
-    }
-  }
-  recorder.finish();
-  take.steps = scene->step();
-  take.recording = recorder.seconds();
+  Progress progress({1, request.steps.last, 1});
+  const auto go_on = [&](std::uint32_t step) {
+    progress.update(step, step);
+    if (watch) take.wish = watch(step);
+    if (interrupt.requested()) take.wish = RecordingWish::none;
+    return take.wish == RecordingWish::more;
+  };
+  take.run =
+      record_run<D>({entry, request.options, recording_info(request), request.steps.last}, part, go_on);
   return take;
 }
 
@@ -80,12 +71,12 @@ std::filesystem::path record(const SceneEntry<D>& entry, const RenderRequest& re
   return part.write([&]() -> std::filesystem::path {
     const Take take = record_steps(entry, request, part.path(), watch);
     const double run = seconds_since(start);
-    const bool whole = take.steps == request.steps.last;
+    const bool whole = take.run.steps == request.steps.last;
     if (whole) part.keep();
     std::filesystem::path file = whole ? request.record : part.keep_as_far_as_it_came();
-    if (cost == CostOfRecording::printed) print_summary<D>(file, take.recording, run);
+    if (cost == CostOfRecording::printed) print_summary<D>(file, take.run.recording, run);
     if (!whole && take.wish == RecordingWish::none)
-      throw Interrupted("interrupted: " + counted_of(take.steps, request.steps.last, "step") + " in " +
+      throw Interrupted("interrupted: " + counted_of(take.run.steps, request.steps.last, "step") + " in " +
                         file.string());
     return file;
   });
@@ -100,7 +91,7 @@ std::filesystem::path record_scene(const RenderRequest& request, CostOfRecording
     return std::visit([&](const auto* entry) { return record(*entry, request, cost, watch); },
                       request.scene.entry);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
+    throw UsageError(request.name + ": " + error.what());
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "frames/sequence/record_run.h"
 #include "frames/support/errors.h"
 #include "frames/support/parse_number.h"
 
@@ -21,16 +22,8 @@ RecordingInfo recording_info(const RenderRequest& request) {
     throw UsageError(
         "'" + request.broad_phase.name +
         "' cannot be recorded: only a tree has events and a state; choose --broad-phase kerf or kerf-paper");
-  RecordingInfo info;
-  info.dimension = request.scene.dimension();
-  info.volume = request.broad_phase.volume;
-  info.config = request.broad_phase.config;
-  info.scene = request.scene.name;
-  info.seed = request.options.seed;
-  info.objects = request.options.objects;
-  info.grow = request.options.steps;
-  info.recycle = request.options.recycle;
-  return info;
+  return info_of_run(request.scene.name, request.scene.dimension(), request.options,
+                     request.broad_phase.config, request.broad_phase.volume);
 }
 
 std::string_view tree_of(const RecordingInfo& info) {

@@ -274,9 +274,23 @@ def test_scenes_of_the_program_are_recorded(tmp_path):
         kerf.record("buckets", tmp_path / "x.kerf", tree="x")
     with pytest.raises(kerf.RecordingError):
         kerf.record("buckets", tmp_path / "none" / "x.kerf", steps=3)
+    for record in [lambda: kerf.record("attractors", path, grow=50), lambda: kerf.scene_boxes("attractors", grow=3)]:
+        with pytest.raises(ValueError, match="^grow: attractors does not grow"):
+            record()
     boxes = kerf.scene_boxes("buckets", steps=5, objects=30, grow=3)
     assert len(boxes) == 5 and boxes[-1].shape[1:] == (2, 3) and boxes[0].dtype == np.float32
     assert [len(step) for step in boxes] == sorted(len(step) for step in boxes)
+
+
+@pytest.mark.parametrize("scene", ["pile", "buckets"])
+def test_a_scene_is_recorded_as_the_program_records_it(scene, tmp_path):
+    of_program, of_python = tmp_path / "program.kerf", tmp_path / "python.kerf"
+    program = os.environ["KERF_BUILD_DIR"] + "/frames/kerf"
+    options = ["--objects", "40", "--grow", "10", "--steps", "20"]
+    subprocess.run([program, "record", scene, "-o", of_program, *options], check=True)
+    kerf.record(scene, of_python, objects=40, grow=10, steps=20)
+    same = subprocess.run([program, "compare", of_program, of_python], capture_output=True, text=True, check=False)
+    assert same.returncode == 0, same.stdout
 
 
 def test_pairs_that_touch_only_as_written_are_undecided(tmp_path):

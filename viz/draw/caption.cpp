@@ -45,13 +45,14 @@ std::vector<CaptionItem> with_step_in(int lines, const Font& font, int picture_w
 
 std::vector<CaptionItem> caption_items(const Caption& caption, bool has_tree,
                                        std::optional<std::uint32_t> outside) {
-  std::vector<CaptionItem> items{
-      {"scene", caption.scene},
-      {"broad phase", caption.broad_phase},
-      {"step", caption.step_name.empty() ? number(caption.step, 5) : caption.step_name},
-      {"objects", number(caption.objects, 5)},
-      {"moving", number(caption.moving, 5)},
-      {"pairs", number(caption.pairs, 5)}};
+  std::vector<CaptionItem> items;
+  if (!caption.scene.empty()) items.push_back({"scene", caption.scene});
+  if (!caption.broad_phase.empty()) items.push_back({"broad phase", caption.broad_phase});
+  if (caption.is_run)
+    items.push_back({"step", caption.step_name.empty() ? number(caption.step, 5) : caption.step_name});
+  items.push_back({"objects", number(caption.objects, 5)});
+  if (caption.is_run) items.push_back({"moving", number(caption.moving, 5)});
+  items.push_back({"pairs", number(caption.pairs, 5)});
   if (caption.knows_contacts) items.push_back({"contacts", number(caption.contacts, 5)});
   if (outside) items.push_back({"outside", number(*outside, 5)});
   if (!has_tree) return items;

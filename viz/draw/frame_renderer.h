@@ -22,7 +22,7 @@ namespace kerf {
 
 /// The words and numbers of a frame. Those of the tree are shown only when a tree is drawn.
 struct Caption {
-  std::string scene;
+  std::string scene;  ///< empty, as the broad phase: not shown
   std::string broad_phase;
   std::uint32_t step = 0;
   std::uint32_t objects = 0;
@@ -33,6 +33,7 @@ struct Caption {
   std::string step_name{};  ///< what an import calls the step; empty: its number
   std::string note{};       ///< free text, one line, may be empty
   bool knows_contacts = true;
+  bool is_run = true;  ///< false: boxes as such, which have no step and do not move
 };
 
 /// The number of steps for which an operator stays highlighted, unless a frame says otherwise.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -71,6 +72,16 @@ TEST(Caption, HasTheStepInSmallPicturesToo) {
   overlay.text.keeps_lines = true;
   draw_caption(view, font, layout, items, "", overlay);
   EXPECT_EQ(std::ranges::count(overlay.text.lines, "step", &DrawnText::text), 1);
+}
+
+TEST(Caption, OfBoxesAsSuchHasNoEmptyWordAndNoStep) {
+  Caption boxes;
+  boxes.scene = "boxes of an array";
+  boxes.objects = 5;
+  boxes.is_run = boxes.knows_contacts = false;
+  std::vector<std::string> words;
+  for (const CaptionItem& item : caption_items(boxes, false)) words.push_back(item.word);
+  EXPECT_EQ(words, (std::vector<std::string>{"scene", "objects", "pairs"}));
 }
 
 TEST(Caption, NamesWhatLiesOutsideOnlyIfAsked) {
