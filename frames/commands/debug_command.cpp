@@ -63,14 +63,19 @@ struct Sitting {
 void print_line(const std::string& text) { std::fprintf(stderr, "%s\n", text.c_str()); }
 
 void play_headless(const Sitting& sitting, const std::vector<ScriptLine>& lines) {
+  const InterruptGuard interrupt;
+  const auto check = [&] {
+    if (interrupt.requested()) throw Interrupted("interrupted while the script was played");
+  };
   const auto context = make_offscreen_context();
   Debugger debugger(*context, open_run(sitting.file));
   debugger.model().work_folder = sitting.work_folder;
+  debugger.model().on_long_work = [&](std::uint32_t /*step*/) { return !interrupt.requested(); };
   debugger.on_earlier_session(print_line);
   if (sitting.scale) debugger.set_content_scale(*sitting.scale);
   WindowKeeper keeper(debugger, sitting.window_file, sitting.theme);
   debugger.go_on_with_files(sitting.sessions);
-  ScriptPlayer(debugger, sitting.size.width, sitting.size.height, sitting.pictures).play(lines);
+  ScriptPlayer(debugger, sitting.size.width, sitting.size.height, sitting.pictures, check).play(lines);
   keeper.keep();
   if (const std::string problem = debugger.keep_session(); !problem.empty())
     throw std::runtime_error(problem);
@@ -289,6 +294,7 @@ void DebugCommand::run() const {
     check_window_file(*remembered);
   }
   if (!out_.empty()) make_writable_folder(out_);
+  const InterruptGuard interrupt;  // before there is a folder that an interrupt would leave
   const ScratchFolder scratch;
   const std::optional<RenderRequest> request = scene(scratch.path());
   std::optional<GlfwWindow> window;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/counted.h"
 #include "core/recording/unfinished.h"
 #include "frames/sequence/recorded_steps.h"
 #include "frames/sequence/recording_file.h"
@@ -62,10 +63,8 @@ Needs needs_of(const CatalogScene& scene) {
 }
 
 void check_growth(const CatalogScene& scene, const RenderTexts& texts) {
-  const bool grows = std::visit([](const auto* entry) { return entry->grows; }, scene.entry);
-  if (grows || (texts.grow.empty() && texts.recycle.empty())) return;
-  throw UsageError((texts.grow.empty() ? "--recycle: " : "--grow: ") + scene.name +
-                   " does not grow: all its objects are there from the first step; leave the option out");
+  if (!texts.grow.empty()) check_grows(scene, "--grow");
+  if (!texts.recycle.empty()) check_grows(scene, "--recycle");
 }
 
 BroadPhaseChoice parse_broad_phase(const CatalogScene& scene, const RenderTexts& texts) {
@@ -102,7 +101,7 @@ void check_panes(const RenderRequest& request, const RenderTexts& texts) {
     names.push_back(choice.name);
   }
   if (!have_room(request.size.width, request.size.height, panes))
-    throw UsageError("--size: " + std::to_string(panes) + " panes have no room in " +
+    throw UsageError("--size: " + counted(panes, "pane has", "panes have") + " no room in " +
                      std::to_string(request.size.width) + "x" + std::to_string(request.size.height) +
                      " pixels; ask for a larger picture or name fewer in --beside");
   if (request.ids && panes > 1)
@@ -190,8 +189,6 @@ void parse_pictures(const RenderTexts& texts, RenderRequest& request) {
         "--ids says what each pixel shows, and with --samples 2x2 each shows four: leave one out");
   request.overwrite = texts.overwrite;
   request.resume = texts.resume;
-  if (texts.resume && texts.overwrite)
-    throw UsageError("--resume keeps the frames that are there, --overwrite does not; give one of them");
 }
 
 void parse_shard_of_recording(const RenderTexts& texts, RenderRequest& request) {

@@ -74,7 +74,8 @@ class Sequence {
   }
 
   KeptFrames look_into_folder() {
-    if (request_.resume) return folder_.frames_of(manifest_);
+    if (request_.resume)
+      return request_.overwrite ? folder_.frames_begun_apart_of(manifest_) : folder_.frames_of(manifest_);
     folder_.check_free(request_.overwrite);
     folder_.build_apart_from_earlier();
     return {};
@@ -186,10 +187,9 @@ class Sequence {
   [[nodiscard]] std::string interruption() const {
     std::string text =
         "interrupted: " + counted_of(manifest_.frames.size(), manifest_.wanted_frames(), "frame") + " in " +
-        folder_.path().string() + "; " +
-        (folder_.is_apart() ? "the earlier sequence is as it was; render with --resume --out " +
-                                  folder_.path().string() + " to make the rest"
-                            : "the same command with --resume makes the rest");
+        folder_.path().string() + (folder_.is_apart() ? "; the earlier sequence is as it was" : "") +
+        "; the same command with --resume" + (request_.record.empty() ? "" : ", and without --record,") +
+        " makes the rest";
     if (files_.has_video()) text += "; no film was made";
     return text;
   }

@@ -38,6 +38,12 @@ bool is_frame(const std::string& file, const std::string& name) {
          });
 }
 
+KeptFrames hashes_of(const Manifest& manifest) {
+  KeptFrames hashes;
+  for (const FrameRecord& frame : manifest.frames) hashes.emplace(frame.index, frame.pixel_hash);
+  return hashes;
+}
+
 }  // namespace
 
 SequenceFolder::SequenceFolder(std::filesystem::path path, std::string name)
@@ -86,9 +92,19 @@ KeptFrames SequenceFolder::frames_of(const Manifest& manifest) const {
   if (!difference.empty())
     throw UsageError("--resume: " + path_.string() + " holds another sequence (" + difference +
                      "); give the options with which it was begun, or choose another folder with --out");
-  KeptFrames kept;
-  for (const FrameRecord& frame : earlier.frames) kept.emplace(frame.index, frame.pixel_hash);
-  return kept;
+  return hashes_of(earlier);
+}
+
+KeptFrames SequenceFolder::frames_begun_apart_of(const Manifest& manifest) {
+  for (const std::filesystem::path& part : parts_of(path_ / name_)) {
+    if (!std::filesystem::exists(part / kManifestName)) continue;
+    const Manifest begun = read_manifest(part);
+    if (!first_difference(begun.header, manifest.header).empty() || !(begun.shard == manifest.shard))
+      continue;
+    apart_ = part;
+    return hashes_of(begun);
+  }
+  return frames_of(manifest);
 }
 
 void SequenceFolder::build_apart() { apart_ = fresh_part_name(path_ / name_); }

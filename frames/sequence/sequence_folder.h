@@ -31,6 +31,9 @@ class SequenceFolder {
   /// The frames that an earlier run of the very same sequence has left; none if there is no folder yet.
   /// Throws UsageError if the folder holds another sequence.
   [[nodiscard]] KeptFrames frames_of(const Manifest& manifest) const;
+  /// The same of a sequence that was begun apart, to replace the one that is here: if such a part is there,
+  /// `path` is that from now on.
+  [[nodiscard]] KeptFrames frames_begun_apart_of(const Manifest& manifest);
   /// From now on `path` is a fresh folder within; there is none until `make`.
   void build_apart();
   /// The same if the folder holds a sequence.

@@ -1,0 +1,99 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "frames/support/errors.h"
+#include "tests/frames/program.h"
+
+namespace kerf {
+namespace {
+
+using test::interrupt_kerf;
+using test::run_kerf;
+using test::RunOutcome;
+using test::TemporaryFolder;
+using ::testing::HasSubstr;
+
+using Arguments = std::vector<std::string>;
+
+Arguments with(Arguments arguments, const Arguments& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+Arguments render(const std::filesystem::path& out, const std::string& steps) {
+  return {"render", "pile", "--steps", steps, "--objects", "50", "--size", "160x120", "--out", out};
+}
+
+/// A sequence is replaced in a folder of its own, within the earlier one's.
+bool has_begun_apart(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.is_directory() && std::filesystem::exists(entry.path() / "pile_000003.png")) return true;
+  return false;
+}
+
+/// What an interrupt says is what one can do.
+TEST(InterruptedProgram, TheSameCommandWithResumeReplacesTheEarlierSequenceAndFilm) {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "frames";
+  const auto film = folder.path() / "film.mp4";
+  const Arguments replaces{"--overwrite", "--video", film};
+  ASSERT_EQ(run_kerf(with(render(out, "1:41:10"), replaces)).exit, kExitHolds);
+  const std::string picture = test::read_text(out / "pile_000001.png");
+  const std::string earlier_film = test::read_text(film);
+  const Arguments arguments = with(with(render(out, "1:1000:10"), replaces), {"--seed", "2"});
+  const RunOutcome outcome = interrupt_kerf(arguments, [&] { return has_begun_apart(out); });
+  EXPECT_EQ(outcome.exit, kExitInterrupted);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("the earlier sequence is as it was; the same command with --resume makes"));
+  EXPECT_TRUE(test::read_text(out / "pile_000001.png") == picture);
+  EXPECT_TRUE(test::read_text(film) == earlier_film);
+
+  const RunOutcome other = run_kerf(with(arguments, {"--resume", "--camera", "width=9"}));
+  EXPECT_EQ(other.exit, kExitUnusable) << "it is the rest of neither sequence";
+  const RunOutcome resumed = run_kerf(with(arguments, {"--resume"}));
+  ASSERT_EQ(resumed.exit, kExitHolds) << resumed.err;
+  EXPECT_FALSE(test::read_text(film) == earlier_film);
+  const auto whole = folder.path() / "whole";
+  ASSERT_EQ(run_kerf(with(render(whole, "1:1000:10"), {"--seed", "2"})).exit, kExitHolds);
+  ASSERT_EQ(test::files_in(out), test::files_in(whole));
+  for (const std::string& file : test::files_in(whole))
+    EXPECT_TRUE(test::read_text(out / file) == test::read_text(whole / file)) << file;
+}
+
+TEST(InterruptedProgram, ARenderThatRecordsIsResumedWithoutTheRecording) {
+  const TemporaryFolder folder;
+  const Arguments arguments = render(folder.path() / "frames", "1:1000:10");
+  const RunOutcome outcome = interrupt_kerf(with(arguments, {"--record", folder.path() / "run.kerf"}), [&] {
+    return std::filesystem::exists(folder.path() / "frames" / "pile_000003.png");
+  });
+  EXPECT_EQ(outcome.exit, kExitInterrupted);
+  EXPECT_THAT(outcome.err, HasSubstr("the same command with --resume, and without --record, makes the rest"));
+  const RunOutcome resumed = run_kerf(with(arguments, {"--resume"}));
+  EXPECT_EQ(resumed.exit, kExitHolds) << resumed.err;
+}
+
+TEST(InterruptedProgram, AScriptOfTheDebuggerLeavesNothingBehind) {
+  const TemporaryFolder folder;
+  const TemporaryFolder temporary;
+  const auto pictures = folder.path() / "pictures";
+  std::ofstream(folder.path() / "s") << "screenshot first\nwait 1000000\n";
+  Arguments command = test::kerf_command({"debug", "pile", "--steps", "20", "--objects", "30", "--headless",
+                                          "--script", folder.path() / "s", "--out", pictures});
+  command.insert(command.begin(), {"env", "TMPDIR=" + temporary.path().string()});
+  test::Process process(command);
+  ASSERT_TRUE(test::holds_within_a_minute([&] { return std::filesystem::exists(pictures / "first.png"); }));
+  process.signal(SIGINT);
+  const RunOutcome outcome = process.wait();
+  EXPECT_EQ(outcome.exit, kExitInterrupted);
+  EXPECT_THAT(outcome.err, HasSubstr("interrupted while the script was played"));
+  EXPECT_TRUE(temporary.files().empty());
+}
+
+}  // namespace
+}  // namespace kerf
