@@ -38,7 +38,11 @@ Box<D> padded(Box<D> box) {
 template <int D>
 void ViewBox<D>::update(std::span<const Body<D>> bodies) {
   if (fixed_) return;
-  const std::optional<Box<D>> seen = box_of_interest(bodies, framing_);
+  std::optional<Box<D>> seen = box_of_interest(bodies, framing_);
+  if (!seen && !box_) {  // nothing is near enough to be of interest: then all of it is
+    seen = box_of_interest(bodies, Framing::everything);
+    if (seen) framing_ = Framing::everything;
+  }
   if (!seen) return;
   if (!box_) box_ = padded(*seen);
   const Box<D> needed = join(*box_, *seen);

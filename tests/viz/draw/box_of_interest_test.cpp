@@ -119,6 +119,30 @@ TYPED_TEST(BoxOfInterest, WhatFallsForEverIsFollowedNotFar) {
   EXPECT_LT(changes, 20);
 }
 
+TYPED_TEST(BoxOfInterest, WhereAllIsFarAwayThatIsTheView) {
+  constexpr int kD = TypeParam::value;
+  for (const Scalar far : {1e9F, 1e12F, 9e17F}) {
+    std::vector<Body<kD>> bodies;
+    for (int k = 0; k < kMany; ++k)
+      bodies.push_back(body_at(test::all<kD>(far * (1 + 0.001F * static_cast<Scalar>(k))), 1e-4F * far));
+    SceneBox<kD> view;
+    view.update(bodies);
+    EXPECT_TRUE(contains(view.box(), everything(bodies))) << far;
+    EXPECT_EQ(count_outside(std::span<const Body<kD>>(bodies), view.box()), 0U) << far;
+  }
+}
+
+/// What flies away later does not take the view with it.
+TYPED_TEST(BoxOfInterest, TheViewStaysWhereTheCrowdHasBeen) {
+  constexpr int kD = TypeParam::value;
+  const auto near = crowd<kD>();
+  SceneBox<kD> view;
+  view.update(near);
+  const Box<kD> before = view.box();
+  view.update(std::vector<Body<kD>>(kMany, body_at(test::all<kD>(1e12F), 0.5F)));
+  EXPECT_EQ(view.box(), before);
+}
+
 TYPED_TEST(BoxOfInterest, EverythingIsAllThatIsFinite) {
   constexpr int kD = TypeParam::value;
   auto bodies = crowd<kD>();
