@@ -14,6 +14,7 @@
 #include "frames/story/blend.h"
 #include "frames/story/story_course.h"
 #include "frames/story/story_maker.h"
+#include "frames/story/story_still.h"
 #include "frames/story/story_timeline.h"
 #include "frames/support/atomic_file.h"
 #include "frames/support/countdown.h"
@@ -143,7 +144,7 @@ class Story {
     std::vector<std::uint32_t> stops;
     for (const StoryMoment& moment : moments) stops.push_back(moment.step);
     const auto frames = story_frames(steps.first, steps.last, stops, request_.frames, request_.hold);
-    choose_still(frames, moments);
+    still_index_ = frame_of_still(frames, moments, course.operators, request_.hold);
     files_.emplace(request_.pictures.film, request_.pictures.size, request_.frames);
     try {
       draw_frames<D>(frames, moments, course);
@@ -202,18 +203,6 @@ class Story {
     order.parcel = pack_story(insert, between.parcel());
     order.wants_image = true;
     crew_->add(std::move(order));
-  }
-
-  /// Where the plane of the moment with the most objects is half on its way.
-  void choose_still(const std::vector<StoryFrame>& frames, const std::vector<StoryMoment>& moments) {
-    std::uint32_t most = 0;
-    still_index_ = static_cast<std::uint32_t>(frames.size() / 2);
-    for (std::size_t k = 0; k < frames.size(); ++k) {
-      if (!frames[k].moment || std::abs(frames[k].progress - 0.45) > 0.5 / request_.hold) continue;
-      const std::uint32_t size = moments[*frames[k].moment].acted.after.population;
-      if (size > most) still_index_ = static_cast<std::uint32_t>(k);
-      most = std::max(most, size);
-    }
   }
 
   const StoryRequest& request_;

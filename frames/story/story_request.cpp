@@ -1,6 +1,7 @@
 #include "frames/story/story_request.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "frames/story/story_course.h"
 #include "frames/support/errors.h"
@@ -10,7 +11,7 @@
 namespace kerf {
 namespace {
 
-constexpr const char* kStoryLayers = "objects,leaves,partitioners,operators";
+constexpr const char* kStoryLayers = "none,+objects,+leaves,+partitioners,+operators";
 constexpr std::uint32_t kSecondsForMoment = 8;
 constexpr double kSecondsOfMoment = 2.5;
 constexpr int kLeastWidth = 640;
@@ -20,8 +21,19 @@ RenderTexts with_defaults(RenderTexts texts) {
   if (texts.steps.empty() && !names_recording(texts)) texts.steps = "800";
   if (texts.size.empty()) texts.size = "1920x1080";
   if (texts.fps.empty()) texts.fps = "60";
-  if (texts.show.empty()) texts.show = kStoryLayers;
+  if (texts.show.empty() || texts.show.starts_with('+') || texts.show.starts_with('-'))
+    texts.show = kStoryLayers + (texts.show.empty() ? "" : "," + texts.show);
   return texts;
+}
+
+/// "all" means all that there is.
+void refuse_words(const std::string& layers) {
+  std::istringstream list(layers);
+  for (std::string layer; std::getline(list, layer, ',');)
+    for (const char* const words : {"caption", "legend"})
+      if (layer == words || layer == std::string("+") + words)
+        throw UsageError(std::string("--show ") + words +
+                         ": a film has a title and curves in its place; leave that layer out");
 }
 
 std::string parse_beside(const std::string& text) {
@@ -35,15 +47,16 @@ std::string parse_beside(const std::string& text) {
 }  // namespace
 
 StoryRequest parse_story_request(const StoryTexts& texts) {
+  refuse_words(texts.pictures.show);
   const RenderTexts pictures = with_defaults(texts.pictures);
   StoryRequest request;
   request.pictures = names_recording(pictures) ? parse_recording_request(pictures) : parse_request(pictures);
   RenderRequest& render = request.pictures;
   if (!render.broad_phase.is_tree())
-    throw UsageError("--broad-phase: the story is of a tree; give kerf-paper or kerf");
+    throw UsageError("--broad-phase: the film is of a tree; give kerf-paper or kerf");
   if (render.size.width < kLeastWidth || render.size.height < kLeastHeight)
     throw UsageError("--size: icicle and curves need 640x360 pixels or more");
-  if (render.steps.first == render.steps.last) throw UsageError("--steps: a story needs two steps or more");
+  if (render.steps.first == render.steps.last) throw UsageError("--steps: a film needs two steps or more");
   render.steps.stride = 1;
   render.layers = render.layers.with(Layer::caption, false).with(Layer::legend, false);
   std::uint32_t seconds = 60;

@@ -201,7 +201,9 @@ void draw_curves(const View& view, const Font& font, const Viewport& place, cons
   const int line = font.line_height();
   int y = static_cast<int>(place.top);
   const auto left = static_cast<int>(place.left);
-  overlay.text.add(font, left, y, "Tests of box against box, this step", palette::kInk);
+  const char* const heading = "Tests of box against box, this step";
+  const bool has_room = font.width(heading) <= static_cast<int>(place.width);
+  overlay.text.add(font, left, y, has_room ? heading : "Box tests, this step", palette::kInk);
   const int indent = 2 * font.advance();
   for (const StoryCurve& curve : *panels.curves) {
     y += line;
