@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "frames/experiment/run_measures.h"
 #include "frames/experiment/spread.h"
 #include "frames/page/short_number.h"
@@ -13,10 +14,9 @@ constexpr std::uint32_t kEnoughSeeds = 3;
 constexpr std::uint32_t kEnoughRepeats = 5;
 
 std::string run_words(const ExperimentPlan& plan) {
-  std::string text = "Each simulation was run " + std::to_string(plan.runs()) +
-                     " times: " + std::to_string(plan.repeats) +
-                     (plan.repeats == 1 ? " repeat of " : " repeats of ") + std::to_string(plan.seeds) +
-                     (plan.seeds == 1 ? " seed" : " seeds") + "; repeats follow one another.";
+  std::string text = "Each simulation was run " + counted(plan.runs(), "time") + ": " +
+                     counted(plan.repeats, "repeat") + " of " + counted(plan.seeds, "seed") +
+                     "; repeats follow one another.";
   if (plan.seeds < kEnoughSeeds || plan.repeats < kEnoughRepeats)
     text +=
         " These are fewer than the three seeds and five repeats of kerf experiment --full: the spreads "

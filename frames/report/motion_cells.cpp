@@ -1,5 +1,6 @@
 #include "frames/report/motion_cells.h"
 
+#include "core/base/counted.h"
 #include "frames/bench/bench_scene.h"
 #include "frames/report/course.h"
 #include "frames/report/setting.h"
@@ -33,7 +34,7 @@ std::vector<MotionCell> motion_cells(const ReportSizes& sizes) {
       const std::string name = motion;
       const std::string key = "motion " + name + " " + std::to_string(dimension) + "D, " +
                               std::to_string(sizes.objects) + " objects, " + std::to_string(sizes.steps) +
-                              " steps, " + std::to_string(sizes.rounds) + " rounds";
+                              " steps, " + counted(sizes.rounds, "round");
       const auto run = [=](const Poll& poll) {
         return dimension == 2 ? measure<2>(name, sizes, poll) : measure<3>(name, sizes, poll);
       };

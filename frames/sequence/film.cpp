@@ -218,7 +218,7 @@ std::unique_ptr<Film> make_film(const RenderRequest& request) {
         },
         request.scene.entry);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
+    throw UsageError(request.name + ": " + error.what());
   }
 }
 

@@ -45,6 +45,7 @@ StepRange parse_steps(std::string_view text) {
   const std::vector<std::uint32_t> n = numbers_between_colons(text);
   StepRange range;
   if (n.size() == 1) {
+    if (n[0] == 0) throw UsageError(given + ": at least 1 step is needed");
     range = {1, n[0], 1};
   } else if (n.size() == 2) {
     range = {n[0], n[1], 1};

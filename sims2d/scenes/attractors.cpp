@@ -76,7 +76,7 @@ class AttractorScene final : public WorldScene<2, Box2dWorld> {
 };
 
 std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
-  const std::uint32_t objects = growth_of("attractors", options, kDefaultObjects).objects;
+  const std::uint32_t objects = growth_of(options, kDefaultObjects).objects;
   return std::make_unique<AttractorScene>(broad_phase, objects, options.seed);
 }
 

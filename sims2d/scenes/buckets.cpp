@@ -31,7 +31,7 @@ void add_bucket(std::vector<BodyPlan>& bodies, Scalar center, Scalar width, Scal
 std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
   RainPlan plan;
   plan.needs = kNeeds;
-  plan.growth = growth_of("buckets", options, kDefaultObjects);
+  plan.growth = growth_of(options, kDefaultObjects);
   // All buckets together hold nine of ten objects.
   const Scalar width = std::max(0.33F * std::sqrt(static_cast<Scalar>(plan.growth.objects)), 3.0F);
   const Scalar height = 1.4F * width;

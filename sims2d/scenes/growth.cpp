@@ -12,11 +12,10 @@ std::uint32_t Growth::due(std::uint32_t step) const {
   return static_cast<std::uint32_t>(part * objects / steps);
 }
 
-Growth growth_of(std::string_view scene, const SceneOptions& options, std::uint32_t default_objects) {
+Growth growth_of(const SceneOptions& options, std::uint32_t default_objects) {
   if (options.objects > kMaxObjects2d)
-    throw std::invalid_argument("scene " + std::string(scene) + " takes at most " +
-                                std::to_string(kMaxObjects2d) + " objects, not " +
-                                std::to_string(options.objects));
+    throw std::invalid_argument(std::to_string(options.objects) + " objects are too many: at most " +
+                                std::to_string(kMaxObjects2d) + " are possible");
   Growth growth;
   growth.objects = options.objects == 0 ? default_objects : options.objects;
   // Scenes are as wide as the square root of their objects, and so is the band from which objects fall.

@@ -23,6 +23,6 @@ inline constexpr std::uint32_t kMaxObjects2d = 100'000;
 /// The growth that `options` describe, with the scene's defaults for zeros: `default_objects`, and a time
 /// over which the objects fall as densely in a large scene as in a small one. Throws std::invalid_argument
 /// for more than `kMaxObjects2d`.
-Growth growth_of(std::string_view scene, const SceneOptions& options, std::uint32_t default_objects);
+Growth growth_of(const SceneOptions& options, std::uint32_t default_objects);
 
 }  // namespace kerf::inline sims2d

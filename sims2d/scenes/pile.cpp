@@ -18,7 +18,7 @@ constexpr Needs kNeeds{.dimension = 2, .free_directions = false, .separating = {
 std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
   RainPlan plan;
   plan.needs = kNeeds;
-  plan.growth = growth_of("pile", options, kDefaultObjects);
+  plan.growth = growth_of(options, kDefaultObjects);
   // An object needs about 0.8 square units: levelled out, all of them stand less than half a unit high.
   const Scalar unit = std::max(std::sqrt(static_cast<Scalar>(plan.growth.objects)), 4.0F);
   const Scalar half_width = 0.9F * unit;

@@ -59,7 +59,7 @@ class PyramidScene final : public WorldScene<2, Box2dWorld> {
 };
 
 std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
-  const std::uint32_t objects = growth_of("pyramid", options, kDefaultObjects).objects;
+  const std::uint32_t objects = growth_of(options, kDefaultObjects).objects;
   return std::make_unique<PyramidScene>(broad_phase, objects, options.seed);
 }
 

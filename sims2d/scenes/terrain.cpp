@@ -53,7 +53,7 @@ BodyPlan column(Scalar left, Scalar left_height, Scalar right_height) {
 std::unique_ptr<Scene<2>> make(BroadPhase<2>& broad_phase, const SceneOptions& options) {
   RainPlan plan;
   plan.needs = kNeeds;
-  plan.growth = growth_of("terrain", options, kDefaultObjects);
+  plan.growth = growth_of(options, kDefaultObjects);
   const Scalar width = std::max(kWidthPerObject * static_cast<Scalar>(plan.growth.objects), kMinWidth);
   const auto columns = static_cast<std::size_t>(width / kColumn);
   const Scalar half_width = kColumn * static_cast<Scalar>(columns) / 2;

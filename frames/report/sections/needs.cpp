@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "frames/page/plot.h"
 #include "frames/report/need_cost.h"
 #include "frames/report/section.h"
@@ -28,7 +29,7 @@ Json measure(const std::string& scene, const ReportSizes& sizes, const Poll& pol
 NeedsCell cell_of(const std::string& scene, int dimension, const ReportSizes& sizes) {
   const std::string key = "needs " + scene + " " + std::to_string(dimension) + "D, " +
                           std::to_string(sizes.need_objects) + " objects, " + std::to_string(sizes.steps) +
-                          " steps, " + std::to_string(sizes.rounds) + " rounds";
+                          " steps, " + counted(sizes.rounds, "round");
   const auto run = [=](const Poll& poll) {
     return dimension == 2 ? measure<2>(scene, sizes, poll) : measure<3>(scene, sizes, poll);
   };

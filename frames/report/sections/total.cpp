@@ -1,3 +1,4 @@
+#include "core/base/counted.h"
 #include "core/bsp/bsp.h"
 #include "frames/report/section.h"
 #include "frames/report/setting.h"
@@ -60,7 +61,7 @@ Json measure(const std::string& scene, const ReportSizes& sizes, const Poll& pol
 SceneCell cell_of(const std::string& scene, int dimension, const ReportSizes& sizes) {
   const std::string key = "total " + scene + " " + std::to_string(dimension) + "D, " +
                           std::to_string(sizes.scene_objects) + " objects, " + std::to_string(sizes.steps) +
-                          " steps, " + std::to_string(sizes.rounds) + " rounds";
+                          " steps, " + counted(sizes.rounds, "round");
   const auto run = [=](const Poll& poll) {
     return dimension == 2 ? measure<2>(scene, sizes, poll) : measure<3>(scene, sizes, poll);
   };

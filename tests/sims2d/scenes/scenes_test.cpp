@@ -77,7 +77,7 @@ TEST_P(SceneList, GrowsEvenlyToItsNumber) {
 TEST_P(SceneList, ZerosMeanTheScenesOwnNumbers) {
   Bsp<2> tree;
   const auto scene = make(tree, {});
-  const Growth growth = growth_of(GetParam().name, {}, GetParam().default_objects);
+  const Growth growth = growth_of({}, GetParam().default_objects);
   EXPECT_EQ(growth.objects, GetParam().default_objects);
   EXPECT_GE(growth.steps, 200U) << "too short for a film";
   for (std::uint32_t step = 1; step < growth.steps; ++step) scene->advance();
