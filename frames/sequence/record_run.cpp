@@ -20,7 +20,7 @@ RecordingInfo info_of_run(const std::string& scene, int dimension, const SceneOp
 }
 
 template <int D>
-RunSoFar record_run(const RecordedRun<D>& run, const std::filesystem::path& file,
+RunSoFar record_run(const RunToRecord<D>& run, const std::filesystem::path& file,
                     const std::function<bool(std::uint32_t)>& go_on) {
   Bsp<D, EventLog> tree(run.info.config, run.info.volume);
   Recorder<D> recorder(tree, file, run.info);
@@ -36,9 +36,9 @@ RunSoFar record_run(const RecordedRun<D>& run, const std::filesystem::path& file
   return {scene->step(), recorder.seconds()};
 }
 
-template RunSoFar record_run<2>(const RecordedRun<2>&, const std::filesystem::path&,
+template RunSoFar record_run<2>(const RunToRecord<2>&, const std::filesystem::path&,
                                 const std::function<bool(std::uint32_t)>&);
-template RunSoFar record_run<3>(const RecordedRun<3>&, const std::filesystem::path&,
+template RunSoFar record_run<3>(const RunToRecord<3>&, const std::filesystem::path&,
                                 const std::function<bool(std::uint32_t)>&);
 
 }  // namespace kerf

@@ -12,7 +12,7 @@ namespace kerf {
 
 /// A run of a scene that is recorded.
 template <int D>
-struct RecordedRun {
+struct RunToRecord {
   const SceneEntry<D>& entry;
   SceneOptions options;
   RecordingInfo info;  ///< with parameters and volume of the tree; see `info_of_run`
@@ -32,7 +32,7 @@ RecordingInfo info_of_run(const std::string& scene, int dimension, const SceneOp
 /// Runs the scene with the tree and records it, with the shapes of its bodies, into `file`, which is closed
 /// then. Ends early if `go_on`, called after each step with its number, is false. Throws as Recorder does.
 template <int D>
-RunSoFar record_run(const RecordedRun<D>& run, const std::filesystem::path& file,
+RunSoFar record_run(const RunToRecord<D>& run, const std::filesystem::path& file,
                     const std::function<bool(std::uint32_t)>& go_on);
 
 }  // namespace kerf
