@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/float_mode.h"
 #include "core/recording/compression.h"
 #include "core/recording/event_codec.h"
 
@@ -129,6 +130,7 @@ BlockEncoder<D>::BlockEncoder(VolumeKind kind)
 template <int D>
 std::uint64_t BlockEncoder<D>::add(const StepRequests<D>& requests, std::span<const Event> events,
                                    std::span<const Look<D>> looks) {
+  const DefaultFloats floats;
   ++steps_;
   put_calls(requests.calls, calls_);
   put_events(events, events_);
@@ -188,6 +190,7 @@ Bytes BlockEncoder<D>::take() {
 template <int D>
 void BlockDecoder<D>::read(std::span<const std::uint8_t> block, std::uint32_t first_step,
                            std::uint64_t first_event, std::vector<RecordedStep<D>>& steps) {
+  const DefaultFloats floats;
   const Bytes bytes = decompress(block);
   ByteReader in(bytes);
   const std::size_t count = in.count(kLeastOfStep);

@@ -36,7 +36,8 @@ class NumberRoom {
 };
 
 /// Writes consecutive steps into blocks. Columns of like numbers are compressed together: calls, objects,
-/// lengths of differences, events; the bits of differences follow them as they are.
+/// lengths of differences, events; the bits of differences follow them as they are. Writing and reading
+/// foretell the same numbers, however their callers' threads round.
 template <int D>
 class BlockEncoder {
  public:

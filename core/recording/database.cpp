@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/base/damage.h"
+#include "core/base/float_mode.h"
 #include "core/base/poll.h"
 
 namespace kerf {
@@ -155,6 +156,7 @@ double Statement::real(int column) const {
 }
 
 float Statement::single(int column) const {
+  const DefaultFloats floats;
   const double value = real(column);
   if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max()))
     refuse(column, "out of its range");
@@ -212,8 +214,10 @@ int Database::go_on(void* patience) {
 Database Database::create(const std::filesystem::path& path) {
   auto lock = std::make_unique<const WriterLock>(path);
   if (has_content(path, "")) throw std::runtime_error(path.string() + " exists already");
+  auto files = std::make_unique<FreshFiles>(path);
   Database database(path, plain_name(path), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   database.lock_ = std::move(lock);
+  database.files_ = std::move(files);
   // Each page is written twice, by a call of its own: blocks and keyframes fill large ones. The log is folded
   // into the file every 1,000 pages: each time the writer waits for the disk.
   database.execute(

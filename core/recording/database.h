@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/base/bytes.h"
+#include "core/recording/fresh_files.h"
 #include "core/recording/writer_lock.h"
 
 struct sqlite3;
@@ -87,7 +88,7 @@ class Database {
  public:
   /// A new file, written ahead: others may read it meanwhile, and if the program is killed, everything
   /// committed remains. Throws if the file exists and is not empty, or if another process is writing one of
-  /// that name (WriterLock).
+  /// that name (WriterLock). Unless `keep` is called, its files go away with it.
   static Database create(const std::filesystem::path& path);
   /// An existing file, read only. While it is being written, SQLite's locks let reader and writer work, and
   /// need a writable folder. A file without a writer is read with its log, if it has one, without a lock and
@@ -99,6 +100,7 @@ class Database {
   /// An existing file whose writer was killed, to be ended in order by `close`.
   static Database open_to_end(const std::filesystem::path& path);
 
+  void keep() { files_->keep(); }
   /// Throws std::runtime_error if a file without a log is shorter or longer than its pages. `path`: its own.
   void check_size(const std::filesystem::path& path) const;
 
@@ -128,6 +130,7 @@ class Database {
   static int go_on(void* patience);
   std::unique_ptr<Patience> patience_ = std::make_unique<Patience>();
   std::unique_ptr<const WriterLock> lock_;  ///< of a new file
+  std::unique_ptr<FreshFiles> files_;       ///< the same; they outlive the connection
   std::unique_ptr<sqlite3, Close> database_;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/damage.h"
+#include "core/base/float_mode.h"
 #include "core/recording/chain.h"
 #include "core/recording/keyframe_codec.h"
 #include "core/recording/schema.h"
@@ -107,6 +108,7 @@ std::uint32_t RecordingReader<D>::keyframe_before(std::uint32_t step) const {
 template <int D>
 BspState<D> RecordingReader<D>::keyframe(std::uint32_t step,
                                          std::shared_ptr<const Projector<D>> projector) const {
+  const DefaultFloats floats;
   BspState<D> state = decode_keyframe<D>(keyframe_bytes(step).tree, std::move(projector));
   check_keyframe(state, row(step), info_);
   return state;
@@ -126,6 +128,7 @@ auto RecordingReader<D>::keyframe_bytes(std::uint32_t step) const -> KeyframeByt
 
 template <int D>
 Looks<D> RecordingReader<D>::keyframe_looks(std::uint32_t step) const {
+  const DefaultFloats floats;
   const KeyframeBytes bytes = keyframe_bytes(step);
   const auto objects = decode_keyframe_objects<D>(bytes.tree, info_.volume);
   return decode_looks(step, bytes, objects.bound());
@@ -142,6 +145,7 @@ Looks<D> RecordingReader<D>::decode_looks(std::uint32_t step, const KeyframeByte
 template <int D>
 const std::vector<Shape<D>>& RecordingReader<D>::shapes() const {
   if (shapes_) return *shapes_;
+  const DefaultFloats floats;
   std::vector<Shape<D>> shapes;
   Statement rows = database_.prepare("SELECT kind, data FROM shapes WHERE shape < ? ORDER BY shape");
   rows.bind(1, static_cast<std::int64_t>(shape_count()));
@@ -166,6 +170,7 @@ void RecordingReader<D>::check_look(const Look<D>& look, std::uint32_t step) con
 
 template <int D>
 const RecordedStep<D>& RecordingReader<D>::step(std::uint32_t step) {
+  const DefaultFloats floats;
   if (step == 0 || step > steps())
     throw std::runtime_error("the recording has " + info_.names.steps(1, steps()) + ", no step " +
                              info_.names.step(step));
@@ -276,6 +281,7 @@ std::vector<JudgedPair> RecordingReader<D>::judged_pairs(std::uint32_t step) con
 
 template <int D>
 TheirChanges<D> RecordingReader<D>::their_changes(std::uint32_t step) const {
+  const DefaultFloats floats;
   check_theirs(step);
   return read_their_changes<D>(database_, step);
 }
@@ -289,6 +295,7 @@ void RecordingReader<D>::check_theirs_up_to(std::uint32_t step) const {
 
 template <int D>
 std::optional<GivenBox<D>> RecordingReader<D>::given_box(ObjectId object, std::uint32_t step) const {
+  const DefaultFloats floats;
   check_theirs_up_to(step);
   return read_given_box<D>(database_, object, step);
 }
@@ -307,6 +314,7 @@ std::optional<GivenFilter> RecordingReader<D>::filter(ObjectId object, std::uint
 
 template <int D>
 std::optional<TheirStructure<D>> RecordingReader<D>::their_structure(std::uint32_t step) const {
+  const DefaultFloats floats;
   if (step == 0 || step > steps()) return std::nullopt;
   if (!has_structures(database_) && rows_.theirs.empty()) return std::nullopt;
   check_theirs(step);

@@ -1,5 +1,6 @@
 #include "core/recording/recording_writer.h"
 
+#include "core/base/float_mode.h"
 #include "core/recording/keyframe_codec.h"
 #include "core/recording/operator_rows.h"
 #include "core/recording/schema.h"
@@ -19,6 +20,7 @@ constexpr std::uint32_t kLeastSteps = 16;
 constexpr std::uint32_t kMostSteps = 256;
 
 Database create(const std::filesystem::path& path, const RecordingInfo& info) {
+  const DefaultFloats floats;
   Database database = Database::create(path);
   create_schema(database, info);
   return database;
@@ -41,11 +43,13 @@ RecordingWriter<D>::RecordingWriter(const std::filesystem::path& path, const Rec
       awaits_theirs_(info.imported),
       last_flush_(std::chrono::steady_clock::now()) {
   database_.execute("BEGIN");
+  database_.keep();
 }
 
 template <int D>
 void RecordingWriter<D>::add(const StepRequests<D>& requests, std::span<const Event> events, StepRow row,
                              std::span<const Look<D>> looks) {
+  const DefaultFloats floats;
   seal_theirs();
   if (commits_later_) commit();
   step_ = row.step;
@@ -68,6 +72,7 @@ bool RecordingWriter<D>::wants_keyframe() const {
 
 template <int D>
 void RecordingWriter<D>::add(const BspState<D>& keyframe) {
+  const DefaultFloats floats;
   if (encoder_.steps() > 0) flush();
   const Bytes bytes = encode_keyframe(keyframe);
   const Bytes looks = encode_looks(encoder_.looks());
@@ -82,6 +87,7 @@ void RecordingWriter<D>::add(const BspState<D>& keyframe) {
 
 template <int D>
 void RecordingWriter<D>::add(const TheirChanges<D>& changes) {
+  const DefaultFloats floats;
   has_theirs_ = true;
   write_changes(database_, step_, changes);
 }
@@ -94,6 +100,7 @@ void RecordingWriter<D>::add(std::span<const Pair> their_pairs, std::span<const 
 
 template <int D>
 void RecordingWriter<D>::add(const TheirStructure<D>& structure) {
+  const DefaultFloats floats;
   has_theirs_ = true;
   write_structure(database_, step_, structure);
 }
@@ -173,7 +180,9 @@ void RecordingWriter<D>::flush() {
 template <int D>
 void RecordingWriter<D>::commit() {
   commits_later_ = false;
-  database_.execute("COMMIT; BEGIN");
+  database_.execute("COMMIT");
+  committed_ = step_;
+  database_.execute("BEGIN");
   last_flush_ = std::chrono::steady_clock::now();
 }
 
@@ -183,6 +192,7 @@ void RecordingWriter<D>::finish() {
   if (encoder_.steps() > 0) flush();
   set_complete(database_, chain_.end());
   database_.execute("COMMIT");
+  committed_ = step_;
   put_step_.end();
   put_event_.end();
   put_block_.end();

@@ -16,12 +16,12 @@ namespace kerf {
 
 /// Writes a recording (docs/RECORDING.md). It commits at least once a second and every 25 steps, an import
 /// when all that another engine has of the last step is there; committed data remains whatever happens to the
-/// program. Throws std::runtime_error with the file and the reason, a full disk for example. Its fields are
-/// what is under way between two commits.
+/// program. Throws std::runtime_error with the file and the reason, a full disk for example; then nothing may
+/// be asked of it any more. Its fields are what is under way between two commits.
 template <int D>
 class RecordingWriter {
  public:
-  /// Throws if the file exists and is not empty.
+  /// Throws if the file exists and is not empty. Leaves no file behind when it throws.
   RecordingWriter(const std::filesystem::path& path, const RecordingInfo& info);
 
   /// `looks`: one for each of the requests' objects, with the numbers of `shapes()`; empty if nothing is
@@ -41,6 +41,8 @@ class RecordingWriter {
   void add(const TheirStructure<D>& structure);
   /// Ends the recording: it is complete then.
   void finish();
+  /// The last step that remains whatever happens.
+  [[nodiscard]] std::uint32_t committed() const { return committed_; }
 
  private:
   void put(const StepRow& row);
@@ -59,6 +61,7 @@ class RecordingWriter {
   BlockEncoder<D> encoder_;
   ShapeNumbers<D> shapes_;
   std::uint32_t step_ = 0;
+  std::uint32_t committed_ = 0;
   std::uint64_t changed_ = 0;         ///< since the last block
   std::uint64_t since_keyframe_ = 0;  ///< the cost of replaying the steps, in objects at rest
   std::uint32_t last_keyframe_ = 0;

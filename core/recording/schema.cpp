@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/base/damage.h"
+#include "core/base/float_mode.h"
 #include "core/recording/object_marks.h"
 #include "core/recording/operator_rows.h"
 #include "core/recording/shape_rows.h"
@@ -245,6 +246,7 @@ Database open_recording(const std::filesystem::path& path) {
 }
 
 RecordingInfo read_info(const Database& database) {
+  const DefaultFloats floats;
   std::map<std::string, std::string> meta;
   Statement rows = database.prepare("SELECT key, value FROM meta");
   while (rows.step()) meta[rows.text(0)] = rows.text(1);

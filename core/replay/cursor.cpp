@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/float_mode.h"
 #include "core/trace/event_facts.h"
 
 namespace kerf {
@@ -71,6 +72,7 @@ BspState<D> state_before(Replayer<D>& replayer, std::uint64_t event) {
 
 template <int D>
 std::vector<BallotEntry> ballot_of(const BspState<D>& before, const Event& event) {
+  const DefaultFloats floats;
   const auto contest = contest_of(event);
   if (!contest || !before.tree.is_alive(contest->node)) return {};
   const NodeId node = contest->node.node;

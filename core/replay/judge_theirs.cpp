@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/float_mode.h"
 #include "core/base/poll.h"
 
 namespace kerf {
@@ -146,6 +147,7 @@ template <int D>
 std::vector<JudgedPair> judge_theirs(std::span<const Pair> reported, std::span<const Pair> truth,
                                      const ObjectTable<D>& objects, const TheirWorld<D>& world,
                                      const PairDesign& design) {
+  const DefaultFloats floats;
   std::vector<JudgedPair> judged;
   std::vector<Pair> theirs = sorted_pairs(reported);
   const std::vector<Pair> repeated = take_repeated(theirs);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/base/float_mode.h"
 #include "core/base/poll.h"
 #include "core/kernels/lanes.h"
 
@@ -44,6 +45,7 @@ std::vector<Pair> pairs_of_volumes(const ObjectTable<D>& objects, const std::vec
 
 template <int D>
 std::vector<Pair> oracle_pairs(const ObjectTable<D>& objects) {
+  const DefaultFloats floats;
   std::vector<ObjectId> placed;
   for (std::uint32_t id = 0; id < objects.bound(); ++id)
     if (objects.is_placed({id})) placed.push_back({id});

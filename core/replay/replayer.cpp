@@ -3,6 +3,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/base/float_mode.h"
 namespace kerf {
 namespace {
 
@@ -39,6 +40,7 @@ Replayer<D>::Replayer(std::shared_ptr<RecordingReader<D>> recording, std::size_t
 
 template <int D>
 void Replayer<D>::seek(std::uint32_t step) {
+  const DefaultFloats floats;
   if (step > recording_->steps()) (void)recording_->step(step);  // throws, naming the steps that exist
   if (step != this->step() || !swept_) start_before(step);
   while (this->step() < step) {
@@ -68,6 +70,7 @@ void Replayer<D>::start_before(std::uint32_t step) {
 
 template <int D>
 void Replayer<D>::advance(const OnEvent& on_event) {
+  const DefaultFloats floats;
   tree_.trace().on_event = on_event;
   run_next(true);
   tree_.trace().on_event = {};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/counted.h"
+#include "core/base/float_mode.h"
 #include "core/base/poll.h"
 #include "core/bsp/state_codec.h"
 #include "core/recording/shape_rows.h"
@@ -281,6 +282,7 @@ class Verifier {
 
 Verdict verify(const std::filesystem::path& path, std::uint32_t oracle_every,
                const std::function<bool(std::uint32_t)>& progress) {
+  const DefaultFloats floats;
   if (read_recording_info(path).dimension == 2) return Verifier<2>(path, oracle_every).run(progress);
   return Verifier<3>(path, oracle_every).run(progress);
 }

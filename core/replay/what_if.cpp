@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/counted.h"
+#include "core/base/float_mode.h"
 #include "core/base/poll.h"
 #include "core/recording/recorder.h"
 #include "core/recording/schema.h"
@@ -139,6 +140,7 @@ void change_config(RecordingInfo& info, const RecordingReader<D>& recording, std
 template <int D>
 bool rerun(RecordingReader<D>& recording, const RecordingInfo& info, const std::filesystem::path& out,
            const std::function<bool()>& stop) {
+  const DefaultFloats floats;
   Bsp<D, EventLog> tree(info.config, info.volume);
   Recorder<D> recorder(tree, out,
                        info);  // what has the name already, or is being written, is not ours to remove

@@ -32,7 +32,7 @@ class ExitCodes : public ::testing::Test {
     make(
         "record pile -o @waits.kerf --steps 100 --objects 200 --grow 60 --config "
         "min_threshold=8,max_threshold=16");
-    test::record_crowd<2>(path("other.kerf"), 20, test::busy_config(), Config{});
+    test::record_another_run<2>(path("other.kerf"), 20);
     make("render @a.kerf --steps 1:6 --size 64x64 --out @frames");
     make("render @a.kerf --steps 1:6 --size 64x64 --out @shard --shard 1/2");
     make("render @b.kerf --steps 1:3 --size 64x64 --out @fewer");

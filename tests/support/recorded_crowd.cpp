@@ -34,20 +34,36 @@ RecordingInfo info_of(const Config& config, VolumeKind volume) {
 
 template <int D>
 void record_crowd(const std::filesystem::path& path, std::uint32_t steps, const Config& config,
-                  const Config& claimed, VolumeKind volume) {
+                  VolumeKind volume) {
   Bsp<D, EventLog> tree(config, volume);
-  Recorder<D> recorder(tree, path, info_of<D>(claimed, volume));
+  Recorder<D> recorder(tree, path, info_of<D>(config, volume));
   play_crowd<D>(recorder, steps, 1, [&](std::uint32_t step) {
     if (step % 2 == 0) (void)tree.trace().take();  // when events are taken does not matter
   });
   recorder.finish();
 }
 
+template <int D>
+void record_another_run(const std::filesystem::path& path, std::uint32_t steps) {
+  constexpr std::uint32_t kBeforeAllStandStill = 8;
+  Bsp<D, EventLog> tree(busy_config());
+  Recorder<D> recorder(tree, path, info_of<D>(tree.config()));
+  play_crowd<D>(recorder, steps, 1, [&](std::uint32_t step) {
+    if (step != kBeforeAllStandStill) return;
+    std::uint32_t first = 0;
+    while (!tree.objects().is_placed({first})) ++first;
+    Box<D> box = tree.objects().box({first});
+    for (int axis = 0; axis < D; ++axis) box.max[axis] += 1;
+    (void)tree.move({first}, box);
+  });
+  recorder.finish();
+}
+
 template RecordingInfo info_of<2>(const Config&, VolumeKind);
 template RecordingInfo info_of<3>(const Config&, VolumeKind);
-template void record_crowd<2>(const std::filesystem::path&, std::uint32_t, const Config&, const Config&,
-                              VolumeKind);
-template void record_crowd<3>(const std::filesystem::path&, std::uint32_t, const Config&, const Config&,
-                              VolumeKind);
+template void record_crowd<2>(const std::filesystem::path&, std::uint32_t, const Config&, VolumeKind);
+template void record_crowd<3>(const std::filesystem::path&, std::uint32_t, const Config&, VolumeKind);
+template void record_another_run<2>(const std::filesystem::path&, std::uint32_t);
+template void record_another_run<3>(const std::filesystem::path&, std::uint32_t);
 
 }  // namespace kerf::test

@@ -40,7 +40,7 @@ class Minimize : public testing::Test {
 
   Scenario<kDimension> crowd(VolumeKind kind = VolumeKind::box, std::uint32_t first = 0) {
     const test::TemporaryRecording file;
-    test::record_crowd<kDimension>(file.path(), 40, test::busy_config(), test::busy_config(), kind);
+    test::record_crowd<kDimension>(file.path(), 40, test::busy_config(), kind);
     Replayer<kDimension> replayer(std::make_shared<RecordingReader<kDimension>>(file.path()));
     return scenario_of(replayer, first, 40);
   }

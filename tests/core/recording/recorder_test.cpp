@@ -64,7 +64,7 @@ TYPED_TEST(Recording, HoldsForEveryPolicyAndVolume) {
   constexpr int kD = TypeParam::value;
   const auto holds = [](const Config& config, VolumeKind kind) {
     const TemporaryRecording file;
-    test::record_crowd<kD>(file.path(), 120, config, config, kind);
+    test::record_crowd<kD>(file.path(), 120, config, kind);
     const Verdict verdict = verify(file.path());
     EXPECT_EQ(verdict.steps, 120U);
     EXPECT_GT(verdict.pairs, 0U);
@@ -120,9 +120,7 @@ TYPED_TEST(Recording, KeyframesHoldAllThatIsKnownOfSkins) {
 TYPED_TEST(Recording, ADifferentRunIsNamedByStepAndEvent) {
   constexpr int kD = TypeParam::value;
   const TemporaryRecording file;
-  Config claimed = test::busy_config();
-  claimed.min_balance = 0.3F;
-  test::record_crowd<kD>(file.path(), 60, test::busy_config(), claimed);
+  test::record_another_run<kD>(file.path(), 60);
   const Verdict verdict = verify(file.path());
   ASSERT_TRUE(verdict.divergence);
   ASSERT_TRUE(verdict.divergence->event);

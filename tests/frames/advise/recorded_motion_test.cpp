@@ -18,7 +18,7 @@ template <class T>
 class RecordedMotion : public ::testing::Test {
  protected:
   void record(VolumeKind volume = VolumeKind::box) {
-    test::record_crowd<T::value>(file_.path(), kSteps, test::busy_config(), test::busy_config(), volume);
+    test::record_crowd<T::value>(file_.path(), kSteps, test::busy_config(), volume);
     reader_ = std::make_shared<RecordingReader<T::value>>(file_.path());
   }
   RecordedRun<T::value> run(std::uint32_t first, std::uint32_t last) {
