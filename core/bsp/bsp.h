@@ -38,7 +38,7 @@ class Bsp final : public BroadPhase<D> {
  public:
   /// The default is the paper's tree; `tuned_config()` is the fastest one, which World, C and Python have by
   /// default. Throws std::invalid_argument when the configuration cannot work (see `config_fields` for the
-  /// ranges).
+  /// ranges), or D dimensions have no such volumes.
   explicit Bsp(const Config& config = {}, VolumeKind kind = VolumeKind::box);
 
   [[nodiscard]] std::string_view name() const override { return "kerf"; }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "core/base/float_mode.h"
@@ -128,6 +130,9 @@ Interval Projector<D>::project_extra(std::uint32_t direction, const Box<D>& box,
 template <int D>
 std::shared_ptr<const Projector<D>> make_projector(const Config& config, VolumeKind kind) {
   check(config);
+  if (std::ranges::find(volume_kinds<D>(), kind) == volume_kinds<D>().end())
+    throw std::invalid_argument("there is no volume '" + std::string(to_string(kind)) + "' in " +
+                                std::to_string(D) + "D");
   const DefaultFloats floats;  // what is made is shared by all who ask
   const std::uint32_t size = D == 3 ? config.directions : std::max<std::uint32_t>(D, config.directions / 4);
   static MadeProjectors<D> made;

@@ -39,7 +39,8 @@ class Projector {
 };
 
 /// The projector of a configuration: its direction set has a quarter of the size in 2D. The last few
-/// are kept and shared. Throws std::invalid_argument when the configuration cannot work.
+/// are kept and shared. Throws std::invalid_argument when the configuration cannot work, or D dimensions have
+/// no such volumes.
 template <int D>
 std::shared_ptr<const Projector<D>> make_projector(const Config& config, VolumeKind kind);
 

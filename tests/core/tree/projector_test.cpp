@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace kerf::test {
 namespace {
 
@@ -29,6 +31,15 @@ TEST(MakeProjector, WhateverDiffersMakesAnother) {
   EXPECT_NE(make_projector<3>(with(32, 7), VolumeKind::box)->directions()[5], first->directions()[5]);
   EXPECT_EQ(make_projector<3>(with(32, 1), VolumeKind::sphere)->kind(), VolumeKind::sphere);
   EXPECT_EQ(make_projector<2>(with(32, 1), VolumeKind::box)->directions().size(), 8U);
+}
+
+TEST(MakeProjector, ThereAreOnlyVolumesOfTheDimension) {
+  EXPECT_NO_THROW((void)make_projector<2>(Config{}, VolumeKind::dop8));
+  EXPECT_NO_THROW((void)make_projector<3>(Config{}, VolumeKind::dop14));
+  for (const VolumeKind kind : {VolumeKind::dop8, VolumeKind::dop16})
+    EXPECT_THROW((void)make_projector<3>(Config{}, kind), std::invalid_argument);
+  for (const VolumeKind kind : {VolumeKind::dop14, VolumeKind::dop26})
+    EXPECT_THROW((void)make_projector<2>(Config{}, kind), std::invalid_argument);
 }
 
 }  // namespace
