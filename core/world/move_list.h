@@ -13,12 +13,14 @@ template <int D>
 class MoveList {
  public:
   void add(Handle object, const Box<D>& box) {
+    objects_.resize(boxes_.size());  // memory may have ended between the two
     objects_.push_back(object);
     boxes_.push_back(box);
   }
   /// Makes all moves that were added since the last call, in that order. Those that fail, of a removed object
   /// or to a box that is none, change nothing. Returns the first failure, as World::move does.
   WorldStatus send(World<D>& world) {
+    objects_.resize(boxes_.size());
     const WorldStatus status = world.move(objects_, boxes_);
     objects_.clear();
     boxes_.clear();

@@ -10,13 +10,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "core/spatial/lazy_index.h"
 #include "core/world/move_list.h"
+#include "core/world/next_place.h"
 #include "core/world/world.h"
 #include "sims2d/box2d/box2d_contacts.h"
 #include "sims2d/box2d/kind_of.h"
@@ -135,12 +134,14 @@ class Box2dBroadPhase {
     member.ahead = ahead;
     if (Box2dContacts::is_new(fixture)) return adopt(fixture, member);
     if (const b2BodyType type = fixture.GetBody()->GetType(); type != member.type) set_type(member, type);
-    if (same) return;
+    if (same && !is_refreshed(*fixture.GetBody())) return;
     for (const Handle handle : member.children) {
-      index_->note({handle.index()});
       Child& child = children_[handle.index()];
-      child.box = box_of(fixture, child.index, member);
-      moves_.add(handle, child.box);
+      const Box<2> box = box_of(fixture, child.index, member);
+      if (box == child.box) continue;
+      moves_.add(handle, box);
+      index_->note({handle.index()});
+      child.box = box;
     }
   }
 
@@ -149,18 +150,17 @@ class Box2dBroadPhase {
     member.type = fixture.GetBody()->GetType();
     ObjectDef def;
     def.kind = kind_of(member.type);
-    std::vector<ObjectId> objects;
-    for (std::int32_t child = 0; child < fixture.GetShape()->GetChildCount(); ++child) {
+    const std::int32_t count = fixture.GetShape()->GetChildCount();
+    member.children.reserve(static_cast<std::size_t>(count));
+    for (std::int32_t child = 0; child < count; ++child) {
+      make_room_for_next(world_, children_);
       const Box<2> box = box_of(fixture, child, member);
-      const auto [status, handle] = world_.insert(box, def);
-      if (is_failure(status)) throw std::invalid_argument(std::string(to_string(status)));
+      const Handle handle = insert_or_throw(world_, box, def);
       member.children.push_back(handle);
-      objects.push_back({handle.index()});
-      if (children_.size() <= handle.index()) children_.resize(handle.index() + std::size_t{1});
       children_[handle.index()] = {&fixture, fixture.GetBody(), child, box};
       index_->note({handle.index()});
     }
-    contacts_.adopt(fixture, objects);
+    contacts_.adopt(fixture, member.children);
   }
   void set_type(Member& member, b2BodyType type) {
     member.type = type;

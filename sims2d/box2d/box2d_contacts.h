@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/base/ids.h"
+#include "core/world/handle.h"
 
 namespace kerf {
 
@@ -45,18 +46,21 @@ class Box2dContacts {
   /// that was destroyed, and those of a body that was enabled.
   [[nodiscard]] static bool is_new(const b2Fixture& fixture) { return Access::count(fixture) > 0; }
 
-  /// Takes a new fixture out of Box2D's tree. `children` has the object of each child.
-  void adopt(b2Fixture& fixture, std::span<const ObjectId> children) {
-    for (std::size_t child = 0; child < children.size(); ++child) {
+  /// Takes a new fixture out of Box2D's tree. `children` has the handle of each child.
+  void adopt(b2Fixture& fixture, std::span<const Handle> children) {
+    std::vector<ObjectId>& objects = objects_[&fixture];
+    objects.clear();
+    for (const Handle child : children) {
+      objects.push_back({child.index()});
+      if (proxies_.size() <= child.index()) proxies_.resize(child.index() + std::size_t{1});
+    }
+    for (std::size_t child = 0; child < children.size(); ++child) {  // memory cannot end any more
       b2FixtureProxy& proxy = Access::proxies(fixture)[child];
       manager_.m_broadPhase.DestroyProxy(proxy.proxyId);
       proxy.proxyId = shared_proxy_;
-      const std::size_t index = children[child].index();
-      if (proxies_.size() <= index) proxies_.resize(index + 1);
-      proxies_[index] = &proxy;
+      proxies_[children[child].index()] = &proxy;
     }
     Access::count(fixture) = 0;
-    objects_[&fixture].assign(children.begin(), children.end());
     changed_ = true;
   }
 
@@ -71,7 +75,7 @@ class Box2dContacts {
   /// in which the solver works. Call it before each b2World::Step.
   void admit(std::span<const Pair> pairs) {
     if (changed_ || static_cast<std::size_t>(manager_.m_contactCount) != standing_.size()) list_standing();
-    changed_ = false;
+    changed_ = true;  // until all is done: memory may end before
     kept_.clear();
     auto old = standing_.begin();
     for (const Pair& pair : pairs) {
@@ -84,6 +88,7 @@ class Box2dContacts {
     }
     for (; old != standing_.end(); ++old) manager_.Destroy(old->contact);
     standing_.swap(kept_);
+    changed_ = false;
   }
 
  private:

@@ -8,9 +8,11 @@
 #include <limits>
 #include <type_traits>
 
+#include "core/base/float_mode.h"
 #include "core/geometry/box.h"
 #include "core/spatial/lazy_index.h"
 #include "core/spatial/query.h"
+#include "core/world/world_boxes.h"
 
 namespace kerf {
 
@@ -27,6 +29,12 @@ inline Box<3> to_box(const btVector3& min, const btVector3& max) {
     }
   }
   return box;
+}
+
+/// As World decides: it has no NaN, and min <= max.
+inline bool can_be_placed(const Box<3>& box) {
+  const UsualComparisons comparisons;
+  return is_ordered(box);
 }
 
 /// [min, max], around `from`, on the way of the callback, and a little more.

@@ -14,6 +14,7 @@
 
 #include "core/spatial/lazy_index.h"
 #include "core/world/move_list.h"
+#include "core/world/next_place.h"
 #include "core/world/world.h"
 #include "sims3d/bullet/bullet_box.h"
 #include "sims3d/bullet/bullet_proxy.h"
@@ -74,17 +75,16 @@ class BulletBroadPhase final : public btBroadphaseInterface {
 
   void setAabb(btBroadphaseProxy* proxy, const btVector3& min, const btVector3& max,
                btDispatcher* /*dispatcher*/) override {
-    if (proxy->m_aabbMin == min && proxy->m_aabbMax == max) return;
+    const Handle handle = static_cast<BulletProxy*>(proxy)->handle;
+    if (!handle.is_none() && proxy->m_aabbMin == min && proxy->m_aabbMax == max) return;
+    const Box<3> box = to_box(min, max);
+    if (!can_be_placed(box)) return;
+    if (!handle.is_none()) moves_.add(handle, box);
     proxy->m_aabbMin = min;
     proxy->m_aabbMax = max;
-    const Handle handle = static_cast<BulletProxy*>(proxy)->handle;
-    if (handle.is_none()) {
-      const auto found = find_proxy(boxless_, proxy);
-      if (!is_failure(place(*found))) boxless_.erase(found);
-      return;
-    }
-    index_->note({handle.index()});
-    moves_.add(handle, to_box(min, max));
+    if (!handle.is_none()) return index_->note({handle.index()});
+    const auto found = find_proxy(boxless_, proxy);
+    if (!is_failure(place(*found))) boxless_.erase(found);
   }
   void getAabb(btBroadphaseProxy* proxy, btVector3& min, btVector3& max) const override {
     min = proxy->m_aabbMin;
@@ -159,11 +159,11 @@ class BulletBroadPhase final : public btBroadphaseInterface {
  private:
   /// Takes the proxy if its box can be placed.
   WorldStatus place(std::unique_ptr<BulletProxy>& proxy) {
+    make_room_for_next(*world_, proxies_);
     ObjectDef def;
     def.kind = kind_of(*proxy);
     const auto [status, handle] = world_->insert(to_box(proxy->m_aabbMin, proxy->m_aabbMax), def);
     if (is_failure(status)) return status;
-    if (proxies_.size() <= handle.index()) proxies_.resize(handle.index() + std::size_t{1});
     proxy->handle = handle;
     proxies_[handle.index()] = std::move(proxy);
     index_->note({handle.index()});

@@ -7,15 +7,14 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <ranges>
 #include <stdexcept>
-#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "core/spatial/lazy_index.h"
 #include "core/world/move_list.h"
+#include "core/world/next_place.h"
 #include "core/world/world.h"
 #include "sims3d/fcl/fcl_box.h"
 
@@ -44,14 +43,16 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
 
   /// Throws std::invalid_argument for an object that is here already, or whose box is NaN.
   void registerObject(Object* object) override {
-    if (handles_.contains(object)) throw std::invalid_argument("the object is registered already");
-    const Box<3> box = to_box(object->getAABB());
-    const auto [status, handle] = world_.insert(box);
-    if (is_failure(status)) throw std::invalid_argument(std::string(to_string(status)));
-    if (members_.size() <= handle.index()) members_.resize(handle.index() + std::size_t{1});
-    members_[handle.index()] = {object, handle, box};
-    handles_[object] = handle;
-    index_->note({handle.index()});
+    const auto insert = [&] {
+      make_room_for_next(world_, members_);
+      const Box<3> box = to_box(object->getAABB());
+      const Handle handle = insert_or_throw(world_, box);
+      members_[handle.index()] = {object, handle, box};
+      index_->note({handle.index()});
+      return handle;
+    };
+    if (!add_under_key(handles_, object, insert))
+      throw std::invalid_argument("the object is registered already");
     stale_ = true;
   }
   /// An object that is not here changes nothing.
@@ -68,7 +69,6 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
   void update() override {
     for (Member& member : members_)
       if (member.object != nullptr) follow(member);
-    static_cast<void>(moves_.send(world_));
     find_pairs();
   }
   void update(Object* object) override { update(std::vector<Object*>{object}); }
@@ -76,7 +76,6 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
     for (const Object* object : objects)
       if (const auto found = handles_.find(object); found != handles_.end())
         follow(members_[found->second.index()]);
-    static_cast<void>(moves_.send(world_));
     find_pairs();
   }
   void clear() override {
@@ -152,14 +151,15 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
   void follow(Member& member) {
     const Box<3> box = to_box(member.object->getAABB());
     if (box == member.box) return;
+    moves_.add(member.handle, box);
     index_->note({member.handle.index()});
     member.box = box;
-    moves_.add(member.handle, box);
     stale_ = true;
   }
   void find_pairs() const {
-    if (!std::exchange(stale_, false)) return;
-    world_.step();
+    static_cast<void>(moves_.send(world_));
+    if (stale_) world_.step();
+    stale_ = false;
   }
   /// `ours_first`: the order of a callback for two managers, as FCL's trees have it.
   bool collide_one(Object* object, void* data, fcl::CollisionCallBack<S> callback, bool ours_first) const {
@@ -194,7 +194,7 @@ class FclManager final : public fcl::BroadPhaseCollisionManager<S> {
   std::vector<Member> members_;  ///< by index of the handle; without an object: free
   std::unordered_map<const Object*, Handle> handles_;
   std::unique_ptr<LazyIndex<3>> index_ = std::make_unique<LazyIndex<3>>();
-  MoveList<3> moves_;
+  mutable MoveList<3> moves_;  ///< for `find_pairs`
 };
 
 }  // namespace kerf

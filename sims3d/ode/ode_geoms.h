@@ -7,11 +7,11 @@
 #include <array>
 #include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "core/world/move_list.h"
+#include "core/world/next_place.h"
 #include "core/world/world.h"
 #include "sims3d/ode/geom_box.h"
 
@@ -32,15 +32,16 @@ class OdeGeoms {
   /// kind out where a trigger without a body must notice walls. Throws std::invalid_argument for a geom that
   /// is here already, or whose box is NaN.
   void add(dGeomID geom, ObjectKind kind = ObjectKind::moving) {
-    if (contains(geom)) throw std::invalid_argument("the geom is here already");
-    const Box<3> box = outward_box(geom);
-    ObjectDef def;
-    def.kind = kind;
-    const auto [status, handle] = world_.insert(box, def);
-    if (is_failure(status)) throw std::invalid_argument(std::string(to_string(status)));
-    if (members_.size() <= handle.index()) members_.resize(handle.index() + std::size_t{1});
-    members_[handle.index()] = {geom, handle, box};
-    handles_[geom] = handle;
+    const auto insert = [&] {
+      make_room_for_next(world_, members_);
+      const Box<3> box = outward_box(geom);
+      ObjectDef def;
+      def.kind = kind;
+      const Handle handle = insert_or_throw(world_, box, def);
+      members_[handle.index()] = {geom, handle, box};
+      return handle;
+    };
+    if (!add_under_key(handles_, geom, insert)) throw std::invalid_argument("the geom is here already");
   }
   /// A geom that is not here changes nothing.
   void remove(dGeomID geom) {
@@ -115,8 +116,8 @@ class OdeGeoms {
       if (member.geom == nullptr) continue;
       const Box<3> box = outward_box(member.geom);
       if (box == member.box) continue;
-      member.box = box;
       moves_.add(member.handle, box);
+      member.box = box;
     }
     static_cast<void>(moves_.send(world_));
     world_.step();

@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "sims3d/bullet/bullet_broad_phase.h"
@@ -87,7 +88,7 @@ TEST_F(BulletEdges, AProxyThatIsMadeWithoutABoxIsFoundFromItsFirstBoxOn) {
   btVector3 min;
   btVector3 max;
   broad_phase_.getAabb(turned, min, max);
-  EXPECT_EQ(min, btVector3(3, 1, 1));
+  EXPECT_EQ(min, btVector3(1, 1, 1));
   broad_phase_.getBroadphaseAabb(min, max);
   EXPECT_EQ(max, btVector3(1, 1, 1));
   broad_phase_.setAabb(turned, {1, 1, 1}, {2, 2, 2}, &dispatcher_);
@@ -98,6 +99,31 @@ TEST_F(BulletEdges, AProxyThatIsMadeWithoutABoxIsFoundFromItsFirstBoxOn) {
   broad_phase_.resetPool(&dispatcher_);  // one is left
   EXPECT_EQ(make({0, 0, 0}, {1, 1, 1})->m_uniqueId, 4);
   broad_phase_.destroyProxy(never, &dispatcher_);
+}
+
+TEST_F(BulletEdges, ABoxThatIsNoneLeavesAProxyWhereItWas) {
+  btBroadphaseProxy* const still = broad_phase_.createProxy({0, 0, 0}, {1, 1, 1}, 0, nullptr, 1, -1, nullptr);
+  btBroadphaseProxy* const other =
+      broad_phase_.createProxy({9, 0, 0}, {10, 1, 1}, 0, nullptr, 1, -1, nullptr);
+  const auto found_at = [&](float x) {
+    Collector all;
+    broad_phase_.aabbTest({x, 0, 0}, {x + 1, 1, 1}, all);
+    return all.found;
+  };
+  for (const auto& [min, max] : {std::pair(btVector3(kNan, kNan, kNan), btVector3(kNan, kNan, kNan)),
+                                 std::pair(btVector3(8, 8, 8), btVector3(7, 7, 7)),
+                                 std::pair(btVector3(5, 0, 0), btVector3(6, kNan, 1))}) {
+    broad_phase_.setAabb(still, min, max, nullptr);
+    broad_phase_.calculateOverlappingPairs(&dispatcher_);
+    EXPECT_THAT(found_at(0), testing::ElementsAre(still));
+    EXPECT_THAT(found_at(5), testing::IsEmpty());
+    EXPECT_THAT(found_at(9), testing::ElementsAre(other));
+    btVector3 low;
+    btVector3 high;
+    broad_phase_.getBroadphaseAabb(low, high);
+    EXPECT_EQ(low, btVector3(0, 0, 0));
+    EXPECT_EQ(high, btVector3(10, 1, 1));
+  }
 }
 
 btDiscreteDynamicsWorld* world_of_victim = nullptr;
