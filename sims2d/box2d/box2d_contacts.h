@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "core/base/ids.h"
-#include "core/world/handle.h"
 
 namespace kerf {
 
@@ -46,11 +45,12 @@ class Box2dContacts {
   /// that was destroyed, and those of a body that was enabled.
   [[nodiscard]] static bool is_new(const b2Fixture& fixture) { return Access::count(fixture) > 0; }
 
-  /// Takes a new fixture out of Box2D's tree. `children` has the handle of each child.
-  void adopt(b2Fixture& fixture, std::span<const Handle> children) {
+  /// Takes a new fixture out of Box2D's tree. `children` has the ObjectId or the Handle of each child.
+  template <class Children>
+  void adopt(b2Fixture& fixture, const Children& children) {
     std::vector<ObjectId>& objects = objects_[&fixture];
     objects.clear();
-    for (const Handle child : children) {
+    for (const auto& child : children) {
       objects.push_back({child.index()});
       if (proxies_.size() <= child.index()) proxies_.resize(child.index() + std::size_t{1});
     }

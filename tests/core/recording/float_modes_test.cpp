@@ -137,7 +137,7 @@ TYPED_TEST(RecordedModes, ACursorSeesTheSameStatesAndCandidates) {
     const InCallerMode caller(mode);
     Cursor<kD> cursor(std::make_shared<RecordingReader<kD>>(file.path()));
     std::vector<std::uint64_t> seen;
-    cursor.go_to_step(20);
+    cursor.go_to_step(1);
     while (cursor.forward(Granularity::op) && cursor.position().step < 30) {
       seen.push_back(cursor.state().hash());
       for (const BallotEntry& entry : cursor.candidates())
@@ -146,7 +146,7 @@ TYPED_TEST(RecordedModes, ACursorSeesTheSameStatesAndCandidates) {
     return seen;
   };
   const auto usual = look(kCallerModes[0]);
-  EXPECT_GT(usual.size(), 50U);
+  EXPECT_GT(usual.size(), 20U);
   for (const CallerMode& mode : kCallerModes) EXPECT_EQ(look(mode), usual) << mode.name;
 }
 
