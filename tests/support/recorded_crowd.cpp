@@ -53,7 +53,10 @@ void record_another_run(const std::filesystem::path& path, std::uint32_t steps) 
     std::uint32_t first = 0;
     while (!tree.objects().is_placed({first})) ++first;
     Box<D> box = tree.objects().box({first});
-    for (int axis = 0; axis < D; ++axis) box.max[axis] += 1;
+    for (int axis = 0; axis < D; ++axis) {
+      box.min[axis] += 6;
+      box.max[axis] += 6;
+    }
     (void)tree.move({first}, box);
   });
   recorder.finish();
