@@ -50,14 +50,13 @@ void record_another_run(const std::filesystem::path& path, std::uint32_t steps) 
   Recorder<D> recorder(tree, path, info_of<D>(tree.config()));
   play_crowd<D>(recorder, steps, 1, [&](std::uint32_t step) {
     if (step != kBeforeAllStandStill) return;
-    std::uint32_t first = 0;
-    while (!tree.objects().is_placed({first})) ++first;
-    Box<D> box = tree.objects().box({first});
-    for (int axis = 0; axis < D; ++axis) {
-      box.min[axis] += 6;
-      box.max[axis] += 6;
+    for (std::uint32_t id = 0; id < tree.objects().bound(); ++id) {
+      if (!tree.objects().is_placed({id})) continue;
+      Box<D> box = tree.objects().box({id});
+      box.min[0] += 6;
+      box.max[0] += 6;
+      (void)tree.move({id}, box);
     }
-    (void)tree.move({first}, box);
   });
   recorder.finish();
 }

@@ -76,7 +76,7 @@ void play_crowd(BroadPhase<D>& broad_phase, std::uint32_t steps, std::uint64_t s
 template <int D>
 void record_crowd(const std::filesystem::path& path, std::uint32_t steps, const Config& config,
                   VolumeKind volume = VolumeKind::box);
-/// The same, but from step 9 on it is another run than the recording says: the first object was moved behind
+/// The same, but from step 9 on it is another run than the recording says: all objects were moved behind
 /// the recorder's back.
 template <int D>
 void record_another_run(const std::filesystem::path& path, std::uint32_t steps);
