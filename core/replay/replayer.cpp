@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/float_mode.h"
+
 namespace kerf {
 namespace {
 
